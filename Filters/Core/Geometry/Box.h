@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Geometry_Box_h
+#define skd_Geometry_Box_h
+
+#include "Vector.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace skd
+{
+
+/// An axis-aligned ("isothetic") box, bounds included. A new one is empty: (+max, lowest).
+template <int D>
+struct Box
+{
+  Vector<D> Min;
+  Vector<D> Max;
+
+  Box()
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      this->Min[axis] = std::numeric_limits<double>::max();
+      this->Max[axis] = std::numeric_limits<double>::lowest();
+    }
+  }
+  Box(const Vector<D>& min, const Vector<D>& max)
+    : Min(min)
+    , Max(max)
+  {
+  }
+
+  bool IsEmpty() const
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      if (!(this->Min[axis] <= this->Max[axis]))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void Add(const Vector<D>& point)
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      this->Min[axis] = std::min(this->Min[axis], point[axis]);
+      this->Max[axis] = std::max(this->Max[axis], point[axis]);
+    }
+  }
+
+  void Add(const Box& other)
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      this->Min[axis] = std::min(this->Min[axis], other.Min[axis]);
+      this->Max[axis] = std::max(this->Max[axis], other.Max[axis]);
+    }
+  }
+
+  /// The box grown by `margin` on every side; an empty box stays empty.
+  Box Inflated(double margin) const
+  {
+    if (this->IsEmpty())
+    {
+      return *this;
+    }
+    Box grown(*this);
+    for (int axis = 0; axis < D; ++axis)
+    {
+      grown.Min[axis] -= margin;
+      grown.Max[axis] += margin;
+    }
+    return grown;
+  }
+
+  /// Halves are added, not the sum halved: no overflow near the largest double.
+  Vector<D> Centroid() const
+  {
+    Vector<D> centre;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      centre[axis] = 0.5 * this->Min[axis] + 0.5 * this->Max[axis];
+    }
+    return centre;
+  }
+
+  double Length(int axis) const { return this->Max[axis] - this->Min[axis]; }
+
+  /// The lowest of the axes along which the box is longest.
+  int LongestAxis() const
+  {
+    int longest = 0;
+    for (int axis = 1; axis < D; ++axis)
+    {
+      if (this->Length(axis) > this->Length(longest))
+      {
+        longest = axis;
+      }
+    }
+    return longest;
+  }
+
+  double Diagonal() const { return this->IsEmpty() ? 0.0 : Norm(this->Max - this->Min); }
+
+  bool Contains(const Vector<D>& point) const
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      if (!(this->Min[axis] <= point[axis] && point[axis] <= this->Max[axis]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool Contains(const Box& other) const
+  {
+    return this->Contains(other.Min) && this->Contains(other.Max);
+  }
+
+  bool Overlaps(const Box& other) const
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      if (!(this->Min[axis] <= other.Max[axis] && other.Min[axis] <= this->Max[axis]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+using Box3 = Box<3>;
+
+}
+
+#endif
