@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeCellLocator
+ * @brief   find cells by the spatial kD-tree (skD-tree) of Khamayseh and Hansen
+ *
+ * vtkSkdTreeCellLocator answers the whole contract of vtkAbstractCellLocator, and the queries of
+ *
+ *   A. Khamayseh, G. Hansen, "Use of the Spatial kD-Tree in Computational Physics Applications",
+ *   Commun. Comput. Phys. 2 (2007) 545-576,
+ *
+ * whose section and algorithm numbers are cited below. The tree is a balanced hierarchy of
+ * axis-aligned "safety boxes", split at the median of the longest axis. A safety box is a cell's
+ * bounding box inflated by 2 epsilon: it makes the search conservative. What is returned is always
+ * decided by an exact test on the cell, in double precision.
+ *
+ * It takes any vtkDataSet with any cell type. Vertices, lines, triangles, pixels, quads,
+ * tetrahedra, voxels, hexahedra, wedges and pyramids have kernels of their own that read raw
+ * points; every other type goes through vtkGenericCell.
+ *
+ * How its answers are defined:
+ * - IntersectWithLine, first hit: the nearest along the line; of cells hit at the same parameter
+ *   the lowest id. A line through a shared edge or vertex of a closed surface of triangles or quads
+ *   is never lost (the test is watertight, exact signs decide). A cell seen exactly edge-on is not
+ *   hit. A line of zero length hits nothing.
+ * - IntersectWithLine, all hits: each hit cell once, by (t, cell id). A crossing of a shared edge or
+ *   vertex is so reported once for each incident cell; FindCrossings merges these.
+ * - FindClosestPoint and its kin: the true nearest point, ties to the lowest cell id.
+ * - FindCell: the cell that contains the point (to within rounding: 8 units in the last place of
+ *   the largest coordinate), of several the lowest id; with a tolerance else the *nearest* cell
+ *   within it. pcoords and weights are those of the point of the cell nearest to x.
+ * - FindCellsWithinBounds: exactly the cells whose bounds overlap the box, bounds included.
+ *
+ * Threads: after BuildLocator() every query is thread-safe, the short forms included, and
+ * allocates nothing (lists handed in grow as VTK's lists do). With LazyBuild, too.
+ *
+ * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 32 bytes a
+ * cell for the tree, plus a copy of points (24 bytes each) and connectivity (4 bytes a cell point);
+ * GetMemorySize() counts it.
+ *
+ * Inherited settings: it utilizes NumberOfCellsPerNode (clamped to 1..8, default 8),
+ * CacheCellBounds (default off: bounds are taken from the points when asked) and
+ * UseExistingSearchStructure. It does not utilize Automatic, MaxLevel, RetainCellLists and
+ * Tolerance (each query has a tolerance of its own; Epsilon sizes the safety boxes).
+ *
+ * Bad input: no data set or no cells: every query finds nothing, with no error. Cells with NaN or
+ * infinite points are left out of the tree, with one warning that counts them. Empty cells and
+ * cells of unknown type are left out. NaN or infinite query points find nothing; a NaN or negative
+ * radius finds nothing; a negative tolerance counts as zero.
+ *
+ * @sa
+ * vtkAbstractCellLocator vtkStaticCellLocator vtkSkdTreeClosestPoint
+ */
+
+#ifndef vtkSkdTreeCellLocator_h
+#define vtkSkdTreeCellLocator_h
+
+#include "vtkAbstractCellLocator.h"
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
+
+#include <memory> // For std::shared_ptr
+
+class SkdCellTree;
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkCellArray;
+class vtkDoubleArray;
+class vtkIdTypeArray;
+class vtkMatrix4x4;
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCellLocator : public vtkAbstractCellLocator
+{
+public:
+  vtkTypeMacro(vtkSkdTreeCellLocator, vtkAbstractCellLocator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeCellLocator* New();
+
+  ///@{
+  /**
+   * The half width that safety boxes are inflated by, twice (section 3.1), relative to the diagonal
+   * of the data set's bounding box. The width in use is never below 8 units in the last place of
+   * the largest coordinate. It widens the search only, never an answer. Range [0, 1], default 1e-9.
+   */
+  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
+  ///@}
+
+  /**
+   * Epsilon as used by the built tree, in world units. 0 before the tree is built.
+   */
+  double GetAbsoluteEpsilon();
+
+  ///@{
+  /**
+   * Build-on-query (Algorithm 3.2): BuildLocator computes the boxes only, and a node is split when
+   * the first query reaches it. Answers are the same; safe when many threads query at once.
+   * Default off.
+   */
+  vtkSetMacro(LazyBuild, bool);
+  vtkGetMacro(LazyBuild, bool);
+  vtkBooleanMacro(LazyBuild, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Leave out cells that vtkGhostType marks as duplicate, refined or hidden. Blanked cells of
+   * structured grids are left out whatever this says. Default on.
+   */
+  vtkSetMacro(SkipGhostCells, bool);
+  vtkGetMacro(SkipGhostCells, bool);
+  vtkBooleanMacro(SkipGhostCells, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A rigid motion of the whole set (section 2): every query is answered as if the data set had
+   * been moved by this matrix, without a rebuild. Cells handed out are moved too. nullptr (default)
+   * leaves the set where it is. The matrix must keep distances (orthonormal to 1e-9, no
+   * perspective): any other is refused with an error and the former stays. The values are copied.
+   */
+  void SetTransform(vtkMatrix4x4* motion);
+  vtkMatrix4x4* GetTransform();
+  ///@}
+
+  // Short forms that are not overridden here.
+  using vtkAbstractCellLocator::FindClosestPoint;
+  using vtkAbstractCellLocator::FindClosestPointWithinRadius;
+
+  ///@{
+  /**
+   * First hit of the segment p1 p2, see vtkAbstractCellLocator. `t` in [0, 1] from p1 to p2; `tol`
+   * is an absolute distance by which a line may miss a cell of dimension 0 to 2. Returns 1 or 0;
+   * cellId is -1 when nothing is hit. `cell` may be nullptr.
+   */
+  int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
+    double pcoords[3], int& subId) override;
+  int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
+    double pcoords[3], int& subId, vtkIdType& cellId) override;
+  int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
+    double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell) override;
+  ///@}
+
+  ///@{
+  /**
+   * All hits of the segment p1 p2, each cell once, sorted by (t, cell id). Lists may be nullptr.
+   * With the six-argument form `cell` = nullptr asks for hits of the cells' bounds instead: the
+   * cells whose bounds (grown by tol) the segment meets, and the points where it enters them.
+   * Returns 1 if there is a hit, else 0.
+   */
+  int IntersectWithLine(
+    const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds) override;
+  int IntersectWithLine(const double p1[3], const double p2[3], const double tol,
+    vtkPoints* points, vtkIdList* cellIds) VTK_SKD_OVERRIDE_SINCE_92;
+  int IntersectWithLine(const double p1[3], const double p2[3], const double tol,
+    vtkPoints* points, vtkIdList* cellIds, vtkGenericCell* cell) VTK_SKD_OVERRIDE_SINCE_92;
+  ///@}
+
+  /**
+   * All crossings of the segment p1 p2 with a surface: hits on a shared edge or vertex count as one
+   * crossing, and all its incident cells are known. For crossing i: tuple i of `parameters` (t in
+   * [0, 1]), point i of `points`, cell i of `incidentCells` (ids of the cells hit there, ascending)
+   * and tuple i of `kinds`: 1 where the line passes through to the other side, 0 where it only
+   * touches. Of a closed surface of triangles and quads, however it is oriented, the number of
+   * crossings of kind 1 is odd exactly when one end is inside and the other outside. Any output may
+   * be nullptr. Returns the number of crossings.
+   */
+  vtkIdType FindCrossings(const double p1[3], const double p2[3], vtkDoubleArray* parameters,
+    vtkPoints* points, vtkCellArray* incidentCells, vtkIdTypeArray* kinds);
+
+  /**
+   * The number of times that the segment p1 p2 passes through a surface (crossings of kind 1 of
+   * FindCrossings), without collecting them: parity for an in/out test (section 6.3).
+   */
+  vtkIdType CountCrossings(const double p1[3], const double p2[3]);
+
+  ///@{
+  /**
+   * Nearest point, see vtkAbstractCellLocator. cellId is -1 when there is no cell. `cell` may be
+   * nullptr, else it holds the nearest cell on return.
+   */
+  void FindClosestPoint(const double x[3], double closestPoint[3], vtkIdType& cellId, int& subId,
+    double& dist2) override;
+  void FindClosestPoint(const double x[3], double closestPoint[3], vtkGenericCell* cell,
+    vtkIdType& cellId, int& subId, double& dist2) override;
+  ///@}
+
+  ///@{
+  /**
+   * Nearest point at a distance of at most `radius` (infinity allowed). Returns 1 or 0. `inside` is
+   * 1 when x projects into the cell or lies in it, as EvaluatePosition would tell. `cell` may be
+   * nullptr.
+   */
+  vtkIdType FindClosestPointWithinRadius(double x[3], double radius, double closestPoint[3],
+    vtkIdType& cellId, int& subId, double& dist2) override;
+  vtkIdType FindClosestPointWithinRadius(double x[3], double radius, double closestPoint[3],
+    vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2) override;
+  vtkIdType FindClosestPointWithinRadius(double x[3], double radius, double closestPoint[3],
+    vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2, int& inside) override;
+  ///@}
+
+  /**
+   * The k nearest cells by exact distance, nearest first, ties by id. `distances` (one component,
+   * world units) may be nullptr. Returns how many were found: min(k, number of cells).
+   */
+  vtkIdType FindClosestCells(
+    const double x[3], int k, vtkIdList* cellIds, vtkDoubleArray* distances);
+
+  /**
+   * All cells at a distance of at most `radius`: those that overlap the sphere (4.2, exact),
+   * ascending by id. `distances` may be nullptr. Returns their number.
+   */
+  vtkIdType FindCellsWithinRadius(
+    const double x[3], double radius, vtkIdList* cellIds, vtkDoubleArray* distances);
+
+  ///@{
+  /**
+   * The cell that contains x, or with a tolerance (tol2, squared distance) the nearest cell within
+   * it; -1 if there is none. `cell`, `weights` may be nullptr here.
+   */
+  vtkIdType FindCell(double x[3]) VTK_SKD_OVERRIDE_UNTIL_97;
+  vtkIdType FindCell(double x[3], double tol2);
+  vtkIdType FindCell(double x[3], double tol2, vtkGenericCell* cell, double pcoords[3],
+    double* weights) VTK_SKD_OVERRIDE_UNTIL_97;
+  vtkIdType FindCell(double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3],
+    double* weights) VTK_SKD_OVERRIDE_SINCE_92;
+  ///@}
+
+  /**
+   * The same after a look into the cell `hint` (the last answer, say; -1 for none): a coherent
+   * sequence of points costs less. In overlapping meshes the hinted cell wins over a lower id.
+   */
+  vtkIdType FindCellWithHint(double x[3], double tol2, vtkIdType hint, vtkGenericCell* cell,
+    int& subId, double pcoords[3], double* weights);
+#if VTK_SKD_LOCATOR_97
+  vtkIdType FindCell(double x[3], vtkCell* cell, vtkGenericCell* genericCell, vtkIdType cellId,
+    double tol2, int& subId, double pcoords[3], double* weights) override;
+#endif
+
+  /**
+   * The cells whose bounds overlap the box (xmin, xmax, ymin, ymax, zmin, zmax), bounds included,
+   * ascending by id.
+   */
+  void FindCellsWithinBounds(double* bbox, vtkIdList* cells) override;
+
+  /**
+   * The cells whose bounds, grown by `tolerance`, the segment p1 p2 meets, sorted by (t, id).
+   */
+  void FindCellsAlongLine(const double p1[3], const double p2[3], double tolerance,
+    vtkIdList* cells) VTK_SKD_OVERRIDE_UNTIL_97;
+
+  /**
+   * The cells whose bounds, grown by `tolerance`, the plane (origin o, normal n of any length)
+   * meets, ascending by id.
+   */
+  void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance,
+    vtkIdList* cells) VTK_SKD_OVERRIDE_SINCE_92;
+
+  ///@{
+  /**
+   * Whether x lies within the bounds of a cell, grown by tol. False for an id out of range.
+   */
+#if VTK_SKD_LOCATOR_97
+  bool InsideCellBounds(double x[3], vtkIdType cellId, double tol = 0.0) override;
+#else
+  bool InsideCellBounds(double x[3], vtkIdType cellId) override;
+#endif
+  ///@}
+
+  ///@{
+  /**
+   * Raw queries: the ids of the candidate cells, ascending, as the paper's algorithms give them:
+   * cells whose *safety box* passes; no exact test is made. FindClosestCandidates is Algorithm 5.1
+   * (at least one of the candidates holds the nearest point), by choice with a reference point: one
+   * on or near a cell only speeds the search up, any other is harmless. The others are Algorithms
+   * 5.2 (segment), 5.3 (box), the sphere of 4.2 and a plane.
+   */
+  void FindClosestCandidates(const double x[3], vtkIdList* cellIds);
+  void FindClosestCandidates(const double x[3], const double reference[3], vtkIdList* cellIds);
+  void FindCandidatesAlongLine(const double p1[3], const double p2[3], vtkIdList* cellIds);
+  void FindCandidatesWithinBounds(const double bounds[6], vtkIdList* cellIds);
+  void FindCandidatesWithinRadius(const double x[3], double radius, vtkIdList* cellIds);
+  void FindCandidatesAlongPlane(const double o[3], const double n[3], vtkIdList* cellIds);
+  ///@}
+
+  /**
+   * Algorithm 5.4: all pairs (a cell of this tree, a cell of the other) whose safety boxes overlap,
+   * sorted by (this id, other id). Transforms of both locators are taken into account. Pass the
+   * locator itself to find the pairs within one set, (i, i) among them. Returns the number of pairs.
+   */
+  vtkIdType FindOverlappingPairs(
+    vtkSkdTreeCellLocator* other, vtkIdList* cellIds, vtkIdList* otherCellIds);
+
+  ///@{
+  /**
+   * The paper's own arrays (Algorithm 3.1), 2N-1 tuples each: S, the safety box of node i as
+   * (xmin, xmax, ymin, ymax, zmin, zmax), and L, its link. Node 0 is the root (the paper counts
+   * from 1): L > 0 is the first of two adjacent children, L <= 0 the negated id of the leaf's cell.
+   * (The root is no one's child, so 0 always means cell 0.) Computed on each call: O(N log N).
+   */
+  void GetSafetyBoxes(vtkDoubleArray* S);
+  void GetLinks(vtkIdTypeArray* L);
+  ///@}
+
+  ///@{
+  /**
+   * Statistics of the built tree: cells in it; cells left out (ghost, blanked, empty, not finite or
+   * of unknown type); nodes of the query layout; its depth in node visits; its bytes, all told;
+   * seconds that the last build took. 0 before it is built.
+   */
+  vtkIdType GetNumberOfCellsInTree();
+  vtkIdType GetNumberOfCellsLeftOut();
+  vtkIdType GetNumberOfNodes();
+  int GetDepth();
+  vtkIdType GetMemorySize();
+  double GetBuildSeconds();
+  ///@}
+
+  ///@{
+  /**
+   * See vtkLocator. BuildLocator builds when there is no tree, or the data set or this object's
+   * settings changed after the last build; with UseExistingSearchStructure on only when there is
+   * no tree. ForceBuildLocator always builds.
+   */
+  void BuildLocator() override;
+  void ForceBuildLocator() VTK_SKD_OVERRIDE_SINCE_92;
+  void FreeSearchStructure() override;
+  ///@}
+
+  /**
+   * The safety boxes of a level of the paper's binary tree as quads: level 0 the root's, -1 or a
+   * level below the deepest the leaves'. Cell array "Level" and, for leaves, "CellId" (-1 inside).
+   */
+  void GenerateRepresentation(int level, vtkPolyData* pd) override;
+
+  /**
+   * Share the tree and copy the settings of another vtkSkdTreeCellLocator, in O(1). The data set is
+   * taken over only when this locator has none.
+   */
+  void ShallowCopy(vtkAbstractCellLocator* locator) VTK_SKD_OVERRIDE_SINCE_92;
+
+protected:
+  vtkSkdTreeCellLocator();
+  ~vtkSkdTreeCellLocator() override;
+
+  void BuildLocatorInternal() VTK_SKD_OVERRIDE_SINCE_92;
+
+  double Epsilon = 1e-9;
+  bool LazyBuild = false;
+  bool SkipGhostCells = true;
+
+private:
+  vtkSkdTreeCellLocator(const vtkSkdTreeCellLocator&) = delete;
+  void operator=(const vtkSkdTreeCellLocator&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

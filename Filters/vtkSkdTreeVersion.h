@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkSkdTreeVersion.h
+ * @brief The one place that knows how VTK 9.1 to 9.7 differ.
+ *
+ * Everything here is about VTK's own declarations; nothing else in the project asks for a version.
+ */
+
+#ifndef vtkSkdTreeVersion_h
+#define vtkSkdTreeVersion_h
+
+#include "vtkVersionMacros.h" // For VTK_VERSION_CHECK, VTK_MAJOR_VERSION
+
+#ifndef VTK_VERSION_NUMBER
+#define VTK_VERSION_NUMBER                                                                         \
+  VTK_VERSION_CHECK(VTK_MAJOR_VERSION, VTK_MINOR_VERSION, VTK_BUILD_VERSION)
+#endif
+
+// VTK before 9.3 has no ABI namespace, Debian's 9.2 of January 2023 has.
+#ifndef VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
+
+// 9.2 made the thread-safe forms of vtkAbstractCellLocator virtual, and ShallowCopy,
+// FindCellsAlongPlane, ForceBuildLocator and BuildLocatorInternal with them.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+#define VTK_SKD_OVERRIDE_SINCE_92 override
+#define VTK_SKD_LOCATOR_92 1
+#else
+#define VTK_SKD_OVERRIDE_SINCE_92
+#define VTK_SKD_LOCATOR_92 0
+#endif
+
+// 9.7 made the short forms of FindCell and FindCellsAlongLine non-virtual and gave
+// InsideCellBounds a tolerance (merged to VTK's master on 2026-05-14).
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 20260514)
+#define VTK_SKD_OVERRIDE_UNTIL_97
+#define VTK_SKD_LOCATOR_97 1
+#else
+#define VTK_SKD_OVERRIDE_UNTIL_97 override
+#define VTK_SKD_LOCATOR_97 0
+#endif
+
+// vtkAlgorithm::CheckAbort came during 9.2's development; releases 9.2.x lack it.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221001)
+#define VTK_SKD_HAS_CHECK_ABORT 1
+#else
+#define VTK_SKD_HAS_CHECK_ABORT 0
+#endif
+
+#endif
