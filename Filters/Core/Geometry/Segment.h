@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Geometry_Segment_h
+#define skd_Geometry_Segment_h
+
+#include "Box.h"
+
+#include <optional>
+#include <utility>
+
+namespace skd
+{
+
+/// The points A + t (B - A), 0 <= t <= 1.
+template <int D>
+struct Segment
+{
+  Vector<D> A;
+  Vector<D> B;
+
+  Vector<D> At(double t) const { return Lerp(this->A, this->B, t); }
+};
+
+/// A stretch of a segment's parameter.
+struct Interval
+{
+  double Min;
+  double Max;
+};
+
+/// The stretch of [0, 1] on which the segment is inside the box (section 5.1: the box projected
+/// along each axis onto the segment), or nothing. A NaN anywhere means nothing.
+template <int D>
+std::optional<Interval> Clip(const Segment<D>& segment, const Box<D>& box)
+{
+  Interval inside{ 0.0, 1.0 };
+  for (int axis = 0; axis < D; ++axis)
+  {
+    const double origin = segment.A[axis];
+    const double length = segment.B[axis] - origin;
+    if (length == 0.0)
+    {
+      if (!(box.Min[axis] <= origin && origin <= box.Max[axis]))
+      {
+        return std::nullopt;
+      }
+      continue;
+    }
+    double enter = (box.Min[axis] - origin) / length;
+    double leave = (box.Max[axis] - origin) / length;
+    if (length < 0.0)
+    {
+      std::swap(enter, leave);
+    }
+    inside.Min = enter > inside.Min ? enter : inside.Min;
+    inside.Max = leave < inside.Max ? leave : inside.Max;
+    if (!(inside.Min <= inside.Max) || std::isnan(length))
+    {
+      return std::nullopt;
+    }
+  }
+  return inside;
+}
+
+}
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Queries_AlongSegment_h
+#define skd_Queries_AlongSegment_h
+
+#include "../Geometry/Segment.h"
+#include "../Tree/Node.h"
+
+namespace skd
+{
+
+/// Elements along a segment (Algorithm 5.2), by the parameter at which it enters their boxes.
+///
+/// `leaf(element)` intersects an element and returns the parameter (0..1 along the segment) beyond
+/// which nothing is wanted any more: the first hit so far, or 1 for all hits.
+///
+/// The segment is first clipped to the bounds of the tree in double precision, so that a far end
+/// costs no accuracy; `margin` (world units) widens every box, for searches with a tolerance.
+template <int D, class Leaf>
+class AlongSegment
+{
+public:
+  static constexpr bool Ordered = true;
+
+  AlongSegment(const Frame<D>& frame, const Box<D>& bounds, const Segment<D>& segment,
+    double margin, Leaf& leaf)
+    : TheLeaf(leaf)
+  {
+    const std::optional<Interval> inside = Clip(segment, bounds.Inflated(margin));
+    if (!inside)
+    {
+      return;
+    }
+    this->Begin = inside->Min;
+    this->Length = inside->Max - inside->Min;
+    this->SetLocal(frame, segment.At(inside->Min), segment.At(inside->Max), margin);
+    this->TheLimit = 1.0f + Slack;
+  }
+
+  template <int W>
+  void Keys(const Bundle<D, W>& boxes, float* keys) const
+  {
+    float leave[W];
+    for (int lane = 0; lane < W; ++lane)
+    {
+      keys[lane] = 0.0f;
+      leave[lane] = 1.0f;
+    }
+    for (int axis = 0; axis < D; ++axis)
+    {
+      const float* near = this->IsForward[axis] ? boxes.Min[axis] : boxes.Max[axis];
+      const float* far = this->IsForward[axis] ? boxes.Max[axis] : boxes.Min[axis];
+      for (int lane = 0; lane < W; ++lane)
+      {
+        const float entering = (near[lane] - this->NearOrigin[axis]) * this->Inverse[axis];
+        const float leaving = (far[lane] - this->FarOrigin[axis]) * this->Inverse[axis];
+        keys[lane] = entering > keys[lane] ? entering : keys[lane];
+        leave[lane] = leaving < leave[lane] ? leaving : leave[lane];
+      }
+    }
+    for (int lane = 0; lane < W; ++lane)
+    {
+      keys[lane] = keys[lane] <= leave[lane] + Slack ? keys[lane] : Never;
+    }
+  }
+
+  float Limit() const { return this->TheLimit; }
+
+  bool Visit(std::uint32_t element)
+  {
+    const double parameter = this->TheLeaf(element);
+    const double local = (parameter - this->Begin) / this->Length;
+    if (local < 1.0)
+    {
+      this->TheLimit = Frame<D>::RoundUp(local) + Slack;
+    }
+    return true;
+  }
+
+private:
+  /// Above the rounding of a parameter in [0, 1]: a handful of operations of 2^-24 each.
+  static constexpr float Slack = 4e-6f;
+  static constexpr float Never = std::numeric_limits<float>::infinity();
+
+  void SetLocal(const Frame<D>& frame, const Vector<D>& from, const Vector<D>& to, double margin)
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      const double direction = (to[axis] - from[axis]) * frame.Scale;
+      this->IsForward[axis] = direction >= 0.0;
+      this->Inverse[axis] = static_cast<float>(1.0 / Widened(direction));
+      const float low = frame.Down(from[axis] - margin, axis);
+      const float high = frame.Up(from[axis] + margin, axis);
+      this->NearOrigin[axis] = this->IsForward[axis] ? high : low;
+      this->FarOrigin[axis] = this->IsForward[axis] ? low : high;
+    }
+  }
+
+  /// "Insure width of L in each coordinate direction": no division by zero, no infinity below.
+  static double Widened(double direction)
+  {
+    constexpr double least = 1e-30;
+    return direction >= 0.0 ? std::max(direction, least) : std::min(direction, -least);
+  }
+
+  double Begin = 0.0;
+  double Length = 0.0;
+  bool IsForward[D];
+  float NearOrigin[D];
+  float FarOrigin[D];
+  float Inverse[D];
+  float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
+  Leaf& TheLeaf;
+};
+
+}
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Queries_Nearest_h
+#define skd_Queries_Nearest_h
+
+#include "PointKeys.h"
+
+namespace skd
+{
+
+/// Nearest element to a point (sections 4.1 and 5), with exact distances: boxes are visited by
+/// their least distance (4.1) and left alone once farther than what is known.
+///
+/// `leaf(element)` measures an element and returns the squared distance (in the world) beyond
+/// which nothing is wanted any more. So one class serves: the nearest (leaf returns the best so
+/// far), the k nearest (the k-th best), all within a sphere (section 4.2: always the radius).
+/// A bound known beforehand is the first limit: infinity, a radius, or the distance to a reference
+/// point. Elements at exactly the limit are visited, so ties can go to the lowest index.
+template <int D, class Leaf>
+class Nearest
+{
+public:
+  static constexpr bool Ordered = true;
+
+  Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf)
+    : TheFrame(frame)
+    , Point(frame, point)
+    , TheLimit(frame.UpperBound2(limit2))
+    , TheLeaf(leaf)
+  {
+  }
+
+  template <int W>
+  void Keys(const Bundle<D, W>& boxes, float* keys) const
+  {
+    this->Point.MinDistances2(boxes, keys);
+  }
+
+  float Limit() const { return this->TheLimit; }
+
+  bool Visit(std::uint32_t element)
+  {
+    this->TheLimit = this->TheFrame.UpperBound2(this->TheLeaf(element));
+    return true;
+  }
+
+private:
+  const Frame<D>& TheFrame;
+  PointKeys<D> Point;
+  float TheLimit;
+  Leaf& TheLeaf;
+};
+
+/// Algorithm 5.1 without the exact test: calls `leaf(element, least squared distance in the frame)`
+/// for every element whose box may hold the nearest point. The pessimistic distance falls as boxes
+/// are met: every node holds an element, so the farthest point of its box bounds the nearest.
+/// Elements reached early may exceed the final GetLimit(): the caller drops these at the end.
+template <int D, class Leaf>
+class NearestCandidates
+{
+public:
+  static constexpr bool Ordered = true;
+
+  NearestCandidates(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf)
+    : Point(frame, point)
+    , TheLimit(frame.UpperBound2(limit2))
+    , TheLeaf(leaf)
+  {
+  }
+
+  template <int W>
+  void Keys(const Bundle<D, W>& boxes, float* keys)
+  {
+    float farthest[W];
+    this->Point.MaxDistances2(boxes, farthest);
+    this->Point.MinDistances2(boxes, keys);
+    for (int lane = 0; lane < W; ++lane)
+    {
+      const bool isEmpty = boxes.Min[0][lane] > boxes.Max[0][lane];
+      if (!isEmpty && farthest[lane] < this->TheLimit)
+      {
+        this->TheLimit = farthest[lane];
+      }
+    }
+  }
+
+  float Limit() const { return this->TheLimit; }
+
+  bool Visit(std::uint32_t element)
+  {
+    this->TheLeaf(element);
+    return true;
+  }
+
+private:
+  PointKeys<D> Point;
+  float TheLimit;
+  Leaf& TheLeaf;
+};
+
+}
+
+#endif

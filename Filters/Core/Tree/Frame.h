@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_Frame_h
+#define skd_Tree_Frame_h
+
+#include "../Geometry/Box.h"
+
+#include <cmath>
+#include <limits>
+
+namespace skd
+{
+
+/// The box of an element or a node in a tree's frame.
+template <int D>
+struct FloatBox
+{
+  float Min[D];
+  float Max[D];
+};
+
+/// Where a tree's single-precision boxes live: the world moved to the centre of the set and scaled
+/// by a power of two so that the set lies in [-1, 1]. So a tree loses nothing on data that are
+/// tiny, huge or far from the origin.
+///
+/// Rounding is outward and monotone: a <= b in the world gives Down(a) <= Up(b) in the frame. What
+/// overlaps in the world overlaps here.
+template <int D>
+struct Frame
+{
+  Vector<D> Centre;
+  double Scale;
+
+  static Frame Of(const Box<D>& bounds)
+  {
+    Frame frame;
+    frame.Centre = bounds.Centroid();
+    double halfLength = 0.0;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      halfLength = std::max(halfLength, 0.5 * bounds.Max[axis] - 0.5 * bounds.Min[axis]);
+    }
+    int exponent = 0;
+    std::frexp(halfLength, &exponent);
+    frame.Scale = halfLength > 0.0 ? std::ldexp(1.0, -std::clamp(exponent, -1000, 1000)) : 1.0;
+    return frame;
+  }
+
+  float Down(double world, int axis) const { return RoundDown(this->Local(world, axis)); }
+  float Up(double world, int axis) const { return RoundUp(this->Local(world, axis)); }
+
+  FloatBox<D> Outward(const Box<D>& box) const
+  {
+    FloatBox<D> rounded;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      rounded.Min[axis] = this->Down(box.Min[axis], axis);
+      rounded.Max[axis] = this->Up(box.Max[axis], axis);
+    }
+    return rounded;
+  }
+
+  /// A squared world distance as a bound on squared frame distances that single precision
+  /// arithmetic on at most a dozen axes cannot miss.
+  float UpperBound2(double distance2) const
+  {
+    constexpr double slack = 1.0 + 1.0 / (1 << 18);
+    return RoundUp(distance2 * this->Scale * this->Scale * slack);
+  }
+
+  static float RoundDown(double value)
+  {
+    const float nearest = ToFloat(value);
+    return nearest > value ? std::nextafterf(nearest, -Infinity) : nearest;
+  }
+
+  static float RoundUp(double value)
+  {
+    const float nearest = ToFloat(value);
+    return nearest < value ? std::nextafterf(nearest, Infinity) : nearest;
+  }
+
+private:
+  static constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+  double Local(double world, int axis) const
+  {
+    return (world - this->Centre[axis]) * this->Scale;
+  }
+
+  // A double beyond the range of float has no conversion in C++: infinity is the rounding we want.
+  static float ToFloat(double value)
+  {
+    constexpr double largest = std::numeric_limits<float>::max();
+    if (value > largest)
+    {
+      return Infinity;
+    }
+    return value < -largest ? -Infinity : static_cast<float>(value);
+  }
+};
+
+}
+
+#endif

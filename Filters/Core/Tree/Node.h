@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_Node_h
+#define skd_Tree_Node_h
+
+#include "Frame.h"
+
+#include <cstdint>
+
+namespace skd
+{
+
+/// Up to W boxes side by side, a box a lane, so that one pass of arithmetic tests them all.
+template <int D, int W>
+struct Bundle
+{
+  static constexpr int Width = W;
+
+  float Min[D][W];
+  float Max[D][W];
+
+  /// All lanes empty: (+max, lowest), which no finite query reaches.
+  void Clear()
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      for (int lane = 0; lane < W; ++lane)
+      {
+        this->Min[axis][lane] = std::numeric_limits<float>::max();
+        this->Max[axis][lane] = std::numeric_limits<float>::lowest();
+      }
+    }
+  }
+
+  void Set(int lane, const FloatBox<D>& box)
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      this->Min[axis][lane] = box.Min[axis];
+      this->Max[axis][lane] = box.Max[axis];
+    }
+  }
+
+  FloatBox<D> Get(int lane) const
+  {
+    FloatBox<D> box;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      box.Min[axis] = this->Min[axis][lane];
+      box.Max[axis] = this->Max[axis][lane];
+    }
+    return box;
+  }
+};
+
+/// A node: the boxes of its children, three levels of the paper's binary tree in one. The children
+/// of an inner node are the nodes First .. First + Count - 1, those of a bottom node the elements
+/// at these positions.
+template <int D>
+struct alignas(32) Node
+{
+  static constexpr int Width = 8;
+
+  Bundle<D, Width> Boxes;
+  std::uint32_t First = 0;
+  std::uint16_t Count = 0;
+  bool IsBottom = false;
+};
+
+/// What a walk has to visit: a node, or an element by its position.
+class Reference
+{
+public:
+  static Reference ToNode(std::uint32_t node) { return Reference(node); }
+  static Reference ToElement(std::uint32_t position) { return Reference(position | ElementBit); }
+
+  bool IsElement() const { return (this->Bits & ElementBit) != 0; }
+  std::uint32_t Index() const { return this->Bits & ~ElementBit; }
+
+  Reference() = default;
+
+private:
+  static constexpr std::uint32_t ElementBit = 0x80000000u;
+
+  explicit Reference(std::uint32_t bits)
+    : Bits(bits)
+  {
+  }
+
+  std::uint32_t Bits;
+};
+
+/// The number of elements a tree can hold.
+constexpr std::uint64_t MaximumNumberOfElements = 0x7fffffffu;
+
+template <int D>
+Reference Child(const Node<D>& node, int lane)
+{
+  const std::uint32_t index = node.First + static_cast<std::uint32_t>(lane);
+  return node.IsBottom ? Reference::ToElement(index) : Reference::ToNode(index);
+}
+
+}
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_Tree_h
+#define skd_Tree_Tree_h
+
+#include "Grower.h"
+
+namespace skd
+{
+
+/// What a tree is built from. Boxes are safety boxes in the frame; at most
+/// MaximumNumberOfElements of them, all finite.
+template <int D>
+struct TreeInput
+{
+  skd::Frame<D> Frame;
+  Box<D> Bounds; ///< the safety box of all, in the world
+  std::vector<Element<D>> Elements;
+  int Capacity = Node<D>::Width; ///< elements a bottom node, 1 .. Node<D>::Width
+};
+
+/// The frame, the bounds and the elements of a set of boxes, inflated by 2 epsilon (section 3.1).
+template <int D>
+TreeInput<D> MakeTreeInput(const std::vector<Box<D>>& boxes, double epsilon)
+{
+  TreeInput<D> input;
+  for (const Box<D>& box : boxes)
+  {
+    input.Bounds.Add(box.Inflated(2.0 * epsilon));
+  }
+  input.Frame = Frame<D>::Of(input.Bounds);
+  input.Elements.reserve(boxes.size());
+  for (const Box<D>& box : boxes)
+  {
+    const auto index = static_cast<std::uint32_t>(input.Elements.size());
+    input.Elements.push_back({ input.Frame.Outward(box.Inflated(2.0 * epsilon)), index });
+  }
+  return input;
+}
+
+/// Runs the bodies of a loop one after the other; hand in another to run them in parallel.
+struct SerialLoop
+{
+  template <class Body>
+  void operator()(std::size_t count, Body body) const
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      body(i);
+    }
+  }
+};
+
+/// The skD-tree that queries run on: built whole (Algorithm 3.1), then constant. Any number of
+/// threads may walk it. O(N log N) to build, about 32 bytes an element in three dimensions.
+template <int D>
+class Tree
+{
+public:
+  Tree() = default;
+
+  /// `loop(count, body)` calls body(0) .. body(count - 1) in any order, by choice in parallel.
+  template <class Loop>
+  Tree(TreeInput<D>&& input, Loop loop)
+    : TheFrame(input.Frame)
+    , TheBounds(input.Bounds)
+  {
+    if (input.Elements.empty())
+    {
+      return;
+    }
+    skd::Grower<D> grower(std::move(input.Elements), input.Capacity);
+    GrowAll(grower, loop);
+    this->Elements.resize(grower.NumberOfElements());
+    for (std::size_t position = 0; position < this->Elements.size(); ++position)
+    {
+      this->Elements[position] = grower.ElementAt(static_cast<std::uint32_t>(position));
+    }
+    this->Nodes = grower.TakeNodes();
+  }
+
+  explicit Tree(TreeInput<D>&& input)
+    : Tree(std::move(input), SerialLoop())
+  {
+  }
+
+  bool IsEmpty() const { return this->Nodes.empty(); }
+  const Node<D>& Open(std::uint32_t node) const { return this->Nodes[node]; }
+  std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
+
+  const Frame<D>& GetFrame() const { return this->TheFrame; }
+  const Box<D>& GetBounds() const { return this->TheBounds; }
+
+  std::size_t NumberOfElements() const { return this->Elements.size(); }
+  std::size_t NumberOfNodes() const { return this->Nodes.size(); }
+  std::size_t MemorySize() const
+  {
+    return this->Nodes.capacity() * sizeof(Node<D>) +
+      this->Elements.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  using Task = typename skd::Grower<D>::Task;
+  using Range = typename skd::Grower<D>::Range;
+
+  /// Breadth first until there is work for every thread, then each piece to its end.
+  template <class Loop>
+  static void GrowAll(skd::Grower<D>& grower, Loop& loop)
+  {
+    constexpr std::size_t enough = 64;
+    std::vector<Task> tasks;
+    grower.Begin(0, grower.All(), [&tasks](const Task& task) { tasks.push_back(task); });
+    while (!tasks.empty() && tasks.size() < enough)
+    {
+      std::vector<std::vector<Task>> made(tasks.size());
+      loop(tasks.size(), [&](std::size_t i) { Advance(grower, tasks[i], made[i]); });
+      tasks.clear();
+      for (const std::vector<Task>& some : made)
+      {
+        tasks.insert(tasks.end(), some.begin(), some.end());
+      }
+    }
+    loop(tasks.size(), [&](std::size_t i) { Finish(grower, tasks[i]); });
+  }
+
+  static void Advance(skd::Grower<D>& grower, const Task& task, std::vector<Task>& stack)
+  {
+    const auto push = [&stack](const Task& made) { stack.push_back(made); };
+    grower.Step(task, push,
+      [&](std::uint32_t child, const Range& range) { grower.Begin(child, range, push); });
+  }
+
+  static void Finish(skd::Grower<D>& grower, const Task& first)
+  {
+    std::vector<Task> stack{ first };
+    while (!stack.empty())
+    {
+      const Task task = stack.back();
+      stack.pop_back();
+      Advance(grower, task, stack);
+    }
+  }
+
+  Frame<D> TheFrame{};
+  Box<D> TheBounds;
+  std::vector<Node<D>> Nodes;
+  std::vector<std::uint32_t> Elements;
+};
+
+}
+
+#endif
