@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What makes the build usable from outside: the CMake package SkdTree, build/setup.sh, the .deb.
+
+include(CMakePackageConfigHelpers)
+
+# The package, for the install tree and for the build tree.
+set(package_folder "${CMAKE_BINARY_DIR}/${SKDTREE_CMAKE_DESTINATION}")
+configure_package_config_file(CMake/SkdTreeConfig.cmake.in "${package_folder}/SkdTreeConfig.cmake"
+  INSTALL_DESTINATION "${SKDTREE_CMAKE_DESTINATION}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${package_folder}/SkdTreeConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${package_folder}/SkdTreeConfig.cmake"
+    "${package_folder}/SkdTreeConfigVersion.cmake"
+  DESTINATION "${SKDTREE_CMAKE_DESTINATION}" COMPONENT development)
+
+# What a shell sources to use the build tree as it is.
+set(plugin_folder "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
+configure_file(CMake/setup.sh.in "${CMAKE_BINARY_DIR}/setup.sh" @ONLY)
+
+include(SkdTreePackage)

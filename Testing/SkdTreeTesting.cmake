@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# How a test is added: skdtree_add_gtest for C++, skdtree_add_python_test for pvpython or Python.
+
+include(GoogleTest)
+
+set(SKDTREE_TEST_ENVIRONMENT
+  "SKDTREE_SOURCE_DIR=${SKDTREE_ROOT}"
+  "SKDTREE_DATA_DIR=${SKDTREE_ROOT}/Data"
+  "SKDTREE_EXTRA_DATA_DIR=${SKDTREE_EXTRA_DATA_DIR}"
+  "SKDTREE_TEMPORARY_DIR=${SKDTREE_TEMPORARY_DIR}")
+
+# The build tree's plugin and Python package, as build/setup.sh gives them to a shell.
+set(SKDTREE_USE_ENVIRONMENT
+  "PV_PLUGIN_PATH=${plugin_folder}/SkdTree"
+  "PYTHONPATH=${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}"
+  "LD_LIBRARY_PATH=${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}:$ENV{LD_LIBRARY_PATH}")
+
+set(SKDTREE_SANITIZER_ENVIRONMENT
+  "ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1"
+  "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_LIST_DIR}/Support/LeakSuppressions.txt:print_suppressions=0"
+  "TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=${CMAKE_CURRENT_LIST_DIR}/Support/ThreadSuppressions.txt"
+  "UBSAN_OPTIONS=print_stacktrace=1")
+
+# What a C++ test is compiled with: our headers, public and private, as the module itself sees them
+# ("Core/...", "Cells/..."), the tests' own ("Support/..."), and the same rounding rules.
+add_library(skdtree_testing INTERFACE)
+target_compile_features(skdtree_testing INTERFACE cxx_std_17)
+target_compile_options(skdtree_testing INTERFACE
+  $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off -Wall -Wextra>)
+target_include_directories(skdtree_testing INTERFACE
+  "${SKDTREE_ROOT}/Filters" "${CMAKE_CURRENT_LIST_DIR}")
+target_compile_definitions(skdtree_testing INTERFACE
+  SKDTREE_SOURCE_DIR="${SKDTREE_ROOT}"
+  SKDTREE_DATA_DIR="${SKDTREE_ROOT}/Data"
+  SKDTREE_EXTRA_DATA_DIR="${SKDTREE_EXTRA_DATA_DIR}"
+  SKDTREE_TEMPORARY_DIR="${SKDTREE_TEMPORARY_DIR}")
+
+# skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] LABEL <label>)
+# An executable with GoogleTest's main; each of its tests becomes one of CTest's.
+function (skdtree_add_gtest name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES")
+  add_executable("${name}" ${test_SOURCES})
+  target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
+  gtest_discover_tests("${name}"
+    TEST_PREFIX "${test_LABEL}."
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES
+      LABELS "${test_LABEL}"
+      TIMEOUT 600
+      ENVIRONMENT "${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
+endfunction ()
+
+# skdtree_add_python_test(<name> COMMAND <command>... LABEL <label>)
+# A run of pvpython, python3, ... that finds the build tree's plugin and Python package. Ending with
+# 77 means skipped; a Python that got past an error of VTK's or ParaView's did not pass.
+function (skdtree_add_python_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "COMMAND")
+  add_test(NAME "${test_LABEL}.${name}" COMMAND ${test_COMMAND})
+  set_tests_properties("${test_LABEL}.${name}" PROPERTIES
+    LABELS "${test_LABEL}"
+    TIMEOUT 600
+    SKIP_RETURN_CODE 77
+    FAIL_REGULAR_EXPRESSION "ERR\\|;ERROR: In ;Traceback"
+    ENVIRONMENT "${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_USE_ENVIRONMENT}")
+endfunction ()
