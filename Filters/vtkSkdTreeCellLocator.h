@@ -59,9 +59,10 @@
 #include "vtkFiltersSkdTreeModule.h" // For export macro
 #include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
 
-#include <memory> // For std::shared_ptr
+#include <memory> // For std::unique_ptr
 
 class SkdCellTree;
+class SkdLocatorState;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
@@ -239,7 +240,7 @@ public:
 
   /**
    * The cells whose bounds overlap the box (xmin, xmax, ymin, ymax, zmin, zmax), bounds included,
-   * ascending by id.
+   * in the order of the tree: the same every time.
    */
   void FindCellsWithinBounds(double* bbox, vtkIdList* cells) override;
 
@@ -251,7 +252,7 @@ public:
 
   /**
    * The cells whose bounds, grown by `tolerance`, the plane (origin o, normal n of any length)
-   * meets, ascending by id.
+   * meets, in the order of the tree.
    */
   void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance,
     vtkIdList* cells) VTK_SKD_OVERRIDE_SINCE_92;
@@ -269,8 +270,8 @@ public:
 
   ///@{
   /**
-   * Raw queries: the ids of the candidate cells, ascending, as the paper's algorithms give them:
-   * cells whose *safety box* passes; no exact test is made. FindClosestCandidates is Algorithm 5.1
+   * Raw queries: the ids of the candidate cells, in the order of the tree, as the paper's algorithms
+   * give them: cells whose *safety box* passes; no exact test is made. FindClosestCandidates is Algorithm 5.1
    * (at least one of the candidates holds the nearest point), by choice with a reference point: one
    * on or near a cell only speeds the search up, any other is harmless. The others are Algorithms
    * 5.2 (segment), 5.3 (box), the sphere of 4.2 and a plane.
@@ -353,8 +354,11 @@ private:
   vtkSkdTreeCellLocator(const vtkSkdTreeCellLocator&) = delete;
   void operator=(const vtkSkdTreeCellLocator&) = delete;
 
-  class Internals;
-  std::unique_ptr<Internals> Impl;
+  bool IsUpToDate();
+  void CacheBounds();
+  const SkdCellTree& GetTree();
+
+  std::unique_ptr<SkdLocatorState> Impl;
 };
 
 VTK_ABI_NAMESPACE_END

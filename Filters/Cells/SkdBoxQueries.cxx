@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdCellTree.h"
+
+#include "Cells/SkdMotion.h"
+#include "Core/Geometry/Distance.h"
+#include "Core/Queries/AlongPlane.h"
+#include "Core/Queries/AlongSegment.h"
+#include "Core/Queries/Nearest.h"
+#include "Core/Queries/OverlappingPairs.h"
+#include "Core/Queries/WithinBox.h"
+#include "Core/Tree/WalkPairs.h"
+
+#include "vtkIdList.h"
+
+#include <algorithm>
+
+namespace
+{
+bool IsUsable(const skd::Plane<3>& plane)
+{
+  return skd::IsFinite(plane.Origin) && skd::IsFinite(plane.Normal);
+}
+}
+
+//------------------------------------------------------------------------------
+skd::Box3 SkdCellTree::WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion* motion) const
+{
+  if (!motion)
+  {
+    return this->Store.BoundsOf(cell);
+  }
+  skd::Box3 bounds;
+  const std::uint32_t* ids = this->Store.PointIdsOf(cell);
+  const std::uint32_t size = this->Store.SizeOf(cell);
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    bounds.Add(motion->Forward(this->Store.Point(ids[i])));
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+bool SkdCellTree::BoundsHold(const skd::Vector3& x, vtkIdType id, double tolerance,
+  const skd::RigidMotion* motion) const
+{
+  const std::int64_t cell = this->Store.CellOfId(id);
+  if (cell < 0)
+  {
+    return false;
+  }
+  const skd::Box3 bounds = this->WorldBoundsOf(static_cast<std::uint32_t>(cell), motion);
+  return bounds.Inflated(std::max(tolerance, 0.0)).Contains(x);
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindWithinBounds(
+  const skd::Box3& box, const skd::RigidMotion* motion, vtkIdList* ids) const
+{
+  ids->Reset();
+  if (box.IsEmpty())
+  {
+    return;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (this->WorldBoundsOf(cell, motion).Overlaps(box))
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+    return true;
+  };
+  if (motion)
+  {
+    this->ForEachNear(box, *motion, leaf);
+    return;
+  }
+  skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), box, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindAlongPlane(const skd::Plane<3>& plane, double tolerance,
+  const skd::RigidMotion* motion, vtkIdList* ids) const
+{
+  ids->Reset();
+  if (!IsUsable(plane))
+  {
+    return;
+  }
+  const double reach = std::max(tolerance, 0.0);
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (skd::Overlaps(plane, this->WorldBoundsOf(cell, motion), reach))
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+    return true;
+  };
+  const skd::Frame<3>& frame = this->GetFrame();
+  const skd::Slab<3> slab = motion ? SkdSlabBeforeMotion(frame, plane, reach, *motion)
+                                   : skd::Slab<3>(frame, plane, reach);
+  skd::WithinSlabs<3, 1, decltype(leaf)> query({ slab }, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+// A reference point is trusted only as far as an element's box that holds it: the farthest point of
+// that box bounds the nearest distance, wherever the reference point came from.
+void SkdCellTree::FindNearestCandidates(
+  const skd::Vector3& x, const skd::Vector3* reference, vtkIdList* ids) const
+{
+  ids->Reset();
+  if (!skd::IsFinite(x))
+  {
+    return;
+  }
+  double known2 = std::numeric_limits<double>::max();
+  if (reference && skd::IsFinite(*reference))
+  {
+    auto bound = [&](std::uint32_t cell)
+    {
+      known2 = std::min(known2, skd::MaxDistance2(x, this->SafetyBoxOf(cell)));
+      return true;
+    };
+    skd::WithinBox<3, decltype(bound)> atReference(
+      this->GetFrame(), skd::Box3(*reference, *reference), bound);
+    this->Walk(atReference);
+  }
+  thread_local std::vector<std::uint32_t> reached;
+  reached.clear();
+  auto leaf = [&](std::uint32_t cell)
+  {
+    reached.push_back(cell);
+    known2 = std::min(known2, skd::MaxDistance2(x, this->SafetyBoxOf(cell)));
+  };
+  skd::NearestCandidates<3, decltype(leaf)> query(this->GetFrame(), x, known2, leaf);
+  this->Walk(query);
+  for (const std::uint32_t cell : reached)
+  {
+    if (skd::MinDistance2(x, this->SafetyBoxOf(cell)) <= known2)
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList* ids) const
+{
+  ids->Reset();
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (skd::Clip(segment, this->SafetyBoxOf(cell)))
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+    return 1.0;
+  };
+  skd::AlongSegment<3, decltype(leaf)> query(
+    this->GetFrame(), this->GetBounds(), segment, 0.0, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) const
+{
+  ids->Reset();
+  if (box.IsEmpty())
+  {
+    return;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (this->SafetyBoxOf(cell).Overlaps(box))
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+    return true;
+  };
+  skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), box, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindSafetyBoxesWithin(
+  const skd::Vector3& x, double radius, vtkIdList* ids) const
+{
+  ids->Reset();
+  if (!skd::IsFinite(x) || !(radius >= 0.0))
+  {
+    return;
+  }
+  const double radius2 = radius * radius;
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (skd::MinDistance2(x, this->SafetyBoxOf(cell)) <= radius2)
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+    return radius2;
+  };
+  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, radius2, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* ids) const
+{
+  ids->Reset();
+  if (!IsUsable(plane))
+  {
+    return;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (skd::Overlaps(plane, this->SafetyBoxOf(cell), 0.0))
+    {
+      ids->InsertNextId(this->Store.IdOf(cell));
+    }
+    return true;
+  };
+  skd::AlongPlane<3, decltype(leaf)> query(this->GetFrame(), plane, 0.0, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<vtkIdType, vtkIdType>> SkdCellTree::FindOverlappingPairs(
+  const SkdCellTree& other, const skd::RigidMotion& motion) const
+{
+  std::vector<std::pair<vtkIdType, vtkIdType>> pairs;
+  const auto move = [&motion](const skd::Box3& box) { return motion.Forward(box); };
+  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  {
+    if (this->SafetyBoxOf(a).Overlaps(motion.Forward(other.SafetyBoxOf(b))))
+    {
+      pairs.emplace_back(this->Store.IdOf(a), other.Store.IdOf(b));
+    }
+    return true;
+  };
+  skd::OverlappingPairs<3, decltype(move), decltype(leaf)> query(
+    this->GetFrame(), other.GetFrame(), move, leaf);
+  const auto walkOther = [&](const auto& mine)
+  {
+    if (other.Lazy)
+    {
+      skd::WalkPairs(mine, *other.Lazy, query);
+    }
+    else
+    {
+      skd::WalkPairs(mine, other.Eager, query);
+    }
+  };
+  if (this->Lazy)
+  {
+    walkOther(*this->Lazy);
+  }
+  else
+  {
+    walkOther(this->Eager);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}

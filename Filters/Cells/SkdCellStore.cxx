@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdCellStore.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace
+{
+/// Tells which cells of a data set belong in the tree. Constant: threads may share it.
+class CellSieve
+{
+public:
+  CellSieve(vtkDataSet* data, bool skipGhosts)
+    : CellGhosts(data->GetCellGhostArray())
+    , PointGhosts(IsStructured(data) ? data->GetPointGhostArray() : nullptr)
+    , Unwanted(vtkDataSetAttributes::HIDDENCELL)
+  {
+    if (skipGhosts)
+    {
+      this->Unwanted |= vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL;
+    }
+  }
+
+  bool Keeps(vtkIdType cellId, vtkIdList* pointIds) const
+  {
+    if (this->CellGhosts && (this->CellGhosts->GetValue(cellId) & this->Unwanted) != 0)
+    {
+      return false;
+    }
+    return !this->PointGhosts || !this->HasHiddenPoint(pointIds);
+  }
+
+private:
+  // Structured data are blanked by points, too: a cell with a hidden point is not visible.
+  static bool IsStructured(vtkDataSet* data)
+  {
+    return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+      vtkStructuredGrid::SafeDownCast(data);
+  }
+
+  bool HasHiddenPoint(vtkIdList* pointIds) const
+  {
+    for (vtkIdType i = 0; i < pointIds->GetNumberOfIds(); ++i)
+    {
+      if (this->PointGhosts->GetValue(pointIds->GetId(i)) & vtkDataSetAttributes::HIDDENPOINT)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  vtkUnsignedCharArray* CellGhosts;
+  vtkUnsignedCharArray* PointGhosts;
+  int Unwanted;
+};
+
+void RequireRange(vtkIdType number, const char* what)
+{
+  if (number >= static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()) / 2)
+  {
+    throw std::length_error(std::string("more than 2^31 ") + what + " in one tree");
+  }
+}
+
+/// What the first pass over the cells finds.
+struct Census
+{
+  std::vector<SkdShape> Shapes;     // None: left out
+  std::vector<std::uint32_t> Sizes;
+  std::vector<unsigned char> IsFinite;
+};
+}
+
+//------------------------------------------------------------------------------
+SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts)
+{
+  if (!data || data->GetNumberOfCells() == 0 || data->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  RequireRange(data->GetNumberOfCells(), "cells");
+  RequireRange(data->GetNumberOfPoints(), "points");
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    if (mesh->NeedToBuildCells())
+    {
+      mesh->BuildCells(); // lazily made by VTK, which is not thread-safe
+    }
+  }
+  this->ReadPoints(data);
+  this->ReadCells(data, skipGhosts);
+  this->ReadReaches(data);
+  this->FindLargestCoordinate();
+}
+
+//------------------------------------------------------------------------------
+void SkdCellStore::ReadPoints(vtkDataSet* data)
+{
+  this->NumberOfPoints = data->GetNumberOfPoints();
+  auto* pointSet = vtkPointSet::SafeDownCast(data);
+  auto* doubles =
+    pointSet ? vtkDoubleArray::FastDownCast(pointSet->GetPoints()->GetData()) : nullptr;
+  if (doubles)
+  {
+    this->SharedPoints = doubles;
+    this->Coordinates = doubles->GetPointer(0);
+    return;
+  }
+  this->OwnPoints.resize(3 * static_cast<std::size_t>(this->NumberOfPoints));
+  double x[3];
+  data->GetPoint(0, x); // what is made at the first call must not be made by many threads
+  vtkSMPTools::For(0, this->NumberOfPoints,
+    [this, data](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        data->GetPoint(i, this->OwnPoints.data() + 3 * i);
+      }
+    });
+  this->Coordinates = this->OwnPoints.data();
+}
+
+//------------------------------------------------------------------------------
+void SkdCellStore::ReadCells(vtkDataSet* data, bool skipGhosts)
+{
+  const CellSieve sieve(data, skipGhosts);
+  const vtkIdType numberOfCells = data->GetNumberOfCells();
+  Census census;
+  census.Shapes.resize(static_cast<std::size_t>(numberOfCells));
+  census.Sizes.resize(static_cast<std::size_t>(numberOfCells));
+  census.IsFinite.resize(static_cast<std::size_t>(numberOfCells));
+  vtkSMPThreadLocalObject<vtkIdList> lists;
+  const auto isUsable = [this](vtkIdList* ids)
+  {
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      if (id < 0 || id >= this->NumberOfPoints ||
+        !skd::IsFinite(this->Point(static_cast<std::uint32_t>(id))))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  vtkNew<vtkIdList> first;
+  data->GetCellPoints(0, first);
+  SkdShapeOfCellType(data->GetCellType(0));
+  vtkSMPTools::For(0, numberOfCells,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdList* ids = lists.Local();
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const auto i = static_cast<std::size_t>(id);
+        data->GetCellPoints(id, ids);
+        const SkdShape shape = SkdShapeOfCellType(data->GetCellType(id));
+        const auto size = static_cast<std::uint32_t>(ids->GetNumberOfIds());
+        const int expected = SkdNumberOfPoints(shape);
+        const bool isWhole = size > 0 && (expected == 0 || size == static_cast<std::uint32_t>(expected));
+        census.IsFinite[i] = isUsable(ids);
+        const bool isKept =
+          shape != SkdShape::None && isWhole && census.IsFinite[i] && sieve.Keeps(id, ids);
+        census.Shapes[i] = isKept ? shape : SkdShape::None;
+        census.Sizes[i] = isKept ? size : 0;
+      }
+    });
+  std::uint64_t total = 0;
+  this->Offsets.push_back(0);
+  for (std::size_t i = 0; i < census.Shapes.size(); ++i)
+  {
+    if (census.Shapes[i] == SkdShape::None)
+    {
+      ++(census.IsFinite[i] ? this->Missing.Other : this->Missing.NotFinite);
+      continue;
+    }
+    total += census.Sizes[i];
+    this->Ids.push_back(static_cast<std::uint32_t>(i));
+    this->Shapes.push_back(census.Shapes[i]);
+    this->Offsets.push_back(total);
+  }
+  this->Count = static_cast<std::uint32_t>(this->Ids.size());
+  this->PointIds.resize(total);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Count),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdList* ids = lists.Local();
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const auto cell = static_cast<std::size_t>(i);
+        data->GetCellPoints(this->Ids[cell], ids);
+        std::copy_n(ids->GetPointer(0), ids->GetNumberOfIds(),
+          this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->Offsets[cell]));
+      }
+    });
+  this->Compact();
+}
+
+//------------------------------------------------------------------------------
+void SkdCellStore::ReadReaches(vtkDataSet* data)
+{
+  for (std::uint32_t cell = 0; cell < this->Count; ++cell)
+  {
+    if (this->ShapeOf(cell) != SkdShape::Generic)
+    {
+      continue;
+    }
+    const double reach = SkdReachOfCellType(data->GetCellType(this->IdOf(cell)));
+    if (reach > 1.0)
+    {
+      this->Reaches.resize(this->Count, 1.0f);
+      this->Reaches[cell] = static_cast<float>(reach);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Meshes of one shape are the rule: these need neither shapes nor offsets.
+void SkdCellStore::Compact()
+{
+  if (this->Missing.NotFinite + this->Missing.Other == 0)
+  {
+    std::vector<std::uint32_t>().swap(this->Ids);
+  }
+  const bool isUniform = this->Count > 0 &&
+    std::all_of(this->Shapes.begin(), this->Shapes.end(),
+      [this](SkdShape shape) { return shape == this->Shapes.front(); });
+  if (!isUniform)
+  {
+    return;
+  }
+  this->CommonShape = this->Shapes.front();
+  std::vector<SkdShape>().swap(this->Shapes);
+  this->CommonSize = static_cast<std::uint32_t>(SkdNumberOfPoints(this->CommonShape));
+  if (this->CommonSize > 0)
+  {
+    std::vector<std::uint64_t>().swap(this->Offsets);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCellStore::FindLargestCoordinate()
+{
+  for (const std::uint32_t id : this->PointIds)
+  {
+    const skd::Vector3 x = this->Point(id);
+    this->Largest =
+      std::max({ this->Largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t SkdCellStore::CellOfId(vtkIdType id) const
+{
+  if (this->Ids.empty())
+  {
+    return id >= 0 && id < static_cast<vtkIdType>(this->Count) ? id : -1;
+  }
+  const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), id,
+    [](std::uint32_t kept, vtkIdType sought) { return static_cast<vtkIdType>(kept) < sought; });
+  const bool isKept = found != this->Ids.end() && static_cast<vtkIdType>(*found) == id;
+  return isKept ? found - this->Ids.begin() : -1;
+}
+
+//------------------------------------------------------------------------------
+skd::Box3 SkdCellStore::BoundsOf(std::uint32_t cell) const
+{
+  skd::Box3 bounds;
+  const std::uint32_t* ids = this->PointIdsOf(cell);
+  const std::uint32_t size = this->SizeOf(cell);
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    bounds.Add(this->Point(ids[i]));
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+skd::Box3 SkdCellStore::ReachOf(std::uint32_t cell) const
+{
+  const skd::Box3 bounds = this->BoundsOf(cell);
+  if (this->Reaches.empty())
+  {
+    return bounds;
+  }
+  const double factor = this->Reaches[cell];
+  const skd::Vector3 centre = bounds.Centroid();
+  return { centre + factor * (bounds.Min - centre), centre + factor * (bounds.Max - centre) };
+}
+
+//------------------------------------------------------------------------------
+std::size_t SkdCellStore::MemorySize() const
+{
+  return this->Ids.capacity() * sizeof(std::uint32_t) + this->Shapes.capacity() +
+    this->Offsets.capacity() * sizeof(std::uint64_t) +
+    this->PointIds.capacity() * sizeof(std::uint32_t) +
+    this->Reaches.capacity() * sizeof(float) + this->OwnPoints.capacity() * sizeof(double);
+}

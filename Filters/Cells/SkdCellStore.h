@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCellStore_h
+#define SkdCellStore_h
+
+#include "Cells/SkdShape.h"
+#include "Core/Geometry/Box.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkDataSet;
+
+/// The cells of a data set as the kernels read them: double points, 32-bit connectivity, no virtual
+/// call. Cells that no query may return are left out; those kept are numbered 0 .. N-1 in the order
+/// of their ids. Constant once built; it keeps no reference to the data set.
+class SkdCellStore
+{
+public:
+  struct LeftOutCounts
+  {
+    vtkIdType NotFinite = 0; ///< cells with NaN or infinite points, or points that do not exist
+    vtkIdType Other = 0;     ///< ghost, blanked, empty, of unknown type
+  };
+
+  /// `data` may be nullptr. Throws std::length_error when there are more cells or points than 32-bit
+  /// numbers tell apart.
+  SkdCellStore(vtkDataSet* data, bool skipGhosts);
+
+  std::uint32_t NumberOfCells() const { return this->Count; }
+  const LeftOutCounts& LeftOut() const { return this->Missing; }
+
+  /// VTK's id of a kept cell, and back: -1 for one that was left out or never was.
+  vtkIdType IdOf(std::uint32_t cell) const
+  {
+    return this->Ids.empty() ? static_cast<vtkIdType>(cell)
+                             : static_cast<vtkIdType>(this->Ids[cell]);
+  }
+  std::int64_t CellOfId(vtkIdType id) const;
+
+  SkdShape ShapeOf(std::uint32_t cell) const
+  {
+    return this->Shapes.empty() ? this->CommonShape : this->Shapes[cell];
+  }
+
+  const std::uint32_t* PointIdsOf(std::uint32_t cell) const
+  {
+    return this->PointIds.data() +
+      (this->Offsets.empty() ? std::uint64_t(cell) * this->CommonSize : this->Offsets[cell]);
+  }
+  std::uint32_t SizeOf(std::uint32_t cell) const
+  {
+    return this->Offsets.empty()
+      ? this->CommonSize
+      : static_cast<std::uint32_t>(this->Offsets[cell + 1] - this->Offsets[cell]);
+  }
+
+  skd::Vector3 Point(std::uint32_t pointId) const
+  {
+    const double* x = this->Coordinates + 3 * std::uint64_t(pointId);
+    return { { x[0], x[1], x[2] } };
+  }
+
+  template <int Size>
+  void Gather(std::uint32_t cell, skd::Vector3 (&points)[Size]) const
+  {
+    const std::uint32_t* ids = this->PointIdsOf(cell);
+    for (int i = 0; i < Size; ++i)
+    {
+      points[i] = this->Point(ids[i]);
+    }
+  }
+
+  /// The box of the cell's points: what vtkDataSet::GetCellBounds gives.
+  skd::Box3 BoundsOf(std::uint32_t cell) const;
+
+  /// The box that holds all of the cell: curved cells reach beyond that of their points.
+  skd::Box3 ReachOf(std::uint32_t cell) const;
+
+  /// The largest magnitude of a coordinate of a point in use.
+  double LargestCoordinate() const { return this->Largest; }
+
+  /// Bytes of everything that is kept, without points shared with the data set.
+  std::size_t MemorySize() const;
+
+private:
+  void ReadPoints(vtkDataSet* data);
+  void ReadCells(vtkDataSet* data, bool skipGhosts);
+  void ReadReaches(vtkDataSet* data);
+  void Compact();
+  void FindLargestCoordinate();
+
+  std::uint32_t Count = 0;
+  LeftOutCounts Missing;
+  std::vector<std::uint32_t> Ids;      // empty when no cell is left out
+  std::vector<SkdShape> Shapes;        // empty when all cells have one shape
+  std::vector<std::uint64_t> Offsets;  // empty when all cells have one fixed size
+  std::vector<std::uint32_t> PointIds;
+  std::vector<float> Reaches;          // empty when no cell is curved
+  SkdShape CommonShape = SkdShape::None;
+  std::uint32_t CommonSize = 0;
+  double Largest = 0.0;
+
+  const double* Coordinates = nullptr;
+  vtkIdType NumberOfPoints = 0;
+  vtkSmartPointer<vtkDataArray> SharedPoints; // the data set's own array when it is of doubles
+  std::vector<double> OwnPoints;
+};
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCellTree_h
+#define SkdCellTree_h
+
+#include "Cells/SkdCellStore.h"
+#include "Cells/SkdGenericKernel.h"
+#include "Core/Geometry/Plane.h"
+#include "Core/Geometry/RigidMotion.h"
+#include "Core/Tree/LazyTree.h"
+#include "Core/Tree/PaperTree.h"
+#include "Core/Tree/Walk.h"
+
+#include <optional>
+#include <vector>
+
+class vtkDoubleArray;
+class vtkIdList;
+
+struct SkdTreeSettings
+{
+  double Epsilon = 1e-9; ///< relative to the diagonal
+  int Capacity = 8;      ///< cells a bottom node
+  bool IsLazy = false;
+  bool SkipsGhosts = true;
+};
+
+/// The cell that answers a query about a point; Id is -1 when there is none.
+struct SkdFoundCell : SkdCellPoint
+{
+  vtkIdType Id = -1;
+};
+
+/// A cell hit by a segment.
+struct SkdHitCell : SkdLineHit
+{
+  vtkIdType Id = -1;
+};
+
+/// A crossing of a segment and a surface: the cells Cells[First .. Last) of its list.
+struct SkdCrossing
+{
+  double T;
+  std::size_t First;
+  std::size_t Last;
+  bool Passes;
+};
+
+/// All crossings of a segment; the vectors are reused from call to call.
+struct SkdCrossings
+{
+  std::vector<SkdCrossing> List;
+  std::vector<vtkIdType> Cells;
+};
+
+/// The bridge: the cells of a data set, their skD-tree, and every query that a face asks. Constant
+/// once built: any number of threads may query it, each with a cell source of its own. It keeps no
+/// reference to the data set, which each query names.
+///
+/// A distance that is "0 to within rounding" is at most Rounding(): 8 units in the last place of
+/// the largest coordinate.
+class SkdCellTree
+{
+public:
+  SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings);
+
+  const SkdCellStore& Cells() const { return this->Store; }
+  double Rounding() const { return this->TheRounding; }
+  double AbsoluteEpsilon() const { return this->TheEpsilon; }
+
+  ///@{
+  /// Statistics. Depth: the number of nodes from the root to the lowest, both counted.
+  std::size_t NumberOfNodes() const;
+  int Depth() const;
+  std::size_t MemorySize() const;
+  ///@}
+
+  ///@{
+  /// SkdPointQueries.cxx. Ties go to the lowest id; nothing is found for points that are not finite.
+  SkdFoundCell FindNearest(const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
+  SkdFoundCell FindContaining(
+    const skd::Vector3& x, double tolerance2, vtkIdType hint, const SkdCellSource& source) const;
+  /// Nearest first; all within the limit, at most `number`. Into a vector of the calling thread.
+  std::vector<std::pair<double, vtkIdType>>& FindNearestCells(
+    const skd::Vector3& x, std::size_t number, double limit2, const SkdCellSource& source) const;
+  /// The sub-id, pcoords and (unless nullptr) weights at the point of a found cell.
+  void Interpolate(SkdFoundCell& found, double* weights, const SkdCellSource& source) const;
+  ///@}
+
+  ///@{
+  /// SkdLineQueries.cxx. A negative tolerance counts as zero. Vectors are the calling thread's.
+  SkdHitCell FindFirstHit(
+    const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
+  const std::vector<SkdHitCell>& FindHits(
+    const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
+  /// Of the bounds that the cells have after the motion, unless nullptr; the segment is there, too.
+  const std::vector<SkdHitCell>& FindBoundsHits(const skd::Segment<3>& segment, double tolerance,
+    const skd::RigidMotion* motion) const;
+  const SkdCrossings& FindCrossings(
+    const skd::Segment<3>& segment, const SkdCellSource& source) const;
+  ///@}
+
+  ///@{
+  /// SkdBoxQueries.cxx. Exact on the cells' bounds (as if moved by `motion`, unless nullptr), or on
+  /// their safety boxes. In the order of the tree: the same every time.
+  void FindWithinBounds(
+    const skd::Box3& box, const skd::RigidMotion* motion, vtkIdList* ids) const;
+  void FindAlongPlane(const skd::Plane<3>& plane, double tolerance, const skd::RigidMotion* motion,
+    vtkIdList* ids) const;
+  bool BoundsHold(const skd::Vector3& x, vtkIdType id, double tolerance,
+    const skd::RigidMotion* motion) const;
+  void FindNearestCandidates(
+    const skd::Vector3& x, const skd::Vector3* reference, vtkIdList* ids) const;
+  void FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList* ids) const;
+  void FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) const;
+  void FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const;
+  void FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* ids) const;
+  /// Pairs by (id here, id there); `motion` takes the other's world to this one's.
+  std::vector<std::pair<vtkIdType, vtkIdType>> FindOverlappingPairs(
+    const SkdCellTree& other, const skd::RigidMotion& motion) const;
+  ///@}
+
+  /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.
+  skd::PaperTree<3> MakePaperTree() const;
+
+  skd::Box3 SafetyBoxOf(std::uint32_t cell) const
+  {
+    return this->Store.ReachOf(cell).Inflated(2.0 * this->TheEpsilon);
+  }
+
+private:
+  using EagerTree = skd::Tree<3>;
+
+  skd::TreeInput<3> MakeInput(int capacity);
+
+  /// Runs a query on whichever tree there is.
+  template <class Query>
+  void Walk(Query& query) const
+  {
+    if (this->Lazy)
+    {
+      skd::Walk(*this->Lazy, query);
+    }
+    else
+    {
+      skd::Walk(this->Eager, query);
+    }
+  }
+  const skd::Frame<3>& GetFrame() const
+  {
+    return this->Lazy ? this->Lazy->GetFrame() : this->Eager.GetFrame();
+  }
+  const skd::Box3& GetBounds() const
+  {
+    return this->Lazy ? this->Lazy->GetBounds() : this->Eager.GetBounds();
+  }
+
+  SkdCellPoint Measure(std::uint32_t cell, const skd::Vector3& x, double limit2,
+    const SkdCellSource& source) const;
+  std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
+    const SkdCellSource& source) const;
+  std::optional<SkdLineHit> HitFan(
+    std::uint32_t cell, const skd::SegmentView& view, const SkdCellSource& source) const;
+  /// The bounds of the cell's points, moved by the motion unless nullptr.
+  skd::Box3 WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion* motion) const;
+  template <class Visit>
+  void ForEachNear(const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const;
+  template <class Visit>
+  void ForEachTriangle(std::uint32_t cell, Visit visit) const;
+
+  SkdCellStore Store;
+  double TheRounding = 0.0;
+  double TheEpsilon = 0.0;
+  EagerTree Eager;
+  std::unique_ptr<skd::LazyTree<3>> Lazy; // instead of Eager
+};
+
+#endif

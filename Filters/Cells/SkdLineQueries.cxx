@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdCellTree.h"
+
+#include "Cells/SkdMotion.h"
+#include "Core/Queries/AlongSegment.h"
+
+#include "vtkCell.h"
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace
+{
+bool IsBefore(const SkdHitCell& a, const SkdHitCell& b)
+{
+  return std::tie(a.T, a.Id) < std::tie(b.T, b.Id);
+}
+
+SkdHitCell WithId(const SkdLineHit& hit, vtkIdType id)
+{
+  SkdHitCell found;
+  static_cast<SkdLineHit&>(found) = hit;
+  found.Id = id;
+  return found;
+}
+
+/// A facet of a surface that a segment meets.
+struct FacetHit
+{
+  double T;
+  vtkIdType Id;
+  bool OnEdge;
+  bool Passes;
+};
+
+/// Facets met at the same point of their edges or vertices are one crossing: the parameter there is
+/// the same number for all of them (SegmentTriangle.h).
+void Merge(std::vector<FacetHit>& facets, SkdCrossings& crossings)
+{
+  std::sort(facets.begin(), facets.end(),
+    [](const FacetHit& a, const FacetHit& b)
+    { return std::tie(a.T, b.OnEdge, a.Id) < std::tie(b.T, a.OnEdge, b.Id); });
+  for (const FacetHit& facet : facets)
+  {
+    const bool isSame = facet.OnEdge && !crossings.List.empty() &&
+      crossings.List.back().T == facet.T;
+    if (!isSame)
+    {
+      const std::size_t first = crossings.Cells.size();
+      crossings.List.push_back({ facet.T, first, first, false });
+    }
+    SkdCrossing& crossing = crossings.List.back();
+    crossing.Passes ^= facet.Passes;
+    const bool isNew =
+      crossings.Cells.size() == crossing.First || crossings.Cells.back() != facet.Id;
+    if (isNew)
+    {
+      crossings.Cells.push_back(facet.Id);
+    }
+    crossing.Last = crossings.Cells.size();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+/// The triangles of a cell that is a surface, if its shape is one of ours.
+template <class Visit>
+void SkdCellTree::ForEachTriangle(std::uint32_t cell, Visit visit) const
+{
+  const std::uint32_t* ids = this->Store.PointIdsOf(cell);
+  const std::uint32_t size = this->Store.SizeOf(cell);
+  const auto point = [&](std::uint32_t i) { return this->Store.Point(ids[i]); };
+  switch (this->Store.ShapeOf(cell))
+  {
+    case SkdShape::Quad:
+    case SkdShape::Pixel:
+    {
+      const bool isPixel = this->Store.ShapeOf(cell) == SkdShape::Pixel;
+      const skd::Vector3 quad[4] = { point(0), point(1), point(isPixel ? 3 : 2),
+        point(isPixel ? 2 : 3) };
+      for (const auto& triangle : SkdQuadSplit(quad).Triangles)
+      {
+        visit(quad[triangle[0]], quad[triangle[1]], quad[triangle[2]]);
+      }
+      return;
+    }
+    case SkdShape::Strip:
+      for (std::uint32_t i = 0; i + 2 < size; ++i)
+      {
+        visit(point(i), point(i + 1), point(i + 2));
+      }
+      return;
+    case SkdShape::Triangle:
+    case SkdShape::Polygon:
+      for (std::uint32_t i = 1; i + 1 < size; ++i)
+      {
+        visit(point(0), point(i), point(i + 1));
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Polygons, concave ones, too: a fan covers what is outside an even number of times. Where only an
+// edge of the fan is met, it counts if it is the polygon's own.
+std::optional<SkdLineHit> SkdCellTree::HitFan(
+  std::uint32_t cell, const skd::SegmentView& view, const SkdCellSource& source) const
+{
+  std::optional<double> first;
+  bool isOdd = false;
+  this->ForEachTriangle(cell,
+    [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
+    {
+      if (const auto hit = skd::Intersect(view, a, b, c))
+      {
+        isOdd ^= hit->Passes;
+        first = first ? std::min(*first, hit->T) : hit->T;
+      }
+    });
+  if (!first)
+  {
+    return std::nullopt;
+  }
+  const skd::Vector3 point = view.GetSegment().At(*first);
+  const std::uint32_t* ids = this->Store.PointIdsOf(cell);
+  const std::uint32_t size = this->Store.SizeOf(cell);
+  bool isHit = isOdd || this->Store.ShapeOf(cell) == SkdShape::Strip;
+  for (std::uint32_t i = 0; i < size && !isHit; ++i)
+  {
+    const auto nearest = skd::ClosestPointOnSegment(
+      this->Store.Point(ids[i]), this->Store.Point(ids[(i + 1) % size]), point);
+    isHit = nearest.Dist2 <= this->TheRounding * this->TheRounding;
+  }
+  if (!isHit)
+  {
+    return std::nullopt;
+  }
+  SkdLineHit hit;
+  hit.T = *first;
+  SkdGenericKernel::Locate(
+    source.Load(this->Store.IdOf(cell)), point, hit.SubId, hit.PCoords, nullptr);
+  return hit;
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::SegmentView& view,
+  double tolerance, const SkdCellSource& source) const
+{
+  std::optional<SkdLineHit> hit;
+  const SkdShape shape = this->Store.ShapeOf(cell);
+  const SkdReach reach{ tolerance, this->TheRounding };
+  const auto intersect = [&](auto kernel)
+  {
+    skd::Vector3 points[kernel.Size];
+    this->Store.Gather(cell, points);
+    hit = kernel.Intersect(points, view, reach);
+  };
+  if (SkdVisitKernel(shape, intersect))
+  {
+    return hit;
+  }
+  if (shape == SkdShape::Polygon || shape == SkdShape::Strip)
+  {
+    hit = this->HitFan(cell, view, source);
+    if (hit || tolerance <= 0.0)
+    {
+      return hit;
+    }
+  }
+  return SkdGenericKernel::Intersect(
+    source.Load(this->Store.IdOf(cell)), view.GetSegment(), tolerance);
+}
+
+//------------------------------------------------------------------------------
+SkdHitCell SkdCellTree::FindFirstHit(
+  const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
+{
+  SkdHitCell first;
+  const double reach = std::max(tolerance, 0.0);
+  const skd::SegmentView view(segment);
+  if (!view.IsValid())
+  {
+    return first;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (const auto hit = this->Hit(cell, view, reach, source))
+    {
+      const SkdHitCell found = WithId(*hit, this->Store.IdOf(cell));
+      if (first.Id < 0 || IsBefore(found, first))
+      {
+        first = found;
+      }
+    }
+    return first.Id < 0 ? 1.0 : first.T;
+  };
+  skd::AlongSegment<3, decltype(leaf)> query(
+    this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+  this->Walk(query);
+  return first;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdHitCell>& SkdCellTree::FindHits(
+  const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
+{
+  thread_local std::vector<SkdHitCell> hits;
+  hits.clear();
+  const double reach = std::max(tolerance, 0.0);
+  const skd::SegmentView view(segment);
+  if (!view.IsValid())
+  {
+    return hits;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    if (const auto hit = this->Hit(cell, view, reach, source))
+    {
+      hits.push_back(WithId(*hit, this->Store.IdOf(cell)));
+    }
+    return 1.0;
+  };
+  skd::AlongSegment<3, decltype(leaf)> query(
+    this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+  this->Walk(query);
+  std::sort(hits.begin(), hits.end(), IsBefore);
+  return hits;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
+  const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const
+{
+  thread_local std::vector<SkdHitCell> hits;
+  hits.clear();
+  const double reach = std::max(tolerance, 0.0);
+  const auto clip = [&](std::uint32_t cell)
+  {
+    const skd::Box3 bounds = this->WorldBoundsOf(cell, motion).Inflated(reach);
+    if (const auto inside = skd::Clip(segment, bounds))
+    {
+      hits.push_back(WithId({ inside->Min, { { 0.0, 0.0, 0.0 } } }, this->Store.IdOf(cell)));
+    }
+  };
+  if (motion)
+  {
+    skd::Box3 around;
+    around.Add(segment.A);
+    around.Add(segment.B);
+    this->ForEachNear(around.Inflated(reach), *motion, clip);
+  }
+  else
+  {
+    auto leaf = [&](std::uint32_t cell)
+    {
+      clip(cell);
+      return 1.0;
+    };
+    skd::AlongSegment<3, decltype(leaf)> query(
+      this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+    this->Walk(query);
+  }
+  std::sort(hits.begin(), hits.end(), IsBefore);
+  return hits;
+}
+
+//------------------------------------------------------------------------------
+const SkdCrossings& SkdCellTree::FindCrossings(
+  const skd::Segment<3>& segment, const SkdCellSource& source) const
+{
+  thread_local SkdCrossings crossings;
+  thread_local std::vector<FacetHit> facets;
+  crossings.List.clear();
+  crossings.Cells.clear();
+  facets.clear();
+  const skd::SegmentView view(segment);
+  if (!view.IsValid())
+  {
+    return crossings;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    const vtkIdType id = this->Store.IdOf(cell);
+    if (this->Store.ShapeOf(cell) == SkdShape::Generic)
+    {
+      vtkCell* loaded = source.Load(id);
+      const bool isSurface = loaded->GetCellDimension() == 2;
+      const auto hit =
+        isSurface ? SkdGenericKernel::Intersect(loaded, segment, 0.0) : std::nullopt;
+      if (hit)
+      {
+        facets.push_back({ hit->T, id, false, true });
+      }
+      return 1.0;
+    }
+    this->ForEachTriangle(cell,
+      [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
+      {
+        if (const auto hit = skd::Intersect(view, a, b, c))
+        {
+          facets.push_back({ hit->T, id, hit->OnEdge, hit->Passes });
+        }
+      });
+    return 1.0;
+  };
+  skd::AlongSegment<3, decltype(leaf)> query(
+    this->GetFrame(), this->GetBounds(), segment, 0.0, leaf);
+  this->Walk(query);
+  Merge(facets, crossings);
+  return crossings;
+}

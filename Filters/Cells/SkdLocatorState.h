@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdLocatorState_h
+#define SkdLocatorState_h
+
+#include "Cells/SkdCellTree.h"
+
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+inline skd::Vector3 SkdVector(const double x[3])
+{
+  return { { x[0], x[1], x[2] } };
+}
+
+inline void SkdStore(const skd::Vector3& from, double to[3])
+{
+  std::copy(from.X, from.X + 3, to);
+}
+
+/// The plane with a normal of any length; one of no length gives a plane that nothing meets.
+inline skd::Plane<3> SkdPlane(const double origin[3], const double normal[3])
+{
+  const skd::Vector3 direction = SkdVector(normal);
+  return { SkdVector(origin), (1.0 / skd::Norm(direction)) * direction };
+}
+
+/// A cell of the calling thread's own, for the forms of a query that are handed none.
+inline vtkGenericCell* SkdScratchCell()
+{
+  thread_local vtkNew<vtkGenericCell> cell;
+  return cell;
+}
+
+/// What a locator holds: a tree, shared with its shallow copies, and the motion of its set.
+class SkdLocatorState
+{
+public:
+  std::mutex Building;
+  double BuildSeconds = 0.0;
+  std::optional<skd::RigidMotion> Motion;
+  vtkNew<vtkMatrix4x4> Matrix; // of the motion, as it was given
+
+  /// nullptr before a tree is built. Threads may ask while one of them builds.
+  const SkdCellTree* GetTree() const { return this->Ready.load(std::memory_order_acquire); }
+  const std::shared_ptr<const SkdCellTree>& ShareTree() const { return this->Tree; }
+  void SetTree(std::shared_ptr<const SkdCellTree> tree)
+  {
+    this->Ready.store(nullptr, std::memory_order_release);
+    this->Tree = std::move(tree);
+    this->Ready.store(this->Tree.get(), std::memory_order_release);
+  }
+
+  skd::Vector3 ToTree(const double x[3]) const
+  {
+    return this->Motion ? this->Motion->Back(SkdVector(x)) : SkdVector(x);
+  }
+  skd::Segment<3> ToTree(const double p1[3], const double p2[3]) const
+  {
+    return { this->ToTree(p1), this->ToTree(p2) };
+  }
+  skd::Vector3 ToWorld(const skd::Vector3& x) const
+  {
+    return this->Motion ? this->Motion->Forward(x) : x;
+  }
+  const skd::RigidMotion* GetMotion() const { return this->Motion ? &*this->Motion : nullptr; }
+
+  /// The motion or, without one, that which moves nothing.
+  skd::RigidMotion GetMotionOrNone() const
+  {
+    constexpr skd::RigidMotion none{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
+                                       { { 0.0, 0.0, 1.0 } } },
+      { { 0.0, 0.0, 0.0 } } };
+    return this->Motion ? *this->Motion : none;
+  }
+
+  /// Loads a cell of the answer for the caller, moved as the set is.
+  void Load(vtkDataSet* data, vtkIdType id, vtkGenericCell* cell) const
+  {
+    if (!cell || id < 0)
+    {
+      return;
+    }
+    data->GetCell(id, cell);
+    vtkPoints* points = cell->GetPoints();
+    for (vtkIdType i = 0; this->Motion && i < points->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      points->GetPoint(i, x);
+      points->SetPoint(i, this->Motion->Forward(SkdVector(x)).X);
+    }
+  }
+
+private:
+  std::shared_ptr<const SkdCellTree> Tree;
+  std::atomic<const SkdCellTree*> Ready{ nullptr };
+};
+
+#endif

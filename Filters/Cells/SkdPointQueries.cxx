@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdCellTree.h"
+
+#include "Core/Queries/Nearest.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Takes a candidate over if it is nearer, or as near with a lower id.
+class BestCell
+{
+public:
+  explicit BestCell(double limit2)
+    : Limit2(limit2)
+  {
+  }
+
+  bool CouldTake(vtkIdType id) const { return this->Limit2 > 0.0 || this->Found.Id < 0 || id < this->Found.Id; }
+
+  void Offer(vtkIdType id, const SkdCellPoint& point)
+  {
+    const bool isTie = point.Dist2 == this->Limit2 && (this->Found.Id < 0 || id < this->Found.Id);
+    if (point.Dist2 < this->Limit2 || isTie)
+    {
+      static_cast<SkdCellPoint&>(this->Found) = point;
+      this->Found.Id = id;
+      this->Limit2 = point.Dist2;
+    }
+  }
+
+  double Limit2;
+  SkdFoundCell Found;
+};
+}
+
+//------------------------------------------------------------------------------
+SkdCellPoint SkdCellTree::Measure(
+  std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const
+{
+  SkdCellPoint found;
+  const auto measure = [&](auto kernel)
+  {
+    skd::Vector3 points[kernel.Size];
+    this->Store.Gather(cell, points);
+    found = kernel.Closest(points, x, limit2);
+  };
+  if (!SkdVisitKernel(this->Store.ShapeOf(cell), measure))
+  {
+    found = SkdGenericKernel::Closest(source.Load(this->Store.IdOf(cell)), x);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+SkdFoundCell SkdCellTree::FindNearest(
+  const skd::Vector3& x, double limit2, const SkdCellSource& source) const
+{
+  BestCell best(limit2);
+  if (!skd::IsFinite(x) || !(limit2 >= 0.0))
+  {
+    return best.Found;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    const vtkIdType id = this->Store.IdOf(cell);
+    if (best.CouldTake(id))
+    {
+      best.Offer(id, this->Measure(cell, x, best.Limit2, source));
+    }
+    return best.Limit2;
+  };
+  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, limit2, leaf);
+  this->Walk(query);
+  return best.Found;
+}
+
+//------------------------------------------------------------------------------
+SkdFoundCell SkdCellTree::FindContaining(
+  const skd::Vector3& x, double tolerance2, vtkIdType hint, const SkdCellSource& source) const
+{
+  const double rounding2 = this->TheRounding * this->TheRounding;
+  BestCell best(tolerance2 > rounding2 ? tolerance2 : rounding2);
+  if (!skd::IsFinite(x))
+  {
+    return best.Found;
+  }
+  const auto offer = [&](std::uint32_t cell, vtkIdType id)
+  {
+    SkdCellPoint point = this->Measure(cell, x, best.Limit2, source);
+    point.Dist2 = point.Dist2 <= rounding2 ? 0.0 : point.Dist2;
+    best.Offer(id, point);
+  };
+  const std::int64_t hinted = hint < 0 ? -1 : this->Store.CellOfId(hint);
+  if (hinted >= 0)
+  {
+    offer(static_cast<std::uint32_t>(hinted), hint);
+    if (best.Limit2 == 0.0)
+    {
+      return best.Found;
+    }
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    const vtkIdType id = this->Store.IdOf(cell);
+    if (best.CouldTake(id))
+    {
+      offer(cell, id);
+    }
+    return best.Limit2;
+  };
+  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, best.Limit2, leaf);
+  this->Walk(query);
+  return best.Found;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
+  const skd::Vector3& x, std::size_t number, double limit2, const SkdCellSource& source) const
+{
+  thread_local std::vector<std::pair<double, vtkIdType>> heap; // the farthest on top
+  heap.clear();
+  if (!skd::IsFinite(x) || !(limit2 >= 0.0) || number == 0)
+  {
+    return heap;
+  }
+  const auto limit = [&]() { return heap.size() < number ? limit2 : heap.front().first; };
+  auto leaf = [&](std::uint32_t cell)
+  {
+    const double dist2 = this->Measure(cell, x, limit(), source).Dist2;
+    const std::pair<double, vtkIdType> candidate(dist2, this->Store.IdOf(cell));
+    if (!(dist2 <= limit()) || (heap.size() == number && !(candidate < heap.front())))
+    {
+      return limit();
+    }
+    if (heap.size() == number)
+    {
+      std::pop_heap(heap.begin(), heap.end());
+      heap.pop_back();
+    }
+    heap.push_back(candidate);
+    std::push_heap(heap.begin(), heap.end());
+    return limit();
+  };
+  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, limit2, leaf);
+  this->Walk(query);
+  std::sort_heap(heap.begin(), heap.end());
+  return heap;
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::Interpolate(
+  SkdFoundCell& found, double* weights, const SkdCellSource& source) const
+{
+  const std::int64_t cell = this->Store.CellOfId(found.Id);
+  if (cell < 0)
+  {
+    return;
+  }
+  const auto weigh = [&](auto kernel)
+  {
+    if (weights)
+    {
+      kernel.Weights(found.PCoords, weights);
+    }
+  };
+  if (!SkdVisitKernel(this->Store.ShapeOf(static_cast<std::uint32_t>(cell)), weigh))
+  {
+    SkdGenericKernel::Locate(
+      source.Load(found.Id), found.Point, found.SubId, found.PCoords, weights);
+  }
+}

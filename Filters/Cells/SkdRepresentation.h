@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdRepresentation_h
+#define SkdRepresentation_h
+
+class SkdCellTree;
+class vtkPolyData;
+
+namespace skd
+{
+struct RigidMotion;
+}
+
+/// The boxes of a level of the paper's tree as quads, moved as the set is (nullptr: not at all).
+/// A level below 0 or below the deepest gives the leaves. Cell arrays Level and CellId.
+void SkdRepresent(
+  const SkdCellTree& tree, int level, const skd::RigidMotion* motion, vtkPolyData* output);
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdShape.h"
+
+#include "vtkCellTypes.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+namespace
+{
+/// The greatest sum of the weights' magnitudes over a cell, for the types that bulge.
+struct Reach
+{
+  int CellType;
+  double Factor;
+};
+
+constexpr Reach Reaches[] = {
+  { VTK_QUADRATIC_EDGE, 1.25 },
+  { VTK_CUBIC_LINE, 1.65 },
+  { VTK_QUADRATIC_TRIANGLE, 1.67 },
+  { VTK_BIQUADRATIC_TRIANGLE, 2.2 },
+  { VTK_QUADRATIC_QUAD, 3.0 },
+  { VTK_BIQUADRATIC_QUAD, 1.5625 },
+  { VTK_QUADRATIC_LINEAR_QUAD, 1.25 },
+  { VTK_QUADRATIC_POLYGON, 3.0 },
+  { VTK_QUADRATIC_TETRA, 2.0 },
+  { VTK_QUADRATIC_HEXAHEDRON, 5.0 },
+  { VTK_TRIQUADRATIC_HEXAHEDRON, 2.0 },
+  { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 5.0 },
+  { VTK_QUADRATIC_WEDGE, 5.0 },
+  { VTK_BIQUADRATIC_QUADRATIC_WEDGE, 2.1 },
+  { VTK_QUADRATIC_LINEAR_WEDGE, 1.67 },
+  { VTK_QUADRATIC_PYRAMID, 5.0 },
+};
+
+bool IsKnownToVTK(int cellType)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType));
+  return cell != nullptr;
+}
+
+SkdShape FindShape(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_EMPTY_CELL:
+      return SkdShape::None;
+    case VTK_VERTEX:
+      return SkdShape::Vertex;
+    case VTK_LINE:
+      return SkdShape::Line;
+    case VTK_TRIANGLE:
+      return SkdShape::Triangle;
+    case VTK_TRIANGLE_STRIP:
+      return SkdShape::Strip;
+    case VTK_POLYGON:
+      return SkdShape::Polygon;
+    case VTK_PIXEL:
+      return SkdShape::Pixel;
+    case VTK_QUAD:
+      return SkdShape::Quad;
+    case VTK_TETRA:
+      return SkdShape::Tetrahedron;
+    case VTK_VOXEL:
+      return SkdShape::Voxel;
+    case VTK_HEXAHEDRON:
+      return SkdShape::Hexahedron;
+    case VTK_WEDGE:
+      return SkdShape::Wedge;
+    case VTK_PYRAMID:
+      return SkdShape::Pyramid;
+    default:
+      return IsKnownToVTK(cellType) ? SkdShape::Generic : SkdShape::None;
+  }
+}
+
+std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> MakeShapeTable()
+{
+  std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> table;
+  for (int cellType = 0; cellType < VTK_NUMBER_OF_CELL_TYPES; ++cellType)
+  {
+    table[static_cast<std::size_t>(cellType)] = FindShape(cellType);
+  }
+  return table;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdShape SkdShapeOfCellType(int cellType)
+{
+  static const std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> table = MakeShapeTable();
+  const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
+  return isKnown ? table[static_cast<std::size_t>(cellType)] : SkdShape::None;
+}
+
+//------------------------------------------------------------------------------
+int SkdNumberOfPoints(SkdShape shape)
+{
+  constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0 };
+  return numbers[static_cast<int>(shape)];
+}
+
+//------------------------------------------------------------------------------
+double SkdReachOfCellType(int cellType)
+{
+  for (const Reach& reach : Reaches)
+  {
+    if (reach.CellType == cellType)
+    {
+      return reach.Factor;
+    }
+  }
+  return 1.0;
+}

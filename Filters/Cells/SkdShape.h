@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdShape_h
+#define SkdShape_h
+
+#include <cstdint>
+
+/// What the exact tests see in a cell. Each shape but Generic has a kernel of its own (SkdKernels.h)
+/// that reads raw points; Generic goes through vtkGenericCell (SkdGenericKernel.h).
+enum class SkdShape : std::uint8_t
+{
+  Vertex,
+  Line,
+  Triangle,
+  Pixel,
+  Quad,
+  Tetrahedron,
+  Voxel,
+  Hexahedron,
+  Wedge,
+  Pyramid,
+  Polygon, // lines are tested on its fan of triangles, all else as Generic
+  Strip,   // likewise, on its triangles
+  Generic,
+  None // empty cells and cells of a type that VTK does not know: not in the tree
+};
+
+/// The table: VTK's cell type -> shape.
+SkdShape SkdShapeOfCellType(int cellType);
+
+/// The points of a cell of this shape, or 0 when that is up to the cell.
+int SkdNumberOfPoints(SkdShape shape);
+
+/// By which factor a curved cell may reach beyond the half lengths of the box of its points. A cell
+/// interpolates its points by weights that sum to 1, so the greatest sum of their magnitudes is a
+/// bound: 1 for linear cells, and for Lagrange and Bezier cells, that VTK evaluates piecewise
+/// linearly on points of the cell.
+double SkdReachOfCellType(int cellType);
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Geometry_RigidMotion_h
+#define skd_Geometry_RigidMotion_h
+
+#include "Box.h"
+
+#include <optional>
+
+namespace skd
+{
+
+/// x -> Rows x + Shift, Rows orthonormal: a turn, by choice a reflection, and a shift. Distances
+/// stay, so a tree needs no rebuild when its whole set moves (section 2).
+struct RigidMotion
+{
+  Vector3 Rows[3];
+  Vector3 Shift;
+
+  /// From a row-major 4 x 4 matrix; nothing if it does not keep distances to 1e-9.
+  static std::optional<RigidMotion> FromMatrix(const double matrix[16])
+  {
+    RigidMotion motion;
+    for (int i = 0; i < 3; ++i)
+    {
+      motion.Rows[i] = { { matrix[4 * i], matrix[4 * i + 1], matrix[4 * i + 2] } };
+      motion.Shift[i] = matrix[4 * i + 3];
+    }
+    constexpr double tolerance = 1e-9;
+    const bool isAffine = matrix[12] == 0.0 && matrix[13] == 0.0 && matrix[14] == 0.0 &&
+      matrix[15] == 1.0 && IsFinite(motion.Shift);
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j <= i; ++j)
+      {
+        const double product = Dot(motion.Rows[i], motion.Rows[j]);
+        if (!(isAffine && std::abs(product - (i == j ? 1.0 : 0.0)) <= tolerance))
+        {
+          return std::nullopt;
+        }
+      }
+    }
+    return motion;
+  }
+
+  Vector3 Turn(const Vector3& direction) const
+  {
+    return { { Dot(this->Rows[0], direction), Dot(this->Rows[1], direction),
+      Dot(this->Rows[2], direction) } };
+  }
+  Vector3 TurnBack(const Vector3& direction) const
+  {
+    return direction[0] * this->Rows[0] + direction[1] * this->Rows[1] +
+      direction[2] * this->Rows[2];
+  }
+
+  Vector3 Forward(const Vector3& x) const { return this->Turn(x) + this->Shift; }
+  Vector3 Back(const Vector3& x) const { return this->TurnBack(x - this->Shift); }
+
+  /// The bounds of the moved box, and of the box moved back.
+  Box3 Forward(const Box3& box) const
+  {
+    return Around(this->Forward(box.Centroid()), this->Reach(box, &RigidMotion::Turn));
+  }
+  Box3 Back(const Box3& box) const
+  {
+    return Around(this->Back(box.Centroid()), this->Reach(box, &RigidMotion::TurnBack));
+  }
+
+private:
+  using Turning = Vector3 (RigidMotion::*)(const Vector3&) const;
+
+  /// Half lengths of the turned box: the magnitudes of the turned half edges, added up.
+  Vector3 Reach(const Box3& box, Turning turning) const
+  {
+    Vector3 reach{ { 0.0, 0.0, 0.0 } };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vector3 edge{ { 0.0, 0.0, 0.0 } };
+      edge[axis] = 0.5 * box.Length(axis);
+      const Vector3 turned = (this->*turning)(edge);
+      for (int i = 0; i < 3; ++i)
+      {
+        reach[i] += std::abs(turned[i]);
+      }
+    }
+    return reach;
+  }
+
+  static Box3 Around(const Vector3& centre, const Vector3& reach)
+  {
+    return { centre - reach, centre + reach };
+  }
+};
+
+/// The motion that first does `first`, then `second`.
+inline RigidMotion Compose(const RigidMotion& second, const RigidMotion& first)
+{
+  RigidMotion both;
+  for (int i = 0; i < 3; ++i)
+  {
+    both.Rows[i] = first.TurnBack(second.Rows[i]);
+  }
+  both.Shift = second.Forward(first.Shift);
+  return both;
+}
+
+inline RigidMotion Inverse(const RigidMotion& motion)
+{
+  RigidMotion inverse;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      inverse.Rows[i][j] = motion.Rows[j][i];
+    }
+  }
+  inverse.Shift = -1.0 * motion.TurnBack(motion.Shift);
+  return inverse;
+}
+
+}
+
+#endif

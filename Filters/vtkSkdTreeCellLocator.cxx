@@ -1,0 +1,530 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeCellLocator.h"
+
+#include "Cells/SkdLocatorState.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeCellLocator);
+
+namespace
+{
+void Clear(vtkIdList* ids, vtkDoubleArray* distances)
+{
+  ids->Reset();
+  if (distances)
+  {
+    distances->SetNumberOfComponents(1);
+    distances->Reset();
+  }
+}
+
+vtkIdType Fill(const std::vector<std::pair<double, vtkIdType>>& found, vtkIdList* ids,
+  vtkDoubleArray* distances)
+{
+  Clear(ids, distances);
+  for (const auto& [dist2, id] : found)
+  {
+    ids->InsertNextId(id);
+    if (distances)
+    {
+      distances->InsertNextValue(std::sqrt(dist2));
+    }
+  }
+  return ids->GetNumberOfIds();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeCellLocator::vtkSkdTreeCellLocator()
+  : Impl(std::make_unique<SkdLocatorState>())
+{
+  this->NumberOfCellsPerNode = skd::Node<3>::Width;
+  this->CacheCellBounds = 0;
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeCellLocator::~vtkSkdTreeCellLocator()
+{
+  this->FreeSearchStructure();
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::BuildLocator()
+{
+  if (!this->IsUpToDate())
+  {
+    this->BuildLocatorInternal();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSkdTreeCellLocator::IsUpToDate()
+{
+  if (!this->Impl->GetTree())
+  {
+    return false;
+  }
+  const bool hasChanged = this->BuildTime < this->MTime ||
+    (this->DataSet && this->BuildTime < this->DataSet->GetMTime());
+  return this->UseExistingSearchStructure || !hasChanged;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::ForceBuildLocator()
+{
+  this->BuildLocatorInternal();
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::BuildLocatorInternal()
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  SkdTreeSettings settings;
+  settings.Epsilon = this->Epsilon;
+  settings.Capacity = std::min(this->NumberOfCellsPerNode, skd::Node<3>::Width);
+  settings.IsLazy = this->LazyBuild;
+  settings.SkipsGhosts = this->SkipGhostCells;
+  this->FreeSearchStructure();
+  std::shared_ptr<const SkdCellTree> tree;
+  try
+  {
+    tree = std::make_shared<const SkdCellTree>(this->DataSet, settings);
+  }
+  catch (const std::length_error& error)
+  {
+    vtkErrorMacro("No tree was built: " << error.what() << ".");
+    tree = std::make_shared<const SkdCellTree>(nullptr, settings);
+  }
+  const vtkIdType notFinite = tree->Cells().LeftOut().NotFinite;
+  if (notFinite > 0)
+  {
+    vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
+                    << " cells have points that are NaN, infinite or missing: they are left out.");
+  }
+  this->CacheBounds();
+  this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;
+  this->BuildTime.Modified();
+  this->Impl->SetTree(tree); // last: from here on other threads use it
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::CacheBounds()
+{
+  if (this->CacheCellBounds && this->DataSet && this->DataSet->GetNumberOfCells() > 0)
+  {
+    this->FreeCellBounds();
+    this->StoreCellBounds();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::FreeSearchStructure()
+{
+  this->Impl->SetTree(nullptr);
+  this->FreeCellBounds();
+}
+
+//------------------------------------------------------------------------------
+// Threads whose first query finds no tree wait for one of them to build it.
+const SkdCellTree& vtkSkdTreeCellLocator::GetTree()
+{
+  if (!this->IsUpToDate())
+  {
+    const std::lock_guard<std::mutex> lock(this->Impl->Building);
+    this->BuildLocator();
+  }
+  return *this->Impl->GetTree();
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::SetTransform(vtkMatrix4x4* motion)
+{
+  if (!motion)
+  {
+    this->Impl->Motion.reset();
+    return;
+  }
+  const auto rigid = skd::RigidMotion::FromMatrix(&motion->Element[0][0]);
+  if (!rigid)
+  {
+    vtkErrorMacro("The transform does not keep distances (only turns, reflections and shifts do): "
+                  "it is not taken.");
+    return;
+  }
+  this->Impl->Motion = rigid;
+  this->Impl->Matrix->DeepCopy(motion);
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkSkdTreeCellLocator::GetTransform()
+{
+  return this->Impl->Motion ? this->Impl->Matrix.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
+  double& t, double x[3], double pcoords[3], int& subId)
+{
+  vtkIdType cellId;
+  return this->IntersectWithLine(p1, p2, tol, t, x, pcoords, subId, cellId, nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
+  double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId)
+{
+  return this->IntersectWithLine(p1, p2, tol, t, x, pcoords, subId, cellId, nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
+  double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
+{
+  const SkdCellTree& tree = this->GetTree();
+  const SkdCellSource source{ this->DataSet, cell ? cell : SkdScratchCell() };
+  const SkdHitCell hit = tree.FindFirstHit(this->Impl->ToTree(p1, p2), tol, source);
+  cellId = hit.Id;
+  if (hit.Id < 0)
+  {
+    return 0;
+  }
+  t = hit.T;
+  subId = hit.SubId;
+  SkdStore(hit.PCoords, pcoords);
+  SkdStore(skd::Lerp(SkdVector(p1), SkdVector(p2), t), x);
+  this->Impl->Load(this->DataSet, cellId, cell);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::IntersectWithLine(
+  const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds)
+{
+  return this->IntersectWithLine(p1, p2, 0.0, points, cellIds, SkdScratchCell());
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3],
+  const double tol, vtkPoints* points, vtkIdList* cellIds)
+{
+  return this->IntersectWithLine(p1, p2, tol, points, cellIds, SkdScratchCell());
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3],
+  const double tol, vtkPoints* points, vtkIdList* cellIds, vtkGenericCell* cell)
+{
+  if (points)
+  {
+    points->Reset();
+  }
+  if (cellIds)
+  {
+    cellIds->Reset();
+  }
+  const SkdCellTree& tree = this->GetTree();
+  const skd::Segment<3> segment{ SkdVector(p1), SkdVector(p2) };
+  const std::vector<SkdHitCell>& hits = cell
+    ? tree.FindHits(this->Impl->ToTree(p1, p2), tol, { this->DataSet, cell })
+    : tree.FindBoundsHits(segment, tol, this->Impl->GetMotion());
+  for (const SkdHitCell& hit : hits)
+  {
+    if (points)
+    {
+      points->InsertNextPoint(segment.At(hit.T).X);
+    }
+    if (cellIds)
+    {
+      cellIds->InsertNextId(hit.Id);
+    }
+  }
+  return hits.empty() ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCrossings(const double p1[3], const double p2[3],
+  vtkDoubleArray* parameters, vtkPoints* points, vtkCellArray* incidentCells, vtkIdTypeArray* kinds)
+{
+  const SkdCrossings& crossings = this->GetTree().FindCrossings(
+    this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  const auto number = static_cast<vtkIdType>(crossings.List.size());
+  if (parameters)
+  {
+    parameters->SetNumberOfComponents(1);
+    parameters->SetNumberOfTuples(number);
+  }
+  if (points)
+  {
+    points->SetNumberOfPoints(number);
+  }
+  if (incidentCells)
+  {
+    incidentCells->Reset();
+  }
+  if (kinds)
+  {
+    kinds->SetNumberOfComponents(1);
+    kinds->SetNumberOfTuples(number);
+  }
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    const SkdCrossing& crossing = crossings.List[static_cast<std::size_t>(i)];
+    if (parameters)
+    {
+      parameters->SetValue(i, crossing.T);
+    }
+    if (points)
+    {
+      points->SetPoint(i, skd::Lerp(SkdVector(p1), SkdVector(p2), crossing.T).X);
+    }
+    if (incidentCells)
+    {
+      incidentCells->InsertNextCell(static_cast<vtkIdType>(crossing.Last - crossing.First),
+        crossings.Cells.data() + crossing.First);
+    }
+    if (kinds)
+    {
+      kinds->SetValue(i, crossing.Passes ? 1 : 0);
+    }
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::CountCrossings(const double p1[3], const double p2[3])
+{
+  const SkdCrossings& crossings = this->GetTree().FindCrossings(
+    this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  return static_cast<vtkIdType>(std::count_if(crossings.List.begin(), crossings.List.end(),
+    [](const SkdCrossing& crossing) { return crossing.Passes; }));
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::FindClosestPoint(
+  const double x[3], double closestPoint[3], vtkIdType& cellId, int& subId, double& dist2)
+{
+  this->FindClosestPoint(x, closestPoint, nullptr, cellId, subId, dist2);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::FindClosestPoint(const double x[3], double closestPoint[3],
+  vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2)
+{
+  double point[3] = { x[0], x[1], x[2] };
+  int inside;
+  this->FindClosestPointWithinRadius(
+    point, vtkMath::Inf(), closestPoint, cell, cellId, subId, dist2, inside);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestPointWithinRadius(
+  double x[3], double radius, double closestPoint[3], vtkIdType& cellId, int& subId, double& dist2)
+{
+  int inside;
+  return this->FindClosestPointWithinRadius(
+    x, radius, closestPoint, nullptr, cellId, subId, dist2, inside);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestPointWithinRadius(double x[3], double radius,
+  double closestPoint[3], vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2)
+{
+  int inside;
+  return this->FindClosestPointWithinRadius(
+    x, radius, closestPoint, cell, cellId, subId, dist2, inside);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestPointWithinRadius(double x[3], double radius,
+  double closestPoint[3], vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2,
+  int& inside)
+{
+  const SkdCellTree& tree = this->GetTree();
+  cellId = -1;
+  inside = 0;
+  if (!(radius >= 0.0))
+  {
+    return 0;
+  }
+  const SkdCellSource source{ this->DataSet, cell ? cell : SkdScratchCell() };
+  const SkdFoundCell found = tree.FindNearest(this->Impl->ToTree(x), radius * radius, source);
+  if (found.Id < 0)
+  {
+    return 0;
+  }
+  cellId = found.Id;
+  subId = found.SubId;
+  dist2 = found.Dist2;
+  inside = found.ProjectsInside || found.Dist2 <= tree.Rounding() * tree.Rounding() ? 1 : 0;
+  SkdStore(this->Impl->ToWorld(found.Point), closestPoint);
+  this->Impl->Load(this->DataSet, cellId, cell);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestCells(
+  const double x[3], int k, vtkIdList* cellIds, vtkDoubleArray* distances)
+{
+  const auto number = static_cast<std::size_t>(std::max(k, 0));
+  const auto& found = this->GetTree().FindNearestCells(
+    this->Impl->ToTree(x), number, vtkMath::Inf(), { this->DataSet, SkdScratchCell() });
+  return Fill(found, cellIds, distances);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCellsWithinRadius(
+  const double x[3], double radius, vtkIdList* cellIds, vtkDoubleArray* distances)
+{
+  const SkdCellTree& tree = this->GetTree();
+  const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
+  auto& found = tree.FindNearestCells(this->Impl->ToTree(x), tree.Cells().NumberOfCells(), limit2,
+    { this->DataSet, SkdScratchCell() });
+  std::sort(found.begin(), found.end(),
+    [](const auto& a, const auto& b) { return a.second < b.second; });
+  return Fill(found, cellIds, distances);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3])
+{
+  return this->FindCell(x, 0.0);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3], double tol2)
+{
+  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  return this->GetTree().FindContaining(this->Impl->ToTree(x), tol2, -1, source).Id;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCell(
+  double x[3], double tol2, vtkGenericCell* cell, double pcoords[3], double* weights)
+{
+  int subId;
+  return this->FindCellWithHint(x, tol2, -1, cell, subId, pcoords, weights);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCell(
+  double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3], double* weights)
+{
+  return this->FindCellWithHint(x, tol2, -1, cell, subId, pcoords, weights);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCellWithHint(double x[3], double tol2, vtkIdType hint,
+  vtkGenericCell* cell, int& subId, double pcoords[3], double* weights)
+{
+  const SkdCellTree& tree = this->GetTree();
+  const SkdCellSource source{ this->DataSet, cell ? cell : SkdScratchCell() };
+  SkdFoundCell found = tree.FindContaining(this->Impl->ToTree(x), tol2, hint, source);
+  if (found.Id < 0)
+  {
+    return -1;
+  }
+  tree.Interpolate(found, weights, source);
+  subId = found.SubId;
+  SkdStore(found.PCoords, pcoords);
+  this->Impl->Load(this->DataSet, found.Id, cell);
+  return found.Id;
+}
+
+#if VTK_SKD_LOCATOR_97
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3], vtkCell*, vtkGenericCell* genericCell,
+  vtkIdType cellId, double tol2, int& subId, double pcoords[3], double* weights)
+{
+  return this->FindCellWithHint(x, tol2, cellId, genericCell, subId, pcoords, weights);
+}
+#endif
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::FindCellsWithinBounds(double* bbox, vtkIdList* cells)
+{
+  const skd::Box3 box({ { bbox[0], bbox[2], bbox[4] } }, { { bbox[1], bbox[3], bbox[5] } });
+  this->GetTree().FindWithinBounds(box, this->Impl->GetMotion(), cells);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::FindCellsAlongLine(
+  const double p1[3], const double p2[3], double tolerance, vtkIdList* cells)
+{
+  this->IntersectWithLine(p1, p2, tolerance, nullptr, cells, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::FindCellsAlongPlane(
+  const double o[3], const double n[3], double tolerance, vtkIdList* cells)
+{
+  this->GetTree().FindAlongPlane(
+    SkdPlane(o, n), tolerance, this->Impl->GetMotion(), cells);
+}
+
+//------------------------------------------------------------------------------
+#if VTK_SKD_LOCATOR_97
+bool vtkSkdTreeCellLocator::InsideCellBounds(double x[3], vtkIdType cellId, double tol)
+{
+#else
+bool vtkSkdTreeCellLocator::InsideCellBounds(double x[3], vtkIdType cellId)
+{
+  constexpr double tol = 0.0;
+#endif
+  return this->GetTree().BoundsHold(SkdVector(x), cellId, tol, this->Impl->GetMotion());
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
+{
+  auto* other = vtkSkdTreeCellLocator::SafeDownCast(locator);
+  if (!other || other == this)
+  {
+    return;
+  }
+  if (!this->DataSet)
+  {
+    this->SetDataSet(other->GetDataSet());
+  }
+  this->SetEpsilon(other->Epsilon);
+  this->SetLazyBuild(other->LazyBuild);
+  this->SetSkipGhostCells(other->SkipGhostCells);
+  this->SetNumberOfCellsPerNode(other->NumberOfCellsPerNode);
+  this->SetCacheCellBounds(other->CacheCellBounds);
+  this->SetUseExistingSearchStructure(other->UseExistingSearchStructure);
+  this->Impl->Motion = other->Impl->Motion;
+  this->Impl->Matrix->DeepCopy(other->Impl->Matrix);
+  this->Impl->BuildSeconds = other->Impl->BuildSeconds;
+  this->Impl->SetTree(other->Impl->ShareTree());
+  this->BuildTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCellLocator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  os << indent << "LazyBuild: " << this->LazyBuild << "\n";
+  os << indent << "SkipGhostCells: " << this->SkipGhostCells << "\n";
+  os << indent << "Transform: " << (this->Impl->Motion ? "" : "(none)") << "\n";
+  if (this->Impl->Motion)
+  {
+    this->Impl->Matrix->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "NumberOfCellsInTree: " << this->GetNumberOfCellsInTree() << "\n";
+  os << indent << "NumberOfNodes: " << this->GetNumberOfNodes() << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+}
+VTK_ABI_NAMESPACE_END
