@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// When the tree is built, shared and freed; settings, statistics and PrintSelf.
+
+#include "Support/EventCounter.h"
+#include "Support/LocatorCalls.h"
+#include "Support/NamedMeshes.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkWeakPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace skdtest;
+
+namespace
+{
+
+class Lifecycle : public testing::Test
+{
+protected:
+  PolyDataPointer Data = MakePolyData(SphereTriangles(8));
+  LocatorPointer Locator = MakeLocator(Data);
+
+  /// Moves all points by (100, 0, 0).
+  void MoveData()
+  {
+    for (vtkIdType i = 0; i < this->Data->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      this->Data->GetPoint(i, p.data());
+      p[0] += 100;
+      this->Data->GetPoints()->SetPoint(i, p.data());
+    }
+    this->Data->GetPoints()->Modified();
+    this->Data->Modified();
+  }
+};
+
+TEST_F(Lifecycle, BuildsOnceWhileNothingChanges)
+{
+  const vtkMTimeType built = this->Locator->GetBuildTime();
+  this->Locator->BuildLocator();
+  this->Locator->Update();
+  FindClosest(this->Locator, { 1, 2, 3 });
+  EXPECT_EQ(this->Locator->GetBuildTime(), built);
+}
+
+TEST_F(Lifecycle, RebuildsWhenTheDataChanges)
+{
+  this->MoveData();
+  this->Locator->BuildLocator();
+  EXPECT_NEAR(FindClosest(this->Locator, { 105, 0, 0 }).Dist2, 16, 0.1);
+}
+
+TEST_F(Lifecycle, RebuildsWhenTheDataSetIsAnother)
+{
+  const auto other = MakePolyData(CubeTriangles(2));
+  this->Locator->SetDataSet(other);
+  this->Locator->BuildLocator();
+  EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), other->GetNumberOfCells());
+  EXPECT_EQ(FindClosest(this->Locator, { 1, 1, 5 }).Dist2, 9.0);
+}
+
+TEST_F(Lifecycle, RebuildsWhenASettingChanges)
+{
+  const double before = this->Locator->GetAbsoluteEpsilon();
+  this->Locator->SetEpsilon(1e-3);
+  this->Locator->BuildLocator();
+  EXPECT_GT(this->Locator->GetAbsoluteEpsilon(), 1000 * before);
+}
+
+TEST_F(Lifecycle, QueriesBeforeTheBuildBuild)
+{
+  const auto locator = LocatorPointer::New();
+  locator->SetDataSet(this->Data);
+  EXPECT_EQ(FindClosest(locator, { 3, 1, 2 }), FindClosest(this->Locator, { 3, 1, 2 }));
+}
+
+TEST_F(Lifecycle, UseExistingSearchStructureKeepsTheTree)
+{
+  this->Locator->UseExistingSearchStructureOn();
+  this->Locator->BuildLocator();
+  const vtkMTimeType built = this->Locator->GetBuildTime();
+  this->Data->Modified();
+  this->Locator->BuildLocator();
+  EXPECT_EQ(this->Locator->GetBuildTime(), built);
+  EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), this->Data->GetNumberOfCells());
+}
+
+TEST_F(Lifecycle, UseExistingSearchStructureBuildsAFirstTree)
+{
+  const auto locator = LocatorPointer::New();
+  locator->SetDataSet(this->Data);
+  locator->UseExistingSearchStructureOn();
+  locator->BuildLocator();
+  EXPECT_EQ(locator->GetNumberOfCellsInTree(), this->Data->GetNumberOfCells());
+}
+
+TEST_F(Lifecycle, ForceBuildLocatorAlwaysBuilds)
+{
+  this->Locator->UseExistingSearchStructureOn();
+  this->MoveData();
+  const vtkMTimeType built = this->Locator->GetBuildTime();
+  this->Locator->ForceBuildLocator();
+  EXPECT_GT(this->Locator->GetBuildTime(), built);
+  EXPECT_NEAR(FindClosest(this->Locator, { 105, 0, 0 }).Dist2, 16, 0.1);
+}
+
+TEST_F(Lifecycle, FreeSearchStructureFreesAndTheNextBuildBuilds)
+{
+  const Closest before = FindClosest(this->Locator, { 3, 1, 2 });
+  this->Locator->FreeSearchStructure();
+  EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), 0);
+  EXPECT_EQ(this->Locator->GetMemorySize(), 0);
+  this->Locator->BuildLocator();
+  EXPECT_EQ(FindClosest(this->Locator, { 3, 1, 2 }), before);
+}
+
+TEST_F(Lifecycle, InitializeFreesToo)
+{
+  this->Locator->Initialize();
+  EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), 0);
+}
+
+TEST_F(Lifecycle, ShallowCopySharesTheTreeAndTheSettings)
+{
+  this->Locator->SetEpsilon(1e-5);
+  this->Locator->SkipGhostCellsOff();
+  this->Locator->SetNumberOfCellsPerNode(4);
+  this->Locator->BuildLocator();
+  const auto copy = LocatorPointer::New();
+  copy->ShallowCopy(this->Locator);
+  EXPECT_EQ(copy->GetDataSet(), this->Data);
+  EXPECT_EQ(copy->GetEpsilon(), 1e-5);
+  EXPECT_FALSE(copy->GetSkipGhostCells());
+  EXPECT_EQ(copy->GetNumberOfCellsPerNode(), 4);
+  EXPECT_EQ(copy->GetNumberOfCellsInTree(), this->Locator->GetNumberOfCellsInTree());
+  const vtkMTimeType built = copy->GetBuildTime();
+  copy->BuildLocator();
+  EXPECT_EQ(copy->GetBuildTime(), built) << "nothing is left to build";
+  EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), FindClosest(this->Locator, { 3, 1, 2 }));
+}
+
+TEST_F(Lifecycle, ShallowCopyOutlivesItsSource)
+{
+  const Closest expected = FindClosest(this->Locator, { 3, 1, 2 });
+  const auto copy = LocatorPointer::New();
+  copy->ShallowCopy(this->Locator);
+  this->Locator->FreeSearchStructure();
+  this->Locator = nullptr;
+  EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), expected);
+}
+
+TEST_F(Lifecycle, ShallowCopyKeepsADataSetThatIsThere)
+{
+  const auto same = PolyDataPointer::New();
+  same->ShallowCopy(this->Data);
+  const auto copy = LocatorPointer::New();
+  copy->SetDataSet(same);
+  copy->ShallowCopy(this->Locator);
+  EXPECT_EQ(copy->GetDataSet(), same);
+  EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), FindClosest(this->Locator, { 3, 1, 2 }));
+}
+
+TEST_F(Lifecycle, ShallowCopyTakesTheMotionAndIsMovedByItself)
+{
+  vtkNew<vtkMatrix4x4> motion;
+  motion->SetElement(0, 3, 7);
+  this->Locator->SetTransform(motion);
+  const auto copy = LocatorPointer::New();
+  copy->ShallowCopy(this->Locator);
+  EXPECT_EQ(FindClosest(copy, { 9, 1, 2 }), FindClosest(this->Locator, { 9, 1, 2 }));
+  copy->SetTransform(nullptr);
+  EXPECT_NE(FindClosest(copy, { 9, 1, 2 }).Dist2, FindClosest(this->Locator, { 9, 1, 2 }).Dist2);
+}
+
+TEST_F(Lifecycle, ShallowCopyOfAnotherKindOrOfNothingIsHarmless)
+{
+  vtkNew<vtkStaticCellLocator> other;
+  other->SetDataSet(this->Data);
+  other->BuildLocator();
+  const Closest expected = FindClosest(this->Locator, { 3, 1, 2 });
+  EventCounter events(this->Locator);
+  this->Locator->ShallowCopy(other);
+  this->Locator->ShallowCopy(nullptr);
+  this->Locator->ShallowCopy(this->Locator);
+  EXPECT_EQ(FindClosest(this->Locator, { 3, 1, 2 }), expected);
+}
+
+TEST_F(Lifecycle, LazyBuildGivesTheSameAnswers)
+{
+  for (const NamedMesh& mesh : AllMeshes())
+  {
+    const auto data = mesh.Make();
+    const auto plain = MakeLocator(data);
+    const auto lazy = LocatorPointer::New();
+    lazy->SetDataSet(data);
+    lazy->LazyBuildOn();
+    lazy->BuildLocator();
+    Random random(120);
+    Bounds box;
+    data->GetBounds(box.data());
+    for (int i = 0; i < 40; ++i)
+    {
+      const Point x = random.InBox(Grown(box, 0.2));
+      const Point y = random.InBox(Grown(box, 0.2));
+      ASSERT_EQ(FindClosest(lazy, x), FindClosest(plain, x)) << mesh.Name;
+      ASSERT_EQ(FindFirstHit(lazy, x, y), FindFirstHit(plain, x, y)) << mesh.Name;
+      ASSERT_EQ(FindCell(lazy, x), FindCell(plain, x)) << mesh.Name;
+      ASSERT_EQ(FindAlongLine(lazy, x, y), FindAlongLine(plain, x, y)) << mesh.Name;
+      ASSERT_EQ(FindClosestCells(lazy, x, 5).Cells, FindClosestCells(plain, x, 5).Cells);
+    }
+  }
+}
+
+TEST_F(Lifecycle, AnyNumberOfCellsPerNodeGivesTheSameAnswers)
+{
+  Random random(121);
+  for (int cellsPerNode : { 1, 2, 3, 8, 32, 1000000 })
+  {
+    const auto locator = LocatorPointer::New();
+    locator->SetDataSet(this->Data);
+    locator->SetNumberOfCellsPerNode(cellsPerNode);
+    locator->BuildLocator();
+    for (int i = 0; i < 50; ++i)
+    {
+      const Point x = 2.0 * random.Direction();
+      const Point y = 2.0 * random.Direction();
+      ASSERT_EQ(FindClosest(locator, x), FindClosest(this->Locator, x));
+      ASSERT_EQ(FindFirstHit(locator, x, y), FindFirstHit(this->Locator, x, y));
+    }
+  }
+}
+
+TEST_F(Lifecycle, StatisticsAreZeroBeforeTheBuild)
+{
+  const auto locator = LocatorPointer::New();
+  locator->SetDataSet(this->Data);
+  EXPECT_EQ(locator->GetNumberOfCellsInTree(), 0);
+  EXPECT_EQ(locator->GetNumberOfCellsLeftOut(), 0);
+  EXPECT_EQ(locator->GetNumberOfNodes(), 0);
+  EXPECT_EQ(locator->GetDepth(), 0);
+  EXPECT_EQ(locator->GetMemorySize(), 0);
+  EXPECT_EQ(locator->GetBuildSeconds(), 0.0);
+}
+
+TEST_F(Lifecycle, StatisticsDescribeTheTree)
+{
+  const vtkIdType cells = this->Data->GetNumberOfCells();
+  EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), cells);
+  EXPECT_EQ(this->Locator->GetNumberOfCellsLeftOut(), 0);
+  EXPECT_GT(this->Locator->GetNumberOfNodes(), 0);
+  EXPECT_LE(this->Locator->GetNumberOfNodes(), 2 * cells - 1);
+  EXPECT_GT(this->Locator->GetDepth(), 1);
+  EXPECT_LE(this->Locator->GetDepth(), 11); // ceil(log2 768) and the root
+  EXPECT_GT(this->Locator->GetMemorySize(), 8 * cells);
+  EXPECT_LT(this->Locator->GetMemorySize(), 1000 * cells);
+  EXPECT_GT(this->Locator->GetBuildSeconds(), 0.0);
+}
+
+TEST_F(Lifecycle, StatisticsCountTheCellsLeftOut)
+{
+  MarkGhosts(this->Data, { 1, 2, 3 }, vtkDataSetAttributes::DUPLICATECELL);
+  this->Data->Modified();
+  this->Locator->BuildLocator();
+  EXPECT_EQ(this->Locator->GetNumberOfCellsLeftOut(), 3);
+  EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), this->Data->GetNumberOfCells() - 3);
+}
+
+TEST_F(Lifecycle, MemoryGrowsWithTheMeshNotFasterThanSaid)
+{
+  const auto data = MakePolyData(SphereTriangles(40));
+  const auto locator = MakeLocator(data);
+  const vtkIdType cells = data->GetNumberOfCells();
+  const vtkIdType said = cells * (32 + 3 * 4) + data->GetNumberOfPoints() * 24;
+  EXPECT_LE(locator->GetMemorySize(), said + said / 4 + 4096);
+}
+
+TEST_F(Lifecycle, DefaultsAreThoseOfTheHeader)
+{
+  const auto locator = LocatorPointer::New();
+  EXPECT_EQ(locator->GetEpsilon(), 1e-9);
+  EXPECT_FALSE(locator->GetLazyBuild());
+  EXPECT_TRUE(locator->GetSkipGhostCells());
+  EXPECT_EQ(locator->GetNumberOfCellsPerNode(), 8);
+  EXPECT_FALSE(locator->GetUseExistingSearchStructure());
+}
+
+TEST_F(Lifecycle, PrintSelfNamesEverySetting)
+{
+  std::ostringstream text;
+  this->Locator->Print(text);
+  for (const char* name : { "Epsilon", "LazyBuild", "SkipGhostCells", "Transform",
+         "NumberOfCellsPerNode", "CellsInTree", "Depth" })
+  {
+    std::string squeezed;
+    for (char c : text.str())
+    {
+      squeezed += c == ' ' ? "" : std::string(1, c);
+    }
+    EXPECT_NE(squeezed.find(name), std::string::npos) << name;
+  }
+}
+
+TEST_F(Lifecycle, PrintSelfWorksWithoutATree)
+{
+  std::ostringstream text;
+  LocatorPointer::New()->Print(text);
+  EXPECT_FALSE(text.str().empty());
+}
+
+TEST_F(Lifecycle, NewInstanceIsOfTheSameClass)
+{
+  vtkSmartPointer<vtkAbstractCellLocator> made;
+  made.TakeReference(this->Locator->NewInstance());
+  EXPECT_TRUE(made->IsA("vtkSkdTreeCellLocator"));
+}
+
+TEST_F(Lifecycle, LetsGoOfTheDataSet)
+{
+  vtkWeakPointer<vtkPolyData> data = this->Data.Get();
+  this->Data = nullptr;
+  EXPECT_NE(data, nullptr);
+  this->Locator = nullptr;
+  EXPECT_EQ(data, nullptr);
+}
+
+TEST_F(Lifecycle, ADataSetThatHoldsItsLocatorIsFreed)
+{
+  vtkWeakPointer<vtkPolyData> data = this->Data.Get();
+  vtkWeakPointer<vtkSkdTreeCellLocator> locator = this->Locator.Get();
+  this->Data->SetCellLocator(this->Locator);
+  this->Locator = nullptr;
+  EXPECT_NE(locator, nullptr);
+  this->Data = nullptr;
+  EXPECT_EQ(data, nullptr);
+  EXPECT_EQ(locator, nullptr);
+}
+
+}
