@@ -29,7 +29,7 @@ struct Interval
 };
 
 /// The stretch of [0, 1] on which the segment is inside the box (section 5.1: the box projected
-/// along each axis onto the segment), or nothing. A NaN anywhere means nothing.
+/// along each axis onto the segment), or nothing. NaN and infinite ends mean nothing.
 template <int D>
 std::optional<Interval> Clip(const Segment<D>& segment, const Box<D>& box)
 {
@@ -52,9 +52,13 @@ std::optional<Interval> Clip(const Segment<D>& segment, const Box<D>& box)
     {
       std::swap(enter, leave);
     }
-    inside.Min = enter > inside.Min ? enter : inside.Min;
-    inside.Max = leave < inside.Max ? leave : inside.Max;
-    if (!(inside.Min <= inside.Max) || std::isnan(length))
+    if (!(enter <= leave))
+    {
+      return std::nullopt;
+    }
+    inside.Min = std::max(inside.Min, enter);
+    inside.Max = std::min(inside.Max, leave);
+    if (!(inside.Min <= inside.Max))
     {
       return std::nullopt;
     }

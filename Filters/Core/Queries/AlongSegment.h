@@ -14,8 +14,9 @@ namespace skd
 /// `leaf(element)` intersects an element and returns the parameter (0..1 along the segment) beyond
 /// which nothing is wanted any more: the first hit so far, or 1 for all hits.
 ///
-/// The segment is first clipped to the bounds of the tree in double precision, so that a far end
-/// costs no accuracy; `margin` (world units) widens every box, for searches with a tolerance.
+/// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
+/// bounds of the tree and as much room again: no new end comes near a box. `margin` (world units)
+/// widens every box, for searches with a tolerance.
 template <int D, class Leaf>
 class AlongSegment
 {
@@ -26,14 +27,17 @@ public:
     double margin, Leaf& leaf)
     : TheLeaf(leaf)
   {
-    const std::optional<Interval> inside = Clip(segment, bounds.Inflated(margin));
-    if (!inside)
+    const std::optional<Interval> inside =
+      Clip(segment, bounds.Inflated(margin + 1.0 / frame.Scale));
+    if (!inside || !(margin >= 0.0))
     {
       return;
     }
     this->Begin = inside->Min;
     this->Length = inside->Max - inside->Min;
-    this->SetLocal(frame, segment.At(inside->Min), segment.At(inside->Max), margin);
+    const Segment<D> local{ frame.Local(segment.A), frame.Local(segment.B) };
+    this->SetLocal(local.At(inside->Min), local.At(inside->Max),
+      margin * frame.Scale + RoundingOf(local));
     this->TheLimit = 1.0f + Slack;
   }
 
@@ -69,7 +73,7 @@ public:
   bool Visit(std::uint32_t element)
   {
     const double parameter = this->TheLeaf(element);
-    const double local = (parameter - this->Begin) / this->Length;
+    const double local = std::max(0.0, (parameter - this->Begin) / this->Length);
     if (local < 1.0)
     {
       this->TheLimit = Frame<D>::RoundUp(local) + Slack;
@@ -82,15 +86,26 @@ private:
   static constexpr float Slack = 4e-6f;
   static constexpr float Never = std::numeric_limits<float>::infinity();
 
-  void SetLocal(const Frame<D>& frame, const Vector<D>& from, const Vector<D>& to, double margin)
+  /// What points along a segment with these ends are off by, at most.
+  static double RoundingOf(const Segment<D>& local)
+  {
+    double largest = 0.0;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      largest = std::max({ largest, std::abs(local.A[axis]), std::abs(local.B[axis]) });
+    }
+    return 4.0 * std::numeric_limits<double>::epsilon() * largest;
+  }
+
+  void SetLocal(const Vector<D>& from, const Vector<D>& to, double margin)
   {
     for (int axis = 0; axis < D; ++axis)
     {
-      const double direction = (to[axis] - from[axis]) * frame.Scale;
+      const double direction = to[axis] - from[axis];
       this->IsForward[axis] = direction >= 0.0;
       this->Inverse[axis] = static_cast<float>(1.0 / Widened(direction));
-      const float low = frame.Down(from[axis] - margin, axis);
-      const float high = frame.Up(from[axis] + margin, axis);
+      const float low = Frame<D>::RoundDown(from[axis] - margin);
+      const float high = Frame<D>::RoundUp(from[axis] + margin);
       this->NearOrigin[axis] = this->IsForward[axis] ? high : low;
       this->FarOrigin[axis] = this->IsForward[axis] ? low : high;
     }

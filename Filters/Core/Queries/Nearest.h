@@ -51,10 +51,10 @@ private:
   Leaf& TheLeaf;
 };
 
-/// Algorithm 5.1 without the exact test: calls `leaf(element, least squared distance in the frame)`
-/// for every element whose box may hold the nearest point. The pessimistic distance falls as boxes
-/// are met: every node holds an element, so the farthest point of its box bounds the nearest.
-/// Elements reached early may exceed the final GetLimit(): the caller drops these at the end.
+/// Algorithm 5.1 without the exact test: calls `leaf(element)` for every element whose box may hold
+/// the nearest point. The pessimistic distance falls as boxes are met: every node holds an element,
+/// so the farthest point of its box bounds the nearest. Elements reached early may be farther than
+/// what is known in the end: the caller drops those ("compress the list").
 template <int D, class Leaf>
 class NearestCandidates
 {

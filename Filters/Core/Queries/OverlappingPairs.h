@@ -32,8 +32,13 @@ public:
     Box<D> world;
     for (int axis = 0; axis < D; ++axis)
     {
-      world.Min[axis] = this->Second.Centre[axis] + box.Min[axis] / this->Second.Scale;
-      world.Max[axis] = this->Second.Centre[axis] + box.Max[axis] / this->Second.Scale;
+      const double low = box.Min[axis] / this->Second.Scale;
+      const double high = box.Max[axis] / this->Second.Scale;
+      const double centre = this->Second.Centre[axis];
+      const double rounding = std::numeric_limits<double>::epsilon() *
+        (std::abs(centre) + std::max(std::abs(low), std::abs(high)));
+      world.Min[axis] = centre + low - rounding;
+      world.Max[axis] = centre + high + rounding;
     }
     return this->First.Outward(this->TheMotion(world));
   }

@@ -46,7 +46,8 @@ public:
   template <int W>
   void MaxDistances2(const Bundle<D, W>& boxes, float* farthest) const
   {
-    constexpr float slack = 1.0f + 1.0f / (1 << 17);
+    constexpr float slack = 1.0f + 1.0f / (1 << 19);
+    constexpr float denormals = 1e-44f;
     for (int lane = 0; lane < W; ++lane)
     {
       float sum = 0.0f;
@@ -57,7 +58,7 @@ public:
         const float reach = fromMin > fromMax ? fromMin : fromMax;
         sum += reach * reach;
       }
-      farthest[lane] = sum * slack;
+      farthest[lane] = sum * slack + denormals;
     }
   }
 

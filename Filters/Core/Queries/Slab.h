@@ -22,10 +22,12 @@ public:
 
   Slab(const Frame<D>& frame, const Plane<D>& plane, double halfWidth, const Vector<D>& weights)
   {
-    const double offset = Dot(plane.Normal, plane.Origin - frame.Centre) * frame.Scale;
+    const Vector<D> origin = frame.Local(plane.Origin);
+    const double offset = Dot(plane.Normal, origin);
+    const double rounding = 1e-15 * Dot(Magnitudes(plane.Normal), Magnitudes(origin));
     this->Offset = static_cast<float>(offset);
-    this->HalfWidth =
-      Frame<D>::RoundUp(halfWidth * frame.Scale + Slack * (1.0 + std::abs(offset)));
+    this->HalfWidth = Frame<D>::RoundUp(
+      halfWidth * frame.Scale + Slack * (1.0 + std::abs(offset)) + rounding);
     for (int axis = 0; axis < D; ++axis)
     {
       this->Normal[axis] = static_cast<float>(0.5 * plane.Normal[axis]);

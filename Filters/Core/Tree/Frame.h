@@ -42,8 +42,17 @@ struct Frame
     }
     int exponent = 0;
     std::frexp(halfLength, &exponent);
-    frame.Scale = halfLength > 0.0 ? std::ldexp(1.0, -std::clamp(exponent, -1000, 1000)) : 1.0;
+    frame.Scale = halfLength > 0.0 ? std::ldexp(1.0, -std::clamp(exponent, -1023, 1024)) : 1.0;
     return frame;
+  }
+
+  Vector<D> Local(Vector<D> world) const
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      world[axis] = this->Local(world[axis], axis);
+    }
+    return world;
   }
 
   float Down(double world, int axis) const { return RoundDown(this->Local(world, axis)); }
@@ -61,11 +70,13 @@ struct Frame
   }
 
   /// A squared world distance as a bound on squared frame distances that single precision
-  /// arithmetic on at most a dozen axes cannot miss.
+  /// arithmetic on at most a dozen axes cannot miss: each adds a rounding, relative or, near 0, of
+  /// half a denormal.
   float UpperBound2(double distance2) const
   {
-    constexpr double slack = 1.0 + 1.0 / (1 << 18);
-    return RoundUp(distance2 * this->Scale * this->Scale * slack);
+    constexpr double slack = 1.0 + 1.0 / (1 << 20);
+    constexpr double denormals = 1e-44;
+    return RoundUp(distance2 * this->Scale * this->Scale * slack + denormals);
   }
 
   static float RoundDown(double value)

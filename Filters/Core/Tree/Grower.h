@@ -53,7 +53,7 @@ public:
 
   Grower(std::vector<Element<D>>&& elements, int capacity)
     : Elements(std::move(elements))
-    , Capacity(static_cast<std::uint32_t>(capacity))
+    , Capacity(static_cast<std::uint32_t>(std::clamp(capacity, 1, Node<D>::Width)))
     , Nodes(CountNodes(this->CountBottoms(this->Elements.size())))
   {
   }

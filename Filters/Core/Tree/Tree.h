@@ -16,7 +16,7 @@ struct TreeInput
   skd::Frame<D> Frame;
   Box<D> Bounds; ///< the safety box of all, in the world
   std::vector<Element<D>> Elements;
-  int Capacity = Node<D>::Width; ///< elements a bottom node, 1 .. Node<D>::Width
+  int Capacity = Node<D>::Width; ///< elements a bottom node, clamped to 1 .. Node<D>::Width
 };
 
 /// The frame, the bounds and the elements of a set of boxes, inflated by 2 epsilon (section 3.1).

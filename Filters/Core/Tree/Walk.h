@@ -5,6 +5,8 @@
 
 #include "Node.h"
 
+#include <type_traits>
+
 namespace skd
 {
 
