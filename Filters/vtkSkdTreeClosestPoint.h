@@ -7,7 +7,10 @@
  * For each point of Input (port 0, any vtkDataSet or composite of them) the nearest point on the
  * cells of Source (port 1, any vtkDataSet or composite), by the skD-tree (sections 4, 5 and 6.4 of
  * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact in double precision; the
- * same answer whatever the number of threads; the tree is kept while the Source is unchanged.
+ * same answer whatever the number of threads or processes (each asks for the whole Source).
+ *
+ * The tree is kept while the Source's points, cells and ghost marks are the same, be it in the same
+ * arrays or in others of equal values: further time steps cost queries only, unless points move.
  *
  * Output port 0: the input with the point arrays
  * | name                 | type   | components | meaning                              | none |
@@ -15,16 +18,24 @@
  * | SkdClosestPoint      | double | 3          | nearest point on the source          | NaN  |
  * | SkdDistance          | double | 1          | distance; negative inside if signed  | NaN  |
  * | SkdClosestCellId     | idtype | 1          | source cell, ties to the lowest id   | -1   |
- * | SkdClosestBlockIndex | int    | 1          | flat index of the source's block; only of a composite Source | -1 |
- * and by choice the source's point data interpolated, and cell data taken, at the nearest point
- * (see InterpolateSourceData). "None" is a point farther than MaximumDistance, or not finite.
+ * | SkdClosestBlockIndex | int    | 1          | flat index of the source's block     | -1   |
+ * (the last only of a composite Source) and by choice the source's point data interpolated, and its
+ * cell data taken, at the nearest point (see InterpolateSourceData). "None" is a point farther than
+ * MaximumDistance, or not finite, or not reached before the execution was aborted. SkdDistance
+ * becomes the active scalars.
+ *
+ * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (that have an
+ * answer), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
+ * SkdReportTreesBuilt (0 when all were kept), SkdReportEpsilon (the largest in use, in world
+ * units), SkdReportBuildSeconds, SkdReportQuerySeconds; and SkdReportOpenEdges if signed.
  *
  * Output port 1: by choice (see GenerateLines) vtkPolyData with a line from each point that has an
- * answer to its nearest point, with the point's arrays as cell data.
+ * answer to its nearest point, with the point's arrays as cell data (of a composite Input those
+ * that all its blocks have; ghost marks are not passed).
  *
  * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and "none"
- * everywhere. An unset Source is an error of the pipeline. SignedDistance on a Source that is no
- * closed surface gives one warning that counts its open edges; the sign then goes by vote.
+ * everywhere. An unset Source is an error of the pipeline. See SetSignedDistance for a Source that
+ * is not closed. An Input without points gives an output without points.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -58,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Distance beyond which a point gets no answer. Default VTK_DOUBLE_MAX: none.
+   * Distance beyond which a point gets no answer. Default VTK_DOUBLE_MAX: no limit.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
@@ -66,9 +77,17 @@ public:
 
   ///@{
   /**
-   * Give the distance a sign, negative inside the closed surface that Source is (or that bounds
-   * it). Inside is decided by the parity of exact crossings, so orientation does not matter.
-   * Default off.
+   * Give the distance a sign, negative inside the closed surface that Source is or that bounds it:
+   * the boundary of its volume cells, or of a Source without any its surface cells. The distance is
+   * then the one to that surface, and SkdClosestCellId a cell that has the nearest point on it;
+   * vertices and lines are not searched. Polygons with more than four corners are triangulated and
+   * non-linear cells cut into linear ones.
+   *
+   * Points of equal coordinates are one, faces between two volume cells are no boundary, of
+   * whatever blocks they are. Inside is decided by the parity of exact crossings, so orientation
+   * does not matter. A surface with open edges (edges that an odd number of its faces use) gives
+   * one warning that counts them; the sign is then a vote of seven directions. A Source without a
+   * surface gives a warning, and distances without a sign. Default off.
    */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
@@ -77,10 +96,12 @@ public:
 
   ///@{
   /**
-   * Interpolate the source's point data at the nearest point, and take its cell data there; both
-   * become point arrays of the output, under their own names. Of a composite Source, the arrays
-   * that all its blocks have; a name that the Input has already keeps the Input's array, with a
-   * warning. Points without an answer get NaN, or 0 in integer arrays. Default off.
+   * Interpolate the source's point data at the nearest point by the cell's own weights, and take
+   * its cell data there; both become point arrays of the output, under their own names and of their
+   * own types (rounded, of integers). Of a composite Source, the arrays that all its blocks have. A
+   * name that is in use already keeps what it names, with a warning: the Input's arrays go before
+   * the Source's, its point data before its cell data. Ghost marks and ids of points are not
+   * passed. Points without an answer get NaN, or 0 in integer arrays. Default off.
    */
   vtkSetMacro(InterpolateSourceData, bool);
   vtkGetMacro(InterpolateSourceData, bool);
@@ -110,12 +131,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   double MaximumDistance = VTK_DOUBLE_MAX;
   bool SignedDistance = false;

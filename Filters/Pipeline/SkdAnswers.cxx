@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdAnswers.h"
+
+#include "Pipeline/SkdArrayGather.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+template <typename Array>
+vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType n, double none)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(n);
+  array->Fill(none);
+  return array;
+}
+}
+
+bool SkdAnswers::IsOurs(const std::string& name)
+{
+  return name == ClosestPointName || name == DistanceName || name == CellIdName ||
+    name == BlockIndexName;
+}
+
+SkdAnswers::SkdAnswers(vtkIdType n)
+  : Points(MakeArray<vtkDoubleArray>(ClosestPointName, 3, n, vtkMath::Nan()))
+  , Distances(MakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
+  , CellIds(MakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
+  , Leaves(n, -1)
+{
+}
+
+void SkdAnswers::Set(vtkIdType i, const SkdNearest& nearest, bool isInside)
+{
+  const double distance = std::sqrt(nearest.Distance2);
+  std::copy_n(nearest.Point, 3, this->Points->GetPointer(3 * i));
+  this->Distances->SetValue(i, isInside ? -distance : distance);
+  this->CellIds->SetValue(i, nearest.CellId);
+  this->Leaves[i] = nearest.Leaf;
+}
+
+vtkIdType SkdAnswers::CountFound() const
+{
+  return std::count_if(
+    this->Leaves.begin(), this->Leaves.end(), [](int leaf) { return leaf >= 0; });
+}
+
+void SkdAnswers::AddTo(
+  vtkPointData* pointData, const std::vector<SkdLeaf>& source, bool isComposite) const
+{
+  pointData->AddArray(this->Points);
+  pointData->AddArray(this->Distances);
+  pointData->AddArray(this->CellIds);
+  pointData->SetActiveScalars(DistanceName);
+  if (isComposite)
+  {
+    auto blocks = MakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
+    for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
+    {
+      if (this->Leaves[i] >= 0)
+      {
+        blocks->SetValue(i, source[this->Leaves[i]].BlockIndex);
+      }
+    }
+    pointData->AddArray(blocks);
+  }
+}
+
+void SkdConnectAnswers(const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers,
+  vtkPolyData* lines)
+{
+  struct Start
+  {
+    int Mesh;
+    vtkIdType Point;
+  };
+  std::vector<Start> starts;
+  std::vector<vtkDataSetAttributes*> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
+  {
+    data.push_back(meshes[mesh].Mesh->GetPointData());
+    for (vtkIdType i = 0; i < answers[mesh].GetNumberOfPoints(); ++i)
+    {
+      if (answers[mesh].GetLeaf(i) >= 0)
+      {
+        double x[3];
+        meshes[mesh].Mesh->GetPoint(i, x);
+        const vtkIdType from = points->InsertNextPoint(x);
+        cells->InsertNextCell({ from, points->InsertNextPoint(answers[mesh].GetPoint(i)) });
+        starts.push_back({ static_cast<int>(mesh), i });
+      }
+    }
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+
+  const std::string ghosts = vtkDataSetAttributes::GhostArrayName();
+  SkdArrayGather gather(data, [&](vtkAbstractArray* array) { return array->GetName() != ghosts; });
+  gather.Allocate(static_cast<vtkIdType>(starts.size()));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        gather.Take(i, starts[i].Mesh, starts[i].Point);
+      }
+    });
+  gather.AddTo(lines->GetCellData());
+  lines->GetCellData()->SetActiveScalars(SkdAnswers::DistanceName);
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdAnswers_h
+#define SkdAnswers_h
+
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdNearest.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointData;
+class vtkPolyData;
+
+/// The nearest points to the points of one data set: arrays of a slot a point, "none" at first.
+class SkdAnswers
+{
+public:
+  static constexpr const char* ClosestPointName = "SkdClosestPoint";
+  static constexpr const char* DistanceName = "SkdDistance";
+  static constexpr const char* CellIdName = "SkdClosestCellId";
+  static constexpr const char* BlockIndexName = "SkdClosestBlockIndex";
+
+  /// Whether an array of that name is one of ours.
+  static bool IsOurs(const std::string& name);
+
+  explicit SkdAnswers(vtkIdType n);
+
+  /// Fills a slot. Thread-safe for distinct slots.
+  void Set(vtkIdType i, const SkdNearest& nearest, bool isInside);
+
+  ///@{
+  /// What a slot holds. The leaf is -1 where there is no answer.
+  int GetLeaf(vtkIdType i) const { return this->Leaves[i]; }
+  vtkIdType GetCellId(vtkIdType i) const { return this->CellIds->GetValue(i); }
+  const double* GetPoint(vtkIdType i) const { return this->Points->GetPointer(3 * i); }
+  ///@}
+
+  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Leaves.size()); }
+  vtkIdType CountFound() const;
+
+  /// Adds the arrays, and makes the distance the active scalars. Block indices of `source` are
+  /// added when there is one to tell, that is, it came from a composite data set.
+  void AddTo(vtkPointData* pointData, const std::vector<SkdLeaf>& source, bool isComposite) const;
+
+private:
+  vtkSmartPointer<vtkDoubleArray> Points;
+  vtkSmartPointer<vtkDoubleArray> Distances;
+  vtkSmartPointer<vtkIdTypeArray> CellIds;
+  std::vector<int> Leaves;
+};
+
+/// Fills `lines` with a line from each point of `meshes` that has an answer to where it is. Cell
+/// data are the point arrays that all meshes have in common, ghost marks left out.
+void SkdConnectAnswers(const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers,
+  vtkPolyData* lines);
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdArrayGather.h
+ * @brief The arrays that several data sets have in common, gathered tuple by tuple into one.
+ *
+ * Arrays are common when all data sets have one of that name and number of components, of numbers
+ * or of strings. The result has the type of the first data set's (a bit array becomes unsigned
+ * char, whose values can be written in parallel).
+ */
+
+#ifndef SkdArrayGather_h
+#define SkdArrayGather_h
+
+#include "vtkAbstractArray.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataSetAttributes;
+class vtkIdList;
+
+class SkdArrayGather
+{
+public:
+  /// Finds the arrays that all `sets` have and of which `isWanted` tells true. No sets: no arrays.
+  SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
+    const std::function<bool(vtkAbstractArray*)>& isWanted);
+
+  /// Makes the resulting arrays, of n tuples: NaN, 0 in integer arrays, empty strings.
+  void Allocate(vtkIdType n);
+
+  ///@{
+  /// Sets tuple `to` of each result from tuples of data set `set`. Thread-safe for distinct `to`.
+  void Interpolate(vtkIdType to, int set, vtkIdList* ids, double* weights);
+  void Take(vtkIdType to, int set, vtkIdType from);
+  ///@}
+
+  /// Adds the resulting arrays.
+  void AddTo(vtkDataSetAttributes* attributes) const;
+
+private:
+  struct Array
+  {
+    std::vector<vtkAbstractArray*> Sources; // one a set
+    vtkSmartPointer<vtkAbstractArray> Result;
+  };
+  std::vector<Array> Arrays;
+};
+
+#endif

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdBoundary.h"
+
+#include "Pipeline/SkdWeld.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPolygon.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace
+{
+/// A polygon of welded points.
+struct Face
+{
+  std::size_t First; // of its corners
+  int Size;
+  SkdBoundary::Origin Origin;
+  bool OfVolume;
+  int Copies; // how many of it the boundary has; 0 of an inner face and of a repetition
+};
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh)
+{
+  if (auto surface = vtkPolyData::SafeDownCast(mesh))
+  {
+    return surface;
+  }
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->PassThroughCellIdsOn();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// The faces of all leaves, and what becomes of them.
+class FaceList
+{
+public:
+  explicit FaceList(const std::vector<SkdLeaf>& leaves);
+
+  void KeepVolumesOrSurfaces();
+  void SortByOrigin();
+  void CountCopies();
+  void FillBoundary(SkdBoundary& boundary) const;
+
+private:
+  void AddLeaf(int leaf, vtkDataSet* mesh);
+  void AddFace(const SkdBoundary::Origin& origin, bool ofVolume, vtkPolyData* surface,
+    vtkIdType size, const vtkIdType* corners);
+  void CountCopiesOfGroup(const std::vector<std::size_t>& group);
+
+  template <typename Predicate>
+  vtkIdType CountOddEdges(const Predicate& isWall) const;
+  template <typename Predicate>
+  vtkSmartPointer<vtkPolyData> MakeSurface(
+    const Predicate& isIncluded, std::vector<SkdBoundary::Origin>* origins) const;
+  void Triangulate(const Face& face, vtkIdList* triangles) const;
+
+  SkdWeld Weld;
+  std::vector<Face> Faces;
+  std::vector<vtkIdType> Corners;
+};
+
+FaceList::FaceList(const std::vector<SkdLeaf>& leaves)
+{
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    if (leaves[leaf].Mesh->GetNumberOfCells() > 0)
+    {
+      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh);
+    }
+  }
+}
+
+void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
+{
+  auto surface = SurfaceOf(mesh);
+  auto originals = mesh == surface.Get()
+    ? nullptr
+    : vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray("vtkOriginalCellIds"));
+  vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray();
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> ids;
+  const auto add = [&](vtkIdType id, vtkIdType size, const vtkIdType* corners)
+  {
+    const vtkIdType original = originals ? originals->GetValue(id) : id;
+    if (originals)
+    {
+      mesh->GetCell(original, cell);
+    }
+    const bool ofVolume = originals && cell->GetCellDimension() == 3;
+    this->AddFace({ leaf, original }, ofVolume, surface, size, corners);
+  };
+
+  vtkIdType id = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++id)
+    {
+      if (ghosts && ghosts->GetValue(id))
+      {
+        continue;
+      }
+      cells->GetCellAtId(i, ids);
+      const bool isStrip = cells == surface->GetStrips();
+      const vtkIdType size = ids->GetNumberOfIds();
+      for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
+      {
+        add(id, isStrip ? 3 : size, ids->GetPointer(k));
+      }
+    }
+  }
+}
+
+// Corners that the welding made equal to their neighbour go; what then has no area is no face.
+void FaceList::AddFace(const SkdBoundary::Origin& origin, bool ofVolume, vtkPolyData* surface,
+  vtkIdType size, const vtkIdType* corners)
+{
+  Face face{ this->Corners.size(), 0, origin, ofVolume, 0 };
+  bool isFinite = true;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    double x[3];
+    surface->GetPoint(corners[i], x);
+    isFinite = isFinite && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+    const vtkIdType id = isFinite ? this->Weld.GetId(x) : -1;
+    if (this->Corners.size() == face.First || this->Corners.back() != id)
+    {
+      this->Corners.push_back(id);
+    }
+  }
+  if (this->Corners.size() > face.First + 1 && this->Corners.back() == this->Corners[face.First])
+  {
+    this->Corners.pop_back();
+  }
+  face.Size = static_cast<int>(this->Corners.size() - face.First);
+  if (isFinite && face.Size > 2)
+  {
+    this->Faces.push_back(face);
+  }
+  else
+  {
+    this->Corners.resize(face.First);
+  }
+}
+
+void FaceList::KeepVolumesOrSurfaces()
+{
+  const auto isOfVolume = [](const Face& face) { return face.OfVolume; };
+  if (std::any_of(this->Faces.begin(), this->Faces.end(), isOfVolume))
+  {
+    this->Faces.erase(
+      std::remove_if(this->Faces.begin(), this->Faces.end(), std::not_fn(isOfVolume)),
+      this->Faces.end());
+  }
+}
+
+void FaceList::SortByOrigin()
+{
+  std::stable_sort(this->Faces.begin(), this->Faces.end(),
+    [](const Face& a, const Face& b)
+    {
+      return a.Origin.Leaf != b.Origin.Leaf ? a.Origin.Leaf < b.Origin.Leaf
+                                            : a.Origin.CellId < b.Origin.CellId;
+    });
+}
+
+// Two faces are the same when they have the same corners, wherever they start and turn.
+void FaceList::CountCopies()
+{
+  std::vector<vtkIdType> sorted = this->Corners;
+  for (const Face& face : this->Faces)
+  {
+    std::sort(sorted.begin() + face.First, sorted.begin() + face.First + face.Size);
+  }
+  const auto compare = [&](std::size_t a, std::size_t b)
+  {
+    const auto beginA = sorted.begin() + this->Faces[a].First;
+    const auto beginB = sorted.begin() + this->Faces[b].First;
+    const int sizeA = this->Faces[a].Size;
+    const int sizeB = this->Faces[b].Size;
+    if (sizeA == sizeB)
+    {
+      const auto [atA, atB] = std::mismatch(beginA, beginA + sizeA, beginB);
+      return atA == beginA + sizeA ? 0 : (*atA < *atB ? -1 : 1);
+    }
+    return sizeA < sizeB ? -1 : 1;
+  };
+  std::vector<std::size_t> order(this->Faces.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  vtkSMPTools::Sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      const int difference = compare(a, b);
+      return difference != 0 ? difference < 0 : a < b;
+    });
+
+  std::vector<std::size_t> group;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    group.push_back(order[i]);
+    if (i + 1 == order.size() || compare(order[i], order[i + 1]) != 0)
+    {
+      this->CountCopiesOfGroup(group);
+      group.clear();
+    }
+  }
+}
+
+void FaceList::CountCopiesOfGroup(const std::vector<std::size_t>& group)
+{
+  const int copies = static_cast<int>(group.size());
+  Face& first = this->Faces[group.front()];
+  first.Copies = first.OfVolume ? copies % 2 : copies;
+}
+
+template <typename Predicate>
+vtkIdType FaceList::CountOddEdges(const Predicate& isWall) const
+{
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  for (const Face& face : this->Faces)
+  {
+    for (int i = 0; isWall(face) && i < face.Size; ++i)
+    {
+      const vtkIdType a = this->Corners[face.First + i];
+      const vtkIdType b = this->Corners[face.First + (i + 1) % face.Size];
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  vtkSMPTools::Sort(edges.begin(), edges.end());
+  vtkIdType odd = 0;
+  for (auto edge = edges.begin(); edge != edges.end();)
+  {
+    const auto next = std::find_if(edge, edges.end(), [&](const auto& e) { return e != *edge; });
+    odd += (next - edge) % 2;
+    edge = next;
+  }
+  return odd;
+}
+
+void FaceList::Triangulate(const Face& face, vtkIdList* triangles) const
+{
+  vtkNew<vtkPolygon> polygon;
+  polygon->PointIds->SetNumberOfIds(face.Size);
+  polygon->Points->SetDataTypeToDouble();
+  polygon->Points->SetNumberOfPoints(face.Size);
+  for (int i = 0; i < face.Size; ++i)
+  {
+    const vtkIdType corner = this->Corners[face.First + i];
+    polygon->PointIds->SetId(i, corner);
+    polygon->Points->SetPoint(i, this->Weld.GetPoints()->GetPoint(corner));
+  }
+  vtkNew<vtkPoints> unused;
+  if (polygon->Triangulate(0, triangles, unused) &&
+    triangles->GetNumberOfIds() == 3 * (face.Size - 2))
+  {
+    return;
+  }
+  triangles->Reset(); // a polygon that crosses itself, say: a fan at least opens no edge
+  for (int i = 1; i + 1 < face.Size; ++i)
+  {
+    for (int corner : { 0, i, i + 1 })
+    {
+      triangles->InsertNextId(this->Corners[face.First + corner]);
+    }
+  }
+}
+
+template <typename Predicate>
+vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
+  const Predicate& isIncluded, std::vector<SkdBoundary::Origin>* origins) const
+{
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> triangles;
+  for (const Face& face : this->Faces)
+  {
+    if (!isIncluded(face))
+    {
+      continue;
+    }
+    if (face.Size <= 4)
+    {
+      polygons->InsertNextCell(face.Size, this->Corners.data() + face.First);
+    }
+    else
+    {
+      this->Triangulate(face, triangles);
+      for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
+      {
+        polygons->InsertNextCell(3, triangles->GetPointer(i));
+      }
+    }
+    if (origins)
+    {
+      origins->resize(polygons->GetNumberOfCells(), face.Origin);
+    }
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(this->Weld.GetPoints());
+  surface->SetPolys(polygons);
+  return surface;
+}
+
+// Equal faces are either a wall between two bodies that touch, and then must be left out, or the
+// same face written down repeatedly, and then must stay. Whichever closes the surface better it is.
+void FaceList::FillBoundary(SkdBoundary& boundary) const
+{
+  const auto isThere = [](const Face& face) { return face.Copies > 0; };
+  const auto isOdd = [](const Face& face) { return face.Copies % 2 == 1; };
+  boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
+  boundary.Walls = boundary.Faces;
+  boundary.OpenEdges = this->CountOddEdges(isThere);
+  const vtkIdType others = boundary.OpenEdges > 0 ? this->CountOddEdges(isOdd) : 0;
+  if (others < boundary.OpenEdges)
+  {
+    boundary.Walls = this->MakeSurface(isOdd, nullptr);
+    boundary.OpenEdges = others;
+  }
+}
+}
+
+SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves)
+{
+  FaceList faces(leaves);
+  faces.KeepVolumesOrSurfaces();
+  faces.SortByOrigin();
+  faces.CountCopies();
+  SkdBoundary boundary;
+  faces.FillBoundary(boundary);
+  return boundary;
+}

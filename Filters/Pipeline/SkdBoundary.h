@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdBoundary.h
+ * @brief The one surface that bounds what all leaves of a Source enclose together.
+ *
+ * The boundary is that of the Source's volume cells; of a Source without any, it is its surface
+ * cells. Points are one point when their coordinates are equal, so that leaves, and triangles that
+ * were written point by point, join. Then
+ * - a face between two volume cells, be they of different leaves, is no boundary;
+ * - a face that occurs more than once is there once.
+ * Ghost cells and faces with points that are not finite are left out.
+ */
+
+#ifndef SkdBoundary_h
+#define SkdBoundary_h
+
+#include "Pipeline/SkdLeaves.h"
+#include "vtkPolyData.h"
+
+#include <vector>
+
+struct SkdBoundary
+{
+  /// Where a face comes from: an index in the list of leaves, and a cell there.
+  struct Origin
+  {
+    int Leaf;
+    vtkIdType CellId;
+  };
+
+  /// Triangles and quads, by ascending (leaf, cell id); other polygons come triangulated.
+  vtkSmartPointer<vtkPolyData> Faces;
+  std::vector<Origin> Origins; // one a face
+
+  /// The faces whose crossings tell inside from outside: `Faces` itself, or less when bodies touch
+  /// each other with equal faces. Such a wall is between two insides and is left out here.
+  vtkSmartPointer<vtkPolyData> Walls;
+
+  /// The edges that an odd number of walls use. 0 exactly when the parity of the crossings is the
+  /// same along any way out.
+  vtkIdType OpenEdges = 0;
+};
+
+/// Cost: O(n log n) in the number of faces.
+SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves);
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdLeaves.h
+ * @brief The data sets that a data object is made of, whether it is composite or not.
+ */
+
+#ifndef SkdLeaves_h
+#define SkdLeaves_h
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+/// A data set and its place: the flat index in its composite data set, 0 where there is none.
+struct SkdLeaf
+{
+  vtkSmartPointer<vtkDataSet> Mesh;
+  int BlockIndex;
+};
+
+/// The data sets in `object`, by ascending flat index. Empty places and leaves that are no
+/// vtkDataSet (tables, say) are left out. None of a nullptr.
+std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object);
+
+/// Gives `output` the structure and all the data of `input`, which is of the same type, without
+/// copying arrays. Returns the data sets of the output: arrays can be added to them.
+std::vector<SkdLeaf> SkdMirror(vtkDataObject* input, vtkDataObject* output);
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdLoop.h
+ * @brief A parallel loop that tells how far it is and stops when asked to.
+ *
+ * vtkSMPTools alone does neither safely: observers of progress (ParaView's among them) must be
+ * called from the thread that runs the pipeline. So that thread deals out the work in pieces, each
+ * a parallel loop of its own, and reports and asks between them.
+ */
+
+#ifndef SkdLoop_h
+#define SkdLoop_h
+
+#include "vtkAlgorithm.h"
+#include "vtkSMPTools.h"
+#include "vtkSkdTreeVersion.h"
+
+#include <algorithm>
+
+class SkdLoop
+{
+public:
+  /// Reports the progress of `total` steps, made in one or several loops, as going from `first` to
+  /// `last` (both in [0, 1]) of what the algorithm has to do.
+  SkdLoop(vtkAlgorithm* algorithm, vtkIdType total, double first, double last)
+    : Algorithm(algorithm)
+    , Total(total)
+    , First(first)
+    , Last(last)
+  {
+  }
+
+  /// Calls body(begin, end) in parallel for ranges that cover [0, n). A stop leaves ranges out.
+  /// Returns whether all was done.
+  template <typename Body>
+  bool For(vtkIdType n, const Body& body)
+  {
+    const vtkIdType piece = std::max<vtkIdType>(this->Total / 64, 4096);
+    for (vtkIdType begin = 0; begin < n && !this->IsStopped(); begin += piece)
+    {
+      const vtkIdType end = std::min(n, begin + piece);
+      vtkSMPTools::For(begin, end, body);
+      this->Done += end - begin;
+      const double part = static_cast<double>(this->Done) / std::max<vtkIdType>(this->Total, 1);
+      this->Algorithm->UpdateProgress(this->First + part * (this->Last - this->First));
+    }
+    return !this->Stopped;
+  }
+
+private:
+  bool IsStopped()
+  {
+#if VTK_SKD_HAS_CHECK_ABORT
+    this->Stopped = this->Stopped || this->Algorithm->CheckAbort();
+#else
+    this->Stopped = this->Stopped || this->Algorithm->GetAbortExecute();
+#endif
+    return this->Stopped;
+  }
+
+  vtkAlgorithm* Algorithm;
+  vtkIdType Total;
+  double First;
+  double Last;
+  vtkIdType Done = 0;
+  bool Stopped = false;
+};
+
+#endif

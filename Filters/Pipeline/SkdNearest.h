@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdNearest_h
+#define SkdNearest_h
+
+#include "vtkType.h"
+
+/// The point of a Source nearest to a point that was asked for.
+struct SkdNearest
+{
+  double Point[3];
+  double Distance2; // squared
+  int Leaf;         // index in the list of the Source's leaves
+  vtkIdType CellId; // in that leaf
+};
+
+/// Numbers of a search structure, for reports.
+struct SkdTreeCounts
+{
+  vtkIdType Cells = 0;        // in the trees
+  vtkIdType CellsLeftOut = 0; // ghost, blanked, empty, not finite or of unknown type
+  double Tolerance = 0.0;     // the largest absolute epsilon of a tree
+};
+
+#endif

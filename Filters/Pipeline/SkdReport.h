@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdReport_h
+#define SkdReport_h
+
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+
+#include <string>
+
+/// What a filter tells about its run: field data of one value each, named SkdReport...
+class SkdReport
+{
+public:
+  explicit SkdReport(vtkDataObject* output)
+    : Field(output->GetFieldData())
+  {
+  }
+
+  void AddCount(const std::string& what, vtkIdType count)
+  {
+    this->Add<vtkIdTypeArray>(what, count);
+  }
+
+  void AddMeasure(const std::string& what, double measure)
+  {
+    this->Add<vtkDoubleArray>(what, measure);
+  }
+
+private:
+  template <typename Array, typename Value>
+  void Add(const std::string& what, Value value)
+  {
+    vtkNew<Array> array;
+    array->SetName(("SkdReport" + what).c_str());
+    array->InsertNextValue(value);
+    this->Field->AddArray(array);
+  }
+
+  vtkFieldData* Field;
+};
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdSignedSource.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace
+{
+vtkSmartPointer<vtkSkdTreeCellLocator> LocatorOf(vtkPolyData* surface)
+{
+  auto locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
+  locator->SetDataSet(surface);
+  return locator;
+}
+}
+
+bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
+{
+  return this->Faces &&
+    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
+      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+}
+
+int SkdSignedSource::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+{
+  if (!this->IsSameAs(leaves))
+  {
+    this->Meshes.resize(leaves.size());
+    std::vector<SkdLeaf> structures = leaves;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      this->Meshes[i].Keep(leaves[i].Mesh);
+      structures[i].Mesh = this->Meshes[i].Get();
+    }
+    this->Boundary = SkdBoundaryOf(structures);
+    this->Boundary.Walls->GetCellsBounds(this->Bounds);
+    this->Faces = LocatorOf(this->Boundary.Faces);
+    const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
+    this->Walls = isOne ? this->Faces : LocatorOf(this->Boundary.Walls);
+  }
+  return this->BuildTrees(epsilon);
+}
+
+int SkdSignedSource::BuildTrees(double epsilon)
+{
+  int built = 0;
+  for (vtkSkdTreeCellLocator* locator : { this->Faces.Get(), this->Walls.Get() })
+  {
+    locator->SetEpsilon(epsilon);
+    const vtkMTimeType before = locator->GetBuildTime();
+    locator->BuildLocator();
+    built += locator->GetBuildTime() != before;
+  }
+  return built;
+}
+
+std::optional<SkdNearest> SkdSignedSource::FindNearest(
+  const double x[3], double maximumDistance) const
+{
+  double asked[3] = { x[0], x[1], x[2] };
+  SkdNearest nearest;
+  vtkIdType face;
+  int subId;
+  if (!this->Faces->FindClosestPointWithinRadius(
+        asked, maximumDistance, nearest.Point, nullptr, face, subId, nearest.Distance2))
+  {
+    return std::nullopt;
+  }
+  nearest.Leaf = this->Boundary.Origins[face].Leaf;
+  nearest.CellId = this->Boundary.Origins[face].CellId;
+  return nearest;
+}
+
+// Six ways go along the axes, up and down, the shortest first: they meet few boxes. They lean a
+// little, as many surfaces have faces and edges along the axes, and a way within such a face is the
+// costliest to decide. The seventh, so that a vote is never even, goes askew.
+std::array<SkdSignedSource::WayOut, 7> SkdSignedSource::GetWaysOut(const double x[3]) const
+{
+  const double* bounds = this->Bounds;
+  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
+  std::array<WayOut, 7> ways;
+  for (int i = 0; i < 6; ++i)
+  {
+    const int axis = i / 2;
+    const double toBound = bounds[i] - x[axis];
+    const double length = std::abs(toBound) + 0.01 * diagonal;
+    ways[i] = { 0.0437 * length, 0.0269 * length, 0.0163 * length };
+    ways[i][axis] = i % 2 ? length : -length;
+  }
+  const auto length2 = [](const WayOut& way) { return vtkMath::Dot(way.data(), way.data()); };
+  std::stable_sort(ways.begin(), ways.begin() + 6,
+    [&](const WayOut& a, const WayOut& b) { return length2(a) < length2(b); });
+  ways[6] = { 1.31 * diagonal, 1.13 * diagonal, 1.23 * diagonal };
+  return ways;
+}
+
+bool SkdSignedSource::HasOddCrossings(const double x[3], const WayOut& way) const
+{
+  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  return this->Walls->CountCrossings(x, end) % 2 == 1;
+}
+
+bool SkdSignedSource::IsInside(const double x[3]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(x[axis] >= this->Bounds[2 * axis] && x[axis] <= this->Bounds[2 * axis + 1]))
+    {
+      return false;
+    }
+  }
+  const std::array<WayOut, 7> ways = this->GetWaysOut(x);
+  if (this->Boundary.OpenEdges == 0)
+  {
+    return this->HasOddCrossings(x, ways[0]);
+  }
+  const auto votes = std::count_if(ways.begin(), ways.end(),
+    [&](const WayOut& way) { return this->HasOddCrossings(x, way); });
+  return 2 * votes > static_cast<std::ptrdiff_t>(ways.size());
+}
+
+SkdTreeCounts SkdSignedSource::GetCounts() const
+{
+  return { this->Faces->GetNumberOfCellsInTree(), this->Faces->GetNumberOfCellsLeftOut(),
+    this->Faces->GetAbsoluteEpsilon() };
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSignedSource.h
+ * @brief The tree of a Source's boundary, which also tells inside from outside; kept while the
+ * Source's meshes are the same.
+ */
+
+#ifndef SkdSignedSource_h
+#define SkdSignedSource_h
+
+#include "Pipeline/SkdBoundary.h"
+#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdNearest.h"
+#include "vtkSkdTreeCellLocator.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class SkdSignedSource
+{
+public:
+  /// Makes the boundary and the tree those of `leaves`. Returns how many trees were built: 0 when
+  /// all was kept.
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+
+  /// Forgets all.
+  void Clear() { *this = SkdSignedSource(); }
+
+  /// The number of faces; 0 means that nothing can be inside.
+  vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
+
+  /// Edges at which the boundary is open.
+  vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
+
+  /// As SkdSourceTrees::FindNearest, on the boundary: the cell is the one that has the face.
+  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
+
+  /// Whether x is inside the boundary, by the parity of the crossings on a way out; of a boundary
+  /// that is open by a vote of seven ways. Of a point on the boundary either. Thread-safe.
+  bool IsInside(const double x[3]) const;
+
+  /// The mesh of a leaf: its structure alone.
+  vtkDataSet* GetMesh(int leaf) const { return this->Meshes[leaf].Get(); }
+
+  SkdTreeCounts GetCounts() const;
+
+private:
+  using WayOut = std::array<double, 3>; // a vector from a point within the bounds to one outside
+
+  bool IsSameAs(const std::vector<SkdLeaf>& leaves) const;
+  int BuildTrees(double epsilon);
+  std::array<WayOut, 7> GetWaysOut(const double x[3]) const;
+  bool HasOddCrossings(const double x[3], const WayOut& way) const;
+
+  std::vector<SkdKeptMesh> Meshes;
+  SkdBoundary Boundary;
+  vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
+  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the walls
+};
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdSource.h"
+
+#include <algorithm>
+
+void SkdSource::Update(vtkDataObject* source, bool wantsSide, double epsilon)
+{
+  this->Leaves = SkdLeavesOf(source);
+  this->Leaves.erase(std::remove_if(this->Leaves.begin(), this->Leaves.end(),
+                       [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
+    this->Leaves.end());
+  this->TreesBuilt = this->UpdateTrees(wantsSide, epsilon);
+}
+
+// Trees of the other kind are let go: whoever switches back pays for it, not everyone's memory.
+int SkdSource::UpdateTrees(bool wantsSide, double epsilon)
+{
+  int built = 0;
+  this->Sided = false;
+  if (wantsSide)
+  {
+    built = this->Boundary.Update(this->Leaves, epsilon);
+    this->Sided = this->Boundary.GetNumberOfFaces() > 0;
+  }
+  if (this->Sided)
+  {
+    this->Trees.Clear();
+    return built;
+  }
+  this->Boundary.Clear();
+  return this->Trees.Update(this->Leaves, epsilon);
+}
+
+vtkDataSet* SkdSource::GetMesh(int leaf) const
+{
+  return this->Sided ? this->Boundary.GetMesh(leaf) : this->Trees.GetMesh(leaf);
+}
+
+std::optional<SkdNearest> SkdSource::FindNearest(const double x[3], double maximumDistance) const
+{
+  return this->Sided ? this->Boundary.FindNearest(x, maximumDistance)
+                     : this->Trees.FindNearest(x, maximumDistance);
+}
+
+SkdTreeCounts SkdSource::GetCounts() const
+{
+  return this->Sided ? this->Boundary.GetCounts() : this->Trees.GetCounts();
+}
+
+vtkIdType SkdSource::GetNumberOfOpenEdges() const
+{
+  return this->Sided ? this->Boundary.GetNumberOfOpenEdges() : 0;
+}

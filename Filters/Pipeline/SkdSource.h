@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSource.h
+ * @brief A filter's Source, ready to be asked for nearest points, with a side or without.
+ */
+
+#ifndef SkdSource_h
+#define SkdSource_h
+
+#include "Pipeline/SkdSignedSource.h"
+#include "Pipeline/SkdSourceTrees.h"
+
+class SkdSource
+{
+public:
+  /// Makes the trees those of `source`, building only what is not there yet. With `wantsSide` they
+  /// are of the boundary, if there is any, and tell inside from outside.
+  void Update(vtkDataObject* source, bool wantsSide, double epsilon);
+
+  /// Lets go of the Source's data. The trees stay.
+  void Release() { this->Leaves.clear(); }
+
+  /// The leaves that have cells.
+  const std::vector<SkdLeaf>& GetLeaves() const { return this->Leaves; }
+
+  /// The mesh of a leaf: its structure alone.
+  vtkDataSet* GetMesh(int leaf) const;
+
+  /// Whether there is a boundary that was wanted.
+  bool HasSides() const { return this->Sided; }
+
+  ///@{
+  /// See SkdSourceTrees and SkdSignedSource. Without sides nothing is inside. Thread-safe.
+  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
+  bool IsInside(const double x[3]) const { return this->Sided && this->Boundary.IsInside(x); }
+  ///@}
+
+  ///@{
+  /// Of the last Update().
+  SkdTreeCounts GetCounts() const;
+  vtkIdType GetNumberOfOpenEdges() const;
+  int GetTreesBuilt() const { return this->TreesBuilt; }
+  ///@}
+
+private:
+  int UpdateTrees(bool wantsSide, double epsilon);
+
+  std::vector<SkdLeaf> Leaves;
+  SkdSourceTrees Trees;
+  SkdSignedSource Boundary;
+  bool Sided = false;
+  int TreesBuilt = 0;
+};
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdSourceTrees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+bool SkdSourceTrees::Tree::Update(vtkDataSet* mesh, double epsilon)
+{
+  if (!this->Locator)
+  {
+    this->Locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
+  }
+  if (!this->Mesh.IsSameAs(mesh))
+  {
+    this->Mesh.Keep(mesh);
+    this->Locator->SetDataSet(this->Mesh.Get());
+  }
+  this->Locator->SetEpsilon(epsilon);
+  const vtkMTimeType before = this->Locator->GetBuildTime();
+  this->Locator->BuildLocator();
+  return this->Locator->GetBuildTime() != before;
+}
+
+int SkdSourceTrees::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+{
+  this->Trees.resize(leaves.size());
+  int built = 0;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    built += this->Trees[i].Update(leaves[i].Mesh, epsilon);
+  }
+  return built;
+}
+
+std::optional<SkdNearest> SkdSourceTrees::FindNearest(
+  const double x[3], double maximumDistance) const
+{
+  double asked[3] = { x[0], x[1], x[2] };
+  double radius = maximumDistance;
+  std::optional<SkdNearest> best;
+  for (std::size_t leaf = 0; leaf < this->Trees.size(); ++leaf)
+  {
+    SkdNearest next;
+    int subId;
+    const bool found = this->Trees[leaf].Locator->FindClosestPointWithinRadius(
+      asked, radius, next.Point, nullptr, next.CellId, subId, next.Distance2);
+    if (found && (!best || next.Distance2 < best->Distance2))
+    {
+      next.Leaf = static_cast<int>(leaf);
+      best = next;
+      // Rounded up: the square of the root may be less than what it was the root of.
+      radius = std::min(radius,
+        std::nextafter(std::sqrt(next.Distance2), std::numeric_limits<double>::infinity()));
+    }
+  }
+  return best;
+}
+
+SkdTreeCounts SkdSourceTrees::GetCounts() const
+{
+  SkdTreeCounts counts;
+  for (const Tree& tree : this->Trees)
+  {
+    counts.Cells += tree.Locator->GetNumberOfCellsInTree();
+    counts.CellsLeftOut += tree.Locator->GetNumberOfCellsLeftOut();
+    counts.Tolerance = std::max(counts.Tolerance, tree.Locator->GetAbsoluteEpsilon());
+  }
+  return counts;
+}

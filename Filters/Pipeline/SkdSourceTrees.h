@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSourceTrees.h
+ * @brief A tree for each leaf of a Source, kept while the leaf's mesh is the same.
+ */
+
+#ifndef SkdSourceTrees_h
+#define SkdSourceTrees_h
+
+#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdNearest.h"
+#include "vtkSkdTreeCellLocator.h"
+
+#include <optional>
+#include <vector>
+
+class SkdSourceTrees
+{
+public:
+  /// Makes the trees those of `leaves`. Returns how many had to be built; the others were kept.
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+
+  /// Forgets all.
+  void Clear() { this->Trees.clear(); }
+
+  /// The nearest point at a distance of at most `maximumDistance`, ties to the lowest
+  /// (leaf, cell id). None of a point that is not finite. Thread-safe.
+  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
+
+  ///@{
+  /// The mesh of a leaf, its structure alone, and the locator that has it as its data set.
+  vtkDataSet* GetMesh(int leaf) const { return this->Trees[leaf].Mesh.Get(); }
+  vtkSkdTreeCellLocator* GetLocator(int leaf) const { return this->Trees[leaf].Locator; }
+  ///@}
+
+  SkdTreeCounts GetCounts() const;
+
+private:
+  struct Tree
+  {
+    SkdKeptMesh Mesh;
+    vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
+
+    bool Update(vtkDataSet* mesh, double epsilon); // whether it was built
+  };
+  std::vector<Tree> Trees;
+};
+
+#endif

@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeClosestPoint.h"
+
+#include "Pipeline/SkdAnswers.h"
+#include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdCellWeights.h"
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSource.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimerLog.h"
+
+#include <set>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeClosestPoint);
+
+class vtkSkdTreeClosestPoint::Internals
+{
+public:
+  SkdSource Source;
+};
+
+namespace
+{
+/// Seconds between laps.
+class Stopwatch
+{
+public:
+  double Lap()
+  {
+    const double now = vtkTimerLog::GetUniversalTime();
+    return now - std::exchange(this->Last, now);
+  }
+
+private:
+  double Last = vtkTimerLog::GetUniversalTime();
+};
+
+vtkIdType CountPoints(const std::vector<SkdLeaf>& leaves)
+{
+  vtkIdType points = 0;
+  for (const SkdLeaf& leaf : leaves)
+  {
+    points += leaf.Mesh->GetNumberOfPoints();
+  }
+  return points;
+}
+
+SkdAnswers FindNearest(
+  vtkDataSet* mesh, const SkdSource& source, double maximumDistance, SkdLoop& loop)
+{
+  SkdAnswers answers(mesh->GetNumberOfPoints());
+  loop.For(mesh->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double x[3];
+        mesh->GetPoint(i, x);
+        if (const auto nearest = source.FindNearest(x, maximumDistance))
+        {
+          answers.Set(i, *nearest, source.IsInside(x));
+        }
+      }
+    });
+  return answers;
+}
+
+/// Arrays of the source that `output` is to get, with "none" everywhere, and added to it. What
+/// cannot be added because the name is in use is put down in `refused`.
+SkdArrayGather GatherFor(vtkDataSet* output, const std::vector<SkdLeaf>& source, int type,
+  std::set<std::string>& refused)
+{
+  std::vector<vtkDataSetAttributes*> sets;
+  for (const SkdLeaf& leaf : source)
+  {
+    sets.push_back(leaf.Mesh->GetAttributes(type));
+  }
+  const auto isWanted = [&](vtkAbstractArray* array)
+  {
+    const bool isId = type == vtkDataObject::POINT &&
+      (array == sets.front()->GetGlobalIds() || array == sets.front()->GetPedigreeIds());
+    const std::string name = array->GetName();
+    if (isId || name == vtkDataSetAttributes::GhostArrayName())
+    {
+      return false;
+    }
+    if (output->GetPointData()->HasArray(name.c_str()))
+    {
+      refused.insert(name);
+      return false;
+    }
+    return true;
+  };
+  SkdArrayGather gather(sets, isWanted);
+  gather.Allocate(output->GetNumberOfPoints());
+  gather.AddTo(output->GetPointData());
+  return gather;
+}
+
+void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdAnswers& answers,
+  std::set<std::string>& refused, SkdLoop& loop)
+{
+  SkdArrayGather points = GatherFor(output, source.GetLeaves(), vtkDataObject::POINT, refused);
+  SkdArrayGather cells = GatherFor(output, source.GetLeaves(), vtkDataObject::CELL, refused);
+  loop.For(output->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      SkdCellWeights weights;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const int leaf = answers.GetLeaf(i);
+        if (leaf >= 0)
+        {
+          weights.Evaluate(source.GetMesh(leaf), answers.GetCellId(i), answers.GetPoint(i));
+          points.Interpolate(i, leaf, weights.GetPointIds(), weights.GetWeights());
+          cells.Take(i, leaf, answers.GetCellId(i));
+        }
+      }
+    });
+}
+
+void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdLeaf>& outputs,
+  const SkdSource& source, const std::vector<SkdAnswers>& answers)
+{
+  vtkNew<vtkGenericCell> cell;
+  for (std::size_t leaf = 0; leaf < source.GetLeaves().size(); ++leaf)
+  {
+    source.GetMesh(static_cast<int>(leaf))->GetCell(0, cell); // makes GetCell thread-safe
+  }
+  std::set<std::string> refused;
+  SkdLoop loop(self, CountPoints(outputs), 0.7, 1.0);
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+  {
+    InterpolateFor(outputs[i].Mesh, source, answers[i], refused, loop);
+  }
+  for (const std::string& name : refused)
+  {
+    vtkWarningWithObjectMacro(self,
+      "The Source's array " << name << " is left out: the output has an array of that name.");
+  }
+}
+
+void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
+{
+  if (source.GetCounts().Cells == 0)
+  {
+    vtkWarningWithObjectMacro(self, "Source has no cells to search: no point gets an answer.");
+  }
+  else if (self->GetSignedDistance() && !source.HasSides())
+  {
+    vtkWarningWithObjectMacro(self, "Source has no surface: distances get no sign.");
+  }
+  else if (source.GetNumberOfOpenEdges() > 0)
+  {
+    vtkWarningWithObjectMacro(self, "Source is not closed, it has "
+        << source.GetNumberOfOpenEdges() << " open edges: the sign of distances goes by vote.");
+  }
+}
+
+void Report(vtkDataObject* output, const SkdSource& source,
+  const std::vector<SkdAnswers>& answers, double buildSeconds, double querySeconds)
+{
+  vtkIdType asked = 0;
+  vtkIdType found = 0;
+  for (const SkdAnswers& answer : answers)
+  {
+    asked += answer.GetNumberOfPoints();
+    found += answer.CountFound();
+  }
+  const SkdTreeCounts counts = source.GetCounts();
+  SkdReport report(output);
+  report.AddCount("Points", asked);
+  report.AddCount("PointsFound", found);
+  report.AddCount("SourceCells", counts.Cells);
+  report.AddCount("SourceCellsLeftOut", counts.CellsLeftOut);
+  report.AddCount("TreesBuilt", source.GetTreesBuilt());
+  report.AddMeasure("Epsilon", counts.Tolerance);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", querySeconds);
+  if (source.HasSides())
+  {
+    report.AddCount("OpenEdges", source.GetNumberOfOpenEdges());
+  }
+}
+}
+
+vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkSkdTreeClosestPoint::~vtkSkdTreeClosestPoint() = default;
+
+void vtkSkdTreeClosestPoint::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreeClosestPoint::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+int vtkSkdTreeClosestPoint::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkSkdTreeClosestPoint::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkPolyData");
+  return 1;
+}
+
+int vtkSkdTreeClosestPoint::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  if (!output || output->GetDataObjectType() != input->GetDataObjectType())
+  {
+    vtkSmartPointer<vtkDataObject> fresh;
+    fresh.TakeReference(input->NewInstance());
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
+  }
+  if (!vtkPolyData::GetData(outputVector, 1))
+  {
+    vtkNew<vtkPolyData> lines;
+    outputVector->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), lines);
+  }
+  return 1;
+}
+
+// Whatever piece of the Input is asked for, its nearest point may be anywhere in the Source.
+int vtkSkdTreeClosestPoint::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* source = inputVector[1]->GetInformationObject(0);
+  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (source->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    source->Set(Pipeline::UPDATE_EXTENT(), source->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkSkdTreeClosestPoint::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const std::vector<SkdLeaf> leaves = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
+  Stopwatch watch;
+
+  SkdSource& source = this->Impl->Source;
+  source.Update(sourceData, this->SignedDistance, this->Epsilon);
+  WarnAbout(this, source);
+  const double buildSeconds = watch.Lap();
+
+  std::vector<SkdAnswers> answers;
+  SkdLoop loop(this, CountPoints(leaves), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
+  for (const SkdLeaf& leaf : leaves)
+  {
+    answers.push_back(FindNearest(leaf.Mesh, source, this->MaximumDistance, loop));
+  }
+  const double querySeconds = watch.Lap();
+
+  const bool isComposite = vtkCompositeDataSet::SafeDownCast(sourceData) != nullptr;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    answers[i].AddTo(leaves[i].Mesh->GetPointData(), source.GetLeaves(), isComposite);
+  }
+  if (this->InterpolateSourceData)
+  {
+    InterpolateSource(this, leaves, source, answers);
+  }
+  if (this->GenerateLines)
+  {
+    SkdConnectAnswers(leaves, answers, vtkPolyData::GetData(outputVector, 1));
+  }
+  Report(output, source, answers, buildSeconds, querySeconds);
+  source.Release();
+  return 1;
+}
+
+void vtkSkdTreeClosestPoint::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "SignedDistance: " << (this->SignedDistance ? "On\n" : "Off\n");
+  os << indent << "InterpolateSourceData: " << (this->InterpolateSourceData ? "On\n" : "Off\n");
+  os << indent << "GenerateLines: " << (this->GenerateLines ? "On\n" : "Off\n");
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END
