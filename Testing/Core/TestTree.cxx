@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoreSupport.h"
+
+using namespace coretest;
+
+namespace
+{
+
+template <class Type>
+class TreeTest : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TreeTest, Dimensions, DimensionNames);
+
+/// `test(boxes, tree, capacity)` for all capacities of small sets, and of larger ones in turn.
+template <int D, class Test>
+void ForEachCapacity(Test test)
+{
+  int turn = 0;
+  for (const std::size_t count : Counts())
+  {
+    for (const Scene<D>& scene : AllScenes<D>(count, true))
+    {
+      const int only = 1 + turn++ % 8;
+      for (int capacity = 1; capacity <= 8; ++capacity)
+      {
+        if (count <= 65 || capacity == only)
+        {
+          SCOPED_TRACE(scene.Name + ", capacity " + std::to_string(capacity));
+          test(scene.Boxes, skd::Tree<D>(InputOf(scene.Boxes, capacity)), capacity);
+        }
+      }
+      if (::testing::Test::HasFailure())
+      {
+        return;
+      }
+    }
+  }
+}
+
+/// `visit(node index, level)` from the root down, brothers in order.
+template <class Tree, class Visitor>
+void ForEachNode(const Tree& tree, Visitor visit, std::uint32_t node = 0, int level = 0)
+{
+  if (tree.IsEmpty())
+  {
+    return;
+  }
+  visit(node, level);
+  const auto& opened = tree.Open(node);
+  for (int lane = 0; lane < opened.Count && !opened.IsBottom; ++lane)
+  {
+    ForEachNode(tree, visit, opened.First + static_cast<std::uint32_t>(lane), level + 1);
+  }
+}
+
+/// What is below a node in order, wherever its nodes are stored: boxes' bits and elements.
+template <class Tree>
+std::vector<double> ContentOf(const Tree& tree)
+{
+  std::vector<double> content;
+  ForEachNode(tree,
+    [&](std::uint32_t index, int level)
+    {
+      const auto& node = tree.Open(index);
+      content.insert(content.end(), { double(level), double(node.Count), double(node.IsBottom) });
+      for (int lane = 0; lane < node.Count; ++lane)
+      {
+        const auto box = node.Boxes.Get(lane);
+        content.insert(content.end(), std::begin(box.Min), std::end(box.Min));
+        content.insert(content.end(), std::begin(box.Max), std::end(box.Max));
+        if (node.IsBottom)
+        {
+          content.push_back(tree.Element(node.First + static_cast<std::uint32_t>(lane)));
+        }
+      }
+    });
+  return content;
+}
+
+template <int D>
+skd::FloatBox<D> UnionOf(const skd::Node<D>& node)
+{
+  skd::FloatBox<D> all = node.Boxes.Get(0);
+  for (int lane = 1; lane < node.Count; ++lane)
+  {
+    const skd::FloatBox<D> box = node.Boxes.Get(lane);
+    for (int axis = 0; axis < D; ++axis)
+    {
+      all.Min[axis] = std::min(all.Min[axis], box.Min[axis]);
+      all.Max[axis] = std::max(all.Max[axis], box.Max[axis]);
+    }
+  }
+  return all;
+}
+
+template <int D>
+bool AreEqual(const skd::FloatBox<D>& a, const skd::FloatBox<D>& b)
+{
+  return std::equal(a.Min, a.Min + D, b.Min) && std::equal(a.Max, a.Max + D, b.Max);
+}
+
+TYPED_TEST(TreeTest, OfNothingIsEmpty)
+{
+  constexpr int D = TypeParam::Value;
+  const skd::Tree<D> tree(InputOf(Boxes<D>(), 8));
+  EXPECT_TRUE(tree.IsEmpty());
+  EXPECT_TRUE(tree.GetBounds().IsEmpty());
+  EXPECT_EQ(tree.NumberOfNodes(), 0u);
+  EXPECT_EQ(tree.NumberOfElements(), 0u);
+  EXPECT_TRUE(skd::Tree<D>().IsEmpty());
+}
+
+TYPED_TEST(TreeTest, HoldsEachElementOnceWithItsBox)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto& boxes, const auto& tree, int)
+    {
+      Ids found;
+      ForEachNode(tree,
+        [&](std::uint32_t index, int)
+        {
+          const auto& node = tree.Open(index);
+          for (int lane = 0; lane < node.Count && node.IsBottom; ++lane)
+          {
+            found.push_back(tree.Element(node.First + static_cast<std::uint32_t>(lane)));
+            EXPECT_TRUE(
+              AreEqual(node.Boxes.Get(lane), tree.GetFrame().Outward(boxes[found.back()])));
+          }
+        });
+      EXPECT_EQ(Sorted(found), Select(boxes, [](const auto&) { return true; }));
+    });
+}
+
+TYPED_TEST(TreeTest, BoxesOfInnerNodesAreTheUnionsOfTheirChildren)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto&, const auto& tree, int)
+    {
+      ForEachNode(tree,
+        [&](std::uint32_t index, int)
+        {
+          const auto& node = tree.Open(index);
+          for (int lane = 0; lane < node.Count && !node.IsBottom; ++lane)
+          {
+            const auto& child = tree.Open(node.First + static_cast<std::uint32_t>(lane));
+            EXPECT_TRUE(AreEqual(node.Boxes.Get(lane), UnionOf(child)));
+          }
+        });
+    });
+}
+
+TYPED_TEST(TreeTest, LanesWithoutAChildAreEmpty)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto&, const auto& tree, int)
+    {
+      ForEachNode(tree,
+        [&](std::uint32_t index, int)
+        {
+          const auto& node = tree.Open(index);
+          for (int lane = node.Count; lane < 8; ++lane)
+          {
+            EXPECT_EQ(node.Boxes.Min[0][lane], std::numeric_limits<float>::max());
+            EXPECT_EQ(node.Boxes.Max[0][lane], std::numeric_limits<float>::lowest());
+          }
+        });
+    });
+}
+
+TYPED_TEST(TreeTest, FillsAllBottomNodesButOne)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto&, const auto& tree, int capacity)
+    {
+      int partlyFull = 0;
+      ForEachNode(tree,
+        [&](std::uint32_t index, int)
+        {
+          const auto& node = tree.Open(index);
+          EXPECT_GE(node.Count, 1);
+          EXPECT_LE(node.Count, node.IsBottom ? capacity : 8);
+          partlyFull += node.IsBottom && node.Count < capacity;
+        });
+      EXPECT_LE(partlyFull, 1);
+    });
+}
+
+TYPED_TEST(TreeTest, IsAsLowAsEightChildrenANodeCanMakeIt)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto& boxes, const auto& tree, int capacity)
+    {
+      int height = 0;
+      ForEachNode(tree, [&](std::uint32_t, int level) { height = std::max(height, level); });
+      std::size_t reach = static_cast<std::size_t>(capacity);
+      int least = 0;
+      for (; reach < boxes.size(); reach *= 8)
+      {
+        ++least;
+      }
+      EXPECT_EQ(height, least);
+    });
+}
+
+TYPED_TEST(TreeTest, StoresAsManyNodesAsItHas)
+{
+  ForEachCapacity<TypeParam::Value>(
+    [](const auto& boxes, const auto& tree, int)
+    {
+      std::vector<int> seen(tree.NumberOfNodes(), 0);
+      ForEachNode(tree, [&](std::uint32_t index, int) { ++seen.at(index); });
+      EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(seen.size()));
+      EXPECT_EQ(tree.NumberOfElements(), boxes.size());
+      EXPECT_GE(tree.MemorySize(),
+        seen.size() * sizeof(skd::Node<TypeParam::Value>) + boxes.size() * sizeof(std::uint32_t));
+    });
+}
+
+TYPED_TEST(TreeTest, IsTheSameWhateverLoopBuildsIt)
+{
+  constexpr int D = TypeParam::Value;
+  for (const Scene<D>& scene : AllScenes<D>(5000, true))
+  {
+    const auto serial = ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3)));
+    EXPECT_EQ(serial, ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3), ReversedLoop())));
+    EXPECT_EQ(serial, ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3), ThreadedLoop())));
+  }
+}
+
+TYPED_TEST(TreeTest, BuiltOnQueryIsTheSame)
+{
+  constexpr int D = TypeParam::Value;
+  for (const std::size_t count : Counts())
+  {
+    for (const Scene<D>& scene : AllScenes<D>(count, true))
+    {
+      EXPECT_EQ(ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 5))),
+        ContentOf(skd::LazyTree<D>(InputOf(scene.Boxes, 5))))
+        << scene.Name;
+    }
+  }
+}
+
+TYPED_TEST(TreeTest, SafetyBoxesAreInflatedByTwoEpsilon)
+{
+  constexpr int D = TypeParam::Value;
+  const Boxes<D> boxes = RandomBoxes<D>(65);
+  const skd::TreeInput<D> input = skd::MakeTreeInput(boxes, 0.25);
+  const skd::Box<D> bounds = BoundsOf(boxes);
+  EXPECT_TRUE(input.Bounds.Min == bounds.Min - Filled<D>(0.5));
+  EXPECT_TRUE(input.Bounds.Max == bounds.Max + Filled<D>(0.5));
+  for (const skd::Element<D>& element : input.Elements)
+  {
+    EXPECT_TRUE(AreEqual(element.Box, input.Frame.Outward(boxes[element.Index].Inflated(0.5))));
+  }
+}
+
+/// Level by level, each split leaves smaller centroids on the left: of equal boxes in a row the
+/// bottom nodes are runs of neighbours.
+TYPED_TEST(TreeTest, SplitsALineIntoRuns)
+{
+  constexpr int D = TypeParam::Value;
+  const skd::Tree<D> tree(InputOf(LineOfBoxes<D>(5000), 8));
+  std::uint32_t next = 0;
+  ForEachNode(tree,
+    [&](std::uint32_t index, int)
+    {
+      const auto& node = tree.Open(index);
+      if (node.IsBottom)
+      {
+        Ids run;
+        for (int lane = 0; lane < node.Count; ++lane)
+        {
+          run.push_back(tree.Element(node.First + static_cast<std::uint32_t>(lane)));
+        }
+        EXPECT_EQ(Sorted(run).front(), next);
+        EXPECT_EQ(Sorted(run).back(), next + run.size() - 1);
+        next += static_cast<std::uint32_t>(run.size());
+      }
+    });
+  EXPECT_EQ(next, 5000u);
+}
+
+}
