@@ -79,8 +79,8 @@ SkdAnswers FindNearest(
 
 /// Arrays of the source that `output` is to get, with "none" everywhere, and added to it. What
 /// cannot be added because the name is in use is put down in `refused`.
-SkdArrayGather GatherFor(vtkDataSet* output, const std::vector<SkdLeaf>& source, int type,
-  std::set<std::string>& refused)
+SkdArrayGather GatherFor(
+  vtkDataSet* output, const std::vector<SkdLeaf>& source, int type, std::set<std::string>& refused)
 {
   std::vector<vtkDataSetAttributes*> sets;
   for (const SkdLeaf& leaf : source)
@@ -147,8 +147,8 @@ void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdLeaf>&
   }
   for (const std::string& name : refused)
   {
-    vtkWarningWithObjectMacro(self,
-      "The Source's array " << name << " is left out: the output has an array of that name.");
+    vtkWarningWithObjectMacro(
+      self, "The Source's array " << name << " is left out: the output has an array of that name.");
   }
 }
 
@@ -164,13 +164,14 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
   }
   else if (source.GetNumberOfOpenEdges() > 0)
   {
-    vtkWarningWithObjectMacro(self, "Source is not closed, it has "
-        << source.GetNumberOfOpenEdges() << " open edges: the sign of distances goes by vote.");
+    vtkWarningWithObjectMacro(self,
+      "Source is not closed, it has " << source.GetNumberOfOpenEdges()
+                                      << " open edges: the sign of distances goes by vote.");
   }
 }
 
-void Report(vtkDataObject* output, const SkdSource& source,
-  const std::vector<SkdAnswers>& answers, double buildSeconds, double querySeconds)
+void Report(vtkDataObject* output, const SkdSource& source, const std::vector<SkdAnswers>& answers,
+  double buildSeconds, double querySeconds)
 {
   vtkIdType asked = 0;
   vtkIdType found = 0;

@@ -79,8 +79,8 @@ void SkdAnswers::AddTo(
   }
 }
 
-void SkdConnectAnswers(const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers,
-  vtkPolyData* lines)
+void SkdConnectAnswers(
+  const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines)
 {
   struct Start
   {

@@ -55,7 +55,7 @@ private:
 
 /// Fills `lines` with a line from each point of `meshes` that has an answer to where it is. Cell
 /// data are the point arrays that all meshes have in common, ghost marks left out.
-void SkdConnectAnswers(const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers,
-  vtkPolyData* lines);
+void SkdConnectAnswers(
+  const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines);
 
 #endif

@@ -18,8 +18,7 @@ bool IsGatherable(vtkAbstractArray* array)
 
 bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* first)
 {
-  return IsGatherable(array) &&
-    array->GetNumberOfComponents() == first->GetNumberOfComponents() &&
+  return IsGatherable(array) && array->GetNumberOfComponents() == first->GetNumberOfComponents() &&
     array->IsNumeric() == first->IsNumeric();
 }
 

@@ -119,8 +119,8 @@ bool SkdSignedSource::IsInside(const double x[3]) const
   {
     return this->HasOddCrossings(x, ways[0]);
   }
-  const auto votes = std::count_if(ways.begin(), ways.end(),
-    [&](const WayOut& way) { return this->HasOddCrossings(x, way); });
+  const auto votes = std::count_if(
+    ways.begin(), ways.end(), [&](const WayOut& way) { return this->HasOddCrossings(x, way); });
   return 2 * votes > static_cast<std::ptrdiff_t>(ways.size());
 }
 

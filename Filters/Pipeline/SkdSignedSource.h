@@ -57,7 +57,7 @@ private:
   std::vector<SkdKeptMesh> Meshes;
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
+  vtkSmartPointer<vtkSkdTreeCellLocator> Walls;           // often the same as Faces
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the walls
 };
 

@@ -51,8 +51,8 @@ std::optional<SkdNearest> SkdSourceTrees::FindNearest(
       next.Leaf = static_cast<int>(leaf);
       best = next;
       // Rounded up: the square of the root may be less than what it was the root of.
-      radius = std::min(radius,
-        std::nextafter(std::sqrt(next.Distance2), std::numeric_limits<double>::infinity()));
+      radius = std::min(
+        radius, std::nextafter(std::sqrt(next.Distance2), std::numeric_limits<double>::infinity()));
     }
   }
   return best;
