@@ -79,13 +79,19 @@ void RequireRange(vtkIdType number, const char* what)
   }
 }
 
-/// What the first pass over the cells finds.
-struct Census
+/// Calls body(index) for 0 .. count - 1 in parallel.
+template <class Body>
+void ForEach(std::size_t count, const Body& body)
 {
-  std::vector<SkdShape> Shapes;     // None: left out
-  std::vector<std::uint32_t> Sizes;
-  std::vector<unsigned char> IsFinite;
-};
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&body](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        body(static_cast<std::size_t>(i));
+      }
+    });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -126,14 +132,9 @@ void SkdCellStore::ReadPoints(vtkDataSet* data)
   this->OwnPoints.resize(3 * static_cast<std::size_t>(this->NumberOfPoints));
   double x[3];
   data->GetPoint(0, x); // what is made at the first call must not be made by many threads
-  vtkSMPTools::For(0, this->NumberOfPoints,
-    [this, data](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        data->GetPoint(i, this->OwnPoints.data() + 3 * i);
-      }
-    });
+  ForEach(static_cast<std::size_t>(this->NumberOfPoints),
+    [this, data](std::size_t i)
+    { data->GetPoint(static_cast<vtkIdType>(i), this->OwnPoints.data() + 3 * i); });
   this->Coordinates = this->OwnPoints.data();
 }
 
@@ -141,76 +142,74 @@ void SkdCellStore::ReadPoints(vtkDataSet* data)
 void SkdCellStore::ReadCells(vtkDataSet* data, bool skipGhosts)
 {
   const CellSieve sieve(data, skipGhosts);
-  const vtkIdType numberOfCells = data->GetNumberOfCells();
-  Census census;
-  census.Shapes.resize(static_cast<std::size_t>(numberOfCells));
-  census.Sizes.resize(static_cast<std::size_t>(numberOfCells));
-  census.IsFinite.resize(static_cast<std::size_t>(numberOfCells));
+  const auto numberOfCells = static_cast<std::size_t>(data->GetNumberOfCells());
+  std::vector<Finding> findings(numberOfCells);
   vtkSMPThreadLocalObject<vtkIdList> lists;
-  const auto isUsable = [this](vtkIdList* ids)
-  {
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  data->GetCellPoints(0, lists.Local()); // what is made at the first call, as in ReadPoints
+  ForEach(numberOfCells,
+    [&](std::size_t i)
     {
-      const vtkIdType id = ids->GetId(i);
-      if (id < 0 || id >= this->NumberOfPoints ||
-        !skd::IsFinite(this->Point(static_cast<std::uint32_t>(id))))
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-  vtkNew<vtkIdList> first;
-  data->GetCellPoints(0, first);
-  SkdShapeOfCellType(data->GetCellType(0));
-  vtkSMPTools::For(0, numberOfCells,
-    [&](vtkIdType begin, vtkIdType end)
-    {
+      const auto id = static_cast<vtkIdType>(i);
       vtkIdList* ids = lists.Local();
-      for (vtkIdType id = begin; id < end; ++id)
+      data->GetCellPoints(id, ids);
+      findings[i] = this->Examine(data->GetCellType(id), ids);
+      if (!sieve.Keeps(id, ids))
       {
-        const auto i = static_cast<std::size_t>(id);
-        data->GetCellPoints(id, ids);
-        const SkdShape shape = SkdShapeOfCellType(data->GetCellType(id));
-        const auto size = static_cast<std::uint32_t>(ids->GetNumberOfIds());
-        const int expected = SkdNumberOfPoints(shape);
-        const bool isWhole = size > 0 && (expected == 0 || size == static_cast<std::uint32_t>(expected));
-        census.IsFinite[i] = isUsable(ids);
-        const bool isKept =
-          shape != SkdShape::None && isWhole && census.IsFinite[i] && sieve.Keeps(id, ids);
-        census.Shapes[i] = isKept ? shape : SkdShape::None;
-        census.Sizes[i] = isKept ? size : 0;
+        findings[i].Shape = SkdShape::None;
       }
     });
+  this->Number(findings);
+  ForEach(this->Ids.size(),
+    [&](std::size_t cell)
+    {
+      vtkIdList* ids = lists.Local();
+      data->GetCellPoints(static_cast<vtkIdType>(this->Ids[cell]), ids);
+      std::copy_n(ids->GetPointer(0), ids->GetNumberOfIds(),
+        this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->Offsets[cell]));
+    });
+  this->Compact();
+}
+
+//------------------------------------------------------------------------------
+SkdCellStore::Finding SkdCellStore::Examine(int cellType, vtkIdList* ids) const
+{
+  Finding finding;
+  finding.Shape = SkdShapeOfCellType(cellType);
+  finding.Size = static_cast<std::uint32_t>(ids->GetNumberOfIds());
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds() && finding.IsFinite; ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    const bool exists = id >= 0 && id < this->NumberOfPoints;
+    finding.IsFinite = exists && skd::IsFinite(this->Point(static_cast<std::uint32_t>(id)));
+  }
+  const auto expected = static_cast<std::uint32_t>(SkdNumberOfPoints(finding.Shape));
+  const bool isWhole = finding.Size > 0 && (expected == 0 || finding.Size == expected);
+  if (!isWhole || !finding.IsFinite)
+  {
+    finding.Shape = SkdShape::None;
+  }
+  return finding;
+}
+
+//------------------------------------------------------------------------------
+void SkdCellStore::Number(const std::vector<Finding>& findings)
+{
   std::uint64_t total = 0;
   this->Offsets.push_back(0);
-  for (std::size_t i = 0; i < census.Shapes.size(); ++i)
+  for (std::size_t i = 0; i < findings.size(); ++i)
   {
-    if (census.Shapes[i] == SkdShape::None)
+    if (findings[i].Shape == SkdShape::None)
     {
-      ++(census.IsFinite[i] ? this->Missing.Other : this->Missing.NotFinite);
+      ++(findings[i].IsFinite ? this->Missing.Other : this->Missing.NotFinite);
       continue;
     }
-    total += census.Sizes[i];
+    total += findings[i].Size;
     this->Ids.push_back(static_cast<std::uint32_t>(i));
-    this->Shapes.push_back(census.Shapes[i]);
+    this->Shapes.push_back(findings[i].Shape);
     this->Offsets.push_back(total);
   }
   this->Count = static_cast<std::uint32_t>(this->Ids.size());
   this->PointIds.resize(total);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Count),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdList* ids = lists.Local();
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto cell = static_cast<std::size_t>(i);
-        data->GetCellPoints(this->Ids[cell], ids);
-        std::copy_n(ids->GetPointer(0), ids->GetNumberOfIds(),
-          this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->Offsets[cell]));
-      }
-    });
-  this->Compact();
 }
 
 //------------------------------------------------------------------------------

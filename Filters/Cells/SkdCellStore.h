@@ -13,6 +13,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkIdList;
 
 /// The cells of a data set as the kernels read them: double points, 32-bit connectivity, no virtual
 /// call. Cells that no query may return are left out; those kept are numbered 0 .. N-1 in the order
@@ -87,8 +88,18 @@ public:
   std::size_t MemorySize() const;
 
 private:
+  /// What the first look at a cell tells; shape None: left out.
+  struct Finding
+  {
+    SkdShape Shape = SkdShape::None;
+    std::uint32_t Size = 0;
+    bool IsFinite = true;
+  };
+
   void ReadPoints(vtkDataSet* data);
   void ReadCells(vtkDataSet* data, bool skipGhosts);
+  Finding Examine(int cellType, vtkIdList* ids) const;
+  void Number(const std::vector<Finding>& findings);
   void ReadReaches(vtkDataSet* data);
   void Compact();
   void FindLargestCoordinate();
