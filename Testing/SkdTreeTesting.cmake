@@ -17,6 +17,13 @@ set(SKDTREE_USE_ENVIRONMENT
   "PYTHONPATH=${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}"
   "LD_LIBRARY_PATH=${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}:$ENV{LD_LIBRARY_PATH}")
 
+# In front of a command that renders: a virtual display, where Xvfb is installed.
+find_program(SKDTREE_XVFB Xvfb)
+set(SKDTREE_WITH_DISPLAY)
+if (SKDTREE_XVFB)
+  set(SKDTREE_WITH_DISPLAY bash "${SKDTREE_ROOT}/CMake/with_display.sh")
+endif ()
+
 set(SKDTREE_SANITIZER_ENVIRONMENT
   "ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1"
   "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_LIST_DIR}/Support/LeakSuppressions.txt:print_suppressions=0"

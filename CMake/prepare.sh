@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What Plugin/demo.sh and Testing/run.sh share: sourced by them, for bash on Debian 12.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+with_display=$root/CMake/with_display.sh
+
+# What the build and its use need, and what only the tests need.
+packages=(
+  cmake ninja-build g++ paraview paraview-dev python3-paraview python3-dev
+  libopenmpi-dev qtbase5-dev qttools5-dev libutfcpp-dev libdouble-conversion-dev xvfb)
+test_packages=(
+  libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file)
+
+say() { printf '\n== %s\n' "$*"; }
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+# install_missing <package>...: says nothing and asks nobody when all are there.
+install_missing() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
+      missing+=("$package")
+  done
+  [ ${#missing[@]} = 0 ] && return
+  say "Installing ${missing[*]}"
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -q --no-install-recommends "${missing[@]}" </dev/null
+}
+
+# configure_and_build <preset> <folder> [<target>...]
+configure_and_build() {
+  local preset=$1 folder=$2
+  shift 2
+  command -v ccache >/dev/null &&
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache
+  say "Building ($preset) into ${folder#"$root"/}"
+  (cd "$root" && cmake --preset "$preset")
+  cmake --build "$folder" ${*:+--target "$@"}
+}

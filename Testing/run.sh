@@ -1,0 +1,32 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# On a fresh Debian 12, as root or with sudo: installs what is missing, builds into build/ and runs
+# all tests; then builds the C++ tests once more, with AddressSanitizer and
+# UndefinedBehaviorSanitizer, and runs these.
+#
+# usage: bash Testing/run.sh [options of ctest]
+
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/../CMake/prepare.sh"
+
+failed=()
+run_tests() {
+  local preset=$1
+  shift
+  say "Testing ($preset)"
+  (cd "$root" && ctest --preset "$preset" -j "$(nproc)" "$@" </dev/null) || failed+=("$preset")
+}
+
+install_missing "${packages[@]}" "${test_packages[@]}"
+configure_and_build default "$build"
+run_tests default "$@"
+configure_and_build asan-ubsan "$build/asan-ubsan"
+run_tests asan-ubsan "$@"
+
+if [ ${#failed[@]} != 0 ]; then
+  say "FAILED: ${failed[*]}"
+  exit 1
+fi
+say "All tests passed"
