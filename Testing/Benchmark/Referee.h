@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Referee.h
+ * @brief compares the answers of all structures to one question, and says whose are wrong
+ *
+ * No structure is trusted. An answer counts when the cell that it names bears it out, by VTK's own
+ * test of that one cell; the best that counts is the truth, and who says otherwise is wrong. An
+ * answer within rounding of the truth is right.
+ */
+#ifndef skdbench_Referee_h
+#define skdbench_Referee_h
+
+#include "Question.h"
+
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+
+#include <vector>
+
+namespace skdbench
+{
+
+/// An answer that outlives the next question.
+struct Record
+{
+  Record(const Answer& answer, double precision);
+
+  vtkIdType Cell;
+  double Value;
+  Point Where;
+  std::vector<vtkIdType> Cells; // ascending, each once
+  double Precision;             // relative to the size of the scene
+};
+
+class Referee
+{
+public:
+  explicit Referee(vtkDataSet* data);
+
+  /// For each record whether it is wrong.
+  std::vector<bool> Judge(
+    Question question, const Query& query, const std::vector<Record>& records);
+
+private:
+  std::vector<bool> JudgeClosest(
+    const Query& query, const std::vector<Record>& records, double radius);
+  std::vector<bool> JudgeFirstHit(const Query& query, const std::vector<Record>& records);
+  std::vector<bool> JudgeFindCell(const Query& query, const std::vector<Record>& records);
+  std::vector<bool> JudgeLists(
+    Question question, const Query& query, const std::vector<Record>& records);
+
+  bool MustBeListed(Question question, const Query& query, vtkIdType cell);
+  bool MayBeListed(Question question, const Query& query, vtkIdType cell);
+  bool IsHit(const Query& query, vtkIdType cell, double tolerance);
+  bool IsInBox(const Query& query, vtkIdType cell);
+  bool IsInside(const Point& x, vtkIdType cell);
+
+  /// Infinity for an id that no cell has.
+  double DistanceToCell(const Point& x, vtkIdType cell);
+
+  /// Of the last cell and point looked at: 0 unless a shape function is negative.
+  double Outside() const;
+
+  /// How far the cell's faces are from flat: by as much their shape is a matter of opinion.
+  double Warp(vtkIdType cell);
+
+  double Slack(const Record& record) const { return record.Precision * this->Size; }
+
+  vtkDataSet* Data;
+  vtkNew<vtkGenericCell> Cell;
+  std::vector<double> Weights;
+  double Size;
+  double LineTolerance;
+};
+
+}
+
+#endif
