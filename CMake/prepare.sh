@@ -10,7 +10,8 @@ with_display=$root/CMake/with_display.sh
 # What the build and its use need, and what only the tests need.
 packages=(
   cmake ninja-build g++ paraview paraview-dev python3-paraview python3-dev
-  libopenmpi-dev qtbase5-dev qttools5-dev libutfcpp-dev libdouble-conversion-dev xvfb)
+  libopenmpi-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
+  libutfcpp-dev libdouble-conversion-dev xvfb)
 test_packages=(
   libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file)
 

@@ -29,4 +29,4 @@ for _ in $(seq 300); do
 done
 
 "$with_display" pvpython "$root/Plugin/Examples/ClosestPointDemo.py" \
-  --server "localhost:$port" --data "$root/Data" --picture "$picture" --resolution "$resolution"
+  --server "127.0.0.1:$port" --data "$root/Data" --picture "$picture" --resolution "$resolution"

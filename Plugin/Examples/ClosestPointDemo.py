@@ -174,7 +174,8 @@ def main():
 
     if options.server:
         host, port = options.server.rsplit(":", 1)
-        simple.Connect(host, int(port))
+        if not simple.Connect(host, int(port)):
+            sys.exit(f"No server answers at {options.server}")
     surface = read(options.data, "fly_brain_neuropil.vtp")
     region = read(options.data, "fly_brain_lateral_horn.vtp")
     neuron = read(options.data, "fly_brain_neuron.vtp")
