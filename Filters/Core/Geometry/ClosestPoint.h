@@ -13,6 +13,8 @@
 
 #include "Vector.h"
 
+#include <limits>
+
 namespace skd
 {
 
@@ -70,8 +72,7 @@ struct TriangleFoot
 {
   double R;
   double S;
-  /// A sharp angle at a: R and S are uncertain, though a + R u + S v is not.
-  bool IsUncertain;
+  bool IsUncertain; ///< the angle at a is sharp
 
   TriangleFoot(const Vector3& u, const Vector3& v, const Vector3& f)
   {
@@ -82,14 +83,32 @@ struct TriangleFoot
     this->IsUncertain = !(normal2 * 1024.0 >= Norm2(u) * Norm2(v));
     if (this->IsUncertain && normal2 > 0.0)
     {
-      // What rounding left of the residual in the plane is solved for once more.
-      const Vector3 rest = f - this->R * u - this->S * v;
-      this->R += Dot(Cross(rest, v), normal) / normal2;
-      this->S += Dot(Cross(u, rest), normal) / normal2;
+      this->Refine(u, v, f, (1.0 / normal2) * normal);
     }
   }
 
   bool IsInside() const { return this->R >= 0.0 && this->S >= 0.0 && this->R + this->S <= 1.0; }
+
+private:
+  /// What rounding left of the residual in the plane is solved for again, while that helps.
+  void Refine(const Vector3& u, const Vector3& v, const Vector3& f, const Vector3& normal)
+  {
+    double last = std::numeric_limits<double>::max();
+    for (int iteration = 0; iteration < 8; ++iteration)
+    {
+      const Vector3 rest = f - this->R * u - this->S * v;
+      const double r = Dot(Cross(rest, v), normal);
+      const double s = Dot(Cross(u, rest), normal);
+      const double step = std::abs(r) + std::abs(s);
+      if (!(step < 0.5 * last))
+      {
+        break;
+      }
+      this->R += r;
+      this->S += s;
+      last = step;
+    }
+  }
 };
 
 /// The nearest of those edges that the foot lies outside of; of all three if it is uncertain.

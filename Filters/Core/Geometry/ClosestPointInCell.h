@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The nearest point of a volume cell: x itself inside, else one of its faces.
+///
+/// In the order of what they cost: one linear solve says where x is if the cell is not warped. If
+/// that is outside, a plane along the face which it is beyond most often shows that the whole cell
+/// is too far. Only then the map is inverted in earnest, and only after that faces are measured,
+/// each only if it may be nearer than what is known.
 #ifndef skd_Geometry_ClosestPointInCell_h
 #define skd_Geometry_ClosestPointInCell_h
 
-#include "BilinearPatch.h"
+#include "CellFaces.h"
 #include "InvertMap.h"
 
 namespace skd
@@ -17,23 +22,67 @@ struct VolumePoint
   Vector3 Point;
   Vector3 PCoords;
   double Dist2;
+
+  static VolumePoint Nowhere(const Vector3& x)
+  {
+    return { x, { { 0.0, 0.0, 0.0 } }, std::numeric_limits<double>::infinity() };
+  }
 };
 
-/// The nearest point of the faces.
+/// A lower bound of the squared distance of x from the cell, 0 if it may be inside: the gap between
+/// x and the nearest of the points across a direction, less what rounding may have made of it.
 template <class Shape>
-VolumePoint ClosestPointOnFaces(const Vector3* points, const Vector3& x, double limit2)
+double GapAlong(const Vector3* points, const Vector3& x, const Vector3& direction)
 {
-  VolumePoint nearest{ x, { { 0.0, 0.0, 0.0 } }, std::numeric_limits<double>::infinity() };
-  for (const auto& face : Shape::Faces)
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  double size2 = 0.0;
+  for (int i = 0; i < Shape::Size; ++i)
   {
-    const bool isTriangle = face[3] < 0;
-    const Vector3 corners[4] = { points[face[0]], points[face[1]], points[face[2]],
-      points[face[isTriangle ? 2 : 3]] };
-    const PatchPoint found = ClosestPointOnPatch(corners, x, std::min(limit2, nearest.Dist2));
+    const Vector3 fromX = points[i] - x;
+    const double height = Dot(direction, fromX);
+    least = std::min(least, height);
+    most = std::max(most, height);
+    size2 = std::max(size2, Norm2(fromX));
+  }
+  const double length2 = Norm2(direction);
+  const double gap = std::max(least, -most);
+  const double rounding2 = 1e-30 * length2 * size2;
+  return gap > 0.0 && gap * gap > 4.0 * rounding2 ? gap * gap / length2 : 0.0;
+}
+
+/// Whether a face has points nearer to x than the given one: not if all its corners are on the far
+/// side of the plane through that point, across the line from x.
+template <class Shape>
+bool MayBeNearer(const CellFace<Shape>& face, const Vector3& x, const VolumePoint& known)
+{
+  const Vector3 direction = known.Point - x;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < face.Size; ++i)
+  {
+    least = std::min(least, Dot(direction, face.Points[i] - x));
+  }
+  return !(least >= known.Dist2);
+}
+
+/// The nearest point of the faces, beginning with that which is most likely to have it.
+template <class Shape>
+VolumePoint ClosestPointOnFaces(
+  const Vector3* points, const Vector3& x, double limit2, int firstFace)
+{
+  VolumePoint nearest = VolumePoint::Nowhere(x);
+  for (int i = 0; i < Shape::NumberOfFaces; ++i)
+  {
+    const int index = (firstFace + i) % Shape::NumberOfFaces;
+    const CellFace<Shape> face(points, index);
+    if (i > 0 && !MayBeNearer(face, x, nearest))
+    {
+      continue;
+    }
+    const PatchPoint found = face.ClosestPoint(x, std::min(limit2, nearest.Dist2));
     if (found.Dist2 < nearest.Dist2)
     {
-      nearest.Point = found.Point;
-      nearest.Dist2 = found.Dist2;
+      nearest = { found.Point, PCoordsOnFace<Shape>(index, found.R, found.S), found.Dist2 };
     }
   }
   return nearest;
@@ -45,11 +94,37 @@ VolumePoint ClosestPointOnFaces(const Vector3* points, const Vector3& x, double 
 template <class Shape>
 VolumePoint ClosestPointInCell(const Vector3* points, const Vector3& x, double limit2)
 {
-  if (const std::optional<Vector3> pcoords = InvertMap<Shape>(points, x))
+  if (!IsFinite(x))
   {
-    return { x, *pcoords, 0.0 };
+    return VolumePoint::Nowhere(x);
   }
-  return ClosestPointOnFaces<Shape>(points, x, limit2);
+  const InverseMap<Shape> inverse(points, x);
+  const Vector3 guess = inverse.Guess();
+  int face = 0;
+  double gap2 = 0.0;
+  if (!Shape::InDomain(guess))
+  {
+    face = Shape::FaceBeyond(guess);
+    gap2 = GapAlong<Shape>(points, x, CellFace<Shape>(points, face).Normal());
+    if (gap2 > limit2)
+    {
+      return VolumePoint::Nowhere(x);
+    }
+  }
+  if (gap2 == 0.0)
+  {
+    if (const std::optional<Vector3> found = inverse.Find(guess))
+    {
+      const Vector3 pcoords = Shape::ClampToDomain(*found);
+      if (pcoords == *found)
+      {
+        return { x, pcoords, 0.0 };
+      }
+      const Vector3 rest = Evaluate<Shape>(points, pcoords, x);
+      return { x + rest, pcoords, Norm2(rest) };
+    }
+  }
+  return ClosestPointOnFaces<Shape>(points, x, limit2, face);
 }
 
 }

@@ -51,6 +51,24 @@ struct Hexahedron
     }
   }
 
+  /// The points in the order of their parametric coordinates read as bits.
+  static void CubeCorners(const Vector3* points, Vector3* corners)
+  {
+    static constexpr int order[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+    for (int i = 0; i < 8; ++i)
+    {
+      corners[i] = points[order[i]];
+    }
+  }
+
+  /// The face that p, outside of the domain, is farthest beyond.
+  static int FaceBeyond(const Vector3& p)
+  {
+    int axis = std::abs(p[1] - 0.5) > std::abs(p[0] - 0.5) ? 1 : 0;
+    axis = std::abs(p[2] - 0.5) > std::abs(p[axis] - 0.5) ? 2 : axis;
+    return 2 * axis + (p[axis] > 0.5 ? 1 : 0);
+  }
+
   static bool InDomain(const Vector3& p)
   {
     return p[0] >= 0.0 && p[0] <= 1.0 && p[1] >= 0.0 && p[1] <= 1.0 && p[2] >= 0.0 && p[2] <= 1.0;

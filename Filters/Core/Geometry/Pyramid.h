@@ -41,6 +41,13 @@ struct Pyramid
     std::copy(values, values + 15, d);
   }
 
+  /// The face that p, outside of the domain, is farthest beyond.
+  static int FaceBeyond(const Vector3& p)
+  {
+    const double beyond[5] = { -p[2], -p[1], p[0] - 1.0, p[1] - 1.0, -p[0] };
+    return static_cast<int>(std::max_element(beyond, beyond + 5) - beyond);
+  }
+
   static bool InDomain(const Vector3& p) { return Hexahedron::InDomain(p); }
   static Vector3 ClampToDomain(const Vector3& p) { return Hexahedron::ClampToDomain(p); }
 };

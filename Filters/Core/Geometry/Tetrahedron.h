@@ -37,6 +37,13 @@ struct Tetrahedron
     std::copy(values, values + 12, d);
   }
 
+  /// The face that p, outside of the domain, is farthest beyond.
+  static int FaceBeyond(const Vector3& p)
+  {
+    const double beyond[4] = { -p[1], p[0] + p[1] + p[2] - 1.0, -p[0], -p[2] };
+    return static_cast<int>(std::max_element(beyond, beyond + 4) - beyond);
+  }
+
   static bool InDomain(const Vector3& p)
   {
     return p[0] >= 0.0 && p[1] >= 0.0 && p[2] >= 0.0 && p[0] + p[1] + p[2] <= 1.0;

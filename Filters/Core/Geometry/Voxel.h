@@ -39,6 +39,9 @@ struct Voxel
     }
   }
 
+  /// The face that p, outside of the domain, is farthest beyond.
+  static int FaceBeyond(const Vector3& p) { return Hexahedron::FaceBeyond(p); }
+
   static bool InDomain(const Vector3& p) { return Hexahedron::InDomain(p); }
   static Vector3 ClampToDomain(const Vector3& p) { return Hexahedron::ClampToDomain(p); }
 };

@@ -49,6 +49,24 @@ struct Wedge
     }
   }
 
+  /// The corners of the cube that the wedge is half of, parametric coordinates read as bits.
+  static void CubeCorners(const Vector3* points, Vector3* corners)
+  {
+    for (int t = 0; t < 2; ++t)
+    {
+      const Vector3* triangle = points + 3 * t;
+      std::copy(triangle, triangle + 3, corners + 4 * t);
+      corners[4 * t + 3] = triangle[1] + (triangle[2] - triangle[0]);
+    }
+  }
+
+  /// The face that p, outside of the domain, is farthest beyond.
+  static int FaceBeyond(const Vector3& p)
+  {
+    const double beyond[5] = { -p[2], p[2] - 1.0, -p[1], p[0] + p[1] - 1.0, -p[0] };
+    return static_cast<int>(std::max_element(beyond, beyond + 5) - beyond);
+  }
+
   static bool InDomain(const Vector3& p)
   {
     return p[0] >= 0.0 && p[1] >= 0.0 && p[0] + p[1] <= 1.0 && p[2] >= 0.0 && p[2] <= 1.0;

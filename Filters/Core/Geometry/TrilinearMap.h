@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Geometry_TrilinearMap_h
+#define skd_Geometry_TrilinearMap_h
+
+#include "Vector.h"
+
+#include <algorithm>
+
+namespace skd
+{
+
+inline double MaxNorm(const Vector3& v)
+{
+  return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+}
+
+/// Three columns, and how to solve with them.
+struct Matrix3
+{
+  Vector3 Columns[3];
+
+  /// The solution of (columns) y = right: infinite or NaN when there is none.
+  Vector3 Solve(const Vector3& right) const
+  {
+    const Vector3* c = this->Columns;
+    const Vector3 cross12 = Cross(c[1], c[2]);
+    const Vector3 cross0 = Cross(c[0], right);
+    const double scale = 1.0 / Dot(c[0], cross12);
+    return { { scale * Dot(right, cross12), scale * Dot(c[2], cross0),
+      scale * -Dot(c[1], cross0) } };
+  }
+};
+
+/// A trilinear map from the cube [-1, 1]^3. Term[i] goes with the product of those coordinates
+/// whose bits are set in i: Term[0] is the image of the middle, Term[1], [2], [4] the half edges
+/// there.
+struct TrilinearMap
+{
+  Vector3 Term[8];
+
+  TrilinearMap() = default;
+
+  /// From the images of the corners: the bits of an index are set where a coordinate is 1.
+  explicit TrilinearMap(const Vector3 (&corners)[8])
+  {
+    std::copy(corners, corners + 8, this->Term);
+    for (int bit = 1; bit < 8; bit *= 2)
+    {
+      for (int low = 0; low < 8; ++low)
+      {
+        if ((low & bit) == 0)
+        {
+          const Vector3 sum = this->Term[low] + this->Term[low + bit];
+          this->Term[low + bit] = this->Term[low + bit] - this->Term[low];
+          this->Term[low] = sum;
+        }
+      }
+    }
+    for (Vector3& term : this->Term)
+    {
+      term = 0.125 * term;
+    }
+  }
+
+  Vector3 At(const Vector3& u) const
+  {
+    const Vector3* c = this->Term;
+    return c[0] + u[0] * c[1] + u[1] * (c[2] + u[0] * c[3]) +
+      u[2] * (c[4] + u[0] * c[5] + u[1] * (c[6] + u[0] * c[7]));
+  }
+
+  Matrix3 Jacobian(const Vector3& u) const
+  {
+    const Vector3* c = this->Term;
+    return { { c[1] + u[1] * c[3] + u[2] * (c[5] + u[1] * c[7]),
+      c[2] + u[0] * c[3] + u[2] * (c[6] + u[0] * c[7]),
+      c[4] + u[0] * c[5] + u[1] * (c[6] + u[0] * c[7]) } };
+  }
+
+  /// This map on the part of the cube with the given centre and half lengths.
+  TrilinearMap Part(const Vector3& u, const Vector3& half) const
+  {
+    const Vector3* c = this->Term;
+    const Matrix3 jacobian = this->Jacobian(u);
+    TrilinearMap part;
+    part.Term[0] = this->At(u);
+    part.Term[1] = half[0] * jacobian.Columns[0];
+    part.Term[2] = half[1] * jacobian.Columns[1];
+    part.Term[4] = half[2] * jacobian.Columns[2];
+    part.Term[3] = half[0] * half[1] * (c[3] + u[2] * c[7]);
+    part.Term[5] = half[0] * half[2] * (c[5] + u[1] * c[7]);
+    part.Term[6] = half[1] * half[2] * (c[6] + u[0] * c[7]);
+    part.Term[7] = half[0] * half[1] * half[2] * c[7];
+    return part;
+  }
+
+  /// No image of the cube has a greater coordinate.
+  double Size() const
+  {
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (const Vector3& term : this->Term)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum[axis] += std::abs(term[axis]);
+      }
+    }
+    return MaxNorm(sum);
+  }
+};
+
+}
+
+#endif
