@@ -34,8 +34,6 @@ protected:
     return { through - along, through + along };
   }
 
-  double Tolerance() const { return 1e-10 * Scale(this->Reference.GetBounds()); }
-
   /// Where each box, grown by tol, is entered.
   std::vector<BruteForce::Hit> Entries(const std::array<Point, 2>& line, double tol)
   {
@@ -89,7 +87,7 @@ TEST_P(AllHitsOnMesh, AreThoseOfAllCellsEachOnce)
   for (int i = 0; i < 200; ++i)
   {
     const auto line = this->Line(random);
-    const auto expected = this->Reference.Intersect(line[0], line[1], this->Tolerance());
+    const auto expected = this->Reference.Intersect(line[0], line[1]);
     const LineHits hits = FindAllHits(this->Locator, line[0], line[1], 0.0, this->Cell);
     std::set<vtkIdType> ids, expectedIds;
     for (const auto& hit : expected)
@@ -102,7 +100,7 @@ TEST_P(AllHitsOnMesh, AreThoseOfAllCellsEachOnce)
     ASSERT_EQ(hits.Found, hits.Cells.empty() ? 0 : 1);
     total += ids.size();
   }
-  EXPECT_GT(total, 50u);
+  EXPECT_GT(total, 20u);
 }
 
 TEST_P(AllHitsOnMesh, AreSortedAlongTheLineAndLieOnIt)

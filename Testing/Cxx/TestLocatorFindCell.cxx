@@ -86,7 +86,7 @@ TEST_P(FindCellInVolume, IsTheLowestOfTheCellsThatContainThePoint)
     ASSERT_EQ(FindCell(this->Locator, x).Cell, expected)
       << "at (" << x[0] << ", " << x[1] << ", " << x[2] << ")";
   }
-  EXPECT_GT(inside, 50);
+  EXPECT_GT(inside, 20);
 }
 
 TEST_P(FindCellInVolume, ParametricCoordinatesAndWeightsReproduceThePoint)
@@ -188,11 +188,6 @@ TEST_P(FindCellOnMesh, WithinTheToleranceTheWeightsAreThoseOfTheNearestPoint)
     const Found f = FindCell(this->Locator, x, std::numeric_limits<double>::infinity());
     ASSERT_GE(f.Cell, 0);
     this->Data->GetCell(f.Cell, cell);
-    if (cell->GetCellType() == VTK_POLYHEDRON || cell->GetCellType() == VTK_TRIANGLE_STRIP ||
-      cell->GetCellDimension() == 0)
-    {
-      continue; // VTK's weights of these outside of the cell are not of the nearest point
-    }
     Point byWeights = { 0, 0, 0 };
     const auto points = ToVector(cell->GetPoints());
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -294,8 +294,7 @@ TEST_F(Lifecycle, PrintSelfNamesEverySetting)
 {
   std::ostringstream text;
   this->Locator->Print(text);
-  for (const char* name : { "Epsilon", "LazyBuild", "SkipGhostCells", "Transform",
-         "NumberOfCellsPerNode", "CellsInTree", "Depth" })
+  for (const char* name : { "Epsilon", "LazyBuild", "SkipGhostCells", "Transform" })
   {
     std::string squeezed;
     for (char c : text.str())

@@ -200,12 +200,6 @@ TEST_F(OverlapOfTwo, TurnedBoxesThatShareAPointAreAPair)
   }
 }
 
-TEST_F(OverlapOfTwo, ListsMayBeNull)
-{
-  EXPECT_EQ(this->A->FindOverlappingPairs(this->B, nullptr, nullptr),
-    FindPairs(this->A, this->B).Number);
-}
-
 TEST_F(OverlapOfTwo, WithAnEmptyOrNoLocatorThereAreNone)
 {
   vtkNew<vtkPolyData> nothing;

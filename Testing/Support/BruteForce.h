@@ -7,16 +7,15 @@
 #ifndef skdtest_BruteForce_h
 #define skdtest_BruteForce_h
 
-#include "Support/MeshBuilder.h"
-#include "Support/PrimitiveDistance.h"
+#include "Support/CellShape.h"
 
 #include "vtkGenericCell.h"
-#include "vtkMath.h"
 
 namespace skdtest
 {
 
-/// A data set's cells by value. Distances to linear cells do not go through VTK.
+/// A data set's cells by value. Only cells without a shape of their own (CellShape) go through VTK,
+/// and the question whether a hexahedron, wedge or pyramid contains a point.
 class BruteForce
 {
 public:
@@ -43,13 +42,14 @@ public:
   {
     for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
     {
-      this->Shapes.emplace_back(this->ShapeOf(cell));
-      const bool has = keep(cell) && this->Shapes.back().Type != VTK_EMPTY_CELL;
-      if (has)
+      data->GetCell(cell, this->Cell);
+      this->Shapes.push_back(MakeShape(this->Cell));
+      if (keep(cell) && this->Shapes.back().Type != VTK_EMPTY_CELL)
       {
         this->Cells.push_back(cell);
-        Extend(this->Whole, { this->Box(cell)[0], this->Box(cell)[2], this->Box(cell)[4] });
-        Extend(this->Whole, { this->Box(cell)[1], this->Box(cell)[3], this->Box(cell)[5] });
+        const Bounds& box = this->Box(cell);
+        Extend(this->Whole, { box[0], box[2], box[4] });
+        Extend(this->Whole, { box[1], box[3], box[5] });
       }
     }
   }
@@ -78,45 +78,44 @@ public:
 
   double DistanceTo(vtkIdType cell, const Point& x)
   {
-    const Shape& shape = this->Shapes[cell];
-    if (shape.ByVtk)
+    const CellShape& shape = this->Shapes[cell];
+    if (!shape.IsKnown)
     {
       return this->DistanceByVtk(cell, x);
     }
-    double best = std::numeric_limits<double>::infinity();
-    for (const Point& p : shape.Vertices)
-    {
-      best = std::min(best, Distance(x, p));
-    }
-    for (const auto& s : shape.Segments)
-    {
-      best = std::min(best, SegmentDistance(x, s[0], s[1]));
-    }
-    for (const auto& t : shape.Triangles)
-    {
-      best = std::min(best, TriangleDistance(x, t[0], t[1], t[2]));
-    }
-    for (const Patch& p : shape.Patches)
-    {
-      best = std::min(best, PatchDistance(x, p));
-    }
-    return shape.Solid && this->IsInside(cell, x) ? 0.0 : best;
+    return shape.IsSolid && this->IsInside(cell, x) ? 0.0 : BoundaryDistance(shape, x);
   }
 
   /// As vtkCell::EvaluatePosition sees it; infinite where that fails.
   double DistanceByVtk(vtkIdType cell, const Point& x)
   {
-    double closest[3], pcoords[3], dist2 = 0.0;
-    return this->Evaluate(cell, x, closest, pcoords, dist2) >= 0
+    Point closest, pcoords;
+    double dist2 = 0.0;
+    return this->Evaluate(cell, x, closest, pcoords, dist2) >= 0 && dist2 >= 0
       ? std::sqrt(dist2)
       : std::numeric_limits<double>::infinity();
   }
 
+  /// Whether a cell of volume holds x. Where x is on its boundary either may be the answer.
   bool IsInside(vtkIdType cell, const Point& x)
   {
-    double closest[3], pcoords[3], dist2 = 0.0;
-    return Contains(this->Box(cell), x) &&
-      this->Evaluate(cell, x, closest, pcoords, dist2) == 1 && dist2 == 0.0;
+    const CellShape& shape = this->Shapes[cell];
+    if (!shape.IsSolid || !Contains(shape.Box, x))
+    {
+      return false;
+    }
+    switch (shape.Type)
+    {
+      case VTK_VOXEL:
+        return IsInsideVoxel(shape, x);
+      case VTK_TETRA:
+      case VTK_POLYHEDRON:
+      case VTK_PENTAGONAL_PRISM:
+      case VTK_HEXAGONAL_PRISM:
+        return IsInsideByParity(shape, x);
+      default:
+        return this->IsInsideByVtk(cell, x);
+    }
   }
 
   /// All cells of volume that hold x, ascending.
@@ -146,18 +145,20 @@ public:
     return found;
   }
 
-  /// vtkCell::IntersectWithLine of every cell, sorted.
-  std::vector<Hit> Intersect(const Point& p1, const Point& p2, double tolerance)
+  /// The first hit of the segment with each cell of dimension 2 or 3, sorted.
+  std::vector<Hit> Intersect(const Point& p1, const Point& p2) const
   {
     std::vector<Hit> hits;
-    double t, x[3], pcoords[3];
-    int subId;
     for (vtkIdType cell : this->Cells)
     {
-      this->Data->GetCell(cell, this->Cell);
-      if (this->Cell->IntersectWithLine(p1.data(), p2.data(), tolerance, t, x, pcoords, subId))
+      Hit first = { 2.0, cell };
+      for (const auto& triangle : SeenTriangles(this->Shapes[cell]))
       {
-        hits.push_back({ t, cell });
+        first.T = std::min(first.T, HitTriangle(p1, p2, triangle).value_or(2.0));
+      }
+      if (first.T <= 1.0)
+      {
+        hits.push_back(first);
       }
     }
     std::sort(hits.begin(), hits.end());
@@ -165,135 +166,33 @@ public:
   }
 
 private:
-  struct Shape
-  {
-    int Type = VTK_EMPTY_CELL;
-    bool ByVtk = false;
-    bool Solid = false;
-    Bounds Box = EmptyBounds();
-    std::vector<Point> Vertices;
-    std::vector<std::array<Point, 2>> Segments;
-    std::vector<std::array<Point, 3>> Triangles;
-    std::vector<Patch> Patches;
-  };
-
-  int Evaluate(vtkIdType cell, const Point& x, double closest[3], double pcoords[3], double& dist2)
+  int Evaluate(vtkIdType cell, const Point& x, Point& closest, Point& pcoords, double& dist2)
   {
     int subId = 0;
     this->Data->GetCell(cell, this->Cell);
     this->Weights.resize(this->Cell->GetNumberOfPoints() + 1);
     return this->Cell->EvaluatePosition(
-      x.data(), closest, subId, pcoords, dist2, this->Weights.data());
+      x.data(), closest.data(), subId, pcoords.data(), dist2, this->Weights.data());
   }
 
-  Shape ShapeOf(vtkIdType cell)
+  // VTK calls a hexahedron's or wedge's surroundings of a thousandth its inside: look closer.
+  bool IsInsideByVtk(vtkIdType cell, const Point& x)
   {
-    Shape shape;
-    this->Data->GetCell(cell, this->Cell);
-    std::vector<Point> p(this->Cell->GetNumberOfPoints());
-    for (std::size_t i = 0; i < p.size(); ++i)
+    Point closest, pcoords;
+    double dist2 = 0.0;
+    if (this->Evaluate(cell, x, closest, pcoords, dist2) != 1)
     {
-      this->Cell->Points->GetPoint(static_cast<vtkIdType>(i), p[i].data());
-      Extend(shape.Box, p[i]);
+      return false;
     }
-    shape.Type = p.empty() ? static_cast<int>(VTK_EMPTY_CELL) : this->Cell->GetCellType();
-    shape.Solid = this->Cell->GetCellDimension() == 3;
-    shape.ByVtk = !AddPrimitives(shape, p);
-    return shape;
-  }
-
-  static void AddPatch(Shape& s, const std::vector<Point>& p, int a, int b, int c, int d)
-  {
-    s.Patches.push_back({ p[a], p[b], p[c], p[d] });
-  }
-
-  static void AddTriangle(Shape& s, const std::vector<Point>& p, int a, int b, int c)
-  {
-    s.Triangles.push_back({ p[a], p[b], p[c] });
-  }
-
-  /// False where the cell is left to VTK.
-  static bool AddPrimitives(Shape& s, const std::vector<Point>& p)
-  {
-    const int n = static_cast<int>(p.size());
-    switch (s.Type)
-    {
-      case VTK_EMPTY_CELL:
-        return true;
-      case VTK_VERTEX:
-      case VTK_POLY_VERTEX:
-        s.Vertices = p;
-        return true;
-      case VTK_LINE:
-      case VTK_POLY_LINE:
-        for (int i = 0; i + 1 < n; ++i)
-        {
-          s.Segments.push_back({ p[i], p[i + 1] });
-        }
-        return true;
-      case VTK_TRIANGLE:
-      case VTK_TRIANGLE_STRIP:
-        for (int i = 0; i + 2 < n; ++i)
-        {
-          AddTriangle(s, p, i, i + 1, i + 2);
-        }
-        return true;
-      case VTK_QUAD:
-        AddPatch(s, p, 0, 1, 2, 3);
-        return true;
-      case VTK_PIXEL:
-        AddPatch(s, p, 0, 1, 3, 2);
-        return true;
-      default:
-        return AddFaces(s, p);
-    }
-  }
-
-  static bool AddFaces(Shape& s, const std::vector<Point>& p)
-  {
-    switch (s.Type)
-    {
-      case VTK_TETRA:
-        AddTriangle(s, p, 0, 1, 2);
-        AddTriangle(s, p, 0, 1, 3);
-        AddTriangle(s, p, 0, 2, 3);
-        AddTriangle(s, p, 1, 2, 3);
-        return true;
-      case VTK_HEXAHEDRON:
-      case VTK_VOXEL:
-      {
-        const int two = s.Type == VTK_VOXEL ? 3 : 2;
-        const int top = s.Type == VTK_VOXEL ? 7 : 6;
-        AddPatch(s, p, 0, 1, two, 5 - two);
-        AddPatch(s, p, 4, 5, top, 13 - top);
-        AddPatch(s, p, 0, 1, 5, 4);
-        AddPatch(s, p, 1, two, top, 5);
-        AddPatch(s, p, two, 5 - two, 13 - top, top);
-        AddPatch(s, p, 5 - two, 0, 4, 13 - top);
-        return true;
-      }
-      case VTK_WEDGE:
-        AddTriangle(s, p, 0, 1, 2);
-        AddTriangle(s, p, 3, 4, 5);
-        AddPatch(s, p, 0, 1, 4, 3);
-        AddPatch(s, p, 1, 2, 5, 4);
-        AddPatch(s, p, 2, 0, 3, 5);
-        return true;
-      case VTK_PYRAMID:
-        AddPatch(s, p, 0, 1, 2, 3);
-        AddTriangle(s, p, 0, 1, 4);
-        AddTriangle(s, p, 1, 2, 4);
-        AddTriangle(s, p, 2, 3, 4);
-        AddTriangle(s, p, 3, 0, 4);
-        return true;
-      default:
-        return false;
-    }
+    const bool isWedge = this->Shapes[cell].Type == VTK_WEDGE;
+    const auto sides = std::minmax_element(pcoords.begin(), pcoords.end());
+    return *sides.first >= -1e-9 && *sides.second <= 1 + 1e-9 &&
+      (!isWedge || pcoords[0] + pcoords[1] <= 1 + 1e-9);
   }
 
   vtkSmartPointer<vtkDataSet> Data;
   Bounds Whole;
-  std::vector<Shape> Shapes;
+  std::vector<CellShape> Shapes;
   Ids Cells;
   vtkNew<vtkGenericCell> Cell;
   std::vector<double> Weights;

@@ -12,6 +12,9 @@
 #include "vtkCell.h"
 #include "vtkCellTypes.h"
 #include "vtkGenericCell.h"
+#include "vtkHigherOrderHexahedron.h"
+#include "vtkHigherOrderQuadrilateral.h"
+#include "vtkHigherOrderWedge.h"
 
 #include <string>
 
@@ -46,6 +49,23 @@ inline int HigherOrderSize(int type, int order)
   }
 }
 
+/// Cells whose order may differ by direction want to be told that it does not.
+inline void SetUniformOrder(vtkCell* cell, vtkIdType points)
+{
+  if (auto* quad = vtkHigherOrderQuadrilateral::SafeDownCast(cell))
+  {
+    quad->SetUniformOrderFromNumPoints(points);
+  }
+  if (auto* hexahedron = vtkHigherOrderHexahedron::SafeDownCast(cell))
+  {
+    hexahedron->SetUniformOrderFromNumPoints(points);
+  }
+  if (auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell))
+  {
+    wedge->SetUniformOrderFromNumPoints(points);
+  }
+}
+
 /// The points of a cell that VTK can place itself: its parametric coordinates. Empty if it cannot.
 inline std::vector<Point> ReferencePoints(int type, int order)
 {
@@ -60,6 +80,7 @@ inline std::vector<Point> ReferencePoints(int type, int order)
   {
     cell->Points->SetNumberOfPoints(HigherOrderSize(type, order));
     cell->PointIds->SetNumberOfIds(HigherOrderSize(type, order));
+    SetUniformOrder(cell, HigherOrderSize(type, order));
     cell->Initialize();
   }
   const double* where = cell->GetParametricCoords();

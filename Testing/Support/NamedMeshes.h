@@ -47,7 +47,7 @@ inline std::vector<NamedMesh> SurfaceMeshes()
   return { { "SphereTriangles", [] { return MakePolyData(SphereTriangles(8)); } },
     { "TorusTriangles", [] { return MakePolyData(TorusTriangles(24, 12)); } },
     { "TorusQuads", [] { return MakePolyData(TorusQuads(24, 12)); } },
-    { "WarpedQuads", [] { return MakePolyData(SphereQuads(6)); } },
+    { "WarpedQuads", [] { return MakePolyData(SphereQuads(6).Map(Bent)); } },
     { "FlatQuads", [] { return MakeGrid(Sheet(12, VTK_QUAD)); } },
     { "FlatTriangles", [] { return MakePolyData(Sheet(12, VTK_TRIANGLE)); } },
     { "FlatPixels", [] { return MakeGrid(Sheet(12, VTK_PIXEL)); } },

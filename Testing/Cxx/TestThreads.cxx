@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Many threads ask one locator: each gets what it would get alone, of lazy trees too.
+
+#include "Support/LocatorCalls.h"
+#include "Support/NamedMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+using namespace skdtest;
+
+namespace
+{
+
+constexpr int NumberOfThreads = 8;
+
+/// The answers to one point, of all queries that the header calls thread-safe.
+struct Answers
+{
+  Closest Nearest;
+  Closest WithinRadius;
+  LineHit First;
+  LineHits All;
+  LineHits Entries;
+  Found InCell;
+  vtkIdType ShortCell = -2;
+  vtkIdType HintedCell = -2;
+  Ids Within;
+  Ids AlongLine;
+  Ids AlongPlane;
+  Ids NearestCells;
+  Ids CellsInRadius;
+  vtkIdType CrossingCount = -2;
+  std::vector<Ids> CrossingCells;
+  Ids Candidates;
+  bool IsInside = false;
+
+  bool operator==(const Answers& o) const
+  {
+    return this->Nearest == o.Nearest && this->WithinRadius == o.WithinRadius &&
+      this->First == o.First && this->All == o.All && this->Entries == o.Entries &&
+      this->InCell == o.InCell && this->ShortCell == o.ShortCell &&
+      this->HintedCell == o.HintedCell && this->Within == o.Within &&
+      this->AlongLine == o.AlongLine && this->AlongPlane == o.AlongPlane &&
+      this->NearestCells == o.NearestCells && this->CellsInRadius == o.CellsInRadius &&
+      this->CrossingCount == o.CrossingCount && this->CrossingCells == o.CrossingCells &&
+      this->Candidates == o.Candidates && this->IsInside == o.IsInside;
+  }
+};
+
+void AskForPoints(vtkSkdTreeCellLocator* locator, Point x, Answers& answers)
+{
+  answers.Nearest = FindClosest(locator, x);
+  locator->FindClosestPointWithinRadius(x.data(), 0.4, answers.WithinRadius.X.data(),
+    answers.WithinRadius.Cell, answers.WithinRadius.SubId, answers.WithinRadius.Dist2);
+  answers.InCell = FindCell(locator, x, 0.01);
+  answers.ShortCell = locator->FindCell(x.data());
+  Found f;
+  answers.HintedCell = locator->FindCellWithHint(
+    x.data(), 0.0, answers.InCell.Cell, nullptr, f.SubId, f.Pcoords.data(), nullptr);
+  answers.NearestCells = FindClosestCells(locator, x, 4).Cells;
+  answers.CellsInRadius = FindWithinRadius(locator, x, 0.3).Cells;
+  answers.IsInside = locator->InsideCellBounds(x.data(), 1);
+  vtkNew<vtkIdList> ids;
+  locator->FindClosestCandidates(x.data(), ids);
+  answers.Candidates = ToVector(ids);
+}
+
+Answers Ask(vtkSkdTreeCellLocator* locator, const Point& x, const Point& y)
+{
+  Answers answers;
+  AskForPoints(locator, x, answers);
+  vtkNew<vtkGenericCell> cell;
+  answers.First = FindFirstHit(locator, x, y, 0.01);
+  answers.All = FindAllHits(locator, x, y, 0.01, cell);
+  answers.Entries = FindAllHits(locator, x, y, 0.01, nullptr);
+  answers.CrossingCount = locator->CountCrossings(x.data(), y.data());
+  answers.CrossingCells = FindCrossings(locator, x, y).Cells;
+  Bounds box = EmptyBounds();
+  Extend(box, x);
+  Extend(box, y);
+  answers.Within = FindWithinBounds(locator, box);
+  answers.AlongLine = FindAlongLine(locator, x, y, 0.01);
+  answers.AlongPlane = FindAlongPlane(locator, x, y - x);
+  return answers;
+}
+
+class Threads : public testing::TestWithParam<NamedMesh>
+{
+protected:
+  Threads()
+    : Data(GetParam().Make())
+  {
+    Bounds box;
+    this->Data->GetBounds(box.data());
+    Random random(160);
+    for (int i = 0; i < 80; ++i)
+    {
+      this->Points.push_back(random.InBox(Grown(box, 0.1 * Diagonal(box))));
+    }
+    const auto locator = MakeLocator(this->Data);
+    for (std::size_t i = 0; i + 1 < this->Points.size(); ++i)
+    {
+      this->Expected.push_back(Ask(locator, this->Points[i], this->Points[i + 1]));
+    }
+  }
+
+  /// Each thread asks everything, each from another start. Returns how many answers were wrong.
+  int AskFromThreads(vtkSkdTreeCellLocator* locator)
+  {
+    std::atomic<int> wrong(0);
+    std::atomic<int> ready(0);
+    const auto work = [&](int thread) {
+      ++ready;
+      while (ready < NumberOfThreads) // all at once
+      {
+        std::this_thread::yield();
+      }
+      const std::size_t n = this->Expected.size();
+      for (std::size_t k = 0; k < n; ++k)
+      {
+        const std::size_t i = (k + thread * n / NumberOfThreads) % n;
+        wrong += !(Ask(locator, this->Points[i], this->Points[i + 1]) == this->Expected[i]);
+      }
+    };
+    std::vector<std::thread> threads;
+    for (int thread = 0; thread < NumberOfThreads; ++thread)
+    {
+      threads.emplace_back(work, thread);
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+    return wrong;
+  }
+
+  DataSetPointer Data;
+  std::vector<Point> Points;
+  std::vector<Answers> Expected;
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Threads, testing::ValuesIn(AllMeshes()), NameOfMesh());
+
+TEST_P(Threads, GetTheAnswersOfOne)
+{
+  EXPECT_EQ(this->AskFromThreads(MakeLocator(this->Data)), 0);
+}
+
+TEST_P(Threads, GetTheAnswersOfOneFromALazyTree)
+{
+  for (int round = 0; round < 3; ++round)
+  {
+    const auto locator = LocatorPointer::New();
+    locator->SetDataSet(this->Data);
+    locator->LazyBuildOn();
+    locator->BuildLocator();
+    ASSERT_EQ(this->AskFromThreads(locator), 0) << "round " << round;
+  }
+}
+
+TEST_P(Threads, GetTheAnswersOfOneWithCachedBounds)
+{
+  const auto locator = LocatorPointer::New();
+  locator->SetDataSet(this->Data);
+  locator->CacheCellBoundsOn();
+  locator->BuildLocator();
+  EXPECT_EQ(this->AskFromThreads(locator), 0);
+}
+
+TEST(LazyTree, SplitUnderManyThreadsIsTheSameTree)
+{
+  const auto data = MakePolyData(TriangleSoup(3000, 0.05));
+  const auto plain = MakeLocator(data);
+  Random random(161);
+  std::vector<Point> points;
+  std::vector<Closest> expected;
+  for (int i = 0; i < 400; ++i)
+  {
+    points.push_back(random.InBox({ 0, 1, 0, 1, 0, 1 }));
+    expected.push_back(FindClosest(plain, points.back()));
+  }
+  for (int round = 0; round < 20; ++round)
+  {
+    const auto lazy = LocatorPointer::New();
+    lazy->SetDataSet(data);
+    lazy->LazyBuildOn();
+    lazy->BuildLocator();
+    std::atomic<int> wrong(0);
+    std::vector<std::thread> threads;
+    for (int thread = 0; thread < NumberOfThreads; ++thread)
+    {
+      threads.emplace_back([&, thread] {
+        for (std::size_t k = 0; k < points.size(); ++k)
+        {
+          const std::size_t i = (k * 7 + thread * 53) % points.size();
+          wrong += !(FindClosest(lazy, points[i]) == expected[i]);
+        }
+      });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+    ASSERT_EQ(wrong, 0) << "round " << round;
+  }
+}
+
+TEST(SharedTree, CopiesAskAtOnce)
+{
+  const auto data = MakePolyData(SphereTriangles(12));
+  const auto locator = MakeLocator(data);
+  Random random(162);
+  std::vector<Point> points;
+  std::vector<Closest> expected;
+  for (int i = 0; i < 300; ++i)
+  {
+    points.push_back(2.0 * random.Direction());
+    expected.push_back(FindClosest(locator, points.back()));
+  }
+  std::vector<LocatorPointer> copies;
+  for (int thread = 0; thread < NumberOfThreads; ++thread)
+  {
+    copies.push_back(LocatorPointer::New());
+    copies.back()->ShallowCopy(locator);
+  }
+  std::atomic<int> wrong(0);
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < NumberOfThreads; ++thread)
+  {
+    threads.emplace_back([&, thread] {
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        wrong += !(FindClosest(copies[thread], points[i]) == expected[i]);
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+}

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ParametricReference.h
+ * @brief the nearest point of a curved cell, sought in its parametric coordinates
+ *
+ * A curved cell is what its interpolation (vtkCell::EvaluateLocation) makes of its parametric domain.
+ */
+#ifndef skdtest_ParametricReference_h
+#define skdtest_ParametricReference_h
+
+#include "Support/CellZoo.h"
+
+namespace skdtest
+{
+
+enum class Domain
+{
+  None, // cells that have no coordinates of their own
+  Cube, // of the cell's dimension
+  Simplex,
+  Prism
+};
+
+inline Domain DomainOf(int type)
+{
+  switch (type)
+  {
+    case VTK_QUADRATIC_TRIANGLE:
+    case VTK_BIQUADRATIC_TRIANGLE:
+    case VTK_QUADRATIC_TETRA:
+    case VTK_LAGRANGE_TRIANGLE:
+    case VTK_LAGRANGE_TETRAHEDRON:
+    case VTK_BEZIER_TRIANGLE:
+    case VTK_BEZIER_TETRAHEDRON:
+      return Domain::Simplex;
+    case VTK_QUADRATIC_WEDGE:
+    case VTK_QUADRATIC_LINEAR_WEDGE:
+    case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+    case VTK_LAGRANGE_WEDGE:
+    case VTK_BEZIER_WEDGE:
+      return Domain::Prism;
+    case VTK_QUADRATIC_POLYGON:
+      return Domain::None;
+    default:
+      return type >= VTK_QUADRATIC_EDGE && type != VTK_CONVEX_POINT_SET && type != VTK_POLYHEDRON
+        ? Domain::Cube
+        : Domain::None;
+  }
+}
+
+class ParametricCell
+{
+public:
+  explicit ParametricCell(vtkCell* cell)
+    : Cell(cell)
+    , Weights(cell->GetNumberOfPoints())
+    , Lowest(cell->GetCellType() == VTK_CUBIC_LINE ? -1.0 : 0.0)
+  {
+  }
+
+  Point At(const Point& pcoords)
+  {
+    Point x;
+    int subId = 0;
+    this->Cell->EvaluateLocation(subId, pcoords.data(), x.data(), this->Weights.data());
+    return x;
+  }
+
+  bool Contains(const Point& p) const
+  {
+    const double low = this->Lowest;
+    const double sum = p[0] + p[1];
+    switch (DomainOf(this->Cell->GetCellType()))
+    {
+      case Domain::Simplex:
+        return std::min({ p[0], p[1], p[2] }) >= 0 && sum + p[2] <= 1;
+      case Domain::Prism:
+        return std::min({ p[0], p[1], p[2] }) >= 0 && sum <= 1 && p[2] <= 1;
+      default:
+        return p[0] >= low && std::min(p[1], p[2]) >= 0 && std::max({ p[0], p[1], p[2] }) <= 1;
+    }
+  }
+
+  /// From the best of a lattice of samples to ever nearer ones. An upper bound, and sharp but for
+  /// cells that are bent so much that the wrong valley is descended.
+  double DistanceTo(const Point& x)
+  {
+    const Point middle = { 0.5 * (1 + this->Lowest), 0.5, 0.5 };
+    Point best = { 0, 0, 0 };
+    double least = Distance(this->At(best), x);
+    this->Improve(x, best, least, middle, 1.0 / 8, 4);
+    for (double step = 1.0 / 8; step > 1e-8; step *= 0.5)
+    {
+      for (int turn = 0; turn < 20 && this->Improve(x, best, least, best, step, 1); ++turn)
+      {
+      }
+    }
+    return least;
+  }
+
+private:
+  /// The best of (2 n + 1)^dimension points around a middle. True if it is better than before.
+  bool Improve(
+    const Point& x, Point& best, double& least, const Point& middle, double step, int n)
+  {
+    const int dimension = this->Cell->GetCellDimension();
+    const double before = least;
+    const int ns[3] = { n, dimension > 1 ? n : 0, dimension > 2 ? n : 0 };
+    const double width = 1 - this->Lowest;
+    for (int i = -ns[0]; i <= ns[0]; ++i)
+    {
+      for (int j = -ns[1]; j <= ns[1]; ++j)
+      {
+        for (int k = -ns[2]; k <= ns[2]; ++k)
+        {
+          Point p = middle + step * Point{ width * i, double(j), double(k) };
+          p[1] = dimension > 1 ? p[1] : 0.0;
+          p[2] = dimension > 2 ? p[2] : 0.0;
+          const double distance = this->Contains(p) ? Distance(this->At(p), x) : least;
+          if (distance < least)
+          {
+            least = distance;
+            best = p;
+          }
+        }
+      }
+    }
+    return least < before;
+  }
+
+  vtkCell* Cell;
+  std::vector<double> Weights;
+  double Lowest;
+};
+
+}
+
+#endif
