@@ -23,7 +23,7 @@ REACH = 6000  # colours and level lines end at this distance
 
 
 class ProgressBar:
-    """What the server tells of its progress, as a bar in the terminal."""
+    """What the server tells of its progress, as a bar in the terminal (in a file, its end only)."""
 
     WIDTH = 40
 
@@ -37,10 +37,13 @@ class ProgressBar:
         self.draw(self.handler.GetLastProgress() / 100)
 
     def draw(self, fraction, end=""):
+        if not end and not sys.stdout.isatty():
+            return
         full = round(self.WIDTH * min(max(fraction, 0.0), 1.0))
         bar = "#" * full + "." * (self.WIDTH - full)
         seconds = time.perf_counter() - self.start
-        print(f"\r{self.title:<44}[{bar}] {100 * fraction:4.0f}%  {seconds:5.2f} s", end=end)
+        start = "\r" if sys.stdout.isatty() else ""
+        print(f"{start}{self.title:<44}[{bar}] {100 * fraction:4.0f}%  {seconds:5.2f} s", end=end)
         sys.stdout.flush()
 
     def __enter__(self):
