@@ -58,12 +58,9 @@ SegmentPoint<D> ClosestPointOnOrderedSegment(
 template <int D>
 SegmentPoint<D> ClosestPointOnSegment(const Vector<D>& a, const Vector<D>& b, const Vector<D>& x)
 {
-  if (a < b)
-  {
-    return ClosestPointOnOrderedSegment(a, b, x);
-  }
-  SegmentPoint<D> nearest = ClosestPointOnOrderedSegment(b, a, x);
-  nearest.R = 1.0 - nearest.R;
+  const bool isSwapped = b < a;
+  SegmentPoint<D> nearest = ClosestPointOnOrderedSegment(isSwapped ? b : a, isSwapped ? a : b, x);
+  nearest.R = isSwapped ? 1.0 - nearest.R : nearest.R;
   return nearest;
 }
 
@@ -78,35 +75,36 @@ struct TriangleFoot
   {
     const Vector3 normal = Cross(u, v);
     const double normal2 = Norm2(normal);
-    this->R = Dot(Cross(f, v), normal) / normal2;
-    this->S = Dot(Cross(u, f), normal) / normal2;
-    this->IsUncertain = !(normal2 * 1024.0 >= Norm2(u) * Norm2(v));
+    const double scale = 1.0 / normal2;
+    this->R = scale * Dot(Cross(f, v), normal);
+    this->S = scale * Dot(Cross(u, f), normal);
+    this->IsUncertain = !(normal2 * 64.0 > Norm2(u) * Norm2(v));
     if (this->IsUncertain && normal2 > 0.0)
     {
-      this->Refine(u, v, f, (1.0 / normal2) * normal);
+      this->Refine(u, v, f, scale * normal);
     }
   }
 
   bool IsInside() const { return this->R >= 0.0 && this->S >= 0.0 && this->R + this->S <= 1.0; }
 
 private:
-  /// What rounding left of the residual in the plane is solved for again, while that helps.
+  /// What rounding left of the residual in the plane is solved for again, while that leads nearer.
   void Refine(const Vector3& u, const Vector3& v, const Vector3& f, const Vector3& normal)
   {
-    double last = std::numeric_limits<double>::max();
-    for (int iteration = 0; iteration < 8; ++iteration)
+    TriangleFoot next(*this);
+    double last = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < 10; ++iteration)
     {
-      const Vector3 rest = f - this->R * u - this->S * v;
-      const double r = Dot(Cross(rest, v), normal);
-      const double s = Dot(Cross(u, rest), normal);
-      const double step = std::abs(r) + std::abs(s);
-      if (!(step < 0.5 * last))
+      const Vector3 rest = f - next.R * u - next.S * v;
+      const double dist2 = Norm2(rest);
+      if (!(dist2 < last))
       {
         break;
       }
-      this->R += r;
-      this->S += s;
-      last = step;
+      *this = next;
+      last = dist2;
+      next.R += Dot(Cross(rest, v), normal);
+      next.S += Dot(Cross(u, rest), normal);
     }
   }
 };
@@ -134,7 +132,8 @@ inline TrianglePoint ClosestPointOnTriangleEdges(
     const SegmentPoint<3> bc = ClosestPointOnSegment(b, c, x);
     if (bc.Dist2 < nearest.Dist2)
     {
-      nearest = { bc.Point, 1.0 - bc.R, bc.R, bc.Dist2 };
+      const double r = 1.0 - bc.R;
+      nearest = { bc.Point, r, 1.0 - r, bc.Dist2 };
     }
   }
   return nearest;

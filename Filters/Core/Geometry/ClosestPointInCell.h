@@ -115,11 +115,11 @@ VolumePoint ClosestPointInCell(const Vector3* points, const Vector3& x, double l
   {
     if (const std::optional<Vector3> found = inverse.Find(guess))
     {
-      const Vector3 pcoords = Shape::ClampToDomain(*found);
-      if (pcoords == *found)
+      if (Shape::InDomain(*found))
       {
-        return { x, pcoords, 0.0 };
+        return { x, *found, 0.0 };
       }
+      const Vector3 pcoords = Shape::ClampToDomain(*found);
       const Vector3 rest = Evaluate<Shape>(points, pcoords, x);
       return { x + rest, pcoords, Norm2(rest) };
     }

@@ -38,7 +38,9 @@ public:
     const double cube = size * size * size;
     const double rounding = 5e-15 * cube;
     const bool isCertain = this->Volumes.Least() > rounding || this->Volumes.Most() < -rounding;
-    if (isCertain && MaxNorm(this->PointAt(guess)) <= InverseMap<Hexahedron>::Rounding * size)
+    if (isCertain &&
+      (std::abs(this->Volumes.Sum()) > 0.01 * cube ||
+        MaxNorm(this->PointAt(guess)) <= InverseMap<Hexahedron>::Rounding * size))
     {
       return guess;
     }

@@ -44,22 +44,9 @@ struct TrilinearMap
   /// From the images of the corners: the bits of an index are set where a coordinate is 1.
   explicit TrilinearMap(const Vector3 (&corners)[8])
   {
-    std::copy(corners, corners + 8, this->Term);
-    for (int bit = 1; bit < 8; bit *= 2)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int low = 0; low < 8; ++low)
-      {
-        if ((low & bit) == 0)
-        {
-          const Vector3 sum = this->Term[low] + this->Term[low + bit];
-          this->Term[low + bit] = this->Term[low + bit] - this->Term[low];
-          this->Term[low] = sum;
-        }
-      }
-    }
-    for (Vector3& term : this->Term)
-    {
-      term = 0.125 * term;
+      this->SetAxis(axis, corners);
     }
   }
 
@@ -107,6 +94,32 @@ struct TrilinearMap
       }
     }
     return MaxNorm(sum);
+  }
+
+private:
+  /// Sums and differences along r, then along s, then along t.
+  void SetAxis(int axis, const Vector3 (&c)[8])
+  {
+    double sums[4];
+    double differences[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      sums[i] = c[2 * i + 1][axis] + c[2 * i][axis];
+      differences[i] = c[2 * i + 1][axis] - c[2 * i][axis];
+    }
+    this->SetPair(axis, 0, sums);
+    this->SetPair(axis, 1, differences);
+  }
+  void SetPair(int axis, int index, const double (&c)[4])
+  {
+    const double bottom = c[1] + c[0];
+    const double top = c[3] + c[2];
+    const double bottomDifference = c[1] - c[0];
+    const double topDifference = c[3] - c[2];
+    this->Term[index][axis] = 0.125 * (top + bottom);
+    this->Term[index + 2][axis] = 0.125 * (topDifference + bottomDifference);
+    this->Term[index + 4][axis] = 0.125 * (top - bottom);
+    this->Term[index + 6][axis] = 0.125 * (topDifference - bottomDifference);
   }
 };
 

@@ -113,6 +113,29 @@ Vector<D> Lerp(const Vector<D>& a, const Vector<D>& b, double t)
   return a + t * (b - a);
 }
 
+// In space the same once more, written out: compilers keep these in registers, and so are two to
+// three times as fast with them as with the loops above.
+
+inline Vector3 operator+(const Vector3& a, const Vector3& b)
+{
+  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
+}
+
+inline Vector3 operator-(const Vector3& a, const Vector3& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+inline Vector3 operator*(double factor, const Vector3& a)
+{
+  return { { factor * a[0], factor * a[1], factor * a[2] } };
+}
+
+inline double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 inline Vector3 Cross(const Vector3& a, const Vector3& b)
 {
   return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
