@@ -116,18 +116,12 @@ void ForEachTree(bool withUnsquarable, Test test)
   }
 }
 
-template <class Tree>
-constexpr int DimensionOf(const Tree& tree)
-{
-  return std::extent_v<decltype(tree.GetFrame().Centre.X)>;
-}
-
 /// How far single precision may err in the world for a query that reaches `extent` world units
-/// beyond the set: a few of its units in the last place.
+/// beyond the set: a few of its units in the last place, and the slack that covers them.
 template <int D>
 double FloatError(const skd::Frame<D>& frame, double extent = 0.0)
 {
-  return std::ldexp(1.0 / frame.Scale + extent, -21);
+  return std::ldexp(1.0 / frame.Scale + extent, -20);
 }
 
 using Ids = std::vector<std::uint32_t>;
@@ -153,19 +147,35 @@ inline Ids Sorted(Ids ids)
   return ids;
 }
 
-/// Each element once at most, every one of `must`, and none that is not in `may`.
+/// Each once at most, every one of `must`, and none that is not in `may`.
 inline void ExpectReached(const Ids& reached, const Ids& must, const Ids& may)
 {
   const Ids got = Sorted(reached);
   EXPECT_TRUE(std::adjacent_find(got.begin(), got.end()) == got.end()) << "reached twice";
   Ids missed;
   std::set_difference(must.begin(), must.end(), got.begin(), got.end(), std::back_inserter(missed));
+  EXPECT_TRUE(missed.empty()) << missed.size() << " of " << must.size()
+                              << " missed, one of them: " << missed.front();
   Ids needless;
   std::set_difference(got.begin(), got.end(), may.begin(), may.end(), std::back_inserter(needless));
-  EXPECT_TRUE(missed.empty()) << missed.size() << " of " << must.size()
-                              << " missed, the first: " << missed.front();
-  EXPECT_TRUE(needless.empty()) << needless.size()
-                                << " reached needlessly, the first: " << needless.front();
+  EXPECT_TRUE(needless.empty()) << needless.size() << " of " << got.size()
+                                << " reached needlessly, one of them: " << needless.front();
+}
+
+/// Elements that a query reaches. `make(leaf)` gives the query; the leaf answers every element with
+/// `answer`: go on, or the limit.
+template <class Answer, class Tree, class Make>
+Ids Reached(const Tree& tree, Answer answer, Make make)
+{
+  Ids reached;
+  auto leaf = [&](std::uint32_t element)
+  {
+    reached.push_back(element);
+    return answer;
+  };
+  auto query = make(leaf);
+  skd::Walk(tree, query);
+  return reached;
 }
 
 /// A tree that counts how often a walk opens a node of it.
@@ -179,12 +189,14 @@ public:
   }
 
   bool IsEmpty() const { return this->TheTree.IsEmpty(); }
-  auto& Open(std::uint32_t node) const
+  const auto& Open(std::uint32_t node) const
   {
     ++this->Opened;
     return this->TheTree.Open(node);
   }
   std::uint32_t Element(std::uint32_t position) const { return this->TheTree.Element(position); }
+  const auto& GetFrame() const { return this->TheTree.GetFrame(); }
+  const auto& GetBounds() const { return this->TheTree.GetBounds(); }
 
   mutable std::size_t Opened = 0;
 

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Queries/OverlappingPairs.h"
+#include "Core/Tree/WalkPairs.h"
+#include "CoreSupport.h"
+
+using namespace coretest;
+
+namespace
+{
+
+template <class Type>
+class OverlappingPairsTest : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(OverlappingPairsTest, Dimensions, DimensionNames);
+
+struct Unmoved
+{
+  template <class Box>
+  Box operator()(const Box& box) const
+  {
+    return box;
+  }
+};
+
+/// A turn in the planes of all neighbouring axes, and a shift.
+template <int D>
+struct Motion
+{
+  double Angle;
+  skd::Vector<D> Shift;
+
+  skd::Vector<D> Turned(skd::Vector<D> x) const
+  {
+    for (int axis = 0; axis + 1 < D; ++axis)
+    {
+      const double a = x[axis];
+      const double b = x[axis + 1];
+      x[axis] = std::cos(this->Angle) * a - std::sin(this->Angle) * b;
+      x[axis + 1] = std::sin(this->Angle) * a + std::cos(this->Angle) * b;
+    }
+    return x;
+  }
+
+  skd::Box<D> operator()(const skd::Box<D>& box) const
+  {
+    skd::Vector<D> reach = Filled<D>(0.0);
+    for (int axis = 0; axis < D; ++axis)
+    {
+      const skd::Vector<D> edge = this->Turned(Along<D>(axis, 0.5 * box.Length(axis)));
+      for (int i = 0; i < D; ++i)
+      {
+        reach[i] += std::abs(edge[i]);
+      }
+    }
+    return BoxAround(this->Turned(box.Centroid()) + this->Shift, reach);
+  }
+};
+
+/// A pair as one number.
+std::uint32_t Pair(std::size_t a, std::size_t b)
+{
+  return static_cast<std::uint32_t>(a * 10000 + b);
+}
+
+template <class First, class Second, class ToFirst>
+Ids ReachedPairs(const First& first, const Second& second, const ToFirst& toFirst)
+{
+  constexpr int D = std::extent_v<decltype(first.GetFrame().Centre.X)>;
+  Ids reached;
+  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  {
+    reached.push_back(Pair(a, b));
+    return true;
+  };
+  skd::OverlappingPairs<D, ToFirst, decltype(leaf)> query(
+    first.GetFrame(), second.GetFrame(), toFirst, leaf);
+  skd::WalkPairs(first, second, query);
+  return reached;
+}
+
+/// Pairs that overlap when each box is grown by `margin`, counted from a point near.
+template <int D>
+Ids Pairs(const Boxes<D>& first, const Boxes<D>& second, const skd::Vector<D>& near, double margin)
+{
+  Ids pairs;
+  for (std::size_t a = 0; a < first.size(); ++a)
+  {
+    const skd::Box<D> boxA = skd::Box<D>(first[a].Min - near, first[a].Max - near).Inflated(margin);
+    for (std::size_t b = 0; b < second.size(); ++b)
+    {
+      const skd::Box<D> boxB(second[b].Min - near, second[b].Max - near);
+      if (boxA.Overlaps(boxB))
+      {
+        pairs.push_back(Pair(a, b));
+      }
+    }
+  }
+  return pairs;
+}
+
+template <int D>
+Boxes<D> Moved(Boxes<D> boxes, const Motion<D>& motion)
+{
+  std::transform(boxes.begin(), boxes.end(), boxes.begin(), motion);
+  return boxes;
+}
+
+/// `test(first, second)` for all kinds of pairs of trees.
+template <int D, class Test>
+void ForEachKindOfTrees(const Boxes<D>& first, const Boxes<D>& second, Test test)
+{
+  const skd::Tree<D> firstTree(InputOf(first, 8));
+  const skd::Tree<D> secondTree(InputOf(second, 3));
+  test(firstTree, secondTree);
+  test(firstTree, skd::LazyTree<D>(InputOf(second, 3)));
+  test(skd::LazyTree<D>(InputOf(first, 1)), secondTree);
+  test(skd::LazyTree<D>(InputOf(first, 1)), skd::LazyTree<D>(InputOf(second, 8)));
+}
+
+template <int D>
+void ExpectPairs(const Boxes<D>& first, const Boxes<D>& second)
+{
+  ForEachKindOfTrees<D>(first, second,
+    [&](const auto& firstTree, const auto& secondTree)
+    {
+      // The way from frame to frame leads through the world, whose coordinates are rounded, too.
+      const skd::Vector<D> far = BoundsOf(second).Max;
+      const double error = FloatError(secondTree.GetFrame()) +
+        FloatError(firstTree.GetFrame(), Norm(far - firstTree.GetFrame().Centre)) +
+        std::ldexp(Norm(far), -50);
+      const skd::Vector<D> near = firstTree.GetFrame().Centre;
+      const double noMargin = 0.0;
+      ExpectReached(ReachedPairs(firstTree, secondTree, Unmoved()),
+        Pairs(first, second, Filled<D>(0.0), noMargin), Pairs(first, second, near, error));
+    });
+}
+
+TYPED_TEST(OverlappingPairsTest, AreThoseWhoseBoxesOverlap)
+{
+  constexpr int D = TypeParam::Value;
+  const std::pair<std::size_t, std::size_t> counts[] = { { 0, 9 }, { 9, 0 }, { 1, 1 }, { 1, 65 },
+    { 64, 7 }, { 8, 513 }, { 513, 63 } };
+  for (const auto& [n, m] : counts)
+  {
+    const auto firsts = AllScenes<D>(n, false);
+    const auto seconds = AllScenes<D>(m, false);
+    for (std::size_t i = 0; i < firsts.size(); ++i)
+    {
+      SCOPED_TRACE(firsts[i].Name + " and " + seconds[i].Name);
+      ExpectPairs(firsts[i].Boxes, seconds[i].Boxes);
+    }
+  }
+}
+
+TYPED_TEST(OverlappingPairsTest, OfUnlikeSetsAreThoseWhoseBoxesOverlap)
+{
+  constexpr int D = TypeParam::Value;
+  Boxes<D> spread = RandomBoxes<D>(64, 5);
+  spread.push_back(BoxAround(Filled<D>(1e6), Filled<D>(1.0)));
+  for (const Boxes<D>& second : { spread, Placed<D>(RandomBoxes<D>(65, 6), 0.01, 0.2),
+         Placed<D>(RandomBoxes<D>(65, 7), 1000.0, 3.0), SliverBoxes<D>(65), GradedBoxes<D>(65) })
+  {
+    ExpectPairs(RandomBoxes<D>(513), second);
+    ExpectPairs(second, RandomBoxes<D>(513));
+  }
+}
+
+/// Two frames round differently: boxes that only touch must be found through both.
+TYPED_TEST(OverlappingPairsTest, AreTouchingNeighboursInALattice)
+{
+  constexpr int D = TypeParam::Value;
+  const Boxes<D> lattice = Placed<D>(LatticeBoxes<D>(256), 0.1, 0.7);
+  Boxes<D> same(lattice.begin() + 17, lattice.begin() + 170);
+  same.push_back(BoxAround(Filled<D>(12345.678), Filled<D>(1.0)));
+  ExpectPairs(lattice, same);
+  ExpectPairs(same, lattice);
+}
+
+/// The second set's frame cannot resolve where its little box ends.
+TYPED_TEST(OverlappingPairsTest, TouchThoughOneSetIsHugeAndTheOtherTiny)
+{
+  constexpr int D = TypeParam::Value;
+  for (const double end : { 1e-8, 3e-8, 1e-7, 1e-3 })
+  {
+    const Boxes<D> tiny{ { Filled<D>(end), Filled<D>(10.0 * end) } };
+    const Boxes<D> huge{ { Filled<D>(0.0), Filled<D>(end) }, { Filled<D>(2e9), Filled<D>(2e9) } };
+    const skd::Tree<D> tinyTree(InputOf(tiny, 8));
+    const skd::Tree<D> hugeTree(InputOf(huge, 8));
+    EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(ReachedPairs(hugeTree, tinyTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
+  }
+}
+
+TYPED_TEST(OverlappingPairsTest, AreFoundThroughARigidMotion)
+{
+  constexpr int D = TypeParam::Value;
+  Random random(1);
+  for (const double angle : { 0.0, 0.3, 1.5, 3.0 })
+  {
+    const Motion<D> motion{ angle, random.Point<D>(-0.5, 0.5) };
+    const Boxes<D> first = RandomBoxes<D>(513);
+    const Boxes<D> second = RandomBoxes<D>(65, 9);
+    const Boxes<D> moved = Moved<D>(second, motion);
+    ForEachKindOfTrees<D>(first, second,
+      [&](const auto& firstTree, const auto& secondTree)
+      {
+        ExpectReached(ReachedPairs(firstTree, secondTree, motion),
+          Pairs(first, moved, Filled<D>(0.0), -1e-12), Pairs(first, moved, Filled<D>(0.0), 1e-4));
+      });
+  }
+}
+
+TYPED_TEST(OverlappingPairsTest, OfSetsApartAreNone)
+{
+  constexpr int D = TypeParam::Value;
+  const skd::Tree<D> here(InputOf(RandomBoxes<D>(513), 8));
+  const skd::Tree<D> there(InputOf(Placed<D>(RandomBoxes<D>(513), 1.0, 5.0), 8));
+  EXPECT_TRUE(ReachedPairs(here, there, Unmoved()).empty());
+}
+
+TYPED_TEST(OverlappingPairsTest, EndWhenTheLeafSaysSo)
+{
+  constexpr int D = TypeParam::Value;
+  const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8));
+  int reached = 0;
+  auto leaf = [&reached](std::uint32_t, std::uint32_t) { return ++reached < 3; };
+  const Unmoved unmoved;
+  skd::OverlappingPairs<D, Unmoved, decltype(leaf)> query(
+    tree.GetFrame(), tree.GetFrame(), unmoved, leaf);
+  skd::WalkPairs(tree, tree, query);
+  EXPECT_EQ(reached, 3);
+}
+
+/// A line against itself: each box meets itself and two others, so work grows as the set does.
+TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
+{
+  constexpr int D = TypeParam::Value;
+  const Boxes<D> boxes = LineOfBoxes<D>(4096);
+  const skd::Tree<D> tree(InputOf(boxes, 8));
+  int reached = 0;
+  auto leaf = [&reached](std::uint32_t, std::uint32_t) { return ++reached > 0; };
+  const Unmoved unmoved;
+  skd::OverlappingPairs<D, Unmoved, decltype(leaf)> query(
+    tree.GetFrame(), tree.GetFrame(), unmoved, leaf);
+  const CountedTree first(tree);
+  skd::WalkPairs(first, tree, query);
+  EXPECT_EQ(reached, 3 * 4096 - 2);
+  EXPECT_LE(first.Opened, 40u * tree.NumberOfNodes());
+}
+
+}
