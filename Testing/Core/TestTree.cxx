@@ -257,8 +257,95 @@ TYPED_TEST(TreeTest, SafetyBoxesAreInflatedByTwoEpsilon)
   }
 }
 
-/// Level by level, each split leaves smaller centroids on the left: of equal boxes in a row the
-/// bottom nodes are runs of neighbours.
+/// The boxes of the elements below a lane of a node.
+template <int D>
+void CollectBelow(const skd::Tree<D>& tree, const skd::Node<D>& node, int lane,
+  std::vector<skd::FloatBox<D>>& boxes)
+{
+  if (node.IsBottom)
+  {
+    boxes.push_back(node.Boxes.Get(lane));
+    return;
+  }
+  const skd::Node<D>& child = tree.Open(node.First + static_cast<std::uint32_t>(lane));
+  for (int i = 0; i < child.Count; ++i)
+  {
+    CollectBelow(tree, child, i, boxes);
+  }
+}
+
+template <int D>
+std::vector<skd::FloatBox<D>> Below(
+  const skd::Tree<D>& tree, const skd::Node<D>& node, int firstLane, int lastLane)
+{
+  std::vector<skd::FloatBox<D>> boxes;
+  for (int lane = firstLane; lane < lastLane; ++lane)
+  {
+    CollectBelow(tree, node, lane, boxes);
+  }
+  return boxes;
+}
+
+/// Twice the least (sign = 1) or minus twice the greatest (sign = -1) centroid along an axis.
+template <int D>
+float LeastCentroid(const std::vector<skd::FloatBox<D>>& boxes, int axis, float sign)
+{
+  float least = std::numeric_limits<float>::infinity();
+  for (const skd::FloatBox<D>& box : boxes)
+  {
+    least = std::min(least, sign * (box.Min[axis] + box.Max[axis]));
+  }
+  return least;
+}
+
+template <int D>
+int LongestAxis(const std::vector<skd::FloatBox<D>>& boxes)
+{
+  skd::Box<D> all;
+  for (const skd::FloatBox<D>& box : boxes)
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      all.Min[axis] = std::min<double>(all.Min[axis], box.Min[axis]);
+      all.Max[axis] = std::max<double>(all.Max[axis], box.Max[axis]);
+    }
+  }
+  return all.LongestAxis();
+}
+
+/// The lanes of a node come of halving, and halving again: at each the median divides.
+template <int D>
+void ExpectMedians(const skd::Tree<D>& tree, const skd::Node<D>& node, int first, int last)
+{
+  if (last - first < 2)
+  {
+    return;
+  }
+  const int middle = first + (last - first + 1) / 2;
+  const int axis = LongestAxis(Below(tree, node, first, last));
+  EXPECT_LE(-LeastCentroid(Below(tree, node, first, middle), axis, -1.0f),
+    LeastCentroid(Below(tree, node, middle, last), axis, 1.0f));
+  ExpectMedians(tree, node, first, middle);
+  ExpectMedians(tree, node, middle, last);
+}
+
+TYPED_TEST(TreeTest, MediansAlongTheLongestAxesDivideTheCentroids)
+{
+  constexpr int D = TypeParam::Value;
+  for (const Scene<D>& scene : AllScenes<D>(513, true))
+  {
+    SCOPED_TRACE(scene.Name);
+    const skd::Tree<D> tree(InputOf(scene.Boxes, 3));
+    ForEachNode(tree,
+      [&](std::uint32_t index, int)
+      {
+        const skd::Node<D>& node = tree.Open(index);
+        ExpectMedians(tree, node, 0, node.IsBottom ? 0 : node.Count);
+      });
+  }
+}
+
+/// Of equal boxes in a row the bottom nodes are runs of neighbours.
 TYPED_TEST(TreeTest, SplitsALineIntoRuns)
 {
   constexpr int D = TypeParam::Value;
