@@ -99,7 +99,10 @@ Results RunTables(const Options& options, const std::vector<Kind>& kinds, bool& 
         options, Text([&](std::ostream& out) { PrintScene(out, results.Scenes.back(), kinds); }));
     }
   }
-  Show(options, Text([&](std::ostream& out) { PrintSummary(out, results); }));
+  if (!results.Scenes.empty())
+  {
+    Show(options, Text([&](std::ostream& out) { PrintSummary(out, results); }));
+  }
   return results;
 }
 
