@@ -42,30 +42,22 @@ public:
   }
 
   template <int W>
-  void Keys(const Bundle<D, W>& boxes, float* keys) const
+  unsigned Reach(const Bundle<D, W>& boxes, float* keys) const
   {
-    float leave[W];
-    for (int lane = 0; lane < W; ++lane)
-    {
-      keys[lane] = 0.0f;
-      leave[lane] = 1.0f;
-    }
+    Lanes<W> enter(0.0f);
+    Lanes<W> leave(1.0f);
     for (int axis = 0; axis < D; ++axis)
     {
-      const float* near = this->IsForward[axis] ? boxes.Min[axis] : boxes.Max[axis];
-      const float* far = this->IsForward[axis] ? boxes.Max[axis] : boxes.Min[axis];
-      for (int lane = 0; lane < W; ++lane)
-      {
-        const float entering = (near[lane] - this->NearOrigin[axis]) * this->Inverse[axis];
-        const float leaving = (far[lane] - this->FarOrigin[axis]) * this->Inverse[axis];
-        keys[lane] = entering > keys[lane] ? entering : keys[lane];
-        leave[lane] = leaving < leave[lane] ? leaving : leave[lane];
-      }
+      const Lanes<W> inverse(this->Inverse[axis]);
+      const bool isForward = this->IsForward[axis];
+      const Lanes<W> near = isForward ? boxes.Mins(axis) : boxes.Maxs(axis);
+      const Lanes<W> far = isForward ? boxes.Maxs(axis) : boxes.Mins(axis);
+      enter = Max((near - Lanes<W>(this->NearOrigin[axis])) * inverse, enter);
+      leave = Min((far - Lanes<W>(this->FarOrigin[axis])) * inverse, leave);
     }
-    for (int lane = 0; lane < W; ++lane)
-    {
-      keys[lane] = keys[lane] <= leave[lane] + Slack ? keys[lane] : Never;
-    }
+    enter.Store(keys);
+    return LessEqual(enter, leave + Lanes<W>(Slack)) &
+      LessEqual(enter, Lanes<W>(this->TheLimit));
   }
 
   float Limit() const { return this->TheLimit; }
@@ -73,10 +65,10 @@ public:
   bool Visit(std::uint32_t element)
   {
     const double parameter = this->TheLeaf(element);
-    const double local = std::max(0.0, (parameter - this->Begin) / this->Length);
+    const double local = (parameter - this->Begin) / this->Length;
     if (local < 1.0)
     {
-      this->TheLimit = Frame<D>::RoundUp(local) + Slack;
+      this->TheLimit = Frame<D>::RoundUp(std::max(local, 0.0)) + Slack;
     }
     return true;
   }
@@ -84,7 +76,6 @@ public:
 private:
   /// Above the rounding of a parameter in [0, 1]: a handful of operations of 2^-24 each.
   static constexpr float Slack = 4e-6f;
-  static constexpr float Never = std::numeric_limits<float>::infinity();
 
   /// What points along a segment with these ends are off by, at most.
   static double RoundingOf(const Segment<D>& local)
@@ -120,10 +111,10 @@ private:
 
   double Begin = 0.0;
   double Length = 0.0;
-  bool IsForward[D];
-  float NearOrigin[D];
-  float FarOrigin[D];
-  float Inverse[D];
+  bool IsForward[D] = {};
+  float NearOrigin[D] = {};
+  float FarOrigin[D] = {};
+  float Inverse[D] = {};
   float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
   Leaf& TheLeaf;
 };

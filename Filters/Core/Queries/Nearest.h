@@ -31,9 +31,11 @@ public:
   }
 
   template <int W>
-  void Keys(const Bundle<D, W>& boxes, float* keys) const
+  unsigned Reach(const Bundle<D, W>& boxes, float* keys) const
   {
-    this->Point.MinDistances2(boxes, keys);
+    const Lanes<W> nearest = this->Point.MinDistances2(boxes);
+    nearest.Store(keys);
+    return LessEqual(nearest, Lanes<W>(this->TheLimit));
   }
 
   float Limit() const { return this->TheLimit; }
@@ -69,11 +71,10 @@ public:
   }
 
   template <int W>
-  void Keys(const Bundle<D, W>& boxes, float* keys)
+  unsigned Reach(const Bundle<D, W>& boxes, float* keys)
   {
     float farthest[W];
-    this->Point.MaxDistances2(boxes, farthest);
-    this->Point.MinDistances2(boxes, keys);
+    this->Point.MaxDistances2(boxes).Store(farthest);
     for (int lane = 0; lane < W; ++lane)
     {
       const bool isEmpty = boxes.Min[0][lane] > boxes.Max[0][lane];
@@ -82,6 +83,9 @@ public:
         this->TheLimit = farthest[lane];
       }
     }
+    const Lanes<W> nearest = this->Point.MinDistances2(boxes);
+    nearest.Store(keys);
+    return LessEqual(nearest, Lanes<W>(this->TheLimit));
   }
 
   float Limit() const { return this->TheLimit; }

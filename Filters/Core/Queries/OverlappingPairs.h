@@ -35,7 +35,7 @@ public:
       const double low = box.Min[axis] / this->Second.Scale;
       const double high = box.Max[axis] / this->Second.Scale;
       const double centre = this->Second.Centre[axis];
-      const double rounding = std::numeric_limits<double>::epsilon() *
+      const double rounding = 2.0 * std::numeric_limits<double>::epsilon() *
         (std::abs(centre) + std::max(std::abs(low), std::abs(high)));
       world.Min[axis] = centre + low - rounding;
       world.Max[axis] = centre + high + rounding;

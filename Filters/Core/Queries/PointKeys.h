@@ -26,40 +26,33 @@ public:
   }
 
   template <int W>
-  void MinDistances2(const Bundle<D, W>& boxes, float* keys) const
+  Lanes<W> MinDistances2(const Bundle<D, W>& boxes) const
   {
-    for (int lane = 0; lane < W; ++lane)
+    Lanes<W> sum(0.0f);
+    for (int axis = 0; axis < D; ++axis)
     {
-      float sum = 0.0f;
-      for (int axis = 0; axis < D; ++axis)
-      {
-        const float below = boxes.Min[axis][lane] - this->High[axis];
-        const float above = this->Low[axis] - boxes.Max[axis][lane];
-        float gap = below > above ? below : above;
-        gap = gap > 0.0f ? gap : 0.0f;
-        sum += gap * gap;
-      }
-      keys[lane] = sum;
+      const Lanes<W> below = boxes.Mins(axis) - Lanes<W>(this->High[axis]);
+      const Lanes<W> above = Lanes<W>(this->Low[axis]) - boxes.Maxs(axis);
+      const Lanes<W> gap = Max(Max(below, above), Lanes<W>(0.0f));
+      sum = sum + gap * gap;
     }
+    return sum;
   }
 
   template <int W>
-  void MaxDistances2(const Bundle<D, W>& boxes, float* farthest) const
+  Lanes<W> MaxDistances2(const Bundle<D, W>& boxes) const
   {
+    Lanes<W> sum(0.0f);
+    for (int axis = 0; axis < D; ++axis)
+    {
+      const Lanes<W> fromMin = Lanes<W>(this->High[axis]) - boxes.Mins(axis);
+      const Lanes<W> fromMax = boxes.Maxs(axis) - Lanes<W>(this->Low[axis]);
+      const Lanes<W> reach = Max(fromMin, fromMax);
+      sum = sum + reach * reach;
+    }
     constexpr float slack = 1.0f + 1.0f / (1 << 19);
     constexpr float denormals = 1e-44f;
-    for (int lane = 0; lane < W; ++lane)
-    {
-      float sum = 0.0f;
-      for (int axis = 0; axis < D; ++axis)
-      {
-        const float fromMin = this->High[axis] - boxes.Min[axis][lane];
-        const float fromMax = boxes.Max[axis][lane] - this->Low[axis];
-        const float reach = fromMin > fromMax ? fromMin : fromMax;
-        sum += reach * reach;
-      }
-      farthest[lane] = sum * slack + denormals;
-    }
+    return sum * Lanes<W>(slack) + Lanes<W>(denormals);
   }
 
 private:

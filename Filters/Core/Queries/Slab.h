@@ -25,7 +25,7 @@ public:
     const Vector<D> origin = frame.Local(plane.Origin);
     const double offset = Dot(plane.Normal, origin);
     const double rounding = 1e-15 * Dot(Magnitudes(plane.Normal), Magnitudes(origin));
-    this->Offset = static_cast<float>(offset);
+    this->Offset = Frame<D>::RoundDown(offset); // the slack covers it
     this->HalfWidth = Frame<D>::RoundUp(
       halfWidth * frame.Scale + Slack * (1.0 + std::abs(offset)) + rounding);
     for (int axis = 0; axis < D; ++axis)
@@ -40,18 +40,20 @@ public:
   {
   }
 
+  /// Bit i is set where the box of lane i comes near enough.
   template <int W>
-  bool Overlaps(const Bundle<D, W>& boxes, int lane) const
+  unsigned Overlapping(const Bundle<D, W>& boxes) const
   {
-    float centre = 0.0f;
-    float reach = 0.0f;
+    Lanes<W> distance(-this->Offset);
+    Lanes<W> reach(this->HalfWidth);
     for (int axis = 0; axis < D; ++axis)
     {
-      centre += this->Normal[axis] * (boxes.Min[axis][lane] + boxes.Max[axis][lane]);
-      reach += this->Weights[axis] * (boxes.Max[axis][lane] - boxes.Min[axis][lane]);
+      const Lanes<W> min = boxes.Mins(axis);
+      const Lanes<W> max = boxes.Maxs(axis);
+      distance = distance + Lanes<W>(this->Normal[axis]) * (min + max);
+      reach = reach + Lanes<W>(this->Weights[axis]) * (max - min);
     }
-    const float distance = centre - this->Offset;
-    return (distance < 0.0f ? -distance : distance) <= reach + this->HalfWidth;
+    return LessEqual(distance, reach) & LessEqual(Lanes<W>(0.0f) - distance, reach);
   }
 
 private:

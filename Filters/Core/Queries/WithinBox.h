@@ -23,18 +23,15 @@ public:
   }
 
   template <int W>
-  void Keys(const Bundle<D, W>& boxes, float* keys) const
+  unsigned Reach(const Bundle<D, W>& boxes, float*) const
   {
-    for (int lane = 0; lane < W; ++lane)
+    unsigned overlapping = ~0u;
+    for (int axis = 0; axis < D; ++axis)
     {
-      bool overlaps = true;
-      for (int axis = 0; axis < D; ++axis)
-      {
-        overlaps &= boxes.Min[axis][lane] <= this->Query.Max[axis];
-        overlaps &= this->Query.Min[axis] <= boxes.Max[axis][lane];
-      }
-      keys[lane] = overlaps ? 0.0f : 1.0f;
+      overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Query.Max[axis]));
+      overlapping &= LessEqual(Lanes<W>(this->Query.Min[axis]), boxes.Maxs(axis));
     }
+    return overlapping;
   }
 
   float Limit() const { return 0.0f; }

@@ -25,17 +25,14 @@ public:
   }
 
   template <int W>
-  void Keys(const Bundle<D, W>& boxes, float* keys) const
+  unsigned Reach(const Bundle<D, W>& boxes, float*) const
   {
-    for (int lane = 0; lane < W; ++lane)
+    unsigned overlapping = ~0u;
+    for (const Slab<D>& slab : this->Slabs)
     {
-      bool overlaps = true;
-      for (const Slab<D>& slab : this->Slabs)
-      {
-        overlaps &= slab.Overlaps(boxes, lane);
-      }
-      keys[lane] = overlaps ? 0.0f : 1.0f;
+      overlapping &= slab.Overlapping(boxes);
     }
+    return overlapping;
   }
 
   float Limit() const { return 0.0f; }

@@ -4,6 +4,7 @@
 #define skd_Tree_Node_h
 
 #include "Frame.h"
+#include "Lanes.h"
 
 #include <cstdint>
 
@@ -18,6 +19,9 @@ struct Bundle
 
   float Min[D][W];
   float Max[D][W];
+
+  Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
+  Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
 
   /// All lanes empty: (+max, lowest), which no finite query reaches.
   void Clear()

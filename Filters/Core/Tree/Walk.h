@@ -22,14 +22,14 @@ struct Pending
   Reference What;
 };
 
-/// Push the lanes whose key is within the limit. Ordered: the least key ends on top.
+/// Push the wanted lanes. Ordered: the least key ends on top.
 template <bool Ordered, int D>
-int PushChildren(Pending* stack, int top, const Node<D>& node, const float* keys, float limit)
+int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, const float* keys)
 {
   const int base = top;
-  for (int lane = 0; lane < node.Count; ++lane)
+  for (int lane = 0; wanted != 0; ++lane, wanted >>= 1)
   {
-    if (!(keys[lane] <= limit))
+    if ((wanted & 1u) == 0)
     {
       continue;
     }
@@ -41,7 +41,7 @@ int PushChildren(Pending* stack, int top, const Node<D>& node, const float* keys
         stack[slot] = stack[slot - 1];
       }
     }
-    stack[slot] = { keys[lane], Child(node, lane) };
+    stack[slot] = { Ordered ? keys[lane] : 0.0f, Child(node, lane) };
   }
   return top;
 }
@@ -53,10 +53,12 @@ int PushChildren(Pending* stack, int top, const Node<D>& node, const float* keys
 /// A Tree gives IsEmpty(), Open(node index) -> const Node<D>&, Element(position) -> element index.
 /// A Query is a small value that gives
 ///   static constexpr bool Ordered        visit the least key first?
-///   void Keys(const Bundle&, float*)     per lane a lower bound of what is sought below that box
-///   float Limit()                        keys above it (and NaN) are not wanted any more
+///   unsigned Reach(const Bundle&, float* keys)
+///                                        bit i: lane i is wanted; if Ordered, its key, a lower bound
+///                                        of what is sought below that box, is at most Limit()
+///   float Limit()                        a node whose key is above it is not wanted any more
 ///   bool Visit(element index)            an element was reached; false ends the walk
-/// Depth first, brothers by key. No allocation. O(nodes whose key is within the limit).
+/// Keys are 0 or more: with a negative limit nothing is reached. Depth first, brothers by key. No allocation. O(nodes whose key is within the limit).
 template <class Tree, class Query>
 void Walk(const Tree& tree, Query& query)
 {
@@ -83,9 +85,11 @@ void Walk(const Tree& tree, Query& query)
       continue;
     }
     const auto& node = tree.Open(next.What.Index());
-    float keys[std::decay_t<decltype(node)>::Width];
-    query.Keys(node.Boxes, keys);
-    top = detail::PushChildren<Query::Ordered>(stack, top, node, keys, query.Limit());
+    constexpr int width = std::decay_t<decltype(node)>::Width;
+    float keys[width];
+    const unsigned occupied = (1u << node.Count) - 1u;
+    const unsigned wanted = query.Reach(node.Boxes, keys) & occupied;
+    top = detail::PushChildren<Query::Ordered>(stack, top, node, wanted, keys);
   }
 }
 
