@@ -105,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Leave out cells that vtkGhostType marks as duplicate, refined or hidden. Blanked cells of
-   * structured grids are left out whatever this says. Default on.
+   * Leave out cells that vtkGhostType marks as duplicate or refined. Blanked cells (hidden, or of
+   * structured grids with a hidden point) are left out whatever this says. Default on.
    */
   vtkSetMacro(SkipGhostCells, bool);
   vtkGetMacro(SkipGhostCells, bool);
@@ -251,8 +251,8 @@ public:
     vtkIdList* cells) VTK_SKD_OVERRIDE_UNTIL_97;
 
   /**
-   * The cells whose bounds, grown by `tolerance`, the plane (origin o, normal n of any length)
-   * meets, in the order of the tree.
+   * The cells whose bounds come within the distance `tolerance` of the plane (origin o, normal n of
+   * any length), in the order of the tree.
    */
   void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance,
     vtkIdList* cells) VTK_SKD_OVERRIDE_SINCE_92;

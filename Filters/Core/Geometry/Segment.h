@@ -52,7 +52,7 @@ std::optional<Interval> Clip(const Segment<D>& segment, const Box<D>& box)
     {
       std::swap(enter, leave);
     }
-    if (!(enter <= leave))
+    if (!(enter <= leave && std::isfinite(length)))
     {
       return std::nullopt;
     }
