@@ -88,6 +88,19 @@ VolumePoint ClosestPointOnFaces(
   return nearest;
 }
 
+/// The point of the cell at parametric coordinates of x that are in the domain to within rounding.
+template <class Shape>
+VolumePoint PointFound(const Vector3* points, const Vector3& x, const Vector3& found)
+{
+  if (Shape::InDomain(found))
+  {
+    return { x, found, 0.0 };
+  }
+  const Vector3 pcoords = Shape::ClampToDomain(found);
+  const Vector3 rest = Evaluate<Shape>(points, pcoords, x);
+  return { x + rest, pcoords, Norm2(rest) };
+}
+
 /// The nearest point of a Tetrahedron, Voxel, Hexahedron, Wedge or Pyramid, for any points: warped,
 /// inverted or collapsed. When no point is within sqrt(limit2), Dist2 may be infinite instead (the
 /// rest is then nothing). A NaN gives Dist2 = NaN or infinity.
@@ -111,20 +124,19 @@ VolumePoint ClosestPointInCell(const Vector3* points, const Vector3& x, double l
       return VolumePoint::Nowhere(x);
     }
   }
-  if (gap2 == 0.0)
+  const std::optional<Vector3> found = gap2 == 0.0 ? inverse.Find(guess) : std::nullopt;
+  if (!found)
   {
-    if (const std::optional<Vector3> found = inverse.Find(guess))
-    {
-      if (Shape::InDomain(*found))
-      {
-        return { x, *found, 0.0 };
-      }
-      const Vector3 pcoords = Shape::ClampToDomain(*found);
-      const Vector3 rest = Evaluate<Shape>(points, pcoords, x);
-      return { x + rest, pcoords, Norm2(rest) };
-    }
+    return ClosestPointOnFaces<Shape>(points, x, limit2, face);
   }
-  return ClosestPointOnFaces<Shape>(points, x, limit2, face);
+  const VolumePoint inside = PointFound<Shape>(points, x, *found);
+  const double ulp = std::numeric_limits<double>::epsilon() * (MaxNorm(x) + MaxNorm(points[0]));
+  if (inside.Dist2 <= ulp * ulp)
+  {
+    return inside;
+  }
+  const VolumePoint onFace = ClosestPointOnFaces<Shape>(points, x, inside.Dist2, face);
+  return onFace.Dist2 < inside.Dist2 ? onFace : inside;
 }
 
 }

@@ -82,6 +82,22 @@ struct TrilinearMap
     return part;
   }
 
+  /// Whether a coordinate of the image is nowhere in the cube zero to within rounding.
+  bool IsApartFromZero(double rounding) const
+  {
+    Vector3 reach{ { rounding, rounding, rounding } };
+    for (int term = 1; term < 8; ++term)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        reach[axis] += std::abs(this->Term[term][axis]);
+      }
+    }
+    const Vector3& middle = this->Term[0];
+    return std::abs(middle[0]) > reach[0] || std::abs(middle[1]) > reach[1] ||
+      std::abs(middle[2]) > reach[2];
+  }
+
   /// No image of the cube has a greater coordinate.
   double Size() const
   {

@@ -80,6 +80,7 @@ struct ParameterBox
 struct PrunedBox
 {
   bool IsEmpty = false;
+  bool IsZero = false;  ///< the map is zero at the centre of the box
   bool IsTight = false; ///< the products are small: the map is one to one, slightly beyond, too
   ParameterBox Rest;
   double Shrunk = 1.0; ///< the longest side of the rest relative to that of the box
@@ -89,7 +90,14 @@ struct PrunedBox
   {
     const TrilinearMap part = map.Part(box.Centre, box.Half);
     const Vector3* c = part.Term;
+    this->IsZero = MaxNorm(c[0]) <= rounding;
+    this->IsEmpty = part.IsApartFromZero(rounding);
+    if (this->IsEmpty)
+    {
+      return;
+    }
     const Vector3 rows[3] = { Cross(c[2], c[4]), Cross(c[4], c[1]), Cross(c[1], c[2]) };
+    const double sizes[3] = { MaxNorm(c[1]), MaxNorm(c[2]), MaxNorm(c[4]) };
     const double volume = Dot(c[1], rows[0]);
     double widest = 0.0;
     double shrunk = 0.0;
@@ -98,7 +106,8 @@ struct PrunedBox
       const Vector3& row = rows[axis];
       const double products = std::abs(Dot(row, c[3])) + std::abs(Dot(row, c[5])) +
         std::abs(Dot(row, c[6])) + std::abs(Dot(row, c[7]));
-      const double slack = rounding * (std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+      // Not less where the row is small by cancellation: it is not known better than this.
+      const double slack = 6.0 * rounding * sizes[(axis + 1) % 3] * sizes[(axis + 2) % 3];
       const double spread = (products + slack) / std::abs(volume);
       const double middle = -Dot(row, c[0]) / volume;
       widest = std::max(widest, products / std::abs(volume));
@@ -121,16 +130,27 @@ private:
   }
 };
 
-/// The axis along which the map bends most in the box; -1 when it does not bend.
-inline int BentAxis(const TrilinearMap& map, const ParameterBox& box)
+/// The axis along which the image of the box is longest, of those along which it bends; -1 when the
+/// map is linear in the box.
+inline int AxisToSplit(const TrilinearMap& map, const ParameterBox& box)
 {
   const TrilinearMap part = map.Part(box.Centre, box.Half);
-  const double bend[4] = { MaxNorm(part.Term[3]), MaxNorm(part.Term[5]), MaxNorm(part.Term[6]),
-    MaxNorm(part.Term[7]) };
-  const double byAxis[3] = { bend[0] + bend[1] + bend[3], bend[0] + bend[2] + bend[3],
-    bend[1] + bend[2] + bend[3] };
-  const int axis = static_cast<int>(std::max_element(byAxis, byAxis + 3) - byAxis);
-  return byAxis[axis] > 0.0 ? axis : -1;
+  int longest = -1;
+  double length = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int first = (1 << axis) | (1 << (axis + 1) % 3);
+    const int second = (1 << axis) | (1 << (axis + 2) % 3);
+    const double bend =
+      MaxNorm(part.Term[first]) + MaxNorm(part.Term[second]) + MaxNorm(part.Term[7]);
+    const double lengthAlong = bend + MaxNorm(part.Term[1 << axis]);
+    if (bend > 0.0 && lengthAlong > length)
+    {
+      longest = axis;
+      length = lengthAlong;
+    }
+  }
+  return longest;
 }
 
 /// The search of the whole cube for a root, by halving boxes and cutting off what holds none.
@@ -140,17 +160,21 @@ template <class IsWanted, class MayHold>
 std::optional<Vector3> SearchRoot(
   const TrilinearMap& map, double tolerance, IsWanted&& isWanted, MayHold&& mayHold)
 {
-  constexpr int limit = 64;
+  constexpr int limit = 160;
   ParameterBox stack[limit + 1];
   stack[0] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } } };
   int size = 1;
-  for (int budget = 400; size > 0 && size < limit && budget > 0; --budget)
+  for (int budget = 2000; size > 0 && size < limit && budget > 0; --budget)
   {
     const ParameterBox box = stack[--size];
     PrunedBox pruned(map, box, tolerance);
     if (pruned.IsEmpty || !mayHold(pruned.Rest))
     {
       continue;
+    }
+    if (pruned.IsZero && isWanted(box.Centre))
+    {
+      return box.Centre;
     }
     if (pruned.IsTight)
     {
@@ -164,7 +188,7 @@ std::optional<Vector3> SearchRoot(
         continue;
       }
     }
-    const int axis = pruned.Shrunk < 0.6 ? -1 : BentAxis(map, pruned.Rest);
+    const int axis = pruned.Shrunk < 0.6 ? -1 : AxisToSplit(map, pruned.Rest);
     if (axis >= 0)
     {
       stack[size++] = pruned.Rest.SplitOffUpper(axis);
