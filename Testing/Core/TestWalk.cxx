@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoreSupport.h"
+
+using namespace coretest;
+
+namespace
+{
+
+/// A query whose keys are the lower ends of the boxes along an axis.
+template <bool IsOrdered>
+struct LowerEnds
+{
+  static constexpr bool Ordered = IsOrdered;
+
+  template <int W>
+  unsigned Reach(const skd::Bundle<1, W>& boxes, float* keys) const
+  {
+    boxes.Mins(0).Store(keys);
+    return LessEqual(boxes.Mins(0), skd::Lanes<W>(this->TheLimit));
+  }
+  float Limit() const { return this->TheLimit; }
+  bool Visit(std::uint32_t element)
+  {
+    this->Visited.push_back(element);
+    return this->Visited.size() < this->Most;
+  }
+
+  float TheLimit = std::numeric_limits<float>::infinity();
+  std::size_t Most = std::numeric_limits<std::size_t>::max();
+  Ids Visited;
+};
+
+/// A row of boxes whose indices are shuffled: IndexAt[place] is the index of the box at a place.
+struct ShuffledLine
+{
+  explicit ShuffledLine(std::size_t count)
+    : IndexAt(count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->IndexAt[i] = static_cast<std::uint32_t>(i);
+    }
+    std::shuffle(this->IndexAt.begin(), this->IndexAt.end(), std::mt19937_64(1));
+    Boxes<1> boxes(count);
+    for (std::size_t place = 0; place < count; ++place)
+    {
+      boxes[this->IndexAt[place]] = LineOfBoxes<1>(count)[place];
+    }
+    this->Tree = skd::Tree<1>(InputOf(boxes, 3));
+  }
+
+  Ids IndexAt;
+  skd::Tree<1> Tree;
+};
+
+TEST(Walk, VisitsTheLeastKeyFirst)
+{
+  const ShuffledLine line(513);
+  LowerEnds<true> query;
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(query.Visited, line.IndexAt);
+}
+
+TEST(Walk, VisitsAllWithoutAnOrder)
+{
+  const ShuffledLine line(513);
+  LowerEnds<false> query;
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(Sorted(query.Visited), Sorted(line.IndexAt));
+}
+
+TEST(Walk, VisitsKeysAtTheLimitAndNoneAbove)
+{
+  const ShuffledLine line(65);
+  LowerEnds<true> query;
+  query.TheLimit = line.Tree.GetFrame().Down(40.0, 0);
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 41));
+}
+
+TEST(Walk, EndsWhenVisitSaysSo)
+{
+  const ShuffledLine line(65);
+  LowerEnds<true> query;
+  query.Most = 7;
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 7));
+}
+
+TEST(Walk, OfAnEmptyTreeVisitsNothing)
+{
+  LowerEnds<true> query;
+  skd::Walk(skd::Tree<1>(), query);
+  EXPECT_TRUE(query.Visited.empty());
+}
+
+TEST(Walk, WithANaNLimitVisitsNothing)
+{
+  const ShuffledLine line(65);
+  LowerEnds<true> query;
+  query.TheLimit = std::numeric_limits<float>::quiet_NaN();
+  skd::Walk(line.Tree, query);
+  EXPECT_TRUE(query.Visited.empty());
+}
+
+/// Says of every lane that it is wanted, of those too that hold nothing.
+struct WantsAll : LowerEnds<false>
+{
+  template <int W>
+  unsigned Reach(const skd::Bundle<1, W>&, float*) const
+  {
+    return ~0u;
+  }
+};
+
+TEST(Walk, NeverVisitsLanesThatHoldNothing)
+{
+  const ShuffledLine line(65);
+  WantsAll query;
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(Sorted(query.Visited), Sorted(line.IndexAt));
+}
+
+/// A limit that falls while the walk goes on: what was pushed before it fell is left alone.
+struct EndsAfter : LowerEnds<true>
+{
+  bool Visit(std::uint32_t element)
+  {
+    this->Visited.push_back(element);
+    this->TheLimit = this->Fallen;
+    return true;
+  }
+
+  float Fallen = 0.0f;
+};
+
+TEST(Walk, LeavesAloneWhatAFallenLimitExcludes)
+{
+  const ShuffledLine line(513);
+  EndsAfter query;
+  query.Fallen = line.Tree.GetFrame().Down(5.0, 0);
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 6));
+}
+
+/// As deep as the largest number of elements makes a tree, and every node full. Nodes are numbered
+/// by their level alone.
+class DeepestTree
+{
+public:
+  static constexpr std::uint32_t Levels = 11;
+
+  DeepestTree()
+  {
+    for (std::uint32_t level = 0; level <= Levels; ++level)
+    {
+      skd::Node<1>& node = this->Nodes[level];
+      node.Boxes.Clear();
+      node.Count = 8;
+      node.IsBottom = level == Levels;
+      for (int lane = 0; lane < 8; ++lane)
+      {
+        node.Boxes.Set(lane, { { 0.0f }, { 1.0f } });
+      }
+    }
+  }
+
+  bool IsEmpty() const { return false; }
+  const skd::Node<1>& Open(std::uint32_t node) const
+  {
+    this->Deepest = std::max(this->Deepest, node / 8);
+    skd::Node<1>& opened = this->Nodes[std::min(node / 8, Levels)];
+    opened.First = 8 * (node / 8 + 1);
+    return opened;
+  }
+  std::uint32_t Element(std::uint32_t position) const { return position; }
+
+  mutable std::uint32_t Deepest = 0;
+
+private:
+  mutable skd::Node<1> Nodes[Levels + 1];
+};
+
+TEST(Walk, HasRoomForTheDeepestTree)
+{
+  const DeepestTree tree;
+  for (const std::size_t most : { 1u, 8u, 1000u })
+  {
+    LowerEnds<true> query;
+    query.Most = most;
+    skd::Walk(tree, query);
+    EXPECT_EQ(query.Visited.size(), most);
+    EXPECT_EQ(tree.Deepest, DeepestTree::Levels);
+  }
+}
+
+}
