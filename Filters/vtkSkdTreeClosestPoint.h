@@ -21,8 +21,8 @@
  * | SkdClosestBlockIndex | int    | 1          | flat index of the source's block     | -1   |
  * (the last only of a composite Source) and by choice the source's point data interpolated, and its
  * cell data taken, at the nearest point (see InterpolateSourceData). "None" is a point farther than
- * MaximumDistance, or not finite, or not reached before the execution was aborted. SkdDistance
- * becomes the active scalars.
+ * MaximumDistance, or not finite. SkdDistance becomes the active scalars. An execution that is
+ * aborted leaves "none" where it did not get to; VTK 9.3 and later then empties the output.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (that have an
  * answer), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
@@ -80,8 +80,8 @@ public:
    * Give the distance a sign, negative inside the closed surface that Source is or that bounds it:
    * the boundary of its volume cells, or of a Source without any its surface cells. The distance is
    * then the one to that surface, and SkdClosestCellId a cell that has the nearest point on it;
-   * vertices and lines are not searched. Polygons with more than four corners are triangulated and
-   * non-linear cells cut into linear ones.
+   * vertices and lines are not searched. Faces are cut into triangles (of a warped quad two), and
+   * non-linear cells into linear ones.
    *
    * Points of equal coordinates are one, faces between two volume cells are no boundary, of
    * whatever blocks they are. Inside is decided by the parity of exact crossings, so orientation

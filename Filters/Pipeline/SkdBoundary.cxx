@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBoundary.h"
 
+#include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataSetSurfaceFilter.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPolygon.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -31,19 +28,6 @@ struct Face
   int Copies; // how many of it the boundary has; 0 of an inner face and of a repetition
 };
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh)
-{
-  if (auto surface = vtkPolyData::SafeDownCast(mesh))
-  {
-    return surface;
-  }
-  vtkNew<vtkDataSetSurfaceFilter> filter;
-  filter->SetInputData(mesh);
-  filter->PassThroughCellIdsOn();
-  filter->Update();
-  return filter->GetOutput();
-}
-
 /// The faces of all leaves, and what becomes of them.
 class FaceList
 {
@@ -57,8 +41,7 @@ public:
 
 private:
   void AddLeaf(int leaf, vtkDataSet* mesh);
-  void AddFace(const SkdBoundary::Origin& origin, bool ofVolume, vtkPolyData* surface,
-    vtkIdType size, const vtkIdType* corners);
+  void AddFace(Face face, const SkdLeafSurface& surface, vtkIdType size, const vtkIdType* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
 
   template <typename Predicate>
@@ -66,7 +49,6 @@ private:
   template <typename Predicate>
   vtkSmartPointer<vtkPolyData> MakeSurface(
     const Predicate& isIncluded, std::vector<SkdBoundary::Origin>* origins) const;
-  void Triangulate(const Face& face, vtkIdList* triangles) const;
 
   SkdWeld Weld;
   std::vector<Face> Faces;
@@ -86,27 +68,14 @@ FaceList::FaceList(const std::vector<SkdLeaf>& leaves)
 
 void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
 {
-  auto surface = SurfaceOf(mesh);
-  auto originals = mesh == surface.Get()
-    ? nullptr
-    : vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray("vtkOriginalCellIds"));
-  vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray();
-  vtkNew<vtkGenericCell> cell;
+  SkdLeafSurface surface(mesh);
+  vtkPolyData* polygons = surface.Get();
+  vtkUnsignedCharArray* ghosts = polygons->GetCellGhostArray();
   vtkNew<vtkIdList> ids;
-  const auto add = [&](vtkIdType id, vtkIdType size, const vtkIdType* corners)
+  vtkIdType id = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
+  for (vtkCellArray* cells : { polygons->GetPolys(), polygons->GetStrips() })
   {
-    const vtkIdType original = originals ? originals->GetValue(id) : id;
-    if (originals)
-    {
-      mesh->GetCell(original, cell);
-    }
-    const bool ofVolume = originals && cell->GetCellDimension() == 3;
-    this->AddFace({ leaf, original }, ofVolume, surface, size, corners);
-  };
-
-  vtkIdType id = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
+    const bool isStrip = cells == polygons->GetStrips();
     for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++id)
     {
       if (ghosts && ghosts->GetValue(id))
@@ -114,26 +83,26 @@ void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
         continue;
       }
       cells->GetCellAtId(i, ids);
-      const bool isStrip = cells == surface->GetStrips();
+      const Face like{ 0, 0, { leaf, surface.GetCellId(id) }, surface.IsOfVolume(id), 0 };
       const vtkIdType size = ids->GetNumberOfIds();
       for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
       {
-        add(id, isStrip ? 3 : size, ids->GetPointer(k));
+        this->AddFace(like, surface, isStrip ? 3 : size, ids->GetPointer(k));
       }
     }
   }
 }
 
 // Corners that the welding made equal to their neighbour go; what then has no area is no face.
-void FaceList::AddFace(const SkdBoundary::Origin& origin, bool ofVolume, vtkPolyData* surface,
-  vtkIdType size, const vtkIdType* corners)
+void FaceList::AddFace(
+  Face face, const SkdLeafSurface& surface, vtkIdType size, const vtkIdType* corners)
 {
-  Face face{ this->Corners.size(), 0, origin, ofVolume, 0 };
+  face.First = this->Corners.size();
   bool isFinite = true;
   for (vtkIdType i = 0; i < size; ++i)
   {
     double x[3];
-    surface->GetPoint(corners[i], x);
+    surface.GetPoint(corners[i], x);
     isFinite = isFinite && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
     const vtkIdType id = isFinite ? this->Weld.GetId(x) : -1;
     if (this->Corners.size() == face.First || this->Corners.back() != id)
@@ -250,66 +219,31 @@ vtkIdType FaceList::CountOddEdges(const Predicate& isWall) const
   return odd;
 }
 
-void FaceList::Triangulate(const Face& face, vtkIdList* triangles) const
-{
-  vtkNew<vtkPolygon> polygon;
-  polygon->PointIds->SetNumberOfIds(face.Size);
-  polygon->Points->SetDataTypeToDouble();
-  polygon->Points->SetNumberOfPoints(face.Size);
-  for (int i = 0; i < face.Size; ++i)
-  {
-    const vtkIdType corner = this->Corners[face.First + i];
-    polygon->PointIds->SetId(i, corner);
-    polygon->Points->SetPoint(i, this->Weld.GetPoints()->GetPoint(corner));
-  }
-  vtkNew<vtkPoints> unused;
-  if (polygon->Triangulate(0, triangles, unused) &&
-    triangles->GetNumberOfIds() == 3 * (face.Size - 2))
-  {
-    return;
-  }
-  triangles->Reset(); // a polygon that crosses itself, say: a fan at least opens no edge
-  for (int i = 1; i + 1 < face.Size; ++i)
-  {
-    for (int corner : { 0, i, i + 1 })
-    {
-      triangles->InsertNextId(this->Corners[face.First + corner]);
-    }
-  }
-}
-
 template <typename Predicate>
 vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
   const Predicate& isIncluded, std::vector<SkdBoundary::Origin>* origins) const
 {
-  vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkIdList> triangles;
+  vtkNew<vtkCellArray> cells;
+  SkdTriangulation triangulation(this->Weld.GetPoints());
   for (const Face& face : this->Faces)
   {
     if (!isIncluded(face))
     {
       continue;
     }
-    if (face.Size <= 4)
+    vtkIdList* triangles = triangulation.Cut(this->Corners.data() + face.First, face.Size);
+    for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
     {
-      polygons->InsertNextCell(face.Size, this->Corners.data() + face.First);
-    }
-    else
-    {
-      this->Triangulate(face, triangles);
-      for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
-      {
-        polygons->InsertNextCell(3, triangles->GetPointer(i));
-      }
+      cells->InsertNextCell(3, triangles->GetPointer(i));
     }
     if (origins)
     {
-      origins->resize(polygons->GetNumberOfCells(), face.Origin);
+      origins->resize(cells->GetNumberOfCells(), face.Origin);
     }
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(this->Weld.GetPoints());
-  surface->SetPolys(polygons);
+  surface->SetPolys(cells);
   return surface;
 }
 

@@ -29,7 +29,8 @@ struct SkdBoundary
     vtkIdType CellId;
   };
 
-  /// Triangles and quads, by ascending (leaf, cell id); other polygons come triangulated.
+  /// Triangles, by ascending (leaf, cell id). Larger faces are cut: a warped quad has no crossings
+  /// that are exact and fit its distances, two triangles have.
   vtkSmartPointer<vtkPolyData> Faces;
   std::vector<Origin> Origins; // one a face
 

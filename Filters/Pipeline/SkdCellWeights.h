@@ -3,6 +3,7 @@
 #ifndef SkdCellWeights_h
 #define SkdCellWeights_h
 
+#include "Core/Geometry/Vector.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
 
@@ -10,23 +11,36 @@
 
 class vtkDataSet;
 
-/// The weights by which a cell interpolates at one of its points. One a thread.
+/// The weights by which a cell interpolates at one of its points, exact for linear fields. One
+/// object a thread.
 class SkdCellWeights
 {
 public:
-  /// Sets the weights at x, a point of the cell. A cell that has no weights of its own there (a
-  /// triangle without area, say) interpolates along its nearest edge, else takes its nearest point.
+  /// Sets the weights at x, a point of the cell: those of VTK's cell, improved. A cell that has no
+  /// weights of its own there (a triangle without area, say) interpolates along its nearest edge,
+  /// else takes its nearest corner.
   void Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double x[3]);
 
   vtkIdList* GetPointIds() { return this->Cell->GetPointIds(); }
   double* GetWeights() { return this->Weights.data(); }
 
 private:
-  bool UseEdge(const double x[3]);
-  void UsePoint(const double x[3]);
+  using Vector = skd::Vector3;
+
+  void EvaluateByCell(const Vector& x);
+  void Improve(const Vector& x);
+  Vector GetResidual(const Vector& x, const std::vector<double>& weights) const;
+  bool MakeStep(const Vector& residual);
+  void Shift(const Vector& residual);
+  bool UseEdge(const Vector& x);
+  void UseCorner(const Vector& x);
 
   vtkNew<vtkGenericCell> Cell;
+  std::vector<Vector> Corners;
   std::vector<double> Weights;
+  double PCoords[3];
+  std::vector<double> Next;
+  std::vector<double> Derivatives;
 };
 
 #endif

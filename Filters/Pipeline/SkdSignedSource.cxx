@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSignedSource.h"
 
+#include "Pipeline/SkdSourceTrees.h"
 #include "vtkBoundingBox.h"
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-namespace
-{
-vtkSmartPointer<vtkSkdTreeCellLocator> LocatorOf(vtkPolyData* surface)
-{
-  auto locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
-  locator->SetDataSet(surface);
-  return locator;
-}
-}
 
 bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
 {
@@ -28,35 +19,33 @@ bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
 
 int SkdSignedSource::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
 {
-  if (!this->IsSameAs(leaves))
+  const bool isSame = this->IsSameAs(leaves);
+  if (!isSame)
   {
-    this->Meshes.resize(leaves.size());
-    std::vector<SkdLeaf> structures = leaves;
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-    {
-      this->Meshes[i].Keep(leaves[i].Mesh);
-      structures[i].Mesh = this->Meshes[i].Get();
-    }
-    this->Boundary = SkdBoundaryOf(structures);
-    this->Boundary.Walls->GetCellsBounds(this->Bounds);
-    this->Faces = LocatorOf(this->Boundary.Faces);
-    const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
-    this->Walls = isOne ? this->Faces : LocatorOf(this->Boundary.Walls);
+    this->MakeBoundary(leaves);
   }
-  return this->BuildTrees(epsilon);
-}
-
-int SkdSignedSource::BuildTrees(double epsilon)
-{
-  int built = 0;
-  for (vtkSkdTreeCellLocator* locator : { this->Faces.Get(), this->Walls.Get() })
+  int built = SkdBuildLocator(this->Faces, epsilon, !isSame);
+  if (this->Walls != this->Faces)
   {
-    locator->SetEpsilon(epsilon);
-    const vtkMTimeType before = locator->GetBuildTime();
-    locator->BuildLocator();
-    built += locator->GetBuildTime() != before;
+    built += SkdBuildLocator(this->Walls, epsilon, !isSame);
   }
   return built;
+}
+
+void SkdSignedSource::MakeBoundary(const std::vector<SkdLeaf>& leaves)
+{
+  this->Meshes.resize(leaves.size());
+  std::vector<SkdLeaf> structures = leaves;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    this->Meshes[i].Keep(leaves[i].Mesh);
+    structures[i].Mesh = this->Meshes[i].Get();
+  }
+  this->Boundary = SkdBoundaryOf(structures);
+  this->Boundary.Walls->GetCellsBounds(this->Bounds);
+  this->Faces = SkdMakeLocator(this->Boundary.Faces);
+  const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
+  this->Walls = isOne ? this->Faces : SkdMakeLocator(this->Boundary.Walls);
 }
 
 std::optional<SkdNearest> SkdSignedSource::FindNearest(

@@ -50,7 +50,7 @@ private:
   using WayOut = std::array<double, 3>; // a vector from a point within the bounds to one outside
 
   bool IsSameAs(const std::vector<SkdLeaf>& leaves) const;
-  int BuildTrees(double epsilon);
+  void MakeBoundary(const std::vector<SkdLeaf>& leaves);
   std::array<WayOut, 7> GetWaysOut(const double x[3]) const;
   bool HasOddCrossings(const double x[3], const WayOut& way) const;
 

@@ -6,21 +6,34 @@
 #include <cmath>
 #include <limits>
 
+vtkSmartPointer<vtkSkdTreeCellLocator> SkdMakeLocator(vtkDataSet* mesh)
+{
+  auto locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
+  locator->SetDataSet(mesh);
+  locator->UseExistingSearchStructureOn();
+  return locator;
+}
+
+bool SkdBuildLocator(vtkSkdTreeCellLocator* locator, double epsilon, bool isNew)
+{
+  const bool isDue = isNew || locator->GetEpsilon() != epsilon;
+  if (isDue)
+  {
+    locator->SetEpsilon(epsilon);
+    locator->ForceBuildLocator();
+  }
+  return isDue;
+}
+
 bool SkdSourceTrees::Tree::Update(vtkDataSet* mesh, double epsilon)
 {
-  if (!this->Locator)
-  {
-    this->Locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
-  }
-  if (!this->Mesh.IsSameAs(mesh))
+  const bool isSame = this->Mesh.IsSameAs(mesh);
+  if (!isSame)
   {
     this->Mesh.Keep(mesh);
-    this->Locator->SetDataSet(this->Mesh.Get());
+    this->Locator = SkdMakeLocator(this->Mesh.Get());
   }
-  this->Locator->SetEpsilon(epsilon);
-  const vtkMTimeType before = this->Locator->GetBuildTime();
-  this->Locator->BuildLocator();
-  return this->Locator->GetBuildTime() != before;
+  return SkdBuildLocator(this->Locator, epsilon, !isSame);
 }
 
 int SkdSourceTrees::Update(const std::vector<SkdLeaf>& leaves, double epsilon)

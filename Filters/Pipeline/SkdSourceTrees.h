@@ -16,6 +16,12 @@
 #include <optional>
 #include <vector>
 
+/// A locator that builds when it is told to, and does not look for changes in each query.
+vtkSmartPointer<vtkSkdTreeCellLocator> SkdMakeLocator(vtkDataSet* mesh);
+
+/// Builds such a locator's tree if it is new or epsilon is another. Returns whether it did.
+bool SkdBuildLocator(vtkSkdTreeCellLocator* locator, double epsilon, bool isNew);
+
 class SkdSourceTrees
 {
 public:

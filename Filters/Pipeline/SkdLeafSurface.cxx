@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdLeafSurface.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkExplicitStructuredGrid.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+// VTK's surface of an explicit structured grid has an original cell id that was never set.
+vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* explicitGrid)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(explicitGrid->GetPoints());
+  grid->SetCells(VTK_HEXAHEDRON, explicitGrid->GetCells());
+  grid->GetCellData()->AddArray(explicitGrid->GetCellGhostArray());
+  return grid;
+}
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh)
+{
+  if (auto surface = vtkPolyData::SafeDownCast(mesh))
+  {
+    return surface;
+  }
+  auto explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(mesh);
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(mesh);
+  if (explicitGrid)
+  {
+    filter->SetInputData(AsUnstructured(explicitGrid));
+  }
+  filter->PassThroughCellIdsOn();
+  filter->PassThroughPointIdsOn();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+}
+
+SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh)
+  : Mesh(mesh)
+  , Surface(SurfaceOf(mesh))
+{
+  if (mesh != this->Surface.Get())
+  {
+    this->CellIds =
+      vtkIdTypeArray::SafeDownCast(this->Surface->GetCellData()->GetArray("vtkOriginalCellIds"));
+    this->PointIds =
+      vtkIdTypeArray::SafeDownCast(this->Surface->GetPointData()->GetArray("vtkOriginalPointIds"));
+  }
+}
+
+vtkIdType SkdLeafSurface::GetCellId(vtkIdType cell) const
+{
+  return this->CellIds ? this->CellIds->GetValue(cell) : cell;
+}
+
+bool SkdLeafSurface::IsOfVolume(vtkIdType cell)
+{
+  if (!this->CellIds)
+  {
+    return false;
+  }
+  this->Mesh->GetCell(this->CellIds->GetValue(cell), this->Cell);
+  return this->Cell->GetCellDimension() == 3;
+}
+
+// VTK's surface of a structured grid has its points rounded to float: look at the original's.
+void SkdLeafSurface::GetPoint(vtkIdType point, double x[3]) const
+{
+  const vtkIdType original = this->PointIds ? this->PointIds->GetValue(point) : -1;
+  vtkDataSet* from = original >= 0 ? this->Mesh : this->Surface.Get();
+  from->GetPoint(original >= 0 ? original : point, x);
+}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdTriangulation_h
+#define SkdTriangulation_h
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolygon.h"
+
+/// Cuts polygons into triangles, without new points: n corners give n - 2 triangles, so no edge is
+/// opened. A quad is cut along the diagonal that lies within it, of two the shorter.
+class SkdTriangulation
+{
+public:
+  explicit SkdTriangulation(vtkPoints* points);
+
+  /// The corners of the triangles, three a triangle. Valid until the next call.
+  vtkIdList* Cut(const vtkIdType* corners, int size);
+
+private:
+  void AddFan(const vtkIdType* corners, int size, int first);
+  int GetFirstOfQuad(const vtkIdType* corners) const;
+  bool CutPolygon(const vtkIdType* corners, int size);
+
+  vtkPoints* Points;
+  vtkNew<vtkIdList> Triangles;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkPoints> Unused;
+};
+
+#endif
