@@ -77,9 +77,9 @@ bool vtkSkdTreeCellLocator::IsUpToDate()
   {
     return false;
   }
-  const bool hasChanged = this->BuildTime < this->MTime ||
-    (this->DataSet && this->BuildTime < this->DataSet->GetMTime());
-  return this->UseExistingSearchStructure || !hasChanged;
+  return this->UseExistingSearchStructure ||
+    (this->BuildTime > this->MTime &&
+      (!this->DataSet || this->BuildTime > this->DataSet->GetMTime()));
 }
 
 //------------------------------------------------------------------------------

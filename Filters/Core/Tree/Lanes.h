@@ -50,7 +50,10 @@ inline unsigned Bits(TruthVector truth)
   unsigned bits = 0;
   for (int i = 0; i < VectorWidth; ++i)
   {
-    bits |= (truth[i] != 0 ? 1u : 0u) << i;
+    if (truth[i] != 0)
+    {
+      bits |= 1u << i;
+    }
   }
   return bits;
 #endif
