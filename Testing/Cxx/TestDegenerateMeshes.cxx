@@ -112,29 +112,40 @@ std::vector<NamedMesh> DegenerateMeshes()
     { "Slivers", [] { return MakePolyData(Slivers(1e-6)); } },
     { "ThinnestSlivers", [] { return MakePolyData(Slivers(1e-13)); } },
     { "EachCellThrice", [] { return MakePolyData(Repeated(SphereTriangles(5), 3)); } },
-    { "OneCellAThousandTimes",
-      [] { return MakePolyData(Repeated(TriangleSoup(1, 0.5), 1000)); } },
+    { "OneCellAThousandTimes", [] { return MakePolyData(Repeated(TriangleSoup(1, 0.5), 1000)); } },
     { "OneCentroid", [] { return MakePolyData(Concentric(100)); } },
     { "CollapsedHexahedra", [] { return MakeGrid(CollapsedHexahedra()); } },
     { "FlatTetrahedra", [] { return MakeGrid(FlatTetrahedra()); } },
     { "QuadsOnALine", [] { return MakePolyData(FlatQuadsToLines()); } },
     { "LinesOfNoLength",
-      [] {
-        return MakePolyData(
-          Helix(50, VTK_LINE).Map([](const Point& p) { return Point{ std::round(p[2]), 0, 0 }; }));
+      []
+      {
+        return MakePolyData(Helix(50, VTK_LINE)
+                              .Map(
+                                [](const Point& p) {
+                                  return Point{ std::round(p[2]), 0, 0 };
+                                }));
       } },
     { "AllInOnePoint",
-      [] {
-        return MakePolyData(
-          Sheet(4, VTK_TRIANGLE).Map([](const Point&) { return Point{ 1, 2, 3 }; }));
+      []
+      {
+        return MakePolyData(Sheet(4, VTK_TRIANGLE)
+                              .Map(
+                                [](const Point&) {
+                                  return Point{ 1, 2, 3 };
+                                }));
       } },
     { "OneVertex", [] { return MakePolyData(Cloud(1, VTK_VERTEX)); } },
     { "OneTriangle", [] { return MakePolyData(TriangleSoup(1, 1)); } },
     { "TwoTriangles", [] { return MakePolyData(TriangleSoup(2, 1)); } },
     { "FlatInX",
-      [] {
-        return MakePolyData(Sheet(7, VTK_TRIANGLE).Map(
-          [](const Point& p) { return Point{ -3, p[0], p[1] }; }));
+      []
+      {
+        return MakePolyData(Sheet(7, VTK_TRIANGLE)
+                              .Map(
+                                [](const Point& p) {
+                                  return Point{ -3, p[0], p[1] };
+                                }));
       } } };
 }
 
@@ -148,10 +159,7 @@ protected:
   {
   }
 
-  Point Query(Random& random)
-  {
-    return random.InBox(Grown(this->Reference.GetBounds(), 0.5));
-  }
+  Point Query(Random& random) { return random.InBox(Grown(this->Reference.GetBounds(), 0.5)); }
 
   DataSetPointer Data;
   LocatorPointer Locator;
@@ -172,8 +180,9 @@ TEST_P(Degenerate, ClosestPointIsTheNearest)
   {
     const Point x = this->Query(random);
     const Closest c = FindClosest(this->Locator, x);
-    ASSERT_NEAR(std::sqrt(c.Dist2), this->Reference.FindNearest(x).Distance,
-      this->Reference.Tolerance()) << "query " << i;
+    ASSERT_NEAR(
+      std::sqrt(c.Dist2), this->Reference.FindNearest(x).Distance, this->Reference.Tolerance())
+      << "query " << i;
     ASSERT_NEAR(Distance(c.X, x), std::sqrt(c.Dist2), this->Reference.Tolerance());
   }
 }
@@ -289,7 +298,9 @@ TEST(DegenerateCells, WithPointsThatDoNotExistAreLeftOut)
 TEST(DegenerateCells, OfASliverClosedSurfaceKeepParity)
 {
   const Mesh mesh = CubeTriangles(4).Map(
-    [](const Point& p) { return Point{ p[0], p[1], 1e-9 * p[2] }; });
+    [](const Point& p) {
+      return Point{ p[0], p[1], 1e-9 * p[2] };
+    });
   const auto data = MakePolyData(mesh);
   const auto locator = MakeLocator(data);
   Random random(186);

@@ -20,8 +20,8 @@ std::vector<std::pair<const char*, std::function<Mesh()>>> Shapes()
     { "Tetrahedra", [] { return Tetrahedra(3).Map(Bent); } },
     { "Hexahedra", [] { return Hexahedra(3).Map(Bent); } },
     { "Wedges", [] { return Wedges(3).Map(Bent); } },
-    { "Pyramids", [] { return Pyramids(3).Map(Bent); } },
-    { "Voxels", [] { return Voxels(3); } }, { "Polygons", [] { return Hexagons(4); } } };
+    { "Pyramids", [] { return Pyramids(3).Map(Bent); } }, { "Voxels", [] { return Voxels(3); } },
+    { "Polygons", [] { return Hexagons(4); } } };
 }
 
 /// Powers of two: a scaled mesh is exactly the same mesh, so its answers are the same scaled.
@@ -32,9 +32,8 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Exponents, Scales, testing::Values(-100, -27, 40, 100),
-  [](const testing::TestParamInfo<int>& info) {
-    return (info.param < 0 ? "Minus" : "Plus") + std::to_string(std::abs(info.param));
-  });
+  [](const testing::TestParamInfo<int>& info)
+  { return (info.param < 0 ? "Minus" : "Plus") + std::to_string(std::abs(info.param)); });
 
 TEST_P(Scales, KeepTheClosestPoint)
 {
@@ -102,8 +101,8 @@ TEST_P(Scales, KeepTheCells)
         ASSERT_EQ(FindCell(away, this->Factor * x, scaledTolerance * scaledTolerance).Cell,
           FindCell(atHome, x, tolerance * tolerance).Cell);
       }
-      ASSERT_EQ(FindClosestCells(away, this->Factor * x, 5).Cells,
-        FindClosestCells(atHome, x, 5).Cells);
+      ASSERT_EQ(
+        FindClosestCells(away, this->Factor * x, 5).Cells, FindClosestCells(atHome, x, 5).Cells);
       ASSERT_EQ(FindWithinRadius(away, this->Factor * x, 0.5 * this->Factor).Cells,
         FindWithinRadius(atHome, x, 0.5).Cells);
     }

@@ -32,8 +32,8 @@ protected:
   {
     LineHit h;
     h.Cell = -1;
-    h.Found = this->Theirs->IntersectWithLine(p1.data(), p2.data(), tol, h.T, h.X.data(),
-      h.Pcoords.data(), h.SubId, h.Cell, this->Cell);
+    h.Found = this->Theirs->IntersectWithLine(
+      p1.data(), p2.data(), tol, h.T, h.X.data(), h.Pcoords.data(), h.SubId, h.Cell, this->Cell);
     return h;
   }
 
@@ -138,7 +138,8 @@ TEST_F(AgainstStatic, LosesNoLineAtEdgesAndVertices)
   for (int i = 0; i < 5000; ++i)
   {
     const CellSpec& cell = mesh.Cells[random.Index(int(mesh.Cells.size()))];
-    const Point target = Lerp(mesh.Points[cell.Points[0]], mesh.Points[cell.Points[1]], (i % 3) * 0.5);
+    const Point target =
+      Lerp(mesh.Points[cell.Points[0]], mesh.Points[cell.Points[1]], (i % 3) * 0.5);
     const Point inside = 0.5 * random.Direction();
     const Point beyond = target + 2.0 * (target - inside);
     lostByUs += FindFirstHit(this->Ours, inside, beyond).Found == 0;

@@ -75,10 +75,8 @@ protected:
   vtkNew<vtkGenericCell> Cell;
 };
 
-INSTANTIATE_TEST_SUITE_P(
-  Surfaces, AllHitsOnMesh, testing::ValuesIn(SurfaceMeshes()), NameOfMesh());
-INSTANTIATE_TEST_SUITE_P(
-  Volumes, AllHitsOnMesh, testing::ValuesIn(VolumeMeshes()), NameOfMesh());
+INSTANTIATE_TEST_SUITE_P(Surfaces, AllHitsOnMesh, testing::ValuesIn(SurfaceMeshes()), NameOfMesh());
+INSTANTIATE_TEST_SUITE_P(Volumes, AllHitsOnMesh, testing::ValuesIn(VolumeMeshes()), NameOfMesh());
 
 TEST_P(AllHitsOnMesh, AreThoseOfAllCellsEachOnce)
 {
@@ -172,8 +170,7 @@ TEST_P(AllHitsOnMesh, AllFormsAgree)
     hits.Points = ToVector(points);
     hits.Cells = ToVector(ids);
     ASSERT_EQ(hits, expected);
-    hits.Found =
-      this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, points, ids);
+    hits.Found = this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, points, ids);
     hits.Points = ToVector(points);
     hits.Cells = ToVector(ids);
     ASSERT_EQ(hits, expected);

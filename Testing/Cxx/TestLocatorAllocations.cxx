@@ -127,7 +127,8 @@ protected:
   template <typename Query>
   int Count(Query&& query)
   {
-    const auto runAll = [&] {
+    const auto runAll = [&]
+    {
       for (std::size_t i = 0; i + 1 < this->Points.size(); ++i)
       {
         query(this->Points[i].data(), this->Points[i + 1].data());
@@ -165,55 +166,73 @@ TEST_P(Allocations, InsideLibrariesAreCounted)
 
 TEST_P(Allocations, OfClosestPointAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* x, double*) {
-    this->Locator->FindClosestPoint(x, this->X.data(), this->Cell, this->SubId, this->Dist2);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* x, double*) {
+                this->Locator->FindClosestPoint(
+                  x, this->X.data(), this->Cell, this->SubId, this->Dist2);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfClosestPointWithinRadiusAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* x, double*) {
-    this->Locator->FindClosestPointWithinRadius(
-      x, 0.3, this->X.data(), this->Cell, this->SubId, this->Dist2);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* x, double*)
+              {
+                this->Locator->FindClosestPointWithinRadius(
+                  x, 0.3, this->X.data(), this->Cell, this->SubId, this->Dist2);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfFirstHitAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* a, double* b) {
-    this->Locator->IntersectWithLine(a, b, 0.0, this->T, this->X.data(), this->Pcoords.data(),
-      this->SubId, this->Cell, nullptr);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* a, double* b)
+              {
+                this->Locator->IntersectWithLine(a, b, 0.0, this->T, this->X.data(),
+                  this->Pcoords.data(), this->SubId, this->Cell, nullptr);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfFindCellAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* x, double*) {
-    this->Locator->FindCell(x);
-    this->Locator->FindCell(x, 0.01);
-    this->Locator->FindCell(
-      x, 0.01, nullptr, this->SubId, this->Pcoords.data(), this->Weights);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* x, double*)
+              {
+                this->Locator->FindCell(x);
+                this->Locator->FindCell(x, 0.01);
+                this->Locator->FindCell(
+                  x, 0.01, nullptr, this->SubId, this->Pcoords.data(), this->Weights);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfFindCellWithHintAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* x, double*) {
-    this->Cell = this->Locator->FindCellWithHint(
-      x, 0.0, this->Cell, nullptr, this->SubId, this->Pcoords.data(), this->Weights);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* x, double*)
+              {
+                this->Cell = this->Locator->FindCellWithHint(
+                  x, 0.0, this->Cell, nullptr, this->SubId, this->Pcoords.data(), this->Weights);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfBoundsQueriesAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* a, double* b) {
-    Bounds box = EmptyBounds();
-    Extend(box, { a[0], a[1], a[2] });
-    Extend(box, { b[0], b[1], b[2] });
-    this->Locator->FindCellsWithinBounds(box.data(), this->List);
-    this->Locator->FindCellsAlongPlane(a, b, 0.0, this->List);
-    this->Locator->InsideCellBounds(a, 0);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* a, double* b)
+              {
+                Bounds box = EmptyBounds();
+                Extend(box, { a[0], a[1], a[2] });
+                Extend(box, { b[0], b[1], b[2] });
+                this->Locator->FindCellsWithinBounds(box.data(), this->List);
+                this->Locator->FindCellsAlongPlane(a, b, 0.0, this->List);
+                this->Locator->InsideCellBounds(a, 0);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfCountCrossingsAreNone)
@@ -223,37 +242,49 @@ TEST_P(Allocations, OfCountCrossingsAreNone)
 
 TEST_P(Allocations, OfCrossingsAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* a, double* b) {
-    this->Locator->FindCrossings(a, b, nullptr, nullptr, nullptr, nullptr);
-    this->Locator->FindCrossings(a, b, this->Distances, nullptr, nullptr, nullptr);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* a, double* b)
+              {
+                this->Locator->FindCrossings(a, b, nullptr, nullptr, nullptr, nullptr);
+                this->Locator->FindCrossings(a, b, this->Distances, nullptr, nullptr, nullptr);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfAllHitsAreNone)
 {
   vtkNew<vtkGenericCell> cell;
-  EXPECT_EQ(this->Count([&](double* a, double* b) {
-    this->Locator->IntersectWithLine(a, b, 0.0, nullptr, this->List, cell);
-    this->Locator->FindCellsAlongLine(a, b, 0.0, this->List);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [&](double* a, double* b)
+              {
+                this->Locator->IntersectWithLine(a, b, 0.0, nullptr, this->List, cell);
+                this->Locator->FindCellsAlongLine(a, b, 0.0, this->List);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfNeighboursAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* x, double*) {
-    this->Locator->FindClosestCells(x, 5, this->List, this->Distances);
-    this->Locator->FindCellsWithinRadius(x, 0.3, this->List, this->Distances);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* x, double*)
+              {
+                this->Locator->FindClosestCells(x, 5, this->List, this->Distances);
+                this->Locator->FindCellsWithinRadius(x, 0.3, this->List, this->Distances);
+              }),
+    0);
 }
 
 TEST_P(Allocations, OfCandidatesAreNone)
 {
-  EXPECT_EQ(this->Count([this](double* a, double* b) {
-    this->Locator->FindClosestCandidates(a, this->List);
-    this->Locator->FindCandidatesAlongLine(a, b, this->List);
-    this->Locator->FindCandidatesWithinRadius(a, 0.2, this->List);
-    this->Locator->FindCandidatesAlongPlane(a, b, this->List);
-  }), 0);
+  EXPECT_EQ(this->Count(
+              [this](double* a, double* b)
+              {
+                this->Locator->FindClosestCandidates(a, this->List);
+                this->Locator->FindCandidatesAlongLine(a, b, this->List);
+                this->Locator->FindCandidatesWithinRadius(a, 0.2, this->List);
+                this->Locator->FindCandidatesAlongPlane(a, b, this->List);
+              }),
+    0);
 }
 
 }

@@ -29,8 +29,9 @@ void ExpectNothingFound(vtkSkdTreeCellLocator* locator)
   EXPECT_EQ(FindClosest(locator, a).Cell, -1);
   Closest c;
   Point x = a;
-  EXPECT_EQ(locator->FindClosestPointWithinRadius(
-              x.data(), Infinity, c.X.data(), c.Cell, c.SubId, c.Dist2), 0);
+  EXPECT_EQ(
+    locator->FindClosestPointWithinRadius(x.data(), Infinity, c.X.data(), c.Cell, c.SubId, c.Dist2),
+    0);
   EXPECT_EQ(c.Cell, -1);
   EXPECT_EQ(FindFirstHit(locator, a, b).Found, 0);
   EXPECT_EQ(FindFirstHit(locator, a, b, 10.0).Cell, -1);
@@ -43,8 +44,7 @@ void ExpectNothingFound(vtkSkdTreeCellLocator* locator)
   Point pcoords;
   int subId = 0;
   double weights[8];
-  EXPECT_EQ(locator->FindCellWithHint(
-              x.data(), 1.0, 0, cell, subId, pcoords.data(), weights), -1);
+  EXPECT_EQ(locator->FindCellWithHint(x.data(), 1.0, 0, cell, subId, pcoords.data(), weights), -1);
   EXPECT_EQ(FindWithinBounds(locator, { -9, 9, -9, 9, -9, 9 }), Ids());
   EXPECT_EQ(FindAlongLine(locator, a, b, 1.0), Ids());
   EXPECT_EQ(FindAlongPlane(locator, a, b, 1.0), Ids());
@@ -109,8 +109,10 @@ TEST(BadInput, OnlyEmptyCellsFindNothing)
 
 TEST(BadInput, OnlyCellsThatAreNotFiniteFindNothing)
 {
-  const auto data =
-    MakePolyData(CubeTriangles(1).Map([](const Point& p) { return Point{ NaN, p[1], p[2] }; }));
+  const auto data = MakePolyData(CubeTriangles(1).Map(
+    [](const Point& p) {
+      return Point{ NaN, p[1], p[2] };
+    }));
   const auto locator = LocatorPointer::New();
   locator->SetDataSet(data);
   EventCounter events(locator);
@@ -238,7 +240,8 @@ TEST_F(BadQuery, PointThatIsNotFiniteFindsNothing)
     EXPECT_EQ(FindClosest(this->Locator, x).Cell, -1);
     Closest c;
     EXPECT_EQ(this->Locator->FindClosestPointWithinRadius(
-                x.data(), 1.0, c.X.data(), c.Cell, c.SubId, c.Dist2), 0);
+                x.data(), 1.0, c.X.data(), c.Cell, c.SubId, c.Dist2),
+      0);
     EXPECT_EQ(FindCell(this->Locator, x).Cell, -1);
     EXPECT_EQ(FindCell(this->Locator, x, Infinity).Cell, -1);
     EXPECT_EQ(FindClosestCells(this->Locator, x, 3).Number, 0);
@@ -258,7 +261,8 @@ TEST_F(BadQuery, HintedPointThatIsNotFiniteFindsNothing)
   for (Point x : BadPoints())
   {
     EXPECT_EQ(this->Locator->FindCellWithHint(
-                x.data(), 1.0, 4, nullptr, f.SubId, f.Pcoords.data(), weights), -1);
+                x.data(), 1.0, 4, nullptr, f.SubId, f.Pcoords.data(), weights),
+      -1);
   }
 }
 

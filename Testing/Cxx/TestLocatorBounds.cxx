@@ -34,15 +34,15 @@ protected:
     return box;
   }
 
-  /// Cells whose box, grown, has corners on both sides of the plane.
+  /// Cells whose box comes within tol of the plane.
   Ids AlongPlane(const Point& o, const Point& n, double tol)
   {
     Ids cells;
     for (vtkIdType cell : this->Reference.GetCells())
     {
-      const Bounds box = Grown(this->Reference.Box(cell), tol);
+      const Bounds& box = this->Reference.Box(cell);
       const Point center = Center(box) - o;
-      double reach = 0;
+      double reach = tol * Length(n);
       for (int axis = 0; axis < 3; ++axis)
       {
         reach += 0.5 * (box[2 * axis + 1] - box[2 * axis]) * std::abs(n[axis]);

@@ -128,8 +128,7 @@ TEST_P(CandidatesOfMesh, AReferenceOnTheMeshSparesCandidates)
     const Ids with = this->Closest(x, reference.data());
     const Ids without = this->Closest(x);
     ASSERT_TRUE(std::includes(without.begin(), without.end(), with.begin(), with.end()));
-    ASSERT_NEAR(
-      this->NearestAmong(with, x), this->Reference.FindNearest(x).Distance, this->Slack);
+    ASSERT_NEAR(this->NearestAmong(with, x), this->Reference.FindNearest(x).Distance, this->Slack);
   }
 }
 
@@ -146,8 +145,7 @@ TEST_P(CandidatesOfMesh, AnyOtherReferenceIsHarmless)
       { nan, nan, nan }, { nan, 0, 0 }, { inf, 0, 0 }, { -inf, inf, 0 } };
     for (const Point& reference : references)
     {
-      ASSERT_NEAR(
-        this->NearestAmong(this->Closest(x, reference.data()), x), expected, this->Slack);
+      ASSERT_NEAR(this->NearestAmong(this->Closest(x, reference.data()), x), expected, this->Slack);
     }
   }
 }
@@ -161,9 +159,8 @@ TEST_P(CandidatesOfMesh, AlongALineAreTheSafetyBoxesMet)
     const Point a = this->Query(random);
     const Point b = this->Query(random);
     this->Locator->FindCandidatesAlongLine(a.data(), b.data(), ids);
-    this->ExpectThoseThatPass(Sorted(ToVector(ids)), [&](const Bounds& box, double grow) {
-      return EntryIntoBox(a, b, Grown(box, grow)) >= 0;
-    });
+    this->ExpectThoseThatPass(Sorted(ToVector(ids)),
+      [&](const Bounds& box, double grow) { return EntryIntoBox(a, b, Grown(box, grow)) >= 0; });
   }
 }
 
@@ -223,14 +220,16 @@ TEST_P(CandidatesOfMesh, AlongAPlaneAreTheSafetyBoxesMet)
     const Point o = this->Query(random);
     const Point n = random.Direction();
     this->Locator->FindCandidatesAlongPlane(o.data(), n.data(), ids);
-    this->ExpectThoseThatPass(Sorted(ToVector(ids)), [&](const Bounds& box, double grow) {
-      double reach = 0;
-      for (int axis = 0; axis < 3; ++axis)
+    this->ExpectThoseThatPass(Sorted(ToVector(ids)),
+      [&](const Bounds& box, double grow)
       {
-        reach += (0.5 * (box[2 * axis + 1] - box[2 * axis]) + grow) * std::abs(n[axis]);
-      }
-      return std::abs(Dot(Center(box) - o, n)) <= reach;
-    });
+        double reach = 0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          reach += (0.5 * (box[2 * axis + 1] - box[2 * axis]) + grow) * std::abs(n[axis]);
+        }
+        return std::abs(Dot(Center(box) - o, n)) <= reach;
+      });
   }
 }
 

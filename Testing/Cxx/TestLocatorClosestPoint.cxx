@@ -94,8 +94,8 @@ TEST_P(ClosestPointOnMesh, Dist2IsTheSquaredDistanceToTheReturnedPoint)
   for (const Point& x : this->Queries(100))
   {
     const Closest c = FindClosest(this->Locator, x);
-    ASSERT_NEAR(std::sqrt(c.Dist2), Distance(x, c.X),
-      this->Reference.Tolerance() + 1e-14 * Length(x));
+    ASSERT_NEAR(
+      std::sqrt(c.Dist2), Distance(x, c.X), this->Reference.Tolerance() + 1e-14 * Length(x));
   }
 }
 
@@ -137,11 +137,13 @@ TEST_P(ClosestPointOnMesh, AllFormsAgree)
     EXPECT_EQ(c, expected);
     c = Closest();
     EXPECT_EQ(this->Locator->FindClosestPointWithinRadius(
-                x.data(), Infinity, c.X.data(), c.Cell, c.SubId, c.Dist2), 1);
+                x.data(), Infinity, c.X.data(), c.Cell, c.SubId, c.Dist2),
+      1);
     EXPECT_EQ(c, expected);
     c = Closest();
     EXPECT_EQ(this->Locator->FindClosestPointWithinRadius(
-                x.data(), Infinity, c.X.data(), cell, c.Cell, c.SubId, c.Dist2), 1);
+                x.data(), Infinity, c.X.data(), cell, c.Cell, c.SubId, c.Dist2),
+      1);
     EXPECT_EQ(c, expected);
     EXPECT_EQ(FindWithin(this->Locator, x, Infinity).Answer, expected);
   }

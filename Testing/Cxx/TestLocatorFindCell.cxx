@@ -164,8 +164,7 @@ TEST_P(FindCellOnMesh, WithAToleranceIsTheNearestWithinIt)
     const double wide = distance + 1e-9 * Scale(this->Reference.GetBounds());
     const Found f = FindCell(this->Locator, x, wide * wide);
     ASSERT_GE(f.Cell, 0);
-    ASSERT_NEAR(
-      this->Reference.DistanceTo(f.Cell, x), distance, 2 * this->Reference.Tolerance());
+    ASSERT_NEAR(this->Reference.DistanceTo(f.Cell, x), distance, 2 * this->Reference.Tolerance());
     const Found farther = FindCell(this->Locator, x, 100 * wide * wide);
     ASSERT_EQ(farther, f) << "a larger tolerance finds the same";
     const double narrow = distance - 1e-9 * Scale(this->Reference.GetBounds());
@@ -210,8 +209,8 @@ TEST_P(FindCellOnMesh, AllFormsAgree)
     EXPECT_EQ(this->Locator->FindCell(x.data(), 0.0), expected);
     EXPECT_EQ(
       this->Locator->FindCell(x.data(), 0.0, cell, f.Pcoords.data(), weights.data()), expected);
-    EXPECT_EQ(
-      this->Locator->FindCell(x.data(), 0.0, nullptr, f.SubId, f.Pcoords.data(), nullptr), expected);
+    EXPECT_EQ(this->Locator->FindCell(x.data(), 0.0, nullptr, f.SubId, f.Pcoords.data(), nullptr),
+      expected);
   }
 }
 
@@ -221,12 +220,12 @@ class FindCellOnLattice : public testing::TestWithParam<NamedMesh>
 };
 
 INSTANTIATE_TEST_SUITE_P(Meshes, FindCellOnLattice,
-  testing::ValuesIn(std::vector<NamedMesh>{
-    { "Hexahedra", [] { return MakeGrid(Hexahedra(4)); } },
+  testing::ValuesIn(std::vector<NamedMesh>{ { "Hexahedra", [] { return MakeGrid(Hexahedra(4)); } },
     { "Inverted", [] { return MakeGrid(InvertedHexahedra(4)); } },
     { "Voxels", [] { return MakeGrid(Voxels(4)); } },
     { "Image",
-      [] {
+      []
+      {
         auto image = MakeImage(4);
         image->SetOrigin(0, 0, 0);
         image->SetSpacing(1, 1, 1);
@@ -259,7 +258,8 @@ TEST(FindCell, OfTetrahedraSharedFacesBelongToTheLowestId)
   const Mesh mesh = Tetrahedra(3);
   const auto data = MakeGrid(mesh);
   const auto locator = MakeLocator(data);
-  const auto contains = [&mesh](const CellSpec& cell, const Point& x) {
+  const auto contains = [&mesh](const CellSpec& cell, const Point& x)
+  {
     for (int out = 0; out < 4; ++out)
     {
       Point p[4];

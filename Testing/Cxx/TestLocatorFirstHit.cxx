@@ -40,8 +40,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(
   Surfaces, FirstHitOnMesh, testing::ValuesIn(SurfaceMeshes()), NameOfMesh());
-INSTANTIATE_TEST_SUITE_P(
-  Volumes, FirstHitOnMesh, testing::ValuesIn(VolumeMeshes()), NameOfMesh());
+INSTANTIATE_TEST_SUITE_P(Volumes, FirstHitOnMesh, testing::ValuesIn(VolumeMeshes()), NameOfMesh());
 
 TEST_P(FirstHitOnMesh, IsTheNearestOfTheHitsOfAllCells)
 {
@@ -115,16 +114,16 @@ TEST_P(FirstHitOnMesh, AllFormsAgree)
     const LineHit expected = FindFirstHit(this->Locator, line[0], line[1]);
     LineHit h;
     h.Cell = expected.Cell; // the form without an id
-    h.Found = this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, h.T,
-      h.X.data(), h.Pcoords.data(), h.SubId);
+    h.Found = this->Locator->IntersectWithLine(
+      line[0].data(), line[1].data(), 0.0, h.T, h.X.data(), h.Pcoords.data(), h.SubId);
     ASSERT_EQ(h, expected);
     h = LineHit();
-    h.Found = this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, h.T,
-      h.X.data(), h.Pcoords.data(), h.SubId, h.Cell, nullptr);
+    h.Found = this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, h.T, h.X.data(),
+      h.Pcoords.data(), h.SubId, h.Cell, nullptr);
     ASSERT_EQ(h, expected);
     h = LineHit();
-    h.Found = this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, h.T,
-      h.X.data(), h.Pcoords.data(), h.SubId, h.Cell, cell);
+    h.Found = this->Locator->IntersectWithLine(line[0].data(), line[1].data(), 0.0, h.T, h.X.data(),
+      h.Pcoords.data(), h.SubId, h.Cell, cell);
     ASSERT_EQ(h, expected);
     if (h.Found)
     {
@@ -286,8 +285,8 @@ TEST(FirstHit, OfLinesAndVerticesIsWithinTheTolerance)
         const std::size_t step = cell->GetCellDimension() == 1 ? 1 : 0;
         for (std::size_t k = 0; k + step < p.size(); ++k)
         {
-          least = std::min(
-            least, SegmentsDistance(through - along, through + along, p[k], p[k + step]));
+          least =
+            std::min(least, SegmentsDistance(through - along, through + along, p[k], p[k + step]));
         }
       }
       const LineHit hit = FindFirstHit(locator, through - along, through + along, tol);

@@ -182,8 +182,9 @@ TEST_F(NeighboursOfSheet, NegativeOrNanRadiusFindsNothing)
 
 TEST_F(NeighboursOfSheet, AnInfiniteRadiusFindsAll)
 {
-  EXPECT_EQ(FindWithinRadius(
-              this->Locator, { 2, 2, 9 }, std::numeric_limits<double>::infinity()).Number, 16);
+  EXPECT_EQ(
+    FindWithinRadius(this->Locator, { 2, 2, 9 }, std::numeric_limits<double>::infinity()).Number,
+    16);
 }
 
 TEST_F(NeighboursOfSheet, DistancesMayBeLeftOut)

@@ -90,31 +90,35 @@ TEST_P(PaperTree, EachCellIsOneLeaf)
 
 TEST_P(PaperTree, ChildrenDifferByAtMostOneCell)
 {
-  this->Arrays.Visit([&](vtkIdType node, int) {
-    if (!this->Arrays.IsLeaf(node))
+  this->Arrays.Visit(
+    [&](vtkIdType node, int)
     {
-      const auto first = this->Arrays.CellsBelow(this->Arrays.L[node]).size();
-      const auto second = this->Arrays.CellsBelow(this->Arrays.L[node] + 1).size();
-      ASSERT_LE(std::max(first, second) - std::min(first, second), 1u);
-    }
-  });
+      if (!this->Arrays.IsLeaf(node))
+      {
+        const auto first = this->Arrays.CellsBelow(this->Arrays.L[node]).size();
+        const auto second = this->Arrays.CellsBelow(this->Arrays.L[node] + 1).size();
+        ASSERT_LE(std::max(first, second) - std::min(first, second), 1u);
+      }
+    });
 }
 
 TEST_P(PaperTree, ABoxIsTheUnionOfItsChildren)
 {
   const auto& arrays = this->Arrays;
-  arrays.Visit([&](vtkIdType node, int) {
-    if (!arrays.IsLeaf(node))
+  arrays.Visit(
+    [&](vtkIdType node, int)
     {
-      Bounds both = EmptyBounds();
-      for (const Bounds& child : { arrays.S[arrays.L[node]], arrays.S[arrays.L[node] + 1] })
+      if (!arrays.IsLeaf(node))
       {
-        Extend(both, { child[0], child[2], child[4] });
-        Extend(both, { child[1], child[3], child[5] });
+        Bounds both = EmptyBounds();
+        for (const Bounds& child : { arrays.S[arrays.L[node]], arrays.S[arrays.L[node] + 1] })
+        {
+          Extend(both, { child[0], child[2], child[4] });
+          Extend(both, { child[1], child[3], child[5] });
+        }
+        ASSERT_EQ(arrays.S[node], both) << "node " << node;
       }
-      ASSERT_EQ(arrays.S[node], both) << "node " << node;
-    }
-  });
+    });
 }
 
 TEST_P(PaperTree, ALeafIsTheCellsBoxGrownByTwiceEpsilon)
@@ -138,31 +142,33 @@ TEST_P(PaperTree, SplitsTheLongestAxisAtTheMedianOfCentroids)
 {
   const auto& arrays = this->Arrays;
   const auto boxes = arrays.BoxesOfCells(this->Size());
-  arrays.Visit([&](vtkIdType node, int) {
-    if (arrays.IsLeaf(node))
+  arrays.Visit(
+    [&](vtkIdType node, int)
     {
-      return;
-    }
-    const Bounds& box = arrays.S[node];
-    int axis = 0;
-    for (int other = 1; other < 3; ++other)
-    {
-      if (box[2 * other + 1] - box[2 * other] > box[2 * axis + 1] - box[2 * axis])
+      if (arrays.IsLeaf(node))
       {
-        axis = other;
+        return;
       }
-    }
-    double low = -std::numeric_limits<double>::infinity();
-    for (vtkIdType cell : arrays.CellsBelow(arrays.L[node]))
-    {
-      low = std::max(low, Center(boxes[cell])[axis]);
-    }
-    const double slack = 1e-14 * Scale(arrays.S[0]);
-    for (vtkIdType cell : arrays.CellsBelow(arrays.L[node] + 1))
-    {
-      ASSERT_GE(Center(boxes[cell])[axis], low - slack) << "node " << node;
-    }
-  });
+      const Bounds& box = arrays.S[node];
+      int axis = 0;
+      for (int other = 1; other < 3; ++other)
+      {
+        if (box[2 * other + 1] - box[2 * other] > box[2 * axis + 1] - box[2 * axis])
+        {
+          axis = other;
+        }
+      }
+      double low = -std::numeric_limits<double>::infinity();
+      for (vtkIdType cell : arrays.CellsBelow(arrays.L[node]))
+      {
+        low = std::max(low, Center(boxes[cell])[axis]);
+      }
+      const double slack = 1e-14 * Scale(arrays.S[0]);
+      for (vtkIdType cell : arrays.CellsBelow(arrays.L[node] + 1))
+      {
+        ASSERT_GE(Center(boxes[cell])[axis], low - slack) << "node " << node;
+      }
+    });
 }
 
 TEST_P(PaperTree, IsTheSameOfALazyTree)

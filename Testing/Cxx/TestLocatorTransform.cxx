@@ -49,12 +49,10 @@ std::vector<MovableMesh> MovableMeshes()
 {
   return { { "Vertices", [] { return Cloud(200, VTK_VERTEX); } },
     { "Lines", [] { return Helix(150, VTK_LINE); } },
-    { "Triangles", [] { return SphereTriangles(8); } },
-    { "Quads", [] { return SphereQuads(6); } }, { "Polygons", [] { return Hexagons(6); } },
-    { "Tetrahedra", [] { return Tetrahedra(3); } },
-    { "Hexahedra", [] { return Hexahedra(4).Map(Bent); } },
-    { "Wedges", [] { return Wedges(3); } }, { "Pyramids", [] { return Pyramids(3); } },
-    { "Polyhedra", [] { return Polyhedra(2); } } };
+    { "Triangles", [] { return SphereTriangles(8); } }, { "Quads", [] { return SphereQuads(6); } },
+    { "Polygons", [] { return Hexagons(6); } }, { "Tetrahedra", [] { return Tetrahedra(3); } },
+    { "Hexahedra", [] { return Hexahedra(4).Map(Bent); } }, { "Wedges", [] { return Wedges(3); } },
+    { "Pyramids", [] { return Pyramids(3); } }, { "Polyhedra", [] { return Polyhedra(2); } } };
 }
 
 /// One locator with a motion, one on the mesh that was really moved.
@@ -179,8 +177,8 @@ TEST_P(MovedSet, HasTheSameCellsAlongLinesAndPlanes)
     std::sort(line.begin(), line.end());
     std::sort(expected.begin(), expected.end());
     ASSERT_EQ(line, expected);
-    ASSERT_EQ(
-      FindAlongPlane(this->Locator, a, b - a, 0.01), FindAlongPlane(this->Expected, a, b - a, 0.01));
+    ASSERT_EQ(FindAlongPlane(this->Locator, a, b - a, 0.01),
+      FindAlongPlane(this->Expected, a, b - a, 0.01));
   }
 }
 
@@ -222,7 +220,8 @@ TEST_P(MovedSet, HasCandidatesThatHoldTheAnswers)
   {
     const Point x = this->Query(random);
     const Point y = this->Query(random);
-    const auto covers = [&ids](const Ids& exact) {
+    const auto covers = [&ids](const Ids& exact)
+    {
       const Ids candidates = Sorted(ToVector(ids));
       return std::includes(candidates.begin(), candidates.end(), exact.begin(), exact.end());
     };
@@ -277,8 +276,8 @@ protected:
     matrix->SetElement(row, column, value);
     this->Locator->SetTransform(matrix);
     EXPECT_LE(events.Errors, 1);
-    const bool kept = this->Locator->GetTransform() &&
-      this->Locator->GetTransform()->GetElement(0, 3) == Shift[0];
+    const bool kept =
+      this->Locator->GetTransform() && this->Locator->GetTransform()->GetElement(0, 3) == Shift[0];
     EXPECT_EQ(events.Errors == 1, kept) << "an error, and the former motion stays";
     return events.Errors == 1;
   }

@@ -193,17 +193,16 @@ TEST_P(Watertight, CountCrossingsCountsThePassingCrossings)
     const Point beyond = this->Beyond(inside, target);
     const Point opposite = this->Beyond(beyond, target);
     const Crossings c = FindCrossings(this->Locator, opposite, beyond);
-    ASSERT_EQ(
-      c.NumberPassing(), this->Locator->CountCrossings(opposite.data(), beyond.data()));
+    ASSERT_EQ(c.NumberPassing(), this->Locator->CountCrossings(opposite.data(), beyond.data()));
   }
 }
 
 TEST_P(Watertight, CrossingsAreSortedAndTheirCellsAscend)
 {
   Random random(57);
-  const double size = Diagonal(Bounds{ this->Data->GetBounds()[0], this->Data->GetBounds()[1],
-    this->Data->GetBounds()[2], this->Data->GetBounds()[3], this->Data->GetBounds()[4],
-    this->Data->GetBounds()[5] });
+  const double size = Diagonal(
+    Bounds{ this->Data->GetBounds()[0], this->Data->GetBounds()[1], this->Data->GetBounds()[2],
+      this->Data->GetBounds()[3], this->Data->GetBounds()[4], this->Data->GetBounds()[5] });
   for (int i = 0; i < 1000; ++i)
   {
     const Point inside = this->Inside(random);
@@ -264,7 +263,8 @@ void ExpectParityOfLatticeLines(const Mesh& mesh, int n)
   const auto locator = MakeLocator(data);
   Random random(59);
   int wrong = 0;
-  const auto lattice = [&] {
+  const auto lattice = [&]
+  {
     return Point{ random.Index(3 * n) - n + 0.0, random.Index(3 * n) - n + 0.0,
       random.Index(3 * n) - n + 0.0 };
   };
@@ -360,8 +360,8 @@ TEST_P(CrossingsOfCube, EveryOutputMayBeNull)
 {
   const Point p1 = { 1.3, 1.6, 6 };
   const Point p2 = { 1.3, 1.6, -2 };
-  EXPECT_EQ(this->Locator->FindCrossings(
-              p1.data(), p2.data(), nullptr, nullptr, nullptr, nullptr), 2);
+  EXPECT_EQ(
+    this->Locator->FindCrossings(p1.data(), p2.data(), nullptr, nullptr, nullptr, nullptr), 2);
 }
 
 TEST(Crossings, AtATouchedVertexOrEdgeDoNotPass)

@@ -53,7 +53,8 @@ protected:
 std::string NameOfFile(const testing::TestParamInfo<std::string>& info)
 {
   std::string name = info.param.empty() ? "None" : info.param.substr(info.param.rfind('/') + 1);
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name;
 }
 
@@ -137,8 +138,7 @@ TEST_P(RealMesh, FirstHitsAreTheFirstOfAllHits)
     const Point through = random.InBox(this->Box);
     const Point along = size * random.Direction();
     const LineHit first = FindFirstHit(this->Locator, through - along, through + along);
-    const LineHits all =
-      FindAllHits(this->Locator, through - along, through + along, 0.0, cell);
+    const LineHits all = FindAllHits(this->Locator, through - along, through + along, 0.0, cell);
     ASSERT_EQ(first.Found, all.Found);
     if (first.Found)
     {

@@ -113,7 +113,8 @@ protected:
   {
     std::atomic<int> wrong(0);
     std::atomic<int> ready(0);
-    const auto work = [&](int thread) {
+    const auto work = [&](int thread)
+    {
       ++ready;
       while (ready < NumberOfThreads) // all at once
       {
@@ -193,13 +194,15 @@ TEST(LazyTree, SplitUnderManyThreadsIsTheSameTree)
     std::vector<std::thread> threads;
     for (int thread = 0; thread < NumberOfThreads; ++thread)
     {
-      threads.emplace_back([&, thread] {
-        for (std::size_t k = 0; k < points.size(); ++k)
+      threads.emplace_back(
+        [&, thread]
         {
-          const std::size_t i = (k * 7 + thread * 53) % points.size();
-          wrong += !(FindClosest(lazy, points[i]) == expected[i]);
-        }
-      });
+          for (std::size_t k = 0; k < points.size(); ++k)
+          {
+            const std::size_t i = (k * 7 + thread * 53) % points.size();
+            wrong += !(FindClosest(lazy, points[i]) == expected[i]);
+          }
+        });
     }
     for (std::thread& thread : threads)
     {
@@ -231,12 +234,14 @@ TEST(SharedTree, CopiesAskAtOnce)
   std::vector<std::thread> threads;
   for (int thread = 0; thread < NumberOfThreads; ++thread)
   {
-    threads.emplace_back([&, thread] {
-      for (std::size_t i = 0; i < points.size(); ++i)
+    threads.emplace_back(
+      [&, thread]
       {
-        wrong += !(FindClosest(copies[thread], points[i]) == expected[i]);
-      }
-    });
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          wrong += !(FindClosest(copies[thread], points[i]) == expected[i]);
+        }
+      });
   }
   for (std::thread& thread : threads)
   {

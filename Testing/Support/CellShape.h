@@ -36,8 +36,7 @@ struct CellShape
 
   void AddPatch(int a, int b, int c, int d)
   {
-    this->Patches.push_back(
-      { this->Points[a], this->Points[b], this->Points[c], this->Points[d] });
+    this->Patches.push_back({ this->Points[a], this->Points[b], this->Points[c], this->Points[d] });
   }
 };
 

@@ -71,8 +71,7 @@ struct LineHit
   {
     return this->Found == o.Found && this->Cell == o.Cell &&
       (!this->Found ||
-        (this->T == o.T && this->X == o.X && this->Pcoords == o.Pcoords &&
-          this->SubId == o.SubId));
+        (this->T == o.T && this->X == o.X && this->Pcoords == o.Pcoords && this->SubId == o.SubId));
   }
 };
 
@@ -133,8 +132,7 @@ struct Crossings
   }
 };
 
-inline Crossings FindCrossings(
-  vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2)
+inline Crossings FindCrossings(vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2)
 {
   vtkNew<vtkDoubleArray> parameters;
   vtkNew<vtkPoints> points;
@@ -180,8 +178,7 @@ inline Found FindCell(vtkSkdTreeCellLocator* locator, Point x, double tol2 = 0.0
   vtkNew<vtkGenericCell> cell;
   Found f;
   f.Weights.resize(locator->GetDataSet()->GetMaxCellSize() + 1);
-  f.Cell = locator->FindCell(
-    x.data(), tol2, cell, f.SubId, f.Pcoords.data(), f.Weights.data());
+  f.Cell = locator->FindCell(x.data(), tol2, cell, f.SubId, f.Pcoords.data(), f.Weights.data());
   f.Weights.resize(f.Cell < 0 ? 0 : cell->GetNumberOfPoints());
   return f;
 }

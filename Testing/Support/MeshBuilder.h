@@ -97,7 +97,8 @@ inline GridPointer MakeGrid(const Mesh& mesh, int pointType = VTK_DOUBLE)
   return grid;
 }
 
-/// All cells as polydata, in the order that polydata numbers them: vertices, lines, polygons, strips.
+/// All cells as polydata, in the order that polydata numbers them: vertices, lines, polygons,
+/// strips.
 inline PolyDataPointer MakePolyData(
   const Mesh& mesh, int pointType = VTK_DOUBLE, bool ids32 = false)
 {

@@ -39,8 +39,8 @@ struct PaperArrays
   vtkIdType CellOf(vtkIdType leaf) const { return -this->L[leaf]; }
 
   /// Calls visit(node, depth) for each node below and with `node`.
-  void Visit(const std::function<void(vtkIdType, int)>& visit, vtkIdType node = 0,
-    int depth = 0) const
+  void Visit(
+    const std::function<void(vtkIdType, int)>& visit, vtkIdType node = 0, int depth = 0) const
   {
     visit(node, depth);
     if (!this->IsLeaf(node))
@@ -55,7 +55,8 @@ struct PaperArrays
   {
     Ids cells;
     this->Visit(
-      [&](vtkIdType n, int) {
+      [&](vtkIdType n, int)
+      {
         if (this->IsLeaf(n))
         {
           cells.push_back(this->CellOf(n));

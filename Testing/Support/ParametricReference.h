@@ -4,7 +4,8 @@
  * @file ParametricReference.h
  * @brief the nearest point of a curved cell, sought in its parametric coordinates
  *
- * A curved cell is what its interpolation (vtkCell::EvaluateLocation) makes of its parametric domain.
+ * A curved cell is what its interpolation (vtkCell::EvaluateLocation) makes of its parametric
+ * domain.
  */
 #ifndef skdtest_ParametricReference_h
 #define skdtest_ParametricReference_h
@@ -101,8 +102,7 @@ public:
 
 private:
   /// The best of (2 n + 1)^dimension points around a middle. True if it is better than before.
-  bool Improve(
-    const Point& x, Point& best, double& least, const Point& middle, double step, int n)
+  bool Improve(const Point& x, Point& best, double& least, const Point& middle, double step, int n)
   {
     const int dimension = this->Cell->GetCellDimension();
     const double before = least;

@@ -141,7 +141,8 @@ inline NearerCell FindNearerCell(vtkDataSet* data, const std::vector<Point>& que
   return {};
 }
 
-/// The triangles and quads of polydata, points of equal coordinates made one; empty if it has others.
+/// The triangles and quads of polydata, points of equal coordinates made one; empty if it has
+/// others.
 inline Mesh SurfaceOf(vtkDataSet* data)
 {
   Mesh mesh;
@@ -171,8 +172,7 @@ inline bool IsClosed(const Mesh& mesh)
   {
     for (std::size_t i = 0; i < cell.Points.size(); ++i)
     {
-      edges.push_back(std::minmax(
-        { cell.Points[i], cell.Points[(i + 1) % cell.Points.size()] }));
+      edges.push_back(std::minmax({ cell.Points[i], cell.Points[(i + 1) % cell.Points.size()] }));
     }
   }
   std::sort(edges.begin(), edges.end());

@@ -71,10 +71,12 @@ inline Mesh Octahedron(double size)
 /// Its quads are warped.
 inline Mesh SphereQuads(int n)
 {
-  return CubeQuads(n).Map([n](const Point& p) {
-    const Point out = (2.0 / n) * p - Point{ 1, 1, 1 };
-    return (1.0 / Length(out)) * out;
-  });
+  return CubeQuads(n).Map(
+    [n](const Point& p)
+    {
+      const Point out = (2.0 / n) * p - Point{ 1, 1, 1 };
+      return (1.0 / Length(out)) * out;
+    });
 }
 
 inline Mesh SphereTriangles(int n)
@@ -169,9 +171,10 @@ inline Mesh Hexagons(int n)
 inline Mesh Strips(int n)
 {
   Mesh mesh = Sheet(n, VTK_QUAD);
-  mesh.Map([](const Point& p) {
-    return Point{ p[0], p[1], 0.4 * std::sin(p[0]) * std::cos(p[1]) };
-  });
+  mesh.Map(
+    [](const Point& p) {
+      return Point{ p[0], p[1], 0.4 * std::sin(p[0]) * std::cos(p[1]) };
+    });
   mesh.Cells.clear();
   for (int j = 0; j < n; ++j)
   {

@@ -38,9 +38,8 @@ struct Lattice
     const int i = cell % this->N;
     const int j = cell / this->N % this->N;
     const int k = cell / this->N / this->N;
-    const auto at = [this](int a, int b, int c) -> vtkIdType {
-      return (c * (this->N + 1) + b) * (this->N + 1) + a;
-    };
+    const auto at = [this](int a, int b, int c) -> vtkIdType
+    { return (c * (this->N + 1) + b) * (this->N + 1) + a; };
     return { at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k), at(i, j, k + 1),
       at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1) };
   }
