@@ -65,7 +65,10 @@ TEST(Lanes, LessEqualHasABitALaneAndNoneForNaN)
   unsigned expected = 0;
   for (int i = 0; i < W; ++i)
   {
-    expected |= (A[i] <= B[i] ? 1u : 0u) << i;
+    if (A[i] <= B[i])
+    {
+      expected |= 1u << i;
+    }
   }
   EXPECT_EQ(LessEqual(LanesA, LanesB), expected);
   EXPECT_EQ(LessEqual(LanesA, LanesA), 0xefu);
