@@ -3,6 +3,7 @@
 #include "Cells/SkdCellTree.h"
 
 #include "Core/Queries/Nearest.h"
+#include "Core/Queries/WithinBox.h"
 
 #include <algorithm>
 
@@ -103,7 +104,7 @@ SkdFoundCell SkdCellTree::FindContaining(
       return best.Found;
     }
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto tryCell = [&](std::uint32_t cell)
   {
     const vtkIdType id = this->Store.IdOf(cell);
     if (best.CouldTake(id))
@@ -112,7 +113,15 @@ SkdFoundCell SkdCellTree::FindContaining(
     }
     return best.Limit2;
   };
-  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, best.Limit2, leaf);
+  if (best.Limit2 <= rounding2)
+  {
+    // Only boxes that hold x matter, in any order; safety boxes are wider than rounding.
+    auto leaf = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
+    skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), skd::Box3(x, x), leaf);
+    this->Walk(query);
+    return best.Found;
+  }
+  skd::Nearest<3, decltype(tryCell)> query(this->GetFrame(), x, best.Limit2, tryCell);
   this->Walk(query);
   return best.Found;
 }

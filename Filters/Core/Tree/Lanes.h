@@ -61,6 +61,21 @@ inline unsigned Bits(TruthVector truth)
 
 }
 
+/// The number of the lowest bit that is set, of at least one.
+inline int LowestBit(unsigned bits)
+{
+#if defined(__GNUC__)
+  return __builtin_ctz(bits);
+#else
+  int lowest = 0;
+  while ((bits >> lowest & 1u) == 0)
+  {
+    ++lowest;
+  }
+  return lowest;
+#endif
+}
+
 /// Lane by lane arithmetic on W floats. NaN: Max(a, b) and Min(a, b) give b if either is NaN.
 template <int W>
 class Lanes

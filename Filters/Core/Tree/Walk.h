@@ -22,28 +22,50 @@ struct Pending
   Reference What;
 };
 
+/// Calls visit(lane) for each bit that is set, from the lowest.
+template <class Visit>
+void ForEachLane(unsigned wanted, Visit visit)
+{
+  while (wanted != 0)
+  {
+    visit(LowestBit(wanted));
+    wanted &= wanted - 1;
+  }
+}
+
 /// Push the wanted lanes. Ordered: the least key ends on top.
 template <bool Ordered, int D>
 int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, const float* keys)
 {
   const int base = top;
-  for (int lane = 0; wanted != 0; ++lane, wanted >>= 1)
-  {
-    if ((wanted & 1u) == 0)
+  ForEachLane(wanted,
+    [&](int lane)
     {
-      continue;
-    }
-    int slot = top++;
-    if constexpr (Ordered)
-    {
-      for (; slot > base && stack[slot - 1].Key < keys[lane]; --slot)
+      int slot = top++;
+      if constexpr (Ordered)
       {
-        stack[slot] = stack[slot - 1];
+        for (; slot > base && stack[slot - 1].Key < keys[lane]; --slot)
+        {
+          stack[slot] = stack[slot - 1];
+        }
       }
-    }
-    stack[slot] = { Ordered ? keys[lane] : 0.0f, Child(node, lane) };
-  }
+      stack[slot] = { Ordered ? keys[lane] : 0.0f, Child(node, lane) };
+    });
   return top;
+}
+
+/// Visit the wanted elements of a bottom node, in any order. False ends the walk.
+template <class Tree, class Query, int D>
+bool VisitBottom(const Tree& tree, Query& query, const Node<D>& node, unsigned wanted)
+{
+  bool goesOn = true;
+  ForEachLane(wanted,
+    [&](int lane)
+    {
+      const std::uint32_t position = node.First + static_cast<std::uint32_t>(lane);
+      goesOn = goesOn && query.Visit(tree.Element(position));
+    });
+  return goesOn;
 }
 
 }
@@ -54,11 +76,12 @@ int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, 
 /// A Query is a small value that gives
 ///   static constexpr bool Ordered        visit the least key first?
 ///   unsigned Reach(const Bundle&, float* keys)
-///                                        bit i: lane i is wanted; if Ordered, its key, a lower bound
-///                                        of what is sought below that box, is at most Limit()
+///                                        bit i: lane i is wanted; if Ordered, its key, a lower
+///                                        bound of what is sought below that box, is within Limit()
 ///   float Limit()                        a node whose key is above it is not wanted any more
 ///   bool Visit(element index)            an element was reached; false ends the walk
-/// Keys are 0 or more: with a negative limit nothing is reached. Depth first, brothers by key. No allocation. O(nodes whose key is within the limit).
+/// Keys are 0 or more: with a negative limit nothing is reached. Depth first, brothers by key. No
+/// allocation. O(nodes whose key is within the limit).
 template <class Tree, class Query>
 void Walk(const Tree& tree, Query& query)
 {
@@ -89,6 +112,14 @@ void Walk(const Tree& tree, Query& query)
     float keys[width];
     const unsigned occupied = (1u << node.Count) - 1u;
     const unsigned wanted = query.Reach(node.Boxes, keys) & occupied;
+    if (!Query::Ordered && node.IsBottom)
+    {
+      if (!detail::VisitBottom(tree, query, node, wanted))
+      {
+        return;
+      }
+      continue;
+    }
     top = detail::PushChildren<Query::Ordered>(stack, top, node, wanted, keys);
   }
 }
