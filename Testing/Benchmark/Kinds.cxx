@@ -9,11 +9,17 @@ namespace skdbench
 
 std::vector<Kind> AllKinds()
 {
-  std::vector<Kind> kinds = SkdKinds();
-  for (Kind& kind : VtkKinds())
-  {
-    kinds.push_back(std::move(kind));
-  }
+  std::vector<Kind> kinds;
+  const auto append = [&kinds](const std::vector<Kind>& more)
+  { kinds.insert(kinds.end(), more.begin(), more.end()); };
+  append(SkdKinds());
+  append(VtkKinds());
+#ifdef SKDBENCH_HAS_EMBREE
+  append(EmbreeKinds());
+#endif
+#ifdef SKDBENCH_HAS_BOOST
+  append(BoostKinds());
+#endif
   return kinds;
 }
 
