@@ -8,7 +8,7 @@
 # usage: bash Plugin/demo.sh [picture.png [points along an edge of the grid]]
 
 set -euo pipefail
-. "$(dirname "${BASH_SOURCE[0]}")/../CMake/prepare.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../.ci/prepare.sh"
 picture=$(realpath -m "${1:-$build/closest_point.png}")
 resolution=${2:-128}
 

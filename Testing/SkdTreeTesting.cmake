@@ -21,13 +21,12 @@ set(SKDTREE_USE_ENVIRONMENT
 find_program(SKDTREE_XVFB Xvfb)
 set(SKDTREE_WITH_DISPLAY)
 if (SKDTREE_XVFB)
-  set(SKDTREE_WITH_DISPLAY bash "${SKDTREE_ROOT}/CMake/with_display.sh")
+  set(SKDTREE_WITH_DISPLAY bash "${SKDTREE_ROOT}/.ci/with_display.sh")
 endif ()
 
 set(SKDTREE_SANITIZER_ENVIRONMENT
   "ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1"
-  "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_LIST_DIR}/Support/LeakSuppressions.txt:print_suppressions=0"
-  "TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=${CMAKE_CURRENT_LIST_DIR}/Support/ThreadSuppressions.txt"
+  "TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1"
   "UBSAN_OPTIONS=print_stacktrace=1")
 
 # What a C++ test is compiled with: our headers, public and private, as the module itself sees them
@@ -45,11 +44,16 @@ target_compile_definitions(skdtree_testing INTERFACE
   SKDTREE_TEMPORARY_DIR="${SKDTREE_TEMPORARY_DIR}")
 
 # skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] LABEL <label>)
-# An executable with GoogleTest's main; each of its tests becomes one of CTest's.
+# An executable with GoogleTest's main; each of its tests becomes one of CTest's. Sanitized programs
+# take long to start: there each of a few processes runs its share of the tests.
 function (skdtree_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES")
   add_executable("${name}" ${test_SOURCES})
   target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
+  if (SKDTREE_SANITIZE)
+    skdtree_add_gtest_shares("${name}" "${test_LABEL}" 8)
+    return()
+  endif ()
   gtest_discover_tests("${name}"
     TEST_PREFIX "${test_LABEL}."
     DISCOVERY_MODE PRE_TEST
@@ -57,7 +61,19 @@ function (skdtree_add_gtest name)
     PROPERTIES
       LABELS "${test_LABEL}"
       TIMEOUT 600
-      ENVIRONMENT "${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
+      ENVIRONMENT "${SKDTREE_TEST_ENVIRONMENT}")
+endfunction ()
+
+function (skdtree_add_gtest_shares name label count)
+  math(EXPR last "${count} - 1")
+  foreach (share RANGE "${last}")
+    add_test(NAME "${label}.Share${share}" COMMAND "${name}" --gtest_brief=1)
+    set_tests_properties("${label}.Share${share}" PROPERTIES
+      LABELS "${label}"
+      TIMEOUT 1800
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${share};\
+${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
+  endforeach ()
 endfunction ()
 
 # skdtree_add_python_test(<name> COMMAND <command>... LABEL <label>)

@@ -9,7 +9,7 @@
 # usage: bash Testing/run.sh [options of ctest]
 
 set -euo pipefail
-. "$(dirname "${BASH_SOURCE[0]}")/../CMake/prepare.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../.ci/prepare.sh"
 
 failed=()
 run_tests() {

@@ -46,7 +46,7 @@ if (SKDTREE_WRAP_PYTHON)
     BUILD_STATIC OFF
     INSTALL_HEADERS OFF)
   set(python_package "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}/vtkskdtree")
-  configure_file(CMake/vtkskdtree.py.in "${python_package}/__init__.py" @ONLY)
+  configure_file(Filters/CMake/vtkskdtree.py.in "${python_package}/__init__.py" @ONLY)
   install(FILES "${python_package}/__init__.py"
     DESTINATION "${SKDTREE_PYTHON_DESTINATION}/vtkskdtree" COMPONENT python)
 endif ()

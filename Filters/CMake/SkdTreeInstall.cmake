@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 
 # The package, for the install tree and for the build tree.
 set(package_folder "${CMAKE_BINARY_DIR}/${SKDTREE_CMAKE_DESTINATION}")
-configure_package_config_file(CMake/SkdTreeConfig.cmake.in "${package_folder}/SkdTreeConfig.cmake"
+configure_package_config_file(Filters/CMake/SkdTreeConfig.cmake.in "${package_folder}/SkdTreeConfig.cmake"
   INSTALL_DESTINATION "${SKDTREE_CMAKE_DESTINATION}"
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${package_folder}/SkdTreeConfigVersion.cmake"
@@ -20,6 +20,6 @@ install(
 
 # What a shell sources to use the build tree as it is.
 set(plugin_folder "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
-configure_file(CMake/setup.sh.in "${CMAKE_BINARY_DIR}/setup.sh" @ONLY)
+configure_file(Filters/CMake/setup.sh.in "${CMAKE_BINARY_DIR}/setup.sh" @ONLY)
 
 include(SkdTreePackage)

@@ -5,7 +5,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
-with_display=$root/CMake/with_display.sh
+with_display=$root/.ci/with_display.sh
 
 # What the build and its use need, and what only the tests need.
 packages=(
