@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellStore.h"
 
+#include "Cells/SkdFaceReader.h"
+
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
@@ -167,6 +171,7 @@ void SkdCellStore::ReadCells(vtkDataSet* data, bool skipGhosts)
       std::copy_n(ids->GetPointer(0), ids->GetNumberOfIds(),
         this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->Offsets[cell]));
     });
+  this->ReadFaces(data);
   this->Compact();
 }
 
@@ -210,6 +215,45 @@ void SkdCellStore::Number(const std::vector<Finding>& findings)
   }
   this->Count = static_cast<std::uint32_t>(this->Ids.size());
   this->PointIds.resize(total);
+}
+
+//------------------------------------------------------------------------------
+// Of a polyhedron without faces its points are what is certain.
+void SkdCellStore::ReadFaces(vtkDataSet* data)
+{
+  const auto isPolyhedron = [](SkdShape shape) { return shape == SkdShape::Polyhedron; };
+  if (std::none_of(this->Shapes.begin(), this->Shapes.end(), isPolyhedron))
+  {
+    return;
+  }
+  std::vector<std::vector<std::uint32_t>> streams(this->Count);
+  vtkSMPThreadLocal<SkdFaceReader> readers;
+  vtkSMPThreadLocalObject<vtkIdList> lists;
+  vtkSMPThreadLocalObject<vtkGenericCell> cells;
+  ForEach(this->Count,
+    [&](std::size_t cell)
+    {
+      if (!isPolyhedron(this->Shapes[cell]))
+      {
+        return;
+      }
+      vtkIdList* faces = lists.Local();
+      SkdReadFaces(data, static_cast<vtkIdType>(this->Ids[cell]), cells.Local(), faces);
+      const std::uint64_t first = this->Offsets[cell];
+      streams[cell] = readers.Local().Read(faces, this->PointIds.data() + first,
+        static_cast<std::uint32_t>(this->Offsets[cell + 1] - first), this->Coordinates);
+      this->Shapes[cell] = streams[cell].empty() ? SkdShape::PolyVertex : SkdShape::Polyhedron;
+    });
+  this->FaceOffsets.push_back(0);
+  for (const std::vector<std::uint32_t>& stream : streams)
+  {
+    this->FaceOffsets.push_back(this->FaceOffsets.back() + stream.size());
+  }
+  this->FaceStream.reserve(this->FaceOffsets.back());
+  for (const std::vector<std::uint32_t>& stream : streams)
+  {
+    this->FaceStream.insert(this->FaceStream.end(), stream.begin(), stream.end());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -279,6 +323,27 @@ std::int64_t SkdCellStore::CellOfId(vtkIdType id) const
 }
 
 //------------------------------------------------------------------------------
+SkdPolyCell SkdCellStore::GatherPoly(std::uint32_t cell) const
+{
+  thread_local std::vector<skd::Vector3> points; // grown to the largest cell met
+  const std::uint32_t* ids = this->PointIdsOf(cell);
+  const std::uint32_t size = this->SizeOf(cell);
+  points.resize(std::max<std::size_t>(points.size(), size));
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    points[i] = this->Point(ids[i]);
+  }
+  SkdPolyCell gathered{ this->ShapeOf(cell), points.data(), static_cast<int>(size), nullptr,
+    nullptr };
+  if (!this->FaceOffsets.empty())
+  {
+    gathered.Faces = this->FaceStream.data() + this->FaceOffsets[cell];
+    gathered.FacesEnd = this->FaceStream.data() + this->FaceOffsets[cell + 1];
+  }
+  return gathered;
+}
+
+//------------------------------------------------------------------------------
 skd::Box3 SkdCellStore::BoundsOf(std::uint32_t cell) const
 {
   skd::Box3 bounds;
@@ -310,5 +375,7 @@ std::size_t SkdCellStore::MemorySize() const
   return this->Ids.capacity() * sizeof(std::uint32_t) + this->Shapes.capacity() +
     this->Offsets.capacity() * sizeof(std::uint64_t) +
     this->PointIds.capacity() * sizeof(std::uint32_t) +
+    this->FaceOffsets.capacity() * sizeof(std::uint64_t) +
+    this->FaceStream.capacity() * sizeof(std::uint32_t) +
     this->Reaches.capacity() * sizeof(float) + this->OwnPoints.capacity() * sizeof(double);
 }

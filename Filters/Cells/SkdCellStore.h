@@ -3,7 +3,7 @@
 #ifndef SkdCellStore_h
 #define SkdCellStore_h
 
-#include "Cells/SkdShape.h"
+#include "Cells/SkdPolyKernels.h"
 #include "Core/Geometry/Box.h"
 
 #include "vtkDataArray.h"
@@ -75,6 +75,10 @@ public:
     }
   }
 
+  /// A cell whose number of points is up to it; the points are in a buffer of the calling thread's,
+  /// good until its next call.
+  SkdPolyCell GatherPoly(std::uint32_t cell) const;
+
   /// The box of the cell's points: what vtkDataSet::GetCellBounds gives.
   skd::Box3 BoundsOf(std::uint32_t cell) const;
 
@@ -100,6 +104,7 @@ private:
   void ReadCells(vtkDataSet* data, bool skipGhosts);
   Finding Examine(int cellType, vtkIdList* ids) const;
   void Number(const std::vector<Finding>& findings);
+  void ReadFaces(vtkDataSet* data);
   void ReadReaches(vtkDataSet* data);
   void Compact();
   void FindLargestCoordinate();
@@ -110,6 +115,8 @@ private:
   std::vector<SkdShape> Shapes;        // empty when all cells have one shape
   std::vector<std::uint64_t> Offsets;  // empty when all cells have one fixed size
   std::vector<std::uint32_t> PointIds;
+  std::vector<std::uint64_t> FaceOffsets; // empty when no cell is a polyhedron, as FaceStream
+  std::vector<std::uint32_t> FaceStream;
   std::vector<float> Reaches;          // empty when no cell is curved
   SkdShape CommonShape = SkdShape::None;
   std::uint32_t CommonSize = 0;

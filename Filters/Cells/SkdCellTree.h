@@ -159,12 +159,11 @@ private:
     const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
-  std::optional<SkdLineHit> HitFan(
-    std::uint32_t cell, const skd::SegmentView& view, const SkdCellSource& source) const;
   /// The bounds of the cell's points, moved by the motion unless nullptr.
   skd::Box3 WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion* motion) const;
   template <class Visit>
   void ForEachNear(const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const;
+  /// Of quads, strips and triangles.
   template <class Visit>
   void ForEachTriangle(std::uint32_t cell, Visit visit) const;
 

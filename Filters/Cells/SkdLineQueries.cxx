@@ -3,6 +3,7 @@
 #include "Cells/SkdCellTree.h"
 
 #include "Cells/SkdMotion.h"
+#include "Core/Geometry/SegmentPolygon.h"
 #include "Core/Queries/AlongSegment.h"
 
 #include "vtkCell.h"
@@ -93,57 +94,11 @@ void SkdCellTree::ForEachTriangle(std::uint32_t cell, Visit visit) const
       }
       return;
     case SkdShape::Triangle:
-    case SkdShape::Polygon:
-      for (std::uint32_t i = 1; i + 1 < size; ++i)
-      {
-        visit(point(0), point(i), point(i + 1));
-      }
+      visit(point(0), point(1), point(2));
       return;
     default:
       return;
   }
-}
-
-//------------------------------------------------------------------------------
-// Polygons, concave ones, too: a fan covers what is outside an even number of times. Where only an
-// edge of the fan is met, it counts if it is the polygon's own.
-std::optional<SkdLineHit> SkdCellTree::HitFan(
-  std::uint32_t cell, const skd::SegmentView& view, const SkdCellSource& source) const
-{
-  std::optional<double> first;
-  bool isOdd = false;
-  this->ForEachTriangle(cell,
-    [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
-    {
-      if (const auto hit = skd::Intersect(view, a, b, c))
-      {
-        isOdd ^= hit->Passes;
-        first = first ? std::min(*first, hit->T) : hit->T;
-      }
-    });
-  if (!first)
-  {
-    return std::nullopt;
-  }
-  const skd::Vector3 point = view.GetSegment().At(*first);
-  const std::uint32_t* ids = this->Store.PointIdsOf(cell);
-  const std::uint32_t size = this->Store.SizeOf(cell);
-  bool isHit = isOdd || this->Store.ShapeOf(cell) == SkdShape::Strip;
-  for (std::uint32_t i = 0; i < size && !isHit; ++i)
-  {
-    const auto nearest = skd::ClosestPointOnSegment(
-      this->Store.Point(ids[i]), this->Store.Point(ids[(i + 1) % size]), point);
-    isHit = nearest.Dist2 <= this->TheRounding * this->TheRounding;
-  }
-  if (!isHit)
-  {
-    return std::nullopt;
-  }
-  SkdLineHit hit;
-  hit.T = *first;
-  SkdGenericKernel::Locate(
-    source.Load(this->Store.IdOf(cell)), point, hit.SubId, hit.PCoords, nullptr);
-  return hit;
 }
 
 //------------------------------------------------------------------------------
@@ -163,13 +118,9 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
   {
     return hit;
   }
-  if (shape == SkdShape::Polygon || shape == SkdShape::Strip)
+  if (shape != SkdShape::Generic)
   {
-    hit = this->HitFan(cell, view, source);
-    if (hit || tolerance <= 0.0)
-    {
-      return hit;
-    }
+    return SkdPolyKernels::Intersect(this->Store.GatherPoly(cell), view, reach);
   }
   return SkdGenericKernel::Intersect(
     source.Load(this->Store.IdOf(cell)), view.GetSegment(), tolerance);
@@ -294,6 +245,15 @@ const SkdCrossings& SkdCellTree::FindCrossings(
       if (hit)
       {
         facets.push_back({ hit->T, id, false, true });
+      }
+      return 1.0;
+    }
+    if (this->Store.ShapeOf(cell) == SkdShape::Polygon)
+    {
+      const SkdPolyCell polygon = this->Store.GatherPoly(cell);
+      if (const auto hit = skd::Intersect(view, polygon.Points, polygon.Size))
+      {
+        facets.push_back({ hit->T, id, hit->OnEdge, hit->Passes });
       }
       return 1.0;
     }

@@ -49,11 +49,14 @@ SkdCellPoint SkdCellTree::Measure(
     this->Store.Gather(cell, points);
     found = kernel.Closest(points, x, limit2);
   };
-  if (!SkdVisitKernel(this->Store.ShapeOf(cell), measure))
+  const SkdShape shape = this->Store.ShapeOf(cell);
+  if (SkdVisitKernel(shape, measure))
   {
-    found = SkdGenericKernel::Closest(source.Load(this->Store.IdOf(cell)), x);
+    return found;
   }
-  return found;
+  return shape == SkdShape::Generic
+    ? SkdGenericKernel::Closest(source.Load(this->Store.IdOf(cell)), x)
+    : SkdPolyKernels::Closest(this->Store.GatherPoly(cell), x, limit2);
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +179,17 @@ void SkdCellTree::Interpolate(
       kernel.Weights(found.PCoords, weights);
     }
   };
-  if (!SkdVisitKernel(this->Store.ShapeOf(static_cast<std::uint32_t>(cell)), weigh))
+  const SkdShape shape = this->Store.ShapeOf(static_cast<std::uint32_t>(cell));
+  if (SkdVisitKernel(shape, weigh))
+  {
+    return;
+  }
+  if (shape != SkdShape::Generic)
+  {
+    SkdPolyKernels::Locate(
+      this->Store.GatherPoly(static_cast<std::uint32_t>(cell)), found, weights);
+  }
+  else
   {
     SkdGenericKernel::Locate(
       source.Load(found.Id), found.Point, found.SubId, found.PCoords, weights);

@@ -58,6 +58,12 @@ SkdShape FindShape(int cellType)
       return SkdShape::Strip;
     case VTK_POLYGON:
       return SkdShape::Polygon;
+    case VTK_POLY_LINE:
+      return SkdShape::PolyLine;
+    case VTK_POLY_VERTEX:
+      return SkdShape::PolyVertex;
+    case VTK_POLYHEDRON:
+      return SkdShape::Polyhedron;
     case VTK_PIXEL:
       return SkdShape::Pixel;
     case VTK_QUAD:
@@ -99,7 +105,7 @@ SkdShape SkdShapeOfCellType(int cellType)
 //------------------------------------------------------------------------------
 int SkdNumberOfPoints(SkdShape shape)
 {
-  constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0 };
+  constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0 };
   return numbers[static_cast<int>(shape)];
 }
 

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-/// What the exact tests see in a cell. Each shape but Generic has a kernel of its own (SkdKernels.h)
-/// that reads raw points; Generic goes through vtkGenericCell (SkdGenericKernel.h).
+/// What the exact tests see in a cell. Each shape but Generic has a kernel of its own (SkdKernels.h,
+/// SkdPolyKernels.h) that reads raw points; Generic goes through vtkGenericCell (SkdGenericKernel.h).
 enum class SkdShape : std::uint8_t
 {
   Vertex,
@@ -19,8 +19,11 @@ enum class SkdShape : std::uint8_t
   Hexahedron,
   Wedge,
   Pyramid,
-  Polygon, // lines are tested on its fan of triangles, all else as Generic
-  Strip,   // likewise, on its triangles
+  Polygon, // from here on the number of points is up to the cell
+  Strip,
+  PolyLine,
+  PolyVertex,
+  Polyhedron,
   Generic,
   None // empty cells and cells of a type that VTK does not know: not in the tree
 };
