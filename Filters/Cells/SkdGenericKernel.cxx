@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdGenericKernel.h"
 
+#include "Cells/SkdParametricCell.h"
+
 #include "vtkCell.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -90,6 +92,10 @@ vtkCell* SkdCellSource::Load(vtkIdType id) const
 //------------------------------------------------------------------------------
 SkdCellPoint SkdGenericKernel::Closest(vtkCell* cell, const skd::Vector3& x)
 {
+  if (SkdParametricCell::DomainOf(cell->GetCellType()))
+  {
+    return SkdParametricKernel::Closest(cell, x);
+  }
   SkdCellPoint found = Evaluate(cell, x, SpareWeights(cell));
   if (cell->GetCellDimension() == 3)
   {
@@ -108,6 +114,10 @@ SkdCellPoint SkdGenericKernel::Closest(vtkCell* cell, const skd::Vector3& x)
 std::optional<SkdLineHit> SkdGenericKernel::Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance)
 {
+  if (SkdParametricCell::DomainOf(cell->GetCellType()))
+  {
+    return SkdParametricKernel::Intersect(cell, segment, tolerance);
+  }
   SkdLineHit hit;
   skd::Vector3 point;
   hit.PCoords = { { 0.0, 0.0, 0.0 } };
@@ -124,6 +134,14 @@ std::optional<SkdLineHit> SkdGenericKernel::Intersect(
 void SkdGenericKernel::Locate(
   vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords, double* weights)
 {
+  if (SkdParametricCell::DomainOf(cell->GetCellType()))
+  {
+    if (weights)
+    {
+      cell->InterpolateFunctions(pcoords.X, weights);
+    }
+    return;
+  }
   const SkdCellPoint found = Evaluate(cell, point, weights ? weights : SpareWeights(cell));
   subId = found.SubId;
   pcoords = found.PCoords;

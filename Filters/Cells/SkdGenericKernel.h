@@ -31,7 +31,8 @@ SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
 
-/// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell.
+/// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell that
+/// Closest gave: hand its sub-id and parametric coordinates in.
 void Locate(vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords,
   double* weights);
 }
