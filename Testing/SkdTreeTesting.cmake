@@ -3,8 +3,6 @@
 #
 # How a test is added: skdtree_add_gtest for C++, skdtree_add_python_test for pvpython or Python.
 
-include(GoogleTest)
-
 set(SKDTREE_TEST_ENVIRONMENT
   "SKDTREE_SOURCE_DIR=${SKDTREE_ROOT}"
   "SKDTREE_DATA_DIR=${SKDTREE_ROOT}/Data"
@@ -44,34 +42,20 @@ target_compile_definitions(skdtree_testing INTERFACE
   SKDTREE_TEMPORARY_DIR="${SKDTREE_TEMPORARY_DIR}")
 
 # skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] LABEL <label>)
-# An executable with GoogleTest's main; each of its tests becomes one of CTest's. Sanitized programs
-# take long to start: there each of a few processes runs its share of the tests.
+# An executable with GoogleTest's main. Thousands of short tests would spend their time on starting
+# one program each, so a few processes run their share of them; what fails is named in the output.
 function (skdtree_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES")
   add_executable("${name}" ${test_SOURCES})
   target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
-  if (SKDTREE_SANITIZE)
-    skdtree_add_gtest_shares("${name}" "${test_LABEL}" 8)
-    return()
-  endif ()
-  gtest_discover_tests("${name}"
-    TEST_PREFIX "${test_LABEL}."
-    DISCOVERY_MODE PRE_TEST
-    DISCOVERY_TIMEOUT 60
-    PROPERTIES
+  set(count 8)
+  foreach (share RANGE 1 ${count})
+    math(EXPR index "${share} - 1")
+    add_test(NAME "${test_LABEL}.Share${share}" COMMAND "${name}" --gtest_brief=1)
+    set_tests_properties("${test_LABEL}.Share${share}" PROPERTIES
       LABELS "${test_LABEL}"
-      TIMEOUT 600
-      ENVIRONMENT "${SKDTREE_TEST_ENVIRONMENT}")
-endfunction ()
-
-function (skdtree_add_gtest_shares name label count)
-  math(EXPR last "${count} - 1")
-  foreach (share RANGE "${last}")
-    add_test(NAME "${label}.Share${share}" COMMAND "${name}" --gtest_brief=1)
-    set_tests_properties("${label}.Share${share}" PROPERTIES
-      LABELS "${label}"
       TIMEOUT 1800
-      ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${share};\
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index};\
 ${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
   endforeach ()
 endfunction ()
