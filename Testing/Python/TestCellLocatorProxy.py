@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The locator in ParaView's own filters."""
+
+import glob
+import os
+import sys
+
+import numpy
+from paraview import simple
+
+import skdtesting
+
+LABEL = "skD-Tree Cell Locator"
+
+
+def volume():
+    return simple.XMLUnstructuredGridReader(
+        FileName=[os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu")])
+
+
+def resampled(source, locator):
+    probe = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+    filter = simple.ResampleWithDataset(SourceDataArrays=source, DestinationMesh=probe)
+    filter.CellLocator = locator
+    return filter
+
+
+def test_resample_with_dataset_offers_it():
+    filter = resampled(volume(), "Static Cell Locator")
+    assert LABEL in filter.GetProperty("CellLocator").Available
+
+
+def test_resample_with_dataset_gives_the_same_with_it():
+    source = volume()
+    own = resampled(source, LABEL)
+    static = resampled(source, "Static Cell Locator")
+    assert own.CellLocator.SMProxy.GetXMLName() == "SkdTreeCellLocator"
+    mask = skdtesting.point_array(own, "vtkValidPointMask")
+    skdtesting.assert_same(mask, skdtesting.point_array(static, "vtkValidPointMask"))
+    assert 0 < mask.sum() < len(mask)
+    for name in ("Temp", "V", "Pres"):
+        numpy.testing.assert_allclose(skdtesting.point_array(own, name),
+            skdtesting.point_array(static, name), rtol=1e-5, atol=1e-6)
+
+
+def test_its_properties_can_be_set_there():
+    filter = resampled(volume(), LABEL)
+    filter.CellLocator.LazyBuild = 1
+    filter.CellLocator.Epsilon = 1e-6
+    lazy = skdtesting.point_array(filter, "Temp")
+    skdtesting.assert_same(lazy, skdtesting.point_array(resampled(volume(), LABEL), "Temp"))
+
+
+def load_lagrangian_tracker():
+    """Debian's pvpython does not know where its own plugins are."""
+    name = "LagrangianParticleTracker"
+    places = os.path.join(sys.prefix, "lib", "*", "paraview-*", "plugins", name, name + ".so")
+    files = glob.glob(places)
+    if files:
+        simple.LoadPlugin(files[0], remote=False, ns=vars(simple))
+    return bool(files)
+
+
+def test_the_lagrangian_tracker_offers_it():
+    if not load_lagrangian_tracker():
+        print("left out: there is no plugin LagrangianParticleTracker")
+        return
+    tracker = simple.LagrangianParticleTracker(
+        FlowInput=simple.Wavelet(), ParticleSeeds=simple.Sphere())
+    assert LABEL in tracker.IntegrationModel.GetProperty("Locator").Available
+
+
+skdtesting.run_tests(globals())

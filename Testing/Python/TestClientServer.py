@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in a client and a server of its own. Run without an argument this starts both; with a
+port it is the client."""
+
+import os
+import shutil
+import subprocess
+import sys
+import threading
+
+import skdtesting
+
+
+def start_server():
+    """A server on a port that the system chooses, and that port."""
+    server = subprocess.Popen(["pvserver", "--server-port=0", "--hostname=localhost"],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    watchdog = threading.Timer(60, server.kill)
+    watchdog.start()
+    for line in server.stdout:
+        if line.startswith("Accepting connection(s)"):
+            watchdog.cancel()
+            return server, line.rsplit(":", 1)[1].strip()
+    raise RuntimeError("pvserver did not start")
+
+
+def distances():
+    from paraview import simple
+
+    closest = simple.SkdTreeClosestPoint(Input=simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4]),
+        Source=simple.Sphere(Radius=3), SignedDistance=1)
+    return skdtesting.point_array(closest, "SkdDistance")
+
+
+def resampled_mask():
+    from paraview import simple
+
+    resampled = simple.ResampleWithDataset(
+        SourceDataArrays=simple.Wavelet(), DestinationMesh=simple.Sphere(Radius=3))
+    resampled.CellLocator = "skD-Tree Cell Locator"
+    return skdtesting.point_array(resampled, "vtkValidPointMask")
+
+
+def be_client(port):
+    from paraview import simple
+
+    alone = distances()
+    simple.Connect("localhost", int(port))
+    skdtesting.assert_same(distances(), alone)
+    assert resampled_mask().all()
+
+
+if len(sys.argv) > 1:
+    be_client(sys.argv[1])
+elif shutil.which("pvserver") is None:
+    skdtesting.skip("there is no pvserver")
+else:
+    server, port = start_server()
+    try:
+        subprocess.run(["pvpython", os.path.abspath(__file__), port], check=True, timeout=300)
+        said = server.communicate(timeout=60)[0]  # it ends when its client does
+        assert "ERR|" not in said, said
+    finally:
+        server.kill()

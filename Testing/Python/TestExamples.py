@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples run, and their pictures show something."""
+
+import os
+import shutil
+import subprocess
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+import skdtesting
+
+
+def run(example, *arguments):
+    """As a reader would, by pvpython; without a display, by one that is made up."""
+    command = ["pvpython", os.path.join(skdtesting.SOURCE_DIR, "Plugin", "Examples", example)]
+    if not os.environ.get("DISPLAY"):
+        if shutil.which("Xvfb") is None:
+            skdtesting.skip("there is no display")
+        command = ["bash", os.path.join(skdtesting.SOURCE_DIR, ".ci", "with_display.sh")] + command
+    result = subprocess.run(
+        command + list(arguments), capture_output=True, text=True, timeout=300)
+    assert result.returncode == 0 and "ERR|" not in result.stderr, result.stdout + result.stderr
+    return result.stdout
+
+
+def pixels(file):
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+
+
+def test_closest_point():
+    picture = skdtesting.temporary("closest_point_example.png")
+    if os.path.exists(picture):
+        os.remove(picture)
+    said = run("ClosestPoint.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
+    assert "SkdDistance  from    3.2" in said, said
+    colours = pixels(picture)
+    is_background = (colours == 255).all(axis=1)
+    assert 0.2 < is_background.mean() < 0.8
+    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+
+
+skdtesting.run_tests(globals())

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two processes of pvbatch give what one gives. Run without an argument this starts them; with the
+name of a file it is one of them, and writes its part of the answers there."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import skdtesting
+
+ARRAYS = ("SkdDistance", "SkdClosestPoint", "SkdClosestCellId", "F")
+
+
+def answers(source):
+    """A row for each point of this process: where it is and what was found."""
+    from paraview import simple
+
+    field = simple.Calculator(Input=source, Function="coordsX", ResultArrayName="F")
+    closest = simple.SkdTreeClosestPoint(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]),
+        Source=field, SignedDistance=1, InterpolateSourceData=1)
+    closest.UpdatePipeline()
+    data = closest.GetClientSideObject().GetOutputDataObject(0)
+    columns = [numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])]
+    for name in ARRAYS:
+        values = vtk_to_numpy(data.GetPointData().GetArray(name))
+        columns.append(values.reshape(len(values), -1))
+    return numpy.hstack(columns)
+
+
+def all_answers():
+    from paraview import simple
+
+    brain = simple.XMLPolyDataReader(
+        FileName=[os.path.join(skdtesting.DATA_DIR, "fly_brain_lateral_horn.vtp")])
+    sphere = simple.Sphere(Radius=4, ThetaResolution=50, PhiResolution=50)
+    return numpy.vstack([answers(source) for source in (sphere, brain)])
+
+
+def process_id():
+    from paraview import servermanager
+
+    module = servermanager.vtkProcessModule.GetProcessModule()
+    assert module.GetNumberOfLocalPartitions() == 2
+    return module.GetPartitionId()
+
+
+def run_in_parallel(file):
+    # What MPI told this process about itself is not for others.
+    environment = {
+        name: value
+        for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMIX_"))
+    }
+    environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        OMPI_MCA_rmaps_base_oversubscribe="1")
+    subprocess.run(["mpiexec", "-np", "2", "pvbatch", "--symmetric", os.path.abspath(__file__), file],
+        env=environment, check=True, timeout=300)
+
+
+if len(sys.argv) > 1:
+    numpy.save(sys.argv[1] % process_id(), all_answers())
+elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
+    skdtesting.skip("there is no mpiexec or no pvbatch")
+else:
+    alone = all_answers()
+    assert len(alone) == 2 * 13**3
+    file = skdtesting.temporary("parallel%d.npy")
+    run_in_parallel(file)
+    parts = [numpy.load(file % process) for process in (0, 1)]
+    assert all(len(alone) > len(part) > 0 for part in parts)
+    # The processes share the points where their pieces meet.
+    together = numpy.unique(numpy.vstack(parts), axis=0)
+    skdtesting.assert_same(together, numpy.unique(alone, axis=0))

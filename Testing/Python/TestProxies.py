@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every proxy of the plugin: documented, with the defaults of the class that it stands for."""
+
+import vtkskdtree
+from paraview import servermanager, simple
+
+import skdtesting
+
+
+def documentation_of(element):
+    documentation = element.find("Documentation")
+    return (documentation.text or "").strip() if documentation is not None else ""
+
+
+def default_of(element):
+    return [float(value) for value in element.get("default_values").split()]
+
+
+def cpp_default_of(instance, element):
+    assert element.get("command").startswith("Set"), element.get("command")
+    value = getattr(instance, "Get" + element.get("command")[3:])()
+    return [float(component) for component in (value if isinstance(value, tuple) else (value, ))]
+
+
+def test_there_are_proxies_and_classes_for_each_other():
+    proxies = [proxy.get("class") for _, proxy in skdtesting.our_proxies()]
+    assert len(proxies) == len(set(proxies)), proxies
+    classes = [name for name in dir(vtkskdtree) if name.startswith("vtkSkdTree")]
+    assert sorted(proxies) == sorted(classes), (proxies, classes)
+
+
+def test_names_are_those_of_the_classes():
+    for _, proxy in skdtesting.our_proxies():
+        assert "vtk" + proxy.get("name") == proxy.get("class")
+
+
+def test_every_proxy_and_property_is_documented():
+    for _, proxy in skdtesting.our_proxies():
+        documentation = proxy.find("Documentation")
+        assert documentation.get("short_help") and documentation.get("long_help")
+        assert documentation_of(proxy), proxy.get("name")
+        for element in skdtesting.properties_of(proxy):
+            where = proxy.get("name") + "." + element.get("name")
+            assert documentation_of(element), where
+            assert element.get("label"), where
+
+
+def test_property_names_are_their_labels_without_blanks():
+    for _, proxy in skdtesting.our_proxies():
+        for element in skdtesting.properties_of(proxy):
+            assert element.get("label").replace(" ", "") == element.get("name")
+
+
+def test_defaults_are_those_of_cpp():
+    for _, proxy in skdtesting.our_proxies():
+        instance = getattr(vtkskdtree, proxy.get("class"))()
+        for element in skdtesting.properties_of(proxy):
+            if element.get("default_values") is None:
+                assert element.tag in ("InputProperty", "ProxyProperty"), element.get("name")
+                continue
+            assert default_of(element) == cpp_default_of(instance, element), element.get("name")
+
+
+def test_paraview_has_them_with_these_defaults():
+    manager = servermanager.ProxyManager()
+    for group, proxy in skdtesting.our_proxies():
+        made = manager.NewProxy(group, proxy.get("name"))
+        assert made is not None, proxy.get("name")
+        for element in skdtesting.properties_of(proxy):
+            prop = made.GetProperty(element.get("name"))
+            assert prop.GetDocumentation().GetDescription().strip(), element.get("name")
+            if element.get("default_values") is not None:
+                values = [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
+                assert values == default_of(element), element.get("name")
+
+
+def test_filters_are_in_the_menu_and_in_python():
+    for group, proxy in skdtesting.our_proxies():
+        if group == "filters":
+            menu = proxy.find("Hints/ShowInMenu")
+            assert menu.get("category") == "skD-Tree"
+            assert menu.get("icon") == ":/SkdTree/Icons/%s.svg" % proxy.get("name")
+            assert callable(getattr(simple, proxy.get("name")))
+
+
+skdtesting.run_tests(globals())

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the pvpython tests share."""
+
+import os
+import sys
+import xml.etree.ElementTree
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+SOURCE_DIR = os.environ["SKDTREE_SOURCE_DIR"]
+DATA_DIR = os.environ["SKDTREE_DATA_DIR"]
+TEMPORARY_DIR = os.environ["SKDTREE_TEMPORARY_DIR"]
+
+
+def skip(why):
+    """Ends the test as one that was not run."""
+    print("skipped:", why)
+    sys.exit(77)
+
+
+def run_tests(names):
+    """Runs the functions of a module whose names begin with test_."""
+    for name, function in list(names.items()):
+        if name.startswith("test_"):
+            print(name, flush=True)
+            function()
+
+
+def temporary(name):
+    return os.path.join(TEMPORARY_DIR, name)
+
+
+def point_array(proxy, name, port=0):
+    """A point array of a proxy's output, which must be no composite data set."""
+    from paraview import servermanager, simple
+
+    simple.UpdatePipeline(proxy=proxy)
+    data = servermanager.Fetch(proxy, idx=port)
+    array = data.GetPointData().GetArray(name)
+    assert array is not None, (name, data)
+    return vtk_to_numpy(array)
+
+
+def report(proxy, name):
+    """A number of the filter's report."""
+    return proxy.FieldData["SkdReport" + name].GetRange()[0]
+
+
+def assert_same(first, second):
+    """The same values, bit by bit."""
+    numpy.testing.assert_array_equal(first, second)
+
+
+def our_proxies():
+    """The XML elements of all proxies that the plugin defines, as (group, element)."""
+    folder = os.path.join(SOURCE_DIR, "Plugin", "XML")
+    for file in sorted(os.listdir(folder)):
+        root = xml.etree.ElementTree.parse(os.path.join(folder, file)).getroot()
+        for group in root.iter("ProxyGroup"):
+            for proxy in group:
+                yield group.get("name"), proxy
+
+
+def properties_of(proxy):
+    """The XML elements of a proxy's own properties."""
+    return [element for element in proxy if element.tag.endswith("Property")]
