@@ -253,14 +253,16 @@ TEST_P(Degenerate, EachCellIsFoundAtItsOwnPoints)
 TEST(DegenerateCells, OfTooFewPointsAreHarmless)
 {
   Mesh mesh = Sheet(2, VTK_TRIANGLE);
-  mesh.Add(VTK_POLYGON, { 0 });
-  mesh.Add(VTK_POLYGON, { 0, 1 });
-  mesh.Add(VTK_POLY_LINE, { 3 });
-  mesh.Add(VTK_TRIANGLE_STRIP, { 3, 4 });
   mesh.Add(VTK_POLYGON, { 5, 5, 5, 5 });
   mesh.Add(VTK_POLY_LINE, { 2, 2, 2 });
+  mesh.Add(VTK_TRIANGLE_STRIP, { 1, 1, 1 });
+  Mesh few = mesh; // polydata cannot hold these
+  few.Add(VTK_POLYGON, { 0 });
+  few.Add(VTK_POLYGON, { 0, 1 });
+  few.Add(VTK_POLY_LINE, { 3 });
+  few.Add(VTK_TRIANGLE_STRIP, { 3, 4 });
   for (const DataSetPointer& data :
-    std::vector<DataSetPointer>{ MakeGrid(mesh), MakePolyData(mesh) })
+    std::vector<DataSetPointer>{ MakeGrid(few), MakePolyData(mesh) })
   {
     const auto locator = MakeLocator(data);
     vtkNew<vtkGenericCell> cell;

@@ -21,7 +21,7 @@ void* Allocate(std::size_t size)
   void* memory = std::malloc(size ? size : 1);
   if (!memory)
   {
-    throw std::bad_alloc();
+    std::abort(); // the forms that must not throw come here, too
   }
   return memory;
 }
@@ -32,57 +32,109 @@ void* Allocate(std::size_t size, std::align_val_t alignment)
   void* memory = nullptr;
   if (posix_memalign(&memory, static_cast<std::size_t>(alignment), size ? size : 1) != 0)
   {
-    throw std::bad_alloc();
+    std::abort();
   }
   return memory;
 }
 }
 
+// All forms, or those that are left to a sanitizer do not go with these.
 void* operator new(std::size_t size)
 {
   return Allocate(size);
 }
+
 void* operator new[](std::size_t size)
 {
   return Allocate(size);
 }
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return Allocate(size);
+}
+
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept
+{
+  return Allocate(size);
+}
+
 void* operator new(std::size_t size, std::align_val_t alignment)
 {
   return Allocate(size, alignment);
 }
+
 void* operator new[](std::size_t size, std::align_val_t alignment)
 {
   return Allocate(size, alignment);
 }
+
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept
+{
+  return Allocate(size, alignment);
+}
+
+void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept
+{
+  return Allocate(size, alignment);
+}
+
 void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
+
 void operator delete[](void* memory) noexcept
 {
   std::free(memory);
 }
+
 void operator delete(void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
+
 void operator delete[](void* memory, std::size_t) noexcept
 {
   std::free(memory);
 }
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete[](void* memory, const std::nothrow_t&) noexcept
+{
+  std::free(memory);
+}
+
 void operator delete(void* memory, std::align_val_t) noexcept
 {
   std::free(memory);
 }
+
 void operator delete[](void* memory, std::align_val_t) noexcept
 {
   std::free(memory);
 }
+
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
 {
   std::free(memory);
 }
+
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept
+{
+  std::free(memory);
+}
+
+void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept
 {
   std::free(memory);
 }
