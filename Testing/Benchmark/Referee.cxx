@@ -109,7 +109,7 @@ std::vector<bool> Referee::JudgeClosest(
       this->DistanceToCell(record.Where, record.Cell) <= slack(record) &&
       std::abs(std::sqrt(record.Value) - distance) <= slack(record);
     distances.push_back(found ? distance : record.Cell < 0 ? Infinity : std::nan(""));
-    best = found ? std::min(best, distance) : best;
+    best = found ? std::min(best, distance + slack(record)) : best;
   }
   std::vector<bool> wrong;
   for (std::size_t i = 0; i < records.size(); ++i)
@@ -131,7 +131,7 @@ std::vector<bool> Referee::JudgeFirstHit(const Query& query, const std::vector<R
   {
     if (record.Cell >= 0 && this->IsHit(query, record.Cell, 0.1 * this->LineTolerance))
     {
-      best = std::min(best, record.Value * length);
+      best = std::min(best, record.Value * length + this->Slack(record));
     }
     warp = std::max(warp, this->Warp(record.Cell));
   }

@@ -6,7 +6,8 @@
  *
  * No structure is trusted. An answer counts when the cell that it names bears it out, by VTK's own
  * test of that one cell; the best that counts is the truth, and who says otherwise is wrong. An
- * answer within rounding of the truth is right.
+ * answer within rounding of the truth is right, and so is the truth itself only known to within the
+ * rounding of who told it.
  */
 #ifndef skdbench_Referee_h
 #define skdbench_Referee_h
