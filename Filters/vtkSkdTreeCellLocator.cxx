@@ -203,8 +203,9 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
   }
   t = hit.T;
   subId = hit.SubId;
-  SkdStore(hit.PCoords, pcoords);
-  SkdStore(skd::Lerp(SkdVector(p1), SkdVector(p2), t), x);
+  const skd::Vector3 point = skd::Lerp(SkdVector(p1), SkdVector(p2), t);
+  SkdStore(tree.MovedPCoords(this->Impl->GetMotion(), cellId, point, hit.PCoords), pcoords);
+  SkdStore(point, x);
   this->Impl->Load(this->DataSet, cellId, cell);
   return 1;
 }
@@ -438,7 +439,9 @@ vtkIdType vtkSkdTreeCellLocator::FindCellWithHint(double x[3], double tol2, vtkI
   }
   tree.Interpolate(found, weights, source);
   subId = found.SubId;
-  SkdStore(found.PCoords, pcoords);
+  const skd::Vector3 point = this->Impl->ToWorld(found.Point);
+  SkdStore(
+    tree.MovedPCoords(this->Impl->GetMotion(), found.Id, point, found.PCoords), pcoords);
   this->Impl->Load(this->DataSet, found.Id, cell);
   return found.Id;
 }

@@ -15,8 +15,9 @@
  * decided by an exact test on the cell, in double precision.
  *
  * It takes any vtkDataSet with any cell type. Vertices, lines, triangles, pixels, quads,
- * tetrahedra, voxels, hexahedra, wedges and pyramids have kernels of their own that read raw
- * points; every other type goes through vtkGenericCell.
+ * tetrahedra, voxels, hexahedra, wedges, pyramids, and cells of any number of points (polyvertices,
+ * polylines, strips, polygons, polyhedra) have kernels of their own that read raw points; every
+ * other type goes through vtkGenericCell.
  *
  * How its answers are defined:
  * - IntersectWithLine, first hit: the nearest along the line; of cells hit at the same parameter
@@ -29,6 +30,9 @@
  * - FindCell: the cell that contains the point (to within rounding: 8 units in the last place of
  *   the largest coordinate), of several the lowest id; with a tolerance else the *nearest* cell
  *   within it. pcoords and weights are those of the point of the cell nearest to x.
+ * - A polygon is flat, or taken for flat: its plane goes through the mean of its points. It may be
+ *   concave. A face of a polyhedron is the fan of triangles around the mean of its points, however
+ *   it is oriented. Both interpolate by mean value coordinates, which are exact for linear fields.
  * - FindCellsWithinBounds: exactly the cells whose bounds overlap the box, bounds included.
  *
  * Threads: after BuildLocator() every query is thread-safe, the short forms included, and

@@ -85,6 +85,10 @@ public:
     const skd::Vector3& x, std::size_t number, double limit2, const SkdCellSource& source) const;
   /// The sub-id, pcoords and (unless nullptr) weights at the point of a found cell.
   void Interpolate(SkdFoundCell& found, double* weights, const SkdCellSource& source) const;
+  /// The parametric coordinates at x of a cell that is moved (nullptr: not at all), given those that
+  /// it has in the tree: a polyhedron's are in its bounds, and these change when it turns.
+  skd::Vector3 MovedPCoords(const skd::RigidMotion* motion, vtkIdType id, const skd::Vector3& x,
+    const skd::Vector3& pcoords) const;
   ///@}
 
   ///@{

@@ -195,3 +195,18 @@ void SkdCellTree::Interpolate(
       source.Load(found.Id), found.Point, found.SubId, found.PCoords, weights);
   }
 }
+
+//------------------------------------------------------------------------------
+skd::Vector3 SkdCellTree::MovedPCoords(const skd::RigidMotion* motion, vtkIdType id,
+  const skd::Vector3& x, const skd::Vector3& pcoords) const
+{
+  const std::int64_t found = motion ? this->Store.CellOfId(id) : -1;
+  if (found < 0)
+  {
+    return pcoords;
+  }
+  const auto cell = static_cast<std::uint32_t>(found);
+  return this->Store.ShapeOf(cell) == SkdShape::Polyhedron
+    ? SkdPolyKernels::PCoordsInBounds(this->WorldBoundsOf(cell, motion), x)
+    : pcoords;
+}

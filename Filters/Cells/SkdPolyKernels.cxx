@@ -117,18 +117,6 @@ skd::Vector3 PolygonPCoords(const SkdPolyCell& cell, const skd::Vector3& x)
   return pcoords;
 }
 
-/// The parametric coordinates of polyhedra: those of the bounds.
-skd::Vector3 BoundsPCoords(const skd::Box3& bounds, const skd::Vector3& x)
-{
-  skd::Vector3 pcoords = Zero;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double length = bounds.Length(axis);
-    pcoords[axis] = length > 0.0 ? (x[axis] - bounds.Min[axis]) / length : 0.0;
-  }
-  return pcoords;
-}
-
 /// What rounding makes of distances among points as large as these, squared.
 double Rounding2(const SkdPolyCell& cell)
 {
@@ -229,7 +217,8 @@ std::optional<SkdLineHit> HitPolyhedron(
     });
   if (first)
   {
-    first->PCoords = BoundsPCoords(polyhedron.Bounds(), view.GetSegment().At(first->T));
+    const skd::Vector3 point = view.GetSegment().At(first->T);
+    first->PCoords = SkdPolyKernels::PCoordsInBounds(polyhedron.Bounds(), point);
   }
   return first;
 }
@@ -247,6 +236,18 @@ void WeighPolyhedron(const SkdPolyCell& cell, const skd::Vector3& x, double* wei
     skd::FaceWeights(polyhedron, skd::FindNearestTriangle(polyhedron, x, Infinity), weights);
   }
 }
+}
+
+//------------------------------------------------------------------------------
+skd::Vector3 SkdPolyKernels::PCoordsInBounds(const skd::Box3& bounds, const skd::Vector3& x)
+{
+  skd::Vector3 pcoords = Zero;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double length = bounds.Length(axis);
+    pcoords[axis] = length > 0.0 ? (x[axis] - bounds.Min[axis]) / length : 0.0;
+  }
+  return pcoords;
 }
 
 //------------------------------------------------------------------------------
@@ -306,7 +307,7 @@ void SkdPolyKernels::Locate(const SkdPolyCell& cell, SkdCellPoint& found, double
   }
   const bool isPolygon = cell.Shape == SkdShape::Polygon;
   found.PCoords = isPolygon ? PolygonPCoords(cell, found.Point)
-                            : BoundsPCoords(cell.AsPolyhedron().Bounds(), found.Point);
+                            : PCoordsInBounds(cell.AsPolyhedron().Bounds(), found.Point);
   if (weights)
   {
     isPolygon ? WeighPolygon(cell, found.Point, weights)

@@ -36,6 +36,9 @@ std::optional<SkdLineHit> Intersect(
 /// Completes the parametric coordinates, VTK's, and unless nullptr the weights at a point that
 /// Closest() has found.
 void Locate(const SkdPolyCell& cell, SkdCellPoint& found, double* weights);
+
+/// What VTK takes for the parametric coordinates of a polyhedron.
+skd::Vector3 PCoordsInBounds(const skd::Box3& bounds, const skd::Vector3& x);
 }
 
 #endif
