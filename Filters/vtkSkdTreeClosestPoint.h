@@ -98,10 +98,11 @@ public:
   /**
    * Interpolate the source's point data at the nearest point by the cell's weights, exact for
    * linear fields, and take its cell data there; both become point arrays of the output, under
-   * their own names and of their own types (rounded, of integers). Of a composite Source, the arrays that all its blocks have. A
-   * name that is in use already keeps what it names, with a warning: the Input's arrays go before
-   * the Source's, its point data before its cell data. Ghost marks and ids of points are not
-   * passed. Points without an answer get NaN, or 0 in integer arrays. Default off.
+   * their own names and of their own types (rounded, of integers). Of a composite Source, the
+   * arrays that all its blocks have. A name that is in use already keeps what it names, with a
+   * warning: the Input's arrays go before the Source's, its point data before its cell data. Ghost
+   * marks and ids of points are not passed. Points without an answer get NaN, or 0 in integer
+   * arrays. Default off.
    */
   vtkSetMacro(InterpolateSourceData, bool);
   vtkGetMacro(InterpolateSourceData, bool);
