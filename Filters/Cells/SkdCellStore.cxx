@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellStore.h"
 
+#include "Cells/SkdBulge.h"
 #include "Cells/SkdFaceReader.h"
 
 #include "vtkDataSet.h"
@@ -259,17 +260,22 @@ void SkdCellStore::ReadFaces(vtkDataSet* data)
 //------------------------------------------------------------------------------
 void SkdCellStore::ReadReaches(vtkDataSet* data)
 {
+  SkdBulge bulge(data);
   for (std::uint32_t cell = 0; cell < this->Count; ++cell)
   {
     if (this->ShapeOf(cell) != SkdShape::Generic)
     {
       continue;
     }
-    const double reach = SkdReachOfCellType(data->GetCellType(this->IdOf(cell)));
+    const vtkIdType id = this->IdOf(cell);
+    const SkdPolyCell gathered = this->GatherPoly(cell);
+    const double reach =
+      bulge.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
     if (reach > 1.0)
     {
       this->Reaches.resize(this->Count, 1.0f);
-      this->Reaches[cell] = static_cast<float>(reach);
+      this->Reaches[cell] =
+        std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::max());
     }
   }
 }

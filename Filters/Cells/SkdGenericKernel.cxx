@@ -3,8 +3,10 @@
 #include "Cells/SkdGenericKernel.h"
 
 #include "Cells/SkdParametricCell.h"
+#include "Cells/SkdPiecewiseKernel.h"
 
 #include "vtkCell.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkPoints.h"
@@ -96,6 +98,10 @@ SkdCellPoint SkdGenericKernel::Closest(vtkCell* cell, const skd::Vector3& x)
   {
     return SkdParametricKernel::Closest(cell, x);
   }
+  if (SkdPiecewiseKernel::Knows(cell->GetCellType()))
+  {
+    return SkdPiecewiseKernel::Closest(cell, x);
+  }
   SkdCellPoint found = Evaluate(cell, x, SpareWeights(cell));
   if (cell->GetCellDimension() == 3)
   {
@@ -117,6 +123,11 @@ std::optional<SkdLineHit> SkdGenericKernel::Intersect(
   if (SkdParametricCell::DomainOf(cell->GetCellType()))
   {
     return SkdParametricKernel::Intersect(cell, segment, tolerance);
+  }
+  const bool isPiecewise = SkdPiecewiseKernel::Knows(cell->GetCellType());
+  if (isPiecewise && cell->GetCellType() != VTK_CONVEX_POINT_SET)
+  {
+    return SkdPiecewiseKernel::Intersect(cell, segment, { tolerance, 0.0 });
   }
   SkdLineHit hit;
   skd::Vector3 point;
@@ -142,7 +153,15 @@ void SkdGenericKernel::Locate(
     }
     return;
   }
-  const SkdCellPoint found = Evaluate(cell, point, weights ? weights : SpareWeights(cell));
+  SkdCellPoint found{ point, pcoords, 0.0, subId };
+  if (SkdPiecewiseKernel::Knows(cell->GetCellType()))
+  {
+    SkdPiecewiseKernel::Locate(cell, found, weights);
+  }
+  else
+  {
+    found = Evaluate(cell, point, weights ? weights : SpareWeights(cell));
+  }
   subId = found.SubId;
   pcoords = found.PCoords;
 }

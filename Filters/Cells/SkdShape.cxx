@@ -10,32 +10,6 @@
 
 namespace
 {
-/// The greatest sum of the weights' magnitudes over a cell, for the types that bulge.
-struct Reach
-{
-  int CellType;
-  double Factor;
-};
-
-constexpr Reach Reaches[] = {
-  { VTK_QUADRATIC_EDGE, 1.25 },
-  { VTK_CUBIC_LINE, 1.65 },
-  { VTK_QUADRATIC_TRIANGLE, 1.67 },
-  { VTK_BIQUADRATIC_TRIANGLE, 2.2 },
-  { VTK_QUADRATIC_QUAD, 3.0 },
-  { VTK_BIQUADRATIC_QUAD, 1.5625 },
-  { VTK_QUADRATIC_LINEAR_QUAD, 1.25 },
-  { VTK_QUADRATIC_POLYGON, 3.0 },
-  { VTK_QUADRATIC_TETRA, 2.0 },
-  { VTK_QUADRATIC_HEXAHEDRON, 5.0 },
-  { VTK_TRIQUADRATIC_HEXAHEDRON, 2.0 },
-  { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 5.0 },
-  { VTK_QUADRATIC_WEDGE, 5.0 },
-  { VTK_BIQUADRATIC_QUADRATIC_WEDGE, 2.1 },
-  { VTK_QUADRATIC_LINEAR_WEDGE, 1.67 },
-  { VTK_QUADRATIC_PYRAMID, 5.0 },
-};
-
 bool IsKnownToVTK(int cellType)
 {
   const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType));
@@ -107,17 +81,4 @@ int SkdNumberOfPoints(SkdShape shape)
 {
   constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0 };
   return numbers[static_cast<int>(shape)];
-}
-
-//------------------------------------------------------------------------------
-double SkdReachOfCellType(int cellType)
-{
-  for (const Reach& reach : Reaches)
-  {
-    if (reach.CellType == cellType)
-    {
-      return reach.Factor;
-    }
-  }
-  return 1.0;
 }

@@ -34,10 +34,4 @@ SkdShape SkdShapeOfCellType(int cellType);
 /// The points of a cell of this shape, or 0 when that is up to the cell.
 int SkdNumberOfPoints(SkdShape shape);
 
-/// By which factor a curved cell may reach beyond the half lengths of the box of its points. A cell
-/// interpolates its points by weights that sum to 1, so the greatest sum of their magnitudes is a
-/// bound: 1 for linear cells, and for Lagrange and Bezier cells, that VTK evaluates piecewise
-/// linearly on points of the cell.
-double SkdReachOfCellType(int cellType);
-
 #endif

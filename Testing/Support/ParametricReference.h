@@ -20,7 +20,8 @@ enum class Domain
   None, // cells that have no coordinates of their own
   Cube, // of the cell's dimension
   Simplex,
-  Prism
+  Prism,
+  Pyramid // its base at a height of 0.5, its tip at (0.5, 0.5, 1)
 };
 
 inline Domain DomainOf(int type)
@@ -41,6 +42,8 @@ inline Domain DomainOf(int type)
     case VTK_LAGRANGE_WEDGE:
     case VTK_BEZIER_WEDGE:
       return Domain::Prism;
+    case VTK_TRIQUADRATIC_PYRAMID:
+      return Domain::Pyramid;
     case VTK_QUADRATIC_POLYGON:
       return Domain::None;
     default:
@@ -60,6 +63,8 @@ public:
   {
   }
 
+  int Dimension() const { return this->Cell->GetCellDimension(); }
+
   Point At(const Point& pcoords)
   {
     Point x;
@@ -78,6 +83,8 @@ public:
         return std::min({ p[0], p[1], p[2] }) >= 0 && sum + p[2] <= 1;
       case Domain::Prism:
         return std::min({ p[0], p[1], p[2] }) >= 0 && sum <= 1 && p[2] <= 1;
+      case Domain::Pyramid:
+        return p[2] >= 0.5 && std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)) <= 1 - p[2];
       default:
         return p[0] >= low && std::min(p[1], p[2]) >= 0 && std::max({ p[0], p[1], p[2] }) <= 1;
     }
@@ -88,7 +95,8 @@ public:
   double DistanceTo(const Point& x)
   {
     const Point middle = { 0.5 * (1 + this->Lowest), 0.5, 0.5 };
-    Point best = { 0, 0, 0 };
+    const double* first = this->Cell->GetParametricCoords();
+    Point best = { first[0], first[1], first[2] };
     double least = Distance(this->At(best), x);
     this->Improve(x, best, least, middle, 1.0 / 8, 4);
     for (double step = 1.0 / 8; step > 1e-8; step *= 0.5)
