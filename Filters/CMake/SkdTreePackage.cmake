@@ -6,7 +6,7 @@
 
 set(CPACK_PACKAGE_NAME "paraview-skdtree")
 set(CPACK_PACKAGE_VENDOR "the skD-tree authors")
-set(CPACK_PACKAGE_CONTACT "the skD-tree authors <skdtree@example.org>")
+set(CPACK_PACKAGE_CONTACT "the skD-tree authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}, for VTK and ParaView")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
