@@ -301,16 +301,21 @@ float LeastCentroid(const std::vector<skd::FloatBox<D>>& boxes, int axis, float 
 template <int D>
 int LongestAxis(const std::vector<skd::FloatBox<D>>& boxes)
 {
-  skd::Box<D> all;
-  for (const skd::FloatBox<D>& box : boxes)
+  int longest = 0;
+  float length = 0.0f;
+  for (int axis = 0; axis < D; ++axis)
   {
-    for (int axis = 0; axis < D; ++axis)
+    float least = std::numeric_limits<float>::max();
+    float greatest = std::numeric_limits<float>::lowest();
+    for (const skd::FloatBox<D>& box : boxes)
     {
-      all.Min[axis] = std::min<double>(all.Min[axis], box.Min[axis]);
-      all.Max[axis] = std::max<double>(all.Max[axis], box.Max[axis]);
+      least = std::min(least, box.Min[axis]);
+      greatest = std::max(greatest, box.Max[axis]);
     }
+    longest = greatest - least > length ? axis : longest;
+    length = std::max(length, greatest - least);
   }
-  return all.LongestAxis();
+  return longest;
 }
 
 /// The lanes of a node come of halving, and halving again: at each the median divides.
