@@ -84,10 +84,11 @@ public:
    * non-linear cells into linear ones.
    *
    * Points of equal coordinates are one, faces between two volume cells are no boundary, of
-   * whatever blocks they are. Inside is decided by the parity of exact crossings, so orientation
-   * does not matter. A surface with open edges (edges that an odd number of its faces use) gives
-   * one warning that counts them; the sign is then a vote of seven directions. A Source without a
-   * surface gives a warning, and distances without a sign. Default off.
+   * whatever blocks they are; cells that do not meet face to face (of two levels of an AMR data
+   * set, say) do have a boundary between them. Inside is decided by the parity of exact crossings,
+   * so orientation does not matter. A surface with open edges (edges that an odd number of its
+   * faces use) gives one warning that counts them; the sign is then a vote of seven directions. A
+   * Source without a surface gives a warning, and distances without a sign. Default off.
    */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
