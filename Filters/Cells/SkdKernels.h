@@ -272,7 +272,27 @@ struct SkdVolumeKernel
   static SkdCellPoint Closest(const skd::Vector3* p, const skd::Vector3& x, double limit2)
   {
     const skd::VolumePoint nearest = skd::ClosestPointInCell<Shape>(p, x, limit2);
+    if (nearest.Dist2 > 0.0 && std::isfinite(nearest.Dist2))
+    {
+      if (const double* corner = CornerAt(p, x))
+      {
+        return { x, { { corner[0], corner[1], corner[2] } }, 0.0, 0, true };
+      }
+    }
     return { nearest.Point, nearest.PCoords, nearest.Dist2, 0, nearest.Dist2 == 0.0 };
+  }
+
+  /// Cells that share a corner must tie there, whatever rounding makes of their maps.
+  static const double* CornerAt(const skd::Vector3* p, const skd::Vector3& x)
+  {
+    for (int i = 0; i < Size; ++i)
+    {
+      if (p[i] == x)
+      {
+        return Shape::Corners[i];
+      }
+    }
+    return nullptr;
   }
 
   static std::optional<SkdLineHit> Intersect(
