@@ -8,7 +8,7 @@
 
 set -euo pipefail
 number=$(mktemp)
-Xvfb -displayfd 3 -screen 0 1600x1000x24 3>"$number" >/dev/null 2>&1 &
+Xvfb -noreset -displayfd 3 -screen 0 1600x1000x24 3>"$number" >/dev/null 2>&1 &
 server=$!
 trap 'kill "$server" 2>/dev/null || true; rm -f "$number"' EXIT
 trap 'exit 143' TERM
