@@ -31,8 +31,8 @@ void Clear(vtkIdList* ids, vtkDoubleArray* distances)
   }
 }
 
-vtkIdType Fill(const std::vector<std::pair<double, vtkIdType>>& found, vtkIdList* ids,
-  vtkDoubleArray* distances)
+vtkIdType Fill(
+  const std::vector<std::pair<double, vtkIdType>>& found, vtkIdList* ids, vtkDoubleArray* distances)
 {
   Clear(ids, distances);
   for (const auto& [dist2, id] : found)
@@ -218,8 +218,8 @@ int vtkSkdTreeCellLocator::IntersectWithLine(
 }
 
 //------------------------------------------------------------------------------
-int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3],
-  const double tol, vtkPoints* points, vtkIdList* cellIds)
+int vtkSkdTreeCellLocator::IntersectWithLine(
+  const double p1[3], const double p2[3], const double tol, vtkPoints* points, vtkIdList* cellIds)
 {
   return this->IntersectWithLine(p1, p2, tol, points, cellIds, SkdScratchCell());
 }
@@ -259,8 +259,8 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
 vtkIdType vtkSkdTreeCellLocator::FindCrossings(const double p1[3], const double p2[3],
   vtkDoubleArray* parameters, vtkPoints* points, vtkCellArray* incidentCells, vtkIdTypeArray* kinds)
 {
-  const SkdCrossings& crossings = this->GetTree().FindCrossings(
-    this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  const SkdCrossings& crossings =
+    this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
   const auto number = static_cast<vtkIdType>(crossings.List.size());
   if (parameters)
   {
@@ -307,8 +307,8 @@ vtkIdType vtkSkdTreeCellLocator::FindCrossings(const double p1[3], const double 
 //------------------------------------------------------------------------------
 vtkIdType vtkSkdTreeCellLocator::CountCrossings(const double p1[3], const double p2[3])
 {
-  const SkdCrossings& crossings = this->GetTree().FindCrossings(
-    this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  const SkdCrossings& crossings =
+    this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
   return static_cast<vtkIdType>(std::count_if(crossings.List.begin(), crossings.List.end(),
     [](const SkdCrossing& crossing) { return crossing.Passes; }));
 }
@@ -393,8 +393,8 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsWithinRadius(
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
   auto& found = tree.FindNearestCells(this->Impl->ToTree(x), tree.Cells().NumberOfCells(), limit2,
     { this->DataSet, SkdScratchCell() });
-  std::sort(found.begin(), found.end(),
-    [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::sort(
+    found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return Fill(found, cellIds, distances);
 }
 
@@ -440,8 +440,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellWithHint(double x[3], double tol2, vtkI
   tree.Interpolate(found, weights, source);
   subId = found.SubId;
   const skd::Vector3 point = this->Impl->ToWorld(found.Point);
-  SkdStore(
-    tree.MovedPCoords(this->Impl->GetMotion(), found.Id, point, found.PCoords), pcoords);
+  SkdStore(tree.MovedPCoords(this->Impl->GetMotion(), found.Id, point, found.PCoords), pcoords);
   this->Impl->Load(this->DataSet, found.Id, cell);
   return found.Id;
 }
@@ -473,8 +472,7 @@ void vtkSkdTreeCellLocator::FindCellsAlongLine(
 void vtkSkdTreeCellLocator::FindCellsAlongPlane(
   const double o[3], const double n[3], double tolerance, vtkIdList* cells)
 {
-  this->GetTree().FindAlongPlane(
-    SkdPlane(o, n), tolerance, this->Impl->GetMotion(), cells);
+  this->GetTree().FindAlongPlane(SkdPlane(o, n), tolerance, this->Impl->GetMotion(), cells);
 }
 
 //------------------------------------------------------------------------------

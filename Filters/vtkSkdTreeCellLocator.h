@@ -16,16 +16,17 @@
  *
  * It takes any vtkDataSet with any cell type. Vertices, lines, triangles, pixels, quads,
  * tetrahedra, voxels, hexahedra, wedges, pyramids, and cells of any number of points (polyvertices,
- * polylines, strips, polygons, polyhedra) have kernels of their own that read raw points; every
- * other type goes through vtkGenericCell.
+ * polylines, strips, polygons, polyhedra) have kernels of their own that read raw points. Every
+ * other cell is read by vtkGenericCell; curved ones (quadratic, Lagrange, Bezier) are then searched
+ * on their own parametric map.
  *
  * How its answers are defined:
  * - IntersectWithLine, first hit: the nearest along the line; of cells hit at the same parameter
  *   the lowest id. A line through a shared edge or vertex of a closed surface of triangles or quads
  *   is never lost (the test is watertight, exact signs decide). A cell seen exactly edge-on is not
  *   hit. A line of zero length hits nothing.
- * - IntersectWithLine, all hits: each hit cell once, by (t, cell id). A crossing of a shared edge or
- *   vertex is so reported once for each incident cell; FindCrossings merges these.
+ * - IntersectWithLine, all hits: each hit cell once, by (t, cell id). A crossing of a shared edge
+ * or vertex is so reported once for each incident cell; FindCrossings merges these.
  * - FindClosestPoint and its kin: the true nearest point, ties to the lowest cell id.
  * - FindCell: the cell that contains the point (to within rounding: 8 units in the last place of
  *   the largest coordinate), of several the lowest id; with a tolerance else the *nearest* cell
@@ -155,10 +156,10 @@ public:
    */
   int IntersectWithLine(
     const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds) override;
-  int IntersectWithLine(const double p1[3], const double p2[3], const double tol,
-    vtkPoints* points, vtkIdList* cellIds) VTK_SKD_OVERRIDE_SINCE_92;
-  int IntersectWithLine(const double p1[3], const double p2[3], const double tol,
-    vtkPoints* points, vtkIdList* cellIds, vtkGenericCell* cell) VTK_SKD_OVERRIDE_SINCE_92;
+  int IntersectWithLine(const double p1[3], const double p2[3], const double tol, vtkPoints* points,
+    vtkIdList* cellIds) VTK_SKD_OVERRIDE_SINCE_92;
+  int IntersectWithLine(const double p1[3], const double p2[3], const double tol, vtkPoints* points,
+    vtkIdList* cellIds, vtkGenericCell* cell) VTK_SKD_OVERRIDE_SINCE_92;
   ///@}
 
   /**
@@ -258,8 +259,8 @@ public:
    * The cells whose bounds come within the distance `tolerance` of the plane (origin o, normal n of
    * any length), in the order of the tree.
    */
-  void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance,
-    vtkIdList* cells) VTK_SKD_OVERRIDE_SINCE_92;
+  void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance, vtkIdList* cells)
+    VTK_SKD_OVERRIDE_SINCE_92;
 
   ///@{
   /**
@@ -274,11 +275,12 @@ public:
 
   ///@{
   /**
-   * Raw queries: the ids of the candidate cells, in the order of the tree, as the paper's algorithms
-   * give them: cells whose *safety box* passes; no exact test is made. FindClosestCandidates is Algorithm 5.1
-   * (at least one of the candidates holds the nearest point), by choice with a reference point: one
-   * on or near a cell only speeds the search up, any other is harmless. The others are Algorithms
-   * 5.2 (segment), 5.3 (box), the sphere of 4.2 and a plane.
+   * Raw queries: the ids of the candidate cells, in the order of the tree, as the paper's
+   * algorithms give them: cells whose *safety box* passes; no exact test is made.
+   * FindClosestCandidates is Algorithm 5.1 (at least one of the candidates holds the nearest
+   * point), by choice with a reference point: one on or near a cell only speeds the search up, any
+   * other is harmless. The others are Algorithms 5.2 (segment), 5.3 (box), the sphere of 4.2 and a
+   * plane.
    */
   void FindClosestCandidates(const double x[3], vtkIdList* cellIds);
   void FindClosestCandidates(const double x[3], const double reference[3], vtkIdList* cellIds);
@@ -291,7 +293,8 @@ public:
   /**
    * Algorithm 5.4: all pairs (a cell of this tree, a cell of the other) whose safety boxes overlap,
    * sorted by (this id, other id). Transforms of both locators are taken into account. Pass the
-   * locator itself to find the pairs within one set, (i, i) among them. Returns the number of pairs.
+   * locator itself to find the pairs within one set, (i, i) among them. Returns the number of
+   * pairs.
    */
   vtkIdType FindOverlappingPairs(
     vtkSkdTreeCellLocator* other, vtkIdList* cellIds, vtkIdList* otherCellIds);

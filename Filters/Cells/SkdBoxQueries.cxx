@@ -41,8 +41,8 @@ skd::Box3 SkdCellTree::WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion*
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellTree::BoundsHold(const skd::Vector3& x, vtkIdType id, double tolerance,
-  const skd::RigidMotion* motion) const
+bool SkdCellTree::BoundsHold(
+  const skd::Vector3& x, vtkIdType id, double tolerance, const skd::RigidMotion* motion) const
 {
   const std::int64_t cell = this->Store.CellOfId(id);
   if (cell < 0)
@@ -98,8 +98,8 @@ void SkdCellTree::FindAlongPlane(const skd::Plane<3>& plane, double tolerance,
     return true;
   };
   const skd::Frame<3>& frame = this->GetFrame();
-  const skd::Slab<3> slab = motion ? SkdSlabBeforeMotion(frame, plane, reach, *motion)
-                                   : skd::Slab<3>(frame, plane, reach);
+  const skd::Slab<3> slab =
+    motion ? SkdSlabBeforeMotion(frame, plane, reach, *motion) : skd::Slab<3>(frame, plane, reach);
   skd::WithinSlabs<3, 1, decltype(leaf)> query({ slab }, leaf);
   this->Walk(query);
 }
@@ -183,8 +183,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) co
 }
 
 //------------------------------------------------------------------------------
-void SkdCellTree::FindSafetyBoxesWithin(
-  const skd::Vector3& x, double radius, vtkIdList* ids) const
+void SkdCellTree::FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const
 {
   ids->Reset();
   if (!skd::IsFinite(x) || !(radius >= 0.0))

@@ -24,14 +24,13 @@ bool IsPyramid(int cellType)
 }
 
 /// The weights of the corners of a straight cell. Returns their number.
-int StraightWeights(const SkdParametricCell& cell, bool isPyramid, const skd::Vector3& p,
-  double (&weights)[8])
+int StraightWeights(
+  const SkdParametricCell& cell, bool isPyramid, const skd::Vector3& p, double (&weights)[8])
 {
   const skd::ParameterDomain& domain = cell.Domain();
   const bool isSimplex = &domain == &skd::UnitTriangle || &domain == &skd::UnitPrism;
   const double base[4] = { isSimplex ? 1.0 - p[0] - p[1] : (1.0 - p[0]) * (1.0 - p[1]),
-    isSimplex ? p[0] : p[0] * (1.0 - p[1]), isSimplex ? p[1] : p[0] * p[1],
-    (1.0 - p[0]) * p[1] };
+    isSimplex ? p[0] : p[0] * (1.0 - p[1]), isSimplex ? p[1] : p[0] * p[1], (1.0 - p[0]) * p[1] };
   const int size = isSimplex ? 3 : 4;
   if (&domain == &skd::UnitTetrahedron)
   {
@@ -207,8 +206,7 @@ double SkdBulge::FactorOf(const Kind& kind, const skd::Vector3* points, int size
 }
 
 //------------------------------------------------------------------------------
-double SkdBulge::FactorOf(
-  vtkIdType cellId, int cellType, const skd::Vector3* points, int size)
+double SkdBulge::FactorOf(vtkIdType cellId, int cellType, const skd::Vector3* points, int size)
 {
   const bool isBezier = cellType >= VTK_BEZIER_CURVE && cellType <= VTK_BEZIER_PYRAMID;
   if (isBezier || !SkdParametricCell::DomainOf(cellType))

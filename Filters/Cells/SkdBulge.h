@@ -18,10 +18,10 @@ class vtkGenericCell;
 
 /// How far the curved cells of a data set reach beyond the boxes of their points. One thread's.
 ///
-/// A cell is what its corners span, plus the displacements of its other points from where a straight
-/// cell has them, each times its weight. So nothing of it is farther from the corners' box than the
-/// largest displacement times the largest sum of these weights' magnitudes: nothing for a straight
-/// cell. The sum is found once for each kind of cell.
+/// A cell is what its corners span, plus the displacements of its other points from where a
+/// straight cell has them, each times its weight. So nothing of it is farther from the corners' box
+/// than the largest displacement times the largest sum of these weights' magnitudes: nothing for a
+/// straight cell. The sum is found once for each kind of cell.
 class SkdBulge
 {
 public:

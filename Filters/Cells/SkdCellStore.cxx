@@ -269,8 +269,7 @@ void SkdCellStore::ReadReaches(vtkDataSet* data)
     }
     const vtkIdType id = this->IdOf(cell);
     const SkdPolyCell gathered = this->GatherPoly(cell);
-    const double reach =
-      bulge.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
+    const double reach = bulge.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
     if (reach > 1.0)
     {
       this->Reaches.resize(this->Count, 1.0f);
@@ -310,8 +309,7 @@ void SkdCellStore::FindLargestCoordinate()
   for (const std::uint32_t id : this->PointIds)
   {
     const skd::Vector3 x = this->Point(id);
-    this->Largest =
-      std::max({ this->Largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+    this->Largest = std::max({ this->Largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
   }
 }
 
@@ -382,6 +380,6 @@ std::size_t SkdCellStore::MemorySize() const
     this->Offsets.capacity() * sizeof(std::uint64_t) +
     this->PointIds.capacity() * sizeof(std::uint32_t) +
     this->FaceOffsets.capacity() * sizeof(std::uint64_t) +
-    this->FaceStream.capacity() * sizeof(std::uint32_t) +
-    this->Reaches.capacity() * sizeof(float) + this->OwnPoints.capacity() * sizeof(double);
+    this->FaceStream.capacity() * sizeof(std::uint32_t) + this->Reaches.capacity() * sizeof(float) +
+    this->OwnPoints.capacity() * sizeof(double);
 }

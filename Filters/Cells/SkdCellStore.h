@@ -27,8 +27,8 @@ public:
     vtkIdType Other = 0;     ///< ghost, blanked, empty, of unknown type
   };
 
-  /// `data` may be nullptr. Throws std::length_error when there are more cells or points than 32-bit
-  /// numbers tell apart.
+  /// `data` may be nullptr. Throws std::length_error when there are more cells or points than
+  /// 32-bit numbers tell apart.
   SkdCellStore(vtkDataSet* data, bool skipGhosts);
 
   std::uint32_t NumberOfCells() const { return this->Count; }
@@ -111,13 +111,13 @@ private:
 
   std::uint32_t Count = 0;
   LeftOutCounts Missing;
-  std::vector<std::uint32_t> Ids;      // empty when no cell is left out
-  std::vector<SkdShape> Shapes;        // empty when all cells have one shape
-  std::vector<std::uint64_t> Offsets;  // empty when all cells have one fixed size
+  std::vector<std::uint32_t> Ids;     // empty when no cell is left out
+  std::vector<SkdShape> Shapes;       // empty when all cells have one shape
+  std::vector<std::uint64_t> Offsets; // empty when all cells have one fixed size
   std::vector<std::uint32_t> PointIds;
   std::vector<std::uint64_t> FaceOffsets; // empty when no cell is a polyhedron, as FaceStream
   std::vector<std::uint32_t> FaceStream;
-  std::vector<float> Reaches;          // empty when no cell is curved
+  std::vector<float> Reaches; // empty when no cell is curved
   SkdShape CommonShape = SkdShape::None;
   std::uint32_t CommonSize = 0;
   double Largest = 0.0;

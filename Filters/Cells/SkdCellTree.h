@@ -76,7 +76,8 @@ public:
   ///@}
 
   ///@{
-  /// SkdPointQueries.cxx. Ties go to the lowest id; nothing is found for points that are not finite.
+  /// SkdPointQueries.cxx. Ties go to the lowest id; nothing is found for points that are not
+  /// finite.
   SkdFoundCell FindNearest(const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   SkdFoundCell FindContaining(
     const skd::Vector3& x, double tolerance2, vtkIdType hint, const SkdCellSource& source) const;
@@ -85,8 +86,8 @@ public:
     const skd::Vector3& x, std::size_t number, double limit2, const SkdCellSource& source) const;
   /// The sub-id, pcoords and (unless nullptr) weights at the point of a found cell.
   void Interpolate(SkdFoundCell& found, double* weights, const SkdCellSource& source) const;
-  /// The parametric coordinates at x of a cell that is moved (nullptr: not at all), given those that
-  /// it has in the tree: a polyhedron's are in its bounds, and these change when it turns.
+  /// The parametric coordinates at x of a cell that is moved (nullptr: not at all), given those
+  /// that it has in the tree: a polyhedron's are in its bounds, and these change when it turns.
   skd::Vector3 MovedPCoords(const skd::RigidMotion* motion, vtkIdType id, const skd::Vector3& x,
     const skd::Vector3& pcoords) const;
   ///@}
@@ -98,8 +99,8 @@ public:
   const std::vector<SkdHitCell>& FindHits(
     const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const;
   /// Of the bounds that the cells have after the motion, unless nullptr; the segment is there, too.
-  const std::vector<SkdHitCell>& FindBoundsHits(const skd::Segment<3>& segment, double tolerance,
-    const skd::RigidMotion* motion) const;
+  const std::vector<SkdHitCell>& FindBoundsHits(
+    const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const;
   const SkdCrossings& FindCrossings(
     const skd::Segment<3>& segment, const SkdCellSource& source) const;
   ///@}
@@ -107,12 +108,11 @@ public:
   ///@{
   /// SkdBoxQueries.cxx. Exact on the cells' bounds (as if moved by `motion`, unless nullptr), or on
   /// their safety boxes. In the order of the tree: the same every time.
-  void FindWithinBounds(
-    const skd::Box3& box, const skd::RigidMotion* motion, vtkIdList* ids) const;
+  void FindWithinBounds(const skd::Box3& box, const skd::RigidMotion* motion, vtkIdList* ids) const;
   void FindAlongPlane(const skd::Plane<3>& plane, double tolerance, const skd::RigidMotion* motion,
     vtkIdList* ids) const;
-  bool BoundsHold(const skd::Vector3& x, vtkIdType id, double tolerance,
-    const skd::RigidMotion* motion) const;
+  bool BoundsHold(
+    const skd::Vector3& x, vtkIdType id, double tolerance, const skd::RigidMotion* motion) const;
   void FindNearestCandidates(
     const skd::Vector3& x, const skd::Vector3* reference, vtkIdList* ids) const;
   void FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList* ids) const;
@@ -159,8 +159,8 @@ private:
     return this->Lazy ? this->Lazy->GetBounds() : this->Eager.GetBounds();
   }
 
-  SkdCellPoint Measure(std::uint32_t cell, const skd::Vector3& x, double limit2,
-    const SkdCellSource& source) const;
+  SkdCellPoint Measure(
+    std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
   /// The bounds of the cell's points, moved by the motion unless nullptr.

@@ -167,8 +167,8 @@ void SkdFaceReader::Join(const Edge& one, const Edge& other)
   {
     const char against = one.IsReversed == other.IsReversed ? 1 : 0;
     this->Parents[rootOther] = rootOne;
-    this->Turns[rootOther] = static_cast<char>(
-      against ^ this->Turns[one.Face] ^ this->Turns[other.Face]);
+    this->Turns[rootOther] =
+      static_cast<char>(against ^ this->Turns[one.Face] ^ this->Turns[other.Face]);
   }
 }
 

@@ -36,8 +36,8 @@ SkdCellPoint Evaluate(vtkCell* cell, const skd::Vector3& x, double* weights)
   found.PCoords = { { 0.0, 0.0, 0.0 } };
   found.Point = x;
   found.Dist2 = std::numeric_limits<double>::infinity();
-  const int status = cell->EvaluatePosition(
-    x.X, found.Point.X, found.SubId, found.PCoords.X, found.Dist2, weights);
+  const int status =
+    cell->EvaluatePosition(x.X, found.Point.X, found.SubId, found.PCoords.X, found.Dist2, weights);
   found.ProjectsInside = status == 1;
   if (status < 0 || !(found.Dist2 >= 0.0))
   {

@@ -24,8 +24,8 @@ struct SkdCellSource
 /// The exact tests of cells without a kernel of their own, by the cell itself.
 namespace SkdGenericKernel
 {
-/// Outside a volume cell the nearest point is sought on its faces: what EvaluatePosition gives there
-/// comes from clamped parametric coordinates and need not be nearest.
+/// Outside a volume cell the nearest point is sought on its faces: what EvaluatePosition gives
+/// there comes from clamped parametric coordinates and need not be nearest.
 SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 
 std::optional<SkdLineHit> Intersect(
@@ -33,8 +33,8 @@ std::optional<SkdLineHit> Intersect(
 
 /// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell that
 /// Closest gave: hand its sub-id and parametric coordinates in.
-void Locate(vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords,
-  double* weights);
+void Locate(
+  vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords, double* weights);
 }
 
 #endif

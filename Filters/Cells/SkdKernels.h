@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The exact tests of the shapes that have a kernel of their own. A kernel is a struct without state:
+/// The exact tests of the shapes that have a kernel of their own. A kernel is a struct without
+/// state:
 ///   Size                                    points of the cell
 ///   Closest(points, x, limit2)              the cell's nearest point to x, nothing farther matters
 ///   Intersect(points, view, reach)          first hit of a segment; reach: by how far it may miss
@@ -43,7 +44,10 @@ struct SkdReach
 {
   double Tolerance; ///< as asked for, surfaces
   double Rounding;  ///< what rounding alone makes of coordinates: lines and points need it
-  double OfLines() const { return this->Tolerance > this->Rounding ? this->Tolerance : this->Rounding; }
+  double OfLines() const
+  {
+    return this->Tolerance > this->Rounding ? this->Tolerance : this->Rounding;
+  }
 };
 
 struct SkdVertexKernel
@@ -105,8 +109,7 @@ inline std::optional<SkdLineHit> SkdNearMiss(
 {
   const skd::Segment<3>& segment = view.GetSegment();
   const skd::Vector3 normal = skd::Cross(p[1] - p[0], p[2] - p[0]);
-  const double t =
-    skd::Dot(normal, p[0] - segment.A) / skd::Dot(normal, segment.B - segment.A);
+  const double t = skd::Dot(normal, p[0] - segment.A) / skd::Dot(normal, segment.B - segment.A);
   const std::optional<double> accepted = view.Accept(t);
   if (!accepted)
   {
@@ -178,7 +181,8 @@ private:
   }
 };
 
-/// The nearest hit of a segment with a face of 3 or 4 points whose parametric coordinates are given.
+/// The nearest hit of a segment with a face of 3 or 4 points whose parametric coordinates are
+/// given.
 inline void SkdHitFace(const skd::Vector3* p, const skd::Vector3* pcoords, int size,
   const skd::SegmentView& view, const SkdReach& reach, std::optional<SkdLineHit>& first)
 {
@@ -212,8 +216,7 @@ struct SkdQuadKernel
   static SkdCellPoint Closest(const skd::Vector3* p, const skd::Vector3& x, double limit2)
   {
     const skd::PatchPoint nearest = skd::ClosestPointOnPatch(p, x, limit2);
-    const bool isInner =
-      nearest.R > 0.0 && nearest.R < 1.0 && nearest.S > 0.0 && nearest.S < 1.0;
+    const bool isInner = nearest.R > 0.0 && nearest.R < 1.0 && nearest.S > 0.0 && nearest.S < 1.0;
     return { nearest.Point, { { nearest.R, nearest.S, 0.0 } }, nearest.Dist2, 0, isInner };
   }
 

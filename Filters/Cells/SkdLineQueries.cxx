@@ -45,8 +45,8 @@ void Merge(std::vector<FacetHit>& facets, SkdCrossings& crossings)
     { return std::tie(a.T, b.OnEdge, a.Id) < std::tie(b.T, a.OnEdge, b.Id); });
   for (const FacetHit& facet : facets)
   {
-    const bool isSame = facet.OnEdge && !crossings.List.empty() &&
-      crossings.List.back().T == facet.T;
+    const bool isSame =
+      facet.OnEdge && !crossings.List.empty() && crossings.List.back().T == facet.T;
     if (!isSame)
     {
       const std::size_t first = crossings.Cells.size();
@@ -240,8 +240,7 @@ const SkdCrossings& SkdCellTree::FindCrossings(
     {
       vtkCell* loaded = source.Load(id);
       const bool isSurface = loaded->GetCellDimension() == 2;
-      const auto hit =
-        isSurface ? SkdGenericKernel::Intersect(loaded, segment, 0.0) : std::nullopt;
+      const auto hit = isSurface ? SkdGenericKernel::Intersect(loaded, segment, 0.0) : std::nullopt;
       if (hit)
       {
         facets.push_back({ hit->T, id, false, true });

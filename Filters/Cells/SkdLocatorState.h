@@ -76,9 +76,9 @@ public:
   /// The motion or, without one, that which moves nothing.
   skd::RigidMotion GetMotionOrNone() const
   {
-    constexpr skd::RigidMotion none{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
-                                       { { 0.0, 0.0, 1.0 } } },
-      { { 0.0, 0.0, 0.0 } } };
+    constexpr skd::RigidMotion none{
+      { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } }, { { 0.0, 0.0, 0.0 } }
+    };
     return this->Motion ? *this->Motion : none;
   }
 

@@ -32,8 +32,8 @@ Buffers& BuffersFor(int size)
 }
 
 /// The types whose InterpolateDerivs are the derivatives of their InterpolateFunctions, stored axis
-/// by axis. Those of pyramids are not, nor those of rational Bezier cells, and those of Lagrange and
-/// Bezier cells are stored in another order by each type: differences serve these.
+/// by axis. Those of pyramids are not, nor those of rational Bezier cells, and those of Lagrange
+/// and Bezier cells are stored in another order by each type: differences serve these.
 bool HasDerivatives(int cellType)
 {
   return cellType >= VTK_QUADRATIC_EDGE && cellType <= VTK_BIQUADRATIC_TRIANGLE &&
@@ -98,8 +98,7 @@ SkdParametricCell::SkdParametricCell(vtkCell* cell, const skd::Vector3& origin)
   {
     skd::Vector3 point;
     cell->GetPoints()->GetPoint(i, point.X);
-    largest =
-      std::max({ largest, std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) });
+    largest = std::max({ largest, std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) });
     buffers.Points[static_cast<std::size_t>(i)] = point - origin;
   }
   this->Points = buffers.Points.data();
@@ -109,8 +108,8 @@ SkdParametricCell::SkdParametricCell(vtkCell* cell, const skd::Vector3& origin)
 }
 
 //------------------------------------------------------------------------------
-// Cubic lines go from -1 to 1. The pyramid of 19 points has a pyramid for a domain, with its base at
-// height 0.5 and its tip at 1; it is seen as a cube whose top is drawn together.
+// Cubic lines go from -1 to 1. The pyramid of 19 points has a pyramid for a domain, with its base
+// at height 0.5 and its tip at 1; it is seen as a cube whose top is drawn together.
 skd::Vector3 SkdParametricCell::ToVTK(const skd::Vector3& p) const
 {
   switch (this->Type)

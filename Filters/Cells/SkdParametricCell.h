@@ -8,9 +8,9 @@
 
 class vtkCell;
 
-/// A curved cell (quadratic, cubic, Lagrange, Bezier) as what it is: the image of a domain under the
-/// cell's interpolation functions. VTK's own EvaluatePosition and IntersectWithLine of these cells
-/// approximate by straight pieces, by loosely converged or clamped coordinates; here both are
+/// A curved cell (quadratic, cubic, Lagrange, Bezier) as what it is: the image of a domain under
+/// the cell's interpolation functions. VTK's own EvaluatePosition and IntersectWithLine of these
+/// cells approximate by straight pieces, by loosely converged or clamped coordinates; here both are
 /// solved for on the map itself, to within rounding.
 ///
 /// Parameters are in [0, 1]; they are VTK's parametric coordinates but for two types (ToVTK).

@@ -124,8 +124,9 @@ struct PatchRange
 
 PatchRange PatchesOf(const skd::ParameterDomain& domain)
 {
-  const auto range = [](const auto& patches)
-  { return PatchRange{ std::begin(patches), std::end(patches) }; };
+  const auto range = [](const auto& patches) {
+    return PatchRange{ std::begin(patches), std::end(patches) };
+  };
   return &domain == &skd::UnitSegment ? range(PatchOfSegment)
     : &domain == &skd::UnitSquare     ? range(PatchOfSquare)
     : &domain == &skd::UnitTriangle   ? range(PatchOfTriangle)
@@ -312,14 +313,14 @@ private:
     const Gap gap(this->Cell, patch, this->TheStretch);
     skd::LeastResidual<Gap> search(gap.Domain(), gap);
     const double enough = 0.125 * this->Cell.Rounding();
-    const auto found = search.Find(
-      gap.Join(r, s, t), enough * enough, [](const skd::Vector3&) { return false; });
+    const auto found =
+      search.Find(gap.Join(r, s, t), enough * enough, [](const skd::Vector3&) { return false; });
     const double at = gap.T(found.Parameters);
     if (found.Norm2 <= this->Reach * this->Reach && (!this->Best || at < this->BestT))
     {
       this->BestT = at;
-      this->Best = SkdLineHit{ this->TheStretch.ToWhole(at),
-        this->Cell.ToVTK(gap.OnCell(found.Parameters)) };
+      this->Best =
+        SkdLineHit{ this->TheStretch.ToWhole(at), this->Cell.ToVTK(gap.OnCell(found.Parameters)) };
     }
   }
 

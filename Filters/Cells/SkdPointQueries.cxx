@@ -20,7 +20,10 @@ public:
   {
   }
 
-  bool CouldTake(vtkIdType id) const { return this->Limit2 > 0.0 || this->Found.Id < 0 || id < this->Found.Id; }
+  bool CouldTake(vtkIdType id) const
+  {
+    return this->Limit2 > 0.0 || this->Found.Id < 0 || id < this->Found.Id;
+  }
 
   void Offer(vtkIdType id, const SkdCellPoint& point)
   {

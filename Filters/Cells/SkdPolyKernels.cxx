@@ -150,9 +150,9 @@ std::optional<SkdLineHit> HitPolygon(
     return std::nullopt;
   }
   const skd::PolygonPlane plane(cell.Points, cell.Size);
-  const std::optional<double> accepted = view.Accept(
-    skd::Dot(plane.Normal, plane.Origin - segment.A) /
-    skd::Dot(plane.Normal, segment.B - segment.A));
+  const std::optional<double> accepted =
+    view.Accept(skd::Dot(plane.Normal, plane.Origin - segment.A) /
+      skd::Dot(plane.Normal, segment.B - segment.A));
   if (!accepted)
   {
     return std::nullopt;
@@ -210,8 +210,7 @@ std::optional<SkdLineHit> HitPolyhedron(
       skd::ForEachTriangle(face,
         [&](const skd::FaceTriangle& triangle)
         {
-          const auto hit =
-            SkdTriangleKernel::Intersect(skd::Ordered(triangle).Points, view, reach);
+          const auto hit = SkdTriangleKernel::Intersect(skd::Ordered(triangle).Points, view, reach);
           first = hit && (!first || hit->T < first->T) ? hit : first;
         });
     });
@@ -251,8 +250,7 @@ skd::Vector3 SkdPolyKernels::PCoordsInBounds(const skd::Box3& bounds, const skd:
 }
 
 //------------------------------------------------------------------------------
-SkdCellPoint SkdPolyKernels::Closest(
-  const SkdPolyCell& cell, const skd::Vector3& x, double limit2)
+SkdCellPoint SkdPolyKernels::Closest(const SkdPolyCell& cell, const skd::Vector3& x, double limit2)
 {
   SkdCellPoint nearest;
   const auto measure = [&](auto kernel)

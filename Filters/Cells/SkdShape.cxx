@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdShape.h"
 
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkSmartPointer.h"
 

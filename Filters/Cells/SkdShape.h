@@ -5,8 +5,9 @@
 
 #include <cstdint>
 
-/// What the exact tests see in a cell. Each shape but Generic has a kernel of its own (SkdKernels.h,
-/// SkdPolyKernels.h) that reads raw points; Generic goes through vtkGenericCell (SkdGenericKernel.h).
+/// What the exact tests see in a cell. Each shape but Generic has a kernel of its own
+/// (SkdKernels.h, SkdPolyKernels.h) that reads raw points; Generic goes through vtkGenericCell
+/// (SkdGenericKernel.h).
 enum class SkdShape : std::uint8_t
 {
   Vertex,

@@ -37,8 +37,8 @@ TEST(PlanarPolygon, FootIsInnerOnlyInside)
   const Polygon polygon = Notched();
   const auto isInner = [&](double x, double y)
   {
-    return skd::ClosestPointOnPolygon(
-      polygon.data(), int(polygon.size()), Vector3{ { x, y, 0.7 } }).IsInner;
+    return skd::ClosestPointOnPolygon(polygon.data(), int(polygon.size()), Vector3{ { x, y, 0.7 } })
+      .IsInner;
   };
   EXPECT_TRUE(isInner(0.5, 2.5));
   EXPECT_TRUE(isInner(1.5, 0.5));
@@ -97,8 +97,7 @@ TEST(PlanarPolygon, WeightsGiveThePoint)
     {
       const skd::Box3 part = PartsOfNotched(0.0)[random.Below(3)];
       const Vector3 x = factor * Turned(random.Point(part));
-      ASSERT_TRUE(
-        skd::MeanValueWeights(polygon.data(), int(polygon.size()), x, weights.data()));
+      ASSERT_TRUE(skd::MeanValueWeights(polygon.data(), int(polygon.size()), x, weights.data()));
       ASSERT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1.0, 1e-13);
       ASSERT_LE(Norm(Mean(weights, polygon) - x), 1e-13 * factor);
     }

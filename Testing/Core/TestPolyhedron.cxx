@@ -62,7 +62,8 @@ TEST(Polyhedron, ParityIsExactThroughEdgesAndVertices)
           ((x == 1 || x == 2) && y >= 1) || (x >= 1 && x <= 2 && y == 1);
         if (!isOnBoundary)
         {
-          ASSERT_EQ(Holds(solid, at), LeastDistance2(parts, at) == 0.0) << x << " " << y << " " << z;
+          ASSERT_EQ(Holds(solid, at), LeastDistance2(parts, at) == 0.0)
+            << x << " " << y << " " << z;
         }
       }
     }
@@ -126,8 +127,8 @@ TEST(Polyhedron, FarFromItAllFacesAreBeyondTheLimit)
 {
   const Solid solid = Prism(Regular(5), 1.0);
   const Vector3 x{ { 10, 0, 0 } };
-  EXPECT_EQ(skd::ClosestPointOnFaces(solid.View(), x, 4.0).Dist2,
-    std::numeric_limits<double>::infinity());
+  EXPECT_EQ(
+    skd::ClosestPointOnFaces(solid.View(), x, 4.0).Dist2, std::numeric_limits<double>::infinity());
   EXPECT_NEAR(skd::ClosestPointOnFaces(solid.View(), x, 100.0).Dist2, 81.0, 1e-12);
 }
 

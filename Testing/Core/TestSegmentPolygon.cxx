@@ -10,8 +10,7 @@ using namespace coretest;
 namespace
 {
 
-std::optional<skd::PolygonHit> Hit(
-  const Polygon& polygon, const Vector3& from, const Vector3& to)
+std::optional<skd::PolygonHit> Hit(const Polygon& polygon, const Vector3& from, const Vector3& to)
 {
   return skd::Intersect(
     skd::SegmentView(skd::Segment<3>{ from, to }), polygon.data(), int(polygon.size()));
@@ -37,8 +36,7 @@ TEST(SegmentPolygon, HitsWhatIsInsideOfAConcaveOne)
       const Vector3 at{ { random.In(-1.0, 4.0), random.In(-1.0, 4.0), 0.0 } };
       Vector3 along = random.Direction<3>();
       along[2] += along[2] < 0.0 ? -0.1 : 0.1;
-      const auto hit =
-        Hit(polygon, factor * Turned(at - along), factor * Turned(at + 2.0 * along));
+      const auto hit = Hit(polygon, factor * Turned(at - along), factor * Turned(at + 2.0 * along));
       ASSERT_EQ(hit.has_value(), IsInNotched(at[0], at[1])) << at[0] << " " << at[1];
       if (hit)
       {
@@ -95,7 +93,8 @@ TEST(SegmentPolygon, OfThreePointsIsTheTriangle)
   {
     const auto lattice = [&]()
     {
-      return Vector3{ { double(random.Below(4)), double(random.Below(4)), double(random.Below(4)) } };
+      return Vector3{ { double(random.Below(4)), double(random.Below(4)),
+        double(random.Below(4)) } };
     };
     const Polygon polygon = { lattice(), lattice(), lattice() };
     const skd::SegmentView view(skd::Segment<3>{ lattice(), lattice() });

@@ -55,8 +55,10 @@ protected:
     Mesh cell = ReferenceCell(GetParam().Type, GetParam().Order);
     return GetParam().Type != VTK_QUADRATIC_PYRAMID
       ? cell
-      : cell.Map([](const Point& p) -> Point
-          { return { p[0] * (1 - p[2]), p[1] * (1 - p[2]), p[2] }; });
+      : cell.Map(
+          [](const Point& p) -> Point {
+            return { p[0] * (1 - p[2]), p[1] * (1 - p[2]), p[2] };
+          });
   }
 };
 

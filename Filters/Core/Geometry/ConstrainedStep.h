@@ -11,8 +11,8 @@
 namespace skd
 {
 
-/// The function 2 Gradient . d + d . Hessian d of a step d. Rows and columns beyond the dimension of
-/// the domain are not looked at.
+/// The function 2 Gradient . d + d . Hessian d of a step d. Rows and columns beyond the dimension
+/// of the domain are not looked at.
 struct QuadraticModel
 {
   Vector3 Gradient;
@@ -74,8 +74,8 @@ inline int DirectionsAcross(const Vector3* normals, int size, Vector3 (&directio
   else if (size == 1)
   {
     const Vector3& n = normals[0];
-    const Vector3 side = std::abs(n[2]) > std::abs(n[0]) ? Vector3{ { 1.0, 0.0, 0.0 } }
-                                                         : Vector3{ { 0.0, 0.0, 1.0 } };
+    const Vector3 side =
+      std::abs(n[2]) > std::abs(n[0]) ? Vector3{ { 1.0, 0.0, 0.0 } } : Vector3{ { 0.0, 0.0, 1.0 } };
     directions[0] = Cross(n, side);
     directions[1] = Cross(n, directions[0]);
   }
@@ -88,8 +88,8 @@ inline int DirectionsAcross(const Vector3* normals, int size, Vector3 (&directio
 
 }
 
-/// The step that minimises a quadratic model on a domain, seen from a point of it: sides that bar the
-/// way join the working set, and those that the gradient pulls away from leave it.
+/// The step that minimises a quadratic model on a domain, seen from a point of it: sides that bar
+/// the way join the working set, and those that the gradient pulls away from leave it.
 class ConstrainedStep
 {
 public:

@@ -10,7 +10,8 @@
 namespace skd
 {
 
-/// Where on a domain a smooth map into space comes nearest to the origin, and the map's value there.
+/// Where on a domain a smooth map into space comes nearest to the origin, and the map's value
+/// there.
 struct LeastResidualPoint
 {
   Vector3 Parameters;
@@ -42,7 +43,7 @@ public:
     this->LastGain = std::numeric_limits<double>::infinity();
     this->MoveTo(start, this->TheMap.Value(start));
     constexpr int most = 60;
-    for (int turn = 0; turn < most && this->Best.Norm2 > enough2; ++turn)
+    for (int turn = 0; turn<most&& this->Best.Norm2> enough2; ++turn)
     {
       if (!this->Improve() || isKnown(this->Best.Parameters))
       {

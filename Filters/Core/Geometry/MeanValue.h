@@ -6,8 +6,9 @@
 /// the triangles of the faces; the weight of a face's middle is shared by its points.
 ///
 /// For each triangle T, seen from x on the unit sphere, the mean vector m of the spherical triangle
-/// is half the sum of its arcs, each as long as its angle and across it. These sum to 0 over a closed
-/// surface, so that m = sum of w_k u_k over the corners' directions u_k gives x as a mean of corners.
+/// is half the sum of its arcs, each as long as its angle and across it. These sum to 0 over a
+/// closed surface, so that m = sum of w_k u_k over the corners' directions u_k gives x as a mean of
+/// corners.
 #ifndef skd_Geometry_MeanValue_h
 #define skd_Geometry_MeanValue_h
 
@@ -48,8 +49,7 @@ struct TriangleShares
 
   /// `mean` is twice the mean vector. A triangle that is seen edge-on weighs nothing: what rounding
   /// left of its mean vector would be noise.
-  TriangleShares(
-    const SeenCorner& a, const SeenCorner& b, const SeenCorner& c, const Vector3& mean)
+  TriangleShares(const SeenCorner& a, const SeenCorner& b, const SeenCorner& c, const Vector3& mean)
   {
     constexpr double noise = 1e5 * std::numeric_limits<double>::epsilon();
     const Vector3 acrossA = Cross(b.Direction, c.Direction);

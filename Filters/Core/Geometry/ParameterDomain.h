@@ -27,15 +27,16 @@ struct ParameterDomain
 // Each is [0, 1] in every coordinate, cut where a sum may not exceed 1.
 inline constexpr HalfSpace AtLeast0[3] = { { { { -1.0, 0.0, 0.0 } }, 0.0 },
   { { { 0.0, -1.0, 0.0 } }, 0.0 }, { { { 0.0, 0.0, -1.0 } }, 0.0 } };
-inline constexpr HalfSpace AtMost1[3] = { { { { 1.0, 0.0, 0.0 } }, 1.0 }, { { { 0.0, 1.0, 0.0 } }, 1.0 },
-  { { { 0.0, 0.0, 1.0 } }, 1.0 } };
+inline constexpr HalfSpace AtMost1[3] = { { { { 1.0, 0.0, 0.0 } }, 1.0 },
+  { { { 0.0, 1.0, 0.0 } }, 1.0 }, { { { 0.0, 0.0, 1.0 } }, 1.0 } };
 inline constexpr HalfSpace SumOf2AtMost1 = { { { 1.0, 1.0, 0.0 } }, 1.0 };
 inline constexpr HalfSpace SumOf3AtMost1 = { { { 1.0, 1.0, 1.0 } }, 1.0 };
 
 inline constexpr ParameterDomain UnitSegment = { 1, 2, { AtLeast0[0], AtMost1[0] } };
 inline constexpr ParameterDomain UnitSquare = { 2, 4,
   { AtLeast0[0], AtMost1[0], AtLeast0[1], AtMost1[1] } };
-inline constexpr ParameterDomain UnitTriangle = { 2, 3, { AtLeast0[0], AtLeast0[1], SumOf2AtMost1 } };
+inline constexpr ParameterDomain UnitTriangle = { 2, 3,
+  { AtLeast0[0], AtLeast0[1], SumOf2AtMost1 } };
 inline constexpr ParameterDomain UnitCube = { 3, 6,
   { AtLeast0[0], AtMost1[0], AtLeast0[1], AtMost1[1], AtLeast0[2], AtMost1[2] } };
 inline constexpr ParameterDomain UnitTetrahedron = { 3, 4,

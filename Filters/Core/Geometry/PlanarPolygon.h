@@ -125,8 +125,7 @@ PolygonPoint ClosestPointOnPolygon(const Points& points, int size, const Vector3
   const PolygonPlane plane(points, size);
   const Vector3 across = plane.Height(x) * plane.Normal;
   const Vector3 foot = x - across;
-  const bool isInner =
-    IsFinite(foot) && IsInPolygonAlong(points, size, foot, plane.DominantAxis());
+  const bool isInner = IsFinite(foot) && IsInPolygonAlong(points, size, foot, plane.DominantAxis());
   if (isInner && !plane.IsUncertain)
   {
     return { foot, Norm2(across), 0, 0.0, true };
@@ -156,8 +155,8 @@ inline Vector3 Flattened(const Vector3& a, const Vector3& normal)
 }
 
 /// The mean value coordinates of x, a point of the polygon, that is not on an edge: M. S. Floater,
-/// "Mean value coordinates", Computer Aided Geometric Design 20 (2003) 19-27. They sum to 1 and give
-/// x exactly. False, and no weights, where there are none.
+/// "Mean value coordinates", Computer Aided Geometric Design 20 (2003) 19-27. They sum to 1 and
+/// give x exactly. False, and no weights, where there are none.
 template <class Points>
 bool MeanValueWeights(const Points& points, int size, const Vector3& x, double* weights)
 {

@@ -188,8 +188,7 @@ inline void KeepNearer(NearestTriangle& nearest, const PolyhedronFace& face, con
     [&](const FaceTriangle& triangle)
     {
       const FaceTriangle t = Ordered(triangle);
-      const TrianglePoint found =
-        ClosestPointOnTriangle(t.Points[0], t.Points[1], t.Points[2], x);
+      const TrianglePoint found = ClosestPointOnTriangle(t.Points[0], t.Points[1], t.Points[2], x);
       if (found.Dist2 < nearest.Nearest.Dist2)
       {
         nearest = { found, t, face };
@@ -237,8 +236,7 @@ inline NearestTriangle FindNearestTriangle(
 }
 
 /// The nearest point of the faces; Dist2 is infinite when none is within the limit.
-inline PolygonPoint ClosestPointOnFaces(
-  const PolyhedronView& cell, const Vector3& x, double limit2)
+inline PolygonPoint ClosestPointOnFaces(const PolyhedronView& cell, const Vector3& x, double limit2)
 {
   PolygonPoint nearest{ x, std::numeric_limits<double>::infinity(), 0, 0.0, false };
   const auto keep = [&](const Vector3& point, double dist2)

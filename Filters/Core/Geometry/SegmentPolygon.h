@@ -89,8 +89,8 @@ std::optional<PolygonHit> Intersect(const SegmentView& view, const Points& point
   {
     const PolygonPlane plane(points, size);
     const Segment<3>& segment = view.GetSegment();
-    parameter = Dot(plane.Normal, plane.Origin - segment.A) /
-      Dot(plane.Normal, segment.B - segment.A);
+    parameter =
+      Dot(plane.Normal, plane.Origin - segment.A) / Dot(plane.Normal, segment.B - segment.A);
     parameter = std::max(turn.Least, std::min(turn.Most, parameter)); // also of a warped one
   }
   const std::optional<double> accepted = view.Accept(parameter);

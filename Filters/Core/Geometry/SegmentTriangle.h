@@ -81,8 +81,8 @@ private:
     double magnitude = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      magnitude = std::max({ magnitude, std::abs(this->TheSegment.A[axis]),
-        std::abs(this->TheSegment.B[axis]) });
+      magnitude = std::max(
+        { magnitude, std::abs(this->TheSegment.A[axis]), std::abs(this->TheSegment.B[axis]) });
     }
     constexpr double ulp = std::numeric_limits<double>::epsilon();
     this->EndSlack = 4.0 * ulp * (1.0 + magnitude / std::abs(this->Length));
@@ -102,13 +102,13 @@ private:
 /// A crossing of a segment and a triangle.
 struct TriangleHit
 {
-  double T;    ///< parameter along the segment, [0, 1]
-  double R;    ///< x = (1 - R - S) p0 + R p1 + S p2
+  double T; ///< parameter along the segment, [0, 1]
+  double R; ///< x = (1 - R - S) p0 + R p1 + S p2
   double S;
   bool OnEdge; ///< on the boundary of the triangle: neighbours report it, too, with an equal T
-  /// Whether the hit stays when the segment is moved aside by less than any number, the same way for
-  /// all triangles: true for exactly one of two triangles that meet at a crossed edge, and for both
-  /// or none where the segment only touches. So sums over a closed surface have exact parity.
+  /// Whether the hit stays when the segment is moved aside by less than any number, the same way
+  /// for all triangles: true for exactly one of two triangles that meet at a crossed edge, and for
+  /// both or none where the segment only touches. So sums over a closed surface have exact parity.
   bool Passes;
 };
 
@@ -164,8 +164,8 @@ inline std::optional<TriangleHit> Intersect(
   const detail::EdgeSide u = detail::SideOf(b, c);
   const detail::EdgeSide v = detail::SideOf(c, a);
   const detail::EdgeSide w = detail::SideOf(a, b);
-  const bool isOutside = (u.Sign > 0 || v.Sign > 0 || w.Sign > 0) &&
-    (u.Sign < 0 || v.Sign < 0 || w.Sign < 0);
+  const bool isOutside =
+    (u.Sign > 0 || v.Sign > 0 || w.Sign > 0) && (u.Sign < 0 || v.Sign < 0 || w.Sign < 0);
   const int zeros = (u.Sign == 0) + (v.Sign == 0) + (w.Sign == 0);
   if (isOutside || zeros == 3)
   {

@@ -36,8 +36,8 @@ public:
     this->Begin = inside->Min;
     this->Length = inside->Max - inside->Min;
     const Segment<D> local{ frame.Local(segment.A), frame.Local(segment.B) };
-    this->SetLocal(local.At(inside->Min), local.At(inside->Max),
-      margin * frame.Scale + RoundingOf(local));
+    this->SetLocal(
+      local.At(inside->Min), local.At(inside->Max), margin * frame.Scale + RoundingOf(local));
     this->TheLimit = 1.0f + Slack;
   }
 
@@ -56,8 +56,7 @@ public:
       leave = Min((far - Lanes<W>(this->FarOrigin[axis])) * inverse, leave);
     }
     enter.Store(keys);
-    return LessEqual(enter, leave + Lanes<W>(Slack)) &
-      LessEqual(enter, Lanes<W>(this->TheLimit));
+    return LessEqual(enter, leave + Lanes<W>(Slack)) & LessEqual(enter, Lanes<W>(this->TheLimit));
   }
 
   float Limit() const { return this->TheLimit; }

@@ -26,8 +26,8 @@ public:
     const double offset = Dot(plane.Normal, origin);
     const double rounding = 1e-15 * Dot(Magnitudes(plane.Normal), Magnitudes(origin));
     this->Offset = Frame<D>::RoundDown(offset); // the slack covers it
-    this->HalfWidth = Frame<D>::RoundUp(
-      halfWidth * frame.Scale + Slack * (1.0 + std::abs(offset)) + rounding);
+    this->HalfWidth =
+      Frame<D>::RoundUp(halfWidth * frame.Scale + Slack * (1.0 + std::abs(offset)) + rounding);
     for (int axis = 0; axis < D; ++axis)
     {
       this->Normal[axis] = static_cast<float>(0.5 * plane.Normal[axis]);

@@ -89,10 +89,7 @@ struct Frame
 private:
   static constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-  double Local(double world, int axis) const
-  {
-    return (world - this->Centre[axis]) * this->Scale;
-  }
+  double Local(double world, int axis) const { return (world - this->Centre[axis]) * this->Scale; }
 
   /// The next float above, of infinity and NaN themselves: nextafterf without the call.
   static float Next(float value)

@@ -97,8 +97,8 @@ public:
     const int leftParts = (task.Parts + 1) / 2;
     const std::uint32_t middle = this->SplitAtMedian(task, leftParts);
     const Range& range = task.Elements;
-    push(Task{ task.Node, task.Lane, leftParts,
-      { range.First, middle, this->Union(range.First, middle) } });
+    push(Task{
+      task.Node, task.Lane, leftParts, { range.First, middle, this->Union(range.First, middle) } });
     push(Task{ task.Node, task.Lane + leftParts, task.Parts - leftParts,
       { middle, range.Last, this->Union(middle, range.Last) } });
   }

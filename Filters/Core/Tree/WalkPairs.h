@@ -13,9 +13,9 @@ namespace skd
 /// The one walk over a pair of trees (Algorithm 5.4).
 ///
 /// A Query gives
-///   FloatBox<D> ToFirst(const FloatBox<D>&)     a box of the second tree, seen in the first's frame
-///   bool IsWanted(const FloatBox<D>& a, b)      both in the first's frame: may they hold a pair?
-///   bool Visit(element of first, of second)     a pair was reached; false ends the walk
+///   FloatBox<D> ToFirst(const FloatBox<D>&)     a box of the second tree, seen in the first's
+///   frame bool IsWanted(const FloatBox<D>& a, b)      both in the first's frame: may they hold a
+///   pair? bool Visit(element of first, of second)     a pair was reached; false ends the walk
 /// Of two nodes the one with the larger box is opened.
 template <class FirstTree, class SecondTree, class Query>
 class PairWalk
@@ -66,7 +66,10 @@ private:
     return { Reference::ToNode(0), tree.GetFrame().Outward(tree.GetBounds()) };
   }
 
-  Side SeenInFirst(const Side& side) const { return { side.What, this->TheQuery.ToFirst(side.Box) }; }
+  Side SeenInFirst(const Side& side) const
+  {
+    return { side.What, this->TheQuery.ToFirst(side.Box) };
+  }
 
   static float Size(const FloatBox<D>& box)
   {
@@ -85,8 +88,8 @@ private:
       return this->TheQuery.Visit(
         this->First.Element(pair.A.What.Index()), this->Second.Element(pair.B.What.Index()));
     }
-    const bool opensA = pair.B.What.IsElement() ||
-      (!pair.A.What.IsElement() && Size(pair.A.Box) >= Size(pair.B.Box));
+    const bool opensA =
+      pair.B.What.IsElement() || (!pair.A.What.IsElement() && Size(pair.A.Box) >= Size(pair.B.Box));
     if (opensA)
     {
       const Node<D>& node = this->First.Open(pair.A.What.Index());
