@@ -19,6 +19,7 @@ configure_and_build default "$build" SkdTree vtkFiltersSkdTreePython
 say "Starting ParaView's server"
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
 log=$build/pvserver.log
+: >"$log"
 VTK_SMP_BACKEND_IN_USE=STDThread setsid "$with_display" pvserver --server-port="$port" >"$log" 2>&1 &
 server=$!
 trap 'kill -- "-$server" 2>/dev/null || true' EXIT
