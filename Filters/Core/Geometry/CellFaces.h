@@ -25,13 +25,6 @@ struct CellFace
     }
   }
 
-  /// A direction across the face, of any length: 0 for a face without area.
-  Vector3 Normal() const
-  {
-    const Vector3* p = this->Points;
-    return this->Size == 3 ? Cross(p[1] - p[0], p[2] - p[0]) : Cross(p[2] - p[0], p[3] - p[1]);
-  }
-
   PatchPoint ClosestPoint(const Vector3& x, double limit2) const
   {
     const Vector3* p = this->Points;
@@ -43,6 +36,15 @@ struct CellFace
     return { nearest.Point, nearest.R, nearest.S, nearest.Dist2 };
   }
 };
+
+/// A direction across a face, of any length: 0 for a face without area.
+template <class Shape>
+Vector3 FaceNormal(const Vector3* points, int face)
+{
+  const int* ids = Shape::Faces[face];
+  const int last = ids[3] < 0 ? ids[0] : ids[3];
+  return Cross(points[ids[2]] - points[ids[0]], points[last] - points[ids[1]]);
+}
 
 /// The cell's parametric coordinates of a face's point, given that of the face: faces are flat in
 /// the domain.

@@ -10,27 +10,18 @@
 #ifndef skd_Geometry_ClosestPointInCell_h
 #define skd_Geometry_ClosestPointInCell_h
 
+#include "Brick.h"
 #include "CellFaces.h"
 #include "InvertMap.h"
+#include "VolumePoint.h"
+
+#include <type_traits>
 
 namespace skd
 {
 
-/// Point is the cell's point at PCoords, or x itself when that is inside (Dist2 = 0).
-struct VolumePoint
-{
-  Vector3 Point;
-  Vector3 PCoords;
-  double Dist2;
-
-  static VolumePoint Nowhere(const Vector3& x)
-  {
-    return { x, { { 0.0, 0.0, 0.0 } }, std::numeric_limits<double>::infinity() };
-  }
-};
-
 /// A lower bound of the squared distance of x from the cell, 0 if it may be inside: the gap between
-/// x and the nearest of the points across a direction, less what rounding may have made of it.
+/// x and the nearest of the points across a direction, less what rounding may have added to it.
 template <class Shape>
 double GapAlong(const Vector3* points, const Vector3& x, const Vector3& direction)
 {
@@ -45,10 +36,9 @@ double GapAlong(const Vector3* points, const Vector3& x, const Vector3& directio
     most = std::max(most, height);
     size2 = std::max(size2, Norm2(fromX));
   }
-  const double length2 = Norm2(direction);
   const double gap = std::max(least, -most);
-  const double rounding2 = 1e-30 * length2 * size2;
-  return gap > 0.0 && gap * gap > 4.0 * rounding2 ? gap * gap / length2 : 0.0;
+  const double gap2 = gap * gap / Norm2(direction) - 4e-15 * size2;
+  return gap > 0.0 && gap2 > 0.0 ? gap2 : 0.0;
 }
 
 /// Whether a face has points nearer to x than the given one: not if all its corners are on the far
@@ -88,28 +78,42 @@ VolumePoint ClosestPointOnFaces(
   return nearest;
 }
 
-/// The point of the cell at parametric coordinates of x that are in the domain to within rounding.
+/// The nearest point of the cell when x has parametric coordinates that are outside of the domain,
+/// but by no more than rounding: these put back into it, or a face if that is nearer still.
 template <class Shape>
-VolumePoint PointFound(const Vector3* points, const Vector3& x, const Vector3& found)
+VolumePoint ClosestPointOnBorder(
+  const Vector3* points, const Vector3& x, const Vector3& found, int face)
 {
-  if (Shape::InDomain(found))
-  {
-    return { x, found, 0.0 };
-  }
   const Vector3 pcoords = Shape::ClampToDomain(found);
   const Vector3 rest = Evaluate<Shape>(points, pcoords, x);
-  return { x + rest, pcoords, Norm2(rest) };
+  const VolumePoint inside{ x + rest, pcoords, Norm2(rest) };
+  const double ulp = std::numeric_limits<double>::epsilon() * (MaxNorm(x) + MaxNorm(points[0]));
+  if (inside.Dist2 <= ulp * ulp)
+  {
+    return inside;
+  }
+  const VolumePoint onFace = ClosestPointOnFaces<Shape>(points, x, inside.Dist2, face);
+  return onFace.Dist2 < inside.Dist2 ? onFace : inside;
 }
 
 /// The nearest point of a Tetrahedron, Voxel, Hexahedron, Wedge or Pyramid, for any points: warped,
 /// inverted or collapsed. When no point is within sqrt(limit2), Dist2 may be infinite instead (the
-/// rest is then nothing). A NaN gives Dist2 = NaN or infinity.
+/// rest is then nothing). Lengths may range over 1e-50 to 1e50. A NaN gives Dist2 = NaN or
+/// infinity.
 template <class Shape>
 VolumePoint ClosestPointInCell(const Vector3* points, const Vector3& x, double limit2)
 {
   if (!IsFinite(x))
   {
     return VolumePoint::Nowhere(x);
+  }
+  if constexpr (std::is_same_v<Shape, Voxel>)
+  {
+    const Brick brick(points);
+    if (brick.IsRectangular())
+    {
+      return brick.ClosestPoint(x);
+    }
   }
   const InverseMap<Shape> inverse(points, x);
   const Vector3 guess = inverse.Guess();
@@ -118,25 +122,22 @@ VolumePoint ClosestPointInCell(const Vector3* points, const Vector3& x, double l
   if (!Shape::InDomain(guess))
   {
     face = Shape::FaceBeyond(guess);
-    gap2 = GapAlong<Shape>(points, x, CellFace<Shape>(points, face).Normal());
+    gap2 = GapAlong<Shape>(points, x, FaceNormal<Shape>(points, face));
     if (gap2 > limit2)
     {
       return VolumePoint::Nowhere(x);
     }
   }
-  const std::optional<Vector3> found = gap2 == 0.0 ? inverse.Find(guess) : std::nullopt;
-  if (!found)
+  if (gap2 == 0.0)
   {
-    return ClosestPointOnFaces<Shape>(points, x, limit2, face);
+    const std::optional<Vector3> found = inverse.Find(guess);
+    if (found)
+    {
+      return Shape::InDomain(*found) ? VolumePoint{ x, *found, 0.0 }
+                                     : ClosestPointOnBorder<Shape>(points, x, *found, face);
+    }
   }
-  const VolumePoint inside = PointFound<Shape>(points, x, *found);
-  const double ulp = std::numeric_limits<double>::epsilon() * (MaxNorm(x) + MaxNorm(points[0]));
-  if (inside.Dist2 <= ulp * ulp)
-  {
-    return inside;
-  }
-  const VolumePoint onFace = ClosestPointOnFaces<Shape>(points, x, inside.Dist2, face);
-  return onFace.Dist2 < inside.Dist2 ? onFace : inside;
+  return ClosestPointOnFaces<Shape>(points, x, limit2, face);
 }
 
 }

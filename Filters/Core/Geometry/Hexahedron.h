@@ -64,14 +64,19 @@ struct Hexahedron
   /// The face that p, outside of the domain, is farthest beyond.
   static int FaceBeyond(const Vector3& p)
   {
-    int axis = std::abs(p[1] - 0.5) > std::abs(p[0] - 0.5) ? 1 : 0;
-    axis = std::abs(p[2] - 0.5) > std::abs(p[axis] - 0.5) ? 2 : axis;
+    const double fromMiddle[3] = { std::abs(p[0] - 0.5), std::abs(p[1] - 0.5),
+      std::abs(p[2] - 0.5) };
+    int axis = fromMiddle[1] > fromMiddle[0] ? 1 : 0;
+    axis = fromMiddle[2] > std::max(fromMiddle[0], fromMiddle[1]) ? 2 : axis;
     return 2 * axis + (p[axis] > 0.5 ? 1 : 0);
   }
 
+  /// One branch, not six that nobody can predict.
   static bool InDomain(const Vector3& p)
   {
-    return p[0] >= 0.0 && p[0] <= 1.0 && p[1] >= 0.0 && p[1] <= 1.0 && p[2] >= 0.0 && p[2] <= 1.0;
+    const bool isAbove = (p[0] >= 0.0) & (p[1] >= 0.0) & (p[2] >= 0.0);
+    const bool isBelow = (p[0] <= 1.0) & (p[1] <= 1.0) & (p[2] <= 1.0);
+    return isAbove & isBelow;
   }
 
   /// The point of the domain nearest to p; NaN gives 0.

@@ -53,8 +53,8 @@ struct PatchView
     const double s = Dot(toMiddle, this->V);
     const double both = r + s + Dot(toMiddle, this->W);
     const double gap = first + std::min(std::min(0.0, r), std::min(s, both));
-    const double rounding = 1e-14 * Norm2(toMiddle);
-    return gap > rounding && (gap - rounding) * (gap - rounding) > limit2 * Norm2(toMiddle);
+    const double size2 = Norm2(this->F) + Norm2(this->U) + Norm2(this->V) + Norm2(this->W);
+    return gap > 0.0 && gap * gap > (limit2 + 1e-14 * size2) * Norm2(toMiddle);
   }
 
   /// Steps inside the patch, as long as they lead nearer. They repair what a solution from squared

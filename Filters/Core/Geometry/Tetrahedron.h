@@ -44,9 +44,11 @@ struct Tetrahedron
     return static_cast<int>(std::max_element(beyond, beyond + 4) - beyond);
   }
 
+  /// One branch, not four that nobody can predict.
   static bool InDomain(const Vector3& p)
   {
-    return p[0] >= 0.0 && p[1] >= 0.0 && p[2] >= 0.0 && p[0] + p[1] + p[2] <= 1.0;
+    const bool isAbove = (p[0] >= 0.0) & (p[1] >= 0.0) & (p[2] >= 0.0);
+    return isAbove & (p[0] + p[1] + p[2] <= 1.0);
   }
 
   /// A point of the domain near to p, p itself if it is in there; NaN gives 0.

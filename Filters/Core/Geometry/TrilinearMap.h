@@ -10,6 +10,11 @@
 namespace skd
 {
 
+inline Vector3 Abs(const Vector3& v)
+{
+  return { { std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) } };
+}
+
 inline double MaxNorm(const Vector3& v)
 {
   return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
@@ -32,22 +37,21 @@ struct Matrix3
   }
 };
 
-/// A trilinear map from the cube [-1, 1]^3. Term[i] goes with the product of those coordinates
-/// whose bits are set in i: Term[0] is the image of the middle, Term[1], [2], [4] the half edges
-/// there.
+/// A trilinear map from the cube [-1, 1]^3, times 8. Term[i] goes with the product of those
+/// coordinates whose bits are set in i: Term[0] is the image of the middle, Term[1], [2], [4] the
+/// half edges there.
 struct TrilinearMap
 {
   Vector3 Term[8];
 
   TrilinearMap() = default;
 
-  /// From the images of the corners: the bits of an index are set where a coordinate is 1.
-  explicit TrilinearMap(const Vector3 (&corners)[8])
+  /// From the images of the corners: the bits of an index are set where a coordinate is 1. Sums and
+  /// differences along the first coordinate, then along the second, then along the third.
+  explicit TrilinearMap(const Vector3 (&c)[8])
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->SetAxis(axis, corners);
-    }
+    this->SetHalves(0, c[1] + c[0], c[3] + c[2], c[5] + c[4], c[7] + c[6]);
+    this->SetHalves(1, c[1] - c[0], c[3] - c[2], c[5] - c[4], c[7] - c[6]);
   }
 
   Vector3 At(const Vector3& u) const
@@ -85,57 +89,35 @@ struct TrilinearMap
   /// Whether a coordinate of the image is nowhere in the cube zero to within rounding.
   bool IsApartFromZero(double rounding) const
   {
-    Vector3 reach{ { rounding, rounding, rounding } };
-    for (int term = 1; term < 8; ++term)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        reach[axis] += std::abs(this->Term[term][axis]);
-      }
-    }
-    const Vector3& middle = this->Term[0];
-    return std::abs(middle[0]) > reach[0] || std::abs(middle[1]) > reach[1] ||
-      std::abs(middle[2]) > reach[2];
+    const Vector3 middle = Abs(this->Term[0]);
+    const Vector3 reach = this->Reach();
+    return middle[0] > reach[0] + rounding || middle[1] > reach[1] + rounding ||
+      middle[2] > reach[2] + rounding;
   }
 
   /// No image of the cube has a greater coordinate.
-  double Size() const
-  {
-    Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    for (const Vector3& term : this->Term)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        sum[axis] += std::abs(term[axis]);
-      }
-    }
-    return MaxNorm(sum);
-  }
+  double Size() const { return MaxNorm(Abs(this->Term[0]) + this->Reach()); }
 
 private:
-  /// Sums and differences along r, then along s, then along t.
-  void SetAxis(int axis, const Vector3 (&c)[8])
+  void SetHalves(
+    int index, const Vector3& c0, const Vector3& c1, const Vector3& c2, const Vector3& c3)
   {
-    double sums[4];
-    double differences[4];
-    for (int i = 0; i < 4; ++i)
-    {
-      sums[i] = c[2 * i + 1][axis] + c[2 * i][axis];
-      differences[i] = c[2 * i + 1][axis] - c[2 * i][axis];
-    }
-    this->SetPair(axis, 0, sums);
-    this->SetPair(axis, 1, differences);
+    const Vector3 bottom = c1 + c0;
+    const Vector3 top = c3 + c2;
+    const Vector3 bottomDifference = c1 - c0;
+    const Vector3 topDifference = c3 - c2;
+    this->Term[index] = top + bottom;
+    this->Term[index + 2] = topDifference + bottomDifference;
+    this->Term[index + 4] = top - bottom;
+    this->Term[index + 6] = topDifference - bottomDifference;
   }
-  void SetPair(int axis, int index, const double (&c)[4])
+
+  /// How far, by coordinate, images may be from that of the middle.
+  Vector3 Reach() const
   {
-    const double bottom = c[1] + c[0];
-    const double top = c[3] + c[2];
-    const double bottomDifference = c[1] - c[0];
-    const double topDifference = c[3] - c[2];
-    this->Term[index][axis] = 0.125 * (top + bottom);
-    this->Term[index + 2][axis] = 0.125 * (topDifference + bottomDifference);
-    this->Term[index + 4][axis] = 0.125 * (top - bottom);
-    this->Term[index + 6][axis] = 0.125 * (topDifference - bottomDifference);
+    const Vector3* c = this->Term;
+    return ((Abs(c[1]) + Abs(c[2])) + (Abs(c[4]) + Abs(c[3]))) +
+      ((Abs(c[5]) + Abs(c[6])) + Abs(c[7]));
   }
 };
 

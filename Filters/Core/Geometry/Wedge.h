@@ -67,9 +67,12 @@ struct Wedge
     return static_cast<int>(std::max_element(beyond, beyond + 5) - beyond);
   }
 
+  /// One branch, not five that nobody can predict.
   static bool InDomain(const Vector3& p)
   {
-    return p[0] >= 0.0 && p[1] >= 0.0 && p[0] + p[1] <= 1.0 && p[2] >= 0.0 && p[2] <= 1.0;
+    const bool isAbove = (p[0] >= 0.0) & (p[1] >= 0.0) & (p[2] >= 0.0);
+    const bool isBelow = (p[0] + p[1] <= 1.0) & (p[2] <= 1.0);
+    return isAbove & isBelow;
   }
 
   /// A point of the domain near to p, p itself if it is in there; NaN gives 0.
