@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// All points that a piece of a curve and a patch have in common (section 6.2), on their native
+/// form.
+///
+/// Both are halved until each part of them is certainly apart (the hulls of control points are),
+/// has one certain root (Krawczyk's test, then Newton's method), or touches: curve and patch are
+/// then within the tolerance of each other without a simple root. Parts that touch are put together
+/// and examined for where exactly, and whether the curve passes. A curve that runs within the patch
+/// is found first, by more points than two different ones can share.
+#ifndef skd_Curves_CurvePatchSolver_h
+#define skd_Curves_CurvePatchSolver_h
+
+#include "CurvePatchContraction.h"
+#include "CurveWithinPatch.h"
+
+#include <vector>
+
+namespace skd
+{
+
+/// One a thread: it keeps its memory. A solution costs some dozens of cells for a simple root, some
+/// hundreds for a contact.
+class CurvePatchSolver
+{
+public:
+  /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good
+  /// until the next call. Control points should be relative to an origin near by.
+  const std::vector<CurvePatchHit>& Solve(
+    const BezierCurve& curve, const BezierPatch& patch, double tolerance)
+  {
+    this->Hits.clear();
+    this->Contacts.clear();
+    this->Stack.clear();
+    const CurvePatchPair pair{ curve, patch, tolerance };
+    CurvePatchCell whole;
+    whole.Curve = curve;
+    whole.Patch = patch;
+    if (CurvePatchHulls(whole).AreApart(tolerance) || CurveWithinPatch(pair).Find(this->Hits))
+    {
+      return this->Hits;
+    }
+    this->Stack.push_back(whole);
+    for (int budget = CellBudget; !this->Stack.empty(); --budget)
+    {
+      const CurvePatchCell cell = this->Stack.back();
+      this->Stack.pop_back();
+      this->Examine(cell, pair, budget > 0);
+    }
+    this->ResolveContacts(pair);
+    this->Unite();
+    return this->Hits;
+  }
+
+private:
+  static constexpr int CellBudget = 20000; ///< what is left then counts as touching
+  static constexpr int DepthLimit = 150;   ///< 50 halvings of each parameter
+
+  void Examine(const CurvePatchCell& cell, const CurvePatchPair& pair, bool mayHalve)
+  {
+    const CurvePatchHulls hulls(cell);
+    if (cell.IsOutside() || hulls.AreApart(pair.Tolerance))
+    {
+      return;
+    }
+    const Contraction<3> contraction = ContractionOf(cell);
+    if (contraction.Excludes() || this->Finds(cell, contraction, pair))
+    {
+      return;
+    }
+    if (!mayHalve || cell.Depth >= DepthLimit || hulls.AreTogether(2.0 * pair.Tolerance))
+    {
+      this->Contacts.push_back({ cell.T, cell.MiddleR(), cell.MiddleS() });
+      return;
+    }
+    this->Halve(cell, hulls.Largest());
+  }
+
+  /// Whether the cell has been dealt with: its only root was found, or is not in it.
+  bool Finds(
+    const CurvePatchCell& cell, const Contraction<3>& contraction, const CurvePatchPair& pair)
+  {
+    if (!(contraction.Worst() < 0.5))
+    {
+      return false;
+    }
+    const auto start = [](const Interval& interval, double step)
+    { return interval.Min + std::clamp(0.5 + step, 0.0, 1.0) * (interval.Max - interval.Min); };
+    CurvePatchHit hit;
+    hit.T = start(cell.T, contraction.Step[0]);
+    hit.R = start(cell.R, contraction.Step[1]);
+    hit.S = start(cell.S, contraction.Step[2]);
+    if (!pair.Polish(hit))
+    {
+      return false;
+    }
+    if (Holds(cell.T, hit.T) && Holds(cell.R, hit.R) && Holds(cell.S, hit.S) && pair.Accept(hit))
+    {
+      this->Hits.push_back(hit);
+    }
+    return true;
+  }
+
+  static bool Holds(const Interval& interval, double value)
+  {
+    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9;
+    return value >= interval.Min - slack && value <= interval.Max + slack;
+  }
+
+  void Halve(const CurvePatchCell& cell, int axis)
+  {
+    this->Stack.push_back(cell);
+    this->Stack.push_back(cell);
+    CurvePatchCell& low = this->Stack[this->Stack.size() - 2];
+    CurvePatchCell& high = this->Stack.back();
+    low.Depth = high.Depth = cell.Depth + 1;
+    if (axis == 0)
+    {
+      low.T.Max = high.T.Min = cell.MiddleT();
+      low.Curve = cell.Curve.Part(0.0, 0.5);
+      high.Curve = cell.Curve.Part(0.5, 1.0);
+    }
+    else if (axis == 1)
+    {
+      low.R.Max = high.R.Min = cell.MiddleR();
+      high.Patch = low.Patch.SplitOffR();
+    }
+    else
+    {
+      low.S.Max = high.S.Min = cell.MiddleS();
+      high.Patch = low.Patch.SplitOffS();
+    }
+  }
+
+  void ResolveContacts(const CurvePatchPair& pair)
+  {
+    std::sort(this->Contacts.begin(), this->Contacts.end(),
+      [](const CurvePatchContact& a, const CurvePatchContact& b) { return a.T.Min < b.T.Min; });
+    for (std::size_t first = 0; first < this->Contacts.size();)
+    {
+      CurvePatchContact all = this->Contacts[first];
+      std::size_t last = first + 1;
+      while (last < this->Contacts.size() && this->Contacts[last].T.Min <= all.T.Max + 1e-9)
+      {
+        all.T.Max = std::max(all.T.Max, this->Contacts[last++].T.Max);
+      }
+      const CurvePatchContact& middle = this->Contacts[(first + last) / 2];
+      all.R = middle.R;
+      all.S = middle.S;
+      if (const auto hit = pair.Resolve(all))
+      {
+        this->Hits.push_back(*hit);
+      }
+      first = last;
+    }
+  }
+
+  /// A root on the border of cells was found from each of them.
+  void Unite()
+  {
+    std::sort(this->Hits.begin(), this->Hits.end(),
+      [](const CurvePatchHit& a, const CurvePatchHit& b) { return a.T < b.T; });
+    const auto isSame = [](const CurvePatchHit& a, const CurvePatchHit& b)
+    {
+      const double slack = std::max({ a.Slack, b.Slack, 1e-12 });
+      return b.T - a.T <= slack &&
+        Distance2(a.X, b.X) <= 4.0 * (a.Reach + b.Reach) * (a.Reach + b.Reach);
+    };
+    this->Hits.erase(std::unique(this->Hits.begin(), this->Hits.end(), isSame), this->Hits.end());
+  }
+
+  std::vector<CurvePatchHit> Hits;
+  std::vector<CurvePatchContact> Contacts;
+  std::vector<CurvePatchCell> Stack;
+};
+
+}
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Common points of curves and patches, where they are known.
+
+#include "Core/Curves/CurvePatchSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace
+{
+
+using namespace skd;
+
+/// Quarter circles' control points: cosine, sine, weight.
+constexpr double Quarter[3][3] = { { 1, 0, 1 }, { 1, 1, M_SQRT1_2 }, { 0, 1, 1 } };
+
+/// The patch of a torus about z that begins at (phi, theta) quarters.
+BezierPatch TorusPatch(double R, double r, int phi, int theta)
+{
+  const auto turned = [](const double(&p)[3], int quarters, double(&out)[2])
+  {
+    static constexpr int cosines[4] = { 1, 0, -1, 0 };
+    const int c = cosines[quarters % 4];
+    const int s = cosines[(quarters + 3) % 4];
+    out[0] = c * p[0] - s * p[1];
+    out[1] = s * p[0] + c * p[1];
+  };
+  BezierPatch patch;
+  patch.DegreeR = patch.DegreeS = 2;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      double around[2];
+      double tube[2];
+      turned(Quarter[i], phi, around);
+      turned(Quarter[j], theta, tube);
+      const double radius = R + r * tube[0];
+      patch.Point(i, j) = Weighted(
+        { { radius * around[0], radius * around[1], r * tube[1] } }, Quarter[i][2] * Quarter[j][2]);
+    }
+  }
+  return patch;
+}
+
+struct Found
+{
+  std::vector<double> T;
+  std::vector<MeetingKind> Kinds;
+  int Sum = 0;
+};
+
+/// Of all patches of the torus; points that two patches share once.
+Found OnTorus(const BezierCurve& curve, double tolerance = 4e-15)
+{
+  CurvePatchSolver solver;
+  std::vector<CurvePatchHit> all;
+  for (int patch = 0; patch < 16; ++patch)
+  {
+    const auto& hits = solver.Solve(curve, TorusPatch(1.0, 0.25, patch % 4, patch / 4), tolerance);
+    all.insert(all.end(), hits.begin(), hits.end());
+  }
+  std::sort(all.begin(), all.end(),
+    [](const CurvePatchHit& a, const CurvePatchHit& b) { return a.T < b.T; });
+  Found found;
+  for (const CurvePatchHit& hit : all)
+  {
+    if (found.T.empty() || hit.T - found.T.back() > hit.Slack)
+    {
+      found.T.push_back(hit.T);
+      found.Kinds.push_back(hit.Kind);
+      found.Sum += hit.Passes;
+    }
+  }
+  return found;
+}
+
+BezierCurve LineFrom(const Vector3& origin, const Vector3& direction, double length)
+{
+  return BezierCurve::Line(origin, origin + (length / Norm(direction)) * direction);
+}
+
+}
+
+TEST(CurvePatch, ALineCrossesATorusFourTimes)
+{
+  const Found found = OnTorus(LineFrom({ { -2, .1, -.05 } }, { { 1, .02, .03 } }, 4.0));
+  const double expected[4] = { 0.75730656177192833, 1.2610417307475993, 2.7377575606421169,
+    3.2367005100859674 };
+  ASSERT_EQ(found.T.size(), 4u);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(4.0 * found.T[i], expected[i], 1e-12 * expected[i]);
+    EXPECT_EQ(found.Kinds[i], MeetingKind::Crossing);
+  }
+  EXPECT_EQ(found.Sum, 0);
+}
+
+TEST(CurvePatch, ALineTouchesATorus)
+{
+  const Found found = OnTorus(LineFrom({ { -2, 1.25, 0 } }, { { 1, 0, 0 } }, 4.3));
+  ASSERT_EQ(found.T.size(), 1u);
+  EXPECT_NEAR(4.3 * found.T[0], 2.0, 1e-12);
+  EXPECT_EQ(found.Kinds[0], MeetingKind::Touching);
+}
+
+TEST(CurvePatch, ALineCutsATorusCloseByTwice)
+{
+  const Found found = OnTorus(LineFrom({ { -2, 1.249999, 0 } }, { { 1, 0, 0 } }, 4.3));
+  ASSERT_EQ(found.T.size(), 2u);
+  EXPECT_NEAR(4.3 * found.T[0] - 2.0, -1.581138513856392e-3, 1e-12);
+  EXPECT_NEAR(4.3 * found.T[1] - 2.0, 1.581138513856392e-3, 1e-12);
+}
+
+TEST(CurvePatch, ALineMissesATorusCloseBy)
+{
+  EXPECT_TRUE(OnTorus(LineFrom({ { -2, 1.250001, 0 } }, { { 1, 0, 0 } }, 4.3)).T.empty());
+}
+
+TEST(CurvePatch, ALineMeetsATorusInAFourfoldRoot)
+{
+  const Found found = OnTorus(LineFrom({ { -2, 1, .25 } }, { { 1, 0, 0 } }, 4.3));
+  ASSERT_EQ(found.T.size(), 1u);
+  EXPECT_NEAR(4.3 * found.T[0], 2.0, 1e-5); // the fourth root of rounding is what it can be told to
+  EXPECT_EQ(found.Kinds[0], MeetingKind::Touching);
+}
+
+TEST(CurvePatch, ACircleOfATorusRunsWithinIt)
+{
+  BezierCurve circle; // a quarter of the tube at phi = 45 degrees
+  circle.Degree = 2;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double radius = 1.0 + 0.25 * Quarter[i][0];
+    circle.Points[i] =
+      Weighted({ { M_SQRT1_2 * radius, M_SQRT1_2 * radius, .25 * Quarter[i][1] } }, Quarter[i][2]);
+  }
+  CurvePatchSolver solver;
+  const auto& hits = solver.Solve(circle, TorusPatch(1.0, 0.25, 0, 0), 4e-15);
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  EXPECT_TRUE(hits[0].Begins);
+  EXPECT_NEAR(hits[0].T, 0.0, 1e-9);
+  EXPECT_NEAR(hits[1].T, 1.0, 1e-9);
+}
+
+TEST(CurvePatch, RandomLinesCrossTheTorusEvenly)
+{
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> number(-1.3, 1.3);
+  for (int round = 0; round < 300; ++round)
+  {
+    const Vector3 through{ { number(engine), number(engine), 0.2 * number(engine) } };
+    const Vector3 direction{ { number(engine), number(engine), number(engine) } };
+    const double length = 8.0;
+    const Found found =
+      OnTorus(LineFrom(through - (4.0 / Norm(direction)) * direction, direction, length));
+    EXPECT_EQ(found.T.size() % 2, 0u) << round;
+    EXPECT_EQ(found.Sum, 0) << round;
+    for (const double t : found.T)
+    {
+      const Vector3 x = through + (length * t - 4.0) / Norm(direction) * direction;
+      const double tube = std::hypot(std::hypot(x[0], x[1]) - 1.0, x[2]);
+      EXPECT_NEAR(tube, 0.25, 1e-13);
+    }
+  }
+}
