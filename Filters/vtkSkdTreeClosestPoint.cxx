@@ -3,12 +3,13 @@
 #include "vtkSkdTreeClosestPoint.h"
 
 #include "Pipeline/SkdAnswers.h"
-#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdCellWeights.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
@@ -16,11 +17,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTimerLog.h"
 
 #include <set>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeClosestPoint);
@@ -33,20 +31,6 @@ public:
 
 namespace
 {
-/// Seconds between laps.
-class Stopwatch
-{
-public:
-  double Lap()
-  {
-    const double now = vtkTimerLog::GetUniversalTime();
-    return now - std::exchange(this->Last, now);
-  }
-
-private:
-  double Last = vtkTimerLog::GetUniversalTime();
-};
-
 vtkIdType CountPoints(const std::vector<SkdLeaf>& leaves)
 {
   vtkIdType points = 0;
@@ -77,43 +61,16 @@ SkdAnswers FindNearest(
   return answers;
 }
 
-/// Arrays of the source that `output` is to get, with "none" everywhere, and added to it. What
-/// cannot be added because the name is in use is put down in `refused`.
-SkdArrayGather GatherFor(
-  vtkDataSet* output, const std::vector<SkdLeaf>& source, int type, std::set<std::string>& refused)
-{
-  std::vector<vtkDataSetAttributes*> sets;
-  for (const SkdLeaf& leaf : source)
-  {
-    sets.push_back(leaf.Mesh->GetAttributes(type));
-  }
-  const auto isWanted = [&](vtkAbstractArray* array)
-  {
-    const bool isId = type == vtkDataObject::POINT &&
-      (array == sets.front()->GetGlobalIds() || array == sets.front()->GetPedigreeIds());
-    const std::string name = array->GetName();
-    if (isId || name == vtkDataSetAttributes::GhostArrayName())
-    {
-      return false;
-    }
-    if (output->GetPointData()->HasArray(name.c_str()))
-    {
-      refused.insert(name);
-      return false;
-    }
-    return true;
-  };
-  SkdArrayGather gather(sets, isWanted);
-  gather.Allocate(output->GetNumberOfPoints());
-  gather.AddTo(output->GetPointData());
-  return gather;
-}
-
 void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdAnswers& answers,
   std::set<std::string>& refused, SkdLoop& loop)
 {
-  SkdArrayGather points = GatherFor(output, source.GetLeaves(), vtkDataObject::POINT, refused);
-  SkdArrayGather cells = GatherFor(output, source.GetLeaves(), vtkDataObject::CELL, refused);
+  const auto gather = [&](int type)
+  {
+    return SkdGatherInto(
+      output->GetPointData(), output->GetNumberOfPoints(), source.GetLeaves(), type, refused);
+  };
+  SkdArrayGather points = gather(vtkDataObject::POINT);
+  SkdArrayGather cells = gather(vtkDataObject::CELL);
   loop.For(output->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -145,11 +102,7 @@ void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdLeaf>&
   {
     InterpolateFor(outputs[i].Mesh, source, answers[i], refused, loop);
   }
-  for (const std::string& name : refused)
-  {
-    vtkWarningWithObjectMacro(
-      self, "The Source's array " << name << " is left out: the output has an array of that name.");
-  }
+  SkdWarnAboutRefused(self, refused);
 }
 
 void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
@@ -257,15 +210,7 @@ int vtkSkdTreeClosestPoint::RequestDataObject(
 int vtkSkdTreeClosestPoint::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* source = inputVector[1]->GetInformationObject(0);
-  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (source->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    source->Set(Pipeline::UPDATE_EXTENT(), source->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
   return 1;
 }
 
@@ -275,7 +220,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const std::vector<SkdLeaf> leaves = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
-  Stopwatch watch;
+  SkdStopwatch watch;
 
   SkdSource& source = this->Impl->Source;
   source.Update(sourceData, this->SignedDistance, this->Epsilon);

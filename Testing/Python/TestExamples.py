@@ -33,15 +33,32 @@ def pixels(file):
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
 
 
-def test_closest_point():
-    picture = skdtesting.temporary("closest_point_example.png")
+def fresh_picture(name):
+    picture = skdtesting.temporary(name)
     if os.path.exists(picture):
         os.remove(picture)
+    return picture
+
+
+def test_closest_point():
+    picture = fresh_picture("closest_point_example.png")
     said = run("ClosestPoint.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
     assert "SkdDistance  from    3.2" in said, said
     colours = pixels(picture)
     is_background = (colours == 255).all(axis=1)
     assert 0.2 < is_background.mean() < 0.8
+    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+
+
+def test_curve_surface_intersection():
+    picture = fresh_picture("curve_surface_intersection_example.png")
+    files = [os.path.join(skdtesting.DATA_DIR, name)
+        for name in ("fly_brain_neuron.vtp", "fly_brain_lateral_horn.vtp")]
+    said = run("CurveSurfaceIntersection.py", *files, picture)
+    assert "goes in 1 times, out 0 times" in said, said
+    colours = pixels(picture)
+    is_background = (colours == 255).all(axis=1)
+    assert 0.3 < is_background.mean() < 0.95
     assert len(numpy.unique(colours[~is_background], axis=0)) > 100
 
 

@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdCurveSet.h"
+
+#include "Cells/SkdBezierCell.h"
+#include "Core/Curves/BernsteinBasis.h"
+#include "Core/Curves/CurveSpans.h"
+#include "vtkCardinalSpline.h"
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkKochanekSpline.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+
+namespace
+{
+bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
+{
+  constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  return ghosts && (ghosts->GetValue(cellId) & hidden);
+}
+
+std::vector<skd::Vector3> PointsOf(vtkCell* cell)
+{
+  std::vector<skd::Vector3> points(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    cell->GetPoints()->GetPoint(static_cast<vtkIdType>(i), points[i].X);
+  }
+  return points;
+}
+
+bool AreFinite(const std::vector<skd::Vector3>& points)
+{
+  for (const skd::Vector3& point : points)
+  {
+    if (!skd::IsFinite(point))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+vtkSmartPointer<vtkSpline> MakeSpline(SkdPolylineForm form, bool isClosed, double length)
+{
+  vtkSmartPointer<vtkSpline> spline;
+  if (form == SkdPolylineForm::Cardinal)
+  {
+    spline = vtkSmartPointer<vtkCardinalSpline>::New();
+  }
+  else
+  {
+    spline = vtkSmartPointer<vtkKochanekSpline>::New();
+  }
+  spline->SetClosed(isClosed);
+  spline->SetParametricRange(0.0, length);
+  return spline;
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::Read(const std::vector<SkdLeaf>& leaves, SkdPolylineForm form)
+{
+  *this = SkdCurveSet();
+  this->Leaves = leaves;
+  this->Form = form;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    vtkDataSet* mesh = leaves[leaf].Mesh;
+    vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+    for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
+    {
+      if (!IsGhost(ghosts, cellId))
+      {
+        this->ReadCell(mesh, static_cast<int>(leaf), cellId);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::ReadCell(vtkDataSet* mesh, int leaf, vtkIdType cellId)
+{
+  const int type = mesh->GetCellType(cellId);
+  if (type == VTK_EMPTY_CELL)
+  {
+    return;
+  }
+  vtkCell* cell = mesh->GetCell(cellId);
+  if (cell->GetCellDimension() != 1)
+  {
+    ++this->NotCurves;
+    return;
+  }
+  SkdCurve curve{ leaf, cellId, this->Pieces.size(), 0, 1, false, 0.0 };
+  const bool isPolyline = type == VTK_LINE || type == VTK_POLY_LINE;
+  if (isPolyline ? this->AddPolyline(cell, curve) : this->AddNative(cell))
+  {
+    this->Close(curve);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveSet::AddPolyline(vtkCell* cell, SkdCurve& curve)
+{
+  const std::vector<skd::Vector3> points = PointsOf(cell);
+  if (!AreFinite(points))
+  {
+    ++this->NotFinite;
+    return false;
+  }
+  const bool isClosed = points.size() > 2 && points.front() == points.back();
+  curve.Intervals = std::max(static_cast<int>(points.size()) - 1, 1);
+  if (this->Form == SkdPolylineForm::Straight || points.size() < 3)
+  {
+    this->AddLines(points);
+  }
+  else
+  {
+    this->AddSplines(points, isClosed);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::AddLines(const std::vector<skd::Vector3>& points)
+{
+  const skd::Vector3 zero{};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    if (!(points[i] == points[i + 1]))
+    {
+      this->AddPiece(skd::BezierCurve::Line(points[i], points[i + 1]), zero, static_cast<int>(i));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's splines are cubic between their knots: four values there tell the piece.
+void SkdCurveSet::AddSplines(const std::vector<skd::Vector3>& points, bool isClosed)
+{
+  std::vector<double> knots{ 0.0 };
+  std::vector<std::size_t> numbers{ 0 };
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const double length = std::sqrt(skd::Distance2(points[i], points[numbers.back()]));
+    if (length > 0.0)
+    {
+      knots.push_back(knots.back() + length);
+      numbers.push_back(i);
+    }
+  }
+  vtkSmartPointer<vtkSpline> splines[3];
+  const skd::Vector3 origin = points[0];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    splines[axis] = MakeSpline(this->Form, isClosed, knots.back());
+    const std::size_t count = knots.size() - (isClosed ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      splines[axis]->AddPoint(knots[i], points[numbers[i]][axis] - origin[axis]);
+    }
+  }
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+  {
+    skd::BezierCurve piece;
+    piece.Degree = 3;
+    for (int k = 0; k <= 3; ++k)
+    {
+      skd::Vector3 x = points[numbers[k == 0 ? i : i + 1]] - origin;
+      const double at = knots[i] + (knots[i + 1] - knots[i]) * k / 3.0;
+      for (int axis = 0; axis < 3 && k % 3 != 0; ++axis)
+      {
+        x[axis] = splines[axis]->Evaluate(at);
+      }
+      piece.Points[k] = skd::Weighted(x, 1.0);
+    }
+    skd::BernsteinBasisOf(3).Convert(piece.Points);
+    this->AddPiece(piece, origin, static_cast<int>(numbers[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveSet::AddNative(vtkCell* cell)
+{
+  const auto read = SkdReadBezierCurve(cell);
+  switch (read.Fault)
+  {
+    case SkdBezierFault::None:
+      break;
+    case SkdBezierFault::Weight:
+      ++this->BadWeights;
+      return false;
+    case SkdBezierFault::Coordinate:
+      ++this->NotFinite;
+      return false;
+    case SkdBezierFault::Degree:
+      ++this->TooHigh;
+      return false;
+    default:
+      ++this->NotCurves;
+      return false;
+  }
+  const skd::Box3 bounds = read.Form.Bounds();
+  if (bounds.Diagonal() > 0.0)
+  {
+    this->AddPiece(read.Form, read.Origin, 0);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::AddPiece(const skd::BezierCurve& form, const skd::Vector3& origin, int interval)
+{
+  this->Pieces.push_back(
+    { origin, 0.0, this->Points.size(), this->Curves.size(), form.Degree, interval });
+  this->Points.insert(this->Points.end(), form.Points, form.Points + form.Degree + 1);
+  const skd::Box3 bounds = form.Bounds();
+  this->Bounds.Add(bounds.Min + origin);
+  this->Bounds.Add(bounds.Max + origin);
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::Close(SkdCurve& curve)
+{
+  curve.LastPiece = this->Pieces.size();
+  if (curve.FirstPiece == curve.LastPiece)
+  {
+    this->NoLength += 1;
+    return;
+  }
+  for (std::size_t piece = curve.FirstPiece; piece < curve.LastPiece; ++piece)
+  {
+    this->Pieces[piece].LengthBefore = curve.Length;
+    curve.Length += skd::ArcLength(this->GetPiece(piece, this->Pieces[piece].Origin), 0.0, 1.0);
+  }
+  const skd::Vector3& origin = this->Pieces[curve.FirstPiece].Origin;
+  curve.IsClosed = this->GetPiece(curve.FirstPiece, origin).Start() ==
+    this->GetPiece(curve.LastPiece - 1, origin).End();
+  this->Curves.push_back(curve);
+}
+
+//------------------------------------------------------------------------------
+skd::BezierCurve SkdCurveSet::GetPiece(std::size_t piece, const skd::Vector3& origin) const
+{
+  const Piece& stored = this->Pieces[piece];
+  const skd::Vector3 shift = stored.Origin - origin;
+  skd::BezierCurve curve;
+  curve.Degree = stored.Degree;
+  for (int i = 0; i <= stored.Degree; ++i)
+  {
+    const std::size_t number = stored.FirstPoint + static_cast<std::size_t>(i);
+    curve.Points[i] = skd::Shifted(this->Points[number], shift);
+  }
+  return curve;
+}
+
+//------------------------------------------------------------------------------
+double SkdCurveSet::GetParameter(std::size_t piece, double t) const
+{
+  const Piece& stored = this->Pieces[piece];
+  return (stored.Interval + t) / this->Curves[stored.Curve].Intervals;
+}
+
+//------------------------------------------------------------------------------
+double SkdCurveSet::GetArcLength(std::size_t piece, double t) const
+{
+  const Piece& stored = this->Pieces[piece];
+  return stored.LengthBefore + skd::ArcLength(this->GetPiece(piece, stored.Origin), 0.0, t);
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::GetWeights(
+  std::size_t piece, double t, vtkIdList* ids, std::vector<double>& weights) const
+{
+  const Piece& stored = this->Pieces[piece];
+  const SkdCurve& curve = this->Curves[stored.Curve];
+  vtkDataSet* mesh = this->Leaves[static_cast<std::size_t>(curve.Leaf)].Mesh;
+  const int type = mesh->GetCellType(curve.CellId);
+  if (type == VTK_LINE || type == VTK_POLY_LINE)
+  {
+    mesh->GetCellPoints(curve.CellId, ids);
+    const vtkIdType ends[2] = { ids->GetId(stored.Interval), ids->GetId(stored.Interval + 1) };
+    ids->SetNumberOfIds(2);
+    ids->SetId(0, ends[0]);
+    ids->SetId(1, ends[1]);
+    weights = { 1.0 - t, t };
+    return;
+  }
+  vtkCell* cell = mesh->GetCell(curve.CellId);
+  ids->DeepCopy(cell->GetPointIds());
+  weights.resize(static_cast<std::size_t>(ids->GetNumberOfIds()));
+  const double at[3] = { type == VTK_CUBIC_LINE ? 2.0 * t - 1.0 : t, 0.0, 0.0 };
+  cell->InterpolateFunctions(at, weights.data());
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SkdCurveSet::GetFaults() const
+{
+  std::vector<std::string> faults;
+  const auto tell = [&](vtkIdType count, const char* what)
+  {
+    if (count > 0)
+    {
+      faults.push_back(std::to_string(count) + what);
+    }
+  };
+  tell(this->NotCurves, " cells are no curves");
+  tell(this->NoLength, " curves have no length");
+  tell(this->NotFinite, " curves have points that are not finite");
+  tell(this->BadWeights, " curves have a weight that is not positive");
+  tell(this->TooHigh, " curves are of a degree above 10");
+  return faults;
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdLeafArrays.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused)
+{
+  std::vector<vtkDataSetAttributes*> sets;
+  for (const SkdLeaf& leaf : leaves)
+  {
+    sets.push_back(leaf.Mesh->GetAttributes(type));
+  }
+  const auto isWanted = [&](vtkAbstractArray* array)
+  {
+    vtkDataSetAttributes* first = sets.front();
+    const bool isOfPoints = type == vtkDataObject::POINT &&
+      (array == first->GetGlobalIds() || array == first->GetPedigreeIds() ||
+        array == first->GetRationalWeights());
+    const std::string name = array->GetName();
+    if (isOfPoints || name == vtkDataSetAttributes::GhostArrayName())
+    {
+      return false;
+    }
+    if (target->HasArray(name.c_str()))
+    {
+      refused.insert(name);
+      return false;
+    }
+    return true;
+  };
+  SkdArrayGather gather(sets, isWanted);
+  gather.Allocate(n);
+  gather.AddTo(target);
+  return gather;
+}
+
+void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refused)
+{
+  for (const std::string& name : refused)
+  {
+    vtkWarningWithObjectMacro(
+      self, "The array " << name << " is left out: the output has an array of that name.");
+  }
+}

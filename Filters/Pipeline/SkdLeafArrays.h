@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdLeafArrays_h
+#define SkdLeafArrays_h
+
+#include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdLeaves.h"
+
+#include <set>
+#include <string>
+
+class vtkAlgorithm;
+
+/// The arrays (of points or cells, vtkDataObject's type) that all leaves have, made for `n` tuples
+/// of "none" and added to `target`: all but ghost marks, and points' ids and rational weights. What
+/// cannot be added because its name is in use is put down in `refused`.
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused);
+
+/// Warns about the arrays that were refused.
+void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refused);
+
+#endif

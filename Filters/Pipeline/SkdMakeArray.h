@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMakeArray_h
+#define SkdMakeArray_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+/// A named array of n tuples, values not set.
+template <typename Array>
+vtkSmartPointer<Array> SkdMakeArray(const char* name, int components, vtkIdType n)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(n);
+  return array;
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMeetingGroup_h
+#define SkdMeetingGroup_h
+
+#include "Pipeline/SkdSurfaceHits.h"
+
+/// Puts together what is met in one place: hits on edges or vertices of the same leaf, or at the
+/// joints of a curve, whose parameters differ by no more than they may be off by.
+class SkdMeetingGroups
+{
+public:
+  explicit SkdMeetingGroups(const std::vector<SkdSurfaceElement>& elements)
+    : Elements(elements)
+  {
+  }
+
+  /// Hits are to come by (curve, U).
+  void Add(const SkdSurfaceHit& hit);
+
+  /// In the order in which they came.
+  std::vector<SkdSurfaceMeeting> GetMeetings() const;
+
+  /// The leaves that are passed through an odd number of times, by where that is last.
+  std::vector<int> GetLeavesLeft() const;
+
+private:
+  struct Group
+  {
+    SkdSurfaceHit First;
+    SkdSurfaceHit Lowest;
+    int ExactPasses = 0;
+    int ExactSum = 0;
+    bool IsExact = true;
+    bool GoesAlong = false; ///< with the normal
+    bool GoesAgainst = false;
+    int OverlapsBegun = 0;
+    int OverlapsEnded = 0;
+
+    void Add(const SkdSurfaceHit& hit, const std::vector<SkdSurfaceElement>& elements);
+    int Sense() const;
+    bool IsWithinOverlap() const;
+    skd::MeetingKind Kind() const;
+  };
+
+  bool BelongsTo(const Group& group, const SkdSurfaceHit& hit) const;
+
+  const std::vector<SkdSurfaceElement>& Elements;
+  std::vector<Group> Groups;
+};
+
+#endif

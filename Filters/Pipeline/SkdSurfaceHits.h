@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSurfaceHits.h
+ * @brief Where curves meet surfaces (section 6.2): each place once.
+ *
+ * A straight piece against a triangle is decided by exact signs (SegmentFacet.h); anything else on
+ * the native forms (CurvePatchSolver.h), where what rounding may be off by counts as met.
+ */
+
+#ifndef SkdSurfaceHits_h
+#define SkdSurfaceHits_h
+
+#include "Core/Curves/CurvePatchSolver.h"
+#include "Pipeline/SkdCurveSet.h"
+#include "Pipeline/SkdSurfaceSet.h"
+
+class SkdLoop;
+
+/// A place that a piece of a curve and an element have in common.
+struct SkdSurfaceHit
+{
+  std::size_t Curve;
+  std::size_t Piece;
+  double U; ///< number of the piece within its curve, and T: what hits are ordered by
+  double T; ///< on the piece
+  std::size_t Element;
+  double R;
+  double S;
+  skd::Vector3 X;
+  skd::Vector3 Tangent; ///< of the curve, of any length
+  skd::Vector3 Normal;  ///< of the surface, of any length
+  double Gap;
+  double Slack; ///< what U may be off by
+  double Reach; ///< and X
+  skd::MeetingKind Kind;
+  int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
+  int Direction; ///< 1 along the normal, -1 against it, 0 along the surface
+  bool IsExact;
+  bool Begins;
+  bool OnBoundary;
+};
+
+/// A place where a curve meets a surface, whatever number of pieces and elements meet there.
+struct SkdSurfaceMeeting
+{
+  SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (leaf, cell id)
+  int Sense;         ///< 1: the curve goes in, against the normal; -1: out; 0: neither
+};
+
+class SkdSurfaceHitFinder
+{
+public:
+  /// `delta`: the chord tolerance by which curves are cut, in world units.
+  SkdSurfaceHitFinder(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta);
+
+  /// All places, by curve and then along it; at one place by leaf and cell id. In parallel.
+  std::vector<SkdSurfaceMeeting> Find(SkdLoop& loop) const;
+
+  /// The leaves that have a point inside, if they are closed, by ascending distance to where a line
+  /// from there leaves them. Thread-safe.
+  std::vector<int> FindLeavesAround(const skd::Vector3& x) const;
+
+  /// The distance that is 0 to within rounding.
+  double GetRounding() const { return this->Rounding; }
+
+private:
+  using Hits = std::vector<SkdSurfaceHit>;
+
+  void FindOnPiece(std::size_t piece, skd::CurvePatchSolver& solver, Hits& hits) const;
+  void MeetLine(const skd::BezierCurve& line, std::size_t element, SkdSurfaceHit base,
+    skd::CurvePatchSolver& solver, Hits& hits) const;
+  void MeetTriangle(
+    const skd::Segment<3>& segment, std::size_t element, SkdSurfaceHit base, Hits& hits) const;
+  void MeetPatch(const skd::BezierCurve& part, const skd::Vector3& origin,
+    const skd::Interval& range, std::size_t element, SkdSurfaceHit base,
+    skd::CurvePatchSolver& solver, Hits& hits) const;
+  void DecideAtSides(const skd::Segment<3>& segment, std::size_t element, SkdSurfaceHit& hit) const;
+  std::vector<SkdSurfaceMeeting> Unite(Hits& hits) const;
+  SkdSurfaceHit BaseOf(std::size_t piece) const;
+
+  const SkdCurveSet& Curves;
+  const SkdSurfaceSet& Surfaces;
+  double Delta;
+  double Rounding;
+};
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSurfaceReader_h
+#define SkdSurfaceReader_h
+
+#include "Core/Curves/BezierPatch.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkCell;
+class vtkDataSet;
+class vtkPoints;
+
+/// A triangle or a patch, and the cell that it is of.
+struct SkdSurfaceElement
+{
+  std::size_t FirstPoint; ///< of three corners, or of an origin and the control points after it
+  vtkIdType CellId;
+  int Leaf; ///< index in the list of leaves
+  std::uint8_t DegreeR;
+  std::uint8_t DegreeS;
+  bool IsPatch;
+  bool IsTriangle;
+  bool IsWhole; ///< its parameters are those of the cell
+};
+
+/// Takes surfaces apart: quads that are flat, polygons and strips into triangles; warped quads and
+/// curved cells stay patches. Ghosts are left out.
+class SkdSurfaceReader
+{
+public:
+  /// With volumes: also the faces of volume cells that no other cell of their data set has.
+  explicit SkdSurfaceReader(bool withVolumes)
+    : WithVolumes(withVolumes)
+  {
+  }
+
+  void Read(vtkDataSet* mesh, int leaf);
+
+  /// What could not be read, one line each.
+  std::vector<std::string> GetFaults() const;
+
+  std::vector<SkdSurfaceElement> Elements;
+  std::vector<skd::Vector3> Corners;
+  std::vector<skd::Homogeneous> Controls;
+
+private:
+  void ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes);
+  void AddCell(vtkCell* cell);
+  void AddPolygon(vtkCell* cell);
+  void AddQuad(const skd::Vector3 (&corners)[4]);
+  void AddStrip(vtkCell* cell);
+  void AddNative(vtkCell* cell);
+  void AddTriangle(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c);
+  void AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin);
+
+  bool WithVolumes;
+  int Leaf = 0;
+  vtkIdType CellId = 0;
+  bool IsWhole = false;
+  vtkIdType NotSurfaces = 0;
+  vtkIdType NotFinite = 0;
+  vtkIdType BadWeights = 0;
+  vtkIdType TooHigh = 0;
+};
+
+#endif

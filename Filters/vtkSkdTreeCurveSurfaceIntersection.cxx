@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeCurveSurfaceIntersection.h"
+
+#include "Pipeline/SkdCutCurves.h"
+#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdSurfaceHitArrays.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeCurveSurfaceIntersection);
+
+class vtkSkdTreeCurveSurfaceIntersection::Internals
+{
+public:
+  SkdSurfaceSet Surfaces;
+};
+
+namespace
+{
+bool IsComposite(vtkDataObject* data)
+{
+  return vtkCompositeDataSet::SafeDownCast(data) != nullptr;
+}
+
+std::vector<SkdLeaf> LeavesWithCells(vtkDataObject* data)
+{
+  std::vector<SkdLeaf> leaves;
+  for (const SkdLeaf& leaf : SkdLeavesOf(data))
+  {
+    if (leaf.Mesh->GetNumberOfCells() > 0)
+    {
+      leaves.push_back(leaf);
+    }
+  }
+  return leaves;
+}
+
+void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::string>& faults)
+{
+  for (const std::string& fault : faults)
+  {
+    vtkWarningWithObjectMacro(self, << port << ": " << fault << "; they are left out.");
+  }
+}
+
+/// The numbers of the meetings along their curves; what is not wanted is taken out.
+void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
+{
+  const bool wantsAll = self->GetHitSelection() == vtkSkdTreeCurveSurfaceIntersection::ALL_HITS;
+  const bool wantsFirst = self->GetHitSelection() == vtkSkdTreeCurveSurfaceIntersection::FIRST_HIT;
+  const vtkIdType wanted = wantsFirst ? 1 : self->GetHitNumber();
+  std::vector<SkdSurfaceMeeting> all;
+  all.swap(table.Meetings);
+  vtkIdType number = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const bool isNext = i > 0 && all[i].Hit.Curve == all[i - 1].Hit.Curve;
+    number = isNext ? number + 1 : 1;
+    if (wantsAll || number == wanted)
+    {
+      table.Meetings.push_back(all[i]);
+      table.Numbers.push_back(number);
+    }
+  }
+}
+
+/// Makes `output` the Input, with how often each of its cells is hit.
+void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObject* output)
+{
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> counts;
+  for (const SkdLeaf& leaf : table.CurveLeaves)
+  {
+    auto count = SkdMakeArray<vtkIdTypeArray>("SkdNumberOfHits", 1, leaf.Mesh->GetNumberOfCells());
+    count->FillValue(0);
+    counts.push_back(count);
+  }
+  for (const SkdSurfaceMeeting& meeting : table.Meetings)
+  {
+    const SkdCurve& curve = table.Curves.GetCurves()[meeting.Hit.Curve];
+    vtkIdTypeArray* count = counts[static_cast<std::size_t>(curve.Leaf)];
+    count->SetValue(curve.CellId, count->GetValue(curve.CellId) + 1);
+  }
+  SkdMirror(input, output);
+  std::size_t next = 0;
+  for (const SkdLeaf& mirror : LeavesWithCells(output))
+  {
+    mirror.Mesh->GetCellData()->AddArray(counts[next++]);
+    mirror.Mesh->GetCellData()->SetActiveScalars("SkdNumberOfHits");
+  }
+}
+
+void Report(const SkdSurfaceHitTable& table, double rounding, vtkPolyData* output)
+{
+  SkdReport report(output);
+  report.AddCount("Curves", static_cast<vtkIdType>(table.Curves.GetCurves().size()));
+  report.AddCount("CurvePieces", static_cast<vtkIdType>(table.Curves.GetNumberOfPieces()));
+  report.AddCount("SurfaceElements", static_cast<vtkIdType>(table.Surfaces.GetElements().size()));
+  report.AddCount("Hits", static_cast<vtkIdType>(table.Meetings.size()));
+  report.AddMeasure("Epsilon", table.Surfaces.GetAbsoluteEpsilon());
+  report.AddMeasure("Rounding", rounding);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeCurveSurfaceIntersection::vtkSkdTreeCurveSurfaceIntersection()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeCurveSurfaceIntersection::~vtkSkdTreeCurveSurfaceIntersection() = default;
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveSurfaceIntersection::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveSurfaceIntersection::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveSurfaceIntersection::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveSurfaceIntersection::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkDataObject" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveSurfaceIntersection::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  const int types[3] = { VTK_POLY_DATA, VTK_POLY_DATA, input->GetDataObjectType() };
+  for (int port = 0; port < 3; ++port)
+  {
+    SkdProvideOutput(outputVector->GetInformationObject(port), types[port]);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveSurfaceIntersection::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveSurfaceIntersection::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  const std::vector<SkdLeaf> curveLeaves = LeavesWithCells(input);
+  const std::vector<SkdLeaf> surfaceLeaves = LeavesWithCells(source);
+  SkdStopwatch watch;
+
+  SkdSurfaceSet& surfaces = this->Impl->Surfaces;
+  const bool wasBuilt = surfaces.Update(surfaceLeaves, this->VolumeFaces, this->Epsilon);
+  SkdCurveSet curves;
+  curves.Read(curveLeaves, static_cast<SkdPolylineForm>(this->PolylineForm));
+  this->WarnAboutInputs(curves, surfaces);
+  const double buildSeconds = watch.Lap();
+
+  const double delta =
+    curves.GetBounds().Diagonal() * (this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3);
+  const SkdSurfaceHitFinder finder(curves, surfaces, delta);
+  SkdLoop loop(this, static_cast<vtkIdType>(curves.GetNumberOfPieces()), 0.2, 0.9);
+  SkdSurfaceHitTable table{ curves, curveLeaves, surfaces, surfaceLeaves, finder.Find(loop), {} };
+  const double querySeconds = watch.Lap();
+
+  if (this->CutCurves)
+  {
+    SkdCutCurves({ curves, curveLeaves, surfaceLeaves, surfaces.GetElements(), finder,
+                   IsComposite(input), delta },
+      table.Meetings, vtkPolyData::GetData(outputVector, 1));
+  }
+  CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
+  Select(this, table);
+  this->StoreHits(table, IsComposite(input), IsComposite(source), output);
+  Report(table, finder.GetRounding(), output);
+  SkdReport report(output);
+  report.AddCount("TreesBuilt", wasBuilt ? 1 : 0);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", querySeconds);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveSurfaceIntersection::WarnAboutInputs(
+  const SkdCurveSet& curves, const SkdSurfaceSet& surfaces)
+{
+  WarnAbout(this, "Input", curves.GetFaults());
+  WarnAbout(this, "Source", surfaces.GetFaults());
+  if (curves.GetCurves().empty())
+  {
+    vtkWarningMacro("Input has no curves: nothing is crossed.");
+  }
+  if (surfaces.GetElements().empty())
+  {
+    vtkWarningMacro("Source has no surfaces: nothing is crossed.");
+  }
+  if (this->ChordTolerance == 0.0)
+  {
+    vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveSurfaceIntersection::StoreHits(
+  const SkdSurfaceHitTable& table, bool hasCurveBlocks, bool hasSurfaceBlocks, vtkPolyData* output)
+{
+  SkdStoreSurfaceHits(table, output);
+  if (hasCurveBlocks)
+  {
+    SkdStoreCurveBlocks(table, output);
+  }
+  if (hasSurfaceBlocks)
+  {
+    SkdStoreSurfaceBlocks(table, output);
+  }
+  if (this->InterpolateData)
+  {
+    std::set<std::string> refused;
+    SkdStoreDataAtHits(table, output, refused);
+    SkdWarnAboutRefused(this, refused);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PolylineForm: " << this->PolylineForm << "\n";
+  os << indent << "VolumeFaces: " << (this->VolumeFaces ? "On\n" : "Off\n");
+  os << indent << "HitSelection: " << this->HitSelection << "\n";
+  os << indent << "HitNumber: " << this->HitNumber << "\n";
+  os << indent << "InterpolateData: " << (this->InterpolateData ? "On\n" : "Off\n");
+  os << indent << "CutCurves: " << (this->CutCurves ? "On\n" : "Off\n");
+  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeCurveSurfaceIntersection where the crossings are known.
+
+#include "Support/CurveRun.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkSkdTreeCurveSurfaceIntersection.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+using FilterPointer = vtkSmartPointer<vtkSkdTreeCurveSurfaceIntersection>;
+
+FilterPointer MakeFilter(vtkDataObject* curves, vtkDataObject* surfaces)
+{
+  auto filter = FilterPointer::New();
+  filter->SetInputDataObject(0, curves);
+  filter->SetSourceData(surfaces);
+  return filter;
+}
+
+std::vector<double> Lengths(vtkDataObject* curves, vtkDataObject* surfaces)
+{
+  return OutputArray(MakeFilter(curves, surfaces), "SkdArcLength");
+}
+
+void ExpectNear(
+  const std::vector<double>& found, const std::vector<double>& expected, double relative = 1e-12)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], expected[i], relative * std::max(1.0, std::abs(expected[i]))) << i;
+  }
+}
+
+/// Of the torus R = 1, r = 0.25 and the line from x = -2 at (y, z).
+FilterPointer TorusAndLine(double y, double z)
+{
+  return MakeFilter(MakePolyline({ { -2, y, z }, { 2.3, y, z } }), BezierTorus(1.0, 0.25));
+}
+
+/// A square in the plane z = x, as a quad.
+PolyDataPointer SlantedPlane()
+{
+  return MakePolyData(
+    OneCell(VTK_QUAD, { { -3, -3, -3 }, { 3, -3, 3 }, { 3, 3, 3 }, { -3, 3, -3 } }));
+}
+
+/// The curve as Lagrange cells of order 8, `pieces` of them.
+template <class Function>
+GridPointer LagrangeCurve(const Function& f, double t0, double t1, int pieces)
+{
+  constexpr int order = 8;
+  Mesh mesh;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    const double from = t0 + (t1 - t0) * piece / pieces;
+    const double to = t0 + (t1 - t0) * (piece + 1) / pieces;
+    const std::vector<Point> points = Sampled(f, from, to, order);
+    Ids ids{ mesh.Add(points.front()), mesh.Add(points.back()) };
+    for (int i = 1; i < order; ++i)
+    {
+      ids.push_back(mesh.Add(points[static_cast<std::size_t>(i)]));
+    }
+    mesh.Add(VTK_LAGRANGE_CURVE, ids);
+  }
+  return MakeGrid(mesh);
+}
+
+}
+
+TEST(CurveSurfaceKnown, ALineThroughATorus)
+{
+  const Point from{ -2, .1, -.05 };
+  const Point along{ 1, .02, .03 };
+  const Point to = from + (5.0 / Length(along)) * along;
+  ExpectNear(Lengths(MakePolyline({ from, to }), BezierTorus(1.0, 0.25)),
+    { 0.75730656177192833, 1.2610417307475993, 2.7377575606421169, 3.2367005100859674 });
+}
+
+TEST(CurveSurfaceKnown, ALineThatTouchesATorus)
+{
+  const FilterPointer filter = TorusAndLine(1.25, 0.0);
+  ExpectNear(OutputArray(filter, "SkdArcLength"), { 2.0 });
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), std::vector<double>{ 1 });
+  EXPECT_EQ(OutputArray(filter, "SkdSense"), std::vector<double>{ 0 });
+}
+
+TEST(CurveSurfaceKnown, ALineThatHardlyCutsATorus)
+{
+  ExpectNear(OutputArray(TorusAndLine(1.249999, 0.0), "SkdArcLength"),
+    { 2.0 - 1.581138513856392e-3, 2.0 + 1.581138513856392e-3 });
+}
+
+TEST(CurveSurfaceKnown, ALineThatHardlyMissesATorus)
+{
+  EXPECT_TRUE(OutputArray(TorusAndLine(1.250001, 0.0), "SkdArcLength").empty());
+}
+
+TEST(CurveSurfaceKnown, ALineThatTouchesATorusInAFourfoldRoot)
+{
+  const FilterPointer filter = TorusAndLine(1.0, 0.25);
+  ExpectNear(OutputArray(filter, "SkdArcLength"), { 2.0 }, 1e-5);
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), std::vector<double>{ 1 });
+}
+
+TEST(CurveSurfaceKnown, ALineThroughASphere)
+{
+  const FilterPointer filter =
+    MakeFilter(MakePolyline({ { -3, .1, .2 }, { 3, .1, .2 } }), BezierSphere(1.0));
+  const double half = std::sqrt(0.95);
+  ExpectNear(OutputArray(filter, "SkdArcLength"), { 3.0 - half, 3.0 + half });
+  EXPECT_EQ(OutputArray(filter, "SkdSense").size(), 2u);
+}
+
+TEST(CurveSurfaceKnown, ALineThroughThePolesOfASphere)
+{
+  const FilterPointer filter =
+    MakeFilter(MakePolyline({ { 0, 0, -3 }, { 0, 0, 3 } }), BezierSphere(1.0));
+  ExpectNear(OutputArray(filter, "SkdArcLength"), { 2.0, 4.0 });
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), (std::vector<double>{ 0, 0 }));
+}
+
+TEST(CurveSurfaceKnown, VivianisCurveAndAPlane)
+{
+  const auto viviani = [](double t) {
+    return Point{ 1 + std::cos(t), std::sin(t), 2 * std::sin(t / 2) };
+  };
+  constexpr int pieces = 60;
+  const FilterPointer filter =
+    MakeFilter(LagrangeCurve(viviani, 0.0, 4 * M_PI, pieces), SlantedPlane());
+  const std::vector<double> within = OutputArray(filter, "SkdCurveParameter");
+  const std::vector<double> cells = OutputArray(filter, "SkdCurveCellId");
+  const double expected[2] = { 1.33247886498503051, 4.95070644219455597 };
+  ASSERT_EQ(within.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    // The interpolated curve is off by its ninth derivative: some 1e-12 here.
+    EXPECT_NEAR((cells[i] + within[i]) * 4 * M_PI / pieces, expected[i], 2e-11);
+  }
+}
+
+TEST(CurveSurfaceKnown, AHelixAndASphere)
+{
+  const auto helix = [](double t) { return Point{ std::cos(t), std::sin(t), 0.1 * t }; };
+  constexpr int pieces = 80;
+  const FilterPointer filter =
+    MakeFilter(LagrangeCurve(helix, -12.0, 12.0, pieces), BezierSphere(1.5));
+  const std::vector<double> within = OutputArray(filter, "SkdCurveParameter");
+  const std::vector<double> cells = OutputArray(filter, "SkdCurveCellId");
+  ASSERT_EQ(within.size(), 2u);
+  EXPECT_NEAR((cells[0] + within[0]) * 24 / pieces - 12, -11.1803398874989485, 1e-11);
+  EXPECT_NEAR((cells[1] + within[1]) * 24 / pieces - 12, 11.1803398874989485, 1e-11);
+}
+
+TEST(CurveSurfaceKnown, AHelixWithinACylinderTouchesNoEnd)
+{
+  const auto helix = [](double t) { return Point{ std::cos(t), std::sin(t), 0.1 * t }; };
+  // A wider cylinder is never met, a plane across once a turn of it.
+  const FilterPointer filter = MakeFilter(LagrangeCurve(helix, 0.5, 20.0, 60), SlantedPlane());
+  const std::vector<Point> points = OutputPoints(filter);
+  EXPECT_FALSE(points.empty());
+  for (const Point& point : points)
+  {
+    EXPECT_NEAR(point[0], point[2], 1e-12);
+  }
+}
+
+TEST(CurveSurfaceKnown, ACircleOfTheTorusRunsWithinIt)
+{
+  const FilterPointer filter =
+    MakeFilter(BezierCircle(1.0, { 0, 0, 0.25 }), BezierTorus(1.0, 0.25));
+  // The torus' highest circle: both run together all around, cell by cell.
+  const std::vector<double> kinds = OutputArray(filter, "SkdKind");
+  EXPECT_EQ(kinds, std::vector<double>(kinds.size(), 2.0));
+  EXPECT_EQ(kinds.size(), 8u); // the ends of four cells
+}
+
+TEST(CurveSurfaceKnown, ASplineThroughPointsIsVtksOwn)
+{
+  // A closed polyline on a circle, as a spline: it leaves the polygon, so meets a plane that misses
+  // all of its straight parts.
+  const auto circle = [](double t) { return Point{ std::cos(t), std::sin(t), 0.0 }; };
+  const PolyDataPointer polyline = MakePolyline(Sampled(circle, 0.0, 2 * M_PI, 8));
+  const double x = 0.99;
+  const PolyDataPointer plane = MakePolyData(
+    Placed(OneCell(VTK_QUAD, { { x, -2, -2 }, { x, 2, -2 }, { x, 2, 2 }, { x, -2, 2 } }), 1.0, {}));
+  const FilterPointer filter = MakeFilter(polyline, plane);
+  EXPECT_EQ(OutputPoints(filter).size(), 2u); // the corner at x = 1
+  const double straight = std::abs(OutputPoints(filter)[0][1]);
+  for (int form : { vtkSkdTreeCurveSurfaceIntersection::CARDINAL_SPLINE,
+         vtkSkdTreeCurveSurfaceIntersection::KOCHANEK_SPLINE })
+  {
+    filter->SetPolylineForm(form);
+    const std::vector<Point> points = OutputPoints(filter);
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_GT(std::abs(points[0][1]), 1.5 * straight); // rounder than the corner
+    EXPECT_NEAR(std::hypot(points[0][0], points[0][1]), 1.0, 0.03);
+  }
+}
+
+TEST(CurveSurfaceKnown, AWarpedQuadIsBilinear)
+{
+  // z = x y
+  const PolyDataPointer saddle =
+    MakePolyData(OneCell(VTK_QUAD, { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 1 }, { 0, 1, 0 } }));
+  const FilterPointer filter = MakeFilter(MakePolyline({ { .3, .6, -1 }, { .3, .6, 1 } }), saddle);
+  ExpectNear(OutputArray(filter, "SkdArcLength"), { 1.18 });
+  ExpectNear(OutputArray(filter, "SkdPCoords"), { .3, .6, 0 });
+  // Along the diagonal it is met twice.
+  filter->SetInputDataObject(0, MakePolyline({ { 0, 0, .1 }, { 1, 1, .4 } }));
+  const double root = std::sqrt(0.09 + 0.4); // t^2 = .1 + .3 t
+  ExpectNear(OutputArray(filter, "SkdCurveParameter"), { (0.3 + root) / 2 });
+}
+
+TEST(CurveSurfaceKnown, QuadraticTrianglesAndTheirNeighboursMeetALineOnce)
+{
+  // Two quadratic triangles share the curved edge above y = x.
+  Mesh mesh;
+  const auto bump = [](double x, double y) { return Point{ x, y, x * (1 - x) + y * (1 - y) }; };
+  const auto add = [&](double x, double y) { return mesh.Add(bump(x, y)); };
+  mesh.Add(VTK_QUADRATIC_TRIANGLE,
+    { add(0, 0), add(1, 0), add(1, 1), add(.5, 0), add(1, .5), add(.5, .5) });
+  mesh.Add(VTK_QUADRATIC_TRIANGLE,
+    { add(0, 0), add(1, 1), add(0, 1), add(.5, .5), add(.5, 1), add(0, .5) });
+  const GridPointer grid = MakeGrid(mesh);
+  for (double x : { 0.1, 0.25, 1.0 / 3.0, 0.7, 0.9 })
+  {
+    const FilterPointer filter = MakeFilter(MakePolyline({ { x, x, 2 }, { x, x, -1 } }), grid);
+    ExpectNear(OutputArray(filter, "SkdArcLength"), { 2.0 - 2.0 * x * (1 - x) });
+    EXPECT_EQ(OutputArray(filter, "SkdSense"), std::vector<double>{ 1 });
+    EXPECT_EQ(OutputArray(filter, "SkdCellId"), std::vector<double>{ 0 });
+  }
+}
+
+TEST(CurveSurfaceKnown, FarFromTheOriginAndTiny)
+{
+  for (const auto& [scale, offset] :
+    { std::pair(1e-6, 0.0), std::pair(1e6, 0.0), std::pair(1e-20, 0.0), std::pair(1.0, 1e6) })
+  {
+    const Point shift{ offset, offset, offset };
+    const PolyDataPointer cube = MakePolyData(Placed(CubeTriangles(2), scale, shift));
+    const Mesh line = OneCell(VTK_LINE, { { -1, .5, .75 }, { 4, .5, .75 } });
+    const FilterPointer filter = MakeFilter(MakePolyData(Placed(line, scale, shift)), cube);
+    ExpectNear(OutputArray(filter, "SkdCurveParameter"), { 0.2, 0.6 }, 1e-15 * (1 + offset));
+    EXPECT_EQ(OutputArray(filter, "SkdSense"), (std::vector<double>{ 1, -1 }));
+  }
+}

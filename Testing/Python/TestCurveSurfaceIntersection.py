@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The curve surface intersection filter by ParaView's simple API."""
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import skdtesting
+
+
+def scene(**properties):
+    line = simple.Line(Point1=[-2, 0.25, 0.125], Point2=[2, 0.25, 0.125], Resolution=7)
+    box = simple.Box(XLength=2, YLength=2, ZLength=2)
+    return simple.SkdTreeCurveSurfaceIntersection(Input=line, Source=box, **properties)
+
+
+def test_defaults():
+    crossing = scene()
+    assert crossing.PolylineForm == "Straight"
+    assert crossing.VolumeFaces == 1
+    assert crossing.HitSelection == "All"
+    assert crossing.HitNumber == 1
+    assert crossing.InterpolateData == 1
+    assert crossing.CutCurves == 0
+    assert crossing.ChordTolerance == 1e-3
+    assert crossing.Epsilon == 1e-9
+
+
+def test_a_line_goes_in_and_out():
+    crossing = scene()
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdSense"), [1, -1])
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdArcLength"), [1, 3])
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdAngle"), [90, 90])
+    assert skdtesting.report(crossing, "Hits") == 2
+
+
+def test_the_first_and_the_nth_hit():
+    first = scene(HitSelection="First")
+    skdtesting.assert_same(skdtesting.point_array(first, "SkdSense"), [1])
+    second = scene(HitSelection="Nth", HitNumber=2)
+    skdtesting.assert_same(skdtesting.point_array(second, "SkdHitNumber"), [2])
+
+
+def test_the_second_output_has_the_pieces():
+    crossing = scene(CutCurves=1)
+    crossing.UpdatePipeline()
+    pieces = servermanager.Fetch(crossing, idx=1)
+    inside = vtk_to_numpy(pieces.GetCellData().GetArray("SkdPartsInside"))
+    skdtesting.assert_same(inside, [0, 1, 0])
+
+
+def test_the_third_output_counts():
+    crossing = scene()
+    crossing.UpdatePipeline()
+    curves = servermanager.Fetch(crossing, idx=2)
+    assert curves.GetCellData().GetArray("SkdNumberOfHits").GetValue(0) == 2
+
+
+def test_data_of_both_sides():
+    crossing = scene()
+    crossing.Source = simple.Elevation(Input=crossing.Source)
+    for name in ("Texture Coordinates", "Elevation"):
+        assert len(skdtesting.point_array(crossing, name)) == 2
+
+
+def test_a_spline_leaves_its_polygon():
+    points = simple.PolyLineSource(Points=[0, 0, 0, 1, 1, 0, 2, 1, 0, 3, 0, 0])
+    lid = simple.Plane(Origin=[-1, 1.01, -1], Point1=[5, 1.01, -1], Point2=[-1, 1.01, 1])
+    crossing = simple.SkdTreeCurveSurfaceIntersection(Input=points, Source=lid)
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "Hits") == 0
+    crossing.PolylineForm = "Cardinal Spline"
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "Hits") == 2
+
+
+def test_composite_inputs_and_volumes():
+    lines = simple.GroupDatasets(Input=[
+        simple.Line(Point1=[-9, y, 0.3], Point2=[9, y, 0.3], Resolution=1) for y in (-2, 2)])
+    volume = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+    crossing = simple.SkdTreeCurveSurfaceIntersection(Input=lines, Source=volume)
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdSense"), [1, -1, 1, -1])
+    assert len(set(skdtesting.point_array(crossing, "SkdCurveBlockIndex"))) == 2
+    assert numpy.isfinite(skdtesting.point_array(crossing, "RTData")).all()
+
+
+def test_the_tree_is_kept():
+    crossing = scene()
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "TreesBuilt") == 1
+    crossing.Input.Point1 = [-2, 0.5, 0.5]
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "TreesBuilt") == 0
+
+
+skdtesting.run_tests(globals())
