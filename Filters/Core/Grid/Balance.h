@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Grid_Balance_h
+#define skd_Grid_Balance_h
+
+#include "Forest.h"
+
+namespace skd
+{
+
+/// Over what neighbouring leaves may differ by one level at most: faces, edges and faces, or
+/// corners, edges and faces. The value is the number of axes along which neighbours lie apart.
+enum class Contact : int
+{
+  None = 0,
+  Face = 1,
+  Edge = 2,
+  Corner = 3
+};
+
+/// Calls visit(place) for the places of all neighbours over such contacts.
+template <class Visit>
+void ForEachNeighbour(const Place& place, Contact contact, Visit visit)
+{
+  for (int direction = 0; direction < 27; ++direction)
+  {
+    const int steps[3] = { direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1 };
+    const int apart = std::abs(steps[0]) + std::abs(steps[1]) + std::abs(steps[2]);
+    if (apart >= 1 && apart <= static_cast<int>(contact))
+    {
+      visit(Place{ place[0] + steps[0], place[1] + steps[1], place[2] + steps[2] });
+    }
+  }
+}
+
+/// Whether the leaves are 2:1 over such contacts: every neighbour of a refined cell is there.
+inline bool IsBalanced(const Forest& forest, Contact contact)
+{
+  bool isBalanced = true;
+  for (int level = 1; level < forest.NumberOfLevels(); ++level)
+  {
+    for (std::uint32_t cell = 0; cell < forest.NumberOfCells(level); ++cell)
+    {
+      if (forest.IsLeaf(level, cell))
+      {
+        continue;
+      }
+      ForEachNeighbour(forest.PlaceOf(level, cell), contact,
+        [&](const Place& place)
+        {
+          const Forest::Node there = forest.Find(level, place);
+          isBalanced &= there.Level < 0 || there.Level == level;
+        });
+    }
+  }
+  return isBalanced;
+}
+
+/// The least refinement that makes the leaves 2:1 over such contacts. `refine(level, cell)` is
+/// called for each leaf that has to be refined, parents before children, and must do it; if it
+/// returns false the work ends there. Returns whether all was done. From the finest level down, so
+/// that each cell is looked at once: what is added to a level is no finer than that level.
+template <class Refine>
+bool MakeBalanced(const Forest& forest, Contact contact, Refine refine)
+{
+  bool goesOn = true;
+  const auto makeThere = [&](int level, const Place& place)
+  {
+    for (Forest::Node there = forest.Find(level, place);
+         goesOn && there.Level >= 0 && there.Level < level; there = forest.Find(level, place))
+    {
+      goesOn = refine(there.Level, there.Index);
+    }
+  };
+  for (int level = forest.NumberOfLevels() - 2; level >= 1 && contact != Contact::None; --level)
+  {
+    for (std::uint32_t cell = 0; goesOn && cell < forest.NumberOfCells(level); ++cell)
+    {
+      if (!forest.IsLeaf(level, cell))
+      {
+        ForEachNeighbour(forest.PlaceOf(level, cell), contact,
+          [&](const Place& place) { makeThere(level, place); });
+      }
+    }
+  }
+  return goesOn;
+}
+
+/// Marks the cells of a level that are at most `layers` cells away, corners included, from one that
+/// is marked, in a copy.
+inline std::vector<char> Grown(
+  const Forest& forest, int level, const std::vector<char>& marks, int layers)
+{
+  std::vector<char> grown = marks;
+  const auto mark = [&](const Place& place)
+  {
+    const Forest::Node there = forest.Find(level, place);
+    if (there.Level == level)
+    {
+      grown[there.Index] = 1;
+    }
+  };
+  for (std::uint32_t cell = 0; layers > 0 && cell < marks.size(); ++cell)
+  {
+    const Place place = marks[cell] ? forest.PlaceOf(level, cell) : Place{};
+    const std::int64_t reach = marks[cell] ? layers : -1;
+    for (std::int64_t i = -reach; i <= reach; ++i)
+    {
+      for (std::int64_t j = -reach; j <= reach; ++j)
+      {
+        for (std::int64_t k = -reach; k <= reach; ++k)
+        {
+          mark({ place[0] + i, place[1] + j, place[2] + k });
+        }
+      }
+    }
+  }
+  return grown;
+}
+
+}
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A family of boxes against a tree in one walk (section 6.5): each box gets the list of what may
+/// meet it from the box that it is a part of, and none is searched from the root again.
+#ifndef skd_Queries_HandDown_h
+#define skd_Queries_HandDown_h
+
+#include "../Tree/Walk.h"
+
+#include <vector>
+
+namespace skd
+{
+
+/// Some children of a node, a bit each. They are elements if the node is a bottom node; else nodes,
+/// which stand for all that is below them.
+struct ListedLanes
+{
+  std::uint32_t Node;
+  std::uint32_t Lanes;
+};
+
+/// What a box that is not a part of another begins with: all of the tree.
+inline std::vector<ListedLanes> ListAll()
+{
+  return { { 0u, ~0u } };
+}
+
+/// A box of the family as the boxes of a tree see it, from without and from within.
+template <int D>
+class FamilyBox
+{
+public:
+  FamilyBox(const Frame<D>& frame, const Box<D>& box)
+    : Outer(frame.Outward(box))
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      this->Inner.Min[axis] = frame.Up(box.Min[axis], axis);
+      this->Inner.Max[axis] = frame.Down(box.Max[axis], axis);
+    }
+  }
+
+  /// Bit i is set where the box of lane i overlaps.
+  template <int W>
+  unsigned Overlapping(const Bundle<D, W>& boxes) const
+  {
+    unsigned overlapping = ~0u;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Outer.Max[axis]));
+      overlapping &= LessEqual(Lanes<W>(this->Outer.Min[axis]), boxes.Maxs(axis));
+    }
+    return overlapping;
+  }
+
+  /// Bit i is set where the box of lane i, and so all in it, is for certain within this one.
+  template <int W>
+  unsigned Holding(const Bundle<D, W>& boxes) const
+  {
+    unsigned within = ~0u;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      within &= LessEqual(Lanes<W>(this->Inner.Min[axis]), boxes.Mins(axis));
+      within &= LessEqual(boxes.Maxs(axis), Lanes<W>(this->Inner.Max[axis]));
+    }
+    return within;
+  }
+
+private:
+  FloatBox<D> Outer;
+  FloatBox<D> Inner;
+};
+
+namespace detail
+{
+
+/// Lists that one box's turn needs, kept from box to box: no allocation in the long run.
+struct NarrowingLists
+{
+  std::vector<ListedLanes> Elements;
+  std::vector<ListedLanes> Nodes;
+};
+
+/// One box's turn of the walk. First what costs least and may settle it: a node within the box
+/// holds an element, which meets it. Nodes are opened last, and only as long as nothing is settled:
+/// smaller boxes, which reach fewer of them, do the rest.
+template <class Tree, int D, class Test>
+class Narrowing
+{
+public:
+  Narrowing(const Tree& tree, const Box<D>& box, Test& test, std::vector<ListedLanes>& list)
+    : TheTree(tree)
+    , TheBox(tree.GetFrame(), box)
+    , TheTest(test)
+    , List(list)
+    , Elements(ThreadsLists().Elements)
+    , Nodes(ThreadsLists().Nodes)
+  {
+    this->Elements.clear();
+    this->Nodes.clear();
+  }
+
+  void Take(const ListedLanes& lanes)
+  {
+    const auto& node = this->TheTree.Open(lanes.Node);
+    const unsigned occupied = (1u << node.Count) - 1u;
+    const unsigned wanted = this->TheBox.Overlapping(node.Boxes) & lanes.Lanes & occupied;
+    if (wanted == 0)
+    {
+      return;
+    }
+    if (!this->IsMet)
+    {
+      this->IsMet = (this->TheBox.Holding(node.Boxes) & wanted) != 0;
+    }
+    (node.IsBottom ? this->Elements : this->Nodes).push_back({ lanes.Node, wanted });
+  }
+
+  bool Settle()
+  {
+    this->TestElements();
+    while (!this->IsMet && !this->Nodes.empty())
+    {
+      const ListedLanes lanes = this->Nodes.back();
+      this->Nodes.pop_back();
+      const auto& node = this->TheTree.Open(lanes.Node);
+      ForEachLane(lanes.Lanes, [&](int lane) { this->Take({ Child(node, lane).Index(), ~0u }); });
+      this->TestElements();
+    }
+    if (this->IsMet)
+    {
+      this->List.insert(this->List.end(), this->Nodes.begin(), this->Nodes.end());
+    }
+    return this->IsMet;
+  }
+
+private:
+  static NarrowingLists& ThreadsLists()
+  {
+    thread_local NarrowingLists lists;
+    return lists;
+  }
+
+  /// Elements that turn out to be aside are dropped; those not looked at stay.
+  void TestElements()
+  {
+    for (const ListedLanes& lanes : this->Elements)
+    {
+      unsigned kept = lanes.Lanes;
+      if (!this->IsMet)
+      {
+        const auto& node = this->TheTree.Open(lanes.Node);
+        ForEachLane(lanes.Lanes,
+          [&](int lane)
+          {
+            const auto position = node.First + static_cast<std::uint32_t>(lane);
+            this->IsMet = this->IsMet || this->TheTest(this->TheTree.Element(position));
+            kept = this->IsMet ? kept : kept & ~(1u << lane);
+          });
+      }
+      if (kept != 0)
+      {
+        this->List.push_back({ lanes.Node, kept });
+      }
+    }
+    this->Elements.clear();
+  }
+
+  const Tree& TheTree;
+  const FamilyBox<D> TheBox;
+  Test& TheTest;
+  std::vector<ListedLanes>& List;
+  std::vector<ListedLanes>& Elements;
+  std::vector<ListedLanes>& Nodes;
+  bool IsMet = false;
+};
+
+}
+
+/// Whether an element meets `box`, given the list [first, last) of a box that it is a part of.
+/// What is left for the parts of `box` in turn is appended to `list`: nothing if no element meets
+/// it. `test(element)` decides: exactly, or always true, which takes the safety box for the element
+/// ("blind" refinement); it is asked only of elements whose boxes overlap `box`, and only as long
+/// as it says no. The answer does not depend on the order of the list. Thread-safe; `test` must not
+/// hand down itself.
+template <class Tree, int D, class Test>
+bool HandDown(const Tree& tree, const ListedLanes* first, const ListedLanes* last,
+  const Box<D>& box, Test test, std::vector<ListedLanes>& list)
+{
+  if (tree.IsEmpty())
+  {
+    return false;
+  }
+  detail::Narrowing<Tree, D, Test> narrowing(tree, box, test, list);
+  for (; first != last; ++first)
+  {
+    narrowing.Take(*first);
+  }
+  return narrowing.Settle();
+}
+
+/// Calls `visit(element)` for every element on a list whose box overlaps `box`.
+template <class Tree, int D, class Visit>
+void VisitListed(const Tree& tree, const ListedLanes* first, const ListedLanes* last,
+  const Box<D>& box, Visit visit)
+{
+  const FamilyBox<D> seen(tree.GetFrame(), box);
+  thread_local std::vector<ListedLanes> stack;
+  stack.assign(first, last);
+  while (!tree.IsEmpty() && !stack.empty())
+  {
+    const ListedLanes lanes = stack.back();
+    stack.pop_back();
+    const auto& node = tree.Open(lanes.Node);
+    const unsigned occupied = (1u << node.Count) - 1u;
+    detail::ForEachLane(seen.Overlapping(node.Boxes) & lanes.Lanes & occupied,
+      [&](int lane)
+      {
+        const Reference child = Child(node, lane);
+        if (child.IsElement())
+        {
+          visit(tree.Element(child.Index()));
+        }
+        else
+        {
+          stack.push_back({ child.Index(), ~0u });
+        }
+      });
+  }
+}
+
+}
+
+#endif

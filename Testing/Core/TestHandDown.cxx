@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Queries/HandDown.h"
+#include "Core/Queries/WithinBox.h"
+#include "CoreSupport.h"
+
+#include <stdexcept>
+
+using namespace coretest;
+
+namespace
+{
+
+template <class Type>
+class HandDownTest : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(HandDownTest, Dimensions, DimensionNames);
+
+using List = std::vector<skd::ListedLanes>;
+
+template <int D>
+skd::Box<D> Part(const skd::Box<D>& box, unsigned child)
+{
+  skd::Box<D> part = box;
+  const skd::Vector<D> middle = box.Centroid();
+  for (int axis = 0; axis < D; ++axis)
+  {
+    (child >> axis & 1u ? part.Min : part.Max)[axis] = middle[axis];
+  }
+  return part;
+}
+
+/// A family of boxes, each asked in full, and followed into a few of its parts.
+template <int D, class Tree>
+class Family
+{
+public:
+  Family(const Tree& tree, const Boxes<D>& boxes)
+    : TheTree(tree)
+    , TheBoxes(boxes)
+  {
+  }
+
+  void Follow(const skd::Box<D>& box, const List& above, int levels)
+  {
+    List list;
+    const bool isMet = skd::HandDown(
+      this->TheTree, above.data(), above.data() + above.size(), box,
+      [&](std::uint32_t element) { return this->TheBoxes[element].Overlaps(box); }, list);
+    const Ids expected =
+      Select(this->TheBoxes, [&](const skd::Box<D>& other) { return other.Overlaps(box); });
+    ASSERT_EQ(isMet, !expected.empty());
+    ASSERT_EQ(isMet, !list.empty());
+    Ids reached;
+    skd::VisitListed(this->TheTree, list.data(), list.data() + list.size(), box,
+      [&](std::uint32_t element) { reached.push_back(element); });
+    const Ids got = Sorted(reached);
+    ASSERT_TRUE(std::adjacent_find(got.begin(), got.end()) == got.end());
+    ASSERT_TRUE(std::includes(got.begin(), got.end(), expected.begin(), expected.end()));
+    for (int i = 0; levels > 0 && i < 4; ++i)
+    {
+      const auto child = static_cast<unsigned>(this->Rand.Below(std::size_t(1) << D));
+      this->Follow(Part(box, child), list, levels - 1);
+    }
+  }
+
+private:
+  const Tree& TheTree;
+  const Boxes<D>& TheBoxes;
+  Random Rand{ 5 };
+};
+
+TYPED_TEST(HandDownTest, EachBoxOfAFamilyHasAllThatMeetsIt)
+{
+  ForEachTree<TypeParam::Value>(true,
+    [](const auto& scene, const auto& tree)
+    {
+      constexpr int D = TypeParam::Value;
+      Family<D, std::decay_t<decltype(tree)>> family(tree, scene.Boxes);
+      const int levels = scene.Boxes.size() > 1000 ? 3 : 4;
+      family.Follow(Around(scene.Boxes), skd::ListAll(), levels);
+    });
+}
+
+TYPED_TEST(HandDownTest, WhatFailsTheTestIsNotHandedDown)
+{
+  constexpr int D = TypeParam::Value;
+  const Boxes<D> boxes = RandomBoxes<D>(513);
+  const skd::Tree<D> tree(InputOf(boxes, 8));
+  // The tree cannot tell a thin box from what its node holds: cut across a box of the set.
+  skd::Box<D> thin = tree.GetBounds();
+  thin.Min = thin.Max = boxes[17].Centroid();
+  const List all = skd::ListAll();
+  List list;
+  int asked = 0;
+  EXPECT_FALSE(skd::HandDown(
+    tree, all.data(), all.data() + all.size(), thin,
+    [&](std::uint32_t)
+    {
+      ++asked;
+      return false;
+    },
+    list));
+  EXPECT_GE(asked, 1);
+  EXPECT_TRUE(list.empty());
+}
+
+TYPED_TEST(HandDownTest, ABoxAroundAllAsksNothingAndOpensOneNode)
+{
+  constexpr int D = TypeParam::Value;
+  const Boxes<D> boxes = RandomBoxes<D>(5000);
+  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const CountedTree counted(tree);
+  const List all = skd::ListAll();
+  List list;
+  EXPECT_TRUE(skd::HandDown(
+    counted, all.data(), all.data() + all.size(), tree.GetBounds().Inflated(1.0),
+    [](std::uint32_t) -> bool { throw std::logic_error("asked"); }, list));
+  EXPECT_EQ(counted.Opened, 1u);
+  EXPECT_EQ(list.size(), 1u);
+}
+
+TYPED_TEST(HandDownTest, AFamilyCostsLessThanSearchesFromTheRoot)
+{
+  constexpr int D = TypeParam::Value;
+  const Boxes<D> boxes = LatticeBoxes<D>(4096);
+  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const CountedTree counted(tree);
+  const CountedTree searched(tree);
+  skd::Box<D> box = tree.GetBounds();
+  List list = skd::ListAll();
+  for (int level = 0; level < 12; ++level)
+  {
+    List next;
+    const auto meets = [&](std::uint32_t element) { return boxes[element].Overlaps(box); };
+    EXPECT_TRUE(skd::HandDown(counted, list.data(), list.data() + list.size(), box, meets, next));
+    auto leaf = [](std::uint32_t) { return true; };
+    skd::WithinBox<D, decltype(leaf)> query(tree.GetFrame(), box, leaf);
+    skd::Walk(searched, query);
+    list.swap(next);
+    box = Part(box, static_cast<unsigned>(level % 2 ? 0 : (1 << D) - 1));
+  }
+  EXPECT_LT(2 * counted.Opened, searched.Opened);
+}
+
+TYPED_TEST(HandDownTest, AnEmptyTreeOrListOrBoxMeetsNothing)
+{
+  constexpr int D = TypeParam::Value;
+  const skd::Tree<D> empty(InputOf(Boxes<D>{}, 8));
+  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(100), 8));
+  const List all = skd::ListAll();
+  List list;
+  const auto yes = [](std::uint32_t) { return true; };
+  EXPECT_FALSE(skd::HandDown(empty, all.data(), all.data() + 1, tree.GetBounds(), yes, list));
+  EXPECT_FALSE(skd::HandDown(tree, all.data(), all.data(), tree.GetBounds(), yes, list));
+  EXPECT_FALSE(skd::HandDown(tree, all.data(), all.data() + 1, skd::Box<D>(), yes, list));
+  skd::Box<D> nowhere = tree.GetBounds();
+  nowhere.Max[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(skd::HandDown(tree, all.data(), all.data() + 1, nowhere, yes, list));
+  EXPECT_TRUE(list.empty());
+}
+
+}
