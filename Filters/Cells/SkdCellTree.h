@@ -7,6 +7,7 @@
 #include "Cells/SkdGenericKernel.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
+#include "Core/Queries/HandDown.h"
 #include "Core/Tree/LazyTree.h"
 #include "Core/Tree/PaperTree.h"
 #include "Core/Tree/Walk.h"
@@ -51,6 +52,20 @@ struct SkdCrossings
 {
   std::vector<SkdCrossing> List;
   std::vector<vtkIdType> Cells;
+};
+
+/// What decides that a cell meets a box: the cell itself, or its safety box ("blind", section 6.5).
+enum class SkdOverlapTest
+{
+  Exact,
+  Blind
+};
+
+/// What may meet a box, as HandDown left it.
+struct SkdListedRange
+{
+  const skd::ListedLanes* First;
+  const skd::ListedLanes* Last;
 };
 
 /// The bridge: the cells of a data set, their skD-tree, and every query that a face asks. Constant
@@ -122,6 +137,34 @@ public:
   /// Pairs by (id here, id there); `motion` takes the other's world to this one's.
   std::vector<std::pair<vtkIdType, vtkIdType>> FindOverlappingPairs(
     const SkdCellTree& other, const skd::RigidMotion& motion) const;
+  ///@}
+
+  ///@{
+  /// SkdFamilyQueries.cxx: boxes that are parts of boxes (section 6.5, Core/Queries/HandDown.h).
+  /// Whether the cell and the closed box have a point in common. A quad is two triangles, and a
+  /// polygon flat, as they are for segments; a volume cell is what its faces enclose, so taken;
+  /// cells of shape Generic are taken for their boxes.
+  bool Overlaps(std::uint32_t cell, const skd::Box3& box) const;
+  bool IsMet(std::uint32_t cell, const skd::Box3& box, SkdOverlapTest test) const;
+  /// Whether a cell meets the box; what is left for its parts is appended to `below`.
+  bool HandDown(const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test,
+    std::vector<skd::ListedLanes>& below) const;
+  /// How many cells meet the box.
+  std::uint32_t CountListed(
+    const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const;
+  /// Calls visit(cell) for the listed cells that may meet the box.
+  template <class Visit>
+  void VisitListed(const SkdListedRange& above, const skd::Box3& box, Visit visit) const
+  {
+    if (this->Lazy)
+    {
+      skd::VisitListed(*this->Lazy, above.First, above.Last, box, visit);
+    }
+    else
+    {
+      skd::VisitListed(this->Eager, above.First, above.Last, box, visit);
+    }
+  }
   ///@}
 
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.

@@ -10,8 +10,9 @@
 #include "vtkNew.h"
 
 #include <string>
+#include <vector>
 
-/// What a filter tells about its run: field data of one value each, named SkdReport...
+/// What a filter tells about its run: field data, mostly of one value each, named SkdReport...
 class SkdReport
 {
 public:
@@ -28,6 +29,18 @@ public:
   void AddMeasure(const std::string& what, double measure)
   {
     this->Add<vtkDoubleArray>(what, measure);
+  }
+
+  /// A value a row, of level 0, 1, ..., say.
+  void AddCounts(const std::string& what, const std::vector<vtkIdType>& counts)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(("SkdReport" + what).c_str());
+    for (const vtkIdType count : counts)
+    {
+      array->InsertNextValue(count);
+    }
+    this->Field->AddArray(array);
   }
 
 private:

@@ -62,4 +62,16 @@ def test_curve_surface_intersection():
     assert len(numpy.unique(colours[~is_background], axis=0)) > 100
 
 
+def test_amr():
+    picture = fresh_picture("amr_example.png")
+    files = [os.path.join(skdtesting.DATA_DIR, "fly_brain_%s.vtp" % name)
+             for name in ("neuropil", "neuron")]
+    said = run("AMR.py", *files, picture)
+    assert "CutCells           10143" in said, said
+    colours = pixels(picture)
+    is_background = (colours == 255).all(axis=1)
+    assert 0.2 < is_background.mean() < 0.8
+    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+
+
 skdtesting.run_tests(globals())

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdGridArrays.h
+ * @brief What is known of the cells of an adaptive grid, as VTK's arrays.
+ */
+
+#ifndef SkdGridArrays_h
+#define SkdGridArrays_h
+
+#include "Refine/SkdGrid.h"
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+/// Values of all cells by level, beside those that a grid keeps itself. Empty: not asked for.
+struct SkdGridExtras
+{
+  std::vector<std::vector<unsigned char>> Inside;
+  std::vector<std::vector<double>> Distances;
+  std::vector<std::vector<double>> Fractions;
+};
+
+class SkdGridArrays
+{
+public:
+  static constexpr const char* LevelName = "SkdLevel";
+  static constexpr const char* CutName = "SkdCut";
+  static constexpr const char* PartName = "SkdPartIndex";
+  static constexpr const char* CandidatesName = "SkdCandidates";
+  static constexpr const char* InsideName = "SkdInside";
+  static constexpr const char* DistanceName = "SkdDistance";
+  static constexpr const char* FractionName = "SkdVolumeFraction";
+  static constexpr const char* HangingName = "SkdHanging";
+
+  /// The arrays of the cells in a row; `blockIndices` has that of each part.
+  static std::vector<vtkSmartPointer<vtkDataArray>> Make(const SkdGrid& grid,
+    const SkdGridExtras& extras, const std::vector<int>& blockIndices,
+    const std::vector<SkdGridCell>& cells);
+};
+
+#endif

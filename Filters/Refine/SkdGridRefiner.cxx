@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdGridRefiner.h"
+
+#include "Pipeline/SkdLoop.h"
+
+#include <cmath>
+
+namespace
+{
+constexpr std::uint32_t BatchSize = 128; // cells that a thread takes at once
+}
+
+SkdGridRefiner::SkdGridRefiner(vtkAlgorithm* algorithm, double first, double last, SkdGrid& grid,
+  const SkdParts& parts, const SkdRefineSettings& settings)
+  : Algorithm(algorithm)
+  , First(first)
+  , Last(last)
+  , Grid(grid)
+  , Parts(parts)
+  , Settings(settings)
+{
+}
+
+bool SkdGridRefiner::Refine()
+{
+  std::vector<char> marks;
+  for (int level = 0;; ++level)
+  {
+    if (!this->ExamineLevel(level) || !this->MarkLevel(level, marks))
+    {
+      return false;
+    }
+    const auto families = std::count(marks.begin(), marks.end(), 1);
+    if (families == 0 || !this->HasRoomFor(level, static_cast<std::uint64_t>(families)))
+    {
+      break;
+    }
+    this->RefineMarked(level, marks);
+  }
+  this->Balance();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Calls body(begin, end) in parallel for ranges of the cells of a level, aligned to batches. The
+/// time that levels take is about that of the cells on a surface: it grows by the square of the
+/// branch. The last level is at 1.
+template <class Body>
+bool SkdGridRefiner::ForCells(int level, double share, const Body& body)
+{
+  const auto cells = static_cast<vtkIdType>(this->Grid.Forest.NumberOfCells(level));
+  const auto batches = (cells + BatchSize - 1) / BatchSize;
+  const int branch =
+    *std::max_element(this->Grid.Lattice.GetBranch().begin(), this->Grid.Lattice.GetBranch().end());
+  const double done = std::pow(branch, 2.0 * (level + share - this->Settings.MaximumLevel - 1));
+  const double before =
+    std::pow(branch, 2.0 * (level + share - 0.5 - this->Settings.MaximumLevel - 1));
+  const double length = this->Last - this->First;
+  SkdLoop loop(this->Algorithm, batches, this->First + std::min(before, 1.0) * length,
+    this->First + std::min(done, 1.0) * length);
+  return loop.For(batches,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType batch = first; batch < last; ++batch)
+      {
+        const vtkIdType begin = batch * BatchSize;
+        body(static_cast<std::uint32_t>(begin),
+          static_cast<std::uint32_t>(std::min<vtkIdType>(cells, begin + BatchSize)));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+SkdGridRefiner::Finding SkdGridRefiner::Examine(
+  const skd::Box3& box, const SkdShortlists& above, std::size_t place, SkdShortlists& below) const
+{
+  Finding finding;
+  for (const SkdShortlists::Span& span : above.Of(place))
+  {
+    const SkdListedRange range{ above.GetLanes() + span.First, above.GetLanes() + span.Last };
+    const std::size_t first = below.GetSize();
+    if (this->Parts.GetTree(span.Part).HandDown(
+          range, box, this->Settings.Test, below.GetOpenSpan()))
+    {
+      below.EndSpan(span.Part, first);
+      finding.Part = finding.Part < 0 ? static_cast<std::int32_t>(span.Part) : finding.Part;
+      finding.LevelWanted = std::max(finding.LevelWanted, this->Settings.PartLevels[span.Part]);
+    }
+  }
+  below.EndBox();
+  return finding;
+}
+
+std::int32_t SkdGridRefiner::Count(
+  const skd::Box3& box, const SkdShortlists& lists, std::size_t place) const
+{
+  std::uint32_t count = 0;
+  for (const SkdShortlists::Span& span : lists.Of(place))
+  {
+    const SkdListedRange range{ lists.GetLanes() + span.First, lists.GetLanes() + span.Last };
+    count += this->Parts.GetTree(span.Part).CountListed(range, box, this->Settings.Test);
+  }
+  return static_cast<std::int32_t>(count);
+}
+
+//------------------------------------------------------------------------------
+bool SkdGridRefiner::ExamineLevel(int level)
+{
+  const skd::Forest& forest = this->Grid.Forest;
+  const SkdShortlists above =
+    level == 0 ? SkdShortlists::OfAll(this->Parts.GetNumberOfParts()) : std::move(this->Lists);
+  std::vector<Batch> batches((forest.NumberOfCells(level) + BatchSize - 1) / BatchSize);
+  const bool isDone = this->ForCells(level, 0.5,
+    [&](std::uint32_t begin, std::uint32_t end)
+    {
+      Batch& batch = batches[begin / BatchSize];
+      for (std::uint32_t cell = begin; cell < end; ++cell)
+      {
+        const std::size_t place = level == 0 ? 0 : forest.Parent(level, cell);
+        batch.Findings.push_back(
+          this->Examine(this->Grid.BoxOf(level, cell), above, place, batch.Lists));
+      }
+    });
+  this->KeepFindings(level, batches);
+  return isDone;
+}
+
+void SkdGridRefiner::KeepFindings(int level, const std::vector<Batch>& batches)
+{
+  this->Lists = SkdShortlists();
+  this->Findings.clear();
+  for (const Batch& batch : batches)
+  {
+    this->Lists.Append(batch.Lists);
+    this->Findings.insert(this->Findings.end(), batch.Findings.begin(), batch.Findings.end());
+  }
+  if (level == static_cast<int>(this->Grid.Levels.size()))
+  {
+    this->Grid.Levels.emplace_back();
+  }
+  SkdGrid::Level& known = this->Grid.Levels[level];
+  known.Resize(this->Grid.Forest.NumberOfCells(level));
+  for (std::size_t cell = 0; cell < this->Findings.size(); ++cell)
+  {
+    known.Part[cell] = this->Findings[cell].Part;
+    known.Cut[cell] = this->Findings[cell].Part >= 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
+{
+  if (this->Findings[cell].LevelWanted > level)
+  {
+    return true;
+  }
+  double reach = -1.0;
+  for (const SkdDistanceBand& band : this->Settings.Bands)
+  {
+    reach = level < band.Level ? std::max(reach, band.Distance) : reach;
+  }
+  if (!(reach >= 0.0))
+  {
+    return false;
+  }
+  const skd::Box3 box = this->Grid.BoxOf(level, cell);
+  const double limit = reach + 0.5 * box.Diagonal();
+  return this->Parts.FindDistance(box.Centroid(), limit) <= limit;
+}
+
+/// Finds the cells to refine, and counts what meets those of the others that are cut.
+bool SkdGridRefiner::MarkLevel(int level, std::vector<char>& marks)
+{
+  marks.assign(this->Grid.Forest.NumberOfCells(level), 0);
+  if (level < this->Settings.MaximumLevel)
+  {
+    const bool isDone = this->ForCells(level, 0.75,
+      [&](std::uint32_t begin, std::uint32_t end)
+      {
+        for (std::uint32_t cell = begin; cell < end; ++cell)
+        {
+          marks[cell] = this->IsWanted(level, cell);
+        }
+      });
+    if (!isDone)
+    {
+      return false;
+    }
+    marks = skd::Grown(this->Grid.Forest, level, marks, this->Settings.Layers);
+  }
+  return this->ForCells(level, 1.0,
+    [&](std::uint32_t begin, std::uint32_t end)
+    {
+      for (std::uint32_t cell = begin; cell < end; ++cell)
+      {
+        if (!marks[cell])
+        {
+          this->Grid.Levels[level].Candidates[cell] =
+            this->Count(this->Grid.BoxOf(level, cell), this->Lists, cell);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool SkdGridRefiner::HasRoomFor(int level, std::uint64_t families)
+{
+  const std::uint64_t cells =
+    this->Grid.Forest.NumberOfCells() + families * this->Grid.Forest.FamilySize();
+  const bool hasNumbers = families < skd::Forest::None / this->Grid.Forest.FamilySize();
+  if (cells <= this->Settings.CellLimit && hasNumbers)
+  {
+    return true;
+  }
+  this->Grid.IsStopped = true;
+  this->Grid.StoppedAtLevel = level;
+  this->Grid.CellsWanted = cells;
+  return false;
+}
+
+void SkdGridRefiner::RefineMarked(int level, const std::vector<char>& marks)
+{
+  for (std::uint32_t cell = 0; cell < marks.size(); ++cell)
+  {
+    if (marks[cell])
+    {
+      this->Grid.Forest.Refine(level, cell);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdGridRefiner::Balance()
+{
+  skd::MakeBalanced(this->Grid.Forest, this->Settings.Balance,
+    [this](int level, std::uint32_t cell) { return this->RefineForBalance(level, cell); });
+}
+
+/// Cells that no part meets, as most of these are, have children that none meets. The lists of the
+/// others are gone: their children, which are few, begin with all again.
+bool SkdGridRefiner::RefineForBalance(int level, std::uint32_t cell)
+{
+  if (!this->HasRoomFor(level, 1))
+  {
+    return false;
+  }
+  skd::Forest& forest = this->Grid.Forest;
+  forest.Refine(level, cell);
+  SkdGrid::Level& children = this->Grid.Levels[level + 1];
+  children.Resize(forest.NumberOfCells(level + 1));
+  this->Grid.Levels[level].Candidates[cell] = -1;
+  const std::uint32_t first = forest.FirstChild(level, cell);
+  const SkdShortlists all = SkdShortlists::OfAll(this->Parts.GetNumberOfParts());
+  for (std::uint32_t child = first; child < first + forest.FamilySize(); ++child)
+  {
+    children.Candidates[child] = 0;
+    if (this->Grid.Levels[level].Cut[cell])
+    {
+      const skd::Box3 box = this->Grid.BoxOf(level + 1, child);
+      SkdShortlists lists;
+      const Finding finding = this->Examine(box, all, 0, lists);
+      children.Part[child] = finding.Part;
+      children.Cut[child] = finding.Part >= 0;
+      children.Candidates[child] = this->Count(box, lists, 0);
+    }
+  }
+  return true;
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdGridRefiner.h
+ * @brief The five steps of section 6.5: base cells, their refinement where parts meet them, and on.
+ *
+ * Level by level. A cell's list of what may meet it is handed down to its children, so all cells
+ * together are one walk of the parts' trees. Then growing layers, and at the end the 2:1 balance.
+ */
+
+#ifndef SkdGridRefiner_h
+#define SkdGridRefiner_h
+
+#include "Core/Grid/Balance.h"
+#include "Refine/SkdGrid.h"
+#include "Refine/SkdParts.h"
+#include "Refine/SkdShortlists.h"
+
+class vtkAlgorithm;
+
+/// Cells nearer to a part than Distance are refined to Level.
+struct SkdDistanceBand
+{
+  double Distance;
+  int Level;
+};
+
+struct SkdRefineSettings
+{
+  int MaximumLevel = 5;
+  std::vector<int> PartLevels; ///< one a part: where it meets cells they are refined to that level
+  std::vector<SkdDistanceBand> Bands;
+  SkdOverlapTest Test = SkdOverlapTest::Exact;
+  skd::Contact Balance = skd::Contact::None;
+  int Layers = 0;
+  std::uint64_t CellLimit = 0;
+};
+
+class SkdGridRefiner
+{
+public:
+  /// The algorithm is told the progress, from `first` to `last`, and asked whether to stop.
+  SkdGridRefiner(vtkAlgorithm* algorithm, double first, double last, SkdGrid& grid,
+    const SkdParts& parts, const SkdRefineSettings& settings);
+
+  /// Refines the base cells. The result does not depend on the number of threads. Returns false if
+  /// the algorithm was told to stop: the grid is not refined as it should be then, but sound.
+  bool Refine();
+
+private:
+  /// What a turn of the walk finds out of a cell.
+  struct Finding
+  {
+    std::int32_t Part = -1;
+    std::int32_t LevelWanted = 0; ///< by the parts that meet it
+  };
+  struct Batch
+  {
+    SkdShortlists Lists;
+    std::vector<Finding> Findings;
+  };
+
+  Finding Examine(const skd::Box3& box, const SkdShortlists& above, std::size_t place,
+    SkdShortlists& below) const;
+  std::int32_t Count(const skd::Box3& box, const SkdShortlists& lists, std::size_t place) const;
+  bool ExamineLevel(int level);
+  void KeepFindings(int level, const std::vector<Batch>& batches);
+  bool MarkLevel(int level, std::vector<char>& marks);
+  bool IsWanted(int level, std::uint32_t cell) const;
+  bool HasRoomFor(int level, std::uint64_t families);
+  void RefineMarked(int level, const std::vector<char>& marks);
+  void Balance();
+  bool RefineForBalance(int level, std::uint32_t cell);
+  template <class Body>
+  bool ForCells(int level, double share, const Body& body);
+
+  vtkAlgorithm* Algorithm;
+  double First;
+  double Last;
+  SkdGrid& Grid;
+  const SkdParts& Parts;
+  const SkdRefineSettings& Settings;
+  SkdShortlists Lists; // of the cells of the level that was examined last
+  std::vector<Finding> Findings;
+};
+
+#endif

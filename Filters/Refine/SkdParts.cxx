@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdParts.h"
+
+#include "Cells/SkdLocatorState.h"
+
+#include <algorithm>
+#include <cmath>
+
+bool SkdParts::Part::Update(const SkdLeaf& leaf, double epsilon)
+{
+  this->BlockIndex = leaf.BlockIndex;
+  const bool isSame = this->Tree && this->Epsilon == epsilon && this->Mesh.IsSameAs(leaf.Mesh);
+  if (!isSame)
+  {
+    this->Mesh.Keep(leaf.Mesh);
+    this->Epsilon = epsilon;
+    SkdTreeSettings settings;
+    settings.Epsilon = epsilon;
+    this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
+    if (leaf.Mesh->GetNumberOfCells() > 0)
+    {
+      this->Mesh.Get()->GetCell(0, SkdScratchCell()); // makes GetCell thread-safe
+    }
+  }
+  return !isSame;
+}
+
+int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+{
+  std::vector<const SkdLeaf*> wanted;
+  for (const SkdLeaf& leaf : leaves)
+  {
+    if (leaf.Mesh->GetNumberOfCells() > 0)
+    {
+      wanted.push_back(&leaf);
+    }
+  }
+  this->Parts.resize(wanted.size());
+  int built = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    built += this->Parts[i].Update(*wanted[i], epsilon);
+  }
+  return built;
+}
+
+std::vector<int> SkdParts::GetBlockIndices() const
+{
+  std::vector<int> indices;
+  for (const Part& part : this->Parts)
+  {
+    indices.push_back(part.BlockIndex);
+  }
+  return indices;
+}
+
+SkdCellSource SkdParts::GetSource(std::uint32_t part) const
+{
+  return { this->Parts[part].Mesh.Get(), SkdScratchCell() };
+}
+
+skd::Box3 SkdParts::GetBounds() const
+{
+  skd::Box3 bounds;
+  for (const Part& part : this->Parts)
+  {
+    for (std::uint32_t cell = 0; cell < part.Tree->Cells().NumberOfCells(); ++cell)
+    {
+      bounds.Add(part.Tree->Cells().ReachOf(cell));
+    }
+  }
+  return bounds;
+}
+
+double SkdParts::FindDistance(const skd::Vector3& x, double limit) const
+{
+  double best2 = limit * limit;
+  bool isFound = false;
+  for (std::uint32_t part = 0; part < this->GetNumberOfParts(); ++part)
+  {
+    const SkdFoundCell found = this->GetTree(part).FindNearest(x, best2, this->GetSource(part));
+    if (found.Id >= 0)
+    {
+      best2 = std::min(best2, found.Dist2);
+      isFound = true;
+    }
+  }
+  return isFound ? std::sqrt(best2) : std::numeric_limits<double>::infinity();
+}
+
+SkdTreeCounts SkdParts::GetCounts() const
+{
+  SkdTreeCounts counts;
+  for (const Part& part : this->Parts)
+  {
+    const SkdCellStore& cells = part.Tree->Cells();
+    counts.Cells += cells.NumberOfCells();
+    counts.CellsLeftOut += cells.LeftOut().NotFinite + cells.LeftOut().Other;
+    counts.Tolerance = std::max(counts.Tolerance, part.Tree->AbsoluteEpsilon());
+  }
+  return counts;
+}

@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeAMR.h"
+
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSignedSource.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Refine/SkdBaseLattice.h"
+#include "Refine/SkdGridArrays.h"
+#include "Refine/SkdGridDistances.h"
+#include "Refine/SkdGridInside.h"
+#include "Refine/SkdGridOutput.h"
+#include "Refine/SkdGridRefiner.h"
+#include "Refine/SkdGridReport.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeAMR);
+
+class vtkSkdTreeAMR::Internals
+{
+public:
+  SkdParts Parts;
+  SkdSignedSource Boundary;
+  std::map<int, int> PartLevels; // by block index
+  std::vector<SkdDistanceBand> Bands;
+
+  std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh) const;
+  SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self) const;
+  SkdGridExtras FindExtras(
+    vtkSkdTreeAMR* self, const SkdGrid& grid, const std::vector<SkdLeaf>& leaves);
+};
+
+namespace
+{
+SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const SkdParts& parts)
+{
+  if (baseMesh)
+  {
+    return SkdTakeBaseLattice(baseMesh, self->GetBranchFactor());
+  }
+  SkdBaseSettings settings;
+  settings.Margin = self->GetBoundsMargin();
+  settings.CellSize = self->GetBaseCellSize();
+  std::copy_n(self->GetBaseDimensions(), 3, settings.Dimensions.begin());
+  if (!self->GetAutomaticBounds())
+  {
+    const double* b = self->GetBaseBounds();
+    settings.Bounds = skd::Box3({ { b[0], b[2], b[4] } }, { { b[1], b[3], b[5] } });
+    if (settings.Bounds.IsEmpty())
+    {
+      return { std::nullopt, "the bounds of the base mesh are empty" };
+    }
+  }
+  return SkdMakeBaseLattice(settings, parts.GetBounds(), self->GetBranchFactor());
+}
+
+bool IsAnyCut(const SkdGrid& grid)
+{
+  const std::vector<unsigned char>& cut = grid.Levels.front().Cut;
+  return std::count(cut.begin(), cut.end(), 1) > 0;
+}
+
+void WarnAbout(vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts)
+{
+  if (parts.GetNumberOfParts() == 0)
+  {
+    vtkWarningWithObjectMacro(self, "Input has no cells: nothing is refined.");
+  }
+  else if (!IsAnyCut(grid))
+  {
+    vtkWarningWithObjectMacro(self, "The base mesh misses the parts: they meet none of its cells.");
+  }
+  if (grid.IsStopped)
+  {
+    vtkWarningWithObjectMacro(self,
+      "Stopped at level " << grid.StoppedAtLevel << " of " << self->GetMaximumLevel()
+                          << ": the grid has " << grid.Forest.NumberOfCells()
+                          << " cells, refining on would make them " << grid.CellsWanted
+                          << ", more than CellLimit (" << self->GetCellLimit() << ").");
+  }
+}
+
+void WarnAbout(vtkSkdTreeAMR* self, const SkdSignedSource& boundary)
+{
+  if (boundary.GetNumberOfFaces() == 0)
+  {
+    vtkWarningWithObjectMacro(self, "Input has no surface: nothing is inside.");
+  }
+  else if (boundary.GetNumberOfOpenEdges() > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "Input is not closed, it has " << boundary.GetNumberOfOpenEdges()
+                                     << " open edges: what is inside goes by vote.");
+  }
+}
+
+std::vector<SkdGridCell> MakeOutput(const SkdGrid& grid, vtkDataObject* output)
+{
+  if (auto trees = vtkHyperTreeGrid::SafeDownCast(output))
+  {
+    return SkdMakeHyperTreeGrid(grid, trees);
+  }
+  return SkdMakeUnstructuredGrid(grid, vtkUnstructuredGrid::SafeDownCast(output));
+}
+
+void ReportParts(SkdReport& report, const SkdParts& parts)
+{
+  const SkdTreeCounts counts = parts.GetCounts();
+  report.AddCount("Parts", parts.GetNumberOfParts());
+  report.AddCount("PartCells", counts.Cells);
+  report.AddCount("PartCellsLeftOut", counts.CellsLeftOut);
+  report.AddMeasure("Epsilon", counts.Tolerance);
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdGrid> vtkSkdTreeAMR::Internals::MakeGrid(
+  vtkSkdTreeAMR* self, vtkDataObject* baseMesh) const
+{
+  const SkdBaseLattice base = MakeLattice(self, baseMesh, this->Parts);
+  if (!base.Lattice)
+  {
+    vtkErrorWithObjectMacro(self, "There is no base mesh: " << base.Complaint << ".");
+    return std::nullopt;
+  }
+  if (!(base.Lattice->NumberOfBaseCells() <= self->GetCellLimit()))
+  {
+    vtkErrorWithObjectMacro(self,
+      "There is no base mesh: it would have " << base.Lattice->NumberOfBaseCells()
+                                              << " cells, more than CellLimit.");
+    return std::nullopt;
+  }
+  return SkdGrid(*base.Lattice);
+}
+
+SkdRefineSettings vtkSkdTreeAMR::Internals::MakeSettings(vtkSkdTreeAMR* self) const
+{
+  SkdRefineSettings settings;
+  settings.MaximumLevel = self->GetMaximumLevel();
+  settings.Bands = this->Bands;
+  settings.Test = self->GetTest() == EXACT ? SkdOverlapTest::Exact : SkdOverlapTest::Blind;
+  settings.Balance = static_cast<skd::Contact>(self->GetBalance());
+  settings.Layers = self->GetGrowingLayers();
+  settings.CellLimit = static_cast<std::uint64_t>(self->GetCellLimit());
+  for (const int blockIndex : this->Parts.GetBlockIndices())
+  {
+    const auto level = this->PartLevels.find(blockIndex);
+    settings.PartLevels.push_back(
+      level == this->PartLevels.end() ? settings.MaximumLevel : level->second);
+  }
+  return settings;
+}
+
+SkdGridExtras vtkSkdTreeAMR::Internals::FindExtras(
+  vtkSkdTreeAMR* self, const SkdGrid& grid, const std::vector<SkdLeaf>& leaves)
+{
+  SkdGridExtras extras;
+  if (self->GetComputeInside())
+  {
+    this->Boundary.Update(leaves, self->GetEpsilon());
+    WarnAbout(self, this->Boundary);
+    extras.Inside = SkdFindInside(grid, this->Boundary, self, 0.6, 0.75);
+  }
+  if (self->GetComputeDistance())
+  {
+    extras.Distances = SkdFindDistances(grid, this->Parts, self, 0.75, 0.9);
+    if (self->GetComputeInside())
+    {
+      SkdSignDistances(extras.Distances, extras.Inside);
+    }
+  }
+  return extras;
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeAMR::vtkSkdTreeAMR()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(1);
+}
+
+vtkSkdTreeAMR::~vtkSkdTreeAMR() = default;
+
+void vtkSkdTreeAMR::SetBaseMeshConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreeAMR::SetBaseMeshData(vtkDataObject* mesh)
+{
+  this->SetInputDataInternal(1, mesh);
+}
+
+void vtkSkdTreeAMR::AddPartLevel(int blockIndex, int level)
+{
+  this->Impl->PartLevels[blockIndex] = level;
+  this->Modified();
+}
+
+void vtkSkdTreeAMR::RemoveAllPartLevels()
+{
+  this->Impl->PartLevels.clear();
+  this->Modified();
+}
+
+void vtkSkdTreeAMR::AddDistanceBand(double distance, double level)
+{
+  this->Impl->Bands.push_back({ distance, static_cast<int>(std::clamp(level, 0.0, 30.0)) });
+  this->Modified();
+}
+
+void vtkSkdTreeAMR::RemoveAllDistanceBands()
+{
+  this->Impl->Bands.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    return 1;
+  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkSkdTreeAMR::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkSkdTreeAMR::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const int type =
+    this->OutputType == HYPER_TREE_GRID ? VTK_HYPER_TREE_GRID : VTK_UNSTRUCTURED_GRID;
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  if (!output || output->GetDataObjectType() != type)
+  {
+    vtkSmartPointer<vtkDataObject> fresh;
+    fresh.TakeReference(type == VTK_HYPER_TREE_GRID
+        ? static_cast<vtkDataObject*>(vtkHyperTreeGrid::New())
+        : vtkUnstructuredGrid::New());
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
+  }
+  return 1;
+}
+
+// Whatever piece is asked for, all of the parts may meet it.
+int vtkSkdTreeAMR::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < 2; ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputVector[port]->GetInformationObject(i);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (input->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+      }
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeAMR::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::vector<SkdLeaf> leaves = SkdLeavesOf(vtkDataObject::GetData(inputVector[0]));
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  output->Initialize();
+  SkdParts& parts = this->Impl->Parts;
+  SkdStopwatch watch;
+  int treesBuilt = 0;
+  try
+  {
+    treesBuilt = parts.Update(leaves, this->Epsilon);
+  }
+  catch (const std::length_error& error)
+  {
+    vtkErrorMacro("Input cannot be searched: " << error.what());
+    return 1;
+  }
+  const double buildSeconds = watch.Lap();
+
+  std::optional<SkdGrid> grid = this->Impl->MakeGrid(this, vtkDataObject::GetData(inputVector[1]));
+  if (!grid)
+  {
+    return 1;
+  }
+  const SkdRefineSettings settings = this->Impl->MakeSettings(this);
+  SkdGridRefiner(this, 0.1, 0.6, *grid, parts, settings).Refine();
+  WarnAbout(this, *grid, parts);
+  const SkdGridExtras extras = this->Impl->FindExtras(this, *grid, leaves);
+  const double refineSeconds = watch.Lap();
+
+  const std::vector<SkdGridCell> cells = MakeOutput(*grid, output);
+  for (const auto& array : SkdGridArrays::Make(*grid, extras, parts.GetBlockIndices(), cells))
+  {
+    output->GetAttributes(vtkDataObject::CELL)->AddArray(array);
+  }
+  output->GetAttributes(vtkDataObject::CELL)->SetActiveScalars(SkdGridArrays::LevelName);
+
+  SkdReport report(output);
+  SkdReportGrid(report, *grid, this->MaximumLevel);
+  ReportParts(report, parts);
+  report.AddCount("TreesBuilt", treesBuilt);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("RefineSeconds", refineSeconds);
+  if (!extras.Inside.empty())
+  {
+    report.AddCount("OpenEdges", this->Impl->Boundary.GetNumberOfOpenEdges());
+  }
+  return 1;
+}
+
+void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AutomaticBounds: " << (this->AutomaticBounds ? "On\n" : "Off\n");
+  os << indent << "BoundsMargin: " << this->BoundsMargin << "\n";
+  os << indent << "BaseBounds: " << this->BaseBounds[0] << " " << this->BaseBounds[1] << " "
+     << this->BaseBounds[2] << " " << this->BaseBounds[3] << " " << this->BaseBounds[4] << " "
+     << this->BaseBounds[5] << "\n";
+  os << indent << "BaseDimensions: " << this->BaseDimensions[0] << " " << this->BaseDimensions[1]
+     << " " << this->BaseDimensions[2] << "\n";
+  os << indent << "BaseCellSize: " << this->BaseCellSize << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "BranchFactor: " << this->BranchFactor << "\n";
+  os << indent << "Test: " << (this->Test == EXACT ? "Exact\n" : "Blind\n");
+  os << indent << "Balance: " << this->Balance << "\n";
+  os << indent << "GrowingLayers: " << this->GrowingLayers << "\n";
+  for (const auto& [blockIndex, level] : this->Impl->PartLevels)
+  {
+    os << indent << "PartLevel: " << blockIndex << " " << level << "\n";
+  }
+  for (const SkdDistanceBand& band : this->Impl->Bands)
+  {
+    os << indent << "DistanceBand: " << band.Distance << " " << band.Level << "\n";
+  }
+  os << indent << "CellLimit: " << this->CellLimit << "\n";
+  os << indent << "ComputeInside: " << (this->ComputeInside ? "On\n" : "Off\n");
+  os << indent << "ComputeDistance: " << (this->ComputeDistance ? "On\n" : "Off\n");
+  os << indent << "OutputType: " << this->OutputType << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END

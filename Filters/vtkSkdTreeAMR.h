@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeAMR
+ * @brief   a grid of trees of cells, refined around the parts of a geometry
+ *
+ * Makes an adaptive Cartesian grid around Input (port 0: any vtkDataSet, or composite data of
+ * several parts, with cells of any type), as section 6.5 of Khamayseh and Hansen, Commun. Comput.
+ * Phys. 2 (2007) 545-576 has it: the cells of a base grid that a part meets are refined, and those
+ * of their children that a part meets, until the maximum level is reached. One walk of the parts'
+ * skD-trees serves a whole family of cells: what may meet a cell is handed down to its children,
+ * and none is searched from the root again.
+ *
+ * Cells are closed: a part that touches a cell meets it, so a plane on the faces of cells cuts
+ * those of both sides. By default the parts' own cells decide, exactly: triangles, quads (as two
+ * triangles), polygons (taken for flat), strips, lines and points; a volume cell meets all that its
+ * inside or its faces do. Curved cells count by their boxes. The paper's "blind" refinement, by
+ * safety boxes alone, is there by choice; it refines more (see Test).
+ *
+ * The base grid is, by choice: what BaseMesh is (port 1, optional: vtkImageData that is not turned,
+ * or vtkRectilinearGrid; its cells are the base cells), given bounds, or the bounds of the parts
+ * with a margin. Along an axis on which its bounds have no length the grid is flat: so there are
+ * grids of one, two and three dimensions.
+ *
+ * Output: vtkHyperTreeGrid or, by choice, vtkUnstructuredGrid of the leaves (cells that are not
+ * refined) as voxels, pixels or lines, in which the point array SkdHanging (unsigned char) is 1 at
+ * points that are not corners of all the cells that they are on. Cell arrays:
+ * | name          | type   | meaning                                                            |
+ * | ------------- | ------ | ------------------------------------------------------------------ |
+ * | SkdLevel      | uchar  | 0 for base cells                                                   |
+ * | SkdCut        | uchar  | 1 if a part meets the cell                                         |
+ * | SkdPartIndex  | int    | flat block index of the first part that does (0: not composite), -1:
+ * none | | SkdCandidates | int    | how many of the parts' cells meet it, by the test in use; -1 in
+ * refined cells | | SkdInside     | uchar  | by choice, see ComputeInside | | SkdDistance   |
+ * double | by choice, see ComputeDistance                                     |
+ *
+ * Field data: SkdReportCells (leaves), SkdReportCutCells (cut leaves), SkdReportAllCells (with
+ * refined ones), SkdReportLeavesAtLevel and SkdReportCutAtLevel (a value a level; of cut cells
+ * refined ones, too), SkdReportStoppedAtLevel (-1: nothing was left out, see CellLimit),
+ * SkdReportEstimatedCells (all cells up to the maximum level, if nothing had been left out: exact
+ * where nothing was, else by the growth so far), SkdReportParts, SkdReportPartCells,
+ * SkdReportPartCellsLeftOut, SkdReportTreesBuilt (trees are kept while parts do not change),
+ * SkdReportEpsilon, SkdReportBuildSeconds, SkdReportRefineSeconds; SkdReportOpenEdges where inside
+ * is asked.
+ *
+ * Cost: about a microsecond a cell that is cut, less for others; memory about 25 bytes a cell
+ * beside the output. The result is the same whatever the number of threads.
+ *
+ * Bad input, each with one warning or error that says so: an Input without cells gives the base
+ * grid unrefined if that is given, else nothing. A base grid that the parts miss stays as it is. A
+ * base grid that cannot be made (bounds that are not finite, an image that is turned) gives an
+ * empty output. Parts' cells that are not finite are left out and counted.
+ *
+ * @sa
+ * vtkSkdTreeCellLocator vtkHyperTreeGrid
+ */
+
+#ifndef vtkSkdTreeAMR_h
+#define vtkSkdTreeAMR_h
+
+#include "vtkDataObjectAlgorithm.h"
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeAMR : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeAMR, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeAMR* New();
+
+  enum OutputTypes
+  {
+    HYPER_TREE_GRID = 0,
+    UNSTRUCTURED_GRID = 1
+  };
+  enum Tests
+  {
+    EXACT = 0,
+    BLIND = 1
+  };
+  enum Balances
+  {
+    NONE = 0,
+    FACE = 1,
+    EDGE = 2,
+    CORNER = 3
+  };
+
+  ///@{
+  /**
+   * The base grid (port 1, optional). It takes the place of the bounds, dimensions and cell size.
+   */
+  void SetBaseMeshConnection(vtkAlgorithmOutput* algOutput);
+  void SetBaseMeshData(vtkDataObject* mesh);
+  ///@}
+
+  ///@{
+  /**
+   * Put the base grid around the parts, with a margin; else use BaseBounds. Default on.
+   */
+  vtkSetMacro(AutomaticBounds, bool);
+  vtkGetMacro(AutomaticBounds, bool);
+  vtkBooleanMacro(AutomaticBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The margin on each side of the parts, relative to the longest side of their bounds. Sides
+   * without length get none: parts in a plane have a grid in that plane. Default 0.1.
+   */
+  vtkSetClampMacro(BoundsMargin, double, 0.0, 1e6);
+  vtkGetMacro(BoundsMargin, double);
+  ///@}
+
+  ///@{
+  /**
+   * The bounds of the base grid (xmin, xmax, ymin, ymax, zmin, zmax) where they are not automatic.
+   * Default: the unit cube.
+   */
+  vtkSetVector6Macro(BaseBounds, double);
+  vtkGetVector6Macro(BaseBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Base cells along each axis. 0: as many cubes, about as long as the shortest side of the bounds
+   * (or a 64th of the longest), as hold them; the bounds grow to whole cells along such an axis.
+   * Default (0, 0, 0).
+   */
+  vtkSetVector3Macro(BaseDimensions, int);
+  vtkGetVector3Macro(BaseDimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * The side of base cells, which are cubes then; the bounds grow to whole cells. 0, the default:
+   * BaseDimensions say how many cells there are.
+   */
+  vtkSetClampMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BaseCellSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * How often a base cell is refined at most. Default 5, from 0 to 30.
+   */
+  vtkSetClampMacro(MaximumLevel, int, 0, 30);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * The number of cells along each axis that a refined cell is cut into: 2 (default) or 3.
+   */
+  vtkSetClampMacro(BranchFactor, int, 2, 3);
+  vtkGetMacro(BranchFactor, int);
+  ///@}
+
+  ///@{
+  /**
+   * What decides that a part meets a cell: EXACT (default), or BLIND, the safety boxes of the
+   * part's cells, which makes more cells: about as many where those are small beside the leaves,
+   * several times as many where they are large and oblique.
+   */
+  vtkSetClampMacro(Test, int, EXACT, BLIND);
+  vtkGetMacro(Test, int);
+  ///@}
+
+  ///@{
+  /**
+   * Over what contacts neighbouring leaves differ by one level at most: NONE (default), FACE, EDGE
+   * (faces and edges) or CORNER (all).
+   */
+  vtkSetClampMacro(Balance, int, NONE, CORNER);
+  vtkGetMacro(Balance, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cells around those that are refined, of the same level, that are refined too. Default 0.
+   */
+  vtkSetClampMacro(GrowingLayers, int, 0, 100);
+  vtkGetMacro(GrowingLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * A maximum level for a part of composite data, by its flat block index; others have the
+   * MaximumLevel, which none exceeds.
+   */
+  void AddPartLevel(int blockIndex, int level);
+  void RemoveAllPartLevels();
+  ///@}
+
+  ///@{
+  /**
+   * Refine all cells that come nearer to a part than a distance, to a level of their own, at most
+   * MaximumLevel. (Those whose centre is at most that distance and half a diagonal away.) The level
+   * is a whole number; both are doubles for ParaView, whose lists have one type.
+   */
+  void AddDistanceBand(double distance, double level);
+  void RemoveAllDistanceBands();
+  ///@}
+
+  ///@{
+  /**
+   * The number of cells, refined ones counted, that the grid may have. Where the next level would
+   * exceed it, or balancing does, a warning tells the level, and the grid is what it is so far.
+   * Default 20 million.
+   */
+  vtkSetClampMacro(CellLimit, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(CellLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Tell by SkdInside which cells have their centre inside of the closed surface that Input is or
+   * that bounds it, by the parity of exact crossings; of a surface with open edges, which a warning
+   * counts, by a vote of seven directions (see vtkSkdTreeClosestPoint::SetSignedDistance). Of a
+   * refined cell: whether more than half of its children are. Default off.
+   */
+  vtkSetMacro(ComputeInside, bool);
+  vtkGetMacro(ComputeInside, bool);
+  vtkBooleanMacro(ComputeInside, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Tell by SkdDistance how far the centre of each cell is from the nearest part. With
+   * ComputeInside it is negative inside. Default off.
+   */
+  vtkSetMacro(ComputeDistance, bool);
+  vtkGetMacro(ComputeDistance, bool);
+  vtkBooleanMacro(ComputeDistance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the output is: HYPER_TREE_GRID (default) or UNSTRUCTURED_GRID.
+   */
+  vtkSetClampMacro(OutputType, int, HYPER_TREE_GRID, UNSTRUCTURED_GRID);
+  vtkGetMacro(OutputType, int);
+  ///@}
+
+  ///@{
+  /**
+   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
+   */
+  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
+  ///@}
+
+protected:
+  vtkSkdTreeAMR();
+  ~vtkSkdTreeAMR() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  bool AutomaticBounds = true;
+  double BoundsMargin = 0.1;
+  double BaseBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  int BaseDimensions[3] = { 0, 0, 0 };
+  double BaseCellSize = 0.0;
+  int MaximumLevel = 5;
+  int BranchFactor = 2;
+  int Test = EXACT;
+  int Balance = NONE;
+  int GrowingLayers = 0;
+  vtkIdType CellLimit = 20000000;
+  bool ComputeInside = false;
+  bool ComputeDistance = false;
+  int OutputType = HYPER_TREE_GRID;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeAMR(const vtkSkdTreeAMR&) = delete;
+  void operator=(const vtkSkdTreeAMR&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl; // the parts' trees, kept while they are unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeAMR: input that has nothing, is not finite or asks too much; limits, aborts, kept
+// trees.
+
+#include "Support/AMRRun.h"
+#include "Support/NamedMeshes.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkMultiBlockDataSet.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+const Bounds UnitCube = { 0, 1, 0, 1, 0, 1 };
+
+PolyDataPointer MakeTorus()
+{
+  return MakePolyData(TorusTriangles(24, 12));
+}
+
+vtkIdType RunCells(vtkSkdTreeAMR* filter)
+{
+  filter->Update();
+  return filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
+}
+
+TEST(AMRBadInput, WithoutCellsTheBaseStaysOrThereIsNothing)
+{
+  vtkNew<vtkMultiBlockDataSet> noBlocks;
+  vtkNew<vtkPolyData> noCells;
+  for (vtkDataObject* empty : std::initializer_list<vtkDataObject*>{ noBlocks, noCells })
+  {
+    AMRPointer filter = MakeAMRIn(empty, 4, UnitCube);
+    filter->SetBaseDimensions(2, 3, 4);
+    EventCounter events(filter);
+    EXPECT_EQ(RunCells(filter), 24);
+    EXPECT_EQ(events.Errors, 0);
+    EXPECT_EQ(events.Warnings, 1);
+    filter->AutomaticBoundsOn();
+    for (int type : { vtkSkdTreeAMR::HYPER_TREE_GRID, vtkSkdTreeAMR::UNSTRUCTURED_GRID })
+    {
+      filter->SetOutputType(type);
+      EXPECT_EQ(RunCells(filter), 0);
+    }
+    EXPECT_EQ(events.Errors, 2);
+    EXPECT_NE(events.Error.find("neither parts nor bounds"), std::string::npos) << events.Error;
+  }
+}
+
+TEST(AMRBadInput, ABaseThatMissesThePartsStays)
+{
+  AMRPointer filter = MakeAMRIn(MakeTorus(), 4, { 10, 11, 10, 11, 10, 11 });
+  EventCounter events(filter);
+  EXPECT_EQ(RunCells(filter), 1);
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("misses the parts"), std::string::npos);
+}
+
+TEST(AMRBadInput, PartsThatReachOutOfTheBaseAreCutOff)
+{
+  AMRPointer filter = MakeAMRIn(MakeTorus(), 3, { 0, 1, 0, 1, 0, 1 });
+  EventCounter events(filter);
+  EXPECT_GT(RunCells(filter), 8);
+  EXPECT_EQ(events.Warnings + events.Errors, 0);
+}
+
+TEST(AMRBadInput, BoundsThatMakeNoBaseAreRefused)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Bounds bad[] = { { 0, nan, 0, 1, 0, 1 }, { 0, 1, 2, 1, 0, 1 },
+    { -infinity, 1, 0, 1, 0, 1 } };
+  for (const Bounds& box : bad)
+  {
+    AMRPointer filter = MakeAMRIn(MakeTorus(), 3, box);
+    EventCounter events(filter);
+    EXPECT_EQ(RunCells(filter), 0);
+    EXPECT_EQ(events.Errors, 1);
+  }
+  AMRPointer filter = MakeAMR(MakeTorus(), 3);
+  EventCounter events(filter);
+  filter->SetBaseMeshData(MakeTurnedImage(3));
+  EXPECT_EQ(RunCells(filter), 0);
+  EXPECT_NE(events.Error.find("turned"), std::string::npos) << events.Error;
+  filter->SetBaseMeshData(nullptr);
+  filter->SetBaseCellSize(1e-9);
+  EXPECT_EQ(RunCells(filter), 0);
+  EXPECT_EQ(events.Errors, 2);
+  filter->SetBaseCellSize(0.01);
+  filter->SetCellLimit(1000);
+  EXPECT_EQ(RunCells(filter), 0);
+  EXPECT_EQ(events.Errors, 3);
+  EXPECT_NE(events.Error.find("CellLimit"), std::string::npos) << events.Error;
+}
+
+TEST(AMRBadInput, CellsThatAreNotFiniteAreLeftOut)
+{
+  Mesh torus = TorusTriangles(24, 12);
+  AMRPointer good = MakeAMRIn(MakePolyData(torus), 3, { -2, 2, -2, 2, -2, 2 });
+  const vtkIdType cells = RunCells(good);
+  torus.Points.push_back({ std::numeric_limits<double>::quiet_NaN(), 0, 0 });
+  torus.Add(VTK_TRIANGLE, { 0, 1, static_cast<vtkIdType>(torus.Points.size()) - 1 });
+  AMRPointer filter = MakeAMRIn(MakePolyData(torus), 3, { -2, 2, -2, 2, -2, 2 });
+  EXPECT_EQ(RunCells(filter), cells);
+  EXPECT_EQ(Reported(filter, "PartCellsLeftOut"), 1);
+}
+
+TEST(AMRBadInput, LevelsZeroAndThirty)
+{
+  Mesh point;
+  point.Add(VTK_VERTEX, { point.Add({ 0.3, 0.3, 0.3 }) });
+  AMRPointer filter = MakeAMRIn(MakePolyData(point), 0, UnitCube);
+  EXPECT_EQ(RunCells(filter), 1);
+  filter->SetMaximumLevel(99);
+  EXPECT_EQ(filter->GetMaximumLevel(), 30);
+  EXPECT_EQ(RunCells(filter), 30 * 7 + 1);
+  filter->SetBranchFactor(3);
+  EXPECT_EQ(RunCells(filter), 30 * 26 + 1);
+}
+
+TEST(AMRBadInput, TheCellLimitStopsAtALevelAndTellsWhich)
+{
+  AMRPointer whole = MakeAMR(MakeTorus(), 6);
+  const std::vector<Leaf> all = RunLeaves(whole);
+  const std::vector<double> cut = ReportedRow(whole, "CutAtLevel");
+  AMRPointer filter = MakeAMR(MakeTorus(), 6);
+  filter->SetCellLimit(10000);
+  EventCounter events(filter);
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  const int level = static_cast<int>(Reported(filter, "StoppedAtLevel"));
+  EXPECT_TRUE(level > 2 && level < 6) << level;
+  EXPECT_EQ(events.Warnings, 1);
+  const std::string expected = "Stopped at level " + std::to_string(level) + " of 6";
+  EXPECT_NE(events.Warning.find(expected), std::string::npos) << events.Warning;
+  EXPECT_LE(Reported(filter, "AllCells"), 10000);
+  const std::vector<double> soFar = ReportedRow(filter, "CutAtLevel");
+  EXPECT_EQ(soFar, std::vector<double>(cut.begin(), cut.begin() + level + 1));
+  EXPECT_EQ(Reported(whole, "StoppedAtLevel"), -1);
+  EXPECT_EQ(Reported(whole, "EstimatedCells"), Reported(whole, "AllCells"));
+  EXPECT_NEAR(Reported(filter, "EstimatedCells") / Reported(whole, "AllCells"), 1.0, 0.25);
+}
+
+TEST(AMRBadInput, TheCellLimitHoldsWhileBalancing)
+{
+  AMRPointer filter = MakeAMR(MakeTorus(), 5);
+  const double unbalanced = (RunCells(filter), Reported(filter, "AllCells"));
+  filter->SetBalance(vtkSkdTreeAMR::CORNER);
+  filter->SetCellLimit(static_cast<vtkIdType>(unbalanced) + 100);
+  EventCounter events(filter);
+  RunCells(filter);
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_LE(Reported(filter, "AllCells"), unbalanced + 100);
+  EXPECT_GT(Reported(filter, "AllCells"), unbalanced);
+}
+
+struct ProgressWatch
+{
+  ProgressWatch(vtkAlgorithm* algorithm, double abortAt)
+    : AbortAt(abortAt)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(&ProgressWatch::Look);
+    algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
+  }
+
+  static void Look(vtkObject* caller, unsigned long, void* self, void*)
+  {
+    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+    auto* watch = static_cast<ProgressWatch*>(self);
+    watch->Seen.push_back(algorithm->GetProgress());
+    if (algorithm->GetProgress() >= watch->AbortAt)
+    {
+      algorithm->SetAbortExecute(1);
+    }
+  }
+
+  double AbortAt;
+  std::vector<double> Seen;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+TEST(AMRBadInput, ProgressRisesAndAnAbortStopsIt)
+{
+  AMRPointer filter = MakeAMR(MakeTorus(), 6);
+  filter->ComputeInsideOn();
+  filter->ComputeDistanceOn();
+  {
+    ProgressWatch watch(filter, 2.0);
+    filter->Update();
+    EXPECT_GT(watch.Seen.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
+    EXPECT_EQ(watch.Seen.back(), 1.0);
+    filter->RemoveAllObservers();
+  }
+  const double cells = Reported(filter, "Cells");
+  ProgressWatch watch(filter, 0.15);
+  filter->Modified();
+  filter->Update();
+  filter->RemoveAllObservers();
+  const vtkIdType partial =
+    filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
+  EXPECT_LT(partial, cells);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  EXPECT_EQ(RunCells(filter), cells);
+}
+
+TEST(AMRBadInput, TreesAreKeptWhileThePartsAreTheSame)
+{
+  auto torus = MakeTorus();
+  AMRPointer filter = MakeAMR(torus, 3);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 1);
+  filter->SetMaximumLevel(4);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
+  auto again = MakeTorus();
+  filter->SetInputDataObject(0, again);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
+  again->GetPoints()->SetPoint(0, 0, 0, 5);
+  again->GetPoints()->Modified();
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 1);
+}
+
+}

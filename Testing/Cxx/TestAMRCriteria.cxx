@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeAMR: what else decides on the cells, and what it tells of them.
+
+#include "Support/AMRRun.h"
+#include "Support/BruteForce.h"
+#include "Support/ClosestPointRun.h"
+#include "Support/NamedMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+const Bounds Around = { -1.51, 1.57, -1.53, 1.59, -1.55, 1.61 };
+
+PolyDataPointer MakeBall(double radius, const Point& centre, int n = 12)
+{
+  return MakePolyData(Placed(SphereTriangles(n), radius, centre));
+}
+
+/// Leaves that touch over `contact` axes at most differ by one level: all pairs are looked at.
+void ExpectBalanced(const std::vector<Leaf>& leaves, int contact)
+{
+  for (const Leaf& a : leaves)
+  {
+    for (const Leaf& b : leaves)
+    {
+      int apart = 0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        apart += a.Box[2 * axis] == b.Box[2 * axis + 1] || a.Box[2 * axis + 1] == b.Box[2 * axis];
+      }
+      const bool isNear = apart <= contact && Overlap(a.Box, b.Box);
+      ASSERT_TRUE(!isNear || std::abs(a.Level - b.Level) <= 1);
+    }
+  }
+}
+
+TEST(AMRCriteria, LeavesAreBalancedAndKeepWhatTheyWere)
+{
+  auto ball = MakeBall(0.3, { 0.9, 0.8, 0.7 });
+  AMRPointer filter = MakeAMRIn(ball, 5, Around);
+  const std::vector<Leaf> before = RunLeaves(filter);
+  std::size_t last = before.size();
+  for (int contact = 1; contact <= 3; ++contact)
+  {
+    filter->SetBalance(contact);
+    const std::vector<Leaf> leaves = RunLeaves(filter);
+    ExpectBalanced(leaves, contact);
+    EXPECT_GT(leaves.size(), last);
+    last = leaves.size();
+    Random random(1);
+    for (int i = 0; i < 200; ++i)
+    {
+      const Point x = random.InBox(Around);
+      EXPECT_GE(FindLeaf(leaves, x)->Level, FindLeaf(before, x)->Level);
+      EXPECT_TRUE(!FindLeaf(before, x)->IsCut || FindLeaf(leaves, x)->IsCut);
+    }
+  }
+}
+
+TEST(AMRCriteria, PartsHaveLevelsOfTheirOwn)
+{
+  auto blocks = MakeBlocks({ MakeBall(0.4, { -0.8, -0.8, -0.8 }), MakeBall(0.4, { 0.8, 0.8, 0.8 }),
+    MakeBall(0.3, { 0.8, -0.8, 0.0 }) });
+  AMRPointer filter = MakeAMRIn(blocks, 5, Around);
+  filter->AddPartLevel(1, 3);
+  filter->AddPartLevel(3, 9);
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  const std::vector<double> parts = CellArray(filter, "SkdPartIndex");
+  const int levelOf[4] = { -1, 3, 5, 5 };
+  int seen[4] = { 0, 0, 0, 0 };
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    if (parts[i] >= 0)
+    {
+      ++seen[static_cast<int>(parts[i])];
+      EXPECT_EQ(leaves[i].Level, levelOf[static_cast<int>(parts[i])]);
+    }
+  }
+  EXPECT_TRUE(seen[1] > 0 && seen[2] > 0 && seen[3] > 0);
+  EXPECT_EQ(Reported(filter, "Parts"), 3);
+
+  // Balancing refines cells of the coarse part beside the fine one, if they are close.
+  filter->RemoveAllPartLevels();
+  filter->AddPartLevel(1, 2);
+  filter->SetInputDataObject(
+    0, MakeBlocks({ MakeBall(0.5, { 0, 0, 0 }), MakeBall(0.2, { 0.55, 0.1, 0.1 }) }));
+  filter->SetBalance(vtkSkdTreeAMR::CORNER);
+  const std::vector<Leaf> close = RunLeaves(filter);
+  ExpectBalanced(close, 3);
+  // The arrays are those of a run that is told to go as deep everywhere.
+  const std::vector<double> candidates = CellArray(filter, "SkdCandidates");
+  filter->RemoveAllPartLevels();
+  filter->SetBalance(vtkSkdTreeAMR::NONE);
+  filter->SetMaximumLevel(5);
+  const std::vector<Leaf> deep = RunLeaves(filter);
+  const std::vector<double> all = CellArray(filter, "SkdCandidates");
+  for (std::size_t i = 0; i < close.size(); ++i)
+  {
+    for (std::size_t k = 0; k < deep.size(); ++k)
+    {
+      if (close[i].Box == deep[k].Box)
+      {
+        EXPECT_EQ(close[i].IsCut, deep[k].IsCut);
+        EXPECT_EQ(candidates[i], all[k]);
+      }
+    }
+  }
+}
+
+TEST(AMRCriteria, DistanceBandsCoverAllThatIsNearer)
+{
+  auto ball = MakeBall(0.5, { 0, 0, 0 });
+  BruteForce reference(ball);
+  AMRPointer filter = MakeAMRIn(ball, 6, Around);
+  filter->AddDistanceBand(0.1, 5);
+  filter->AddDistanceBand(0.4, 3);
+  filter->AddDistanceBand(-1.0, 6);
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  Random random(2);
+  int far = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const Point x = random.InBox(Around);
+    const double distance = reference.FindNearest(x).Distance;
+    const int level = FindLeaf(leaves, x)->Level;
+    EXPECT_GE(level, distance <= 0.1 ? 5 : distance <= 0.4 ? 3 : 0);
+    far += distance > 1.0 && level < 3;
+  }
+  EXPECT_GT(far, 10);
+}
+
+TEST(AMRCriteria, LayersGrowAroundWhatIsRefined)
+{
+  auto ball = MakeBall(0.5, { 0, 0, 0 });
+  std::size_t last = 0;
+  for (int layers = 0; layers <= 2; ++layers)
+  {
+    AMRPointer filter = MakeAMRIn(ball, 5, Around);
+    filter->SetGrowingLayers(layers);
+    const std::vector<Leaf> leaves = RunLeaves(filter);
+    EXPECT_GT(leaves.size(), last);
+    last = leaves.size();
+    const double cell = (Around[1] - Around[0]) / 32;
+    int finest = 0;
+    for (const Leaf& leaf : leaves)
+    {
+      if (leaf.IsCut)
+      {
+        EXPECT_EQ(leaf.Level, 5);
+        // All leaves within two cells a layer, of the finest level, are of that level.
+        Random random(4);
+        const Point x = random.InBox(Grown(leaf.Box, 2 * layers * cell * 0.99));
+        const Leaf* there = FindLeaf(leaves, x);
+        EXPECT_TRUE(!there || layers == 0 || there->Level == 5);
+      }
+      finest += leaf.Level == 5;
+    }
+    EXPECT_GT(finest, 0);
+  }
+}
+
+TEST(AMRCriteria, InsideAndDistanceAreThoseOfTheCentres)
+{
+  const Mesh torus = TorusTriangles(32, 16);
+  auto parts = MakePolyData(torus);
+  for (const int balance : { vtkSkdTreeAMR::NONE, vtkSkdTreeAMR::FACE })
+  {
+    AMRPointer filter = MakeAMR(parts, 5);
+    filter->SetBalance(balance);
+    filter->ComputeInsideOn();
+    filter->ComputeDistanceOn();
+    const std::vector<Leaf> leaves = RunLeaves(filter);
+    const std::vector<double> inside = CellArray(filter, "SkdInside");
+    const std::vector<double> distances = CellArray(filter, "SkdDistance");
+    std::vector<Point> centres;
+    for (const Leaf& leaf : leaves)
+    {
+      centres.push_back(Center(leaf.Box));
+    }
+    FilterPointer closest = MakeSignedFilter(MakeQueries(centres), parts);
+    const std::vector<double> expected = RunDistances(closest);
+    double volume = 0.0;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      EXPECT_NEAR(distances[i], expected[i], 1e-12);
+      EXPECT_EQ(inside[i] != 0, expected[i] < 0) << i;
+      volume += inside[i] * VolumeOf({ leaves[i] });
+    }
+    EXPECT_NEAR(volume, 2 * 9.8696 * 0.35 * 0.35, 0.15);
+    EXPECT_EQ(Reported(filter, "OpenEdges"), 0);
+  }
+}
+
+TEST(AMRCriteria, AnOpenSurfaceIsVotedOnWithAWarning)
+{
+  const Mesh ball = SphereTriangles(12);
+  auto open = MakePolyData(Part(ball, [](std::size_t cell) { return cell != 5; }));
+  AMRPointer filter = MakeAMR(open, 4);
+  EventCounter events(filter);
+  filter->ComputeInsideOn();
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("3 open edges"), std::string::npos) << events.Warning;
+  const std::vector<double> inside = CellArray(filter, "SkdInside");
+  int wrong = 0;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    const double radius = Length(Center(leaves[i].Box));
+    wrong += radius < 0.95 ? inside[i] == 0 : radius > 1.05 && inside[i] != 0;
+  }
+  EXPECT_EQ(wrong, 0);
+
+  filter->SetInputDataObject(0, MakePolyData(Helix(20, VTK_LINE)));
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 2);
+  EXPECT_NE(events.Warning.find("no surface"), std::string::npos) << events.Warning;
+}
+
+}

@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeAMR: its base grids and what its output is made of.
+
+#include "Support/AMRRun.h"
+#include "Support/NamedMeshes.h"
+
+#include "vtkHyperTreeGrid.h"
+#include "vtkHyperTreeGridNonOrientedGeometryCursor.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace skdtest;
+
+namespace
+{
+
+PolyDataPointer MakeTorus()
+{
+  return MakePolyData(TorusTriangles(24, 12));
+}
+
+/// A closed curve in the plane z = 0.25.
+PolyDataPointer MakeCircle()
+{
+  Mesh circle;
+  for (int i = 0; i < 40; ++i)
+  {
+    circle.Add(Point{ std::cos(0.1571 * i), std::sin(0.1571 * i), 0.25 });
+  }
+  for (int i = 0; i < 40; ++i)
+  {
+    circle.Add(VTK_LINE, { i, (i + 1) % 40 });
+  }
+  return MakePolyData(circle);
+}
+
+using Values = std::vector<double>;
+
+/// What all arrays of a hyper tree grid's leaves hold, by the middle of the leaf.
+class LeafReader
+{
+public:
+  explicit LeafReader(vtkHyperTreeGrid* grid)
+    : Data(grid->GetAttributes(vtkDataObject::CELL))
+  {
+    vtkNew<vtkHyperTreeGridNonOrientedGeometryCursor> cursor;
+    for (vtkIdType tree = 0; tree < grid->GetMaxNumberOfTrees(); ++tree)
+    {
+      grid->InitializeNonOrientedGeometryCursor(cursor, tree);
+      this->Read(cursor);
+    }
+  }
+
+  std::map<Point, Values> Leaves;
+  vtkIdType Nodes = 0;
+
+private:
+  void Read(vtkHyperTreeGridNonOrientedGeometryCursor* cursor)
+  {
+    ++this->Nodes;
+    if (cursor->IsLeaf())
+    {
+      Bounds box;
+      cursor->GetBounds(box.data());
+      const vtkIdType id = cursor->GetGlobalNodeIndex();
+      Values& values = this->Leaves[this->Rounded(Center(box))];
+      for (int i = 0; i < this->Data->GetNumberOfArrays(); ++i)
+      {
+        values.push_back(this->Data->GetArray(i)->GetTuple1(id));
+      }
+      EXPECT_EQ(this->Data->GetArray("SkdLevel")->GetTuple1(id), cursor->GetLevel());
+      return;
+    }
+    for (int child = 0; child < cursor->GetNumberOfChildren(); ++child)
+    {
+      cursor->ToChild(static_cast<unsigned char>(child));
+      this->Read(cursor);
+      cursor->ToParent();
+    }
+  }
+
+public:
+  /// VTK's own halving rounds otherwise.
+  static Point Rounded(const Point& p)
+  {
+    return { std::round(1e9 * p[0]), std::round(1e9 * p[1]), std::round(1e9 * p[2]) };
+  }
+
+private:
+  vtkDataSetAttributes* Data;
+};
+
+void ExpectSameLeaves(vtkSkdTreeAMR* filter)
+{
+  filter->ComputeInsideOn();
+  filter->ComputeDistanceOn();
+  filter->SetOutputType(vtkSkdTreeAMR::UNSTRUCTURED_GRID);
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  vtkDataSetAttributes* data = filter->GetOutputDataObject(0)->GetAttributes(vtkDataObject::CELL);
+  std::map<Point, Values> expected;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    Values& values = expected[LeafReader::Rounded(Center(leaves[i].Box))];
+    for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+    {
+      values.push_back(data->GetArray(k)->GetTuple1(static_cast<vtkIdType>(i)));
+    }
+  }
+  const double all = Reported(filter, "AllCells");
+
+  filter->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
+  filter->Update();
+  auto trees = vtkHyperTreeGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(trees, nullptr);
+  const LeafReader read(trees);
+  EXPECT_EQ(trees->GetNumberOfElements(vtkDataObject::CELL), all);
+  EXPECT_EQ(read.Nodes, all);
+  EXPECT_EQ(read.Leaves, expected);
+}
+
+TEST(AMROutput, HyperTreeGridAndUnstructuredGridHaveTheSameLeaves)
+{
+  for (int branch = 2; branch <= 3; ++branch)
+  {
+    AMRPointer filter = MakeAMR(MakeTorus(), branch == 2 ? 4 : 3);
+    filter->SetBranchFactor(branch);
+    filter->SetBaseDimensions(3, 2, 1);
+    filter->SetBalance(vtkSkdTreeAMR::EDGE);
+    ExpectSameLeaves(filter);
+  }
+}
+
+TEST(AMROutput, FlatBasesInAnyPlaneAndAlongALine)
+{
+  auto torus = MakeTorus();
+  for (int flat = 0; flat < 3; ++flat)
+  {
+    Bounds box = { -1.6, 1.5, -1.7, 1.4, -0.6, 0.5 };
+    const double across[3] = { 0.9, 0.5, 0.1 };
+    box[2 * flat] = box[2 * flat + 1] = across[flat];
+    AMRPointer filter = MakeAMRIn(torus, 4, box);
+    filter->SetBaseDimensions(3, 2, 2);
+    filter->SetBranchFactor(2 + flat % 2);
+    ExpectSameLeaves(filter);
+    EXPECT_GT(Reported(filter, "CutCells"), 10);
+    const int other = (flat + 1) % 3;
+    box[2 * other] = box[2 * other + 1] = across[other];
+    AMRPointer line = MakeAMRIn(torus, 6, box);
+    ExpectSameLeaves(line);
+    EXPECT_GE(Reported(line, "CutCells"), 1);
+  }
+}
+
+TEST(AMROutput, ACurveInAPlaneHasAQuadtreeInThatPlane)
+{
+  AMRPointer filter = MakeAMR(MakeCircle(), 6);
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(grid->GetCellType(0), VTK_PIXEL);
+  double area = 0.0;
+  for (const Leaf& leaf : leaves)
+  {
+    EXPECT_EQ(leaf.Box[4], 0.25);
+    EXPECT_EQ(leaf.Box[5], 0.25);
+    area += (leaf.Box[1] - leaf.Box[0]) * (leaf.Box[3] - leaf.Box[2]);
+  }
+  EXPECT_NEAR(area, 2.4 * 2.4, 0.01);
+}
+
+TEST(AMROutput, HangingPointsAreThoseThatAreNotCornersOfAllTheirCells)
+{
+  for (const bool isFlat : { false, true })
+  {
+    AMRPointer filter = isFlat ? MakeAMR(MakeCircle(), 4) : MakeAMR(MakeTorus(), 3);
+    const std::vector<Leaf> leaves = RunLeaves(filter);
+    auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+    const Values hanging = ValuesOf(grid->GetPointData()->GetArray("SkdHanging"));
+    ASSERT_EQ(hanging.size(), static_cast<std::size_t>(grid->GetNumberOfPoints()));
+    int count = 0;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      Point x;
+      grid->GetPoint(i, x.data());
+      bool isHanging = false;
+      for (const Leaf& leaf : leaves)
+      {
+        bool isCorner = true;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          isCorner &= x[axis] == leaf.Box[2 * axis] || x[axis] == leaf.Box[2 * axis + 1];
+        }
+        isHanging |= Contains(leaf.Box, x) && !isCorner;
+      }
+      ASSERT_EQ(hanging[static_cast<std::size_t>(i)], isHanging) << i;
+      count += isHanging;
+    }
+    EXPECT_GT(count, 10);
+  }
+}
+
+TEST(AMROutput, PointsAreSharedAndCellsRightWayAround)
+{
+  AMRPointer filter = MakeAMR(MakeTorus(), 3);
+  filter->Update();
+  auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  std::map<Point, int> places;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    Point x;
+    grid->GetPoint(i, x.data());
+    EXPECT_EQ(++places[x], 1);
+  }
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    ASSERT_EQ(grid->GetCellType(cell), VTK_VOXEL);
+    Point first, last;
+    grid->GetPoint(grid->GetCell(cell)->GetPointId(0), first.data());
+    grid->GetPoint(grid->GetCell(cell)->GetPointId(7), last.data());
+    EXPECT_TRUE(first[0] < last[0] && first[1] < last[1] && first[2] < last[2]);
+  }
+}
+
+TEST(AMROutput, AnImageOrARectilinearGridIsTheBase)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(2, 6, -1, 2, 0, 3);
+  image->SetOrigin(-3, -1, -1.5);
+  image->SetSpacing(0.75, 0.8, 0.9);
+  AMRPointer filter = MakeAMR(MakeTorus(), 3);
+  filter->SetBaseMeshData(image);
+  const std::vector<Leaf> ofImage = RunLeaves(filter);
+  Bounds box;
+  filter->GetOutputDataObject(0);
+  vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0))->GetBounds(box.data());
+  Bounds expected;
+  image->GetBounds(expected.data());
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(box[i], expected[i], 1e-12);
+  }
+
+  auto rectilinear = MakeRectilinear(5);
+  rectilinear->GetBounds(expected.data());
+  filter->SetBaseMeshData(rectilinear);
+  filter->SetMaximumLevel(0);
+  const std::vector<Leaf> base = RunLeaves(filter);
+  ASSERT_EQ(static_cast<vtkIdType>(base.size()), rectilinear->GetNumberOfCells());
+  for (std::size_t i = 0; i < base.size(); ++i)
+  {
+    Bounds cell;
+    rectilinear->GetCellBounds(static_cast<vtkIdType>(i), cell.data());
+    EXPECT_EQ(base[i].Box, cell);
+  }
+}
+
+TEST(AMROutput, BaseCellsBySizeAndByNumber)
+{
+  auto torus = MakeTorus(); // 2.7 x 2.7 x 0.7
+  AMRPointer filter = MakeAMR(torus, 0);
+  filter->SetBoundsMargin(0.0);
+  EXPECT_EQ(RunLeaves(filter).size(), 4u * 4u * 1u);
+  filter->SetBaseDimensions(5, 0, 2);
+  EXPECT_EQ(RunLeaves(filter).size(), 5u * 4u * 2u);
+  filter->SetBaseCellSize(0.5);
+  const std::vector<Leaf> cubes = RunLeaves(filter);
+  EXPECT_EQ(cubes.size(), 6u * 6u * 2u);
+  for (const Leaf& cube : cubes)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(cube.Box[2 * axis + 1] - cube.Box[2 * axis], 0.5, 1e-12);
+    }
+  }
+  EXPECT_NE(FindLeaf(cubes, { 1.35, 0.0, 0.0 }), nullptr);
+}
+
+}
