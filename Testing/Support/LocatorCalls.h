@@ -19,25 +19,12 @@ namespace skdtest
 
 using LocatorPointer = vtkSmartPointer<vtkSkdTreeCellLocator>;
 
-inline LocatorPointer MakeLocator(vtkDataSet* data)
-{
-  auto locator = LocatorPointer::New();
-  locator->SetDataSet(data);
-  locator->BuildLocator();
-  return locator;
-}
+LocatorPointer MakeLocator(vtkDataSet* data);
 
-inline Ids ToVector(vtkIdList* list)
-{
-  return Ids(list->GetPointer(0), list->GetPointer(0) + list->GetNumberOfIds());
-}
+Ids ToVector(vtkIdList* list);
 
 /// For queries that promise a set, in the order of the tree.
-inline Ids Sorted(Ids ids)
-{
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
+Ids Sorted(Ids ids);
 
 struct Closest
 {
@@ -52,12 +39,7 @@ struct Closest
   }
 };
 
-inline Closest FindClosest(vtkSkdTreeCellLocator* locator, const Point& x)
-{
-  Closest c;
-  locator->FindClosestPoint(x.data(), c.X.data(), c.Cell, c.SubId, c.Dist2);
-  return c;
-}
+Closest FindClosest(vtkSkdTreeCellLocator* locator, const Point& x);
 
 struct LineHit
 {
@@ -75,14 +57,8 @@ struct LineHit
   }
 };
 
-inline LineHit FindFirstHit(
-  vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2, double tol = 0.0)
-{
-  LineHit h;
-  h.Found = locator->IntersectWithLine(
-    p1.data(), p2.data(), tol, h.T, h.X.data(), h.Pcoords.data(), h.SubId, h.Cell);
-  return h;
-}
+LineHit FindFirstHit(
+  vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2, double tol = 0.0);
 
 struct LineHits
 {
@@ -95,29 +71,11 @@ struct LineHits
   }
 };
 
-inline std::vector<Point> ToVector(vtkPoints* points)
-{
-  std::vector<Point> made(points->GetNumberOfPoints());
-  for (std::size_t i = 0; i < made.size(); ++i)
-  {
-    points->GetPoint(static_cast<vtkIdType>(i), made[i].data());
-  }
-  return made;
-}
+std::vector<Point> ToVector(vtkPoints* points);
 
 /// All hits of cells, or of their bounds where `cell` is nullptr.
-inline LineHits FindAllHits(vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2,
-  double tol, vtkGenericCell* cell)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkIdList> ids;
-  LineHits h;
-  h.Found = locator->IntersectWithLine(p1.data(), p2.data(), tol, points, ids, cell);
-  h.Points = ToVector(points);
-  h.Cells = ToVector(ids);
-  return h;
-}
+LineHits FindAllHits(vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2, double tol,
+  vtkGenericCell* cell);
 
 struct Crossings
 {
@@ -132,32 +90,7 @@ struct Crossings
   }
 };
 
-inline Crossings FindCrossings(vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2)
-{
-  vtkNew<vtkDoubleArray> parameters;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkIdTypeArray> kinds;
-  Crossings c;
-  c.Number = locator->FindCrossings(p1.data(), p2.data(), parameters, points, cells, kinds);
-  c.Points = ToVector(points);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    cells->GetCellAtId(i, ids);
-    c.Cells.push_back(ToVector(ids));
-  }
-  for (vtkIdType i = 0; i < kinds->GetNumberOfTuples(); ++i)
-  {
-    c.Kinds.push_back(kinds->GetValue(i));
-  }
-  for (vtkIdType i = 0; i < parameters->GetNumberOfTuples(); ++i)
-  {
-    c.Parameters.push_back(parameters->GetValue(i));
-  }
-  return c;
-}
+Crossings FindCrossings(vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2);
 
 struct Found
 {
@@ -173,38 +106,15 @@ struct Found
 };
 
 /// FindCell; `Weights` as many as the cell has points.
-inline Found FindCell(vtkSkdTreeCellLocator* locator, Point x, double tol2 = 0.0)
-{
-  vtkNew<vtkGenericCell> cell;
-  Found f;
-  f.Weights.resize(locator->GetDataSet()->GetMaxCellSize() + 1);
-  f.Cell = locator->FindCell(x.data(), tol2, cell, f.SubId, f.Pcoords.data(), f.Weights.data());
-  f.Weights.resize(f.Cell < 0 ? 0 : cell->GetNumberOfPoints());
-  return f;
-}
+Found FindCell(vtkSkdTreeCellLocator* locator, Point x, double tol2 = 0.0);
 
-inline Ids FindWithinBounds(vtkSkdTreeCellLocator* locator, Bounds box)
-{
-  vtkNew<vtkIdList> ids;
-  locator->FindCellsWithinBounds(box.data(), ids);
-  return Sorted(ToVector(ids));
-}
+Ids FindWithinBounds(vtkSkdTreeCellLocator* locator, Bounds box);
 
-inline Ids FindAlongLine(
-  vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2, double tol = 0.0)
-{
-  vtkNew<vtkIdList> ids;
-  locator->FindCellsAlongLine(p1.data(), p2.data(), tol, ids);
-  return ToVector(ids);
-}
+Ids FindAlongLine(
+  vtkSkdTreeCellLocator* locator, const Point& p1, const Point& p2, double tol = 0.0);
 
-inline Ids FindAlongPlane(
-  vtkSkdTreeCellLocator* locator, const Point& o, const Point& n, double tol = 0.0)
-{
-  vtkNew<vtkIdList> ids;
-  locator->FindCellsAlongPlane(o.data(), n.data(), tol, ids);
-  return Sorted(ToVector(ids));
-}
+Ids FindAlongPlane(
+  vtkSkdTreeCellLocator* locator, const Point& o, const Point& n, double tol = 0.0);
 
 struct Ranked
 {
@@ -213,33 +123,11 @@ struct Ranked
   std::vector<double> Distances;
 };
 
-inline std::vector<double> ToVector(vtkDoubleArray* array)
-{
-  return std::vector<double>(
-    array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-}
+std::vector<double> ToVector(vtkDoubleArray* array);
 
-inline Ranked FindClosestCells(vtkSkdTreeCellLocator* locator, const Point& x, int k)
-{
-  vtkNew<vtkIdList> ids;
-  vtkNew<vtkDoubleArray> distances;
-  Ranked r;
-  r.Number = locator->FindClosestCells(x.data(), k, ids, distances);
-  r.Cells = ToVector(ids);
-  r.Distances = ToVector(distances);
-  return r;
-}
+Ranked FindClosestCells(vtkSkdTreeCellLocator* locator, const Point& x, int k);
 
-inline Ranked FindWithinRadius(vtkSkdTreeCellLocator* locator, const Point& x, double radius)
-{
-  vtkNew<vtkIdList> ids;
-  vtkNew<vtkDoubleArray> distances;
-  Ranked r;
-  r.Number = locator->FindCellsWithinRadius(x.data(), radius, ids, distances);
-  r.Cells = ToVector(ids);
-  r.Distances = ToVector(distances);
-  return r;
-}
+Ranked FindWithinRadius(vtkSkdTreeCellLocator* locator, const Point& x, double radius);
 
 }
 
