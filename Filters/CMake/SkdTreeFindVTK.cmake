@@ -7,7 +7,8 @@
 #   SKDTREE_VTK_PREFIX                                the folder it is installed in
 
 set(vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem FiltersGeometry)
+  CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
+  FiltersGeometry)
 set(vtk_test_components
   CommonTransforms FiltersCore FiltersExtraction FiltersFlowPaths FiltersGeneral FiltersGeometry
   FiltersModeling FiltersSources IOGeometry IOLegacy IOPLY IOXML)
