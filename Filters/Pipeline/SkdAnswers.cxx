@@ -3,6 +3,7 @@
 #include "Pipeline/SkdAnswers.h"
 
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -20,10 +21,7 @@ namespace
 template <typename Array>
 vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType n, double none)
 {
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(n);
+  auto array = SkdMakeArray<Array>(name, components, n);
   array->Fill(none);
   return array;
 }

@@ -8,7 +8,6 @@
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,59 +68,29 @@ FaceList::FaceList(const std::vector<SkdLeaf>& leaves)
 void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
 {
   SkdLeafSurface surface(mesh);
-  vtkPolyData* polygons = surface.Get();
-  vtkUnsignedCharArray* ghosts = polygons->GetCellGhostArray();
-  vtkNew<vtkIdList> ids;
-  vtkIdType id = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
-  for (vtkCellArray* cells : { polygons->GetPolys(), polygons->GetStrips() })
-  {
-    const bool isStrip = cells == polygons->GetStrips();
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++id)
+  surface.ForEachFace(
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
     {
-      if (ghosts && ghosts->GetValue(id))
-      {
-        continue;
-      }
-      cells->GetCellAtId(i, ids);
-      const Face like{ 0, 0, { leaf, surface.GetCellId(id) }, surface.IsOfVolume(id), 0 };
-      const vtkIdType size = ids->GetNumberOfIds();
-      for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
-      {
-        this->AddFace(like, surface, isStrip ? 3 : size, ids->GetPointer(k));
-      }
-    }
-  }
+      const SkdBoundary::Origin origin{ leaf, surface.GetCellId(cell) };
+      const Face like{ this->Corners.size(), 0, origin, surface.IsOfVolume(cell), 0 };
+      this->AddFace(like, surface, size, corners);
+    });
 }
 
-// Corners that the welding made equal to their neighbour go; what then has no area is no face.
 void FaceList::AddFace(
   Face face, const SkdLeafSurface& surface, vtkIdType size, const vtkIdType* corners)
 {
-  face.First = this->Corners.size();
-  bool isFinite = true;
-  for (vtkIdType i = 0; i < size; ++i)
+  const auto idOf = [&](vtkIdType corner) -> vtkIdType
   {
     double x[3];
-    surface.GetPoint(corners[i], x);
-    isFinite = isFinite && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-    const vtkIdType id = isFinite ? this->Weld.GetId(x) : -1;
-    if (this->Corners.size() == face.First || this->Corners.back() != id)
-    {
-      this->Corners.push_back(id);
-    }
-  }
-  if (this->Corners.size() > face.First + 1 && this->Corners.back() == this->Corners[face.First])
-  {
-    this->Corners.pop_back();
-  }
-  face.Size = static_cast<int>(this->Corners.size() - face.First);
-  if (isFinite && face.Size > 2)
+    surface.GetPoint(corner, x);
+    const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+    return isFinite ? this->Weld.GetId(x) : -1;
+  };
+  face.Size = SkdAppendCorners(size, corners, idOf, this->Corners);
+  if (face.Size > 0)
   {
     this->Faces.push_back(face);
-  }
-  else
-  {
-    this->Corners.resize(face.First);
   }
 }
 

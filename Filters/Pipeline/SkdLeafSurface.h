@@ -3,11 +3,16 @@
 #ifndef SkdLeafSurface_h
 #define SkdLeafSurface_h
 
+#include "vtkCellArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <vector>
 
 /// The outer faces of one data set, its surface cells among them, and where its cells and points
 /// come from. Polydata are their own surface.
@@ -25,6 +30,32 @@ public:
   /// A point of the surface, exactly where it is in the data set.
   void GetPoint(vtkIdType point, double x[3]) const;
 
+  /// Calls visit(cell of the surface, size, corners) for each polygon and each triangle of a strip,
+  /// ghosts left out. Corners are points of the surface.
+  template <class Visit>
+  void ForEachFace(Visit visit) const
+  {
+    vtkUnsignedCharArray* ghosts = this->Surface->GetCellGhostArray();
+    vtkNew<vtkIdList> ids;
+    vtkIdType cell = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
+    for (vtkCellArray* cells : { this->Surface->GetPolys(), this->Surface->GetStrips() })
+    {
+      const bool isStrip = cells == this->Surface->GetStrips();
+      for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
+      {
+        if (!ghosts || ghosts->GetValue(cell) == 0)
+        {
+          cells->GetCellAtId(i, ids);
+          const vtkIdType size = ids->GetNumberOfIds();
+          for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
+          {
+            visit(cell, isStrip ? 3 : size, ids->GetPointer(k));
+          }
+        }
+      }
+    }
+  }
+
 private:
   vtkDataSet* Mesh;
   vtkSmartPointer<vtkPolyData> Surface;
@@ -32,5 +63,34 @@ private:
   vtkIdTypeArray* PointIds = nullptr;
   vtkNew<vtkGenericCell> Cell;
 };
+
+/// Appends the corners of a face to `to`, each as idOf(corner), which is -1 of one that is not
+/// finite. Corners with the id of their neighbour go; what then has no area is no face. Returns how
+/// many were appended, 0 of no face.
+template <class IdOf>
+int SkdAppendCorners(
+  vtkIdType size, const vtkIdType* corners, IdOf idOf, std::vector<vtkIdType>& to)
+{
+  const std::size_t first = to.size();
+  bool isFinite = true;
+  for (vtkIdType i = 0; i < size && isFinite; ++i)
+  {
+    const vtkIdType id = idOf(corners[i]);
+    isFinite = id >= 0;
+    if (to.size() == first || to.back() != id)
+    {
+      to.push_back(id);
+    }
+  }
+  if (to.size() > first + 1 && to.back() == to[first])
+  {
+    to.pop_back();
+  }
+  if (!isFinite || to.size() < first + 3)
+  {
+    to.resize(first);
+  }
+  return static_cast<int>(to.size() - first);
+}
 
 #endif

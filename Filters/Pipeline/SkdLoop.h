@@ -22,12 +22,15 @@ class SkdLoop
 {
 public:
   /// Reports the progress of `total` steps, made in one or several loops, as going from `first` to
-  /// `last` (both in [0, 1]) of what the algorithm has to do.
-  SkdLoop(vtkAlgorithm* algorithm, vtkIdType total, double first, double last)
+  /// `last` (both in [0, 1]) of what the algorithm has to do. Between two reports are a 64th of the
+  /// steps, and `fewest` of them at least: less of what is much work a step.
+  SkdLoop(
+    vtkAlgorithm* algorithm, vtkIdType total, double first, double last, vtkIdType fewest = 4096)
     : Algorithm(algorithm)
     , Total(total)
     , First(first)
     , Last(last)
+    , Fewest(fewest)
   {
   }
 
@@ -36,7 +39,7 @@ public:
   template <typename Body>
   bool For(vtkIdType n, const Body& body)
   {
-    const vtkIdType piece = std::max<vtkIdType>(this->Total / 64, 4096);
+    const vtkIdType piece = std::max<vtkIdType>(this->Total / 64, this->Fewest);
     for (vtkIdType begin = 0; begin < n && !this->IsStopped(); begin += piece)
     {
       const vtkIdType end = std::min(n, begin + piece);
@@ -63,6 +66,7 @@ private:
   vtkIdType Total;
   double First;
   double Last;
+  vtkIdType Fewest;
   vtkIdType Done = 0;
   bool Stopped = false;
 };

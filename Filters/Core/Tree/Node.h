@@ -80,6 +80,7 @@ public:
 
   bool IsElement() const { return (this->Bits & ElementBit) != 0; }
   std::uint32_t Index() const { return this->Bits & ~ElementBit; }
+  bool operator==(const Reference& other) const { return this->Bits == other.Bits; }
 
   Reference() = default;
 

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// On which side a point lies, exactly: a filter in floating point decides nearly always, exact
+/// expansions decide the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997) 305-363).
+/// Exact as long as no product of three differences over- or underflows: coordinates, unless 0, of a
+/// magnitude within 1e-80 .. 1e100. NaN gives 0.
+#ifndef skd_Geometry_Orient3D_h
+#define skd_Geometry_Orient3D_h
+
+#include "Expansion.h"
+
+#include <limits>
+
+namespace skd
+{
+
+namespace detail
+{
+
+inline int SignOf(double value)
+{
+  return (value > 0.0) - (value < 0.0);
+}
+
+/// Half a unit in the last place of 1: Shewchuk's epsilon.
+constexpr double HalfUlp = 0.5 * std::numeric_limits<double>::epsilon();
+
+inline Expansion<16> ExactOrient2D(
+  const Vector3& a, const Vector3& b, const Vector3& c, int u, int v)
+{
+  using Difference = Expansion<2>;
+  const Difference abU = Difference::Difference(b[u], a[u]);
+  const Difference abV = Difference::Difference(b[v], a[v]);
+  const Difference acU = Difference::Difference(c[u], a[u]);
+  const Difference acV = Difference::Difference(c[v], a[v]);
+  return abU * acV - abV * acU;
+}
+
+inline Expansion<192> ExactOrient3D(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  using Difference = Expansion<2>;
+  const auto along = [&](int axis) { return Difference::Difference(d[axis], a[axis]); };
+  const Expansion<64> x = along(0) * ExactOrient2D(a, b, c, 1, 2);
+  const Expansion<64> y = along(1) * ExactOrient2D(a, b, c, 2, 0);
+  const Expansion<64> z = along(2) * ExactOrient2D(a, b, c, 0, 1);
+  return x + y + z;
+}
+
+}
+
+/// The sign of the area of a, b, c seen along an axis: 1 when they turn from the next axis towards
+/// the one after it.
+inline int Orient2D(const Vector3& a, const Vector3& b, const Vector3& c, int axis)
+{
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const double left = (b[u] - a[u]) * (c[v] - a[v]);
+  const double right = (b[v] - a[v]) * (c[u] - a[u]);
+  const double area = left - right;
+  const double magnitude = std::abs(left) + std::abs(right);
+  constexpr double bound = (3.0 + 16.0 * detail::HalfUlp) * detail::HalfUlp;
+  if (!(std::abs(area) <= bound * magnitude) || magnitude == 0.0) // also of NaN
+  {
+    return detail::SignOf(area);
+  }
+  return detail::ExactOrient2D(a, b, c, u, v).Sign();
+}
+
+/// The same number as Orient2D has the sign of, to about a unit in the last place.
+inline double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c, int axis)
+{
+  return detail::ExactOrient2D(a, b, c, (axis + 1) % 3, (axis + 2) % 3).Value();
+}
+
+/// The sign of (b - a) x (c - a) . (d - a): 1 when d lies where the normal of a, b, c points to, 0
+/// when all four lie in one plane.
+inline int Orient3D(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const Vector3 ad = d - a;
+  double volume = 0.0;
+  double magnitude = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const double left = ab[u] * ac[v];
+    const double right = ab[v] * ac[u];
+    volume += ad[axis] * (left - right);
+    magnitude += std::abs(ad[axis]) * (std::abs(left) + std::abs(right));
+  }
+  constexpr double bound = (8.0 + 64.0 * detail::HalfUlp) * detail::HalfUlp;
+  if (!(std::abs(volume) <= bound * magnitude) || magnitude == 0.0) // also of NaN
+  {
+    return detail::SignOf(volume);
+  }
+  return detail::ExactOrient3D(a, b, c, d).Sign();
+}
+
+/// The same number as Orient3D has the sign of, to about a unit in the last place.
+inline double VolumeOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  return detail::ExactOrient3D(a, b, c, d).Value();
+}
+
+}
+
+#endif

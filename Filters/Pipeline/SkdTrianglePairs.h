@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdTrianglePairs.h
+ * @brief Which triangles of two sets, or of one, touch or come near: both trees walked together
+ * (Algorithm 5.4), decided by exact signs.
+ */
+
+#ifndef SkdTrianglePairs_h
+#define SkdTrianglePairs_h
+
+#include "Pipeline/SkdPlacement.h"
+
+class SkdLoop;
+
+/// Two triangles that touch; or, with a contact of no points, that are near.
+struct SkdTrianglePair
+{
+  std::uint32_t First;
+  std::uint32_t Second;
+  skd::TriangleContact Contact;
+};
+
+/// What is looked for.
+struct SkdPairSearch
+{
+  enum Extent
+  {
+    All,
+    LowestOnly,   ///< the pair that is the first in the order of cells, then of triangles
+    WhetherOnly   ///< any pair that touches or is near, not always the same
+  };
+  Extent Wanted = All;
+  double Clearance = 0.0; ///< before scaling; 0: those that touch, only
+};
+
+/// The pairs of a placement. Within one surface, of two triangles that share corners those that have
+/// more in common, and each pair once, First < Second.
+class SkdTrianglePairs
+{
+public:
+  explicit SkdTrianglePairs(const SkdPlacement& placement)
+    : Placement(placement)
+  {
+  }
+
+  /// Pairs by ascending (First, Second): the same whatever the number of threads.
+  std::vector<SkdTrianglePair> Find(const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// The parts that a search goes in, for the loop's count.
+  static constexpr vtkIdType NumberOfParts = 512;
+
+private:
+  class Search;
+  struct ToFirst;
+  struct Leaf;
+
+  ToFirst MakeToFirst(double clearance) const;
+
+  const SkdPlacement& Placement;
+};
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdTriangleSet.h"
+
+#include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdTriangulation.h"
+#include "Pipeline/SkdWeld.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// The faces of all leaves before they are cut.
+class SkdTriangleSet::Faces
+{
+public:
+  explicit Faces(const std::vector<SkdLeaf>& leaves)
+  {
+    for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    {
+      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh);
+    }
+    std::stable_sort(this->List.begin(), this->List.end(),
+      [](const Face& a, const Face& b) { return a.Origin < b.Origin; });
+  }
+
+  SkdWeld Weld;
+  std::vector<Face> List;
+  std::vector<vtkIdType> Corners;
+  vtkIdType LeftOut = 0;
+
+private:
+  static constexpr vtkIdType Unknown = -2;
+
+  void AddLeaf(int leaf, vtkDataSet* mesh)
+  {
+    const SkdLeafSurface surface(mesh);
+    std::vector<vtkIdType> ids(surface.Get()->GetNumberOfPoints(), Unknown);
+    const auto idOf = [&](vtkIdType corner)
+    {
+      vtkIdType& id = ids[corner];
+      id = id == Unknown ? this->FindId(surface, corner) : id;
+      return id;
+    };
+    surface.ForEachFace(
+      [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+      {
+        const std::size_t first = this->Corners.size();
+        const int rest = SkdAppendCorners(size, corners, idOf, this->Corners);
+        if (rest > 0)
+        {
+          this->List.push_back({ { leaf, surface.GetCellId(cell) }, first, rest });
+        }
+        this->LeftOut += rest == 0;
+      });
+  }
+
+  vtkIdType FindId(const SkdLeafSurface& surface, vtkIdType corner)
+  {
+    double x[3];
+    surface.GetPoint(corner, x);
+    const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+    return isFinite ? this->Weld.GetId(x) : -1;
+  }
+};
+
+bool SkdTriangleSet::Update(const std::vector<SkdLeaf>& leaves)
+{
+  const bool isSame = this->IsBuilt &&
+    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
+      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+  if (!isSame)
+  {
+    this->Build(leaves);
+    this->BuildTree();
+    this->IsBuilt = true;
+  }
+  return !isSame;
+}
+
+void SkdTriangleSet::Build(const std::vector<SkdLeaf>& leaves)
+{
+  *this = SkdTriangleSet();
+  this->Meshes.resize(leaves.size());
+  std::vector<SkdLeaf> structures = leaves;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    this->Meshes[i].Keep(leaves[i].Mesh);
+    structures[i].Mesh = this->Meshes[i].Get();
+  }
+  const Faces faces(structures);
+  this->LeftOut = faces.LeftOut;
+  this->TakePoints(faces.Weld.GetPoints());
+  SkdTriangulation triangulation(faces.Weld.GetPoints());
+  for (const Face& face : faces.List)
+  {
+    if (this->Cells.empty() || this->Cells.back() < face.Origin)
+    {
+      this->Cells.push_back(face.Origin);
+    }
+    vtkIdList* corners = triangulation.Cut(faces.Corners.data() + face.First, face.Size);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); i += 3)
+    {
+      const auto corner = [&](int k) { return static_cast<std::uint32_t>(corners->GetId(i + k)); };
+      this->Triangles.push_back({ corner(0), corner(1), corner(2) });
+      this->CellOf.push_back(static_cast<std::uint32_t>(this->Cells.size() - 1));
+    }
+  }
+}
+
+void SkdTriangleSet::TakePoints(vtkPoints* points)
+{
+  this->Points.resize(points->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->GetPoint(i, this->Points[i].X);
+    for (const double coordinate : this->Points[i].X)
+    {
+      this->Reach = std::max(this->Reach, std::abs(coordinate));
+    }
+  }
+}
+
+void SkdTriangleSet::BuildTree()
+{
+  std::vector<skd::Box3> boxes;
+  boxes.reserve(this->Triangles.size());
+  for (const Corners& triangle : this->Triangles)
+  {
+    skd::Box3 box;
+    for (const std::uint32_t corner : triangle)
+    {
+      box.Add(this->Points[corner]);
+    }
+    boxes.push_back(box);
+  }
+  const auto parallelLoop = [](std::size_t count, const auto& body)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
+      [&body](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          body(static_cast<std::size_t>(i));
+        }
+      });
+  };
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), parallelLoop);
+}

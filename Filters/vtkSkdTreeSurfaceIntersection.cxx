@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeSurfaceIntersection.h"
+
+#include "Pipeline/SkdContacts.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkTransform.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeSurfaceIntersection);
+
+class vtkSkdTreeSurfaceIntersection::Internals
+{
+public:
+  SkdTriangleSet First;
+  SkdTriangleSet Second;
+  vtkSmartPointer<vtkMatrix4x4> Matrix; // nullptr: none
+};
+
+namespace
+{
+/// An input of the filter: its leaves, and its triangles with their tree.
+struct Surface
+{
+  std::vector<SkdLeaf> Leaves;
+  bool IsComposite;
+  SkdTriangleSet& Set;
+  int TreesBuilt;
+
+  Surface(vtkDataObject* data, SkdTriangleSet& set)
+    : Leaves(SkdLeavesOf(data))
+    , IsComposite(vtkCompositeDataSet::SafeDownCast(data) != nullptr)
+    , Set(set)
+    , TreesBuilt(set.Update(this->Leaves))
+  {
+  }
+};
+
+std::optional<skd::RigidMotion> FindMotion(vtkSkdTreeSurfaceIntersection* self)
+{
+  const double* shift = self->GetTranslation();
+  const double* turn = self->GetRotation();
+  const double* centre = self->GetRotationCenter();
+  vtkNew<vtkTransform> transform;
+  transform->Translate(shift);
+  if (turn[0] != 0.0 || turn[1] != 0.0 || turn[2] != 0.0)
+  {
+    transform->Translate(centre);
+    transform->RotateZ(turn[2]);
+    transform->RotateX(turn[0]);
+    transform->RotateY(turn[1]);
+    transform->Translate(-centre[0], -centre[1], -centre[2]);
+  }
+  if (self->GetTransform())
+  {
+    transform->Concatenate(self->GetTransform());
+  }
+  vtkMatrix4x4* matrix = transform->GetMatrix();
+  return matrix->IsIdentity() ? std::nullopt
+                              : skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
+}
+
+void AskForAll(vtkInformation* info)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+bool IsLaterPiece(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return output->Has(Pipeline::UPDATE_PIECE_NUMBER()) &&
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& surface, const char* name)
+{
+  if (name && surface.Set.GetTriangles().empty())
+  {
+    vtkWarningWithObjectMacro(self, << name << " has no faces: nothing meets there.");
+  }
+}
+
+/// `second` is nullptr when there is but one.
+void ReportSurfaces(
+  SkdReport& report, const Surface& first, const Surface* second, const SkdPlacement& placement)
+{
+  const auto sum = [&](const auto& count)
+  { return static_cast<vtkIdType>(count(first) + (second ? count(*second) : 0)); };
+  report.AddCount("Triangles", sum([](const Surface& s) { return s.Set.GetTriangles().size(); }));
+  report.AddCount(
+    "FacesLeftOut", sum([](const Surface& s) { return s.Set.GetNumberOfFacesLeftOut(); }));
+  report.AddCount("TrianglesWithoutArea", placement.CountWithoutArea());
+  report.AddCount("TreesBuilt", sum([](const Surface& s) { return s.TreesBuilt; }));
+}
+}
+
+vtkSkdTreeSurfaceIntersection::vtkSkdTreeSurfaceIntersection()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+vtkSkdTreeSurfaceIntersection::~vtkSkdTreeSurfaceIntersection() = default;
+
+void vtkSkdTreeSurfaceIntersection::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreeSurfaceIntersection::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+void vtkSkdTreeSurfaceIntersection::SetTransform(vtkMatrix4x4* motion)
+{
+  if (motion && !skd::RigidMotion::FromMatrix(&motion->Element[0][0]))
+  {
+    vtkErrorMacro("The transform does not keep distances (only turns, reflections and shifts do): "
+                  "it is not taken.");
+    return;
+  }
+  this->Impl->Matrix = nullptr;
+  if (motion)
+  {
+    this->Impl->Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+    this->Impl->Matrix->DeepCopy(motion);
+  }
+  this->Modified();
+}
+
+vtkMatrix4x4* vtkSkdTreeSurfaceIntersection::GetTransform()
+{
+  return this->Impl->Matrix;
+}
+
+int vtkSkdTreeSurfaceIntersection::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkSkdTreeSurfaceIntersection::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+// Whatever piece of the Input is asked for, it may meet any of the Source.
+int vtkSkdTreeSurfaceIntersection::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  const int port = inputVector[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
+  AskForAll(inputVector[port]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkSkdTreeSurfaceIntersection::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+  if (!source && IsLaterPiece(outputVector->GetInformationObject(0)))
+  {
+    return 1; // the first piece has all
+  }
+
+  SkdStopwatch watch;
+  const Surface first(vtkDataObject::GetData(inputVector[0]), this->Impl->First);
+  this->UpdateProgress(0.2);
+  const Surface other(source, this->Impl->Second);
+  const Surface& second = source ? other : first;
+  this->UpdateProgress(0.4);
+  WarnOfNoFaces(this, first, "Input");
+  WarnOfNoFaces(this, second, source ? "Source" : nullptr);
+  const double buildSeconds = watch.Lap();
+
+  const auto motion = source ? FindMotion(this) : std::nullopt;
+  const SkdPlacement placement = SkdPlace(first.Set, source ? &other.Set : nullptr, motion);
+  SkdLoop loop(this, SkdTrianglePairs::NumberOfParts, 0.4, 0.8, 8);
+  const std::vector<SkdTrianglePair> pairs = SkdTrianglePairs(placement).Find(
+    { static_cast<SkdPairSearch::Extent>(this->Pairs), this->Clearance }, loop);
+
+  const SkdContacts contacts({ first.Leaves, first.IsComposite },
+    { second.Leaves, second.IsComposite }, placement, pairs);
+  vtkPolyData* curves = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 2);
+  SkdReport report(curves);
+  report.AddCount("Curves", contacts.FillCurves(curves, this->JoinCurves));
+  report.AddCount("Overlaps", contacts.FillOverlaps(vtkPolyData::GetData(outputVector, 1)));
+  contacts.FillPairs(table, vtkPolyData::GetData(outputVector, 3));
+  report.AddCount("Pairs", table->GetNumberOfRows());
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", watch.Lap());
+  ReportSurfaces(report, first, source ? &other : nullptr, placement);
+  return 1;
+}
+
+void vtkSkdTreeSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto print = [&](const char* name, const double* x)
+  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pairs: " << this->Pairs << "\n";
+  os << indent << "JoinCurves: " << (this->JoinCurves ? "On\n" : "Off\n");
+  os << indent << "Clearance: " << this->Clearance << "\n";
+  print("Translation", this->Translation);
+  print("Rotation", this->Rotation);
+  print("RotationCenter", this->RotationCenter);
+  os << indent << "Transform: " << (this->Impl->Matrix ? "set\n" : "none\n");
+}
+VTK_ABI_NAMESPACE_END

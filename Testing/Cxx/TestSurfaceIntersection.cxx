@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeSurfaceIntersection: pairs, curves and overlaps.
+
+#include "Support/SurfaceIntersectionRun.h"
+
+#include "Core/Geometry/TriangleContact.h"
+#include "Support/NamedMeshes.h"
+#include "Support/RealMeshes.h"
+#include "Support/SurfaceMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace skdtest;
+
+namespace
+{
+
+using CellIdPairs = std::vector<std::pair<vtkIdType, vtkIdType>>;
+
+skd::SeenTriangle TriangleOf(const Mesh& mesh, std::size_t cell)
+{
+  std::array<skd::Vector3, 3> corners;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point& p = mesh.Points[mesh.Cells[cell].Points[i]];
+    corners[i] = { { p[0], p[1], p[2] } };
+  }
+  return skd::SeenTriangle(corners);
+}
+
+int CountShared(const skd::SeenTriangle& a, const skd::SeenTriangle& b)
+{
+  int count = 0;
+  for (const skd::Vector3& x : a.Corners)
+  {
+    count += static_cast<int>(std::count(b.Corners.begin(), b.Corners.end(), x));
+  }
+  return count;
+}
+
+CellIdPairs BruteForce(const Mesh& first, const Mesh& second)
+{
+  CellIdPairs pairs;
+  for (std::size_t i = 0; i < first.Cells.size(); ++i)
+  {
+    for (std::size_t k = 0; k < second.Cells.size(); ++k)
+    {
+      if (FindContact(TriangleOf(first, i), TriangleOf(second, k)).Count > 0)
+      {
+        pairs.emplace_back(i, k);
+      }
+    }
+  }
+  return pairs;
+}
+
+CellIdPairs BruteForce(const Mesh& mesh)
+{
+  CellIdPairs pairs;
+  for (std::size_t i = 0; i < mesh.Cells.size(); ++i)
+  {
+    for (std::size_t k = i + 1; k < mesh.Cells.size(); ++k)
+    {
+      const skd::SeenTriangle a = TriangleOf(mesh, i);
+      const skd::SeenTriangle b = TriangleOf(mesh, k);
+      const int shared = CountShared(a, b);
+      if (shared == 3 || FindContact(a, b).Count > shared)
+      {
+        pairs.emplace_back(i, k);
+      }
+    }
+  }
+  return pairs;
+}
+
+class LatticePairs : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(LatticePairs, OfTwoSurfacesAreThoseOfBruteForce)
+{
+  const Mesh first = LatticeTriangles(150, GetParam(), 1);
+  const Mesh second = LatticeTriangles(120, GetParam(), 2);
+  auto filter = MakeIntersection(MakePolyData(first), MakePolyData(second));
+  const CellIdPairs expected = BruteForce(first, second);
+  EXPECT_EQ(RunCellPairs(filter), expected);
+  EXPECT_GT(expected.size(), 100u);
+}
+
+TEST_P(LatticePairs, WithinOneSurfaceAreThoseOfBruteForce)
+{
+  const Mesh mesh = LatticeTriangles(200, GetParam(), 3);
+  const CellIdPairs expected = BruteForce(mesh);
+  EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(mesh))), expected);
+  EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(Welded(mesh)))), expected);
+  EXPECT_GT(expected.size(), 100u);
+}
+
+TEST_P(LatticePairs, AreTheSameFarAwayTinyAndHuge)
+{
+  const Mesh first = LatticeTriangles(100, GetParam(), 4);
+  const Mesh second = LatticeTriangles(100, GetParam(), 5);
+  const CellIdPairs expected = BruteForce(first, second);
+  const double far = std::ldexp(1.0, 40);
+  for (const double factor : { 1.0, std::ldexp(1.0, -900), std::ldexp(1.0, 900) })
+  {
+    for (const Point& offset : { Point{ 0, 0, 0 }, Point{ far * factor, -far * factor, 0 } })
+    {
+      auto filter = MakeIntersection(MakePolyData(Placed(first, factor, offset)),
+        MakePolyData(Placed(second, factor, offset)));
+      EXPECT_EQ(RunCellPairs(filter), expected) << factor << " " << offset[0];
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reaches, LatticePairs, testing::Values(2, 4, 8));
+
+TEST(SurfaceIntersection, RandomPairsAreThoseOfBruteForce)
+{
+  const Mesh first = TriangleSoup(300, 0.2);
+  const Mesh second = Placed(TriangleSoup(300, 0.1), 1.0, { 0.01, 0.02, 0.03 });
+  EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(first), MakePolyData(second))),
+    BruteForce(first, second));
+  EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(first))), BruteForce(first));
+}
+
+// Two spheres of radius 1 whose centres are 1 apart meet in a circle of radius sqrt(3) / 2.
+TEST(SurfaceIntersection, TwoSpheresMeetInOneClosedCurve)
+{
+  const Mesh sphere = SphereTriangles(24);
+  auto filter = MakeIntersection(
+    MakePolyData(sphere), MakePolyData(Placed(sphere, 1.0, { 0.31, 0.67, 0.6745 })));
+  filter->Update();
+  vtkPolyData* curves = OutputOf(filter, 0);
+  ASSERT_EQ(curves->GetNumberOfLines(), 1);
+  EXPECT_EQ(curves->GetNumberOfVerts(), 0);
+  EXPECT_EQ(curves->GetCellData()->GetArray("SkdCurveClosed")->GetTuple1(0), 1.0);
+  const double length = curves->GetCellData()->GetArray("SkdCurveLength")->GetTuple1(0);
+  const double radius = std::sqrt(1.0 - 0.25 * (0.31 * 0.31 + 0.67 * 0.67 + 0.6745 * 0.6745));
+  EXPECT_NEAR(length, 2.0 * vtkMath::Pi() * radius, 0.02);
+  EXPECT_NEAR(length, LengthOfCurves(curves), 1e-12);
+  EXPECT_EQ(OutputOf(filter, 1)->GetNumberOfCells(), 0);
+  EXPECT_EQ(Reported(filter, "Curves"), 1.0);
+}
+
+TEST(SurfaceIntersection, CurvesAreOnBothOfTheirCells)
+{
+  const Mesh first = SphereTriangles(8);
+  const Mesh second = Placed(SphereTriangles(7), 0.9, { 0.3, 0.4, 0.5 });
+  auto filter = MakeIntersection(MakePolyData(first), MakePolyData(second));
+  filter->Update();
+  const auto segments = SegmentsOf(OutputOf(filter, 0));
+  EXPECT_GT(segments.size(), 20u);
+  const auto miss = [](const Mesh& mesh, vtkIdType cell, const Point& x)
+  {
+    const auto& ids = mesh.Cells[cell].Points;
+    const Point normal = Cross(mesh.Points[ids[1]] - mesh.Points[ids[0]],
+      mesh.Points[ids[2]] - mesh.Points[ids[0]]);
+    return std::abs(Dot(normal, x - mesh.Points[ids[0]])) / Length(normal);
+  };
+  for (const auto& [p, q, a, b] : segments)
+  {
+    for (const Point& x : { p, q })
+    {
+      EXPECT_LT(miss(first, a, x), 1e-15);
+      EXPECT_LT(miss(second, b, x), 1e-15);
+    }
+  }
+}
+
+TEST(SurfaceIntersection, JoinedOrNotTheSegmentsAreTheSame)
+{
+  const Mesh mesh = LatticeTriangles(60, 6, 9);
+  auto filter = MakeIntersection(MakePolyData(mesh));
+  filter->Update();
+  const auto joined = SegmentsOf(OutputOf(filter, 0));
+  EXPECT_LT(OutputOf(filter, 0)->GetNumberOfLines(), static_cast<vtkIdType>(joined.size()));
+  filter->JoinCurvesOff();
+  filter->Update();
+  EXPECT_EQ(SegmentsOf(OutputOf(filter, 0)), joined);
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfLines(), static_cast<vtkIdType>(joined.size()));
+}
+
+// A fold of two triangles, its ridge straight through a quad: one segment on each side of the
+// diagonal, and each only once though both triangles meet the quad there.
+TEST(SurfaceIntersection, AnEdgeInAFaceIsThereOnce)
+{
+  Mesh ridge;
+  ridge.Points = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, -1, 1 }, { 0, 1, 1 } };
+  ridge.Add(VTK_TRIANGLE, { 0, 1, 2 });
+  ridge.Add(VTK_TRIANGLE, { 0, 1, 3 });
+  auto filter = MakeIntersection(MakePolyData(ridge), MakePolyData(Square(-2, -3, 7)));
+  filter->Update();
+  EXPECT_DOUBLE_EQ(LengthOfCurves(OutputOf(filter, 0)), 2.0);
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfLines(), 1);
+  EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 0, 0 }, { 1, 0 } }));
+}
+
+TEST(SurfaceIntersection, ATipThatTouchesIsAVertex)
+{
+  const Mesh tip = Placed(Octahedron(1.0), 1.0, { 0.25, 0.5, 1.0 });
+  auto filter = MakeIntersection(MakePolyData(tip), MakePolyData(Square(-2, -3, 7)));
+  for (const CellPair& pair : RunPairs(filter))
+  {
+    EXPECT_EQ(pair.Contact, 1);
+    EXPECT_EQ(pair.FirstPoint, (Point{ 0.25, 0.5, 0.0 }));
+  }
+  EXPECT_EQ(PairsOf(filter).size(), 4u);
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfVerts(), 1);
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfLines(), 0);
+}
+
+TEST(SurfaceIntersection, SquaresOfOnePlaneOverlap)
+{
+  auto filter = MakeIntersection(
+    MakePolyData(Square(0, 0, 1)), MakePolyData(Square(0.5, 0.25, 1)));
+  EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 0, 0 } }));
+  EXPECT_EQ(PairsOf(filter)[0].Contact, 3);
+  EXPECT_DOUBLE_EQ(AreaOfPolygons(OutputOf(filter, 1)), 0.5 * 0.75);
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfCells(), 0);
+}
+
+TEST(SurfaceIntersection, ACubeOnATableTouchesWithItsFloor)
+{
+  auto cube = MakePolyData(Placed(CubeQuads(3), 1.0, { 0.5, 0.25, 0.0 }));
+  auto filter = MakeIntersection(cube, MakePolyData(Square(-2, -3, 7)));
+  filter->Update();
+  EXPECT_DOUBLE_EQ(AreaOfPolygons(OutputOf(filter, 1)), 9.0);
+  EXPECT_DOUBLE_EQ(LengthOfCurves(OutputOf(filter, 0)), 12.0);
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfLines(), 1) << "the walls meet the table in a ring";
+}
+
+TEST(SurfaceIntersection, ASurfaceOverlapsItsCopyEverywhere)
+{
+  auto sphere = MakePolyData(SphereTriangles(6));
+  auto filter = MakeIntersection(sphere, sphere);
+  CellIdPairs same;
+  for (const CellPair& pair : RunPairs(filter))
+  {
+    if (pair.Contact == 3)
+    {
+      same.push_back(pair.Cells());
+      EXPECT_EQ(pair.First, pair.Second);
+    }
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(same.size()), sphere->GetNumberOfCells());
+  EXPECT_DOUBLE_EQ(AreaOfPolygons(OutputOf(filter, 1)), AreaOfPolygons(sphere));
+  EXPECT_EQ(OutputOf(filter, 0)->GetNumberOfCells(), 0) << "edges inside of the overlap";
+}
+
+class SoundSurface : public testing::TestWithParam<NamedMesh>
+{
+};
+
+TEST_P(SoundSurface, DoesNotMeetItself)
+{
+  EXPECT_EQ(RunPairs(MakeIntersection(GetParam().Make())).size(), 0u);
+}
+
+std::vector<NamedMesh> SoundSurfaces()
+{
+  return { { "Sphere", [] { return MakePolyData(SphereTriangles(7)); } },
+    { "SphereQuads", [] { return MakePolyData(SphereQuads(7)); } },
+    { "Soup", [] { return MakePolyData(Soup(TorusTriangles(20, 9))); } },
+    { "Float", [] { return MakePolyData(TorusQuads(20, 9), VTK_FLOAT); } },
+    { "Hexagons", [] { return MakePolyData(Hexagons(5)); } },
+    { "Strips", [] { return MakePolyData(Strips(5)); } },
+    { "Cube", [] { return MakeGrid(CubeQuads(4)); } } };
+}
+INSTANTIATE_TEST_SUITE_P(Meshes, SoundSurface, testing::ValuesIn(SoundSurfaces()), NameOfMesh());
+
+TEST(SurfaceIntersection, ARepeatedCellOverlapsItsTwin)
+{
+  Mesh mesh = SphereTriangles(4);
+  mesh.Cells.push_back(mesh.Cells[5]);
+  const auto last = static_cast<vtkIdType>(mesh.Cells.size()) - 1;
+  auto filter = MakeIntersection(MakePolyData(mesh));
+  EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 5, last } }));
+  EXPECT_EQ(PairsOf(filter)[0].Contact, 3);
+}
+
+TEST(SurfaceIntersection, AFoldOntoTheNeighbourIsFound)
+{
+  Mesh mesh;
+  mesh.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0.25, 0 }, { 0.5, -1, 0 } };
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 2 });
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 4 }); // across the edge
+  mesh.Add(VTK_TRIANGLE, { 0, 1, 3 }); // folded back
+  EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(mesh))), (CellIdPairs{ { 0, 2 } }));
+}
+
+class PairsOfReal : public testing::TestWithParam<std::tuple<const char*, std::size_t>>
+{
+};
+
+// Counted by others, with exact arithmetic.
+TEST_P(PairsOfReal, AreAsManyAsOthersCount)
+{
+  const auto& [name, count] = GetParam();
+  const std::string file = std::string(SKDTREE_EXTRA_DATA_DIR) + "/A_surface/" + name;
+  if (!std::filesystem::exists(file))
+  {
+    GTEST_SKIP() << "no " << file;
+  }
+  std::size_t crossing = 0;
+  for (const CellPair& pair : RunPairs(MakeIntersection(ReadMesh(file))))
+  {
+    crossing += pair.Contact == 3 && std::string(name).find("dragon_res") == 0 ? 0 : 1;
+  }
+  EXPECT_EQ(crossing, count);
+}
+INSTANTIATE_TEST_SUITE_P(Files, PairsOfReal,
+  testing::Values(std::make_tuple("bones.vtp", 366), std::make_tuple("man.vtp", 848),
+    std::make_tuple("mannequin-devil.vtp", 1643), std::make_tuple("propellerTip.obj", 3383),
+    std::make_tuple("camel.vtp", 20), std::make_tuple("ChineseDragon-10kv.vtp", 38),
+    std::make_tuple("bearing_occt.stl", 21), std::make_tuple("pig_open.stl", 70),
+    std::make_tuple("armadillo.vtp", 0), std::make_tuple("anchor_dense.vtp", 0),
+    std::make_tuple("dragon_res3.ply", 115), std::make_tuple("dragon_res4.ply", 34)));
+
+}
