@@ -66,8 +66,7 @@ std::optional<skd::RigidMotion> FindMotion(vtkSkdTreeSurfaceIntersection* self)
     transform->Concatenate(self->GetTransform());
   }
   vtkMatrix4x4* matrix = transform->GetMatrix();
-  return matrix->IsIdentity() ? std::nullopt
-                              : skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
+  return matrix->IsIdentity() ? std::nullopt : skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
 }
 
 void AskForAll(vtkInformation* info)
@@ -201,8 +200,8 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const std::vector<SkdTrianglePair> pairs = SkdTrianglePairs(placement).Find(
     { static_cast<SkdPairSearch::Extent>(this->Pairs), this->Clearance }, loop);
 
-  const SkdContacts contacts({ first.Leaves, first.IsComposite },
-    { second.Leaves, second.IsComposite }, placement, pairs);
+  const SkdContacts contacts(
+    { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);
   vtkPolyData* curves = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 2);
   SkdReport report(curves);

@@ -29,20 +29,20 @@
  * | SkdSecondBlockIndex | point | int    | the same of a composite Source                       |
  * | SkdCurveClosed      | cell  | uchar  | 1 of a closed curve                                  |
  * | SkdCurveLength      | cell  | double | its length                                           |
- * The last point of an open curve has the ids of the last segment. A segment of several pairs (along
- * an edge, say) is there once, of the lowest ids. Segments inside of an area in which the surfaces
- * coincide are no curves.
+ * The last point of an open curve has the ids of the last segment. A segment of several pairs
+ * (along an edge, say) is there once, of the lowest ids. Segments inside of an area in which the
+ * surfaces coincide are no curves.
  *
  * Output port 1, vtkPolyData: where cells of one plane overlap, a convex polygon for each pair of
  * triangles, with the ids above as cell data.
  *
  * Output port 2, vtkTable: a row for each pair of cells, ascending, with the ids above and
- * | name           | type   | components | meaning                                                  |
- * | -------------- | ------ | ---------- | -------------------------------------------------------- |
- * | SkdContact     | int    | 1          | 3 an area, 2 a segment, 1 a point in common, 0 near only |
- * | SkdDistance    | double | 1          | 0, or of cells that are near only their distance         |
- * | SkdFirstPoint  | double | 3          | a point in common, or the nearest of the first cell      |
- * | SkdSecondPoint | double | 3          | the same of the second cell                              |
+ * | name           | type   | components | meaning | | -------------- | ------ | ---------- |
+ * -------------------------------------------------------- | | SkdContact     | int    | 1 | 3 an
+ * area, 2 a segment, 1 a point in common, 0 near only | | SkdDistance    | double | 1          | 0,
+ * or of cells that are near only their distance         | | SkdFirstPoint  | double | 3          |
+ * a point in common, or the nearest of the first cell      | | SkdSecondPoint | double | 3 | the
+ * same of the second cell                              |
  *
  * Output port 3, vtkPolyData: with a Clearance a line between the nearest points of each pair of
  * cells that is near but does not touch, with the ids and SkdDistance as cell data.
@@ -60,8 +60,8 @@
  * Cost: O(n log n) to build, O(k) typical for k pairs of overlapping boxes.
  *
  * Bad input: triangles whose corners lie on one line have no inside and are left out, as are faces
- * with points that are not finite; they are counted. An Input without faces gives empty outputs and a
- * warning, a Source without faces too. Exact as long as coordinates, unless 0, span less than 80
+ * with points that are not finite; they are counted. An Input without faces gives empty outputs and
+ * a warning, a Source without faces too. Exact as long as coordinates, unless 0, span less than 80
  * orders of magnitude.
  *
  * @sa

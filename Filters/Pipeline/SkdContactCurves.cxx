@@ -143,8 +143,8 @@ void SkdContacts::AddMeasures(vtkPolyData* curves, const std::vector<SkdEndPair>
     double length = 0.0;
     for (const std::size_t i : line.Segments)
     {
-      length += Norm(
-        this->Points.GetPosition(segments[i].A) - this->Points.GetPosition(segments[i].B));
+      length +=
+        Norm(this->Points.GetPosition(segments[i].A) - this->Points.GetPosition(segments[i].B));
     }
     closed->SetValue(cell, line.IsClosed);
     lengths->SetValue(cell, length);

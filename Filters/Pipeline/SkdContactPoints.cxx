@@ -81,8 +81,7 @@ SkdContactPoints::Part SkdContactPoints::MakePart(
     const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
     return { triangle + (isCountedOn ? before : 0), Inside };
   }
-  const auto before =
-    isCountedOn ? static_cast<std::uint32_t>(this->First.GetPoints().size()) : 0u;
+  const auto before = isCountedOn ? static_cast<std::uint32_t>(this->First.GetPoints().size()) : 0u;
   const SkdTriangleSet::Corners& corners = set.GetCorners(triangle);
   const std::uint32_t a = before + corners[part % 3];
   const std::uint32_t b = before + (skd::IsCorner(part) ? corners[part] : corners[(part + 1) % 3]);

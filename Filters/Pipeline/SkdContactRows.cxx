@@ -102,7 +102,8 @@ void SkdContacts::FillPairs(vtkTable* table, vtkPolyData* gaps) const
     origins.push_back(rows[i].Pair);
   }
   this->AddLabels(origins, table->GetRowData());
-  for (vtkDataArray* column : std::initializer_list<vtkDataArray*>{ kinds, distances, firsts, seconds })
+  for (vtkDataArray* column :
+    std::initializer_list<vtkDataArray*>{ kinds, distances, firsts, seconds })
   {
     table->AddColumn(column);
   }

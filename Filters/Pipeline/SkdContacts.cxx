@@ -26,9 +26,7 @@ void SortByEnds(std::vector<SkdEndPair>& segments)
 {
   vtkSMPTools::Sort(segments.begin(), segments.end(),
     [](const SkdEndPair& a, const SkdEndPair& b)
-    {
-      return a.A != b.A ? a.A < b.A : (a.B != b.B ? a.B < b.B : a.Origin < b.Origin);
-    });
+    { return a.A != b.A ? a.A < b.A : (a.B != b.B ? a.B < b.B : a.Origin < b.Origin); });
 }
 }
 
@@ -85,8 +83,7 @@ std::vector<SkdEndPair> SkdContacts::FindSegments() const
   }
   SortByEnds(segments);
   SortByEnds(sides);
-  segments.erase(
-    std::unique(segments.begin(), segments.end(), HaveSameEnds), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end(), HaveSameEnds), segments.end());
   const auto isInside = [&](const SkdEndPair& segment)
   {
     const SkdEndPair least{ segment.A, segment.B, 0 };
@@ -153,6 +150,8 @@ void SkdContacts::AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData*
       to->AddArray(blocks);
     }
   };
-  add(this->First, this->Placement.First.GetSet(), &SkdTrianglePair::First, FirstCellName, FirstBlockName);
-  add(this->Second, this->Placement.GetSecond().GetSet(), &SkdTrianglePair::Second, SecondCellName, SecondBlockName);
+  add(this->First, this->Placement.First.GetSet(), &SkdTrianglePair::First, FirstCellName,
+    FirstBlockName);
+  add(this->Second, this->Placement.GetSecond().GetSet(), &SkdTrianglePair::Second, SecondCellName,
+    SecondBlockName);
 }

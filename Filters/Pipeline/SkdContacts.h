@@ -55,15 +55,15 @@ public:
     const std::vector<SkdTrianglePair>& pairs);
 
   /// The curves: polylines with the ids of each segment at the point that it starts from, or a cell
-  /// for each segment. Points of contact on no curve and in no area are vertices. Returns the number
-  /// of curves, vertices not counted.
+  /// for each segment. Points of contact on no curve and in no area are vertices. Returns the
+  /// number of curves, vertices not counted.
   vtkIdType FillCurves(vtkPolyData* curves, bool isJoined) const;
 
   /// The convex polygons in which triangles of one plane overlap.
   vtkIdType FillOverlaps(vtkPolyData* overlaps) const;
 
-  /// A row for each pair of cells, and for each that is near but does not touch a line between their
-  /// nearest points.
+  /// A row for each pair of cells, and for each that is near but does not touch a line between
+  /// their nearest points.
   void FillPairs(vtkTable* table, vtkPolyData* gaps) const;
 
 private:

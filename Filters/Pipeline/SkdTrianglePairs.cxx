@@ -152,8 +152,7 @@ SkdTrianglePairs::ToFirst SkdTrianglePairs::MakeToFirst(double clearance) const
   {
     return { nullptr, clearance };
   }
-  const double reach =
-    2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
+  const double reach = 2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
   return { &*motion, clearance + rounding };
 }
@@ -192,6 +191,7 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
     all.insert(all.end(), some.begin(), some.end());
   }
   SortPairs(all);
-  all.resize(search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
+  all.resize(
+    search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
   return all;
 }

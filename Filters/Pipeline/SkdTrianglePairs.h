@@ -27,15 +27,15 @@ struct SkdPairSearch
   enum Extent
   {
     All,
-    LowestOnly,   ///< the pair that is the first in the order of cells, then of triangles
-    WhetherOnly   ///< any pair that touches or is near, not always the same
+    LowestOnly, ///< the pair that is the first in the order of cells, then of triangles
+    WhetherOnly ///< any pair that touches or is near, not always the same
   };
   Extent Wanted = All;
   double Clearance = 0.0; ///< before scaling; 0: those that touch, only
 };
 
-/// The pairs of a placement. Within one surface, of two triangles that share corners those that have
-/// more in common, and each pair once, First < Second.
+/// The pairs of a placement. Within one surface, of two triangles that share corners those that
+/// have more in common, and each pair once, First < Second.
 class SkdTrianglePairs
 {
 public:

@@ -57,8 +57,7 @@ int SignOfArea(const WholePoints& p, int axis)
 {
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
-  const Whole area =
-    static_cast<Whole>(p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) -
+  const Whole area = static_cast<Whole>(p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) -
     static_cast<Whole>(p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
   return (area > 0) - (area < 0);
 }

@@ -250,4 +250,72 @@ TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
   EXPECT_LE(first.Opened, 40u * tree.NumberOfNodes());
 }
 
+/// A tree against itself, in at least so many parts.
+template <int D>
+Ids PairsWithin(const skd::Tree<D>& tree, std::size_t parts)
+{
+  Ids reached;
+  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  {
+    reached.push_back(Pair(std::min(a, b), std::max(a, b)));
+    return true;
+  };
+  const Unmoved unmoved;
+  using Query = skd::OverlappingPairs<D, Unmoved, decltype(leaf)>;
+  Query query(tree.GetFrame(), tree.GetFrame(), unmoved, leaf);
+  skd::PairWalk<skd::Tree<D>, skd::Tree<D>, Query> walk(tree, query);
+  for (const auto& start : walk.Split(parts))
+  {
+    walk.RunFrom(start);
+  }
+  return reached;
+}
+
+TYPED_TEST(OverlappingPairsTest, OfOneTreeAreReachedOnce)
+{
+  constexpr int D = TypeParam::Value;
+  for (const Boxes<D>& boxes :
+    { RandomBoxes<D>(513), EqualBoxes<D>(65), LineOfBoxes<D>(300), RandomBoxes<D>(1), Boxes<D>() })
+  {
+    const skd::Tree<D> tree(InputOf(boxes, 8));
+    Ids expected;
+    for (const std::uint32_t pair : ReachedPairs(tree, tree, Unmoved()))
+    {
+      if (pair / 10000 < pair % 10000)
+      {
+        expected.push_back(pair);
+      }
+    }
+    for (const std::size_t parts : { 1, 7, 100, 100000 })
+    {
+      EXPECT_EQ(Sorted(PairsWithin(tree, parts)), Sorted(expected)) << parts;
+    }
+  }
+}
+
+TYPED_TEST(OverlappingPairsTest, OfTwoTreesAreTheSameInParts)
+{
+  constexpr int D = TypeParam::Value;
+  const skd::Tree<D> first(InputOf(RandomBoxes<D>(513), 8));
+  const skd::Tree<D> second(InputOf(RandomBoxes<D>(65, 9), 3));
+  Ids reached;
+  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  {
+    reached.push_back(Pair(a, b));
+    return true;
+  };
+  const Unmoved unmoved;
+  using Query = skd::OverlappingPairs<D, Unmoved, decltype(leaf)>;
+  Query query(first.GetFrame(), second.GetFrame(), unmoved, leaf);
+  skd::PairWalk<skd::Tree<D>, skd::Tree<D>, Query> walk(first, second, query);
+  const auto starts = walk.Split(50);
+  EXPECT_GE(starts.size(), 50u);
+  EXPECT_TRUE(reached.empty());
+  for (const auto& start : starts)
+  {
+    EXPECT_TRUE(walk.RunFrom(start));
+  }
+  EXPECT_EQ(Sorted(reached), Sorted(ReachedPairs(first, second, Unmoved())));
+}
+
 }

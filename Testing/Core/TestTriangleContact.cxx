@@ -22,8 +22,9 @@ std::array<Vector3, 3> EdgesOf(const Corners& t)
 
 bool IsSeparatedAlong(const Vector3& axis, const Corners& a, const Corners& b)
 {
-  const auto reach = [&](const Corners& t)
-  { return std::minmax({ Dot(axis, t[0]), Dot(axis, t[1]), Dot(axis, t[2]) }); };
+  const auto reach = [&](const Corners& t) {
+    return std::minmax({ Dot(axis, t[0]), Dot(axis, t[1]), Dot(axis, t[2]) });
+  };
   const auto [minA, maxA] = reach(a);
   const auto [minB, maxB] = reach(b);
   return maxA < minB || maxB < minA;
@@ -53,8 +54,9 @@ bool Touch(const Corners& a, const Corners& b)
 
 Vector3 PositionOf(const skd::ContactPoint& point, const Corners& a, const Corners& b)
 {
-  const auto edge = [](const Corners& t, skd::TrianglePart part)
-  { return skd::Segment<3>{ t[part - 3], t[(part - 2) % 3] }; };
+  const auto edge = [](const Corners& t, skd::TrianglePart part) {
+    return skd::Segment<3>{ t[part - 3], t[(part - 2) % 3] };
+  };
   if (skd::IsCorner(point.First))
   {
     return a[point.First];
@@ -67,9 +69,8 @@ Vector3 PositionOf(const skd::ContactPoint& point, const Corners& a, const Corne
   {
     return skd::CrossingWithEdge(edge(a, point.First), edge(b, point.Second));
   }
-  return skd::IsEdge(point.First)
-    ? skd::CrossingWithPlane(edge(a, point.First), b[0], b[1], b[2])
-    : skd::CrossingWithPlane(edge(b, point.Second), a[0], a[1], a[2]);
+  return skd::IsEdge(point.First) ? skd::CrossingWithPlane(edge(a, point.First), b[0], b[1], b[2])
+                                  : skd::CrossingWithPlane(edge(b, point.Second), a[0], a[1], a[2]);
 }
 
 /// How far x is from the part of a triangle.
@@ -165,8 +166,7 @@ Corners RandomTriangle(std::mt19937& random, int reach, bool isFlat)
 
 void ExpectRightContact(const Corners& a, const Corners& b)
 {
-  const skd::TriangleContact contact =
-    skd::FindContact(skd::SeenTriangle(a), skd::SeenTriangle(b));
+  const skd::TriangleContact contact = skd::FindContact(skd::SeenTriangle(a), skd::SeenTriangle(b));
   ASSERT_EQ(contact.Count > 0, Touch(a, b));
   std::vector<Vector3> points;
   for (int i = 0; i < contact.Count; ++i)
@@ -257,7 +257,8 @@ TEST(TriangleContact, OneUlpDecides)
   for (const double z : { 0.0, 1.0, 1e9, -1e15 })
   {
     const Corners floor = { { { { -3.0, -3.0, z } }, { { 9.0, -3.0, z } }, { { -3.0, 9.0, z } } } };
-    const auto standing = [&](double tip) {
+    const auto standing = [&](double tip)
+    {
       return Corners{ { { { 0.3, 0.1, tip } }, { { 0.7, 0.1, z + 7.0 } },
         { { 0.3, 0.9, z + 5.0 } } } };
     };

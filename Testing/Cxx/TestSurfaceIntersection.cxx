@@ -109,8 +109,8 @@ TEST_P(LatticePairs, AreTheSameFarAwayTinyAndHuge)
   {
     for (const Point& offset : { Point{ 0, 0, 0 }, Point{ far * factor, -far * factor, 0 } })
     {
-      auto filter = MakeIntersection(MakePolyData(Placed(first, factor, offset)),
-        MakePolyData(Placed(second, factor, offset)));
+      auto filter = MakeIntersection(
+        MakePolyData(Placed(first, factor, offset)), MakePolyData(Placed(second, factor, offset)));
       EXPECT_EQ(RunCellPairs(filter), expected) << factor << " " << offset[0];
     }
   }
@@ -157,8 +157,8 @@ TEST(SurfaceIntersection, CurvesAreOnBothOfTheirCells)
   const auto miss = [](const Mesh& mesh, vtkIdType cell, const Point& x)
   {
     const auto& ids = mesh.Cells[cell].Points;
-    const Point normal = Cross(mesh.Points[ids[1]] - mesh.Points[ids[0]],
-      mesh.Points[ids[2]] - mesh.Points[ids[0]]);
+    const Point normal =
+      Cross(mesh.Points[ids[1]] - mesh.Points[ids[0]], mesh.Points[ids[2]] - mesh.Points[ids[0]]);
     return std::abs(Dot(normal, x - mesh.Points[ids[0]])) / Length(normal);
   };
   for (const auto& [p, q, a, b] : segments)
@@ -215,8 +215,7 @@ TEST(SurfaceIntersection, ATipThatTouchesIsAVertex)
 
 TEST(SurfaceIntersection, SquaresOfOnePlaneOverlap)
 {
-  auto filter = MakeIntersection(
-    MakePolyData(Square(0, 0, 1)), MakePolyData(Square(0.5, 0.25, 1)));
+  auto filter = MakeIntersection(MakePolyData(Square(0, 0, 1)), MakePolyData(Square(0.5, 0.25, 1)));
   EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 0, 0 } }));
   EXPECT_EQ(PairsOf(filter)[0].Contact, 3);
   EXPECT_DOUBLE_EQ(AreaOfPolygons(OutputOf(filter, 1)), 0.5 * 0.75);

@@ -181,7 +181,8 @@ TEST(SurfaceIntersectionFilter, ClearancesAreThoseOfALookAtAllPairs)
         least = std::min(least,
           Distance(at(first, a, i % 25, i / 25 % 25), at(second, b, i / 625 % 25, i / 15625)));
       }
-      const bool isNear = std::find(near.begin(), near.end(), std::pair<vtkIdType, vtkIdType>(a, b)) != near.end();
+      const bool isNear =
+        std::find(near.begin(), near.end(), std::pair<vtkIdType, vtkIdType>(a, b)) != near.end();
       ASSERT_TRUE(isNear || least > clearance) << a << " " << b;
       ASSERT_TRUE(!isNear || least < clearance + 0.02) << a << " " << b;
     }

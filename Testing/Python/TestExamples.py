@@ -74,4 +74,17 @@ def test_amr():
     assert len(numpy.unique(colours[~is_background], axis=0)) > 100
 
 
+def test_surface_intersection():
+    picture = fresh_picture("surface_intersection_example.png")
+    files = [os.path.join(skdtesting.DATA_DIR, "fly_brain_%s.vtp" % name)
+        for name in ("neuropil", "lateral_horn")]
+    said = run("SurfaceIntersection.py", *files, picture)
+    assert said.count("2 trees built") == 1 and said.count("0 trees built") == 8, said
+    colours = pixels(picture)
+    is_background = (colours == 255).all(axis=1)
+    assert 0.1 < is_background.mean() < 0.8
+    is_red = (colours[:, 0] > 120) & (colours[:, 1] < 60) & (colours[:, 2] < 60)
+    assert is_red.mean() > 5e-4, "the curves are to be seen"
+
+
 skdtesting.run_tests(globals())

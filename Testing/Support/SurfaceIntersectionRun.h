@@ -93,8 +93,7 @@ inline vtkPolyData* OutputOf(vtkSkdTreeSurfaceIntersection* filter, int port)
 
 inline double Reported(vtkSkdTreeSurfaceIntersection* filter, const std::string& what)
 {
-  vtkDataArray* array =
-    OutputOf(filter, 0)->GetFieldData()->GetArray(("SkdReport" + what).c_str());
+  vtkDataArray* array = OutputOf(filter, 0)->GetFieldData()->GetArray(("SkdReport" + what).c_str());
   return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -114,9 +113,8 @@ inline std::vector<CurveSegment> SegmentsOf(vtkPolyData* curves)
     curves->GetLines()->GetCellAtId(line, ids);
     for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
     {
-      const vtkIdType at = data == curves->GetPointData()
-        ? ids->GetId(i)
-        : curves->GetNumberOfVerts() + line;
+      const vtkIdType at =
+        data == curves->GetPointData() ? ids->GetId(i) : curves->GetNumberOfVerts() + line;
       Point p;
       Point q;
       curves->GetPoint(ids->GetId(i), p.data());

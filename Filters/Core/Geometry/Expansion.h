@@ -88,8 +88,7 @@ Expansion<N + M> operator+(const Expansion<N>& a, const Expansion<M>& b)
   double carry = 0.0;
   while (atA < a.Size() || atB < b.Size())
   {
-    const bool takesA =
-      atB == b.Size() || (atA < a.Size() && std::abs(a[atA]) < std::abs(b[atB]));
+    const bool takesA = atB == b.Size() || (atA < a.Size() && std::abs(a[atA]) < std::abs(b[atB]));
     const DoubleDouble grown = ExactSum(carry, takesA ? a[atA++] : b[atB++]);
     sum.Append(grown.Low);
     carry = grown.High;

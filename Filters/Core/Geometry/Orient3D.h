@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// On which side a point lies, exactly: a filter in floating point decides nearly always, exact
-/// expansions decide the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997) 305-363).
-/// Exact as long as no product of three differences over- or underflows: coordinates, unless 0, of a
-/// magnitude within 1e-80 .. 1e100. NaN gives 0.
+/// expansions decide the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997)
+/// 305-363). Exact as long as no product of three differences over- or underflows: coordinates,
+/// unless 0, of a magnitude within 1e-80 .. 1e100. NaN gives 0.
 #ifndef skd_Geometry_Orient3D_h
 #define skd_Geometry_Orient3D_h
 

@@ -191,8 +191,8 @@ public:
     {
       if (sidesOfA[edge] * sidesOfA[NextCorner(edge)] < 0)
       {
-        Add(contact, 3 + edge, PartOf({ this->Turn(edge, 0), this->Turn(edge, 1),
-                                 this->Turn(edge, 2) }));
+        Add(contact, 3 + edge,
+          PartOf({ this->Turn(edge, 0), this->Turn(edge, 1), this->Turn(edge, 2) }));
       }
     }
     for (int edge = 0; edge < 3; ++edge)
@@ -252,9 +252,9 @@ private:
     {
       if (sides[i] == 0)
       {
-        Add(contact, i, this->SharedOfA[i] >= 0
-            ? this->SharedOfA[i]
-            : PartOf(SidesInPlane(this->A[i], this->B, this->B.Axis)));
+        Add(contact, i,
+          this->SharedOfA[i] >= 0 ? this->SharedOfA[i]
+                                  : PartOf(SidesInPlane(this->A[i], this->B, this->B.Axis)));
       }
     }
   }
@@ -265,9 +265,10 @@ private:
     {
       if (sides[i] == 0)
       {
-        Add(contact, this->SharedOfB[i] >= 0
-            ? this->SharedOfB[i]
-            : PartOf(SidesInPlane(this->B[i], this->A, this->A.Axis)), i);
+        Add(contact,
+          this->SharedOfB[i] >= 0 ? this->SharedOfB[i]
+                                  : PartOf(SidesInPlane(this->B[i], this->A, this->A.Axis)),
+          i);
       }
     }
   }

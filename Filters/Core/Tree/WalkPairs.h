@@ -21,8 +21,8 @@ namespace skd
 /// A tree may be walked against itself: then each pair of two elements is reached once, (a, b) or
 /// (b, a), and no element with itself. The query's boxes must then not be moved.
 ///
-/// Split() and RunFrom() give the walk in parts that may run at the same time, each with a query and
-/// a walk of its own.
+/// Split() and RunFrom() give the walk in parts that may run at the same time, each with a query
+/// and a walk of its own.
 template <class FirstTree, class SecondTree, class Query>
 class PairWalk
 {
