@@ -87,4 +87,9 @@ def test_surface_intersection():
     assert is_red.mean() > 5e-4, "the curves are to be seen"
 
 
+def test_picking():
+    said = run("Picking.py")
+    assert "of 1033920 cells" in said and "the same without" in said, said
+
+
 skdtesting.run_tests(globals())
