@@ -6,6 +6,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -67,18 +68,6 @@ std::optional<skd::RigidMotion> FindMotion(vtkSkdTreeSurfaceIntersection* self)
   }
   vtkMatrix4x4* matrix = transform->GetMatrix();
   return matrix->IsIdentity() ? std::nullopt : skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
-}
-
-void AskForAll(vtkInformation* info)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
 }
 
 bool IsLaterPiece(vtkInformation* output)
@@ -171,7 +160,7 @@ int vtkSkdTreeSurfaceIntersection::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   const int port = inputVector[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
-  AskForAll(inputVector[port]->GetInformationObject(0));
+  SkdAskForWhole(inputVector[port]->GetInformationObject(0));
   return 1;
 }
 

@@ -3,9 +3,9 @@
 #include "Pipeline/SkdTriangleSet.h"
 
 #include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdParallelLoop.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,16 +134,5 @@ void SkdTriangleSet::BuildTree()
     }
     boxes.push_back(box);
   }
-  const auto parallelLoop = [](std::size_t count, const auto& body)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
-      [&body](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          body(static_cast<std::size_t>(i));
-        }
-      });
-  };
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), parallelLoop);
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), SkdParallelLoop());
 }

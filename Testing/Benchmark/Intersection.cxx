@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// skdtree_intersection_benchmark [triangles ...]: two spheres that meet in a circle, all pairs and
+/// the curve, beside VTK's two filters and, where it is found, CGAL. Prints a table of seconds and
+/// of how many times the skD-tree's time the others take: medians of runs that take turns, trees
+/// and all. Who takes more than a minute is not asked for more triangles.
+#include "Intersection.h"
+
+#include "vtkCollisionDetectionFilter.h"
+#include "vtkFieldData.h"
+#include "vtkIntersectionPolyDataFilter.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSkdTreeSurfaceIntersection.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+vtkSmartPointer<vtkPolyData> MakeSphere(double triangles, double x)
+{
+  vtkNew<vtkSphereSource> source;
+  const int resolution = std::max(4, static_cast<int>(std::sqrt(0.5 * triangles)) + 1);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->SetRadius(1.0);
+  source->SetCenter(x, 0.31 * x, 0.17 * x);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkIdType RunSkdTree(vtkPolyData* first, vtkPolyData* second)
+{
+  vtkNew<vtkSkdTreeSurfaceIntersection> filter;
+  filter->SetInputData(first);
+  filter->SetSourceData(second);
+  filter->Update();
+  return vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetNumberOfRows();
+}
+
+vtkIdType RunIntersection(vtkPolyData* first, vtkPolyData* second)
+{
+  vtkNew<vtkIntersectionPolyDataFilter> filter;
+  filter->SetInputData(0, first);
+  filter->SetInputData(1, second);
+  filter->SplitFirstOutputOff();
+  filter->SplitSecondOutputOff();
+  filter->Update();
+  return filter->GetOutput()->GetNumberOfLines();
+}
+
+vtkIdType RunCollision(vtkPolyData* first, vtkPolyData* second)
+{
+  vtkNew<vtkMatrix4x4> still;
+  vtkNew<vtkCollisionDetectionFilter> filter;
+  filter->SetInputData(0, first);
+  filter->SetInputData(1, second);
+  filter->SetMatrix(0, still);
+  filter->SetMatrix(1, still);
+  filter->SetBoxTolerance(0.0);
+  filter->SetCellTolerance(0.0);
+  filter->SetCollisionModeToAllContacts();
+  filter->Update();
+  return filter->GetNumberOfContacts();
+}
+
+struct Contender
+{
+  const char* Name;
+  IntersectionRun Run;
+  bool IsIn = true;
+  vtkIdType Found = 0;
+  std::vector<double> Seconds = {};
+
+  void Time(vtkPolyData* first, vtkPolyData* second)
+  {
+    const auto start = Clock::now();
+    this->Found = this->Run(first, second);
+    this->Seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+  }
+
+  double Median()
+  {
+    std::sort(this->Seconds.begin(), this->Seconds.end());
+    return this->Seconds[this->Seconds.size() / 2];
+  }
+};
+
+void Measure(std::vector<Contender>& contenders, double triangles)
+{
+  constexpr double tooLong = 60.0;
+  const auto first = MakeSphere(triangles, 0.0);
+  const auto second = MakeSphere(triangles, 0.9);
+  for (int repetition = 0; repetition < 3; ++repetition)
+  {
+    for (Contender& contender : contenders)
+    {
+      if (contender.IsIn && (repetition == 0 || contender.Seconds.front() < 0.2 * tooLong))
+      {
+        contender.Time(first, second);
+      }
+    }
+  }
+  const double ours = contenders.front().Median();
+  std::printf("| %lld |", static_cast<long long>(first->GetNumberOfCells()));
+  for (Contender& contender : contenders)
+  {
+    if (!contender.IsIn)
+    {
+      std::printf(" - |");
+      continue;
+    }
+    const double seconds = contender.Median();
+    std::printf(" %.3g s, %.3g x, finds %lld |", seconds, seconds / ours,
+      static_cast<long long>(contender.Found));
+    contender.IsIn = seconds < tooLong;
+    contender.Seconds.clear();
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  vtkSMPTools::Initialize(1);
+  std::vector<Contender> contenders = { { "skD-tree", RunSkdTree },
+    { "vtkIntersectionPolyDataFilter", RunIntersection },
+    { "vtkCollisionDetectionFilter", RunCollision } };
+#ifdef SKDBENCH_HAS_CGAL
+  contenders.push_back({ "CGAL, surface_intersection", RunCgalCurves });
+#endif
+  std::printf("| triangles each |");
+  for (const Contender& contender : contenders)
+  {
+    std::printf(" %s |", contender.Name);
+  }
+  std::printf("\n| ---: |%s\n",
+    contenders.size() > 3 ? " ---: | ---: | ---: | ---: |" : " ---: | ---: | ---: |");
+  std::vector<double> sizes = { 1e3, 1e4, 1e5 };
+  if (argc > 1)
+  {
+    sizes.clear();
+    std::transform(argv + 1, argv + argc, std::back_inserter(sizes), std::atof);
+  }
+  for (const double triangles : sizes)
+  {
+    Measure(contenders, triangles);
+  }
+  return 0;
+}
