@@ -167,8 +167,10 @@ public:
   {
     TriangleContact contact;
     const Sides sidesOfA = SidesOf(this->A, this->SharedOfA, this->B);
-    const int zeros = (sidesOfA[0] == 0) + (sidesOfA[1] == 0) + (sidesOfA[2] == 0);
-    if (zeros == 0 && !HasBothSides(sidesOfA))
+    const auto zeros = std::count(sidesOfA.begin(), sidesOfA.end(), 0);
+    const auto shared = 3 - std::count(this->SharedOfA.begin(), this->SharedOfA.end(), -1);
+    const bool isCrossed = HasBothSides(sidesOfA);
+    if (zeros == 0 && !isCrossed)
     {
       return contact;
     }
@@ -179,30 +181,12 @@ public:
       return contact;
     }
     this->AddCornersOfA(contact, sidesOfA);
-    const int shared = static_cast<int>(
-      std::count_if(this->SharedOfA.begin(), this->SharedOfA.end(), [](int i) { return i >= 0; }));
-    if (!HasBothSides(sidesOfA) && (zeros == 1 || zeros == shared))
+    if (isCrossed || (zeros > 1 && zeros > shared))
     {
-      return contact; // these corners at most
-    }
-    const Sides sidesOfB = SidesOf(this->B, this->SharedOfB, this->A);
-    this->AddCornersOfB(contact, sidesOfB);
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      if (sidesOfA[edge] * sidesOfA[NextCorner(edge)] < 0)
-      {
-        Add(contact, 3 + edge,
-          PartOf({ this->Turn(edge, 0), this->Turn(edge, 1), this->Turn(edge, 2) }));
-      }
-    }
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      if (sidesOfB[edge] * sidesOfB[NextCorner(edge)] < 0)
-      {
-        Add(contact, PartOf({ this->Turn(0, edge), this->Turn(1, edge), this->Turn(2, edge) }),
-          3 + edge);
-      }
-    }
+      const Sides sidesOfB = SidesOf(this->B, this->SharedOfB, this->A);
+      this->AddCornersOfB(contact, sidesOfB);
+      this->AddCrossings(contact, sidesOfA, sidesOfB);
+    } // else those corners at most
     return contact;
   }
 
@@ -288,6 +272,27 @@ private:
         : Orient3D(this->A[edgeA], this->A[nextA], this->B[edgeB], this->B[nextB]);
     }
     return turn;
+  }
+
+  /// Where edges that have their ends on different sides of the other triangle's plane cross it.
+  void AddCrossings(TriangleContact& contact, const Sides& sidesOfA, const Sides& sidesOfB)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (sidesOfA[edge] * sidesOfA[NextCorner(edge)] < 0)
+      {
+        const Sides turns = { this->Turn(edge, 0), this->Turn(edge, 1), this->Turn(edge, 2) };
+        Add(contact, 3 + edge, PartOf(turns));
+      }
+    }
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (sidesOfB[edge] * sidesOfB[NextCorner(edge)] < 0)
+      {
+        const Sides turns = { this->Turn(0, edge), this->Turn(1, edge), this->Turn(2, edge) };
+        Add(contact, PartOf(turns), 3 + edge);
+      }
+    }
   }
 
   void AddFlat(TriangleContact& contact) const
