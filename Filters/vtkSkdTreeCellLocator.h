@@ -71,6 +71,7 @@ class SkdLocatorState;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
+class vtkDataArray;
 class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkMatrix4x4;
@@ -298,6 +299,49 @@ public:
    */
   vtkIdType FindOverlappingPairs(
     vtkSkdTreeCellLocator* other, vtkIdList* cellIds, vtkIdList* otherCellIds);
+
+  ///@{
+  /**
+   * Batches: many queries in one call, asked in parallel by vtkSMPTools, answered into flat arrays.
+   * Query i is tuple i of the first argument, an array of any numbers with 3 components (points) or
+   * 6 (lines: x, y, z of both ends; boxes: xmin, xmax, ymin, ymax, zmin, zmax), and its answer is in
+   * slot i of the outputs. Answers are those of the query of the same arguments for one, ties and
+   * roundings too, whatever the number of threads. Outputs are sized and named here; any may be
+   * nullptr. Queries that are not finite, and those that find nothing, have the id -1 and NaN as
+   * numbers, or an empty list. Inside they are asked along a space-filling curve, so their order in
+   * the array does not matter. 8 bytes a query on top of the outputs, and the lists once more.
+   *
+   * - FindClosestPoints: the nearest cell at a distance of at most `radius`, the nearest point
+   *   (3 components) and its distance.
+   * - FindCells: the cell that contains the point, or with a tolerance (tol2, squared distance) the
+   *   nearest within it, and the parametric coordinates (3 components) as of FindCell.
+   * - IntersectWithLines: first hit of each line, its parameter t in [0, 1] and its point.
+   * - FindAllHits: all hits of each line, each cell once, by (t, cell id).
+   * - FindCellsWithinBoxes: the cells whose bounds overlap each box, in the order of the tree.
+   * - FindPairs: for each cell of this locator's data set the cells of the other's whose bounds
+   *   overlap its own, by id; both as moved by the locators' transforms. Of the locator itself: (i, i)
+   *   too.
+   *
+   * Lists come as vtkCellArray has them: `offsets` has a tuple more than there are queries, and the
+   * values of query i are those from offsets[i] to offsets[i + 1] of the others.
+   *
+   * Returns how many queries found something, or the number of values in all lists. After an error
+   * (no queries, a wrong number of components, an array handed in twice) it is -1, and the outputs
+   * are as they were.
+   */
+  vtkIdType FindClosestPoints(vtkDataArray* points, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius = VTK_DOUBLE_MAX);
+  vtkIdType FindCells(vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords,
+    double tol2 = 0.0);
+  vtkIdType IntersectWithLines(vtkDataArray* lines, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+  vtkIdType FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+  vtkIdType FindCellsWithinBoxes(
+    vtkDataArray* boxes, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds);
+  vtkIdType FindPairs(
+    vtkSkdTreeCellLocator* other, vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds);
+  ///@}
 
   ///@{
   /**

@@ -170,6 +170,9 @@ public:
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.
   skd::PaperTree<3> MakePaperTree() const;
 
+  /// The bounds of the cell's points, moved by the motion unless nullptr.
+  skd::Box3 WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion* motion) const;
+
   skd::Box3 SafetyBoxOf(std::uint32_t cell) const
   {
     return this->Store.ReachOf(cell).Inflated(2.0 * this->TheEpsilon);
@@ -206,8 +209,6 @@ private:
     std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
-  /// The bounds of the cell's points, moved by the motion unless nullptr.
-  skd::Box3 WorldBoundsOf(std::uint32_t cell, const skd::RigidMotion* motion) const;
   template <class Visit>
   void ForEachNear(const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const;
   /// Of quads, strips and triangles.

@@ -339,4 +339,26 @@ TEST_P(Allocations, OfCandidatesAreNone)
     0);
 }
 
+TEST_P(Allocations, OfBatchesDoNotGrowWithTheNumberOfQueries)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  const auto count = [&](int number)
+  {
+    vtkNew<vtkDoubleArray> points;
+    points->SetNumberOfComponents(3);
+    for (int i = 0; i < number; ++i)
+    {
+      points->InsertNextTuple(this->Points[static_cast<std::size_t>(i) % 200].data());
+    }
+    this->Locator->FindClosestPoints(points, ids, this->Distances, nullptr);
+    NumberOfAllocations = 0;
+    IsCounting = true;
+    this->Locator->FindClosestPoints(points, ids, this->Distances, nullptr);
+    this->Locator->FindCells(points, ids, nullptr);
+    IsCounting = false;
+    return NumberOfAllocations;
+  };
+  EXPECT_LE(count(20000), count(2000) + 100); // VTK's threads take some
+}
+
 }

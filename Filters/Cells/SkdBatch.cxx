@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdBatch.h"
+
+#include "Core/Geometry/Box.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <limits>
+
+namespace
+{
+/// Halves are added, not the sum halved: no overflow near the largest double.
+skd::Vector3 CentreOf(SkdBatchOf kind, const double* tuple)
+{
+  if (kind == SkdBatchOf::Points)
+  {
+    return { { tuple[0], tuple[1], tuple[2] } };
+  }
+  const int next = kind == SkdBatchOf::Boxes ? 2 : 1;
+  const int other = kind == SkdBatchOf::Boxes ? 1 : 3;
+  skd::Vector3 centre;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    centre[axis] = 0.5 * tuple[axis * next] + 0.5 * tuple[axis * next + other];
+  }
+  return centre;
+}
+
+/// The box of all centres that are finite, found in parallel.
+class BoxOfCentres
+{
+public:
+  BoxOfCentres(const SkdBatch& batch, SkdBatchOf kind)
+    : Batch(batch)
+    , Kind(kind)
+  {
+  }
+  void Initialize() { this->Partial.Local() = skd::Box3(); }
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    skd::Box3& box = this->Partial.Local();
+    double tuple[6];
+    for (vtkIdType slot = begin; slot < end; ++slot)
+    {
+      this->Batch.Read(slot, tuple);
+      const skd::Vector3 centre = CentreOf(this->Kind, tuple);
+      if (skd::IsFinite(centre))
+      {
+        box.Add(centre);
+      }
+    }
+  }
+  void Reduce()
+  {
+    for (const skd::Box3& box : this->Partial)
+    {
+      this->Total.Add(box);
+    }
+  }
+
+  skd::Box3 Total;
+
+private:
+  const SkdBatch& Batch;
+  SkdBatchOf Kind;
+  vtkSMPThreadLocal<skd::Box3> Partial;
+};
+
+/// The bits of a number, at most ten of them, two places apart from each other.
+std::uint32_t Spread(std::uint32_t bits)
+{
+  bits = (bits | (bits << 16)) & 0x030000ffu;
+  bits = (bits | (bits << 8)) & 0x0300f00fu;
+  bits = (bits | (bits << 4)) & 0x030c30c3u;
+  return (bits | (bits << 2)) & 0x09249249u;
+}
+
+/// Where a point is along the Morton curve that fills a box with cubes.
+class MortonCurve
+{
+public:
+  MortonCurve(const skd::Box3& box, int bitsPerAxis)
+    : Origin(box.Min)
+    , CubesPerAxis(1u << bitsPerAxis)
+  {
+    double longest = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      longest = std::max(longest, 0.5 * box.Max[axis] - 0.5 * box.Min[axis]);
+    }
+    this->HalfScale = longest > 0.0 ? 0.5 * this->CubesPerAxis / longest : 0.0;
+  }
+
+  std::uint32_t NumberOfCubes() const
+  {
+    return this->CubesPerAxis * this->CubesPerAxis * this->CubesPerAxis;
+  }
+
+  /// The number of cubes for a point that is not finite.
+  std::uint32_t KeyOf(const skd::Vector3& x) const
+  {
+    if (!skd::IsFinite(x))
+    {
+      return this->NumberOfCubes();
+    }
+    std::uint32_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      key |= Spread(this->CubeAlong(axis, x[axis])) << axis;
+    }
+    return key;
+  }
+
+private:
+  // A box of no size, or too small to divide by it, makes one cube of all.
+  std::uint32_t CubeAlong(int axis, double x) const
+  {
+    const double cube = 2.0 * (0.5 * x - 0.5 * this->Origin[axis]) * this->HalfScale;
+    const double last = this->CubesPerAxis - 1.0;
+    return cube >= 0.0 && cube <= last ? static_cast<std::uint32_t>(cube)
+      : cube > last                    ? this->CubesPerAxis - 1
+                                       : 0;
+  }
+
+  skd::Vector3 Origin;
+  std::uint32_t CubesPerAxis;
+  double HalfScale;
+};
+}
+
+//------------------------------------------------------------------------------
+SkdBatch::SkdBatch(vtkDataArray* queries, SkdBatchOf kind)
+  : Queries(queries)
+  , Doubles(nullptr)
+  , Kind(kind)
+  , Components(SkdNumberOfComponents(kind))
+  , Count(queries->GetNumberOfTuples())
+{
+  if (auto* doubles = vtkDoubleArray::FastDownCast(queries))
+  {
+    this->Doubles = doubles->GetPointer(0);
+  }
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+void SkdBatch::Arrange()
+{
+  const bool isOnePiece = this->Count <= PieceSize;
+  if (isOnePiece || this->Count > std::numeric_limits<std::uint32_t>::max())
+  {
+    return;
+  }
+  BoxOfCentres box(*this, this->Kind);
+  vtkSMPTools::For(0, this->Count, box);
+  if (box.Total.IsEmpty())
+  {
+    return;
+  }
+  // About a query a cube, as long as what counts them fits into a cache.
+  constexpr int mostBits = 6;
+  int bits = 1;
+  while (bits < mostBits && (std::int64_t(1) << (3 * bits)) < this->Count)
+  {
+    ++bits;
+  }
+  const MortonCurve curve(box.Total, bits);
+  std::vector<std::uint32_t> keys(static_cast<std::size_t>(this->Count));
+  vtkSMPTools::For(0, this->Count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      double tuple[6];
+      for (vtkIdType slot = begin; slot < end; ++slot)
+      {
+        this->Read(slot, tuple);
+        keys[static_cast<std::size_t>(slot)] = curve.KeyOf(CentreOf(this->Kind, tuple));
+      }
+    });
+  this->SortByCount(keys, curve.NumberOfCubes());
+}
+
+//------------------------------------------------------------------------------
+void SkdBatch::SortByCount(const std::vector<std::uint32_t>& keys, std::uint32_t largestKey)
+{
+  std::vector<std::uint32_t> next(static_cast<std::size_t>(largestKey) + 2, 0);
+  for (const std::uint32_t key : keys)
+  {
+    ++next[key + 1];
+  }
+  for (std::size_t key = 1; key < next.size(); ++key)
+  {
+    next[key] += next[key - 1];
+  }
+  this->Order.resize(keys.size());
+  for (std::size_t slot = 0; slot < keys.size(); ++slot)
+  {
+    this->Order[next[keys[slot]]++] = static_cast<std::uint32_t>(slot);
+  }
+}
