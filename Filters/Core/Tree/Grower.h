@@ -4,6 +4,8 @@
 #define skd_Tree_Grower_h
 
 #include "Node.h"
+#include "RawVector.h"
+#include "SplitAtRank.h"
 
 #include <atomic>
 #include <map>
@@ -11,14 +13,6 @@
 
 namespace skd
 {
-
-/// An element as the tree sees it: its safety box in the tree's frame, and its index.
-template <int D>
-struct Element
-{
-  FloatBox<D> Box;
-  std::uint32_t Index;
-};
 
 /// The splitting of Algorithms 3.1 and 3.2, carried to eight children a node: the range of a node
 /// is halved at the median of the centroids along the longest axis of its box, each half again,
@@ -51,7 +45,7 @@ public:
     Range Elements;
   };
 
-  Grower(std::vector<Element<D>>&& elements, int capacity)
+  Grower(RawVector<Element<D>>&& elements, int capacity)
     : Elements(std::move(elements))
     , Capacity(static_cast<std::uint32_t>(std::clamp(capacity, 1, Node<D>::Width)))
     , Nodes(CountNodes(this->CountBottoms(this->Elements.size())))
@@ -108,7 +102,7 @@ public:
   std::size_t NumberOfNodes() const { return this->Nodes.size(); }
   std::size_t NumberOfElements() const { return this->Elements.size(); }
 
-  std::vector<Node<D>> TakeNodes() { return std::move(this->Nodes); }
+  RawVector<Node<D>> TakeNodes() { return std::move(this->Nodes); }
 
 private:
   static constexpr std::uint64_t Width = Node<D>::Width;
@@ -224,21 +218,15 @@ private:
     const std::uint64_t bottoms = this->CountBottoms(range.Last - range.First);
     const std::uint32_t middle = range.First +
       static_cast<std::uint32_t>(LeftBottoms(bottoms, leftParts, task.Parts)) * this->Capacity;
-    const int axis = LongestAxis(range.Box);
-    const auto begin = this->Elements.begin();
-    std::nth_element(begin + range.First, begin + middle, begin + range.Last,
-      [axis](const Element<D>& a, const Element<D>& b)
-      {
-        const float centreA = a.Box.Min[axis] + a.Box.Max[axis];
-        const float centreB = b.Box.Min[axis] + b.Box.Max[axis];
-        return centreA < centreB || (centreA == centreB && a.Index < b.Index);
-      });
+    Element<D>* const elements = this->Elements.data();
+    SplitAtRank<D>::Run(
+      elements + range.First, elements + middle, elements + range.Last, LongestAxis(range.Box));
     return middle;
   }
 
-  std::vector<Element<D>> Elements;
+  RawVector<Element<D>> Elements;
   std::uint32_t Capacity;
-  std::vector<Node<D>> Nodes;
+  RawVector<Node<D>> Nodes; // each is written whole when it is begun
   std::atomic<std::uint32_t> Next{ 1 };
 };
 

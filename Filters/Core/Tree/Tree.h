@@ -15,7 +15,7 @@ struct TreeInput
 {
   skd::Frame<D> Frame;
   Box<D> Bounds; ///< the safety box of all, in the world
-  std::vector<Element<D>> Elements;
+  RawVector<Element<D>> Elements;
   int Capacity = Node<D>::Width; ///< elements a bottom node, clamped to 1 .. Node<D>::Width
 };
 
@@ -71,11 +71,7 @@ public:
     }
     skd::Grower<D> grower(std::move(input.Elements), input.Capacity);
     GrowAll(grower, loop);
-    this->Elements.resize(grower.NumberOfElements());
-    for (std::size_t position = 0; position < this->Elements.size(); ++position)
-    {
-      this->Elements[position] = grower.ElementAt(static_cast<std::uint32_t>(position));
-    }
+    this->CopyElements(grower, loop);
     this->Nodes = grower.TakeNodes();
   }
 
@@ -141,10 +137,26 @@ private:
     }
   }
 
+  template <class Loop>
+  void CopyElements(const skd::Grower<D>& grower, Loop& loop)
+  {
+    constexpr std::size_t piece = 1 << 16;
+    this->Elements.resize(grower.NumberOfElements());
+    loop((this->Elements.size() + piece - 1) / piece,
+      [&](std::size_t i)
+      {
+        const std::size_t end = std::min(this->Elements.size(), (i + 1) * piece);
+        for (std::size_t position = i * piece; position < end; ++position)
+        {
+          this->Elements[position] = grower.ElementAt(static_cast<std::uint32_t>(position));
+        }
+      });
+  }
+
   Frame<D> TheFrame{};
   Box<D> TheBounds;
-  std::vector<Node<D>> Nodes;
-  std::vector<std::uint32_t> Elements;
+  RawVector<Node<D>> Nodes;
+  RawVector<std::uint32_t> Elements;
 };
 
 }

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_RawVector_h
+#define skd_Tree_RawVector_h
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace skd
+{
+
+/// Leaves values alone that are made without arguments.
+template <class T>
+struct RawAllocator : std::allocator<T>
+{
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+  template <class U>
+  struct rebind
+  {
+    using other = RawAllocator<U>;
+  };
+
+  RawAllocator() = default;
+  template <class U>
+  RawAllocator(const RawAllocator<U>&)
+  {
+  }
+
+  template <class U>
+  void construct(U*) noexcept
+  {
+  }
+  template <class U, class... Arguments>
+  void construct(U* where, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(where)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+/// A vector whose constructor and resize() do not write to the values: large ones, written by
+/// several threads, whose first touch of a page would else be one thread's.
+template <class T>
+using RawVector = std::vector<T, RawAllocator<T>>;
+
+}
+
+#endif
