@@ -527,5 +527,6 @@ void vtkSkdTreeCellLocator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfCellsInTree: " << this->GetNumberOfCellsInTree() << "\n";
   os << indent << "NumberOfNodes: " << this->GetNumberOfNodes() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+  os << indent << "BytesPerCell: " << this->GetBytesPerCell() << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -39,9 +39,10 @@
  * Threads: after BuildLocator() every query is thread-safe, the short forms included, and
  * allocates nothing (lists handed in grow as VTK's lists do). With LazyBuild, too.
  *
- * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 32 bytes a
- * cell for the tree, plus a copy of points (24 bytes each) and connectivity (4 bytes a cell point);
- * GetMemorySize() counts it.
+ * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 36 bytes a
+ * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles in
+ * a vtkPointSet, which are shared, of the points (24 bytes each): 48 bytes a cell of triangles, 52 of
+ * tetrahedra, and up to twice that while it is built. GetMemorySize() and GetBytesPerCell() count it.
  *
  * Inherited settings: it utilizes NumberOfCellsPerNode (clamped to 1..8, default 8),
  * CacheCellBounds (default off: bounds are taken from the points when asked) and
@@ -357,14 +358,15 @@ public:
   ///@{
   /**
    * Statistics of the built tree: cells in it; cells left out (ghost, blanked, empty, not finite or
-   * of unknown type); nodes of the query layout; its depth in node visits; its bytes, all told;
-   * seconds that the last build took. 0 before it is built.
+   * of unknown type); nodes of the query layout; its depth in node visits; its bytes, all told, and
+   * for each cell in it; seconds that the last build took. 0 before it is built.
    */
   vtkIdType GetNumberOfCellsInTree();
   vtkIdType GetNumberOfCellsLeftOut();
   vtkIdType GetNumberOfNodes();
   int GetDepth();
   vtkIdType GetMemorySize();
+  double GetBytesPerCell();
   double GetBuildSeconds();
   ///@}
 

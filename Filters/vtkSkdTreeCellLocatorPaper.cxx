@@ -162,6 +162,13 @@ vtkIdType vtkSkdTreeCellLocator::GetMemorySize()
 }
 
 //------------------------------------------------------------------------------
+double vtkSkdTreeCellLocator::GetBytesPerCell()
+{
+  const vtkIdType cells = this->GetNumberOfCellsInTree();
+  return cells > 0 ? static_cast<double>(this->GetMemorySize()) / static_cast<double>(cells) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkSkdTreeCellLocator::GetBuildSeconds()
 {
   return this->Impl->GetTree() ? this->Impl->BuildSeconds : 0.0;

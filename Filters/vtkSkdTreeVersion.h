@@ -43,6 +43,13 @@
 #define VTK_SKD_LOCATOR_97 0
 #endif
 
+// vtkPolyData::BuildCells takes cells of any number of points since 9.2.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+#define VTK_SKD_BUILDS_ALL_CELLS 1
+#else
+#define VTK_SKD_BUILDS_ALL_CELLS 0
+#endif
+
 // vtkAlgorithm::CheckAbort came during 9.2's development; releases 9.2.x lack it.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221001)
 #define VTK_SKD_HAS_CHECK_ABORT 1

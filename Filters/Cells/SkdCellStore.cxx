@@ -3,79 +3,23 @@
 #include "Cells/SkdCellStore.h"
 
 #include "Cells/SkdBulge.h"
+#include "Cells/SkdCellReader.h"
 #include "Cells/SkdFaceReader.h"
 
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkImageData.h"
-#include "vtkPointSet.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
-#include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace
 {
-/// Tells which cells of a data set belong in the tree. Constant: threads may share it.
-class CellSieve
-{
-public:
-  CellSieve(vtkDataSet* data, bool skipGhosts)
-    : CellGhosts(data->GetCellGhostArray())
-    , PointGhosts(IsStructured(data) ? data->GetPointGhostArray() : nullptr)
-    , Unwanted(vtkDataSetAttributes::HIDDENCELL)
-  {
-    if (skipGhosts)
-    {
-      this->Unwanted |= vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL;
-    }
-  }
-
-  bool Keeps(vtkIdType cellId, vtkIdList* pointIds) const
-  {
-    if (this->CellGhosts && (this->CellGhosts->GetValue(cellId) & this->Unwanted) != 0)
-    {
-      return false;
-    }
-    return !this->PointGhosts || !this->HasHiddenPoint(pointIds);
-  }
-
-private:
-  // Structured data are blanked by points, too: a cell with a hidden point is not visible.
-  static bool IsStructured(vtkDataSet* data)
-  {
-    return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-      vtkStructuredGrid::SafeDownCast(data);
-  }
-
-  bool HasHiddenPoint(vtkIdList* pointIds) const
-  {
-    for (vtkIdType i = 0; i < pointIds->GetNumberOfIds(); ++i)
-    {
-      if (this->PointGhosts->GetValue(pointIds->GetId(i)) & vtkDataSetAttributes::HIDDENPOINT)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  vtkUnsignedCharArray* CellGhosts;
-  vtkUnsignedCharArray* PointGhosts;
-  int Unwanted;
-};
-
 void RequireRange(vtkIdType number, const char* what)
 {
   if (number >= static_cast<vtkIdType>(std::numeric_limits<std::uint32_t>::max()) / 2)
@@ -97,6 +41,50 @@ void ForEach(std::size_t count, const Body& body)
       }
     });
 }
+
+/// The bounds of all cells, of their points and of their reach, in parallel.
+class BoundsOfCells
+{
+public:
+  explicit BoundsOfCells(const SkdCellStore& cells)
+    : Cells(cells)
+  {
+  }
+  void Initialize() { this->Partial.Local() = {}; }
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    Both& both = this->Partial.Local();
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      both.OfPoints.Add(this->Cells.BoundsOf(static_cast<std::uint32_t>(i)));
+      if (this->Cells.HasReaches())
+      {
+        both.OfReach.Add(this->Cells.ReachOf(static_cast<std::uint32_t>(i)));
+      }
+    }
+  }
+  void Reduce()
+  {
+    for (const Both& both : this->Partial)
+    {
+      this->Total.OfPoints.Add(both.OfPoints);
+      this->Total.OfReach.Add(both.OfReach);
+    }
+    this->Total.OfReach.Add(this->Total.OfPoints);
+  }
+
+  struct Both
+  {
+    skd::Box3 OfPoints;
+    skd::Box3 OfReach;
+  };
+  Both Total;
+
+private:
+  const SkdCellStore& Cells;
+  vtkSMPThreadLocal<Both> Partial;
+};
+
 }
 
 //------------------------------------------------------------------------------
@@ -108,114 +96,13 @@ SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts)
   }
   RequireRange(data->GetNumberOfCells(), "cells");
   RequireRange(data->GetNumberOfPoints(), "points");
-  if (auto* mesh = vtkPolyData::SafeDownCast(data))
-  {
-    if (mesh->NeedToBuildCells())
-    {
-      mesh->BuildCells(); // lazily made by VTK, which is not thread-safe
-    }
-  }
+  const SkdCellReader reader(data);
   this->ReadPoints(data);
-  this->ReadCells(data, skipGhosts);
-  this->ReadReaches(data);
-  this->FindLargestCoordinate();
-}
-
-//------------------------------------------------------------------------------
-void SkdCellStore::ReadPoints(vtkDataSet* data)
-{
-  this->NumberOfPoints = data->GetNumberOfPoints();
-  auto* pointSet = vtkPointSet::SafeDownCast(data);
-  auto* doubles =
-    pointSet ? vtkDoubleArray::FastDownCast(pointSet->GetPoints()->GetData()) : nullptr;
-  if (doubles)
-  {
-    this->SharedPoints = doubles;
-    this->Coordinates = doubles->GetPointer(0);
-    return;
-  }
-  this->OwnPoints.resize(3 * static_cast<std::size_t>(this->NumberOfPoints));
-  double x[3];
-  data->GetPoint(0, x); // what is made at the first call must not be made by many threads
-  ForEach(static_cast<std::size_t>(this->NumberOfPoints),
-    [this, data](std::size_t i)
-    { data->GetPoint(static_cast<vtkIdType>(i), this->OwnPoints.data() + 3 * i); });
-  this->Coordinates = this->OwnPoints.data();
-}
-
-//------------------------------------------------------------------------------
-void SkdCellStore::ReadCells(vtkDataSet* data, bool skipGhosts)
-{
-  const CellSieve sieve(data, skipGhosts);
-  const auto numberOfCells = static_cast<std::size_t>(data->GetNumberOfCells());
-  std::vector<Finding> findings(numberOfCells);
-  vtkSMPThreadLocalObject<vtkIdList> lists;
-  data->GetCellPoints(0, lists.Local()); // what is made at the first call, as in ReadPoints
-  ForEach(numberOfCells,
-    [&](std::size_t i)
-    {
-      const auto id = static_cast<vtkIdType>(i);
-      vtkIdList* ids = lists.Local();
-      data->GetCellPoints(id, ids);
-      findings[i] = this->Examine(data->GetCellType(id), ids);
-      if (!sieve.Keeps(id, ids))
-      {
-        findings[i].Shape = SkdShape::None;
-      }
-    });
-  this->Number(findings);
-  ForEach(this->Ids.size(),
-    [&](std::size_t cell)
-    {
-      vtkIdList* ids = lists.Local();
-      data->GetCellPoints(static_cast<vtkIdType>(this->Ids[cell]), ids);
-      std::copy_n(ids->GetPointer(0), ids->GetNumberOfIds(),
-        this->PointIds.begin() + static_cast<std::ptrdiff_t>(this->Offsets[cell]));
-    });
+  this->ReadCells(reader, data, skipGhosts);
   this->ReadFaces(data);
   this->Compact();
-}
-
-//------------------------------------------------------------------------------
-SkdCellStore::Finding SkdCellStore::Examine(int cellType, vtkIdList* ids) const
-{
-  Finding finding;
-  finding.Shape = SkdShapeOfCellType(cellType);
-  finding.Size = static_cast<std::uint32_t>(ids->GetNumberOfIds());
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds() && finding.IsFinite; ++i)
-  {
-    const vtkIdType id = ids->GetId(i);
-    const bool exists = id >= 0 && id < this->NumberOfPoints;
-    finding.IsFinite = exists && skd::IsFinite(this->Point(static_cast<std::uint32_t>(id)));
-  }
-  const auto expected = static_cast<std::uint32_t>(SkdNumberOfPoints(finding.Shape));
-  const bool isWhole = finding.Size > 0 && (expected == 0 || finding.Size == expected);
-  if (!isWhole || !finding.IsFinite)
-  {
-    finding.Shape = SkdShape::None;
-  }
-  return finding;
-}
-
-//------------------------------------------------------------------------------
-void SkdCellStore::Number(const std::vector<Finding>& findings)
-{
-  std::uint64_t total = 0;
-  this->Offsets.push_back(0);
-  for (std::size_t i = 0; i < findings.size(); ++i)
-  {
-    if (findings[i].Shape == SkdShape::None)
-    {
-      ++(findings[i].IsFinite ? this->Missing.Other : this->Missing.NotFinite);
-      continue;
-    }
-    total += findings[i].Size;
-    this->Ids.push_back(static_cast<std::uint32_t>(i));
-    this->Shapes.push_back(findings[i].Shape);
-    this->Offsets.push_back(total);
-  }
-  this->Count = static_cast<std::uint32_t>(this->Ids.size());
-  this->PointIds.resize(total);
+  this->ReadReaches(data);
+  this->FindBounds();
 }
 
 //------------------------------------------------------------------------------
@@ -239,7 +126,7 @@ void SkdCellStore::ReadFaces(vtkDataSet* data)
         return;
       }
       vtkIdList* faces = lists.Local();
-      SkdReadFaces(data, static_cast<vtkIdType>(this->Ids[cell]), cells.Local(), faces);
+      SkdReadFaces(data, this->IdOf(static_cast<std::uint32_t>(cell)), cells.Local(), faces);
       const std::uint64_t first = this->Offsets[cell];
       streams[cell] = readers.Local().Read(faces, this->PointIds.data() + first,
         static_cast<std::uint32_t>(this->Offsets[cell + 1] - first), this->Coordinates);
@@ -260,10 +147,16 @@ void SkdCellStore::ReadFaces(vtkDataSet* data)
 //------------------------------------------------------------------------------
 void SkdCellStore::ReadReaches(vtkDataSet* data)
 {
+  const auto isGeneric = [](SkdShape shape) { return shape == SkdShape::Generic; };
+  if (!isGeneric(this->CommonShape) &&
+    std::none_of(this->Shapes.begin(), this->Shapes.end(), isGeneric))
+  {
+    return;
+  }
   SkdBulge bulge(data);
   for (std::uint32_t cell = 0; cell < this->Count; ++cell)
   {
-    if (this->ShapeOf(cell) != SkdShape::Generic)
+    if (!isGeneric(this->ShapeOf(cell)))
     {
       continue;
     }
@@ -280,36 +173,29 @@ void SkdCellStore::ReadReaches(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-// Meshes of one shape are the rule: these need neither shapes nor offsets.
+// Of meshes of one shape whose cells have any number of points; SizeFor sees to the others.
 void SkdCellStore::Compact()
 {
-  if (this->Missing.NotFinite + this->Missing.Other == 0)
-  {
-    std::vector<std::uint32_t>().swap(this->Ids);
-  }
-  const bool isUniform = this->Count > 0 &&
+  const bool isUniform = !this->Shapes.empty() &&
     std::all_of(this->Shapes.begin(), this->Shapes.end(),
       [this](SkdShape shape) { return shape == this->Shapes.front(); });
-  if (!isUniform)
+  if (isUniform)
   {
-    return;
-  }
-  this->CommonShape = this->Shapes.front();
-  std::vector<SkdShape>().swap(this->Shapes);
-  this->CommonSize = static_cast<std::uint32_t>(SkdNumberOfPoints(this->CommonShape));
-  if (this->CommonSize > 0)
-  {
-    std::vector<std::uint64_t>().swap(this->Offsets);
+    this->CommonShape = this->Shapes.front();
+    skd::RawVector<SkdShape>().swap(this->Shapes);
   }
 }
 
 //------------------------------------------------------------------------------
-void SkdCellStore::FindLargestCoordinate()
+void SkdCellStore::FindBounds()
 {
-  for (const std::uint32_t id : this->PointIds)
+  BoundsOfCells bounds(*this);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Count), bounds);
+  this->Bounds = bounds.Total.OfReach;
+  const skd::Box3& box = bounds.Total.OfPoints;
+  for (int axis = 0; axis < 3 && this->Count > 0; ++axis)
   {
-    const skd::Vector3 x = this->Point(id);
-    this->Largest = std::max({ this->Largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+    this->Largest = std::max({ this->Largest, std::abs(box.Min[axis]), std::abs(box.Max[axis]) });
   }
 }
 
@@ -345,19 +231,6 @@ SkdPolyCell SkdCellStore::GatherPoly(std::uint32_t cell) const
     gathered.FacesEnd = this->FaceStream.data() + this->FaceOffsets[cell + 1];
   }
   return gathered;
-}
-
-//------------------------------------------------------------------------------
-skd::Box3 SkdCellStore::BoundsOf(std::uint32_t cell) const
-{
-  skd::Box3 bounds;
-  const std::uint32_t* ids = this->PointIdsOf(cell);
-  const std::uint32_t size = this->SizeOf(cell);
-  for (std::uint32_t i = 0; i < size; ++i)
-  {
-    bounds.Add(this->Point(ids[i]));
-  }
-  return bounds;
 }
 
 //------------------------------------------------------------------------------

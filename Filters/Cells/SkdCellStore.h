@@ -5,6 +5,7 @@
 
 #include "Cells/SkdPolyKernels.h"
 #include "Core/Geometry/Box.h"
+#include "Core/Tree/RawVector.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -12,8 +13,8 @@
 
 #include <vector>
 
+class SkdCellReader;
 class vtkDataSet;
-class vtkIdList;
 
 /// The cells of a data set as the kernels read them: double points, 32-bit connectivity, no virtual
 /// call. Cells that no query may return are left out; those kept are numbered 0 .. N-1 in the order
@@ -80,10 +81,24 @@ public:
   SkdPolyCell GatherPoly(std::uint32_t cell) const;
 
   /// The box of the cell's points: what vtkDataSet::GetCellBounds gives.
-  skd::Box3 BoundsOf(std::uint32_t cell) const;
+  skd::Box3 BoundsOf(std::uint32_t cell) const
+  {
+    skd::Box3 bounds;
+    const std::uint32_t* ids = this->PointIdsOf(cell);
+    const std::uint32_t size = this->SizeOf(cell);
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      bounds.Add(this->Point(ids[i]));
+    }
+    return bounds;
+  }
 
   /// The box that holds all of the cell: curved cells reach beyond that of their points.
   skd::Box3 ReachOf(std::uint32_t cell) const;
+  bool HasReaches() const { return !this->Reaches.empty(); }
+
+  /// The box that holds all of all cells.
+  const skd::Box3& GetBounds() const { return this->Bounds; }
 
   /// The largest magnitude of a coordinate of a point in use.
   double LargestCoordinate() const { return this->Largest; }
@@ -92,40 +107,42 @@ public:
   std::size_t MemorySize() const;
 
 private:
-  /// What the first look at a cell tells; shape None: left out.
-  struct Finding
-  {
-    SkdShape Shape = SkdShape::None;
-    std::uint32_t Size = 0;
-    bool IsFinite = true;
-  };
-
+  ///@{
+  /// SkdCellStoreRead.cxx.
   void ReadPoints(vtkDataSet* data);
-  void ReadCells(vtkDataSet* data, bool skipGhosts);
-  Finding Examine(int cellType, vtkIdList* ids) const;
-  void Number(const std::vector<Finding>& findings);
+  bool ArePointsFinite() const;
+  void ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool skipGhosts);
+  template <class Id>
+  bool ArePoints(const Id* ids, std::size_t size, bool areAllFinite) const;
+  void SizeFor(std::uint32_t cells, std::uint64_t pointIds, SkdShape least, SkdShape most);
+  template <class Id>
+  void Put(std::uint32_t cell, vtkIdType id, SkdShape shape, std::uint64_t first, const Id* ids,
+    std::size_t size);
+  ///@}
+
   void ReadFaces(vtkDataSet* data);
   void ReadReaches(vtkDataSet* data);
   void Compact();
-  void FindLargestCoordinate();
+  void FindBounds();
 
   std::uint32_t Count = 0;
   LeftOutCounts Missing;
-  std::vector<std::uint32_t> Ids;     // empty when no cell is left out
-  std::vector<SkdShape> Shapes;       // empty when all cells have one shape
-  std::vector<std::uint64_t> Offsets; // empty when all cells have one fixed size
-  std::vector<std::uint32_t> PointIds;
+  skd::RawVector<std::uint32_t> Ids;     // empty when no cell is left out
+  skd::RawVector<SkdShape> Shapes;       // empty when all cells have one shape
+  skd::RawVector<std::uint64_t> Offsets; // empty when all cells have one fixed size
+  skd::RawVector<std::uint32_t> PointIds;
   std::vector<std::uint64_t> FaceOffsets; // empty when no cell is a polyhedron, as FaceStream
   std::vector<std::uint32_t> FaceStream;
   std::vector<float> Reaches; // empty when no cell is curved
   SkdShape CommonShape = SkdShape::None;
   std::uint32_t CommonSize = 0;
   double Largest = 0.0;
+  skd::Box3 Bounds;
 
   const double* Coordinates = nullptr;
   vtkIdType NumberOfPoints = 0;
   vtkSmartPointer<vtkDataArray> SharedPoints; // the data set's own array when it is of doubles
-  std::vector<double> OwnPoints;
+  skd::RawVector<double> OwnPoints;
 };
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellTree.h"
 
-#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -10,38 +9,6 @@
 namespace
 {
 constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
-
-/// The bounds of all cells, in parallel.
-class BoundsOfCells
-{
-public:
-  explicit BoundsOfCells(const std::vector<skd::Box3>& boxes)
-    : Boxes(boxes)
-  {
-  }
-  void Initialize() { this->Partial.Local() = skd::Box3(); }
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    skd::Box3& bounds = this->Partial.Local();
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      bounds.Add(this->Boxes[static_cast<std::size_t>(i)]);
-    }
-  }
-  void Reduce()
-  {
-    for (const skd::Box3& bounds : this->Partial)
-    {
-      this->Total.Add(bounds);
-    }
-  }
-
-  skd::Box3 Total;
-
-private:
-  const std::vector<skd::Box3>& Boxes;
-  vtkSMPThreadLocal<skd::Box3> Partial;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -77,34 +44,21 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
 //------------------------------------------------------------------------------
 skd::TreeInput<3> SkdCellTree::MakeInput(int capacity)
 {
-  const auto count = static_cast<vtkIdType>(this->Store.NumberOfCells());
-  std::vector<skd::Box3> boxes(static_cast<std::size_t>(count));
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto cell = static_cast<std::uint32_t>(i);
-        boxes[cell] = this->Store.ReachOf(cell);
-      }
-    });
-  BoundsOfCells bounds(boxes);
-  vtkSMPTools::For(0, count, bounds);
-  this->TheEpsilon = std::max(this->TheEpsilon * bounds.Total.Diagonal(), this->TheRounding);
+  const skd::Box3& bounds = this->Store.GetBounds();
+  this->TheEpsilon = std::max(this->TheEpsilon * bounds.Diagonal(), this->TheRounding);
 
   skd::TreeInput<3> input;
   input.Capacity = capacity;
-  input.Bounds = bounds.Total.Inflated(2.0 * this->TheEpsilon);
+  input.Bounds = bounds.Inflated(2.0 * this->TheEpsilon);
   input.Frame = skd::Frame<3>::Of(input.Bounds);
-  input.Elements.resize(static_cast<std::size_t>(count));
-  vtkSMPTools::For(0, count,
+  input.Elements.resize(this->Store.NumberOfCells());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Store.NumberOfCells()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto cell = static_cast<std::uint32_t>(i);
-        const skd::Box3 safetyBox = boxes[cell].Inflated(2.0 * this->TheEpsilon);
-        input.Elements[cell] = { input.Frame.Outward(safetyBox), cell };
+        input.Elements[cell] = { input.Frame.Outward(this->SafetyBoxOf(cell)), cell };
       }
     });
   return input;

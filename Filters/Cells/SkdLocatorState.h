@@ -3,6 +3,7 @@
 #ifndef SkdLocatorState_h
 #define SkdLocatorState_h
 
+#include "Cells/SkdCellReader.h"
 #include "Cells/SkdCellTree.h"
 
 #include "vtkDataSet.h"
@@ -89,7 +90,7 @@ public:
     {
       return;
     }
-    data->GetCell(id, cell);
+    SkdLoadCell(data, id, cell);
     vtkPoints* points = cell->GetPoints();
     for (vtkIdType i = 0; this->Motion && i < points->GetNumberOfPoints(); ++i)
     {

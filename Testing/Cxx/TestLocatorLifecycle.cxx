@@ -262,6 +262,17 @@ TEST_F(Lifecycle, StatisticsDescribeTheTree)
   EXPECT_GT(this->Locator->GetBuildSeconds(), 0.0);
 }
 
+TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost80BytesForEach)
+{
+  const auto locator = MakeLocator(MakePolyData(SphereTriangles(60)));
+  const double cells = static_cast<double>(locator->GetNumberOfCellsInTree());
+  EXPECT_GT(cells, 40000.0);
+  EXPECT_LE(locator->GetBytesPerCell(), 80.0);
+  EXPECT_EQ(locator->GetBytesPerCell(), static_cast<double>(locator->GetMemorySize()) / cells);
+  locator->FreeSearchStructure();
+  EXPECT_EQ(locator->GetBytesPerCell(), 0.0);
+}
+
 TEST_F(Lifecycle, StatisticsCountTheCellsLeftOut)
 {
   MarkGhosts(this->Data, { 1, 2, 3 }, vtkDataSetAttributes::DUPLICATECELL);

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCellReader_h
+#define SkdCellReader_h
+
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <vector>
+
+class vtkCellArray;
+class vtkGenericCell;
+class vtkPolyData;
+
+/// The type and the point ids of the cells of a data set: of vtkPolyData and vtkUnstructuredGrid
+/// read where they are stored, in 32 or 64 bit, of others as vtkDataSet gives them. Once made, any
+/// number of threads may read, each with a list of its own. The data set must live.
+class SkdCellReader
+{
+public:
+  explicit SkdCellReader(vtkDataSet* data);
+
+  int TypeOf(vtkIdType cellId) const
+  {
+    return this->HasTypes ? this->Data->GetCellType(cellId) : this->TypeBySize(cellId);
+  }
+
+  /// Calls visit(ids, size), ids of whatever type they are stored in.
+  template <class Visit>
+  void VisitPoints(vtkIdType cellId, vtkIdList* list, const Visit& visit) const
+  {
+    if (const Run* run = this->RunOf(cellId))
+    {
+      VisitStored(*run, cellId, visit);
+      return;
+    }
+    this->Data->GetCellPoints(cellId, list);
+    visit(list->GetPointer(0), static_cast<std::size_t>(list->GetNumberOfIds()));
+  }
+
+private:
+  /// Cells with ids that follow each other, of one vtkCellArray.
+  struct Run
+  {
+    vtkIdType First = 0;
+    vtkIdType Last = 0;
+    const vtkTypeInt32* Offsets32 = nullptr; // these, or the others
+    const vtkTypeInt32* Ids32 = nullptr;
+    const vtkTypeInt64* Offsets64 = nullptr;
+    const vtkTypeInt64* Ids64 = nullptr;
+    int Kind = 0; // of vtkPolyData: vertices, lines, polygons, strips
+    bool IsStored = false;
+  };
+
+  template <class Visit>
+  static void VisitStored(const Run& run, vtkIdType cellId, const Visit& visit)
+  {
+    const auto at = [&](const auto* offsets, const auto* ids)
+    {
+      const auto first = offsets[cellId - run.First];
+      visit(ids + first, static_cast<std::size_t>(offsets[cellId - run.First + 1] - first));
+    };
+    run.Ids64 ? at(run.Offsets64, run.Ids64) : at(run.Offsets32, run.Ids32);
+  }
+
+  const Run* RunOf(vtkIdType cellId) const
+  {
+    for (const Run& run : this->Runs)
+    {
+      if (cellId < run.Last)
+      {
+        return &run;
+      }
+    }
+    return nullptr;
+  }
+
+  void AddRunsOf(vtkPolyData* mesh);
+  void AddRun(vtkCellArray* cells, int kind);
+  bool HasTooSmallCells() const;
+  int TypeBySize(vtkIdType cellId) const;
+
+  vtkDataSet* Data;
+  bool HasTypes = true;
+  std::vector<Run> Runs; // of all cells, or of none
+};
+
+/// vtkDataSet::GetCell, also of the cells of vtkPolyData that VTK 9.1 cannot build. Thread-safe
+/// once a reader of the data set was made.
+void SkdLoadCell(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell);
+
+#endif
