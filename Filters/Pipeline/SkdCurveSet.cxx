@@ -11,6 +11,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkKochanekSpline.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -46,17 +47,59 @@ bool AreFinite(const std::vector<skd::Vector3>& points)
   return true;
 }
 
-vtkSmartPointer<vtkSpline> MakeSpline(SkdPolylineForm form, bool isClosed, double length)
+/// The chord lengths from the first of some points; points that follow an equal one have none.
+struct Knots
 {
-  vtkSmartPointer<vtkSpline> spline;
-  if (form == SkdPolylineForm::Cardinal)
+  std::vector<double> At{ 0.0 };
+  std::vector<std::size_t> Numbers{ 0 }; ///< of the points
+
+  explicit Knots(const std::vector<skd::Vector3>& points)
   {
-    spline = vtkSmartPointer<vtkCardinalSpline>::New();
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      const double length = std::sqrt(skd::Distance2(points[i], points[this->Numbers.back()]));
+      if (length > 0.0)
+      {
+        this->At.push_back(this->At.back() + length);
+        this->Numbers.push_back(i);
+      }
+    }
   }
-  else
+
+  /// With a coordinate of the points, seen from the first. A closed spline adds its end itself.
+  std::vector<double> PairsWith(
+    const std::vector<skd::Vector3>& points, int axis, bool isClosed) const
   {
-    spline = vtkSmartPointer<vtkKochanekSpline>::New();
+    std::vector<double> pairs;
+    for (std::size_t i = 0; i < this->At.size() - (isClosed ? 1 : 0); ++i)
+    {
+      pairs.insert(pairs.end(), { this->At[i], points[this->Numbers[i]][axis] - points[0][axis] });
+    }
+    return pairs;
   }
+};
+
+/// A spline that is filled at once: AddPoint() sorts all points each time.
+template <class Base>
+class FilledSpline : public Base
+{
+public:
+  static vtkSmartPointer<vtkSpline> Make(std::vector<double>& pairs)
+  {
+    auto* made = new FilledSpline;
+    made->InitializeObjectBase();
+    made->PiecewiseFunction->FillFromDataPointer(static_cast<int>(pairs.size() / 2), pairs.data());
+    return vtkSmartPointer<vtkSpline>::Take(made);
+  }
+};
+
+/// The spline through (knot, value) pairs.
+vtkSmartPointer<vtkSpline> MakeSpline(
+  SkdPolylineForm form, bool isClosed, double length, std::vector<double>& pairs)
+{
+  vtkSmartPointer<vtkSpline> spline = form == SkdPolylineForm::Cardinal
+    ? FilledSpline<vtkCardinalSpline>::Make(pairs)
+    : FilledSpline<vtkKochanekSpline>::Make(pairs);
   spline->SetClosed(isClosed);
   spline->SetParametricRange(0.0, length);
   return spline;
@@ -144,44 +187,34 @@ void SkdCurveSet::AddLines(const std::vector<skd::Vector3>& points)
 // VTK's splines are cubic between their knots: four values there tell the piece.
 void SkdCurveSet::AddSplines(const std::vector<skd::Vector3>& points, bool isClosed)
 {
-  std::vector<double> knots{ 0.0 };
-  std::vector<std::size_t> numbers{ 0 };
-  for (std::size_t i = 1; i < points.size(); ++i)
+  const Knots knots(points);
+  if (knots.At.size() < 3)
   {
-    const double length = std::sqrt(skd::Distance2(points[i], points[numbers.back()]));
-    if (length > 0.0)
-    {
-      knots.push_back(knots.back() + length);
-      numbers.push_back(i);
-    }
+    this->AddLines(points);
+    return;
   }
   vtkSmartPointer<vtkSpline> splines[3];
-  const skd::Vector3 origin = points[0];
   for (int axis = 0; axis < 3; ++axis)
   {
-    splines[axis] = MakeSpline(this->Form, isClosed, knots.back());
-    const std::size_t count = knots.size() - (isClosed ? 1 : 0);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      splines[axis]->AddPoint(knots[i], points[numbers[i]][axis] - origin[axis]);
-    }
+    std::vector<double> pairs = knots.PairsWith(points, axis, isClosed);
+    splines[axis] = MakeSpline(this->Form, isClosed, knots.At.back(), pairs);
   }
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+  for (std::size_t i = 0; i + 1 < knots.At.size(); ++i)
   {
+    const skd::Vector3& start = points[knots.Numbers[i]];
     skd::BezierCurve piece;
     piece.Degree = 3;
-    for (int k = 0; k <= 3; ++k)
+    piece.Points[0] = skd::Weighted(skd::Vector3{}, 1.0);
+    piece.Points[3] = skd::Weighted(points[knots.Numbers[i + 1]] - start, 1.0);
+    for (int k = 1; k < 3; ++k)
     {
-      skd::Vector3 x = points[numbers[k == 0 ? i : i + 1]] - origin;
-      const double at = knots[i] + (knots[i + 1] - knots[i]) * k / 3.0;
-      for (int axis = 0; axis < 3 && k % 3 != 0; ++axis)
-      {
-        x[axis] = splines[axis]->Evaluate(at);
-      }
-      piece.Points[k] = skd::Weighted(x, 1.0);
+      const double at = knots.At[i] + (knots.At[i + 1] - knots.At[i]) * k / 3.0;
+      const skd::Vector3 x{ { splines[0]->Evaluate(at), splines[1]->Evaluate(at),
+        splines[2]->Evaluate(at) } };
+      piece.Points[k] = skd::Weighted(x - (start - points[0]), 1.0);
     }
     skd::BernsteinBasisOf(3).Convert(piece.Points);
-    this->AddPiece(piece, origin, static_cast<int>(numbers[i]));
+    this->AddPiece(piece, start, static_cast<int>(knots.Numbers[i]));
   }
 }
 

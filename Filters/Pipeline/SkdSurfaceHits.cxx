@@ -10,19 +10,6 @@
 
 #include <tuple>
 
-namespace
-{
-double LargestCoordinate(const skd::Box3& box)
-{
-  double largest = 0.0;
-  for (int axis = 0; axis < 3 && !box.IsEmpty(); ++axis)
-  {
-    largest = std::max({ largest, std::abs(box.Min[axis]), std::abs(box.Max[axis]) });
-  }
-  return largest;
-}
-}
-
 //------------------------------------------------------------------------------
 SkdSurfaceHitFinder::SkdSurfaceHitFinder(
   const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta)
@@ -30,7 +17,8 @@ SkdSurfaceHitFinder::SkdSurfaceHitFinder(
   , Surfaces(surfaces)
   , Delta(delta)
   , Rounding(8.0 * std::numeric_limits<double>::epsilon() *
-      std::max(LargestCoordinate(curves.GetBounds()), LargestCoordinate(surfaces.GetBounds())))
+      std::max(
+        skd::LargestCoordinate(curves.GetBounds()), skd::LargestCoordinate(surfaces.GetBounds())))
 {
 }
 

@@ -48,17 +48,12 @@ void SkdSurfaceSet::Build(double epsilon)
   std::vector<skd::Box3> boxes(this->Elements.size());
   SkdParallelLoop()(
     boxes.size(), [&](std::size_t i) { boxes[i] = this->BoundsOf(this->Elements[i]); });
-  double largest = 0.0;
   for (const skd::Box3& box : boxes)
   {
     this->Bounds.Add(box);
   }
-  for (int axis = 0; axis < 3 && !boxes.empty(); ++axis)
-  {
-    largest =
-      std::max({ largest, std::abs(this->Bounds.Min[axis]), std::abs(this->Bounds.Max[axis]) });
-  }
-  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
+  const double rounding =
+    8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
   this->AbsoluteEpsilon = std::max(epsilon * this->Bounds.Diagonal(), rounding);
   this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdParallelLoop());
 }

@@ -86,7 +86,7 @@ struct BezierCurve
   CurvePoint At(double t) const
   {
     Homogeneous level[MaximumDegree + 1];
-    std::copy(this->Points, this->Points + this->Degree + 1, level);
+    Copy(this->Points, this->Degree + 1, level);
     Homogeneous second{};
     for (int i = this->Degree; i > 0; --i)
     {
@@ -107,7 +107,7 @@ struct BezierCurve
   Homogeneous WeightedAt(double t) const
   {
     Homogeneous level[MaximumDegree + 1];
-    std::copy(this->Points, this->Points + this->Degree + 1, level);
+    Copy(this->Points, this->Degree + 1, level);
     for (int i = this->Degree; i > 0; --i)
     {
       Step(level, i, t);
@@ -128,6 +128,15 @@ struct BezierCurve
       part.CutFrom(from / to);
     }
     return part;
+  }
+
+  /// As std::copy, of which GCC 12 fears that the size might be negative.
+  static void Copy(const Homogeneous* from, int size, Homogeneous* to)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      to[i] = from[i];
+    }
   }
 
   /// The box of the control points.

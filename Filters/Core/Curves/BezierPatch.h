@@ -35,7 +35,7 @@ struct BezierPatch
     this->DegreeR = other.DegreeR;
     this->DegreeS = other.DegreeS;
     this->IsTriangle = other.IsTriangle;
-    std::copy(other.Points, other.Points + other.Size(), this->Points);
+    BezierCurve::Copy(other.Points, other.Size(), this->Points);
     return *this;
   }
 
@@ -131,7 +131,7 @@ private:
     const Homogeneous* points, int degree, double t, Homogeneous& value, Homogeneous& slope)
   {
     Homogeneous level[MaximumDegree + 1];
-    std::copy(points, points + degree + 1, level);
+    BezierCurve::Copy(points, degree + 1, level);
     for (int i = degree; i > 1; --i)
     {
       for (int k = 0; k < i; ++k)

@@ -23,23 +23,38 @@ inline double ChordDeviation(const BezierCurve& curve)
   return std::sqrt(deviation2);
 }
 
+/// Whether a step from control point to control point leaves the chord by more than 22.5 degrees.
+inline bool TurnsMuch(const BezierCurve& curve)
+{
+  constexpr double cosine = 0.9238795325112867;
+  const Vector3 chord = curve.End() - curve.Start();
+  for (int i = 0; i < curve.Degree; ++i)
+  {
+    const Vector3 step = curve.Control(i + 1) - curve.Control(i);
+    if (!(Dot(step, chord) >= cosine * Norm(step) * Norm(chord)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 namespace detail
 {
 
-template <class Visit>
+template <class IsFine, class Visit>
 void VisitSpansOf(
-  const BezierCurve& curve, const Interval& range, double delta, int depth, Visit& visit)
+  const BezierCurve& curve, const Interval& range, const IsFine& isFine, int depth, Visit& visit)
 {
   constexpr int depthLimit = 12;
-  const bool mayHalve = depth < depthLimit && !curve.IsLine();
-  if (!mayHalve || ChordDeviation(curve) <= delta)
+  if (curve.IsLine() || depth == depthLimit || isFine(curve))
   {
     visit(curve, range);
     return;
   }
   const double middle = 0.5 * (range.Min + range.Max);
-  VisitSpansOf(curve.Part(0.0, 0.5), { range.Min, middle }, delta, depth + 1, visit);
-  VisitSpansOf(curve.Part(0.5, 1.0), { middle, range.Max }, delta, depth + 1, visit);
+  VisitSpansOf(curve.Part(0.0, 0.5), { range.Min, middle }, isFine, depth + 1, visit);
+  VisitSpansOf(curve.Part(0.5, 1.0), { middle, range.Max }, isFine, depth + 1, visit);
 }
 
 /// Gauss's quadrature of the speed, seven places.
@@ -66,7 +81,7 @@ inline double LengthByHalves(
   const double middle = 0.5 * (from + to);
   const double low = GaussLength(curve, from, middle);
   const double high = GaussLength(curve, middle, to);
-  if (depth == 0 || std::abs(low + high - whole) <= 1e-14 * whole)
+  if (depth == 0 || std::abs(low + high - whole) <= 1e-13 * whole)
   {
     return low + high;
   }
@@ -81,17 +96,28 @@ inline double LengthByHalves(
 template <class Visit>
 void VisitSpans(const BezierCurve& curve, double delta, Visit visit)
 {
-  detail::VisitSpansOf(curve, { 0.0, 1.0 }, delta, 0, visit);
+  const auto isFine = [&](const BezierCurve& part) { return ChordDeviation(part) <= delta; };
+  detail::VisitSpansOf(curve, { 0.0, 1.0 }, isFine, 0, visit);
 }
 
-/// The arc length of a stretch, to about 1e-14 relative.
+/// The same, and no part turns from its chord by more than 22.5 degrees: neither it nor two that
+/// follow each other can meet themselves.
+template <class Visit>
+void VisitStraightSpans(const BezierCurve& curve, double delta, Visit visit)
+{
+  const auto isFine = [&](const BezierCurve& part)
+  { return ChordDeviation(part) <= delta && !TurnsMuch(part); };
+  detail::VisitSpansOf(curve, { 0.0, 1.0 }, isFine, 0, visit);
+}
+
+/// The arc length of a stretch, to about 1e-13 relative.
 inline double ArcLength(const BezierCurve& curve, double from, double to)
 {
   if (curve.IsLine())
   {
     return (to - from) * std::sqrt(Distance2(curve.Start(), curve.End()));
   }
-  return detail::LengthByHalves(curve, from, to, detail::GaussLength(curve, from, to), 12);
+  return detail::LengthByHalves(curve, from, to, detail::GaussLength(curve, from, to), 8);
 }
 
 }

@@ -139,6 +139,18 @@ struct Box
 
 using Box3 = Box<3>;
 
+/// The largest coordinate of a point of the box, without its sign; 0 of an empty one.
+template <int D>
+double LargestCoordinate(const Box<D>& box)
+{
+  double largest = 0.0;
+  for (int axis = 0; axis < D && !box.IsEmpty(); ++axis)
+  {
+    largest = std::max({ largest, std::abs(box.Min[axis]), std::abs(box.Max[axis]) });
+  }
+  return largest;
+}
+
 }
 
 #endif
