@@ -92,4 +92,14 @@ def test_picking():
     assert "of 1033920 cells" in said and "the same without" in said, said
 
 
+def test_curve_intersection():
+    picture = fresh_picture("curve_intersection_example.png")
+    said = run("CurveIntersection.py", picture)
+    assert "the figure crosses itself 17 times" in said, said
+    colours = pixels(picture)
+    is_background = (colours == 255).all(axis=1)
+    assert 0.5 < is_background.mean() < 0.99
+    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+
+
 skdtesting.run_tests(globals())

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// All points that two pieces of curves have in common (section 6.1), on their native form.
+///
+/// As for a curve and a patch (CurvePatchSolver.h): both are halved until each part is certainly
+/// apart, has at most one root, which is then found, or touches.
+#ifndef skd_Curves_CurvePairSolver_h
+#define skd_Curves_CurvePairSolver_h
+
+#include "CurvePairCell.h"
+#include "CurveWithinCurve.h"
+
+namespace skd
+{
+
+/// One a thread: it keeps its memory.
+class CurvePairSolver
+{
+public:
+  /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good
+  /// until the next call. Control points should be relative to an origin near by.
+  const std::vector<CurvePairHit>& Solve(
+    const BezierCurve& first, const BezierCurve& second, double tolerance)
+  {
+    this->Hits.clear();
+    this->Contacts.clear();
+    this->Stack.clear();
+    const CurvePair pair{ first, second, tolerance };
+    const CurvePairCell whole{ first, second };
+    if (CurvePairHulls(whole).AreApart(tolerance) || CurveWithinCurve(pair).Find(this->Hits))
+    {
+      return this->Hits;
+    }
+    this->Stack.push_back(whole);
+    for (int budget = CellBudget; !this->Stack.empty(); --budget)
+    {
+      const CurvePairCell cell = this->Stack.back();
+      this->Stack.pop_back();
+      this->Examine(cell, pair, budget > 0);
+    }
+    this->ResolveContacts(pair);
+    this->Unite();
+    return this->Hits;
+  }
+
+private:
+  static constexpr int CellBudget = 20000; ///< what is left then counts as touching
+  static constexpr int DepthLimit = 100;   ///< 50 halvings of each curve
+
+  void Examine(const CurvePairCell& cell, const CurvePair& pair, bool mayHalve)
+  {
+    const CurvePairHulls hulls(cell);
+    if (hulls.AreApart(pair.Tolerance))
+    {
+      return;
+    }
+    const PairInverse inverse(cell);
+    const Contraction<2> contraction = inverse.ContractionOf(cell);
+    if (contraction.Excludes())
+    {
+      return;
+    }
+    if (contraction.Worst() < 0.5)
+    {
+      this->FindOnly(cell, inverse, pair);
+      return;
+    }
+    if (!mayHalve || cell.Depth >= DepthLimit || hulls.AreTogether(2.0 * pair.Tolerance))
+    {
+      this->Contacts.push_back({ cell.T, 0.5 * (cell.S.Min + cell.S.Max) });
+      return;
+    }
+    this->Halve(cell, hulls.Largest());
+  }
+
+  /// The one place of the cell where both curves are level, seen along what is across both; whether
+  /// they also meet there.
+  void FindOnly(const CurvePairCell& cell, const PairInverse& inverse, const CurvePair& pair)
+  {
+    double at[2] = { 0.5, 0.5 };
+    for (int iteration = 0; iteration < 60; ++iteration)
+    {
+      double step[2];
+      inverse.Step(cell, at, step);
+      at[0] += step[0];
+      at[1] += step[1];
+      if (std::abs(step[0]) + std::abs(step[1]) < 1e-15)
+      {
+        break;
+      }
+    }
+    CurvePairHit hit;
+    hit.T = cell.T.Min + at[0] * (cell.T.Max - cell.T.Min);
+    hit.S = cell.S.Min + at[1] * (cell.S.Max - cell.S.Min);
+    pair.Polish(hit);
+    if (Holds(cell.T, hit.T) && Holds(cell.S, hit.S) && pair.Accept(hit))
+    {
+      this->Hits.push_back(hit);
+    }
+  }
+
+  static bool Holds(const Interval& interval, double value)
+  {
+    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9;
+    return value >= interval.Min - slack && value <= interval.Max + slack;
+  }
+
+  void Halve(const CurvePairCell& cell, bool first)
+  {
+    CurvePairCell low = cell;
+    CurvePairCell high = cell;
+    low.Depth = high.Depth = cell.Depth + 1;
+    if (first)
+    {
+      low.T.Max = high.T.Min = 0.5 * (cell.T.Min + cell.T.Max);
+      low.First = cell.First.Part(0.0, 0.5);
+      high.First = cell.First.Part(0.5, 1.0);
+    }
+    else
+    {
+      low.S.Max = high.S.Min = 0.5 * (cell.S.Min + cell.S.Max);
+      low.Second = cell.Second.Part(0.0, 0.5);
+      high.Second = cell.Second.Part(0.5, 1.0);
+    }
+    this->Stack.push_back(low);
+    this->Stack.push_back(high);
+  }
+
+  void ResolveContacts(const CurvePair& pair)
+  {
+    std::sort(this->Contacts.begin(), this->Contacts.end(),
+      [](const CurvePairContact& a, const CurvePairContact& b) { return a.T.Min < b.T.Min; });
+    for (std::size_t first = 0; first < this->Contacts.size();)
+    {
+      CurvePairContact all = this->Contacts[first];
+      std::size_t last = first + 1;
+      while (last < this->Contacts.size() && this->Contacts[last].T.Min <= all.T.Max + 1e-9)
+      {
+        all.T.Max = std::max(all.T.Max, this->Contacts[last++].T.Max);
+      }
+      all.S = this->Contacts[(first + last) / 2].S;
+      if (const auto hit = pair.Resolve(all))
+      {
+        this->Hits.push_back(*hit);
+      }
+      first = last;
+    }
+  }
+
+  /// A root on the border of cells was found from each of them.
+  void Unite()
+  {
+    const auto isBefore = [](const CurvePairHit& a, const CurvePairHit& b)
+    { return a.T != b.T ? a.T < b.T : a.S < b.S; };
+    std::sort(this->Hits.begin(), this->Hits.end(), isBefore);
+    std::size_t kept = 0;
+    for (const CurvePairHit& hit : this->Hits)
+    {
+      const auto isSame = [&](const CurvePairHit& other)
+      {
+        return std::abs(hit.T - other.T) <= std::max({ hit.SlackT, other.SlackT, 1e-12 }) &&
+          std::abs(hit.S - other.S) <= std::max({ hit.SlackS, other.SlackS, 1e-12 });
+      };
+      const auto end = this->Hits.begin() + static_cast<std::ptrdiff_t>(kept);
+      if (std::none_of(this->Hits.begin(), end, isSame))
+      {
+        this->Hits[kept++] = hit;
+      }
+    }
+    this->Hits.resize(kept);
+  }
+
+  std::vector<CurvePairHit> Hits;
+  std::vector<CurvePairContact> Contacts;
+  std::vector<CurvePairCell> Stack;
+};
+
+}
+
+#endif

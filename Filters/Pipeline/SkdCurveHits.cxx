@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdCurveHits.h"
+
+#include "Pipeline/SkdCurveHitGroups.h"
+#include "Pipeline/SkdLoop.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+SkdCurveHitFinder::SkdCurveHitFinder(
+  const SkdCurveTree& first, const SkdCurveTree& second, const SkdCurveTask& task)
+  : First(first)
+  , Second(second)
+  , Task(task)
+  , Rounding(8.0 * std::numeric_limits<double>::epsilon() *
+      std::max(skd::LargestCoordinate(first.GetCurves().GetBounds()),
+        skd::LargestCoordinate(second.GetCurves().GetBounds())))
+{
+}
+
+//------------------------------------------------------------------------------
+SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
+{
+  vtkSMPThreadLocal<Worker> workers;
+  loop.For(static_cast<vtkIdType>(this->First.GetSpans().size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Worker& worker = workers.Local();
+      for (vtkIdType span = begin; span < end; ++span)
+      {
+        this->FindOnSpan(static_cast<std::size_t>(span), worker);
+      }
+    });
+  Worker all;
+  for (Worker& worker : workers)
+  {
+    all.Hits.insert(all.Hits.end(), worker.Hits.begin(), worker.Hits.end());
+    all.Near.insert(all.Near.end(), worker.Near.begin(), worker.Near.end());
+    all.Stretches.insert(all.Stretches.end(), worker.Stretches.begin(), worker.Stretches.end());
+  }
+  SkdCurveMeetings meetings;
+  meetings.Hits = SkdUniteCurveHits(all.Hits);
+  meetings.Stretches = SkdJoinStretches(all.Stretches);
+  const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, meetings.Hits);
+  meetings.Hits.insert(meetings.Hits.end(), near.begin(), near.end());
+  std::stable_sort(meetings.Hits.begin(), meetings.Hits.end(),
+    [](const SkdCurveHit& a, const SkdCurveHit& b)
+    {
+      return std::tuple(a.First.Curve, a.Second.Curve, a.First.U, a.Second.U) <
+        std::tuple(b.First.Curve, b.Second.Curve, b.First.U, b.Second.U);
+    });
+  return meetings;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveHitFinder::FindOnSpan(std::size_t span, Worker& worker) const
+{
+  const double reach = this->Rounding + this->Task.Clearance;
+  this->Second.VisitWithin(this->First.GetBox(span).Inflated(reach),
+    [&](std::size_t other)
+    {
+      if (!this->IsSelf() || other > span)
+      {
+        this->Examine(span, other, worker);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Whether they are one behind the other on one curve.
+bool SkdCurveHitFinder::AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const
+{
+  const SkdCurveSet& curves = this->First.GetCurves();
+  const std::size_t number = curves.GetCurveOf(first.Piece);
+  if (number != curves.GetCurveOf(second.Piece))
+  {
+    return false;
+  }
+  const SkdCurve& curve = curves.GetCurves()[number];
+  const auto start = [&](const SkdCurveSpan& span)
+  { return static_cast<double>(span.Piece - curve.FirstPiece) + span.Range.Min; };
+  const auto end = [&](const SkdCurveSpan& span)
+  { return static_cast<double>(span.Piece - curve.FirstPiece) + span.Range.Max; };
+  const double last = static_cast<double>(curve.LastPiece - curve.FirstPiece);
+  const bool joinsAround = curve.IsClosed && start(first) == 0.0 && end(second) == last;
+  return end(first) == start(second) || end(second) == start(first) || joinsAround;
+}
+
+//------------------------------------------------------------------------------
+// Boxes, then safety cylinders, then the curves themselves.
+void SkdCurveHitFinder::Examine(std::size_t first, std::size_t second, Worker& worker) const
+{
+  const SkdCurveSpan& one = this->First.GetSpans()[first];
+  const SkdCurveSpan& other = this->Second.GetSpans()[second];
+  const double radius =
+    one.Deviation + other.Deviation + 4.0 * this->Rounding + this->Task.Clearance;
+  const skd::SegmentPair chords = skd::ClosestPoints(one.Chord, other.Chord);
+  const bool isSelf = this->IsSelf();
+  if (!(chords.Dist2 <= radius * radius) || (isSelf && this->AreNeighbours(one, other)))
+  {
+    return;
+  }
+  const skd::Vector3 origin = one.Chord.A;
+  const auto& hits = worker.Solver.Solve(
+    this->First.GetForm(one, origin), this->Second.GetForm(other, origin), this->Rounding);
+  for (const skd::CurvePairHit& hit : hits)
+  {
+    SkdCurveHit found{ this->PlaceOf(this->First, one, hit.T),
+      this->PlaceOf(this->Second, other, hit.S), hit.Gap, hit.Reach, hit.Kind, hit.Begins };
+    found.First.Slack = hit.SlackT * (one.Range.Max - one.Range.Min);
+    found.Second.Slack = hit.SlackS * (other.Range.Max - other.Range.Min);
+    const bool isSameCurve = isSelf && found.First.Curve == found.Second.Curve;
+    if (isSameCurve && found.Second.U < found.First.U)
+    {
+      std::swap(found.First, found.Second);
+    }
+    if (this->IsJoint(found))
+    {
+      found.Gap = -1.0; // nearer than anything: the two are joined, not near
+      worker.Near.push_back(found);
+      continue;
+    }
+    worker.Hits.push_back(found);
+    const bool endsStretch = hit.Kind == skd::MeetingKind::OverlapEnd && !hit.Begins;
+    if (endsStretch && worker.Hits.size() > 1)
+    {
+      worker.Stretches.push_back({ worker.Hits[worker.Hits.size() - 2], found });
+    }
+  }
+  if (this->Task.Clearance > 0.0 && hits.empty())
+  {
+    this->FindNear(one, other, worker);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveHitFinder::FindNear(
+  const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const
+{
+  const bool isSameCurve = this->IsSelf() &&
+    this->First.GetCurves().GetCurveOf(first.Piece) ==
+      this->Second.GetCurves().GetCurveOf(second.Piece);
+  if (isSameCurve)
+  {
+    return;
+  }
+  const skd::Vector3 origin = first.Chord.A;
+  skd::CurveApproach limit;
+  limit.Distance = std::nextafter(this->Task.Clearance, 2.0 * this->Task.Clearance);
+  const skd::CurveApproach nearest = worker.Nearest.Find(
+    this->First.GetForm(first, origin), this->Second.GetForm(second, origin), limit);
+  if (nearest.Distance < limit.Distance)
+  {
+    worker.Near.push_back({ this->PlaceOf(this->First, first, nearest.T),
+      this->PlaceOf(this->Second, second, nearest.S), nearest.Distance, 0.0, skd::MeetingKind::Near,
+      false });
+  }
+}
+
+//------------------------------------------------------------------------------
+SkdCurvePlace SkdCurveHitFinder::PlaceOf(
+  const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const
+{
+  const SkdCurveSet& curves = tree.GetCurves();
+  SkdCurvePlace place{};
+  place.Curve = curves.GetCurveOf(span.Piece);
+  place.Piece = span.Piece;
+  place.T = t < 1.0 ? span.Range.Min + t * (span.Range.Max - span.Range.Min) : span.Range.Max;
+  const SkdCurve& curve = curves.GetCurves()[place.Curve];
+  if (curve.IsClosed && place.Piece + 1 == curve.LastPiece && place.T == 1.0)
+  {
+    place.Piece = curve.FirstPiece; // where it began
+    place.T = 0.0;
+  }
+  place.U = static_cast<double>(place.Piece - curve.FirstPiece) + place.T;
+  const skd::Vector3 origin = curves.GetPiece(place.Piece, skd::Vector3{}).Start();
+  const skd::CurvePoint point = curves.GetPiece(place.Piece, origin).At(place.T);
+  place.X = origin + point.X;
+  place.Tangent = point.D1;
+  return place;
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveHitFinder::IsAtEnd(const SkdCurveTree& tree, const SkdCurvePlace& place) const
+{
+  const SkdCurve& curve = tree.GetCurves().GetCurves()[place.Curve];
+  const double last = static_cast<double>(curve.LastPiece - curve.FirstPiece);
+  return !curve.IsClosed && (place.U == 0.0 || place.U == last);
+}
+
+//------------------------------------------------------------------------------
+/// Whether two curves of a set only go on as each other.
+bool SkdCurveHitFinder::IsJoint(const SkdCurveHit& hit) const
+{
+  return this->Task.IgnoresJoints && this->IsSelf() && hit.Kind != skd::MeetingKind::OverlapEnd &&
+    this->IsAtEnd(this->First, hit.First) && this->IsAtEnd(this->Second, hit.Second);
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCurveHits.h
+ * @brief Where curves meet curves (section 6.1): each place once.
+ */
+
+#ifndef SkdCurveHits_h
+#define SkdCurveHits_h
+
+#include "Core/Curves/CurvePairSolver.h"
+#include "Core/Curves/NearestOnCurves.h"
+#include "Pipeline/SkdCurveTree.h"
+
+class SkdLoop;
+
+/// A place on a curve.
+struct SkdCurvePlace
+{
+  std::size_t Curve;
+  std::size_t Piece;
+  double T;     ///< on the piece
+  double U;     ///< number of the piece within its curve, and T
+  double Slack; ///< what U may be off by
+  skd::Vector3 X;
+  skd::Vector3 Tangent; ///< of any length
+};
+
+/// A place that two curves have in common, or where they are nearest.
+struct SkdCurveHit
+{
+  SkdCurvePlace First;
+  SkdCurvePlace Second;
+  double Gap;
+  double Reach; ///< what the place may be off by
+  skd::MeetingKind Kind;
+  bool Begins; ///< of an OverlapEnd
+};
+
+/// A stretch that two curves have in common, along the first.
+struct SkdCurveStretch
+{
+  SkdCurveHit Begin;
+  SkdCurveHit End;
+};
+
+struct SkdCurveMeetings
+{
+  std::vector<SkdCurveHit> Hits;          ///< by both curves, then along both
+  std::vector<SkdCurveStretch> Stretches; ///< likewise
+};
+
+/// What is looked for.
+struct SkdCurveTask
+{
+  double Clearance = 0.0;    ///< tells pairs of curves that do not meet, but come as near
+  bool IgnoresJoints = true; ///< of a set against itself: curves that meet end to end
+};
+
+class SkdCurveHitFinder
+{
+public:
+  /// Of one set against itself, `first` and `second` are the same. Then each pair is told once, and
+  /// no part is compared with its neighbours along the same curve.
+  SkdCurveHitFinder(
+    const SkdCurveTree& first, const SkdCurveTree& second, const SkdCurveTask& task);
+
+  /// In parallel over the parts of the first set.
+  SkdCurveMeetings Find(SkdLoop& loop) const;
+
+  /// The distance that is 0 to within rounding.
+  double GetRounding() const { return this->Rounding; }
+
+private:
+  struct Worker
+  {
+    skd::CurvePairSolver Solver;
+    skd::NearestOnCurves Nearest;
+    std::vector<SkdCurveHit> Hits;
+    std::vector<SkdCurveHit> Near;
+    std::vector<SkdCurveStretch> Stretches;
+  };
+
+  bool IsSelf() const { return &this->First == &this->Second; }
+  void FindOnSpan(std::size_t span, Worker& worker) const;
+  void Examine(std::size_t first, std::size_t second, Worker& worker) const;
+  void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
+  bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
+  SkdCurvePlace PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
+  bool IsJoint(const SkdCurveHit& hit) const;
+  bool IsAtEnd(const SkdCurveTree& tree, const SkdCurvePlace& place) const;
+
+  const SkdCurveTree& First;
+  const SkdCurveTree& Second;
+  SkdCurveTask Task;
+  double Rounding;
+};
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeCurveIntersection.h"
+
+#include "Pipeline/SkdCurveHitArrays.h"
+#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeCurveIntersection);
+
+class vtkSkdTreeCurveIntersection::Internals
+{
+public:
+  SkdCurveTree First;
+  SkdCurveTree Second;
+};
+
+namespace
+{
+bool IsComposite(vtkDataObject* data)
+{
+  return vtkCompositeDataSet::SafeDownCast(data) != nullptr;
+}
+
+void Report(const SkdCurveHitTable& table, double rounding, vtkPolyData* output)
+{
+  const auto count = [](const auto& list) { return static_cast<vtkIdType>(list.size()); };
+  SkdReport report(output);
+  report.AddCount("Curves", count(table.First.Tree.GetCurves().GetCurves()));
+  report.AddCount("OtherCurves", count(table.Second.Tree.GetCurves().GetCurves()));
+  report.AddCount("Parts", count(table.First.Tree.GetSpans()));
+  report.AddCount("Hits", count(table.Meetings.Hits));
+  report.AddMeasure("Epsilon", table.Second.Tree.GetAbsoluteEpsilon());
+  report.AddMeasure("Rounding", rounding);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeCurveIntersection::vtkSkdTreeCurveIntersection()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeCurveIntersection::~vtkSkdTreeCurveIntersection() = default;
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveIntersection::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveIntersection::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveIntersection::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Curves against each other need all of them; so each process asks for all.
+int vtkSkdTreeCurveIntersection::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    if (inputVector[port]->GetNumberOfInformationObjects() > 0)
+    {
+      SkdAskForWhole(inputVector[port]->GetInformationObject(0));
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeCurveIntersection::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  const std::vector<SkdLeaf> leaves = SkdLeavesOf(input);
+  const std::vector<SkdLeaf> otherLeaves = SkdLeavesOf(source ? source : input);
+  SkdStopwatch watch;
+
+  if (this->ChordTolerance == 0.0)
+  {
+    vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
+  }
+  const double tolerance = this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3;
+  const SkdCurveSettings settings{ static_cast<SkdPolylineForm>(this->PolylineForm), tolerance,
+    this->Epsilon };
+  SkdCurveTree& first = this->Impl->First;
+  SkdCurveTree& second = source ? this->Impl->Second : this->Impl->First;
+  int built = first.Update(leaves, settings) ? 1 : 0;
+  built += source && second.Update(otherLeaves, settings) ? 1 : 0;
+  this->WarnAboutCurves("Input", first.GetCurves());
+  if (source)
+  {
+    this->WarnAboutCurves("Source", second.GetCurves());
+  }
+  const double buildSeconds = watch.Lap();
+
+  const SkdCurveHitFinder finder(first, second, { this->Clearance, this->IgnoreJoints });
+  SkdLoop loop(this, static_cast<vtkIdType>(first.GetSpans().size()), 0.2, 0.9);
+  const SkdCurveHitTable table{ { first, leaves, IsComposite(input) },
+    { second, otherLeaves, IsComposite(source ? source : input) }, finder.Find(loop) };
+  const double querySeconds = watch.Lap();
+
+  SkdStoreCurveHits(table, output);
+  SkdStoreStretches(table, tolerance * first.GetCurves().GetBounds().Diagonal(),
+    vtkPolyData::GetData(outputVector, 1));
+  if (this->InterpolateData)
+  {
+    std::set<std::string> refused;
+    SkdStoreDataOfCurves(table, output, refused);
+    SkdWarnAboutRefused(this, refused);
+  }
+  Report(table, finder.GetRounding(), output);
+  SkdReport report(output);
+  report.AddCount("TreesBuilt", built);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", querySeconds);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveIntersection::WarnAboutCurves(const char* port, const SkdCurveSet& curves)
+{
+  for (const std::string& fault : curves.GetFaults())
+  {
+    vtkWarningMacro(<< port << ": " << fault << "; they are left out.");
+  }
+  if (curves.GetCurves().empty())
+  {
+    vtkWarningMacro(<< port << " has no curves: nothing is crossed.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveIntersection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PolylineForm: " << this->PolylineForm << "\n";
+  os << indent << "Clearance: " << this->Clearance << "\n";
+  os << indent << "IgnoreJoints: " << (this->IgnoreJoints ? "On\n" : "Off\n");
+  os << indent << "InterpolateData: " << (this->InterpolateData ? "On\n" : "Off\n");
+  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeCurveIntersection
+ * @brief   where curves cross curves, on their native form
+ *
+ * Every point in which a curve of Input (port 0) meets a curve of Source (port 1), each any
+ * vtkDataSet or composite, by the skD-tree (section 6.1 of Khamayseh and Hansen, Commun. Comput.
+ * Phys. 2 (2007) 545-576). Without a Source the Input's curves are compared with each other, and
+ * each with itself.
+ *
+ * The steps are the paper's: curves are cut to a chord tolerance; the safety box of each part is
+ * asked for in the tree of the other curves' parts; safety cylinders around the chords tell most of
+ * the rest apart; what is left is solved for on the curves themselves. "No crossing" is certain:
+ * whatever is left out has been proved to be apart.
+ *
+ * Curves are lines, polylines (by choice as the splines through their points), quadratic and cubic
+ * lines, Lagrange and rational Bezier curves, of degrees up to 10. Two-dimensional data are an
+ * ordinary case.
+ *
+ * How its answers are defined:
+ * - Two curves meet where the distance between them is 0 to within rounding: 8 units in the last
+ *   place of the largest coordinate. See SetClearance for curves that only come near.
+ * - Each place of two curves is one point, also at the joints of a polyline.
+ * - All roots are found by bisection that excludes with certainty, simple ones to within rounding.
+ * A root of higher multiplicity is one point where the curves touch.
+ * - Where two curves run along each other for a stretch, both ends of the stretch are told.
+ * - Of a curve against itself, parts that follow each other are left out.
+ *
+ * Output port 0: vtkPolyData, a vertex for each point (in the middle of what gap there is), by
+ * curve and other curve, then along them, with | name                    | type   | meaning | |
+ * ----------------------- | ------ | ---------------------------------------------------------- |
+ * | SkdCurveId              | idtype | number of the curve among all that were read               |
+ * | SkdCurveCellId          | idtype | its cell                                                   |
+ * | SkdCurveBlockIndex      | int    | flat index of its block (of a composite Input)             |
+ * | SkdCurveParameter       | double | 0 to 1 along the cell; of a polyline by its points         |
+ * | SkdArcLength            | double | length of the curve from its start                         |
+ * | SkdOtherCurveId         | idtype | the same of the other curve, which is of the Source or,    |
+ * | SkdOtherCurveCellId     | idtype | without one, of the Input                                  |
+ * | SkdOtherCurveBlockIndex | int    |                                                            |
+ * | SkdOtherCurveParameter  | double |                                                            |
+ * | SkdOtherArcLength       | double |                                                            |
+ * | SkdGap                  | double | distance left between both                                 |
+ * | SkdAngle                | double | between both, 0 to 90 degrees                              |
+ * | SkdKind                 | int    | 0 crossing, 1 touching (along each other, or end to end in |
+ * |                         |        | line), 2 end of a common stretch, 3 near                   |
+ * and by choice the point and cell data of both there (see InterpolateData). SkdKind is the active
+ * scalars. Field data, one value each: SkdReportCurves, SkdReportOtherCurves, SkdReportParts (into
+ * which the curves of the Input are cut), SkdReportHits, SkdReportTreesBuilt (0 when it was kept),
+ * SkdReportEpsilon and SkdReportRounding (world units), SkdReportBuildSeconds,
+ * SkdReportQuerySeconds.
+ *
+ * Output port 1: vtkPolyData with a polyline for each stretch that two curves have in common, along
+ * the first, to the chord tolerance; cell data SkdCurveId, SkdCurveCellId, SkdOtherCurveId and
+ * SkdOtherCurveCellId.
+ *
+ * The tree is kept while the curves in it have the same points and cells. The answer does not
+ * depend on the number of threads or processes (each asks for the whole of both inputs).
+ *
+ * Bad input: cells that are no curves, curves without length, coordinates that are not finite,
+ * Bezier weights that are not positive and degrees above 10 are left out, with one warning of each
+ * that counts them; the rest is answered. A ChordTolerance of 0 gives a warning, and the default is
+ * used. Without curves there is a warning and no point.
+ *
+ * Cost: O(n log m) for n and m parts of curves, and some microseconds a candidate.
+ *
+ * @sa
+ * vtkSkdTreeCurveSurfaceIntersection
+ */
+
+#ifndef vtkSkdTreeCurveIntersection_h
+#define vtkSkdTreeCurveIntersection_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+
+class SkdCurveSet;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveIntersection : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeCurveIntersection, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeCurveIntersection* New();
+
+  /**
+   * How the points of a polyline are joined.
+   */
+  enum PolylineForms
+  {
+    STRAIGHT = 0,
+    CARDINAL_SPLINE = 1,
+    KOCHANEK_SPLINE = 2
+  };
+
+  ///@{
+  /**
+   * The curves that the Input's are compared with (port 1). None (default): the Input's own.
+   */
+  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
+  void SetSourceData(vtkDataObject* source);
+  ///@}
+
+  ///@{
+  /**
+   * What a polyline is: straight lines between its points, or the vtkCardinalSpline or
+   * vtkKochanekSpline (with its defaults) through them, over chord lengths; closed when the last
+   * point is the first. Default STRAIGHT.
+   */
+  vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
+  vtkGetMacro(PolylineForm, int);
+  ///@}
+
+  ///@{
+  /**
+   * A distance in world units. Of two curves that do not meet but come as near, the nearest
+   * approach is told as a point of kind 3. Default 0: none.
+   */
+  vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Clearance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Without a Source: leave out where one curve ends and another begins or ends. So lines that are
+   * cells each, but follow each other, meet nowhere. Default on.
+   */
+  vtkSetMacro(IgnoreJoints, bool);
+  vtkGetMacro(IgnoreJoints, bool);
+  vtkBooleanMacro(IgnoreJoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point data of both curves, interpolated, and the data of both cells, under their own
+   * names; without a Source those of the first curve. A name that is in use already keeps what it
+   * names, with a warning: the Input goes before the Source, points before cells. Along a polyline
+   * data are linear between its points, whatever its form. Default on.
+   */
+  vtkSetMacro(InterpolateData, bool);
+  vtkGetMacro(InterpolateData, bool);
+  vtkBooleanMacro(InterpolateData, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The paper's delta, relative to the diagonal of the curves' bounds: how far a part of a curve
+   * may be from its chord. It changes what the search costs, never where curves meet. Default 1e-3.
+   */
+  vtkSetClampMacro(ChordTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The half width that safety boxes are inflated by, twice, relative to the diagonal of the
+   * curves' bounds. It widens the search only. Default 1e-9.
+   */
+  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
+  ///@}
+
+protected:
+  vtkSkdTreeCurveIntersection();
+  ~vtkSkdTreeCurveIntersection() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int PolylineForm = STRAIGHT;
+  double Clearance = 0.0;
+  bool IgnoreJoints = true;
+  bool InterpolateData = true;
+  double ChordTolerance = 1e-3;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeCurveIntersection(const vtkSkdTreeCurveIntersection&) = delete;
+  void operator=(const vtkSkdTreeCurveIntersection&) = delete;
+
+  void WarnAboutCurves(const char* port, const SkdCurveSet& curves);
+
+  class Internals;
+  std::unique_ptr<Internals> Impl; // the trees, kept while their curves are unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Common points of two curves, where they are known.
+
+#include "Core/Curves/CurvePairSolver.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+using namespace skd;
+
+/// A quarter of the circle about the origin, by quarters.
+BezierCurve Quarter(double radius, int quarter, const Vector3& centre = {})
+{
+  static constexpr double points[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+  const double* from = points[quarter % 4];
+  const double* to = points[(quarter + 1) % 4];
+  BezierCurve curve;
+  curve.Degree = 2;
+  const auto place = [&](double x, double y) {
+    return centre + Vector3{ { radius * x, radius * y, 0.0 } };
+  };
+  curve.Points[0] = Weighted(place(from[0], from[1]), 1.0);
+  curve.Points[1] = Weighted(place(from[0] + to[0], from[1] + to[1]), M_SQRT1_2);
+  curve.Points[2] = Weighted(place(to[0], to[1]), 1.0);
+  return curve;
+}
+
+/// The graph of a cubic polynomial with the given values of y at x = 0, 1/3, 2/3, 1.
+BezierCurve Graph(const double (&controls)[4])
+{
+  BezierCurve curve;
+  curve.Degree = 3;
+  for (int i = 0; i < 4; ++i)
+  {
+    curve.Points[i] = Weighted({ { i / 3.0, controls[i], 0.0 } }, 1.0);
+  }
+  return curve;
+}
+
+std::vector<CurvePairHit> Solve(const BezierCurve& a, const BezierCurve& b)
+{
+  CurvePairSolver solver;
+  return solver.Solve(a, b, 4e-15);
+}
+
+}
+
+TEST(CurvePair, LinesCross)
+{
+  const auto hits = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 4, 4, 4 } }),
+    BezierCurve::Line({ { 0, 4, 1 } }, { { 4, 0, 1 } }));
+  EXPECT_TRUE(hits.empty()); // one above the other
+  const auto meeting = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 4, 4, 4 } }),
+    BezierCurve::Line({ { 0, 2, 1 } }, { { 2, 0, 1 } }));
+  ASSERT_EQ(meeting.size(), 1u);
+  EXPECT_NEAR(meeting[0].T, 0.25, 1e-15);
+  EXPECT_NEAR(meeting[0].S, 0.5, 1e-15);
+}
+
+TEST(CurvePair, LinesThatMeetInAnEnd)
+{
+  const auto hits = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 1, 0, 0 } }),
+    BezierCurve::Line({ { 1, 0, 0 } }, { { 1, 1, 0 } }));
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_EQ(hits[0].T, 1.0);
+  EXPECT_EQ(hits[0].S, 0.0);
+}
+
+TEST(CurvePair, LinesThatOverlap)
+{
+  const auto hits = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 3, 3, 3 } }),
+    BezierCurve::Line({ { 2, 2, 2 } }, { { 6, 6, 6 } }));
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  EXPECT_NEAR(hits[0].T, 2.0 / 3.0, 1e-14);
+  EXPECT_EQ(hits[0].S, 0.0);
+  EXPECT_EQ(hits[1].T, 1.0);
+  EXPECT_NEAR(hits[1].S, 0.25, 1e-14);
+  // In line, but apart; and end to end.
+  EXPECT_TRUE(Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 1, 1, 1 } }),
+    BezierCurve::Line({ { 2, 2, 2 } }, { { 6, 6, 6 } }))
+                .empty());
+  const auto touching = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 2, 2, 2 } }),
+    BezierCurve::Line({ { 2, 2, 2 } }, { { 6, 6, 6 } }));
+  ASSERT_EQ(touching.size(), 1u);
+  EXPECT_EQ(touching[0].Kind, MeetingKind::Touching);
+}
+
+TEST(CurvePair, CirclesCross)
+{
+  // Two unit circles, one unit apart: x = 1/2.
+  int count = 0;
+  for (int i = 0; i < 16; ++i)
+  {
+    for (const CurvePairHit& hit : Solve(Quarter(1.0, i % 4), Quarter(1.0, i / 4, { { 1, 0, 0 } })))
+    {
+      EXPECT_NEAR(hit.X[0], 0.5, 1e-15);
+      EXPECT_NEAR(std::abs(hit.X[1]), std::sqrt(0.75), 1e-15);
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, 2);
+}
+
+TEST(CurvePair, CirclesTouch)
+{
+  // Inside each other at (cos, sin) of 30 degrees.
+  const Vector3 centre{ { 0.5 * std::sqrt(0.75), 0.25, 0 } };
+  const auto hits = Solve(Quarter(1.0, 0), Quarter(0.5, 0, centre));
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_EQ(hits[0].Kind, MeetingKind::Touching);
+  EXPECT_NEAR(hits[0].X[0], std::sqrt(0.75), 1e-11);
+  EXPECT_NEAR(hits[0].X[1], 0.5, 1e-11);
+  const Vector3 apart{ { 0.5 * std::sqrt(0.75) - 1e-9, 0.25, 0 } };
+  EXPECT_TRUE(Solve(Quarter(1.0, 0), Quarter(0.5, 0, apart)).empty());
+}
+
+TEST(CurvePair, EqualCirclesOverlap)
+{
+  const auto hits = Solve(Quarter(1.0, 0), Quarter(1.0, 0));
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  EXPECT_EQ(hits[0].T, 0.0);
+  EXPECT_EQ(hits[1].T, 1.0);
+  // The same arc from the middle on, made anew.
+  const auto half = Solve(Quarter(1.0, 0), Quarter(1.0, 0).Part(0.5, 1.0));
+  ASSERT_EQ(half.size(), 2u);
+  EXPECT_NEAR(half[0].T, 0.5, 1e-13);
+}
+
+TEST(CurvePair, CubicsCrossNineTimes)
+{
+  // Chebyshev's polynomial over [0, 1], and the same with x and y exchanged.
+  const BezierCurve graph = Graph({ 0.0, 3.0, -2.0, 1.0 });
+  BezierCurve turned = graph;
+  for (int i = 0; i < 4; ++i)
+  {
+    std::swap(turned.Points[i][0], turned.Points[i][1]);
+  }
+  const auto hits = Solve(graph, turned);
+  EXPECT_EQ(hits.size(), 9u);
+  for (const CurvePairHit& hit : hits)
+  {
+    EXPECT_LE(hit.Gap, 8e-15);
+    EXPECT_EQ(hit.Kind, MeetingKind::Crossing);
+  }
+}
+
+TEST(CurvePair, ADoubleAndATripleRoot)
+{
+  const BezierCurve line = BezierCurve::Line({ { -1, 0, 0 } }, { { 2, 0, 0 } });
+  // y = (x - 1/2)^2, and y = (x - 1/2)^3
+  const auto twice = Solve(Graph({ 0.25, -1.0 / 12, -1.0 / 12, 0.25 }), line);
+  ASSERT_EQ(twice.size(), 1u);
+  EXPECT_EQ(twice[0].Kind, MeetingKind::Touching);
+  EXPECT_NEAR(twice[0].T, 0.5, 1e-12);
+  const auto thrice = Solve(Graph({ -0.125, 0.125, -0.125, 0.125 }), line);
+  ASSERT_EQ(thrice.size(), 1u);
+  EXPECT_NEAR(thrice[0].T, 0.5, 1e-5);
+  // A little higher and lower.
+  EXPECT_TRUE(
+    Solve(Graph({ .25 + 1e-12, -1.0 / 12 + 1e-12, -1.0 / 12 + 1e-12, .25 + 1e-12 }), line).empty());
+  const auto apart =
+    Solve(Graph({ .25 - 1e-12, -1.0 / 12 - 1e-12, -1.0 / 12 - 1e-12, .25 - 1e-12 }), line);
+  ASSERT_EQ(apart.size(), 2u);
+  EXPECT_NEAR(apart[1].T - apart[0].T, 2e-6, 1e-8);
+}
+
+TEST(CurvePair, NearMissesAreNoHits)
+{
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto random = [&]
+  {
+    BezierCurve curve;
+    curve.Degree = 3;
+    for (int i = 0; i < 4; ++i)
+    {
+      curve.Points[i] = Weighted({ { number(engine), number(engine), 0.0 } }, 1.0);
+    }
+    return curve;
+  };
+  int crossings = 0;
+  for (int round = 0; round < 500; ++round)
+  {
+    const BezierCurve a = random();
+    BezierCurve b = random();
+    const auto flat = Solve(a, b);
+    crossings += static_cast<int>(flat.size());
+    for (const CurvePairHit& hit : flat)
+    {
+      EXPECT_LE(hit.Gap, 8e-15);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      b.Points[i][2] = 1e-12;
+    }
+    EXPECT_TRUE(Solve(a, b).empty());
+  }
+  EXPECT_GT(crossings, 200);
+}

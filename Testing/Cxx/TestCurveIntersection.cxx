@@ -1,0 +1,423 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeCurveIntersection: known crossings, options, bad input.
+
+#include "Support/CurveRun.h"
+#include "Support/EventCounter.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkSMPTools.h"
+#include "vtkSkdTreeCurveIntersection.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+using Filter = vtkSkdTreeCurveIntersection;
+using FilterPointer = vtkSmartPointer<Filter>;
+using Numbers = std::vector<double>;
+
+FilterPointer MakeFilter(vtkDataObject* curves, vtkDataObject* others = nullptr)
+{
+  auto filter = FilterPointer::New();
+  filter->SetInputDataObject(0, curves);
+  if (others)
+  {
+    filter->SetSourceData(others);
+  }
+  return filter;
+}
+
+/// The curve as one Lagrange cell a piece, of order 10.
+template <class Function>
+GridPointer LagrangeCurve(const Function& f, double t0, double t1, int pieces)
+{
+  constexpr int order = 10;
+  Mesh mesh;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    const double from = t0 + (t1 - t0) * piece / pieces;
+    const double to = t0 + (t1 - t0) * (piece + 1) / pieces;
+    const std::vector<Point> points = Sampled(f, from, to, order);
+    Ids ids{ mesh.Add(points.front()), mesh.Add(points.back()) };
+    for (int i = 1; i < order; ++i)
+    {
+      ids.push_back(mesh.Add(points[static_cast<std::size_t>(i)]));
+    }
+    mesh.Add(VTK_LAGRANGE_CURVE, ids);
+  }
+  return MakeGrid(mesh);
+}
+
+auto Lissajous(int a, int b)
+{
+  return [=](double t) { return Point{ std::sin(a * t + 0.3), std::sin(b * t), 0.0 }; };
+}
+
+/// The crossings of a closed polyline with itself, by looking at all pairs of its segments.
+int CountCrossings(const std::vector<Point>& points)
+{
+  const auto side = [](const Point& a, const Point& b, const Point& c)
+  { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
+  int count = 0;
+  const std::size_t n = points.size() - 1;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = i + 2; j < n - (i == 0); ++j)
+    {
+      const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
+      count += side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+    }
+  }
+  return count;
+}
+
+}
+
+TEST(CurveIntersection, TwoLines)
+{
+  const FilterPointer filter = MakeFilter(
+    MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } }), MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } }));
+  EXPECT_EQ(OutputPoints(filter), (std::vector<Point>{ { 1, 0, 0 } }));
+  EXPECT_EQ(OutputArray(filter, "SkdCurveParameter"), Numbers{ .25 });
+  EXPECT_EQ(OutputArray(filter, "SkdArcLength"), Numbers{ 1 });
+  EXPECT_EQ(OutputArray(filter, "SkdOtherCurveParameter"), Numbers{ .25 });
+  EXPECT_EQ(OutputArray(filter, "SkdOtherArcLength"), Numbers{ 1 });
+  EXPECT_EQ(OutputArray(filter, "SkdAngle"), Numbers{ 90 });
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), Numbers{ 0 });
+  EXPECT_EQ(ReportOf(filter, "Hits"), 1);
+}
+
+TEST(CurveIntersection, MirroredHelicesMeetFiveTimes)
+{
+  const auto helix = [](double sign) {
+    return [=](double t) { return Point{ std::cos(t), sign * std::sin(t), t / (2 * M_PI) }; };
+  };
+  constexpr int pieces = 7; // so that t = k pi is within a piece, but at both ends
+  const FilterPointer filter = MakeFilter(
+    LagrangeCurve(helix(1), 0, 4 * M_PI, pieces), LagrangeCurve(helix(-1), 0, 4 * M_PI, pieces));
+  // Interpolation moves the curves apart by 1e-10: they are near there, and meet at their ends.
+  filter->SetClearance(1e-7);
+  const Numbers cells = OutputArray(filter, "SkdCurveCellId");
+  const Numbers within = OutputArray(filter, "SkdCurveParameter");
+  ASSERT_EQ(cells.size(), 5u);
+  for (std::size_t k = 0; k < 5; ++k)
+  {
+    EXPECT_NEAR((cells[k] + within[k]) * 4 * M_PI / pieces, k * M_PI, 1e-7);
+  }
+}
+
+TEST(CurveIntersection, PolylinesOfMirroredHelicesMissEachOther)
+{
+  const auto helix = [](double sign) {
+    return [=](double t) { return Point{ std::cos(t), sign * std::sin(t), t / (2 * M_PI) }; };
+  };
+  // 100 segments a turn, one of them begun half a segment later: exactly mirrored ones would meet.
+  const double shift = M_PI / 100;
+  const PolyDataPointer one = MakePolyline(Sampled(helix(1), 0, 4 * M_PI, 200));
+  const PolyDataPointer other = MakePolyline(Sampled(helix(-1), shift, 4 * M_PI - shift, 199));
+  const FilterPointer filter = MakeFilter(one, other);
+  EXPECT_TRUE(OutputPoints(filter).empty());
+  filter->SetClearance(1e-3);
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), Numbers{ 3 }); // the nearest approach of the two
+  EXPECT_LT(OutputArray(filter, "SkdGap")[0], 5e-4);
+}
+
+TEST(CurveIntersection, LissajousCurvesMeetThemselves)
+{
+  for (const auto& [a, b, expected] : { std::tuple(3, 4, 17), std::tuple(2, 3, 7) })
+  {
+    const std::vector<Point> points = Sampled(Lissajous(a, b), 0, 2 * M_PI, 400);
+    std::vector<Point> closed = points;
+    closed.back() = closed.front();
+    const FilterPointer filter = MakeFilter(MakePolyline(closed));
+    for (int form : { Filter::STRAIGHT, Filter::CARDINAL_SPLINE, Filter::KOCHANEK_SPLINE })
+    {
+      filter->SetPolylineForm(form);
+      EXPECT_EQ(OutputPoints(filter).size(), static_cast<std::size_t>(expected)) << form;
+      EXPECT_EQ(OutputArray(filter, "SkdKind"), Numbers(OutputPoints(filter).size(), 0.0));
+    }
+    EXPECT_EQ(CountCrossings(closed), expected);
+  }
+}
+
+TEST(CurveIntersection, ALissajousCurvesCrossingsAreWhereTheyAre)
+{
+  // (sin(3t + 0.3), sin(4t)) with itself: both coordinates agree at two parameters.
+  const std::vector<Point> points = Sampled(Lissajous(3, 4), 0, 2 * M_PI, 4000);
+  std::vector<Point> closed = points;
+  closed.back() = closed.front();
+  const FilterPointer filter = MakeFilter(MakePolyline(closed));
+  filter->SetPolylineForm(Filter::CARDINAL_SPLINE);
+  const Numbers first = OutputArray(filter, "SkdCurveParameter");
+  const Numbers second = OutputArray(filter, "SkdOtherCurveParameter");
+  ASSERT_EQ(first.size(), 17u);
+  const auto at = Lissajous(3, 4);
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    EXPECT_LT(first[i], second[i]);
+    const Point a = at(2 * M_PI * first[i]);
+    const Point b = at(2 * M_PI * second[i]);
+    EXPECT_LT(Length(a - b), 1e-5);
+  }
+}
+
+TEST(CurveIntersection, RationalCirclesCrossExactly)
+{
+  const FilterPointer filter = MakeFilter(BezierCircle(1.0), BezierCircle(1.0, { 1, 0, 0 }));
+  const std::vector<Point> points = OutputPoints(filter);
+  ASSERT_EQ(points.size(), 2u);
+  for (const Point& point : points)
+  {
+    EXPECT_NEAR(point[0], 0.5, 1e-15);
+    EXPECT_NEAR(std::abs(point[1]), std::sqrt(0.75), 1e-15);
+  }
+  for (double angle : OutputArray(filter, "SkdAngle"))
+  {
+    EXPECT_NEAR(angle, 60.0, 1e-12);
+  }
+}
+
+TEST(CurveIntersection, CirclesThatTouch)
+{
+  const Point centre{ 0.5 * std::cos(0.5), 0.5 * std::sin(0.5), 0 };
+  const FilterPointer filter = MakeFilter(BezierCircle(1.0), BezierCircle(0.5, centre));
+  const std::vector<Point> points = OutputPoints(filter);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), Numbers{ 1 });
+  EXPECT_NEAR(points[0][0], std::cos(0.5), 1e-7);
+  EXPECT_NEAR(points[0][1], std::sin(0.5), 1e-7);
+  filter->SetSourceData(BezierCircle(0.5 - 1e-12, centre));
+  EXPECT_TRUE(OutputPoints(filter).empty());
+}
+
+TEST(CurveIntersection, CurvesThatComeCloseAreNeverLost)
+{
+  // Arcs whose chords miss each other by up to twice the chord tolerance, crossed in one point.
+  Random random(4);
+  for (int round = 0; round < 300; ++round)
+  {
+    const double turn = random.Between(0, 2 * M_PI);
+    const double tilt = random.Between(0.1, M_PI - 0.1);
+    const auto arc = [&](double t) { return Point{ std::sin(t), 1 - std::cos(t), 0.0 }; };
+    const auto other = [&](double t)
+    {
+      const double flat = std::sin(t), high = -(1 - std::cos(t));
+      return Point{ flat * std::cos(tilt), high, flat * std::sin(tilt) };
+    };
+    (void)turn;
+    const double from = random.Between(-0.9, -0.2);
+    const double to = random.Between(0.2, 0.9);
+    const auto place = [&](const auto& f) { return LagrangeCurve(f, from, to, 1); };
+    const FilterPointer filter = MakeFilter(place(arc), place(other));
+    // Exactly the origin is common; interpolation of order 10 keeps it to 1e-14 or so.
+    filter->SetClearance(1e-9);
+    for (double tolerance : { 1.0, 1e-1, 1e-2, 1e-4 })
+    {
+      filter->SetChordTolerance(tolerance);
+      const std::vector<Point> points = OutputPoints(filter);
+      ASSERT_EQ(points.size(), 1u) << round;
+      EXPECT_LT(Length(points[0]), 1e-5);
+    }
+  }
+}
+
+TEST(CurveIntersection, CurvesThatOverlapTellTheStretch)
+{
+  const FilterPointer filter =
+    MakeFilter(MakePolyline({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 5, 2, 0 } }),
+      MakePolyline(
+        { { .5, 1, 0 }, { .5, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 9, 1, 0 } }));
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), (Numbers{ 2, 2 }));
+  EXPECT_EQ(OutputArray(filter, "SkdArcLength"), (Numbers{ .5, 4 }));
+  const std::vector<Point> stretch = OutputPoints(filter, 1);
+  ASSERT_EQ(stretch.size(), 4u);
+  EXPECT_EQ(stretch.front(), (Point{ .5, 0, 0 }));
+  EXPECT_EQ(stretch[2], (Point{ 3, 0, 0 }));
+  EXPECT_EQ(stretch.back(), (Point{ 3, 1, 0 }));
+  EXPECT_EQ(OutputCellArray(filter, "SkdOtherCurveId", 1), Numbers{ 0 });
+}
+
+TEST(CurveIntersection, EqualCirclesOverlapAllAround)
+{
+  const FilterPointer filter = MakeFilter(BezierCircle(1.0), BezierCircle(1.0));
+  const Numbers kinds = OutputArray(filter, "SkdKind");
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), 2.0), 8);
+  auto* stretches = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  EXPECT_EQ(stretches->GetNumberOfCells(), 4);
+}
+
+TEST(CurveIntersection, APlaceOnAVertexIsOnePoint)
+{
+  const FilterPointer filter = MakeFilter(MakePolyline({ { -1, 0, 0 }, { 0, 0, 0 }, { 1, .5, 0 } }),
+    MakePolyline({ { 0, -1, 0 }, { 0, 0, 0 }, { .3, 1, 0 } }));
+  EXPECT_EQ(OutputPoints(filter).size(), 1u);
+  EXPECT_EQ(OutputArray(filter, "SkdCurveParameter"), Numbers{ .5 });
+}
+
+TEST(CurveIntersection, JointsOfLinesAreIgnoredByChoice)
+{
+  Mesh mesh = OneCell(VTK_LINE, { { 0, 0, 0 }, { 1, 0, 0 } });
+  mesh.Add(VTK_LINE, { 1, mesh.Add({ 1, 1, 0 }) });
+  mesh.Add(VTK_LINE, { 2, mesh.Add({ .5, -1, 0 }) });
+  const FilterPointer filter = MakeFilter(MakePolyData(mesh));
+  EXPECT_EQ(OutputArray(filter, "SkdOtherCurveId"), Numbers{ 2 }); // the first with the third
+  filter->IgnoreJointsOff();
+  EXPECT_EQ(OutputPoints(filter).size(), 3u);
+}
+
+TEST(CurveIntersection, TellsNearestApproaches)
+{
+  Mesh mesh = OneCell(VTK_LINE, { { -1, 0, 0 }, { 1, 0, 0 } });
+  mesh.Add(VTK_LINE, { mesh.Add({ 0, -1, .25 }), mesh.Add({ 0, 1, .25 }) });
+  mesh.Add(VTK_LINE, { mesh.Add({ 0.5, -1, 2 }), mesh.Add({ 0.5, 1, 2 }) });
+  const FilterPointer filter = MakeFilter(MakePolyData(mesh));
+  EXPECT_TRUE(OutputPoints(filter).empty());
+  filter->SetClearance(0.25);
+  EXPECT_EQ(OutputPoints(filter), (std::vector<Point>{ { 0, 0, .125 } }));
+  EXPECT_EQ(OutputArray(filter, "SkdGap"), Numbers{ .25 });
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), Numbers{ 3 });
+  filter->SetClearance(0.2499);
+  EXPECT_TRUE(OutputPoints(filter).empty());
+  filter->SetClearance(3);
+  EXPECT_EQ(OutputPoints(filter).size(), 3u);
+  filter->SetInputDataObject(0, BezierCircle(1.0));
+  filter->SetSourceData(BezierCircle(0.5, { 0.2, 0, 0 }));
+  filter->SetClearance(0.3 + 1e-9);
+  EXPECT_NEAR(OutputPoints(filter)[0][0], 0.85, 1e-9);
+}
+
+TEST(CurveIntersection, InterpolatesDataOfBothSides)
+{
+  const PolyDataPointer one = MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } });
+  const PolyDataPointer other = MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } });
+  const auto add = [](vtkDataSet* to, const char* name, double a, double b)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->InsertNextValue(a);
+    array->InsertNextValue(b);
+    to->GetPointData()->AddArray(array);
+  };
+  add(one, "A", 0, 8);
+  add(other, "B", 4, 0);
+  add(other, "A", 4, 0);
+  const FilterPointer filter = MakeFilter(one, other);
+  EventCounter events(filter);
+  EXPECT_EQ(OutputArray(filter, "A"), Numbers{ 2 });
+  EXPECT_EQ(OutputArray(filter, "B"), Numbers{ 3 });
+  EXPECT_EQ(events.Warnings, 1);
+}
+
+TEST(CurveIntersection, KeepsItsTrees)
+{
+  const PolyDataPointer other = MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } });
+  const FilterPointer filter = MakeFilter(MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } }), other);
+  filter->Update();
+  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 2);
+  filter->SetInputDataObject(0, MakePolyline({ { 0, 1, 0 }, { 4, 1, 0 } }));
+  filter->Update();
+  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 1);
+  filter->SetClearance(1);
+  filter->Update();
+  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 0);
+}
+
+TEST(CurveIntersection, CompositeCurvesTellTheirBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } }));
+  blocks->SetBlock(1, MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } }));
+  const FilterPointer filter = MakeFilter(blocks);
+  EXPECT_EQ(OutputArray(filter, "SkdCurveBlockIndex"), Numbers{ 1 });
+  EXPECT_EQ(OutputArray(filter, "SkdOtherCurveBlockIndex"), Numbers{ 2 });
+}
+
+TEST(CurveIntersection, AnswersTheRestOfBadInput)
+{
+  const double nan = std::nan("");
+  Mesh curves = OneCell(VTK_LINE, { { 0, 0, 0 }, { 4, 0, 0 } });
+  curves.Add(VTK_LINE, { curves.Add({ 1, 1, 1 }), curves.Add({ 1, 1, 1 }) });
+  curves.Add(VTK_LINE, { curves.Add({ nan, 1, 1 }), 0 });
+  curves.Add(VTK_TRIANGLE, { 0, 1, 2 });
+  curves.Add(VTK_LINE, { curves.Add({ 1, -1, 0 }), curves.Add({ 1, 1, 0 }) });
+  const FilterPointer filter = MakeFilter(MakeGrid(curves));
+  filter->SetChordTolerance(0.0);
+  EventCounter events(filter);
+  EXPECT_EQ(OutputPoints(filter).size(), 1u);
+  EXPECT_EQ(OutputArray(filter, "SkdOtherCurveCellId"), Numbers{ 4 });
+  EXPECT_EQ(events.Warnings, 4);
+  EXPECT_EQ(events.Errors, 0);
+  const FilterPointer empty = MakeFilter(PolyDataPointer::New());
+  EventCounter more(empty);
+  EXPECT_TRUE(OutputPoints(empty).empty());
+  EXPECT_EQ(more.Warnings, 1);
+}
+
+TEST(CurveIntersection, AnswersTheSameWithAnyNumberOfThreads)
+{
+  Random random(8);
+  Mesh mesh;
+  for (int i = 0; i < 400; ++i)
+  {
+    mesh.Add(VTK_LINE,
+      { mesh.Add({ random.Between(0, 1), random.Between(0, 1), 0 }),
+        mesh.Add({ random.Between(0, 1), random.Between(0, 1), 0 }) });
+  }
+  std::vector<Numbers> answers;
+  for (int threads : { 1, 4 })
+  {
+    vtkSMPTools::Initialize(threads);
+    const FilterPointer filter = MakeFilter(MakePolyData(mesh));
+    Numbers all = OutputArray(filter, "SkdArcLength");
+    const Numbers others = OutputArray(filter, "SkdOtherCurveId");
+    all.insert(all.end(), others.begin(), others.end());
+    answers.push_back(all);
+  }
+  vtkSMPTools::Initialize(0);
+  EXPECT_EQ(answers[0], answers[1]);
+  EXPECT_GT(answers[0].size(), 1000u);
+}
+
+TEST(CurveIntersection, RandomLinesAgreeWithAllPairs)
+{
+  Random random(5);
+  for (double offset : { 0.0, 1e6 })
+  {
+    Mesh mesh;
+    std::vector<Point> points;
+    for (int i = 0; i < 600; ++i)
+    {
+      points.push_back({ offset + std::floor(random.Between(0, 30)),
+        offset + std::floor(random.Between(0, 30)), 0.0 });
+      mesh.Add(points.back());
+    }
+    std::size_t expected = 0;
+    const auto side = [](const Point& a, const Point& b, const Point& c)
+    { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
+    for (vtkIdType i = 0; i < 300; ++i)
+    {
+      mesh.Add(VTK_LINE, { 2 * i, 2 * i + 1 });
+    }
+    const FilterPointer filter = MakeFilter(MakePolyData(mesh));
+    filter->IgnoreJointsOff();
+    const Numbers kinds = OutputArray(filter, "SkdKind");
+    std::size_t degenerate = 0;
+    for (std::size_t i = 0; i < 300; ++i)
+    {
+      for (std::size_t j = i + 1; j < 300; ++j)
+      {
+        const Point &a = points[2 * i], &b = points[2 * i + 1], &c = points[2 * j],
+                    &d = points[2 * j + 1];
+        const double across = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0]);
+        const bool meets = side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
+        expected += across != 0.0 && meets;
+        degenerate += across == 0.0 && meets;
+      }
+    }
+    EXPECT_EQ(static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), 0.0)), expected);
+  }
+}

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The curve intersection filter by ParaView's simple API."""
+
+import math
+
+from paraview import servermanager, simple
+
+import skdtesting
+
+
+def lissajous(a, b, count=200):
+    points = []
+    for i in range(count):
+        t = 2 * math.pi * i / count
+        points += [math.sin(a * t + 0.3), math.sin(b * t), 0]
+    return simple.PolyLineSource(Points=points + points[:3])
+
+
+def scene(**properties):
+    one = simple.Line(Point1=[0, 0, 0], Point2=[4, 0, 0], Resolution=3)
+    other = simple.Line(Point1=[1, -1, 0], Point2=[1, 3, 0], Resolution=5)
+    return simple.SkdTreeCurveIntersection(Input=one, Source=other, **properties)
+
+
+def test_defaults():
+    crossing = scene()
+    assert crossing.PolylineForm == "Straight"
+    assert crossing.Clearance == 0
+    assert crossing.IgnoreJoints == 1
+    assert crossing.InterpolateData == 1
+    assert crossing.ChordTolerance == 1e-3
+    assert crossing.Epsilon == 1e-9
+
+
+def test_two_lines():
+    crossing = scene()
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdArcLength"), [1])
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdOtherArcLength"), [1])
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdAngle"), [90])
+    assert skdtesting.report(crossing, "Hits") == 1
+
+
+def test_curves_with_themselves():
+    for a, b, expected in ((3, 4, 17), (2, 3, 7)):
+        crossing = simple.SkdTreeCurveIntersection(Input=lissajous(a, b))
+        crossing.UpdatePipeline()
+        assert skdtesting.report(crossing, "Hits") == expected
+        crossing.PolylineForm = "Cardinal Spline"
+        crossing.UpdatePipeline()
+        assert skdtesting.report(crossing, "Hits") == expected
+
+
+def test_clearance():
+    crossing = scene()
+    crossing.Source.Point1, crossing.Source.Point2 = [1, -1, 0.5], [1, 3, 0.5]
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "Hits") == 0
+    crossing.Clearance = 1
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdGap"), [0.5])
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdKind"), [3])
+
+
+def test_the_second_output_has_the_stretches():
+    crossing = scene()
+    crossing.Source.Point1, crossing.Source.Point2 = [1, 0, 0], [9, 0, 0]
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdKind"), [2, 2])
+    stretches = servermanager.Fetch(crossing, idx=1)
+    assert stretches.GetNumberOfCells() == 1
+    low, high = stretches.GetBounds()[:2]
+    assert abs(low - 1) < 1e-6 and abs(high - 4) < 1e-6, (low, high)
+
+
+def test_composite_curves():
+    lines = simple.GroupDatasets(Input=[
+        simple.Line(Point1=[0, y, 0], Point2=[1, 1 - y, 0], Resolution=1) for y in (0, 1)])
+    crossing = simple.SkdTreeCurveIntersection(Input=lines)
+    assert len(skdtesting.point_array(crossing, "SkdCurveBlockIndex")) == 1
+
+
+def test_the_trees_are_kept():
+    crossing = scene()
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "TreesBuilt") == 2
+    crossing.Clearance = 2
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "TreesBuilt") == 0
+
+
+skdtesting.run_tests(globals())
