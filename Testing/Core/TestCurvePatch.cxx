@@ -147,6 +147,25 @@ TEST(CurvePatch, ACircleOfATorusRunsWithinIt)
   EXPECT_NEAR(hits[1].T, 1.0, 1e-9);
 }
 
+TEST(CurvePatch, APatchWhoseSidesEndWhereTheyBegin)
+{
+  // A cubic loop drawn along z: from side to side there is no way along r.
+  BezierPatch patch;
+  patch.DegreeR = 3;
+  const double loop[4][2] = { { 0, 0 }, { 4, 3 }, { -4, 3 }, { 0, 0 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    patch.Point(i, 0) = Weighted({ { loop[i][0], loop[i][1], 0 } }, 1.0);
+    patch.Point(i, 1) = Weighted({ { loop[i][0], loop[i][1], 2 } }, 1.0);
+  }
+  CurvePatchSolver solver;
+  const auto& hits =
+    solver.Solve(BezierCurve::Line({ { -3, 1, 1 } }, { { 3, 1, 1 } }), patch, 4e-15);
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_NEAR(hits[0].X[0], -hits[1].X[0], 1e-14);
+  EXPECT_EQ(hits[0].Passes, -hits[1].Passes);
+}
+
 TEST(CurvePatch, RandomLinesCrossTheTorusEvenly)
 {
   std::mt19937 engine(3);

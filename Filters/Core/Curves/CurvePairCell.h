@@ -57,6 +57,10 @@ public:
     const double sizes[3] = { std::abs(along[0]), std::abs(along[1]), std::abs(along[2]) };
     axis[static_cast<int>(std::min_element(sizes, sizes + 3) - sizes)] = 1.0;
     const Vector3 side = Cross(along, axis);
+    if (!(Norm2(along) > 0.0)) // a part that ends where it begins has no direction
+    {
+      return this->IsBounded && this->Spread(0) <= tolerance && this->Spread(1) <= tolerance;
+    }
     return this->IsBounded && this->WidthAlong(side) <= tolerance * Norm(side) &&
       this->WidthAlong(Cross(along, side)) <= tolerance * Norm(Cross(along, side));
   }

@@ -83,8 +83,8 @@ private:
     {
       double step[2];
       inverse.Step(cell, at, step);
-      at[0] += step[0];
-      at[1] += step[1];
+      at[0] = std::clamp(at[0] + step[0], 0.0, 1.0); // a root of the cell is only come nearer to
+      at[1] = std::clamp(at[1] + step[1], 0.0, 1.0);
       if (std::abs(step[0]) + std::abs(step[1]) < 1e-15)
       {
         break;

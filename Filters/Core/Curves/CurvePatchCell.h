@@ -78,15 +78,23 @@ public:
       this->AreApartAlong(Cross(this->Along, this->AlongS), tolerance);
   }
 
-  /// Whether both lie between two planes along the patch that are not farther apart than that.
+  /// Whether both lie between two planes along the patch that are not farther apart than that. A
+  /// patch whose sides do not tell what is along it, because it closes on itself, say, has none
+  /// unless it is as small as that itself.
   bool AreTogether(double tolerance) const
   {
     const Vector3 normal = Cross(this->AlongR, this->AlongS);
+    const double size = Norm(this->AlongR) * Norm(this->AlongS);
+    if (!this->IsBounded || !(Norm(normal) > 1e-6 * size))
+    {
+      return this->IsBounded && SpreadOf(this->Curve, this->CurveSize) <= tolerance &&
+        SpreadOf(this->Patch, this->PatchSize) <= tolerance;
+    }
     Extent curve;
     Extent patch;
     curve.Add(this->Curve, this->CurveSize, normal);
     patch.Add(this->Patch, this->PatchSize, normal);
-    return this->IsBounded && curve.LengthWith(patch) <= tolerance * Norm(normal);
+    return curve.LengthWith(patch) <= tolerance * Norm(normal);
   }
 
   /// 0: the curve is the largest; 1, 2: the patch is, along r or s.

@@ -77,7 +77,7 @@ private:
     this->Halve(cell, hulls.Largest());
   }
 
-  /// Whether the cell has been dealt with: its only root was found, or is not in it.
+  /// Whether the cell has been dealt with: its only root was found.
   bool Finds(
     const CurvePatchCell& cell, const Contraction<3>& contraction, const CurvePatchPair& pair)
   {
@@ -95,7 +95,12 @@ private:
     {
       return false;
     }
-    if (Holds(cell.T, hit.T) && Holds(cell.R, hit.R) && Holds(cell.S, hit.S) && pair.Accept(hit))
+    // Newton's method may have gone to another root: then the cell is not dealt with.
+    if (!Holds(cell.T, hit.T) || !Holds(cell.R, hit.R) || !Holds(cell.S, hit.S))
+    {
+      return false;
+    }
+    if (pair.Accept(hit))
     {
       this->Hits.push_back(hit);
     }
