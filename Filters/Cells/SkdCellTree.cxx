@@ -39,6 +39,7 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
       });
   };
   this->Eager = EagerTree(std::move(input), parallelLoop);
+  this->Sieves = SkdSieves(this->Store, this->Eager, this->TheRounding);
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +96,6 @@ int SkdCellTree::Depth() const
 //------------------------------------------------------------------------------
 std::size_t SkdCellTree::MemorySize() const
 {
-  return sizeof(*this) + this->Store.MemorySize() +
+  return sizeof(*this) + this->Store.MemorySize() + this->Sieves.MemorySize() +
     (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
 }

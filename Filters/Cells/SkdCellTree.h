@@ -5,6 +5,7 @@
 
 #include "Cells/SkdCellStore.h"
 #include "Cells/SkdGenericKernel.h"
+#include "Cells/SkdSieves.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Core/Queries/HandDown.h"
@@ -219,6 +220,7 @@ private:
   double TheRounding = 0.0;
   double TheEpsilon = 0.0;
   EagerTree Eager;
+  SkdSieves Sieves;                       // of Eager
   std::unique_ptr<skd::LazyTree<3>> Lazy; // instead of Eager
 };
 

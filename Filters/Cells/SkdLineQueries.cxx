@@ -149,8 +149,8 @@ SkdHitCell SkdCellTree::FindFirstHit(
     }
     return first.Id < 0 ? 1.0 : first.T;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(
-    this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+  skd::AlongSegment<3, decltype(leaf), SkdSieves::Line> query(
+    this->GetFrame(), this->GetBounds(), segment, reach, leaf, SkdSieves::Line(this->Sieves));
   this->Walk(query);
   return first;
 }
@@ -175,8 +175,8 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(
-    this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+  skd::AlongSegment<3, decltype(leaf), SkdSieves::Line> query(
+    this->GetFrame(), this->GetBounds(), segment, reach, leaf, SkdSieves::Line(this->Sieves));
   this->Walk(query);
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
@@ -266,8 +266,8 @@ const SkdCrossings& SkdCellTree::FindCrossings(
       });
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(
-    this->GetFrame(), this->GetBounds(), segment, 0.0, leaf);
+  skd::AlongSegment<3, decltype(leaf), SkdSieves::Line> query(
+    this->GetFrame(), this->GetBounds(), segment, 0.0, leaf, SkdSieves::Line(this->Sieves));
   this->Walk(query);
   Merge(facets, crossings);
   return crossings;

@@ -80,7 +80,10 @@ SkdFoundCell SkdCellTree::FindNearest(
     }
     return best.Limit2;
   };
-  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, limit2, leaf);
+  const skd::Vector3 local = this->GetFrame().Local(x);
+  using Sieve = SkdSieves::Distance<true>;
+  skd::Nearest<3, decltype(leaf), Sieve> query(
+    this->GetFrame(), x, limit2, leaf, Sieve(this->Sieves, local));
   this->Walk(query);
   return best.Found;
 }
@@ -123,7 +126,10 @@ SkdFoundCell SkdCellTree::FindContaining(
   {
     // Only boxes that hold x matter, in any order; safety boxes are wider than rounding.
     auto leaf = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
-    skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), skd::Box3(x, x), leaf);
+    const skd::Vector3 local = this->GetFrame().Local(x);
+    using Sieve = SkdSieves::Point;
+    skd::WithinBox<3, decltype(leaf), Sieve> query(
+      this->GetFrame(), skd::Box3(x, x), leaf, Sieve(this->Sieves, local));
     this->Walk(query);
     return best.Found;
   }
@@ -160,7 +166,10 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
     std::push_heap(heap.begin(), heap.end());
     return limit();
   };
-  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, limit2, leaf);
+  const skd::Vector3 local = this->GetFrame().Local(x);
+  using Sieve = SkdSieves::Distance<false>;
+  skd::Nearest<3, decltype(leaf), Sieve> query(
+    this->GetFrame(), x, limit2, leaf, Sieve(this->Sieves, local));
   this->Walk(query);
   std::sort_heap(heap.begin(), heap.end());
   return heap;

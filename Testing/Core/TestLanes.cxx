@@ -54,6 +54,36 @@ TEST(Lanes, AddSubtractAndMultiply)
   ExpectEach(LanesA * LanesB, [](float a, float b) { return a * b; });
 }
 
+TEST(Lanes, DivideAndTakeRoots)
+{
+  ExpectEach(LanesA / LanesB, [](float a, float b) { return a / b; });
+  ExpectEach(Sqrt(LanesA), [](float a, float) { return std::sqrt(a); });
+}
+
+TEST(Lanes, OfASpreadNumberAreAllTheSame)
+{
+  ExpectEach(Lanes<W>(skd::Spread(2.5f)), [](float, float) { return 2.5f; });
+}
+
+TEST(Lanes, LoadWholeNumbersOf16Bits)
+{
+  const std::int16_t shorts[W] = { 0, 1, -1, 32767, -32768, 256, -255, 12345 };
+  float got[W];
+  Lanes<W>::LoadShorts(shorts).Store(got);
+  for (int i = 0; i < W; ++i)
+  {
+    EXPECT_EQ(got[i], static_cast<float>(shorts[i])) << "lane " << i;
+  }
+}
+
+TEST(Lanes, ChooseLaneByLane)
+{
+  const Lanes<W> one(1.0f);
+  const Lanes<W> two(2.0f);
+  ExpectEach(
+    IfLessEqual(LanesA, LanesB, one, two), [](float a, float b) { return a <= b ? 1.0f : 2.0f; });
+}
+
 TEST(Lanes, MaxAndMinGiveTheSecondWithNaN)
 {
   ExpectEach(Max(LanesA, LanesB), [](float a, float b) { return a > b ? a : b; });

@@ -4,7 +4,7 @@
 #define skd_Queries_AlongSegment_h
 
 #include "../Geometry/Segment.h"
-#include "../Tree/Node.h"
+#include "NoSieve.h"
 
 namespace skd
 {
@@ -17,15 +17,16 @@ namespace skd
 /// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
 /// bounds of the tree and as much room again: no new end comes near a box. `margin` (world units)
 /// widens every box, for searches with a tolerance.
-template <int D, class Leaf>
+template <int D, class Leaf, class Sieve = NoSieve>
 class AlongSegment
 {
 public:
   static constexpr bool Ordered = true;
 
   AlongSegment(const Frame<D>& frame, const Box<D>& bounds, const Segment<D>& segment,
-    double margin, Leaf& leaf)
+    double margin, Leaf& leaf, const Sieve& sieve = Sieve())
     : TheLeaf(leaf)
+    , TheSieve(sieve)
   {
     const std::optional<Interval> inside =
       Clip(segment, bounds.Inflated(margin + 1.0 / frame.Scale));
@@ -36,8 +37,10 @@ public:
     this->Begin = inside->Min;
     this->Length = inside->Max - inside->Min;
     const Segment<D> local{ frame.Local(segment.A), frame.Local(segment.B) };
-    this->SetLocal(
-      local.At(inside->Min), local.At(inside->Max), margin * frame.Scale + RoundingOf(local));
+    const Segment<D> clipped{ local.At(inside->Min), local.At(inside->Max) };
+    const double reach = margin * frame.Scale + RoundingOf(local);
+    this->SetLocal(clipped.A, clipped.B, reach);
+    this->TheSieve.Aim(clipped, reach);
     this->TheLimit = 1.0f + Slack;
   }
 
@@ -46,17 +49,23 @@ public:
   {
     Lanes<W> enter(0.0f);
     Lanes<W> leave(1.0f);
-    for (int axis = 0; axis < D; ++axis)
-    {
-      const Lanes<W> inverse(this->Inverse[axis]);
-      const bool isForward = this->IsForward[axis];
-      const Lanes<W> near = isForward ? boxes.Mins(axis) : boxes.Maxs(axis);
-      const Lanes<W> far = isForward ? boxes.Maxs(axis) : boxes.Mins(axis);
-      enter = Max((near - Lanes<W>(this->NearOrigin[axis])) * inverse, enter);
-      leave = Min((far - Lanes<W>(this->FarOrigin[axis])) * inverse, leave);
-    }
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        const Lanes<W> inverse(this->Inverse[axis]);
+        const Lanes<W> near = boxes.Side(axis, !this->IsForward[axis]);
+        const Lanes<W> far = boxes.Side(axis, this->IsForward[axis]);
+        enter = Max((near - Lanes<W>(this->NearOrigin[axis])) * inverse, enter);
+        leave = Min((far - Lanes<W>(this->FarOrigin[axis])) * inverse, leave);
+      });
     enter.Store(keys);
-    return LessEqual(enter, leave + Lanes<W>(Slack)) & LessEqual(enter, Lanes<W>(this->TheLimit));
+    return LessEqual(enter, Min(leave + Lanes<W>(Slack), Lanes<W>(this->TheLimit)));
+  }
+
+  unsigned ReachElements(const Node<D>& bottom, float* keys) const
+  {
+    return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys)
+                                        : this->Reach(bottom.Boxes, keys);
   }
 
   float Limit() const { return this->TheLimit; }
@@ -93,11 +102,11 @@ private:
     {
       const double direction = to[axis] - from[axis];
       this->IsForward[axis] = direction >= 0.0;
-      this->Inverse[axis] = static_cast<float>(1.0 / Widened(direction));
+      this->Inverse[axis] = Spread(static_cast<float>(1.0 / Widened(direction)));
       const float low = Frame<D>::RoundDown(from[axis] - margin);
       const float high = Frame<D>::RoundUp(from[axis] + margin);
-      this->NearOrigin[axis] = this->IsForward[axis] ? high : low;
-      this->FarOrigin[axis] = this->IsForward[axis] ? low : high;
+      this->NearOrigin[axis] = Spread(this->IsForward[axis] ? high : low);
+      this->FarOrigin[axis] = Spread(this->IsForward[axis] ? low : high);
     }
   }
 
@@ -111,11 +120,12 @@ private:
   double Begin = 0.0;
   double Length = 0.0;
   bool IsForward[D] = {};
-  float NearOrigin[D] = {};
-  float FarOrigin[D] = {};
-  float Inverse[D] = {};
+  Spread NearOrigin[D] = {};
+  Spread FarOrigin[D] = {};
+  Spread Inverse[D] = {};
   float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
   Leaf& TheLeaf;
+  Sieve TheSieve;
 };
 
 }

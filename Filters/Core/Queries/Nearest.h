@@ -3,6 +3,7 @@
 #ifndef skd_Queries_Nearest_h
 #define skd_Queries_Nearest_h
 
+#include "NoSieve.h"
 #include "PointKeys.h"
 
 namespace skd
@@ -16,17 +17,19 @@ namespace skd
 /// far), the k nearest (the k-th best), all within a sphere (section 4.2: always the radius).
 /// A bound known beforehand is the first limit: infinity, a radius, or the distance to a reference
 /// point. Elements at exactly the limit are visited, so ties can go to the lowest index.
-template <int D, class Leaf>
+template <int D, class Leaf, class Sieve = NoSieve>
 class Nearest
 {
 public:
   static constexpr bool Ordered = true;
 
-  Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf)
+  Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf,
+    const Sieve& sieve = Sieve())
     : TheFrame(frame)
     , Point(frame, point)
     , TheLimit(frame.UpperBound2(limit2))
     , TheLeaf(leaf)
+    , TheSieve(sieve)
   {
   }
 
@@ -36,6 +39,12 @@ public:
     const Lanes<W> nearest = this->Point.MinDistances2(boxes);
     nearest.Store(keys);
     return LessEqual(nearest, Lanes<W>(this->TheLimit));
+  }
+
+  unsigned ReachElements(const Node<D>& bottom, float* keys)
+  {
+    return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys, this->TheLimit)
+                                        : this->Reach(bottom.Boxes, keys);
   }
 
   float Limit() const { return this->TheLimit; }
@@ -51,6 +60,7 @@ private:
   PointKeys<D> Point;
   float TheLimit;
   Leaf& TheLeaf;
+  Sieve TheSieve;
 };
 
 /// Algorithm 5.1 without the exact test: calls `leaf(element)` for every element whose box may hold

@@ -20,8 +20,8 @@ public:
   {
     for (int axis = 0; axis < D; ++axis)
     {
-      this->Low[axis] = frame.Down(point[axis], axis);
-      this->High[axis] = frame.Up(point[axis], axis);
+      this->Low[axis] = Spread(frame.Down(point[axis], axis));
+      this->High[axis] = Spread(frame.Up(point[axis], axis));
     }
   }
 
@@ -29,13 +29,14 @@ public:
   Lanes<W> MinDistances2(const Bundle<D, W>& boxes) const
   {
     Lanes<W> sum(0.0f);
-    for (int axis = 0; axis < D; ++axis)
-    {
-      const Lanes<W> below = boxes.Mins(axis) - Lanes<W>(this->High[axis]);
-      const Lanes<W> above = Lanes<W>(this->Low[axis]) - boxes.Maxs(axis);
-      const Lanes<W> gap = Max(Max(below, above), Lanes<W>(0.0f));
-      sum = sum + gap * gap;
-    }
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        const Lanes<W> below = boxes.Mins(axis) - Lanes<W>(this->High[axis]);
+        const Lanes<W> above = Lanes<W>(this->Low[axis]) - boxes.Maxs(axis);
+        const Lanes<W> gap = Max(Max(below, above), Lanes<W>(0.0f));
+        sum = sum + gap * gap;
+      });
     return sum;
   }
 
@@ -43,21 +44,22 @@ public:
   Lanes<W> MaxDistances2(const Bundle<D, W>& boxes) const
   {
     Lanes<W> sum(0.0f);
-    for (int axis = 0; axis < D; ++axis)
-    {
-      const Lanes<W> fromMin = Lanes<W>(this->High[axis]) - boxes.Mins(axis);
-      const Lanes<W> fromMax = boxes.Maxs(axis) - Lanes<W>(this->Low[axis]);
-      const Lanes<W> reach = Max(fromMin, fromMax);
-      sum = sum + reach * reach;
-    }
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        const Lanes<W> fromMin = Lanes<W>(this->High[axis]) - boxes.Mins(axis);
+        const Lanes<W> fromMax = boxes.Maxs(axis) - Lanes<W>(this->Low[axis]);
+        const Lanes<W> reach = Max(fromMin, fromMax);
+        sum = sum + reach * reach;
+      });
     constexpr float slack = 1.0f + 1.0f / (1 << 19);
     constexpr float denormals = 1e-44f;
     return sum * Lanes<W>(slack) + Lanes<W>(denormals);
   }
 
 private:
-  float Low[D];
-  float High[D];
+  Spread Low[D];
+  Spread High[D];
 };
 
 }

@@ -3,43 +3,57 @@
 #ifndef skd_Queries_WithinBox_h
 #define skd_Queries_WithinBox_h
 
-#include "../Tree/Node.h"
+#include "NoSieve.h"
 
 namespace skd
 {
 
 /// Elements whose boxes overlap a box (Algorithm 5.3). A point is a box, too.
 /// `leaf(element)` returns false to end the search.
-template <int D, class Leaf>
+template <int D, class Leaf, class Sieve = NoSieve>
 class WithinBox
 {
 public:
   static constexpr bool Ordered = false;
 
-  WithinBox(const Frame<D>& frame, const Box<D>& box, Leaf& leaf)
-    : Query(frame.Outward(box))
-    , TheLeaf(leaf)
+  WithinBox(const Frame<D>& frame, const Box<D>& box, Leaf& leaf, const Sieve& sieve = Sieve())
+    : TheLeaf(leaf)
+    , TheSieve(sieve)
   {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      this->Min[axis] = Spread(frame.Down(box.Min[axis], axis));
+      this->Max[axis] = Spread(frame.Up(box.Max[axis], axis));
+    }
   }
 
   template <int W>
   unsigned Reach(const Bundle<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
-    for (int axis = 0; axis < D; ++axis)
-    {
-      overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Query.Max[axis]));
-      overlapping &= LessEqual(Lanes<W>(this->Query.Min[axis]), boxes.Maxs(axis));
-    }
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Max[axis])) &
+          LessEqual(Lanes<W>(this->Min[axis]), boxes.Maxs(axis));
+      });
     return overlapping;
+  }
+
+  unsigned ReachElements(const Node<D>& bottom, float* keys) const
+  {
+    return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys)
+                                        : this->Reach(bottom.Boxes, keys);
   }
 
   float Limit() const { return 0.0f; }
   bool Visit(std::uint32_t element) { return this->TheLeaf(element); }
 
 private:
-  FloatBox<D> Query;
+  Spread Min[D];
+  Spread Max[D];
   Leaf& TheLeaf;
+  Sieve TheSieve;
 };
 
 }

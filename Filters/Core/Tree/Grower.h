@@ -64,6 +64,7 @@ public:
   {
     Node<D>& made = this->Nodes[node];
     made.Boxes.Clear();
+    made.Tag = Node<D>::NoTag;
     const std::uint64_t bottoms = this->CountBottoms(range.Last - range.First);
     made.IsBottom = bottoms <= 1;
     if (made.IsBottom)

@@ -7,6 +7,9 @@
 #ifndef skd_Tree_Lanes_h
 #define skd_Tree_Lanes_h
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
@@ -21,12 +24,15 @@ namespace detail
 #if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
 using FloatVector = float;
 using TruthVector = bool;
+using ShortVector = std::int16_t;
 #elif defined(__AVX__)
 typedef float FloatVector __attribute__((vector_size(32)));
 typedef int TruthVector __attribute__((vector_size(32)));
+typedef std::int16_t ShortVector __attribute__((vector_size(16)));
 #else
 typedef float FloatVector __attribute__((vector_size(16)));
 typedef int TruthVector __attribute__((vector_size(16)));
+typedef std::int16_t ShortVector __attribute__((vector_size(8)));
 #endif
 
 constexpr int VectorWidth = sizeof(FloatVector) / sizeof(float);
@@ -35,6 +41,36 @@ constexpr int VectorWidth = sizeof(FloatVector) / sizeof(float);
 inline FloatVector Same(float value)
 {
   return FloatVector{} + value;
+}
+
+inline FloatVector ToFloats(ShortVector values)
+{
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+  return static_cast<float>(values);
+#elif defined(__SSE2__) && !defined(__AVX__)
+  // What GCC 12 makes of the line below goes through memory, number by number.
+  const __m128i shorts = _mm_cvtsi64_si128((long long)values);
+  return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(shorts, shorts), 16));
+#else
+  return __builtin_convertvector(values, FloatVector);
+#endif
+}
+
+inline FloatVector SquareRoot(FloatVector values)
+{
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+  return std::sqrt(values);
+#elif defined(__AVX__)
+  return _mm256_sqrt_ps(values);
+#elif defined(__SSE2__)
+  return _mm_sqrt_ps(values);
+#else
+  for (int i = 0; i < VectorWidth; ++i)
+  {
+    values[i] = std::sqrt(values[i]);
+  }
+  return values;
+#endif
 }
 
 /// Bit i is set where lane i of `truth` is.
@@ -76,6 +112,40 @@ inline int LowestBit(unsigned bits)
 #endif
 }
 
+/// Ask for memory that is going to be read, and do not wait for it.
+inline void FetchLines(const void* address, std::size_t size)
+{
+#if defined(__GNUC__)
+  constexpr std::size_t line = 64;
+  for (std::size_t offset = 0; offset < size; offset += line)
+  {
+    __builtin_prefetch(static_cast<const char*>(address) + offset);
+  }
+#else
+  (void)address, (void)size;
+#endif
+}
+
+/// As many lanes as this machine computes with at once.
+constexpr int NativeWidth = detail::VectorWidth;
+
+/// One number for every lane of many operations: spread out once.
+class Spread
+{
+public:
+  Spread() = default;
+  explicit Spread(float value)
+    : Values(detail::Same(value))
+  {
+  }
+
+private:
+  template <int W>
+  friend class Lanes;
+
+  detail::FloatVector Values;
+};
+
 /// Lane by lane arithmetic on W floats. NaN: Max(a, b) and Min(a, b) give b if either is NaN.
 template <int W>
 class Lanes
@@ -92,13 +162,44 @@ public:
     }
   }
 
+  explicit Lanes(const Spread& value)
+  {
+    for (detail::FloatVector& part : this->Parts)
+    {
+      part = value.Values;
+    }
+  }
+
   static Lanes Load(const float* values)
   {
     Lanes lanes;
-    std::memcpy(lanes.Parts, values, sizeof(lanes.Parts));
+    for (detail::FloatVector& part : lanes.Parts)
+    {
+      std::memcpy(&part, values, sizeof(part));
+      values += detail::VectorWidth;
+    }
     return lanes;
   }
-  void Store(float* values) const { std::memcpy(values, this->Parts, sizeof(this->Parts)); }
+  static Lanes LoadShorts(const std::int16_t* values)
+  {
+    Lanes lanes;
+    for (detail::FloatVector& part : lanes.Parts)
+    {
+      detail::ShortVector shorts;
+      std::memcpy(&shorts, values, sizeof(shorts));
+      part = detail::ToFloats(shorts);
+      values += detail::VectorWidth;
+    }
+    return lanes;
+  }
+  void Store(float* values) const
+  {
+    for (const detail::FloatVector& part : this->Parts)
+    {
+      std::memcpy(values, &part, sizeof(part));
+      values += detail::VectorWidth;
+    }
+  }
 
   friend Lanes operator+(const Lanes& a, const Lanes& b)
   {
@@ -111,6 +212,15 @@ public:
   friend Lanes operator*(const Lanes& a, const Lanes& b)
   {
     return Map(a, b, [](detail::FloatVector x, detail::FloatVector y) { return x * y; });
+  }
+  friend Lanes operator/(const Lanes& a, const Lanes& b)
+  {
+    return Map(a, b, [](detail::FloatVector x, detail::FloatVector y) { return x / y; });
+  }
+  friend Lanes Sqrt(const Lanes& a)
+  {
+    return Map(
+      a, a, [](detail::FloatVector x, detail::FloatVector) { return detail::SquareRoot(x); });
   }
   friend Lanes Max(const Lanes& a, const Lanes& b)
   {
@@ -130,6 +240,17 @@ public:
       bits |= detail::Bits(a.Parts[i] <= b.Parts[i]) << (i * detail::VectorWidth);
     }
     return bits;
+  }
+
+  /// Lane by lane a <= b ? yes : no.
+  friend Lanes IfLessEqual(const Lanes& a, const Lanes& b, const Lanes& yes, const Lanes& no)
+  {
+    Lanes result;
+    for (int i = 0; i < Count; ++i)
+    {
+      result.Parts[i] = a.Parts[i] <= b.Parts[i] ? yes.Parts[i] : no.Parts[i];
+    }
+    return result;
   }
 
 private:

@@ -7,9 +7,23 @@
 #include "Lanes.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace skd
 {
+
+/// body(0) .. body(D - 1), written out: compilers leave short loops over axes as loops, and keep in
+/// memory what they could keep in registers.
+template <class Body, int... Axes>
+void ForEachAxis(std::integer_sequence<int, Axes...>, Body body)
+{
+  (body(Axes), ...);
+}
+template <int D, class Body>
+void ForEachAxis(Body body)
+{
+  ForEachAxis(std::make_integer_sequence<int, D>(), body);
+}
 
 /// Up to W boxes side by side, a box a lane, so that one pass of arithmetic tests them all.
 template <int D, int W>
@@ -22,6 +36,13 @@ struct Bundle
 
   Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
   Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
+
+  /// Without a branch.
+  Lanes<W> Side(int axis, bool isMax) const
+  {
+    const float* sides[2] = { this->Min[axis], this->Max[axis] };
+    return Lanes<W>::Load(sides[isMax]);
+  }
 
   /// All lanes empty: (+max, lowest), which no finite query reaches.
   void Clear()
@@ -69,6 +90,11 @@ struct alignas(32) Node
   std::uint32_t First = 0;
   std::uint16_t Count = 0;
   bool IsBottom = false;
+  std::uint32_t Tag = NoTag; ///< of a bottom node: what the tree's owner keeps of its elements
+
+  static constexpr std::uint32_t NoTag = 0xffffffffu;
+  /// A bit for each lane in use.
+  unsigned Occupied() const { return (1u << this->Count) - 1u; }
 };
 
 /// What a walk has to visit: a node, or an element by its position.

@@ -82,6 +82,9 @@ public:
 
   bool IsEmpty() const { return this->Nodes.empty(); }
   const Node<D>& Open(std::uint32_t node) const { return this->Nodes[node]; }
+  /// See Node::Tag. Before anyone walks the tree.
+  void SetTag(std::uint32_t node, std::uint32_t tag) { this->Nodes[node].Tag = tag; }
+  void Fetch(std::uint32_t node) const { FetchLines(&this->Nodes[node], sizeof(Node<D>)); }
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
 
   const Frame<D>& GetFrame() const { return this->TheFrame; }

@@ -33,6 +33,18 @@ void ForEachLane(unsigned wanted, Visit visit)
   }
 }
 
+/// Ask memory for the nodes that will be opened next: where the tree is larger than the caches, a
+/// walk is mostly waiting for them.
+template <class Tree>
+auto Fetch(const Tree& tree, std::uint32_t node, int) -> decltype(tree.Fetch(node))
+{
+  tree.Fetch(node);
+}
+template <class Tree>
+void Fetch(const Tree&, std::uint32_t, long)
+{
+}
+
 /// Push the wanted lanes. Ordered: the least key ends on top.
 template <bool Ordered, int D>
 int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, const float* keys)
@@ -52,6 +64,19 @@ int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, 
       stack[slot] = { Ordered ? keys[lane] : 0.0f, Child(node, lane) };
     });
   return top;
+}
+
+/// The wanted lanes of a node. A query may look at elements in a way of its own.
+template <class Query, int D>
+auto ReachElements(Query& query, const Node<D>& bottom, float* keys, int)
+  -> decltype(query.ReachElements(bottom, keys))
+{
+  return query.ReachElements(bottom, keys);
+}
+template <class Query, int D>
+unsigned ReachElements(Query& query, const Node<D>& bottom, float* keys, long)
+{
+  return query.Reach(bottom.Boxes, keys);
 }
 
 /// Visit the wanted elements of a bottom node, in any order. False ends the walk.
@@ -78,6 +103,8 @@ bool VisitBottom(const Tree& tree, Query& query, const Node<D>& node, unsigned w
 ///   unsigned Reach(const Bundle&, float* keys)
 ///                                        bit i: lane i is wanted; if Ordered, its key, a lower
 ///                                        bound of what is sought below that box, is within Limit()
+///   unsigned ReachElements(const Node&, float* keys)
+///                                        if there: the same for a bottom node and its elements
 ///   float Limit()                        a node whose key is above it is not wanted any more
 ///   bool Visit(element index)            an element was reached; false ends the walk
 /// Keys are 0 or more: with a negative limit nothing is reached. Depth first, brothers by key. No
@@ -110,8 +137,9 @@ void Walk(const Tree& tree, Query& query)
     const auto& node = tree.Open(next.What.Index());
     constexpr int width = std::decay_t<decltype(node)>::Width;
     float keys[width];
-    const unsigned occupied = (1u << node.Count) - 1u;
-    const unsigned wanted = query.Reach(node.Boxes, keys) & occupied;
+    const unsigned reached =
+      node.IsBottom ? detail::ReachElements(query, node, keys, 0) : query.Reach(node.Boxes, keys);
+    const unsigned wanted = reached & node.Occupied();
     if (!Query::Ordered && node.IsBottom)
     {
       if (!detail::VisitBottom(tree, query, node, wanted))
@@ -120,7 +148,13 @@ void Walk(const Tree& tree, Query& query)
       }
       continue;
     }
-    top = detail::PushChildren<Query::Ordered>(stack, top, node, wanted, keys);
+    if (!node.IsBottom)
+    {
+      detail::ForEachLane(wanted,
+        [&](int lane) { detail::Fetch(tree, node.First + static_cast<std::uint32_t>(lane), 0); });
+    }
+    top = detail::PushChildren<Query::Ordered>(
+      stack, top, node, wanted, Query::Ordered ? keys : nullptr);
   }
 }
 

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSieves_h
+#define SkdSieves_h
+
+#include "Cells/SkdCellStore.h"
+#include "Core/Sieves/PlaneRow.h"
+#include "Core/Sieves/TriangleCrossings.h"
+#include "Core/Sieves/TriangleDistances.h"
+#include "Core/Tree/Tree.h"
+
+#include <vector>
+
+/// What the cells of bottom nodes look like on 16-bit rasters, eight at once: enough to see of
+/// most candidates of a query that they need no exact test. Sieves never change an answer: what
+/// they leave out is proven to be no answer, rounding included.
+///
+/// Triangles are kept as they are, 20 bytes each; volume cells as the planes along their faces, 8
+/// bytes a plane and 8 a cell. Constant once built: any number of threads may use it.
+class SkdSieves
+{
+public:
+  SkdSieves() = default;
+  /// `rounding`: at what distance from a cell a point still counts as inside. Tags the bottom nodes
+  /// that can be sieved: those with nothing but triangles, or nothing but such volume cells.
+  SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
+
+  /// Lower bounds of distances. With `OnlyNearest` also upper ones: these limit the search.
+  template <bool OnlyNearest>
+  class Distance
+  {
+  public:
+    Distance(const SkdSieves& sieves, const skd::Vector3& local)
+      : Packs(sieves.Triangles.data())
+      , Local(local)
+    {
+    }
+    bool Knows(const skd::Node<3>& bottom) const { return HasTriangles(bottom); }
+    unsigned Pass(const skd::Node<3>& bottom, float* keys, float& limit) const;
+
+  private:
+    const skd::TrianglePack* Packs;
+    const skd::Vector3& Local;
+  };
+
+  /// Which triangles a line may meet.
+  class Line
+  {
+  public:
+    explicit Line(const SkdSieves& sieves)
+      : Packs(sieves.Triangles.data())
+    {
+    }
+    void Aim(const skd::Segment<3>& local, double margin)
+    {
+      this->Crossings = skd::TriangleCrossings(local, margin);
+    }
+    bool Knows(const skd::Node<3>& bottom) const { return HasTriangles(bottom); }
+    unsigned Pass(const skd::Node<3>& bottom, float* keys) const;
+
+  private:
+    const skd::TrianglePack* Packs;
+    skd::TriangleCrossings Crossings;
+  };
+
+  /// Which volume cells may hold a point.
+  class Point
+  {
+  public:
+    Point(const SkdSieves& sieves, const skd::Vector3& local)
+      : Rows(sieves.Rows.data())
+      , Local(local)
+    {
+    }
+    bool Knows(const skd::Node<3>& bottom) const { return HasPlanes(bottom); }
+    unsigned Pass(const skd::Node<3>& bottom, float* keys) const;
+
+  private:
+    const skd::PlaneRow* Rows;
+    const skd::Vector3& Local;
+  };
+
+  std::size_t MemorySize() const;
+
+private:
+  struct PlaneHeader
+  {
+    skd::Raster Raster;
+    std::uint32_t Count; ///< of the rows that follow
+  };
+
+  // A tag is twice the number of a pack of triangles, or of a row of planes and 1 more.
+  static bool HasTriangles(const skd::Node<3>& bottom) { return (bottom.Tag & 1u) == 0; }
+  static bool HasPlanes(const skd::Node<3>& bottom)
+  {
+    return (bottom.Tag & 1u) != 0 && bottom.Tag != skd::Node<3>::NoTag;
+  }
+
+  void Number(const SkdCellStore& store, skd::Tree<3>& tree);
+  void FillTriangles(
+    const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom);
+  void FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom,
+    double rounding);
+
+  std::vector<skd::TrianglePack> Triangles;
+  std::vector<skd::PlaneRow> Rows; // by bottom node: a PlaneHeader in a row's place, then its rows
+};
+
+//------------------------------------------------------------------------------
+template <bool OnlyNearest>
+unsigned SkdSieves::Distance<OnlyNearest>::Pass(
+  const skd::Node<3>& bottom, float* keys, float& limit) const
+{
+  const skd::TrianglePack& pack = this->Packs[bottom.Tag >> 1];
+  const skd::TriangleDistances distances(pack, pack.Raster.Of(this->Local));
+  if constexpr (OnlyNearest)
+  {
+    limit = std::min(limit, distances.LeastMost2(bottom.Count, pack.Raster.Unit));
+  }
+  return distances.Within(limit, pack.Raster.Unit, keys);
+}
+
+//------------------------------------------------------------------------------
+inline unsigned SkdSieves::Line::Pass(const skd::Node<3>& bottom, float* keys) const
+{
+  std::fill(keys, keys + skd::Node<3>::Width, 0.0f);
+  return this->Crossings.MayMeet(this->Packs[bottom.Tag >> 1]);
+}
+
+//------------------------------------------------------------------------------
+inline unsigned SkdSieves::Point::Pass(const skd::Node<3>& bottom, float*) const
+{
+  const skd::PlaneRow* row = this->Rows + (bottom.Tag >> 1);
+  PlaneHeader header;
+  std::memcpy(&header, row, sizeof(header));
+  const skd::Vector3 x = header.Raster.Of(this->Local);
+  const float place[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
+    static_cast<float>(x[2]) };
+  unsigned passed = bottom.Occupied();
+  for (std::uint32_t i = 1; i <= header.Count && passed != 0; ++i)
+  {
+    passed &= row[i].MayHold(place);
+  }
+  return passed;
+}
+
+#endif

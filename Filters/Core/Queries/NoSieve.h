@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Queries_NoSieve_h
+#define skd_Queries_NoSieve_h
+
+#include "../Tree/Node.h"
+
+namespace skd
+{
+
+/// A sieve looks at the elements of a bottom node more closely than their boxes do, all at once,
+/// and says which are worth a visit: it may leave out what is proven to be no answer. It gives
+///   bool Knows(const Node&)                 whether it can, of this node
+///   unsigned Pass(const Node&, float* keys) as Reach() of a query (Walk.h)
+/// Nearest hands it the limit, too, by reference; AlongSegment first calls Aim(segment, margin), in
+/// the frame, the segment being clipped to where the tree is. This one knows nothing.
+struct NoSieve
+{
+  template <class Segment>
+  void Aim(const Segment&, double)
+  {
+  }
+  template <class Node>
+  bool Knows(const Node&) const
+  {
+    return false;
+  }
+  template <class Node, class... Limit>
+  unsigned Pass(const Node& bottom, float*, Limit&...) const
+  {
+    return bottom.Occupied();
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Sieves_TrianglePack_h
+#define skd_Sieves_TrianglePack_h
+
+#include "../Tree/Lanes.h"
+#include "Raster.h"
+
+namespace skd
+{
+
+/// Up to eight triangles on their raster.
+struct alignas(32) TrianglePack
+{
+  static constexpr int Width = 8;
+
+  skd::Raster Raster{};
+  std::int16_t Corners[3][3][Width] = {}; ///< by corner, axis, lane
+
+  /// `place` in the tree's frame.
+  void Set(int corner, int lane, const Vector3& place)
+  {
+    const Vector3 rounded = this->Raster.Of(place);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Corners[corner][axis][lane] = skd::Raster::Round(rounded[axis]);
+    }
+  }
+
+  template <int W>
+  Lanes<W> Load(int corner, int axis, int first) const
+  {
+    return Lanes<W>::LoadShorts(this->Corners[corner][axis] + first);
+  }
+};
+
+/// Three coordinates, each for some lanes.
+template <int W>
+struct LanePoint
+{
+  Lanes<W> X;
+  Lanes<W> Y;
+  Lanes<W> Z;
+
+  friend LanePoint operator-(const LanePoint& a, const LanePoint& b)
+  {
+    return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+  }
+  friend LanePoint operator*(const Lanes<W>& factor, const LanePoint& a)
+  {
+    return { factor * a.X, factor * a.Y, factor * a.Z };
+  }
+  friend Lanes<W> Dot(const LanePoint& a, const LanePoint& b)
+  {
+    return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+  }
+};
+
+template <int W>
+LanePoint<W> CornersOf(const TrianglePack& pack, int corner, int first)
+{
+  return { pack.Load<W>(corner, 0, first), pack.Load<W>(corner, 1, first),
+    pack.Load<W>(corner, 2, first) };
+}
+
+}
+
+#endif

@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sieves leave nothing out that an exact test would take, whatever the triangles and cells are
+// like.
+#include "Core/Geometry/ClosestPointInCell.h"
+#include "Core/Geometry/SegmentTriangle.h"
+#include "Core/Sieves/PlaneRow.h"
+#include "Core/Sieves/TriangleCrossings.h"
+#include "Core/Sieves/TriangleDistances.h"
+#include "GeometryReference.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using coretest::Dice;
+using skd::Box3;
+using skd::Frame;
+using skd::Raster;
+using skd::Vector3;
+
+constexpr int Width = skd::TrianglePack::Width;
+
+/// Eight triangles of a data set, in the world and as a sieve keeps them.
+struct Packed
+{
+  Vector3 Corners[Width][3];
+  Frame<3> TheFrame;
+  skd::TrianglePack Pack;
+
+  /// The data set spans `bounds`, in which all triangles are.
+  void Fill(const Box3& bounds)
+  {
+    Box3 box;
+    for (const auto& triangle : this->Corners)
+    {
+      for (const Vector3& corner : triangle)
+      {
+        box.Add(corner);
+      }
+    }
+    this->TheFrame = Frame<3>::Of(bounds);
+    this->Pack.Raster = Raster(this->TheFrame.Outward(box));
+    for (int lane = 0; lane < Width; ++lane)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->Pack.Set(corner, lane, this->TheFrame.Local(this->Corners[lane][corner]));
+      }
+    }
+  }
+
+  double UnitInWorld() const { return this->Pack.Raster.Unit / this->TheFrame.Scale; }
+};
+
+/// Triangles of all kinds about a place, `size` large.
+Packed RandomPack(Dice& dice, const Vector3& place, double size, const Box3& bounds)
+{
+  Packed packed;
+  for (auto& triangle : packed.Corners)
+  {
+    for (Vector3& corner : triangle)
+    {
+      corner = place + dice.Point(size);
+    }
+    switch (dice.Below(6))
+    {
+      case 0: // a needle
+        triangle[2] = triangle[1] + 1e-7 * (triangle[2] - triangle[1]);
+        break;
+      case 1: // a segment
+        triangle[2] = skd::Lerp(triangle[0], triangle[1], dice.Between(-1.0, 1.0));
+        break;
+      case 2: // a point
+        triangle[2] = triangle[1] = triangle[0];
+        break;
+      case 3: // small beside the others
+        triangle[1] = triangle[0] + 1e-3 * (triangle[1] - triangle[0]);
+        triangle[2] = triangle[0] + 1e-3 * (triangle[2] - triangle[0]);
+        break;
+      default:
+        break;
+    }
+  }
+  packed.Fill(bounds);
+  return packed;
+}
+
+/// Where a data set is, and how small the triangles are in it.
+struct Setting
+{
+  Vector3 Offset;
+  double Scale;
+  double Smallness;
+};
+
+class Sieves : public ::testing::TestWithParam<Setting>
+{
+protected:
+  Dice Random{ 21 };
+
+  Box3 Bounds() const
+  {
+    const double s = GetParam().Scale;
+    const Vector3 reach{ { 2.0 * s, 2.0 * s, 2.0 * s } };
+    return Box3(GetParam().Offset - reach, GetParam().Offset + reach);
+  }
+
+  double Size() const { return GetParam().Scale * GetParam().Smallness; }
+
+  Packed Make()
+  {
+    const Vector3 place = GetParam().Offset + this->Random.Point(0.5 * GetParam().Scale);
+    return RandomPack(this->Random, place, this->Size(), this->Bounds());
+  }
+
+  /// Near the triangles, on one of them, or anywhere.
+  Vector3 PointFor(const Packed& packed)
+  {
+    const auto& triangle = packed.Corners[this->Random.Below(Width)];
+    switch (this->Random.Below(3))
+    {
+      case 0:
+        return skd::Lerp(skd::Lerp(triangle[0], triangle[1], this->Random.Between(0.0, 1.0)),
+          triangle[2], this->Random.Between(0.0, 1.0));
+      case 1:
+        return triangle[0] + this->Random.Point(3.0 * this->Size());
+      default:
+        return GetParam().Offset + this->Random.Point(100.0 * GetParam().Scale);
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Everywhere, Sieves,
+  ::testing::Values(Setting{ { { 0, 0, 0 } }, 1.0, 0.5 }, Setting{ { { 0, 0, 0 } }, 1.0, 1e-4 },
+    Setting{ { { 0, 0, 0 } }, 1.0, 1e-12 }, Setting{ { { 1e6, -1e6, 3e5 } }, 1.0, 1e-2 },
+    Setting{ { { 0, 0, 0 } }, 1e-20, 1e-3 }, Setting{ { { 0, 0, 0 } }, 1e20, 1e-3 }));
+
+TEST_P(Sieves, DistancesAreWithinTheirBounds)
+{
+  int tight = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Packed packed = this->Make();
+    const Vector3 x = this->PointFor(packed);
+    const skd::TriangleDistances bounds(
+      packed.Pack, packed.Pack.Raster.Of(packed.TheFrame.Local(x)));
+    for (int lane = 0; lane < Width; ++lane)
+    {
+      const Vector3* p = packed.Corners[lane];
+      const double distance =
+        std::sqrt(skd::ClosestPointOnTriangle(p[0], p[1], p[2], x).Dist2) / packed.UnitInWorld();
+      ASSERT_LE(bounds.Least[lane], distance);
+      ASSERT_GE(bounds.Most[lane], distance);
+      tight += bounds.Most[lane] - bounds.Least[lane] < 4.0 + 1e-3 * distance ? 1 : 0;
+    }
+  }
+  EXPECT_GT(tight, 2000 * Width * 3 / 4);
+}
+
+TEST_P(Sieves, WithinTheLimitAreThoseThatMayBeNearEnough)
+{
+  for (int i = 0; i < 300; ++i)
+  {
+    const Packed packed = this->Make();
+    const Vector3 x = this->PointFor(packed);
+    const float unit = packed.Pack.Raster.Unit;
+    const skd::TriangleDistances bounds(
+      packed.Pack, packed.Pack.Raster.Of(packed.TheFrame.Local(x)));
+    double nearest2 = std::numeric_limits<double>::infinity();
+    for (const auto& p : packed.Corners)
+    {
+      nearest2 = std::min(nearest2, skd::ClosestPointOnTriangle(p[0], p[1], p[2], x).Dist2);
+    }
+    const float limit = packed.TheFrame.UpperBound2(nearest2);
+    ASSERT_GE(packed.TheFrame.UpperBound2(
+                bounds.LeastMost2(Width, unit) / packed.TheFrame.Scale / packed.TheFrame.Scale),
+      nearest2 * packed.TheFrame.Scale * packed.TheFrame.Scale);
+    float keys[Width];
+    const unsigned wanted = bounds.Within(limit, unit, keys);
+    for (int lane = 0; lane < Width; ++lane)
+    {
+      const Vector3* p = packed.Corners[lane];
+      if (skd::ClosestPointOnTriangle(p[0], p[1], p[2], x).Dist2 == nearest2)
+      {
+        ASSERT_TRUE(wanted >> lane & 1u);
+        ASSERT_LE(keys[lane], limit);
+      }
+    }
+  }
+}
+
+TEST_P(Sieves, NoHitIsMissed)
+{
+  int hits = 0;
+  int passed = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const Packed packed = this->Make();
+    const auto& aim = packed.Corners[this->Random.Below(Width)];
+    // At a corner, along an edge or at the inside of a triangle: shared by chance with no other.
+    const Vector3 through = i % 3 == 0 ? aim[0]
+      : i % 3 == 1                     ? skd::Lerp(aim[0], aim[1], this->Random.Between(0.0, 1.0))
+                                       : (1.0 / 3.0) * (aim[0] + aim[1] + aim[2]);
+    const Vector3 reach = this->Random.Point(GetParam().Scale);
+    const skd::Segment<3> segment{ through - reach, through + reach };
+    const skd::SegmentView view(segment);
+    const skd::Segment<3> local{ packed.TheFrame.Local(segment.A),
+      packed.TheFrame.Local(segment.B) };
+    const skd::TriangleCrossings crossings(local, 1e-15);
+    const unsigned met = crossings.MayMeet(packed.Pack);
+    for (int lane = 0; lane < Width; ++lane)
+    {
+      const Vector3* p = packed.Corners[lane];
+      passed += met >> lane & 1u;
+      if (skd::Intersect(view, p[0], p[1], p[2]))
+      {
+        ++hits;
+        ASSERT_TRUE(met >> lane & 1u);
+      }
+    }
+  }
+  EXPECT_GT(hits, 500);
+  if (GetParam().Smallness > 1e-9) // else they are about as small as the raster can tell apart
+  {
+    EXPECT_LT(passed, 3000 * Width * 3 / 4);
+  }
+}
+
+// A line that runs past a triangle by the margin still passes.
+TEST_P(Sieves, AMarginWidensTriangles)
+{
+  const double margin = 0.1 * this->Size() / GetParam().Scale;
+  for (int i = 0; i < 500; ++i)
+  {
+    const Packed packed = this->Make();
+    const auto& aim = packed.Corners[this->Random.Below(Width)];
+    const Vector3 aside = this->Random.Point(0.5 * margin / packed.TheFrame.Scale);
+    const Vector3 reach = this->Random.Point(GetParam().Scale);
+    const Vector3 through = aim[0] + aside;
+    const skd::Segment<3> local{ packed.TheFrame.Local(through - reach),
+      packed.TheFrame.Local(through + reach) };
+    const unsigned met = skd::TriangleCrossings(local, margin).MayMeet(packed.Pack);
+    ASSERT_TRUE(met >> (&aim - packed.Corners) & 1u);
+  }
+}
+
+/// Volume cells of one shape, eight a row of planes.
+template <class Shape>
+class CellSieves : public ::testing::Test
+{
+};
+
+using Shapes = ::testing::Types<skd::Tetrahedron, skd::Hexahedron, skd::Wedge, skd::Pyramid>;
+TYPED_TEST_SUITE(CellSieves, Shapes);
+
+/// The planes of a cell's faces in one of the lanes.
+template <class Shape>
+struct CellPlanes
+{
+  Raster TheRaster;
+  skd::PlaneRow Rows[Shape::NumberOfFaces];
+
+  CellPlanes(const std::vector<Vector3>& points, int lane)
+    : TheRaster(skd::FloatBox<3>{ { -3, -3, -3 }, { 3, 3, 3 } })
+  {
+    std::vector<Vector3> onRaster;
+    Vector3 middle{ { 0.0, 0.0, 0.0 } };
+    for (const Vector3& point : points)
+    {
+      onRaster.push_back(this->TheRaster.Of(point));
+      middle = middle + (1.0 / Shape::Size) * onRaster.back();
+    }
+    for (int face = 0; face < Shape::NumberOfFaces; ++face)
+    {
+      const Vector3 normal = skd::FaceNormal<Shape>(onRaster.data(), face);
+      const bool isOutward = skd::Dot(normal, onRaster[Shape::Faces[face][0]] - middle) > 0.0;
+      this->Rows[face].Set(lane, isOutward ? normal : -1.0 * normal, onRaster.data(), Shape::Size,
+        skd::PlaneRow::Rounding);
+    }
+  }
+
+  unsigned MayHold(const Vector3& x) const
+  {
+    const Vector3 local = this->TheRaster.Of(x);
+    const float place[3] = { float(local[0]), float(local[1]), float(local[2]) };
+    unsigned held = 0xffu;
+    for (const skd::PlaneRow& row : this->Rows)
+    {
+      held &= row.MayHold(place);
+    }
+    return held;
+  }
+};
+
+TYPED_TEST(CellSieves, NoPointOfACellIsOutsideOfItsPlanes)
+{
+  Dice dice(22);
+  const int count = 3000;
+  int passed = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    std::vector<Vector3> points = coretest::RandomCell<TypeParam>(dice, 0.1 * (i % 4));
+    if (i % 7 == 0)
+    {
+      points[1] = points[0]; // collapsed
+    }
+    const CellPlanes<TypeParam> planes(points, i % 8);
+    const Vector3 place = coretest::PlaceInDomain<TypeParam>(dice);
+    const Vector3 inside = skd::Evaluate<TypeParam>(points.data(), place, { { 0.0, 0.0, 0.0 } });
+    ASSERT_EQ(planes.MayHold(inside), 0xffu); // lanes that were not set hold everything
+    const Vector3 x = dice.Point(2.0);
+    const bool isHeld = (planes.MayHold(x) >> (i % 8) & 1u) != 0;
+    const bool isIn = skd::ClosestPointInCell<TypeParam>(points.data(), x, 1e-30).Dist2 == 0.0;
+    ASSERT_TRUE(isHeld || !isIn);
+    passed += isHeld ? 1 : 0;
+  }
+  EXPECT_LT(passed, count / 2); // and most of what is outside is left out
+}
+
+TEST(PlaneRow, ADirectionWithoutLengthExcludesNothing)
+{
+  const Vector3 points[1] = { { { 0.0, 0.0, 0.0 } } };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Vector3& direction : { Vector3{ { 0.0, 0.0, 0.0 } }, Vector3{ { nan, 0.0, 0.0 } } })
+  {
+    skd::PlaneRow row;
+    row.Set(2, direction, points, 1, 0.0);
+    const float far[3] = { 3e4f, -3e4f, 3e4f };
+    EXPECT_EQ(row.MayHold(far), 0xffu);
+  }
+}
+
+}
