@@ -7,6 +7,7 @@
 #include "Core/Queries/AlongPlane.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/Nearest.h"
+#include "Core/Queries/OverlappingBox.h"
 #include "Core/Queries/OverlappingPairs.h"
 #include "Core/Queries/WithinBox.h"
 #include "Core/Tree/WalkPairs.h"
@@ -75,7 +76,18 @@ void SkdCellTree::FindWithinBounds(
     this->ForEachNear(box, *motion, leaf);
     return;
   }
-  skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), box, leaf);
+  // Safety boxes of curved cells are wider than those of their points: of these nothing is sure.
+  auto sure = [&](std::uint32_t cell)
+  {
+    if (this->Store.ShapeOf(cell) == SkdShape::Generic)
+    {
+      return leaf(cell);
+    }
+    ids->InsertNextId(this->Store.IdOf(cell));
+    return true;
+  };
+  skd::OverlappingBox<3, decltype(leaf), decltype(sure)> query(
+    this->GetFrame(), box, 2.0 * this->TheEpsilon, leaf, sure);
   this->Walk(query);
 }
 

@@ -61,7 +61,7 @@ int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, 
           stack[slot] = stack[slot - 1];
         }
       }
-      stack[slot] = { Ordered ? keys[lane] : 0.0f, Child(node, lane) };
+      stack[slot] = { keys[lane], Child(node, lane) };
     });
   return top;
 }
@@ -79,18 +79,81 @@ unsigned ReachElements(Query& query, const Node<D>& bottom, float* keys, long)
   return query.Reach(bottom.Boxes, keys);
 }
 
+/// Whether a query knows of subtrees that all of them are answers.
+template <class Query, class = void>
+struct KnowsSure : std::false_type
+{
+};
+template <class Query>
+struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_type
+{
+};
+
+/// The key of a node below which all is an answer.
+constexpr float SureKey = -1.0f;
+
+/// The lanes of a node to visit, and which of these need no test any more.
+struct Choice
+{
+  unsigned Wanted;
+  unsigned Sure;
+};
+
+template <class Query, int D>
+Choice Choose(Query& query, const Node<D>& node, float key, float* keys)
+{
+  if (KnowsSure<Query>::value && key == SureKey)
+  {
+    return { node.Occupied(), node.Occupied() };
+  }
+  const unsigned reached =
+    node.IsBottom ? ReachElements(query, node, keys, 0) : query.Reach(node.Boxes, keys);
+  Choice choice{ reached & node.Occupied(), 0u };
+  if constexpr (KnowsSure<Query>::value)
+  {
+    choice.Sure = choice.Wanted != 0 ? choice.Wanted & query.SureOf(node) : 0u;
+  }
+  return choice;
+}
+
 /// Visit the wanted elements of a bottom node, in any order. False ends the walk.
 template <class Tree, class Query, int D>
-bool VisitBottom(const Tree& tree, Query& query, const Node<D>& node, unsigned wanted)
+bool VisitBottom(const Tree& tree, Query& query, const Node<D>& node, const Choice& choice)
 {
   bool goesOn = true;
-  ForEachLane(wanted,
+  ForEachLane(choice.Wanted,
     [&](int lane)
     {
-      const std::uint32_t position = node.First + static_cast<std::uint32_t>(lane);
-      goesOn = goesOn && query.Visit(tree.Element(position));
+      const std::uint32_t element = tree.Element(node.First + static_cast<std::uint32_t>(lane));
+      if constexpr (KnowsSure<Query>::value)
+      {
+        if ((choice.Sure >> lane & 1u) != 0)
+        {
+          goesOn = goesOn && query.VisitSure(element);
+          return;
+        }
+      }
+      goesOn = goesOn && query.Visit(element);
     });
   return goesOn;
+}
+
+/// Push the wanted children of an inner node, or of any where elements are visited by their keys.
+template <class Tree, class Query, int D>
+int Descend(const Tree& tree, const Query&, Pending* stack, int top, const Node<D>& node,
+  const Choice& choice, float* keys)
+{
+  if (!Query::Ordered)
+  {
+    ForEachLane(choice.Wanted,
+      [&](int lane) { keys[lane] = (choice.Sure >> lane & 1u) != 0 ? SureKey : 0.0f; });
+  }
+  if (!node.IsBottom)
+  {
+    ForEachLane(choice.Wanted,
+      [&](int lane) { Fetch(tree, node.First + static_cast<std::uint32_t>(lane), 0); });
+  }
+  return PushChildren<Query::Ordered>(stack, top, node, choice.Wanted, keys);
 }
 
 }
@@ -105,6 +168,9 @@ bool VisitBottom(const Tree& tree, Query& query, const Node<D>& node, unsigned w
 ///                                        bound of what is sought below that box, is within Limit()
 ///   unsigned ReachElements(const Node&, float* keys)
 ///                                        if there: the same for a bottom node and its elements
+///   unsigned SureOf(const Node&), bool VisitSure(element index)
+///                                        if there, and not Ordered: the lanes below which all is
+///                                        an answer, and what is visited without a test of any box
 ///   float Limit()                        a node whose key is above it is not wanted any more
 ///   bool Visit(element index)            an element was reached; false ends the walk
 /// Keys are 0 or more: with a negative limit nothing is reached. Depth first, brothers by key. No
@@ -137,24 +203,16 @@ void Walk(const Tree& tree, Query& query)
     const auto& node = tree.Open(next.What.Index());
     constexpr int width = std::decay_t<decltype(node)>::Width;
     float keys[width];
-    const unsigned reached =
-      node.IsBottom ? detail::ReachElements(query, node, keys, 0) : query.Reach(node.Boxes, keys);
-    const unsigned wanted = reached & node.Occupied();
+    const detail::Choice choice = detail::Choose(query, node, next.Key, keys);
     if (!Query::Ordered && node.IsBottom)
     {
-      if (!detail::VisitBottom(tree, query, node, wanted))
+      if (!detail::VisitBottom(tree, query, node, choice))
       {
         return;
       }
       continue;
     }
-    if (!node.IsBottom)
-    {
-      detail::ForEachLane(wanted,
-        [&](int lane) { detail::Fetch(tree, node.First + static_cast<std::uint32_t>(lane), 0); });
-    }
-    top = detail::PushChildren<Query::Ordered>(
-      stack, top, node, wanted, Query::Ordered ? keys : nullptr);
+    top = detail::Descend(tree, query, stack, top, node, choice, keys);
   }
 }
 
