@@ -47,7 +47,8 @@ struct Surface
   }
 };
 
-std::optional<skd::RigidMotion> FindMotion(vtkSkdTreeSurfaceIntersection* self)
+/// Where the Source is looked at.
+vtkSmartPointer<vtkMatrix4x4> FindMatrix(vtkSkdTreeSurfaceIntersection* self)
 {
   const double* shift = self->GetTranslation();
   const double* turn = self->GetRotation();
@@ -66,8 +67,7 @@ std::optional<skd::RigidMotion> FindMotion(vtkSkdTreeSurfaceIntersection* self)
   {
     transform->Concatenate(self->GetTransform());
   }
-  vtkMatrix4x4* matrix = transform->GetMatrix();
-  return matrix->IsIdentity() ? std::nullopt : skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
+  return transform->GetMatrix();
 }
 
 bool IsLaterPiece(vtkInformation* output)
@@ -172,6 +172,13 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   {
     return 1; // the first piece has all
   }
+  const vtkSmartPointer<vtkMatrix4x4> matrix = FindMatrix(this);
+  const auto motion = skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
+  if (source && !motion)
+  {
+    vtkErrorMacro("Translation, Rotation and RotationCenter must be finite: nothing is looked at.");
+    return 1;
+  }
 
   SkdStopwatch watch;
   const Surface first(vtkDataObject::GetData(inputVector[0]), this->Impl->First);
@@ -183,11 +190,14 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   WarnOfNoFaces(this, second, source ? "Source" : nullptr);
   const double buildSeconds = watch.Lap();
 
-  const auto motion = source ? FindMotion(this) : std::nullopt;
-  const SkdPlacement placement = SkdPlace(first.Set, source ? &other.Set : nullptr, motion);
+  const bool isMoved = source && !matrix->IsIdentity();
+  const SkdPlacement placement =
+    SkdPlace(first.Set, source ? &other.Set : nullptr, isMoved ? motion : std::nullopt);
   SkdLoop loop(this, SkdTrianglePairs::NumberOfParts, 0.4, 0.8, 8);
-  const std::vector<SkdTrianglePair> pairs = SkdTrianglePairs(placement).Find(
-    { static_cast<SkdPairSearch::Extent>(this->Pairs), this->Clearance }, loop);
+  const std::vector<SkdTrianglePair> pairs =
+    SkdTrianglePairs(placement).Find({ static_cast<SkdPairSearch::Extent>(this->Pairs),
+                                       this->Clearance > 0.0 ? this->Clearance : 0.0 },
+      loop);
 
   const SkdContacts contacts(
     { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);

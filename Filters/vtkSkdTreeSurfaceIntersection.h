@@ -60,9 +60,11 @@
  * Cost: O(n log n) to build, O(k) typical for k pairs of overlapping boxes.
  *
  * Bad input: triangles whose corners lie on one line have no inside and are left out, as are faces
- * with points that are not finite; they are counted. An Input without faces gives empty outputs and
+ * with points that are not finite; they are counted. A Translation, Rotation or RotationCenter that
+ * is not finite is an error and gives empty outputs; a Clearance of NaN counts as 0. An Input without faces gives empty outputs and
  * a warning, a Source without faces too. Exact as long as coordinates, unless 0, span less than 80
- * orders of magnitude.
+ * orders of magnitude. An execution that is aborted tells of what it found until then; VTK 9.3 and
+ * later then empties the output.
  *
  * @sa
  * vtkSkdTreeCellLocator
