@@ -8,6 +8,7 @@
 #include "Refine/SkdBaseLattice.h"
 #include "Refine/SkdGridArrays.h"
 #include "Refine/SkdGridDistances.h"
+#include "Refine/SkdGridFractions.h"
 #include "Refine/SkdGridInside.h"
 #include "Refine/SkdGridOutput.h"
 #include "Refine/SkdGridRefiner.h"
@@ -166,15 +167,24 @@ SkdGridExtras vtkSkdTreeAMR::Internals::FindExtras(
   vtkSkdTreeAMR* self, const SkdGrid& grid, const std::vector<SkdLeaf>& leaves)
 {
   SkdGridExtras extras;
-  if (self->GetComputeInside())
+  if (self->GetComputeInside() || self->GetComputeVolumeFraction())
   {
     this->Boundary.Update(leaves, self->GetEpsilon());
     WarnAbout(self, this->Boundary);
-    extras.Inside = SkdFindInside(grid, this->Boundary, self, 0.6, 0.75);
+    extras.Inside = SkdFindInside(grid, this->Boundary, self, 0.6, 0.7);
+  }
+  if (self->GetComputeVolumeFraction())
+  {
+    extras.Fractions =
+      SkdFindFractions(grid, this->Boundary, extras.Inside, self->GetEpsilon(), self, 0.7, 0.8);
+  }
+  if (!self->GetComputeInside())
+  {
+    extras.Inside.clear();
   }
   if (self->GetComputeDistance())
   {
-    extras.Distances = SkdFindDistances(grid, this->Parts, self, 0.75, 0.9);
+    extras.Distances = SkdFindDistances(grid, this->Parts, self, 0.8, 0.9);
     if (self->GetComputeInside())
     {
       SkdSignDistances(extras.Distances, extras.Inside);
@@ -333,7 +343,7 @@ int vtkSkdTreeAMR::RequestData(
   report.AddCount("TreesBuilt", treesBuilt);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("RefineSeconds", refineSeconds);
-  if (!extras.Inside.empty())
+  if (this->ComputeInside || this->ComputeVolumeFraction)
   {
     report.AddCount("OpenEdges", this->Impl->Boundary.GetNumberOfOpenEdges());
   }
@@ -366,6 +376,7 @@ void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "CellLimit: " << this->CellLimit << "\n";
   os << indent << "ComputeInside: " << (this->ComputeInside ? "On\n" : "Off\n");
+  os << indent << "ComputeVolumeFraction: " << (this->ComputeVolumeFraction ? "On\n" : "Off\n");
   os << indent << "ComputeDistance: " << (this->ComputeDistance ? "On\n" : "Off\n");
   os << indent << "OutputType: " << this->OutputType << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";

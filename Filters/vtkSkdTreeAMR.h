@@ -25,14 +25,16 @@
  * Output: vtkHyperTreeGrid or, by choice, vtkUnstructuredGrid of the leaves (cells that are not
  * refined) as voxels, pixels or lines, in which the point array SkdHanging (unsigned char) is 1 at
  * points that are not corners of all the cells that they are on. Cell arrays:
- * | name          | type   | meaning                                                            |
- * | ------------- | ------ | ------------------------------------------------------------------ |
- * | SkdLevel      | uchar  | 0 for base cells                                                   |
- * | SkdCut        | uchar  | 1 if a part meets the cell                                         |
- * | SkdPartIndex  | int    | flat block index of the first part that does (0: not composite), -1:
- * none | | SkdCandidates | int    | how many of the parts' cells meet it, by the test in use; -1 in
- * refined cells | | SkdInside     | uchar  | by choice, see ComputeInside | | SkdDistance   |
- * double | by choice, see ComputeDistance                                     |
+ * | name              | type   | meaning                                                        |
+ * | ----------------- | ------ | -------------------------------------------------------------- |
+ * | SkdLevel          | uchar  | 0 for base cells                                               |
+ * | SkdCut            | uchar  | 1 if a part meets the cell                                     |
+ * | SkdPartIndex      | int    | flat block index of the first part that does, -1: none does    |
+ * | SkdCandidates     | int    | how many cells of parts meet it by the test; -1 in refined ones|
+ * | SkdInside         | uchar  | by choice, see ComputeInside                                   |
+ * | SkdVolumeFraction | double | by choice, see ComputeVolumeFraction                           |
+ * | SkdDistance       | double | by choice, see ComputeDistance                                 |
+ * (The flat block index is 0 where Input is not composite.)
  *
  * Field data: SkdReportCells (leaves), SkdReportCutCells (cut leaves), SkdReportAllCells (with
  * refined ones), SkdReportLeavesAtLevel and SkdReportCutAtLevel (a value a level; of cut cells
@@ -231,6 +233,20 @@ public:
 
   ///@{
   /**
+   * Tell by SkdVolumeFraction how much of each cell is inside, from 0 to 1, as ComputeInside has
+   * the inside: by exact clipping, so the sum over cells is the volume of the geometry but for
+   * rounding (of a surface of triangles; others are cut into triangles first). A surface may be
+   * turned in any way, but where bodies overlap the fractions are not exact. Of a surface with open
+   * edges 4 samples along each axis count. On flat grids it is the fraction of the area or length.
+   * Default off.
+   */
+  vtkSetMacro(ComputeVolumeFraction, bool);
+  vtkGetMacro(ComputeVolumeFraction, bool);
+  vtkBooleanMacro(ComputeVolumeFraction, bool);
+  ///@}
+
+  ///@{
+  /**
    * Tell by SkdDistance how far the centre of each cell is from the nearest part. With
    * ComputeInside it is negative inside. Default off.
    */
@@ -280,6 +296,7 @@ protected:
   int GrowingLayers = 0;
   vtkIdType CellLimit = 20000000;
   bool ComputeInside = false;
+  bool ComputeVolumeFraction = false;
   bool ComputeDistance = false;
   int OutputType = HYPER_TREE_GRID;
   double Epsilon = 1e-9;

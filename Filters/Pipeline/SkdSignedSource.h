@@ -31,6 +31,9 @@ public:
   /// The number of faces; 0 means that nothing can be inside.
   vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
 
+  /// See SkdBoundary.
+  vtkPolyData* GetWalls() const { return this->Boundary.Walls; }
+
   /// Edges at which the boundary is open.
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
 

@@ -221,4 +221,94 @@ TEST(AMRCriteria, AnOpenSurfaceIsVotedOnWithAWarning)
   EXPECT_NE(events.Warning.find("no surface"), std::string::npos) << events.Warning;
 }
 
+/// The volume of a closed surface of triangles turned outward.
+double EnclosedVolume(const Mesh& mesh)
+{
+  double volume = 0.0;
+  for (const CellSpec& cell : mesh.Cells)
+  {
+    const auto& p = mesh.Points;
+    volume += Dot(p[cell.Points[0]], Cross(p[cell.Points[1]], p[cell.Points[2]])) / 6.0;
+  }
+  return std::abs(volume);
+}
+
+double SumOfFractions(vtkSkdTreeAMR* filter)
+{
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  const std::vector<double> fractions = CellArray(filter, "SkdVolumeFraction");
+  double volume = 0.0;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    EXPECT_GE(fractions[i], 0.0);
+    EXPECT_LE(fractions[i], 1.0);
+    EXPECT_TRUE(leaves[i].IsCut || fractions[i] == 0.0 || fractions[i] == 1.0);
+    volume += fractions[i] * VolumeOf({ leaves[i] });
+  }
+  return volume;
+}
+
+TEST(AMRCriteria, VolumeFractionsAddUpToTheVolume)
+{
+  // The cube [0, 4]^3 has its faces on those of cells, the others are anywhere.
+  const Mesh meshes[] = { TorusTriangles(32, 16), SphereTriangles(8).Map(Turned), CubeTriangles(4),
+    Octahedron(1.0) };
+  for (const Mesh& mesh : meshes)
+  {
+    Mesh outward = mesh;
+    for (CellSpec& cell : outward.Cells)
+    {
+      // Those of the octahedron are not turned alike: its volume is known.
+      std::swap(cell.Points[1], cell.Points[2]);
+    }
+    const double volume = mesh.Cells.size() == 8 ? 4.0 / 3.0 : EnclosedVolume(mesh);
+    for (int level = 0; level <= 5; level += level < 2 ? 1 : 3)
+    {
+      AMRPointer filter = MakeAMR(MakePolyData(level % 2 ? outward : mesh), level);
+      if (mesh.Cells.size() == 192)
+      {
+        filter = MakeAMRIn(MakePolyData(mesh), level, { -4, 12, -4, 12, 0, 16 });
+      }
+      filter->ComputeVolumeFractionOn();
+      EXPECT_NEAR(SumOfFractions(filter), volume, 1e-10 * volume) << level;
+      EXPECT_TRUE(CellArray(filter, "SkdInside").empty());
+    }
+  }
+}
+
+TEST(AMRCriteria, VolumeFractionsOfVolumeCellsAndOfAreas)
+{
+  AMRPointer filter = MakeAMR(MakeGrid(Tetrahedra(3)), 4);
+  filter->ComputeVolumeFractionOn();
+  EXPECT_NEAR(SumOfFractions(filter), 27.0, 1e-9);
+
+  // A cut through the cube [0, 4]^3 is a square, one along it a length.
+  Bounds box = { -1.3, 5.1, -1.7, 4.9, 1.1, 1.1 };
+  AMRPointer flat = MakeAMRIn(MakePolyData(CubeTriangles(4)), 4, box);
+  flat->ComputeVolumeFractionOn();
+  for (int dimension = 2; dimension >= 1; --dimension)
+  {
+    const std::vector<Leaf> leaves = RunLeaves(flat);
+    const std::vector<double> fractions = CellArray(flat, "SkdVolumeFraction");
+    double sum = 0.0;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      const Bounds& b = leaves[i].Box;
+      sum += fractions[i] * (b[1] - b[0]) * (dimension == 2 ? b[3] - b[2] : 1.0);
+    }
+    EXPECT_NEAR(sum, dimension == 2 ? 16.0 : 4.0, 1e-10);
+    flat->SetBaseBounds(box[0], box[1], 2.2, 2.2, 1.1, 1.1);
+  }
+}
+
+TEST(AMRCriteria, VolumeFractionsOfAnOpenSurfaceAreSampled)
+{
+  auto open = MakePolyData(Part(SphereTriangles(12), [](std::size_t cell) { return cell != 5; }));
+  AMRPointer filter = MakeAMR(open, 5);
+  EventCounter events(filter);
+  filter->ComputeVolumeFractionOn();
+  EXPECT_NEAR(SumOfFractions(filter), EnclosedVolume(SphereTriangles(12)), 0.02);
+  EXPECT_EQ(events.Warnings, 1);
+}
+
 }

@@ -49,6 +49,14 @@ def test_an_unstructured_grid_with_hanging_points_and_insides():
     assert -0.3 < distances.min() < -0.15 and 0.3 < distances.max() < 0.57
 
 
+def test_volume_fractions_add_up_to_the_volume():
+    box = simple.Box(XLength=0.7, YLength=0.6, ZLength=0.3, Center=[0.5, 0.5, 0.5])
+    amr = simple.SkdTreeAMR(Input=box, AutomaticBounds=0, ComputeVolumeFraction=1,
+        OutputType="Unstructured Grid")
+    volume = (cell_array(amr, "SkdVolumeFraction") / 8.0**cell_array(amr, "SkdLevel")).sum()
+    assert abs(volume - 0.7 * 0.6 * 0.3) < 1e-7, volume
+
+
 def test_balance_layers_bands_and_blind_refinement_add_cells():
     plain = scene()
     plain.UpdatePipeline()
