@@ -6,6 +6,7 @@
 #include "Pipeline/SkdSignedSource.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Refine/SkdBaseLattice.h"
+#include "Refine/SkdFieldCriterion.h"
 #include "Refine/SkdGridArrays.h"
 #include "Refine/SkdGridDistances.h"
 #include "Refine/SkdGridFractions.h"
@@ -35,11 +36,14 @@ public:
   SkdSignedSource Boundary;
   std::map<int, int> PartLevels; // by block index
   std::vector<SkdDistanceBand> Bands;
+  SkdFieldCriterion Field;
+  std::set<std::string> FieldArrays;
 
   std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh) const;
   SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self) const;
-  SkdGridExtras FindExtras(
-    vtkSkdTreeAMR* self, const SkdGrid& grid, const std::vector<SkdLeaf>& leaves);
+  void UpdateField(vtkSkdTreeAMR* self, vtkDataObject* field);
+  bool NeedsBoundary(vtkSkdTreeAMR* self) const;
+  SkdGridExtras FindExtras(vtkSkdTreeAMR* self, const SkdGrid& grid) const;
 };
 
 namespace
@@ -160,17 +164,45 @@ SkdRefineSettings vtkSkdTreeAMR::Internals::MakeSettings(vtkSkdTreeAMR* self) co
     settings.PartLevels.push_back(
       level == this->PartLevels.end() ? settings.MaximumLevel : level->second);
   }
+  if (self->GetInsideLevel() > 0)
+  {
+    settings.InsideLevel = self->GetInsideLevel();
+    settings.IsInside = [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); };
+  }
+  if (!this->FieldArrays.empty())
+  {
+    settings.FieldLevel = self->GetFieldLevel();
+    settings.IsWanted = [this](const skd::Box3& box) { return this->Field.IsWanted(box); };
+  }
   return settings;
 }
 
-SkdGridExtras vtkSkdTreeAMR::Internals::FindExtras(
-  vtkSkdTreeAMR* self, const SkdGrid& grid, const std::vector<SkdLeaf>& leaves)
+/// Throws as SkdParts::Update() does.
+void vtkSkdTreeAMR::Internals::UpdateField(vtkSkdTreeAMR* self, vtkDataObject* field)
+{
+  SkdFieldSettings settings;
+  settings.Arrays = this->FieldArrays;
+  settings.Test = static_cast<SkdFieldTest>(self->GetFieldTest());
+  settings.Threshold = self->GetFieldThreshold();
+  std::copy_n(self->GetFieldRange(), 2, settings.Range);
+  this->Field.Update(SkdLeavesOf(field), settings, self->GetEpsilon());
+  for (const std::string& name : this->Field.GetMissing())
+  {
+    vtkWarningWithObjectMacro(
+      self, "The field has no array " << name << " that FieldTest can use.");
+  }
+}
+
+bool vtkSkdTreeAMR::Internals::NeedsBoundary(vtkSkdTreeAMR* self) const
+{
+  return self->GetComputeInside() || self->GetComputeVolumeFraction() || self->GetInsideLevel() > 0;
+}
+
+SkdGridExtras vtkSkdTreeAMR::Internals::FindExtras(vtkSkdTreeAMR* self, const SkdGrid& grid) const
 {
   SkdGridExtras extras;
   if (self->GetComputeInside() || self->GetComputeVolumeFraction())
   {
-    this->Boundary.Update(leaves, self->GetEpsilon());
-    WarnAbout(self, this->Boundary);
     extras.Inside = SkdFindInside(grid, this->Boundary, self, 0.6, 0.7);
   }
   if (self->GetComputeVolumeFraction())
@@ -197,7 +229,7 @@ SkdGridExtras vtkSkdTreeAMR::Internals::FindExtras(
 vtkSkdTreeAMR::vtkSkdTreeAMR()
   : Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(1);
 }
 
@@ -211,6 +243,31 @@ void vtkSkdTreeAMR::SetBaseMeshConnection(vtkAlgorithmOutput* algOutput)
 void vtkSkdTreeAMR::SetBaseMeshData(vtkDataObject* mesh)
 {
   this->SetInputDataInternal(1, mesh);
+}
+
+void vtkSkdTreeAMR::SetFieldConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(2, algOutput);
+}
+
+void vtkSkdTreeAMR::SetFieldData(vtkDataObject* field)
+{
+  this->SetInputDataInternal(2, field);
+}
+
+void vtkSkdTreeAMR::AddFieldArray(const char* name)
+{
+  if (name && *name)
+  {
+    this->Impl->FieldArrays.insert(name);
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeAMR::RemoveAllFieldArrays()
+{
+  this->Impl->FieldArrays.clear();
+  this->Modified();
 }
 
 void vtkSkdTreeAMR::AddPartLevel(int blockIndex, int level)
@@ -241,7 +298,11 @@ void vtkSkdTreeAMR::RemoveAllDistanceBands()
 int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (port == 0)
+  if (port != 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  if (port != 1)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
@@ -249,7 +310,6 @@ int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
   }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -281,7 +341,7 @@ int vtkSkdTreeAMR::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < 3; ++port)
   {
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
@@ -311,11 +371,17 @@ int vtkSkdTreeAMR::RequestData(
   try
   {
     treesBuilt = parts.Update(leaves, this->Epsilon);
+    this->Impl->UpdateField(this, vtkDataObject::GetData(inputVector[2]));
   }
   catch (const std::length_error& error)
   {
     vtkErrorMacro("Input cannot be searched: " << error.what());
     return 1;
+  }
+  if (this->Impl->NeedsBoundary(this))
+  {
+    treesBuilt += this->Impl->Boundary.Update(leaves, this->Epsilon);
+    WarnAbout(this, this->Impl->Boundary);
   }
   const double buildSeconds = watch.Lap();
 
@@ -327,7 +393,7 @@ int vtkSkdTreeAMR::RequestData(
   const SkdRefineSettings settings = this->Impl->MakeSettings(this);
   SkdGridRefiner(this, 0.1, 0.6, *grid, parts, settings).Refine();
   WarnAbout(this, *grid, parts);
-  const SkdGridExtras extras = this->Impl->FindExtras(this, *grid, leaves);
+  const SkdGridExtras extras = this->Impl->FindExtras(this, *grid);
   const double refineSeconds = watch.Lap();
 
   const std::vector<SkdGridCell> cells = MakeOutput(*grid, output);
@@ -343,7 +409,7 @@ int vtkSkdTreeAMR::RequestData(
   report.AddCount("TreesBuilt", treesBuilt);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("RefineSeconds", refineSeconds);
-  if (this->ComputeInside || this->ComputeVolumeFraction)
+  if (this->Impl->NeedsBoundary(this))
   {
     report.AddCount("OpenEdges", this->Impl->Boundary.GetNumberOfOpenEdges());
   }
@@ -374,6 +440,15 @@ void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "DistanceBand: " << band.Distance << " " << band.Level << "\n";
   }
+  os << indent << "InsideLevel: " << this->InsideLevel << "\n";
+  for (const std::string& name : this->Impl->FieldArrays)
+  {
+    os << indent << "FieldArray: " << name << "\n";
+  }
+  os << indent << "FieldTest: " << this->FieldTest << "\n";
+  os << indent << "FieldThreshold: " << this->FieldThreshold << "\n";
+  os << indent << "FieldRange: " << this->FieldRange[0] << " " << this->FieldRange[1] << "\n";
+  os << indent << "FieldLevel: " << this->FieldLevel << "\n";
   os << indent << "CellLimit: " << this->CellLimit << "\n";
   os << indent << "ComputeInside: " << (this->ComputeInside ? "On\n" : "Off\n");
   os << indent << "ComputeVolumeFraction: " << (this->ComputeVolumeFraction ? "On\n" : "Off\n");

@@ -85,6 +85,12 @@ public:
     EXACT = 0,
     BLIND = 1
   };
+  enum FieldTests
+  {
+    DIFFERENCE = 0,
+    GRADIENT = 1,
+    VALUE = 2
+  };
   enum Balances
   {
     NONE = 0,
@@ -99,6 +105,15 @@ public:
    */
   void SetBaseMeshConnection(vtkAlgorithmOutput* algOutput);
   void SetBaseMeshData(vtkDataObject* mesh);
+  ///@}
+
+  ///@{
+  /**
+   * The solution (port 2, optional): any data set, or composite data, whose arrays ask for cells,
+   * too. See AddFieldArray.
+   */
+  void SetFieldConnection(vtkAlgorithmOutput* algOutput);
+  void SetFieldData(vtkDataObject* field);
   ///@}
 
   ///@{
@@ -211,6 +226,61 @@ public:
 
   ///@{
   /**
+   * Refine cells whose middle is inside of the geometry (see ComputeInside) to this level, at most
+   * MaximumLevel. Default 0: the inside does not matter.
+   */
+  vtkSetClampMacro(InsideLevel, int, 0, 30);
+  vtkGetMacro(InsideLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Arrays of the field (port 2), point or cell data, that ask for cells: of several components the
+   * magnitude. In a cell of the grid those values count that are at points in it, those
+   * interpolated at its corners and its middle, and of cell data those of cells that meet it; what
+   * is not finite does not. A warning tells the names that the field does not have.
+   */
+  void AddFieldArray(const char* name);
+  void RemoveAllFieldArrays();
+  ///@}
+
+  ///@{
+  /**
+   * When a cell is refined for such an array: DIFFERENCE (default), where two values in it differ
+   * by more than FieldThreshold; GRADIENT, where a cell of the field that meets it has two points
+   * whose values differ by more than FieldThreshold times their distance (of point data only); or
+   * VALUE, where one is in FieldRange.
+   */
+  vtkSetClampMacro(FieldTest, int, DIFFERENCE, VALUE);
+  vtkGetMacro(FieldTest, int);
+  ///@}
+
+  ///@{
+  /**
+   * See FieldTest. Default 0: any difference.
+   */
+  vtkSetMacro(FieldThreshold, double);
+  vtkGetMacro(FieldThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * See FieldTest; bounds included. Default (0, 1).
+   */
+  vtkSetVector2Macro(FieldRange, double);
+  vtkGetVector2Macro(FieldRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The level that cells are refined to for the field, at most MaximumLevel. Default 30.
+   */
+  vtkSetClampMacro(FieldLevel, int, 0, 30);
+  vtkGetMacro(FieldLevel, int);
+  ///@}
+
+  ///@{
+  /**
    * The number of cells, refined ones counted, that the grid may have. Where the next level would
    * exceed it, or balancing does, a warning tells the level, and the grid is what it is so far.
    * Default 20 million.
@@ -294,6 +364,11 @@ protected:
   int Test = EXACT;
   int Balance = NONE;
   int GrowingLayers = 0;
+  int InsideLevel = 0;
+  int FieldTest = DIFFERENCE;
+  double FieldThreshold = 0.0;
+  double FieldRange[2] = { 0.0, 1.0 };
+  int FieldLevel = 30;
   vtkIdType CellLimit = 20000000;
   bool ComputeInside = false;
   bool ComputeVolumeFraction = false;

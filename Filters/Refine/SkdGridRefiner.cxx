@@ -155,6 +155,14 @@ bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
   {
     return true;
   }
+  const skd::Box3 box = this->Grid.BoxOf(level, cell);
+  return this->IsNear(level, box) ||
+    (level < this->Settings.InsideLevel && this->Settings.IsInside(box.Centroid())) ||
+    (level < this->Settings.FieldLevel && this->Settings.IsWanted(box));
+}
+
+bool SkdGridRefiner::IsNear(int level, const skd::Box3& box) const
+{
   double reach = -1.0;
   for (const SkdDistanceBand& band : this->Settings.Bands)
   {
@@ -164,7 +172,6 @@ bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
   {
     return false;
   }
-  const skd::Box3 box = this->Grid.BoxOf(level, cell);
   const double limit = reach + 0.5 * box.Diagonal();
   return this->Parts.FindDistance(box.Centroid(), limit) <= limit;
 }

@@ -16,6 +16,8 @@
 #include "Refine/SkdParts.h"
 #include "Refine/SkdShortlists.h"
 
+#include <functional>
+
 class vtkAlgorithm;
 
 /// Cells nearer to a part than Distance are refined to Level.
@@ -34,6 +36,10 @@ struct SkdRefineSettings
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
   std::uint64_t CellLimit = 0;
+  int InsideLevel = 0;                               ///< of cells whose middle is inside
+  std::function<bool(const skd::Vector3&)> IsInside; ///< asked if InsideLevel is above 0
+  int FieldLevel = 0;                                ///< of cells where the field wants it
+  std::function<bool(const skd::Box3&)> IsWanted;    ///< asked if FieldLevel is above 0
 };
 
 class SkdGridRefiner
@@ -67,6 +73,7 @@ private:
   void KeepFindings(int level, const std::vector<Batch>& batches);
   bool MarkLevel(int level, std::vector<char>& marks);
   bool IsWanted(int level, std::uint32_t cell) const;
+  bool IsNear(int level, const skd::Box3& box) const;
   bool HasRoomFor(int level, std::uint64_t families);
   void RefineMarked(int level, const std::vector<char>& marks);
   void Balance();

@@ -7,6 +7,10 @@
 #include "Support/ClosestPointRun.h"
 #include "Support/NamedMeshes.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
 #include <gtest/gtest.h>
 
 using namespace skdtest;
@@ -309,6 +313,106 @@ TEST(AMRCriteria, VolumeFractionsOfAnOpenSurfaceAreSampled)
   filter->ComputeVolumeFractionOn();
   EXPECT_NEAR(SumOfFractions(filter), EnclosedVolume(SphereTriangles(12)), 0.02);
   EXPECT_EQ(events.Warnings, 1);
+}
+
+TEST(AMRCriteria, TheInsideIsRefinedToALevelOfItsOwn)
+{
+  auto ball = MakeBall(0.9, { 0, 0, 0 });
+  AMRPointer filter = MakeAMRIn(ball, 5, Around);
+  filter->SetInsideLevel(3);
+  for (const Leaf& leaf : RunLeaves(filter))
+  {
+    const double radius = Length(Center(leaf.Box));
+    EXPECT_TRUE(leaf.Level >= 3 || radius > 0.85);
+    EXPECT_TRUE(leaf.Level < 5 || radius > 0.6);
+  }
+}
+
+/// tanh of the distance to a sphere: steep there, flat elsewhere; NaN in a corner.
+vtkSmartPointer<vtkImageData> MakeShock(double radius, bool isOfCells)
+{
+  auto image = MakeImage(32); // cells of side 1, or what it is: mapped to [-1.6, 1.7]
+  image->SetOrigin(-1.6, -1.6, -1.6);
+  image->SetSpacing(3.3 / 32, 3.3 / 32, 3.3 / 32);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Shock");
+  const vtkIdType n = isOfCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    Bounds box;
+    image->GetCellBounds(isOfCells ? i : 0, box.data());
+    Point x = Center(box);
+    if (!isOfCells)
+    {
+      image->GetPoint(i, x.data());
+    }
+    values->InsertNextValue(
+      i == 0 ? std::numeric_limits<double>::quiet_NaN() : std::tanh(10 * (Length(x) - radius)));
+  }
+  (isOfCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData())
+    ->AddArray(values);
+  return image;
+}
+
+TEST(AMRCriteria, AFieldIsRefinedWhereItVaries)
+{
+  Mesh far;
+  far.Add(VTK_VERTEX, { far.Add({ 1.55, 1.55, 1.55 }) });
+  for (const bool isOfCells : { false, true })
+  {
+    for (const int test : { vtkSkdTreeAMR::DIFFERENCE, vtkSkdTreeAMR::GRADIENT })
+    {
+      if (isOfCells && test == vtkSkdTreeAMR::GRADIENT)
+      {
+        continue; // no such thing
+      }
+      AMRPointer filter = MakeAMRIn(MakePolyData(far), 4, Around);
+      filter->SetFieldData(MakeShock(0.8, isOfCells));
+      filter->AddFieldArray("Shock");
+      filter->SetFieldTest(test);
+      filter->SetFieldThreshold(test == vtkSkdTreeAMR::GRADIENT ? 2.5 : 0.5);
+      EventCounter events(filter);
+      const std::vector<Leaf> leaves = RunLeaves(filter);
+      for (const Leaf& leaf : leaves)
+      {
+        const double radius = Length(Center(leaf.Box));
+        // A cell of level 3, 0.7 across, may just reach what is steep; the point is in a corner.
+        EXPECT_TRUE(leaf.Level < 4 || leaf.IsCut || radius < 1.65 || radius > 2.2) << radius;
+      }
+      Random random(8);
+      for (int i = 0; i < 200; ++i)
+      {
+        EXPECT_EQ(FindLeaf(leaves, 0.8 * random.Direction())->Level, 4) << isOfCells << test;
+      }
+      EXPECT_EQ(events.Warnings + events.Errors, 0);
+    }
+  }
+}
+
+TEST(AMRCriteria, AFieldIsRefinedWhereItsValuesAreToALevel)
+{
+  Mesh far;
+  far.Add(VTK_VERTEX, { far.Add({ 1.55, 1.55, 1.55 }) });
+  AMRPointer filter = MakeAMRIn(MakePolyData(far), 6, Around);
+  filter->SetFieldData(MakeBlocks({ MakeShock(0.8, false), nullptr }));
+  filter->AddFieldArray("Shock");
+  filter->SetFieldTest(vtkSkdTreeAMR::VALUE);
+  filter->SetFieldRange(-2.0, -0.9); // well inside of the sphere: radius below 0.65
+  filter->SetFieldLevel(4);
+  int inside = 0;
+  for (const Leaf& leaf : RunLeaves(filter))
+  {
+    const double radius = Length(Center(leaf.Box));
+    EXPECT_TRUE(leaf.Level == 4 || radius > 0.6) << radius;
+    EXPECT_TRUE(leaf.Level < 4 || leaf.IsCut || radius < 1.2 || radius > 2.2) << radius;
+    inside += radius < 0.6;
+  }
+  EXPECT_GT(inside, 50);
+  filter->AddFieldArray("Nothing");
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("no array Nothing"), std::string::npos);
 }
 
 }

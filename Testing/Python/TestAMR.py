@@ -76,6 +76,18 @@ def test_parts_with_levels():
     assert list(amr.PartLevels) == [1, 2]
 
 
+def test_a_field_asks_for_cells():
+    waves = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
+    amr = simple.SkdTreeAMR(Input=simple.Sphere(Radius=0.1), Field=waves, FieldArrays=["RTData"],
+        AutomaticBounds=0, BaseBounds=[-5, 5] * 3, MaximumLevel=3, FieldThreshold=120,
+        OutputType="Unstructured Grid")
+    amr.UpdatePipeline()
+    some = skdtesting.report(amr, "Cells")
+    amr.FieldThreshold = 1e9
+    amr.UpdatePipeline()
+    assert 8 < skdtesting.report(amr, "Cells") < some < 512, some
+
+
 def test_a_base_mesh():
     base = simple.Wavelet(WholeExtent=[0, 2, 0, 3, 0, 4])
     amr = simple.SkdTreeAMR(Input=simple.Sphere(Radius=2), BaseMesh=base, MaximumLevel=0,

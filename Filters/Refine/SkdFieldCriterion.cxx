@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdFieldCriterion.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+std::vector<double> ValuesOf(vtkDataArray* array)
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    double sum2 = 0.0;
+    for (int k = 0; k < components; ++k)
+    {
+      const double value = array->GetComponent(static_cast<vtkIdType>(i), k);
+      values[i] = value;
+      sum2 += value * value;
+    }
+    values[i] = components == 1 ? values[i] : std::sqrt(sum2);
+  }
+  return values;
+}
+}
+
+/// The values seen so far in a box, until the test is passed.
+class SkdFieldCriterion::Look
+{
+public:
+  explicit Look(const SkdFieldSettings& settings)
+    : Settings(settings)
+  {
+  }
+
+  void Add(double value)
+  {
+    if (!std::isfinite(value))
+    {
+      return;
+    }
+    this->Low = std::min(this->Low, value);
+    this->High = std::max(this->High, value);
+    this->Passes = this->Passes || this->IsEnough(value);
+  }
+
+  bool Passes = false;
+
+private:
+  bool IsEnough(double value) const
+  {
+    const SkdFieldSettings& settings = this->Settings;
+    return settings.Test == SkdFieldTest::Value
+      ? settings.Range[0] <= value && value <= settings.Range[1]
+      : (settings.Test == SkdFieldTest::Gradient ? value : this->High - this->Low) >
+        settings.Threshold;
+  }
+
+  const SkdFieldSettings& Settings;
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+};
+
+//------------------------------------------------------------------------------
+void SkdFieldCriterion::TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name)
+{
+  vtkDataArray* ofPoints = mesh->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* ofCells = mesh->GetCellData()->GetArray(name.c_str());
+  const bool isGradient = this->Settings.Test == SkdFieldTest::Gradient;
+  if (ofPoints && isGradient)
+  {
+    this->Columns.push_back({ part, false, this->FindGradients(part, ValuesOf(ofPoints)) });
+  }
+  else if (ofPoints)
+  {
+    this->Columns.push_back({ part, true, ValuesOf(ofPoints) });
+  }
+  else if (ofCells && !isGradient)
+  {
+    this->Columns.push_back({ part, false, ValuesOf(ofCells) });
+  }
+  else
+  {
+    return;
+  }
+  this->Missing.erase(name);
+}
+
+/// Of each cell the largest difference of values at two of its points by their distance, 0 of cells
+/// that are not in the tree.
+std::vector<double> SkdFieldCriterion::FindGradients(
+  std::uint32_t part, const std::vector<double>& values) const
+{
+  const SkdCellStore& cells = this->Meshes.GetTree(part).Cells();
+  const auto number =
+    static_cast<std::size_t>(this->Meshes.GetSource(part).Data->GetNumberOfCells());
+  std::vector<double> gradients(number, 0.0);
+  for (std::uint32_t cell = 0; cell < cells.NumberOfCells(); ++cell)
+  {
+    const std::uint32_t* ids = cells.PointIdsOf(cell);
+    double& gradient = gradients[static_cast<std::size_t>(cells.IdOf(cell))];
+    for (std::uint32_t i = 0; i < cells.SizeOf(cell); ++i)
+    {
+      for (std::uint32_t k = 0; k < i; ++k)
+      {
+        const double difference = std::abs(values[ids[i]] - values[ids[k]]);
+        const double here = difference / skd::Norm(cells.Point(ids[i]) - cells.Point(ids[k]));
+        gradient = here > gradient && std::isfinite(here) ? here : gradient;
+      }
+    }
+  }
+  return gradients;
+}
+
+//------------------------------------------------------------------------------
+void SkdFieldCriterion::Update(
+  const std::vector<SkdLeaf>& leaves, const SkdFieldSettings& settings, double epsilon)
+{
+  this->Settings = settings;
+  this->Missing = settings.Arrays;
+  this->Columns.clear();
+  this->Meshes.Update(leaves, epsilon);
+  std::uint32_t part = 0;
+  for (const SkdLeaf& leaf : leaves)
+  {
+    if (leaf.Mesh->GetNumberOfCells() > 0)
+    {
+      for (const std::string& name : settings.Arrays)
+      {
+        this->TakeArray(part, leaf.Mesh, name);
+      }
+      ++part;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Every point in the box is one of a cell whose safety box meets the box.
+void SkdFieldCriterion::AddListed(const Column& column, const skd::Box3& box, Look& look) const
+{
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  const SkdCellStore& cells = tree.Cells();
+  const skd::ListedLanes all = skd::ListAll().front();
+  tree.VisitListed({ &all, &all + 1 }, box,
+    [&](std::uint32_t cell)
+    {
+      if (look.Passes)
+      {
+        return;
+      }
+      if (!column.IsOfPoints)
+      {
+        if (tree.Overlaps(cell, box))
+        {
+          look.Add(column.Values[static_cast<std::size_t>(cells.IdOf(cell))]);
+        }
+        return;
+      }
+      const std::uint32_t* ids = cells.PointIdsOf(cell);
+      for (std::uint32_t i = 0; i < cells.SizeOf(cell); ++i)
+      {
+        if (box.Contains(cells.Point(ids[i])))
+        {
+          look.Add(column.Values[ids[i]]);
+        }
+      }
+    });
+}
+
+/// The corners and the middle, where a cell holds them.
+void SkdFieldCriterion::AddSamples(const Column& column, const skd::Box3& box, Look& look) const
+{
+  thread_local std::vector<double> weights;
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  const SkdCellSource source = this->Meshes.GetSource(column.Part);
+  for (unsigned sample = 0; sample < 9 && !look.Passes; ++sample)
+  {
+    const skd::Vector3 x = sample == 8
+      ? box.Centroid()
+      : skd::Vector3{ { sample & 1u ? box.Max[0] : box.Min[0],
+          sample & 2u ? box.Max[1] : box.Min[1], sample & 4u ? box.Max[2] : box.Min[2] } };
+    SkdFoundCell found = tree.FindContaining(x, 0.0, -1, source);
+    if (found.Id < 0)
+    {
+      continue;
+    }
+    const auto cell = static_cast<std::uint32_t>(tree.Cells().CellOfId(found.Id));
+    const std::uint32_t size = tree.Cells().SizeOf(cell);
+    weights.assign(size, 0.0);
+    tree.Interpolate(found, weights.data(), source);
+    double value = 0.0;
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      value += weights[i] * column.Values[tree.Cells().PointIdsOf(cell)[i]];
+    }
+    look.Add(value);
+  }
+}
+
+bool SkdFieldCriterion::IsWanted(const skd::Box3& box) const
+{
+  return std::any_of(this->Columns.begin(), this->Columns.end(),
+    [&](const Column& column)
+    {
+      Look look(this->Settings);
+      if (column.IsOfPoints)
+      {
+        this->AddSamples(column, box, look);
+      }
+      if (!look.Passes)
+      {
+        this->AddListed(column, box, look);
+      }
+      return look.Passes;
+    });
+}
