@@ -248,6 +248,26 @@ public:
 #endif
 
   /**
+   * What one cell says of x, as vtkCell::EvaluatePosition but exactly: the cell's nearest point,
+   * its sub-id, parametric coordinates and (unless nullptr) weights there, and its squared
+   * distance. Returns false, and sets nothing, for a cell that is not in the tree or an x that is
+   * not finite.
+   */
+  bool EvaluateCell(vtkIdType cellId, const double x[3], double closestPoint[3], int& subId,
+    double pcoords[3], double& dist2, double* weights);
+
+  /**
+   * The parameters (ascending, t in [0, 1] along p1 p2, 0 and 1 among them) between which the
+   * segment stays in the same cells: it may enter or leave a cell only there. These are the
+   * crossings of faces of volume cells, and of the edges of surface cells and the ends of curves
+   * that it passes at `tolerance` or less; of a curved cell they are found to rounding, but what is
+   * in it or out for less than a part in 32 of its bounds may be missed. Between two of them ask
+   * FindCell for the middle. Returns their number, 0 for a segment of no length or not finite.
+   */
+  vtkIdType FindCellBorders(
+    const double p1[3], const double p2[3], double tolerance, vtkDoubleArray* parameters);
+
+  /**
    * The cells whose bounds overlap the box (xmin, xmax, ymin, ymax, zmin, zmax), bounds included,
    * in the order of the tree: the same every time.
    */

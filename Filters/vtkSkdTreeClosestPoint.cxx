@@ -5,6 +5,7 @@
 #include "Pipeline/SkdAnswers.h"
 #include "Pipeline/SkdCellWeights.h"
 #include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
@@ -31,16 +32,6 @@ public:
 
 namespace
 {
-vtkIdType CountPoints(const std::vector<SkdLeaf>& leaves)
-{
-  vtkIdType points = 0;
-  for (const SkdLeaf& leaf : leaves)
-  {
-    points += leaf.Mesh->GetNumberOfPoints();
-  }
-  return points;
-}
-
 SkdAnswers FindNearest(
   vtkDataSet* mesh, const SkdSource& source, double maximumDistance, SkdLoop& loop)
 {
@@ -97,7 +88,7 @@ void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdLeaf>&
     source.GetMesh(static_cast<int>(leaf))->GetCell(0, cell); // makes GetCell thread-safe
   }
   std::set<std::string> refused;
-  SkdLoop loop(self, CountPoints(outputs), 0.7, 1.0);
+  SkdLoop loop(self, SkdCountPoints(outputs), 0.7, 1.0);
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
     InterpolateFor(outputs[i].Mesh, source, answers[i], refused, loop);
@@ -228,7 +219,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   const double buildSeconds = watch.Lap();
 
   std::vector<SkdAnswers> answers;
-  SkdLoop loop(this, CountPoints(leaves), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
+  SkdLoop loop(this, SkdCountPoints(leaves), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
   for (const SkdLeaf& leaf : leaves)
   {
     answers.push_back(FindNearest(leaf.Mesh, source, this->MaximumDistance, loop));

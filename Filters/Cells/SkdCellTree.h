@@ -122,6 +122,16 @@ public:
   ///@}
 
   ///@{
+  /// SkdBorderQueries.cxx. FindBorders adds the parameters, in any order, at which the segment may
+  /// pass from one cell to another: where it crosses faces of volumes, and edges of surfaces and
+  /// ends of curves that it comes near to the tolerance. There may be others among them. Evaluate:
+  /// the point of one cell nearest to x; Id -1 of a cell that is not in the tree.
+  void FindBorders(const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source,
+    std::vector<double>& parameters) const;
+  SkdFoundCell Evaluate(vtkIdType id, const skd::Vector3& x, const SkdCellSource& source) const;
+  ///@}
+
+  ///@{
   /// SkdBoxQueries.cxx. Exact on the cells' bounds (as if moved by `motion`, unless nullptr), or on
   /// their safety boxes. In the order of the tree: the same every time.
   void FindWithinBounds(const skd::Box3& box, const skd::RigidMotion* motion, vtkIdList* ids) const;
@@ -210,6 +220,8 @@ private:
     std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
+  void AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
+    const SkdCellSource& source, std::vector<double>& parameters) const;
   template <class Visit>
   void ForEachNear(const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const;
   /// Of quads, strips and triangles.

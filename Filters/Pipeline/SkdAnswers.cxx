@@ -16,17 +16,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-template <typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, int components, vtkIdType n, double none)
-{
-  auto array = SkdMakeArray<Array>(name, components, n);
-  array->Fill(none);
-  return array;
-}
-}
-
 bool SkdAnswers::IsOurs(const std::string& name)
 {
   return name == ClosestPointName || name == DistanceName || name == CellIdName ||
@@ -34,9 +23,9 @@ bool SkdAnswers::IsOurs(const std::string& name)
 }
 
 SkdAnswers::SkdAnswers(vtkIdType n)
-  : Points(MakeArray<vtkDoubleArray>(ClosestPointName, 3, n, vtkMath::Nan()))
-  , Distances(MakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
-  , CellIds(MakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
+  : Points(SkdMakeArray<vtkDoubleArray>(ClosestPointName, 3, n, vtkMath::Nan()))
+  , Distances(SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
+  , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
   , Leaves(n, -1)
 {
 }
@@ -65,7 +54,7 @@ void SkdAnswers::AddTo(
   pointData->SetActiveScalars(DistanceName);
   if (isComposite)
   {
-    auto blocks = MakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
+    auto blocks = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
     for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
     {
       if (this->Leaves[i] >= 0)

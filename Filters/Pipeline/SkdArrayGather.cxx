@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdArrayGather.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -22,9 +25,19 @@ bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* first)
     array->IsNumeric() == first->IsNumeric();
 }
 
-vtkSmartPointer<vtkAbstractArray> MakeResult(vtkAbstractArray* like, vtkIdType n)
+/// What integers are filled with: the nearest that they can hold, 0 for NaN.
+double FillOf(vtkDataArray* numbers, double fill)
 {
-  const int type = like->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : like->GetDataType();
+  const double least = numbers->GetDataTypeMin();
+  const double most = numbers->GetDataTypeMax();
+  return std::isnan(fill) ? 0.0 : std::max(least, std::min(most, std::round(fill)));
+}
+
+vtkSmartPointer<vtkAbstractArray> MakeResult(
+  vtkAbstractArray* like, vtkIdType n, double fill, bool isDouble)
+{
+  const int ownType = like->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : like->GetDataType();
+  const int type = isDouble && like->IsNumeric() ? VTK_DOUBLE : ownType;
   vtkSmartPointer<vtkAbstractArray> result;
   result.TakeReference(vtkAbstractArray::CreateArray(type));
   result->SetName(like->GetName());
@@ -33,9 +46,75 @@ vtkSmartPointer<vtkAbstractArray> MakeResult(vtkAbstractArray* like, vtkIdType n
   result->SetNumberOfTuples(n);
   if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(result))
   {
-    numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? vtkMath::Nan() : 0.0);
+    const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+    numbers->Fill(isReal ? fill : FillOf(numbers, fill));
   }
   return result;
+}
+
+void InterpolateAny(
+  vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdList* ids, double* weights)
+{
+  result->InterpolateTuple(to, ids, source, weights);
+}
+
+void TakeAny(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdType from)
+{
+  result->SetTuple(to, from, source);
+}
+
+/// Of any numbers, into doubles.
+void InterpolateAsDouble(
+  vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdList* ids, double* weights)
+{
+  auto* from = static_cast<vtkDataArray*>(source);
+  auto* into = static_cast<vtkDataArray*>(result);
+  for (int c = 0; c < from->GetNumberOfComponents(); ++c)
+  {
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      sum += weights[i] * from->GetComponent(ids->GetId(i), c);
+    }
+    into->SetComponent(to, c, sum);
+  }
+}
+
+/// Of arrays that lie in memory as they are written, and have the type of the result.
+template <typename Value>
+void InterpolatePlain(
+  vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdList* ids, double* weights)
+{
+  using Plain = vtkAOSDataArrayTemplate<Value>;
+  const int components = source->GetNumberOfComponents();
+  const Value* from = static_cast<Plain*>(source)->GetPointer(0);
+  Value* into = static_cast<Plain*>(result)->GetPointer(to * components);
+  const vtkIdType n = ids->GetNumberOfIds();
+  const vtkIdType* id = ids->GetPointer(0);
+  for (int c = 0; c < components; ++c)
+  {
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      sum += weights[i] * static_cast<double>(from[id[i] * components + c]);
+    }
+    vtkMath::RoundDoubleToIntegralIfNecessary(sum, into + c);
+  }
+}
+
+template <typename Value>
+void TakePlain(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdType from)
+{
+  using Plain = vtkAOSDataArrayTemplate<Value>;
+  const int components = source->GetNumberOfComponents();
+  const Value* first = static_cast<Plain*>(source)->GetPointer(from * components);
+  std::copy_n(first, components, static_cast<Plain*>(result)->GetPointer(to * components));
+}
+
+template <typename Value>
+bool IsPlain(vtkAbstractArray* array)
+{
+  return vtkArrayDownCast<vtkAOSDataArrayTemplate<Value>>(array) != nullptr;
 }
 }
 
@@ -66,11 +145,36 @@ SkdArrayGather::SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
   }
 }
 
-void SkdArrayGather::Allocate(vtkIdType n)
+void SkdArrayGather::ChooseFunctions(Array& array, bool isDouble)
+{
+  array.Interpolate =
+    isDouble && array.Result->IsNumeric() ? &InterpolateAsDouble : &InterpolateAny;
+  array.Take = &TakeAny;
+  const auto choose = [&](auto value)
+  {
+    using Value = decltype(value);
+    const bool isPlain = IsPlain<Value>(array.Result) &&
+      std::all_of(array.Sources.begin(), array.Sources.end(), &IsPlain<Value>);
+    if (isPlain)
+    {
+      array.Interpolate = &InterpolatePlain<Value>;
+      array.Take = &TakePlain<Value>;
+    }
+  };
+  switch (array.Result->GetDataType())
+  {
+    vtkTemplateMacro(choose(VTK_TT{}));
+    default:
+      break;
+  }
+}
+
+void SkdArrayGather::Allocate(vtkIdType n, double fill, bool isDouble)
 {
   for (Array& array : this->Arrays)
   {
-    array.Result = MakeResult(array.Sources.front(), n);
+    array.Result = MakeResult(array.Sources.front(), n, fill, isDouble);
+    ChooseFunctions(array, isDouble);
   }
 }
 
@@ -78,7 +182,7 @@ void SkdArrayGather::Interpolate(vtkIdType to, int set, vtkIdList* ids, double* 
 {
   for (Array& array : this->Arrays)
   {
-    array.Result->InterpolateTuple(to, ids, array.Sources[set], weights);
+    array.Interpolate(array.Result, to, array.Sources[set], ids, weights);
   }
 }
 
@@ -86,7 +190,7 @@ void SkdArrayGather::Take(vtkIdType to, int set, vtkIdType from)
 {
   for (Array& array : this->Arrays)
   {
-    array.Result->SetTuple(to, from, array.Sources[set]);
+    array.Take(array.Result, to, array.Sources[set], from);
   }
 }
 

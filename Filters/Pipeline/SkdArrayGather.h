@@ -13,6 +13,7 @@
 #define SkdArrayGather_h
 
 #include "vtkAbstractArray.h"
+#include "vtkMath.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -29,8 +30,10 @@ public:
   SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
     const std::function<bool(vtkAbstractArray*)>& isWanted);
 
-  /// Makes the resulting arrays, of n tuples: NaN, 0 in integer arrays, empty strings.
-  void Allocate(vtkIdType n);
+  /// Makes the resulting arrays, of n tuples: `fill`, rounded and 0 for NaN in integer arrays;
+  /// empty strings. With `isDouble` arrays of numbers become arrays of double, so nothing is
+  /// rounded.
+  void Allocate(vtkIdType n, double fill = vtkMath::Nan(), bool isDouble = false);
 
   ///@{
   /// Sets tuple `to` of each result from tuples of data set `set`. Thread-safe for distinct `to`.
@@ -41,12 +44,31 @@ public:
   /// Adds the resulting arrays.
   void AddTo(vtkDataSetAttributes* attributes) const;
 
+  ///@{
+  /// The resulting arrays one by one.
+  int GetNumberOfArrays() const { return static_cast<int>(this->Arrays.size()); }
+  vtkAbstractArray* GetResult(int i) const { return this->Arrays[i].Result; }
+  vtkAbstractArray* GetSource(int i, int set) const { return this->Arrays[i].Sources[set]; }
+  ///@}
+
 private:
+  /// How tuples get from a source into the result; for the usual kinds of arrays without a call for
+  /// each value.
+  using InterpolateFunction = void (*)(vtkAbstractArray* result, vtkIdType to,
+    vtkAbstractArray* source, vtkIdList* ids, double* weights);
+  using TakeFunction = void (*)(
+    vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdType from);
+
   struct Array
   {
     std::vector<vtkAbstractArray*> Sources; // one a set
     vtkSmartPointer<vtkAbstractArray> Result;
+    InterpolateFunction Interpolate = nullptr;
+    TakeFunction Take = nullptr;
   };
+
+  static void ChooseFunctions(Array& array, bool isDouble);
+
   std::vector<Array> Arrays;
 };
 

@@ -10,6 +10,14 @@
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
   const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused)
 {
+  return SkdGatherInto(
+    target, n, leaves, type, refused, vtkMath::Nan(), [](const std::string&) { return true; });
+}
+
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused, double fill,
+  const std::function<bool(const std::string&)>& isNamed)
+{
   std::vector<vtkDataSetAttributes*> sets;
   for (const SkdLeaf& leaf : leaves)
   {
@@ -22,7 +30,7 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
       (array == first->GetGlobalIds() || array == first->GetPedigreeIds() ||
         array == first->GetRationalWeights());
     const std::string name = array->GetName();
-    if (isOfPoints || name == vtkDataSetAttributes::GhostArrayName())
+    if (isOfPoints || name == vtkDataSetAttributes::GhostArrayName() || !isNamed(name))
     {
       return false;
     }
@@ -34,7 +42,7 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
     return true;
   };
   SkdArrayGather gather(sets, isWanted);
-  gather.Allocate(n);
+  gather.Allocate(n, fill);
   gather.AddTo(target);
   return gather;
 }

@@ -6,6 +6,7 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLeaves.h"
 
+#include <functional>
 #include <set>
 #include <string>
 
@@ -16,6 +17,11 @@ class vtkAlgorithm;
 /// cannot be added because its name is in use is put down in `refused`.
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
   const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused);
+
+/// The same of those of whose name `isWanted` tells true; "none" is `fill`, see SkdArrayGather.
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused, double fill,
+  const std::function<bool(const std::string&)>& isWanted);
 
 /// Warns about the arrays that were refused.
 void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refused);

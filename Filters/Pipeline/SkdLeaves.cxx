@@ -65,3 +65,13 @@ std::vector<SkdLeaf> SkdMirror(vtkDataObject* input, vtkDataObject* output)
   }
   return SkdLeavesOf(output);
 }
+
+vtkIdType SkdCountPoints(const std::vector<SkdLeaf>& leaves)
+{
+  vtkIdType points = 0;
+  for (const SkdLeaf& leaf : leaves)
+  {
+    points += leaf.Mesh->GetNumberOfPoints();
+  }
+  return points;
+}

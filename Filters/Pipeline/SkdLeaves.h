@@ -28,4 +28,7 @@ std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object);
 /// copying arrays. Returns the data sets of the output: arrays can be added to them.
 std::vector<SkdLeaf> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 
+/// The points of all of them.
+vtkIdType SkdCountPoints(const std::vector<SkdLeaf>& leaves);
+
 #endif

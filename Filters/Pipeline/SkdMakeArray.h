@@ -17,4 +17,13 @@ vtkSmartPointer<Array> SkdMakeArray(const char* name, int components, vtkIdType 
   return array;
 }
 
+/// The same, all `none`.
+template <typename Array>
+vtkSmartPointer<Array> SkdMakeArray(const char* name, int components, vtkIdType n, double none)
+{
+  auto array = SkdMakeArray<Array>(name, components, n);
+  array->Fill(none);
+  return array;
+}
+
 #endif

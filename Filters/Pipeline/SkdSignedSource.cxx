@@ -3,11 +3,8 @@
 #include "Pipeline/SkdSignedSource.h"
 
 #include "Pipeline/SkdSourceTrees.h"
-#include "vtkBoundingBox.h"
-#include "vtkMath.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
@@ -65,30 +62,7 @@ std::optional<SkdNearest> SkdSignedSource::FindNearest(
   return nearest;
 }
 
-// Six ways go along the axes, up and down, the shortest first: they meet few boxes. They lean a
-// little, as many surfaces have faces and edges along the axes, and a way within such a face is the
-// costliest to decide. The seventh, so that a vote is never even, goes askew.
-std::array<SkdSignedSource::WayOut, 7> SkdSignedSource::GetWaysOut(const double x[3]) const
-{
-  const double* bounds = this->Bounds;
-  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
-  std::array<WayOut, 7> ways;
-  for (int i = 0; i < 6; ++i)
-  {
-    const int axis = i / 2;
-    const double toBound = bounds[i] - x[axis];
-    const double length = std::abs(toBound) + 0.01 * diagonal;
-    ways[i] = { 0.0437 * length, 0.0269 * length, 0.0163 * length };
-    ways[i][axis] = i % 2 ? length : -length;
-  }
-  const auto length2 = [](const WayOut& way) { return vtkMath::Dot(way.data(), way.data()); };
-  std::stable_sort(ways.begin(), ways.begin() + 6,
-    [&](const WayOut& a, const WayOut& b) { return length2(a) < length2(b); });
-  ways[6] = { 1.31 * diagonal, 1.13 * diagonal, 1.23 * diagonal };
-  return ways;
-}
-
-bool SkdSignedSource::HasOddCrossings(const double x[3], const WayOut& way) const
+bool SkdSignedSource::HasOddCrossings(const double x[3], const SkdWayOut& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
   return this->Walls->CountCrossings(x, end) % 2 == 1;
@@ -103,13 +77,13 @@ bool SkdSignedSource::IsInside(const double x[3]) const
       return false;
     }
   }
-  const std::array<WayOut, 7> ways = this->GetWaysOut(x);
+  const std::array<SkdWayOut, 7> ways = SkdWaysOutAlongAxes(this->Bounds, x);
   if (this->Boundary.OpenEdges == 0)
   {
     return this->HasOddCrossings(x, ways[0]);
   }
   const auto votes = std::count_if(
-    ways.begin(), ways.end(), [&](const WayOut& way) { return this->HasOddCrossings(x, way); });
+    ways.begin(), ways.end(), [&](const SkdWayOut& way) { return this->HasOddCrossings(x, way); });
   return 2 * votes > static_cast<std::ptrdiff_t>(ways.size());
 }
 

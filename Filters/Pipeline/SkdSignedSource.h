@@ -12,9 +12,9 @@
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdNearest.h"
+#include "Pipeline/SkdWaysOut.h"
 #include "vtkSkdTreeCellLocator.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -50,12 +50,9 @@ public:
   SkdTreeCounts GetCounts() const;
 
 private:
-  using WayOut = std::array<double, 3>; // a vector from a point within the bounds to one outside
-
   bool IsSameAs(const std::vector<SkdLeaf>& leaves) const;
   void MakeBoundary(const std::vector<SkdLeaf>& leaves);
-  std::array<WayOut, 7> GetWaysOut(const double x[3]) const;
-  bool HasOddCrossings(const double x[3], const WayOut& way) const;
+  bool HasOddCrossings(const double x[3], const SkdWayOut& way) const;
 
   std::vector<SkdKeptMesh> Meshes;
   SkdBoundary Boundary;

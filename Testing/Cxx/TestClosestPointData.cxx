@@ -19,43 +19,6 @@ using namespace skdtest;
 namespace
 {
 
-double Linear(const Point& p)
-{
-  return 3.0 * p[0] - 2.0 * p[1] + 0.5 * p[2] + 7.0;
-}
-
-template <typename Array = vtkDoubleArray>
-vtkSmartPointer<Array> MakeArray(
-  const char* name, vtkIdType n, const std::function<double(vtkIdType)>& value)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(n);
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    array->SetVariantValue(i, value(i));
-  }
-  return array;
-}
-
-/// Point data "Linear" and "LinearInt", cell data "Number": ten times the cell's id.
-template <typename Pointer>
-Pointer WithData(Pointer mesh)
-{
-  const auto linear = [&](vtkIdType i)
-  {
-    Point p;
-    mesh->GetPoint(i, p.data());
-    return Linear(p);
-  };
-  const auto number = [](vtkIdType i) { return 10.0 * i; };
-  const vtkIdType points = mesh->GetNumberOfPoints();
-  mesh->GetPointData()->AddArray(MakeArray("Linear", points, linear));
-  mesh->GetPointData()->AddArray(MakeArray<vtkIntArray>("LinearInt", points, linear));
-  mesh->GetCellData()->AddArray(MakeArray<vtkIntArray>("Number", mesh->GetNumberOfCells(), number));
-  return mesh;
-}
-
 FilterPointer MakeInterpolation(vtkDataObject* input, vtkDataObject* source)
 {
   FilterPointer filter = MakeFilter(input, source);

@@ -247,33 +247,6 @@ TEST(ClosestPointFilter, BitsAreTheSameForAnyNumberOfThreads)
   }
 }
 
-/// Watches progress, and aborts when it reaches a part.
-struct ProgressWatch
-{
-  explicit ProgressWatch(vtkAlgorithm* algorithm, double abortAt = 2.0)
-    : AbortAt(abortAt)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(&ProgressWatch::Look);
-    algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
-  }
-
-  static void Look(vtkObject* caller, unsigned long, void* self, void*)
-  {
-    auto* watch = static_cast<ProgressWatch*>(self);
-    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
-    watch->Seen.push_back(algorithm->GetProgress());
-    if (algorithm->GetProgress() >= watch->AbortAt)
-    {
-      algorithm->SetAbortExecute(1);
-    }
-  }
-
-  double AbortAt;
-  std::vector<double> Seen;
-  vtkNew<vtkCallbackCommand> Command;
-};
-
 TEST(ClosestPointFilter, ProgressRisesToOne)
 {
   auto source = MakePolyData(SphereTriangles(4));

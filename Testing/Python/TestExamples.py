@@ -50,6 +50,32 @@ def test_closest_point():
     assert len(numpy.unique(colours[~is_background], axis=0)) > 100
 
 
+def test_probe():
+    picture = fresh_picture("probe_example.png")
+    said = run("Probe.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
+    assert "stretches: 66" in said, said
+    colours = pixels(picture)
+    is_background = (colours == 255).all(axis=1)
+    assert 0.2 < is_background.mean() < 0.8
+    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+
+
+def test_attach():
+    picture = fresh_picture("attach_example.png")
+    said = run("Attach.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
+    assert "without: " in said and "with: " in said, said
+    is_background = (pixels(picture) == 255).all(axis=1)
+    assert 0.2 < is_background.mean() < 0.95
+
+
+def test_point_in_out():
+    picture = fresh_picture("point_in_out_example.png")
+    said = run("PointInOut.py", skdtesting.DATA_DIR, picture)
+    assert "PointsInside 230182" in said and "OpenEdges    0" in said, said
+    is_background = (pixels(picture) == 255).all(axis=1)
+    assert 0.5 < is_background.mean() < 0.95
+
+
 def test_curve_surface_intersection():
     picture = fresh_picture("curve_surface_intersection_example.png")
     files = [os.path.join(skdtesting.DATA_DIR, name)

@@ -14,12 +14,16 @@ def documentation_of(element):
 
 
 def default_of(element):
+    if element.tag == "StringVectorProperty":
+        return [element.get("default_values")]
     return [float(value) for value in element.get("default_values").split()]
 
 
 def cpp_default_of(instance, element):
     assert element.get("command").startswith("Set"), element.get("command")
     value = getattr(instance, "Get" + element.get("command")[3:])()
+    if isinstance(value, str):
+        return [value]
     return [float(component) for component in (value if isinstance(value, tuple) else (value, ))]
 
 

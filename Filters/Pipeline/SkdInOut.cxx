@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdInOut.h"
+
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+SkdInOut SkdAskParts(const std::vector<SkdPart>& parts, const double x[3],
+  const SkdInsideRules& rules, double band, std::uint64_t point)
+{
+  SkdInOut answer;
+  if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+  {
+    answer.WindingNumber = vtkMath::Nan();
+    return answer;
+  }
+  answer.Confidence = 1.0;
+  double smallest = VTK_DOUBLE_MAX;
+  for (const SkdPart& part : parts)
+  {
+    const SkdSide side = part.AskSide(x, rules, point);
+    answer.Confidence = std::min(answer.Confidence, side.Confidence);
+    answer.IsOnBoundary = answer.IsOnBoundary || (band > 0.0 && part.IsNear(x, band));
+    answer.WindingNumber += part.GetWindingNumber(x);
+    if (side.IsInside)
+    {
+      answer.IsInside = true;
+      ++answer.Depth;
+      if (part.GetDiagonal() < smallest)
+      {
+        smallest = part.GetDiagonal();
+        answer.PartId = part.GetId();
+      }
+    }
+  }
+  return answer;
+}
+
+SkdInOuts::SkdInOuts(vtkIdType n, bool hasWinding)
+  : Inside(SkdMakeArray<vtkUnsignedCharArray>(InsideName, 1, n, 0))
+  , PartIds(SkdMakeArray<vtkIntArray>("SkdPartId", 1, n, -1))
+  , Depths(SkdMakeArray<vtkIntArray>("SkdDepth", 1, n, 0))
+  , Confidences(SkdMakeArray<vtkFloatArray>("SkdConfidence", 1, n, 0))
+  , OnBoundary(SkdMakeArray<vtkUnsignedCharArray>("SkdOnBoundary", 1, n, 0))
+{
+  if (hasWinding)
+  {
+    this->Windings = SkdMakeArray<vtkDoubleArray>("SkdWindingNumber", 1, n, vtkMath::Nan());
+  }
+}
+
+void SkdInOuts::Set(vtkIdType i, const SkdInOut& answer)
+{
+  this->Inside->SetValue(i, answer.IsInside ? 1 : 0);
+  this->PartIds->SetValue(i, answer.PartId);
+  this->Depths->SetValue(i, answer.Depth);
+  this->Confidences->SetValue(i, static_cast<float>(answer.Confidence));
+  this->OnBoundary->SetValue(i, answer.IsOnBoundary ? 1 : 0);
+  if (this->Windings)
+  {
+    this->Windings->SetValue(i, answer.WindingNumber);
+  }
+}
+
+vtkIdType SkdInOuts::CountInside() const
+{
+  const unsigned char* first = this->Inside->GetPointer(0);
+  return std::count(first, first + this->GetNumber(), 1);
+}
+
+void SkdInOuts::AddTo(vtkDataSetAttributes* data) const
+{
+  data->AddArray(this->Inside);
+  data->AddArray(this->PartIds);
+  data->AddArray(this->Depths);
+  data->AddArray(this->Confidences);
+  data->AddArray(this->OnBoundary);
+  if (this->Windings)
+  {
+    data->AddArray(this->Windings);
+  }
+  data->SetActiveScalars(InsideName);
+}

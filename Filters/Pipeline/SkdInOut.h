@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdInOut_h
+#define SkdInOut_h
+
+#include "Pipeline/SkdPartList.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkUnsignedCharArray.h"
+
+class vtkDataSetAttributes;
+
+/// What all parts together say of a point.
+struct SkdInOut
+{
+  bool IsInside = false;
+  int PartId = -1;
+  int Depth = 0;
+  double Confidence = 0.0;
+  bool IsOnBoundary = false;
+  double WindingNumber = 0.0;
+};
+
+/// Asks all parts for a point, `point` of its number. The innermost is the smallest that holds it,
+/// ties to the lowest id. Thread-safe.
+SkdInOut SkdAskParts(const std::vector<SkdPart>& parts, const double x[3],
+  const SkdInsideRules& rules, double band, std::uint64_t point);
+
+/// Arrays of a slot a point or cell, "none" at first.
+class SkdInOuts
+{
+public:
+  static constexpr const char* InsideName = "SkdInside";
+
+  SkdInOuts(vtkIdType n, bool hasWinding);
+
+  /// Fills a slot. Thread-safe for distinct slots.
+  void Set(vtkIdType i, const SkdInOut& answer);
+
+  vtkIdType GetNumber() const { return this->Inside->GetNumberOfTuples(); }
+  vtkIdType CountInside() const;
+
+  /// Adds the arrays, and makes the first the active scalars.
+  void AddTo(vtkDataSetAttributes* data) const;
+
+private:
+  vtkSmartPointer<vtkUnsignedCharArray> Inside;
+  vtkSmartPointer<vtkIntArray> PartIds;
+  vtkSmartPointer<vtkIntArray> Depths;
+  vtkSmartPointer<vtkFloatArray> Confidences;
+  vtkSmartPointer<vtkUnsignedCharArray> OnBoundary;
+  vtkSmartPointer<vtkDoubleArray> Windings; // or nullptr
+};
+
+#endif

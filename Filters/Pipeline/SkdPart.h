@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdPart.h
+ * @brief A body that is given by its boundary, and whether it holds a point (section 6.3).
+ */
+
+#ifndef SkdPart_h
+#define SkdPart_h
+
+#include "Core/Geometry/Vector.h"
+#include "Core/Queries/WindingNumber.h"
+#include "Pipeline/SkdBoundary.h"
+#include "Pipeline/SkdWaysOut.h"
+#include "vtkSkdTreeCellLocator.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+/// How it is decided whether a point is inside.
+enum class SkdInsideMethod
+{
+  AxisRays,
+  RandomRays,
+  WindingNumber,
+  NearestFeature
+};
+
+struct SkdInsideRules
+{
+  SkdInsideMethod Method = SkdInsideMethod::AxisRays;
+  int NumberOfRays = 10; // random ones
+  std::uint64_t Seed = 0;
+};
+
+/// What one part says of a point.
+struct SkdSide
+{
+  bool IsInside = false;
+  double Confidence = 1.0; // 0.5 to 1: the share of the votes, or what stands for it
+};
+
+class SkdPart
+{
+public:
+  /// The body that the leaves enclose together; `id` is what it is called. Triangles, their trees,
+  /// and what the method needs besides.
+  SkdPart(int id, const std::vector<SkdLeaf>& leaves, double epsilon, SkdInsideMethod method);
+  ~SkdPart();
+  SkdPart(SkdPart&&) noexcept;
+  SkdPart& operator=(SkdPart&&) noexcept;
+
+  int GetId() const { return this->Id; }
+  vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
+  vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
+  double GetDiagonal() const { return this->Diagonal; }
+  double GetAbsoluteEpsilon() const { return this->Faces->GetAbsoluteEpsilon(); }
+
+  bool BoundsHold(const double x[3]) const;
+
+  /// Whether the part holds x. Outside of its bounds nothing is. Of a closed boundary one ray
+  /// decides, exactly; of an open one they vote, and stop when the vote is decided. Orientation
+  /// matters to the winding number (of either sign: at least one half) and to the nearest feature
+  /// (whose normal must point outward). `point` tells points apart for random directions.
+  /// Thread-safe.
+  SkdSide AskSide(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
+
+  /// 0 unless made for that method. Thread-safe.
+  double GetWindingNumber(const double x[3]) const;
+
+  /// Whether the boundary comes within a distance of x. Thread-safe.
+  bool IsNear(const double x[3], double distance) const;
+
+private:
+  struct Winding; // a tree of its own, and the sums in it
+
+  void MakeWinding();
+  void MakeNormals();
+  bool IsOdd(const double x[3], const SkdWayOut& way) const;
+  SkdSide VoteAlongAxes(const double x[3]) const;
+  SkdSide VoteAtRandom(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
+  SkdSide AskWinding(const double x[3]) const;
+  SkdSide AskNearest(const double x[3]) const;
+  skd::Vector3 NormalAt(vtkIdType face, const double pcoords[3], bool& isOpen) const;
+
+  int Id;
+  SkdBoundary Boundary;
+  vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
+  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  double Diagonal = 0.0;
+  std::unique_ptr<Winding> TheWinding;
+
+  struct EdgeNormal
+  {
+    skd::Vector3 Sum{ { 0.0, 0.0, 0.0 } };
+    int Faces = 0;
+  };
+  std::vector<skd::Vector3> PointNormals; // by angle
+  std::map<std::pair<vtkIdType, vtkIdType>, EdgeNormal> EdgeNormals;
+};
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdPartList.h
+ * @brief The parts that a Source is made of, kept while it is unchanged.
+ */
+
+#ifndef SkdPartList_h
+#define SkdPartList_h
+
+#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdPart.h"
+
+#include <string>
+#include <vector>
+
+enum class SkdPartsBy
+{
+  Blocks,         // id: the flat index, 0 without composite data
+  CellArray,      // id: the value, rounded
+  ConnectedPieces // id: 0, 1, ... by their first cell; points of equal coordinates are one
+};
+
+/// The values of a cell array of numbers, rounded; empty when there is no such array.
+std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array);
+
+class SkdPartList
+{
+public:
+  /// Makes the parts those of the leaves, by what is said. Returns how many were made: 0 when all
+  /// were kept. The array must be in all leaves.
+  int Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const std::string& array,
+    double epsilon, SkdInsideMethod method);
+
+  const std::vector<SkdPart>& Get() const { return this->Parts; }
+
+private:
+  struct Key
+  {
+    SkdPartsBy By;
+    double Epsilon;
+    SkdInsideMethod Method;
+    std::vector<std::vector<int>> Ids; // of cells, one list a leaf, unless by blocks
+
+    bool operator==(const Key& other) const
+    {
+      return this->By == other.By && this->Epsilon == other.Epsilon &&
+        this->Method == other.Method && this->Ids == other.Ids;
+    }
+  };
+
+  bool IsSameAs(const std::vector<SkdLeaf>& leaves) const;
+  void MakeByIds(const std::vector<SkdLeaf>& leaves);
+
+  std::vector<SkdKeptMesh> Meshes;
+  Key Last{ SkdPartsBy::Blocks, -1.0, SkdInsideMethod::AxisRays, {} };
+  std::vector<SkdPart> Parts;
+};
+
+#endif

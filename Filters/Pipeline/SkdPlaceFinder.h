@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdPlaceFinder.h
+ * @brief Which cell of a Source holds a point, or serves for one that no cell holds.
+ */
+
+#ifndef SkdPlaceFinder_h
+#define SkdPlaceFinder_h
+
+#include "Pipeline/SkdSourceTrees.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#include <vector>
+
+/// A place in a Source: a cell, and where in it.
+struct SkdPlace
+{
+  int Leaf = -1; // index in the list of leaves; -1: no place
+  vtkIdType CellId = -1;
+  int SubId = 0;
+  double PCoords[3] = { 0.0, 0.0, 0.0 };
+  double Distance = 0.0; // from the point that was asked for; 0 within the cell
+};
+
+/// When a point that no cell holds is taken for a point of the nearest one.
+struct SkdPlaceRules
+{
+  double RelativeTolerance = 0.0; // of the diagonal of that cell's bounds
+  double AbsoluteTolerance = 0.0;
+  double OutsideRadius = -1.0; // whatever the cell; negative: never
+};
+
+/// The trees of a Source's leaves, and the numbers that finders want of them. Constant once made.
+struct SkdPlaceSource
+{
+  SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdLeaf>& leaves);
+
+  /// Looks at all cells anew. To be called when trees were built.
+  void MeasureCells();
+
+  const SkdSourceTrees& Trees;
+  const std::vector<SkdLeaf>& Leaves;
+  std::vector<double> LargestCells; // the longest diagonal of a cell's bounds, one a leaf
+  int MaxCellSize = 0;              // points of a cell
+};
+
+/// Finds places. One object a thread.
+///
+/// A place within a cell goes before any other: of the lowest leaf, and there of the lowest cell.
+/// Else it is the nearest cell that the rules allow, ties to the lowest (leaf, cell).
+class SkdPlaceFinder
+{
+public:
+  SkdPlaceFinder(const SkdPlaceSource& source, const SkdPlaceRules& rules);
+
+  /// Whether there is a place for x, then kept until the next call. None of a point not finite.
+  bool Find(const double x[3]);
+
+  /// Makes the place the point nearest to x of a cell that is known.
+  bool Evaluate(int leaf, vtkIdType cellId, const double x[3]);
+
+  const SkdPlace& GetPlace() const { return this->Place; }
+
+  /// Whether the cell of the place fills a volume.
+  bool IsInVolume() const;
+
+  ///@{
+  /// The points of the place's cell, and the weights by which it interpolates there: exact for
+  /// linear fields.
+  vtkIdList* GetPointIds() const { return this->PointIds; }
+  double* GetWeights() { return this->Weights.data(); }
+  ///@}
+
+private:
+  bool FindWithin(const double x[3]);
+  bool FindByTolerance(const double x[3]);
+  bool FindOutside(const double x[3]);
+  void FindTolerated(int leaf, const double x[3], SkdPlace& best);
+  bool IsTolerated(int leaf, vtkIdType cell, double distance) const;
+  double LargestTolerance(int leaf) const;
+  bool Finish();
+
+  const SkdPlaceSource& Source;
+  SkdPlaceRules Rules;
+  SkdPlace Place;
+  std::vector<double> Weights;
+  vtkNew<vtkIdList> PointIds;
+  vtkNew<vtkIdList> Near;
+  vtkNew<vtkDoubleArray> Distances;
+};
+
+#endif

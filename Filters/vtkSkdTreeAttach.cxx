@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeAttach.h"
+
+#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdSourceTrees.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeAttach);
+
+class vtkSkdTreeAttach::Internals
+{
+public:
+  struct Tree
+  {
+    SkdKeptMesh Mesh;
+    vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
+  };
+  std::vector<Tree> Trees; // one a leaf
+  int Built = 0;
+};
+
+vtkSkdTreeAttach::vtkSkdTreeAttach()
+  : Impl(new Internals)
+{
+}
+
+vtkSkdTreeAttach::~vtkSkdTreeAttach() = default;
+
+int vtkSkdTreeAttach::GetTreesBuilt() const
+{
+  return this->Impl->Built;
+}
+
+int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)
+{
+  SkdAcceptMeshes(info);
+  return 1;
+}
+
+// What is kept is a tree on a data set of our own; each output gets a locator that shares the tree.
+int vtkSkdTreeAttach::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const std::vector<SkdLeaf> leaves =
+    SkdMirror(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
+  this->Impl->Built = 0;
+  this->Impl->Trees.resize(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    Internals::Tree& tree = this->Impl->Trees[i];
+    vtkPointSet* mesh = vtkPointSet::SafeDownCast(leaves[i].Mesh);
+    if (!mesh)
+    {
+      tree = Internals::Tree();
+      continue;
+    }
+    const bool isSame = tree.Mesh.IsSameAs(mesh) &&
+      tree.Locator->GetLazyBuild() == this->LazyBuild &&
+      tree.Locator->GetSkipGhostCells() == this->SkipGhostCells;
+    if (!isSame)
+    {
+      tree.Mesh.Keep(mesh);
+      tree.Locator = SkdMakeLocator(tree.Mesh.Get());
+      tree.Locator->SetLazyBuild(this->LazyBuild);
+      tree.Locator->SetSkipGhostCells(this->SkipGhostCells);
+    }
+    this->Impl->Built += SkdBuildLocator(tree.Locator, this->Epsilon, !isSame);
+    vtkNew<vtkSkdTreeCellLocator> locator;
+    locator->SetDataSet(mesh);
+    locator->ShallowCopy(tree.Locator);
+    mesh->SetCellLocator(locator);
+    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(leaves.size()));
+  }
+  return 1;
+}
+
+void vtkSkdTreeAttach::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  os << indent << "LazyBuild: " << (this->LazyBuild ? "On\n" : "Off\n");
+  os << indent << "SkipGhostCells: " << (this->SkipGhostCells ? "On\n" : "Off\n");
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the locator tells of single cells, and of where they end.
+#include "vtkSkdTreeCellLocator.h"
+
+#include "Cells/SkdLocatorState.h"
+
+#include "vtkDoubleArray.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+//------------------------------------------------------------------------------
+bool vtkSkdTreeCellLocator::EvaluateCell(vtkIdType cellId, const double x[3],
+  double closestPoint[3], int& subId, double pcoords[3], double& dist2, double* weights)
+{
+  const SkdCellTree& tree = this->GetTree();
+  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  SkdFoundCell found = tree.Evaluate(cellId, this->Impl->ToTree(x), source);
+  if (found.Id < 0)
+  {
+    return false;
+  }
+  tree.Interpolate(found, weights, source);
+  subId = found.SubId;
+  dist2 = found.Dist2;
+  const skd::Vector3 point = this->Impl->ToWorld(found.Point);
+  SkdStore(point, closestPoint);
+  SkdStore(tree.MovedPCoords(this->Impl->GetMotion(), found.Id, point, found.PCoords), pcoords);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCellBorders(
+  const double p1[3], const double p2[3], double tolerance, vtkDoubleArray* parameters)
+{
+  thread_local std::vector<double> borders;
+  borders.clear();
+  parameters->SetNumberOfComponents(1);
+  parameters->Reset();
+  const skd::Segment<3> segment = this->Impl->ToTree(p1, p2);
+  if (!skd::SegmentView(segment).IsValid())
+  {
+    return 0;
+  }
+  borders.insert(borders.end(), { 0.0, 1.0 });
+  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  this->GetTree().FindBorders(segment, tolerance, source, borders);
+  std::sort(borders.begin(), borders.end());
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  parameters->SetNumberOfTuples(static_cast<vtkIdType>(borders.size()));
+  std::copy(borders.begin(), borders.end(), parameters->GetPointer(0));
+  return parameters->GetNumberOfTuples();
+}
+
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreePointInOut.h"
+
+#include "Pipeline/SkdInOut.h"
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPlaceFinder.h"
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdTouchCells.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "vtkCellData.h"
+#include "vtkGenericCell.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <functional>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreePointInOut);
+
+class vtkSkdTreePointInOut::Internals
+{
+public:
+  std::vector<SkdLeaf> Leaves; // of the source, those with cells
+  SkdPartList Parts;           // of the first model
+  SkdSourceTrees Trees;        // of the second
+  SkdPlaceSource Places{ Trees, Leaves };
+  std::vector<std::vector<int>> PartIds; // of the second's cells, or none
+  SkdInsideRules Rules;
+  double Band = 0.0;
+  int Built = 0;
+
+  /// Answers one point. For use by one thread.
+  using Answer = std::function<SkdInOut(const double x[3], std::uint64_t point)>;
+  Answer MakeAnswer(int model) const;
+
+  SkdInOuts AskPoints(vtkDataSet* mesh, int model, SkdLoop& loop) const;
+  SkdInOuts AskCenters(vtkDataSet* mesh, int model, SkdLoop& loop) const;
+  SkdInOuts AskCorners(vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const;
+};
+
+namespace
+{
+/// Fills a slot each by ask(answer, i), with an answer of the thread.
+template <class MakeAnswer, class AskOne>
+SkdInOuts Fill(
+  vtkIdType n, bool hasWinding, SkdLoop& loop, const MakeAnswer& makeAnswer, const AskOne& ask)
+{
+  SkdInOuts answers(n, hasWinding);
+  loop.For(n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const auto answer = makeAnswer();
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        answers.Set(i, ask(answer, i));
+      }
+    });
+  return answers;
+}
+
+/// The mean of a cell's points.
+void MiddleOf(vtkDataSet* mesh, vtkIdList* ids, double x[3])
+{
+  std::fill(x, x + 3, 0.0);
+  const vtkIdType n = ids->GetNumberOfIds();
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    double p[3];
+    mesh->GetPoint(ids->GetId(i), p);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] += p[axis] / n;
+    }
+  }
+}
+
+bool HasVolumes(const std::vector<SkdLeaf>& leaves)
+{
+  vtkNew<vtkGenericCell> cell;
+  return std::any_of(leaves.begin(), leaves.end(),
+    [&](const SkdLeaf& leaf)
+    {
+      for (vtkIdType i = 0; i < leaf.Mesh->GetNumberOfCells(); ++i)
+      {
+        cell->SetCellType(leaf.Mesh->GetCellType(i));
+        if (cell->GetCellDimension() == 3)
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
+}
+
+vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAnswer(int model) const
+{
+  if (model == BOUNDARIES)
+  {
+    return [this](const double x[3], std::uint64_t point)
+    { return SkdAskParts(this->Parts.Get(), x, this->Rules, this->Band, point); };
+  }
+  auto finder = std::make_shared<SkdPlaceFinder>(this->Places, SkdPlaceRules());
+  return [this, finder](const double x[3], std::uint64_t)
+  {
+    SkdInOut answer;
+    answer.Confidence = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]) ? 1 : 0;
+    if (finder->Find(x))
+    {
+      const SkdPlace& place = finder->GetPlace();
+      answer.IsInside = true;
+      answer.Depth = 1;
+      answer.PartId = this->PartIds.empty() ? this->Leaves[place.Leaf].BlockIndex
+                                            : this->PartIds[place.Leaf][place.CellId];
+    }
+    return answer;
+  };
+}
+
+SkdInOuts vtkSkdTreePointInOut::Internals::AskPoints(
+  vtkDataSet* mesh, int model, SkdLoop& loop) const
+{
+  const bool hasWinding = this->Rules.Method == SkdInsideMethod::WindingNumber;
+  return Fill(
+    mesh->GetNumberOfPoints(), hasWinding, loop, [&]() { return this->MakeAnswer(model); },
+    [&](const Answer& answer, vtkIdType i)
+    {
+      double x[3];
+      mesh->GetPoint(i, x);
+      return answer(x, static_cast<std::uint64_t>(i));
+    });
+}
+
+SkdInOuts vtkSkdTreePointInOut::Internals::AskCenters(
+  vtkDataSet* mesh, int model, SkdLoop& loop) const
+{
+  const bool hasWinding = this->Rules.Method == SkdInsideMethod::WindingNumber;
+  SkdTouchCells(mesh);
+  return Fill(
+    mesh->GetNumberOfCells(), hasWinding, loop, [&]() { return this->MakeAnswer(model); },
+    [&](const Answer& answer, vtkIdType i)
+    {
+      thread_local vtkNew<vtkIdList> ids;
+      mesh->GetCellPoints(i, ids);
+      if (ids->GetNumberOfIds() == 0)
+      {
+        return SkdInOut();
+      }
+      double x[3];
+      MiddleOf(mesh, ids, x);
+      return answer(x, static_cast<std::uint64_t>(i));
+    });
+}
+
+// Each point is asked once for all cells that have it.
+SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
+  vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const
+{
+  const bool hasWinding = this->Rules.Method == SkdInsideMethod::WindingNumber;
+  std::vector<SkdInOut> corners(mesh->GetNumberOfPoints());
+  loop.For(mesh->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const Answer answer = this->MakeAnswer(model);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double x[3];
+        mesh->GetPoint(i, x);
+        corners[i] = answer(x, static_cast<std::uint64_t>(i));
+      }
+    });
+  SkdTouchCells(mesh);
+  return Fill(
+    mesh->GetNumberOfCells(), hasWinding, loop, []() { return 0; },
+    [&](int, vtkIdType i)
+    {
+      thread_local vtkNew<vtkIdList> ids;
+      mesh->GetCellPoints(i, ids);
+      SkdInOut chosen;
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        const SkdInOut& corner = corners[ids->GetId(k)];
+        const bool isBetter = all ? corner.Depth < chosen.Depth : corner.Depth > chosen.Depth;
+        chosen = k == 0 || isBetter ? corner : chosen;
+      }
+      return chosen;
+    });
+}
+
+vtkSkdTreePointInOut::vtkSkdTreePointInOut()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkSkdTreePointInOut::~vtkSkdTreePointInOut() = default;
+
+void vtkSkdTreePointInOut::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreePointInOut::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+void vtkSkdTreePointInOut::SetPartArray(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->PartArray != wanted)
+  {
+    this->PartArray = wanted;
+    this->Modified();
+  }
+}
+
+int vtkSkdTreePointInOut::FillInputPortInformation(int, vtkInformation* info)
+{
+  SkdAcceptMeshes(info);
+  return 1;
+}
+
+int vtkSkdTreePointInOut::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+  return 1;
+}
+
+bool vtkSkdTreePointInOut::CheckSource()
+{
+  const std::vector<SkdLeaf>& leaves = this->Impl->Leaves;
+  const auto hasArray = [&](const SkdLeaf& leaf)
+  { return leaf.Mesh->GetCellData()->GetArray(this->PartArray.c_str()) != nullptr; };
+  if (this->Parts == CELL_ARRAY && !std::all_of(leaves.begin(), leaves.end(), hasArray))
+  {
+    vtkErrorMacro(
+      "Source has no cell array of numbers named \"" << this->PartArray << "\" in all its blocks.");
+    return false;
+  }
+  if (this->Model == BOUNDARIES && !this->UseOuterFaces && HasVolumes(leaves))
+  {
+    vtkErrorMacro("Source has volume cells, but surfaces are needed: turn UseOuterFaces on, or set "
+                  "Model to BODY_FITTED_MESH.");
+    return false;
+  }
+  return true;
+}
+
+void vtkSkdTreePointInOut::UpdateParts()
+{
+  Internals& internals = *this->Impl;
+  internals.Rules = { static_cast<SkdInsideMethod>(this->Method), this->NumberOfRays,
+    static_cast<std::uint64_t>(this->Seed) };
+  internals.Band = this->BoundaryBand > 0.0 ? this->BoundaryBand : 0.0;
+  internals.PartIds.clear();
+  if (this->Model == BOUNDARIES)
+  {
+    internals.Trees.Clear();
+    internals.Built = internals.Parts.Update(internals.Leaves, static_cast<SkdPartsBy>(this->Parts),
+      this->PartArray, this->Epsilon, internals.Rules.Method);
+    return;
+  }
+  internals.Rules.Method = SkdInsideMethod::AxisRays;
+  internals.Parts = SkdPartList();
+  internals.Built = internals.Trees.Update(internals.Leaves, this->Epsilon);
+  if (internals.Built > 0)
+  {
+    internals.Places.MeasureCells();
+  }
+  for (std::size_t i = 0; this->Parts == CELL_ARRAY && i < internals.Leaves.size(); ++i)
+  {
+    internals.PartIds.push_back(SkdPartIdsOf(internals.Leaves[i].Mesh, this->PartArray));
+  }
+}
+
+void vtkSkdTreePointInOut::WarnAbout()
+{
+  const std::vector<SkdPart>& parts = this->Impl->Parts.Get();
+  const bool hasFaces = std::any_of(
+    parts.begin(), parts.end(), [](const SkdPart& part) { return part.GetNumberOfFaces() > 0; });
+  if (this->Model == BOUNDARIES ? !hasFaces : this->Impl->Trees.GetCounts().Cells == 0)
+  {
+    vtkWarningMacro("Source has no " << (this->Model == BOUNDARIES ? "surface" : "cells")
+                                     << ": nothing is inside.");
+    return;
+  }
+  vtkIdType edges = 0;
+  int open = 0;
+  for (const SkdPart& part : parts)
+  {
+    edges += part.GetNumberOfOpenEdges();
+    open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
+  }
+  if (open > 0)
+  {
+    vtkWarningMacro(
+      << open << " of " << parts.size() << " parts are not closed, they have " << edges
+      << " open edges: points near these may be on the wrong side, see SkdConfidence.");
+  }
+}
+
+int vtkSkdTreePointInOut::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Internals& internals = *this->Impl;
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  SkdStopwatch watch;
+  internals.Leaves = SkdLeavesOf(vtkDataObject::GetData(inputVector[1]));
+  internals.Leaves.erase(std::remove_if(internals.Leaves.begin(), internals.Leaves.end(),
+                           [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
+    internals.Leaves.end());
+  if (!this->CheckSource())
+  {
+    return 1;
+  }
+  this->UpdateParts();
+  this->WarnAbout();
+  const double buildSeconds = watch.Lap();
+
+  const std::vector<SkdLeaf> outputs = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
+  SkdLoop loop(this, this->CountQuestions(outputs), 0.2, 1.0);
+  vtkIdType asked = 0;
+  vtkIdType inside = 0;
+  for (const SkdLeaf& leaf : outputs)
+  {
+    vtkDataSet* mesh = leaf.Mesh;
+    const SkdInOuts answers = this->Ask == POINTS ? internals.AskPoints(mesh, this->Model, loop)
+      : this->Ask == CELL_CENTERS
+      ? internals.AskCenters(mesh, this->Model, loop)
+      : internals.AskCorners(mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop);
+    answers.AddTo(
+      mesh->GetAttributes(this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL));
+    asked += answers.GetNumber();
+    inside += answers.CountInside();
+  }
+  this->Report(output, asked, inside, buildSeconds, watch.Lap());
+  internals.Leaves.clear();
+  return 1;
+}
+
+vtkIdType vtkSkdTreePointInOut::CountQuestions(const std::vector<SkdLeaf>& leaves) const
+{
+  vtkIdType questions = 0;
+  for (const SkdLeaf& leaf : leaves)
+  {
+    const bool asksPoints = this->Ask != CELL_CENTERS;
+    questions += asksPoints ? leaf.Mesh->GetNumberOfPoints() : 0;
+    questions += this->Ask != POINTS ? leaf.Mesh->GetNumberOfCells() : 0;
+  }
+  return questions;
+}
+
+void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside,
+  double buildSeconds, double querySeconds)
+{
+  vtkIdType edges = 0;
+  vtkIdType open = 0;
+  for (const SkdPart& part : this->Impl->Parts.Get())
+  {
+    edges += part.GetNumberOfOpenEdges();
+    open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
+  }
+  SkdReport report(output);
+  report.AddCount("Points", asked);
+  report.AddCount("PointsInside", inside);
+  report.AddCount("Parts", static_cast<vtkIdType>(this->Impl->Parts.Get().size()));
+  report.AddCount("OpenParts", open);
+  report.AddCount("OpenEdges", edges);
+  report.AddCount("TreesBuilt", this->Impl->Built);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", querySeconds);
+}
+
+void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Model: " << this->Model << "\n";
+  os << indent << "Parts: " << this->Parts << "\n";
+  os << indent << "PartArray: " << this->PartArray << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Ask: " << this->Ask << "\n";
+  os << indent << "BoundaryBand: " << this->BoundaryBand << "\n";
+  os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreePointInOut
+ * @brief   which part, or parts, hold a point
+ *
+ * For each point or cell of Input (port 0, any vtkDataSet or composite of them) the parts of Source
+ * (port 1, any vtkDataSet or composite) that hold it: the point in/out test, section 6.3 of
+ * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, by the skD-tree, after both of its
+ * models:
+ * - BOUNDARIES: a part is what its surface encloses: its surface cells, or of a part with volume
+ *   cells their outer faces (see SetUseOuterFaces). See SetMethod for how it is told.
+ * - BODY_FITTED_MESH: the lowest cell that holds the point tells the part.
+ *
+ * Each part has a tree of its own, so parts that touch do not hide each other, and nested ones give
+ * a depth. A closed surface of triangles is decided exactly, by one ray whose crossings are
+ * watertight, thin shells and rays through edges and vertices included; of larger polygons the
+ * triangles that they are cut into are meant. Points within rounding of a surface may count as
+ * either. Without a gap no orientation is needed by rays. The answer is the same whatever the
+ * number of threads or processes (each asks for the whole Source). Trees are kept while the Source
+ * is unchanged. On an image the filter is a voxeliser.
+ *
+ * Output: the input with these arrays, of points or of cells by what was asked (see SetAsk)
+ * | name             | type   | meaning                                                 | none |
+ * | ---------------- | ------ | ------------------------------------------------------- | ---- |
+ * | SkdInside        | uchar  | 1 inside some part                                      | 0    |
+ * | SkdPartId        | int    | the innermost part: that with the shortest diagonal     | -1   |
+ * | SkdDepth         | int    | how many parts hold it: the depth of nested ones        | 0    |
+ * | SkdConfidence    | float  | 0.5 to 1, see SetMethod; the least of all parts         | 0    |
+ * | SkdOnBoundary    | uchar  | 1 in the BoundaryBand                                   | 0    |
+ * | SkdWindingNumber | double | the sum over the parts, with the method WINDING_NUMBER  | NaN  |
+ * "None" is a point that is outside; of one that is not finite the confidence is 0, too. SkdInside
+ * becomes the active scalars.
+ *
+ * Field data of the output, one value each: SkdReportPoints, SkdReportPointsInside, SkdReportParts,
+ * SkdReportOpenParts, SkdReportOpenEdges, SkdReportTreesBuilt (0 when all were kept),
+ * SkdReportBuildSeconds and SkdReportQuerySeconds.
+ *
+ * Bad input: a Source without cells, or without surfaces where they are needed, gives a warning and
+ * nothing is inside. A PartArray that some block does not have, and volume cells with
+ * UseOuterFaces off, give an error and an empty output. Open edges (that an odd number of a part's
+ * faces use) give one warning that counts them: answers near them may be wrong, and the confidence
+ * tells. A NumberOfRays below 1 counts as 1; a BoundaryBand that is negative or NaN counts as 0.
+ *
+ * @sa
+ * vtkSkdTreeCellLocator vtkSelectEnclosedPoints
+ */
+
+#ifndef vtkSkdTreePointInOut_h
+#define vtkSkdTreePointInOut_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+struct SkdLeaf;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreePointInOut : public vtkPassInputTypeAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreePointInOut, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreePointInOut* New();
+
+  ///@{
+  /**
+   * The parts (port 1).
+   */
+  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
+  void SetSourceData(vtkDataObject* source);
+  ///@}
+
+  enum ModelType
+  {
+    BOUNDARIES = 0,
+    BODY_FITTED_MESH = 1
+  };
+
+  ///@{
+  /**
+   * What the Source is: surfaces (default), or a mesh that fills the parts.
+   */
+  vtkSetClampMacro(Model, int, BOUNDARIES, BODY_FITTED_MESH);
+  vtkGetMacro(Model, int);
+  ///@}
+
+  enum PartsType
+  {
+    BLOCKS = 0,
+    CELL_ARRAY = 1,
+    CONNECTED_PIECES = 2
+  };
+
+  ///@{
+  /**
+   * What a part is: a block of composite data, with its flat index as id, and all of other data,
+   * with id 0 (BLOCKS, default); the cells of one value of PartArray, rounded, the id (CELL_ARRAY);
+   * cells that are connected by points of equal coordinates, with ids 0, 1, ... in the order of
+   * their first cells (CONNECTED_PIECES; a BODY_FITTED_MESH takes BLOCKS instead).
+   */
+  vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
+  vtkGetMacro(Parts, int);
+  ///@}
+
+  ///@{
+  /**
+   * The cell array of Parts = CELL_ARRAY: numbers, in all blocks. Default "".
+   */
+  void SetPartArray(const char* name);
+  const char* GetPartArray() const { return this->PartArray.c_str(); }
+  ///@}
+
+  enum MethodType
+  {
+    AXIS_RAYS = 0,
+    RANDOM_RAYS = 1,
+    WINDING_NUMBER = 2,
+    NEAREST_FEATURE = 3
+  };
+
+  ///@{
+  /**
+   * How a surface tells inside from outside:
+   * - AXIS_RAYS (default): the parity of the crossings of a ray along an axis, the shortest way
+   * out. Of a surface with gaps, a vote of up to six, and a seventh if they are divided.
+   * - RANDOM_RAYS: the same in directions that are spread evenly over the sphere, of a surface with
+   *   gaps a vote of up to NumberOfRays, and one more if they are divided. Voting ends once it is
+   *   decided. The confidence is the share of the votes.
+   * - WINDING_NUMBER: inside where the generalised winding number is at least 1/2, or at most -1/2.
+   *   It bears gaps, intersections and double faces, and wants triangles that are mostly turned the
+   *   same way. The confidence is 1/2 and the distance of the number to this limit, at most 1.
+   * - NEAREST_FEATURE: the side of the nearest face, edge or corner by its normal; wants normals
+   * that point outward. The confidence is 1/2 where that is an open edge.
+   */
+  vtkSetClampMacro(Method, int, AXIS_RAYS, NEAREST_FEATURE);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of RANDOM_RAYS, of surfaces with gaps. Range 1 to 1000, default 10.
+   */
+  vtkSetClampMacro(NumberOfRays, int, 1, 1000);
+  vtkGetMacro(NumberOfRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of RANDOM_RAYS: another seed gives other directions; each point has its own. Default 0.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  enum AskType
+  {
+    POINTS = 0,
+    CELL_CENTERS = 1,
+    CELLS_ALL_POINTS = 2,
+    CELLS_ANY_POINT = 3
+  };
+
+  ///@{
+  /**
+   * What is asked for: the input's points (default), or its cells: by their centres (the mean of
+   * their points), inside if all their points are, or if any is. Of all points a cell gets the part
+   * and confidence of the one with the least depth, of any point those of the one with the
+   * greatest, ties to the first.
+   */
+  vtkSetClampMacro(Ask, int, POINTS, CELLS_ANY_POINT);
+  vtkGetMacro(Ask, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at this distance from a part's surface or nearer are marked as on the boundary. World
+   * units, default 0: none is.
+   */
+  vtkSetClampMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BoundaryBand, double);
+  ///@}
+
+  ///@{
+  /**
+   * Take the outer faces of volume cells for surfaces. Default on.
+   */
+  vtkSetMacro(UseOuterFaces, bool);
+  vtkGetMacro(UseOuterFaces, bool);
+  vtkBooleanMacro(UseOuterFaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
+   */
+  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
+  ///@}
+
+protected:
+  vtkSkdTreePointInOut();
+  ~vtkSkdTreePointInOut() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Model = BOUNDARIES;
+  int Parts = BLOCKS;
+  std::string PartArray;
+  int Method = AXIS_RAYS;
+  int NumberOfRays = 10;
+  int Seed = 0;
+  int Ask = POINTS;
+  double BoundaryBand = 0.0;
+  bool UseOuterFaces = true;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreePointInOut(const vtkSkdTreePointInOut&) = delete;
+  void operator=(const vtkSkdTreePointInOut&) = delete;
+
+  class Internals;
+  bool CheckSource();
+  void UpdateParts();
+  void WarnAbout();
+  vtkIdType CountQuestions(const std::vector<SkdLeaf>& leaves) const;
+  void Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside, double buildSeconds,
+    double querySeconds);
+
+  std::unique_ptr<Internals> Impl; // the parts, kept while the source is unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,372 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeProbe.h"
+
+#include "Pipeline/SkdGradient.h"
+#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdLineProbe.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPlaceFinder.h"
+#include "Pipeline/SkdPlaces.h"
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeProbe);
+
+class vtkSkdTreeProbe::Internals
+{
+public:
+  std::vector<SkdLeaf> Leaves; // of the source, those with cells
+  SkdSourceTrees Trees;
+  SkdPlaceSource Source{ Trees, Leaves };
+  SkdPlaceRules Rules;
+  std::set<std::string> Categorical;
+  std::set<std::string> Gradients;
+  std::set<std::string> Refused; // names that are in use
+  std::set<std::string> Missing; // names that the source does not have
+
+  /// Returns how many trees were built.
+  int Update(vtkDataObject* source, double epsilon)
+  {
+    this->Leaves = SkdLeavesOf(source);
+    this->Leaves.erase(std::remove_if(this->Leaves.begin(), this->Leaves.end(),
+                         [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
+      this->Leaves.end());
+    const int built = this->Trees.Update(this->Leaves, epsilon);
+    if (built > 0)
+    {
+      this->Source.MeasureCells();
+    }
+    this->Refused.clear();
+    this->Missing.clear();
+    return built;
+  }
+
+  SkdPlaces Probe(vtkDataSet* output, double fill, SkdLoop& loop);
+  void WarnAbout(vtkSkdTreeProbe* self) const;
+
+private:
+  void NoteMissingCategorical();
+};
+
+namespace
+{
+/// The point of the cell that is nearest to x; ties to the first.
+vtkIdType NearestPoint(vtkDataSet* mesh, vtkIdList* ids, const double x[3])
+{
+  vtkIdType nearest = -1;
+  double least = VTK_DOUBLE_MAX;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(ids->GetId(i), p);
+    const double dist2 = vtkMath::Distance2BetweenPoints(p, x);
+    if (nearest < 0 || dist2 < least)
+    {
+      nearest = ids->GetId(i);
+      least = dist2;
+    }
+  }
+  return nearest;
+}
+
+/// 0 of NaN, too.
+double PositivePart(double value)
+{
+  return value > 0.0 ? value : 0.0;
+}
+
+void DropData(const std::vector<SkdLeaf>& outputs)
+{
+  for (const SkdLeaf& output : outputs)
+  {
+    for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      vtkDataSetAttributes* data = output.Mesh->GetAttributes(type);
+      vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
+      data->Initialize();
+      data->AddArray(ghosts);
+    }
+  }
+}
+
+void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
+  const std::vector<SkdPlaces>& places, double buildSeconds, double querySeconds)
+{
+  vtkIdType asked = 0, found = 0, outside = 0;
+  for (const SkdPlaces& some : places)
+  {
+    asked += some.GetNumberOfPoints();
+    found += some.CountValid();
+    outside += some.CountOutside();
+  }
+  SkdReport report(output);
+  report.AddCount("Points", asked);
+  report.AddCount("PointsFound", found);
+  report.AddCount("PointsOutside", outside);
+  report.AddCount("SourceCells", counts.Cells);
+  report.AddCount("SourceCellsLeftOut", counts.CellsLeftOut);
+  report.AddCount("TreesBuilt", built);
+  report.AddMeasure("Epsilon", counts.Tolerance);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", querySeconds);
+}
+}
+
+// Finds the place of each point and gathers the source's data there, in one go.
+SkdPlaces vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fill, SkdLoop& loop)
+{
+  const vtkIdType n = output->GetNumberOfPoints();
+  vtkPointData* into = output->GetPointData();
+  const auto isLabel = [&](const std::string& name) { return this->Categorical.count(name) > 0; };
+  const auto isQuantity = [&](const std::string& name) { return !isLabel(name); };
+  const auto any = [](const std::string&) { return true; };
+  const auto gather = [&](int type, const auto& isWanted)
+  { return SkdGatherInto(into, n, this->Leaves, type, this->Refused, fill, isWanted); };
+  SkdArrayGather quantities = gather(vtkDataObject::POINT, isQuantity);
+  SkdArrayGather labels = gather(vtkDataObject::POINT, isLabel);
+  SkdArrayGather cells = gather(vtkDataObject::CELL, any);
+  SkdGradientArrays gradients(this->Leaves, this->Gradients, n, this->Missing);
+  gradients.AddTo(into);
+  SkdPlaces places(n);
+  loop.For(n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      SkdPlaceFinder finder(this->Source, this->Rules);
+      SkdGradient gradient;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double x[3];
+        output->GetPoint(i, x);
+        if (!finder.Find(x))
+        {
+          continue;
+        }
+        const SkdPlace& place = finder.GetPlace();
+        places.Set(i, place);
+        quantities.Interpolate(i, place.Leaf, finder.GetPointIds(), finder.GetWeights());
+        cells.Take(i, place.Leaf, place.CellId);
+        vtkDataSet* mesh = this->Leaves[place.Leaf].Mesh;
+        if (labels.GetNumberOfArrays() > 0)
+        {
+          labels.Take(i, place.Leaf, NearestPoint(mesh, finder.GetPointIds(), x));
+        }
+        if (!gradients.IsEmpty())
+        {
+          gradient.Evaluate(mesh, place);
+          gradients.Set(i, place.Leaf, finder.GetPointIds(), gradient.GetVectors());
+        }
+      }
+    });
+  this->NoteMissingCategorical();
+  return places;
+}
+
+void vtkSkdTreeProbe::Internals::NoteMissingCategorical()
+{
+  for (const std::string& name : this->Categorical)
+  {
+    const auto has = [&](const SkdLeaf& leaf)
+    { return leaf.Mesh->GetPointData()->HasArray(name.c_str()) != 0; };
+    if (!std::all_of(this->Leaves.begin(), this->Leaves.end(), has))
+    {
+      this->Missing.insert(name);
+    }
+  }
+}
+
+void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
+{
+  if (this->Trees.GetCounts().Cells == 0)
+  {
+    vtkWarningWithObjectMacro(self, "Source has no cells to search: no point gets an answer.");
+    return;
+  }
+  SkdWarnAboutRefused(self, this->Refused);
+  for (const std::string& name : this->Missing)
+  {
+    vtkWarningWithObjectMacro(
+      self, "Source has no point array " << name << " of numbers in all its blocks.");
+  }
+}
+
+vtkSkdTreeProbe::vtkSkdTreeProbe()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
+
+void vtkSkdTreeProbe::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreeProbe::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
+{
+  if (name && this->Impl->Categorical.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeProbe::ClearCategoricalArrays()
+{
+  this->Impl->Categorical.clear();
+  this->Modified();
+}
+
+void vtkSkdTreeProbe::AddGradientArray(const char* name)
+{
+  if (name && this->Impl->Gradients.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeProbe::ClearGradientArrays()
+{
+  this->Impl->Gradients.clear();
+  this->Modified();
+}
+
+int vtkSkdTreeProbe::FillInputPortInformation(int, vtkInformation* info)
+{
+  SkdAcceptMeshes(info);
+  return 1;
+}
+
+int vtkSkdTreeProbe::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[3] = { "vtkDataObject", "vtkPolyData", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+int vtkSkdTreeProbe::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  SkdProvideOutput(outputVector->GetInformationObject(1), VTK_POLY_DATA);
+  SkdProvideOutput(outputVector->GetInformationObject(2), VTK_TABLE);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  SkdProvideOutput(outputVector->GetInformationObject(0), input->GetDataObjectType());
+  return 1;
+}
+
+int vtkSkdTreeProbe::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkSkdTreeProbe::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const std::vector<SkdLeaf> outputs = SkdMirror(input, output);
+  if (!this->PassInputData)
+  {
+    DropData(outputs);
+  }
+
+  Internals& internals = *this->Impl;
+  const double radii[3] = { -1.0, VTK_DOUBLE_MAX, this->MaximumDistance };
+  internals.Rules = { PositivePart(this->RelativeTolerance), PositivePart(this->AbsoluteTolerance),
+    radii[this->OutsidePoints] };
+  SkdStopwatch watch;
+  const int built = internals.Update(source, this->Epsilon);
+  const double buildSeconds = watch.Lap();
+
+  std::vector<SkdPlaces> places;
+  const double fill = this->UseFillValue ? this->FillValue : vtkMath::Nan();
+  SkdLoop loop(this, SkdCountPoints(outputs), 0.2, this->ProbeLines ? 0.5 : 1.0);
+  for (const SkdLeaf& leaf : outputs)
+  {
+    places.push_back(internals.Probe(leaf.Mesh, fill, loop));
+  }
+  const bool isComposite = vtkCompositeDataSet::SafeDownCast(source) != nullptr;
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+  {
+    places[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Leaves, isComposite);
+  }
+  if (this->ProbeLines)
+  {
+    this->CutLines(input, isComposite, outputVector);
+  }
+  internals.WarnAbout(this);
+  Report(output, internals.Trees.GetCounts(), built, places, buildSeconds, watch.Lap());
+  internals.Leaves.clear();
+  return 1;
+}
+
+void vtkSkdTreeProbe::CutLines(
+  vtkDataObject* input, bool isSourceComposite, vtkInformationVector* outputVector)
+{
+  Internals& internals = *this->Impl;
+  const std::vector<SkdLeaf> inputs = SkdLeavesOf(input);
+  const std::vector<SkdLinePiece> pieces = SkdPiecesOf(inputs);
+  if (pieces.empty())
+  {
+    vtkWarningMacro("Input has no lines to probe along.");
+  }
+  SkdLoop loop(this, static_cast<vtkIdType>(pieces.size()), 0.5, 1.0);
+  SkdPlaceRules rules = internals.Rules;
+  rules.OutsideRadius = -1.0;
+  const std::vector<SkdStretch> stretches = SkdCutLines(pieces, internals.Source, rules, loop);
+  const SkdLineOutput made{ inputs, internals.Source, pieces, stretches,
+    vtkCompositeDataSet::SafeDownCast(input) != nullptr, isSourceComposite };
+  SkdFillStretches(made, internals.Refused, vtkPolyData::GetData(outputVector, 1));
+  SkdFillIntegrals(made, vtkTable::GetData(outputVector, 2));
+}
+
+void vtkSkdTreeProbe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "AbsoluteTolerance: " << this->AbsoluteTolerance << "\n";
+  os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "UseFillValue: " << (this->UseFillValue ? "On\n" : "Off\n");
+  os << indent << "FillValue: " << this->FillValue << "\n";
+  os << indent << "PassInputData: " << (this->PassInputData ? "On\n" : "Off\n");
+  os << indent << "ProbeLines: " << (this->ProbeLines ? "On\n" : "Off\n");
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  for (const std::string& name : this->Impl->Categorical)
+  {
+    os << indent << "CategoricalArray: " << name << "\n";
+  }
+  for (const std::string& name : this->Impl->Gradients)
+  {
+    os << indent << "GradientArray: " << name << "\n";
+  }
+}
+VTK_ABI_NAMESPACE_END

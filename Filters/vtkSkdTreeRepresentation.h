@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeRepresentation
+ * @brief   the boxes of a level of a mesh's skD-tree, and numbers about the tree
+ *
+ * For looking at the tree of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, section
+ * 3, on any vtkDataSet or composite of them: one tree a block.
+ *
+ * Output port 0, vtkPolyData: the safety boxes of one level of the paper's binary tree, as quads.
+ * Cell arrays Level, CellId (of leaves the cell, else -1) and, of a composite input, BlockIndex.
+ *
+ * Output port 1, vtkTable, a row a block: BlockIndex, Cells (in the tree), CellsLeftOut (see
+ * vtkSkdTreeCellLocator), Nodes and Depth (of the tree that is searched, of eight boxes a node),
+ * PaperNodes and PaperDepth (of the binary tree), Overlap (by how much the two boxes below a node
+ * overlap, as a part of that node's box, by surface area: the mean of all nodes), Cost (how many
+ * boxes of the binary tree a random line meets that meets the first: the sum of their surface areas
+ * by that of the first), Bytes, BuildSeconds.
+ *
+ * Bad input: a mesh without cells has a row of zeros and no boxes.
+ *
+ * @sa
+ * vtkSkdTreeCellLocator
+ */
+
+#ifndef vtkSkdTreeRepresentation_h
+#define vtkSkdTreeRepresentation_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeRepresentation : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeRepresentation, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeRepresentation* New();
+
+  ///@{
+  /**
+   * The level whose boxes are drawn: 0 the first box, around all. -1, and levels below the deepest,
+   * mean the leaves. Range -1 to 64, default 4.
+   */
+  vtkSetClampMacro(Level, int, -1, 64);
+  vtkGetMacro(Level, int);
+  ///@}
+
+  ///@{
+  /**
+   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
+   */
+  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
+  ///@}
+
+protected:
+  vtkSkdTreeRepresentation();
+  ~vtkSkdTreeRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Level = 4;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeRepresentation(const vtkSkdTreeRepresentation&) = delete;
+  void operator=(const vtkSkdTreeRepresentation&) = delete;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FilterRun.h
+ * @brief what runs of our filters are fed, and their output by value
+ */
+#ifndef skdtest_FilterRun_h
+#define skdtest_FilterRun_h
+
+#include "Support/MeshBuilder.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+
+#include <string>
+
+namespace skdtest
+{
+
+/// Points without cells, which is all that the filter wants of its input.
+inline PolyDataPointer MakeQueries(const std::vector<Point>& points)
+{
+  auto queries = PolyDataPointer::New();
+  queries->SetPoints(MakePoints(points));
+  return queries;
+}
+
+/// Random points in the bounds of a source and around.
+inline std::vector<Point> RandomQueries(vtkDataSet* source, int count, int seed = 5)
+{
+  Bounds box;
+  source->GetBounds(box.data());
+  Random random(seed);
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i)
+  {
+    points.push_back(random.InBox(Grown(box, (i % 3) * 0.25 * Diagonal(box))));
+  }
+  return points;
+}
+
+/// A point array, or an empty list when there is none.
+inline std::vector<double> PointArray(vtkDataObject* data, const char* name)
+{
+  vtkDataArray* array = vtkDataSet::SafeDownCast(data)->GetPointData()->GetArray(name);
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
+    values.push_back(array->GetVariantValue(i).ToDouble());
+  }
+  return values;
+}
+
+/// A number of the report, NaN when there is none.
+inline double Reported(vtkAlgorithm* filter, const std::string& what)
+{
+  vtkFieldData* report = filter->GetOutputDataObject(0)->GetFieldData();
+  vtkDataArray* array = report->GetArray(("SkdReport" + what).c_str());
+  return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkDataObject*>& leaves)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetNumberOfBlocks(static_cast<unsigned int>(leaves.size()));
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    blocks->SetBlock(static_cast<unsigned int>(i), leaves[i]);
+  }
+  return blocks;
+}
+
+/// The cells of a mesh for which `isWanted` tells true.
+inline Mesh Part(const Mesh& mesh, const std::function<bool(std::size_t)>& isWanted)
+{
+  Mesh part;
+  part.Points = mesh.Points;
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    if (isWanted(cell))
+    {
+      part.Cells.push_back(mesh.Cells[cell]);
+    }
+  }
+  return part;
+}
+
+inline double Linear(const Point& p)
+{
+  return 3.0 * p[0] - 2.0 * p[1] + 0.5 * p[2] + 7.0;
+}
+
+template <typename Array = vtkDoubleArray>
+vtkSmartPointer<Array> MakeArray(
+  const char* name, vtkIdType n, const std::function<double(vtkIdType)>& value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    array->SetVariantValue(i, value(i));
+  }
+  return array;
+}
+
+/// Point data "Linear" and "LinearInt", cell data "Number": ten times the cell's id.
+template <typename Pointer>
+Pointer WithData(Pointer mesh)
+{
+  const auto linear = [&](vtkIdType i)
+  {
+    Point p;
+    mesh->GetPoint(i, p.data());
+    return Linear(p);
+  };
+  const auto number = [](vtkIdType i) { return 10.0 * i; };
+  const vtkIdType points = mesh->GetNumberOfPoints();
+  mesh->GetPointData()->AddArray(MakeArray("Linear", points, linear));
+  mesh->GetPointData()->AddArray(MakeArray<vtkIntArray>("LinearInt", points, linear));
+  mesh->GetCellData()->AddArray(MakeArray<vtkIntArray>("Number", mesh->GetNumberOfCells(), number));
+  return mesh;
+}
+
+/// Watches progress, and aborts when it reaches a part.
+struct ProgressWatch
+{
+  explicit ProgressWatch(vtkAlgorithm* algorithm, double abortAt = 2.0)
+    : AbortAt(abortAt)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(&ProgressWatch::Look);
+    algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
+  }
+
+  static void Look(vtkObject* caller, unsigned long, void* self, void*)
+  {
+    auto* watch = static_cast<ProgressWatch*>(self);
+    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+    watch->Seen.push_back(algorithm->GetProgress());
+    if (algorithm->GetProgress() >= watch->AbortAt)
+    {
+      algorithm->SetAbortExecute(1);
+    }
+  }
+
+  double AbortAt;
+  std::vector<double> Seen;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+}
+
+#endif
