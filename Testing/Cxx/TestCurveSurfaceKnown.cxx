@@ -159,7 +159,7 @@ TEST(CurveSurfaceKnown, AHelixAndASphere)
   EXPECT_NEAR((cells[1] + within[1]) * 24 / pieces - 12, 11.1803398874989485, 1e-11);
 }
 
-TEST(CurveSurfaceKnown, AHelixWithinACylinderTouchesNoEnd)
+TEST(CurveSurfaceKnown, AHelixAcrossAPlane)
 {
   const auto helix = [](double t) { return Point{ std::cos(t), std::sin(t), 0.1 * t }; };
   // A wider cylinder is never met, a plane across once a turn of it.
