@@ -15,14 +15,12 @@ using Triangle = skd::WindingNumber::Triangle;
 
 void LoadTriangle(vtkPolyData* faces, vtkIdType face, vtkIdType ids[3], Triangle& corners)
 {
-  const vtkIdType* points;
-  vtkIdType size;
-  vtkNew<vtkIdList> buffer;
-  faces->GetPolys()->GetCellAtId(face, size, points, buffer);
+  vtkNew<vtkIdList> points;
+  faces->GetPolys()->GetCellAtId(face, points);
   for (int i = 0; i < 3; ++i)
   {
-    ids[i] = points[i];
-    faces->GetPoint(points[i], corners[i].X);
+    ids[i] = points->GetId(i);
+    faces->GetPoint(ids[i], corners[i].X);
   }
 }
 
