@@ -35,11 +35,6 @@ target_compile_options(skdtree_testing INTERFACE
   $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off -Wall -Wextra>)
 target_include_directories(skdtree_testing INTERFACE
   "${SKDTREE_ROOT}/Filters" "${CMAKE_CURRENT_LIST_DIR}")
-target_compile_definitions(skdtree_testing INTERFACE
-  SKDTREE_SOURCE_DIR="${SKDTREE_ROOT}"
-  SKDTREE_DATA_DIR="${SKDTREE_ROOT}/Data"
-  SKDTREE_EXTRA_DATA_DIR="${SKDTREE_EXTRA_DATA_DIR}"
-  SKDTREE_TEMPORARY_DIR="${SKDTREE_TEMPORARY_DIR}")
 
 # skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] LABEL <label>)
 # An executable with GoogleTest's main. Thousands of short tests would spend their time on starting

@@ -10,6 +10,8 @@
 #include "Timing.h"
 #include "Works.h"
 
+#include "Support/Folders.h"
+
 #include "vtkLogger.h"
 #include "vtkSMPTools.h"
 
@@ -40,7 +42,7 @@ std::vector<Scene> ChosenScenes(const Options& options)
     std::copy_if(more.begin(), more.end(), std::back_inserter(scenes),
       [&](const Scene& scene) { return Passes(scene.Name, options.OnlyScene); });
   };
-  append(options.DataScenes ? FolderScenes(SKDTREE_DATA_DIR) : std::vector<Scene>());
+  append(options.DataScenes ? FolderScenes(skdtest::DataFolder()) : std::vector<Scene>());
   for (const std::string& file : options.Files)
   {
     append({ FileScene(file) });

@@ -4,6 +4,7 @@
 
 #include "Support/AMRRun.h"
 #include "Support/BoxReference.h"
+#include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
 #include "Support/RealMeshes.h"
 
@@ -209,7 +210,7 @@ class AMROnFile : public testing::TestWithParam<std::string>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Data, AMROnFile, testing::ValuesIn(MeshFiles(SKDTREE_DATA_DIR)));
+INSTANTIATE_TEST_SUITE_P(Data, AMROnFile, testing::ValuesIn(MeshFiles(DataFolder())));
 
 TEST_P(AMROnFile, LeavesAreThoseOfRecursionByBruteForce)
 {

@@ -5,6 +5,7 @@
 #include "Support/BruteForce.h"
 #include "Support/ClosestPointRun.h"
 #include "Support/EventCounter.h"
+#include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
 #include "Support/VolumeMeshes.h"
 
@@ -433,7 +434,7 @@ TEST(ClosestPointSigned, FacesThatAreNotFiniteAreLeftOut)
 TEST(ClosestPointSigned, OfARealSurfaceItIsThatOfTheWindingNumber)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(SKDTREE_DATA_DIR "/fly_brain_lateral_horn.vtp");
+  reader->SetFileName((DataFolder() + "/fly_brain_lateral_horn.vtp").c_str());
   reader->Update();
   vtkPolyData* source = reader->GetOutput();
   Mesh mesh;

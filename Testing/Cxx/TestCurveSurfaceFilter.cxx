@@ -4,6 +4,7 @@
 
 #include "Support/CurveRun.h"
 #include "Support/EventCounter.h"
+#include "Support/Folders.h"
 #include "Support/RealMeshes.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
@@ -135,7 +136,7 @@ TEST(CurveSurfaceParity, FarFromTheOrigin)
 
 TEST(CurveSurfaceParity, ClosedPolylinesThroughRealSurfaces)
 {
-  const DataSetPointer brain = ReadMesh(SKDTREE_DATA_DIR "/fly_brain_neuropil.vtp");
+  const DataSetPointer brain = ReadMesh(DataFolder() + "/fly_brain_neuropil.vtp");
   ASSERT_TRUE(brain);
   ExpectEven(brain, 3000, 6);
 }
@@ -360,7 +361,7 @@ TEST(CurveSurfaceFilter, StopsWhenAskedTo)
 
 TEST(CurveSurfaceFilter, EachNeuronEntersTheLateralHornOnce)
 {
-  const std::string folder = SKDTREE_EXTRA_DATA_DIR "/F_curves/";
+  const std::string folder = ExtraDataFolder() + "/F_curves/";
   const DataSetPointer horn = std::filesystem::exists(folder + "hemibrain_LH.obj")
     ? ReadMesh(folder + "hemibrain_LH.obj")
     : DataSetPointer();

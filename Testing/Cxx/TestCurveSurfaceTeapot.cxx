@@ -4,6 +4,7 @@
 // for each.
 
 #include "Support/CurveRun.h"
+#include "Support/Folders.h"
 
 #include "vtkCell.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
@@ -134,10 +135,10 @@ struct Hits
 
 TEST(CurveSurfaceTeapot, LinesHitThePatchesWhereTheyHitAThousandTrianglesOfEach)
 {
-  const auto patches = ReadTeapot(SKDTREE_EXTRA_DATA_DIR "/E_cad/teapot.bez");
+  const auto patches = ReadTeapot(ExtraDataFolder() + "/E_cad/teapot.bez");
   if (patches.empty())
   {
-    GTEST_SKIP() << "skipped: " << SKDTREE_EXTRA_DATA_DIR << " has no teapot";
+    GTEST_SKIP() << "skipped: " << ExtraDataFolder() << " has no teapot";
   }
   const int count = 400;
   Random random(12);

@@ -3,6 +3,7 @@
 // Meshes that other people made: those of Data/, and of the folder SKDTREE_EXTRA_DATA_DIR if it is
 // there.
 
+#include "Support/Folders.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
 #include "Support/RealMeshes.h"
@@ -21,7 +22,7 @@ protected:
   {
     if (GetParam().empty())
     {
-      GTEST_SKIP() << "no meshes in " << SKDTREE_EXTRA_DATA_DIR;
+      GTEST_SKIP() << "no meshes in " << ExtraDataFolder();
     }
     this->Data = ReadMesh(GetParam());
     ASSERT_NE(this->Data, nullptr);
@@ -66,8 +67,8 @@ class RealSurface : public RealMesh
 {
 };
 
-const std::string Shipped = SKDTREE_DATA_DIR;
-const std::string Extra = SKDTREE_EXTRA_DATA_DIR;
+const std::string Shipped = DataFolder();
+const std::string Extra = ExtraDataFolder();
 
 INSTANTIATE_TEST_SUITE_P(Shipped, RealMesh, testing::ValuesIn(MeshFiles(Shipped)), NameOfFile);
 INSTANTIATE_TEST_SUITE_P(Shipped, RealVolume, testing::ValuesIn(VolumeFiles(Shipped)), NameOfFile);

@@ -5,6 +5,7 @@
 #include "Support/SurfaceIntersectionRun.h"
 
 #include "Core/Geometry/TriangleContact.h"
+#include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
 #include "Support/RealMeshes.h"
 #include "Support/SurfaceMeshes.h"
@@ -299,7 +300,7 @@ class PairsOfReal : public testing::TestWithParam<std::tuple<const char*, std::s
 TEST_P(PairsOfReal, AreAsManyAsOthersCount)
 {
   const auto& [name, count] = GetParam();
-  const std::string file = std::string(SKDTREE_EXTRA_DATA_DIR) + "/A_surface/" + name;
+  const std::string file = ExtraDataFolder() + "/A_surface/" + name;
   if (!std::filesystem::exists(file))
   {
     GTEST_SKIP() << "no " << file;

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Folders.h
+ * @brief where tests find real meshes, as the build was configured
+ */
+#ifndef skdtest_Folders_h
+#define skdtest_Folders_h
+
+#include <string>
+
+namespace skdtest
+{
+
+/// The repository's Data/.
+std::string DataFolder();
+
+/// More real meshes (SKDTREE_EXTRA_DATA_DIR): it need not exist; a test that misses it is skipped.
+std::string ExtraDataFolder();
+
+}
+
+#endif
