@@ -13,7 +13,8 @@ packages=(
   libopenmpi-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
   libutfcpp-dev libdouble-conversion-dev xvfb)
 test_packages=(
-  libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file)
+  libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file
+  valgrind)
 
 say() { printf '\n== %s\n' "$*"; }
 

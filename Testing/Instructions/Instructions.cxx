@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Instructions.cxx
+ * @brief the main queries on made meshes, to be counted by valgrind: see count.py
+ *
+ * Each kind of work is counted by itself and put out under its name. Meshes and queries are the
+ * same every time. Ends with 77 when it was compiled without valgrind's header.
+ */
+#include "Support/SurfaceMeshes.h"
+#include "Support/VolumeMeshes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkSkdTreeCellLocator.h"
+
+#include <iostream>
+
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#else
+#define CALLGRIND_START_INSTRUMENTATION
+#define CALLGRIND_STOP_INSTRUMENTATION
+#define CALLGRIND_DUMP_STATS_AT(name) static_cast<void>(name)
+#define SKDTREE_CANNOT_COUNT
+#endif
+
+namespace
+{
+using namespace skdtest;
+
+constexpr int NumberOfQueries = 1000;
+
+template <class Body>
+void Count(const char* name, const Body& body)
+{
+  CALLGRIND_START_INSTRUMENTATION;
+  body();
+  CALLGRIND_STOP_INSTRUMENTATION;
+  CALLGRIND_DUMP_STATS_AT(name);
+}
+
+/// A locator of a mesh, what it is asked, and where the answers go.
+class Counted
+{
+public:
+  explicit Counted(vtkDataSet* mesh)
+  {
+    mesh->GetBounds(this->Box.data());
+    this->Locator->SetDataSet(mesh);
+  }
+
+  void CountBuild(const char* name)
+  {
+    Count(name, [&] { this->Locator->ForceBuildLocator(); });
+  }
+
+  /// About points at such a distance from the middle, in half diagonals.
+  void CountClosest(const char* name, double nearest, double farthest)
+  {
+    const std::vector<Point> from = this->Around(nearest, farthest);
+    Count(name,
+      [&]
+      {
+        for (const Point& x : from)
+        {
+          Point closest;
+          vtkIdType cell;
+          int subId;
+          double dist2;
+          this->Locator->FindClosestPoint(x.data(), closest.data(), cell, subId, dist2);
+        }
+      });
+  }
+
+  void CountFirstHits(const char* name)
+  {
+    const std::vector<Point> ends = this->Around(1.0, 1.1);
+    Count(name,
+      [&]
+      {
+        for (std::size_t i = 0; i < ends.size(); ++i)
+        {
+          Point hit, pcoords;
+          double t;
+          int subId;
+          vtkIdType cell;
+          this->Locator->IntersectWithLine(ends[i].data(), ends[ends.size() - 1 - i].data(), 0.0, t,
+            hit.data(), pcoords.data(), subId, cell);
+        }
+      });
+  }
+
+  void CountAllHits(const char* name)
+  {
+    const std::vector<Point> ends = this->Around(1.0, 1.1);
+    vtkNew<vtkPoints> hits;
+    Count(name,
+      [&]
+      {
+        for (std::size_t i = 0; i < ends.size(); ++i)
+        {
+          this->Locator->IntersectWithLine(
+            ends[i].data(), ends[ends.size() - 1 - i].data(), 0.0, hits, this->Ids);
+        }
+      });
+  }
+
+  void CountFindCell(const char* name)
+  {
+    const std::vector<Point> places = this->Inside();
+    Count(name,
+      [&]
+      {
+        for (Point x : places)
+        {
+          this->Locator->FindCell(x.data());
+        }
+      });
+  }
+
+  void CountBoxes(const char* name, double size)
+  {
+    const std::vector<Point> centres = this->Around(0.5, 0.6);
+    Count(name,
+      [&]
+      {
+        for (const Point& c : centres)
+        {
+          Bounds box = Grown({ c[0], c[0], c[1], c[1], c[2], c[2] }, size * Diagonal(this->Box));
+          this->Locator->FindCellsWithinBounds(box.data(), this->Ids);
+        }
+      });
+  }
+
+  void CountPairs(const char* name, Counted& other)
+  {
+    other.Locator->BuildLocator();
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> ids;
+    Count(name, [&] { this->Locator->FindPairs(other.Locator, offsets, ids); });
+  }
+
+  void CountBatch(const char* name)
+  {
+    vtkNew<vtkDoubleArray> points;
+    points->SetNumberOfComponents(3);
+    for (const Point& x : this->Around(0.5, 0.7))
+    {
+      points->InsertNextTuple(x.data());
+    }
+    vtkNew<vtkIdTypeArray> cells;
+    Count(name, [&] { this->Locator->FindClosestPoints(points, cells, nullptr, nullptr); });
+  }
+
+private:
+  std::vector<Point> Around(double nearest, double farthest)
+  {
+    std::vector<Point> points(NumberOfQueries);
+    for (Point& point : points)
+    {
+      const double distance = 0.5 * Diagonal(this->Box) * this->Random.Between(nearest, farthest);
+      point = Center(this->Box) + distance * this->Random.Direction();
+    }
+    return points;
+  }
+
+  std::vector<Point> Inside()
+  {
+    std::vector<Point> points(NumberOfQueries);
+    for (Point& point : points)
+    {
+      point = this->Random.InBox(this->Box);
+    }
+    return points;
+  }
+
+  vtkNew<vtkSkdTreeCellLocator> Locator;
+  vtkNew<vtkIdList> Ids;
+  Bounds Box;
+  skdtest::Random Random{ 17 };
+};
+
+Point Dented(const Point& p)
+{
+  return (1.0 + 0.1 * std::sin(7 * p[0]) * std::cos(6 * p[1]) * std::sin(5 * p[2] + 1)) * p;
+}
+
+void CountSurface()
+{
+  const auto mesh = MakePolyData(SphereTriangles(40).Map(Dented));
+  const auto moved = MakePolyData(Placed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 }));
+  Counted surface(mesh);
+  Counted other(moved);
+  surface.CountBuild("build, triangles");
+  surface.CountClosest("closest point, near", 0.5, 0.7);
+  surface.CountClosest("closest point, far", 3.0, 6.0);
+  surface.CountFirstHits("first hit");
+  surface.CountAllHits("all hits");
+  surface.CountBoxes("cells in a small box", 0.005);
+  surface.CountBoxes("cells in a large box", 0.05);
+  surface.CountPairs("pairs", other);
+  surface.CountBatch("closest points, a batch");
+}
+
+void CountVolume(const char* kind, Mesh mesh)
+{
+  const auto grid = MakeGrid(mesh.Map(Bent));
+  Counted volume(grid);
+  const std::string name(kind);
+  volume.CountBuild(("build, " + name).c_str());
+  volume.CountFindCell(("find cell, " + name).c_str());
+  volume.CountClosest(("closest point, " + name).c_str(), 0.0, 1.0);
+}
+}
+
+int main()
+{
+#ifdef SKDTREE_CANNOT_COUNT
+  std::cout << "compiled without valgrind/callgrind.h\n";
+  return 77;
+#endif
+  vtkSMPTools::Initialize(1);
+  CountSurface();
+  CountVolume("tetrahedra", Tetrahedra(12));
+  CountVolume("hexahedra", Hexahedra(16));
+  CountVolume("mixed cells", MixedCells(12));
+  return 0;
+}
