@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAMR.h"
 
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSignedSource.h"
 #include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdBaseLattice.h"
 #include "Refine/SkdFieldCriterion.h"
 #include "Refine/SkdGridArrays.h"
-#include "Refine/SkdGridDistances.h"
-#include "Refine/SkdGridFractions.h"
-#include "Refine/SkdGridInside.h"
 #include "Refine/SkdGridOutput.h"
 #include "Refine/SkdGridRefiner.h"
 #include "Refine/SkdGridReport.h"
@@ -19,7 +19,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -42,8 +41,7 @@ public:
   std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh) const;
   SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self) const;
   void UpdateField(vtkSkdTreeAMR* self, vtkDataObject* field);
-  bool NeedsBoundary(vtkSkdTreeAMR* self) const;
-  SkdGridExtras FindExtras(vtkSkdTreeAMR* self, const SkdGrid& grid) const;
+  int UpdateBoundary(vtkSkdTreeAMR* self, const std::vector<SkdLeaf>& leaves);
 };
 
 namespace
@@ -110,6 +108,21 @@ void WarnAbout(vtkSkdTreeAMR* self, const SkdSignedSource& boundary)
   }
 }
 
+SkdGridQuestions AskedBy(vtkSkdTreeAMR* self)
+{
+  SkdGridQuestions questions;
+  questions.Inside = self->GetComputeInside();
+  questions.Fractions = self->GetComputeVolumeFraction();
+  questions.Distances = self->GetComputeDistance();
+  questions.Epsilon = self->GetEpsilon();
+  return questions;
+}
+
+bool NeedsBoundary(vtkSkdTreeAMR* self)
+{
+  return AskedBy(self).NeedBoundary() || self->GetInsideLevel() > 0;
+}
+
 std::vector<SkdGridCell> MakeOutput(const SkdGrid& grid, vtkDataObject* output)
 {
   if (auto trees = vtkHyperTreeGrid::SafeDownCast(output))
@@ -117,6 +130,18 @@ std::vector<SkdGridCell> MakeOutput(const SkdGrid& grid, vtkDataObject* output)
     return SkdMakeHyperTreeGrid(grid, trees);
   }
   return SkdMakeUnstructuredGrid(grid, vtkUnstructuredGrid::SafeDownCast(output));
+}
+
+void FillOutput(
+  const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts, vtkDataObject* output)
+{
+  vtkDataSetAttributes* data = output->GetAttributes(vtkDataObject::CELL);
+  const std::vector<SkdGridCell> cells = MakeOutput(grid, output);
+  for (const auto& array : SkdGridArrays::Make(grid, extras, parts.GetBlockIndices(), cells))
+  {
+    data->AddArray(array);
+  }
+  data->SetActiveScalars(SkdGridArrays::LevelName);
 }
 
 void ReportParts(SkdReport& report, const SkdParts& parts)
@@ -193,36 +218,17 @@ void vtkSkdTreeAMR::Internals::UpdateField(vtkSkdTreeAMR* self, vtkDataObject* f
   }
 }
 
-bool vtkSkdTreeAMR::Internals::NeedsBoundary(vtkSkdTreeAMR* self) const
+/// Where something is asked that needs it. Returns how many trees were built.
+int vtkSkdTreeAMR::Internals::UpdateBoundary(
+  vtkSkdTreeAMR* self, const std::vector<SkdLeaf>& leaves)
 {
-  return self->GetComputeInside() || self->GetComputeVolumeFraction() || self->GetInsideLevel() > 0;
-}
-
-SkdGridExtras vtkSkdTreeAMR::Internals::FindExtras(vtkSkdTreeAMR* self, const SkdGrid& grid) const
-{
-  SkdGridExtras extras;
-  if (self->GetComputeInside() || self->GetComputeVolumeFraction())
+  if (!NeedsBoundary(self))
   {
-    extras.Inside = SkdFindInside(grid, this->Boundary, self, 0.6, 0.7);
+    return 0;
   }
-  if (self->GetComputeVolumeFraction())
-  {
-    extras.Fractions =
-      SkdFindFractions(grid, this->Boundary, extras.Inside, self->GetEpsilon(), self, 0.7, 0.8);
-  }
-  if (!self->GetComputeInside())
-  {
-    extras.Inside.clear();
-  }
-  if (self->GetComputeDistance())
-  {
-    extras.Distances = SkdFindDistances(grid, this->Parts, self, 0.8, 0.9);
-    if (self->GetComputeInside())
-    {
-      SkdSignDistances(extras.Distances, extras.Inside);
-    }
-  }
-  return extras;
+  const int treesBuilt = this->Boundary.Update(leaves, self->GetEpsilon());
+  WarnAbout(self, this->Boundary);
+  return treesBuilt;
 }
 
 //------------------------------------------------------------------------------
@@ -297,19 +303,17 @@ void vtkSkdTreeAMR::RemoveAllDistanceBands()
 //------------------------------------------------------------------------------
 int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  SkdAcceptMeshes(info);
+  if (port == 1)
+  {
+    info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  }
   if (port != 0)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
-  if (port != 1)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-    return 1;
-  }
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   return 1;
 }
 
@@ -322,17 +326,8 @@ int vtkSkdTreeAMR::FillOutputPortInformation(int, vtkInformation* info)
 int vtkSkdTreeAMR::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const int type =
-    this->OutputType == HYPER_TREE_GRID ? VTK_HYPER_TREE_GRID : VTK_UNSTRUCTURED_GRID;
-  vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  if (!output || output->GetDataObjectType() != type)
-  {
-    vtkSmartPointer<vtkDataObject> fresh;
-    fresh.TakeReference(type == VTK_HYPER_TREE_GRID
-        ? static_cast<vtkDataObject*>(vtkHyperTreeGrid::New())
-        : vtkUnstructuredGrid::New());
-    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
-  }
+  SkdProvideOutput(outputVector->GetInformationObject(0),
+    this->OutputType == HYPER_TREE_GRID ? VTK_HYPER_TREE_GRID : VTK_UNSTRUCTURED_GRID);
   return 1;
 }
 
@@ -340,19 +335,11 @@ int vtkSkdTreeAMR::RequestDataObject(
 int vtkSkdTreeAMR::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 0; port < 3; ++port)
   {
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
-      vtkInformation* input = inputVector[port]->GetInformationObject(i);
-      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-      if (input->Has(Pipeline::WHOLE_EXTENT()))
-      {
-        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-      }
+      SkdAskForWhole(inputVector[port]->GetInformationObject(i));
     }
   }
   return 1;
@@ -378,11 +365,7 @@ int vtkSkdTreeAMR::RequestData(
     vtkErrorMacro("Input cannot be searched: " << error.what());
     return 1;
   }
-  if (this->Impl->NeedsBoundary(this))
-  {
-    treesBuilt += this->Impl->Boundary.Update(leaves, this->Epsilon);
-    WarnAbout(this, this->Impl->Boundary);
-  }
+  treesBuilt += this->Impl->UpdateBoundary(this, leaves);
   const double buildSeconds = watch.Lap();
 
   std::optional<SkdGrid> grid = this->Impl->MakeGrid(this, vtkDataObject::GetData(inputVector[1]));
@@ -393,23 +376,18 @@ int vtkSkdTreeAMR::RequestData(
   const SkdRefineSettings settings = this->Impl->MakeSettings(this);
   SkdGridRefiner(this, 0.1, 0.6, *grid, parts, settings).Refine();
   WarnAbout(this, *grid, parts);
-  const SkdGridExtras extras = this->Impl->FindExtras(this, *grid);
+  const SkdGridExtras extras =
+    SkdFindExtras(*grid, AskedBy(this), parts, this->Impl->Boundary, this, 0.6, 0.9);
   const double refineSeconds = watch.Lap();
 
-  const std::vector<SkdGridCell> cells = MakeOutput(*grid, output);
-  for (const auto& array : SkdGridArrays::Make(*grid, extras, parts.GetBlockIndices(), cells))
-  {
-    output->GetAttributes(vtkDataObject::CELL)->AddArray(array);
-  }
-  output->GetAttributes(vtkDataObject::CELL)->SetActiveScalars(SkdGridArrays::LevelName);
-
+  FillOutput(*grid, extras, parts, output);
   SkdReport report(output);
   SkdReportGrid(report, *grid, this->MaximumLevel);
   ReportParts(report, parts);
   report.AddCount("TreesBuilt", treesBuilt);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("RefineSeconds", refineSeconds);
-  if (this->Impl->NeedsBoundary(this))
+  if (NeedsBoundary(this))
   {
     report.AddCount("OpenEdges", this->Impl->Boundary.GetNumberOfOpenEdges());
   }

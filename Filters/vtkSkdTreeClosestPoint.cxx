@@ -10,7 +10,6 @@
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
 #include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
@@ -142,68 +141,12 @@ void Report(vtkDataObject* output, const SkdSource& source, const std::vector<Sk
 }
 
 vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
-  : Impl(new Internals)
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA })
+  , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
 }
 
 vtkSkdTreeClosestPoint::~vtkSkdTreeClosestPoint() = default;
-
-void vtkSkdTreeClosestPoint::SetSourceConnection(vtkAlgorithmOutput* algOutput)
-{
-  this->SetInputConnection(1, algOutput);
-}
-
-void vtkSkdTreeClosestPoint::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
-
-int vtkSkdTreeClosestPoint::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
-}
-
-int vtkSkdTreeClosestPoint::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkPolyData");
-  return 1;
-}
-
-int vtkSkdTreeClosestPoint::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (!input)
-  {
-    return 0;
-  }
-  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  if (!output || output->GetDataObjectType() != input->GetDataObjectType())
-  {
-    vtkSmartPointer<vtkDataObject> fresh;
-    fresh.TakeReference(input->NewInstance());
-    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
-  }
-  if (!vtkPolyData::GetData(outputVector, 1))
-  {
-    vtkNew<vtkPolyData> lines;
-    outputVector->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), lines);
-  }
-  return 1;
-}
-
-// Whatever piece of the Input is asked for, its nearest point may be anywhere in the Source.
-int vtkSkdTreeClosestPoint::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
-  return 1;
-}
 
 int vtkSkdTreeClosestPoint::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)

@@ -45,27 +45,19 @@
 #define vtkSkdTreeClosestPoint_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeClosestPoint : public vtkPassInputTypeAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeClosestPoint : public vtkSkdTreeSourceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeClosestPoint, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkSkdTreeClosestPoint, vtkSkdTreeSourceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeClosestPoint* New();
-
-  ///@{
-  /**
-   * The mesh that is searched (port 1).
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   ///@{
   /**
@@ -131,12 +123,6 @@ protected:
   vtkSkdTreeClosestPoint();
   ~vtkSkdTreeClosestPoint() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -7,7 +7,6 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -46,54 +45,14 @@ void Report(const SkdCurveHitTable& table, double rounding, vtkPolyData* output)
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveIntersection::vtkSkdTreeCurveIntersection()
-  : Impl(new Internals)
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA })
+  , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->WholeInput = true; // curves against each other need all of them
 }
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveIntersection::~vtkSkdTreeCurveIntersection() = default;
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCurveIntersection::SetSourceConnection(vtkAlgorithmOutput* algOutput)
-{
-  this->SetInputConnection(1, algOutput);
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCurveIntersection::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
-
-//------------------------------------------------------------------------------
-int vtkSkdTreeCurveIntersection::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-// Curves against each other need all of them; so each process asks for all.
-int vtkSkdTreeCurveIntersection::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  for (int port = 0; port < 2; ++port)
-  {
-    if (inputVector[port]->GetNumberOfInformationObjects() > 0)
-    {
-      SkdAskForWhole(inputVector[port]->GetInformationObject(0));
-    }
-  }
-  return 1;
-}
 
 //------------------------------------------------------------------------------
 int vtkSkdTreeCurveIntersection::RequestData(

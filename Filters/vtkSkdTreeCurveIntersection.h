@@ -72,7 +72,7 @@
 #define vtkSkdTreeCurveIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
@@ -81,10 +81,10 @@ class SkdCurveSet;
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveIntersection : public vtkPolyDataAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveIntersection : public vtkSkdTreeSourceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeCurveIntersection, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSkdTreeCurveIntersection, vtkSkdTreeSourceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCurveIntersection* New();
 
@@ -97,14 +97,6 @@ public:
     CARDINAL_SPLINE = 1,
     KOCHANEK_SPLINE = 2
   };
-
-  ///@{
-  /**
-   * The curves that the Input's are compared with (port 1). None (default): the Input's own.
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   ///@{
   /**
@@ -169,9 +161,6 @@ protected:
   vtkSkdTreeCurveIntersection();
   ~vtkSkdTreeCurveIntersection() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -6,11 +6,9 @@
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdSurfaceHitArrays.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -115,67 +113,13 @@ void Report(const SkdSurfaceHitTable& table, double rounding, vtkPolyData* outpu
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveSurfaceIntersection::vtkSkdTreeCurveSurfaceIntersection()
-  : Impl(new Internals)
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { VTK_POLY_DATA, VTK_POLY_DATA, LIKE_INPUT })
+  , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveSurfaceIntersection::~vtkSkdTreeCurveSurfaceIntersection() = default;
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCurveSurfaceIntersection::SetSourceConnection(vtkAlgorithmOutput* algOutput)
-{
-  this->SetInputConnection(1, algOutput);
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCurveSurfaceIntersection::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
-
-//------------------------------------------------------------------------------
-int vtkSkdTreeCurveSurfaceIntersection::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkSkdTreeCurveSurfaceIntersection::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkDataObject" : "vtkPolyData");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkSkdTreeCurveSurfaceIntersection::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (!input)
-  {
-    return 0;
-  }
-  const int types[3] = { VTK_POLY_DATA, VTK_POLY_DATA, input->GetDataObjectType() };
-  for (int port = 0; port < 3; ++port)
-  {
-    SkdProvideOutput(outputVector->GetInformationObject(port), types[port]);
-  }
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkSkdTreeCurveSurfaceIntersection::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
-  return 1;
-}
 
 //------------------------------------------------------------------------------
 int vtkSkdTreeCurveSurfaceIntersection::RequestData(

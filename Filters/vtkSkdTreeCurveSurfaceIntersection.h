@@ -72,9 +72,9 @@
 #ifndef vtkSkdTreeCurveSurfaceIntersection_h
 #define vtkSkdTreeCurveSurfaceIntersection_h
 
-#include "vtkDataObjectAlgorithm.h"
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
+#include "vtkSkdTreeSourceAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
@@ -85,10 +85,10 @@ struct SkdSurfaceHitTable;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveSurfaceIntersection : public vtkDataObjectAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveSurfaceIntersection : public vtkSkdTreeSourceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeCurveSurfaceIntersection, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeSourceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCurveSurfaceIntersection* New();
 
@@ -111,14 +111,6 @@ public:
     FIRST_HIT = 1,
     NTH_HIT = 2
   };
-
-  ///@{
-  /**
-   * The surfaces (port 1).
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   ///@{
   /**
@@ -205,12 +197,6 @@ protected:
   vtkSkdTreeCurveSurfaceIntersection();
   ~vtkSkdTreeCurveSurfaceIntersection() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

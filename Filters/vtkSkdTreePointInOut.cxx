@@ -6,11 +6,9 @@
 #include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPlaceFinder.h"
-#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdTouchCells.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
@@ -195,22 +193,12 @@ SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
 }
 
 vtkSkdTreePointInOut::vtkSkdTreePointInOut()
-  : Impl(new Internals)
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT })
+  , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
 }
 
 vtkSkdTreePointInOut::~vtkSkdTreePointInOut() = default;
-
-void vtkSkdTreePointInOut::SetSourceConnection(vtkAlgorithmOutput* algOutput)
-{
-  this->SetInputConnection(1, algOutput);
-}
-
-void vtkSkdTreePointInOut::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
 
 void vtkSkdTreePointInOut::SetPartArray(const char* name)
 {
@@ -220,19 +208,6 @@ void vtkSkdTreePointInOut::SetPartArray(const char* name)
     this->PartArray = wanted;
     this->Modified();
   }
-}
-
-int vtkSkdTreePointInOut::FillInputPortInformation(int, vtkInformation* info)
-{
-  SkdAcceptMeshes(info);
-  return 1;
-}
-
-int vtkSkdTreePointInOut::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
-  return 1;
 }
 
 bool vtkSkdTreePointInOut::CheckSource()

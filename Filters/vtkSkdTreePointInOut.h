@@ -50,7 +50,7 @@
 #define vtkSkdTreePointInOut_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
@@ -61,20 +61,12 @@ struct SkdLeaf;
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreePointInOut : public vtkPassInputTypeAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreePointInOut : public vtkSkdTreeSourceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreePointInOut, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkSkdTreePointInOut, vtkSkdTreeSourceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreePointInOut* New();
-
-  ///@{
-  /**
-   * The parts (port 1).
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   enum ModelType
   {
@@ -207,9 +199,6 @@ protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

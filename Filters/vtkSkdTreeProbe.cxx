@@ -8,11 +8,8 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPlaceFinder.h"
 #include "Pipeline/SkdPlaces.h"
-#include "Pipeline/SkdPorts.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -206,23 +203,12 @@ void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
 }
 
 vtkSkdTreeProbe::vtkSkdTreeProbe()
-  : Impl(new Internals)
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA, VTK_TABLE })
+  , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
 }
 
 vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
-
-void vtkSkdTreeProbe::SetSourceConnection(vtkAlgorithmOutput* algOutput)
-{
-  this->SetInputConnection(1, algOutput);
-}
-
-void vtkSkdTreeProbe::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
 
 void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 {
@@ -250,40 +236,6 @@ void vtkSkdTreeProbe::ClearGradientArrays()
 {
   this->Impl->Gradients.clear();
   this->Modified();
-}
-
-int vtkSkdTreeProbe::FillInputPortInformation(int, vtkInformation* info)
-{
-  SkdAcceptMeshes(info);
-  return 1;
-}
-
-int vtkSkdTreeProbe::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  const char* types[3] = { "vtkDataObject", "vtkPolyData", "vtkTable" };
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
-  return 1;
-}
-
-int vtkSkdTreeProbe::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  SkdProvideOutput(outputVector->GetInformationObject(1), VTK_POLY_DATA);
-  SkdProvideOutput(outputVector->GetInformationObject(2), VTK_TABLE);
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (!input)
-  {
-    return 0;
-  }
-  SkdProvideOutput(outputVector->GetInformationObject(0), input->GetDataObjectType());
-  return 1;
-}
-
-int vtkSkdTreeProbe::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  SkdAskForWhole(inputVector[1]->GetInformationObject(0));
-  return 1;
 }
 
 int vtkSkdTreeProbe::RequestData(

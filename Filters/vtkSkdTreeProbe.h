@@ -55,27 +55,19 @@
 #define vtkSkdTreeProbe_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeProbe : public vtkPassInputTypeAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeProbe : public vtkSkdTreeSourceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeProbe, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkSkdTreeProbe, vtkSkdTreeSourceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeProbe* New();
-
-  ///@{
-  /**
-   * The mesh that is probed (port 1).
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   ///@{
   /**
@@ -205,12 +197,6 @@ protected:
   vtkSkdTreeProbe();
   ~vtkSkdTreeProbe() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -6,7 +6,6 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -100,23 +99,13 @@ void ReportSurfaces(
 }
 
 vtkSkdTreeSurfaceIntersection::vtkSkdTreeSurfaceIntersection()
-  : Impl(new Internals)
+  : vtkSkdTreeSourceAlgorithm(
+      SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA, VTK_TABLE, VTK_POLY_DATA })
+  , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(4);
 }
 
 vtkSkdTreeSurfaceIntersection::~vtkSkdTreeSurfaceIntersection() = default;
-
-void vtkSkdTreeSurfaceIntersection::SetSourceConnection(vtkAlgorithmOutput* algOutput)
-{
-  this->SetInputConnection(1, algOutput);
-}
-
-void vtkSkdTreeSurfaceIntersection::SetSourceData(vtkDataObject* source)
-{
-  this->SetInputDataInternal(1, source);
-}
 
 void vtkSkdTreeSurfaceIntersection::SetTransform(vtkMatrix4x4* motion)
 {
@@ -138,30 +127,6 @@ void vtkSkdTreeSurfaceIntersection::SetTransform(vtkMatrix4x4* motion)
 vtkMatrix4x4* vtkSkdTreeSurfaceIntersection::GetTransform()
 {
   return this->Impl->Matrix;
-}
-
-int vtkSkdTreeSurfaceIntersection::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
-  return 1;
-}
-
-int vtkSkdTreeSurfaceIntersection::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
-  return 1;
-}
-
-// Whatever piece of the Input is asked for, it may meet any of the Source.
-int vtkSkdTreeSurfaceIntersection::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  const int port = inputVector[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
-  SkdAskForWhole(inputVector[port]->GetInformationObject(0));
-  return 1;
 }
 
 int vtkSkdTreeSurfaceIntersection::RequestData(

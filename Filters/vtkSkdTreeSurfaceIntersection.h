@@ -61,10 +61,10 @@
  *
  * Bad input: triangles whose corners lie on one line have no inside and are left out, as are faces
  * with points that are not finite; they are counted. A Translation, Rotation or RotationCenter that
- * is not finite is an error and gives empty outputs; a Clearance of NaN counts as 0. An Input without faces gives empty outputs and
- * a warning, a Source without faces too. Exact as long as coordinates, unless 0, span less than 80
- * orders of magnitude. An execution that is aborted tells of what it found until then; VTK 9.3 and
- * later then empties the output.
+ * is not finite is an error and gives empty outputs; a Clearance of NaN counts as 0. An Input
+ * without faces gives empty outputs and a warning, a Source without faces too. Exact as long as
+ * coordinates, unless 0, span less than 80 orders of magnitude. An execution that is aborted tells
+ * of what it found until then; VTK 9.3 and later then empties the output.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -74,7 +74,7 @@
 #define vtkSkdTreeSurfaceIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
@@ -82,20 +82,12 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkMatrix4x4;
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSurfaceIntersection : public vtkPolyDataAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSurfaceIntersection : public vtkSkdTreeSourceAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeSurfaceIntersection, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSkdTreeSurfaceIntersection, vtkSkdTreeSourceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeSurfaceIntersection* New();
-
-  ///@{
-  /**
-   * The other surface (port 1). None, the default: Input against itself.
-   */
-  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
-  void SetSourceData(vtkDataObject* source);
-  ///@}
 
   enum PairsWanted
   {
@@ -163,10 +155,6 @@ protected:
   vtkSkdTreeSurfaceIntersection();
   ~vtkSkdTreeSurfaceIntersection() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

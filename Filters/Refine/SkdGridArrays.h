@@ -8,18 +8,11 @@
 #ifndef SkdGridArrays_h
 #define SkdGridArrays_h
 
-#include "Refine/SkdGrid.h"
+#include "Refine/SkdGridExtras.h"
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
 /// Values of all cells by level, beside those that a grid keeps itself. Empty: not asked for.
-struct SkdGridExtras
-{
-  std::vector<std::vector<unsigned char>> Inside;
-  std::vector<std::vector<double>> Distances;
-  std::vector<std::vector<double>> Fractions;
-};
-
 class SkdGridArrays
 {
 public:

@@ -27,10 +27,18 @@ def cpp_default_of(instance, element):
     return [float(component) for component in (value if isinstance(value, tuple) else (value, ))]
 
 
+def is_concrete(name):
+    try:
+        getattr(vtkskdtree, name)()
+    except TypeError:  # what Python says of an abstract class
+        return False
+    return True
+
+
 def test_there_are_proxies_and_classes_for_each_other():
     proxies = [proxy.get("class") for _, proxy in skdtesting.our_proxies()]
     assert len(proxies) == len(set(proxies)), proxies
-    classes = [name for name in dir(vtkskdtree) if name.startswith("vtkSkdTree")]
+    classes = [name for name in dir(vtkskdtree) if name.startswith("vtkSkdTree") and is_concrete(name)]
     assert sorted(proxies) == sorted(classes), (proxies, classes)
 
 

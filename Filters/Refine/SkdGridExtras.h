@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdGridExtras.h
+ * @brief What is found out of the cells of an adaptive grid by choice, once it is refined.
+ */
+
+#ifndef SkdGridExtras_h
+#define SkdGridExtras_h
+
+#include "Refine/SkdGrid.h"
+#include "Refine/SkdParts.h"
+
+class SkdSignedSource;
+class vtkAlgorithm;
+
+/// Level by level, cell by cell; empty what was not wanted.
+struct SkdGridExtras
+{
+  std::vector<std::vector<unsigned char>> Inside;
+  std::vector<std::vector<double>> Distances; ///< with a sign where Inside is wanted, too
+  std::vector<std::vector<double>> Fractions;
+};
+
+struct SkdGridQuestions
+{
+  bool Inside = false;
+  bool Fractions = false;
+  bool Distances = false;
+  double Epsilon = 0.0; ///< of the tree that fractions are asked of
+
+  bool NeedBoundary() const { return this->Inside || this->Fractions; }
+};
+
+/// The algorithm is told the progress, from `first` to `last`. `boundary` is looked at only where
+/// a question needs it.
+SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridQuestions& questions,
+  const SkdParts& parts, const SkdSignedSource& boundary, vtkAlgorithm* algorithm, double first,
+  double last);
+
+#endif

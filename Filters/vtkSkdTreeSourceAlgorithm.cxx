@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeSourceAlgorithm.h"
+
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "vtkInformationVector.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
+  SourceUse use, std::initializer_list<int> outputTypes)
+  : Use(use)
+  , OutputTypes(outputTypes)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
+}
+
+vtkSkdTreeSourceAlgorithm::~vtkSkdTreeSourceAlgorithm() = default;
+
+void vtkSkdTreeSourceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreeSourceAlgorithm::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataInternal(1, source);
+}
+
+int vtkSkdTreeSourceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  SkdAcceptMeshes(info);
+  if (port == 1 && this->Use == SourceUse::Optional)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkSkdTreeSourceAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const int type = this->OutputTypes[port];
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    type == LIKE_INPUT ? "vtkDataObject" : vtkDataObjectTypes::GetClassNameFromTypeId(type));
+  return 1;
+}
+
+int vtkSkdTreeSourceAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const int type = this->OutputTypes[port];
+    SkdProvideOutput(outputVector->GetInformationObject(port),
+      type == LIKE_INPUT ? input->GetDataObjectType() : type);
+  }
+  return 1;
+}
+
+int vtkSkdTreeSourceAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  const bool hasSource = inputVector[1]->GetNumberOfInformationObjects() > 0;
+  if (hasSource)
+  {
+    SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+  }
+  if (this->WholeInput || !hasSource)
+  {
+    SkdAskForWhole(inputVector[0]->GetInformationObject(0));
+  }
+  return 1;
+}
+VTK_ABI_NAMESPACE_END
