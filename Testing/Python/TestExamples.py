@@ -33,99 +33,69 @@ def pixels(file):
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
 
 
-def fresh_picture(name):
-    picture = skdtesting.temporary(name)
+def data(*names):
+    return [os.path.join(skdtesting.DATA_DIR, name) for name in names]
+
+
+def check(example, arguments, words, background, colours=100):
+    """The example says the words, each as often as it is counted, and makes a picture: of its pixels
+    the share between these two is background, the others have more than so many colours. Returns
+    the pixels."""
+    picture = skdtesting.temporary(example + "_example.png")
     if os.path.exists(picture):
         os.remove(picture)
-    return picture
+    said = run(example + ".py", *arguments, picture)
+    for word, count in words.items():
+        assert said.count(word) == count, said
+    seen = pixels(picture)
+    is_background = (seen == 255).all(axis=1)
+    assert background[0] < is_background.mean() < background[1], is_background.mean()
+    assert len(numpy.unique(seen[~is_background], axis=0)) > colours
+    return seen
 
 
 def test_closest_point():
-    picture = fresh_picture("closest_point_example.png")
-    said = run("ClosestPoint.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
-    assert "SkdDistance  from    3.2" in said, said
-    colours = pixels(picture)
-    is_background = (colours == 255).all(axis=1)
-    assert 0.2 < is_background.mean() < 0.8
-    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+    check("ClosestPoint", data("disk_flow.vtu"), {"SkdDistance  from    3.2": 1}, (0.2, 0.8))
 
 
 def test_probe():
-    picture = fresh_picture("probe_example.png")
-    said = run("Probe.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
-    assert "stretches: 66" in said, said
-    colours = pixels(picture)
-    is_background = (colours == 255).all(axis=1)
-    assert 0.2 < is_background.mean() < 0.8
-    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+    check("Probe", data("disk_flow.vtu"), {"stretches: 66": 1}, (0.2, 0.8))
 
 
 def test_attach():
-    picture = fresh_picture("attach_example.png")
-    said = run("Attach.py", os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"), picture)
-    assert "without: " in said and "with: " in said, said
-    is_background = (pixels(picture) == 255).all(axis=1)
-    assert 0.2 < is_background.mean() < 0.95
+    check("Attach", data("disk_flow.vtu"), {"without: ": 1, "with: ": 1}, (0.2, 0.95))
 
 
 def test_point_in_out():
-    picture = fresh_picture("point_in_out_example.png")
-    said = run("PointInOut.py", skdtesting.DATA_DIR, picture)
-    assert "PointsInside 230182" in said and "OpenEdges    0" in said, said
-    is_background = (pixels(picture) == 255).all(axis=1)
-    assert 0.5 < is_background.mean() < 0.95
+    words = {"PointsInside 230182": 1, "OpenEdges    0": 1}
+    check("PointInOut", [skdtesting.DATA_DIR], words, (0.5, 0.95))
 
 
 def test_curve_surface_intersection():
-    picture = fresh_picture("curve_surface_intersection_example.png")
-    files = [os.path.join(skdtesting.DATA_DIR, name)
-        for name in ("fly_brain_neuron.vtp", "fly_brain_lateral_horn.vtp")]
-    said = run("CurveSurfaceIntersection.py", *files, picture)
-    assert "goes in 1 times, out 0 times" in said, said
-    colours = pixels(picture)
-    is_background = (colours == 255).all(axis=1)
-    assert 0.3 < is_background.mean() < 0.95
-    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+    files = data("fly_brain_neuron.vtp", "fly_brain_lateral_horn.vtp")
+    check("CurveSurfaceIntersection", files, {"goes in 1 times, out 0 times": 1}, (0.3, 0.95))
 
 
 def test_amr():
-    picture = fresh_picture("amr_example.png")
-    files = [os.path.join(skdtesting.DATA_DIR, "fly_brain_%s.vtp" % name)
-             for name in ("neuropil", "neuron")]
-    said = run("AMR.py", *files, picture)
-    assert "CutCells           10143" in said, said
-    colours = pixels(picture)
-    is_background = (colours == 255).all(axis=1)
-    assert 0.2 < is_background.mean() < 0.8
-    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
+    files = data("fly_brain_neuropil.vtp", "fly_brain_neuron.vtp")
+    check("AMR", files, {"CutCells           10143": 1}, (0.2, 0.8))
 
 
 def test_surface_intersection():
-    picture = fresh_picture("surface_intersection_example.png")
-    files = [os.path.join(skdtesting.DATA_DIR, "fly_brain_%s.vtp" % name)
-        for name in ("neuropil", "lateral_horn")]
-    said = run("SurfaceIntersection.py", *files, picture)
-    assert said.count("2 trees built") == 1 and said.count("0 trees built") == 8, said
-    colours = pixels(picture)
-    is_background = (colours == 255).all(axis=1)
-    assert 0.1 < is_background.mean() < 0.8
-    is_red = (colours[:, 0] > 120) & (colours[:, 1] < 60) & (colours[:, 2] < 60)
+    files = data("fly_brain_neuropil.vtp", "fly_brain_lateral_horn.vtp")
+    words = {"2 trees built": 1, "0 trees built": 8}
+    seen = check("SurfaceIntersection", files, words, (0.1, 0.8))
+    is_red = (seen[:, 0] > 120) & (seen[:, 1] < 60) & (seen[:, 2] < 60)
     assert is_red.mean() > 5e-4, "the curves are to be seen"
+
+
+def test_curve_intersection():
+    check("CurveIntersection", [], {"the figure crosses itself 17 times": 1}, (0.5, 0.99))
 
 
 def test_picking():
     said = run("Picking.py")
     assert "of 1033920 cells" in said and "the same without" in said, said
-
-
-def test_curve_intersection():
-    picture = fresh_picture("curve_intersection_example.png")
-    said = run("CurveIntersection.py", picture)
-    assert "the figure crosses itself 17 times" in said, said
-    colours = pixels(picture)
-    is_background = (colours == 255).all(axis=1)
-    assert 0.5 < is_background.mean() < 0.99
-    assert len(numpy.unique(colours[~is_background], axis=0)) > 100
 
 
 skdtesting.run_tests(globals())
