@@ -42,6 +42,7 @@ public:
   SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self) const;
   void UpdateField(vtkSkdTreeAMR* self, vtkDataObject* field);
   int UpdateBoundary(vtkSkdTreeAMR* self, const std::vector<SkdLeaf>& leaves);
+  void ReportParts(vtkSkdTreeAMR* self, SkdReport& report) const;
 };
 
 namespace
@@ -143,15 +144,6 @@ void FillOutput(
   }
   data->SetActiveScalars(SkdGridArrays::LevelName);
 }
-
-void ReportParts(SkdReport& report, const SkdParts& parts)
-{
-  const SkdTreeCounts counts = parts.GetCounts();
-  report.AddCount("Parts", parts.GetNumberOfParts());
-  report.AddCount("PartCells", counts.Cells);
-  report.AddCount("PartCellsLeftOut", counts.CellsLeftOut);
-  report.AddMeasure("Epsilon", counts.Tolerance);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -229,6 +221,19 @@ int vtkSkdTreeAMR::Internals::UpdateBoundary(
   const int treesBuilt = this->Boundary.Update(leaves, self->GetEpsilon());
   WarnAbout(self, this->Boundary);
   return treesBuilt;
+}
+
+void vtkSkdTreeAMR::Internals::ReportParts(vtkSkdTreeAMR* self, SkdReport& report) const
+{
+  const SkdTreeCounts counts = this->Parts.GetCounts();
+  report.AddCount("Parts", this->Parts.GetNumberOfParts());
+  report.AddCount("PartCells", counts.Cells);
+  report.AddCount("PartCellsLeftOut", counts.CellsLeftOut);
+  report.AddMeasure("Epsilon", counts.Tolerance);
+  if (NeedsBoundary(self))
+  {
+    report.AddCount("OpenEdges", this->Boundary.GetNumberOfOpenEdges());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -383,14 +388,10 @@ int vtkSkdTreeAMR::RequestData(
   FillOutput(*grid, extras, parts, output);
   SkdReport report(output);
   SkdReportGrid(report, *grid, this->MaximumLevel);
-  ReportParts(report, parts);
+  this->Impl->ReportParts(this, report);
   report.AddCount("TreesBuilt", treesBuilt);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("RefineSeconds", refineSeconds);
-  if (NeedsBoundary(this))
-  {
-    report.AddCount("OpenEdges", this->Impl->Boundary.GetNumberOfOpenEdges());
-  }
   return 1;
 }
 

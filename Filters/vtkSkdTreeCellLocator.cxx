@@ -21,6 +21,21 @@ vtkStandardNewMacro(vtkSkdTreeCellLocator);
 
 namespace
 {
+/// One value a row, in an array of one component; nothing without an array.
+template <class Array, class Value>
+void FillColumn(Array* array, vtkIdType number, const Value& value)
+{
+  if (array)
+  {
+    array->SetNumberOfComponents(1);
+    array->SetNumberOfTuples(number);
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      array->SetValue(i, value(i));
+    }
+  }
+}
+
 void Clear(vtkIdList* ids, vtkDoubleArray* distances)
 {
   ids->Reset();
@@ -262,45 +277,27 @@ vtkIdType vtkSkdTreeCellLocator::FindCrossings(const double p1[3], const double 
   const SkdCrossings& crossings =
     this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
   const auto number = static_cast<vtkIdType>(crossings.List.size());
-  if (parameters)
-  {
-    parameters->SetNumberOfComponents(1);
-    parameters->SetNumberOfTuples(number);
-  }
+  const auto at = [&](vtkIdType i) -> const SkdCrossing&
+  { return crossings.List[static_cast<std::size_t>(i)]; };
   if (points)
   {
     points->SetNumberOfPoints(number);
+    for (vtkIdType i = 0; i < number; ++i)
+    {
+      points->SetPoint(i, skd::Lerp(SkdVector(p1), SkdVector(p2), at(i).T).X);
+    }
   }
   if (incidentCells)
   {
     incidentCells->Reset();
-  }
-  if (kinds)
-  {
-    kinds->SetNumberOfComponents(1);
-    kinds->SetNumberOfTuples(number);
-  }
-  for (vtkIdType i = 0; i < number; ++i)
-  {
-    const SkdCrossing& crossing = crossings.List[static_cast<std::size_t>(i)];
-    if (parameters)
-    {
-      parameters->SetValue(i, crossing.T);
-    }
-    if (points)
-    {
-      points->SetPoint(i, skd::Lerp(SkdVector(p1), SkdVector(p2), crossing.T).X);
-    }
-    if (incidentCells)
+    for (const SkdCrossing& crossing : crossings.List)
     {
       incidentCells->InsertNextCell(static_cast<vtkIdType>(crossing.Last - crossing.First),
         crossings.Cells.data() + crossing.First);
     }
-    if (kinds)
-    {
-      kinds->SetValue(i, crossing.Passes ? 1 : 0);
-    }
   }
+  FillColumn(parameters, number, [&](vtkIdType i) { return at(i).T; });
+  FillColumn(kinds, number, [&](vtkIdType i) { return at(i).Passes ? 1 : 0; });
   return number;
 }
 
