@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "EmbreeDevice.h"
 #include "Structure.h"
+#include "Triangles.h"
 
-#include "vtkGenericCell.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <embree3/rtcore.h>
 
@@ -17,11 +18,6 @@ namespace
 {
 
 using namespace skdtest;
-
-struct Corners
-{
-  Point A, B, C;
-};
 
 Point ClosestOnSegment(const Point& x, const Point& a, const Point& b)
 {
@@ -52,13 +48,6 @@ Point ClosestOnTriangle(const Point& x, const Corners& c)
   return Nearer(x, onTwo, ClosestOnSegment(x, c.C, c.A));
 }
 
-/// One device for all: it holds threads.
-RTCDevice Device()
-{
-  static const RTCDevice device = rtcNewDevice("threads=1");
-  return device;
-}
-
 /// A ray that takes every hit: the context comes first, as Embree wants it.
 struct Collector
 {
@@ -82,21 +71,23 @@ public:
 
   bool Build(vtkDataSet* data) override
   {
-    if (!this->ReadTriangles(data))
+    auto triangles = TrianglesOf(data);
+    if (!triangles)
     {
       return false;
     }
+    this->Triangles = std::move(*triangles);
     this->Release();
-    this->Scene = rtcNewScene(Device());
+    this->Scene = rtcNewScene(EmbreeDevice());
     rtcSetSceneFlags(
       this->Scene, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
-    RTCGeometry geometry = rtcNewGeometry(Device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(EmbreeDevice(), RTC_GEOMETRY_TYPE_TRIANGLE);
     this->FillBuffers(geometry, data);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(this->Scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(this->Scene);
-    return rtcGetDeviceError(Device()) == RTC_ERROR_NONE;
+    return rtcGetDeviceError(EmbreeDevice()) == RTC_ERROR_NONE;
   }
 
   bool Ask(Question question, const Query& query, Answer& answer) override
@@ -129,27 +120,6 @@ private:
     {
       rtcReleaseScene(this->Scene);
     }
-  }
-
-  /// False when there is a cell that is no triangle.
-  bool ReadTriangles(vtkDataSet* data)
-  {
-    this->Triangles.clear();
-    vtkNew<vtkGenericCell> cell;
-    for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
-    {
-      data->GetCell(id, cell);
-      if (cell->GetCellType() != VTK_TRIANGLE)
-      {
-        return false;
-      }
-      Corners corners;
-      cell->GetPoints()->GetPoint(0, corners.A.data());
-      cell->GetPoints()->GetPoint(1, corners.B.data());
-      cell->GetPoints()->GetPoint(2, corners.C.data());
-      this->Triangles.push_back(corners);
-    }
-    return true;
   }
 
   void FillBuffers(RTCGeometry geometry, vtkDataSet* data)

@@ -17,6 +17,9 @@ std::vector<Kind> AllKinds()
 #ifdef SKDBENCH_HAS_EMBREE
   append(EmbreeKinds());
 #endif
+#ifdef SKDBENCH_HAS_CGAL
+  append(CgalKinds());
+#endif
 #ifdef SKDBENCH_HAS_BOOST
   append(BoostKinds());
 #endif

@@ -18,9 +18,11 @@ Prints tables of what searches cost, as Markdown. Files: vtp, vtu, vtk, ply.
   --table              the whole table (the default)
   --smoke              tiny data, milliseconds: do all answers agree?
   --large              a million cells each
-  --only-files         the given files only, no growth
+  --only-files         the given files only, no growth and no pairs
   --no-growth          without the growth over 10^4 .. 10^7 cells
   --only-growth        nothing else
+  --no-pairs           without tree against tree
+  --only-pairs         nothing else
   --growth-until N     up to so many cells (10000000)
   --repetitions N      interleaved; medians are shown (5)
   --seconds S          a repetition lasts at least (0.05)
@@ -49,12 +51,19 @@ void OnlyFiles(Options& options)
   options.MadeScenes = false;
   options.DataScenes = false;
   options.Growth = false;
+  options.Pairs = false;
 }
 
 void OnlyGrowth(Options& options)
 {
-  options.MadeScenes = false;
-  options.DataScenes = false;
+  OnlyFiles(options);
+  options.Growth = true;
+}
+
+void OnlyPairs(Options& options)
+{
+  OnlyFiles(options);
+  options.Pairs = true;
 }
 
 using Flag = std::function<void(Options&)>;
@@ -69,6 +78,8 @@ const std::map<std::string, Flag>& Flags()
     { "--only-files", OnlyFiles },
     { "--no-growth", [](Options& o) { o.Growth = false; } },
     { "--only-growth", OnlyGrowth },
+    { "--no-pairs", [](Options& o) { o.Pairs = false; } },
+    { "--only-pairs", OnlyPairs },
   };
   return flags;
 }

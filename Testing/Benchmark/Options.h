@@ -21,6 +21,7 @@ struct Options
   Size Scenes = Size::Usual;
   bool MadeScenes = true;
   bool DataScenes = true;
+  bool Pairs = true;
   bool Growth = true;
   int GrowthUntil = 10000000; // cells
   int Repetitions = 5;

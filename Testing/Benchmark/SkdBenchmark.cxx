@@ -6,6 +6,7 @@
  */
 #include "Growth.h"
 #include "Measure.h"
+#include "Pairs.h"
 #include "Table.h"
 #include "Timing.h"
 #include "Works.h"
@@ -108,6 +109,16 @@ Results RunTables(const Options& options, const std::vector<Kind>& kinds, bool& 
   return results;
 }
 
+Results RunPairs(const Options& options)
+{
+  const Results pairs = MeasurePairs(options);
+  for (const SceneResult& scene : pairs.Scenes)
+  {
+    Show(options, Text([&](std::ostream& out) { PrintScene(out, scene, pairs.Kinds); }));
+  }
+  return pairs;
+}
+
 Results RunGrowth(const Options& options, const std::vector<Kind>& kinds)
 {
   const Results growth = MeasureGrowth(kinds, options);
@@ -140,6 +151,10 @@ int main(int argc, char* argv[])
   Show(*options, Text([&](std::ostream& out) { PrintHeader(out, *options); }), true);
   bool allRead = true;
   std::vector<Results> all = { RunTables(*options, kinds, allRead) };
+  if (options->Pairs && options->Profile == 0)
+  {
+    all.push_back(RunPairs(*options));
+  }
   if (options->Growth && options->Profile == 0)
   {
     all.push_back(RunGrowth(*options, kinds));

@@ -62,6 +62,7 @@ std::vector<Kind> AllKinds();
 std::vector<Kind> SkdKinds();
 std::vector<Kind> VtkKinds();
 std::vector<Kind> EmbreeKinds(); // where CMake found it; likewise:
+std::vector<Kind> CgalKinds();
 std::vector<Kind> BoostKinds();
 
 /// The absolute distance by which a line may miss: rounding, seen from the size of the scene.
