@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeProbe.h"
 
-#include "Pipeline/SkdGradient.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLineProbe.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPlaceFinder.h"
 #include "Pipeline/SkdPlaces.h"
+#include "Pipeline/SkdPointOrder.h"
+#include "Pipeline/SkdProbedData.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "vtkCellData.h"
@@ -32,10 +33,7 @@ public:
   SkdSourceTrees Trees;
   SkdPlaceSource Source{ Trees, Leaves };
   SkdPlaceRules Rules;
-  std::set<std::string> Categorical;
-  std::set<std::string> Gradients;
-  std::set<std::string> Refused; // names that are in use
-  std::set<std::string> Missing; // names that the source does not have
+  SkdProbedNames Names;
 
   /// Returns how many trees were built.
   int Update(vtkDataObject* source, double epsilon)
@@ -49,39 +47,17 @@ public:
     {
       this->Source.MeasureCells();
     }
-    this->Refused.clear();
-    this->Missing.clear();
+    this->Names.Refused.clear();
+    this->Names.Missing.clear();
     return built;
   }
 
   SkdPlaces Probe(vtkDataSet* output, double fill, SkdLoop& loop);
   void WarnAbout(vtkSkdTreeProbe* self) const;
-
-private:
-  void NoteMissingCategorical();
 };
 
 namespace
 {
-/// The point of the cell that is nearest to x; ties to the first.
-vtkIdType NearestPoint(vtkDataSet* mesh, vtkIdList* ids, const double x[3])
-{
-  vtkIdType nearest = -1;
-  double least = VTK_DOUBLE_MAX;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    double p[3];
-    mesh->GetPoint(ids->GetId(i), p);
-    const double dist2 = vtkMath::Distance2BetweenPoints(p, x);
-    if (nearest < 0 || dist2 < least)
-    {
-      nearest = ids->GetId(i);
-      least = dist2;
-    }
-  }
-  return nearest;
-}
-
 /// 0 of NaN, too.
 double PositivePart(double value)
 {
@@ -129,62 +105,26 @@ void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
 SkdPlaces vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fill, SkdLoop& loop)
 {
   const vtkIdType n = output->GetNumberOfPoints();
-  vtkPointData* into = output->GetPointData();
-  const auto isLabel = [&](const std::string& name) { return this->Categorical.count(name) > 0; };
-  const auto isQuantity = [&](const std::string& name) { return !isLabel(name); };
-  const auto any = [](const std::string&) { return true; };
-  const auto gather = [&](int type, const auto& isWanted)
-  { return SkdGatherInto(into, n, this->Leaves, type, this->Refused, fill, isWanted); };
-  SkdArrayGather quantities = gather(vtkDataObject::POINT, isQuantity);
-  SkdArrayGather labels = gather(vtkDataObject::POINT, isLabel);
-  SkdArrayGather cells = gather(vtkDataObject::CELL, any);
-  SkdGradientArrays gradients(this->Leaves, this->Gradients, n, this->Missing);
-  gradients.AddTo(into);
+  SkdProbedData data(output->GetPointData(), n, this->Leaves, this->Names, fill);
   SkdPlaces places(n);
+  const SkdPointOrder order(output);
   loop.For(n,
     [&](vtkIdType begin, vtkIdType end)
     {
       SkdPlaceFinder finder(this->Source, this->Rules);
       SkdGradient gradient;
-      for (vtkIdType i = begin; i < end; ++i)
+      for (vtkIdType at = begin; at < end; ++at)
       {
         double x[3];
-        output->GetPoint(i, x);
-        if (!finder.Find(x))
+        const vtkIdType i = order.GetPoint(at, x);
+        if (finder.Find(x))
         {
-          continue;
-        }
-        const SkdPlace& place = finder.GetPlace();
-        places.Set(i, place);
-        quantities.Interpolate(i, place.Leaf, finder.GetPointIds(), finder.GetWeights());
-        cells.Take(i, place.Leaf, place.CellId);
-        vtkDataSet* mesh = this->Leaves[place.Leaf].Mesh;
-        if (labels.GetNumberOfArrays() > 0)
-        {
-          labels.Take(i, place.Leaf, NearestPoint(mesh, finder.GetPointIds(), x));
-        }
-        if (!gradients.IsEmpty())
-        {
-          gradient.Evaluate(mesh, place);
-          gradients.Set(i, place.Leaf, finder.GetPointIds(), gradient.GetVectors());
+          places.Set(i, finder.GetPlace());
+          data.Set(i, x, finder, gradient);
         }
       }
     });
-  this->NoteMissingCategorical();
   return places;
-}
-
-void vtkSkdTreeProbe::Internals::NoteMissingCategorical()
-{
-  for (const std::string& name : this->Categorical)
-  {
-    const auto has = [&](const SkdLeaf& leaf)
-    { return leaf.Mesh->GetPointData()->HasArray(name.c_str()) != 0; };
-    if (!std::all_of(this->Leaves.begin(), this->Leaves.end(), has))
-    {
-      this->Missing.insert(name);
-    }
-  }
 }
 
 void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
@@ -194,8 +134,8 @@ void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
     vtkWarningWithObjectMacro(self, "Source has no cells to search: no point gets an answer.");
     return;
   }
-  SkdWarnAboutRefused(self, this->Refused);
-  for (const std::string& name : this->Missing)
+  SkdWarnAboutRefused(self, this->Names.Refused);
+  for (const std::string& name : this->Names.Missing)
   {
     vtkWarningWithObjectMacro(
       self, "Source has no point array " << name << " of numbers in all its blocks.");
@@ -212,7 +152,7 @@ vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
 
 void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 {
-  if (name && this->Impl->Categorical.insert(name).second)
+  if (name && this->Impl->Names.Categorical.insert(name).second)
   {
     this->Modified();
   }
@@ -220,13 +160,13 @@ void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 
 void vtkSkdTreeProbe::ClearCategoricalArrays()
 {
-  this->Impl->Categorical.clear();
+  this->Impl->Names.Categorical.clear();
   this->Modified();
 }
 
 void vtkSkdTreeProbe::AddGradientArray(const char* name)
 {
-  if (name && this->Impl->Gradients.insert(name).second)
+  if (name && this->Impl->Names.Gradients.insert(name).second)
   {
     this->Modified();
   }
@@ -234,7 +174,7 @@ void vtkSkdTreeProbe::AddGradientArray(const char* name)
 
 void vtkSkdTreeProbe::ClearGradientArrays()
 {
-  this->Impl->Gradients.clear();
+  this->Impl->Names.Gradients.clear();
   this->Modified();
 }
 
@@ -296,7 +236,7 @@ void vtkSkdTreeProbe::CutLines(
   const std::vector<SkdStretch> stretches = SkdCutLines(pieces, internals.Source, rules, loop);
   const SkdLineOutput made{ inputs, internals.Source, pieces, stretches,
     vtkCompositeDataSet::SafeDownCast(input) != nullptr, isSourceComposite };
-  SkdFillStretches(made, internals.Refused, vtkPolyData::GetData(outputVector, 1));
+  SkdFillStretches(made, internals.Names.Refused, vtkPolyData::GetData(outputVector, 1));
   SkdFillIntegrals(made, vtkTable::GetData(outputVector, 2));
 }
 
@@ -312,11 +252,11 @@ void vtkSkdTreeProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PassInputData: " << (this->PassInputData ? "On\n" : "Off\n");
   os << indent << "ProbeLines: " << (this->ProbeLines ? "On\n" : "Off\n");
   os << indent << "Epsilon: " << this->Epsilon << "\n";
-  for (const std::string& name : this->Impl->Categorical)
+  for (const std::string& name : this->Impl->Names.Categorical)
   {
     os << indent << "CategoricalArray: " << name << "\n";
   }
-  for (const std::string& name : this->Impl->Gradients)
+  for (const std::string& name : this->Impl->Names.Gradients)
   {
     os << indent << "GradientArray: " << name << "\n";
   }

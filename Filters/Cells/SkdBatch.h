@@ -53,6 +53,12 @@ public:
     this->Queries->GetTuple(slot, tuple);
   }
 
+  /// The slot at a place of the order.
+  vtkIdType GetSlot(vtkIdType at) const
+  {
+    return this->Order.empty() ? at : static_cast<vtkIdType>(this->Order[at]);
+  }
+
   /// Calls body(piece) in parallel.
   template <class Body>
   void ForEachPiece(const Body& body) const
@@ -91,7 +97,7 @@ public:
     const vtkIdType end = std::min(this->Count, (piece + 1) * PieceSize);
     for (vtkIdType at = piece * PieceSize; at < end; ++at)
     {
-      body(this->Order.empty() ? at : static_cast<vtkIdType>(this->Order[at]));
+      body(this->GetSlot(at));
     }
   }
 
