@@ -19,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -124,25 +125,35 @@ bool NeedsBoundary(vtkSkdTreeAMR* self)
   return AskedBy(self).NeedBoundary() || self->GetInsideLevel() > 0;
 }
 
-std::vector<SkdGridCell> MakeOutput(const SkdGrid& grid, vtkDataObject* output)
-{
-  if (auto trees = vtkHyperTreeGrid::SafeDownCast(output))
-  {
-    return SkdMakeHyperTreeGrid(grid, trees);
-  }
-  return SkdMakeUnstructuredGrid(grid, vtkUnstructuredGrid::SafeDownCast(output));
-}
-
-void FillOutput(
-  const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts, vtkDataObject* output)
+void AddArrays(const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts,
+  const std::vector<SkdGridCell>& cells, vtkDataObject* output)
 {
   vtkDataSetAttributes* data = output->GetAttributes(vtkDataObject::CELL);
-  const std::vector<SkdGridCell> cells = MakeOutput(grid, output);
   for (const auto& array : SkdGridArrays::Make(grid, extras, parts.GetBlockIndices(), cells))
   {
     data->AddArray(array);
   }
   data->SetActiveScalars(SkdGridArrays::LevelName);
+}
+
+void FillOutput(
+  const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts, vtkDataObject* output)
+{
+  if (auto trees = vtkHyperTreeGrid::SafeDownCast(output))
+  {
+    AddArrays(grid, extras, parts, SkdMakeHyperTreeGrid(grid, trees), trees);
+  }
+  else if (auto leaves = vtkUnstructuredGrid::SafeDownCast(output))
+  {
+    AddArrays(grid, extras, parts, SkdMakeUnstructuredGrid(grid, leaves), leaves);
+  }
+  else if (auto blocks = vtkOverlappingAMR::SafeDownCast(output))
+  {
+    for (const SkdGridBlock& block : SkdMakeOverlappingAMR(grid, blocks))
+    {
+      AddArrays(grid, extras, parts, block.Cells, block.Grid);
+    }
+  }
 }
 }
 
@@ -161,6 +172,13 @@ std::optional<SkdGrid> vtkSkdTreeAMR::Internals::MakeGrid(
     vtkErrorWithObjectMacro(self,
       "There is no base mesh: it would have " << base.Lattice->NumberOfBaseCells()
                                               << " cells, more than CellLimit.");
+    return std::nullopt;
+  }
+  if (self->GetOutputType() == OVERLAPPING_AMR && !SkdIsUniform(*base.Lattice))
+  {
+    vtkErrorWithObjectMacro(self,
+      "An overlapping AMR data set needs base cells of one size, along two axes or three: choose "
+      "another OutputType.");
     return std::nullopt;
   }
   return SkdGrid(*base.Lattice);
@@ -331,8 +349,8 @@ int vtkSkdTreeAMR::FillOutputPortInformation(int, vtkInformation* info)
 int vtkSkdTreeAMR::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  SkdProvideOutput(outputVector->GetInformationObject(0),
-    this->OutputType == HYPER_TREE_GRID ? VTK_HYPER_TREE_GRID : VTK_UNSTRUCTURED_GRID);
+  const int types[] = { VTK_HYPER_TREE_GRID, VTK_UNSTRUCTURED_GRID, VTK_OVERLAPPING_AMR };
+  SkdProvideOutput(outputVector->GetInformationObject(0), types[this->OutputType]);
   return 1;
 }
 

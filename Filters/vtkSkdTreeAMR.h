@@ -24,7 +24,11 @@
  *
  * Output: vtkHyperTreeGrid or, by choice, vtkUnstructuredGrid of the leaves (cells that are not
  * refined) as voxels, pixels or lines, in which the point array SkdHanging (unsigned char) is 1 at
- * points that are not corners of all the cells that they are on. Cell arrays:
+ * points that are not corners of all the cells that they are on; or vtkOverlappingAMR, whose first
+ * level is one block of the base cells and each other level blocks of the children of refined
+ * cells, joined to bricks; refined cells are marked in vtkGhostType.
+ *
+ * Cell arrays:
  * | name              | type   | meaning                                                        |
  * | ----------------- | ------ | -------------------------------------------------------------- |
  * | SkdLevel          | uchar  | 0 for base cells                                               |
@@ -78,7 +82,8 @@ public:
   enum OutputTypes
   {
     HYPER_TREE_GRID = 0,
-    UNSTRUCTURED_GRID = 1
+    UNSTRUCTURED_GRID = 1,
+    OVERLAPPING_AMR = 2
   };
   enum Tests
   {
@@ -327,9 +332,10 @@ public:
 
   ///@{
   /**
-   * What the output is: HYPER_TREE_GRID (default) or UNSTRUCTURED_GRID.
+   * What the output is: HYPER_TREE_GRID (default), UNSTRUCTURED_GRID or OVERLAPPING_AMR, which
+   * needs base cells of one size along two axes or three.
    */
-  vtkSetClampMacro(OutputType, int, HYPER_TREE_GRID, UNSTRUCTURED_GRID);
+  vtkSetClampMacro(OutputType, int, HYPER_TREE_GRID, OVERLAPPING_AMR);
   vtkGetMacro(OutputType, int);
   ///@}
 

@@ -57,4 +57,11 @@
 #define VTK_SKD_HAS_CHECK_ABORT 0
 #endif
 
+// 9.6 tells a vtkOverlappingAMR its blocks a level in a std::vector.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#define VTK_SKD_AMR_TAKES_VECTOR 1
+#else
+#define VTK_SKD_AMR_TAKES_VECTOR 0
+#endif
+
 #endif

@@ -9,10 +9,13 @@
 #define SkdGridOutput_h
 
 #include "Refine/SkdGrid.h"
+#include "vtkSmartPointer.h"
+#include "vtkUniformGrid.h"
 
 #include <vector>
 
 class vtkHyperTreeGrid;
+class vtkOverlappingAMR;
 class vtkUnstructuredGrid;
 
 /// Gives the hyper tree grid the base cells and their trees. Returns its cells, refined ones too,
@@ -22,5 +25,22 @@ std::vector<SkdGridCell> SkdMakeHyperTreeGrid(const SkdGrid& grid, vtkHyperTreeG
 /// Gives the unstructured grid the leaves as voxels, pixels or lines, and marks the points that are
 /// not corners of all the leaves that they are on. Returns its cells in its order: level by level.
 std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstructuredGrid* output);
+
+/// One block of an AMR data set and its cells, in the block's order.
+struct SkdGridBlock
+{
+  vtkSmartPointer<vtkUniformGrid> Grid;
+  std::vector<SkdGridCell> Cells;
+};
+
+/// Whether all base cells are of one size, up to rounding, and along two axes at least: what
+/// SkdMakeOverlappingAMR() needs.
+bool SkdIsUniform(const skd::Lattice& lattice);
+
+/// Gives the AMR data set one block of all base cells, and below these blocks of the children of
+/// refined cells, as large as they come by joining families (see skd::MakeBricks). Cells that are
+/// refined are marked as VTK marks them (vtkDataSetAttributes::REFINEDCELL). Returns the blocks
+/// with their cells.
+std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output);
 
 #endif

@@ -8,8 +8,11 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkRectilinearGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +101,31 @@ TEST(AMRBadInput, BoundsThatMakeNoBaseAreRefused)
   EXPECT_EQ(RunCells(filter), 0);
   EXPECT_EQ(events.Errors, 3);
   EXPECT_NE(events.Error.find("CellLimit"), std::string::npos) << events.Error;
+}
+
+TEST(AMRBadInput, OverlappingBlocksNeedBaseCellsOfOneSize)
+{
+  vtkNew<vtkRectilinearGrid> uneven;
+  vtkNew<vtkDoubleArray> planes;
+  for (double plane : { -2.0, 0.0, 1.0, 2.0 })
+  {
+    planes->InsertNextValue(plane);
+  }
+  uneven->SetDimensions(4, 4, 4);
+  uneven->SetXCoordinates(planes);
+  uneven->SetYCoordinates(planes);
+  uneven->SetZCoordinates(planes);
+  AMRPointer filter = MakeAMR(MakeTorus(), 3);
+  filter->SetOutputType(vtkSkdTreeAMR::OVERLAPPING_AMR);
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Errors, 0);
+  filter->SetBaseMeshData(uneven);
+  filter->Update();
+  EXPECT_EQ(events.Errors, 1);
+  EXPECT_NE(events.Error.find("of one size"), std::string::npos) << events.Error;
+  auto blocks = vtkOverlappingAMR::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(blocks->GetNumberOfLevels(), 0u);
 }
 
 TEST(AMRBadInput, CellsThatAreNotFiniteAreLeftOut)

@@ -8,8 +8,10 @@
 #include "vtkHyperTreeGrid.h"
 #include "vtkHyperTreeGridNonOrientedGeometryCursor.h"
 #include "vtkImageData.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkUniformGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -96,24 +98,37 @@ private:
   vtkDataSetAttributes* Data;
 };
 
-void ExpectSameLeaves(vtkSkdTreeAMR* filter)
+/// The values of a row of a data set's cell arrays, but for marks of VTK's own.
+void AppendRow(vtkDataSetAttributes* data, vtkIdType row, Values& values)
 {
-  filter->ComputeInsideOn();
-  filter->ComputeDistanceOn();
-  filter->SetOutputType(vtkSkdTreeAMR::UNSTRUCTURED_GRID);
-  const std::vector<Leaf> leaves = RunLeaves(filter);
-  vtkDataSetAttributes* data = filter->GetOutputDataObject(0)->GetAttributes(vtkDataObject::CELL);
-  std::map<Point, Values> expected;
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
-    Values& values = expected[LeafReader::Rounded(Center(leaves[i].Box))];
-    for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+    vtkDataArray* array = data->GetArray(k);
+    if (std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
     {
-      values.push_back(data->GetArray(k)->GetTuple1(static_cast<vtkIdType>(i)));
+      values.push_back(array->GetTuple1(row));
     }
   }
-  const double all = Reported(filter, "AllCells");
+}
 
+using LeafValues = std::map<Point, Values>;
+
+LeafValues UnstructuredLeaves(vtkSkdTreeAMR* filter)
+{
+  filter->SetOutputType(vtkSkdTreeAMR::UNSTRUCTURED_GRID);
+  const std::vector<Leaf> leaves = RunLeaves(filter);
+  LeafValues read;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    AppendRow(filter->GetOutputDataObject(0)->GetAttributes(vtkDataObject::CELL),
+      static_cast<vtkIdType>(i), read[LeafReader::Rounded(Center(leaves[i].Box))]);
+  }
+  return read;
+}
+
+void ExpectTreesToHave(const LeafValues& expected, vtkSkdTreeAMR* filter)
+{
+  const double all = Reported(filter, "AllCells");
   filter->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
   filter->Update();
   auto trees = vtkHyperTreeGrid::SafeDownCast(filter->GetOutputDataObject(0));
@@ -124,7 +139,58 @@ void ExpectSameLeaves(vtkSkdTreeAMR* filter)
   EXPECT_EQ(read.Leaves, expected);
 }
 
-TEST(AMROutput, HyperTreeGridAndUnstructuredGridHaveTheSameLeaves)
+/// The cells of a block that are not marked as refined; all of them are of the block's level.
+void AppendLeaves(vtkUniformGrid* block, unsigned int level, LeafValues& read)
+{
+  for (vtkIdType i = 0; i < block->GetNumberOfCells(); ++i)
+  {
+    EXPECT_EQ(block->GetCellData()->GetArray("SkdLevel")->GetTuple1(i), level);
+    if (block->GetCellGhostArray()->GetValue(i) != vtkDataSetAttributes::REFINEDCELL)
+    {
+      Bounds box;
+      block->GetCellBounds(i, box.data());
+      AppendRow(block->GetCellData(), i, read[LeafReader::Rounded(Center(box))]);
+    }
+  }
+}
+
+void ExpectBlocksToHave(const LeafValues& expected, vtkSkdTreeAMR* filter)
+{
+  const double all = Reported(filter, "AllCells");
+  filter->SetOutputType(vtkSkdTreeAMR::OVERLAPPING_AMR);
+  filter->Update();
+  auto blocks = vtkOverlappingAMR::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(blocks, nullptr);
+  LeafValues read;
+  vtkIdType cells = 0;
+  for (unsigned int level = 0; level < blocks->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int i = 0; i < blocks->GetNumberOfDataSets(level); ++i)
+    {
+      vtkUniformGrid* block = blocks->GetDataSet(level, i);
+      Bounds told;
+      Bounds is;
+      blocks->GetBounds(level, i, told.data());
+      block->GetBounds(is.data());
+      EXPECT_LT(Distance(Center(told), Center(is)), 1e-12);
+      cells += block->GetNumberOfCells();
+      AppendLeaves(block, level, read);
+    }
+  }
+  EXPECT_EQ(cells, all);
+  EXPECT_EQ(read, expected);
+}
+
+void ExpectSameLeaves(vtkSkdTreeAMR* filter)
+{
+  filter->ComputeInsideOn();
+  filter->ComputeDistanceOn();
+  const LeafValues expected = UnstructuredLeaves(filter);
+  ExpectTreesToHave(expected, filter);
+  ExpectBlocksToHave(expected, filter);
+}
+
+TEST(AMROutput, AllTypesHaveTheSameLeaves)
 {
   for (int branch = 2; branch <= 3; ++branch)
   {
@@ -152,7 +218,8 @@ TEST(AMROutput, FlatBasesInAnyPlaneAndAlongALine)
     const int other = (flat + 1) % 3;
     box[2 * other] = box[2 * other + 1] = across[other];
     AMRPointer line = MakeAMRIn(torus, 6, box);
-    ExpectSameLeaves(line);
+    line->ComputeInsideOn();
+    ExpectTreesToHave(UnstructuredLeaves(line), line);
     EXPECT_GE(Reported(line, "CutCells"), 1);
   }
 }

@@ -49,6 +49,16 @@ def test_an_unstructured_grid_with_hanging_points_and_insides():
     assert -0.3 < distances.min() < -0.15 and 0.3 < distances.max() < 0.57
 
 
+def test_overlapping_blocks_show_the_same_cells():
+    amr = scene(OutputType="Overlapping AMR")
+    amr.UpdatePipeline()
+    assert amr.GetDataInformation().GetCompositeDataClassName() == "vtkOverlappingAMR"
+    assert amr.GetDataInformation().GetNumberOfCells() == skdtesting.report(amr, "AllCells")
+    leaves = servermanager.Fetch(simple.Threshold(
+        Input=amr, Scalars=["CELLS", "SkdLevel"], LowerThreshold=0, UpperThreshold=5))
+    assert leaves.GetNumberOfCells() == skdtesting.report(amr, "Cells"), "refined cells are blank"
+
+
 def test_volume_fractions_add_up_to_the_volume():
     box = simple.Box(XLength=0.7, YLength=0.6, ZLength=0.3, Center=[0.5, 0.5, 0.5])
     amr = simple.SkdTreeAMR(Input=box, AutomaticBounds=0, ComputeVolumeFraction=1,

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdGridOutput.h"
+
+#include "Core/Grid/Bricks.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkAMRBox.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkOverlappingAMR.h"
+#include "vtkSkdTreeVersion.h"
+#include "vtkUniformGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+double SizeOfBaseCells(const skd::Lattice& lattice, int axis)
+{
+  const std::vector<double>& planes = lattice.GetPlanes(axis);
+  return lattice.IsFlat(axis)
+    ? 1.0 // any length but 0 does
+    : (planes.back() - planes.front()) / static_cast<double>(planes.size() - 1);
+}
+
+skd::Vector3 SpacingOf(const skd::Lattice& lattice, int level)
+{
+  skd::Vector3 spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] =
+      SizeOfBaseCells(lattice, axis) / static_cast<double>(lattice.CellsAcross(level, axis));
+  }
+  return spacing;
+}
+
+std::vector<skd::Brick> BricksOf(const SkdGrid& grid, int level)
+{
+  if (level == 0)
+  {
+    const skd::Lattice& lattice = grid.Lattice;
+    return { { { 0, 0, 0 },
+      { lattice.NumberOfBaseCells(0), lattice.NumberOfBaseCells(1),
+        lattice.NumberOfBaseCells(2) } } };
+  }
+  const std::uint32_t family = grid.Forest.FamilySize();
+  std::vector<skd::Place> parents;
+  for (std::uint32_t cell = 0; cell < grid.Forest.NumberOfCells(level); cell += family)
+  {
+    parents.push_back(grid.Forest.PlaceOf(level - 1, grid.Forest.Parent(level, cell)));
+  }
+  std::vector<skd::Brick> bricks = skd::MakeBricks(parents);
+  for (skd::Brick& brick : bricks)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      brick.Low[axis] *= grid.Lattice.GetBranch()[axis];
+      brick.High[axis] *= grid.Lattice.GetBranch()[axis];
+    }
+  }
+  return bricks;
+}
+
+vtkAMRBox BoxOf(const skd::Brick& brick, const skd::Lattice& lattice)
+{
+  int low[3];
+  int high[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = static_cast<int>(brick.Low[axis]);
+    high[axis] = static_cast<int>(brick.High[axis]) - (lattice.IsFlat(axis) ? 2 : 1);
+  }
+  return vtkAMRBox(low, high); // along an axis without cells, high is low - 1
+}
+
+std::vector<SkdGridCell> CellsOf(const skd::Brick& brick, const SkdGrid& grid, int level)
+{
+  std::vector<SkdGridCell> cells;
+  cells.reserve(static_cast<std::size_t>(brick.NumberOfPlaces()));
+  skd::Place place;
+  for (place[2] = brick.Low[2]; place[2] < brick.High[2]; ++place[2])
+  {
+    for (place[1] = brick.Low[1]; place[1] < brick.High[1]; ++place[1])
+    {
+      for (place[0] = brick.Low[0]; place[0] < brick.High[0]; ++place[0])
+      {
+        cells.push_back({ level, grid.Forest.Find(level, place).Index });
+      }
+    }
+  }
+  return cells;
+}
+
+void MarkRefined(const SkdGridBlock& block, const SkdGrid& grid)
+{
+  auto marks = SkdMakeArray<vtkUnsignedCharArray>(
+    vtkDataSetAttributes::GhostArrayName(), 1, static_cast<vtkIdType>(block.Cells.size()));
+  for (std::size_t i = 0; i < block.Cells.size(); ++i)
+  {
+    const bool isLeaf = grid.Forest.IsLeaf(block.Cells[i].Level, block.Cells[i].Index);
+    marks->SetValue(static_cast<vtkIdType>(i),
+      isLeaf ? 0 : static_cast<unsigned char>(vtkDataSetAttributes::REFINEDCELL));
+  }
+  block.Grid->GetCellData()->AddArray(marks);
+}
+
+SkdGridBlock MakeBlock(const skd::Brick& brick, const SkdGrid& grid, int level)
+{
+  const skd::Lattice& lattice = grid.Lattice;
+  auto mesh = vtkSmartPointer<vtkUniformGrid>::New();
+  int dimensions[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t cells = lattice.IsFlat(axis) ? 0 : brick.High[axis] - brick.Low[axis];
+    dimensions[axis] = static_cast<int>(cells) + 1;
+  }
+  mesh->SetOrigin(lattice.PointOf(level, brick.Low).X);
+  mesh->SetSpacing(SpacingOf(lattice, level).X);
+  mesh->SetDimensions(dimensions);
+  SkdGridBlock block{ mesh, CellsOf(brick, grid, level) };
+  MarkRefined(block, grid);
+  return block;
+}
+
+void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::Brick>>& bricks,
+  vtkOverlappingAMR* output)
+{
+#if VTK_SKD_AMR_TAKES_VECTOR
+  std::vector<unsigned int> blocks;
+#else
+  std::vector<int> blocks;
+#endif
+  for (const auto& level : bricks)
+  {
+    blocks.push_back(static_cast<decltype(blocks)::value_type>(level.size()));
+  }
+#if VTK_SKD_AMR_TAKES_VECTOR
+  output->Initialize(blocks);
+#else
+  output->Initialize(static_cast<int>(blocks.size()), blocks.data());
+#endif
+  const auto& branch = grid.Lattice.GetBranch();
+  output->SetOrigin(grid.Lattice.PointOf(0, { 0, 0, 0 }).X);
+  for (unsigned int level = 0; level < bricks.size(); ++level)
+  {
+    output->SetSpacing(level, SpacingOf(grid.Lattice, static_cast<int>(level)).X);
+    output->SetRefinementRatio(level, *std::max_element(branch.begin(), branch.end()));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool SkdIsUniform(const skd::Lattice& lattice)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& planes = lattice.GetPlanes(axis);
+    const double size = SizeOfBaseCells(lattice, axis);
+    const double rounding =
+      4e-16 * (std::abs(planes.front()) + std::abs(planes.back())) + 1e-12 * size;
+    for (std::size_t i = 1; i + 1 < planes.size(); ++i)
+    {
+      if (!(std::abs(planes[i] - (planes.front() + static_cast<double>(i) * size)) <= rounding))
+      {
+        return false;
+      }
+    }
+  }
+  return lattice.Dimension() >= 2;
+}
+
+std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output)
+{
+  std::vector<std::vector<skd::Brick>> bricks;
+  std::vector<std::vector<SkdGridBlock>> blocks;
+  for (int level = 0; level < grid.Forest.NumberOfLevels(); ++level)
+  {
+    bricks.push_back(BricksOf(grid, level));
+    blocks.emplace_back();
+    for (const skd::Brick& brick : bricks.back())
+    {
+      blocks.back().push_back(MakeBlock(brick, grid, level));
+    }
+  }
+  SetLevels(grid, bricks, output);
+  output->SetGridDescription(blocks.front().front().Grid->GetGridDescription());
+  std::vector<SkdGridBlock> all;
+  for (unsigned int level = 0; level < bricks.size(); ++level)
+  {
+    for (unsigned int i = 0; i < bricks[level].size(); ++i)
+    {
+      output->SetAMRBox(level, i, BoxOf(bricks[level][i], grid.Lattice));
+      output->SetDataSet(level, i, blocks[level][i].Grid);
+      all.push_back(std::move(blocks[level][i]));
+    }
+  }
+  output->GenerateParentChildInformation();
+  return all;
+}
