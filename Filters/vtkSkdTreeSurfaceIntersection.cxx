@@ -3,8 +3,10 @@
 #include "vtkSkdTreeSurfaceIntersection.h"
 
 #include "Pipeline/SkdContacts.h"
+#include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSplitSurface.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -84,6 +86,44 @@ void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& surface, 
   }
 }
 
+std::vector<SkdTrianglePair> FindPairs(
+  vtkSkdTreeSurfaceIntersection* self, const SkdPlacement& placement)
+{
+  SkdLoop loop(self, SkdTrianglePairs::NumberOfParts, 0.4, 0.8, 8);
+  const double clearance = self->GetClearance() > 0.0 ? self->GetClearance() : 0.0; // also of NaN
+  return SkdTrianglePairs(placement).Find(
+    { static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance }, loop);
+}
+
+/// Ports 0 to 3.
+void FillContacts(const SkdContacts& contacts, bool areCurvesJoined, vtkInformationVector* outputs,
+  SkdReport& report)
+{
+  vtkTable* table = vtkTable::GetData(outputs, 2);
+  report.AddCount("Curves", contacts.FillCurves(vtkPolyData::GetData(outputs, 0), areCurvesJoined));
+  report.AddCount("Overlaps", contacts.FillOverlaps(vtkPolyData::GetData(outputs, 1)));
+  contacts.FillPairs(table, vtkPolyData::GetData(outputs, 3));
+  report.AddCount("Pairs", table->GetNumberOfRows());
+}
+
+/// Ports 4 and 5.
+struct SplitOutput
+{
+  vtkSkdTreeSurfaceIntersection* Self;
+  const SkdSplitSegments& Segments;
+  double Scale;
+  SkdReport& Report;
+
+  void Fill(int side, const Surface& surface, vtkPolyData* output) const
+  {
+    std::set<std::string> refused;
+    const vtkIdType count = SkdFillSplitSurface(
+      this->Segments, side, surface.Leaves, surface.IsComposite, this->Scale, output, refused);
+    this->Report.AddCount(side == 0 ? "InputTrianglesSplit" : "SourceTrianglesSplit", count);
+    SkdWarnAboutRefused(this->Self, refused);
+  }
+};
+
 /// `second` is nullptr when there is but one.
 void ReportSurfaces(
   SkdReport& report, const Surface& first, const Surface* second, const SkdPlacement& placement)
@@ -99,8 +139,8 @@ void ReportSurfaces(
 }
 
 vtkSkdTreeSurfaceIntersection::vtkSkdTreeSurfaceIntersection()
-  : vtkSkdTreeSourceAlgorithm(
-      SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA, VTK_TABLE, VTK_POLY_DATA })
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional,
+      { VTK_POLY_DATA, VTK_POLY_DATA, VTK_TABLE, VTK_POLY_DATA, VTK_POLY_DATA, VTK_POLY_DATA })
   , Impl(new Internals)
 {
 }
@@ -153,27 +193,24 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   this->UpdateProgress(0.4);
   WarnOfNoFaces(this, first, "Input");
   WarnOfNoFaces(this, second, source ? "Source" : nullptr);
-  const double buildSeconds = watch.Lap();
+  SkdReport report(vtkPolyData::GetData(outputVector, 0));
+  report.AddMeasure("BuildSeconds", watch.Lap());
 
   const bool isMoved = source && !matrix->IsIdentity();
   const SkdPlacement placement =
     SkdPlace(first.Set, source ? &other.Set : nullptr, isMoved ? motion : std::nullopt);
-  SkdLoop loop(this, SkdTrianglePairs::NumberOfParts, 0.4, 0.8, 8);
-  const std::vector<SkdTrianglePair> pairs =
-    SkdTrianglePairs(placement).Find({ static_cast<SkdPairSearch::Extent>(this->Pairs),
-                                       this->Clearance > 0.0 ? this->Clearance : 0.0 },
-      loop);
-
+  const std::vector<SkdTrianglePair> pairs = FindPairs(this, placement);
   const SkdContacts contacts(
     { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);
-  vtkPolyData* curves = vtkPolyData::GetData(outputVector, 0);
-  vtkTable* table = vtkTable::GetData(outputVector, 2);
-  SkdReport report(curves);
-  report.AddCount("Curves", contacts.FillCurves(curves, this->JoinCurves));
-  report.AddCount("Overlaps", contacts.FillOverlaps(vtkPolyData::GetData(outputVector, 1)));
-  contacts.FillPairs(table, vtkPolyData::GetData(outputVector, 3));
-  report.AddCount("Pairs", table->GetNumberOfRows());
-  report.AddMeasure("BuildSeconds", buildSeconds);
+  FillContacts(contacts, this->JoinCurves, outputVector, report);
+  if (this->SplitSurfaces && this->Pairs == ALL_PAIRS)
+  {
+    const SkdSplitSegments segments(placement, pairs, contacts.GetPoints());
+    this->UpdateProgress(0.9);
+    const SplitOutput output{ this, segments, placement.Scale, report };
+    output.Fill(0, first, vtkPolyData::GetData(outputVector, 4));
+    source ? output.Fill(1, other, vtkPolyData::GetData(outputVector, 5)) : void();
+  }
   report.AddMeasure("QuerySeconds", watch.Lap());
   ReportSurfaces(report, first, source ? &other : nullptr, placement);
   return 1;
@@ -186,6 +223,7 @@ void vtkSkdTreeSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "JoinCurves: " << (this->JoinCurves ? "On\n" : "Off\n");
+  os << indent << "SplitSurfaces: " << (this->SplitSurfaces ? "On\n" : "Off\n");
   os << indent << "Clearance: " << this->Clearance << "\n";
   print("Translation", this->Translation);
   print("Rotation", this->Rotation);

@@ -47,9 +47,24 @@
  * Output port 3, vtkPolyData: with a Clearance a line between the nearest points of each pair of
  * cells that is near but does not touch, with the ids and SkdDistance as cell data.
  *
+ * Output ports 4 and 5, vtkPolyData, with SplitSurfaces: the Input and the Source (where it is
+ * looked at) as triangles, those that meet others cut along what they have in common; of a Source
+ * that is not given nothing. Along curves and around overlaps the two have the same points, and no
+ * edge crosses a curve: where curves cross each other, too, there is a point of all surfaces. Exact
+ * signs decide; only the positions are rounded, so pieces that are thinner than that may turn over.
+ * Neighbours stay neighbours. Where the surfaces coincide both keep their pieces. Points of equal
+ * coordinates are one, with the data of the first; new points have the data of the cut triangle at
+ * their place, triangles that of their cell. Vectors of a moved Source are passed on unturned.
+ * | name          | where | type   | meaning                                                      |
+ * | ------------- | ----- | ------ | ------------------------------------------------------------ |
+ * | SkdCellId     | cell  | idtype | the cell that the triangle comes from                        |
+ * | SkdBlockIndex | cell  | int    | flat index of the cell's block, of composite data            |
+ * | SkdRegionId   | cell  | idtype | the same of triangles that are joined without passing curves |
+ *
  * Field data of output port 0, one value each: SkdReportPairs (of cells), SkdReportCurves,
  * SkdReportOverlaps (polygons), SkdReportTriangles, SkdReportFacesLeftOut (with points that are not
  * finite, or with less than three different points), SkdReportTrianglesWithoutArea,
+ * SkdReportInputTrianglesSplit and SkdReportSourceTrianglesSplit (with SplitSurfaces),
  * SkdReportTreesBuilt (0 when all were kept), SkdReportBuildSeconds, SkdReportQuerySeconds.
  *
  * The trees are kept while points and cells stay the same; moving the Source (Translation, Rotation
@@ -120,6 +135,16 @@ public:
 
   ///@{
   /**
+   * Give both surfaces cut along the curves, as output ports 4 and 5. Takes all pairs: with Pairs
+   * set otherwise nothing is cut. Default off.
+   */
+  vtkSetMacro(SplitSurfaces, bool);
+  vtkGetMacro(SplitSurfaces, bool);
+  vtkBooleanMacro(SplitSurfaces, bool);
+  ///@}
+
+  ///@{
+  /**
    * Pairs that are at most this far apart are given, too, with their distance and nearest points.
    * Within one surface no pairs of cells that share a corner. Default 0: pairs that touch, only.
    */
@@ -160,6 +185,7 @@ protected:
 
   int Pairs = ALL_PAIRS;
   bool JoinCurves = true;
+  bool SplitSurfaces = false;
   double Clearance = 0.0;
   double Translation[3] = { 0.0, 0.0, 0.0 };
   double Rotation[3] = { 0.0, 0.0, 0.0 };

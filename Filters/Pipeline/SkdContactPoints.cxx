@@ -150,6 +150,12 @@ skd::Segment<3> SkdContactPoints::EdgeAt(const Part& edge) const
   return { this->CornerAt(edge.A), this->CornerAt(edge.B) };
 }
 
+skd::SeenTriangle SkdContactPoints::TriangleAt(std::uint32_t triangle) const
+{
+  const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
+  return triangle < before ? this->First.Get(triangle) : this->Second->Get(triangle - before);
+}
+
 skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
 {
   if (key.first.IsCorner())
@@ -160,9 +166,23 @@ skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
   {
     return skd::CrossingWithEdge(this->EdgeAt(key.first), this->EdgeAt(key.second));
   }
-  const std::uint32_t triangle = key.second.A;
-  const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
-  const skd::SeenTriangle seen =
-    triangle < before ? this->First.Get(triangle) : this->Second->Get(triangle - before);
+  const skd::SeenTriangle seen = this->TriangleAt(key.second.A);
   return skd::CrossingWithPlane(this->EdgeAt(key.first), seen[0], seen[1], seen[2]);
+}
+
+skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
+{
+  const Key& key = this->Keys[point];
+  if (key.first.IsCorner())
+  {
+    return skd::ExactPoint(this->CornerAt(key.first.A));
+  }
+  const skd::Segment<3> edge = this->EdgeAt(key.first);
+  if (!key.second.IsInside())
+  {
+    const skd::Segment<3> other = this->EdgeAt(key.second);
+    return skd::ExactCrossingOfEdges(edge.A, edge.B, other.A, other.B);
+  }
+  const skd::SeenTriangle seen = this->TriangleAt(key.second.A);
+  return skd::ExactCrossingWithPlane(edge.A, edge.B, seen[0], seen[1], seen[2]);
 }

@@ -11,6 +11,7 @@
 #ifndef SkdContactPoints_h
 #define SkdContactPoints_h
 
+#include "Core/Geometry/ExactPoint.h"
 #include "Core/Geometry/Segment.h"
 #include "Pipeline/SkdTrianglePairs.h"
 
@@ -24,6 +25,9 @@ public:
 
   std::uint32_t GetNumberOfPoints() const { return static_cast<std::uint32_t>(this->Keys.size()); }
   const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
+
+  /// Where a point is exactly, with the placement's scale: slow.
+  skd::ExactPoint GetExact(std::uint32_t point) const;
 
   /// The point that a pair has as its contact's point `i`.
   std::uint32_t GetPoint(std::size_t pair, int i) const
@@ -58,6 +62,7 @@ private:
   skd::Vector3 FindPosition(const Key& key) const;
   const skd::Vector3& CornerAt(std::uint32_t corner) const;
   skd::Segment<3> EdgeAt(const Part& edge) const;
+  skd::SeenTriangle TriangleAt(std::uint32_t triangle) const;
 
   const SkdPlacedTriangles& First;
   const SkdPlacedTriangles* Second; // nullptr of one alone

@@ -54,6 +54,8 @@ public:
   SkdContacts(const Side& first, const Side& second, const SkdPlacement& placement,
     const std::vector<SkdTrianglePair>& pairs);
 
+  const SkdContactPoints& GetPoints() const { return this->Points; }
+
   /// The curves: polylines with the ids of each segment at the point that it starts from, or a cell
   /// for each segment. Points of contact on no curve and in no area are vertices. Returns the
   /// number of curves, vertices not counted.

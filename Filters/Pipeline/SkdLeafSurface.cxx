@@ -71,6 +71,15 @@ bool SkdLeafSurface::IsOfVolume(vtkIdType cell)
   return this->Cell->GetCellDimension() == 3;
 }
 
+vtkIdType SkdLeafSurface::GetPointId(vtkIdType point) const
+{
+  if (this->PointIds)
+  {
+    return this->PointIds->GetValue(point);
+  }
+  return this->Mesh == this->Surface.Get() ? point : -1;
+}
+
 // VTK's surface of a structured grid has its points rounded to float: look at the original's.
 void SkdLeafSurface::GetPoint(vtkIdType point, double x[3]) const
 {

@@ -27,6 +27,9 @@ public:
   vtkIdType GetCellId(vtkIdType cell) const;
   bool IsOfVolume(vtkIdType cell);
 
+  /// The data set's point that a point of the surface is; -1 of one that it does not have.
+  vtkIdType GetPointId(vtkIdType point) const;
+
   /// A point of the surface, exactly where it is in the data set.
   void GetPoint(vtkIdType point, double x[3]) const;
 

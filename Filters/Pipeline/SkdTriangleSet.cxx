@@ -25,6 +25,7 @@ public:
   }
 
   SkdWeld Weld;
+  std::vector<Origin> Origins;
   std::vector<Face> List;
   std::vector<vtkIdType> Corners;
   vtkIdType LeftOut = 0;
@@ -39,7 +40,7 @@ private:
     const auto idOf = [&](vtkIdType corner)
     {
       vtkIdType& id = ids[corner];
-      id = id == Unknown ? this->FindId(surface, corner) : id;
+      id = id == Unknown ? this->FindId(leaf, surface, corner) : id;
       return id;
     };
     surface.ForEachFace(
@@ -55,12 +56,17 @@ private:
       });
   }
 
-  vtkIdType FindId(const SkdLeafSurface& surface, vtkIdType corner)
+  vtkIdType FindId(int leaf, const SkdLeafSurface& surface, vtkIdType corner)
   {
     double x[3];
     surface.GetPoint(corner, x);
-    const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-    return isFinite ? this->Weld.GetId(x) : -1;
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      return -1;
+    }
+    const vtkIdType id = this->Weld.GetId(x);
+    this->Origins.push_back({ static_cast<std::uint32_t>(id), leaf, surface.GetPointId(corner) });
+    return id;
   }
 };
 
@@ -88,7 +94,8 @@ void SkdTriangleSet::Build(const std::vector<SkdLeaf>& leaves)
     this->Meshes[i].Keep(leaves[i].Mesh);
     structures[i].Mesh = this->Meshes[i].Get();
   }
-  const Faces faces(structures);
+  Faces faces(structures);
+  this->Origins = std::move(faces.Origins);
   this->LeftOut = faces.LeftOut;
   this->TakePoints(faces.Weld.GetPoints());
   SkdTriangulation triangulation(faces.Weld.GetPoints());
@@ -106,6 +113,13 @@ void SkdTriangleSet::Build(const std::vector<SkdLeaf>& leaves)
       this->CellOf.push_back(static_cast<std::uint32_t>(this->Cells.size() - 1));
     }
   }
+}
+
+std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
+{
+  std::vector<Origin> origins = this->Origins;
+  vtkSMPTools::Sort(origins.begin(), origins.end());
+  return origins;
 }
 
 void SkdTriangleSet::TakePoints(vtkPoints* points)

@@ -53,6 +53,24 @@ public:
   std::uint32_t GetCellOf(std::uint32_t triangle) const { return this->CellOf[triangle]; }
   ///@}
 
+  /// A point of a leaf that is a point of the set; -1 of one that its surface has added.
+  struct Origin
+  {
+    std::uint32_t Point;
+    int Leaf;
+    vtkIdType Id;
+
+    bool operator<(const Origin& o) const
+    {
+      return this->Point != o.Point
+        ? this->Point < o.Point
+        : (this->Leaf != o.Leaf ? this->Leaf < o.Leaf : this->Id < o.Id);
+    }
+  };
+
+  /// Where the points come from: all that are one in the set, ascending. O(n log n).
+  std::vector<Origin> FindOrigins() const;
+
   /// Faces that have points that are not finite, or fewer than three different ones.
   vtkIdType GetNumberOfFacesLeftOut() const { return this->LeftOut; }
 
@@ -73,6 +91,7 @@ private:
   void BuildTree();
 
   std::vector<SkdKeptMesh> Meshes;
+  std::vector<Origin> Origins;
   bool IsBuilt = false;
   std::vector<skd::Vector3> Points;
   std::vector<Corners> Triangles;

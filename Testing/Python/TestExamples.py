@@ -81,6 +81,10 @@ def test_amr():
     check("AMR", files, {"CutCells           10143": 1}, (0.2, 0.8))
 
 
+def test_split_surfaces():
+    check("SplitSurfaces", [], {"in 3 regions": 2}, (0.2, 0.8))
+
+
 def test_surface_intersection():
     files = data("fly_brain_neuropil.vtp", "fly_brain_lateral_horn.vtp")
     words = {"2 trees built": 1, "0 trees built": 8}

@@ -21,7 +21,8 @@ def output(proxy, port):
 
 
 def column(table, name):
-    return vtk_to_numpy(table.GetColumnByName(name))
+    get = getattr(table, "GetColumnByName", None) or table.GetArray
+    return vtk_to_numpy(get(name))
 
 
 def test_defaults():
@@ -29,6 +30,7 @@ def test_defaults():
     assert meeting.Source is None
     assert meeting.Pairs == "All"
     assert meeting.JoinCurves == 1
+    assert meeting.SplitSurfaces == 0
     assert meeting.Clearance == 0
     for name in ("Translation", "Rotation", "RotationCenter"):
         assert list(getattr(meeting, name)) == [0, 0, 0]
@@ -81,6 +83,18 @@ def test_a_clearance_gives_gaps():
     assert (column(pairs, "SkdContact") == 0).all()
     numpy.testing.assert_allclose(column(pairs, "SkdDistance"), 0.25)
     assert output(meeting, 3).GetNumberOfLines() == pairs.GetNumberOfRows() > 0
+
+
+def test_split_surfaces_fit_together():
+    meeting = simple.SkdTreeSurfaceIntersection(
+        Input=sphere(0, 0, 0), Source=sphere(1, 0.1, 0.2), SplitSurfaces=1)
+    split = [output(meeting, port) for port in (4, 5)]
+    for surface in split:
+        assert set(column(surface.GetCellData(), "SkdRegionId")) == {0, 1}
+        assert surface.GetPointData().HasArray("Normals")
+    first, second = (set(map(tuple, vtk_to_numpy(s.GetPoints().GetData()))) for s in split)
+    curve = set(map(tuple, vtk_to_numpy(output(meeting, 0).GetPoints().GetData())))
+    assert curve <= first and curve <= second
 
 
 def test_composite_inputs_tell_blocks():

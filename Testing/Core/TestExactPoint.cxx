@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Geometry/ExactPoint.h"
+#include "Core/Geometry/Orient3D.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+using skd::BigNumber;
+using skd::ExactPoint;
+using skd::Vector3;
+
+double AsDouble(const BigNumber& x)
+{
+  return BigNumber::Ratio(x, BigNumber(1.0));
+}
+
+TEST(BigNumber, IsTheDoubleThatItIsMadeOf)
+{
+  for (const double x : { 0.0, 1.0, -1.0, 3.5, 1e300, -1e-300, 5e-324, 1.7976931348623157e308, 0.1,
+         4294967296.0, 4294967295.0, -1.0 / 3.0 })
+  {
+    EXPECT_EQ(AsDouble(BigNumber(x)), x);
+    EXPECT_EQ(BigNumber(x).Sign(), (x > 0.0) - (x < 0.0));
+  }
+}
+
+TEST(BigNumber, SumsAndProductsOfWholeNumbersAreExact)
+{
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const auto draw = [&]
+    {
+      const int bits = static_cast<int>(random() % 31);
+      const auto size = static_cast<long long>(random() & ((1ull << bits) - 1));
+      return random() & 1 ? size : -size;
+    };
+    const long long a = draw(), b = draw(), c = draw();
+    const BigNumber x(static_cast<double>(a)), y(static_cast<double>(b)), z(static_cast<double>(c));
+    EXPECT_EQ(AsDouble(x + y), static_cast<double>(a + b));
+    EXPECT_EQ(AsDouble(x - y), static_cast<double>(a - b));
+    const long long exact = a * b - b * c;
+    EXPECT_EQ((x * y - y * z - BigNumber(static_cast<double>(exact >> 30)) * BigNumber(0x1p30) -
+                BigNumber(static_cast<double>(exact & ((1 << 30) - 1))))
+                .Sign(),
+      0)
+      << a << " " << b << " " << c;
+  }
+}
+
+TEST(BigNumber, LosesNothingBetweenFarNumbers)
+{
+  const BigNumber huge(1e300), tiny(1e-300), one(1.0);
+  EXPECT_EQ((huge + tiny - huge - tiny).Sign(), 0);
+  EXPECT_EQ((huge + tiny - huge).Sign(), 1);
+  EXPECT_EQ((huge * huge * tiny * tiny - one * huge * tiny * huge * tiny).Sign(), 0);
+  EXPECT_EQ(((huge + tiny) * (huge - tiny) - huge * huge).Sign(), -1);
+}
+
+Vector3 Draw(std::mt19937& random, double step)
+{
+  std::uniform_int_distribution<int> any(-9, 9);
+  return { { step * any(random), step * any(random), step * any(random) } };
+}
+
+TEST(ExactPoint, SignsAreThoseOfOrient)
+{
+  std::mt19937 random(2);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double step = i % 2 ? 1.0 : 0.1;
+    const Vector3 a = Draw(random, step), b = Draw(random, step), c = Draw(random, step),
+                  d = Draw(random, step);
+    EXPECT_EQ(skd::ExactVolume(a, b, c, d).Sign(), skd::Orient3D(a, b, c, d));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(skd::ExactArea(ExactPoint(a), ExactPoint(b), ExactPoint(c), axis).Sign(),
+        skd::Orient2D(a, b, c, axis));
+    }
+  }
+}
+
+// Seen along the axis: a point in which two segments cross lies on both, exactly, though it has no
+// place among the doubles; and so do crossings of segments between such points.
+TEST(ExactPoint, CrossingsLieOnWhatTheyCross)
+{
+  std::mt19937 random(3);
+  int count = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    Vector3 x[6];
+    for (Vector3& p : x)
+    {
+      p = Draw(random, 0.1);
+      p[2] = p[0] - 3.0 * p[1]; // of one plane, nearly
+    }
+    if (skd::Orient2D(x[0], x[1], x[2], 2) * skd::Orient2D(x[0], x[1], x[3], 2) >= 0 ||
+      skd::Orient2D(x[0], x[1], x[4], 2) * skd::Orient2D(x[0], x[1], x[5], 2) >= 0)
+    {
+      continue;
+    }
+    ++count;
+    const ExactPoint p(x[0]), q(x[1]), r(x[2]), s(x[3]), t(x[4]), u(x[5]);
+    const ExactPoint first = skd::ExactCrossing(r, s, p, q, 2);
+    const ExactPoint second = skd::ExactCrossing(t, u, p, q, 2);
+    EXPECT_GT(first.W.Sign(), 0);
+    EXPECT_EQ(skd::ExactArea(p, q, first, 2).Sign(), 0);
+    EXPECT_EQ(skd::ExactArea(r, s, first, 2).Sign(), 0);
+    EXPECT_EQ(skd::ExactArea(first, second, p, 2).Sign(), 0);
+    const int order = skd::ExactCompare(first, second, 0);
+    const double gap = first.Rounded()[0] - second.Rounded()[0];
+    EXPECT_TRUE(std::abs(gap) < 1e-14 || (gap > 0) == (order > 0));
+    EXPECT_EQ(skd::ExactCompare(first, first, 1), 0);
+  }
+  EXPECT_GT(count, 100);
+}
+
+TEST(ExactPoint, AFilterThatDecidesIsRight)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> noise(-1e-9, 1e-9);
+  int decided = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    Vector3 x[3], y[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      x[k] = y[k] = Draw(random, i % 2 ? 1e-8 : 1.0);
+      for (double& coordinate : y[k].X)
+      {
+        coordinate += noise(random);
+      }
+    }
+    const int told = skd::FilteredOrient2D(y[0], y[1], y[2], 2, 1e-9);
+    decided += told != 0;
+    EXPECT_TRUE(told == 0 || told == skd::Orient2D(x[0], x[1], x[2], 2));
+  }
+  EXPECT_GT(decided, 5000);
+}
+
+}
