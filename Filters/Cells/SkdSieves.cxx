@@ -7,6 +7,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cstring>
+#include <vector>
 
 namespace
 {
@@ -189,6 +191,7 @@ void SkdSieves::FillTriangles(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& bottom)
 {
   skd::TrianglePack& pack = this->Triangles[bottom.Tag >> 1];
+  pack = {};
   pack.Raster = RasterOf(bottom);
   for (int lane = 0; lane < bottom.Count; ++lane)
   {
@@ -222,12 +225,15 @@ void SkdSieves::FillPlanes(
       faceted.Points.push_back(header.Raster.Of(frame.Local(world)));
     }
     AddFaces(store, cell, faceted);
+    for (; header.Count < count; ++header.Count)
+    {
+      rows[1 + header.Count] = {};
+    }
     for (std::uint32_t i = 0; i < count; ++i)
     {
       rows[1 + i].Set(lane, faceted.Directions[i], faceted.Points.data(),
         static_cast<int>(faceted.Points.size()), margin);
     }
-    header.Count = std::max(header.Count, count);
   }
   std::memcpy(static_cast<void*>(rows), &header, sizeof(header));
 }

@@ -9,8 +9,6 @@
 #include "Core/Sieves/TriangleDistances.h"
 #include "Core/Tree/Tree.h"
 
-#include <vector>
-
 /// What the cells of bottom nodes look like on 16-bit rasters, eight at once: enough to see of
 /// most candidates of a query that they need no exact test. Sieves never change an answer: what
 /// they leave out is proven to be no answer, rounding included.
@@ -102,8 +100,8 @@ private:
   void FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom,
     double rounding);
 
-  std::vector<skd::TrianglePack> Triangles;
-  std::vector<skd::PlaneRow> Rows; // by bottom node: a PlaneHeader in a row's place, then its rows
+  skd::RawVector<skd::TrianglePack> Triangles;
+  skd::RawVector<skd::PlaneRow> Rows; // by bottom node: a PlaneHeader in a row's place, then its rows
 };
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,10 @@
 #ifndef skd_Tree_RawVector_h
 #define skd_Tree_RawVector_h
 
+#include "LargePages.h"
+
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -11,7 +15,7 @@
 namespace skd
 {
 
-/// Leaves values alone that are made without arguments.
+/// Leaves values alone that are made without arguments. Large arrays lie in large pages.
 template <class T>
 struct RawAllocator : std::allocator<T>
 {
@@ -29,6 +33,16 @@ struct RawAllocator : std::allocator<T>
   {
   }
 
+  T* allocate(std::size_t count)
+  {
+    return IsLarge(count) ? static_cast<T*>(LargePages::Allocate(count * sizeof(T)))
+                          : std::allocator<T>::allocate(count);
+  }
+  void deallocate(T* first, std::size_t count)
+  {
+    IsLarge(count) ? LargePages::Free(first) : std::allocator<T>::deallocate(first, count);
+  }
+
   template <class U>
   void construct(U*) noexcept
   {
@@ -37,6 +51,16 @@ struct RawAllocator : std::allocator<T>
   void construct(U* where, Arguments&&... arguments)
   {
     ::new (static_cast<void*>(where)) U(std::forward<Arguments>(arguments)...);
+  }
+
+private:
+  static_assert(alignof(T) <= LargePages::PageSize);
+
+  /// More than there can be is left to std::allocator, which says so.
+  static bool IsLarge(std::size_t count)
+  {
+    return count >= LargePages::Least / sizeof(T) &&
+      count <= std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T);
   }
 };
 
