@@ -18,6 +18,7 @@
 #include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkUnstructuredGrid.h"
@@ -198,6 +199,11 @@ SkdRefineSettings vtkSkdTreeAMR::Internals::MakeSettings(vtkSkdTreeAMR* self) co
     const auto level = this->PartLevels.find(blockIndex);
     settings.PartLevels.push_back(
       level == this->PartLevels.end() ? settings.MaximumLevel : level->second);
+  }
+  if (self->GetRefineByBend())
+  {
+    settings.BendAngle = vtkMath::RadiansFromDegrees(self->GetBendAngle());
+    settings.FlatLevel = self->GetFlatLevel();
   }
   if (self->GetInsideLevel() > 0)
   {
@@ -437,6 +443,9 @@ void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "DistanceBand: " << band.Distance << " " << band.Level << "\n";
   }
+  os << indent << "RefineByBend: " << (this->RefineByBend ? "On\n" : "Off\n");
+  os << indent << "BendAngle: " << this->BendAngle << "\n";
+  os << indent << "FlatLevel: " << this->FlatLevel << "\n";
   os << indent << "InsideLevel: " << this->InsideLevel << "\n";
   for (const std::string& name : this->Impl->FieldArrays)
   {

@@ -231,6 +231,24 @@ public:
 
   ///@{
   /**
+   * Where the surface is nearly flat, stop at FlatLevel: from there on refine only cells in which
+   * the normal of a part's cell is more than BendAngle (degrees, 0 to 180) off the mean of that
+   * part's normals in the cell. So edges, strong curvature and narrow gaps within a part get the
+   * maximum level, flat stretches do not. Normals are as the order of the cells' points has them;
+   * where a part has cells that are not flat surfaces it counts as bent. Default off, 15 degrees,
+   * level 3.
+   */
+  vtkSetMacro(RefineByBend, bool);
+  vtkGetMacro(RefineByBend, bool);
+  vtkBooleanMacro(RefineByBend, bool);
+  vtkSetClampMacro(BendAngle, double, 0.0, 180.0);
+  vtkGetMacro(BendAngle, double);
+  vtkSetClampMacro(FlatLevel, int, 0, 30);
+  vtkGetMacro(FlatLevel, int);
+  ///@}
+
+  ///@{
+  /**
    * Refine cells whose middle is inside of the geometry (see ComputeInside) to this level, at most
    * MaximumLevel. Default 0: the inside does not matter.
    */
@@ -370,6 +388,9 @@ protected:
   int Test = EXACT;
   int Balance = NONE;
   int GrowingLayers = 0;
+  bool RefineByBend = false;
+  double BendAngle = 15.0;
+  int FlatLevel = 3;
   int InsideLevel = 0;
   int FieldTest = DIFFERENCE;
   double FieldThreshold = 0.0;

@@ -163,6 +163,10 @@ public:
   /// How many cells meet the box.
   std::uint32_t CountListed(
     const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const;
+  /// SkdBendQueries.cxx: by how much, in radians, the normal of a surface that meets the box is off
+  /// the mean of them all; a half turn where something that is no surface of flat cells meets it,
+  /// or where they have no mean. Normals are as the order of the cells' points has them.
+  double FindBend(const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const;
   /// Calls visit(cell) for the listed cells that may meet the box.
   template <class Visit>
   void VisitListed(const SkdListedRange& above, const skd::Box3& box, Visit visit) const

@@ -151,14 +151,32 @@ void SkdGridRefiner::KeepFindings(int level, const std::vector<Batch>& batches)
 //------------------------------------------------------------------------------
 bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
 {
-  if (this->Findings[cell].LevelWanted > level)
+  const skd::Box3 box = this->Grid.BoxOf(level, cell);
+  return this->IsWantedByParts(level, cell, box) || this->IsNear(level, box) ||
+    (level < this->Settings.InsideLevel && this->Settings.IsInside(box.Centroid())) ||
+    (level < this->Settings.FieldLevel && this->Settings.IsWanted(box));
+}
+
+bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const
+{
+  if (this->Findings[cell].LevelWanted <= level)
+  {
+    return false;
+  }
+  if (!(this->Settings.BendAngle >= 0.0) || level < this->Settings.FlatLevel)
   {
     return true;
   }
-  const skd::Box3 box = this->Grid.BoxOf(level, cell);
-  return this->IsNear(level, box) ||
-    (level < this->Settings.InsideLevel && this->Settings.IsInside(box.Centroid())) ||
-    (level < this->Settings.FieldLevel && this->Settings.IsWanted(box));
+  const auto spans = this->Lists.Of(cell);
+  return std::any_of(spans.begin(), spans.end(),
+    [&](const SkdShortlists::Span& span)
+    {
+      const SkdListedRange range{ this->Lists.GetLanes() + span.First,
+        this->Lists.GetLanes() + span.Last };
+      return this->Settings.PartLevels[span.Part] > level &&
+        this->Parts.GetTree(span.Part).FindBend(range, box, this->Settings.Test) >
+        this->Settings.BendAngle;
+    });
 }
 
 bool SkdGridRefiner::IsNear(int level, const skd::Box3& box) const

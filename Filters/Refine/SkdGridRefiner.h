@@ -32,6 +32,12 @@ struct SkdRefineSettings
   int MaximumLevel = 5;
   std::vector<int> PartLevels; ///< one a part: where it meets cells they are refined to that level
   std::vector<SkdDistanceBand> Bands;
+  ///@{
+  /// From FlatLevel on, only where a part's normals are farther than this off their mean. In
+  /// radians; negative: everywhere.
+  double BendAngle = -1.0;
+  int FlatLevel = 0;
+  ///@}
   SkdOverlapTest Test = SkdOverlapTest::Exact;
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
@@ -73,6 +79,7 @@ private:
   void KeepFindings(int level, const std::vector<Batch>& batches);
   bool MarkLevel(int level, std::vector<char>& marks);
   bool IsWanted(int level, std::uint32_t cell) const;
+  bool IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const;
   bool IsNear(int level, const skd::Box3& box) const;
   bool HasRoomFor(int level, std::uint64_t families);
   void RefineMarked(int level, const std::vector<char>& marks);

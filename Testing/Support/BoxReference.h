@@ -13,6 +13,8 @@
 
 #include "vtkGenericCell.h"
 
+#include <functional>
+
 namespace skdtest
 {
 
@@ -80,16 +82,21 @@ inline std::vector<CellShape> ShapesOf(vtkDataSet* data)
 class ReferenceOctree
 {
 public:
-  ReferenceOctree(const std::vector<CellShape>& shapes, int levels)
+  using Met = std::vector<const CellShape*>;
+
+  /// Refines boxes that meet a shape, where `isWanted(level, shapes met)` if that is given.
+  ReferenceOctree(const std::vector<CellShape>& shapes, int levels,
+    std::function<bool(int, const Met&)> isWanted = nullptr)
     : Cut(levels + 1, 0)
     , Leaves(levels + 1, 0)
     , Shapes(shapes)
+    , IsWanted(std::move(isWanted))
   {
   }
 
   void Refine(const Bounds& box, int level)
   {
-    std::vector<const CellShape*> all;
+    Met all;
     for (const CellShape& shape : this->Shapes)
     {
       all.push_back(&shape);
@@ -101,9 +108,9 @@ public:
   std::vector<double> Leaves; // likewise
 
 private:
-  void Refine(const Bounds& box, int level, const std::vector<const CellShape*>& above)
+  void Refine(const Bounds& box, int level, const Met& above)
   {
-    std::vector<const CellShape*> met;
+    Met met;
     for (const CellShape* shape : above)
     {
       if (Overlap(shape->Box, box) && MeetsBox(*shape, box))
@@ -112,7 +119,8 @@ private:
       }
     }
     this->Cut[level] += !met.empty();
-    if (met.empty() || level + 1 == static_cast<int>(this->Cut.size()))
+    if (met.empty() || level + 1 == static_cast<int>(this->Cut.size()) ||
+      (this->IsWanted && !this->IsWanted(level, met)))
     {
       ++this->Leaves[level];
       return;
@@ -130,6 +138,7 @@ private:
   }
 
   const std::vector<CellShape>& Shapes;
+  std::function<bool(int, const Met&)> IsWanted;
 };
 
 }
