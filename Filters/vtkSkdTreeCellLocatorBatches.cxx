@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,40 @@ vtkSmartPointer<vtkDoubleArray> BoundsOfCells(
       }
     });
   return boxes;
+}
+
+/// Pairs of cells whose bounds overlap, none of them moved: for each cell id of the first tree's
+/// data set a list by id.
+vtkIdType FindPairLists(const SkdCellTree& tree, const SkdCellTree& other, vtkIdType size,
+  vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds)
+{
+  const auto parts = tree.FindBoundsPairs(other);
+  const auto forEachPair = [&](const auto& body)
+  {
+    for (const auto& part : parts)
+    {
+      for (const SkdCellTree::CellPair& pair : part)
+      {
+        body(tree.Cells().IdOf(pair.first), other.Cells().IdOf(pair.second));
+      }
+    }
+  };
+  vtkNew<vtkIdTypeArray> ownOffsets; // for those who want none
+  vtkIdType* starts = Prepare(offsets ? offsets : ownOffsets.Get(), "SkdOffsets", 1, size + 1);
+  std::fill_n(starts, size + 1, vtkIdType(0));
+  forEachPair([&](vtkIdType id, vtkIdType) { ++starts[id]; });
+  std::partial_sum(starts, starts + size + 1, starts); // the ends of the lists
+  vtkIdType* others = Prepare(otherCellIds, "SkdCellId", 1, starts[size]);
+  forEachPair([&](vtkIdType id, vtkIdType there) { Store(others, --starts[id], there); });
+  vtkSMPTools::For(0, others ? size : 0,
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        std::sort(others + starts[id], others + starts[id + 1]);
+      }
+    });
+  return starts[size];
 }
 
 struct Hit
@@ -317,6 +352,10 @@ vtkIdType vtkSkdTreeCellLocator::FindPairs(
   }
   const SkdCellTree& tree = this->GetTree();
   const vtkIdType size = this->DataSet ? this->DataSet->GetNumberOfCells() : 0;
+  if (!this->Impl->GetMotion() && !other->Impl->GetMotion())
+  {
+    return FindPairLists(tree, other->GetTree(), size, offsets, otherCellIds);
+  }
   return FindLists(other->GetTree(), other->Impl->GetMotion(),
     BoundsOfCells(tree, this->Impl->GetMotion(), size), true, offsets, otherCellIds);
 }

@@ -8,9 +8,7 @@
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/Nearest.h"
 #include "Core/Queries/OverlappingBox.h"
-#include "Core/Queries/OverlappingPairs.h"
 #include "Core/Queries/WithinBox.h"
-#include "Core/Tree/WalkPairs.h"
 
 #include "vtkIdList.h"
 
@@ -233,43 +231,4 @@ void SkdCellTree::FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* id
   };
   skd::AlongPlane<3, decltype(leaf)> query(this->GetFrame(), plane, 0.0, leaf);
   this->Walk(query);
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::pair<vtkIdType, vtkIdType>> SkdCellTree::FindOverlappingPairs(
-  const SkdCellTree& other, const skd::RigidMotion& motion) const
-{
-  std::vector<std::pair<vtkIdType, vtkIdType>> pairs;
-  const auto move = [&motion](const skd::Box3& box) { return motion.Forward(box); };
-  auto leaf = [&](std::uint32_t a, std::uint32_t b)
-  {
-    if (this->SafetyBoxOf(a).Overlaps(motion.Forward(other.SafetyBoxOf(b))))
-    {
-      pairs.emplace_back(this->Store.IdOf(a), other.Store.IdOf(b));
-    }
-    return true;
-  };
-  skd::OverlappingPairs<3, decltype(move), decltype(leaf)> query(
-    this->GetFrame(), other.GetFrame(), move, leaf);
-  const auto walkOther = [&](const auto& mine)
-  {
-    if (other.Lazy)
-    {
-      skd::WalkPairs(mine, *other.Lazy, query);
-    }
-    else
-    {
-      skd::WalkPairs(mine, other.Eager, query);
-    }
-  };
-  if (this->Lazy)
-  {
-    walkOther(*this->Lazy);
-  }
-  else
-  {
-    walkOther(this->Eager);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }

@@ -145,9 +145,16 @@ public:
   void FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) const;
   void FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const;
   void FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* ids) const;
-  /// Pairs by (id here, id there); `motion` takes the other's world to this one's.
+  ///@}
+
+  ///@{
+  /// SkdPairQueries.cxx. Pairs whose safety boxes overlap, by (id here, id there); `motion` takes
+  /// the other's world to this one's. Pairs of cells whose bounds overlap, in parts: these and their
+  /// order depend on the two trees alone.
+  using CellPair = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<std::pair<vtkIdType, vtkIdType>> FindOverlappingPairs(
     const SkdCellTree& other, const skd::RigidMotion& motion) const;
+  std::vector<std::vector<CellPair>> FindBoundsPairs(const SkdCellTree& other) const;
   ///@}
 
   ///@{
@@ -228,6 +235,9 @@ private:
     const SkdCellSource& source, std::vector<double>& parameters) const;
   template <class Visit>
   void ForEachNear(const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const;
+  template <class ToFirst, class IsPair>
+  std::vector<std::vector<CellPair>> FindPairs(
+    const SkdCellTree& other, const ToFirst& toFirst, const IsPair& isPair, double excess) const;
   /// Of quads, strips and triangles.
   template <class Visit>
   void ForEachTriangle(std::uint32_t cell, Visit visit) const;

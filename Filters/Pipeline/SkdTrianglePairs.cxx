@@ -109,15 +109,15 @@ private:
   std::atomic<std::uint64_t> Lowest; // 0 when any was wanted and one is there
 };
 
-/// A box of the second set as a box around where it is looked at, with a margin.
-struct SkdTrianglePairs::ToFirst
+/// A box of the second set as a box around where it is moved to, with a margin.
+struct SkdTrianglePairs::Moved
 {
-  const skd::RigidMotion* Motion;
+  const skd::RigidMotion& Motion;
   double Margin;
 
   skd::Box3 operator()(const skd::Box3& box) const
   {
-    return (this->Motion ? this->Motion->Forward(box) : box).Inflated(this->Margin);
+    return this->Motion.Forward(box).Inflated(this->Margin);
   }
 };
 
@@ -145,26 +145,28 @@ void SortPairs(std::vector<SkdTrianglePair>& pairs)
 //------------------------------------------------------------------------------
 // Boxes are moved with a margin for what rounding does to the points: the largest coordinate before
 // the motion and the shift bound all numbers on the way.
-SkdTrianglePairs::ToFirst SkdTrianglePairs::MakeToFirst(double clearance) const
+std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
+  const SkdPairSearch& search, SkdLoop& loop) const
 {
   const auto& motion = this->Placement.Motion;
   if (!motion)
   {
-    return { nullptr, clearance };
+    return this->FindSeen(skd::SameWorld{ search.Clearance }, search, loop);
   }
   const double reach = 2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
-  return { &*motion, clearance + rounding };
+  return this->FindSeen(Moved{ *motion, search.Clearance + rounding }, search, loop);
 }
 
-std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
-  const SkdPairSearch& search, SkdLoop& loop) const
+//------------------------------------------------------------------------------
+template <class ToFirst>
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
+  const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
   using Query = skd::OverlappingPairs<3, ToFirst, Leaf>;
   using Walk = skd::PairWalk<skd::Tree<3>, skd::Tree<3>, Query>;
   const skd::Tree<3>& first = this->Placement.First.GetSet().GetTree();
   const skd::Tree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
-  const ToFirst toFirst = this->MakeToFirst(search.Clearance);
   Search state(this->Placement, search);
   const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
   {

@@ -52,10 +52,12 @@ public:
 
 private:
   class Search;
-  struct ToFirst;
+  struct Moved;
   struct Leaf;
 
-  ToFirst MakeToFirst(double clearance) const;
+  template <class ToFirst>
+  std::vector<SkdTrianglePair> FindSeen(
+    const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
 
   const SkdPlacement& Placement;
 };

@@ -63,31 +63,35 @@ public:
     return true;
   }
 
-  bool FindBoxes(PairList& pairs) override
+  bool FindBoxes() override
   {
-    pairs.clear();
+    this->Boxes.clear();
     Run(this->First, this->Second,
-      [&](const CellBox& a, const CellBox& b) { pairs.emplace_back(a.Cell, b.Cell); });
+      [&](const CellBox& a, const CellBox& b) { this->Boxes.emplace_back(a.Cell, b.Cell); });
     return true;
   }
 
-  bool FindTriangles(vtkDataSet* first, vtkDataSet* second, PairList& pairs) override
+  PairList BoxPairs() const override { return this->Boxes; }
+
+  bool FindTriangles(vtkDataSet* first, vtkDataSet* second) override
   {
     const std::vector<Kernel::Triangle_3> here = CgalTrianglesOf(first);
     const std::vector<Kernel::Triangle_3> there = CgalTrianglesOf(second);
     std::vector<CellBox> boxesHere = BoxesOf(first);
     std::vector<CellBox> boxesThere = BoxesOf(second);
-    pairs.clear();
+    this->Meeting.clear();
     Run(boxesHere, boxesThere,
       [&](const CellBox& a, const CellBox& b)
       {
         if (CGAL::do_intersect(here[a.Cell], there[b.Cell]))
         {
-          pairs.emplace_back(a.Cell, b.Cell);
+          this->Meeting.emplace_back(a.Cell, b.Cell);
         }
       });
     return true;
   }
+
+  PairList TrianglePairs() const override { return this->Meeting; }
 
 private:
   template <class Take>
@@ -98,6 +102,8 @@ private:
 
   std::vector<CellBox> First;
   std::vector<CellBox> Second;
+  PairList Boxes;
+  PairList Meeting;
 };
 
 }

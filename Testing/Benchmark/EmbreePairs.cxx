@@ -88,15 +88,17 @@ public:
     return rtcGetDeviceError(EmbreeDevice()) == RTC_ERROR_NONE;
   }
 
-  bool FindBoxes(PairList& pairs) override
+  bool FindBoxes() override
   {
-    pairs.clear();
-    this->Pairs = &pairs;
+    this->Pairs.clear();
     rtcCollide(this->First.Scene, this->Second.Scene, Take, this);
     return true;
   }
 
-  bool FindTriangles(vtkDataSet*, vtkDataSet*, PairList&) override { return false; }
+  PairList BoxPairs() const override { return this->Pairs; }
+
+  bool FindTriangles(vtkDataSet*, vtkDataSet*) override { return false; }
+  PairList TrianglePairs() const override { return {}; }
 
 private:
   static void Take(void* self, RTCCollision* candidates, unsigned count)
@@ -109,14 +111,14 @@ private:
       if (Overlap(
             finder->First.Bounds[candidate.primID0], finder->Second.Bounds[candidate.primID1]))
       {
-        finder->Pairs->emplace_back(candidate.primID0, candidate.primID1);
+        finder->Pairs.emplace_back(candidate.primID0, candidate.primID1);
       }
     }
   }
 
   Boxes First;
   Boxes Second;
-  PairList* Pairs = nullptr;
+  PairList Pairs;
   std::mutex Taking;
 };
 

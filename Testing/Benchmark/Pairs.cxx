@@ -5,15 +5,14 @@
 #include "Timing.h"
 
 #include "vtkIdTypeArray.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkSkdTreeSurfaceIntersection.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <iostream>
 
@@ -34,40 +33,48 @@ public:
     return true;
   }
 
-  bool FindBoxes(PairList& pairs) override
+  bool FindBoxes() override
   {
-    const vtkIdType number = this->First->FindPairs(this->Second, this->Offsets, this->Others);
-    const vtkIdType* offsets = this->Offsets->GetPointer(0);
-    const vtkIdType* others = this->Others->GetPointer(0);
-    pairs.clear();
-    pairs.reserve(static_cast<std::size_t>(number));
-    for (vtkIdType cell = 0; cell + 1 < this->Offsets->GetNumberOfTuples(); ++cell)
-    {
-      for (vtkIdType at = offsets[cell]; at < offsets[cell + 1]; ++at)
-      {
-        pairs.emplace_back(cell, others[at]);
-      }
-    }
+    this->First->FindPairs(this->Second, this->Offsets, this->Others);
     return true;
   }
 
-  bool FindTriangles(vtkDataSet* first, vtkDataSet* second, PairList& pairs) override
+  PairList BoxPairs() const override
   {
-    vtkNew<vtkSkdTreeSurfaceIntersection> filter;
-    filter->SetInputData(first);
-    filter->SetSourceData(second);
-    filter->JoinCurvesOff();
-    filter->Update();
-    auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
+    PairList pairs;
+    for (vtkIdType cell = 0; cell + 1 < this->Offsets->GetNumberOfTuples(); ++cell)
+    {
+      for (vtkIdType at = this->Offsets->GetValue(cell); at < this->Offsets->GetValue(cell + 1);
+           ++at)
+      {
+        pairs.emplace_back(cell, this->Others->GetValue(at));
+      }
+    }
+    return pairs;
+  }
+
+  bool FindTriangles(vtkDataSet* first, vtkDataSet* second) override
+  {
+    this->Filter = vtkSmartPointer<vtkSkdTreeSurfaceIntersection>::New();
+    this->Filter->SetInputData(first);
+    this->Filter->SetSourceData(second);
+    this->Filter->JoinCurvesOff();
+    this->Filter->Update();
+    return true;
+  }
+
+  PairList TrianglePairs() const override
+  {
+    auto* table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(2));
     const auto column = [table](const char* name)
     { return vtkIdTypeArray::SafeDownCast(table->GetColumnByName(name)); };
-    pairs.clear();
+    PairList pairs;
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
       pairs.emplace_back(
         column("SkdFirstCellId")->GetValue(row), column("SkdSecondCellId")->GetValue(row));
     }
-    return true;
+    return pairs;
   }
 
 private:
@@ -75,6 +82,7 @@ private:
   vtkNew<vtkSkdTreeCellLocator> Second;
   vtkNew<vtkIdTypeArray> Offsets;
   vtkNew<vtkIdTypeArray> Others;
+  vtkSmartPointer<vtkSkdTreeSurfaceIntersection> Filter;
 };
 
 std::vector<PairKind> AllPairFinders()
@@ -90,7 +98,8 @@ std::vector<PairKind> AllPairFinders()
   return kinds;
 }
 
-using Find = std::function<bool(PairFinder&, PairList&)>;
+using Find = std::function<bool(PairFinder&)>;
+using Found = std::function<PairList(const PairFinder&)>;
 
 /// Who misses a pair that another names is wrong: no one is known to name one that is none.
 void Compare(std::vector<PairList>& found, const std::vector<std::size_t>& owners, Row& row)
@@ -112,17 +121,16 @@ void Compare(std::vector<PairList>& found, const std::vector<std::size_t>& owner
 }
 
 Row PairRow(const std::string& work, const std::vector<std::unique_ptr<PairFinder>>& finders,
-  const Find& find, const Options& options)
+  const Find& find, const Found& pairsOf, const Options& options)
 {
   Row row{ work, "ms", std::vector<Cost>(finders.size()) };
   std::vector<PairList> found;
   std::vector<std::size_t> owners;
   for (std::size_t i = 0; i < finders.size(); ++i)
   {
-    PairList pairs;
-    if (find(*finders[i], pairs))
+    if (find(*finders[i]))
     {
-      found.push_back(pairs);
+      found.push_back(pairsOf(*finders[i]));
       owners.push_back(i);
     }
   }
@@ -130,7 +138,7 @@ Row PairRow(const std::string& work, const std::vector<std::unique_ptr<PairFinde
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < owners.size(); ++k)
   {
-    tasks.push_back({ [&, k] { find(*finders[owners[k]], found[k]); }, {}, options.Repetitions });
+    tasks.push_back({ [&, k] { find(*finders[owners[k]]); }, {}, options.Repetitions });
   }
   const std::vector<double> medians = MedianNanoseconds(tasks, options);
   for (std::size_t k = 0; k < owners.size(); ++k)
@@ -161,18 +169,18 @@ SceneResult MeasureOne(
     finders.back()->Build(first, second);
   }
   SceneResult result{ name, first->GetNumberOfCells(), {} };
+  const auto boxes = [](const PairFinder& finder) { return finder.BoxPairs(); };
+  const auto triangles = [](const PairFinder& finder) { return finder.TrianglePairs(); };
   result.Rows.push_back(PairRow(
-    "boxes that overlap", finders,
-    [](PairFinder& finder, PairList& pairs) { return finder.FindBoxes(pairs); }, options));
+    "boxes that overlap", finders, [](PairFinder& finder) { return finder.FindBoxes(); }, boxes,
+    options));
   result.Rows.push_back(PairRow(
     "boxes that overlap, trees and all", finders,
-    [&](PairFinder& finder, PairList& pairs)
-    { return finder.Build(first, second) && finder.FindBoxes(pairs); },
+    [&](PairFinder& finder) { return finder.Build(first, second) && finder.FindBoxes(); }, boxes,
     options));
   result.Rows.push_back(PairRow(
     "triangles that meet, trees and all", finders,
-    [&](PairFinder& finder, PairList& pairs) { return finder.FindTriangles(first, second, pairs); },
-    options));
+    [&](PairFinder& finder) { return finder.FindTriangles(first, second); }, triangles, options));
   return result;
 }
 

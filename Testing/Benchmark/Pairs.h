@@ -30,11 +30,14 @@ public:
   /// Builds what is there before pairs of boxes are asked for; nothing for those without trees.
   virtual bool Build(vtkDataSet* first, vtkDataSet* second) = 0;
 
-  /// The pairs of cells whose boxes overlap, in any order.
-  virtual bool FindBoxes(PairList& pairs) = 0;
+  /// Finds the pairs of cells whose boxes overlap, and keeps them in its own way: then they are
+  /// these, in any order.
+  virtual bool FindBoxes() = 0;
+  virtual PairList BoxPairs() const = 0;
 
   /// The pairs of triangles that have a point in common: from nothing, without Build.
-  virtual bool FindTriangles(vtkDataSet* first, vtkDataSet* second, PairList& pairs) = 0;
+  virtual bool FindTriangles(vtkDataSet* first, vtkDataSet* second) = 0;
+  virtual PairList TrianglePairs() const = 0;
 };
 
 struct PairKind

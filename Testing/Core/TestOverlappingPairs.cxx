@@ -134,6 +134,14 @@ void ExpectPairs(const Boxes<D>& first, const Boxes<D>& second)
       const double noMargin = 0.0;
       ExpectReached(ReachedPairs(firstTree, secondTree, Unmoved()),
         Pairs(first, second, Filled<D>(0.0), noMargin), Pairs(first, second, near, error));
+      // In single precision, between frames that are at most 16 of the first's half sizes apart.
+      const double coarse = error + 64.0 * FLT_EPSILON / firstTree.GetFrame().Scale;
+      ExpectReached(ReachedPairs(firstTree, secondTree, skd::SameWorld()),
+        Pairs(first, second, Filled<D>(0.0), noMargin), Pairs(first, second, near, coarse));
+      const double margin = 0.01;
+      ExpectReached(ReachedPairs(firstTree, secondTree, skd::SameWorld{ margin }),
+        Pairs(first, second, Filled<D>(0.0), 0.999 * margin),
+        Pairs(first, second, near, coarse + 1.001 * margin));
     });
 }
 
@@ -190,6 +198,8 @@ TYPED_TEST(OverlappingPairsTest, TouchThoughOneSetIsHugeAndTheOtherTiny)
     const skd::Tree<D> hugeTree(InputOf(huge, 8));
     EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
     EXPECT_EQ(ReachedPairs(hugeTree, tinyTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(ReachedPairs(hugeTree, tinyTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
   }
 }
 

@@ -341,18 +341,19 @@ TEST_P(Batches, NeedNoOutputs)
   EXPECT_EQ(all.Numbers[4], locator->FindCellsWithinBoxes(this->Boxes, nullptr, nullptr));
 }
 
-TEST_P(Batches, FindPairsOfCellsWhoseBoundsOverlap)
+/// FindPairs against every cell with every cell.
+void ExpectPairs(vtkSkdTreeCellLocator* locator, vtkSkdTreeCellLocator* otherLocator)
 {
-  const auto other = MakePolyData(SphereTriangles(6).Map(Bent));
-  const auto otherLocator = MakeLocator(other);
+  vtkDataSet* data = locator->GetDataSet();
+  vtkDataSet* other = otherLocator->GetDataSet();
   vtkNew<vtkIdTypeArray> offsets, ids;
-  const vtkIdType number = this->Locator->FindPairs(otherLocator, offsets, ids);
+  const vtkIdType number = locator->FindPairs(otherLocator, offsets, ids);
   EXPECT_EQ(number, ids->GetNumberOfTuples());
-  ASSERT_EQ(offsets->GetNumberOfTuples(), this->Data->GetNumberOfCells() + 1);
-  for (vtkIdType i = 0; i < this->Data->GetNumberOfCells(); ++i)
+  ASSERT_EQ(offsets->GetNumberOfTuples(), data->GetNumberOfCells() + 1);
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
     Bounds box;
-    this->Data->GetCellBounds(i, box.data());
+    data->GetCellBounds(i, box.data());
     Ids expected;
     for (vtkIdType k = 0; k < other->GetNumberOfCells(); ++k)
     {
@@ -365,6 +366,48 @@ TEST_P(Batches, FindPairsOfCellsWhoseBoundsOverlap)
     }
     const vtkIdType* first = ids->GetPointer(offsets->GetValue(i));
     ASSERT_EQ(Ids(first, first + offsets->GetValue(i + 1) - offsets->GetValue(i)), expected) << i;
+  }
+}
+
+TEST_P(Batches, FindPairsOfCellsWhoseBoundsOverlap)
+{
+  const auto other = MakePolyData(SphereTriangles(6).Map(Bent));
+  ExpectPairs(this->Locator, MakeLocator(other));
+}
+
+/// Far less than the trees' boxes show.
+TEST(BatchOfPairs, TellsCellsThatTouchFromThoseAHairApart)
+{
+  const auto cubes = MakeGrid(Hexahedra(4));
+  for (const double x : { std::nextafter(4.0, 3.0), 4.0, std::nextafter(4.0, 5.0), 3.0 - 1e-9 })
+  {
+    SCOPED_TRACE(x);
+    for (const double far : { 0.0, 1e6 })
+    {
+      Mesh beside = Placed(Hexahedra(4), 1.0, { x, 0, 1 });
+      const vtkIdType lonely = beside.Add(Point{ -far, 0, 0 }); // spoils the other's resolution
+      beside.Add(VTK_VERTEX, { lonely });
+      const auto others = MakeGrid(beside);
+      const auto locator = MakeLocator(cubes);
+      const auto otherLocator = MakeLocator(others);
+      ExpectPairs(locator, otherLocator);
+      ExpectPairs(otherLocator, locator);
+      locator->LazyBuildOn();
+      ExpectPairs(locator, otherLocator);
+      ExpectPairs(otherLocator, locator);
+    }
+  }
+}
+
+TEST(BatchOfPairs, OfManySizes)
+{
+  for (const double size : { 0.01, 1.0, 100.0, 1e7 })
+  {
+    SCOPED_TRACE(size);
+    const auto soup = MakePolyData(TriangleSoup(300, 0.2));
+    const auto sized = MakePolyData(Placed(TriangleSoup(200, 0.3), size, { 0.1, 0.2, 0.3 }));
+    ExpectPairs(MakeLocator(soup), MakeLocator(sized));
+    ExpectPairs(MakeLocator(sized), MakeLocator(soup));
   }
 }
 

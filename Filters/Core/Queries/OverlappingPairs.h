@@ -5,26 +5,53 @@
 
 #include "../Tree/Node.h"
 
+#include <cfloat>
+#include <limits>
+#include <type_traits>
+
 namespace skd
 {
+
+/// The worlds of two trees are one: boxes of the second are as they are, grown by a margin.
+struct SameWorld
+{
+  double Margin = 0.0;
+
+  template <class Box>
+  Box operator()(const Box& box) const
+  {
+    return box.Inflated(this->Margin);
+  }
+};
 
 /// Pairs of elements of two trees whose boxes overlap (Algorithm 5.4).
 ///
 /// `toFirst(Box<D>)` gives a box of the second tree's world as a box of the first's, bounds of the
-/// moved box: the identity, or a rigid motion. `leaf(a, b)` returns false to end the search.
+/// moved box: SameWorld, fastest, or a rigid motion. `leaf(a, b)` returns false to end the search.
+///
+/// Pairs of elements whose own boxes overlap, not only those of the trees: a leaf that is called as
+/// leaf(a, b, isSure) has to find that out only where it is not sure. The trees' boxes are wider
+/// than these by at most `excess` (world units) on each side, both trees' together.
 template <int D, class ToFirstWorld, class Leaf>
 class OverlappingPairs
 {
 public:
   static constexpr int Dimension = D;
+  static constexpr int Width = Node<D>::Width;
 
-  OverlappingPairs(
-    const Frame<D>& first, const Frame<D>& second, const ToFirstWorld& toFirst, Leaf& leaf)
+  OverlappingPairs(const Frame<D>& first, const Frame<D>& second, const ToFirstWorld& toFirst,
+    Leaf& leaf, double excess = std::numeric_limits<double>::infinity())
     : First(first)
     , Second(second)
     , TheMotion(toFirst)
     , TheLeaf(leaf)
   {
+    if constexpr (std::is_same_v<ToFirstWorld, SameWorld>)
+    {
+      this->Map = FrameMap(first, second, toFirst.Margin);
+      const double rounding = 2e-6 * (1.0 + this->Map.Factor) + 4.0 * this->Map.Margin;
+      this->Excess = Frame<D>::RoundUp(excess * first.Scale + rounding);
+    }
   }
 
   FloatBox<D> ToFirst(const FloatBox<D>& box) const
@@ -43,25 +70,117 @@ public:
     return this->First.Outward(this->TheMotion(world));
   }
 
-  bool IsWanted(const FloatBox<D>& a, const FloatBox<D>& b) const
+  Bundle<D, Width> ToFirst(const Bundle<D, Width>& boxes) const
   {
-    for (int axis = 0; axis < D; ++axis)
+    if (this->Map.IsFit)
     {
-      if (!(a.Min[axis] <= b.Max[axis] && b.Min[axis] <= a.Max[axis]))
-      {
-        return false;
-      }
+      return this->Map(boxes);
     }
-    return true;
+    Bundle<D, Width> seen;
+    for (int lane = 0; lane < Width; ++lane)
+    {
+      const FloatBox<D> box = boxes.Get(lane);
+      seen.Set(lane, box.Min[0] <= box.Max[0] ? this->ToFirst(box) : box); // empty ones as they are
+    }
+    return seen;
   }
 
-  bool Visit(std::uint32_t a, std::uint32_t b) { return this->TheLeaf(a, b); }
+  unsigned Overlapping(const Bundle<D, Width>& boxes, const FloatBox<D>& box) const
+  {
+    unsigned overlapping = ~0u;
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        overlapping &= LessEqual(boxes.Mins(axis), Lanes<Width>(box.Max[axis])) &
+          LessEqual(Lanes<Width>(box.Min[axis]), boxes.Maxs(axis));
+      });
+    return overlapping;
+  }
+
+  /// Of boxes seen by ToFirst and a box of the first tree, or the other way round.
+  unsigned SureOf(const Bundle<D, Width>& boxes, const FloatBox<D>& box) const
+  {
+    unsigned sure = 0;
+    if constexpr (TellsSure)
+    {
+      sure = this->Map.IsFit ? ~0u : 0u;
+      ForEachAxis<D>(
+        [&](int axis)
+        {
+          sure &= LessEqual(boxes.Mins(axis), Lanes<Width>(box.Max[axis] - this->Excess)) &
+            LessEqual(Lanes<Width>(box.Min[axis] + this->Excess), boxes.Maxs(axis));
+        });
+    }
+    return sure;
+  }
+
+  bool Visit(std::uint32_t a, std::uint32_t b, bool isSure)
+  {
+    if constexpr (TellsSure)
+    {
+      return this->TheLeaf(a, b, isSure);
+    }
+    else
+    {
+      return this->TheLeaf(a, b);
+    }
+  }
 
 private:
+  static constexpr bool TellsSure = std::is_invocable_v<Leaf&, std::uint32_t, std::uint32_t, bool>;
+
+  /// From frame to frame of one world in single precision: a power of two and a shift, and a margin
+  /// for what rounding does to them. Fit for frames of much the same size that are near each other.
+  struct FrameMap
+  {
+    bool IsFit = false;
+    float Factor = 1.0f;
+    float Shift[D] = {};
+    float Margin = 0.0f;
+
+    FrameMap() = default;
+    FrameMap(const Frame<D>& first, const Frame<D>& second, double margin)
+      : IsFit(margin >= 0.0)
+    {
+      constexpr double most = 16.0;
+      const double factor = first.Scale / second.Scale;
+      double reach = factor;
+      for (int axis = 0; axis < D; ++axis)
+      {
+        const double shift = (second.Centre[axis] - first.Centre[axis]) * first.Scale;
+        this->Shift[axis] = static_cast<float>(std::clamp(shift, -most, most));
+        reach = std::max(reach, std::abs(shift));
+      }
+      // Two roundings of at most half a unit in the last place, of numbers of at most twice
+      // `reach`.
+      this->Margin = Frame<D>::RoundUp(margin * first.Scale + 4.0 * FLT_EPSILON * reach);
+      this->Factor = static_cast<float>(std::clamp(factor, 1.0 / most, most));
+      this->IsFit = this->IsFit && reach < most && factor > 1.0 / most && this->Margin < most;
+    }
+
+    Bundle<D, Width> operator()(const Bundle<D, Width>& boxes) const
+    {
+      Bundle<D, Width> seen;
+      ForEachAxis<D>(
+        [&](int axis)
+        {
+          const Lanes<Width> factor(this->Factor);
+          const float shift = this->Shift[axis];
+          (boxes.Mins(axis) * factor + Lanes<Width>(shift) - Lanes<Width>(this->Margin))
+            .Store(seen.Min[axis]);
+          (boxes.Maxs(axis) * factor + Lanes<Width>(shift) + Lanes<Width>(this->Margin))
+            .Store(seen.Max[axis]);
+        });
+      return seen;
+    }
+  };
+
   const Frame<D>& First;
   const Frame<D>& Second;
   const ToFirstWorld& TheMotion;
   Leaf& TheLeaf;
+  FrameMap Map;
+  float Excess = std::numeric_limits<float>::infinity();
 };
 
 }

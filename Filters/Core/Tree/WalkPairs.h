@@ -13,10 +13,14 @@ namespace skd
 /// The one walk over a pair of trees (Algorithm 5.4).
 ///
 /// A Query gives
-///   FloatBox<D> ToFirst(const FloatBox<D>&)     a box of the second tree, seen in the first's
-///   frame bool IsWanted(const FloatBox<D>& a, b)      both in the first's frame: may they hold a
-///   pair? bool Visit(element of first, of second)     a pair was reached; false ends the walk
-/// Of two nodes the one with the larger box is opened.
+///   ToFirst(boxes)              a FloatBox or a Bundle of the second tree, seen in the first's
+///   frame Overlapping(boxes, box)     a bit for each lane of a Bundle that may hold a pair with a
+///   FloatBox,
+///                               both seen in the first's frame
+///   SureOf(boxes, box)          a bit for each of these lanes whose element is a pair for sure
+///   Visit(first, second, isSure)   a pair of elements was reached; false ends the walk
+/// Of two nodes the one with the larger box is opened, or both if they are about as large: then one
+/// box of the one is looked at beside eight of the other at once.
 ///
 /// A tree may be walked against itself: then each pair of two elements is reached once, (a, b) or
 /// (b, a), and no element with itself. The query's boxes must then not be moved.
@@ -68,6 +72,7 @@ public:
   std::vector<Pair> Split(std::size_t enough)
   {
     std::vector<Pair> pairs = this->Start();
+    this->IsSplitting = true;
     bool grows = true;
     while (grows && pairs.size() < enough)
     {
@@ -86,6 +91,7 @@ public:
       }
       pairs.swap(next);
     }
+    this->IsSplitting = false;
     this->Stack.clear();
     return pairs;
   }
@@ -113,18 +119,14 @@ private:
     {
       return {};
     }
-    return { { this->Root(this->First), this->SeenInFirst(this->Root(this->Second)) } };
+    const Side second = Root(this->Second);
+    return { { Root(this->First), { second.What, this->TheQuery.ToFirst(second.Box) } } };
   }
 
   template <class Tree>
   static Side Root(const Tree& tree)
   {
     return { Reference::ToNode(0), tree.GetFrame().Outward(tree.GetBounds()) };
-  }
-
-  Side SeenInFirst(const Side& side) const
-  {
-    return { side.What, this->TheQuery.ToFirst(side.Box) };
   }
 
   static float Size(const FloatBox<D>& box)
@@ -141,62 +143,120 @@ private:
   {
     if (this->IsWithinOne && pair.A.What == pair.B.What)
     {
-      this->OpenBoth(pair.A.What);
-      return true;
+      return this->OpenWithin(pair.A.What);
     }
-    if (pair.A.What.IsElement() && pair.B.What.IsElement())
+    const bool hasA = !pair.A.What.IsElement();
+    const bool hasB = !pair.B.What.IsElement();
+    if (!hasA && !hasB)
     {
-      return this->TheQuery.Visit(
-        this->First.Element(pair.A.What.Index()), this->Second.Element(pair.B.What.Index()));
+      return this->Visit(pair.A, pair.B, false);
     }
-    const bool opensA =
-      pair.B.What.IsElement() || (!pair.A.What.IsElement() && Size(pair.A.Box) >= Size(pair.B.Box));
-    if (opensA)
+    const float sizeA = Size(pair.A.Box);
+    const float sizeB = Size(pair.B.Box);
+    if (!hasB || (hasA && sizeA > 2.0f * sizeB))
     {
-      const Node<D>& node = this->First.Open(pair.A.What.Index());
-      for (int lane = 0; lane < node.Count; ++lane)
-      {
-        this->Push({ { Child(node, lane), node.Boxes.Get(lane) }, pair.B });
-      }
-      return true;
+      return this->OpenFirst(this->First.Open(pair.A.What.Index()), pair.B);
     }
     const Node<D>& node = this->Second.Open(pair.B.What.Index());
+    return hasA && sizeB <= 2.0f * sizeA
+      ? this->OpenEach(this->First.Open(pair.A.What.Index()), node, pair.A.Box)
+      : this->OpenSecond(pair.A, node);
+  }
+
+  bool OpenFirst(const Node<D>& node, const Side& b)
+  {
+    const unsigned lanes = this->TheQuery.Overlapping(node.Boxes, b.Box) & node.Occupied();
+    const bool areElements = node.IsBottom && b.What.IsElement();
+    const unsigned sure = areElements ? this->TheQuery.SureOf(node.Boxes, b.Box) : 0;
+    return ForEachLane(lanes,
+      [&](int lane)
+      { return this->Reach(SideOf(node, node.Boxes, lane), b, (sure >> lane & 1u) != 0); });
+  }
+
+  bool OpenSecond(const Side& a, const Node<D>& node)
+  {
+    const auto boxes = this->TheQuery.ToFirst(node.Boxes);
+    const unsigned lanes = this->TheQuery.Overlapping(boxes, a.Box) & node.Occupied();
+    const bool areElements = node.IsBottom && a.What.IsElement();
+    const unsigned sure = areElements ? this->TheQuery.SureOf(boxes, a.Box) : 0;
+    return ForEachLane(lanes,
+      [&](int lane)
+      { return this->Reach(a, SideOf(node, boxes, lane), (sure >> lane & 1u) != 0); });
+  }
+
+  bool OpenEach(const Node<D>& first, const Node<D>& second, const FloatBox<D>& firstBox)
+  {
+    const auto boxes = this->TheQuery.ToFirst(second.Boxes);
+    const unsigned lanes = this->TheQuery.Overlapping(boxes, firstBox) & second.Occupied();
+    return ForEachLane(
+      lanes, [&](int lane) { return this->OpenFirst(first, SideOf(second, boxes, lane)); });
+  }
+
+  /// Each lane against itself and those after it. An element and itself are no pair.
+  bool OpenWithin(const Reference& what)
+  {
+    if (what.IsElement())
+    {
+      return true;
+    }
+    const Node<D>& node = this->First.Open(what.Index());
+    const auto boxes = this->TheQuery.ToFirst(node.Boxes);
     for (int lane = 0; lane < node.Count; ++lane)
     {
-      this->Push({ pair.A, this->SeenInFirst({ Child(node, lane), node.Boxes.Get(lane) }) });
+      const Side side = SideOf(node, node.Boxes, lane);
+      const unsigned others =
+        this->TheQuery.Overlapping(boxes, side.Box) & node.Occupied() & (~0u << lane);
+      if (!ForEachLane(others,
+            [&](int other) { return this->Reach(side, SideOf(node, boxes, other), false); }))
+      {
+        return false;
+      }
     }
     return true;
   }
 
-  void OpenBoth(const Reference& what)
+  template <class Body>
+  static bool ForEachLane(unsigned lanes, Body body)
   {
-    if (what.IsElement())
+    for (; lanes != 0; lanes &= lanes - 1)
     {
-      return;
-    }
-    const Node<D>& node = this->First.Open(what.Index());
-    for (int lane = 0; lane < node.Count; ++lane)
-    {
-      const Side side{ Child(node, lane), node.Boxes.Get(lane) };
-      for (int other = lane; other < node.Count; ++other)
+      if (!body(LowestBit(lanes)))
       {
-        this->Push({ side, this->SeenInFirst({ Child(node, other), node.Boxes.Get(other) }) });
+        return false;
       }
     }
+    return true;
   }
 
-  void Push(const Pair& pair)
+  template <class Boxes>
+  static Side SideOf(const Node<D>& node, const Boxes& boxes, int lane)
   {
-    if (this->TheQuery.IsWanted(pair.A.Box, pair.B.Box))
+    return { Child(node, lane), boxes.Get(lane) };
+  }
+
+  /// Elements are visited at once, unless the walk is being split.
+  bool Reach(const Side& a, const Side& b, bool isSure)
+  {
+    const bool areElements = a.What.IsElement() && b.What.IsElement();
+    if (this->IsSplitting || !areElements)
     {
-      this->Stack.push_back(pair);
+      this->Stack.push_back({ a, b });
+      return true;
     }
+    return (this->IsWithinOne && a.What == b.What) || this->Visit(a, b, isSure);
+  }
+
+  bool Visit(const Side& a, const Side& b, bool isSure)
+  {
+    return this->TheQuery.Visit(
+      this->First.Element(a.What.Index()), this->Second.Element(b.What.Index()), isSure);
   }
 
   const FirstTree& First;
   const SecondTree& Second;
   const bool IsWithinOne = false;
   Query& TheQuery;
+  bool IsSplitting = false;
   std::vector<Pair> Stack;
 };
 
