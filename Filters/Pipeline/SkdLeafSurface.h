@@ -39,7 +39,6 @@ public:
   void ForEachFace(Visit visit) const
   {
     vtkUnsignedCharArray* ghosts = this->Surface->GetCellGhostArray();
-    vtkNew<vtkIdList> ids;
     vtkIdType cell = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
     for (vtkCellArray* cells : { this->Surface->GetPolys(), this->Surface->GetStrips() })
     {
@@ -48,11 +47,12 @@ public:
       {
         if (!ghosts || ghosts->GetValue(cell) == 0)
         {
-          cells->GetCellAtId(i, ids);
-          const vtkIdType size = ids->GetNumberOfIds();
+          vtkIdType size = 0;
+          const vtkIdType* corners = nullptr;
+          cells->GetCellAtId(i, size, corners);
           for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
           {
-            visit(cell, isStrip ? 3 : size, ids->GetPointer(k));
+            visit(cell, isStrip ? 3 : size, corners + k);
           }
         }
       }

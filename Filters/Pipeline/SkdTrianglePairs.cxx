@@ -164,9 +164,9 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
   const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
   using Query = skd::OverlappingPairs<3, ToFirst, Leaf>;
-  using Walk = skd::PairWalk<skd::Tree<3>, skd::Tree<3>, Query>;
-  const skd::Tree<3>& first = this->Placement.First.GetSet().GetTree();
-  const skd::Tree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
+  using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
+  const skd::LazyTree<3>& first = this->Placement.First.GetSet().GetTree();
+  const skd::LazyTree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
   Search state(this->Placement, search);
   const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
   {

@@ -3,9 +3,9 @@
 #include "Pipeline/SkdTriangleSet.h"
 
 #include "Pipeline/SkdLeafSurface.h"
-#include "Pipeline/SkdParallelLoop.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,11 @@ public:
     {
       this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh);
     }
-    std::stable_sort(this->List.begin(), this->List.end(),
-      [](const Face& a, const Face& b) { return a.Origin < b.Origin; });
+    const auto isBefore = [](const Face& a, const Face& b) { return a.Origin < b.Origin; };
+    if (!std::is_sorted(this->List.begin(), this->List.end(), isBefore))
+    {
+      std::stable_sort(this->List.begin(), this->List.end(), isBefore);
+    }
   }
 
   SkdWeld Weld;
@@ -99,20 +102,33 @@ void SkdTriangleSet::Build(const std::vector<SkdLeaf>& leaves)
   this->LeftOut = faces.LeftOut;
   this->TakePoints(faces.Weld.GetPoints());
   SkdTriangulation triangulation(faces.Weld.GetPoints());
+  this->Triangles.reserve(faces.List.size());
+  this->CellOf.reserve(faces.List.size());
   for (const Face& face : faces.List)
   {
     if (this->Cells.empty() || this->Cells.back() < face.Origin)
     {
       this->Cells.push_back(face.Origin);
     }
-    vtkIdList* corners = triangulation.Cut(faces.Corners.data() + face.First, face.Size);
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); i += 3)
+    const vtkIdType* corners = faces.Corners.data() + face.First;
+    if (face.Size == 3)
     {
-      const auto corner = [&](int k) { return static_cast<std::uint32_t>(corners->GetId(i + k)); };
-      this->Triangles.push_back({ corner(0), corner(1), corner(2) });
-      this->CellOf.push_back(static_cast<std::uint32_t>(this->Cells.size() - 1));
+      this->AddTriangle(corners);
+      continue;
+    }
+    vtkIdList* cut = triangulation.Cut(corners, face.Size);
+    for (vtkIdType i = 0; i < cut->GetNumberOfIds(); i += 3)
+    {
+      this->AddTriangle(cut->GetPointer(i));
     }
   }
+}
+
+void SkdTriangleSet::AddTriangle(const vtkIdType* corners)
+{
+  this->Triangles.push_back({ static_cast<std::uint32_t>(corners[0]),
+    static_cast<std::uint32_t>(corners[1]), static_cast<std::uint32_t>(corners[2]) });
+  this->CellOf.push_back(static_cast<std::uint32_t>(this->Cells.size() - 1));
 }
 
 std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
@@ -148,5 +164,5 @@ void SkdTriangleSet::BuildTree()
     }
     boxes.push_back(box);
   }
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), SkdParallelLoop());
+  this->Tree = skd::LazyTree<3>(skd::MakeTreeInput(boxes, 0.0));
 }

@@ -9,7 +9,7 @@
 #define SkdTriangleSet_h
 
 #include "Core/Geometry/Vector.h"
-#include "Core/Tree/Tree.h"
+#include "Core/Tree/LazyTree.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLeaves.h"
 
@@ -44,7 +44,7 @@ public:
 
   const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
   const std::vector<Corners>& GetTriangles() const { return this->Triangles; }
-  const skd::Tree<3>& GetTree() const { return this->Tree; }
+  const skd::LazyTree<3>& GetTree() const { return this->Tree; }
 
   ///@{
   /// The cells that have triangles, by ascending (leaf, id), and of each triangle its place there.
@@ -88,6 +88,7 @@ private:
 
   void Build(const std::vector<SkdLeaf>& leaves);
   void TakePoints(vtkPoints* points);
+  void AddTriangle(const vtkIdType* corners);
   void BuildTree();
 
   std::vector<SkdKeptMesh> Meshes;
@@ -97,7 +98,7 @@ private:
   std::vector<Corners> Triangles;
   std::vector<Cell> Cells;
   std::vector<std::uint32_t> CellOf;
-  skd::Tree<3> Tree;
+  skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
   vtkIdType LeftOut = 0;
   double Reach = 0.0;
 };

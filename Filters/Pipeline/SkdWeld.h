@@ -8,10 +8,12 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <unordered_map>
+#include <cstdint>
+#include <cstring>
+#include <vector>
 
-/// Points by their coordinates: equal ones are one.
+/// Points by their coordinates: equal ones are one. A hash table without chains, so that a point
+/// costs one look into memory or two.
 class SkdWeld
 {
 public:
@@ -24,34 +26,62 @@ public:
   /// The id of the point at x, a new one when it is the first there.
   vtkIdType GetId(const double x[3])
   {
-    const Key key{ x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 }; // + 0 makes -0 equal in its bits, too
-    const auto [entry, isNew] = this->Ids.emplace(key, this->Points->GetNumberOfPoints());
-    if (isNew)
+    if (2 * (this->Keys.size() + 1) > this->Slots.size())
     {
+      this->Grow();
+    }
+    const Key key{ x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 }; // + 0 makes -0 equal in its bits, too
+    vtkIdType& slot = this->FindSlot(key);
+    if (slot < 0)
+    {
+      slot = static_cast<vtkIdType>(this->Keys.size());
+      this->Keys.push_back(key);
       this->Points->InsertNextPoint(x);
     }
-    return entry->second;
+    return slot;
   }
 
   vtkPoints* GetPoints() const { return this->Points; }
 
 private:
   using Key = std::array<double, 3>;
-  struct Hash
-  {
-    std::size_t operator()(const Key& key) const
-    {
-      std::size_t hash = 0;
-      for (double coordinate : key)
-      {
-        hash = (hash ^ std::hash<double>()(coordinate)) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 29;
-      }
-      return hash;
-    }
-  };
 
-  std::unordered_map<Key, vtkIdType, Hash> Ids;
+  static std::size_t HashOf(const Key& key)
+  {
+    std::uint64_t hash = 0;
+    for (const double coordinate : key)
+    {
+      std::uint64_t bits;
+      std::memcpy(&bits, &coordinate, sizeof(bits));
+      hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+  }
+
+  /// The slot of the key, or the free one where it belongs.
+  vtkIdType& FindSlot(const Key& key)
+  {
+    const std::size_t mask = this->Slots.size() - 1;
+    std::size_t at = HashOf(key) & mask;
+    while (this->Slots[at] >= 0 && this->Keys[static_cast<std::size_t>(this->Slots[at])] != key)
+    {
+      at = (at + 1) & mask;
+    }
+    return this->Slots[at];
+  }
+
+  void Grow()
+  {
+    this->Slots.assign(this->Slots.empty() ? 64 : 2 * this->Slots.size(), -1);
+    for (std::size_t id = 0; id < this->Keys.size(); ++id)
+    {
+      this->FindSlot(this->Keys[id]) = static_cast<vtkIdType>(id);
+    }
+  }
+
+  std::vector<Key> Keys;
+  std::vector<vtkIdType> Slots; // a power of two of them, half of them free; -1: free
   vtkSmartPointer<vtkPoints> Points;
 };
 
