@@ -2,19 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreePointInOut.h"
 
-#include "Pipeline/SkdInOut.h"
 #include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPartAsker.h"
 #include "Pipeline/SkdPlaceFinder.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdSubset.h"
 #include "Pipeline/SkdTouchCells.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <functional>
@@ -34,51 +37,20 @@ public:
   double Band = 0.0;
   int Built = 0;
 
-  /// Answers one point. For use by one thread.
-  using Answer = std::function<SkdInOut(const double x[3], std::uint64_t point)>;
-  Answer MakeAnswer(int model) const;
+  /// Answers questions one by one. For use by one thread.
+  using Answer = std::function<SkdInOut(vtkIdType question)>;
+  Answer MakeAnswer(int model, const SkdQuestions& questions) const;
 
-  SkdInOuts AskPoints(vtkDataSet* mesh, int model, SkdLoop& loop) const;
-  SkdInOuts AskCenters(vtkDataSet* mesh, int model, SkdLoop& loop) const;
+  /// Calls set(question, answer) for all questions.
+  template <class Set>
+  void Ask(const SkdQuestions& questions, int model, SkdLoop& loop, const Set& set) const;
+
+  SkdInOuts AskFor(const SkdQuestions& questions, int model, SkdLoop& loop) const;
   SkdInOuts AskCorners(vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const;
 };
 
 namespace
 {
-/// Fills a slot each by ask(answer, i), with an answer of the thread.
-template <class MakeAnswer, class AskOne>
-SkdInOuts Fill(
-  vtkIdType n, bool hasWinding, SkdLoop& loop, const MakeAnswer& makeAnswer, const AskOne& ask)
-{
-  SkdInOuts answers(n, hasWinding);
-  loop.For(n,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const auto answer = makeAnswer();
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        answers.Set(i, ask(answer, i));
-      }
-    });
-  return answers;
-}
-
-/// The mean of a cell's points.
-void MiddleOf(vtkDataSet* mesh, vtkIdList* ids, double x[3])
-{
-  std::fill(x, x + 3, 0.0);
-  const vtkIdType n = ids->GetNumberOfIds();
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    double p[3];
-    mesh->GetPoint(ids->GetId(i), p);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      x[axis] += p[axis] / n;
-    }
-  }
-}
-
 bool HasVolumes(const std::vector<SkdLeaf>& leaves)
 {
   vtkNew<vtkGenericCell> cell;
@@ -96,19 +68,52 @@ bool HasVolumes(const std::vector<SkdLeaf>& leaves)
       return false;
     });
 }
+
+/// The answer of a cell, from those of its points: that of the least depth, or of the greatest.
+SkdInOut ChooseCorner(const std::vector<SkdInOut>& corners, vtkIdList* ids, bool least)
+{
+  SkdInOut chosen;
+  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+  {
+    const SkdInOut& corner = corners[ids->GetId(k)];
+    const bool isBetter = least ? corner.Depth < chosen.Depth : corner.Depth > chosen.Depth;
+    chosen = k == 0 || isBetter ? corner : chosen;
+  }
+  return chosen;
 }
 
-vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAnswer(int model) const
+/// The cells, or else the points, whose answer is the wanted one, as a grid of their own.
+vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
+  vtkDataSet* mesh, const SkdInOuts& answers, bool wantsInside, bool ofCells)
+{
+  SkdSubset subset(mesh);
+  for (vtkIdType i = 0; i < answers.GetNumber(); ++i)
+  {
+    if (answers.IsInside(i) == wantsInside)
+    {
+      ofCells ? subset.AddCell(i) : subset.AddPoint(i);
+    }
+  }
+  subset.CopyData();
+  return subset.Get();
+}
+}
+
+vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAnswer(
+  int model, const SkdQuestions& questions) const
 {
   if (model == BOUNDARIES)
   {
-    return [this](const double x[3], std::uint64_t point)
-    { return SkdAskParts(this->Parts.Get(), x, this->Rules, this->Band, point); };
+    auto asker =
+      std::make_shared<SkdPartAsker>(this->Parts.Get(), this->Rules, this->Band, questions);
+    return [asker](vtkIdType question) { return asker->Ask(question); };
   }
   auto finder = std::make_shared<SkdPlaceFinder>(this->Places, SkdPlaceRules());
-  return [this, finder](const double x[3], std::uint64_t)
+  return [this, finder, &questions](vtkIdType question)
   {
     SkdInOut answer;
+    double x[3];
+    questions.GetPoint(question, x);
     answer.Confidence = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]) ? 1 : 0;
     if (finder->Find(x))
     {
@@ -122,78 +127,55 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
   };
 }
 
-SkdInOuts vtkSkdTreePointInOut::Internals::AskPoints(
-  vtkDataSet* mesh, int model, SkdLoop& loop) const
+template <class Set>
+void vtkSkdTreePointInOut::Internals::Ask(
+  const SkdQuestions& questions, int model, SkdLoop& loop, const Set& set) const
 {
-  const bool hasWinding = this->Rules.Method == SkdInsideMethod::WindingNumber;
-  return Fill(
-    mesh->GetNumberOfPoints(), hasWinding, loop, [&]() { return this->MakeAnswer(model); },
-    [&](const Answer& answer, vtkIdType i)
+  loop.For(questions.GetNumber(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      double x[3];
-      mesh->GetPoint(i, x);
-      return answer(x, static_cast<std::uint64_t>(i));
+      const Answer answer = this->MakeAnswer(model, questions);
+      for (vtkIdType place = begin; place < end; ++place)
+      {
+        const vtkIdType question = questions.GetQuestion(place);
+        set(question, answer(question));
+      }
     });
 }
 
-SkdInOuts vtkSkdTreePointInOut::Internals::AskCenters(
-  vtkDataSet* mesh, int model, SkdLoop& loop) const
+SkdInOuts vtkSkdTreePointInOut::Internals::AskFor(
+  const SkdQuestions& questions, int model, SkdLoop& loop) const
 {
-  const bool hasWinding = this->Rules.Method == SkdInsideMethod::WindingNumber;
-  SkdTouchCells(mesh);
-  return Fill(
-    mesh->GetNumberOfCells(), hasWinding, loop, [&]() { return this->MakeAnswer(model); },
-    [&](const Answer& answer, vtkIdType i)
-    {
-      thread_local vtkNew<vtkIdList> ids;
-      mesh->GetCellPoints(i, ids);
-      if (ids->GetNumberOfIds() == 0)
-      {
-        return SkdInOut();
-      }
-      double x[3];
-      MiddleOf(mesh, ids, x);
-      return answer(x, static_cast<std::uint64_t>(i));
-    });
+  SkdInOuts answers(questions.GetNumber(), this->Rules.Method == SkdInsideMethod::WindingNumber);
+  this->Ask(questions, model, loop,
+    [&](vtkIdType question, const SkdInOut& answer) { answers.Set(question, answer); });
+  return answers;
 }
 
 // Each point is asked once for all cells that have it.
 SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
   vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const
 {
-  const bool hasWinding = this->Rules.Method == SkdInsideMethod::WindingNumber;
   std::vector<SkdInOut> corners(mesh->GetNumberOfPoints());
-  loop.For(mesh->GetNumberOfPoints(),
+  this->Ask(SkdQuestions(mesh, SkdQuestions::At::Points), model, loop,
+    [&](vtkIdType point, const SkdInOut& answer) { corners[point] = answer; });
+  SkdTouchCells(mesh);
+  SkdInOuts answers(mesh->GetNumberOfCells(), this->Rules.Method == SkdInsideMethod::WindingNumber);
+  loop.For(mesh->GetNumberOfCells(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      const Answer answer = this->MakeAnswer(model);
-      for (vtkIdType i = begin; i < end; ++i)
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        double x[3];
-        mesh->GetPoint(i, x);
-        corners[i] = answer(x, static_cast<std::uint64_t>(i));
+        mesh->GetCellPoints(cell, ids);
+        answers.Set(cell, ChooseCorner(corners, ids, all));
       }
     });
-  SkdTouchCells(mesh);
-  return Fill(
-    mesh->GetNumberOfCells(), hasWinding, loop, []() { return 0; },
-    [&](int, vtkIdType i)
-    {
-      thread_local vtkNew<vtkIdList> ids;
-      mesh->GetCellPoints(i, ids);
-      SkdInOut chosen;
-      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-      {
-        const SkdInOut& corner = corners[ids->GetId(k)];
-        const bool isBetter = all ? corner.Depth < chosen.Depth : corner.Depth > chosen.Depth;
-        chosen = k == 0 || isBetter ? corner : chosen;
-      }
-      return chosen;
-    });
+  return answers;
 }
 
 vtkSkdTreePointInOut::vtkSkdTreePointInOut()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT })
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, GRID_OR_BLOCKS })
   , Impl(new Internals)
 {
 }
@@ -241,7 +223,7 @@ void vtkSkdTreePointInOut::UpdateParts()
   {
     internals.Trees.Clear();
     internals.Built = internals.Parts.Update(internals.Leaves, static_cast<SkdPartsBy>(this->Parts),
-      this->PartArray, this->Epsilon, internals.Rules.Method);
+      this->PartArray, { this->Epsilon, internals.Rules.Method, this->RepairOrientation });
     return;
   }
   internals.Rules.Method = SkdInsideMethod::AxisRays;
@@ -307,19 +289,42 @@ int vtkSkdTreePointInOut::RequestData(
   vtkIdType inside = 0;
   for (const SkdLeaf& leaf : outputs)
   {
-    vtkDataSet* mesh = leaf.Mesh;
-    const SkdInOuts answers = this->Ask == POINTS ? internals.AskPoints(mesh, this->Model, loop)
-      : this->Ask == CELL_CENTERS
-      ? internals.AskCenters(mesh, this->Model, loop)
-      : internals.AskCorners(mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop);
-    answers.AddTo(
-      mesh->GetAttributes(this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL));
+    const SkdInOuts answers = this->AskMesh(leaf.Mesh, loop);
+    this->ExtractFrom(leaf.Mesh, answers, outputVector);
     asked += answers.GetNumber();
     inside += answers.CountInside();
   }
   this->Report(output, asked, inside, buildSeconds, watch.Lap());
   internals.Leaves.clear();
   return 1;
+}
+
+SkdInOuts vtkSkdTreePointInOut::AskMesh(vtkDataSet* mesh, SkdLoop& loop)
+{
+  const Internals& internals = *this->Impl;
+  const bool asksCorners = this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT;
+  const auto at = this->Ask == POINTS ? SkdQuestions::At::Points : SkdQuestions::At::Middles;
+  const SkdInOuts answers = asksCorners
+    ? internals.AskCorners(mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop)
+    : internals.AskFor(SkdQuestions(mesh, at), this->Model, loop);
+  answers.AddTo(
+    mesh->GetAttributes(this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL));
+  return answers;
+}
+
+void vtkSkdTreePointInOut::ExtractFrom(
+  vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector)
+{
+  const bool wantsInside = this->Extract == INSIDE;
+  vtkSmartPointer<vtkUnstructuredGrid> grid = this->Extract == NOTHING
+    ? vtkSmartPointer<vtkUnstructuredGrid>::New()
+    : ExtractThose(mesh, answers, wantsInside, this->Ask != POINTS);
+  if (auto* blocks = vtkMultiBlockDataSet::GetData(outputVector, 1))
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
+    return;
+  }
+  vtkUnstructuredGrid::GetData(outputVector, 1)->ShallowCopy(grid);
 }
 
 vtkIdType vtkSkdTreePointInOut::CountQuestions(const std::vector<SkdLeaf>& leaves) const
@@ -367,6 +372,8 @@ void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Ask: " << this->Ask << "\n";
   os << indent << "BoundaryBand: " << this->BoundaryBand << "\n";
   os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");
+  os << indent << "RepairOrientation: " << (this->RepairOrientation ? "On\n" : "Off\n");
+  os << indent << "Extract: " << this->Extract << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

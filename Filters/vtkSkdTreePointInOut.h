@@ -18,9 +18,10 @@
  * triangles that they are cut into are meant. Points within rounding of a surface may count as
  * either. Without a gap no orientation is needed by rays. The answer is the same whatever the
  * number of threads or processes (each asks for the whole Source). Trees are kept while the Source
- * is unchanged. On an image the filter is a voxeliser.
+ * is unchanged. On an image, and on a rectilinear grid, the filter is a voxeliser: one line along
+ * each row tells all of it, of closed parts and by rays.
  *
- * Output: the input with these arrays, of points or of cells by what was asked (see SetAsk)
+ * Output port 0: the input with these arrays, of points or of cells by what was asked (see SetAsk)
  * | name             | type   | meaning                                                 | none |
  * | ---------------- | ------ | ------------------------------------------------------- | ---- |
  * | SkdInside        | uchar  | 1 inside some part                                      | 0    |
@@ -32,9 +33,12 @@
  * "None" is a point that is outside; of one that is not finite the confidence is 0, too. SkdInside
  * becomes the active scalars.
  *
- * Field data of the output, one value each: SkdReportPoints, SkdReportPointsInside, SkdReportParts,
- * SkdReportOpenParts, SkdReportOpenEdges, SkdReportTreesBuilt (0 when all were kept),
- * SkdReportBuildSeconds and SkdReportQuerySeconds.
+ * Output port 1: by choice (see SetExtract) what of the input is inside, or outside, as a
+ * vtkUnstructuredGrid; of composite data a vtkMultiBlockDataSet with one for each data set in it.
+ *
+ * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
+ * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportTreesBuilt (0 when all were
+ * kept), SkdReportBuildSeconds and SkdReportQuerySeconds.
  *
  * Bad input: a Source without cells, or without surfaces where they are needed, gives a warning and
  * nothing is inside. A PartArray that some block does not have, and volume cells with
@@ -57,9 +61,12 @@
 #include <string> // For std::string
 #include <vector> // For std::vector
 
+class SkdInOuts;
+class SkdLoop;
 struct SkdLeaf;
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
 
 class VTKFILTERSSKDTREE_EXPORT vtkSkdTreePointInOut : public vtkSkdTreeSourceAlgorithm
 {
@@ -189,6 +196,33 @@ public:
 
   ///@{
   /**
+   * For WINDING_NUMBER and NEAREST_FEATURE, which go by the triangles' normals: turn these outward
+   * first. Neighbours are turned alike, and what hangs together so by axis rays from its largest
+   * triangle. Default off.
+   */
+  vtkSetMacro(RepairOrientation, bool);
+  vtkGetMacro(RepairOrientation, bool);
+  vtkBooleanMacro(RepairOrientation, bool);
+  ///@}
+
+  enum ExtractType
+  {
+    NOTHING = 0,
+    INSIDE = 1,
+    OUTSIDE = 2
+  };
+
+  ///@{
+  /**
+   * What output port 1 holds: nothing (default), or the input's points or cells, by what was asked,
+   * that are inside or outside, with all data of port 0.
+   */
+  vtkSetClampMacro(Extract, int, NOTHING, OUTSIDE);
+  vtkGetMacro(Extract, int);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
@@ -211,6 +245,8 @@ protected:
   int Ask = POINTS;
   double BoundaryBand = 0.0;
   bool UseOuterFaces = true;
+  bool RepairOrientation = false;
+  int Extract = NOTHING;
   double Epsilon = 1e-9;
 
 private:
@@ -221,6 +257,8 @@ private:
   bool CheckSource();
   void UpdateParts();
   void WarnAbout();
+  SkdInOuts AskMesh(vtkDataSet* mesh, SkdLoop& loop);
+  void ExtractFrom(vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector);
   vtkIdType CountQuestions(const std::vector<SkdLeaf>& leaves) const;
   void Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside, double buildSeconds,
     double querySeconds);

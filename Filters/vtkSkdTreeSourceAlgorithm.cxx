@@ -5,6 +5,7 @@
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdWholeInput.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkInformationVector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -43,8 +44,18 @@ int vtkSkdTreeSourceAlgorithm::FillOutputPortInformation(int port, vtkInformatio
 {
   const int type = this->OutputTypes[port];
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-    type == LIKE_INPUT ? "vtkDataObject" : vtkDataObjectTypes::GetClassNameFromTypeId(type));
+    type < 0 ? "vtkDataObject" : vtkDataObjectTypes::GetClassNameFromTypeId(type));
   return 1;
+}
+
+int vtkSkdTreeSourceAlgorithm::TypeFor(int outputType, vtkDataObject* input)
+{
+  if (outputType == GRID_OR_BLOCKS)
+  {
+    const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+    return isComposite ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID;
+  }
+  return outputType == LIKE_INPUT ? input->GetDataObjectType() : outputType;
 }
 
 int vtkSkdTreeSourceAlgorithm::RequestDataObject(
@@ -57,9 +68,8 @@ int vtkSkdTreeSourceAlgorithm::RequestDataObject(
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    const int type = this->OutputTypes[port];
-    SkdProvideOutput(outputVector->GetInformationObject(port),
-      type == LIKE_INPUT ? input->GetDataObjectType() : type);
+    SkdProvideOutput(
+      outputVector->GetInformationObject(port), TypeFor(this->OutputTypes[port], input));
   }
   return 1;
 }

@@ -47,7 +47,10 @@ protected:
   /// As an output port's type: that of the Input.
   static constexpr int LIKE_INPUT = -1;
 
-  /// One type an output port: VTK_POLY_DATA and the like, or LIKE_INPUT.
+  /// A vtkUnstructuredGrid; where the Input is composite a vtkMultiBlockDataSet, to hold several.
+  static constexpr int GRID_OR_BLOCKS = -2;
+
+  /// One type an output port: VTK_POLY_DATA and the like, or one of the above.
   vtkSkdTreeSourceAlgorithm(SourceUse use, std::initializer_list<int> outputTypes);
   ~vtkSkdTreeSourceAlgorithm() override;
 
@@ -62,6 +65,8 @@ protected:
   bool WholeInput = false;
 
 private:
+  static int TypeFor(int outputType, vtkDataObject* input);
+
   vtkSkdTreeSourceAlgorithm(const vtkSkdTreeSourceAlgorithm&) = delete;
   void operator=(const vtkSkdTreeSourceAlgorithm&) = delete;
 

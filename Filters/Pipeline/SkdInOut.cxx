@@ -7,38 +7,6 @@
 #include "vtkMath.h"
 
 #include <algorithm>
-#include <cmath>
-
-SkdInOut SkdAskParts(const std::vector<SkdPart>& parts, const double x[3],
-  const SkdInsideRules& rules, double band, std::uint64_t point)
-{
-  SkdInOut answer;
-  if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-  {
-    answer.WindingNumber = vtkMath::Nan();
-    return answer;
-  }
-  answer.Confidence = 1.0;
-  double smallest = VTK_DOUBLE_MAX;
-  for (const SkdPart& part : parts)
-  {
-    const SkdSide side = part.AskSide(x, rules, point);
-    answer.Confidence = std::min(answer.Confidence, side.Confidence);
-    answer.IsOnBoundary = answer.IsOnBoundary || (band > 0.0 && part.IsNear(x, band));
-    answer.WindingNumber += part.GetWindingNumber(x);
-    if (side.IsInside)
-    {
-      answer.IsInside = true;
-      ++answer.Depth;
-      if (part.GetDiagonal() < smallest)
-      {
-        smallest = part.GetDiagonal();
-        answer.PartId = part.GetId();
-      }
-    }
-  }
-  return answer;
-}
 
 SkdInOuts::SkdInOuts(vtkIdType n, bool hasWinding)
   : Inside(SkdMakeArray<vtkUnsignedCharArray>(InsideName, 1, n, 0))

@@ -22,11 +22,6 @@ struct SkdInOut
   double WindingNumber = 0.0;
 };
 
-/// Asks all parts for a point, `point` of its number. The innermost is the smallest that holds it,
-/// ties to the lowest id. Thread-safe.
-SkdInOut SkdAskParts(const std::vector<SkdPart>& parts, const double x[3],
-  const SkdInsideRules& rules, double band, std::uint64_t point);
-
 /// Arrays of a slot a point or cell, "none" at first.
 class SkdInOuts
 {
@@ -39,6 +34,7 @@ public:
   void Set(vtkIdType i, const SkdInOut& answer);
 
   vtkIdType GetNumber() const { return this->Inside->GetNumberOfTuples(); }
+  bool IsInside(vtkIdType i) const { return this->Inside->GetValue(i) != 0; }
   vtkIdType CountInside() const;
 
   /// Adds the arrays, and makes the first the active scalars.

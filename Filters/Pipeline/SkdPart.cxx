@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdPart.h"
 
+#include "Pipeline/SkdOrientation.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,31 +14,6 @@
 namespace
 {
 using Triangle = skd::WindingNumber::Triangle;
-
-void LoadTriangle(vtkPolyData* faces, vtkIdType face, vtkIdType ids[3], Triangle& corners)
-{
-  vtkNew<vtkIdList> points;
-  faces->GetPolys()->GetCellAtId(face, points);
-  for (int i = 0; i < 3; ++i)
-  {
-    ids[i] = points->GetId(i);
-    faces->GetPoint(ids[i], corners[i].X);
-  }
-}
-
-skd::Vector3 UnitNormal(const Triangle& t)
-{
-  const skd::Vector3 across = skd::Cross(t[1] - t[0], t[2] - t[0]);
-  const double length = skd::Norm(across);
-  return length > 0.0 ? (1.0 / length) * across : skd::Vector3{ { 0.0, 0.0, 0.0 } };
-}
-
-double AngleAt(const Triangle& t, int corner)
-{
-  const skd::Vector3 a = t[(corner + 1) % 3] - t[corner];
-  const skd::Vector3 b = t[(corner + 2) % 3] - t[corner];
-  return std::atan2(skd::Norm(skd::Cross(a, b)), skd::Dot(a, b));
-}
 
 /// Of `yes` among `asked` votes.
 SkdSide Counted(int yes, int asked)
@@ -77,28 +54,29 @@ struct SkdPart::Winding
   }
 };
 
-SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, double epsilon, SkdInsideMethod method)
+SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings)
   : Id(id)
   , Boundary(SkdBoundaryOf(leaves))
   , Faces(SkdMakeLocator(this->Boundary.Faces))
 {
   this->Walls = this->Boundary.Walls == this->Boundary.Faces ? this->Faces
                                                              : SkdMakeLocator(this->Boundary.Walls);
-  SkdBuildLocator(this->Faces, epsilon, true);
+  SkdBuildLocator(this->Faces, settings.Epsilon, true);
   if (this->Walls != this->Faces)
   {
-    SkdBuildLocator(this->Walls, epsilon, true);
+    SkdBuildLocator(this->Walls, settings.Epsilon, true);
   }
   this->Boundary.Faces->GetCellsBounds(this->Bounds);
   const vtkBoundingBox box(this->Bounds);
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
-  if (method == SkdInsideMethod::WindingNumber)
+  if (settings.Method == SkdInsideMethod::WindingNumber)
   {
-    this->MakeWinding();
+    this->MakeWinding(settings.RepairsOrientation);
   }
-  if (method == SkdInsideMethod::NearestFeature)
+  if (settings.Method == SkdInsideMethod::NearestFeature)
   {
-    this->MakeNormals();
+    this->Normals = std::make_unique<SkdFeatureNormals>(this->Boundary.Faces,
+      settings.RepairsOrientation ? this->FindTurned(this->Boundary.Faces) : std::vector<bool>());
   }
 }
 
@@ -106,45 +84,34 @@ SkdPart::~SkdPart() = default;
 SkdPart::SkdPart(SkdPart&&) noexcept = default;
 SkdPart& SkdPart::operator=(SkdPart&&) noexcept = default;
 
+std::vector<bool> SkdPart::FindTurned(vtkPolyData* surface) const
+{
+  return SkdFindTurned(SkdPointsOf(surface), SkdTrianglesOf(surface),
+    [this](const skd::Vector3& x)
+    { return this->BoundsHold(x.X) && this->VoteAlongAxes(x.X).IsInside; });
+}
+
 // Of the walls: the equal faces of bodies that touch have solid angles that cancel only if they are
 // turned against each other.
-void SkdPart::MakeWinding()
+void SkdPart::MakeWinding(bool repairsOrientation)
 {
-  std::vector<Triangle> triangles(this->Boundary.Walls->GetNumberOfCells());
-  std::vector<skd::Box3> boxes(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  vtkPolyData* walls = this->Boundary.Walls;
+  const std::vector<bool> isTurned =
+    repairsOrientation ? this->FindTurned(walls) : std::vector<bool>();
+  const std::vector<skd::Vector3> points = SkdPointsOf(walls);
+  std::vector<Triangle> triangles;
+  std::vector<skd::Box3> boxes;
+  for (const SkdTriangleIds& ids : SkdTrianglesOf(walls))
   {
-    vtkIdType ids[3];
-    LoadTriangle(this->Boundary.Walls, static_cast<vtkIdType>(i), ids, triangles[i]);
-    for (const skd::Vector3& corner : triangles[i])
+    const bool turns = repairsOrientation && isTurned[triangles.size()];
+    triangles.push_back({ points[ids[0]], points[ids[turns ? 2 : 1]], points[ids[turns ? 1 : 2]] });
+    skd::Box3& box = boxes.emplace_back();
+    for (const skd::Vector3& corner : triangles.back())
     {
-      boxes[i].Add(corner);
+      box.Add(corner);
     }
   }
   this->TheWinding = std::make_unique<Winding>(boxes, triangles);
-}
-
-// J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle weighted pseudonormal",
-// IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
-void SkdPart::MakeNormals()
-{
-  const vtkIdType faces = this->GetNumberOfFaces();
-  this->PointNormals.assign(
-    this->Boundary.Faces->GetNumberOfPoints(), skd::Vector3{ { 0.0, 0.0, 0.0 } });
-  for (vtkIdType face = 0; face < faces; ++face)
-  {
-    vtkIdType ids[3];
-    Triangle corners;
-    LoadTriangle(this->Boundary.Faces, face, ids, corners);
-    const skd::Vector3 normal = UnitNormal(corners);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->PointNormals[ids[i]] = this->PointNormals[ids[i]] + AngleAt(corners, i) * normal;
-      EdgeNormal& edge = this->EdgeNormals[std::minmax(ids[i], ids[(i + 1) % 3])];
-      edge.Sum = edge.Sum + normal;
-      ++edge.Faces;
-    }
-  }
 }
 
 bool SkdPart::BoundsHold(const double x[3]) const
@@ -178,6 +145,40 @@ bool SkdPart::IsOdd(const double x[3], const SkdWayOut& way) const
   return this->Walls->CountCrossings(x, end) % 2 == 1;
 }
 
+void SkdPart::FindPasses(
+  const double from[3], const double along[3], double distance, std::vector<double>& passes) const
+{
+  thread_local vtkNew<vtkDoubleArray> parameters;
+  thread_local vtkNew<vtkIdTypeArray> kinds;
+  double reach = distance;
+  double start = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double height = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      height += along[axis] * (this->Bounds[2 * axis + (corner >> axis & 1)] - from[axis]);
+    }
+    start = std::min(start, height);
+  }
+  start -= 0.01 * this->Diagonal; // both ends are outside, or beyond all that is wanted
+  reach += 0.01 * this->Diagonal;
+  double p1[3], p2[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    p1[axis] = from[axis] + start * along[axis];
+    p2[axis] = from[axis] + reach * along[axis];
+  }
+  const vtkIdType n = this->Walls->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    if (kinds->GetValue(i) == 1)
+    {
+      passes.push_back(start + parameters->GetValue(i) * (reach - start));
+    }
+  }
+}
+
 SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
 {
   const std::array<SkdWayOut, 7> ways = SkdWaysOutAlongAxes(this->Bounds, x);
@@ -205,34 +206,6 @@ SkdSide SkdPart::AskWinding(const double x[3]) const
   return { beyond >= 0.0, 0.5 + std::min(0.5, std::abs(beyond)) };
 }
 
-// The normal of the face, edge or corner that a point of a face is on.
-skd::Vector3 SkdPart::NormalAt(vtkIdType face, const double pcoords[3], bool& isOpen) const
-{
-  vtkIdType ids[3];
-  Triangle corners;
-  LoadTriangle(this->Boundary.Faces, face, ids, corners);
-  const double weights[3] = { 1.0 - pcoords[0] - pcoords[1], pcoords[0], pcoords[1] };
-  constexpr double none = 1e-12;
-  isOpen = false;
-  for (int i = 0; i < 3; ++i)
-  {
-    if (weights[(i + 1) % 3] <= none && weights[(i + 2) % 3] <= none)
-    {
-      return this->PointNormals[ids[i]];
-    }
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    if (weights[i] <= none)
-    {
-      const auto edge = this->EdgeNormals.find(std::minmax(ids[(i + 1) % 3], ids[(i + 2) % 3]));
-      isOpen = edge->second.Faces % 2 == 1;
-      return edge->second.Sum;
-    }
-  }
-  return UnitNormal(corners);
-}
-
 SkdSide SkdPart::AskNearest(const double x[3]) const
 {
   double asked[3] = { x[0], x[1], x[2] };
@@ -244,10 +217,9 @@ SkdSide SkdPart::AskNearest(const double x[3]) const
   {
     return SkdSide();
   }
-  bool isOpen;
-  const skd::Vector3 normal = this->NormalAt(face, pcoords, isOpen);
+  const SkdFeatureNormals::Normal normal = this->Normals->At(face, pcoords);
   const skd::Vector3 away{ { x[0] - nearest[0], x[1] - nearest[1], x[2] - nearest[2] } };
-  return { skd::Dot(away, normal) <= 0.0, isOpen ? 0.5 : 1.0 };
+  return { skd::Dot(away, normal.Direction) <= 0.0, normal.IsOpen ? 0.5 : 1.0 };
 }
 
 bool SkdPart::IsNear(const double x[3], double distance) const

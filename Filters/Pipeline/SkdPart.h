@@ -11,10 +11,10 @@
 #include "Core/Geometry/Vector.h"
 #include "Core/Queries/WindingNumber.h"
 #include "Pipeline/SkdBoundary.h"
+#include "Pipeline/SkdFeatureNormals.h"
 #include "Pipeline/SkdWaysOut.h"
 #include "vtkSkdTreeCellLocator.h"
 
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -34,6 +34,20 @@ struct SkdInsideRules
   std::uint64_t Seed = 0;
 };
 
+/// How parts are made.
+struct SkdPartSettings
+{
+  double Epsilon = 1e-9; // see vtkSkdTreeCellLocator::SetEpsilon
+  SkdInsideMethod Method = SkdInsideMethod::AxisRays;
+  bool RepairsOrientation = false; // turn triangles whose normals point inward
+
+  bool operator==(const SkdPartSettings& other) const
+  {
+    return this->Epsilon == other.Epsilon && this->Method == other.Method &&
+      this->RepairsOrientation == other.RepairsOrientation;
+  }
+};
+
 /// What one part says of a point.
 struct SkdSide
 {
@@ -46,7 +60,7 @@ class SkdPart
 public:
   /// The body that the leaves enclose together; `id` is what it is called. Triangles, their trees,
   /// and what the method needs besides.
-  SkdPart(int id, const std::vector<SkdLeaf>& leaves, double epsilon, SkdInsideMethod method);
+  SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings);
   ~SkdPart();
   SkdPart(SkdPart&&) noexcept;
   SkdPart& operator=(SkdPart&&) noexcept;
@@ -66,6 +80,13 @@ public:
   /// Thread-safe.
   SkdSide AskSide(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
 
+  /// Where a line passes through the boundary, to the other side, as distances from a point of it
+  /// along a direction of length 1, ascending: all of them up to a given one, and maybe some
+  /// beyond. Of a closed boundary an odd number of them come before a point exactly when that is
+  /// inside. Thread-safe.
+  void FindPasses(const double from[3], const double along[3], double distance,
+    std::vector<double>& passes) const;
+
   /// 0 unless made for that method. Thread-safe.
   double GetWindingNumber(const double x[3]) const;
 
@@ -75,14 +96,13 @@ public:
 private:
   struct Winding; // a tree of its own, and the sums in it
 
-  void MakeWinding();
-  void MakeNormals();
+  std::vector<bool> FindTurned(vtkPolyData* surface) const;
+  void MakeWinding(bool repairsOrientation);
   bool IsOdd(const double x[3], const SkdWayOut& way) const;
   SkdSide VoteAlongAxes(const double x[3]) const;
   SkdSide VoteAtRandom(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
   SkdSide AskWinding(const double x[3]) const;
   SkdSide AskNearest(const double x[3]) const;
-  skd::Vector3 NormalAt(vtkIdType face, const double pcoords[3], bool& isOpen) const;
 
   int Id;
   SkdBoundary Boundary;
@@ -92,13 +112,7 @@ private:
   double Diagonal = 0.0;
   std::unique_ptr<Winding> TheWinding;
 
-  struct EdgeNormal
-  {
-    skd::Vector3 Sum{ { 0.0, 0.0, 0.0 } };
-    int Faces = 0;
-  };
-  std::vector<skd::Vector3> PointNormals; // by angle
-  std::map<std::pair<vtkIdType, vtkIdType>, EdgeNormal> EdgeNormals;
+  std::unique_ptr<SkdFeatureNormals> Normals; // of Faces
 };
 
 #endif

@@ -2,87 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdPartList.h"
 
+#include "Pipeline/SkdSubset.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkIdList.h"
-#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <unordered_map>
 
 namespace
 {
-/// Some cells of a mesh as a grid of their own, with no more points than they use.
-class CellSubset
-{
-public:
-  explicit CellSubset(vtkDataSet* mesh)
-    : Mesh(mesh)
-  {
-    this->Points->SetDataTypeToDouble();
-    this->Grid->SetPoints(this->Points);
-    this->Grid->Allocate(64);
-  }
-
-  void Add(vtkIdType cell)
-  {
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Mesh);
-    const int type = this->Mesh->GetCellType(cell);
-    if (grid && type == VTK_POLYHEDRON)
-    {
-      grid->GetFaceStream(cell, this->Ids);
-      this->RenumberFaces();
-    }
-    else
-    {
-      this->Mesh->GetCellPoints(cell, this->Ids);
-      this->Renumber(0, this->Ids->GetNumberOfIds());
-    }
-    this->Grid->InsertNextCell(type, this->Ids);
-  }
-
-  vtkUnstructuredGrid* Get() const { return this->Grid; }
-
-private:
-  void Renumber(vtkIdType first, vtkIdType last)
-  {
-    for (vtkIdType i = first; i < last; ++i)
-    {
-      const vtkIdType id = this->Ids->GetId(i);
-      const auto [entry, isNew] = this->NewIds.emplace(id, this->Points->GetNumberOfPoints());
-      if (isNew)
-      {
-        double x[3];
-        this->Mesh->GetPoint(id, x);
-        this->Points->InsertNextPoint(x);
-      }
-      this->Ids->SetId(i, entry->second);
-    }
-  }
-
-  // The number of faces, then of each face its size and points.
-  void RenumberFaces()
-  {
-    for (vtkIdType at = 1; at < this->Ids->GetNumberOfIds();)
-    {
-      const vtkIdType size = this->Ids->GetId(at);
-      this->Renumber(at + 1, at + 1 + size);
-      at += 1 + size;
-    }
-  }
-
-  vtkDataSet* Mesh;
-  vtkNew<vtkUnstructuredGrid> Grid;
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkIdList> Ids;
-  std::unordered_map<vtkIdType, vtkIdType> NewIds;
-};
-
 /// Sets that are joined.
 class Union
 {
@@ -167,9 +99,9 @@ bool SkdPartList::IsSameAs(const std::vector<SkdLeaf>& leaves) const
 }
 
 int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const std::string& array,
-  double epsilon, SkdInsideMethod method)
+  const SkdPartSettings& settings)
 {
-  Key key{ by, epsilon, method, {} };
+  Key key{ by, settings, {} };
   if (by == SkdPartsBy::CellArray)
   {
     for (const SkdLeaf& leaf : leaves)
@@ -194,8 +126,7 @@ int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const
     this->Meshes[i].Keep(leaves[i].Mesh);
     if (by == SkdPartsBy::Blocks)
     {
-      this->Parts.emplace_back(
-        leaves[i].BlockIndex, std::vector<SkdLeaf>{ leaves[i] }, epsilon, method);
+      this->Parts.emplace_back(leaves[i].BlockIndex, std::vector<SkdLeaf>{ leaves[i] }, settings);
     }
   }
   if (by != SkdPartsBy::Blocks)
@@ -207,7 +138,7 @@ int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const
 
 void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
 {
-  std::map<int, std::map<std::size_t, CellSubset>> subsets; // by id, then leaf
+  std::map<int, std::map<std::size_t, SkdSubset>> subsets; // by id, then leaf
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     vtkUnsignedCharArray* ghosts = leaves[leaf].Mesh->GetCellGhostArray();
@@ -218,7 +149,7 @@ void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
       {
         subsets[this->Last.Ids[leaf][cell]]
           .try_emplace(leaf, leaves[leaf].Mesh)
-          .first->second.Add(id);
+          .first->second.AddCell(id);
       }
     }
   }
@@ -229,6 +160,6 @@ void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
     {
       parts.push_back({ subset.Get(), leaves[leaf].BlockIndex });
     }
-    this->Parts.emplace_back(id, parts, this->Last.Epsilon, this->Last.Method);
+    this->Parts.emplace_back(id, parts, this->Last.Settings);
   }
 }

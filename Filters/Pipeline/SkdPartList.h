@@ -30,7 +30,7 @@ public:
   /// Makes the parts those of the leaves, by what is said. Returns how many were made: 0 when all
   /// were kept. The array must be in all leaves.
   int Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const std::string& array,
-    double epsilon, SkdInsideMethod method);
+    const SkdPartSettings& settings);
 
   const std::vector<SkdPart>& Get() const { return this->Parts; }
 
@@ -38,14 +38,12 @@ private:
   struct Key
   {
     SkdPartsBy By;
-    double Epsilon;
-    SkdInsideMethod Method;
+    SkdPartSettings Settings;
     std::vector<std::vector<int>> Ids; // of cells, one list a leaf, unless by blocks
 
     bool operator==(const Key& other) const
     {
-      return this->By == other.By && this->Epsilon == other.Epsilon &&
-        this->Method == other.Method && this->Ids == other.Ids;
+      return this->By == other.By && this->Settings == other.Settings && this->Ids == other.Ids;
     }
   };
 
@@ -53,7 +51,7 @@ private:
   void MakeByIds(const std::vector<SkdLeaf>& leaves);
 
   std::vector<SkdKeptMesh> Meshes;
-  Key Last{ SkdPartsBy::Blocks, -1.0, SkdInsideMethod::AxisRays, {} };
+  Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };
   std::vector<SkdPart> Parts;
 };
 

@@ -18,10 +18,16 @@ class SkdPointOrder
 public:
   explicit SkdPointOrder(vtkDataSet* mesh);
 
-  /// The point at a place of the order, and where it is. Thread-safe.
+  /// The point at a place of the order. Thread-safe.
+  vtkIdType GetPoint(vtkIdType place) const
+  {
+    return this->Scattered ? this->Scattered->GetSlot(place) : place;
+  }
+
+  /// The same, and where it is.
   vtkIdType GetPoint(vtkIdType place, double x[3]) const
   {
-    const vtkIdType id = this->Scattered ? this->Scattered->GetSlot(place) : place;
+    const vtkIdType id = this->GetPoint(place);
     this->Scattered ? this->Scattered->Read(id, x) : this->Mesh->GetPoint(id, x);
     return id;
   }

@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreePointInOut: which part holds a point.
+// vtkSkdTreePointInOut: which part holds a point, by every method.
 
 #include "Support/EventCounter.h"
-#include "Support/FilterRun.h"
-#include "Support/NamedMeshes.h"
-#include "Support/VolumeMeshes.h"
+#include "Support/InOutRun.h"
 
-#include "vtkImageData.h"
 #include "vtkSMPTools.h"
-#include "vtkSkdTreePointInOut.h"
 
 #include <gtest/gtest.h>
 
@@ -17,78 +13,6 @@ using namespace skdtest;
 
 namespace
 {
-
-using InOut = vtkSkdTreePointInOut;
-using InOutPointer = vtkSmartPointer<InOut>;
-
-constexpr int AllMethods[] = { InOut::AXIS_RAYS, InOut::RANDOM_RAYS, InOut::WINDING_NUMBER,
-  InOut::NEAREST_FEATURE };
-
-InOutPointer MakeInOut(vtkDataObject* input, vtkDataObject* source, int method = InOut::AXIS_RAYS)
-{
-  auto made = InOutPointer::New();
-  made->SetInputDataObject(0, input);
-  made->SetSourceData(source);
-  made->SetMethod(method);
-  return made;
-}
-
-std::vector<double> RunFor(InOut* filter, const char* name)
-{
-  filter->Update();
-  return PointArray(filter->GetOutputDataObject(0), name);
-}
-
-std::vector<Point> PointsAround(double radius, int count, int seed = 41)
-{
-  Random random(seed);
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i)
-  {
-    points.push_back(random.InBox({ -radius, radius, -radius, radius, -radius, radius }));
-  }
-  return points;
-}
-
-Mesh Together(const std::vector<Mesh>& meshes)
-{
-  Mesh all;
-  for (const Mesh& mesh : meshes)
-  {
-    const auto first = static_cast<vtkIdType>(all.Points.size());
-    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
-    for (CellSpec cell : mesh.Cells)
-    {
-      for (vtkIdType& id : cell.Points)
-      {
-        id += first;
-      }
-      all.Cells.push_back(cell);
-    }
-  }
-  return all;
-}
-
-Mesh Sphere(int n, double radius, const Point& centre = { 0, 0, 0 })
-{
-  return SphereTriangles(n).Map([=](const Point& p) { return (radius / Length(p)) * p + centre; });
-}
-
-/// As SphereTriangles, but the faces' normals point outward.
-Mesh Outward(Mesh mesh)
-{
-  for (CellSpec& cell : mesh.Cells)
-  {
-    const Point& a = mesh.Points[cell.Points[0]];
-    const Point& b = mesh.Points[cell.Points[1]];
-    const Point& c = mesh.Points[cell.Points[2]];
-    if (Dot(Cross(b - a, c - a), a) < 0)
-    {
-      std::swap(cell.Points[1], cell.Points[2]);
-    }
-  }
-  return mesh;
-}
 
 TEST(PointInOut, AnOctahedronIsDecidedExactlyByEveryMethod)
 {
@@ -343,142 +267,6 @@ TEST(PointInOut, BitsAreTheSameForAnyNumberOfThreads)
     EXPECT_EQ(answers[0], answers[1]) << method;
     EXPECT_EQ(answers[0], answers[2]) << method;
   }
-}
-
-//------------------------------------------------------------------------------
-TEST(PointInOut, OfVolumeCellsTheOuterFacesOrTheCellsThemselves)
-{
-  auto grid = MakeGrid(Hexahedra(3).Map(Turned));
-  grid->GetCellData()->AddArray(
-    MakeArray<vtkIntArray>("Material", 27, [](vtkIdType cell) { return cell % 3; }));
-  std::vector<Point> points;
-  std::vector<int> materials;
-  Random random(43);
-  for (int i = 0; i < 2000; ++i)
-  {
-    const Point p = random.InBox({ -1, 4, -1, 4, -1, 4 });
-    const bool within = Contains(Bounds{ 0, 3, 0, 3, 0, 3 }, p);
-    points.push_back(Turned(p));
-    materials.push_back(within ? static_cast<int>(p[0]) % 3 : -1);
-  }
-  auto input = MakeQueries(points);
-  for (int model : { InOut::BOUNDARIES, InOut::BODY_FITTED_MESH })
-  {
-    InOutPointer filter = MakeInOut(input, grid);
-    filter->SetModel(model);
-    filter->SetParts(InOut::CELL_ARRAY);
-    filter->SetPartArray("Material");
-    const std::vector<double> parts = RunFor(filter, "SkdPartId");
-    const std::vector<double> depths = RunFor(filter, "SkdDepth");
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      ASSERT_EQ(parts[i], materials[i]) << model << " " << i;
-      ASSERT_EQ(depths[i], materials[i] < 0 ? 0 : 1);
-    }
-    filter->Modified();
-    filter->Update();
-    EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
-  }
-  InOutPointer strict = MakeInOut(input, grid);
-  strict->UseOuterFacesOff();
-  EventCounter events(strict);
-  strict->Update();
-  EXPECT_EQ(events.Errors, 1);
-  EXPECT_NE(events.Error.find("UseOuterFaces"), std::string::npos);
-}
-
-TEST(PointInOut, CellsByCentreAllPointsOrAnyPoint)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(5, 2, 2);
-  image->SetOrigin(-2, -0.5, -0.5); // cells [-2, -1], [-1, 0], [0, 1], [1, 2]
-  auto ball = MakePolyData(Sphere(16, 1.3, { -0.3, 0, 0 })); // from -1.6 to 1
-  const auto inside = [&](int ask)
-  {
-    InOutPointer filter = MakeInOut(image, ball);
-    filter->SetAsk(ask);
-    filter->Update();
-    auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    EXPECT_STREQ(output->GetCellData()->GetScalars()->GetName(), "SkdInside");
-    EXPECT_FALSE(output->GetPointData()->HasArray("SkdInside"));
-    std::vector<double> values;
-    for (vtkIdType i = 0; i < 4; ++i)
-    {
-      values.push_back(output->GetCellData()->GetArray("SkdInside")->GetTuple1(i));
-    }
-    return values;
-  };
-  EXPECT_EQ(inside(InOut::CELL_CENTERS), (std::vector<double>{ 1, 1, 1, 0 }));
-  EXPECT_EQ(inside(InOut::CELLS_ALL_POINTS), (std::vector<double>{ 0, 1, 0, 0 }));
-  EXPECT_EQ(inside(InOut::CELLS_ANY_POINT), (std::vector<double>{ 1, 1, 1, 0 }));
-}
-
-TEST(PointInOut, TheBandIsOnBothSidesOfTheBoundary)
-{
-  auto cube = MakePolyData(CubeTriangles(2));
-  Bounds box;
-  cube->GetBounds(box.data());
-  const Point middle = Center(box);
-  std::vector<Point> points;
-  for (double x : { -0.2, -0.05, 0.05, 0.2 })
-  {
-    points.push_back({ box[1] + x, middle[1] + 0.1, middle[2] + 0.2 });
-  }
-  points.push_back({ box[1], middle[1] + 0.1, middle[2] + 0.2 });
-  InOutPointer filter = MakeInOut(MakeQueries(points), cube);
-  EXPECT_EQ(RunFor(filter, "SkdOnBoundary"), (std::vector<double>{ 0, 0, 0, 0, 0 }));
-  filter->SetBoundaryBand(0.1);
-  EXPECT_EQ(RunFor(filter, "SkdOnBoundary"), (std::vector<double>{ 0, 1, 1, 0, 1 }));
-  EXPECT_EQ(RunFor(filter, "SkdInside")[0], 1);
-  EXPECT_EQ(RunFor(filter, "SkdInside")[3], 0);
-}
-
-TEST(PointInOut, BadInputSaysWhy)
-{
-  auto points = MakeQueries({ { 0, 0, 0 }, { NAN, 0, 0 } });
-  vtkNew<vtkPolyData> empty;
-  auto lines = MakePolyData(Helix(10, VTK_LINE));
-  for (vtkDataObject* source : std::vector<vtkDataObject*>{ empty, lines })
-  {
-    for (int method : AllMethods)
-    {
-      InOutPointer filter = MakeInOut(points, source, method);
-      EventCounter events(filter);
-      EXPECT_EQ(RunFor(filter, "SkdInside"), (std::vector<double>{ 0, 0 }));
-      EXPECT_EQ(events.Warnings, 1) << events.Warning;
-      EXPECT_EQ(events.Errors, 0);
-    }
-  }
-  auto ball = MakePolyData(Sphere(6, 1.0));
-  InOutPointer filter = MakeInOut(points, ball);
-  EXPECT_EQ(RunFor(filter, "SkdInside"), (std::vector<double>{ 1, 0 }));
-  EXPECT_EQ(RunFor(filter, "SkdConfidence"), (std::vector<double>{ 1, 0 }));
-  EventCounter events(filter);
-  filter->SetParts(InOut::CELL_ARRAY);
-  filter->SetPartArray("Nothing");
-  filter->Update();
-  EXPECT_EQ(events.Errors, 1);
-  EXPECT_NE(events.Error.find("Nothing"), std::string::npos);
-  filter->SetNumberOfRays(0);
-  EXPECT_EQ(filter->GetNumberOfRays(), 1);
-}
-
-TEST(PointInOut, ProgressRisesAndAnAbortLeavesNone)
-{
-  auto ball = MakePolyData(Sphere(8, 3.0));
-  InOutPointer filter = MakeInOut(MakeQueries(PointsAround(1.0, 50000)), ball);
-  {
-    ProgressWatch watch(filter, 0.5);
-    filter->Update();
-    EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
-    filter->RemoveAllObservers();
-  }
-  const std::vector<double> left = PointArray(filter->GetOutput(), "SkdInside");
-  EXPECT_TRUE(left.empty() || left.back() == 0);
-  filter->SetAbortExecute(0);
-  filter->Modified();
-  filter->Update();
-  EXPECT_EQ(Reported(filter, "PointsInside"), 50000);
 }
 
 }

@@ -33,6 +33,24 @@ def distances():
     return skdtesting.point_array(closest, "SkdDistance")
 
 
+def probed():
+    from paraview import simple
+
+    probe = simple.SkdTreeProbe(Input=simple.Plane(Origin=[-9, -9, 0.3], Point1=[9, -9, 0.3],
+        Point2=[-9, 12, 0.4], XResolution=20, YResolution=20), Source=simple.Wavelet(),
+        OutsidePoints="Nearest Cell")
+    return skdtesting.point_array(probe, "RTData")
+
+
+def depths():
+    from paraview import simple
+
+    parts = simple.GroupDatasets(Input=[simple.Sphere(Radius=radius) for radius in (2, 3)])
+    inside = simple.SkdTreePointInOut(
+        Input=simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4]), Source=parts)
+    return skdtesting.point_array(inside, "SkdDepth")
+
+
 def resampled_mask():
     from paraview import simple
 
@@ -45,9 +63,12 @@ def resampled_mask():
 def be_client(port):
     from paraview import simple
 
-    alone = distances()
+    questions = (distances, probed, depths)
+    alone = [ask() for ask in questions]
+    assert set(alone[2]) == {0, 1, 2}
     simple.Connect("localhost", int(port))
-    skdtesting.assert_same(distances(), alone)
+    for ask, before in zip(questions, alone):
+        skdtesting.assert_same(ask(), before)
     assert resampled_mask().all()
 
 

@@ -13,32 +13,57 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import skdtesting
 
-ARRAYS = ("SkdDistance", "SkdClosestPoint", "SkdClosestCellId", "F")
 
-
-def answers(source):
-    """A row for each point of this process: where it is and what was found."""
+def lattice():
     from paraview import simple
 
-    field = simple.Calculator(Input=source, Function="coordsX", ResultArrayName="F")
-    closest = simple.SkdTreeClosestPoint(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]),
-        Source=field, SignedDistance=1, InterpolateSourceData=1)
-    closest.UpdatePipeline()
-    data = closest.GetClientSideObject().GetOutputDataObject(0)
+    return simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+
+
+def answers(proxy, arrays):
+    """A row for each point of this process: where it is and what was found."""
+    proxy.UpdatePipeline()
+    data = proxy.GetClientSideObject().GetOutputDataObject(0)
     columns = [numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])]
-    for name in ARRAYS:
+    for name in arrays:
         values = vtk_to_numpy(data.GetPointData().GetArray(name))
         columns.append(values.reshape(len(values), -1))
     return numpy.hstack(columns)
 
 
+def nearest(source):
+    from paraview import simple
+
+    field = simple.Calculator(Input=source, Function="coordsX", ResultArrayName="F")
+    closest = simple.SkdTreeClosestPoint(
+        Input=lattice(), Source=field, SignedDistance=1, InterpolateSourceData=1)
+    return answers(closest, ("SkdDistance", "SkdClosestPoint", "SkdClosestCellId", "F"))
+
+
+def probed(source):
+    from paraview import simple
+
+    probe = simple.SkdTreeProbe(Input=lattice(), Source=source, OutsidePoints="Nearest Cell")
+    return answers(probe, ("SkdSourceCellId", "SkdDistance", "SkdParametricCoordinates", "Temp"))
+
+
+def inside(source):
+    from paraview import simple
+
+    test = simple.SkdTreePointInOut(Input=lattice(), Source=source, BoundaryBand=0.1)
+    return answers(test, ("SkdInside", "SkdPartId", "SkdDepth", "SkdConfidence", "SkdOnBoundary"))
+
+
 def all_answers():
+    """Of each filter and source."""
     from paraview import simple
 
     brain = simple.XMLPolyDataReader(
         FileName=[os.path.join(skdtesting.DATA_DIR, "fly_brain_lateral_horn.vtp")])
+    flow = simple.XMLUnstructuredGridReader(
+        FileName=[os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu")])
     sphere = simple.Sphere(Radius=4, ThetaResolution=50, PhiResolution=50)
-    return numpy.vstack([answers(source) for source in (sphere, brain)])
+    return [nearest(sphere), nearest(brain), probed(flow), inside(sphere), inside(flow)]
 
 
 def process_id():
@@ -62,16 +87,17 @@ def run_in_parallel(file):
 
 
 if len(sys.argv) > 1:
-    numpy.save(sys.argv[1] % process_id(), all_answers())
+    numpy.savez(sys.argv[1] % process_id(), *all_answers())
 elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
     skdtesting.skip("there is no mpiexec or no pvbatch")
 else:
     alone = all_answers()
-    assert len(alone) == 2 * 13**3
-    file = skdtesting.temporary("parallel%d.npy")
+    file = skdtesting.temporary("parallel%d.npz")
     run_in_parallel(file)
-    parts = [numpy.load(file % process) for process in (0, 1)]
-    assert all(len(alone) > len(part) > 0 for part in parts)
-    # The processes share the points where their pieces meet.
-    together = numpy.unique(numpy.vstack(parts), axis=0)
-    skdtesting.assert_same(together, numpy.unique(alone, axis=0))
+    parts = [list(numpy.load(file % process).values()) for process in (0, 1)]
+    for whole, first, second in zip(alone, *parts):
+        assert len(whole) == 13**3 and min(len(first), len(second)) > 0
+        assert max(len(first), len(second)) < len(whole)
+        # The processes share the points where their pieces meet.
+        together = numpy.unique(numpy.vstack([first, second]), axis=0)
+        skdtesting.assert_same(together, numpy.unique(whole, axis=0))

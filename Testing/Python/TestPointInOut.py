@@ -31,6 +31,7 @@ def test_defaults():
     assert test.Model == "Boundaries" and test.Parts == "Blocks" and test.Method == "Axis Rays"
     assert test.NumberOfRays == 10 and test.Seed == 0 and test.Ask == "Points"
     assert test.BoundaryBand == 0 and test.UseOuterFaces == 1
+    assert test.RepairOrientation == 0 and test.Extract == "Nothing"
 
 
 def test_every_method_voxelises_a_ball():
@@ -78,6 +79,20 @@ def test_a_mesh_that_fills_the_parts():
     b = skdtesting.point_array(faces, "SkdInside")
     assert 500 < a.sum() < len(a)
     assert (a != b).mean() < 0.01  # faces are warped: cut into triangles they are others a little
+
+
+def test_extraction():
+    test = simple.SkdTreePointInOut(
+        Input=grid(), Source=ball(5.1), Ask="Cells All Points", Extract="Inside")
+    test.UpdatePipeline()
+    inside = servermanager.Fetch(test, idx=1)
+    assert inside.GetNumberOfCells() == skdtesting.report(test, "PointsInside") > 100
+    assert max(abs(value) for value in inside.GetBounds()) == 4
+    test.Extract = "Outside"
+    test.UpdatePipeline()
+    outside = servermanager.Fetch(test, idx=1)
+    assert outside.GetNumberOfCells() + inside.GetNumberOfCells() == 16**3
+    assert outside.GetPointData().GetArray("RTData") is not None
 
 
 def test_trees_are_kept():
