@@ -111,6 +111,7 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   settings.Epsilon = this->Epsilon;
   settings.Capacity = std::min(this->NumberOfCellsPerNode, skd::Node<3>::Width);
   settings.IsLazy = this->LazyBuild;
+  settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
   settings.SkipsGhosts = this->SkipGhostCells;
   this->FreeSearchStructure();
   std::shared_ptr<const SkdCellTree> tree;
@@ -498,6 +499,7 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
   }
   this->SetEpsilon(other->Epsilon);
   this->SetLazyBuild(other->LazyBuild);
+  this->SetSplitRule(other->SplitRule);
   this->SetSkipGhostCells(other->SkipGhostCells);
   this->SetNumberOfCellsPerNode(other->NumberOfCellsPerNode);
   this->SetCacheCellBounds(other->CacheCellBounds);
@@ -515,6 +517,7 @@ void vtkSkdTreeCellLocator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Epsilon: " << this->Epsilon << "\n";
   os << indent << "LazyBuild: " << this->LazyBuild << "\n";
+  os << indent << "SplitRule: " << this->SplitRule << "\n";
   os << indent << "SkipGhostCells: " << this->SkipGhostCells << "\n";
   os << indent << "Transform: " << (this->Impl->Motion ? "" : "(none)") << "\n";
   if (this->Impl->Motion)
@@ -522,6 +525,7 @@ void vtkSkdTreeCellLocator::PrintSelf(ostream& os, vtkIndent indent)
     this->Impl->Matrix->PrintSelf(os, indent.GetNextIndent());
   }
   os << indent << "NumberOfCellsInTree: " << this->GetNumberOfCellsInTree() << "\n";
+  os << indent << "SplitRuleInUse: " << this->GetSplitRuleInUse() << "\n";
   os << indent << "NumberOfNodes: " << this->GetNumberOfNodes() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
   os << indent << "BytesPerCell: " << this->GetBytesPerCell() << "\n";

@@ -148,6 +148,13 @@ vtkIdType vtkSkdTreeCellLocator::GetNumberOfNodes()
 }
 
 //------------------------------------------------------------------------------
+int vtkSkdTreeCellLocator::GetSplitRuleInUse()
+{
+  const SkdCellTree* tree = this->Impl->GetTree();
+  return tree ? static_cast<int>(tree->Rule()) : SPLIT_AUTOMATICALLY;
+}
+
+//------------------------------------------------------------------------------
 int vtkSkdTreeCellLocator::GetDepth()
 {
   const SkdCellTree* tree = this->Impl->GetTree();

@@ -21,7 +21,7 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
   {
     return;
   }
-  skd::TreeInput<3> input = this->MakeInput(settings.Capacity);
+  skd::TreeInput<3> input = this->MakeInput(settings);
   if (settings.IsLazy)
   {
     this->Lazy = std::make_unique<skd::LazyTree<3>>(std::move(input));
@@ -43,13 +43,14 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-skd::TreeInput<3> SkdCellTree::MakeInput(int capacity)
+skd::TreeInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
 {
   const skd::Box3& bounds = this->Store.GetBounds();
   this->TheEpsilon = std::max(this->TheEpsilon * bounds.Diagonal(), this->TheRounding);
 
   skd::TreeInput<3> input;
-  input.Capacity = capacity;
+  input.Capacity = settings.Capacity;
+  input.Rule = settings.Rule;
   input.Bounds = bounds.Inflated(2.0 * this->TheEpsilon);
   input.Frame = skd::Frame<3>::Of(input.Bounds);
   input.Elements.resize(this->Store.NumberOfCells());
@@ -85,12 +86,22 @@ std::size_t SkdCellTree::NumberOfNodes() const
 //------------------------------------------------------------------------------
 int SkdCellTree::Depth() const
 {
+  if (!this->Lazy)
+  {
+    return this->Eager.Depth();
+  }
   int depth = 0;
   for (std::size_t below = this->NumberOfNodes(); below > 0; below /= skd::Node<3>::Width)
   {
     ++depth;
   }
   return depth;
+}
+
+//------------------------------------------------------------------------------
+skd::SplitRule SkdCellTree::Rule() const
+{
+  return this->Eager.Rule();
 }
 
 //------------------------------------------------------------------------------

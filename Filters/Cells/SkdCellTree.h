@@ -25,6 +25,7 @@ struct SkdTreeSettings
   int Capacity = 8;      ///< cells a bottom node
   bool IsLazy = false;
   bool SkipsGhosts = true;
+  skd::SplitRule Rule = skd::SplitRule::Automatic; ///< of trees that are built whole
 };
 
 /// The cell that answers a query about a point; Id is -1 when there is none.
@@ -89,6 +90,7 @@ public:
   std::size_t NumberOfNodes() const;
   int Depth() const;
   std::size_t MemorySize() const;
+  skd::SplitRule Rule() const; ///< what divided it: never Automatic
   ///@}
 
   ///@{
@@ -203,7 +205,7 @@ public:
 private:
   using EagerTree = skd::Tree<3>;
 
-  skd::TreeInput<3> MakeInput(int capacity);
+  skd::TreeInput<3> MakeInput(const SkdTreeSettings& settings);
 
   /// Runs a query on whichever tree there is.
   template <class Query>

@@ -95,7 +95,16 @@ skd::TreeInput<D> InputOf(const Boxes<D>& boxes, int capacity, double epsilon = 
   return input;
 }
 
-/// `test(scene, tree)` for every scene of every size, on both kinds of tree; capacities take turns.
+template <int D>
+skd::TreeInput<D> InputOf(const Boxes<D>& boxes, int capacity, skd::SplitRule rule)
+{
+  skd::TreeInput<D> input = InputOf(boxes, capacity);
+  input.Rule = rule;
+  return input;
+}
+
+/// `test(scene, tree)` for every scene of every size, on both kinds of tree, that built whole by
+/// both rules; capacities take turns.
 template <int D, class Test>
 void ForEachTree(bool withUnsquarable, Test test)
 {
@@ -107,6 +116,7 @@ void ForEachTree(bool withUnsquarable, Test test)
       const int capacity = 1 + turn++ % 8;
       SCOPED_TRACE(scene.Name + ", capacity " + std::to_string(capacity));
       test(scene, skd::Tree<D>(InputOf(scene.Boxes, capacity)));
+      test(scene, skd::Tree<D>(InputOf(scene.Boxes, capacity, skd::SplitRule::SurfaceArea)));
       test(scene, skd::LazyTree<D>(InputOf(scene.Boxes, capacity)));
       if (::testing::Test::HasFailure())
       {

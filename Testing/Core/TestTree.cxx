@@ -13,7 +13,8 @@ class TreeTest : public ::testing::Test
 };
 TYPED_TEST_SUITE(TreeTest, Dimensions, DimensionNames);
 
-/// `test(boxes, tree, capacity)` for all capacities of small sets, and of larger ones in turn.
+/// `test(boxes, tree, capacity)` for all capacities of small sets, and of larger ones in turn, by
+/// both rules.
 template <int D, class Test>
 void ForEachCapacity(Test test)
 {
@@ -29,6 +30,9 @@ void ForEachCapacity(Test test)
         {
           SCOPED_TRACE(scene.Name + ", capacity " + std::to_string(capacity));
           test(scene.Boxes, skd::Tree<D>(InputOf(scene.Boxes, capacity)), capacity);
+          SCOPED_TRACE("by area");
+          test(scene.Boxes,
+            skd::Tree<D>(InputOf(scene.Boxes, capacity, skd::SplitRule::SurfaceArea)), capacity);
         }
       }
       if (::testing::Test::HasFailure())
@@ -187,7 +191,7 @@ TYPED_TEST(TreeTest, FillsAllBottomNodesButOne)
     });
 }
 
-TYPED_TEST(TreeTest, IsAsLowAsEightChildrenANodeCanMakeIt)
+TYPED_TEST(TreeTest, IsAsLowAsEightChildrenANodeCanMakeItOrOneHigherByArea)
 {
   ForEachCapacity<TypeParam::Value>(
     [](const auto& boxes, const auto& tree, int capacity)
@@ -200,7 +204,10 @@ TYPED_TEST(TreeTest, IsAsLowAsEightChildrenANodeCanMakeIt)
       {
         ++least;
       }
-      EXPECT_EQ(height, least);
+      const bool isByArea = tree.Rule() == skd::SplitRule::SurfaceArea;
+      EXPECT_GE(height, least);
+      EXPECT_LE(height, isByArea && least > 0 ? least + 1 : least);
+      EXPECT_EQ(tree.Depth(), boxes.empty() ? 0 : height + 1);
     });
 }
 
@@ -226,6 +233,12 @@ TYPED_TEST(TreeTest, IsTheSameWhateverLoopBuildsIt)
     const auto serial = ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3)));
     EXPECT_EQ(serial, ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3), ReversedLoop())));
     EXPECT_EQ(serial, ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3), ThreadedLoop())));
+
+    const auto byArea = [&](auto loop)
+    { return skd::Tree<D>(InputOf(scene.Boxes, 3, skd::SplitRule::SurfaceArea), loop); };
+    const auto serialByArea = ContentOf(byArea(skd::SerialLoop()));
+    EXPECT_EQ(serialByArea, ContentOf(byArea(ReversedLoop())));
+    EXPECT_EQ(serialByArea, ContentOf(byArea(ThreadedLoop())));
   }
 }
 

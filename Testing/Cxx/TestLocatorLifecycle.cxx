@@ -296,6 +296,7 @@ TEST_F(Lifecycle, DefaultsAreThoseOfTheHeader)
   const auto locator = LocatorPointer::New();
   EXPECT_EQ(locator->GetEpsilon(), 1e-9);
   EXPECT_FALSE(locator->GetLazyBuild());
+  EXPECT_EQ(locator->GetSplitRule(), vtkSkdTreeCellLocator::SPLIT_AUTOMATICALLY);
   EXPECT_TRUE(locator->GetSkipGhostCells());
   EXPECT_EQ(locator->GetNumberOfCellsPerNode(), 8);
   EXPECT_FALSE(locator->GetUseExistingSearchStructure());
@@ -305,7 +306,7 @@ TEST_F(Lifecycle, PrintSelfNamesEverySetting)
 {
   std::ostringstream text;
   this->Locator->Print(text);
-  for (const char* name : { "Epsilon", "LazyBuild", "SkipGhostCells", "Transform" })
+  for (const char* name : { "Epsilon", "LazyBuild", "SplitRule", "SkipGhostCells", "Transform" })
   {
     std::string squeezed;
     for (char c : text.str())

@@ -48,6 +48,7 @@ def test_its_properties_can_be_set_there():
     filter = resampled(volume(), LABEL)
     filter.CellLocator.LazyBuild = 1
     filter.CellLocator.Epsilon = 1e-6
+    filter.CellLocator.SplitRule = "Surface Area"
     lazy = skdtesting.point_array(filter, "Temp")
     skdtesting.assert_same(lazy, skdtesting.point_array(resampled(volume(), LABEL), "Temp"))
 

@@ -21,6 +21,48 @@ struct FloatBox
   float Max[D];
 };
 
+/// A box that Enclose() makes into any other.
+template <int D>
+FloatBox<D> NoBox()
+{
+  FloatBox<D> box;
+  for (int axis = 0; axis < D; ++axis)
+  {
+    box.Min[axis] = std::numeric_limits<float>::max();
+    box.Max[axis] = std::numeric_limits<float>::lowest();
+  }
+  return box;
+}
+
+/// Makes `box` hold the other, too.
+template <int D>
+void Enclose(FloatBox<D>& box, const FloatBox<D>& other)
+{
+  for (int axis = 0; axis < D; ++axis)
+  {
+    box.Min[axis] = std::min(box.Min[axis], other.Min[axis]);
+    box.Max[axis] = std::max(box.Max[axis], other.Max[axis]);
+  }
+}
+
+/// Half the surface of a box, in any dimension: 1 of an interval, and half the way round a
+/// rectangle.
+template <int D>
+double HalfArea(const FloatBox<D>& box)
+{
+  double sum = 0.0;
+  for (int side = 0; side < D; ++side)
+  {
+    double area = 1.0;
+    for (int axis = 0; axis < D; ++axis)
+    {
+      area *= axis == side ? 1.0 : double(box.Max[axis]) - box.Min[axis];
+    }
+    sum += area;
+  }
+  return sum;
+}
+
 /// Where a tree's single-precision boxes live: the world moved to the centre of the set and scaled
 /// by a power of two so that the set lies in [-1, 1]. So a tree loses nothing on data that are
 /// tiny, huge or far from the origin.

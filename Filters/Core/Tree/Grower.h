@@ -3,9 +3,11 @@
 #ifndef skd_Tree_Grower_h
 #define skd_Tree_Grower_h
 
+#include "AreaSplit.h"
 #include "Node.h"
 #include "RawVector.h"
 #include "SplitAtRank.h"
+#include "SplitRule.h"
 
 #include <atomic>
 #include <map>
@@ -19,6 +21,9 @@ namespace skd
 /// and again. Medians are rounded to whole bottom nodes, so that these are full; N alone decides
 /// the shape of the tree. Centroids that are equal are told apart by index: the same tree always,
 /// and the same depth however many are equal.
+///
+/// By SplitRule::SurfaceArea ranges are divided elsewhere (AreaSplit), at whole bottom nodes, too.
+/// Then the elements decide the shape, and the tree is one level higher at most.
 ///
 ///   Begin(node)            Step              Step               Step -> a box in each lane
 ///   [ . . . . . . . . ]    [ . . . .|. . . . ]  [ . .|. .|. .|. . ]  [.|.|.|.|.|.|.|.]
@@ -34,6 +39,7 @@ public:
     std::uint32_t First;
     std::uint32_t Last;
     FloatBox<D> Box;
+    std::uint32_t Height; ///< there may be so many levels below its node
   };
 
   /// Elements still to be divided among some lanes of a node.
@@ -45,17 +51,18 @@ public:
     Range Elements;
   };
 
-  Grower(RawVector<Element<D>>&& elements, int capacity)
+  Grower(RawVector<Element<D>>&& elements, int capacity, SplitRule rule = SplitRule::Median)
     : Elements(std::move(elements))
     , Capacity(static_cast<std::uint32_t>(std::clamp(capacity, 1, Node<D>::Width)))
-    , Nodes(CountNodes(this->CountBottoms(this->Elements.size())))
+    , IsByArea(RuleFor(rule, this->Elements) == SplitRule::SurfaceArea)
+    , Nodes(this->MostNodes())
   {
   }
 
   Range All() const
   {
     const auto last = static_cast<std::uint32_t>(this->Elements.size());
-    return { 0, last, this->Union(0, last) };
+    return { 0, last, this->Union(0, last), HeightFor(this->CountBottoms(last)) };
   }
 
   /// Make `node` the node of a range: a bottom node at once, an inner one by a task to be pushed.
@@ -72,7 +79,8 @@ public:
       this->FillBottom(made, range);
       return;
     }
-    made.Count = static_cast<std::uint16_t>(CountChildren(bottoms));
+    made.Count = static_cast<std::uint16_t>(
+      this->IsByArea ? std::min(Width, bottoms) : CountChildren(bottoms));
     made.First = this->Next.fetch_add(made.Count);
     push(Task{ node, 0, made.Count, range });
   }
@@ -86,16 +94,18 @@ public:
     {
       Node<D>& parent = this->Nodes[task.Node];
       parent.Boxes.Set(task.Lane, task.Elements.Box);
-      descend(parent.First + static_cast<std::uint32_t>(task.Lane), task.Elements);
+      Range below = task.Elements;
+      --below.Height;
+      descend(parent.First + static_cast<std::uint32_t>(task.Lane), below);
       return;
     }
     const int leftParts = (task.Parts + 1) / 2;
-    const std::uint32_t middle = this->SplitAtMedian(task, leftParts);
+    const std::uint32_t middle = this->Split(task, leftParts);
     const Range& range = task.Elements;
-    push(Task{
-      task.Node, task.Lane, leftParts, { range.First, middle, this->Union(range.First, middle) } });
+    push(Task{ task.Node, task.Lane, leftParts,
+      { range.First, middle, this->Union(range.First, middle), range.Height } });
     push(Task{ task.Node, task.Lane + leftParts, task.Parts - leftParts,
-      { middle, range.Last, this->Union(middle, range.Last) } });
+      { middle, range.Last, this->Union(middle, range.Last), range.Height } });
   }
 
   const Node<D>& GetNode(std::uint32_t node) const { return this->Nodes[node]; }
@@ -103,7 +113,15 @@ public:
   std::size_t NumberOfNodes() const { return this->Nodes.size(); }
   std::size_t NumberOfElements() const { return this->Elements.size(); }
 
-  RawVector<Node<D>> TakeNodes() { return std::move(this->Nodes); }
+  SplitRule Rule() const { return this->IsByArea ? SplitRule::SurfaceArea : SplitRule::Median; }
+
+  /// When all tasks are done.
+  RawVector<Node<D>> TakeNodes()
+  {
+    this->Nodes.resize(this->Next);
+    this->Nodes.shrink_to_fit();
+    return std::move(this->Nodes);
+  }
 
 private:
   static constexpr std::uint64_t Width = Node<D>::Width;
@@ -175,17 +193,34 @@ private:
     return bottoms * static_cast<std::uint64_t>(leftParts) / static_cast<std::uint64_t>(parts);
   }
 
+  /// Splits by area leave some lanes with more below them than others: one level more than needed
+  /// gives room for eight times as many. A walk has no room for more than eleven.
+  static std::uint32_t HeightFor(std::uint64_t bottoms)
+  {
+    std::uint32_t height = bottoms > 1 ? 1 : 0;
+    while (height > 0 && height < 11 && RoomOf(height) < Width * bottoms)
+    {
+      ++height;
+    }
+    return height;
+  }
+
+  /// How many bottom nodes there can be so many levels below a node.
+  static std::uint64_t RoomOf(std::uint32_t height) { return std::uint64_t(1) << (3 * height); }
+
+  /// Where N alone decides, as many as there are. Memory that is never written costs nothing.
+  std::size_t MostNodes() const
+  {
+    const std::size_t bottoms = this->CountBottoms(this->Elements.size());
+    return this->IsByArea ? 2 * bottoms : CountNodes(bottoms);
+  }
+
   FloatBox<D> Union(std::uint32_t first, std::uint32_t last) const
   {
     FloatBox<D> box = this->Elements[first].Box;
     for (std::uint32_t position = first + 1; position < last; ++position)
     {
-      const FloatBox<D>& other = this->Elements[position].Box;
-      for (int axis = 0; axis < D; ++axis)
-      {
-        box.Min[axis] = std::min(box.Min[axis], other.Min[axis]);
-        box.Max[axis] = std::max(box.Max[axis], other.Max[axis]);
-      }
+      Enclose(box, this->Elements[position].Box);
     }
     return box;
   }
@@ -213,20 +248,46 @@ private:
     return longest;
   }
 
-  std::uint32_t SplitAtMedian(const Task& task, int leftParts)
+  /// Divides the elements of a task; returns the first that is right of the cut.
+  std::uint32_t Split(const Task& task, int leftParts)
+  {
+    const Range& range = task.Elements;
+    const auto where =
+      this->IsByArea ? this->BestPlace(task, leftParts) : this->Middle(task, leftParts);
+    const std::uint32_t middle =
+      range.First + static_cast<std::uint32_t>(where.Left) * this->Capacity;
+    Element<D>* const elements = this->Elements.data();
+    SplitAtRank<D>::Run(
+      elements + range.First, elements + middle, elements + range.Last, where.Axis);
+    return middle;
+  }
+
+  using Place = typename AreaSplit<D>::Place;
+
+  Place Middle(const Task& task, int leftParts) const
+  {
+    const std::uint64_t bottoms = this->CountBottoms(task.Elements.Last - task.Elements.First);
+    return { LongestAxis(task.Elements.Box), LeftBottoms(bottoms, leftParts, task.Parts) };
+  }
+
+  /// Every lane gets a bottom node at least, and no more than it has room for.
+  Place BestPlace(const Task& task, int leftParts) const
   {
     const Range& range = task.Elements;
     const std::uint64_t bottoms = this->CountBottoms(range.Last - range.First);
-    const std::uint32_t middle = range.First +
-      static_cast<std::uint32_t>(LeftBottoms(bottoms, leftParts, task.Parts)) * this->Capacity;
-    Element<D>* const elements = this->Elements.data();
-    SplitAtRank<D>::Run(
-      elements + range.First, elements + middle, elements + range.Last, LongestAxis(range.Box));
-    return middle;
+    const std::uint64_t laneRoom = RoomOf(range.Height - 1);
+    const auto left = static_cast<std::uint64_t>(leftParts);
+    const auto right = static_cast<std::uint64_t>(task.Parts - leftParts);
+    const std::uint64_t most = std::min(left * laneRoom, bottoms - right);
+    const std::uint64_t least = bottoms - std::min(right * laneRoom, bottoms - left);
+    const Element<D>* const elements = this->Elements.data();
+    const AreaSplit<D> split(elements + range.First, elements + range.Last, this->Capacity);
+    return split.Best({ bottoms, least, most }, LongestAxis(range.Box));
   }
 
   RawVector<Element<D>> Elements;
   std::uint32_t Capacity;
+  bool IsByArea;
   RawVector<Node<D>> Nodes; // each is written whole when it is begun
   std::atomic<std::uint32_t> Next{ 1 };
 };

@@ -16,7 +16,8 @@ struct TreeInput
   skd::Frame<D> Frame;
   Box<D> Bounds; ///< the safety box of all, in the world
   RawVector<Element<D>> Elements;
-  int Capacity = Node<D>::Width; ///< elements a bottom node, clamped to 1 .. Node<D>::Width
+  int Capacity = Node<D>::Width;      ///< elements a bottom node, clamped to 1 .. Node<D>::Width
+  SplitRule Rule = SplitRule::Median; ///< LazyTree knows the median only
 };
 
 /// The frame, the bounds and the elements of a set of boxes, inflated by 2 epsilon (section 3.1).
@@ -69,7 +70,8 @@ public:
     {
       return;
     }
-    skd::Grower<D> grower(std::move(input.Elements), input.Capacity);
+    skd::Grower<D> grower(std::move(input.Elements), input.Capacity, input.Rule);
+    this->TheRule = grower.Rule();
     GrowAll(grower, loop);
     this->CopyElements(grower, loop);
     this->Nodes = grower.TakeNodes();
@@ -92,6 +94,10 @@ public:
 
   std::size_t NumberOfElements() const { return this->Elements.size(); }
   std::size_t NumberOfNodes() const { return this->Nodes.size(); }
+  /// Levels of nodes, that of the root and the lowest counted. O(nodes).
+  int Depth() const { return this->IsEmpty() ? 0 : this->DepthFrom(0); }
+  /// What divided it: never Automatic.
+  SplitRule Rule() const { return this->TheRule; }
   std::size_t MemorySize() const
   {
     return this->Nodes.capacity() * sizeof(Node<D>) +
@@ -156,8 +162,20 @@ private:
       });
   }
 
+  int DepthFrom(std::uint32_t index) const
+  {
+    const Node<D>& node = this->Nodes[index];
+    int below = 0;
+    for (std::uint32_t lane = 0; lane < node.Count && !node.IsBottom; ++lane)
+    {
+      below = std::max(below, this->DepthFrom(node.First + lane));
+    }
+    return below + 1;
+  }
+
   Frame<D> TheFrame{};
   Box<D> TheBounds;
+  SplitRule TheRule = SplitRule::Median;
   RawVector<Node<D>> Nodes;
   RawVector<std::uint32_t> Elements;
 };
