@@ -148,7 +148,8 @@ private:
 
 std::vector<Kind> CgalKinds()
 {
-  return { { "CGAL AABB tree", Family::Peer, [] { return std::make_unique<CgalStructure>(); } } };
+  return { { "CGAL AABB tree", Family::Peer, [] { return std::make_unique<CgalStructure>(); }, true,
+    1.2e7 } };
 }
 
 }

@@ -12,34 +12,75 @@ namespace skdbench
 namespace
 {
 
-/// The few works that are shown against the number of cells.
-std::vector<Work> GrowthWorks(vtkDataSet* data, int count)
+/// What cannot be asked.
+class Nothing : public Structure
 {
-  std::vector<Work> works = MakeWorks(data, count);
-  const auto isLeftOut = [](const Work& work)
+public:
+  bool Build(vtkDataSet*) override { return false; }
+  bool Ask(Question, const Query&, Answer&) override { return false; }
+};
+
+struct Series
+{
+  const char* Name;
+  double Factor; // of the size, to that power, are so many cells
+  double Power;
+  vtkSmartPointer<vtkDataSet> (*Make)(int);
+  std::vector<std::string> Works;
+};
+
+std::vector<Kind> KindsFor(std::vector<Kind> kinds, double cells)
+{
+  for (Kind& kind : kinds)
   {
-    return work.Name != "closest point, near" && work.Name != "first hit, across the box" &&
-      work.Name != "cells in a small box";
-  };
-  works.erase(std::remove_if(works.begin(), works.end(), isLeftOut), works.end());
-  return works;
+    if (cells > kind.MostCells)
+    {
+      kind.Make = [] { return std::make_unique<Nothing>(); };
+    }
+  }
+  return kinds;
 }
 
-}
-
-Results MeasureGrowth(const std::vector<Kind>& kinds, const Options& options)
+Results MeasureSeries(const Series& series, const std::vector<Kind>& kinds, const Options& options)
 {
   Results growth;
   std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(growth.Kinds),
     [](const Kind& kind) { return kind.ForMillions; });
-  for (double wanted = 1e4; wanted <= 1.01 * options.GrowthUntil; wanted *= std::sqrt(10.0))
+  for (double wanted = 1e4; wanted <= 1.1 * options.GrowthUntil; wanted *= std::sqrt(10.0))
   {
-    const auto data = NoisySphere(static_cast<int>(std::lround(std::sqrt(wanted / 12))));
+    const double size = std::pow(wanted / series.Factor, 1.0 / series.Power);
+    const auto data = series.Make(static_cast<int>(std::lround(size)));
     Touch(data);
-    const std::vector<Work> works = GrowthWorks(data, options.Queries);
-    growth.Scenes.push_back(Measure("noisy sphere", data, works, growth.Kinds, options));
+    std::vector<Work> works = MakeWorks(data, options.Queries);
+    const auto isLeftOut = [&](const Work& work) {
+      return std::find(series.Works.begin(), series.Works.end(), work.Name) == series.Works.end();
+    };
+    works.erase(std::remove_if(works.begin(), works.end(), isLeftOut), works.end());
+    const auto number = static_cast<double>(data->GetNumberOfCells());
+    growth.Scenes.push_back(
+      Measure(series.Name, data, works, KindsFor(growth.Kinds, number), options));
   }
   return growth;
+}
+
+}
+
+std::vector<Results> MeasureGrowth(const std::vector<Kind>& kinds, const Options& options)
+{
+  const Series all[] = {
+    { "noisy sphere", 12.0, 2.0, NoisySphere,
+      { "closest point, near", "first hit, across the box", "cells in a small box" } },
+    { "structured tetrahedra", 6.0, 3.0, TurnedTetrahedra, { "find cell, random in the box" } }
+  };
+  std::vector<Results> growths;
+  for (const Series& series : all)
+  {
+    if (Passes(series.Name, options.OnlyScene))
+    {
+      growths.push_back(MeasureSeries(series, kinds, options));
+    }
+  }
+  return growths;
 }
 
 }

@@ -12,8 +12,9 @@
 namespace skdbench
 {
 
-/// Sizes ascending: builds and a few queries on noisy spheres, by the kinds that are for millions.
-Results MeasureGrowth(const std::vector<Kind>& kinds, const Options& options);
+/// Sizes ascending: builds and a few queries on noisy spheres, then builds and finding cells among
+/// tetrahedra, by the kinds that are for millions.
+std::vector<Results> MeasureGrowth(const std::vector<Kind>& kinds, const Options& options);
 
 }
 

@@ -152,6 +152,11 @@ vtkSmartPointer<vtkDataSet> NoisySphere(int n)
   return MakePolyData(mesh);
 }
 
+vtkSmartPointer<vtkDataSet> TurnedTetrahedra(int n)
+{
+  return GridScene("", Tetrahedra, n, false).Make();
+}
+
 std::vector<Scene> MadeScenes(Size size)
 {
   const auto pick = [size](int tiny, int usual, int large) {

@@ -41,6 +41,9 @@ std::vector<Scene> FolderScenes(const std::string& folder);
 /// A closed, bumpy, noisy surface about the origin with 12 n^2 triangles.
 vtkSmartPointer<vtkDataSet> NoisySphere(int n);
 
+/// The cube [0, n]^3, turned, in 6 n^3 tetrahedra.
+vtkSmartPointer<vtkDataSet> TurnedTetrahedra(int n);
+
 /// Makes what VTK makes on the first access (cells, bounds), so that no structure is charged for
 /// it.
 void Touch(vtkDataSet* data);

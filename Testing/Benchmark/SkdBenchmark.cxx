@@ -119,11 +119,14 @@ Results RunPairs(const Options& options)
   return pairs;
 }
 
-Results RunGrowth(const Options& options, const std::vector<Kind>& kinds)
+std::vector<Results> RunGrowth(const Options& options, const std::vector<Kind>& kinds)
 {
-  const Results growth = MeasureGrowth(kinds, options);
-  Show(options, Text([&](std::ostream& out) { PrintGrowth(out, growth); }));
-  return growth;
+  const std::vector<Results> growths = MeasureGrowth(kinds, options);
+  for (const Results& growth : growths)
+  {
+    Show(options, Text([&](std::ostream& out) { PrintGrowth(out, growth); }));
+  }
+  return growths;
 }
 
 void WriteCsv(const Options& options, const std::vector<Results>& all)
@@ -157,7 +160,8 @@ int main(int argc, char* argv[])
   }
   if (options->Growth && options->Profile == 0)
   {
-    all.push_back(RunGrowth(*options, kinds));
+    const std::vector<Results> growths = RunGrowth(*options, kinds);
+    all.insert(all.end(), growths.begin(), growths.end());
   }
   WriteCsv(*options, all);
   int errors = 0;

@@ -200,7 +200,8 @@ void PrintGrowth(std::ostream& out, const Results& growth)
   for (std::size_t kind = 0; kind < growth.Kinds.size(); ++kind)
   {
     const std::vector<Row>& rows = growth.Scenes.front().Rows;
-    out << "\n## Growth: " << growth.Kinds[kind].Name << ", noisy sphere\n\n| cells |";
+    out << "\n## Growth: " << growth.Kinds[kind].Name << ", " << growth.Scenes.front().Name
+        << "\n\n| cells |";
     for (const Row& row : rows)
     {
       out << " " << row.Work << ", " << row.Unit << " |"

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws how queries grow with the number of cells, from what skdtree_benchmark --csv wrote.
+
+usage: python3 plot_growth.py growth.csv growth.png     (Debian: python3-matplotlib)
+
+The dashed line is what the skD-tree would take at each size if it took log N from the least on.
+"""
+
+import collections
+import csv
+import math
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+WORKS = {
+    "closest point, near": "closest point near a noisy sphere",
+    "first hit, across the box": "first hit of a noisy sphere",
+    "find cell, random in the box": "find cell among tetrahedra",
+}
+OURS = "skD-tree"
+SCENES = ("noisy sphere", "structured tetrahedra")
+
+
+def read(path):
+    """{work: {structure: [(cells, nanoseconds)]}}, by ascending cells."""
+    series = collections.defaultdict(lambda: collections.defaultdict(dict))
+    with open(path, newline="") as file:
+        for row in csv.DictReader(file):
+            if row["scene"] in SCENES and row["work"] in WORKS and row["value"]:
+                times = series[row["work"]][row["structure"]]
+                times[int(row["cells"])] = float(row["value"])
+    return {work: {name: sorted(times.items()) for name, times in structures.items()}
+            for work, structures in series.items()}
+
+
+def draw(axes, title, structures):
+    for name, points in structures.items():
+        style = {"linewidth": 2.5, "color": "black", "zorder": 3} if name == OURS else {}
+        axes.plot(*zip(*points), marker="o", markersize=3, label=name, **style)
+    if OURS in structures:
+        cells = [n for n, _ in structures[OURS]]
+        first, time = structures[OURS][0]
+        axes.plot(cells, [time * math.log(n) / math.log(first) for n in cells],
+                  linestyle="--", color="grey", label="log N")
+    axes.set_title(title, fontsize=10)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("cells")
+    axes.grid(True, which="both", alpha=0.2)
+    axes.legend(fontsize=7)
+
+
+def main():
+    source, picture = sys.argv[1:]
+    series = read(source)
+    works = [work for work in WORKS if work in series]
+    figure, panels = pyplot.subplots(1, len(works), figsize=(4 * len(works), 3.6), squeeze=False)
+    for axes, work in zip(panels[0], works):
+        draw(axes, WORKS[work], series[work])
+    panels[0][0].set_ylabel("ns a query, one thread")
+    figure.tight_layout()
+    figure.savefig(picture, dpi=110)
+
+
+main()
