@@ -21,6 +21,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOverlappingAMR.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -71,6 +72,17 @@ SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const S
   return SkdMakeBaseLattice(settings, parts.GetBounds(), self->GetBranchFactor());
 }
 
+/// The part of the grid that is asked of this process.
+void OwnPiece(SkdGrid& grid, vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (output->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()))
+  {
+    grid.OwnPiece(std::max(output->Get(Pipeline::UPDATE_PIECE_NUMBER()), 0),
+      std::max(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 1));
+  }
+}
+
 bool IsAnyCut(const SkdGrid& grid)
 {
   const std::vector<unsigned char>& cut = grid.Levels.front().Cut;
@@ -86,6 +98,12 @@ void WarnAbout(vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts)
   else if (!IsAnyCut(grid))
   {
     vtkWarningWithObjectMacro(self, "The base mesh misses the parts: they meet none of its cells.");
+  }
+  if (self->GetConforming() &&
+    (grid.Lattice.Dimension() == 3 || self->GetOutputType() != vtkSkdTreeAMR::UNSTRUCTURED_GRID))
+  {
+    vtkWarningWithObjectMacro(
+      self, "Conforming is for unstructured grids of two dimensions: points hang here.");
   }
   if (grid.IsStopped)
   {
@@ -137,8 +155,8 @@ void AddArrays(const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts&
   data->SetActiveScalars(SkdGridArrays::LevelName);
 }
 
-void FillOutput(
-  const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts, vtkDataObject* output)
+void FillOutput(const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts,
+  bool isConforming, vtkDataObject* output)
 {
   if (auto trees = vtkHyperTreeGrid::SafeDownCast(output))
   {
@@ -146,7 +164,10 @@ void FillOutput(
   }
   else if (auto leaves = vtkUnstructuredGrid::SafeDownCast(output))
   {
-    AddArrays(grid, extras, parts, SkdMakeUnstructuredGrid(grid, leaves), leaves);
+    const bool conforms = isConforming && grid.Lattice.Dimension() == 2;
+    AddArrays(grid, extras, parts,
+      conforms ? SkdMakeConformingGrid(grid, leaves) : SkdMakeUnstructuredGrid(grid, leaves),
+      leaves);
   }
   else if (auto blocks = vtkOverlappingAMR::SafeDownCast(output))
   {
@@ -360,6 +381,13 @@ int vtkSkdTreeAMR::RequestDataObject(
   return 1;
 }
 
+int vtkSkdTreeAMR::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
 // Whatever piece is asked for, all of the parts may meet it.
 int vtkSkdTreeAMR::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
@@ -402,14 +430,17 @@ int vtkSkdTreeAMR::RequestData(
   {
     return 1;
   }
-  const SkdRefineSettings settings = this->Impl->MakeSettings(this);
+  OwnPiece(*grid, outputVector->GetInformationObject(0));
+  SkdRefineSettings settings = this->Impl->MakeSettings(this);
+  settings.OwnOnly = !grid->OwnsAll() && this->Balance == NONE && this->GrowingLayers == 0 &&
+    this->OutputType != OVERLAPPING_AMR;
   SkdGridRefiner(this, 0.1, 0.6, *grid, parts, settings).Refine();
   WarnAbout(this, *grid, parts);
   const SkdGridExtras extras =
     SkdFindExtras(*grid, AskedBy(this), parts, this->Impl->Boundary, this, 0.6, 0.9);
   const double refineSeconds = watch.Lap();
 
-  FillOutput(*grid, extras, parts, output);
+  FillOutput(*grid, extras, parts, this->Conforming, output);
   SkdReport report(output);
   SkdReportGrid(report, *grid, this->MaximumLevel);
   this->Impl->ReportParts(this, report);
@@ -460,6 +491,7 @@ void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComputeVolumeFraction: " << (this->ComputeVolumeFraction ? "On\n" : "Off\n");
   os << indent << "ComputeDistance: " << (this->ComputeDistance ? "On\n" : "Off\n");
   os << indent << "OutputType: " << this->OutputType << "\n";
+  os << indent << "Conforming: " << (this->Conforming ? "On\n" : "Off\n");
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

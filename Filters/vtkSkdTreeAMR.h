@@ -52,6 +52,11 @@
  * Cost: about a microsecond a cell that is cut, less for others; memory about 25 bytes a cell
  * beside the output. The result is the same whatever the number of threads.
  *
+ * Several processes share the base cells out, in their order, and each gives its own with all below
+ * them (an overlapping AMR data set: every so-manieth block); together it is what one process
+ * gives. Each needs all of the parts. Without Balance and GrowingLayers each refines its own base
+ * cells only, and CellLimit is each one's own. Reports are of a process's own cells.
+ *
  * Bad input, each with one warning or error that says so: an Input without cells gives the base
  * grid unrefined if that is given, else nothing. A base grid that the parts miss stays as it is. A
  * base grid that cannot be made (bounds that are not finite, an image that is turned) gives an
@@ -359,6 +364,18 @@ public:
 
   ///@{
   /**
+   * Make an unstructured grid of two dimensions conform: no point hangs, as a leaf with points
+   * between its corners becomes triangles around its middle, each with the leaf's data. With
+   * Balance no angle of square cells is below 45 degrees. Default off. Of other grids points hang
+   * still, and a warning says so.
+   */
+  vtkSetMacro(Conforming, bool);
+  vtkGetMacro(Conforming, bool);
+  vtkBooleanMacro(Conforming, bool);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
@@ -371,6 +388,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
@@ -401,6 +420,7 @@ protected:
   bool ComputeVolumeFraction = false;
   bool ComputeDistance = false;
   int OutputType = HYPER_TREE_GRID;
+  bool Conforming = false;
   double Epsilon = 1e-9;
 
 private:

@@ -14,6 +14,13 @@
 #include <utility>
 #include <vector>
 
+/// A cell of a grid.
+struct SkdGridCell
+{
+  int Level;
+  std::uint32_t Index;
+};
+
 struct SkdGrid
 {
   /// What is known of the cells of one level, a slot a cell.
@@ -36,6 +43,7 @@ struct SkdGrid
     , Forest({ lattice.NumberOfBaseCells(0), lattice.NumberOfBaseCells(1),
                lattice.NumberOfBaseCells(2) },
         lattice.GetBranch())
+    , LastOwn(this->Forest.NumberOfCells(0))
   {
   }
 
@@ -44,9 +52,56 @@ struct SkdGrid
     return this->Lattice.BoxOf(level, this->Forest.PlaceOf(level, cell));
   }
 
+  ///@{
+  /// The base cells that a process gives out, with all below them: a range, one a process.
+  void OwnPiece(int piece, int pieces)
+  {
+    const std::uint64_t n = this->Forest.NumberOfCells(0);
+    this->Piece = piece;
+    this->Pieces = pieces;
+    this->FirstOwn = static_cast<std::uint32_t>(n * static_cast<std::uint64_t>(piece) / pieces);
+    this->LastOwn =
+      static_cast<std::uint32_t>(n * (static_cast<std::uint64_t>(piece) + 1) / pieces);
+  }
+  bool OwnsAll() const
+  {
+    return this->FirstOwn == 0 && this->LastOwn == this->Forest.NumberOfCells(0);
+  }
+  bool IsOwn(int level, std::uint32_t cell) const
+  {
+    for (; level > 0 && !this->OwnsAll(); --level)
+    {
+      cell = this->Forest.Parent(level, cell);
+    }
+    return this->OwnsAll() || (this->FirstOwn <= cell && cell < this->LastOwn);
+  }
+  ///@}
+
+  /// Own ones, level by level.
+  std::vector<SkdGridCell> Leaves() const
+  {
+    std::vector<SkdGridCell> leaves;
+    leaves.reserve(this->Forest.NumberOfLeaves());
+    for (int level = 0; level < this->Forest.NumberOfLevels(); ++level)
+    {
+      for (std::uint32_t cell = 0; cell < this->Forest.NumberOfCells(level); ++cell)
+      {
+        if (this->Forest.IsLeaf(level, cell) && this->IsOwn(level, cell))
+        {
+          leaves.push_back({ level, cell });
+        }
+      }
+    }
+    return leaves;
+  }
+
   skd::Lattice Lattice;
   skd::Forest Forest;
   std::vector<Level> Levels;
+  int Piece = 0;
+  int Pieces = 1;
+  std::uint32_t FirstOwn = 0;
+  std::uint32_t LastOwn;
 
   ///@{
   /// Whether the cell limit stopped the refinement; then the level whose cells could not all be
@@ -55,13 +110,6 @@ struct SkdGrid
   int StoppedAtLevel = -1;
   std::uint64_t CellsWanted = 0;
   ///@}
-};
-
-/// A cell of a grid.
-struct SkdGridCell
-{
-  int Level;
-  std::uint32_t Index;
 };
 
 #endif

@@ -26,6 +26,10 @@ std::vector<SkdGridCell> SkdMakeHyperTreeGrid(const SkdGrid& grid, vtkHyperTreeG
 /// not corners of all the leaves that they are on. Returns its cells in its order: level by level.
 std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstructuredGrid* output);
 
+/// The same of a grid of two dimensions, without hanging points: a leaf with points between its
+/// corners becomes triangles around its middle. Returns the leaf of each cell, in its order.
+std::vector<SkdGridCell> SkdMakeConformingGrid(const SkdGrid& grid, vtkUnstructuredGrid* output);
+
 /// One block of an AMR data set and its cells, in the block's order.
 struct SkdGridBlock
 {
@@ -40,7 +44,7 @@ bool SkdIsUniform(const skd::Lattice& lattice);
 /// Gives the AMR data set one block of all base cells, and below these blocks of the children of
 /// refined cells, as large as they come by joining families (see skd::MakeBricks). Cells that are
 /// refined are marked as VTK marks them (vtkDataSetAttributes::REFINEDCELL). Returns the blocks
-/// with their cells.
+/// with their cells: of several processes, each has every so-manieth block.
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output);
 
 #endif

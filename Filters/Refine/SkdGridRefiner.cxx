@@ -149,6 +149,12 @@ void SkdGridRefiner::KeepFindings(int level, const std::vector<Batch>& batches)
 }
 
 //------------------------------------------------------------------------------
+/// Nothing below a base cell that is left alone is ever looked at.
+bool SkdGridRefiner::IsLeftAlone(int level, std::uint32_t cell) const
+{
+  return level == 0 && this->Settings.OwnOnly && !this->Grid.IsOwn(level, cell);
+}
+
 bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
 {
   const skd::Box3 box = this->Grid.BoxOf(level, cell);
@@ -205,7 +211,7 @@ bool SkdGridRefiner::MarkLevel(int level, std::vector<char>& marks)
       {
         for (std::uint32_t cell = begin; cell < end; ++cell)
         {
-          marks[cell] = this->IsWanted(level, cell);
+          marks[cell] = !this->IsLeftAlone(level, cell) && this->IsWanted(level, cell);
         }
       });
     if (!isDone)
@@ -219,7 +225,7 @@ bool SkdGridRefiner::MarkLevel(int level, std::vector<char>& marks)
     {
       for (std::uint32_t cell = begin; cell < end; ++cell)
       {
-        if (!marks[cell])
+        if (!marks[cell] && !this->IsLeftAlone(level, cell))
         {
           this->Grid.Levels[level].Candidates[cell] =
             this->Count(this->Grid.BoxOf(level, cell), this->Lists, cell);

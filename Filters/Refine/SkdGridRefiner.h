@@ -42,6 +42,7 @@ struct SkdRefineSettings
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
   std::uint64_t CellLimit = 0;
+  bool OwnOnly = false;                              ///< leave base cells of other processes alone
   int InsideLevel = 0;                               ///< of cells whose middle is inside
   std::function<bool(const skd::Vector3&)> IsInside; ///< asked if InsideLevel is above 0
   int FieldLevel = 0;                                ///< of cells where the field wants it
@@ -78,6 +79,7 @@ private:
   bool ExamineLevel(int level);
   void KeepFindings(int level, const std::vector<Batch>& batches);
   bool MarkLevel(int level, std::vector<char>& marks);
+  bool IsLeftAlone(int level, std::uint32_t cell) const;
   bool IsWanted(int level, std::uint32_t cell) const;
   bool IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const;
   bool IsNear(int level, const skd::Box3& box) const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -37,6 +38,7 @@ void SkdReportGrid(SkdReport& report, const SkdGrid& grid, int maximumLevel)
 {
   std::vector<vtkIdType> leaves;
   std::vector<vtkIdType> cut;
+  vtkIdType cells = 0;
   vtkIdType cutLeaves = 0;
   for (int level = 0; level < grid.Forest.NumberOfLevels(); ++level)
   {
@@ -44,6 +46,11 @@ void SkdReportGrid(SkdReport& report, const SkdGrid& grid, int maximumLevel)
     cut.push_back(0);
     for (std::uint32_t cell = 0; cell < grid.Forest.NumberOfCells(level); ++cell)
     {
+      if (!grid.IsOwn(level, cell))
+      {
+        continue;
+      }
+      ++cells;
       const bool isLeaf = grid.Forest.IsLeaf(level, cell);
       const bool isCut = grid.Levels[level].Cut[cell] != 0;
       leaves.back() += isLeaf;
@@ -51,9 +58,9 @@ void SkdReportGrid(SkdReport& report, const SkdGrid& grid, int maximumLevel)
       cutLeaves += isLeaf && isCut;
     }
   }
-  report.AddCount("Cells", static_cast<vtkIdType>(grid.Forest.NumberOfLeaves()));
+  report.AddCount("Cells", std::accumulate(leaves.begin(), leaves.end(), vtkIdType(0)));
   report.AddCount("CutCells", cutLeaves);
-  report.AddCount("AllCells", static_cast<vtkIdType>(grid.Forest.NumberOfCells()));
+  report.AddCount("AllCells", cells);
   report.AddCounts("LeavesAtLevel", leaves);
   report.AddCounts("CutAtLevel", cut);
   report.AddCount("StoppedAtLevel", grid.StoppedAtLevel);

@@ -60,7 +60,7 @@ std::vector<SkdGridCell> SkdMakeHyperTreeGrid(const SkdGrid& grid, vtkHyperTreeG
   output->SetZCoordinates(MakeCoordinates(lattice.GetPlanes(2)));
   std::vector<SkdGridCell> cells;
   cells.reserve(grid.Forest.NumberOfCells());
-  for (std::uint32_t baseCell = 0; baseCell < grid.Forest.NumberOfCells(0); ++baseCell)
+  for (std::uint32_t baseCell = grid.FirstOwn; baseCell < grid.LastOwn; ++baseCell)
   {
     FillTree(grid, baseCell, output->GetTree(baseCell, true), cells);
   }

@@ -106,20 +106,25 @@ void MarkRefined(const SkdGridBlock& block, const SkdGrid& grid)
   block.Grid->GetCellData()->AddArray(marks);
 }
 
-SkdGridBlock MakeBlock(const skd::Brick& brick, const SkdGrid& grid, int level)
+vtkSmartPointer<vtkUniformGrid> MakeMesh(
+  const skd::Brick& brick, const skd::Lattice& lattice, int level)
 {
-  const skd::Lattice& lattice = grid.Lattice;
-  auto mesh = vtkSmartPointer<vtkUniformGrid>::New();
   int dimensions[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::int64_t cells = lattice.IsFlat(axis) ? 0 : brick.High[axis] - brick.Low[axis];
     dimensions[axis] = static_cast<int>(cells) + 1;
   }
+  auto mesh = vtkSmartPointer<vtkUniformGrid>::New();
   mesh->SetOrigin(lattice.PointOf(level, brick.Low).X);
   mesh->SetSpacing(SpacingOf(lattice, level).X);
   mesh->SetDimensions(dimensions);
-  SkdGridBlock block{ mesh, CellsOf(brick, grid, level) };
+  return mesh;
+}
+
+SkdGridBlock MakeBlock(const skd::Brick& brick, const SkdGrid& grid, int level)
+{
+  SkdGridBlock block{ MakeMesh(brick, grid.Lattice, level), CellsOf(brick, grid, level) };
   MarkRefined(block, grid);
   return block;
 }
@@ -141,6 +146,7 @@ void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::Brick>>& 
 #else
   output->Initialize(static_cast<int>(blocks.size()), blocks.data());
 #endif
+  output->SetGridDescription(MakeMesh(bricks[0][0], grid.Lattice, 0)->GetGridDescription());
   const auto& branch = grid.Lattice.GetBranch();
   output->SetOrigin(grid.Lattice.PointOf(0, { 0, 0, 0 }).X);
   for (unsigned int level = 0; level < bricks.size(); ++level)
@@ -174,28 +180,26 @@ bool SkdIsUniform(const skd::Lattice& lattice)
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output)
 {
   std::vector<std::vector<skd::Brick>> bricks;
-  std::vector<std::vector<SkdGridBlock>> blocks;
   for (int level = 0; level < grid.Forest.NumberOfLevels(); ++level)
   {
     bricks.push_back(BricksOf(grid, level));
-    blocks.emplace_back();
-    for (const skd::Brick& brick : bricks.back())
-    {
-      blocks.back().push_back(MakeBlock(brick, grid, level));
-    }
   }
   SetLevels(grid, bricks, output);
-  output->SetGridDescription(blocks.front().front().Grid->GetGridDescription());
-  std::vector<SkdGridBlock> all;
+  std::vector<SkdGridBlock> blocks;
+  int number = 0;
   for (unsigned int level = 0; level < bricks.size(); ++level)
   {
     for (unsigned int i = 0; i < bricks[level].size(); ++i)
     {
-      output->SetAMRBox(level, i, BoxOf(bricks[level][i], grid.Lattice));
-      output->SetDataSet(level, i, blocks[level][i].Grid);
-      all.push_back(std::move(blocks[level][i]));
+      const skd::Brick& brick = bricks[level][i];
+      output->SetAMRBox(level, i, BoxOf(brick, grid.Lattice));
+      if (number++ % grid.Pieces == grid.Piece)
+      {
+        blocks.push_back(MakeBlock(brick, grid, static_cast<int>(level)));
+        output->SetDataSet(level, i, blocks.back().Grid);
+      }
     }
   }
   output->GenerateParentChildInformation();
-  return all;
+  return blocks;
 }

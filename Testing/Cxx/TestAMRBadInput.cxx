@@ -23,11 +23,6 @@ namespace
 
 const Bounds UnitCube = { 0, 1, 0, 1, 0, 1 };
 
-PolyDataPointer MakeTorus()
-{
-  return MakePolyData(TorusTriangles(24, 12));
-}
-
 vtkIdType RunCells(vtkSkdTreeAMR* filter)
 {
   filter->Update();

@@ -22,26 +22,6 @@ using namespace skdtest;
 namespace
 {
 
-PolyDataPointer MakeTorus()
-{
-  return MakePolyData(TorusTriangles(24, 12));
-}
-
-/// A closed curve in the plane z = 0.25.
-PolyDataPointer MakeCircle()
-{
-  Mesh circle;
-  for (int i = 0; i < 40; ++i)
-  {
-    circle.Add(Point{ std::cos(0.1571 * i), std::sin(0.1571 * i), 0.25 });
-  }
-  for (int i = 0; i < 40; ++i)
-  {
-    circle.Add(VTK_LINE, { i, (i + 1) % 40 });
-  }
-  return MakePolyData(circle);
-}
-
 using Values = std::vector<double>;
 
 /// What all arrays of a hyper tree grid's leaves hold, by the middle of the leaf.
@@ -113,16 +93,22 @@ void AppendRow(vtkDataSetAttributes* data, vtkIdType row, Values& values)
 
 using LeafValues = std::map<Point, Values>;
 
-LeafValues UnstructuredLeaves(vtkSkdTreeAMR* filter)
+void AppendGridLeaves(vtkSkdTreeAMR* filter, LeafValues& read)
 {
-  filter->SetOutputType(vtkSkdTreeAMR::UNSTRUCTURED_GRID);
-  const std::vector<Leaf> leaves = RunLeaves(filter);
-  LeafValues read;
+  const std::vector<Leaf> leaves = LeavesOf(filter);
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     AppendRow(filter->GetOutputDataObject(0)->GetAttributes(vtkDataObject::CELL),
       static_cast<vtkIdType>(i), read[LeafReader::Rounded(Center(leaves[i].Box))]);
   }
+}
+
+LeafValues UnstructuredLeaves(vtkSkdTreeAMR* filter)
+{
+  filter->SetOutputType(vtkSkdTreeAMR::UNSTRUCTURED_GRID);
+  filter->Update();
+  LeafValues read;
+  AppendGridLeaves(filter, read);
   return read;
 }
 
@@ -202,6 +188,63 @@ TEST(AMROutput, AllTypesHaveTheSameLeaves)
   }
 }
 
+/// The leaves of all pieces: none is of two.
+LeafValues LeavesOfPieces(vtkSkdTreeAMR* filter, int pieces)
+{
+  LeafValues together;
+  std::size_t sum = 0;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    filter->UpdatePiece(piece, pieces, 0);
+    LeafValues own;
+    AppendGridLeaves(filter, own);
+    sum += own.size();
+    EXPECT_EQ(Reported(filter, "Cells"), static_cast<double>(own.size()));
+    together.insert(own.begin(), own.end());
+  }
+  EXPECT_EQ(together.size(), sum);
+  return together;
+}
+
+TEST(AMROutput, PiecesTogetherAreTheWhole)
+{
+  for (const int balance : { vtkSkdTreeAMR::NONE, vtkSkdTreeAMR::CORNER })
+  {
+    AMRPointer filter = MakeAMR(MakeTorus(), 4);
+    filter->SetBaseDimensions(3, 2, 1);
+    filter->SetBalance(balance);
+    filter->ComputeInsideOn();
+    const LeafValues whole = UnstructuredLeaves(filter);
+    for (const int pieces : { 2, 3, 7 })
+    {
+      EXPECT_EQ(LeavesOfPieces(filter, pieces), whole) << pieces;
+    }
+  }
+}
+
+TEST(AMROutput, BlocksAndTreesOfPiecesTogetherAreTheWhole)
+{
+  AMRPointer filter = MakeAMR(MakeTorus(), 4);
+  filter->SetBaseDimensions(3, 2, 1);
+  filter->Update();
+  const double all = Reported(filter, "AllCells");
+  for (const int type : { vtkSkdTreeAMR::HYPER_TREE_GRID, vtkSkdTreeAMR::OVERLAPPING_AMR })
+  {
+    filter->SetOutputType(type);
+    double cells = 0;
+    for (int piece = 0; piece < 4; ++piece)
+    {
+      filter->UpdatePiece(piece, 4, 0);
+      const auto own = static_cast<double>(
+        filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL));
+      EXPECT_GT(own, 0);
+      EXPECT_LT(own, 0.7 * all);
+      cells += own;
+    }
+    EXPECT_EQ(cells, all);
+  }
+}
+
 TEST(AMROutput, FlatBasesInAnyPlaneAndAlongALine)
 {
   auto torus = MakeTorus();
@@ -221,75 +264,6 @@ TEST(AMROutput, FlatBasesInAnyPlaneAndAlongALine)
     line->ComputeInsideOn();
     ExpectTreesToHave(UnstructuredLeaves(line), line);
     EXPECT_GE(Reported(line, "CutCells"), 1);
-  }
-}
-
-TEST(AMROutput, ACurveInAPlaneHasAQuadtreeInThatPlane)
-{
-  AMRPointer filter = MakeAMR(MakeCircle(), 6);
-  const std::vector<Leaf> leaves = RunLeaves(filter);
-  auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  EXPECT_EQ(grid->GetCellType(0), VTK_PIXEL);
-  double area = 0.0;
-  for (const Leaf& leaf : leaves)
-  {
-    EXPECT_EQ(leaf.Box[4], 0.25);
-    EXPECT_EQ(leaf.Box[5], 0.25);
-    area += (leaf.Box[1] - leaf.Box[0]) * (leaf.Box[3] - leaf.Box[2]);
-  }
-  EXPECT_NEAR(area, 2.4 * 2.4, 0.01);
-}
-
-TEST(AMROutput, HangingPointsAreThoseThatAreNotCornersOfAllTheirCells)
-{
-  for (const bool isFlat : { false, true })
-  {
-    AMRPointer filter = isFlat ? MakeAMR(MakeCircle(), 4) : MakeAMR(MakeTorus(), 3);
-    const std::vector<Leaf> leaves = RunLeaves(filter);
-    auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-    const Values hanging = ValuesOf(grid->GetPointData()->GetArray("SkdHanging"));
-    ASSERT_EQ(hanging.size(), static_cast<std::size_t>(grid->GetNumberOfPoints()));
-    int count = 0;
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      Point x;
-      grid->GetPoint(i, x.data());
-      bool isHanging = false;
-      for (const Leaf& leaf : leaves)
-      {
-        bool isCorner = true;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          isCorner &= x[axis] == leaf.Box[2 * axis] || x[axis] == leaf.Box[2 * axis + 1];
-        }
-        isHanging |= Contains(leaf.Box, x) && !isCorner;
-      }
-      ASSERT_EQ(hanging[static_cast<std::size_t>(i)], isHanging) << i;
-      count += isHanging;
-    }
-    EXPECT_GT(count, 10);
-  }
-}
-
-TEST(AMROutput, PointsAreSharedAndCellsRightWayAround)
-{
-  AMRPointer filter = MakeAMR(MakeTorus(), 3);
-  filter->Update();
-  auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  std::map<Point, int> places;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    Point x;
-    grid->GetPoint(i, x.data());
-    EXPECT_EQ(++places[x], 1);
-  }
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    ASSERT_EQ(grid->GetCellType(cell), VTK_VOXEL);
-    Point first, last;
-    grid->GetPoint(grid->GetCell(cell)->GetPointId(0), first.data());
-    grid->GetPoint(grid->GetCell(cell)->GetPointId(7), last.data());
-    EXPECT_TRUE(first[0] < last[0] && first[1] < last[1] && first[2] < last[2]);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "Support/EventCounter.h"
 #include "Support/MeshBuilder.h"
+#include "Support/SurfaceMeshes.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -28,6 +29,11 @@ inline AMRPointer MakeAMR(vtkDataObject* parts, int levels)
   filter->SetMaximumLevel(levels);
   filter->SetOutputType(vtkSkdTreeAMR::UNSTRUCTURED_GRID);
   return filter;
+}
+
+inline PolyDataPointer MakeTorus()
+{
+  return MakePolyData(TorusTriangles(24, 12));
 }
 
 /// One base cell of given bounds.
