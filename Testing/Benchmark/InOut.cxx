@@ -62,12 +62,17 @@ struct Contender
   }
 };
 
+/// Triangles turned inward are repaired for the methods that go by normals.
 Contender OurMethod(const char* name, int method)
 {
-  return { name,
-    [=](vtkDataSet* points, vtkPolyData* surface)
-    { return SidesOf(RunFor(MakeInOut(points, surface, method), "SkdInside")); },
-    std::numeric_limits<std::size_t>::max() };
+  const auto ask = [=](vtkDataSet* points, vtkPolyData* surface)
+  {
+    InOutPointer filter = MakeInOut(points, surface, method);
+    filter->SetRepairOrientation(
+      method == InOut::WINDING_NUMBER || method == InOut::NEAREST_FEATURE);
+    return SidesOf(RunFor(filter, "SkdInside"));
+  };
+  return { name, ask, std::numeric_limits<std::size_t>::max() };
 }
 
 std::vector<Contender> MakeContenders()
