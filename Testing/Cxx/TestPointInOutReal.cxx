@@ -70,14 +70,6 @@ Bounds BoundsOf(vtkDataSet* mesh)
   return box;
 }
 
-std::string NameOfFile(const testing::TestParamInfo<std::string>& info)
-{
-  std::string name = info.param.empty() ? "None" : info.param.substr(info.param.rfind('/') + 1);
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-  return name;
-}
-
 class PointInOutOfFile : public testing::TestWithParam<std::string>
 {
 protected:
@@ -98,9 +90,9 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(
-  Shipped, PointInOutOfFile, testing::ValuesIn(SurfaceFiles(DataFolder())), NameOfFile);
+  Shipped, PointInOutOfFile, testing::ValuesIn(SurfaceFiles(DataFolder())), NameOfFile());
 INSTANTIATE_TEST_SUITE_P(Extra, PointInOutOfFile,
-  testing::ValuesIn(SurfaceFiles(ExtraDataFolder() + "/A_surface")), NameOfFile);
+  testing::ValuesIn(SurfaceFiles(ExtraDataFolder() + "/A_surface")), NameOfFile());
 
 TEST_P(PointInOutOfFile, RaysAreRightAtEveryPoint)
 {

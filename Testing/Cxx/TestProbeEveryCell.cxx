@@ -306,22 +306,14 @@ private:
   vtkNew<vtkGenericCell> Cell;
 };
 
-std::string NameOfFile(const testing::TestParamInfo<std::string>& info)
-{
-  std::string name = info.param.empty() ? "None" : info.param.substr(info.param.rfind('/') + 1);
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-  return name;
-}
-
 class ProbeEveryCellOfFile : public testing::TestWithParam<std::string>
 {
 };
 
 INSTANTIATE_TEST_SUITE_P(
-  Shipped, ProbeEveryCellOfFile, testing::ValuesIn(VolumeFiles(DataFolder())), NameOfFile);
+  Shipped, ProbeEveryCellOfFile, testing::ValuesIn(VolumeFiles(DataFolder())), NameOfFile());
 INSTANTIATE_TEST_SUITE_P(
-  Extra, ProbeEveryCellOfFile, testing::ValuesIn(VolumeFiles(ExtraDataFolder())), NameOfFile);
+  Extra, ProbeEveryCellOfFile, testing::ValuesIn(VolumeFiles(ExtraDataFolder())), NameOfFile());
 
 TEST_P(ProbeEveryCellOfFile, IsFound)
 {

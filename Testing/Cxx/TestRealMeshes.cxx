@@ -51,14 +51,6 @@ protected:
   Bounds Box;
 };
 
-std::string NameOfFile(const testing::TestParamInfo<std::string>& info)
-{
-  std::string name = info.param.empty() ? "None" : info.param.substr(info.param.rfind('/') + 1);
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-  return name;
-}
-
 class RealVolume : public RealMesh
 {
 };
@@ -70,13 +62,14 @@ class RealSurface : public RealMesh
 const std::string Shipped = DataFolder();
 const std::string Extra = ExtraDataFolder();
 
-INSTANTIATE_TEST_SUITE_P(Shipped, RealMesh, testing::ValuesIn(MeshFiles(Shipped)), NameOfFile);
-INSTANTIATE_TEST_SUITE_P(Shipped, RealVolume, testing::ValuesIn(VolumeFiles(Shipped)), NameOfFile);
+INSTANTIATE_TEST_SUITE_P(Shipped, RealMesh, testing::ValuesIn(MeshFiles(Shipped)), NameOfFile());
 INSTANTIATE_TEST_SUITE_P(
-  Shipped, RealSurface, testing::ValuesIn(SurfaceFiles(Shipped)), NameOfFile);
-INSTANTIATE_TEST_SUITE_P(Extra, RealMesh, testing::ValuesIn(MeshFiles(Extra)), NameOfFile);
-INSTANTIATE_TEST_SUITE_P(Extra, RealVolume, testing::ValuesIn(VolumeFiles(Extra)), NameOfFile);
-INSTANTIATE_TEST_SUITE_P(Extra, RealSurface, testing::ValuesIn(SurfaceFiles(Extra)), NameOfFile);
+  Shipped, RealVolume, testing::ValuesIn(VolumeFiles(Shipped)), NameOfFile());
+INSTANTIATE_TEST_SUITE_P(
+  Shipped, RealSurface, testing::ValuesIn(SurfaceFiles(Shipped)), NameOfFile());
+INSTANTIATE_TEST_SUITE_P(Extra, RealMesh, testing::ValuesIn(MeshFiles(Extra)), NameOfFile());
+INSTANTIATE_TEST_SUITE_P(Extra, RealVolume, testing::ValuesIn(VolumeFiles(Extra)), NameOfFile());
+INSTANTIATE_TEST_SUITE_P(Extra, RealSurface, testing::ValuesIn(SurfaceFiles(Extra)), NameOfFile());
 
 TEST_P(RealMesh, ClosestPointsAreNoFartherThanAnyCell)
 {

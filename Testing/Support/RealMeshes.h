@@ -12,6 +12,8 @@
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <string>
 
@@ -29,6 +31,19 @@ std::vector<std::string> SurfaceFiles(const std::string& folder);
 std::vector<std::string> VolumeFiles(const std::string& folder);
 
 std::vector<std::string> MeshFiles(const std::string& folder);
+
+/// For INSTANTIATE_TEST_SUITE_P over files: their names without folders, as letters and digits.
+struct NameOfFile
+{
+  template <typename Info>
+  std::string operator()(const Info& info) const
+  {
+    std::string name = info.param.empty() ? "None" : info.param.substr(info.param.rfind('/') + 1);
+    std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+    return name;
+  }
+};
 
 /// Cells whose shape is not sure: polygons and polyhedra's faces need not be planar or convex.
 bool IsLoose(vtkCell* cell);
