@@ -117,6 +117,37 @@ TEST(PointInOutRows, RunningInFacesAndEdges)
   ExpectSame(image, cube);
 }
 
+TEST(PointInOutRows, TouchingCornersAndEdgesOnly)
+{
+  // Rows through corners that only touch there, and through edges: of one body and of two that have
+  // a corner in common.
+  const Mesh one = Octahedron(1);
+  const Mesh two = Together({ one,
+    Octahedron(1).Map(
+      [](const Point& p) {
+        return p + Point{ 2, 0, 0 };
+      }) });
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(21, 13, 13);
+  image->SetSpacing(0.25, 0.25, 0.25);
+  image->SetOrigin(-1.5, -1.5, -1.5);
+  for (const Mesh& mesh : { one, two })
+  {
+    auto source = MakePolyData(mesh);
+    ExpectSame(image, source);
+    const std::vector<double> inside = RunFor(MakeInOut(image, source), "SkdInside");
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      Point x;
+      image->GetPoint(i, x.data());
+      const double first = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
+      const double second = std::abs(x[0] - 2) + std::abs(x[1]) + std::abs(x[2]);
+      const double least = mesh.Cells.size() == one.Cells.size() ? first : std::min(first, second);
+      ASSERT_TRUE(least == 1.0 || (inside[i] == 1) == (least < 1.0)) << i;
+    }
+  }
+}
+
 TEST(PointInOutRows, OfNestedAndSeparateParts)
 {
   auto source =
