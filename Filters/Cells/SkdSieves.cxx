@@ -7,7 +7,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 namespace
@@ -147,7 +146,7 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
         }
         else if (HasPlanes(node))
         {
-          this->FillPlanes(store, tree, node, rounding);
+          tree.SetNote(i, this->FillPlanes(store, tree, node, rounding));
         }
       }
     });
@@ -179,7 +178,7 @@ void SkdSieves::Number(const SkdCellStore& store, skd::Tree<3>& tree)
     else if (most > 0 && least > 0 && rows < Node::NoTag / 4)
     {
       tree.SetTag(i, 2 * rows + 1);
-      rows += 1 + static_cast<std::uint32_t>(most);
+      rows += static_cast<std::uint32_t>(most);
     }
   }
   this->Triangles.resize(packs);
@@ -206,13 +205,13 @@ void SkdSieves::FillTriangles(
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::FillPlanes(
+SkdSieves::PlaneNote SkdSieves::FillPlanes(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& bottom, double rounding)
 {
   skd::PlaneRow* rows = this->Rows.data() + (bottom.Tag >> 1);
-  PlaneHeader header{ RasterOf(bottom), 0 };
+  PlaneNote note{ RasterOf(bottom), 0 };
   const skd::Frame<3>& frame = tree.GetFrame();
-  const double margin = rounding * frame.Scale / header.Raster.Unit + skd::PlaneRow::Rounding;
+  const double margin = rounding * frame.Scale / note.Raster.Unit + skd::PlaneRow::Rounding;
   thread_local Faceted faceted;
   for (int lane = 0; lane < bottom.Count; ++lane)
   {
@@ -222,20 +221,20 @@ void SkdSieves::FillPlanes(
     for (std::uint32_t i = 0; i < store.SizeOf(cell); ++i)
     {
       const skd::Vector3 world = store.Point(store.PointIdsOf(cell)[i]);
-      faceted.Points.push_back(header.Raster.Of(frame.Local(world)));
+      faceted.Points.push_back(note.Raster.Of(frame.Local(world)));
     }
     AddFaces(store, cell, faceted);
-    for (; header.Count < count; ++header.Count)
+    for (; note.Count < count; ++note.Count)
     {
-      rows[1 + header.Count] = {};
+      rows[note.Count] = {};
     }
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      rows[1 + i].Set(lane, faceted.Directions[i], faceted.Points.data(),
+      rows[i].Set(lane, faceted.Directions[i], faceted.Points.data(),
         static_cast<int>(faceted.Points.size()), margin);
     }
   }
-  std::memcpy(static_cast<void*>(rows), &header, sizeof(header));
+  return note;
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,7 @@
 /// they leave out is proven to be no answer, rounding included.
 ///
 /// Triangles are kept as they are, 20 bytes each; volume cells as the planes along their faces, 8
-/// bytes a plane and 8 a cell. Constant once built: any number of threads may use it.
+/// bytes a plane. Constant once built: any number of threads may use it.
 class SkdSieves
 {
 public:
@@ -81,10 +81,11 @@ public:
   std::size_t MemorySize() const;
 
 private:
-  struct PlaneHeader
+  /// Lies in the bottom node itself, which is in the caches when its rows are asked for.
+  struct PlaneNote
   {
     skd::Raster Raster;
-    std::uint32_t Count; ///< of the rows that follow
+    std::uint32_t Count; ///< of rows
   };
 
   // A tag is twice the number of a pack of triangles, or of a row of planes and 1 more.
@@ -97,11 +98,11 @@ private:
   void Number(const SkdCellStore& store, skd::Tree<3>& tree);
   void FillTriangles(
     const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom);
-  void FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom,
-    double rounding);
+  PlaneNote FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree,
+    const skd::Node<3>& bottom, double rounding);
 
   skd::RawVector<skd::TrianglePack> Triangles;
-  skd::RawVector<skd::PlaneRow> Rows; // by bottom node: a PlaneHeader in a row's place, then its rows
+  skd::RawVector<skd::PlaneRow> Rows; // those of a bottom node in turn
 };
 
 //------------------------------------------------------------------------------
@@ -129,13 +130,12 @@ inline unsigned SkdSieves::Line::Pass(const skd::Node<3>& bottom, float* keys) c
 inline unsigned SkdSieves::Point::Pass(const skd::Node<3>& bottom, float*) const
 {
   const skd::PlaneRow* row = this->Rows + (bottom.Tag >> 1);
-  PlaneHeader header;
-  std::memcpy(&header, row, sizeof(header));
-  const skd::Vector3 x = header.Raster.Of(this->Local);
+  const auto note = bottom.Read<PlaneNote>();
+  const skd::Vector3 x = note.Raster.Of(this->Local);
   const float place[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
     static_cast<float>(x[2]) };
   unsigned passed = bottom.Occupied();
-  for (std::uint32_t i = 1; i <= header.Count && passed != 0; ++i)
+  for (std::uint32_t i = 0; i < note.Count && passed != 0; ++i)
   {
     passed &= row[i].MayHold(place);
   }

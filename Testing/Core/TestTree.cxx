@@ -256,6 +256,32 @@ TYPED_TEST(TreeTest, BuiltOnQueryIsTheSame)
   }
 }
 
+TYPED_TEST(TreeTest, KeepsWhatItsOwnerNotesInANode)
+{
+  constexpr int D = TypeParam::Value;
+  struct Note
+  {
+    float Place[4];
+    std::uint32_t Count;
+  };
+  skd::Tree<D> tree(InputOf(RandomBoxes<D>(65), 8));
+  const auto before = ContentOf(tree);
+  for (std::uint32_t node = 0; node < tree.NumberOfNodes(); ++node)
+  {
+    tree.SetTag(node, 3 * node);
+    tree.SetNote(node, Note{ { 1.0f, 2.0f, 3.0f, float(node) }, node });
+  }
+  for (std::uint32_t node = 0; node < tree.NumberOfNodes(); ++node)
+  {
+    const auto note = tree.Open(node).template Read<Note>();
+    EXPECT_EQ(tree.Open(node).Tag, 3 * node);
+    EXPECT_EQ(note.Place[0], 1.0f);
+    EXPECT_EQ(note.Place[3], float(node));
+    EXPECT_EQ(note.Count, node);
+  }
+  EXPECT_EQ(ContentOf(tree), before);
+}
+
 TYPED_TEST(TreeTest, SafetyBoxesAreInflatedByTwoEpsilon)
 {
   constexpr int D = TypeParam::Value;

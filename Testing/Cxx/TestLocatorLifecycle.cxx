@@ -5,6 +5,7 @@
 #include "Support/EventCounter.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
+#include "Support/VolumeMeshes.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkStaticCellLocator.h"
@@ -271,6 +272,13 @@ TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost80BytesForEach)
   EXPECT_EQ(locator->GetBytesPerCell(), static_cast<double>(locator->GetMemorySize()) / cells);
   locator->FreeSearchStructure();
   EXPECT_EQ(locator->GetBytesPerCell(), 0.0);
+}
+
+TEST_F(Lifecycle, TreesOfManyTetrahedraKeepAtMost88BytesForEach)
+{
+  const auto locator = MakeLocator(MakeGrid(Tetrahedra(20)));
+  EXPECT_EQ(locator->GetNumberOfCellsInTree(), 48000);
+  EXPECT_LE(locator->GetBytesPerCell(), 88.0);
 }
 
 TEST_F(Lifecycle, StatisticsCountTheCellsLeftOut)

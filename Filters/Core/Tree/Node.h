@@ -7,6 +7,8 @@
 #include "Lanes.h"
 
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace skd
@@ -91,10 +93,25 @@ struct alignas(32) Node
   std::uint16_t Count = 0;
   bool IsBottom = false;
   std::uint32_t Tag = NoTag; ///< of a bottom node: what the tree's owner keeps of its elements
+  std::uint32_t Note[5]; ///< the owner's, too, in what would be padding; not set until it sets it
 
   static constexpr std::uint32_t NoTag = 0xffffffffu;
   /// A bit for each lane in use.
   unsigned Occupied() const { return (1u << this->Count) - 1u; }
+
+  template <class T>
+  void Write(const T& note)
+  {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(this->Note));
+    std::memcpy(this->Note, &note, sizeof(T));
+  }
+  template <class T>
+  T Read() const
+  {
+    T note;
+    std::memcpy(&note, this->Note, sizeof(T));
+    return note;
+  }
 };
 
 /// What a walk has to visit: a node, or an element by its position.

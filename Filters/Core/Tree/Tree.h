@@ -84,8 +84,15 @@ public:
 
   bool IsEmpty() const { return this->Nodes.empty(); }
   const Node<D>& Open(std::uint32_t node) const { return this->Nodes[node]; }
-  /// See Node::Tag. Before anyone walks the tree.
+  ///@{
+  /// See Node::Tag and Node::Note. Before anyone walks the tree.
   void SetTag(std::uint32_t node, std::uint32_t tag) { this->Nodes[node].Tag = tag; }
+  template <class T>
+  void SetNote(std::uint32_t node, const T& note)
+  {
+    this->Nodes[node].Write(note);
+  }
+  ///@}
   void Fetch(std::uint32_t node) const { FetchLines(&this->Nodes[node], sizeof(Node<D>)); }
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
 
