@@ -38,10 +38,10 @@ def read(path):
             for work, structures in series.items()}
 
 
-def draw(axes, title, structures):
+def draw(axes, title, structures, colours):
     for name, points in structures.items():
-        style = {"linewidth": 2.5, "color": "black", "zorder": 3} if name == OURS else {}
-        axes.plot(*zip(*points), marker="o", markersize=3, label=name, **style)
+        style = {"linewidth": 2.5, "zorder": 3} if name == OURS else {}
+        axes.plot(*zip(*points), marker="o", markersize=3, label=name, color=colours[name], **style)
     if OURS in structures:
         cells = [n for n, _ in structures[OURS]]
         first, time = structures[OURS][0]
@@ -59,9 +59,11 @@ def main():
     source, picture = sys.argv[1:]
     series = read(source)
     works = [work for work in WORKS if work in series]
+    names = sorted({name for structures in series.values() for name in structures} - {OURS})
+    colours = {OURS: "black", **{name: f"C{i}" for i, name in enumerate(names)}}
     figure, panels = pyplot.subplots(1, len(works), figsize=(4 * len(works), 3.6), squeeze=False)
     for axes, work in zip(panels[0], works):
-        draw(axes, WORKS[work], series[work])
+        draw(axes, WORKS[work], series[work], colours)
     panels[0][0].set_ylabel("ns a query, one thread")
     figure.tight_layout()
     figure.savefig(picture, dpi=110)

@@ -57,6 +57,23 @@ public:
     Count(name, [&] { this->Locator->ForceBuildLocator(); });
   }
 
+  /// Of a tree that is built where it is asked.
+  void CountFirstAnswer(const char* name)
+  {
+    const Point x = this->Around(0.5, 0.7).front();
+    this->Locator->LazyBuildOn();
+    Count(name,
+      [&]
+      {
+        this->Locator->ForceBuildLocator();
+        Point closest;
+        vtkIdType cell;
+        int subId;
+        double dist2;
+        this->Locator->FindClosestPoint(x.data(), closest.data(), cell, subId, dist2);
+      });
+  }
+
   /// About points at such a distance from the middle, in half diagonals.
   void CountClosest(const char* name, double nearest, double farthest)
   {
@@ -203,6 +220,7 @@ void CountSurface()
   surface.CountBoxes("cells in a large box", 0.05);
   surface.CountPairs("pairs", other);
   surface.CountBatch("closest points, a batch");
+  surface.CountFirstAnswer("first answer, built on query");
 }
 
 void CountVolume(const char* kind, Mesh mesh)
