@@ -69,18 +69,16 @@
 #ifndef vtkSkdTreeAMR_h
 #define vtkSkdTreeAMR_h
 
-#include "vtkDataObjectAlgorithm.h"
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
-
-#include <memory> // For std::unique_ptr
+#include "vtkSkdTreeRefineAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeAMR : public vtkDataObjectAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeAMR : public vtkSkdTreeRefineAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeAMR, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkSkdTreeAMR, vtkSkdTreeRefineAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeAMR* New();
 
@@ -90,40 +88,12 @@ public:
     UNSTRUCTURED_GRID = 1,
     OVERLAPPING_AMR = 2
   };
-  enum Tests
-  {
-    EXACT = 0,
-    BLIND = 1
-  };
-  enum FieldTests
-  {
-    DIFFERENCE = 0,
-    GRADIENT = 1,
-    VALUE = 2
-  };
-  enum Balances
-  {
-    NONE = 0,
-    FACE = 1,
-    EDGE = 2,
-    CORNER = 3
-  };
-
   ///@{
   /**
    * The base grid (port 1, optional). It takes the place of the bounds, dimensions and cell size.
    */
   void SetBaseMeshConnection(vtkAlgorithmOutput* algOutput);
   void SetBaseMeshData(vtkDataObject* mesh);
-  ///@}
-
-  ///@{
-  /**
-   * The solution (port 2, optional): any data set, or composite data, whose arrays ask for cells,
-   * too. See AddFieldArray.
-   */
-  void SetFieldConnection(vtkAlgorithmOutput* algOutput);
-  void SetFieldData(vtkDataObject* field);
   ///@}
 
   ///@{
@@ -174,14 +144,6 @@ public:
 
   ///@{
   /**
-   * How often a base cell is refined at most. Default 5, from 0 to 30.
-   */
-  vtkSetClampMacro(MaximumLevel, int, 0, 30);
-  vtkGetMacro(MaximumLevel, int);
-  ///@}
-
-  ///@{
-  /**
    * The number of cells along each axis that a refined cell is cut into: 2 (default) or 3.
    */
   vtkSetClampMacro(BranchFactor, int, 2, 3);
@@ -190,48 +152,10 @@ public:
 
   ///@{
   /**
-   * What decides that a part meets a cell: EXACT (default), or BLIND, the safety boxes of the
-   * part's cells, which makes more cells: about as many where those are small beside the leaves,
-   * several times as many where they are large and oblique.
-   */
-  vtkSetClampMacro(Test, int, EXACT, BLIND);
-  vtkGetMacro(Test, int);
-  ///@}
-
-  ///@{
-  /**
-   * Over what contacts neighbouring leaves differ by one level at most: NONE (default), FACE, EDGE
-   * (faces and edges) or CORNER (all).
-   */
-  vtkSetClampMacro(Balance, int, NONE, CORNER);
-  vtkGetMacro(Balance, int);
-  ///@}
-
-  ///@{
-  /**
    * Cells around those that are refined, of the same level, that are refined too. Default 0.
    */
   vtkSetClampMacro(GrowingLayers, int, 0, 100);
   vtkGetMacro(GrowingLayers, int);
-  ///@}
-
-  ///@{
-  /**
-   * A maximum level for a part of composite data, by its flat block index; others have the
-   * MaximumLevel, which none exceeds.
-   */
-  void AddPartLevel(int blockIndex, int level);
-  void RemoveAllPartLevels();
-  ///@}
-
-  ///@{
-  /**
-   * Refine all cells that come nearer to a part than a distance, to a level of their own, at most
-   * MaximumLevel. (Those whose centre is at most that distance and half a diagonal away.) The level
-   * is a whole number; both are doubles for ParaView, whose lists have one type.
-   */
-  void AddDistanceBand(double distance, double level);
-  void RemoveAllDistanceBands();
   ///@}
 
   ///@{
@@ -250,71 +174,6 @@ public:
   vtkGetMacro(BendAngle, double);
   vtkSetClampMacro(FlatLevel, int, 0, 30);
   vtkGetMacro(FlatLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * Refine cells whose middle is inside of the geometry (see ComputeInside) to this level, at most
-   * MaximumLevel. Default 0: the inside does not matter.
-   */
-  vtkSetClampMacro(InsideLevel, int, 0, 30);
-  vtkGetMacro(InsideLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * Arrays of the field (port 2), point or cell data, that ask for cells: of several components the
-   * magnitude. In a cell of the grid those values count that are at points in it, those
-   * interpolated at its corners and its middle, and of cell data those of cells that meet it; what
-   * is not finite does not. A warning tells the names that the field does not have.
-   */
-  void AddFieldArray(const char* name);
-  void RemoveAllFieldArrays();
-  ///@}
-
-  ///@{
-  /**
-   * When a cell is refined for such an array: DIFFERENCE (default), where two values in it differ
-   * by more than FieldThreshold; GRADIENT, where a cell of the field that meets it has two points
-   * whose values differ by more than FieldThreshold times their distance (of point data only); or
-   * VALUE, where one is in FieldRange.
-   */
-  vtkSetClampMacro(FieldTest, int, DIFFERENCE, VALUE);
-  vtkGetMacro(FieldTest, int);
-  ///@}
-
-  ///@{
-  /**
-   * See FieldTest. Default 0: any difference.
-   */
-  vtkSetMacro(FieldThreshold, double);
-  vtkGetMacro(FieldThreshold, double);
-  ///@}
-
-  ///@{
-  /**
-   * See FieldTest; bounds included. Default (0, 1).
-   */
-  vtkSetVector2Macro(FieldRange, double);
-  vtkGetVector2Macro(FieldRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * The level that cells are refined to for the field, at most MaximumLevel. Default 30.
-   */
-  vtkSetClampMacro(FieldLevel, int, 0, 30);
-  vtkGetMacro(FieldLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * The number of cells, refined ones counted, that the grid may have. Where the next level would
-   * exceed it, or balancing does, a warning tells the level, and the grid is what it is so far.
-   * Default 20 million.
-   */
-  vtkSetClampMacro(CellLimit, vtkIdType, 1, VTK_ID_MAX);
-  vtkGetMacro(CellLimit, vtkIdType);
   ///@}
 
   ///@{
@@ -374,20 +233,11 @@ public:
   vtkBooleanMacro(Conforming, bool);
   ///@}
 
-  ///@{
-  /**
-   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
-   */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
-  ///@}
-
 protected:
   vtkSkdTreeAMR();
   ~vtkSkdTreeAMR() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
@@ -402,33 +252,20 @@ protected:
   double BaseBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   int BaseDimensions[3] = { 0, 0, 0 };
   double BaseCellSize = 0.0;
-  int MaximumLevel = 5;
   int BranchFactor = 2;
-  int Test = EXACT;
-  int Balance = NONE;
   int GrowingLayers = 0;
   bool RefineByBend = false;
   double BendAngle = 15.0;
   int FlatLevel = 3;
-  int InsideLevel = 0;
-  int FieldTest = DIFFERENCE;
-  double FieldThreshold = 0.0;
-  double FieldRange[2] = { 0.0, 1.0 };
-  int FieldLevel = 30;
-  vtkIdType CellLimit = 20000000;
   bool ComputeInside = false;
   bool ComputeVolumeFraction = false;
   bool ComputeDistance = false;
   int OutputType = HYPER_TREE_GRID;
   bool Conforming = false;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeAMR(const vtkSkdTreeAMR&) = delete;
   void operator=(const vtkSkdTreeAMR&) = delete;
-
-  class Internals;
-  std::unique_ptr<Internals> Impl; // the parts' trees, kept while they are unchanged
 };
 
 VTK_ABI_NAMESPACE_END

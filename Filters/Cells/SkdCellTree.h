@@ -6,6 +6,7 @@
 #include "Cells/SkdCellStore.h"
 #include "Cells/SkdGenericKernel.h"
 #include "Cells/SkdSieves.h"
+#include "Core/Geometry/PieceContact.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Core/Queries/HandDown.h"
@@ -189,6 +190,16 @@ public:
       skd::VisitListed(this->Eager, above.First, above.Last, box, visit);
     }
   }
+  ///@}
+
+  ///@{
+  /// SkdMeetQueries.cxx. The pieces that a cell is for other cells: points, segments, triangles; of
+  /// a volume cell those of its faces. They are put into a vector of the calling thread's, good
+  /// until the next call. Curved cells have none: they count by their boxes.
+  const std::vector<skd::Piece>& PiecesOf(std::uint32_t cell) const;
+  /// Whether the cell has a point in common with one of the pieces, which lie in the box, or is a
+  /// volume that has a corner of the first one inside.
+  bool Meets(std::uint32_t cell, const skd::Box3& box, const std::vector<skd::Piece>& pieces) const;
   ///@}
 
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.

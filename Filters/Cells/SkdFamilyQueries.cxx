@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellTree.h"
 
+#include "Cells/SkdFaceTriangles.h"
 #include "Core/Geometry/BoxOverlap.h"
 
 namespace
@@ -40,30 +41,11 @@ bool OverlapsSurface(const skd::Box3& box, const skd::Vector3* p, SkdPixelKernel
   return OverlapsQuad(box, quad);
 }
 
-/// The triangles of a volume cell's faces, of a quad two: for boxes the cell is what they enclose.
-template <class Shape, class Visit>
-void ForEachFaceTriangle(const skd::Vector3* p, Visit visit)
-{
-  for (const auto& face : Shape::Faces)
-  {
-    if (face[3] < 0)
-    {
-      visit(p[face[0]], p[face[1]], p[face[2]]);
-      continue;
-    }
-    const skd::Vector3 quad[4] = { p[face[0]], p[face[1]], p[face[2]], p[face[3]] };
-    for (const auto& i : SkdQuadSplit(quad).Triangles)
-    {
-      visit(quad[i[0]], quad[i[1]], quad[i[2]]);
-    }
-  }
-}
-
 template <class Shape>
 bool OverlapsSurface(const skd::Box3& box, const skd::Vector3* p, SkdVolumeKernel<Shape>)
 {
   bool isMet = false;
-  ForEachFaceTriangle<Shape>(p,
+  SkdForEachFaceTriangle<Shape>(p,
     [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
     { isMet = isMet || skd::Overlaps(box, a, b, c); });
   return isMet;
@@ -80,7 +62,7 @@ bool IsInsideOfFaces(const skd::Box3& bounds, const skd::Box3& box, const skd::V
   }
   const skd::SegmentView view(skd::detail::WayOut(bounds, box.Min));
   bool isInside = false;
-  ForEachFaceTriangle<Shape>(p,
+  SkdForEachFaceTriangle<Shape>(p,
     [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
     {
       const auto hit = view.IsValid() ? skd::Intersect(view, a, b, c) : std::nullopt;

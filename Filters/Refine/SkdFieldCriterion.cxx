@@ -141,59 +141,68 @@ void SkdFieldCriterion::Update(
 }
 
 //------------------------------------------------------------------------------
-/// Every point in the box is one of a cell whose safety box meets the box.
-void SkdFieldCriterion::AddListed(const Column& column, const skd::Box3& box, Look& look) const
+/// Every point in the region is one of a cell whose safety box meets the region's box.
+void SkdFieldCriterion::AddListed(const Column& column, const SkdRegion& region, Look& look) const
 {
   const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
   const SkdCellStore& cells = tree.Cells();
   const skd::ListedLanes all = skd::ListAll().front();
-  tree.VisitListed({ &all, &all + 1 }, box,
+  tree.VisitListed({ &all, &all + 1 }, region.GetBox(),
     [&](std::uint32_t cell)
     {
       if (look.Passes)
       {
         return;
       }
-      if (!column.IsOfPoints)
-      {
-        if (tree.Overlaps(cell, box))
-        {
-          look.Add(column.Values[static_cast<std::size_t>(cells.IdOf(cell))]);
-        }
-        return;
-      }
+      bool isThere = !column.IsOfPoints && region.Meets(tree, cell, SkdOverlapTest::Exact);
       const std::uint32_t* ids = cells.PointIdsOf(cell);
-      for (std::uint32_t i = 0; i < cells.SizeOf(cell); ++i)
+      for (std::uint32_t i = 0; i < cells.SizeOf(cell) && !isThere; ++i)
       {
-        if (box.Contains(cells.Point(ids[i])))
+        const bool isPointThere = region.Contains(cells.Point(ids[i]));
+        if (isPointThere && column.IsOfPoints)
         {
           look.Add(column.Values[ids[i]]);
         }
+        isThere = isPointThere && !column.IsOfPoints;
+      }
+      if (isThere)
+      {
+        look.Add(column.Values[static_cast<std::size_t>(cells.IdOf(cell))]);
       }
     });
 }
 
-/// The corners and the middle, where a cell holds them.
-void SkdFieldCriterion::AddSamples(const Column& column, const skd::Box3& box, Look& look) const
+/// The cell that holds x, or without one the nearest within the reach.
+SkdFoundCell SkdFieldCriterion::FindAt(
+  const Column& column, const skd::Vector3& x, double reach) const
+{
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  const SkdCellSource source = this->Meshes.GetSource(column.Part);
+  return reach > 0.0 ? tree.FindNearest(x, reach * reach, source)
+                     : tree.FindContaining(x, 0.0, -1, source);
+}
+
+/// Where a cell holds the sample, or is near to it.
+void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region, Look& look) const
 {
   thread_local std::vector<double> weights;
   const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
-  const SkdCellSource source = this->Meshes.GetSource(column.Part);
-  for (unsigned sample = 0; sample < 9 && !look.Passes; ++sample)
+  for (int sample = 0; sample < region.GetNumberOfSamples() && !look.Passes; ++sample)
   {
-    const skd::Vector3 x = sample == 8
-      ? box.Centroid()
-      : skd::Vector3{ { sample & 1u ? box.Max[0] : box.Min[0],
-          sample & 2u ? box.Max[1] : box.Min[1], sample & 4u ? box.Max[2] : box.Min[2] } };
-    SkdFoundCell found = tree.FindContaining(x, 0.0, -1, source);
+    SkdFoundCell found = this->FindAt(column, region.GetSample(sample), region.GetSampleReach());
     if (found.Id < 0)
     {
+      continue;
+    }
+    if (!column.IsOfPoints)
+    {
+      look.Add(column.Values[static_cast<std::size_t>(found.Id)]);
       continue;
     }
     const auto cell = static_cast<std::uint32_t>(tree.Cells().CellOfId(found.Id));
     const std::uint32_t size = tree.Cells().SizeOf(cell);
     weights.assign(size, 0.0);
-    tree.Interpolate(found, weights.data(), source);
+    tree.Interpolate(found, weights.data(), this->Meshes.GetSource(column.Part));
     double value = 0.0;
     for (std::uint32_t i = 0; i < size; ++i)
     {
@@ -203,19 +212,20 @@ void SkdFieldCriterion::AddSamples(const Column& column, const skd::Box3& box, L
   }
 }
 
-bool SkdFieldCriterion::IsWanted(const skd::Box3& box) const
+/// A cell of the field that holds a sample meets the region anyway, unless it is only near.
+bool SkdFieldCriterion::IsWanted(const SkdRegion& region) const
 {
   return std::any_of(this->Columns.begin(), this->Columns.end(),
     [&](const Column& column)
     {
       Look look(this->Settings);
-      if (column.IsOfPoints)
+      if (column.IsOfPoints || region.GetSampleReach() > 0.0)
       {
-        this->AddSamples(column, box, look);
+        this->AddSamples(column, region, look);
       }
       if (!look.Passes)
       {
-        this->AddListed(column, box, look);
+        this->AddListed(column, region, look);
       }
       return look.Passes;
     });

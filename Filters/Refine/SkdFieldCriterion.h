@@ -2,26 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdFieldCriterion.h
- * @brief Whether a field varies within a box, or has values of interest there.
+ * @brief Whether a field varies within a cell, or has values of interest there.
  *
- * The values that count in a box are those of the field's points in it, and those interpolated at
- * its corners and its middle; of cell data those of the cells that meet it. Of arrays with several
- * components the magnitude. Values that are not finite do not count. Blocks are looked at one by
- * one.
+ * The values that count in a cell are those of the field's points in it, and those interpolated at
+ * its corners and its middle; of cell data those of the field's cells that meet it or are there. Of
+ * arrays with several components the magnitude. Values that are not finite do not count. Blocks are
+ * looked at one by one.
  */
 
 #ifndef SkdFieldCriterion_h
 #define SkdFieldCriterion_h
 
 #include "Refine/SkdParts.h"
+#include "Refine/SkdRegion.h"
 
 #include <set>
 #include <string>
 
 enum class SkdFieldTest
 {
-  Difference, ///< of two values in the box: more than the threshold
-  Gradient,   ///< of a cell that meets the box: two of its points differ by more than the
+  Difference, ///< of two values in the cell: more than the threshold
+  Gradient,   ///< of a field's cell that meets the cell: two of its points differ by more than the
               ///< threshold times their distance; only of point data
   Value       ///< one in the range
 };
@@ -45,7 +46,7 @@ public:
   std::set<std::string> GetMissing() const { return this->Missing; }
 
   /// Whether one of the arrays passes the test. Thread-safe.
-  bool IsWanted(const skd::Box3& box) const;
+  bool IsWanted(const SkdRegion& region) const;
 
 private:
   /// The values of one array of one leaf.
@@ -59,8 +60,9 @@ private:
 
   void TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name);
   std::vector<double> FindGradients(std::uint32_t part, const std::vector<double>& values) const;
-  void AddListed(const Column& column, const skd::Box3& box, Look& look) const;
-  void AddSamples(const Column& column, const skd::Box3& box, Look& look) const;
+  void AddListed(const Column& column, const SkdRegion& region, Look& look) const;
+  SkdFoundCell FindAt(const Column& column, const skd::Vector3& x, double reach) const;
+  void AddSamples(const Column& column, const SkdRegion& region, Look& look) const;
 
   SkdParts Meshes;
   SkdFieldSettings Settings;

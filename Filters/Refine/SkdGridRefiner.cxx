@@ -157,10 +157,9 @@ bool SkdGridRefiner::IsLeftAlone(int level, std::uint32_t cell) const
 
 bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
 {
-  const skd::Box3 box = this->Grid.BoxOf(level, cell);
-  return this->IsWantedByParts(level, cell, box) || this->IsNear(level, box) ||
-    (level < this->Settings.InsideLevel && this->Settings.IsInside(box.Centroid())) ||
-    (level < this->Settings.FieldLevel && this->Settings.IsWanted(box));
+  const SkdBoxRegion box(this->Grid.BoxOf(level, cell));
+  return this->IsWantedByParts(level, cell, box.GetBox()) ||
+    this->Settings.IsWantedByOthers(level, box, this->Parts);
 }
 
 bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const
@@ -183,21 +182,6 @@ bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::B
         this->Parts.GetTree(span.Part).FindBend(range, box, this->Settings.Test) >
         this->Settings.BendAngle;
     });
-}
-
-bool SkdGridRefiner::IsNear(int level, const skd::Box3& box) const
-{
-  double reach = -1.0;
-  for (const SkdDistanceBand& band : this->Settings.Bands)
-  {
-    reach = level < band.Level ? std::max(reach, band.Distance) : reach;
-  }
-  if (!(reach >= 0.0))
-  {
-    return false;
-  }
-  const double limit = reach + 0.5 * box.Diagonal();
-  return this->Parts.FindDistance(box.Centroid(), limit) <= limit;
 }
 
 /// Finds the cells to refine, and counts what meets those of the others that are cut.

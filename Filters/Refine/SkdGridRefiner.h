@@ -12,41 +12,24 @@
 #define SkdGridRefiner_h
 
 #include "Core/Grid/Balance.h"
+#include "Refine/SkdCriteria.h"
 #include "Refine/SkdGrid.h"
-#include "Refine/SkdParts.h"
 #include "Refine/SkdShortlists.h"
-
-#include <functional>
 
 class vtkAlgorithm;
 
-/// Cells nearer to a part than Distance are refined to Level.
-struct SkdDistanceBand
+struct SkdRefineSettings : SkdCriteria
 {
-  double Distance;
-  int Level;
-};
-
-struct SkdRefineSettings
-{
-  int MaximumLevel = 5;
-  std::vector<int> PartLevels; ///< one a part: where it meets cells they are refined to that level
-  std::vector<SkdDistanceBand> Bands;
   ///@{
   /// From FlatLevel on, only where a part's normals are farther than this off their mean. In
   /// radians; negative: everywhere.
   double BendAngle = -1.0;
   int FlatLevel = 0;
   ///@}
-  SkdOverlapTest Test = SkdOverlapTest::Exact;
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
   std::uint64_t CellLimit = 0;
-  bool OwnOnly = false;                              ///< leave base cells of other processes alone
-  int InsideLevel = 0;                               ///< of cells whose middle is inside
-  std::function<bool(const skd::Vector3&)> IsInside; ///< asked if InsideLevel is above 0
-  int FieldLevel = 0;                                ///< of cells where the field wants it
-  std::function<bool(const skd::Box3&)> IsWanted;    ///< asked if FieldLevel is above 0
+  bool OwnOnly = false; ///< leave base cells of other processes alone
 };
 
 class SkdGridRefiner
@@ -82,7 +65,6 @@ private:
   bool IsLeftAlone(int level, std::uint32_t cell) const;
   bool IsWanted(int level, std::uint32_t cell) const;
   bool IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const;
-  bool IsNear(int level, const skd::Box3& box) const;
   bool HasRoomFor(int level, std::uint64_t families);
   void RefineMarked(int level, const std::vector<char>& marks);
   void Balance();

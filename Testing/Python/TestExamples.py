@@ -85,6 +85,10 @@ def test_split_surfaces():
     check("SplitSurfaces", [], {"in 3 regions": 2}, (0.2, 0.8))
 
 
+def test_mesh_refinement():
+    check("MeshRefinement", data("earth_relief.vti"), {" 0 points hang": 3}, (0.1, 0.6))
+
+
 def test_surface_intersection():
     files = data("fly_brain_neuropil.vtp", "fly_brain_lateral_horn.vtp")
     words = {"2 trees built": 1, "0 trees built": 8}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdFaceTriangles_h
+#define SkdFaceTriangles_h
+
+#include "Cells/SkdKernels.h"
+
+/// The triangles of a volume cell's faces, of a quad two: for boxes and for other cells it is what
+/// they enclose. Calls visit(a, b, c).
+template <class Shape, class Visit>
+void SkdForEachFaceTriangle(const skd::Vector3* p, Visit visit)
+{
+  for (const auto& face : Shape::Faces)
+  {
+    if (face[3] < 0)
+    {
+      visit(p[face[0]], p[face[1]], p[face[2]]);
+      continue;
+    }
+    const skd::Vector3 quad[4] = { p[face[0]], p[face[1]], p[face[2]], p[face[3]] };
+    for (const auto& i : SkdQuadSplit(quad).Triangles)
+    {
+      visit(quad[i[0]], quad[i[1]], quad[i[2]]);
+    }
+  }
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdCriteria.h"
+
+#include <algorithm>
+
+namespace
+{
+bool IsMetBy(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest test)
+{
+  const skd::ListedLanes all = skd::ListAll().front();
+  bool isMet = false;
+  tree.VisitListed({ &all, &all + 1 }, region.GetBox(),
+    [&](std::uint32_t cell) { isMet = isMet || region.Meets(tree, cell, test); });
+  return isMet;
+}
+
+bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
+  const std::vector<SkdDistanceBand>& bands)
+{
+  double reach = -1.0;
+  for (const SkdDistanceBand& band : bands)
+  {
+    reach = level < band.Level ? std::max(reach, band.Distance) : reach;
+  }
+  if (!(reach >= 0.0))
+  {
+    return false;
+  }
+  const double limit = reach + region.GetRadius();
+  return parts.FindDistance(region.GetMiddle(), limit) <= limit;
+}
+}
+
+bool SkdCriteria::IsWantedByParts(int level, const SkdRegion& region, const SkdParts& parts) const
+{
+  for (std::uint32_t part = 0; part < parts.GetNumberOfParts(); ++part)
+  {
+    if (level < this->PartLevels[part] && IsMetBy(parts.GetTree(part), region, this->Test))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool SkdCriteria::IsWantedByOthers(int level, const SkdRegion& region, const SkdParts& parts) const
+{
+  return IsNear(level, region, parts, this->Bands) ||
+    (level < this->InsideLevel && this->IsInside(region.GetMiddle())) ||
+    (level < this->FieldLevel && this->IsFieldWanted(region));
+}

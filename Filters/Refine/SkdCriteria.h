@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCriteria.h
+ * @brief What asks for cells to be refined, whatever the cells are: parts that they meet or come
+ * near to, the inside, a field.
+ */
+
+#ifndef SkdCriteria_h
+#define SkdCriteria_h
+
+#include "Refine/SkdParts.h"
+#include "Refine/SkdRegion.h"
+
+#include <functional>
+#include <vector>
+
+/// Cells nearer to a part than Distance are refined to Level.
+struct SkdDistanceBand
+{
+  double Distance;
+  int Level;
+};
+
+struct SkdCriteria
+{
+  int MaximumLevel = 5;
+  std::vector<int> PartLevels; ///< one a part: where it meets cells they are refined to that level
+  std::vector<SkdDistanceBand> Bands;
+  SkdOverlapTest Test = SkdOverlapTest::Exact;
+  int InsideLevel = 0;                                 ///< of cells whose middle is inside
+  std::function<bool(const skd::Vector3&)> IsInside;   ///< asked if InsideLevel is above 0
+  int FieldLevel = 0;                                  ///< of cells where the field wants it
+  std::function<bool(const SkdRegion&)> IsFieldWanted; ///< asked if FieldLevel is above 0
+
+  /// Whether a part that meets the region wants it to be of a level above this one. Thread-safe.
+  bool IsWantedByParts(int level, const SkdRegion& region, const SkdParts& parts) const;
+
+  /// Whether anything else does. Thread-safe.
+  bool IsWantedByOthers(int level, const SkdRegion& region, const SkdParts& parts) const;
+};
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdMeshRefiner.h"
+
+#include "Core/Mesh/Bisection.h"
+#include "Core/Mesh/RegularCuts.h"
+#include "Pipeline/SkdLoop.h"
+#include "Refine/SkdCellRegion.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+SkdMeshRefiner::SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double last,
+  skd::RefinedMesh& mesh, const SkdParts& parts, const SkdMeshSettings& settings)
+  : Algorithm(algorithm)
+  , First(first)
+  , Last(last)
+  , Mesh(mesh)
+  , Parts(parts)
+  , Settings(settings)
+{
+}
+
+SkdMeshOutcome SkdMeshRefiner::Refine()
+{
+  std::uint32_t seen = 0;
+  this->LeavesAfter.push_back(this->Mesh.NumberOfLeaves());
+  for (;;)
+  {
+    const std::uint32_t begin = seen;
+    seen = this->Mesh.NumberOfCells();
+    const std::vector<std::uint32_t> wanted = this->FindWanted(begin);
+    if (wanted.empty() || this->Outcome.IsAborted)
+    {
+      break;
+    }
+    this->TellSize();
+    const int level = this->LeastLevelOf(wanted);
+    if (!this->Cut(wanted))
+    {
+      this->Outcome.IsStopped = true;
+      this->Outcome.StoppedAtLevel = level;
+      break;
+    }
+    ++this->Outcome.Rounds;
+    this->LeavesAfter.push_back(this->Mesh.NumberOfLeaves());
+  }
+  this->Algorithm->SetProgressText(nullptr);
+  const bool isCutShort = this->Outcome.IsStopped || this->Outcome.IsAborted;
+  this->Outcome.CellsEstimated = isCutShort ? this->Estimate() : this->LeavesAfter.back();
+  return this->Outcome;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdMeshRefiner::FindWanted(std::uint32_t begin)
+{
+  const auto count = static_cast<vtkIdType>(this->Mesh.NumberOfCells() - begin);
+  std::vector<char> marks(static_cast<std::size_t>(count), 0);
+  const double before = this->Done;
+  this->Done = std::max(before, std::min(1.0, this->LeavesAfter.back() / this->Estimate()));
+  const double length = this->Last - this->First;
+  SkdLoop loop(
+    this->Algorithm, count, this->First + before * length, this->First + this->Done * length);
+  const bool isDone = loop.For(count,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        marks[static_cast<std::size_t>(i)] = this->IsWanted(begin + static_cast<std::uint32_t>(i));
+      }
+    });
+  this->Outcome.IsAborted = !isDone;
+  std::vector<std::uint32_t> wanted;
+  for (std::uint32_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i])
+    {
+      wanted.push_back(begin + i);
+    }
+  }
+  return wanted;
+}
+
+bool SkdMeshRefiner::IsWanted(std::uint32_t cell) const
+{
+  const skd::RefinedMesh::Cell& at = this->Mesh[cell];
+  const int level = at.Level();
+  if (!at.IsLeaf() || at.IsFixed || level >= this->Settings.MaximumLevel)
+  {
+    return false;
+  }
+  if (level < this->Settings.MinimumLevel)
+  {
+    return true;
+  }
+  const SkdCellRegion region(this->Mesh, cell);
+  return this->Settings.IsWantedByParts(level, region, this->Parts) ||
+    this->Settings.IsWantedByOthers(level, region, this->Parts);
+}
+
+bool SkdMeshRefiner::Cut(const std::vector<std::uint32_t>& cells)
+{
+  const std::uint64_t limit = this->Settings.CellLimit;
+  return this->Settings.IsConforming
+    ? skd::Bisection(this->Mesh, limit).Refine(cells)
+    : skd::RegularCuts(this->Mesh, limit, this->Settings.Balance).Refine(cells);
+}
+
+/// How much it will be, if it goes on like this, before it is made.
+void SkdMeshRefiner::TellSize() const
+{
+  const double cells = this->Estimate();
+  const double bytes =
+    static_cast<double>(this->Mesh.MemorySize()) / this->LeavesAfter.back() * cells;
+  std::ostringstream text;
+  text << std::setprecision(2) << "about " << cells << " cells, " << bytes / 1e6 << " MB";
+  this->Algorithm->SetProgressText(text.str().c_str());
+}
+
+//------------------------------------------------------------------------------
+int SkdMeshRefiner::LeastLevelOf(const std::vector<std::uint32_t>& cells) const
+{
+  int least = this->Mesh[cells.front()].Level();
+  for (const std::uint32_t cell : cells)
+  {
+    least = std::min(least, this->Mesh[cell].Level());
+  }
+  return least;
+}
+
+/// The leaves after the rounds that are left, if they grow as they did in the last ones; no more
+/// than if all were cut each time.
+double SkdMeshRefiner::Estimate() const
+{
+  const double perLevel = this->Settings.IsConforming ? 2.0 : 1.0;
+  const double left = std::max(0.0, perLevel * this->Settings.MaximumLevel - this->Outcome.Rounds);
+  const std::size_t size = this->LeavesAfter.size();
+  const double growth =
+    size < 2 ? 1.5 : this->LeavesAfter.back() / std::max(1.0, this->LeavesAfter[size - 2]);
+  return std::max(1.0, this->LeavesAfter.back() * std::pow(growth, left));
+}

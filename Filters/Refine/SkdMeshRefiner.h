@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdMeshRefiner.h
+ * @brief Refines a mesh until no cell is wanted finer.
+ *
+ * In rounds: each looks at the cells that the round before has made, once, in parallel, and cuts
+ * those that are wanted finer, and what must be cut with them. The last round that would make too
+ * many cells is taken back as a whole, so the mesh is sound whenever it stops.
+ */
+
+#ifndef SkdMeshRefiner_h
+#define SkdMeshRefiner_h
+
+#include "Core/Grid/Balance.h"
+#include "Core/Mesh/RefinedMesh.h"
+#include "Refine/SkdCriteria.h"
+
+class vtkAlgorithm;
+
+struct SkdMeshSettings : SkdCriteria
+{
+  int MinimumLevel = 0;     ///< which all cells get
+  bool IsConforming = true; ///< by bisection; else cell by cell
+  skd::Contact Balance = skd::Contact::None;
+  std::uint64_t CellLimit = 0;
+};
+
+/// What became of it.
+struct SkdMeshOutcome
+{
+  bool IsAborted = false;
+  bool IsStopped = false;    ///< by the cell limit
+  int StoppedAtLevel = -1;   ///< then: the least level of the cells that were wanted finer
+  double CellsEstimated = 0; ///< if nothing had stopped it, by the growth so far; else their number
+  int Rounds = 0;
+};
+
+class SkdMeshRefiner
+{
+public:
+  /// The algorithm is told the progress, from `first` to `last`, and asked whether to stop.
+  SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double last, skd::RefinedMesh& mesh,
+    const SkdParts& parts, const SkdMeshSettings& settings);
+
+  /// The result depends on neither the number of threads nor the numbering of cells and points.
+  SkdMeshOutcome Refine();
+
+private:
+  std::vector<std::uint32_t> FindWanted(std::uint32_t begin);
+  bool IsWanted(std::uint32_t cell) const;
+  bool Cut(const std::vector<std::uint32_t>& cells);
+  void TellSize() const;
+  double Estimate() const;
+  int LeastLevelOf(const std::vector<std::uint32_t>& cells) const;
+
+  vtkAlgorithm* Algorithm;
+  double First;
+  double Last;
+  skd::RefinedMesh& Mesh;
+  const SkdParts& Parts;
+  const SkdMeshSettings& Settings;
+  SkdMeshOutcome Outcome;
+  std::vector<double> LeavesAfter; // each round
+  double Done = 0.0;               // of all that there is to do, as far as can be told
+};
+
+#endif

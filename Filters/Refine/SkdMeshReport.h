@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMeshReport_h
+#define SkdMeshReport_h
+
+#include "Core/Mesh/HangingNodes.h"
+#include "Refine/SkdMeshReader.h"
+#include "Refine/SkdMeshRefiner.h"
+
+class SkdReport;
+
+/// What there is to count of a mesh before it is refined, and after.
+struct SkdMeshTally
+{
+  explicit SkdMeshTally(const skd::RefinedMesh& before);
+  void Finish(const skd::RefinedMesh& after, const skd::HangingNodes& hanging);
+
+  vtkIdType CellsBefore = 0;
+  vtkIdType Cells = 0;
+  std::vector<vtkIdType> CellsAtLevel;
+  vtkIdType HangingNodes = 0;
+  vtkIdType CellsOddlyShaped =
+    0; ///< that could have been cut by their type, but not by their shape
+  double SmallestAngleBefore = 0.0; ///< in degrees; infinity without cells that have such angles
+  double SmallestAngle = 0.0;
+};
+
+void SkdReportMesh(SkdReport& report, const SkdReadMesh& read, const SkdMeshOutcome& outcome,
+  const SkdMeshTally& tally);
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeMeshRefinement.h"
+
+#include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSource.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "Refine/SkdMeshOutput.h"
+#include "Refine/SkdMeshRefiner.h"
+#include "Refine/SkdMeshReport.h"
+#include "Refine/SkdNodePlacement.h"
+#include "Refine/SkdRefineState.h"
+#include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeMeshRefinement);
+
+class vtkSkdTreeMeshRefinement::Internals
+{
+public:
+  SkdSource Surface;
+};
+
+namespace
+{
+using Filter = vtkSkdTreeMeshRefinement;
+
+SkdMeshSettings MakeSettings(Filter* self, const SkdRefineState& state)
+{
+  SkdMeshSettings settings{ state.MakeCriteria(self) };
+  settings.MinimumLevel = self->GetMinimumLevel();
+  settings.IsConforming = self->GetMethod() == Filter::BISECTION;
+  settings.Balance = static_cast<skd::Contact>(self->GetBalance());
+  settings.CellLimit =
+    static_cast<std::uint64_t>(std::min<vtkIdType>(self->GetCellLimit(), 0x7fffffff));
+  return settings;
+}
+
+bool IsAnythingAsked(const SkdMeshSettings& settings)
+{
+  return settings.MinimumLevel > 0 || !settings.PartLevels.empty() || settings.FieldLevel > 0;
+}
+
+void SetPlacement(Filter* self, const SkdSource& surface, skd::RefinedMesh& mesh)
+{
+  const double* centre = self->GetSphereCenter();
+  if (self->GetPointPlacement() == Filter::SPHERE)
+  {
+    mesh.SetPlacement(SkdPlaceOnSphere({ { centre[0], centre[1], centre[2] } }), false);
+  }
+  else if (self->GetPointPlacement() == Filter::SURFACE && surface.GetCounts().Cells > 0)
+  {
+    mesh.SetPlacement(SkdPlaceOnSurface(surface), true);
+  }
+  else if (self->GetPointPlacement() == Filter::SURFACE)
+  {
+    vtkWarningWithObjectMacro(self, "There is no surface to put points on: they stay flat.");
+  }
+}
+
+void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh& read)
+{
+  if (read.Mesh.NumberOfCells() == 0)
+  {
+    vtkWarningWithObjectMacro(self, "Input has no cells: there is nothing to refine.");
+  }
+  else if (!IsAnythingAsked(settings))
+  {
+    vtkWarningWithObjectMacro(self,
+      "Nothing asks for cells: there are no parts, no arrays of a field, and no minimum level.");
+  }
+  if (read.CellsNotRefinable > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "" << read.CellsNotRefinable
+         << " cells cannot be refined, by their type or points, and stay as they are.");
+  }
+}
+
+void WarnAbout(Filter* self, const SkdMeshOutcome& outcome, const SkdMeshTally& tally)
+{
+  if (outcome.IsStopped)
+  {
+    vtkWarningWithObjectMacro(self,
+      "Stopped at level " << outcome.StoppedAtLevel << " of " << self->GetMaximumLevel()
+                          << ": the mesh has " << tally.Cells << " cells, refining on would make "
+                          << "more than CellLimit (" << self->GetCellLimit() << "), about "
+                          << outcome.CellsEstimated << " in the end.");
+  }
+  if (tally.CellsOddlyShaped > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "" << tally.CellsOddlyShaped << " cells cannot be cut, their middle does not see all of "
+         << "their border, and stay as they are.");
+  }
+}
+
+vtkSmartPointer<vtkPointSet> MakeBlock(const SkdReadMesh& read, const SkdReadMesh::Block& block,
+  const skd::HangingNodes& hanging, Filter* self)
+{
+  vtkSmartPointer<vtkDataObject> output;
+  output.TakeReference(vtkDataObjectTypes::NewDataObject(SkdRefinedTypeOf(block.Leaf.Mesh)));
+  auto mesh = vtkPointSet::SafeDownCast(output);
+  SkdWriteBlock(read, block, hanging, self->GetOutputPointsPrecision(), mesh);
+  return mesh;
+}
+
+/// Blocks go where they were, or in a row where the output is of another make.
+void PutBlocks(const std::vector<SkdReadMesh::Block>& blocks,
+  const std::vector<vtkSmartPointer<vtkPointSet>>& meshes, vtkDataObject* input,
+  vtkDataObject* output)
+{
+  auto from = vtkDataObjectTree::SafeDownCast(input);
+  auto to = vtkDataObjectTree::SafeDownCast(output);
+  if (!to)
+  {
+    output->ShallowCopy(meshes.front());
+    return;
+  }
+  if (from)
+  {
+    SkdMirror(from, to);
+    vtkSmartPointer<vtkCompositeDataIterator> iterator;
+    iterator.TakeReference(from->NewIterator());
+    std::size_t next = 0; // blocks are in the order of the iterator
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      const int place = static_cast<int>(iterator->GetCurrentFlatIndex());
+      if (next < blocks.size() && blocks[next].Leaf.BlockIndex == place)
+      {
+        to->SetDataSet(iterator, meshes[next++]);
+      }
+    }
+    return;
+  }
+  auto row = vtkMultiBlockDataSet::SafeDownCast(output);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    row->SetBlock(static_cast<unsigned int>(i), meshes[i]);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeMeshRefinement::vtkSkdTreeMeshRefinement()
+  : Impl(new Internals)
+{
+  this->MaximumLevel = 3;
+  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfOutputPorts(1);
+}
+
+vtkSkdTreeMeshRefinement::~vtkSkdTreeMeshRefinement() = default;
+
+void vtkSkdTreeMeshRefinement::SetPartsConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+void vtkSkdTreeMeshRefinement::SetPartsData(vtkDataObject* parts)
+{
+  this->SetInputDataInternal(1, parts);
+}
+
+void vtkSkdTreeMeshRefinement::SetSurfaceConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(3, algOutput);
+}
+
+void vtkSkdTreeMeshRefinement::SetSurfaceData(vtkDataObject* surface)
+{
+  this->SetInputDataInternal(3, surface);
+}
+
+int vtkSkdTreeMeshRefinement::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  const auto mesh = vtkDataSet::SafeDownCast(input);
+  const int type = mesh                      ? SkdRefinedTypeOf(mesh)
+    : vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
+                                             : VTK_MULTIBLOCK_DATA_SET;
+  SkdProvideOutput(outputVector->GetInformationObject(0), type);
+  return 1;
+}
+
+// Whatever piece is asked for, all of the parts may meet it.
+int vtkSkdTreeMeshRefinement::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 1; port < 4; ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      SkdAskForWhole(inputVector[port]->GetInformationObject(i));
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeMeshRefinement::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* field = vtkDataObject::GetData(inputVector[2]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  output->Initialize();
+  SkdStopwatch watch;
+  int treesBuilt = 0;
+  SkdReadMesh read;
+  try
+  {
+    treesBuilt = this->State->Update(
+      this, SkdLeavesOf(vtkDataObject::GetData(inputVector[1])), field ? field : input, false);
+    SkdReadLeaves(SkdLeavesOf(input), read);
+  }
+  catch (const std::length_error& error)
+  {
+    vtkErrorMacro("Input cannot be refined: " << error.what());
+    return 1;
+  }
+  this->Impl->Surface.Update(vtkDataObject::GetData(inputVector[3]), false, this->Epsilon);
+  SetPlacement(this, this->Impl->Surface, read.Mesh);
+  const double buildSeconds = watch.Lap();
+
+  const SkdMeshSettings settings = MakeSettings(this, *this->State);
+  WarnAbout(this, settings, read);
+  SkdMeshTally tally(read.Mesh);
+  const SkdMeshOutcome outcome =
+    SkdMeshRefiner(this, 0.1, 0.8, read.Mesh, this->State->Parts, settings).Refine();
+  const double refineSeconds = watch.Lap();
+
+  const skd::HangingNodes hanging(read.Mesh);
+  std::vector<vtkSmartPointer<vtkPointSet>> meshes;
+  for (const SkdReadMesh::Block& block : read.Blocks)
+  {
+    meshes.push_back(MakeBlock(read, block, hanging, this));
+  }
+  PutBlocks(read.Blocks, meshes, input, output);
+  tally.Finish(read.Mesh, hanging);
+  WarnAbout(this, outcome, tally);
+
+  SkdReport report(output);
+  SkdReportMesh(report, read, outcome, tally);
+  this->State->Report(report);
+  report.AddCount("TreesBuilt", treesBuilt);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("RefineSeconds", refineSeconds);
+  this->Impl->Surface.Release();
+  return 1;
+}
+
+void vtkSkdTreeMeshRefinement::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == BISECTION ? "Bisection\n" : "Regular\n");
+  os << indent << "MinimumLevel: " << this->MinimumLevel << "\n";
+  os << indent << "PointPlacement: " << this->PointPlacement << "\n";
+  os << indent << "SphereCenter: " << this->SphereCenter[0] << " " << this->SphereCenter[1] << " "
+     << this->SphereCenter[2] << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeRefineAlgorithm.h"
+
+#include "Pipeline/SkdPorts.h"
+#include "Refine/SkdRefineState.h"
+#include "vtkInformation.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkSkdTreeRefineAlgorithm::vtkSkdTreeRefineAlgorithm()
+  : State(new SkdRefineState)
+{
+}
+
+vtkSkdTreeRefineAlgorithm::~vtkSkdTreeRefineAlgorithm() = default;
+
+void vtkSkdTreeRefineAlgorithm::SetFieldConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(2, algOutput);
+}
+
+void vtkSkdTreeRefineAlgorithm::SetFieldData(vtkDataObject* field)
+{
+  this->SetInputDataInternal(2, field);
+}
+
+void vtkSkdTreeRefineAlgorithm::AddFieldArray(const char* name)
+{
+  if (name && *name)
+  {
+    this->State->FieldArrays.insert(name);
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeRefineAlgorithm::RemoveAllFieldArrays()
+{
+  this->State->FieldArrays.clear();
+  this->Modified();
+}
+
+void vtkSkdTreeRefineAlgorithm::AddPartLevel(int blockIndex, int level)
+{
+  this->State->PartLevels[blockIndex] = level;
+  this->Modified();
+}
+
+void vtkSkdTreeRefineAlgorithm::RemoveAllPartLevels()
+{
+  this->State->PartLevels.clear();
+  this->Modified();
+}
+
+void vtkSkdTreeRefineAlgorithm::AddDistanceBand(double distance, double level)
+{
+  this->State->Bands.push_back({ distance, static_cast<int>(std::clamp(level, 0.0, 30.0)) });
+  this->Modified();
+}
+
+void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()
+{
+  this->State->Bands.clear();
+  this->Modified();
+}
+
+int vtkSkdTreeRefineAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  SkdAcceptMeshes(info);
+  if (port != 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkSkdTreeRefineAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "Test: " << (this->Test == EXACT ? "Exact\n" : "Blind\n");
+  os << indent << "Balance: " << this->Balance << "\n";
+  for (const auto& [blockIndex, level] : this->State->PartLevels)
+  {
+    os << indent << "PartLevel: " << blockIndex << " " << level << "\n";
+  }
+  for (const SkdDistanceBand& band : this->State->Bands)
+  {
+    os << indent << "DistanceBand: " << band.Distance << " " << band.Level << "\n";
+  }
+  os << indent << "InsideLevel: " << this->InsideLevel << "\n";
+  for (const std::string& name : this->State->FieldArrays)
+  {
+    os << indent << "FieldArray: " << name << "\n";
+  }
+  os << indent << "FieldTest: " << this->FieldTest << "\n";
+  os << indent << "FieldThreshold: " << this->FieldThreshold << "\n";
+  os << indent << "FieldRange: " << this->FieldRange[0] << " " << this->FieldRange[1] << "\n";
+  os << indent << "FieldLevel: " << this->FieldLevel << "\n";
+  os << indent << "CellLimit: " << this->CellLimit << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END
