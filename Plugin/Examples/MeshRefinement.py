@@ -136,7 +136,7 @@ icosahedral.UpdatePipeline()
 base = icosahedral.GetClientSideObject().GetOutputDataObject(0)
 
 views = [(relief, "Surface")] + [
-    (refined(mesh, name, 400, 3), "Surface With Edges") for mesh, name in (
+    (refined(mesh, name, 900, 3), "Surface With Edges") for mesh, name in (
         (base, "icosahedral"), (dual(base), "polygonal"), (hull(scattered(2562)), "triangular"))]
 
 colours = simple.GetColorTransferFunction("height")
@@ -153,12 +153,12 @@ for (source, representation), place in zip(views, places):
     if source is not relief:
         source = simple.SkdTreeClosestPoint(Input=source, Source=relief, InterpolateSourceData=1)
     shown = simple.Show(source, view, Representation=representation,
-        EdgeColor=[0.1, 0.1, 0.1], Ambient=0.45, Diffuse=0.6, Specular=0)
+        EdgeColor=[0.25, 0.25, 0.25], LineWidth=0.6, Ambient=0.45, Diffuse=0.6, Specular=0)
     simple.ColorBy(shown, ("POINTS", "height"))
     shown.SetScalarBarVisibility(view, False)
-    view.CameraPosition = list(on_sphere(45.0, 38.0) * 5)
+    view.CameraPosition = list(on_sphere(52.0, 37.0) * 5)
     view.CameraFocalPoint, view.CameraViewUp = [0, 0, 0], [0, 0, 1]
-    view.CameraParallelProjection, view.CameraParallelScale = 1, 1.03
+    view.CameraParallelProjection, view.CameraParallelScale = 1, 0.8
 layout.SetSize(1000, 1000)
 simple.SaveScreenshot(picture_file, layout, ImageResolution=[1000, 1000], SeparatorWidth=0,
     SeparatorColor=[1, 1, 1])

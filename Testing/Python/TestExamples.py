@@ -86,7 +86,7 @@ def test_split_surfaces():
 
 
 def test_mesh_refinement():
-    check("MeshRefinement", data("earth_relief.vti"), {" 0 points hang": 3}, (0.1, 0.6))
+    check("MeshRefinement", data("earth_relief.vti"), {" 0 points hang": 3}, (0.005, 0.3))
 
 
 def test_surface_intersection():
