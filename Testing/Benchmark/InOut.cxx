@@ -6,7 +6,7 @@
 /// close to the surface. Prints a table of processor microseconds a point, searching structures
 /// and all (medians of runs that take turns), of how many times the time of axis rays that is, and
 /// of the answers that are not those of CGAL, or without it of random rays, at points that are
-/// farther from the surface than rounding. VTK is asked for a part of the points.
+/// farther from the surface than rounding. VTK is asked for 200 thousand of them at most.
 #include "InOut.h"
 
 #include "Support/InOutRun.h"
@@ -81,7 +81,7 @@ std::vector<Contender> MakeContenders()
     OurMethod("skD-tree, random rays", InOut::RANDOM_RAYS),
     OurMethod("skD-tree, winding number", InOut::WINDING_NUMBER),
     OurMethod("skD-tree, nearest feature", InOut::NEAREST_FEATURE),
-    { "vtkSelectEnclosedPoints", AskVtk, 10000 } };
+    { "vtkSelectEnclosedPoints", AskVtk, 200000 } };
 #ifdef SKDBENCH_HAS_CGAL
   contenders.push_back(
     { "CGAL, Side_of_triangle_mesh", AskCgalSides, std::numeric_limits<std::size_t>::max() });
