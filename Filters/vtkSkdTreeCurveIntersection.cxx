@@ -12,6 +12,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeCurveIntersection);
@@ -45,7 +46,8 @@ void Report(const SkdCurveHitTable& table, double rounding, vtkPolyData* output)
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveIntersection::vtkSkdTreeCurveIntersection()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA })
+  : vtkSkdTreeSourceAlgorithm(
+      SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA, VTK_UNSTRUCTURED_GRID })
   , Impl(new Internals)
 {
   this->WholeInput = true; // curves against each other need all of them
@@ -65,13 +67,7 @@ int vtkSkdTreeCurveIntersection::RequestData(
   const std::vector<SkdLeaf> otherLeaves = SkdLeavesOf(source ? source : input);
   SkdStopwatch watch;
 
-  if (this->ChordTolerance == 0.0)
-  {
-    vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
-  }
-  const double tolerance = this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3;
-  const SkdCurveSettings settings{ static_cast<SkdPolylineForm>(this->PolylineForm), tolerance,
-    this->Epsilon };
+  const SkdCurveSettings settings = this->FindSettings();
   SkdCurveTree& first = this->Impl->First;
   SkdCurveTree& second = source ? this->Impl->Second : this->Impl->First;
   int built = first.Update(leaves, settings) ? 1 : 0;
@@ -83,27 +79,53 @@ int vtkSkdTreeCurveIntersection::RequestData(
   }
   const double buildSeconds = watch.Lap();
 
-  const SkdCurveHitFinder finder(first, second, { this->Clearance, this->IgnoreJoints });
+  const SkdCurveHitFinder finder(
+    first, second, { this->Clearance, this->IgnoreJoints, this->CandidateRegions });
   SkdLoop loop(this, static_cast<vtkIdType>(first.GetSpans().size()), 0.2, 0.9);
   const SkdCurveHitTable table{ { first, leaves, IsComposite(input) },
     { second, otherLeaves, IsComposite(source ? source : input) }, finder.Find(loop) };
   const double querySeconds = watch.Lap();
 
-  SkdStoreCurveHits(table, output);
-  SkdStoreStretches(table, tolerance * first.GetCurves().GetBounds().Diagonal(),
-    vtkPolyData::GetData(outputVector, 1));
-  if (this->InterpolateData)
-  {
-    std::set<std::string> refused;
-    SkdStoreDataOfCurves(table, output, refused);
-    SkdWarnAboutRefused(this, refused);
-  }
+  this->StoreMeetings(table, outputVector);
   Report(table, finder.GetRounding(), output);
   SkdReport report(output);
   report.AddCount("TreesBuilt", built);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+SkdCurveSettings vtkSkdTreeCurveIntersection::FindSettings()
+{
+  if (this->ChordTolerance == 0.0)
+  {
+    vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
+  }
+  return { static_cast<SkdPolylineForm>(this->PolylineForm),
+    this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3, this->Epsilon };
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveIntersection::StoreMeetings(
+  const SkdCurveHitTable& table, vtkInformationVector* outputs)
+{
+  vtkPolyData* points = vtkPolyData::GetData(outputs, 0);
+  const SkdCurveTree& first = table.First.Tree;
+  SkdStoreCurveHits(table, points);
+  SkdStoreStretches(table,
+    first.GetSettings().ChordTolerance * first.GetCurves().GetBounds().Diagonal(),
+    vtkPolyData::GetData(outputs, 1));
+  if (this->CandidateRegions)
+  {
+    SkdStoreCandidates(table, vtkUnstructuredGrid::GetData(outputs, 2));
+  }
+  if (this->InterpolateData)
+  {
+    std::set<std::string> refused;
+    SkdStoreDataOfCurves(table, points, refused);
+    SkdWarnAboutRefused(this, refused);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -126,6 +148,7 @@ void vtkSkdTreeCurveIntersection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PolylineForm: " << this->PolylineForm << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "IgnoreJoints: " << (this->IgnoreJoints ? "On\n" : "Off\n");
+  os << indent << "CandidateRegions: " << (this->CandidateRegions ? "On\n" : "Off\n");
   os << indent << "InterpolateData: " << (this->InterpolateData ? "On\n" : "Off\n");
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";

@@ -54,6 +54,13 @@
  * the first, to the chord tolerance; cell data SkdCurveId, SkdCurveCellId, SkdOtherCurveId and
  * SkdOtherCurveCellId.
  *
+ * Output port 2: with CandidateRegions a vtkUnstructuredGrid, the paper's R(x, y, z): for each two
+ * parts of curves whose safety cylinders (of radius delta + epsilon, and half the Clearance)
+ * overlap a box, along the axes, around what both cylinders have in common; cell data SkdCurveId,
+ * SkdCurveCellId, SkdCurveParameterRange (two components: the part), the same of the other curve,
+ * and SkdNumberOfHits (int), how many places the two parts have in common, which all are in the
+ * box. Parts without any share none: that is certain. Elsewhere curves do not meet.
+ *
  * The tree is kept while the curves in it have the same points and cells. The answer does not
  * depend on the number of threads or processes (each asks for the whole of both inputs).
  *
@@ -78,6 +85,8 @@
 #include <memory> // For std::unique_ptr
 
 class SkdCurveSet;
+struct SkdCurveHitTable;
+struct SkdCurveSettings;
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -111,7 +120,8 @@ public:
   ///@{
   /**
    * A distance in world units. Of two curves that do not meet but come as near, the nearest
-   * approach is told as a point of kind 3. Default 0: none.
+   * approach is told as a point of kind 3: one of each pair of curves, however often they come
+   * near. See CandidateRegions for all places that are. Default 0: none.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -137,6 +147,15 @@ public:
   vtkSetMacro(InterpolateData, bool);
   vtkGetMacro(InterpolateData, bool);
   vtkBooleanMacro(InterpolateData, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Fill output port 2 with the regions in which curves may meet. Default off.
+   */
+  vtkSetMacro(CandidateRegions, bool);
+  vtkGetMacro(CandidateRegions, bool);
+  vtkBooleanMacro(CandidateRegions, bool);
   ///@}
 
   ///@{
@@ -168,6 +187,7 @@ protected:
   double Clearance = 0.0;
   bool IgnoreJoints = true;
   bool InterpolateData = true;
+  bool CandidateRegions = false;
   double ChordTolerance = 1e-3;
   double Epsilon = 1e-9;
 
@@ -175,6 +195,8 @@ private:
   vtkSkdTreeCurveIntersection(const vtkSkdTreeCurveIntersection&) = delete;
   void operator=(const vtkSkdTreeCurveIntersection&) = delete;
 
+  SkdCurveSettings FindSettings();
+  void StoreMeetings(const SkdCurveHitTable& table, vtkInformationVector* outputs);
   void WarnAboutCurves(const char* port, const SkdCurveSet& curves);
 
   class Internals;

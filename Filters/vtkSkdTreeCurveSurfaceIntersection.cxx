@@ -6,6 +6,7 @@
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPartList.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdSurfaceHitArrays.h"
@@ -22,7 +23,9 @@ vtkStandardNewMacro(vtkSkdTreeCurveSurfaceIntersection);
 class vtkSkdTreeCurveSurfaceIntersection::Internals
 {
 public:
+  std::vector<SkdLeaf> Leaves; // of the Source, while it is looked at
   SkdSurfaceSet Surfaces;
+  std::vector<std::vector<int>> Pieces; // of the Source's cells, when they were asked for
 };
 
 namespace
@@ -129,11 +132,11 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   const std::vector<SkdLeaf> curveLeaves = LeavesWithCells(input);
-  const std::vector<SkdLeaf> surfaceLeaves = LeavesWithCells(source);
   SkdStopwatch watch;
 
-  SkdSurfaceSet& surfaces = this->Impl->Surfaces;
-  const bool wasBuilt = surfaces.Update(surfaceLeaves, this->VolumeFaces, this->Epsilon);
+  const bool wasBuilt = this->UpdateSurfaces(source);
+  const SkdSurfaceSet& surfaces = this->Impl->Surfaces;
+  const std::vector<SkdLeaf>& surfaceLeaves = this->Impl->Leaves;
   SkdCurveSet curves;
   curves.Read(curveLeaves, static_cast<SkdPolylineForm>(this->PolylineForm));
   this->WarnAboutInputs(curves, surfaces);
@@ -148,8 +151,7 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
 
   if (this->CutCurves)
   {
-    SkdCutCurves({ curves, curveLeaves, surfaceLeaves, surfaces.GetElements(), finder,
-                   IsComposite(input), delta },
+    SkdCutCurves({ curves, curveLeaves, surfaces.GetElements(), finder, IsComposite(input), delta },
       table.Meetings, vtkPolyData::GetData(outputVector, 1));
   }
   CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
@@ -160,7 +162,50 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   report.AddCount("TreesBuilt", wasBuilt ? 1 : 0);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);
+  this->Impl->Leaves.clear();
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeCurveSurfaceIntersection::SetPartArray(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->PartArray != wanted)
+  {
+    this->PartArray = wanted;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether a tree was built.
+bool vtkSkdTreeCurveSurfaceIntersection::UpdateSurfaces(vtkDataObject* source)
+{
+  Internals& internals = *this->Impl;
+  internals.Leaves = LeavesWithCells(source);
+  const bool wasBuilt =
+    internals.Surfaces.Update(internals.Leaves, this->VolumeFaces, this->Epsilon);
+  const bool lacksArray =
+    this->Parts == CELL_ARRAY && !SkdHavePartArray(internals.Leaves, this->PartArray);
+  std::vector<std::vector<int>> ids;
+  if (lacksArray)
+  {
+    vtkErrorMacro("Source has no cell array of numbers named \""
+      << this->PartArray << "\" in all its blocks: blocks are its parts.");
+  }
+  for (std::size_t i = 0; this->Parts == CELL_ARRAY && !lacksArray && i < internals.Leaves.size();
+       ++i)
+  {
+    ids.push_back(SkdPartIdsOf(internals.Leaves[i].Mesh, this->PartArray));
+  }
+  if (this->Parts == CONNECTED_PIECES)
+  {
+    const bool isKnown = !wasBuilt && internals.Pieces.size() == internals.Leaves.size();
+    ids = isKnown ? std::move(internals.Pieces) : SkdConnectedPiecesOf(internals.Leaves);
+  }
+  internals.Surfaces.AssignParts(internals.Leaves, ids);
+  internals.Pieces = this->Parts == CONNECTED_PIECES ? std::move(ids) : decltype(ids)();
+  return wasBuilt;
 }
 
 //------------------------------------------------------------------------------
@@ -210,6 +255,8 @@ void vtkSkdTreeCurveSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PolylineForm: " << this->PolylineForm << "\n";
   os << indent << "VolumeFaces: " << (this->VolumeFaces ? "On\n" : "Off\n");
+  os << indent << "Parts: " << this->Parts << "\n";
+  os << indent << "PartArray: " << this->PartArray << "\n";
   os << indent << "HitSelection: " << this->HitSelection << "\n";
   os << indent << "HitNumber: " << this->HitNumber << "\n";
   os << indent << "InterpolateData: " << (this->InterpolateData ? "On\n" : "Off\n");

@@ -17,7 +17,7 @@
  *
  * How its answers are defined:
  * - Each place is one point, however many cells meet there on an edge or a vertex; it bears the
- *   lowest of their ids. The same place of two blocks of a composite Source is two.
+ *   lowest of their ids. The same place of two parts of the Source (see Parts) is two.
  * - Straight curves and triangles (flat quads, polygons and strips, too) are decided by exact
  * signs: a closed polyline goes through a closed surface an even number of times, whatever edges
  * and vertices of it, and however far from the origin. A vertex of the curve on the surface counts
@@ -38,6 +38,7 @@
  * | SkdHitNumber       | idtype | 1          | 1, 2, ... along each curve                         |
  * | SkdCellId          | idtype | 1          | the surface's cell                                 |
  * | SkdBlockIndex      | int    | 1          | flat index of its block (of a composite Source)    |
+ * | SkdPartId          | int    | 1          | the part of the Source that it is of (see Parts)   |
  * | SkdPCoords         | double | 3          | parameters in that cell                            |
  * | SkdNormal          | double | 3          | the surface's unit normal                          |
  * | SkdAngle           | double | 1          | between curve and surface: 0 along it, 90 across   |
@@ -77,6 +78,7 @@
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class SkdCurveSet;
 class SkdSurfaceSet;
@@ -100,6 +102,16 @@ public:
     STRAIGHT = 0,
     CARDINAL_SPLINE = 1,
     KOCHANEK_SPLINE = 2
+  };
+
+  /**
+   * What a part of the Source is.
+   */
+  enum PartsType
+  {
+    BLOCKS = 0,
+    CELL_ARRAY = 1,
+    CONNECTED_PIECES = 2
   };
 
   /**
@@ -130,6 +142,26 @@ public:
   vtkSetMacro(VolumeFaces, bool);
   vtkGetMacro(VolumeFaces, bool);
   vtkBooleanMacro(VolumeFaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What a part is: each block of a composite Source, its flat index the id, any other Source as a
+   * whole with id 0 (BLOCKS, default); the cells of one value of PartArray, rounded, the id
+   * (CELL_ARRAY); cells that share points, ids 0, 1, ... by their first cell (CONNECTED_PIECES).
+   * Where two parts meet, each is a point of its own. Without the array in all blocks: an error,
+   * and blocks.
+   */
+  vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
+  vtkGetMacro(Parts, int);
+  ///@}
+
+  ///@{
+  /**
+   * The cell array of Parts = CELL_ARRAY: numbers, in all blocks. Default "".
+   */
+  void SetPartArray(const char* name);
+  const char* GetPartArray() const { return this->PartArray.c_str(); }
   ///@}
 
   ///@{
@@ -165,9 +197,9 @@ public:
    * Fill output port 1 with the curves cut at all their points, whichever are told. Curved ones
    * become polylines to the chord tolerance. Cell data: SkdCurveId, SkdCurveCellId,
    * SkdCurveBlockIndex (of a composite Input), SkdPieceNumber (0, 1, ... along each curve),
-   * SkdPartsInside, how many parts of the Source hold the piece, and SkdPartBlockIndex, the one of
-   * them that was entered last (-1: none). A part is a block (the Source itself has the index 0),
-   * and holds something if it is a closed surface. Default off.
+   * SkdPartsInside, how many parts of the Source hold the piece, and SkdPartId, the one of them
+   * that was entered last (-1: none). A part (see Parts) holds something if it is a closed surface.
+   * Default off.
    */
   vtkSetMacro(CutCurves, bool);
   vtkGetMacro(CutCurves, bool);
@@ -202,6 +234,8 @@ protected:
 
   int PolylineForm = STRAIGHT;
   bool VolumeFaces = true;
+  int Parts = BLOCKS;
+  std::string PartArray;
   int HitSelection = ALL_HITS;
   int HitNumber = 1;
   bool InterpolateData = true;
@@ -213,6 +247,7 @@ private:
   vtkSkdTreeCurveSurfaceIntersection(const vtkSkdTreeCurveSurfaceIntersection&) = delete;
   void operator=(const vtkSkdTreeCurveSurfaceIntersection&) = delete;
 
+  bool UpdateSurfaces(vtkDataObject* source);
   void WarnAboutInputs(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces);
   void StoreHits(const SkdSurfaceHitTable& table, bool hasCurveBlocks, bool hasSurfaceBlocks,
     vtkPolyData* output);

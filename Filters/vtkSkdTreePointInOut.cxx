@@ -195,9 +195,7 @@ void vtkSkdTreePointInOut::SetPartArray(const char* name)
 bool vtkSkdTreePointInOut::CheckSource()
 {
   const std::vector<SkdLeaf>& leaves = this->Impl->Leaves;
-  const auto hasArray = [&](const SkdLeaf& leaf)
-  { return leaf.Mesh->GetCellData()->GetArray(this->PartArray.c_str()) != nullptr; };
-  if (this->Parts == CELL_ARRAY && !std::all_of(leaves.begin(), leaves.end(), hasArray))
+  if (this->Parts == CELL_ARRAY && !SkdHavePartArray(leaves, this->PartArray))
   {
     vtkErrorMacro(
       "Source has no cell array of numbers named \"" << this->PartArray << "\" in all its blocks.");

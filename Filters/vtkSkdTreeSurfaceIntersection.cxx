@@ -78,12 +78,18 @@ bool IsLaterPiece(vtkInformation* output)
     output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
-void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& surface, const char* name)
+/// `second` is nullptr when there is but one.
+void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second)
 {
-  if (name && surface.Set.GetTriangles().empty())
+  const auto warn = [self](const Surface& surface, const char* name)
   {
-    vtkWarningWithObjectMacro(self, << name << " has no faces: nothing meets there.");
-  }
+    if (surface.Set.GetTriangles().empty())
+    {
+      vtkWarningWithObjectMacro(self, << name << " has no faces: nothing meets there.");
+    }
+  };
+  warn(first, "Input");
+  second ? warn(*second, "Source") : void();
 }
 
 std::vector<SkdTrianglePair> FindPairs(
@@ -114,11 +120,16 @@ struct SplitOutput
   double Scale;
   SkdReport& Report;
 
-  void Fill(int side, const Surface& surface, vtkPolyData* output) const
+  /// `surface` is nullptr of a Source that is not there.
+  void Fill(int side, const Surface* surface, vtkPolyData* output) const
   {
+    if (!surface)
+    {
+      return;
+    }
     std::set<std::string> refused;
     const vtkIdType count = SkdFillSplitSurface(
-      this->Segments, side, surface.Leaves, surface.IsComposite, this->Scale, output, refused);
+      this->Segments, side, surface->Leaves, surface->IsComposite, this->Scale, output, refused);
     this->Report.AddCount(side == 0 ? "InputTrianglesSplit" : "SourceTrianglesSplit", count);
     SkdWarnAboutRefused(this->Self, refused);
   }
@@ -191,14 +202,12 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const Surface other(source, this->Impl->Second);
   const Surface& second = source ? other : first;
   this->UpdateProgress(0.4);
-  WarnOfNoFaces(this, first, "Input");
-  WarnOfNoFaces(this, second, source ? "Source" : nullptr);
+  WarnOfNoFaces(this, first, source ? &other : nullptr);
   SkdReport report(vtkPolyData::GetData(outputVector, 0));
   report.AddMeasure("BuildSeconds", watch.Lap());
 
-  const bool isMoved = source && !matrix->IsIdentity();
-  const SkdPlacement placement =
-    SkdPlace(first.Set, source ? &other.Set : nullptr, isMoved ? motion : std::nullopt);
+  const SkdPlacement placement = SkdPlace(first.Set, source ? &other.Set : nullptr,
+    source && !matrix->IsIdentity() ? motion : std::nullopt);
   const std::vector<SkdTrianglePair> pairs = FindPairs(this, placement);
   const SkdContacts contacts(
     { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);
@@ -206,10 +215,9 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   if (this->SplitSurfaces && this->Pairs == ALL_PAIRS)
   {
     const SkdSplitSegments segments(placement, pairs, contacts.GetPoints());
-    this->UpdateProgress(0.9);
     const SplitOutput output{ this, segments, placement.Scale, report };
-    output.Fill(0, first, vtkPolyData::GetData(outputVector, 4));
-    source ? output.Fill(1, other, vtkPolyData::GetData(outputVector, 5)) : void();
+    output.Fill(0, &first, vtkPolyData::GetData(outputVector, 4));
+    output.Fill(1, source ? &other : nullptr, vtkPolyData::GetData(outputVector, 5));
   }
   report.AddMeasure("QuerySeconds", watch.Lap());
   ReportSurfaces(report, first, source ? &other : nullptr, placement);

@@ -8,6 +8,7 @@
 #include <set>
 
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /// The curves of one input.
 struct SkdCurveSide
@@ -36,5 +37,9 @@ void SkdStoreDataOfCurves(
 
 /// Fills `output` with the common stretches, to a chord tolerance in world units.
 void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData* output);
+
+/// Fills `output` with a box around the region that the safety cylinders of each two candidates
+/// have in common.
+void SkdStoreCandidates(const SkdCurveHitTable& table, vtkUnstructuredGrid* output);
 
 #endif

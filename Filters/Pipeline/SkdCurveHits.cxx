@@ -37,11 +37,11 @@ SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
   Worker all;
   for (Worker& worker : workers)
   {
-    all.Hits.insert(all.Hits.end(), worker.Hits.begin(), worker.Hits.end());
-    all.Near.insert(all.Near.end(), worker.Near.begin(), worker.Near.end());
-    all.Stretches.insert(all.Stretches.end(), worker.Stretches.begin(), worker.Stretches.end());
+    all.TakeFrom(worker);
   }
   SkdCurveMeetings meetings;
+  meetings.Candidates = std::move(all.Candidates);
+  std::sort(meetings.Candidates.begin(), meetings.Candidates.end());
   meetings.Hits = SkdUniteCurveHits(all.Hits);
   meetings.Stretches = SkdJoinStretches(all.Stretches);
   const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, meetings.Hits);
@@ -53,6 +53,17 @@ SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
         std::tuple(b.First.Curve, b.Second.Curve, b.First.U, b.Second.U);
     });
   return meetings;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveHitFinder::Worker::TakeFrom(const Worker& other)
+{
+  const auto take = [](auto& to, const auto& from)
+  { to.insert(to.end(), from.begin(), from.end()); };
+  take(this->Hits, other.Hits);
+  take(this->Near, other.Near);
+  take(this->Stretches, other.Stretches);
+  take(this->Candidates, other.Candidates);
 }
 
 //------------------------------------------------------------------------------
@@ -98,42 +109,55 @@ void SkdCurveHitFinder::Examine(std::size_t first, std::size_t second, Worker& w
   const double radius =
     one.Deviation + other.Deviation + 4.0 * this->Rounding + this->Task.Clearance;
   const skd::SegmentPair chords = skd::ClosestPoints(one.Chord, other.Chord);
-  const bool isSelf = this->IsSelf();
-  if (!(chords.Dist2 <= radius * radius) || (isSelf && this->AreNeighbours(one, other)))
+  if (!(chords.Dist2 <= radius * radius) || (this->IsSelf() && this->AreNeighbours(one, other)))
   {
     return;
   }
   const skd::Vector3 origin = one.Chord.A;
   const auto& hits = worker.Solver.Solve(
     this->First.GetForm(one, origin), this->Second.GetForm(other, origin), this->Rounding);
+  int added = 0;
   for (const skd::CurvePairHit& hit : hits)
   {
-    SkdCurveHit found{ this->PlaceOf(this->First, one, hit.T),
-      this->PlaceOf(this->Second, other, hit.S), hit.Gap, hit.Reach, hit.Kind, hit.Begins };
-    found.First.Slack = hit.SlackT * (one.Range.Max - one.Range.Min);
-    found.Second.Slack = hit.SlackS * (other.Range.Max - other.Range.Min);
-    const bool isSameCurve = isSelf && found.First.Curve == found.Second.Curve;
-    if (isSameCurve && found.Second.U < found.First.U)
-    {
-      std::swap(found.First, found.Second);
-    }
-    if (this->IsJoint(found))
-    {
-      found.Gap = -1.0; // nearer than anything: the two are joined, not near
-      worker.Near.push_back(found);
-      continue;
-    }
-    worker.Hits.push_back(found);
-    const bool endsStretch = hit.Kind == skd::MeetingKind::OverlapEnd && !hit.Begins;
-    if (endsStretch && worker.Hits.size() > 1)
-    {
-      worker.Stretches.push_back({ worker.Hits[worker.Hits.size() - 2], found });
-    }
+    added += this->AddHit(one, other, hit, worker) ? 1 : 0;
   }
   if (this->Task.Clearance > 0.0 && hits.empty())
   {
     this->FindNear(one, other, worker);
   }
+  if (this->Task.TellsCandidates)
+  {
+    worker.Candidates.push_back({ first, second, radius, added });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// False of one that is the joint of two curves.
+bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& second,
+  const skd::CurvePairHit& hit, Worker& worker) const
+{
+  SkdCurveHit found{ this->PlaceOf(this->First, first, hit.T),
+    this->PlaceOf(this->Second, second, hit.S), hit.Gap, hit.Reach, hit.Kind, hit.Begins };
+  found.First.Slack = hit.SlackT * (first.Range.Max - first.Range.Min);
+  found.Second.Slack = hit.SlackS * (second.Range.Max - second.Range.Min);
+  const bool isSameCurve = this->IsSelf() && found.First.Curve == found.Second.Curve;
+  if (isSameCurve && found.Second.U < found.First.U)
+  {
+    std::swap(found.First, found.Second);
+  }
+  if (this->IsJoint(found))
+  {
+    found.Gap = -1.0; // nearer than anything: the two are joined, not near
+    worker.Near.push_back(found);
+    return false;
+  }
+  worker.Hits.push_back(found);
+  const bool endsStretch = hit.Kind == skd::MeetingKind::OverlapEnd && !hit.Begins;
+  if (endsStretch && worker.Hits.size() > 1)
+  {
+    worker.Stretches.push_back({ worker.Hits[worker.Hits.size() - 2], found });
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -44,10 +44,25 @@ struct SkdCurveStretch
   SkdCurveHit End;
 };
 
+/// Two parts of curves whose safety cylinders overlap: within `Reach` of each other's chords.
+struct SkdCurveCandidate
+{
+  std::size_t First; ///< of the first set's spans
+  std::size_t Second;
+  double Reach;
+  int NumberOfHits;
+
+  bool operator<(const SkdCurveCandidate& other) const
+  {
+    return this->First != other.First ? this->First < other.First : this->Second < other.Second;
+  }
+};
+
 struct SkdCurveMeetings
 {
-  std::vector<SkdCurveHit> Hits;          ///< by both curves, then along both
-  std::vector<SkdCurveStretch> Stretches; ///< likewise
+  std::vector<SkdCurveHit> Hits;             ///< by both curves, then along both
+  std::vector<SkdCurveStretch> Stretches;    ///< likewise
+  std::vector<SkdCurveCandidate> Candidates; ///< ascending
 };
 
 /// What is looked for.
@@ -55,6 +70,7 @@ struct SkdCurveTask
 {
   double Clearance = 0.0;    ///< tells pairs of curves that do not meet, but come as near
   bool IgnoresJoints = true; ///< of a set against itself: curves that meet end to end
+  bool TellsCandidates = false;
 };
 
 class SkdCurveHitFinder
@@ -79,11 +95,16 @@ private:
     std::vector<SkdCurveHit> Hits;
     std::vector<SkdCurveHit> Near;
     std::vector<SkdCurveStretch> Stretches;
+    std::vector<SkdCurveCandidate> Candidates;
+
+    void TakeFrom(const Worker& other);
   };
 
   bool IsSelf() const { return &this->First == &this->Second; }
   void FindOnSpan(std::size_t span, Worker& worker) const;
   void Examine(std::size_t first, std::size_t second, Worker& worker) const;
+  bool AddHit(const SkdCurveSpan& first, const SkdCurveSpan& second, const skd::CurvePairHit& hit,
+    Worker& worker) const;
   void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
   bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
   SkdCurvePlace PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;

@@ -46,6 +46,7 @@ public:
   bool Update(const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings);
 
   const SkdCurveSet& GetCurves() const { return this->Curves; }
+  const SkdCurveSettings& GetSettings() const { return this->Settings; }
   const std::vector<SkdCurveSpan>& GetSpans() const { return this->Spans; }
 
   /// The part of the curve itself, seen from an origin.

@@ -22,30 +22,30 @@ namespace
 class PartsAround
 {
 public:
-  explicit PartsAround(std::vector<int> leaves)
-    : Leaves(std::move(leaves))
+  explicit PartsAround(std::vector<int> parts)
+    : Parts(std::move(parts))
   {
-    std::reverse(this->Leaves.begin(), this->Leaves.end()); // what is left first was entered last
+    std::reverse(this->Parts.begin(), this->Parts.end()); // what is left first was entered last
   }
 
-  void Pass(int leaf)
+  void Pass(int part)
   {
-    const auto known = std::find(this->Leaves.begin(), this->Leaves.end(), leaf);
-    if (known == this->Leaves.end())
+    const auto known = std::find(this->Parts.begin(), this->Parts.end(), part);
+    if (known == this->Parts.end())
     {
-      this->Leaves.push_back(leaf);
+      this->Parts.push_back(part);
     }
     else
     {
-      this->Leaves.erase(known);
+      this->Parts.erase(known);
     }
   }
 
-  int Count() const { return static_cast<int>(this->Leaves.size()); }
-  int Last() const { return this->Leaves.empty() ? -1 : this->Leaves.back(); }
+  int Count() const { return static_cast<int>(this->Parts.size()); }
+  int Last() const { return this->Parts.empty() ? -1 : this->Parts.back(); }
 
 private:
-  std::vector<int> Leaves;
+  std::vector<int> Parts;
 };
 
 class Cutter
@@ -62,7 +62,7 @@ public:
   {
     const SkdCurve& curve = this->Task.Curves.GetCurves()[number];
     const skd::Vector3 start = this->Task.Curves.GetPiece(curve.FirstPiece, {}).Start();
-    PartsAround parts(this->Task.Finder.FindLeavesAround(start));
+    PartsAround parts(this->Task.Finder.FindPartsAround(start));
     this->Number = 0;
     this->Begin();
     this->AddPoint(curve.FirstPiece, 0.0, start);
@@ -75,7 +75,7 @@ public:
       this->Finish(number, parts);
       if (first->Sense != 0)
       {
-        parts.Pass(this->Task.Elements[hit.Element].Leaf);
+        parts.Pass(this->Task.Elements[hit.Element].Part);
       }
       this->Begin();
       this->AddPoint(piece, t, hit.X);
@@ -91,7 +91,7 @@ public:
     this->Output->GetPointData()->AddArray(this->Parameters);
     vtkCellData* cells = this->Output->GetCellData();
     for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
-           this->CurveIds, this->CellIds, this->Numbers, this->PartsInside, this->PartBlocks })
+           this->CurveIds, this->CellIds, this->Numbers, this->PartsInside, this->PartIds })
     {
       cells->AddArray(array);
     }
@@ -148,15 +148,11 @@ private:
     this->Lines->InsertNextCell(static_cast<vtkIdType>(this->Ids.size()), this->Ids.data());
     this->CurveIds->InsertNextValue(static_cast<vtkIdType>(number));
     this->CellIds->InsertNextValue(curve.CellId);
-    this->CurveBlocks->InsertNextValue(this->BlockOf(this->Task.CurveLeaves, curve.Leaf));
+    this->CurveBlocks->InsertNextValue(
+      this->Task.CurveLeaves[static_cast<std::size_t>(curve.Leaf)].BlockIndex);
     this->Numbers->InsertNextValue(this->Number++);
     this->PartsInside->InsertNextValue(parts.Count());
-    this->PartBlocks->InsertNextValue(this->BlockOf(this->Task.SurfaceLeaves, parts.Last()));
-  }
-
-  static int BlockOf(const std::vector<SkdLeaf>& leaves, int leaf)
-  {
-    return leaf < 0 ? -1 : leaves[static_cast<std::size_t>(leaf)].BlockIndex;
+    this->PartIds->InsertNextValue(parts.Last());
   }
 
   const SkdCutTask& Task;
@@ -172,7 +168,7 @@ private:
   vtkSmartPointer<vtkIntArray> CurveBlocks = SkdMakeArray<vtkIntArray>("SkdCurveBlockIndex", 1, 0);
   vtkSmartPointer<vtkIdTypeArray> Numbers = SkdMakeArray<vtkIdTypeArray>("SkdPieceNumber", 1, 0);
   vtkSmartPointer<vtkIntArray> PartsInside = SkdMakeArray<vtkIntArray>("SkdPartsInside", 1, 0);
-  vtkSmartPointer<vtkIntArray> PartBlocks = SkdMakeArray<vtkIntArray>("SkdPartBlockIndex", 1, 0);
+  vtkSmartPointer<vtkIntArray> PartIds = SkdMakeArray<vtkIntArray>("SkdPartId", 1, 0);
 };
 }
 

@@ -12,7 +12,6 @@ struct SkdCutTask
 {
   const SkdCurveSet& Curves;
   const std::vector<SkdLeaf>& CurveLeaves;
-  const std::vector<SkdLeaf>& SurfaceLeaves;
   const std::vector<SkdSurfaceElement>& Elements;
   const SkdSurfaceHitFinder& Finder;
   bool IsComposite; ///< the curves' data set

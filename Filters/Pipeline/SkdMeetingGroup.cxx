@@ -67,14 +67,14 @@ bool SkdMeetingGroups::BelongsTo(const Group& group, const SkdSurfaceHit& hit) c
   const double slack = std::max(hit.Slack, first.Slack);
   const double reach = hit.Reach + first.Reach;
   return hit.Curve == first.Curve && hit.OnBoundary && first.OnBoundary &&
-    this->Elements[hit.Element].Leaf == this->Elements[first.Element].Leaf &&
+    this->Elements[hit.Element].Part == this->Elements[first.Element].Part &&
     hit.U - first.U <= slack && skd::Distance2(hit.X, first.X) <= 4.0 * reach * reach;
 }
 
 //------------------------------------------------------------------------------
 void SkdMeetingGroups::Add(const SkdSurfaceHit& hit)
 {
-  constexpr std::size_t window = 16; // as many leaves may be met in one place
+  constexpr std::size_t window = 16; // as many parts may be met in one place
   const std::size_t count = this->Groups.size();
   for (std::size_t back = 1; back <= std::min(count, window); ++back)
   {
@@ -110,25 +110,25 @@ std::vector<SkdSurfaceMeeting> SkdMeetingGroups::GetMeetings() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> SkdMeetingGroups::GetLeavesLeft() const
+std::vector<int> SkdMeetingGroups::GetPartsLeft() const
 {
-  std::vector<int> leaves;
+  std::vector<int> parts;
   for (const Group& group : this->Groups)
   {
     if (group.Sense() == 0)
     {
       continue;
     }
-    const int leaf = this->Elements[group.First.Element].Leaf;
-    const auto known = std::find(leaves.begin(), leaves.end(), leaf);
-    if (known == leaves.end())
+    const int part = this->Elements[group.First.Element].Part;
+    const auto known = std::find(parts.begin(), parts.end(), part);
+    if (known == parts.end())
     {
-      leaves.push_back(leaf);
+      parts.push_back(part);
     }
     else
     {
-      leaves.erase(known);
+      parts.erase(known);
     }
   }
-  return leaves;
+  return parts;
 }

@@ -5,7 +5,7 @@
 
 #include "Pipeline/SkdSurfaceHits.h"
 
-/// Puts together what is met in one place: hits on edges or vertices of the same leaf, or at the
+/// Puts together what is met in one place: hits on edges or vertices of the same part, or at the
 /// joints of a curve, whose parameters differ by no more than they may be off by.
 class SkdMeetingGroups
 {
@@ -21,8 +21,8 @@ public:
   /// In the order in which they came.
   std::vector<SkdSurfaceMeeting> GetMeetings() const;
 
-  /// The leaves that are passed through an odd number of times, by where that is last.
-  std::vector<int> GetLeavesLeft() const;
+  /// The parts that are passed through an odd number of times, by where that is last.
+  std::vector<int> GetPartsLeft() const;
 
 private:
   struct Group

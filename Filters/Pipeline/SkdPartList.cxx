@@ -38,8 +38,9 @@ private:
   std::vector<vtkIdType> Parents;
 };
 
-/// The piece of each cell: cells that share a point, of whatever leaf, are of one.
-std::vector<std::vector<int>> PiecesOf(const std::vector<SkdLeaf>& leaves)
+}
+
+std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdLeaf>& leaves)
 {
   SkdWeld weld;
   Union pieces;
@@ -75,6 +76,12 @@ std::vector<std::vector<int>> PiecesOf(const std::vector<SkdLeaf>& leaves)
   }
   return found;
 }
+
+bool SkdHavePartArray(const std::vector<SkdLeaf>& leaves, const std::string& array)
+{
+  return std::all_of(leaves.begin(), leaves.end(),
+    [&](const SkdLeaf& leaf)
+    { return leaf.Mesh->GetCellData()->GetArray(array.c_str()) != nullptr; });
 }
 
 std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array)
@@ -112,7 +119,7 @@ int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const
   const bool isSameMesh = this->IsSameAs(leaves);
   if (by == SkdPartsBy::ConnectedPieces)
   {
-    key.Ids = isSameMesh && this->Last.By == by ? this->Last.Ids : PiecesOf(leaves);
+    key.Ids = isSameMesh && this->Last.By == by ? this->Last.Ids : SkdConnectedPiecesOf(leaves);
   }
   if (isSameMesh && key == this->Last)
   {

@@ -24,6 +24,13 @@ enum class SkdPartsBy
 /// The values of a cell array of numbers, rounded; empty when there is no such array.
 std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array);
 
+/// Whether all data sets have a cell array of numbers of that name.
+bool SkdHavePartArray(const std::vector<SkdLeaf>& leaves, const std::string& array);
+
+/// The connected piece of each cell, one list a leaf: cells that share a point, of whatever leaf,
+/// are of one. Numbered by their first cells.
+std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdLeaf>& leaves);
+
 class SkdPartList
 {
 public:

@@ -123,6 +123,8 @@ void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
     { return table.Numbers[static_cast<std::size_t>(&one - table.Meetings.data())]; });
   AddColumn<vtkIdTypeArray>(
     table, output, "SkdCellId", [&](const Meeting& one) { return ElementOf(table, one).CellId; });
+  AddColumn<vtkIntArray>(
+    table, output, "SkdPartId", [&](const Meeting& one) { return ElementOf(table, one).Part; });
   AddVectors(
     table, output, "SkdPCoords", [&](const Meeting& one) { return PCoordsOf(table, one.Hit); });
   AddVectors(table, output, "SkdNormal", [](const Meeting& one) { return Unit(one.Hit.Normal); });

@@ -219,8 +219,8 @@ std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Unite(Hits& hits) const
   const auto key = [&](const SkdSurfaceHit& hit)
   {
     const SkdSurfaceElement& element = elements[hit.Element];
-    return std::tuple(
-      hit.Curve, hit.U, element.Leaf, element.CellId, hit.Element, hit.Begins, hit.Piece);
+    return std::tuple(hit.Curve, hit.U, element.Part, element.Leaf, element.CellId, hit.Element,
+      hit.Begins, hit.Piece);
   };
   std::sort(hits.begin(), hits.end(),
     [&](const SkdSurfaceHit& a, const SkdSurfaceHit& b) { return key(a) < key(b); });
@@ -233,7 +233,7 @@ std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Unite(Hits& hits) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> SkdSurfaceHitFinder::FindLeavesAround(const skd::Vector3& x) const
+std::vector<int> SkdSurfaceHitFinder::FindPartsAround(const skd::Vector3& x) const
 {
   const skd::Box3& bounds = this->Surfaces.GetBounds();
   if (!bounds.Contains(x))
@@ -260,5 +260,5 @@ std::vector<int> SkdSurfaceHitFinder::FindLeavesAround(const skd::Vector3& x) co
   {
     groups.Add(hit);
   }
-  return groups.GetLeavesLeft();
+  return groups.GetPartsLeft();
 }

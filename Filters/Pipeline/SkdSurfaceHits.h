@@ -54,12 +54,12 @@ public:
   /// `delta`: the chord tolerance by which curves are cut, in world units.
   SkdSurfaceHitFinder(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta);
 
-  /// All places, by curve and then along it; at one place by leaf and cell id. In parallel.
+  /// All places, by curve and then along it; at one place by part and cell id. In parallel.
   std::vector<SkdSurfaceMeeting> Find(SkdLoop& loop) const;
 
-  /// The leaves that have a point inside, if they are closed, by ascending distance to where a line
+  /// The parts that have a point inside, if they are closed, by ascending distance to where a line
   /// from there leaves them. Thread-safe.
-  std::vector<int> FindLeavesAround(const skd::Vector3& x) const;
+  std::vector<int> FindPartsAround(const skd::Vector3& x) const;
 
   /// The distance that is 0 to within rounding.
   double GetRounding() const { return this->Rounding; }

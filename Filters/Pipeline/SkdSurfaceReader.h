@@ -25,6 +25,7 @@ struct SkdSurfaceElement
   bool IsPatch;
   bool IsTriangle;
   bool IsWhole; ///< its parameters are those of the cell
+  int Part = 0; ///< what it is of the boundary of
 };
 
 /// Takes surfaces apart: quads that are flat, polygons and strips into triangles; warped quads and

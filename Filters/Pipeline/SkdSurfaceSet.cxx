@@ -112,3 +112,15 @@ skd::Box3 SkdSurfaceSet::BoundsOf(const SkdSurfaceElement& element) const
   bounds = skd::BoundsOnDomain(this->GetPatch(element, origin));
   return { bounds.Min + origin, bounds.Max + origin };
 }
+
+//------------------------------------------------------------------------------
+void SkdSurfaceSet::AssignParts(
+  const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<int>>& idsOfCells)
+{
+  for (SkdSurfaceElement& element : this->Elements)
+  {
+    const auto leaf = static_cast<std::size_t>(element.Leaf);
+    element.Part = idsOfCells.empty() ? leaves[leaf].BlockIndex
+                                      : idsOfCells[leaf][static_cast<std::size_t>(element.CellId)];
+  }
+}

@@ -30,6 +30,11 @@ public:
   /// was anything to do: false when all was kept.
   bool Update(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon);
 
+  /// Says which part each element is of, by a list of ids a leaf, one a cell; without lists by
+  /// their leaf's block. Parts that meet in one place are met each by itself.
+  void AssignParts(
+    const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<int>>& idsOfCells);
+
   const std::vector<SkdSurfaceElement>& GetElements() const { return this->Elements; }
 
   /// The corners of an element that is no patch, as they are.

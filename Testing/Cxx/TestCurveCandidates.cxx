@@ -5,6 +5,8 @@
 #include "Support/CurveRun.h"
 
 #include "vtkCellData.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
 #include "vtkSkdTreeCurveIntersection.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -17,7 +19,7 @@ namespace
 
 using FilterPointer = vtkSmartPointer<vtkSkdTreeCurveIntersection>;
 
-FilterPointer Run(vtkDataObject* curves, vtkDataObject* others, double clearance = 0.0)
+FilterPointer Crossing(vtkDataObject* curves, vtkDataObject* others, double clearance = 0.0)
 {
   auto filter = FilterPointer::New();
   filter->SetInputDataObject(0, curves);
@@ -35,6 +37,11 @@ FilterPointer Run(vtkDataObject* curves, vtkDataObject* others, double clearance
 vtkUnstructuredGrid* RegionsOf(vtkSkdTreeCurveIntersection* filter)
 {
   return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(2));
+}
+
+vtkPolyData* PointsOf(vtkSkdTreeCurveIntersection* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
 double ValueOf(vtkDataSet* regions, const char* name, vtkIdType region, int component = 0)
@@ -75,9 +82,9 @@ TEST(CurveCandidates, AreNoneUnlessAskedFor)
 
 TEST(CurveCandidates, EachMeetingIsInARegionThatCountsIt)
 {
-  auto filter = Run(Wave(0, 0), Wave(1.3, 0));
+  auto filter = Crossing(Wave(0, 0), Wave(1.3, 0));
   vtkUnstructuredGrid* regions = RegionsOf(filter);
-  auto hits = vtkPolyData::SafeDownCast(filter->GetOutput());
+  vtkPolyData* hits = PointsOf(filter);
   EXPECT_GE(hits->GetNumberOfPoints(), 5);
   double counted = 0.0;
   for (vtkIdType region = 0; region < regions->GetNumberOfCells(); ++region)
@@ -113,9 +120,9 @@ TEST(CurveCandidates, WithAClearanceAllNearPlacesAreInRegions)
     x[2] += gap;
     high->GetPoints()->SetPoint(i, x);
   }
-  EXPECT_EQ(Run(low, high)->GetOutput()->GetNumberOfPoints(), 0);
-  auto filter = Run(low, high, 2.0 * gap);
-  EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutput())->GetNumberOfPoints(), 1);
+  EXPECT_EQ(PointsOf(Crossing(low, high))->GetNumberOfPoints(), 0);
+  auto filter = Crossing(low, high, 2.0 * gap);
+  EXPECT_EQ(PointsOf(filter)->GetNumberOfPoints(), 1);
   vtkUnstructuredGrid* regions = RegionsOf(filter);
   // sin(3 t) = sin(3 t + 0.5) at 3 t = (pi - 0.5) / 2 + k pi: six places in [0, 6]
   for (int k = 0; k < 6; ++k)
@@ -134,7 +141,7 @@ TEST(CurveCandidates, WithAClearanceAllNearPlacesAreInRegions)
 
 TEST(CurveCandidates, CurvesFarApartHaveNone)
 {
-  auto filter = Run(Wave(0, 0), MakePolyline({ { 0, 5, 0 }, { 6, 5, 0 }, { 9, 6, 0 } }));
+  auto filter = Crossing(Wave(0, 0), MakePolyline({ { 0, 5, 0 }, { 6, 5, 0 }, { 9, 6, 0 } }));
   EXPECT_EQ(RegionsOf(filter)->GetNumberOfCells(), 0);
 }
 

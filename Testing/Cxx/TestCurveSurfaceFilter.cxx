@@ -212,13 +212,55 @@ TEST(CurveSurfaceFilter, CutsCurvesAndTellsTheirParts)
   filter->CutCurvesOn();
   EXPECT_EQ(OutputArray(filter, "SkdBlockIndex"), (Numbers{ 1, 2, 2, 1 }));
   EXPECT_EQ(OutputCellArray(filter, "SkdPartsInside", 1), (Numbers{ 0, 1, 2, 1, 0 }));
-  EXPECT_EQ(OutputCellArray(filter, "SkdPartBlockIndex", 1), (Numbers{ -1, 1, 2, 1, -1 }));
+  EXPECT_EQ(OutputCellArray(filter, "SkdPartId", 1), (Numbers{ -1, 1, 2, 1, -1 }));
   EXPECT_EQ(OutputCellArray(filter, "SkdPieceNumber", 1), (Numbers{ 0, 1, 2, 3, 4 }));
   EXPECT_EQ(OutputPoints(filter, 1).size(), 10u);
   // From the middle of both outward.
   filter->SetInputDataObject(0, LineAlongX(0.5));
   EXPECT_EQ(OutputCellArray(filter, "SkdPartsInside", 1), (Numbers{ 2, 1, 0 }));
-  EXPECT_EQ(OutputCellArray(filter, "SkdPartBlockIndex", 1), (Numbers{ 2, 1, -1 }));
+  EXPECT_EQ(OutputCellArray(filter, "SkdPartId", 1), (Numbers{ 2, 1, -1 }));
+}
+
+// One data set of two cubes, the smaller inside of the larger.
+TEST(CurveSurfaceFilter, PartsAreBlocksValuesOrPieces)
+{
+  Mesh both = CubeTriangles(2);
+  const auto before = static_cast<vtkIdType>(both.Points.size());
+  const std::size_t outer = both.Cells.size();
+  const Mesh inner = Placed(CubeTriangles(1), 0.5, { .25, .25, .5 });
+  both.Points.insert(both.Points.end(), inner.Points.begin(), inner.Points.end());
+  for (const auto& cell : inner.Cells)
+  {
+    both.Add(
+      VTK_TRIANGLE, { before + cell.Points[0], before + cell.Points[1], before + cell.Points[2] });
+  }
+  const PolyDataPointer source = MakePolyData(both);
+  vtkNew<vtkDoubleArray> names;
+  names->SetName("name");
+  for (std::size_t cell = 0; cell < both.Cells.size(); ++cell)
+  {
+    names->InsertNextValue(cell < outer ? 41.0 : 7.2);
+  }
+  source->GetCellData()->AddArray(names);
+  const FilterPointer filter = MakeFilter(LineAlongX(), source);
+  filter->CutCurvesOn();
+  EXPECT_EQ(OutputArray(filter, "SkdPartId"), (Numbers{ 0, 0, 0, 0 }));
+  EXPECT_EQ(OutputCellArray(filter, "SkdPartsInside", 1), (Numbers{ 0, 1, 0, 1, 0 }));
+  filter->SetParts(Filter::CONNECTED_PIECES);
+  for (int run = 0; run < 2; ++run, filter->Modified())
+  {
+    EXPECT_EQ(OutputArray(filter, "SkdPartId"), (Numbers{ 0, 1, 1, 0 }));
+    EXPECT_EQ(OutputCellArray(filter, "SkdPartsInside", 1), (Numbers{ 0, 1, 2, 1, 0 }));
+    EXPECT_EQ(OutputCellArray(filter, "SkdPartId", 1), (Numbers{ -1, 0, 1, 0, -1 }));
+  }
+  filter->SetParts(Filter::CELL_ARRAY);
+  filter->SetPartArray("name");
+  EXPECT_EQ(OutputArray(filter, "SkdPartId"), (Numbers{ 41, 7, 7, 41 }));
+  EXPECT_EQ(OutputCellArray(filter, "SkdPartId", 1), (Numbers{ -1, 41, 7, 41, -1 }));
+  filter->SetPartArray("none such");
+  EventCounter events(filter);
+  EXPECT_EQ(OutputArray(filter, "SkdPartId"), (Numbers{ 0, 0, 0, 0 }));
+  EXPECT_EQ(events.Errors, 1);
 }
 
 TEST(CurveSurfaceFilter, EqualFacesOfTwoBlocksAreTwoHits)

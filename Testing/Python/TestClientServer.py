@@ -60,12 +60,30 @@ def resampled_mask():
     return skdtesting.point_array(resampled, "vtkValidPointMask")
 
 
+def crossings():
+    """Of spheres with each other, and of a line with one."""
+    from paraview import servermanager, simple
+
+    spheres = simple.Sphere(Radius=3), simple.Sphere(Radius=2.5, Center=[2, 0.3, 0.1])
+    line = simple.Line(Point1=[-4, 0.3, 0.2], Point2=[4, 0.1, 0.7])
+    proxies = (simple.SkdTreeSurfaceIntersection(
+                   Input=spheres[0], Source=spheres[1], SplitSurfaces=1),
+        simple.SkdTreeCurveSurfaceIntersection(Input=line, Source=spheres[0]))
+    found = []
+    for proxy in proxies:
+        proxy.UpdatePipeline()
+        data = servermanager.Fetch(proxy)
+        found += [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+    return found
+
+
 def be_client(port):
     from paraview import simple
 
-    questions = (distances, probed, depths)
+    questions = (distances, probed, depths, crossings)
     alone = [ask() for ask in questions]
     assert set(alone[2]) == {0, 1, 2}
+    assert len(alone[3]) > 10
     simple.Connect("localhost", int(port))
     for ask, before in zip(questions, alone):
         skdtesting.assert_same(ask(), before)

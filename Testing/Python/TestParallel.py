@@ -5,7 +5,6 @@ name of a file it is one of them, and writes its part of the answers there."""
 
 import os
 import shutil
-import subprocess
 import sys
 
 import numpy
@@ -66,34 +65,14 @@ def all_answers():
     return [nearest(sphere), nearest(brain), probed(flow), inside(sphere), inside(flow)]
 
 
-def process_id():
-    from paraview import servermanager
-
-    module = servermanager.vtkProcessModule.GetProcessModule()
-    assert module.GetNumberOfLocalPartitions() == 2
-    return module.GetPartitionId()
-
-
-def run_in_parallel(file):
-    # What MPI told this process about itself is not for others.
-    environment = {
-        name: value
-        for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMIX_"))
-    }
-    environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMPI_MCA_rmaps_base_oversubscribe="1")
-    subprocess.run(["mpiexec", "-np", "2", "pvbatch", "--symmetric", os.path.abspath(__file__), file],
-        env=environment, check=True, timeout=300)
-
-
 if len(sys.argv) > 1:
-    numpy.savez(sys.argv[1] % process_id(), *all_answers())
+    numpy.savez(sys.argv[1] % skdtesting.process_id(), *all_answers())
 elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
     skdtesting.skip("there is no mpiexec or no pvbatch")
 else:
     alone = all_answers()
     file = skdtesting.temporary("parallel%d.npz")
-    run_in_parallel(file)
+    skdtesting.run_in_parallel(os.path.abspath(__file__), file)
     parts = [list(numpy.load(file % process).values()) for process in (0, 1)]
     for whole, first, second in zip(alone, *parts):
         assert len(whole) == 13**3 and min(len(first), len(second)) > 0

@@ -3,6 +3,7 @@
 """What the pvpython tests share."""
 
 import os
+import subprocess
 import sys
 import xml.etree.ElementTree
 
@@ -51,6 +52,28 @@ def report(proxy, name):
 def assert_same(first, second):
     """The same values, bit by bit."""
     numpy.testing.assert_array_equal(first, second)
+
+
+def process_id():
+    """Which of two processes this is."""
+    from paraview import servermanager
+
+    module = servermanager.vtkProcessModule.GetProcessModule()
+    assert module.GetNumberOfLocalPartitions() == 2
+    return module.GetPartitionId()
+
+
+def run_in_parallel(script, argument):
+    """Runs a script in two processes of pvbatch."""
+    # What MPI told this process about itself is not for others.
+    environment = {
+        name: value
+        for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMIX_"))
+    }
+    environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        OMPI_MCA_rmaps_base_oversubscribe="1")
+    subprocess.run(["mpiexec", "-np", "2", "pvbatch", "--symmetric", script, argument],
+        env=environment, check=True, timeout=300)
 
 
 def our_proxies():

@@ -51,6 +51,27 @@ std::vector<Point> Sampled(const Function& f, double t0, double t1, int n)
   return points;
 }
 
+/// The curve as one Lagrange cell a piece, of order 10: short pieces are off by rounding only.
+template <class Function>
+GridPointer LagrangeCurve(const Function& f, double t0, double t1, int pieces)
+{
+  constexpr int order = 10;
+  Mesh mesh;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    const double from = t0 + (t1 - t0) * piece / pieces;
+    const double to = t0 + (t1 - t0) * (piece + 1) / pieces;
+    const std::vector<Point> points = Sampled(f, from, to, order);
+    Ids ids{ mesh.Add(points.front()), mesh.Add(points.back()) };
+    for (int i = 1; i < order; ++i)
+    {
+      ids.push_back(mesh.Add(points[static_cast<std::size_t>(i)]));
+    }
+    mesh.Add(VTK_LAGRANGE_CURVE, ids);
+  }
+  return MakeGrid(mesh);
+}
+
 /// Rational weights for the points of a grid of Bezier cells.
 inline void SetRationalWeights(vtkDataSet* grid, const std::vector<double>& weights)
 {

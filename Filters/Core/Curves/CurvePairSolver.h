@@ -10,12 +10,13 @@
 
 #include "CurvePairCell.h"
 #include "CurveWithinCurve.h"
+#include "MeetingSearch.h"
 
 namespace skd
 {
 
 /// One a thread: it keeps its memory.
-class CurvePairSolver
+class CurvePairSolver : private MeetingSearch<CurvePairCell, CurvePairHit, CurvePairContact>
 {
 public:
   /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good
@@ -23,30 +24,22 @@ public:
   const std::vector<CurvePairHit>& Solve(
     const BezierCurve& first, const BezierCurve& second, double tolerance)
   {
-    this->Hits.clear();
-    this->Contacts.clear();
-    this->Stack.clear();
+    this->Clear();
     const CurvePair pair{ first, second, tolerance };
     const CurvePairCell whole{ first, second };
     if (CurvePairHulls(whole).AreApart(tolerance) || CurveWithinCurve(pair).Find(this->Hits))
     {
       return this->Hits;
     }
-    this->Stack.push_back(whole);
-    for (int budget = CellBudget; !this->Stack.empty(); --budget)
-    {
-      const CurvePairCell cell = this->Stack.back();
-      this->Stack.pop_back();
-      this->Examine(cell, pair, budget > 0);
-    }
+    this->ExamineAll(whole,
+      [&](const CurvePairCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
     this->ResolveContacts(pair);
     this->Unite();
     return this->Hits;
   }
 
 private:
-  static constexpr int CellBudget = 20000; ///< what is left then counts as touching
-  static constexpr int DepthLimit = 100;   ///< 50 halvings of each curve
+  static constexpr int DepthLimit = 100; ///< 50 halvings of each curve
 
   void Examine(const CurvePairCell& cell, const CurvePair& pair, bool mayHalve)
   {
@@ -100,12 +93,6 @@ private:
     }
   }
 
-  static bool Holds(const Interval& interval, double value)
-  {
-    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9;
-    return value >= interval.Min - slack && value <= interval.Max + slack;
-  }
-
   void Halve(const CurvePairCell& cell, bool first)
   {
     CurvePairCell low = cell;
@@ -125,27 +112,6 @@ private:
     }
     this->Stack.push_back(low);
     this->Stack.push_back(high);
-  }
-
-  void ResolveContacts(const CurvePair& pair)
-  {
-    std::sort(this->Contacts.begin(), this->Contacts.end(),
-      [](const CurvePairContact& a, const CurvePairContact& b) { return a.T.Min < b.T.Min; });
-    for (std::size_t first = 0; first < this->Contacts.size();)
-    {
-      CurvePairContact all = this->Contacts[first];
-      std::size_t last = first + 1;
-      while (last < this->Contacts.size() && this->Contacts[last].T.Min <= all.T.Max + 1e-9)
-      {
-        all.T.Max = std::max(all.T.Max, this->Contacts[last++].T.Max);
-      }
-      all.S = this->Contacts[(first + last) / 2].S;
-      if (const auto hit = pair.Resolve(all))
-      {
-        this->Hits.push_back(*hit);
-      }
-      first = last;
-    }
   }
 
   /// A root on the border of cells was found from each of them.
@@ -170,10 +136,6 @@ private:
     }
     this->Hits.resize(kept);
   }
-
-  std::vector<CurvePairHit> Hits;
-  std::vector<CurvePairContact> Contacts;
-  std::vector<CurvePairCell> Stack;
 };
 
 }

@@ -14,6 +14,7 @@
 
 #include "CurvePatchContraction.h"
 #include "CurveWithinPatch.h"
+#include "MeetingSearch.h"
 
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace skd
 
 /// One a thread: it keeps its memory. A solution costs some dozens of cells for a simple root, some
 /// hundreds for a contact.
-class CurvePatchSolver
+class CurvePatchSolver : private MeetingSearch<CurvePatchCell, CurvePatchHit, CurvePatchContact>
 {
 public:
   /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good
@@ -30,9 +31,7 @@ public:
   const std::vector<CurvePatchHit>& Solve(
     const BezierCurve& curve, const BezierPatch& patch, double tolerance)
   {
-    this->Hits.clear();
-    this->Contacts.clear();
-    this->Stack.clear();
+    this->Clear();
     const CurvePatchPair pair{ curve, patch, tolerance };
     CurvePatchCell whole;
     whole.Curve = curve;
@@ -41,21 +40,15 @@ public:
     {
       return this->Hits;
     }
-    this->Stack.push_back(whole);
-    for (int budget = CellBudget; !this->Stack.empty(); --budget)
-    {
-      const CurvePatchCell cell = this->Stack.back();
-      this->Stack.pop_back();
-      this->Examine(cell, pair, budget > 0);
-    }
+    this->ExamineAll(whole,
+      [&](const CurvePatchCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
     this->ResolveContacts(pair);
     this->Unite();
     return this->Hits;
   }
 
 private:
-  static constexpr int CellBudget = 20000; ///< what is left then counts as touching
-  static constexpr int DepthLimit = 150;   ///< 50 halvings of each parameter
+  static constexpr int DepthLimit = 150; ///< 50 halvings of each parameter
 
   void Examine(const CurvePatchCell& cell, const CurvePatchPair& pair, bool mayHalve)
   {
@@ -107,12 +100,6 @@ private:
     return true;
   }
 
-  static bool Holds(const Interval& interval, double value)
-  {
-    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9;
-    return value >= interval.Min - slack && value <= interval.Max + slack;
-  }
-
   void Halve(const CurvePatchCell& cell, int axis)
   {
     this->Stack.push_back(cell);
@@ -138,29 +125,6 @@ private:
     }
   }
 
-  void ResolveContacts(const CurvePatchPair& pair)
-  {
-    std::sort(this->Contacts.begin(), this->Contacts.end(),
-      [](const CurvePatchContact& a, const CurvePatchContact& b) { return a.T.Min < b.T.Min; });
-    for (std::size_t first = 0; first < this->Contacts.size();)
-    {
-      CurvePatchContact all = this->Contacts[first];
-      std::size_t last = first + 1;
-      while (last < this->Contacts.size() && this->Contacts[last].T.Min <= all.T.Max + 1e-9)
-      {
-        all.T.Max = std::max(all.T.Max, this->Contacts[last++].T.Max);
-      }
-      const CurvePatchContact& middle = this->Contacts[(first + last) / 2];
-      all.R = middle.R;
-      all.S = middle.S;
-      if (const auto hit = pair.Resolve(all))
-      {
-        this->Hits.push_back(*hit);
-      }
-      first = last;
-    }
-  }
-
   /// A root on the border of cells was found from each of them.
   void Unite()
   {
@@ -174,10 +138,6 @@ private:
     };
     this->Hits.erase(std::unique(this->Hits.begin(), this->Hits.end(), isSame), this->Hits.end());
   }
-
-  std::vector<CurvePatchHit> Hits;
-  std::vector<CurvePatchContact> Contacts;
-  std::vector<CurvePatchCell> Stack;
 };
 
 }

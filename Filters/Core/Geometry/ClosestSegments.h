@@ -64,6 +64,30 @@ inline SegmentPair ClosestPoints(const Segment<3>& first, const Segment<3>& seco
   return nearest;
 }
 
+/// The stretch of the first segment that is within a distance of the second, no less of it: their
+/// nearest points must be.
+inline Interval StretchWithin(const Segment<3>& first, const Segment<3>& second, double distance)
+{
+  const double nearest = ClosestPoints(first, second).T;
+  const auto isWithin = [&](double t)
+  { return ClosestPointOnSegment(second.A, second.B, first.At(t)).Dist2 <= distance * distance; };
+  const auto findEnd = [&](double end)
+  {
+    double inside = nearest; // distances from a straight line to a segment are convex
+    for (int halving = 0; halving < 60 && !isWithin(end); ++halving)
+    {
+      const double middle = 0.5 * (inside + end);
+      if (middle == inside || middle == end)
+      {
+        break;
+      }
+      (isWithin(middle) ? inside : end) = middle;
+    }
+    return end;
+  };
+  return { findEnd(0.0), findEnd(1.0) };
+}
+
 }
 
 #endif

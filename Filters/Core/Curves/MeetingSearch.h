@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Curves_MeetingSearch_h
+#define skd_Curves_MeetingSearch_h
+
+#include "../Geometry/Segment.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace skd
+{
+
+/// What the solvers of two curves and of a curve and a patch share: cells that are examined, halved
+/// and examined again until none is left, and what is put down on the way. One a thread: it keeps
+/// its memory.
+template <class Cell, class Hit, class Contact>
+class MeetingSearch
+{
+protected:
+  static constexpr int CellBudget = 20000; ///< what is left then counts as touching
+
+  void Clear()
+  {
+    this->Hits.clear();
+    this->Contacts.clear();
+    this->Stack.clear();
+  }
+
+  /// Calls examine(cell, whether it may be halved) for a cell and what is put on the stack then.
+  template <class Examine>
+  void ExamineAll(const Cell& whole, Examine examine)
+  {
+    this->Stack.push_back(whole);
+    for (int budget = CellBudget; !this->Stack.empty(); --budget)
+    {
+      const Cell cell = this->Stack.back();
+      this->Stack.pop_back();
+      examine(cell, budget > 0);
+    }
+  }
+
+  /// Puts together the contacts that follow each other along the curve, and lets the pair resolve
+  /// each of them: from its middle, over the whole range.
+  template <class Pair>
+  void ResolveContacts(const Pair& pair)
+  {
+    std::sort(this->Contacts.begin(), this->Contacts.end(),
+      [](const Contact& a, const Contact& b) { return a.T.Min < b.T.Min; });
+    for (std::size_t first = 0; first < this->Contacts.size();)
+    {
+      Interval range = this->Contacts[first].T;
+      std::size_t last = first + 1;
+      while (last < this->Contacts.size() && this->Contacts[last].T.Min <= range.Max + 1e-9)
+      {
+        range.Max = std::max(range.Max, this->Contacts[last++].T.Max);
+      }
+      Contact all = this->Contacts[(first + last) / 2];
+      all.T = range;
+      if (const auto hit = pair.Resolve(all))
+      {
+        this->Hits.push_back(*hit);
+      }
+      first = last;
+    }
+  }
+
+  /// Whether a root is of a cell, or rounding has pushed it out.
+  static bool Holds(const Interval& interval, double value)
+  {
+    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9;
+    return value >= interval.Min - slack && value <= interval.Max + slack;
+  }
+
+  std::vector<Hit> Hits;
+  std::vector<Contact> Contacts;
+  std::vector<Cell> Stack;
+};
+
+}
+
+#endif

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What crosses what in two processes of pvbatch is what crosses in one. Run without an argument this
+starts them; with the name of a file it is one of them, and writes its part of the answers there."""
+
+import math
+import os
+import shutil
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import skdtesting
+
+
+def output(proxy, port=0):
+    """Of this process alone."""
+    proxy.UpdatePipeline()
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def sphere(*center):
+    from paraview import simple
+
+    return simple.Sphere(Center=center, ThetaResolution=40, PhiResolution=30, Radius=1.0)
+
+
+def figure():
+    """Lissajous (2, 3), which crosses itself seven times; closed."""
+    from paraview import simple
+
+    points = []
+    for i in range(120):
+        t = 2 * math.pi * i / 120
+        points += [1.5 * math.sin(2 * t + 0.3), 1.5 * math.sin(3 * t), 0.1]
+    return simple.PolyLineSource(Points=points + points[:3])
+
+
+def places(data):
+    return numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())]).reshape(-1, 3)
+
+
+def crossings():
+    """All of them, in every process: each asks for all curves."""
+    from paraview import simple
+
+    return places(output(simple.SkdTreeCurveIntersection(
+        Input=figure(), PolylineForm="Cardinal Spline", InterpolateData=0)))
+
+
+def hits():
+    """Of the curves of this process."""
+    from paraview import simple
+
+    return places(output(simple.SkdTreeCurveSurfaceIntersection(
+        Input=figure(), Source=sphere(0.1, 0.2, 0), InterpolateData=0)))
+
+
+def meeting(source):
+    """Of the Input's piece: how many pairs of cells, and what length of curves."""
+    from paraview import simple
+
+    proxy = simple.SkdTreeSurfaceIntersection(Input=sphere(0, 0, 0), Source=source, JoinCurves=0)
+    curves = output(proxy)
+    ends = places(curves)
+    lines = vtk_to_numpy(curves.GetLines().GetConnectivityArray()).reshape(-1, 2)
+    length = numpy.linalg.norm(ends[lines[:, 0]] - ends[lines[:, 1]], axis=1).sum()
+    pairs = output(proxy, 2).GetNumberOfRows()
+    return numpy.array([pairs, length])
+
+
+def all_answers():
+    return {
+        "crossings": crossings(),
+        "hits": hits(),
+        "meeting": meeting(sphere(0.9, 0.3, 0.2)),
+        "itself": meeting(None)
+    }
+
+
+def sorted_rows(rows):
+    return numpy.unique(numpy.round(rows, 6), axis=0)
+
+
+def check(alone, parts):
+    assert len(alone["crossings"]) == 7, alone["crossings"]
+    for part in parts:
+        numpy.testing.assert_array_equal(part["crossings"], alone["crossings"])
+    together = numpy.vstack([part["hits"] for part in parts])
+    assert len(alone["hits"]) > 2
+    numpy.testing.assert_array_equal(sorted_rows(together), sorted_rows(alone["hits"]))
+    total = sum(part["meeting"] for part in parts)
+    assert all(part["meeting"][0] > 0 for part in parts)
+    numpy.testing.assert_allclose(total, alone["meeting"], rtol=1e-6)
+    for part in parts + [alone]:
+        assert (part["itself"] == 0).all()
+
+
+if len(sys.argv) > 1:
+    numpy.savez(sys.argv[1] % skdtesting.process_id(), **all_answers())
+elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
+    skdtesting.skip("there is no mpiexec or no pvbatch")
+else:
+    file = skdtesting.temporary("intersections%d.npz")
+    skdtesting.run_in_parallel(os.path.abspath(__file__), file)
+    check(all_answers(), [dict(numpy.load(file % process)) for process in (0, 1)])
