@@ -18,12 +18,7 @@ skd::Raster RasterOf(const Node& bottom)
   skd::FloatBox<3> box = bottom.Boxes.Get(0);
   for (int lane = 1; lane < bottom.Count; ++lane)
   {
-    const skd::FloatBox<3> other = bottom.Boxes.Get(lane);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.Min[axis] = std::min(box.Min[axis], other.Min[axis]);
-      box.Max[axis] = std::max(box.Max[axis], other.Max[axis]);
-    }
+    skd::Enclose(box, bottom.Boxes.Get(lane));
   }
   return skd::Raster(box);
 }

@@ -5,7 +5,6 @@
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
-#include "vtkDelaunay3D.h"
 #include "vtkGenericCell.h"
 
 namespace skdbench
@@ -84,22 +83,6 @@ DataSetPointer GradedSurface(int n)
       return Point{ x, y, 0.1 * std::sin(9 * x) * std::cos(7 * y) };
     });
   return MakePolyData(sheet);
-}
-
-DataSetPointer DelaunayTetrahedra(int numberOfPoints)
-{
-  Random random(5);
-  std::vector<Point> points;
-  for (int i = 0; i < numberOfPoints; ++i)
-  {
-    points.push_back(random.InBox({ 0, 1, 0, 1, 0, 1 }));
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(MakePoints(points));
-  vtkNew<vtkDelaunay3D> delaunay;
-  delaunay->SetInputData(cloud);
-  delaunay->Update();
-  return delaunay->GetOutput();
 }
 
 Scene GridScene(const std::string& name, Mesh (*fill)(int), int n, bool graded)

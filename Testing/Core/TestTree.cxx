@@ -89,12 +89,7 @@ skd::FloatBox<D> UnionOf(const skd::Node<D>& node)
   skd::FloatBox<D> all = node.Boxes.Get(0);
   for (int lane = 1; lane < node.Count; ++lane)
   {
-    const skd::FloatBox<D> box = node.Boxes.Get(lane);
-    for (int axis = 0; axis < D; ++axis)
-    {
-      all.Min[axis] = std::min(all.Min[axis], box.Min[axis]);
-      all.Max[axis] = std::max(all.Max[axis], box.Max[axis]);
-    }
+    skd::Enclose(all, node.Boxes.Get(lane));
   }
   return all;
 }

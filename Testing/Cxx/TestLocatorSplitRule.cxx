@@ -6,7 +6,6 @@
 #include "Support/NamedMeshes.h"
 #include "Support/VolumeMeshes.h"
 
-#include "vtkDelaunay3D.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -26,22 +25,6 @@ LocatorPointer MakeLocatorBy(int rule, vtkDataSet* data, bool isLazy = false)
   locator->SetLazyBuild(isLazy);
   locator->BuildLocator();
   return locator;
-}
-
-DataSetPointer DelaunayTetrahedra(int numberOfPoints)
-{
-  Random random(7);
-  std::vector<Point> points;
-  for (int i = 0; i < numberOfPoints; ++i)
-  {
-    points.push_back(random.InBox({ 0, 1, 0, 1, 0, 1 }));
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(MakePoints(points));
-  vtkNew<vtkDelaunay3D> delaunay;
-  delaunay->SetInputData(cloud);
-  delaunay->Update();
-  return delaunay->GetOutput();
 }
 
 /// Cells a hundred times as large at one corner as at the other.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/VolumeMeshes.h"
 
+#include "vtkDelaunay3D.h"
+
 namespace skdtest
 {
 
@@ -143,6 +145,22 @@ Mesh MixedCells(int n)
     mesh.Add(VTK_VERTEX, { b });
   }
   return mesh;
+}
+
+DataSetPointer DelaunayTetrahedra(int numberOfPoints)
+{
+  Random random(5);
+  std::vector<Point> points;
+  for (int i = 0; i < numberOfPoints; ++i)
+  {
+    points.push_back(random.InBox({ 0, 1, 0, 1, 0, 1 }));
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(MakePoints(points));
+  vtkNew<vtkDelaunay3D> delaunay;
+  delaunay->SetInputData(cloud);
+  delaunay->Update();
+  return delaunay->GetOutput();
 }
 
 }

@@ -77,6 +77,9 @@ Mesh Polyhedra(int n);
 /// Cube by cube another kind of cell, and triangles, lines and vertices on top.
 Mesh MixedCells(int n);
 
+/// Between random points of the unit cube: about seven times as many tetrahedra as points.
+DataSetPointer DelaunayTetrahedra(int numberOfPoints);
+
 }
 
 #endif
