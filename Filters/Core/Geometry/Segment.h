@@ -46,12 +46,10 @@ std::optional<Interval> Clip(const Segment<D>& segment, const Box<D>& box)
       }
       continue;
     }
-    double enter = (box.Min[axis] - origin) / length;
-    double leave = (box.Max[axis] - origin) / length;
-    if (length < 0.0)
-    {
-      std::swap(enter, leave);
-    }
+    const double sides[2] = { box.Min[axis], box.Max[axis] }; // without a branch
+    const bool isForward = length > 0.0;
+    const double enter = (sides[!isForward] - origin) / length;
+    const double leave = (sides[isForward] - origin) / length;
     if (!(enter <= leave && std::isfinite(length)))
     {
       return std::nullopt;

@@ -17,11 +17,12 @@ namespace skd
 /// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
 /// bounds of the tree and as much room again: no new end comes near a box. `margin` (world units)
 /// widens every box, for searches with a tolerance.
-template <int D, class Leaf, class Sieve = NoSieve>
+/// `InOrder`: whether the nearest comes first. Where all is wanted, any order will do.
+template <int D, class Leaf, class Sieve = NoSieve, bool InOrder = true>
 class AlongSegment
 {
 public:
-  static constexpr bool Ordered = true;
+  static constexpr bool Ordered = InOrder;
 
   AlongSegment(const Frame<D>& frame, const Box<D>& bounds, const Segment<D>& segment,
     double margin, Leaf& leaf, const Sieve& sieve = Sieve())
@@ -45,7 +46,7 @@ public:
   }
 
   template <int W>
-  unsigned Reach(const Bundle<D, W>& boxes, float* keys) const
+  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float* keys) const
   {
     Lanes<W> enter(0.0f);
     Lanes<W> leave(1.0f);
@@ -96,33 +97,39 @@ private:
     return 4.0 * std::numeric_limits<double>::epsilon() * largest;
   }
 
+  /// Without a branch: which way a segment runs is anyone's guess.
   void SetLocal(const Vector<D>& from, const Vector<D>& to, double margin)
   {
     for (int axis = 0; axis < D; ++axis)
     {
       const double direction = to[axis] - from[axis];
-      this->IsForward[axis] = direction >= 0.0;
+      const double sign = std::copysign(1.0, direction);
+      this->IsForward[axis] = sign > 0.0;
       this->Inverse[axis] = Spread(static_cast<float>(1.0 / Widened(direction)));
-      const float low = Frame<D>::RoundDown(from[axis] - margin);
-      const float high = Frame<D>::RoundUp(from[axis] + margin);
-      this->NearOrigin[axis] = Spread(this->IsForward[axis] ? high : low);
-      this->FarOrigin[axis] = Spread(this->IsForward[axis] ? low : high);
+      this->NearOrigin[axis] = Spread(Beside(from[axis], sign, margin));
+      this->FarOrigin[axis] = Spread(Beside(from[axis], -sign, margin));
     }
+  }
+
+  /// A margin away to that side, rounded away, too.
+  static float Beside(double place, double side, double margin)
+  {
+    return static_cast<float>(side) * Frame<D>::RoundUp(side * place + margin);
   }
 
   /// "Insure width of L in each coordinate direction": no division by zero, no infinity below.
   static double Widened(double direction)
   {
     constexpr double least = 1e-30;
-    return direction >= 0.0 ? std::max(direction, least) : std::min(direction, -least);
+    return std::copysign(std::max(std::abs(direction), least), direction);
   }
 
   double Begin = 0.0;
   double Length = 0.0;
-  bool IsForward[D] = {};
-  Spread NearOrigin[D] = {};
-  Spread FarOrigin[D] = {};
-  Spread Inverse[D] = {};
+  bool IsForward[D];
+  Spread NearOrigin[D];
+  Spread FarOrigin[D];
+  Spread Inverse[D];
   float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
   Leaf& TheLeaf;
   Sieve TheSieve;

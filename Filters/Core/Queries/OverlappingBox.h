@@ -35,7 +35,7 @@ public:
   }
 
   template <int W>
-  unsigned Reach(const Bundle<D, W>& boxes, float*) const
+  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(
@@ -48,7 +48,7 @@ public:
   }
 
   /// Bit i: all that is below lane i is an answer.
-  unsigned SureOf(const Node<D>& node) const
+  SKD_IN_ONE_PIECE unsigned SureOf(const Node<D>& node) const
   {
     return node.IsBottom ? this->Inside(node.Boxes) | this->Overlapping(node.Boxes)
                          : this->Inside(node.Boxes);

@@ -28,7 +28,7 @@ public:
   }
 
   template <int W>
-  unsigned Reach(const Bundle<D, W>& boxes, float*) const
+  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(

@@ -49,7 +49,7 @@ struct alignas(64) PlaneRow
   }
 
   /// Bit i: x, which is within the raster's reach, may be in the cell of lane i.
-  unsigned MayHold(const float* x) const
+  SKD_IN_ONE_PIECE unsigned MayHold(const float* x) const
   {
     unsigned held = 0;
     for (int first = 0; first < Width; first += NativeWidth)

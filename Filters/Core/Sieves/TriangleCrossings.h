@@ -35,7 +35,7 @@ public:
   }
 
   /// Bit i: the line may meet the triangle of lane i.
-  unsigned MayMeet(const TrianglePack& pack) const
+  SKD_IN_ONE_PIECE unsigned MayMeet(const TrianglePack& pack) const
   {
     const Vector3 origin = pack.Raster.Of(this->Origin);
     const double x = origin[this->X] - this->SlopeX * origin[this->Z];

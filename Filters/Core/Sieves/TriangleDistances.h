@@ -25,7 +25,7 @@ public:
   float Most[Width];  ///< never below it
 
   /// x in units of the raster.
-  TriangleDistances(const TrianglePack& pack, const Vector3& x)
+  SKD_IN_ONE_PIECE TriangleDistances(const TrianglePack& pack, const Vector3& x)
   {
     // What rounding may do to corners (Raster) and to sums of products relative to |x|.
     const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);

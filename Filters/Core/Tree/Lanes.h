@@ -16,6 +16,14 @@
 #include <immintrin.h>
 #endif
 
+/// Before a function: everything that it calls becomes a part of it. For those that are run at
+/// every node: what is made of many small functions on lanes should be a few instructions.
+#if defined(__GNUC__)
+#define SKD_IN_ONE_PIECE __attribute__((flatten))
+#else
+#define SKD_IN_ONE_PIECE
+#endif
+
 namespace skd
 {
 namespace detail
@@ -112,17 +120,19 @@ inline int LowestBit(unsigned bits)
 #endif
 }
 
-/// Ask for memory that is going to be read, and do not wait for it.
-inline void FetchLines(const void* address, std::size_t size)
+/// Ask for `Size` bytes of memory that are going to be read, and do not wait for them.
+template <std::size_t Size>
+void FetchLines(const void* address)
 {
 #if defined(__GNUC__)
   constexpr std::size_t line = 64;
-  for (std::size_t offset = 0; offset < size; offset += line)
+  __builtin_prefetch(address);
+  if constexpr (Size > line)
   {
-    __builtin_prefetch(static_cast<const char*>(address) + offset);
+    FetchLines<Size - line>(static_cast<const char*>(address) + line);
   }
 #else
-  (void)address, (void)size;
+  (void)address;
 #endif
 }
 

@@ -4,6 +4,7 @@
 #define skd_Tree_Tree_h
 
 #include "Grower.h"
+#include "TreeView.h"
 
 namespace skd
 {
@@ -93,8 +94,14 @@ public:
     this->Nodes[node].Write(note);
   }
   ///@}
-  void Fetch(std::uint32_t node) const { FetchLines(&this->Nodes[node], sizeof(Node<D>)); }
+  void Fetch(std::uint32_t node) const { FetchLines<sizeof(Node<D>)>(&this->Nodes[node]); }
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
+
+  TreeView<D> View() const
+  {
+    return { this->TheFrame, this->TheBounds, this->IsEmpty() ? nullptr : this->Nodes.data(),
+      this->Elements.data() };
+  }
 
   const Frame<D>& GetFrame() const { return this->TheFrame; }
   const Box<D>& GetBounds() const { return this->TheBounds; }

@@ -10,17 +10,12 @@
 namespace skd
 {
 
-/// A walk never waits for more than Width - 1 brothers a level, and 2^31 elements make 11 levels.
-constexpr int WalkStackSize = 96;
+/// How deep a tree may be. 2^31 elements make 12 levels, one to a bottom node, and splits by area
+/// one more.
+constexpr int MostLevels = 16;
 
 namespace detail
 {
-
-struct Pending
-{
-  float Key;
-  Reference What;
-};
 
 /// Calls visit(lane) for each bit that is set, from the lowest.
 template <class Visit>
@@ -43,27 +38,6 @@ auto Fetch(const Tree& tree, std::uint32_t node, int) -> decltype(tree.Fetch(nod
 template <class Tree>
 void Fetch(const Tree&, std::uint32_t, long)
 {
-}
-
-/// Push the wanted lanes. Ordered: the least key ends on top.
-template <bool Ordered, int D>
-int PushChildren(Pending* stack, int top, const Node<D>& node, unsigned wanted, const float* keys)
-{
-  const int base = top;
-  ForEachLane(wanted,
-    [&](int lane)
-    {
-      int slot = top++;
-      if constexpr (Ordered)
-      {
-        for (; slot > base && stack[slot - 1].Key < keys[lane]; --slot)
-        {
-          stack[slot] = stack[slot - 1];
-        }
-      }
-      stack[slot] = { keys[lane], Child(node, lane) };
-    });
-  return top;
 }
 
 /// The wanted lanes of a node. A query may look at elements in a way of its own.
@@ -89,71 +63,138 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 {
 };
 
-/// The key of a node below which all is an answer.
-constexpr float SureKey = -1.0f;
-
-/// The lanes of a node to visit, and which of these need no test any more.
-struct Choice
+/// An open node whose children are visited one after the other: those that wait, and which of them
+/// need no test any more.
+template <int W>
+struct Level
 {
+  float Keys[W];
+  std::uint32_t First;
   unsigned Wanted;
   unsigned Sure;
 };
 
-template <class Query, int D>
-Choice Choose(Query& query, const Node<D>& node, float key, float* keys)
+/// `isSure`: all that is below the node is an answer.
+template <class Query, int D, int W>
+void Open(Query& query, const Node<D>& node, bool isSure, Level<W>& level)
 {
-  if (KnowsSure<Query>::value && key == SureKey)
+  level.First = node.First;
+  if (KnowsSure<Query>::value && isSure)
   {
-    return { node.Occupied(), node.Occupied() };
+    level.Wanted = level.Sure = node.Occupied();
+    return;
   }
   const unsigned reached =
-    node.IsBottom ? ReachElements(query, node, keys, 0) : query.Reach(node.Boxes, keys);
-  Choice choice{ reached & node.Occupied(), 0u };
+    node.IsBottom ? ReachElements(query, node, level.Keys, 0) : query.Reach(node.Boxes, level.Keys);
+  level.Wanted = reached & node.Occupied();
   if constexpr (KnowsSure<Query>::value)
   {
-    choice.Sure = choice.Wanted != 0 ? choice.Wanted & query.SureOf(node) : 0u;
+    level.Sure = level.Wanted != 0 ? level.Wanted & query.SureOf(node) : 0u;
   }
-  return choice;
 }
 
-/// Visit the wanted elements of a bottom node, in any order. False ends the walk.
-template <class Tree, class Query, int D>
-bool VisitBottom(const Tree& tree, Query& query, const Node<D>& node, const Choice& choice)
+/// Of some lanes, at least one, that with the least key. Written so that compilers make it without
+/// a branch in the loop: which child comes first is anyone's guess.
+inline int LeastLane(unsigned lanes, const float* keys)
 {
-  bool goesOn = true;
-  ForEachLane(choice.Wanted,
-    [&](int lane)
+  int least = LowestBit(lanes);
+  ForEachLane(
+    lanes & (lanes - 1), [&](int lane) { least = keys[lane] < keys[least] ? lane : least; });
+  return least;
+}
+
+/// Of the lanes of a level that wait, at least one: takes out that which comes next.
+template <class Query, int W>
+int TakeNext(Level<W>& level)
+{
+  const int lane = Query::Ordered ? LeastLane(level.Wanted, level.Keys) : LowestBit(level.Wanted);
+  level.Wanted &= ~(1u << lane);
+  return lane;
+}
+
+/// Leaves alone what is not wanted any more, the limit having fallen. Whether there is any left.
+template <class Query, int W>
+bool HasNext(const Query& query, Level<W>& level)
+{
+  if constexpr (Query::Ordered)
+  {
+    level.Wanted &= LessEqual(Lanes<W>::Load(level.Keys), Lanes<W>(query.Limit()));
+  }
+  return level.Wanted != 0;
+}
+
+/// The node to open next, and whether all that is below is an answer.
+struct Turn
+{
+  std::uint32_t Node;
+  bool IsSure;
+};
+
+/// The open nodes on the way from the root that have children which wait, and room for one more.
+template <int W>
+class Levels
+{
+public:
+  Level<W>& Room() { return this->Stack[this->Count]; }
+  /// The level in that room has children that wait.
+  void Keep() { ++this->Count; }
+
+  /// Whether there is any left with a next one, the limit having fallen.
+  template <class Query>
+  bool HaveNext(const Query& query)
+  {
+    while (this->Count > 0 && !HasNext(query, this->Stack[this->Count - 1]))
     {
-      const std::uint32_t element = tree.Element(node.First + static_cast<std::uint32_t>(lane));
-      if constexpr (KnowsSure<Query>::value)
-      {
-        if ((choice.Sure >> lane & 1u) != 0)
-        {
-          goesOn = goesOn && query.VisitSure(element);
-          return;
-        }
-      }
-      goesOn = goesOn && query.Visit(element);
-    });
-  return goesOn;
+      --this->Count;
+    }
+    return this->Count > 0;
+  }
+
+  template <class Query>
+  Turn TakeNext()
+  {
+    Level<W>& last = this->Stack[this->Count - 1];
+    const int lane = detail::TakeNext<Query>(last);
+    this->Count -= last.Wanted == 0 ? 1 : 0;
+    const bool isSure = KnowsSure<Query>::value && (last.Sure >> lane & 1u) != 0;
+    return { last.First + static_cast<std::uint32_t>(lane), isSure };
+  }
+
+private:
+  Level<W> Stack[MostLevels];
+  int Count = 0;
+};
+
+/// Visit the wanted elements of a bottom node. False ends the walk.
+template <class Tree, class Query, int W>
+bool VisitElements(const Tree& tree, Query& query, Level<W>& bottom)
+{
+  while (HasNext(query, bottom))
+  {
+    const int lane = TakeNext<Query>(bottom);
+    const std::uint32_t element = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+    bool goesOn = true;
+    if constexpr (KnowsSure<Query>::value)
+    {
+      goesOn = (bottom.Sure >> lane & 1u) != 0 ? query.VisitSure(element) : query.Visit(element);
+    }
+    else
+    {
+      goesOn = query.Visit(element);
+    }
+    if (!goesOn)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
-/// Push the wanted children of an inner node, or of any where elements are visited by their keys.
-template <class Tree, class Query, int D>
-int Descend(const Tree& tree, const Query&, Pending* stack, int top, const Node<D>& node,
-  const Choice& choice, float* keys)
+template <class Tree, int W>
+void FetchChildren(const Tree& tree, const Level<W>& level)
 {
-  if (!Query::Ordered)
-  {
-    ForEachLane(choice.Wanted,
-      [&](int lane) { keys[lane] = (choice.Sure >> lane & 1u) != 0 ? SureKey : 0.0f; });
-  }
-  if (!node.IsBottom)
-  {
-    ForEachLane(choice.Wanted,
-      [&](int lane) { Fetch(tree, node.First + static_cast<std::uint32_t>(lane), 0); });
-  }
-  return PushChildren<Query::Ordered>(stack, top, node, choice.Wanted, keys);
+  ForEachLane(level.Wanted,
+    [&](int lane) { Fetch(tree, level.First + static_cast<std::uint32_t>(lane), 0); });
 }
 
 }
@@ -178,41 +219,28 @@ int Descend(const Tree& tree, const Query&, Pending* stack, int top, const Node<
 template <class Tree, class Query>
 void Walk(const Tree& tree, Query& query)
 {
-  if (tree.IsEmpty())
+  if (tree.IsEmpty() || !(0.0f <= query.Limit()))
   {
     return;
   }
-  detail::Pending stack[WalkStackSize];
-  int top = 0;
-  stack[top++] = { 0.0f, Reference::ToNode(0) };
-  while (top > 0)
+  detail::Levels<std::decay_t<decltype(tree.Open(0))>::Width> levels;
+  detail::Turn turn{ 0, false };
+  while (true)
   {
-    const detail::Pending next = stack[--top];
-    if (!(next.Key <= query.Limit()))
+    const auto& node = tree.Open(turn.Node);
+    auto& opened = levels.Room();
+    detail::Open(query, node, turn.IsSure, opened);
+    if (!node.IsBottom && opened.Wanted != 0)
     {
-      continue;
+      detail::FetchChildren(tree, opened);
+      levels.Keep();
     }
-    if (next.What.IsElement())
+    else if ((node.IsBottom && !detail::VisitElements(tree, query, opened)) ||
+      !levels.HaveNext(query))
     {
-      if (!query.Visit(tree.Element(next.What.Index())))
-      {
-        return;
-      }
-      continue;
+      return;
     }
-    const auto& node = tree.Open(next.What.Index());
-    constexpr int width = std::decay_t<decltype(node)>::Width;
-    float keys[width];
-    const detail::Choice choice = detail::Choose(query, node, next.Key, keys);
-    if (!Query::Ordered && node.IsBottom)
-    {
-      if (!detail::VisitBottom(tree, query, node, choice))
-      {
-        return;
-      }
-      continue;
-    }
-    top = detail::Descend(tree, query, stack, top, node, choice, keys);
+    turn = levels.template TakeNext<Query>();
   }
 }
 
