@@ -6,6 +6,7 @@
 #include "Cells/SkdCellStore.h"
 #include "Cells/SkdGenericKernel.h"
 #include "Cells/SkdSieves.h"
+#include "Cells/SkdWideWalks.h"
 #include "Core/Geometry/PieceContact.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
@@ -231,6 +232,24 @@ private:
       skd::Walk(this->Eager, query);
     }
   }
+  /// Calls wide(tree, leaf) if there are wide walks for it (SkdWideWalks.h). False if not.
+  template <class Leaf, class Wide>
+  bool WalkWide(Leaf& leaf, Wide wide) const
+  {
+    if (this->Lazy || !SkdWideWalks::AreOn())
+    {
+      return false;
+    }
+    const skd::TreeView<3> view = this->Eager.View();
+    wide(SkdWideTree{ &view, this->Sieves.Packs().Data() }, SkdWideLeaf::Of(leaf));
+    return true;
+  }
+  /// skd::Nearest and skd::AlongSegment, as fast as it goes here.
+  template <bool OnlyNearest, class Leaf>
+  void WalkNearest(const skd::Vector3& x, double limit2, Leaf& leaf) const;
+  template <bool InOrder, class Leaf>
+  void WalkAlong(const skd::Segment<3>& segment, double margin, Leaf& leaf) const;
+
   const skd::Frame<3>& GetFrame() const
   {
     return this->Lazy ? this->Lazy->GetFrame() : this->Eager.GetFrame();

@@ -127,6 +127,21 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
 }
 
 //------------------------------------------------------------------------------
+template <bool InOrder, class Leaf>
+void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Leaf& leaf) const
+{
+  const auto wide = [&](const SkdWideTree& tree, const SkdWideLeaf& wideLeaf)
+  { SkdWideWalks::AlongSegment(tree, segment.A.X, segment.B.X, margin, InOrder, wideLeaf); };
+  if (!this->WalkWide(leaf, wide))
+  {
+    using Sieve = skd::LineSieve;
+    skd::AlongSegment<3, Leaf, Sieve, InOrder> query(
+      this->GetFrame(), this->GetBounds(), segment, margin, leaf, Sieve(this->Sieves.Packs()));
+    this->Walk(query);
+  }
+}
+
+//------------------------------------------------------------------------------
 SkdHitCell SkdCellTree::FindFirstHit(
   const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
 {
@@ -149,9 +164,7 @@ SkdHitCell SkdCellTree::FindFirstHit(
     }
     return first.Id < 0 ? 1.0 : first.T;
   };
-  skd::AlongSegment<3, decltype(leaf), SkdSieves::Line> query(
-    this->GetFrame(), this->GetBounds(), segment, reach, leaf, SkdSieves::Line(this->Sieves));
-  this->Walk(query);
+  this->WalkAlong<true>(segment, reach, leaf);
   return first;
 }
 
@@ -175,9 +188,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf), SkdSieves::Line> query(
-    this->GetFrame(), this->GetBounds(), segment, reach, leaf, SkdSieves::Line(this->Sieves));
-  this->Walk(query);
+  this->WalkAlong<false>(segment, reach, leaf);
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
 }
@@ -211,7 +222,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
       clip(cell);
       return 1.0;
     };
-    skd::AlongSegment<3, decltype(leaf)> query(
+    skd::AlongSegment<3, decltype(leaf), skd::NoSieve, false> query(
       this->GetFrame(), this->GetBounds(), segment, reach, leaf);
     this->Walk(query);
   }
@@ -266,9 +277,7 @@ const SkdCrossings& SkdCellTree::FindCrossings(
       });
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf), SkdSieves::Line> query(
-    this->GetFrame(), this->GetBounds(), segment, 0.0, leaf, SkdSieves::Line(this->Sieves));
-  this->Walk(query);
+  this->WalkAlong<false>(segment, 0.0, leaf);
   Merge(facets, crossings);
   return crossings;
 }

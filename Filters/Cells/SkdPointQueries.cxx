@@ -63,6 +63,21 @@ SkdCellPoint SkdCellTree::Measure(
 }
 
 //------------------------------------------------------------------------------
+template <bool OnlyNearest, class Leaf>
+void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Leaf& leaf) const
+{
+  const auto wide = [&](const SkdWideTree& tree, const SkdWideLeaf& wideLeaf)
+  { SkdWideWalks::Nearest(tree, x.X, limit2, OnlyNearest, wideLeaf); };
+  if (!this->WalkWide(leaf, wide))
+  {
+    using Sieve = skd::DistanceSieve<OnlyNearest>;
+    skd::Nearest<3, Leaf, Sieve> query(
+      this->GetFrame(), x, limit2, leaf, Sieve(this->Sieves.Packs(), this->GetFrame().Local(x)));
+    this->Walk(query);
+  }
+}
+
+//------------------------------------------------------------------------------
 SkdFoundCell SkdCellTree::FindNearest(
   const skd::Vector3& x, double limit2, const SkdCellSource& source) const
 {
@@ -80,11 +95,7 @@ SkdFoundCell SkdCellTree::FindNearest(
     }
     return best.Limit2;
   };
-  const skd::Vector3 local = this->GetFrame().Local(x);
-  using Sieve = SkdSieves::Distance<true>;
-  skd::Nearest<3, decltype(leaf), Sieve> query(
-    this->GetFrame(), x, limit2, leaf, Sieve(this->Sieves, local));
-  this->Walk(query);
+  this->WalkNearest<true>(x, limit2, leaf);
   return best.Found;
 }
 
@@ -166,11 +177,7 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
     std::push_heap(heap.begin(), heap.end());
     return limit();
   };
-  const skd::Vector3 local = this->GetFrame().Local(x);
-  using Sieve = SkdSieves::Distance<false>;
-  skd::Nearest<3, decltype(leaf), Sieve> query(
-    this->GetFrame(), x, limit2, leaf, Sieve(this->Sieves, local));
-  this->Walk(query);
+  this->WalkNearest<false>(x, limit2, leaf);
   std::sort_heap(heap.begin(), heap.end());
   return heap;
 }

@@ -135,7 +135,7 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
       for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
       {
         const Node& node = tree.Open(i);
-        if (HasTriangles(node))
+        if (skd::TrianglePacks::Has(node))
         {
           this->FillTriangles(store, tree, node);
         }
@@ -168,7 +168,7 @@ void SkdSieves::Number(const SkdCellStore& store, skd::Tree<3>& tree)
     }
     if (triangles > 0 && triangles == node.Count)
     {
-      tree.SetTag(i, 2 * packs++);
+      tree.SetTag(i, skd::TrianglePacks::TagOf(packs++));
     }
     else if (most > 0 && least > 0 && rows < Node::NoTag / 4)
     {

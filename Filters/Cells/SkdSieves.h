@@ -5,8 +5,7 @@
 
 #include "Cells/SkdCellStore.h"
 #include "Core/Sieves/PlaneRow.h"
-#include "Core/Sieves/TriangleCrossings.h"
-#include "Core/Sieves/TriangleDistances.h"
+#include "Core/Sieves/TriangleSieves.h"
 #include "Core/Tree/Tree.h"
 
 /// What the cells of bottom nodes look like on 16-bit rasters, eight at once: enough to see of
@@ -23,43 +22,8 @@ public:
   /// that can be sieved: those with nothing but triangles, or nothing but such volume cells.
   SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
 
-  /// Lower bounds of distances. With `OnlyNearest` also upper ones: these limit the search.
-  template <bool OnlyNearest>
-  class Distance
-  {
-  public:
-    Distance(const SkdSieves& sieves, const skd::Vector3& local)
-      : Packs(sieves.Triangles.data())
-      , Local(local)
-    {
-    }
-    bool Knows(const skd::Node<3>& bottom) const { return HasTriangles(bottom); }
-    unsigned Pass(const skd::Node<3>& bottom, float* keys, float& limit) const;
-
-  private:
-    const skd::TrianglePack* Packs;
-    const skd::Vector3& Local;
-  };
-
-  /// Which triangles a line may meet.
-  class Line
-  {
-  public:
-    explicit Line(const SkdSieves& sieves)
-      : Packs(sieves.Triangles.data())
-    {
-    }
-    void Aim(const skd::Segment<3>& local, double margin)
-    {
-      this->Crossings = skd::TriangleCrossings(local, margin);
-    }
-    bool Knows(const skd::Node<3>& bottom) const { return HasTriangles(bottom); }
-    unsigned Pass(const skd::Node<3>& bottom, float* keys) const;
-
-  private:
-    const skd::TrianglePack* Packs;
-    skd::TriangleCrossings Crossings;
-  };
+  /// For the sieves of Core/Sieves/TriangleSieves.h.
+  skd::TrianglePacks Packs() const { return skd::TrianglePacks(this->Triangles.data()); }
 
   /// Which volume cells may hold a point.
   class Point
@@ -89,7 +53,6 @@ private:
   };
 
   // A tag is twice the number of a pack of triangles, or of a row of planes and 1 more.
-  static bool HasTriangles(const skd::Node<3>& bottom) { return (bottom.Tag & 1u) == 0; }
   static bool HasPlanes(const skd::Node<3>& bottom)
   {
     return (bottom.Tag & 1u) != 0 && bottom.Tag != skd::Node<3>::NoTag;
@@ -104,27 +67,6 @@ private:
   skd::RawVector<skd::TrianglePack> Triangles;
   skd::RawVector<skd::PlaneRow> Rows; // those of a bottom node in turn
 };
-
-//------------------------------------------------------------------------------
-template <bool OnlyNearest>
-unsigned SkdSieves::Distance<OnlyNearest>::Pass(
-  const skd::Node<3>& bottom, float* keys, float& limit) const
-{
-  const skd::TrianglePack& pack = this->Packs[bottom.Tag >> 1];
-  const skd::TriangleDistances distances(pack, pack.Raster.Of(this->Local));
-  if constexpr (OnlyNearest)
-  {
-    limit = std::min(limit, distances.LeastMost2(bottom.Count, pack.Raster.Unit));
-  }
-  return distances.Within(limit, pack.Raster.Unit, keys);
-}
-
-//------------------------------------------------------------------------------
-inline unsigned SkdSieves::Line::Pass(const skd::Node<3>& bottom, float* keys) const
-{
-  std::fill(keys, keys + skd::Node<3>::Width, 0.0f);
-  return this->Crossings.MayMeet(this->Packs[bottom.Tag >> 1]);
-}
 
 //------------------------------------------------------------------------------
 inline unsigned SkdSieves::Point::Pass(const skd::Node<3>& bottom, float*) const

@@ -46,7 +46,9 @@ def count(valgrind, program, objects):
         out = pathlib.Path(folder) / "callgrind"
         command = [valgrind, "--tool=callgrind", "--instr-atstart=no", "--compress-strings=no",
                    "--compress-pos=no", f"--callgrind-out-file={out}", program]
-        environment = {**os.environ, "VTK_SMP_BACKEND_IN_USE": "Sequential"}
+        # One thread, and the walks that every processor of the kind can run.
+        environment = {**os.environ, "VTK_SMP_BACKEND_IN_USE": "Sequential",
+                       "SKDTREE_BASELINE": "1"}
         done = subprocess.run(command, capture_output=True, text=True, env=environment)
         if done.returncode == SKIPPED:
             skip(done.stdout.strip())

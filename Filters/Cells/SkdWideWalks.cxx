@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdWideWalks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// The core under another name: see SkdWideWalks.h. Nothing but the core is included below.
+#define skd skd_wide
+
+#include "Core/Queries/AlongSegment.h"
+#include "Core/Queries/Nearest.h"
+#include "Core/Sieves/TriangleSieves.h"
+#include "Core/Tree/TreeView.h"
+#include "Core/Tree/Walk.h"
+
+namespace
+{
+const skd::TreeView<3>& ViewOf(const SkdWideTree& tree)
+{
+  return *static_cast<const skd::TreeView<3>*>(tree.View);
+}
+
+skd::TrianglePacks PacksOf(const SkdWideTree& tree)
+{
+  return skd::TrianglePacks(static_cast<const skd::TrianglePack*>(tree.Packs));
+}
+
+skd::Vector3 PointAt(const double x[3])
+{
+  return { { x[0], x[1], x[2] } };
+}
+
+template <bool OnlyNearest>
+void WalkNearest(
+  const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideLeaf& leaf)
+{
+  using Sieve = skd::DistanceSieve<OnlyNearest>;
+  const skd::TreeView<3>& view = ViewOf(tree);
+  skd::Nearest<3, const SkdWideLeaf, Sieve> query(
+    view.GetFrame(), x, limit2, leaf, Sieve(PacksOf(tree), view.GetFrame().Local(x)));
+  skd::Walk(view, query);
+}
+
+template <bool InOrder>
+void WalkAlong(
+  const SkdWideTree& tree, const skd::Segment<3>& segment, double margin, const SkdWideLeaf& leaf)
+{
+  using Sieve = skd::LineSieve;
+  const skd::TreeView<3>& view = ViewOf(tree);
+  skd::AlongSegment<3, const SkdWideLeaf, Sieve, InOrder> query(
+    view.GetFrame(), view.GetBounds(), segment, margin, leaf, Sieve(PacksOf(tree)));
+  skd::Walk(view, query);
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double limit2,
+  bool onlyNearest, const SkdWideLeaf& leaf)
+{
+  onlyNearest ? WalkNearest<true>(tree, PointAt(x), limit2, leaf)
+              : WalkNearest<false>(tree, PointAt(x), limit2, leaf);
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
+  double margin, bool inOrder, const SkdWideLeaf& leaf)
+{
+  const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
+  inOrder ? WalkAlong<true>(tree, segment, margin, leaf)
+          : WalkAlong<false>(tree, segment, margin, leaf);
+}

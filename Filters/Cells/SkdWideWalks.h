@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The walks about triangles once more, for processors with AVX2: eight lanes in one register.
+/// Which are run is decided when the program is. Answers are the same to the last bit: lanes do the
+/// same operations, rounded the same way, however many there are to a register.
+///
+/// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in a namespace of its own,
+/// so that no inline function compiled for AVX2 ever takes the place of one that must run anywhere.
+/// So its face speaks of no type of the core: what `View` and `Packs` point to has the same bytes
+/// under both names.
+#ifndef SkdWideWalks_h
+#define SkdWideWalks_h
+
+#include <cstdint>
+
+/// A tree of cells and the packs of its bottom nodes.
+struct SkdWideTree
+{
+  const void* View;  ///< skd::TreeView<3>
+  const void* Packs; ///< skd::TrianglePack, the first
+};
+
+/// Measures a cell, and returns beyond what nothing is wanted any more.
+struct SkdWideLeaf
+{
+  template <class Leaf>
+  static SkdWideLeaf Of(Leaf& leaf)
+  {
+    return { [](void* self, std::uint32_t cell) -> double
+      { return (*static_cast<Leaf*>(self))(cell); },
+      &leaf };
+  }
+
+  double operator()(std::uint32_t cell) const { return this->Call(this->Self, cell); }
+
+  double (*Call)(void*, std::uint32_t);
+  void* Self;
+};
+
+/// skd::Nearest and skd::AlongSegment with the sieves of Core/Sieves/TriangleSieves.h.
+class SkdWideWalks
+{
+public:
+  /// Whether this build has them and this processor can run them, and the environment variable
+  /// SKDTREE_BASELINE is not set.
+  static bool AreOn();
+  /// For tests, while nobody searches. Turning on what cannot run here does nothing.
+  static void TurnOn(bool on);
+
+  static void Nearest(const SkdWideTree& tree, const double x[3], double limit2, bool onlyNearest,
+    const SkdWideLeaf& leaf);
+  static void AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
+    double margin, bool inOrder, const SkdWideLeaf& leaf);
+};
+
+#endif

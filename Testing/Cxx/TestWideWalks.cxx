@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches that a processor with AVX2 does eight lanes at once have the same answers, to the last
+// bit, as those that run anywhere.
+
+#include "Support/LocatorCalls.h"
+#include "Support/NamedMeshes.h"
+
+#include "Cells/SkdWideWalks.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+/// What the two kinds of walks answer.
+struct Answers
+{
+  Closest Nearest;
+  LineHit First;
+  LineHits All;
+  Ids NearestCells;
+  std::vector<double> NearestDistances;
+  std::vector<double> Crossings;
+};
+
+Answers Ask(vtkSkdTreeCellLocator* locator, const Point& x, const Point& y)
+{
+  Answers answers;
+  answers.Nearest = FindClosest(locator, x);
+  vtkNew<vtkGenericCell> cell;
+  answers.First = FindFirstHit(locator, x, y, 0.01);
+  answers.All = FindAllHits(locator, x, y, 0.01, cell);
+  const Ranked ranked = FindClosestCells(locator, x, 5);
+  answers.NearestCells = ranked.Cells;
+  answers.NearestDistances = ranked.Distances;
+  answers.Crossings = FindCrossings(locator, x, y).Parameters;
+  return answers;
+}
+
+void ExpectEqual(const Answers& a, const Answers& b)
+{
+  EXPECT_TRUE(a.Nearest == b.Nearest);
+  EXPECT_TRUE(a.First == b.First);
+  EXPECT_TRUE(a.All == b.All);
+  EXPECT_EQ(a.NearestCells, b.NearestCells);
+  EXPECT_EQ(a.NearestDistances, b.NearestDistances);
+  EXPECT_EQ(a.Crossings, b.Crossings);
+}
+
+class WideWalks : public testing::TestWithParam<NamedMesh>
+{
+protected:
+  void SetUp() override
+  {
+    if (!SkdWideWalks::AreOn())
+    {
+      GTEST_SKIP() << "this build, this processor or SKDTREE_BASELINE leaves them out";
+    }
+  }
+  void TearDown() override { SkdWideWalks::TurnOn(this->WereOn); }
+
+  /// In and around the data set, at corners of cells, and far away.
+  std::vector<Point> PlacesAbout(vtkDataSet* data)
+  {
+    Bounds box;
+    data->GetBounds(box.data());
+    Random random(177);
+    std::vector<Point> places = { Center(box) + Point{ 50.0, -20.0, 30.0 } };
+    for (int i = 0; i < 100; ++i)
+    {
+      places.push_back(random.InBox(Grown(box, 0.2 * Diagonal(box))));
+      Point corner;
+      data->GetPoint(random.Index(static_cast<int>(data->GetNumberOfPoints())), corner.data());
+      places.push_back(corner);
+    }
+    return places;
+  }
+
+  const bool WereOn = SkdWideWalks::AreOn();
+};
+
+INSTANTIATE_TEST_SUITE_P(All, WideWalks, testing::ValuesIn(AllMeshes()), NameOfMesh());
+
+TEST_P(WideWalks, GiveTheAnswersOfTheOthers)
+{
+  const auto data = GetParam().Make();
+  const auto locator = MakeLocator(data);
+  const std::vector<Point> places = this->PlacesAbout(data);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  {
+    SkdWideWalks::TurnOn(true);
+    const Answers wide = Ask(locator, places[i], places[i + 1]);
+    SkdWideWalks::TurnOn(false);
+    ASSERT_NO_FATAL_FAILURE(ExpectEqual(wide, Ask(locator, places[i], places[i + 1]))) << i;
+    ASSERT_FALSE(HasFailure()) << "between places " << i << " and " << i + 1;
+  }
+}
+
+TEST(WideWalksSwitch, TurnsThemOffAndOn)
+{
+  const bool areOn = SkdWideWalks::AreOn();
+  SkdWideWalks::TurnOn(false);
+  EXPECT_FALSE(SkdWideWalks::AreOn());
+  SkdWideWalks::TurnOn(areOn);
+  EXPECT_EQ(SkdWideWalks::AreOn(), areOn);
+}
+
+}
