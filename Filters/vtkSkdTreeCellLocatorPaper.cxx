@@ -58,7 +58,7 @@ void vtkSkdTreeCellLocator::FindCandidatesAlongPlane(
   {
     plane = { this->Impl->Motion->Back(plane.Origin), this->Impl->Motion->TurnBack(plane.Normal) };
   }
-  this->GetTree().FindSafetyBoxesAlong(plane, cellIds);
+  this->GetTree().FindSafetyBoxesAlong(plane, 0.0, cellIds);
 }
 
 //------------------------------------------------------------------------------

@@ -214,7 +214,8 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vt
 }
 
 //------------------------------------------------------------------------------
-void SkdCellTree::FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* ids) const
+void SkdCellTree::FindSafetyBoxesAlong(
+  const skd::Plane<3>& plane, double tolerance, vtkIdList* ids) const
 {
   ids->Reset();
   if (!IsUsable(plane))
@@ -223,12 +224,12 @@ void SkdCellTree::FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* id
   }
   auto leaf = [&](std::uint32_t cell)
   {
-    if (skd::Overlaps(plane, this->SafetyBoxOf(cell), 0.0))
+    if (skd::Overlaps(plane, this->SafetyBoxOf(cell), tolerance))
     {
       ids->InsertNextId(this->Store.IdOf(cell));
     }
     return true;
   };
-  skd::AlongPlane<3, decltype(leaf)> query(this->GetFrame(), plane, 0.0, leaf);
+  skd::AlongPlane<3, decltype(leaf)> query(this->GetFrame(), plane, tolerance, leaf);
   this->Walk(query);
 }

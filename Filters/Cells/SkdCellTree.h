@@ -10,6 +10,7 @@
 #include "Core/Geometry/PieceContact.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
+#include "Core/Geometry/SimplexSet.h"
 #include "Core/Queries/HandDown.h"
 #include "Core/Tree/LazyTree.h"
 #include "Core/Tree/PaperTree.h"
@@ -148,7 +149,7 @@ public:
   void FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList* ids) const;
   void FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) const;
   void FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const;
-  void FindSafetyBoxesAlong(const skd::Plane<3>& plane, vtkIdList* ids) const;
+  void FindSafetyBoxesAlong(const skd::Plane<3>& plane, double tolerance, vtkIdList* ids) const;
   ///@}
 
   ///@{
@@ -202,6 +203,13 @@ public:
   /// volume that has a corner of the first one inside.
   bool Meets(std::uint32_t cell, const skd::Box3& box, const std::vector<skd::Piece>& pieces) const;
   ///@}
+
+  /// SkdCellSimplices.cxx: the cell as what triangles enclose, or as triangles, segments or points.
+  /// A quad is two triangles, and a polygon flat, as they are for boxes; a curved cell is what 8
+  /// straight pieces along each of its parameters make of it. The rim is not found. Of no dimension
+  /// but 0 to 3 is a cell that VTK cannot take apart: it is its points.
+  void GetSimplices(
+    std::uint32_t cell, const SkdCellSource& source, skd::SimplexSet& simplices) const;
 
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.
   skd::PaperTree<3> MakePaperTree() const;

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCurvedSimplices_h
+#define SkdCurvedSimplices_h
+
+#include "Core/Geometry/SimplexSet.h"
+
+class vtkCell;
+
+/// Makes a set of simplices of a curved cell (SkdParametricCell::DomainOf() knows its type): 8
+/// straight pieces along each of its parameters. `bounds` are those of its points.
+void SkdReadCurved(skd::SimplexSet& set, vtkCell* cell, const skd::Box3& bounds);
+
+#endif
