@@ -51,6 +51,22 @@ def depths():
     return skdtesting.point_array(inside, "SkdDepth")
 
 
+def cells_found():
+    from paraview import servermanager, simple
+
+    query = simple.SkdTreeSpatialQuery(Input=simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4]),
+        Source=simple.Sphere(Radius=3), Shape="Source Cells")
+    query.UpdatePipeline()
+    pairs = servermanager.Fetch(query, idx=2)
+    extracted = simple.ExtractSelection(
+        Input=query.Input, Selection=simple.OutputPort(query, 1))
+    extracted.UpdatePipeline()
+    cells = extracted.GetDataInformation().GetNumberOfCells()
+    assert cells == query.GetDataInformation().GetNumberOfCells() > 0
+    return [[pairs.GetValue(row, column).ToDouble() for column in range(pairs.GetNumberOfColumns())]
+        for row in range(pairs.GetNumberOfRows())]
+
+
 def resampled_mask():
     from paraview import simple
 
@@ -80,7 +96,7 @@ def crossings():
 def be_client(port):
     from paraview import simple
 
-    questions = (distances, probed, depths, crossings)
+    questions = (distances, probed, depths, crossings, cells_found)
     alone = [ask() for ask in questions]
     assert set(alone[2]) == {0, 1, 2}
     assert len(alone[3]) > 10

@@ -62,6 +62,12 @@ def test_probe():
     check("Probe", data("disk_flow.vtu"), {"stretches: 66": 1}, (0.2, 0.8))
 
 
+def test_spatial_query():
+    words = {"129 cells overlap a box": 1, " 79 cells fill a sphere": 1, " 35 cells meet a line": 1,
+        " 40 cells are nearest": 1}
+    check("SpatialQuery", data("disk_flow.vtu"), words, (0.3, 0.9))
+
+
 def test_attach():
     check("Attach", data("disk_flow.vtu"), {"without: ": 1, "with: ": 1}, (0.2, 0.95))
 

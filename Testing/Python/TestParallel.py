@@ -65,8 +65,32 @@ def all_answers():
     return [nearest(sphere), nearest(brain), probed(flow), inside(sphere), inside(flow)]
 
 
+def centres_found(**asked):
+    """A row for each cell of this process that a query finds: where it is, and its distance."""
+    from paraview import simple
+
+    query = simple.SkdTreeSpatialQuery(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]),
+        Source=simple.Sphere(Radius=3), **asked)
+    query.UpdatePipeline()
+    data = query.GetClientSideObject().GetOutputDataObject(0)
+    boxes = numpy.array([data.GetCell(i).GetBounds() for i in range(data.GetNumberOfCells())])
+    distances = vtk_to_numpy(data.GetCellData().GetArray("SkdDistance"))
+    return numpy.hstack([boxes.reshape(-1, 6), distances.reshape(-1, 1)])
+
+
+def all_centres_found():
+    box = {"Shape": "Box", "BoxPosition": [-4.5, -4.5, -4.5], "BoxLength": [9, 9, 9]}
+    point = {"Shape": "Sphere", "SphereCenter": [0.2, 0.3, 0.4], "SphereRadius": 0}
+    return [
+        centres_found(Relation="Overlap", **box),
+        centres_found(Relation="Containment", **box),
+        centres_found(Relation="Overlap", Shape="Source Cells"),
+        centres_found(Relation="Nearest", NumberOfNearestCells=100, **point),
+    ]
+
+
 if len(sys.argv) > 1:
-    numpy.savez(sys.argv[1] % skdtesting.process_id(), *all_answers())
+    numpy.savez(sys.argv[1] % skdtesting.process_id(), *all_answers(), *all_centres_found())
 elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
     skdtesting.skip("there is no mpiexec or no pvbatch")
 else:
@@ -74,9 +98,16 @@ else:
     file = skdtesting.temporary("parallel%d.npz")
     skdtesting.run_in_parallel(os.path.abspath(__file__), file)
     parts = [list(numpy.load(file % process).values()) for process in (0, 1)]
-    for whole, first, second in zip(alone, *parts):
+    count = len(alone)
+    for whole, first, second in zip(alone, *(part[:count] for part in parts)):
         assert len(whole) == 13**3 and min(len(first), len(second)) > 0
         assert max(len(first), len(second)) < len(whole)
         # The processes share the points where their pieces meet.
         together = numpy.unique(numpy.vstack([first, second]), axis=0)
         skdtesting.assert_same(together, numpy.unique(whole, axis=0))
+    # Cells are on one process each: together they are those that one finds, each once.
+    for whole, first, second in zip(all_centres_found(), *(part[count:] for part in parts)):
+        assert min(len(first), len(second)) > 0
+        together = numpy.vstack([first, second])
+        skdtesting.assert_same(
+            together[numpy.lexsort(together.T)], whole[numpy.lexsort(whole.T)])

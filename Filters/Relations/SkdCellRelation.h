@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCellRelation.h
+ * @brief Whether a cell itself, not only its box, has a relation to a shape; their distances.
+ *
+ * To balls, points among them, cells are what they are to vtkSkdTreeCellLocator; to all else what
+ * SkdCellTree::GetSimplices() makes of them.
+ */
+
+#ifndef SkdCellRelation_h
+#define SkdCellRelation_h
+
+#include "Relations/SkdCellOutline.h"
+#include "Relations/SkdQueryShape.h"
+
+#include <optional>
+
+struct SkdDistances
+{
+  double Min;
+  double Max;
+};
+
+struct SkdRelationRules
+{
+  SkdRelation Relation = SkdRelation::Overlap;
+  SkdSharedPart SharedPart = SkdSharedPart::Point; ///< of neighbours of cells
+  double Tolerance = 0.0;                          ///< at least what rounding makes of coordinates
+};
+
+/// Of one shape, kept by the caller. Thread-safe.
+class SkdCellRelation
+{
+public:
+  SkdCellRelation(const SkdQueryShape& shape, const SkdRelationRules& rules)
+    : Shape(shape)
+    , Rules(rules)
+  {
+  }
+
+  /// The distances of the nearest and the farthest points of a cell and the shape (of a plane, the
+  /// cell's farthest from it) if they are related; of Nearest always. What is not more than the
+  /// tolerance is 0.
+  std::optional<SkdDistances> Ask(
+    const SkdCellTree& tree, std::uint32_t cell, const SkdCellSource& source) const;
+
+private:
+  struct Asked; // a cell
+
+  double MinDistance(const Asked& asked) const;
+  double MaxDistance(const Asked& asked) const;
+  bool IsRelated(const Asked& asked) const;
+  bool IsContained(const Asked& asked) const;
+  bool IsEnclosing(const Asked& asked) const;
+  bool Touches(const Asked& asked) const;
+  bool TouchesBall(const Asked& asked) const;
+
+  const SkdQueryShape& Shape;
+  SkdRelationRules Rules;
+};
+
+#endif

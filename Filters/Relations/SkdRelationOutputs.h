@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdRelationOutputs.h
+ * @brief The cells that a search has found as meshes, as a selection and as a table.
+ */
+
+#ifndef SkdRelationOutputs_h
+#define SkdRelationOutputs_h
+
+#include "Relations/SkdQueryList.h"
+#include "Relations/SkdSpatialSearch.h"
+
+class vtkSelection;
+class vtkTable;
+class vtkUnstructuredGrid;
+
+/// What there is to tell.
+struct SkdRelationAnswers
+{
+  const std::vector<SkdRelatedCell>& Pairs;
+  const SkdQueryList& Queries;
+  std::vector<int> BlockIndices; ///< one a part of the mesh
+  bool IsExact;
+  bool IsMeshComposite;
+  bool IsSourceComposite;
+};
+
+/// A cell that was found, once.
+struct SkdChosenCell
+{
+  vtkIdType CellId;
+  vtkIdType QueryCount; ///< by how many
+  double Distance;      ///< the least
+};
+
+/// By part and cell id; one list a part.
+std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
+  const std::vector<SkdRelatedCell>& pairs, std::size_t parts);
+
+/// The chosen cells of a mesh with all its data.
+void SkdExtractCells(
+  vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen, vtkUnstructuredGrid* output);
+
+/// A node a part that has chosen cells; `process` is -1 where there is only one.
+void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
+  const SkdRelationAnswers& answers, int process, vtkSelection* selection);
+
+void SkdFillPairs(const SkdRelationAnswers& answers, vtkTable* table);
+
+#endif

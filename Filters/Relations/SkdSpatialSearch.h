@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSpatialSearch.h
+ * @brief All cells of a mesh that have a relation to a shape, or to each of many.
+ */
+
+#ifndef SkdSpatialSearch_h
+#define SkdSpatialSearch_h
+
+#include "Pipeline/SkdLoop.h"
+#include "Refine/SkdParts.h"
+#include "Relations/SkdCellRelation.h"
+
+#include <functional>
+
+struct SkdSearchRules : SkdRelationRules
+{
+  bool IsExact = true;    ///< else the boxes decide: candidates
+  std::size_t Number = 1; ///< of nearest cells
+};
+
+/// A cell that is related to a shape.
+struct SkdRelatedCell
+{
+  vtkIdType Query;    ///< which shape
+  std::uint32_t Part; ///< of the mesh, and the cell there
+  vtkIdType CellId;
+  SkdDistances OfBoxes; ///< section 4's: optimistic and pessimistic
+  SkdDistances OfCells; ///< exact ones; NaN if boxes decided
+};
+
+class SkdSpatialSearch
+{
+public:
+  /// Both must outlive it.
+  SkdSpatialSearch(const SkdParts& mesh, const SkdSearchRules& rules);
+
+  using MakeShape = std::function<SkdQueryShape(vtkIdType query)>;
+
+  /// Of each of n shapes, one after the other, the related cells by (part, cell id), the nearest
+  /// first by distance. Nearest are `Number` cells of all parts together, ties to the lowest; if
+  /// boxes decide, all whose optimistic distance is not more than the Number-th least pessimistic
+  /// one (Algorithm 5.1), among them those cells. In parallel; the same whatever the number of
+  /// threads.
+  std::vector<SkdRelatedCell> Find(vtkIdType n, const MakeShape& make, vtkAlgorithm* owner) const;
+
+private:
+  struct Candidate; // a part and a cell
+  using Cells = std::vector<SkdRelatedCell>;
+
+  Cells FindOfOne(const SkdQueryShape& shape, vtkAlgorithm* owner) const;
+  Cells FindRelated(const SkdQueryShape& shape) const;
+  Cells FindNearest(const SkdQueryShape& shape) const;
+  Cells FindNearestToPoint(const SkdQueryShape& shape) const;
+  Cells FindNearestBoxes(const SkdQueryShape& shape) const;
+
+  std::vector<Candidate> FindCandidates(const SkdQueryShape& shape, double reach) const;
+  Cells MeasureNearest(const SkdQueryShape& shape, std::vector<Candidate>& candidates) const;
+  std::optional<SkdRelatedCell> Ask(const SkdQueryShape& shape, const Candidate& candidate) const;
+  SkdRelatedCell MakeCell(const SkdQueryShape& shape, const Candidate& candidate) const;
+  template <class Search>
+  Cells FindWidening(const SkdQueryShape& shape, const Search& search) const;
+
+  const SkdParts& Mesh;
+  const SkdSearchRules& Rules;
+  skd::Box3 Bounds;
+  std::size_t NumberOfCells = 0;
+};
+
+#endif

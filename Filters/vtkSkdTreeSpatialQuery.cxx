@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeSpatialQuery.h"
+
+#include "Cells/SkdLocatorState.h"
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "Refine/SkdParts.h"
+#include "Relations/SkdRelationOutputs.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkSelection.h"
+#include "vtkTable.h"
+#include "vtkTransform.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeSpatialQuery);
+
+class vtkSkdTreeSpatialQuery::Internals
+{
+public:
+  std::vector<SkdLeaf> Leaves; // of the input, those with cells
+  SkdParts Mesh;
+  SkdParts SourceCells; // if they are the queries
+  SkdQueryList Queries;
+  std::vector<SkdRelatedCell> Pairs;
+  int Built = 0;
+
+  /// Of a shape of its own.
+  static SkdQueryShape MakeShape(vtkSkdTreeSpatialQuery* self);
+
+  void FindPairs(const SkdSearchRules& rules, vtkAlgorithm* owner)
+  {
+    const SkdSpatialSearch search(this->Mesh, rules);
+    this->Pairs = search.Find(
+      this->Queries.GetSize(), [this](vtkIdType i) { return this->Queries.Make(i); }, owner);
+  }
+};
+
+namespace
+{
+std::vector<SkdLeaf> LeavesWithCells(vtkDataObject* object)
+{
+  std::vector<SkdLeaf> leaves = SkdLeavesOf(object);
+  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
+                 [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
+    leaves.end());
+  return leaves;
+}
+
+/// Bounds scaled, turned and moved, as vtkPVBox has it.
+SkdQueryShape BoxOf(const double bounds[6], const double position[3], const double rotation[3],
+  const double length[3])
+{
+  vtkNew<vtkTransform> turn;
+  turn->RotateZ(rotation[2]);
+  turn->RotateX(rotation[0]);
+  turn->RotateY(rotation[1]);
+  skd::Vector3 corner = SkdVector(position);
+  skd::Vector3 edges[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    skd::Vector3 along{ { 0.0, 0.0, 0.0 } };
+    along[axis] = length[axis];
+    turn->TransformVector(along.X, along.X);
+    corner = corner + bounds[2 * axis] * along;
+    edges[axis] = (bounds[2 * axis + 1] - bounds[2 * axis]) * along;
+  }
+  return SkdQueryShape::MakeBox(corner, edges);
+}
+
+/// Which of several processes this is, -1 if there is but one.
+int PieceOf(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const bool isOneOfMany = output->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
+    output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+  return isOneOfMany ? output->Get(Pipeline::UPDATE_PIECE_NUMBER()) : -1;
+}
+
+/// What extracts chosen cells: the meshes of the parts in turn.
+class Extraction
+{
+public:
+  Extraction(
+    const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<SkdChosenCell>>& chosen)
+    : Leaves(leaves)
+    , Chosen(chosen)
+  {
+  }
+
+  void Extract(vtkDataSet* mesh, vtkUnstructuredGrid* output)
+  {
+    const auto found = std::find_if(this->Leaves.begin(), this->Leaves.end(),
+      [mesh](const SkdLeaf& leaf) { return leaf.Mesh == mesh; });
+    const bool isPart = found != this->Leaves.end();
+    const auto part = static_cast<std::size_t>(found - this->Leaves.begin());
+    SkdExtractCells(mesh, isPart ? this->Chosen[part] : std::vector<SkdChosenCell>(), output);
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkDataSet* mesh)
+  {
+    auto output = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Extract(mesh, output);
+    return output;
+  }
+
+private:
+  const std::vector<SkdLeaf>& Leaves;
+  const std::vector<std::vector<SkdChosenCell>>& Chosen;
+};
+
+/// The input's structure, or where that can not hold unstructured grids its blocks one after the
+/// other.
+void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extraction)
+{
+  output->GetFieldData()->PassData(input->GetFieldData());
+  if (auto* mesh = vtkDataSet::SafeDownCast(input))
+  {
+    extraction.Extract(mesh, vtkUnstructuredGrid::SafeDownCast(output));
+    return;
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
+    for (const SkdLeaf& leaf : SkdLeavesOf(input))
+    {
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), extraction.Extract(leaf.Mesh));
+    }
+    return;
+  }
+  auto* target = vtkDataObjectTree::SafeDownCast(output);
+  target->CopyStructure(tree);
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (auto* mesh = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
+    {
+      target->SetDataSet(iterator, extraction.Extract(mesh));
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeSpatialQuery::vtkSkdTreeSpatialQuery()
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { LIKE_INPUT, VTK_SELECTION, VTK_TABLE })
+  , Impl(new Internals)
+{
+}
+
+vtkSkdTreeSpatialQuery::~vtkSkdTreeSpatialQuery() = default;
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeSpatialQuery::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  const int type = vtkDataSet::SafeDownCast(input) ? VTK_UNSTRUCTURED_GRID
+    : vtkDataObjectTree::SafeDownCast(input)       ? input->GetDataObjectType()
+                                                   : VTK_MULTIBLOCK_DATA_SET;
+  SkdProvideOutput(outputVector->GetInformationObject(0), type);
+  SkdProvideOutput(outputVector->GetInformationObject(1), VTK_SELECTION);
+  SkdProvideOutput(outputVector->GetInformationObject(2), VTK_TABLE);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeSpatialQuery::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  if (inputVector[1]->GetNumberOfInformationObjects() > 0)
+  {
+    SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+  }
+  if (this->Relation == NEAREST)
+  {
+    SkdAskForWhole(inputVector[0]->GetInformationObject(0));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* source)
+{
+  Internals& internals = *this->Impl;
+  internals.Leaves = LeavesWithCells(input);
+  internals.Built = internals.Mesh.Update(internals.Leaves, this->Epsilon);
+  const bool needsCells = source && this->Shape == SOURCE_CELLS;
+  const std::vector<SkdLeaf> sourceLeaves =
+    needsCells ? LeavesWithCells(source) : std::vector<SkdLeaf>();
+  internals.Built += internals.SourceCells.Update(sourceLeaves, this->Epsilon);
+}
+
+//------------------------------------------------------------------------------
+SkdQueryShape vtkSkdTreeSpatialQuery::Internals::MakeShape(vtkSkdTreeSpatialQuery* self)
+{
+  const double unit[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  switch (self->Shape)
+  {
+    case SPHERE:
+      return SkdQueryShape::MakeBall(SkdVector(self->SphereCenter), self->SphereRadius);
+    case PLANE:
+      return SkdQueryShape::MakePlane(SkdVector(self->PlaneOrigin), SkdVector(self->PlaneNormal));
+    case LINE:
+      return SkdQueryShape::MakeLine(SkdVector(self->LinePoint1), SkdVector(self->LinePoint2));
+    default:
+      return BoxOf(self->UseReferenceBounds ? self->ReferenceBounds : unit, self->BoxPosition,
+        self->BoxRotation, self->BoxLength);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
+{
+  SkdQueryList& queries = this->Impl->Queries;
+  if (this->Shape == SOURCE_POINTS || this->Shape == SOURCE_CELLS)
+  {
+    if (!source)
+    {
+      vtkErrorMacro("There is no Source, but Shape asks for its "
+        << (this->Shape == SOURCE_POINTS ? "points." : "cells."));
+      return false;
+    }
+    if (this->Shape == SOURCE_POINTS)
+    {
+      queries.SetPoints(SkdLeavesOf(source));
+    }
+    else
+    {
+      queries.SetCells(this->Impl->SourceCells, this->Relation == ADJACENCY);
+    }
+    return true;
+  }
+  const SkdQueryShape shape = Internals::MakeShape(this);
+  if (!shape.IsUsable())
+  {
+    vtkWarningMacro("The shape is not finite, or has a negative radius or no normal: nothing is "
+                    "found.");
+  }
+  queries.SetShape(shape);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Each process has found the nearest of all; together they give each once.
+void vtkSkdTreeSpatialQuery::KeepShare(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (this->Relation != NEAREST || PieceOf(output) < 0)
+  {
+    return;
+  }
+  std::vector<SkdRelatedCell>& pairs = this->Impl->Pairs;
+  const auto piece = static_cast<std::size_t>(PieceOf(output));
+  const auto pieces = static_cast<std::size_t>(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  const std::size_t first = pairs.size() * piece / pieces;
+  const std::size_t last = pairs.size() * (piece + 1) / pieces;
+  pairs = std::vector<SkdRelatedCell>(pairs.begin() + static_cast<std::ptrdiff_t>(first),
+    pairs.begin() + static_cast<std::ptrdiff_t>(last));
+}
+
+//------------------------------------------------------------------------------
+int vtkSkdTreeSpatialQuery::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  Internals& internals = *this->Impl;
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+  SkdStopwatch watch;
+  this->UpdateTrees(input, source);
+  const double buildSeconds = watch.Lap();
+
+  internals.Pairs.clear();
+  if (this->MakeQueries(source))
+  {
+    this->FindPairs();
+    this->KeepShare(outputVector->GetInformationObject(0));
+  }
+  const double querySeconds = watch.Lap();
+
+  this->FillOutputs(input, source, outputVector);
+  this->Report(vtkDataObject::GetData(outputVector, 0), buildSeconds, querySeconds);
+  internals.Leaves.clear();
+  internals.Queries = SkdQueryList();
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeSpatialQuery::FindPairs()
+{
+  SkdSearchRules rules;
+  rules.Relation = static_cast<SkdRelation>(this->Relation);
+  rules.SharedPart = static_cast<SkdSharedPart>(this->SharedPart);
+  rules.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : 0.0;
+  rules.IsExact = this->Exact;
+  rules.Number = static_cast<std::size_t>(this->NumberOfNearestCells);
+  this->Impl->FindPairs(rules, this);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeSpatialQuery::FillOutputs(
+  vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector)
+{
+  Internals& internals = *this->Impl;
+  const SkdRelationAnswers answers{ internals.Pairs, internals.Queries,
+    internals.Mesh.GetBlockIndices(), this->Exact,
+    vtkCompositeDataSet::SafeDownCast(input) != nullptr,
+    vtkCompositeDataSet::SafeDownCast(source) != nullptr };
+  const auto chosen = SkdChooseCells(internals.Pairs, internals.Leaves.size());
+  vtkIdType found = 0;
+  for (const std::vector<SkdChosenCell>& cells : chosen)
+  {
+    found += static_cast<vtkIdType>(cells.size());
+  }
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  Extraction extraction(internals.Leaves, chosen);
+  ExtractTo(output, input, extraction);
+  SkdFillSelection(chosen, answers, PieceOf(outputVector->GetInformationObject(1)),
+    vtkSelection::GetData(outputVector, 1));
+  SkdFillPairs(answers, vtkTable::GetData(outputVector, 2));
+  SkdReport(output).AddCount("CellsFound", found);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeSpatialQuery::Report(vtkDataObject* output, double buildSeconds, double querySeconds)
+{
+  const Internals& internals = *this->Impl;
+  const SkdTreeCounts counts = internals.Mesh.GetCounts();
+  SkdReport report(output);
+  report.AddCount("Queries", internals.Queries.GetSize());
+  report.AddCount("Pairs", static_cast<vtkIdType>(internals.Pairs.size()));
+  report.AddCount("Cells", counts.Cells);
+  report.AddCount("CellsLeftOut", counts.CellsLeftOut);
+  report.AddCount("TreesBuilt", internals.Built);
+  report.AddMeasure("Epsilon", counts.Tolerance);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("QuerySeconds", querySeconds);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeSpatialQuery::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double x[3])
+  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
+  os << indent << "Relation: " << this->Relation << "\n";
+  os << indent << "Shape: " << this->Shape << "\n";
+  os << indent << "Exact: " << (this->Exact ? "On\n" : "Off\n");
+  os << indent << "NumberOfNearestCells: " << this->NumberOfNearestCells << "\n";
+  os << indent << "SharedPart: " << this->SharedPart << "\n";
+  print("BoxPosition", this->BoxPosition);
+  print("BoxLength", this->BoxLength);
+  print("BoxRotation", this->BoxRotation);
+  os << indent << "UseReferenceBounds: " << (this->UseReferenceBounds ? "On\n" : "Off\n");
+  os << indent << "ReferenceBounds:";
+  for (const double bound : this->ReferenceBounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
+  print("SphereCenter", this->SphereCenter);
+  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
+  print("PlaneOrigin", this->PlaneOrigin);
+  print("PlaneNormal", this->PlaneNormal);
+  print("LinePoint1", this->LinePoint1);
+  print("LinePoint2", this->LinePoint2);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+}
+VTK_ABI_NAMESPACE_END
