@@ -21,6 +21,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeSpatialQuery);
@@ -282,7 +283,15 @@ int vtkSkdTreeSpatialQuery::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   SkdStopwatch watch;
-  this->UpdateTrees(input, source);
+  try
+  {
+    this->UpdateTrees(input, source);
+  }
+  catch (const std::length_error& error)
+  {
+    vtkErrorMacro("Input or Source cannot be searched: " << error.what());
+    return 1;
+  }
   const double buildSeconds = watch.Lap();
 
   internals.Pairs.clear();

@@ -39,7 +39,8 @@ SkdQueryShape SkdQueryShape::MakeBall(const skd::Vector3& centre, double radius)
   shape.TheKind = Kind::Ball;
   shape.Ball = { centre, radius };
   shape.Bounds = BoundsOf(shape.Ball);
-  shape.Usable = skd::IsFinite(centre) && std::isfinite(radius) && radius >= 0.0;
+  shape.Usable =
+    radius >= 0.0 && skd::IsFinite(shape.Bounds.Min) && skd::IsFinite(shape.Bounds.Max);
   shape.Largest = skd::LargestCoordinate(shape.Bounds);
   return shape;
 }
