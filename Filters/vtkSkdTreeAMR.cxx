@@ -7,20 +7,15 @@
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdBaseLattice.h"
-#include "Refine/SkdGridArrays.h"
 #include "Refine/SkdGridOutput.h"
 #include "Refine/SkdGridRefiner.h"
 #include "Refine/SkdGridReport.h"
 #include "Refine/SkdRefineState.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOverlappingAMR.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -103,40 +98,6 @@ SkdGridQuestions AskedBy(vtkSkdTreeAMR* self)
   questions.Distances = self->GetComputeDistance();
   questions.Epsilon = self->GetEpsilon();
   return questions;
-}
-
-void AddArrays(const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts,
-  const std::vector<SkdGridCell>& cells, vtkDataObject* output)
-{
-  vtkDataSetAttributes* data = output->GetAttributes(vtkDataObject::CELL);
-  for (const auto& array : SkdGridArrays::Make(grid, extras, parts.GetBlockIndices(), cells))
-  {
-    data->AddArray(array);
-  }
-  data->SetActiveScalars(SkdGridArrays::LevelName);
-}
-
-void FillOutput(const SkdGrid& grid, const SkdGridExtras& extras, const SkdParts& parts,
-  bool isConforming, vtkDataObject* output)
-{
-  if (auto trees = vtkHyperTreeGrid::SafeDownCast(output))
-  {
-    AddArrays(grid, extras, parts, SkdMakeHyperTreeGrid(grid, trees), trees);
-  }
-  else if (auto leaves = vtkUnstructuredGrid::SafeDownCast(output))
-  {
-    const bool conforms = isConforming && grid.Lattice.Dimension() == 2;
-    AddArrays(grid, extras, parts,
-      conforms ? SkdMakeConformingGrid(grid, leaves) : SkdMakeUnstructuredGrid(grid, leaves),
-      leaves);
-  }
-  else if (auto blocks = vtkOverlappingAMR::SafeDownCast(output))
-  {
-    for (const SkdGridBlock& block : SkdMakeOverlappingAMR(grid, blocks))
-    {
-      AddArrays(grid, extras, parts, block.Cells, block.Grid);
-    }
-  }
 }
 
 std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const SkdParts& parts)
@@ -277,7 +238,7 @@ int vtkSkdTreeAMR::RequestData(
     SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Boundary, this, 0.6, 0.9);
   const double refineSeconds = watch.Lap();
 
-  FillOutput(*grid, extras, state.Parts, this->Conforming, output);
+  SkdFillGridOutput(*grid, extras, state.Parts.GetBlockIndices(), this->Conforming, output);
   SkdReport report(output);
   SkdReportGrid(report, *grid, this->MaximumLevel);
   state.Report(report);

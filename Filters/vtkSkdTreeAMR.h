@@ -26,7 +26,7 @@
  * refined) as voxels, pixels or lines, in which the point array SkdHanging (unsigned char) is 1 at
  * points that are not corners of all the cells that they are on; or vtkOverlappingAMR, whose first
  * level is one block of the base cells and each other level blocks of the children of refined
- * cells, joined to bricks; refined cells are marked in vtkGhostType.
+ * cells, joined to larger ones; refined cells are marked in vtkGhostType.
  *
  * Cell arrays:
  * | name              | type   | meaning                                                        |

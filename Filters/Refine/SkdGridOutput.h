@@ -8,12 +8,13 @@
 #ifndef SkdGridOutput_h
 #define SkdGridOutput_h
 
-#include "Refine/SkdGrid.h"
+#include "Refine/SkdGridExtras.h"
 #include "vtkSmartPointer.h"
 #include "vtkUniformGrid.h"
 
 #include <vector>
 
+class vtkDataObject;
 class vtkHyperTreeGrid;
 class vtkOverlappingAMR;
 class vtkUnstructuredGrid;
@@ -42,9 +43,14 @@ struct SkdGridBlock
 bool SkdIsUniform(const skd::Lattice& lattice);
 
 /// Gives the AMR data set one block of all base cells, and below these blocks of the children of
-/// refined cells, as large as they come by joining families (see skd::MakeBricks). Cells that are
+/// refined cells, joined where they fit (see skd::JoinPlaces). Cells that are
 /// refined are marked as VTK marks them (vtkDataSetAttributes::REFINEDCELL). Returns the blocks
 /// with their cells: of several processes, each has every so-manieth block.
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output);
+
+/// The grid as whatever the output is of the types above, with the arrays of its cells.
+/// `blockIndices` has that of each part.
+void SkdFillGridOutput(const SkdGrid& grid, const SkdGridExtras& extras,
+  const std::vector<int>& blockIndices, bool isConforming, vtkDataObject* output);
 
 #endif

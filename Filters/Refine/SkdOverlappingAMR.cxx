@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridOutput.h"
 
-#include "Core/Grid/Bricks.h"
+#include "Core/Grid/PlaceBlocks.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkAMRBox.h"
 #include "vtkCellData.h"
@@ -36,7 +36,7 @@ skd::Vector3 SpacingOf(const skd::Lattice& lattice, int level)
   return spacing;
 }
 
-std::vector<skd::Brick> BricksOf(const SkdGrid& grid, int level)
+std::vector<skd::PlaceBlock> BlocksOf(const SkdGrid& grid, int level)
 {
   if (level == 0)
   {
@@ -51,40 +51,40 @@ std::vector<skd::Brick> BricksOf(const SkdGrid& grid, int level)
   {
     parents.push_back(grid.Forest.PlaceOf(level - 1, grid.Forest.Parent(level, cell)));
   }
-  std::vector<skd::Brick> bricks = skd::MakeBricks(parents);
-  for (skd::Brick& brick : bricks)
+  std::vector<skd::PlaceBlock> ranges = skd::JoinPlaces(parents);
+  for (skd::PlaceBlock& range : ranges)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      brick.Low[axis] *= grid.Lattice.GetBranch()[axis];
-      brick.High[axis] *= grid.Lattice.GetBranch()[axis];
+      range.Low[axis] *= grid.Lattice.GetBranch()[axis];
+      range.High[axis] *= grid.Lattice.GetBranch()[axis];
     }
   }
-  return bricks;
+  return ranges;
 }
 
-vtkAMRBox BoxOf(const skd::Brick& brick, const skd::Lattice& lattice)
+vtkAMRBox BoxOf(const skd::PlaceBlock& range, const skd::Lattice& lattice)
 {
   int low[3];
   int high[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    low[axis] = static_cast<int>(brick.Low[axis]);
-    high[axis] = static_cast<int>(brick.High[axis]) - (lattice.IsFlat(axis) ? 2 : 1);
+    low[axis] = static_cast<int>(range.Low[axis]);
+    high[axis] = static_cast<int>(range.High[axis]) - (lattice.IsFlat(axis) ? 2 : 1);
   }
   return vtkAMRBox(low, high); // along an axis without cells, high is low - 1
 }
 
-std::vector<SkdGridCell> CellsOf(const skd::Brick& brick, const SkdGrid& grid, int level)
+std::vector<SkdGridCell> CellsOf(const skd::PlaceBlock& range, const SkdGrid& grid, int level)
 {
   std::vector<SkdGridCell> cells;
-  cells.reserve(static_cast<std::size_t>(brick.NumberOfPlaces()));
+  cells.reserve(static_cast<std::size_t>(range.NumberOfPlaces()));
   skd::Place place;
-  for (place[2] = brick.Low[2]; place[2] < brick.High[2]; ++place[2])
+  for (place[2] = range.Low[2]; place[2] < range.High[2]; ++place[2])
   {
-    for (place[1] = brick.Low[1]; place[1] < brick.High[1]; ++place[1])
+    for (place[1] = range.Low[1]; place[1] < range.High[1]; ++place[1])
     {
-      for (place[0] = brick.Low[0]; place[0] < brick.High[0]; ++place[0])
+      for (place[0] = range.Low[0]; place[0] < range.High[0]; ++place[0])
       {
         cells.push_back({ level, grid.Forest.Find(level, place).Index });
       }
@@ -107,29 +107,29 @@ void MarkRefined(const SkdGridBlock& block, const SkdGrid& grid)
 }
 
 vtkSmartPointer<vtkUniformGrid> MakeMesh(
-  const skd::Brick& brick, const skd::Lattice& lattice, int level)
+  const skd::PlaceBlock& range, const skd::Lattice& lattice, int level)
 {
   int dimensions[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::int64_t cells = lattice.IsFlat(axis) ? 0 : brick.High[axis] - brick.Low[axis];
+    const std::int64_t cells = lattice.IsFlat(axis) ? 0 : range.High[axis] - range.Low[axis];
     dimensions[axis] = static_cast<int>(cells) + 1;
   }
   auto mesh = vtkSmartPointer<vtkUniformGrid>::New();
-  mesh->SetOrigin(lattice.PointOf(level, brick.Low).X);
+  mesh->SetOrigin(lattice.PointOf(level, range.Low).X);
   mesh->SetSpacing(SpacingOf(lattice, level).X);
   mesh->SetDimensions(dimensions);
   return mesh;
 }
 
-SkdGridBlock MakeBlock(const skd::Brick& brick, const SkdGrid& grid, int level)
+SkdGridBlock MakeBlock(const skd::PlaceBlock& range, const SkdGrid& grid, int level)
 {
-  SkdGridBlock block{ MakeMesh(brick, grid.Lattice, level), CellsOf(brick, grid, level) };
+  SkdGridBlock block{ MakeMesh(range, grid.Lattice, level), CellsOf(range, grid, level) };
   MarkRefined(block, grid);
   return block;
 }
 
-void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::Brick>>& bricks,
+void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::PlaceBlock>>& ranges,
   vtkOverlappingAMR* output)
 {
 #if VTK_SKD_AMR_TAKES_VECTOR
@@ -137,7 +137,7 @@ void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::Brick>>& 
 #else
   std::vector<int> blocks;
 #endif
-  for (const auto& level : bricks)
+  for (const auto& level : ranges)
   {
     blocks.push_back(static_cast<decltype(blocks)::value_type>(level.size()));
   }
@@ -146,10 +146,10 @@ void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::Brick>>& 
 #else
   output->Initialize(static_cast<int>(blocks.size()), blocks.data());
 #endif
-  output->SetGridDescription(MakeMesh(bricks[0][0], grid.Lattice, 0)->GetGridDescription());
+  output->SetGridDescription(MakeMesh(ranges[0][0], grid.Lattice, 0)->GetGridDescription());
   const auto& branch = grid.Lattice.GetBranch();
   output->SetOrigin(grid.Lattice.PointOf(0, { 0, 0, 0 }).X);
-  for (unsigned int level = 0; level < bricks.size(); ++level)
+  for (unsigned int level = 0; level < ranges.size(); ++level)
   {
     output->SetSpacing(level, SpacingOf(grid.Lattice, static_cast<int>(level)).X);
     output->SetRefinementRatio(level, *std::max_element(branch.begin(), branch.end()));
@@ -179,23 +179,23 @@ bool SkdIsUniform(const skd::Lattice& lattice)
 
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output)
 {
-  std::vector<std::vector<skd::Brick>> bricks;
+  std::vector<std::vector<skd::PlaceBlock>> ranges;
   for (int level = 0; level < grid.Forest.NumberOfLevels(); ++level)
   {
-    bricks.push_back(BricksOf(grid, level));
+    ranges.push_back(BlocksOf(grid, level));
   }
-  SetLevels(grid, bricks, output);
+  SetLevels(grid, ranges, output);
   std::vector<SkdGridBlock> blocks;
   int number = 0;
-  for (unsigned int level = 0; level < bricks.size(); ++level)
+  for (unsigned int level = 0; level < ranges.size(); ++level)
   {
-    for (unsigned int i = 0; i < bricks[level].size(); ++i)
+    for (unsigned int i = 0; i < ranges[level].size(); ++i)
     {
-      const skd::Brick& brick = bricks[level][i];
-      output->SetAMRBox(level, i, BoxOf(brick, grid.Lattice));
+      const skd::PlaceBlock& range = ranges[level][i];
+      output->SetAMRBox(level, i, BoxOf(range, grid.Lattice));
       if (number++ % grid.Pieces == grid.Piece)
       {
-        blocks.push_back(MakeBlock(brick, grid, static_cast<int>(level)));
+        blocks.push_back(MakeBlock(range, grid, static_cast<int>(level)));
         output->SetDataSet(level, i, blocks.back().Grid);
       }
     }
