@@ -3,18 +3,14 @@
 #include "Relations/SkdRelationOutputs.h"
 
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdSubset.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtractCells.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkTable.h"
@@ -35,29 +31,6 @@ void AddColumn(vtkTable* table, const char* name, vtkIdType n, const Value& valu
     array->SetValue(i, value(i));
   }
   table->AddColumn(array);
-}
-
-/// vtkExtractCells rounds the points of structured data to single precision: these are exact.
-void RestorePoints(
-  vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen, vtkUnstructuredGrid* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(output->GetNumberOfPoints());
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> to;
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-  {
-    mesh->GetCellPoints(chosen[i].CellId, from);
-    output->GetCellPoints(static_cast<vtkIdType>(i), to);
-    for (vtkIdType k = 0; k < to->GetNumberOfIds(); ++k)
-    {
-      double x[3];
-      mesh->GetPoint(from->GetId(k), x);
-      points->SetPoint(to->GetId(k), x);
-    }
-  }
-  output->SetPoints(points);
 }
 
 vtkSmartPointer<vtkIdTypeArray> IdsOf(const std::vector<SkdChosenCell>& chosen)
@@ -106,22 +79,15 @@ std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
 void SkdExtractCells(
   vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen, vtkUnstructuredGrid* output)
 {
-  const auto n = static_cast<vtkIdType>(chosen.size());
-  const auto ids = IdsOf(chosen);
-  if (n > 0)
+  SkdSubset subset(mesh);
+  for (const SkdChosenCell& cell : chosen)
   {
-    vtkNew<vtkExtractCells> extract;
-    extract->SetInputData(mesh);
-    extract->SetCellIds(ids->GetPointer(0), n);
-    extract->AssumeSortedAndUniqueIdsOn();
-    extract->Update();
-    output->ShallowCopy(extract->GetOutput());
-    if (!vtkPointSet::SafeDownCast(mesh))
-    {
-      RestorePoints(mesh, chosen, output);
-    }
+    subset.AddCell(cell.CellId);
   }
+  subset.CopyData();
+  output->ShallowCopy(subset.Get());
   output->GetFieldData()->PassData(mesh->GetFieldData());
+  const auto n = static_cast<vtkIdType>(chosen.size());
   const auto counts = SkdMakeArray<vtkIdTypeArray>("SkdQueryCount", 1, n);
   const auto distances = SkdMakeArray<vtkDoubleArray>("SkdDistance", 1, n);
   for (vtkIdType i = 0; i < n; ++i)
@@ -131,11 +97,7 @@ void SkdExtractCells(
     distances->SetValue(i, cell.Distance);
   }
   vtkCellData* data = output->GetCellData();
-  if (!mesh->GetCellData()->HasArray("vtkOriginalCellIds"))
-  {
-    data->RemoveArray("vtkOriginalCellIds"); // of vtkExtractCells
-  }
-  data->AddArray(ids);
+  data->AddArray(IdsOf(chosen));
   data->AddArray(counts);
   data->AddArray(distances);
 }
