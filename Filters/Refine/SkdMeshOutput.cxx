@@ -321,6 +321,10 @@ void BlockWriter::WriteCellData(vtkCellData* target) const
   target->AddArray(parents);
   target->AddArray(levels);
   CopyActive(source, target);
+  if (!target->GetScalars())
+  {
+    target->SetActiveScalars(SkdMeshArrays::LevelName);
+  }
 }
 }
 
