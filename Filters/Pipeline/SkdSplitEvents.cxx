@@ -71,10 +71,10 @@ private:
     for (int i = 0; i < 2; ++i)
     {
       const int axis = (this->Axis + 1 + i) % 3;
-      const auto [least, most] =
-        std::minmax(this->Points.GetPosition(a)[axis], this->Points.GetPosition(b)[axis]);
-      piece.Min[i] = least - margin;
-      piece.Max[i] = most + margin;
+      const double atA = this->Points.GetPosition(a)[axis];
+      const double atB = this->Points.GetPosition(b)[axis];
+      piece.Min[i] = std::min(atA, atB) - margin;
+      piece.Max[i] = std::max(atA, atB) + margin;
     }
     this->Pieces.push_back(piece);
   }
