@@ -13,8 +13,6 @@
 
 namespace
 {
-using Triangle = skd::WindingNumber::Triangle;
-
 /// Of `yes` among `asked` votes.
 SkdSide Counted(int yes, int asked)
 {
@@ -42,18 +40,6 @@ SkdSide Elect(int count, const Vote& vote)
 }
 }
 
-struct SkdPart::Winding
-{
-  skd::Tree<3> Tree;
-  skd::WindingNumber Number;
-
-  Winding(const std::vector<skd::Box3>& boxes, const std::vector<Triangle>& triangles)
-    : Tree(skd::MakeTreeInput(boxes, 0.0))
-    , Number(this->Tree, triangles)
-  {
-  }
-};
-
 SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings)
   : Id(id)
   , Boundary(SkdBoundaryOf(leaves))
@@ -71,47 +57,23 @@ SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettin
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
   if (settings.Method == SkdInsideMethod::WindingNumber)
   {
-    this->MakeWinding(settings.RepairsOrientation);
+    vtkPolyData* walls = this->Boundary.Walls;
+    this->Winding = std::make_unique<SkdWinding>(
+      walls, settings.RepairsOrientation ? this->FindTurned(walls) : std::vector<bool>());
   }
   if (settings.Method == SkdInsideMethod::NearestFeature)
   {
-    this->Normals = std::make_unique<SkdFeatureNormals>(this->Boundary.Faces,
-      settings.RepairsOrientation ? this->FindTurned(this->Boundary.Faces) : std::vector<bool>());
+    vtkPolyData* faces = this->Boundary.Faces;
+    this->Normals = std::make_unique<SkdFeatureNormals>(
+      faces, settings.RepairsOrientation ? this->FindTurned(faces) : std::vector<bool>());
   }
 }
-
-SkdPart::~SkdPart() = default;
-SkdPart::SkdPart(SkdPart&&) noexcept = default;
-SkdPart& SkdPart::operator=(SkdPart&&) noexcept = default;
 
 std::vector<bool> SkdPart::FindTurned(vtkPolyData* surface) const
 {
   return SkdFindTurned(SkdPointsOf(surface), SkdTrianglesOf(surface),
     [this](const skd::Vector3& x)
     { return this->BoundsHold(x.X) && this->VoteAlongAxes(x.X).IsInside; });
-}
-
-// Of the walls: the equal faces of bodies that touch have solid angles that cancel only if they are
-// turned against each other.
-void SkdPart::MakeWinding(bool repairsOrientation)
-{
-  vtkPolyData* walls = this->Boundary.Walls;
-  const std::vector<bool> isTurned =
-    repairsOrientation ? this->FindTurned(walls) : std::vector<bool>();
-  const std::vector<skd::Vector3> points = SkdPointsOf(walls);
-  std::vector<Triangle> triangles;
-  std::vector<skd::Box3> boxes;
-  for (const SkdTriangleIds& ids : SkdTrianglesOf(walls))
-  {
-    const bool turns = repairsOrientation && isTurned[triangles.size()];
-    triangles.push_back({ points[ids[0]], points[ids[turns ? 2 : 1]], points[ids[turns ? 1 : 2]] });
-    skd::Box3& box = boxes.emplace_back();
-    for (const skd::Vector3& corner : triangles.back())
-    {
-      box.Add(corner);
-    }
-  }
-  this->TheWinding = std::make_unique<Winding>(boxes, triangles);
 }
 
 bool SkdPart::BoundsHold(const double x[3]) const
@@ -197,7 +159,7 @@ SkdSide SkdPart::VoteAtRandom(
 
 double SkdPart::GetWindingNumber(const double x[3]) const
 {
-  return this->TheWinding ? this->TheWinding->Number.At({ { x[0], x[1], x[2] } }) : 0.0;
+  return this->Winding ? this->Winding->At(x) : 0.0;
 }
 
 SkdSide SkdPart::AskWinding(const double x[3]) const

@@ -9,10 +9,10 @@
 #define SkdPart_h
 
 #include "Core/Geometry/Vector.h"
-#include "Core/Queries/WindingNumber.h"
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdFeatureNormals.h"
 #include "Pipeline/SkdWaysOut.h"
+#include "Pipeline/SkdWinding.h"
 #include "vtkSkdTreeCellLocator.h"
 
 #include <memory>
@@ -61,9 +61,6 @@ public:
   /// The body that the leaves enclose together; `id` is what it is called. Triangles, their trees,
   /// and what the method needs besides.
   SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings);
-  ~SkdPart();
-  SkdPart(SkdPart&&) noexcept;
-  SkdPart& operator=(SkdPart&&) noexcept;
 
   int GetId() const { return this->Id; }
   vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
@@ -94,10 +91,7 @@ public:
   bool IsNear(const double x[3], double distance) const;
 
 private:
-  struct Winding; // a tree of its own, and the sums in it
-
   std::vector<bool> FindTurned(vtkPolyData* surface) const;
-  void MakeWinding(bool repairsOrientation);
   bool IsOdd(const double x[3], const SkdWayOut& way) const;
   SkdSide VoteAlongAxes(const double x[3]) const;
   SkdSide VoteAtRandom(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
@@ -110,9 +104,8 @@ private:
   vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Diagonal = 0.0;
-  std::unique_ptr<Winding> TheWinding;
-
-  std::unique_ptr<SkdFeatureNormals> Normals; // of Faces
+  std::unique_ptr<SkdWinding> Winding;        // of Walls, or nullptr
+  std::unique_ptr<SkdFeatureNormals> Normals; // of Faces, or nullptr
 };
 
 #endif

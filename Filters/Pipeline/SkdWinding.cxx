@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdWinding.h"
+
+#include "Pipeline/SkdFeatureNormals.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace
+{
+using Triangle = skd::WindingNumber::Triangle;
+
+std::vector<Triangle> CornersOf(vtkPolyData* surface, const std::vector<bool>& isTurned)
+{
+  const std::vector<skd::Vector3> points = SkdPointsOf(surface);
+  std::vector<Triangle> triangles;
+  for (const SkdTriangleIds& ids : SkdTrianglesOf(surface))
+  {
+    const bool turns = !isTurned.empty() && isTurned[triangles.size()];
+    triangles.push_back({ points[ids[0]], points[ids[turns ? 2 : 1]], points[ids[turns ? 1 : 2]] });
+  }
+  return triangles;
+}
+
+skd::Tree<3> TreeOf(const std::vector<Triangle>& triangles)
+{
+  std::vector<skd::Box3> boxes(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    for (const skd::Vector3& corner : triangles[i])
+    {
+      boxes[i].Add(corner);
+    }
+  }
+  return skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0));
+}
+}
+
+SkdWinding::SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isTurned)
+  : SkdWinding(CornersOf(triangles, isTurned))
+{
+}
+
+SkdWinding::SkdWinding(const std::vector<Triangle>& triangles)
+  : Tree(TreeOf(triangles))
+  , Number(this->Tree, triangles)
+{
+}
+
+double SkdWinding::At(const double x[3]) const
+{
+  const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  return isFinite ? this->Number.At({ { x[0], x[1], x[2] } }) : vtkMath::Nan();
+}
+
+bool SkdWinding::IsInside(const double x[3]) const
+{
+  return std::abs(this->At(x)) >= 0.5;
+}
