@@ -6,35 +6,47 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace
 {
 constexpr double HalfTurn = 3.14159265358979323846;
 
-/// The unit normals of a bent surface, seen twice: once for their mean, once for what is farthest
-/// from it.
+/// The unit normals of a bent surface, and how far they turn from their mean.
 class Bend
 {
 public:
-  void Add(const skd::Vector3& normal) { this->Sum = this->Sum + normal; }
-  void AddWhatIsNoSurface() { this->IsSurface = false; }
-
-  void Compare(const skd::Vector3& normal)
+  explicit Bend(std::vector<skd::Vector3>& memory)
+    : Normals(memory)
   {
-    this->LeastCosine = std::min(this->LeastCosine, skd::Dot(normal, this->Sum));
+    memory.clear();
   }
 
-  bool HasMean() const { return this->IsSurface && skd::Norm(this->Sum) > 0.0; }
+  void Add(const skd::Vector3& normal)
+  {
+    this->Normals.push_back(normal);
+    this->Sum = this->Sum + normal;
+  }
+
+  /// The largest angle to the mean; half a turn where there is no mean.
   double Angle() const
   {
-    return std::acos(std::clamp(this->LeastCosine / skd::Norm(this->Sum), -1.0, 1.0));
+    const double length = skd::Norm(this->Sum);
+    if (!(length > 0.0))
+    {
+      return HalfTurn;
+    }
+    double least = length;
+    for (const skd::Vector3& normal : this->Normals)
+    {
+      least = std::min(least, skd::Dot(normal, this->Sum));
+    }
+    return std::acos(std::max(least / length, -1.0));
   }
 
 private:
+  std::vector<skd::Vector3>& Normals;
   skd::Vector3 Sum{ { 0.0, 0.0, 0.0 } };
-  double LeastCosine = std::numeric_limits<double>::infinity();
-  bool IsSurface = true;
 };
 
 /// Calls visit(unit normal); not for a polygon so thin that rounding may have turned it.
@@ -87,33 +99,21 @@ void VisitNormals(const SkdCellStore& store, std::uint32_t cell, Visit visit)
 double SkdCellTree::FindBend(
   const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const
 {
-  Bend bend;
-  const auto forMet = [&](const auto& body)
-  {
-    this->VisitListed(above, box,
-      [&](std::uint32_t cell)
-      {
-        if (this->IsMet(cell, box, test))
-        {
-          body(cell);
-        }
-      });
-  };
-  forMet(
+  thread_local std::vector<skd::Vector3> memory; // asked of every box of a grid
+  Bend bend(memory);
+  bool isSurface = true;
+  this->VisitListed(above, box,
     [&](std::uint32_t cell)
     {
-      if (!IsFlatSurface(this->Store.ShapeOf(cell)))
+      if (!isSurface || !this->IsMet(cell, box, test))
       {
-        bend.AddWhatIsNoSurface();
         return;
       }
-      VisitNormals(this->Store, cell, [&](const skd::Vector3& normal) { bend.Add(normal); });
+      isSurface = IsFlatSurface(this->Store.ShapeOf(cell));
+      if (isSurface)
+      {
+        VisitNormals(this->Store, cell, [&](const skd::Vector3& normal) { bend.Add(normal); });
+      }
     });
-  if (!bend.HasMean())
-  {
-    return HalfTurn;
-  }
-  forMet([&](std::uint32_t cell)
-    { VisitNormals(this->Store, cell, [&](const skd::Vector3& n) { bend.Compare(n); }); });
-  return bend.Angle();
+  return isSurface ? bend.Angle() : HalfTurn;
 }
