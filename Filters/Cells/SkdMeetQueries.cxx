@@ -4,7 +4,7 @@
 
 #include "Cells/SkdFaceTriangles.h"
 #include "Core/Geometry/BoxOverlap.h"
-#include "Core/Geometry/Ears.h"
+#include "Core/Geometry/EarClipping.h"
 
 #include <algorithm>
 
@@ -61,11 +61,8 @@ void AddPieces(Pieces& pieces, const skd::Vector3* p, SkdVoxelKernel)
 
 void AddPolygon(Pieces& pieces, const skd::Vector3* p, int size)
 {
-  const std::vector<std::uint32_t> triangles = skd::CutIntoTriangles({ p, p + size });
-  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
-  {
-    pieces.push_back(skd::Piece::Of(p[triangles[i]], p[triangles[i + 1]], p[triangles[i + 2]]));
-  }
+  skd::EarClipping<const skd::Vector3*>(p, size).ForEachTriangle(
+    [&](int a, int b, int c) { pieces.push_back(skd::Piece::Of(p[a], p[b], p[c])); });
 }
 
 void AddFaces(Pieces& pieces, const SkdPolyCell& cell)

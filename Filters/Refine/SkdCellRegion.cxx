@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdCellRegion.h"
 
+#include "Core/Geometry/EarClipping.h"
 #include "Core/Geometry/Ears.h"
 
 #include <algorithm>
@@ -44,11 +45,9 @@ void SkdCellRegion::AddPieces(const skd::RefinedMesh& mesh, std::uint32_t cell)
   }
   else if (!this->IsVolume)
   {
-    const std::vector<std::uint32_t> ears = skd::CutIntoTriangles(p);
-    for (std::size_t i = 0; i + 2 < ears.size(); i += 3)
-    {
-      this->Pieces.push_back(skd::Piece::Of(p[ears[i]], p[ears[i + 1]], p[ears[i + 2]]));
-    }
+    skd::EarClipping<std::vector<skd::Vector3>>(p, static_cast<int>(p.size()))
+      .ForEachTriangle(
+        [&](int a, int b, int c) { this->Pieces.push_back(skd::Piece::Of(p[a], p[b], p[c])); });
   }
   skd::ForEachFace(mesh[cell].Kind, mesh.NodesOf(cell).First,
     [&](const skd::FaceNodes& f)
@@ -96,7 +95,7 @@ bool SkdCellRegion::IsBeside(const skd::Vector3& x, const skd::Piece& piece) con
       (nearest.Dist2 <= this->SampleReach * this->SampleReach && nearest.R > 0.0 &&
         nearest.R < 1.0);
   }
-  const skd::Vector3 normal = skd::DirectionAcross({ p[0], p[1], p[2] });
+  const skd::Vector3 normal = skd::DirectionAcross(p.data(), 3);
   const double height = skd::Dot(normal, x - p[0]);
   bool isAbove = height * height <= this->SampleReach * this->SampleReach * skd::Norm2(normal);
   for (int i = 0; i < 3; ++i)

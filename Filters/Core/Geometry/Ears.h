@@ -13,24 +13,25 @@
 namespace skd
 {
 
-/// A vector across a polygon, its largest component 1; 0 of a polygon of no area.
-inline Vector3 DirectionAcross(const std::vector<Vector3>& p)
+/// A vector across a polygon of `size` corners, its largest component 1; 0 of one of no area.
+inline Vector3 DirectionAcross(const Vector3* p, std::size_t size)
 {
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
-  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+  for (std::size_t i = 1; i + 1 < size; ++i)
   {
     sum = sum + Cross(p[i] - p[0], p[i + 1] - p[0]);
   }
-  const double size = std::max({ std::abs(sum[0]), std::abs(sum[1]), std::abs(sum[2]) });
-  return size > 0.0 ? (1.0 / size) * sum : sum;
+  const double largest = std::max({ std::abs(sum[0]), std::abs(sum[1]), std::abs(sum[2]) });
+  return largest > 0.0 ? (1.0 / largest) * sum : sum;
 }
 
-/// Cuts a polygon into triangles between its corners, three numbers a triangle: of all ears,
-/// corners that can be cut off, the one with the shortest cut goes first. Empty if there comes a
+/// Cuts a polygon into well-shaped triangles between its corners, three numbers a triangle: of all
+/// ears, corners that can be cut off, the one with the shortest cut goes first. Where any triangles
+/// will do, EarClipping.h is cheaper and exact. Empty if there comes a
 /// time when there is none, as with a polygon that crosses itself. O(n^3) for n corners.
 inline std::vector<std::uint32_t> CutOffEars(const std::vector<Vector3>& polygon)
 {
-  const Vector3 normal = DirectionAcross(polygon);
+  const Vector3 normal = DirectionAcross(polygon.data(), polygon.size());
   std::vector<std::uint32_t> ring(polygon.size());
   for (std::uint32_t i = 0; i < ring.size(); ++i)
   {
@@ -72,17 +73,6 @@ inline std::vector<std::uint32_t> CutOffEars(const std::vector<Vector3>& polygon
       { ring[best == 0 ? ring.size() - 1 : best - 1], ring[best],
         ring[best + 1 == ring.size() ? 0 : best + 1] });
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
-  }
-  return triangles;
-}
-
-/// The same; a polygon without ears is cut into a fan, whatever comes of it.
-inline std::vector<std::uint32_t> CutIntoTriangles(const std::vector<Vector3>& polygon)
-{
-  std::vector<std::uint32_t> triangles = CutOffEars(polygon);
-  for (std::uint32_t i = 2; triangles.size() < 3 * (i - 1) && i < polygon.size(); ++i)
-  {
-    triangles.insert(triangles.end(), { 0, i - 1, i });
   }
   return triangles;
 }

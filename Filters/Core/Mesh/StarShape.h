@@ -49,7 +49,7 @@ inline std::vector<Vector3> FlatPointsOf(const RefinedMesh& mesh, std::uint32_t 
 inline bool IsStarShaped(const std::vector<Vector3>& polygon)
 {
   const Vector3 middle = detail::MeanOf(polygon);
-  const Vector3 normal = DirectionAcross(polygon);
+  const Vector3 normal = DirectionAcross(polygon.data(), polygon.size());
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
     const Vector3& next = polygon[i + 1 == polygon.size() ? 0 : i + 1];
