@@ -7,13 +7,13 @@
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdBaseLattice.h"
+#include "Refine/SkdGridEstimate.h"
 #include "Refine/SkdGridOutput.h"
-#include "Refine/SkdGridRefiner.h"
 #include "Refine/SkdGridReport.h"
 #include "Refine/SkdRefineState.h"
+#include "Refine/SkdTellSize.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -25,6 +25,9 @@ vtkStandardNewMacro(vtkSkdTreeAMR);
 
 namespace
 {
+constexpr int OutputVtkTypes[] = { VTK_HYPER_TREE_GRID, VTK_UNSTRUCTURED_GRID,
+  VTK_OVERLAPPING_AMR };
+
 SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const SkdParts& parts)
 {
   if (baseMesh)
@@ -64,7 +67,8 @@ bool IsAnyCut(const SkdGrid& grid)
   return std::count(cut.begin(), cut.end(), 1) > 0;
 }
 
-void WarnAbout(vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts)
+void WarnAbout(
+  vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts, const SkdGridEstimate& estimate)
 {
   if (parts.GetNumberOfParts() == 0)
   {
@@ -86,7 +90,8 @@ void WarnAbout(vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts)
       "Stopped at level " << grid.StoppedAtLevel << " of " << self->GetMaximumLevel()
                           << ": the grid has " << grid.Forest.NumberOfCells()
                           << " cells, refining on would make them " << grid.CellsWanted
-                          << ", more than CellLimit (" << self->GetCellLimit() << ").");
+                          << ", more than CellLimit (" << self->GetCellLimit() << "), and about "
+                          << estimate.Cells << " at the maximum level.");
   }
 }
 
@@ -131,12 +136,38 @@ SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self, const SkdRefineState& state)
   settings.Balance = static_cast<skd::Contact>(self->GetBalance());
   settings.Layers = self->GetGrowingLayers();
   settings.CellLimit = static_cast<std::uint64_t>(self->GetCellLimit());
-  if (self->GetRefineByBend())
-  {
-    settings.BendAngle = vtkMath::RadiansFromDegrees(self->GetBendAngle());
-    settings.FlatLevel = self->GetFlatLevel();
-  }
   return settings;
+}
+
+/// The number of trees that were built, if all can be searched.
+std::optional<int> UpdateTrees(
+  vtkSkdTreeAMR* self, SkdRefineState& state, vtkDataObject* parts, vtkDataObject* field)
+{
+  try
+  {
+    return state.Update(self, SkdLeavesOf(parts), field, AskedBy(self).NeedBoundary());
+  }
+  catch (const std::length_error& error)
+  {
+    vtkErrorWithObjectMacro(self, "Input cannot be searched: " << error.what());
+    return std::nullopt;
+  }
+}
+
+/// Says how much it is going to be, refines the grid, and says what went otherwise than one may
+/// expect.
+SkdGridEstimate Refine(vtkSkdTreeAMR* self, const SkdRefineState& state, SkdGrid& grid)
+{
+  SkdRefineSettings settings = MakeSettings(self, state);
+  settings.OwnOnly = !grid.OwnsAll() && self->GetBalance() == vtkSkdTreeAMR::NONE &&
+    self->GetGrowingLayers() == 0 && self->GetOutputType() != vtkSkdTreeAMR::OVERLAPPING_AMR;
+  const SkdGridEstimate estimate = SkdEstimateGrid(
+    grid, state.Parts, settings, AskedBy(self), OutputVtkTypes[self->GetOutputType()], self, 0.1);
+  SkdTellSize(self, estimate.Cells, estimate.Bytes, estimate.Seconds);
+  SkdGridRefiner(self, 0.1, 0.6, grid, state.Parts, settings).Refine();
+  self->SetProgressText(nullptr);
+  WarnAbout(self, grid, state.Parts, estimate);
+  return estimate;
 }
 }
 
@@ -175,8 +206,7 @@ int vtkSkdTreeAMR::FillInputPortInformation(int port, vtkInformation* info)
 int vtkSkdTreeAMR::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const int types[] = { VTK_HYPER_TREE_GRID, VTK_UNSTRUCTURED_GRID, VTK_OVERLAPPING_AMR };
-  SkdProvideOutput(outputVector->GetInformationObject(0), types[this->OutputType]);
+  SkdProvideOutput(outputVector->GetInformationObject(0), OutputVtkTypes[this->OutputType]);
   return 1;
 }
 
@@ -205,44 +235,33 @@ int vtkSkdTreeAMR::RequestUpdateExtent(
 int vtkSkdTreeAMR::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const std::vector<SkdLeaf> leaves = SkdLeavesOf(vtkDataObject::GetData(inputVector[0]));
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   output->Initialize();
   SkdRefineState& state = *this->State;
   SkdStopwatch watch;
-  int treesBuilt = 0;
-  try
-  {
-    treesBuilt = state.Update(
-      this, leaves, vtkDataObject::GetData(inputVector[2]), AskedBy(this).NeedBoundary());
-  }
-  catch (const std::length_error& error)
-  {
-    vtkErrorMacro("Input cannot be searched: " << error.what());
-    return 1;
-  }
+  const std::optional<int> treesBuilt = UpdateTrees(
+    this, state, vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[2]));
   const double buildSeconds = watch.Lap();
-
-  std::optional<SkdGrid> grid = MakeGrid(this, vtkDataObject::GetData(inputVector[1]), state.Parts);
+  std::optional<SkdGrid> grid;
+  if (treesBuilt)
+  {
+    grid = MakeGrid(this, vtkDataObject::GetData(inputVector[1]), state.Parts);
+  }
   if (!grid)
   {
     return 1;
   }
   OwnPiece(*grid, outputVector->GetInformationObject(0));
-  SkdRefineSettings settings = MakeSettings(this, state);
-  settings.OwnOnly = !grid->OwnsAll() && this->Balance == NONE && this->GrowingLayers == 0 &&
-    this->OutputType != OVERLAPPING_AMR;
-  SkdGridRefiner(this, 0.1, 0.6, *grid, state.Parts, settings).Refine();
-  WarnAbout(this, *grid, state.Parts);
+  const SkdGridEstimate estimate = Refine(this, state, *grid);
   const SkdGridExtras extras =
     SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Boundary, this, 0.6, 0.9);
   const double refineSeconds = watch.Lap();
 
   SkdFillGridOutput(*grid, extras, state.Parts.GetBlockIndices(), this->Conforming, output);
   SkdReport report(output);
-  SkdReportGrid(report, *grid, this->MaximumLevel);
+  SkdReportGrid(report, *grid, estimate);
   state.Report(report);
-  report.AddCount("TreesBuilt", treesBuilt);
+  report.AddCount("TreesBuilt", *treesBuilt);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("RefineSeconds", refineSeconds);
   return 1;
@@ -260,10 +279,6 @@ void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->BaseDimensions[2] << "\n";
   os << indent << "BaseCellSize: " << this->BaseCellSize << "\n";
   os << indent << "BranchFactor: " << this->BranchFactor << "\n";
-  os << indent << "GrowingLayers: " << this->GrowingLayers << "\n";
-  os << indent << "RefineByBend: " << (this->RefineByBend ? "On\n" : "Off\n");
-  os << indent << "BendAngle: " << this->BendAngle << "\n";
-  os << indent << "FlatLevel: " << this->FlatLevel << "\n";
   os << indent << "ComputeInside: " << (this->ComputeInside ? "On\n" : "Off\n");
   os << indent << "ComputeVolumeFraction: " << (this->ComputeVolumeFraction ? "On\n" : "Off\n");
   os << indent << "ComputeDistance: " << (this->ComputeDistance ? "On\n" : "Off\n");

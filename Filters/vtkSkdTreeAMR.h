@@ -43,11 +43,16 @@
  * Field data: SkdReportCells (leaves), SkdReportCutCells (cut leaves), SkdReportAllCells (with
  * refined ones), SkdReportLeavesAtLevel and SkdReportCutAtLevel (a value a level; of cut cells
  * refined ones, too), SkdReportStoppedAtLevel (-1: nothing was left out, see CellLimit),
- * SkdReportEstimatedCells (all cells up to the maximum level, if nothing had been left out: exact
- * where nothing was, else by the growth so far), SkdReportParts, SkdReportPartCells,
+ * SkdReportEstimatedCells, SkdReportEstimatedBytes and SkdReportEstimatedSeconds (how many cells
+ * there would be if CellLimit left none out, and the memory and time that they take; known
+ * beforehand, and told by the progress text), SkdReportParts, SkdReportPartCells,
  * SkdReportPartCellsLeftOut, SkdReportTreesBuilt (trees are kept while parts do not change),
  * SkdReportEpsilon, SkdReportBuildSeconds, SkdReportRefineSeconds; SkdReportOpenEdges where inside
  * is asked.
+ *
+ * The estimate is made by refining a sample of the cells. It is right to a few percent; where
+ * Balance or GrowingLayers add cells, to within a factor of two. Memory counts the grid and the
+ * output, to within a factor of two.
  *
  * Cost: about a microsecond a cell that is cut, less for others; memory about 25 bytes a cell
  * beside the output. The result is the same whatever the number of threads.
@@ -152,32 +157,6 @@ public:
 
   ///@{
   /**
-   * Cells around those that are refined, of the same level, that are refined too. Default 0.
-   */
-  vtkSetClampMacro(GrowingLayers, int, 0, 100);
-  vtkGetMacro(GrowingLayers, int);
-  ///@}
-
-  ///@{
-  /**
-   * Where the surface is nearly flat, stop at FlatLevel: from there on refine only cells in which
-   * the normal of a part's cell is more than BendAngle (degrees, 0 to 180) off the mean of that
-   * part's normals in the cell. So edges, strong curvature and narrow gaps within a part get the
-   * maximum level, flat stretches do not. Normals are as the order of the cells' points has them;
-   * where a part has cells that are not flat surfaces it counts as bent. Default off, 15 degrees,
-   * level 3.
-   */
-  vtkSetMacro(RefineByBend, bool);
-  vtkGetMacro(RefineByBend, bool);
-  vtkBooleanMacro(RefineByBend, bool);
-  vtkSetClampMacro(BendAngle, double, 0.0, 180.0);
-  vtkGetMacro(BendAngle, double);
-  vtkSetClampMacro(FlatLevel, int, 0, 30);
-  vtkGetMacro(FlatLevel, int);
-  ///@}
-
-  ///@{
-  /**
    * Tell by SkdInside which cells have their centre inside of the closed surface that Input is or
    * that bounds it, by the parity of exact crossings; of a surface with open edges, which a warning
    * counts, by a vote of seven directions (see vtkSkdTreeClosestPoint::SetSignedDistance). Of a
@@ -253,10 +232,6 @@ protected:
   int BaseDimensions[3] = { 0, 0, 0 };
   double BaseCellSize = 0.0;
   int BranchFactor = 2;
-  int GrowingLayers = 0;
-  bool RefineByBend = false;
-  double BendAngle = 15.0;
-  int FlatLevel = 3;
   bool ComputeInside = false;
   bool ComputeVolumeFraction = false;
   bool ComputeDistance = false;

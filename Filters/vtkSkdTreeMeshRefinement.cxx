@@ -35,20 +35,25 @@ namespace
 {
 using Filter = vtkSkdTreeMeshRefinement;
 
+bool IsAnythingAsked(const SkdMeshSettings& settings)
+{
+  return settings.MinimumLevel > 0 || !settings.PartLevels.empty() || settings.FieldLevel > 0;
+}
+
 SkdMeshSettings MakeSettings(Filter* self, const SkdRefineState& state)
 {
   SkdMeshSettings settings{ state.MakeCriteria(self) };
   settings.MinimumLevel = self->GetMinimumLevel();
   settings.IsConforming = self->GetMethod() == Filter::BISECTION;
   settings.Balance = static_cast<skd::Contact>(self->GetBalance());
+  settings.Layers = self->GetGrowingLayers();
   settings.CellLimit =
     static_cast<std::uint64_t>(std::min<vtkIdType>(self->GetCellLimit(), 0x7fffffff));
+  if (!IsAnythingAsked(settings) && self->GetNumberOfInputConnections(1) == 0)
+  {
+    settings.MinimumLevel = 1;
+  }
   return settings;
-}
-
-bool IsAnythingAsked(const SkdMeshSettings& settings)
-{
-  return settings.MinimumLevel > 0 || !settings.PartLevels.empty() || settings.FieldLevel > 0;
 }
 
 void SetPlacement(Filter* self, const SkdSource& surface, skd::RefinedMesh& mesh)
@@ -76,8 +81,8 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   }
   else if (!IsAnythingAsked(settings))
   {
-    vtkWarningWithObjectMacro(self,
-      "Nothing asks for cells: there are no parts, no arrays of a field, and no minimum level.");
+    vtkWarningWithObjectMacro(
+      self, "The parts have no cells, and nothing else asks for any: nothing is refined.");
   }
   if (read.CellsNotRefinable > 0)
   {

@@ -10,7 +10,8 @@
  * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576. Refined are lines, triangles
  * (strips, too), quads, polygons, tetrahedra, pyramids, wedges, hexahedra, pixels and voxels; other
  * cells stay as they are. A part meets a cell if both have a point in common, exactly (Test); a
- * curved mesh and a part that lies beside it are a case for AddDistanceBand.
+ * curved mesh and a part that lies beside it are a case for AddDistanceBand. Growing layers are
+ * made of cells that share a point with those that are refined and are not finer, at each cut.
  *
  * Two methods:
  * - BISECTION (default) leaves no hanging node. Lines, triangles and tetrahedra are bisected at the
@@ -58,11 +59,14 @@
  * Balance are the same on any number of processes; by BISECTION, points may hang where two pieces
  * meet (SkdHanging does not tell), unless each process gets the whole Input.
  *
- * Bad input, each with one warning or error that says so: nothing that asks for cells passes the
- * mesh on as it is; so does an Input without cells. Cells of other types, of points that are not
- * finite, that use a point twice, or (wedges, hexahedra) whose middle does not see all faces are
- * kept whole and counted; points may hang on them. Parts' cells that are not finite are left out
- * and counted, values that are not finite do not count.
+ * Where nothing is told that could ask for cells (no Parts, no arrays of a field, no MinimumLevel)
+ * all of them are refined once.
+ *
+ * Bad input, each with one warning or error that says so: Parts without cells, if nothing else
+ * asks, pass the mesh on as it is; so does an Input without cells. Cells of other types, of points
+ * that are not finite, that use a point twice, or (wedges, hexahedra) whose middle does not see all
+ * faces are kept whole and counted; points may hang on them. Parts' cells that are not finite are
+ * left out and counted, values that are not finite do not count.
  *
  * @sa
  * vtkSkdTreeAMR vtkSkdTreeClosestPoint
@@ -123,7 +127,7 @@ public:
   ///@{
   /**
    * The level that all cells are refined to, whatever asks for them, at most MaximumLevel. Default
-   * 0.
+   * 0; where nothing else is told that could ask for cells, 1.
    */
   vtkSetClampMacro(MinimumLevel, int, 0, 30);
   vtkGetMacro(MinimumLevel, int);

@@ -96,6 +96,10 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << "DistanceBand: " << band.Distance << " " << band.Level << "\n";
   }
   os << indent << "InsideLevel: " << this->InsideLevel << "\n";
+  os << indent << "GrowingLayers: " << this->GrowingLayers << "\n";
+  os << indent << "RefineByBend: " << (this->RefineByBend ? "On\n" : "Off\n");
+  os << indent << "BendAngle: " << this->BendAngle << "\n";
+  os << indent << "FlatLevel: " << this->FlatLevel << "\n";
   for (const std::string& name : this->State->FieldArrays)
   {
     os << indent << "FieldArray: " << name << "\n";

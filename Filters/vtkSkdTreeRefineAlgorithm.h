@@ -113,6 +113,33 @@ public:
 
   ///@{
   /**
+   * So many layers of cells around those that are refined, of the same level, are refined, too.
+   * Default 0.
+   */
+  vtkSetClampMacro(GrowingLayers, int, 0, 100);
+  vtkGetMacro(GrowingLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where the surface is nearly flat, stop at FlatLevel: from there on refine only cells in which
+   * the normal of a part's cell is more than BendAngle (degrees, 0 to 180) off the mean of that
+   * part's normals in the cell. So edges, strong curvature and narrow gaps within a part get the
+   * maximum level, flat stretches do not. Normals are as the order of the cells' points has them;
+   * where a part has cells that are not flat surfaces it counts as bent. Default off, 15 degrees,
+   * level 3.
+   */
+  vtkSetMacro(RefineByBend, bool);
+  vtkGetMacro(RefineByBend, bool);
+  vtkBooleanMacro(RefineByBend, bool);
+  vtkSetClampMacro(BendAngle, double, 0.0, 180.0);
+  vtkGetMacro(BendAngle, double);
+  vtkSetClampMacro(FlatLevel, int, 0, 30);
+  vtkGetMacro(FlatLevel, int);
+  ///@}
+
+  ///@{
+  /**
    * Arrays of the field, point or cell data, that ask for cells: of several components the
    * magnitude. In a cell those values count that are at points in it, those interpolated at its
    * corners and its middle, and of cell data those of the field's cells that meet it; what is not
@@ -186,6 +213,10 @@ protected:
   int Test = EXACT;
   int Balance = NONE;
   int InsideLevel = 0;
+  int GrowingLayers = 0;
+  bool RefineByBend = false;
+  double BendAngle = 15.0;
+  int FlatLevel = 3;
   int FieldTest = DIFFERENCE;
   double FieldThreshold = 0.0;
   double FieldRange[2] = { 0.0, 1.0 };

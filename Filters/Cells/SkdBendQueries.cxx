@@ -96,8 +96,9 @@ void VisitNormals(const SkdCellStore& store, std::uint32_t cell, Visit visit)
 }
 
 //------------------------------------------------------------------------------
-double SkdCellTree::FindBend(
-  const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const
+template <class Test>
+double SkdCellTree::BendOf(
+  const SkdListedRange& above, const skd::Box3& box, const Test& isMet) const
 {
   thread_local std::vector<skd::Vector3> memory; // asked of every box of a grid
   Bend bend(memory);
@@ -105,7 +106,7 @@ double SkdCellTree::FindBend(
   this->VisitListed(above, box,
     [&](std::uint32_t cell)
     {
-      if (!isSurface || !this->IsMet(cell, box, test))
+      if (!isSurface || !isMet(cell))
       {
         return;
       }
@@ -116,4 +117,17 @@ double SkdCellTree::FindBend(
       }
     });
   return isSurface ? bend.Angle() : HalfTurn;
+}
+
+double SkdCellTree::FindBend(
+  const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const
+{
+  return this->BendOf(above, box, [&](std::uint32_t cell) { return this->IsMet(cell, box, test); });
+}
+
+double SkdCellTree::FindBend(
+  const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const
+{
+  const skd::ListedLanes all = skd::ListAll().front();
+  return this->BendOf({ &all, &all + 1 }, box, isMet);
 }

@@ -16,6 +16,7 @@
 #include "Core/Tree/PaperTree.h"
 #include "Core/Tree/Walk.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -179,6 +180,8 @@ public:
   /// the mean of them all; a half turn where something that is no surface of flat cells meets it,
   /// or where they have no mean. Normals are as the order of the cells' points has them.
   double FindBend(const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const;
+  /// The same of whatever `isMet(cell)` says of the cells that may meet the box.
+  double FindBend(const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const;
   /// Calls visit(cell) for the listed cells that may meet the box.
   template <class Visit>
   void VisitListed(const SkdListedRange& above, const skd::Box3& box, Visit visit) const
@@ -271,6 +274,8 @@ private:
     std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
+  template <class Test>
+  double BendOf(const SkdListedRange& above, const skd::Box3& box, const Test& isMet) const;
   void AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
     const SkdCellSource& source, std::vector<double>& parameters) const;
   template <class Visit>

@@ -15,6 +15,12 @@ bool IsMetBy(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest te
   return isMet;
 }
 
+double BendIn(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest test)
+{
+  return tree.FindBend(
+    region.GetBox(), [&](std::uint32_t cell) { return region.Meets(tree, cell, test); });
+}
+
 bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
   const std::vector<SkdDistanceBand>& bands)
 {
@@ -34,9 +40,12 @@ bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
 
 bool SkdCriteria::IsWantedByParts(int level, const SkdRegion& region, const SkdParts& parts) const
 {
+  const bool isAnyBend = !(this->BendAngle >= 0.0) || level < this->FlatLevel;
   for (std::uint32_t part = 0; part < parts.GetNumberOfParts(); ++part)
   {
-    if (level < this->PartLevels[part] && IsMetBy(parts.GetTree(part), region, this->Test))
+    const SkdCellTree& tree = parts.GetTree(part);
+    if (level < this->PartLevels[part] && IsMetBy(tree, region, this->Test) &&
+      (isAnyBend || BendIn(tree, region, this->Test) > this->BendAngle))
     {
       return true;
     }

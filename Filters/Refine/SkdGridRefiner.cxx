@@ -9,6 +9,20 @@
 namespace
 {
 constexpr std::uint32_t BatchSize = 128; // cells that a thread takes at once
+
+/// Takes back marks until there are `most`, evenly.
+void Thin(std::vector<char>& marks, std::size_t all, std::size_t most)
+{
+  std::size_t seen = 0;
+  for (char& mark : marks)
+  {
+    if (mark)
+    {
+      mark = (seen + 1) * most / all > seen * most / all;
+      ++seen;
+    }
+  }
+}
 }
 
 SkdGridRefiner::SkdGridRefiner(vtkAlgorithm* algorithm, double first, double last, SkdGrid& grid,
@@ -40,6 +54,29 @@ bool SkdGridRefiner::Refine()
   }
   this->Balance();
   return true;
+}
+
+std::vector<double> SkdGridRefiner::RefineSample(std::size_t most)
+{
+  std::vector<double> wanted;
+  std::vector<char> marks;
+  double weight = 1.0;
+  for (int level = 0; this->ExamineLevel(level) && this->MarkLevel(level, marks); ++level)
+  {
+    const auto all = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
+    if (all == 0)
+    {
+      break;
+    }
+    wanted.push_back(weight * static_cast<double>(all));
+    if (all > most)
+    {
+      Thin(marks, all, most);
+      weight *= static_cast<double>(all) / static_cast<double>(most);
+    }
+    this->RefineMarked(level, marks);
+  }
+  return wanted;
 }
 
 //------------------------------------------------------------------------------

@@ -20,12 +20,6 @@ class vtkAlgorithm;
 
 struct SkdRefineSettings : SkdCriteria
 {
-  ///@{
-  /// From FlatLevel on, only where a part's normals are farther than this off their mean. In
-  /// radians; negative: everywhere.
-  double BendAngle = -1.0;
-  int FlatLevel = 0;
-  ///@}
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
   std::uint64_t CellLimit = 0;
@@ -42,6 +36,10 @@ public:
   /// Refines the base cells. The result does not depend on the number of threads. Returns false if
   /// the algorithm was told to stop: the grid is not refined as it should be then, but sound.
   bool Refine();
+
+  /// Refines no more than `most` cells a level, evenly chosen of those that it should. Returns how
+  /// many it should of each level, as far as those that are left out are like the others.
+  std::vector<double> RefineSample(std::size_t most);
 
 private:
   /// What a turn of the walk finds out of a cell.

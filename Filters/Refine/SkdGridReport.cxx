@@ -4,37 +4,10 @@
 
 #include "Pipeline/SkdReport.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
-namespace
-{
-/// All cells at the maximum level: those that there are, or if the limit stopped it, what they
-/// would grow to as the last levels did.
-double EstimateCells(const SkdGrid& grid, int maximumLevel)
-{
-  double cells = static_cast<double>(grid.Forest.NumberOfCells());
-  if (!grid.IsStopped)
-  {
-    return cells;
-  }
-  const double ofSurface =
-    std::pow(*std::max_element(grid.Lattice.GetBranch().begin(), grid.Lattice.GetBranch().end()),
-      grid.Lattice.Dimension() - 1);
-  double next = static_cast<double>(grid.CellsWanted) - cells;
-  for (int level = grid.StoppedAtLevel; level < maximumLevel; ++level)
-  {
-    cells += next;
-    next *= ofSurface;
-  }
-  return cells;
-}
-
-}
-
 //------------------------------------------------------------------------------
-void SkdReportGrid(SkdReport& report, const SkdGrid& grid, int maximumLevel)
+void SkdReportGrid(SkdReport& report, const SkdGrid& grid, const SkdGridEstimate& estimate)
 {
   std::vector<vtkIdType> leaves;
   std::vector<vtkIdType> cut;
@@ -64,5 +37,7 @@ void SkdReportGrid(SkdReport& report, const SkdGrid& grid, int maximumLevel)
   report.AddCounts("LeavesAtLevel", leaves);
   report.AddCounts("CutAtLevel", cut);
   report.AddCount("StoppedAtLevel", grid.StoppedAtLevel);
-  report.AddCount("EstimatedCells", static_cast<vtkIdType>(EstimateCells(grid, maximumLevel)));
+  report.AddMeasure("EstimatedCells", estimate.Cells);
+  report.AddMeasure("EstimatedBytes", estimate.Bytes);
+  report.AddMeasure("EstimatedSeconds", estimate.Seconds);
 }

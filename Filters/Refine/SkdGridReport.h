@@ -3,11 +3,11 @@
 #ifndef SkdGridReport_h
 #define SkdGridReport_h
 
-#include "Refine/SkdGrid.h"
+#include "Refine/SkdGridEstimate.h"
 
 class SkdReport;
 
-/// Tells how many cells there are, of each level, and how many there would be at the maximum level.
-void SkdReportGrid(SkdReport& report, const SkdGrid& grid, int maximumLevel);
+/// Tells how many cells there are, of each level, and what was thought beforehand.
+void SkdReportGrid(SkdReport& report, const SkdGrid& grid, const SkdGridEstimate& estimate);
 
 #endif

@@ -3,13 +3,13 @@
 #include "Refine/SkdMeshRefiner.h"
 
 #include "Core/Mesh/Bisection.h"
+#include "Core/Mesh/MeshLayers.h"
 #include "Core/Mesh/RegularCuts.h"
 #include "Pipeline/SkdLoop.h"
 #include "Refine/SkdCellRegion.h"
+#include "Refine/SkdTellSize.h"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 SkdMeshRefiner::SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double last,
   skd::RefinedMesh& mesh, const SkdParts& parts, const SkdMeshSettings& settings)
@@ -37,7 +37,7 @@ SkdMeshOutcome SkdMeshRefiner::Refine()
     }
     this->TellSize();
     const int level = this->LeastLevelOf(wanted);
-    if (!this->Cut(wanted))
+    if (!this->Cut(skd::WithLayers(this->Mesh, wanted, this->Settings.Layers)))
     {
       this->Outcome.IsStopped = true;
       this->Outcome.StoppedAtLevel = level;
@@ -113,9 +113,7 @@ void SkdMeshRefiner::TellSize() const
   const double cells = this->Estimate();
   const double bytes =
     static_cast<double>(this->Mesh.MemorySize()) / this->LeavesAfter.back() * cells;
-  std::ostringstream text;
-  text << std::setprecision(2) << "about " << cells << " cells, " << bytes / 1e6 << " MB";
-  this->Algorithm->SetProgressText(text.str().c_str());
+  SkdTellSize(this->Algorithm, cells, bytes);
 }
 
 //------------------------------------------------------------------------------

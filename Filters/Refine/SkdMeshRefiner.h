@@ -23,6 +23,7 @@ struct SkdMeshSettings : SkdCriteria
   int MinimumLevel = 0;     ///< which all cells get
   bool IsConforming = true; ///< by bisection; else cell by cell
   skd::Contact Balance = skd::Contact::None;
+  int Layers = 0; ///< around cells that are wanted finer
   std::uint64_t CellLimit = 0;
 };
 

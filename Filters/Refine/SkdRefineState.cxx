@@ -3,6 +3,7 @@
 #include "Refine/SkdRefineState.h"
 
 #include "Pipeline/SkdReport.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 
@@ -64,6 +65,11 @@ SkdCriteria SkdRefineState::MakeCriteria(vtkSkdTreeRefineAlgorithm* self) const
     const auto level = this->PartLevels.find(blockIndex);
     criteria.PartLevels.push_back(
       level == this->PartLevels.end() ? criteria.MaximumLevel : level->second);
+  }
+  if (self->GetRefineByBend())
+  {
+    criteria.BendAngle = vtkMath::RadiansFromDegrees(self->GetBendAngle());
+    criteria.FlatLevel = self->GetFlatLevel();
   }
   if (self->GetInsideLevel() > 0)
   {

@@ -45,18 +45,26 @@ TEST(MeshRefinementBadInput, WithoutCellsThereIsNothingAndAWarning)
   }
 }
 
-TEST(MeshRefinementBadInput, WithoutAnythingThatAsksTheMeshIsPassedOn)
+TEST(MeshRefinementBadInput, WithoutAnythingToAskForCellsAllAreRefinedOnce)
+{
+  auto torus = MakeTorus();
+  RefinementPointer filter = MakeRefinement(torus, nullptr, 3, 1);
+  EventCounter events(filter);
+  EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), 4 * torus->GetNumberOfCells());
+  filter->SetMaximumLevel(0);
+  EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
+  EXPECT_EQ(events.Warnings, 0);
+}
+
+TEST(MeshRefinementBadInput, PartsWithoutCellsPassTheMeshOn)
 {
   auto torus = MakeTorus();
   vtkNew<vtkPolyData> noParts;
-  for (vtkPolyData* parts : { static_cast<vtkPolyData*>(nullptr), noParts.Get() })
-  {
-    RefinementPointer filter = MakeRefinement(torus, parts, 3);
-    EventCounter events(filter);
-    EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
-    EXPECT_EQ(events.Warnings, 1);
-    EXPECT_NE(events.Warning.find("Nothing asks"), std::string::npos);
-  }
+  RefinementPointer filter = MakeRefinement(torus, noParts, 3);
+  EventCounter events(filter);
+  EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("parts have no cells"), std::string::npos) << events.Warning;
 }
 
 TEST(MeshRefinementBadInput, EveryTypeOfCellIsRefinedOrKept)

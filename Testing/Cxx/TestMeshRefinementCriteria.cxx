@@ -208,6 +208,79 @@ TEST(MeshRefinementCriteria, PartsHaveLevelsAndInsidesOfTheirOwn)
   EXPECT_EQ(Reported(filter, "OpenEdges"), 0);
 }
 
+bool Holds(vtkCell* cell, const Point& x)
+{
+  double closest[3], pcoords[3], dist2, weights[8];
+  int subId;
+  return cell->EvaluatePosition(x.data(), closest, subId, pcoords, dist2, weights) == 1;
+}
+
+/// The sheet cuts an upright box in a square: bent are its corners.
+TEST(MeshRefinementCriteria, WhereAPartIsFlatTheFlatLevelIsEnough)
+{
+  auto box = MakePolyData(Placed(CubeTriangles(2), 0.26, { 0.21, 0.19, -0.3 }));
+  const Point corners[] = { { 0.21, 0.19, 0 }, { 0.73, 0.19, 0 }, { 0.73, 0.71, 0 },
+    { 0.21, 0.71, 0 } };
+  for (int method : { 0, 1 })
+  {
+    RefinementPointer filter = MakeRefinement(MakeSheet(4), box, 6, method);
+    const vtkIdType all = RunRefinement(filter)->GetNumberOfCells();
+    filter->RefineByBendOn();
+    filter->SetBendAngle(20.0);
+    filter->SetFlatLevel(2);
+    vtkDataSet* refined = RunRefinement(filter);
+    EXPECT_LT(3 * refined->GetNumberOfCells(), all);
+    int seen[2] = { 0, 0 };
+    ForEachCell(refined,
+      [&](vtkCell* cell, int level)
+      {
+        double away = 1.0;
+        for (int i = 0; i < 4; ++i)
+        {
+          const bool isAtCorner = Holds(cell, corners[i]);
+          const bool isOnSide = Holds(cell, Lerp(corners[i], corners[(i + 1) % 4], 0.49));
+          EXPECT_TRUE(!isAtCorner || level >= 6) << level;
+          EXPECT_TRUE(!isOnSide || level >= 2) << level;
+          seen[0] += isAtCorner;
+          seen[1] += isOnSide;
+          away = std::min(away, Distance(MiddleOf(cell), corners[i]));
+        }
+        EXPECT_TRUE(away < 0.2 || level <= 2 + (method == 0)) << level;
+      });
+    EXPECT_TRUE(seen[0] >= 4 && seen[1] >= 4);
+  }
+}
+
+TEST(MeshRefinementCriteria, LayersGrowAroundWhatIsRefined)
+{
+  const Point x{ 0.61, 0.37, 0.0 };
+  Mesh point;
+  point.Add(VTK_VERTEX, { point.Add(x) });
+  for (int method : { 0, 1 })
+  {
+    vtkIdType last = 0;
+    for (int layers = 0; layers <= 2; ++layers)
+    {
+      RefinementPointer filter = MakeRefinement(MakeSheet(4), MakePolyData(point), 4, method);
+      filter->SetGrowingLayers(layers);
+      vtkDataSet* refined = RunRefinement(filter);
+      EXPECT_GT(refined->GetNumberOfCells(), last);
+      last = refined->GetNumberOfCells();
+      const double side = 0.25 / 8; // of the cells that were cut last
+      ForEachCell(refined,
+        [&](vtkCell* cell, int level)
+        {
+          const Point middle = MiddleOf(cell);
+          const double away = std::max(std::abs(middle[0] - x[0]), std::abs(middle[1] - x[1]));
+          EXPECT_TRUE(away > 0.45 * layers * side || level >= 4) << away / side;
+          EXPECT_TRUE(away < (layers + 4.0) * 2 * side || level < 4) << away / side;
+        });
+      EXPECT_NEAR(MeasuresOf(refined).Sum, 1.0, 1e-12);
+      EXPECT_TRUE(method == 1 || FindHangingPoints(refined, 1e-10).empty());
+    }
+  }
+}
+
 /// A field on the sheet that jumps at x = 0.4.
 PolyDataPointer MakeStep(int n)
 {

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdTellSize_h
+#define SkdTellSize_h
+
+#include "vtkAlgorithm.h"
+
+#include <iomanip>
+#include <sstream>
+
+/// Tells by the progress text how much something is going to be. Negative seconds: not known.
+inline void SkdTellSize(vtkAlgorithm* algorithm, double cells, double bytes, double seconds = -1.0)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << "about " << cells << " cells, " << bytes / 1e6 << " MB";
+  if (seconds >= 0.0)
+  {
+    text << ", " << seconds << " s";
+  }
+  algorithm->SetProgressText(text.str().c_str());
+}
+
+#endif
