@@ -5,7 +5,9 @@
 #include "Cells/SkdCurvedSimplices.h"
 #include "Cells/SkdFaceTriangles.h"
 #include "Cells/SkdParametricCell.h"
+#include "Core/Geometry/BoxOverlap.h"
 #include "Core/Geometry/EarClipping.h"
+#include "Core/Geometry/SimplexContact.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
@@ -269,8 +271,7 @@ void ReadQuadraticPolygon(SimplexSet& set, const SkdPolyCell& gathered)
 }
 
 //------------------------------------------------------------------------------
-void SkdCellTree::GetSimplices(
-  std::uint32_t cell, const SkdCellSource& source, skd::SimplexSet& simplices) const
+bool SkdCellTree::GetStraightSimplices(std::uint32_t cell, skd::SimplexSet& simplices) const
 {
   const SkdShape shape = this->Store.ShapeOf(cell);
   const auto read = [&](auto kernel)
@@ -279,13 +280,18 @@ void SkdCellTree::GetSimplices(
     this->Store.Gather(cell, points);
     Read(simplices, points, kernel);
   };
-  if (SkdVisitKernel(shape, read))
-  {
-    return;
-  }
-  if (shape != SkdShape::Generic)
+  if (shape != SkdShape::Generic && !SkdVisitKernel(shape, read))
   {
     ReadPoly(simplices, this->Store.GatherPoly(cell));
+  }
+  return shape != SkdShape::Generic;
+}
+
+void SkdCellTree::GetSimplices(
+  std::uint32_t cell, const SkdCellSource& source, skd::SimplexSet& simplices) const
+{
+  if (this->GetStraightSimplices(cell, simplices))
+  {
     return;
   }
   vtkCell* loaded = source.Load(this->Store.IdOf(cell));
@@ -301,4 +307,26 @@ void SkdCellTree::GetSimplices(
   {
     ReadStraight(simplices, loaded, this->Store.GatherPoly(cell));
   }
+}
+
+//------------------------------------------------------------------------------
+bool SkdCellTree::Meets(std::uint32_t cell, const skd::SimplexSet& set) const
+{
+  const skd::Box3 bounds = this->Store.ReachOf(cell);
+  if (!bounds.Inflated(this->TheRounding).Overlaps(set.Bounds))
+  {
+    return false;
+  }
+  thread_local skd::SimplexSet own; // keeps its memory
+  if (this->GetStraightSimplices(cell, own))
+  {
+    return skd::Meet(own, set, this->TheRounding);
+  }
+  const auto overlaps = [&](const skd::SimplexSet::Simplex& simplex)
+  {
+    const auto corners = set.Corners(simplex);
+    return skd::Overlaps(bounds, corners[0], corners[1], corners[2]);
+  };
+  return std::any_of(set.Simplices.begin(), set.Simplices.end(), overlaps) ||
+    skd::Encloses(set, this->Store.Point(*this->Store.PointIdsOf(cell)));
 }

@@ -7,7 +7,6 @@
 #include "Cells/SkdGenericKernel.h"
 #include "Cells/SkdSieves.h"
 #include "Cells/SkdWideWalks.h"
-#include "Core/Geometry/PieceContact.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Core/Geometry/SimplexSet.h"
@@ -155,8 +154,8 @@ public:
 
   ///@{
   /// SkdPairQueries.cxx. Pairs whose safety boxes overlap, by (id here, id there); `motion` takes
-  /// the other's world to this one's. Pairs of cells whose bounds overlap, in parts: these and their
-  /// order depend on the two trees alone.
+  /// the other's world to this one's. Pairs of cells whose bounds overlap, in parts: these and
+  /// their order depend on the two trees alone.
   using CellPair = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<std::pair<vtkIdType, vtkIdType>> FindOverlappingPairs(
     const SkdCellTree& other, const skd::RigidMotion& motion) const;
@@ -197,22 +196,15 @@ public:
   }
   ///@}
 
-  ///@{
-  /// SkdMeetQueries.cxx. The pieces that a cell is for other cells: points, segments, triangles; of
-  /// a volume cell those of its faces. They are put into a vector of the calling thread's, good
-  /// until the next call. Curved cells have none: they count by their boxes.
-  const std::vector<skd::Piece>& PiecesOf(std::uint32_t cell) const;
-  /// Whether the cell has a point in common with one of the pieces, which lie in the box, or is a
-  /// volume that has a corner of the first one inside.
-  bool Meets(std::uint32_t cell, const skd::Box3& box, const std::vector<skd::Piece>& pieces) const;
-  ///@}
-
   /// SkdCellSimplices.cxx: the cell as what triangles enclose, or as triangles, segments or points.
   /// A quad is two triangles, and a polygon flat, as they are for boxes; a curved cell is what 8
   /// straight pieces along each of its parameters make of it. The rim is not found. Of no dimension
   /// but 0 to 3 is a cell that VTK cannot take apart: it is its points.
   void GetSimplices(
     std::uint32_t cell, const SkdCellSource& source, skd::SimplexSet& simplices) const;
+  /// Whether the cell, as above, has a point in common with a set. Curved cells count by their
+  /// boxes.
+  bool Meets(std::uint32_t cell, const skd::SimplexSet& set) const;
 
   /// Algorithm 3.1 as printed, on the safety boxes; elements are cells of the store.
   skd::PaperTree<3> MakePaperTree() const;
@@ -270,6 +262,8 @@ private:
     return this->Lazy ? this->Lazy->GetBounds() : this->Eager.GetBounds();
   }
 
+  /// GetSimplices() of a cell that is not curved; false for others.
+  bool GetStraightSimplices(std::uint32_t cell, skd::SimplexSet& simplices) const;
   SkdCellPoint Measure(
     std::uint32_t cell, const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,

@@ -10,85 +10,65 @@
 SkdCellRegion::SkdCellRegion(const skd::RefinedMesh& mesh, std::uint32_t cell)
   : IsVolume(skd::DimensionOf(mesh[cell].Kind) == 3)
 {
+  this->Set.Clear(skd::DimensionOf(mesh[cell].Kind));
   this->Middle = { { 0.0, 0.0, 0.0 } };
   for (const std::uint32_t node : mesh.NodesOf(cell))
   {
-    this->Points.push_back(mesh.Point(node));
-    this->Tight.Add(this->Points.back());
+    this->Set.Add(mesh.Point(node));
   }
-  for (const skd::Vector3& point : this->Points)
+  const std::vector<skd::Vector3>& points = this->Set.Points;
+  for (const skd::Vector3& point : points)
   {
-    this->Middle = this->Middle + (1.0 / static_cast<double>(this->Points.size())) * point;
+    this->Middle = this->Middle + (1.0 / static_cast<double>(points.size())) * point;
   }
-  for (const skd::Vector3& point : this->Points)
+  for (const skd::Vector3& point : points)
   {
     this->Radius = std::max(this->Radius, skd::Norm(point - this->Middle));
   }
   this->SampleReach = this->IsVolume ? 0.0 : 0.5 * this->Radius;
-  this->Box = this->Tight.Inflated(this->SampleReach);
-  this->AddPieces(mesh, cell);
+  this->Box = this->Set.Bounds.Inflated(this->SampleReach);
+  this->IsVolume ? this->AddFaces(mesh[cell].Kind) : this->AddSelf();
 }
 
-void SkdCellRegion::AddPieces(const skd::RefinedMesh& mesh, std::uint32_t cell)
+void SkdCellRegion::AddSelf()
 {
-  const std::vector<skd::Vector3>& p = this->Points;
-  const auto addQuad = [this](const skd::Vector3* quad)
+  const std::vector<skd::Vector3>& points = this->Set.Points;
+  if (points.size() == 2)
   {
-    for (const auto& i : SkdQuadSplit(quad).Triangles)
-    {
-      this->Pieces.push_back(skd::Piece::Of(quad[i[0]], quad[i[1]], quad[i[2]]));
-    }
-  };
-  if (p.size() == 2)
-  {
-    this->Pieces.push_back(skd::Piece::Of(p[0], p[1]));
+    this->Set.AddSimplex(0, 1, 1);
+    return;
   }
-  else if (!this->IsVolume)
-  {
-    skd::EarClipping<std::vector<skd::Vector3>>(p, static_cast<int>(p.size()))
-      .ForEachTriangle(
-        [&](int a, int b, int c) { this->Pieces.push_back(skd::Piece::Of(p[a], p[b], p[c])); });
-  }
-  skd::ForEachFace(mesh[cell].Kind, mesh.NodesOf(cell).First,
-    [&](const skd::FaceNodes& f)
+  skd::EarClipping<std::vector<skd::Vector3>>(points, static_cast<int>(points.size()))
+    .ForEachTriangle([&](int a, int b, int c) { this->Set.AddSimplex(a, b, c); });
+}
+
+void SkdCellRegion::AddFaces(skd::CellKind kind)
+{
+  static constexpr std::uint32_t own[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  skd::ForEachFace(kind, own,
+    [&](const skd::FaceNodes& face)
     {
-      const bool isQuad = f[3] != skd::RefinedMesh::None;
-      const skd::Vector3 corners[4] = { mesh.Point(f[0]), mesh.Point(f[1]), mesh.Point(f[2]),
-        mesh.Point(isQuad ? f[3] : f[0]) };
-      isQuad ? addQuad(corners)
-             : this->Pieces.push_back(skd::Piece::Of(corners[0], corners[1], corners[2]));
+      const auto corner = [&face](int i) { return static_cast<int>(face[i]); };
+      if (face[3] == skd::RefinedMesh::None)
+      {
+        this->Set.AddSimplex(corner(0), corner(1), corner(2));
+        return;
+      }
+      const auto& p = this->Set.Points;
+      const skd::Vector3 quad[4] = { p[face[0]], p[face[1]], p[face[2]], p[face[3]] };
+      for (const auto& i : SkdQuadSplit(quad).Triangles)
+      {
+        this->Set.AddSimplex(corner(i[0]), corner(i[1]), corner(i[2]));
+      }
     });
 }
 
 //------------------------------------------------------------------------------
-/// By the parity of exact crossings on the way out; points on the border count.
-bool SkdCellRegion::IsEnclosed(const skd::Vector3& x) const
+/// Whether x projects onto the simplex, from not too far.
+bool SkdCellRegion::IsBeside(const skd::Vector3& x, const skd::SimplexSet::Simplex& simplex) const
 {
-  if (!this->Tight.Contains(x))
-  {
-    return false;
-  }
-  const skd::SegmentView view(skd::detail::WayOut(this->Tight, x));
-  bool isInside = false;
-  for (const skd::Piece& face : this->Pieces)
-  {
-    const auto hit = view.IsValid()
-      ? skd::Intersect(view, face.Points[0], face.Points[1], face.Points[2])
-      : std::nullopt;
-    if (hit && hit->T == 0.0)
-    {
-      return true;
-    }
-    isInside ^= hit && hit->Passes;
-  }
-  return isInside;
-}
-
-/// Whether x projects onto the piece, from not too far.
-bool SkdCellRegion::IsBeside(const skd::Vector3& x, const skd::Piece& piece) const
-{
-  const auto& p = piece.Points;
-  if (piece.Size == 2)
+  const auto p = this->Set.Corners(simplex);
+  if (this->Set.Dimension == 1)
   {
     const auto nearest = skd::ClosestPointOnSegment(p[0], p[1], x);
     return nearest.Dist2 == 0.0 ||
@@ -110,20 +90,18 @@ bool SkdCellRegion::Contains(const skd::Vector3& x) const
 {
   if (this->IsVolume)
   {
-    return this->IsEnclosed(x);
+    return skd::Encloses(this->Set, x);
   }
   return this->Box.Contains(x) &&
-    std::any_of(this->Pieces.begin(), this->Pieces.end(),
-      [&](const skd::Piece& piece) { return this->IsBeside(x, piece); });
+    std::any_of(this->Set.Simplices.begin(), this->Set.Simplices.end(),
+      [&](const skd::SimplexSet::Simplex& simplex) { return this->IsBeside(x, simplex); });
 }
 
 bool SkdCellRegion::Meets(const SkdCellTree& tree, std::uint32_t cell, SkdOverlapTest test) const
 {
   if (test == SkdOverlapTest::Blind)
   {
-    return tree.SafetyBoxOf(cell).Overlaps(this->Tight);
+    return tree.SafetyBoxOf(cell).Overlaps(this->Set.Bounds);
   }
-  const SkdCellStore& cells = tree.Cells();
-  return tree.Meets(cell, this->Tight, this->Pieces) ||
-    (this->IsVolume && this->IsEnclosed(cells.Point(*cells.PointIdsOf(cell))));
+  return tree.Meets(cell, this->Set);
 }

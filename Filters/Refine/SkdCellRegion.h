@@ -21,22 +21,20 @@ class SkdCellRegion : public SkdRegion
 public:
   SkdCellRegion(const skd::RefinedMesh& mesh, std::uint32_t cell);
 
-  int GetNumberOfSamples() const override { return static_cast<int>(this->Points.size()) + 1; }
+  int GetNumberOfSamples() const override { return static_cast<int>(this->Set.Points.size()) + 1; }
   skd::Vector3 GetSample(int i) const override
   {
-    return i == 0 ? this->Middle : this->Points[static_cast<std::size_t>(i) - 1];
+    return i == 0 ? this->Middle : this->Set.Points[static_cast<std::size_t>(i) - 1];
   }
   bool Contains(const skd::Vector3& x) const override;
   bool Meets(const SkdCellTree& tree, std::uint32_t cell, SkdOverlapTest test) const override;
 
 private:
-  void AddPieces(const skd::RefinedMesh& mesh, std::uint32_t cell);
-  bool IsEnclosed(const skd::Vector3& x) const;
-  bool IsBeside(const skd::Vector3& x, const skd::Piece& piece) const;
+  void AddSelf();
+  void AddFaces(skd::CellKind kind);
+  bool IsBeside(const skd::Vector3& x, const skd::SimplexSet::Simplex& simplex) const;
 
-  std::vector<skd::Vector3> Points;
-  std::vector<skd::Piece> Pieces; // of a volume cell its border
-  skd::Box3 Tight;                // of the points
+  skd::SimplexSet Set;
   bool IsVolume;
 };
 

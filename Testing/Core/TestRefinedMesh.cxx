@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/Ears.h"
-#include "Core/Geometry/PieceContact.h"
 #include "Core/Mesh/Bisection.h"
 #include "Core/Mesh/HangingNodes.h"
 #include "Core/Mesh/RegularCuts.h"
@@ -17,7 +16,6 @@ namespace
 {
 
 using skd::CellKind;
-using skd::Piece;
 using skd::RefinedMesh;
 using skd::Vector3;
 
@@ -224,72 +222,6 @@ TEST(Ears, CutAConcavePolygonWithoutOverlap)
   EXPECT_TRUE(
     skd::CutOffEars({ { { 0, 0, 0 } }, { { 1, 1, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } })
       .empty());
-}
-
-/// Points of a piece of small integers, dense enough to find any common point of two.
-std::set<Vector3> PointsOf(const Piece& piece, int n)
-{
-  std::set<Vector3> points;
-  for (int i = 0; i <= n; ++i)
-  {
-    for (int k = 0; k <= n - i; ++k)
-    {
-      points.insert((double(n - i - k) / n) * piece.Points[0] + (double(i) / n) * piece.Points[1] +
-        (double(k) / n) * piece.Points[2]);
-    }
-  }
-  return points;
-}
-
-Piece RandomPiece(std::mt19937& random, int size)
-{
-  const auto point = [&] {
-    return Vector3{ { double(random() % 4), double(random() % 4), double(random() % 4) } };
-  };
-  const Vector3 a = point();
-  const Vector3 b = point();
-  return size == 1 ? Piece::Of(a) : size == 2 ? Piece::Of(a, b) : Piece::Of(a, b, point());
-}
-
-TEST(PieceContact, TouchesWhereTheLeastDistanceIsNought)
-{
-  std::mt19937 random(13);
-  int touching = 0;
-  for (int i = 0; i < 4000; ++i)
-  {
-    const Piece a = RandomPiece(random, 1 + i % 3);
-    const Piece b = RandomPiece(random, 1 + i / 3 % 3);
-    const bool touch = skd::Touch(a, b, 1e-12);
-    EXPECT_EQ(touch, skd::Touch(b, a, 1e-12));
-    // Samples of the one against the whole of the other: near 0 at a touch, else bounded below.
-    double least2 = 1e9;
-    for (const Vector3& x : PointsOf(a, 60))
-    {
-      const auto& p = b.Points;
-      least2 = std::min(least2, skd::ClosestPointOnTriangle(p[0], p[1], p[2], x).Dist2);
-    }
-    EXPECT_TRUE(!touch || least2 < 0.1 * 0.1) << i;
-    EXPECT_TRUE(touch || least2 > 1e-10) << i;
-    touching += touch;
-  }
-  EXPECT_TRUE(touching > 400 && touching < 3600) << touching;
-}
-
-TEST(PieceContact, IsTheSameAtAnyScale)
-{
-  std::mt19937 random(17);
-  for (int i = 0; i < 500; ++i)
-  {
-    const Piece a = RandomPiece(random, 1 + i % 3);
-    const Piece b = RandomPiece(random, 1 + i / 3 % 3);
-    const bool touch = skd::Touch(a, b, 1e-12);
-    for (const int exponent : { -200, 200 })
-    {
-      const double scale = std::ldexp(1.0, exponent);
-      const auto scaled = [&](Piece piece) { return skd::detail::Scaled(piece, scale); };
-      EXPECT_EQ(skd::Touch(scaled(a), scaled(b), 1e-12 * scale), touch) << i;
-    }
-  }
 }
 
 }

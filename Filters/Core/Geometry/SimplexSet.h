@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Points, segments or triangles, or the solid that triangles enclose: what a cell, a box or a line
-/// is when it is asked how it lies to another one. Its distances are here; points that two sets
-/// share or do not are found in SimplexWitness.h, what covers what in SimplexCover.h, what insides
-/// share in SimplexInteriors.h.
+/// is when it is asked how it lies to another one. Its distances are here; whether two sets meet is
+/// in SimplexContact.h, points that they share or do not are found in SimplexWitness.h, what covers
+/// what in SimplexCover.h, what insides share in SimplexInteriors.h.
 ///
 /// Sets are closed: boundaries belong to them. A solid is told from its outside by the parity of
 /// exact crossings, so its triangles may be turned either way. Coordinates must be finite.
@@ -199,7 +199,7 @@ inline double RimDistance2(const SimplexSet& set, const Vector3& x)
   return least;
 }
 
-/// Whether x is inside a solid. On its boundary either may be the answer.
+/// Whether x is inside a solid or on a face of it. On its edges either may be the answer.
 inline bool Encloses(const SimplexSet& set, const Vector3& x)
 {
   if (set.Dimension < 3 || !set.Bounds.Contains(x))
@@ -213,6 +213,10 @@ inline bool Encloses(const SimplexSet& set, const Vector3& x)
     const Vector3* p = set.Points.data();
     const auto hit =
       view.IsValid() ? Intersect(view, p[simplex[0]], p[simplex[1]], p[simplex[2]]) : std::nullopt;
+    if (hit && hit->T == 0.0)
+    {
+      return true;
+    }
     isInside ^= hit && hit->Passes;
   }
   return isInside;
