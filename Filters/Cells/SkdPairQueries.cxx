@@ -48,20 +48,17 @@ std::vector<CellPairs> WalkInParts(const First& first, const Second& second, con
     skd::PairWalk<First, Second, Query> walk(first, second, query);
     body(walk);
   };
-  std::vector<CellPairs> parts(1);
-  inWalk(parts[0],
-    [&](auto& splitting)
+  std::vector<typename skd::PairWalk<First, Second, Query>::Pair> starts;
+  CellPairs none; // for splitting finds nothing
+  inWalk(none, [&](auto& walk) { starts = walk.Split(enough); });
+  std::vector<CellPairs> parts(starts.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const auto starts = splitting.Split(enough);
-      parts.resize(starts.size());
-      vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()), 1,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-          {
-            inWalk(parts[i], [&](auto& walk) { walk.RunFrom(starts[i]); });
-          }
-        });
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        inWalk(parts[i], [&](auto& walk) { walk.RunFrom(starts[i]); });
+      }
     });
   return parts;
 }
