@@ -37,12 +37,12 @@
  * triangles, with the ids above as cell data.
  *
  * Output port 2, vtkTable: a row for each pair of cells, ascending, with the ids above and
- * | name           | type   | components | meaning | | -------------- | ------ | ---------- |
- * -------------------------------------------------------- | | SkdContact     | int    | 1 | 3 an
- * area, 2 a segment, 1 a point in common, 0 near only | | SkdDistance    | double | 1          | 0,
- * or of cells that are near only their distance         | | SkdFirstPoint  | double | 3          |
- * a point in common, or the nearest of the first cell      | | SkdSecondPoint | double | 3 | the
- * same of the second cell                              |
+ * | name           | type   | components | meaning                                                |
+ * | -------------- | ------ | ---------- | ------------------------------------------------------ |
+ * | SkdContact     | int    | 1          | 3 an area, 2 a segment, 1 a point in common, 0 near    |
+ * | SkdDistance    | double | 1          | 0, or of cells that are near only their distance       |
+ * | SkdFirstPoint  | double | 3          | a point in common, or the nearest of the first cell    |
+ * | SkdSecondPoint | double | 3          | the same of the second cell                            |
  *
  * Output port 3, vtkPolyData: with a Clearance a line between the nearest points of each pair of
  * cells that is near but does not touch, with the ids and SkdDistance as cell data.
