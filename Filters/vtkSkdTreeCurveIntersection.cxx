@@ -102,7 +102,7 @@ SkdCurveSettings vtkSkdTreeCurveIntersection::FindSettings()
   {
     vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
   }
-  return { static_cast<SkdPolylineForm>(this->PolylineForm),
+  return { SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity),
     this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3, this->Epsilon };
 }
 
@@ -146,6 +146,9 @@ void vtkSkdTreeCurveIntersection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PolylineForm: " << this->PolylineForm << "\n";
+  os << indent << "Tension: " << this->Tension << "\n";
+  os << indent << "Bias: " << this->Bias << "\n";
+  os << indent << "Continuity: " << this->Continuity << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "IgnoreJoints: " << (this->IgnoreJoints ? "On\n" : "Off\n");
   os << indent << "CandidateRegions: " << (this->CandidateRegions ? "On\n" : "Off\n");

@@ -28,8 +28,9 @@
  * - Of a curve against itself, parts that follow each other are left out.
  *
  * Output port 0: vtkPolyData, a vertex for each point (in the middle of what gap there is), by
- * curve and other curve, then along them, with | name                    | type   | meaning | |
- * ----------------------- | ------ | ---------------------------------------------------------- |
+ * curve and other curve, then along them, with
+ * | name                    | type   | meaning                                                    |
+ * | ----------------------- | ------ | ---------------------------------------------------------- |
  * | SkdCurveId              | idtype | number of the curve among all that were read               |
  * | SkdCurveCellId          | idtype | its cell                                                   |
  * | SkdCurveBlockIndex      | int    | flat index of its block (of a composite Input)             |
@@ -110,11 +111,25 @@ public:
   ///@{
   /**
    * What a polyline is: straight lines between its points, or the vtkCardinalSpline or
-   * vtkKochanekSpline (with its defaults) through them, over chord lengths; closed when the last
-   * point is the first. Default STRAIGHT.
+   * vtkKochanekSpline through them, over chord lengths; closed when the last point is the first.
+   * Default STRAIGHT.
    */
   vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
   vtkGetMacro(PolylineForm, int);
+  ///@}
+
+  ///@{
+  /**
+   * How a Kochanek spline bends at its points, each from -1 to 1, 0 by default: how tightly (1:
+   * straight between points), towards the line before (1) or after (-1) the point, and with what
+   * corner (the farther from 0). What is not a number counts as 0.
+   */
+  vtkSetClampMacro(Tension, double, -1.0, 1.0);
+  vtkGetMacro(Tension, double);
+  vtkSetClampMacro(Bias, double, -1.0, 1.0);
+  vtkGetMacro(Bias, double);
+  vtkSetClampMacro(Continuity, double, -1.0, 1.0);
+  vtkGetMacro(Continuity, double);
   ///@}
 
   ///@{
@@ -184,6 +199,9 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int PolylineForm = STRAIGHT;
+  double Tension = 0.0;
+  double Bias = 0.0;
+  double Continuity = 0.0;
   double Clearance = 0.0;
   bool IgnoreJoints = true;
   bool InterpolateData = true;

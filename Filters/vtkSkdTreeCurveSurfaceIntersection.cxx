@@ -138,7 +138,8 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   const SkdSurfaceSet& surfaces = this->Impl->Surfaces;
   const std::vector<SkdLeaf>& surfaceLeaves = this->Impl->Leaves;
   SkdCurveSet curves;
-  curves.Read(curveLeaves, static_cast<SkdPolylineForm>(this->PolylineForm));
+  curves.Read(curveLeaves,
+    SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity));
   this->WarnAboutInputs(curves, surfaces);
   const double buildSeconds = watch.Lap();
 
@@ -254,6 +255,9 @@ void vtkSkdTreeCurveSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PolylineForm: " << this->PolylineForm << "\n";
+  os << indent << "Tension: " << this->Tension << "\n";
+  os << indent << "Bias: " << this->Bias << "\n";
+  os << indent << "Continuity: " << this->Continuity << "\n";
   os << indent << "VolumeFaces: " << (this->VolumeFaces ? "On\n" : "Off\n");
   os << indent << "Parts: " << this->Parts << "\n";
   os << indent << "PartArray: " << this->PartArray << "\n";

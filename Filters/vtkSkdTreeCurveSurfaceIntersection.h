@@ -127,11 +127,25 @@ public:
   ///@{
   /**
    * What a polyline is: straight lines between its points, or the vtkCardinalSpline or
-   * vtkKochanekSpline (with its defaults) through them, over chord lengths; closed when the last
-   * point is the first. Default STRAIGHT.
+   * vtkKochanekSpline through them, over chord lengths; closed when the last point is the first.
+   * Default STRAIGHT.
    */
   vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
   vtkGetMacro(PolylineForm, int);
+  ///@}
+
+  ///@{
+  /**
+   * How a Kochanek spline bends at its points, each from -1 to 1, 0 by default: how tightly (1:
+   * straight between points), towards the line before (1) or after (-1) the point, and with what
+   * corner (the farther from 0). What is not a number counts as 0.
+   */
+  vtkSetClampMacro(Tension, double, -1.0, 1.0);
+  vtkGetMacro(Tension, double);
+  vtkSetClampMacro(Bias, double, -1.0, 1.0);
+  vtkGetMacro(Bias, double);
+  vtkSetClampMacro(Continuity, double, -1.0, 1.0);
+  vtkGetMacro(Continuity, double);
   ///@}
 
   ///@{
@@ -233,6 +247,9 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int PolylineForm = STRAIGHT;
+  double Tension = 0.0;
+  double Bias = 0.0;
+  double Continuity = 0.0;
   bool VolumeFaces = true;
   int Parts = BLOCKS;
   std::string PartArray;

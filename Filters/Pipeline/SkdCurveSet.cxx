@@ -84,22 +84,33 @@ template <class Base>
 class FilledSpline : public Base
 {
 public:
-  static vtkSmartPointer<vtkSpline> Make(std::vector<double>& pairs)
+  static vtkSmartPointer<Base> Make(std::vector<double>& pairs)
   {
     auto* made = new FilledSpline;
     made->InitializeObjectBase();
     made->PiecewiseFunction->FillFromDataPointer(static_cast<int>(pairs.size() / 2), pairs.data());
-    return vtkSmartPointer<vtkSpline>::Take(made);
+    return vtkSmartPointer<Base>::Take(made);
   }
 };
 
+vtkSmartPointer<vtkSpline> MakeOpenSpline(const SkdPolylineForm& form, std::vector<double>& pairs)
+{
+  if (form.Kind == SkdPolylineForm::Cardinal)
+  {
+    return FilledSpline<vtkCardinalSpline>::Make(pairs);
+  }
+  const auto spline = FilledSpline<vtkKochanekSpline>::Make(pairs);
+  spline->SetDefaultTension(form.Tension);
+  spline->SetDefaultBias(form.Bias);
+  spline->SetDefaultContinuity(form.Continuity);
+  return spline;
+}
+
 /// The spline through (knot, value) pairs.
 vtkSmartPointer<vtkSpline> MakeSpline(
-  SkdPolylineForm form, bool isClosed, double length, std::vector<double>& pairs)
+  const SkdPolylineForm& form, bool isClosed, double length, std::vector<double>& pairs)
 {
-  vtkSmartPointer<vtkSpline> spline = form == SkdPolylineForm::Cardinal
-    ? FilledSpline<vtkCardinalSpline>::Make(pairs)
-    : FilledSpline<vtkKochanekSpline>::Make(pairs);
+  vtkSmartPointer<vtkSpline> spline = MakeOpenSpline(form, pairs);
   spline->SetClosed(isClosed);
   spline->SetParametricRange(0.0, length);
   return spline;
@@ -107,7 +118,14 @@ vtkSmartPointer<vtkSpline> MakeSpline(
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveSet::Read(const std::vector<SkdLeaf>& leaves, SkdPolylineForm form)
+SkdPolylineForm SkdPolylineForm::Of(int kind, double tension, double bias, double continuity)
+{
+  const auto number = [](double value) { return std::isnan(value) ? 0.0 : value; };
+  return { static_cast<Kinds>(kind), number(tension), number(bias), number(continuity) };
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm& form)
 {
   *this = SkdCurveSet();
   this->Leaves = leaves;
@@ -159,7 +177,7 @@ bool SkdCurveSet::AddPolyline(vtkCell* cell, SkdCurve& curve)
   }
   const bool isClosed = points.size() > 2 && points.front() == points.back();
   curve.Intervals = std::max(static_cast<int>(points.size()) - 1, 1);
-  if (this->Form == SkdPolylineForm::Straight || points.size() < 3)
+  if (this->Form.Kind == SkdPolylineForm::Straight || points.size() < 3)
   {
     this->AddLines(points);
   }

@@ -18,11 +18,27 @@ class vtkCell;
 class vtkIdList;
 
 /// How the points of a polyline are joined.
-enum class SkdPolylineForm
+struct SkdPolylineForm
 {
-  Straight, ///< by straight lines
-  Cardinal, ///< by vtkCardinalSpline, over chord lengths
-  Kochanek  ///< by vtkKochanekSpline, with its defaults, over chord lengths
+  enum Kinds
+  {
+    Straight, ///< by straight lines
+    Cardinal, ///< by vtkCardinalSpline, over chord lengths
+    Kochanek  ///< by vtkKochanekSpline, over chord lengths
+  };
+  Kinds Kind = Straight;
+  double Tension = 0.0; ///< these of a Kochanek spline
+  double Bias = 0.0;
+  double Continuity = 0.0;
+
+  /// As filters have it. What is not a number counts as 0.
+  static SkdPolylineForm Of(int kind, double tension, double bias, double continuity);
+
+  bool operator==(const SkdPolylineForm& other) const
+  {
+    return this->Kind == other.Kind && this->Tension == other.Tension && this->Bias == other.Bias &&
+      this->Continuity == other.Continuity;
+  }
 };
 
 /// A cell that is a curve.
@@ -42,7 +58,7 @@ class SkdCurveSet
 public:
   /// Reads lines, polylines, quadratic, cubic, Lagrange and Bezier curves. Parts of no length are
   /// left out; so are curves of no length, ghosts, and what is told about in GetFaults().
-  void Read(const std::vector<SkdLeaf>& leaves, SkdPolylineForm form);
+  void Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm& form);
 
   const std::vector<SkdCurve>& GetCurves() const { return this->Curves; }
   std::size_t GetNumberOfPieces() const { return this->Pieces.size(); }
@@ -91,7 +107,7 @@ private:
   std::vector<Piece> Pieces;
   std::vector<skd::Homogeneous> Points;
   skd::Box3 Bounds;
-  SkdPolylineForm Form = SkdPolylineForm::Straight;
+  SkdPolylineForm Form;
   vtkIdType NotCurves = 0;
   vtkIdType NoLength = 0;
   vtkIdType NotFinite = 0;

@@ -76,7 +76,7 @@ private:
   void Build(double epsilon);
 
   std::vector<SkdKeptMesh> Meshes;
-  SkdCurveSettings Settings{ SkdPolylineForm::Straight, -1.0, -1.0 };
+  SkdCurveSettings Settings{ {}, -1.0, -1.0 };
   SkdCurveSet Curves;
   std::vector<SkdCurveSpan> Spans;
   std::vector<skd::Box3> Boxes;

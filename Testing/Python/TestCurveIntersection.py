@@ -4,7 +4,9 @@
 
 import math
 
+import numpy
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import skdtesting
 
@@ -26,9 +28,11 @@ def scene(**properties):
 def test_defaults():
     crossing = scene()
     assert crossing.PolylineForm == "Straight"
+    assert crossing.Tension == crossing.Bias == crossing.Continuity == 0
     assert crossing.Clearance == 0
     assert crossing.IgnoreJoints == 1
     assert crossing.InterpolateData == 1
+    assert crossing.CandidateRegions == 0
     assert crossing.ChordTolerance == 1e-3
     assert crossing.Epsilon == 1e-9
 
@@ -69,6 +73,37 @@ def test_the_second_output_has_the_stretches():
     assert stretches.GetNumberOfCells() == 1
     low, high = stretches.GetBounds()[:2]
     assert abs(low - 1) < 1e-6 and abs(high - 4) < 1e-6, (low, high)
+
+
+def test_a_kochanek_spline_of_full_tension_is_straight():
+    zigzag = simple.PolyLineSource(Points=[0, 0, 0, 1, 1, 0, 2, -1, 0, 3, 0, 0])
+    pole = simple.Line(Point1=[0.5, -9, 0], Point2=[0.5, 9, 0], Resolution=1)
+    crossing = simple.SkdTreeCurveIntersection(
+        Input=zigzag, Source=pole, PolylineForm="Kochanek Spline")
+    bent = skdtesting.point_array(crossing, "SkdOtherArcLength")
+    crossing.Tension = 1
+    straight = skdtesting.point_array(crossing, "SkdOtherArcLength")
+    assert abs(straight[0] - 9.5) < 1e-6 < abs(bent[0] - 9.5), (straight, bent)
+
+
+def test_the_third_output_has_the_regions():
+    crossing = simple.SkdTreeCurveIntersection(Input=lissajous(3, 4))  # it crosses within segments
+    crossing.UpdatePipeline()
+    assert servermanager.Fetch(crossing, idx=2).GetNumberOfCells() == 0
+    crossing.CandidateRegions = 1
+    crossing.UpdatePipeline()
+    regions = servermanager.Fetch(crossing, idx=2)
+    hits = vtk_to_numpy(regions.GetCellData().GetArray("SkdNumberOfHits"))
+    assert regions.GetNumberOfCells() >= 17 and hits.sum() == 17, hits
+    assert all(regions.GetCell(i).GetCellDimension() == 3 for i in range(len(hits)))
+    boxes = numpy.array([regions.GetCell(i).GetBounds() for i in range(len(hits))])
+    crossings = servermanager.Fetch(crossing, idx=0)
+    for i in range(17):
+        x = numpy.array(crossings.GetPoint(i))
+        within = (boxes[:, 0::2] <= x).all(axis=1) & (x <= boxes[:, 1::2]).all(axis=1)
+        assert hits[within].sum() >= 1, x
+    ranges = vtk_to_numpy(regions.GetCellData().GetArray("SkdCurveParameterRange"))
+    assert ((0 <= ranges[:, 0]) & (ranges[:, 0] < ranges[:, 1]) & (ranges[:, 1] <= 1)).all()
 
 
 def test_composite_curves():

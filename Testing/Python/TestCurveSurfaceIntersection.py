@@ -18,7 +18,10 @@ def scene(**properties):
 def test_defaults():
     crossing = scene()
     assert crossing.PolylineForm == "Straight"
+    assert crossing.Tension == crossing.Bias == crossing.Continuity == 0
     assert crossing.VolumeFaces == 1
+    assert crossing.Parts == "Blocks"
+    assert crossing.PartArray == ""
     assert crossing.HitSelection == "All"
     assert crossing.HitNumber == 1
     assert crossing.InterpolateData == 1
@@ -50,6 +53,38 @@ def test_the_second_output_has_the_pieces():
     skdtesting.assert_same(inside, [0, 1, 0])
 
 
+def pieces_of(crossing):
+    crossing.UpdatePipeline()
+    pieces = servermanager.Fetch(crossing, idx=1).GetCellData()
+    return [list(vtk_to_numpy(pieces.GetArray(name))) for name in ("SkdPartsInside", "SkdPartId")]
+
+
+def test_parts_are_blocks_pieces_or_values():
+    boxes = [simple.Box(XLength=size, YLength=size, ZLength=size) for size in (3, 2)]
+    names = [simple.Calculator(Input=box, AttributeType="Cell Data", ResultArrayName="name",
+        Function=str(name)) for box, name in zip(boxes, (41, 7))]
+    blocks = simple.GroupDatasets(Input=names)
+    both = simple.AppendGeometry(Input=names)
+    line = simple.Line(Point1=[-2, 0.25, 0.125], Point2=[2, 0.25, 0.125], Resolution=1)
+    crossing = simple.SkdTreeCurveSurfaceIntersection(Input=line, Source=blocks, CutCurves=1)
+    ids = skdtesting.point_array(crossing, "SkdPartId")
+    skdtesting.assert_same(ids, skdtesting.point_array(crossing, "SkdBlockIndex"))
+    assert ids[0] == ids[3] != ids[1] == ids[2], ids
+    assert pieces_of(crossing) == [[0, 1, 2, 1, 0], [-1, ids[0], ids[1], ids[0], -1]]
+    crossing = simple.SkdTreeCurveSurfaceIntersection(Input=line, Source=both, CutCurves=1)
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdPartId"), [0, 0, 0, 0])
+    crossing.Parts = "Cell Array"
+    assert "name" in crossing.GetProperty("PartArray").GetAvailable()
+    crossing.PartArray = "name"
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdPartId"), [41, 7, 7, 41])
+    assert pieces_of(crossing) == [[0, 1, 2, 1, 0], [-1, 41, 7, 41, -1]]
+    merged = simple.CleantoGrid(Input=both)  # faces that share points
+    crossing = simple.SkdTreeCurveSurfaceIntersection(
+        Input=line, Source=merged, CutCurves=1, Parts="Connected Pieces")
+    skdtesting.assert_same(skdtesting.point_array(crossing, "SkdPartId"), [0, 1, 1, 0])
+    assert pieces_of(crossing) == [[0, 1, 2, 1, 0], [-1, 0, 1, 0, -1]]
+
+
 def test_the_third_output_counts():
     crossing = scene()
     crossing.UpdatePipeline()
@@ -73,6 +108,12 @@ def test_a_spline_leaves_its_polygon():
     crossing.PolylineForm = "Cardinal Spline"
     crossing.UpdatePipeline()
     assert skdtesting.report(crossing, "Hits") == 2
+    crossing.PolylineForm = "Kochanek Spline"
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "Hits") == 2
+    crossing.Tension = 1
+    crossing.UpdatePipeline()
+    assert skdtesting.report(crossing, "Hits") == 0
 
 
 def test_composite_inputs_and_volumes():
