@@ -70,25 +70,6 @@ TEST(CurveIntersection, TwoLines)
   EXPECT_EQ(ReportOf(filter, "Hits"), 1);
 }
 
-TEST(CurveIntersection, MirroredHelicesMeetFiveTimes)
-{
-  const auto helix = [](double sign) {
-    return [=](double t) { return Point{ std::cos(t), sign * std::sin(t), t / (2 * M_PI) }; };
-  };
-  constexpr int pieces = 7; // so that t = k pi is within a piece, but at both ends
-  const FilterPointer filter = MakeFilter(
-    LagrangeCurve(helix(1), 0, 4 * M_PI, pieces), LagrangeCurve(helix(-1), 0, 4 * M_PI, pieces));
-  // Interpolation moves the curves apart by 1e-10: they are near there, and meet at their ends.
-  filter->SetClearance(1e-7);
-  const Numbers cells = OutputArray(filter, "SkdCurveCellId");
-  const Numbers within = OutputArray(filter, "SkdCurveParameter");
-  ASSERT_EQ(cells.size(), 5u);
-  for (std::size_t k = 0; k < 5; ++k)
-  {
-    EXPECT_NEAR((cells[k] + within[k]) * 4 * M_PI / pieces, k * M_PI, 1e-7);
-  }
-}
-
 TEST(CurveIntersection, PolylinesOfMirroredHelicesMissEachOther)
 {
   const auto helix = [](double sign) {
@@ -123,27 +104,6 @@ TEST(CurveIntersection, LissajousCurvesMeetThemselves)
   }
 }
 
-TEST(CurveIntersection, ALissajousCurvesCrossingsAreWhereTheyAre)
-{
-  // (sin(3t + 0.3), sin(4t)) with itself: both coordinates agree at two parameters.
-  const std::vector<Point> points = Sampled(Lissajous(3, 4), 0, 2 * M_PI, 4000);
-  std::vector<Point> closed = points;
-  closed.back() = closed.front();
-  const FilterPointer filter = MakeFilter(MakePolyline(closed));
-  filter->SetPolylineForm(Filter::CARDINAL_SPLINE);
-  const Numbers first = OutputArray(filter, "SkdCurveParameter");
-  const Numbers second = OutputArray(filter, "SkdOtherCurveParameter");
-  ASSERT_EQ(first.size(), 17u);
-  const auto at = Lissajous(3, 4);
-  for (std::size_t i = 0; i < first.size(); ++i)
-  {
-    EXPECT_LT(first[i], second[i]);
-    const Point a = at(2 * M_PI * first[i]);
-    const Point b = at(2 * M_PI * second[i]);
-    EXPECT_LT(Length(a - b), 1e-5);
-  }
-}
-
 TEST(CurveIntersection, RationalCirclesCrossExactly)
 {
   const FilterPointer filter = MakeFilter(BezierCircle(1.0), BezierCircle(1.0, { 1, 0, 0 }));
@@ -171,37 +131,6 @@ TEST(CurveIntersection, CirclesThatTouch)
   EXPECT_NEAR(points[0][1], std::sin(0.5), 1e-7);
   filter->SetSourceData(BezierCircle(0.5 - 1e-12, centre));
   EXPECT_TRUE(OutputPoints(filter).empty());
-}
-
-TEST(CurveIntersection, CurvesThatComeCloseAreNeverLost)
-{
-  // Arcs whose chords miss each other by up to twice the chord tolerance, crossed in one point.
-  Random random(4);
-  for (int round = 0; round < 300; ++round)
-  {
-    const double turn = random.Between(0, 2 * M_PI);
-    const double tilt = random.Between(0.1, M_PI - 0.1);
-    const auto arc = [&](double t) { return Point{ std::sin(t), 1 - std::cos(t), 0.0 }; };
-    const auto other = [&](double t)
-    {
-      const double flat = std::sin(t), high = -(1 - std::cos(t));
-      return Point{ flat * std::cos(tilt), high, flat * std::sin(tilt) };
-    };
-    (void)turn;
-    const double from = random.Between(-0.9, -0.2);
-    const double to = random.Between(0.2, 0.9);
-    const auto place = [&](const auto& f) { return LagrangeCurve(f, from, to, 1); };
-    const FilterPointer filter = MakeFilter(place(arc), place(other));
-    // Exactly the origin is common; interpolation of order 10 keeps it to 1e-14 or so.
-    filter->SetClearance(1e-9);
-    for (double tolerance : { 1.0, 1e-1, 1e-2, 1e-4 })
-    {
-      filter->SetChordTolerance(tolerance);
-      const std::vector<Point> points = OutputPoints(filter);
-      ASSERT_EQ(points.size(), 1u) << round;
-      EXPECT_LT(Length(points[0]), 1e-5);
-    }
-  }
 }
 
 TEST(CurveIntersection, CurvesThatOverlapTellTheStretch)
@@ -334,6 +263,53 @@ TEST(CurveIntersection, AnswersTheRestOfBadInput)
   EventCounter more(empty);
   EXPECT_TRUE(OutputPoints(empty).empty());
   EXPECT_EQ(more.Warnings, 1);
+}
+
+TEST(CurveIntersection, RefusesWeightsThatAreNotPositive)
+{
+  for (double weight : { 0.0, -1.0 })
+  {
+    const GridPointer circle = BezierCircle(1.0);
+    circle->GetPointData()->GetRationalWeights()->SetTuple1(1, weight);
+    const FilterPointer filter = MakeFilter(circle, BezierCircle(1.0, { 1, 0, 0 }));
+    EventCounter events(filter);
+    filter->Update();
+    EXPECT_EQ(events.Warnings, 1);
+    EXPECT_NE(events.Warning.find("1 curves have a weight that is not positive"), std::string::npos)
+      << events.Warning;
+    EXPECT_EQ(ReportOf(filter, "Curves"), 3);
+    EXPECT_EQ(ReportOf(filter, "Hits"), 1); // of the two of whole circles
+  }
+}
+
+TEST(CurveIntersection, ProgressRisesAndAnAbortStops)
+{
+  Random random(7);
+  Mesh mesh;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Point start = random.InBox({ 0, 1, 0, 1, 0, 0 });
+    mesh.Add(VTK_LINE, { mesh.Add(start), mesh.Add(start + 0.02 * random.Direction()) });
+  }
+  mesh.Map([](const Point& p) { return Point{ p[0], p[1], 0.0 }; });
+  const FilterPointer filter = MakeFilter(MakePolyData(mesh));
+  std::vector<double> steps;
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&steps);
+  watch->SetCallback(
+    [](vtkObject* self, unsigned long, void* all, void*) {
+      static_cast<std::vector<double>*>(all)->push_back(Filter::SafeDownCast(self)->GetProgress());
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  const std::size_t all = OutputPoints(filter).size();
+  EXPECT_GT(steps.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
+    { Filter::SafeDownCast(self)->SetAbortExecute(1); });
+  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  filter->Modified();
+  EXPECT_LT(OutputPoints(filter).size(), all);
 }
 
 TEST(CurveIntersection, AnswersTheSameWithAnyNumberOfThreads)

@@ -45,6 +45,23 @@ FilterPointer TorusAndLine(double y, double z)
   return MakeFilter(MakePolyline({ { -2, y, z }, { 2.3, y, z } }), BezierTorus(1.0, 0.25));
 }
 
+Point HelixAt(double t)
+{
+  return { std::cos(t), std::sin(t), 0.1 * t };
+}
+
+/// Each of the cells of a curve runs within the surface, from its begin to its end.
+void ExpectWithin(vtkAlgorithm* filter, int cells)
+{
+  std::vector<double> ends;
+  for (int i = 0; i < cells; ++i)
+  {
+    ends.insert(ends.end(), { 0, 1 });
+  }
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), std::vector<double>(ends.size(), 2.0));
+  ExpectNear(OutputArray(filter, "SkdCurveParameter"), ends);
+}
+
 /// A square in the plane z = x, as a quad.
 PolyDataPointer SlantedPlane()
 {
@@ -113,49 +130,74 @@ TEST(CurveSurfaceKnown, VivianisCurveAndAPlane)
   constexpr int pieces = 60;
   const FilterPointer filter =
     MakeFilter(LagrangeCurve(viviani, 0.0, 4 * M_PI, pieces), SlantedPlane());
-  const std::vector<double> within = OutputArray(filter, "SkdCurveParameter");
-  const std::vector<double> cells = OutputArray(filter, "SkdCurveCellId");
-  ASSERT_EQ(within.size(), 2u);
-  ExpectNear(
-    { (cells[0] + within[0]) * 4 * M_PI / pieces, (cells[1] + within[1]) * 4 * M_PI / pieces },
-    { 1.33247886498503051, 4.95070644219455597 });
+  ExpectNear(PlacesOfPieces(filter, 0.0, 4 * M_PI, pieces),
+    { 1.33247886498503051, 4.95070644219455597 }, 2e-15);
 }
 
 TEST(CurveSurfaceKnown, AHelixAndASphere)
 {
-  const auto helix = [](double t) { return Point{ std::cos(t), std::sin(t), 0.1 * t }; };
   constexpr int pieces = 80;
   const FilterPointer filter =
-    MakeFilter(LagrangeCurve(helix, -12.0, 12.0, pieces), BezierSphere(1.5));
-  const std::vector<double> within = OutputArray(filter, "SkdCurveParameter");
-  const std::vector<double> cells = OutputArray(filter, "SkdCurveCellId");
-  ASSERT_EQ(within.size(), 2u);
-  ExpectNear(
-    { (cells[0] + within[0]) * 24 / pieces - 12, (cells[1] + within[1]) * 24 / pieces - 12 },
-    { -11.1803398874989485, 11.1803398874989485 });
+    MakeFilter(LagrangeCurve(HelixAt, -12.0, 12.0, pieces), BezierSphere(1.5));
+  ExpectNear(PlacesOfPieces(filter, -12.0, 12.0, pieces),
+    { -11.1803398874989485, 11.1803398874989485 }, 2e-15);
+}
+
+TEST(CurveSurfaceKnown, AHelixAndACylinderBesideIt)
+{
+  constexpr int pieces = 80;
+  const FilterPointer filter =
+    MakeFilter(LagrangeCurve(HelixAt, -12.0, 12.0, pieces), BezierCylinder(1.0, 4.0, { 1, 0, 0 }));
+  std::vector<double> expected; // (cos t - 1)^2 + sin^2 t = 1: cos t = 1/2
+  for (int turn = -2; turn <= 1; ++turn)
+  {
+    expected.push_back(2 * M_PI * turn + M_PI / 3);
+    expected.push_back(2 * M_PI * (turn + 1) - M_PI / 3);
+  }
+  ExpectNear(PlacesOfPieces(filter, -12.0, 12.0, pieces), expected);
+  EXPECT_EQ(OutputArray(filter, "SkdKind"), std::vector<double>(8, 0.0));
+}
+
+TEST(CurveSurfaceKnown, AHelixAndCylindersAboutItsAxis)
+{
+  constexpr int pieces = 80;
+  const FilterPointer filter =
+    MakeFilter(LagrangeCurve(HelixAt, -12.0, 12.0, pieces), BezierCylinder(1.0, 4.0));
+  ExpectWithin(filter, pieces);
+  for (double radius : { 1.0 - 1e-5, 1.0 + 1e-5 })
+  {
+    filter->SetSourceData(BezierCylinder(radius, 4.0));
+    EXPECT_TRUE(OutputPoints(filter).empty()) << radius;
+  }
 }
 
 TEST(CurveSurfaceKnown, AHelixAcrossAPlane)
 {
-  const auto helix = [](double t) { return Point{ std::cos(t), std::sin(t), 0.1 * t }; };
-  // A wider cylinder is never met, a plane across once a turn of it.
-  const FilterPointer filter = MakeFilter(LagrangeCurve(helix, 0.5, 20.0, 60), SlantedPlane());
-  const std::vector<Point> points = OutputPoints(filter);
-  EXPECT_FALSE(points.empty());
-  for (const Point& point : points)
+  const FilterPointer filter = MakeFilter(LagrangeCurve(HelixAt, 0.5, 20.0, 60), SlantedPlane());
+  const std::vector<double> places = PlacesOfPieces(filter, 0.5, 20.0, 60);
+  ASSERT_EQ(places.size(), 3u); // cos t = t / 10
+  for (double t : places)
   {
-    EXPECT_NEAR(point[0], point[2], 1e-12);
+    EXPECT_NEAR(std::cos(t), 0.1 * t, 1e-14);
   }
 }
 
 TEST(CurveSurfaceKnown, ACircleOfTheTorusRunsWithinIt)
 {
-  const FilterPointer filter =
-    MakeFilter(BezierCircle(1.0, { 0, 0, 0.25 }), BezierTorus(1.0, 0.25));
   // The torus' highest circle: both run together all around, cell by cell.
-  const std::vector<double> kinds = OutputArray(filter, "SkdKind");
-  EXPECT_EQ(kinds, std::vector<double>(kinds.size(), 2.0));
-  EXPECT_EQ(kinds.size(), 8u); // the ends of four cells
+  ExpectWithin(MakeFilter(BezierCircle(1.0, { 0, 0, 0.25 }), BezierTorus(1.0, 0.25)), 4);
+}
+
+TEST(CurveSurfaceKnown, AKnotOnATorusRunsWithinIt)
+{
+  const auto knot = [](double t)
+  {
+    const double r = 1 + 0.25 * std::cos(3 * t);
+    return Point{ r * std::cos(2 * t), r * std::sin(2 * t), 0.25 * std::sin(3 * t) };
+  };
+  constexpr int pieces = 50; // borders of patches are within pieces
+  ExpectWithin(
+    MakeFilter(LagrangeCurve(knot, 0.0, 2 * M_PI, pieces), BezierTorus(1.0, 0.25)), pieces);
 }
 
 TEST(CurveSurfaceKnown, ASplineThroughPointsIsVtksOwn)

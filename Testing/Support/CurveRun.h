@@ -115,24 +115,47 @@ inline GridPointer BezierCircle(double radius, const Point& centre = {})
   return grid;
 }
 
+/// Where VTK has the points of a biquadratic quadrilateral, along both parameters.
+constexpr int BiquadraticOrder[9][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 1, 0 }, { 2, 1 },
+  { 1, 2 }, { 0, 1 }, { 1, 1 } };
+
 /// A surface of revolution about z as rational biquadratic Bezier quadrilaterals: circles of
 /// `radius` whose centres are at `distance` from z, `quarters` quarters of them from angle `first`.
 inline GridPointer BezierRevolution(double distance, double radius, int first, int quarters)
 {
-  static constexpr int order[9][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 1, 0 }, { 2, 1 },
-    { 1, 2 }, { 0, 1 }, { 1, 1 } };
   Mesh mesh;
   std::vector<double> weights;
   for (int patch = 0; patch < 4 * quarters; ++patch)
   {
     Ids ids;
-    for (const auto& [i, j] : order)
+    for (const auto& [i, j] : BiquadraticOrder)
     {
       const auto around = QuarterCircle(i, patch % 4);
       const auto tube = QuarterCircle(j, first + patch / 4);
       const double r = distance + radius * tube[0];
       ids.push_back(mesh.Add({ r * around[0], r * around[1], radius * tube[1] }));
       weights.push_back(around[2] * tube[2]);
+    }
+    mesh.Add(VTK_BEZIER_QUADRILATERAL, ids);
+  }
+  GridPointer grid = MakeGrid(mesh);
+  SetRationalWeights(grid, weights);
+  return grid;
+}
+
+/// A cylinder about the line along z through `centre`, its middle, as four rational patches.
+inline GridPointer BezierCylinder(double radius, double length, const Point& centre = {})
+{
+  Mesh mesh;
+  std::vector<double> weights;
+  for (int quarter = 0; quarter < 4; ++quarter)
+  {
+    Ids ids;
+    for (const auto& [i, j] : BiquadraticOrder)
+    {
+      const auto [c, s, w] = QuarterCircle(i, quarter);
+      ids.push_back(mesh.Add(centre + Point{ radius * c, radius * s, 0.5 * (j - 1) * length }));
+      weights.push_back(w);
     }
     mesh.Add(VTK_BEZIER_QUADRILATERAL, ids);
   }
@@ -190,6 +213,20 @@ inline std::vector<Point> OutputPoints(vtkAlgorithm* filter, int port = 0)
     data->GetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
   return points;
+}
+
+/// Where the points are along a curve that is `pieces` equal cells from `from` to `to`. Side:
+/// "SkdCurve" or "SkdOtherCurve".
+inline std::vector<double> PlacesOfPieces(
+  vtkAlgorithm* filter, double from, double to, int pieces, const std::string& side = "SkdCurve")
+{
+  const std::vector<double> cells = OutputArray(filter, side + "CellId");
+  std::vector<double> places = OutputArray(filter, side + "Parameter");
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    places[i] = from + (cells[i] + places[i]) * (to - from) / pieces;
+  }
+  return places;
 }
 
 /// A number of a filter's report.
