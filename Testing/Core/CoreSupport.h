@@ -29,7 +29,7 @@ struct Dimension
   static constexpr int Value = D;
 };
 
-#ifdef SKD_TEST_FEWER_DIMENSIONS
+#ifdef SKD_TEST_FEWER_KINDS
 using Dimensions = ::testing::Types<Dimension<3>, Dimension<6>>;
 #else
 using Dimensions =

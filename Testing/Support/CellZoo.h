@@ -23,6 +23,13 @@ namespace skdtest
 
 bool IsHigherOrder(int type);
 
+/// The highest order of Lagrange and Bezier cells that tests try. VTK's own maps of them are slow.
+#ifdef SKD_TEST_FEWER_KINDS
+constexpr int HighestOrder = 2;
+#else
+constexpr int HighestOrder = 4;
+#endif
+
 /// How many points a Lagrange or Bezier cell of uniform order has.
 int HigherOrderSize(int type, int order);
 
