@@ -254,7 +254,7 @@ int vtkSkdTreeAMR::RequestData(
   OwnPiece(*grid, outputVector->GetInformationObject(0));
   const SkdGridEstimate estimate = Refine(this, state, *grid);
   const SkdGridExtras extras =
-    SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Boundary, this, 0.6, 0.9);
+    SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Enclosure, this, 0.6, 0.9);
   const double refineSeconds = watch.Lap();
 
   SkdFillGridOutput(*grid, extras, state.Parts.GetBlockIndices(), this->Conforming, output);

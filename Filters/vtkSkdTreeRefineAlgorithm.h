@@ -105,7 +105,9 @@ public:
   ///@{
   /**
    * Refine cells whose middle is inside of the closed surface that the parts are or that bounds
-   * them to this level, at most MaximumLevel. Default 0: the inside does not matter.
+   * them to this level, at most MaximumLevel: by the parity of exact crossings, or, of a surface
+   * with open edges, which a warning counts, by its winding number. Default 0: the inside does not
+   * matter.
    */
   vtkSetClampMacro(InsideLevel, int, 0, 30);
   vtkGetMacro(InsideLevel, int);

@@ -7,19 +7,19 @@
 #include "Refine/SkdGridInside.h"
 
 SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridQuestions& questions,
-  const SkdParts& parts, const SkdSignedSource& boundary, vtkAlgorithm* algorithm, double first,
+  const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last)
 {
   const double third = (last - first) / 3.0;
   SkdGridExtras extras;
   if (questions.NeedBoundary())
   {
-    extras.Inside = SkdFindInside(grid, boundary, algorithm, first, first + third);
+    extras.Inside = SkdFindInside(grid, enclosure, algorithm, first, first + third);
   }
   if (questions.Fractions)
   {
-    extras.Fractions = SkdFindFractions(grid, boundary, extras.Inside, questions.Epsilon, algorithm,
-      first + third, first + 2.0 * third);
+    extras.Fractions = SkdFindFractions(grid, enclosure, extras.Inside, questions.Epsilon,
+      algorithm, first + third, first + 2.0 * third);
   }
   if (!questions.Inside)
   {

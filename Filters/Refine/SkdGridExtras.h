@@ -11,7 +11,7 @@
 #include "Refine/SkdGrid.h"
 #include "Refine/SkdParts.h"
 
-class SkdSignedSource;
+class SkdEnclosure;
 class vtkAlgorithm;
 
 /// Level by level, cell by cell; empty what was not wanted.
@@ -32,10 +32,10 @@ struct SkdGridQuestions
   bool NeedBoundary() const { return this->Inside || this->Fractions; }
 };
 
-/// The algorithm is told the progress, from `first` to `last`. `boundary` is looked at only where
+/// The algorithm is told the progress, from `first` to `last`. `enclosure` is looked at only where
 /// a question needs it.
 SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridQuestions& questions,
-  const SkdParts& parts, const SkdSignedSource& boundary, vtkAlgorithm* algorithm, double first,
+  const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last);
 
 #endif

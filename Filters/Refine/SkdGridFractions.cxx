@@ -3,7 +3,7 @@
 #include "Refine/SkdGridFractions.h"
 
 #include "Pipeline/SkdLoop.h"
-#include "Pipeline/SkdSignedSource.h"
+#include "Refine/SkdEnclosure.h"
 #include "Refine/SkdOrientedWalls.h"
 
 #include <numeric>
@@ -12,7 +12,7 @@
 namespace
 {
 /// The part of 4 x 4 x 4 samples that is inside; fewer along flat axes.
-double SampledFraction(const skd::Box3& box, const SkdSignedSource& boundary)
+double SampledFraction(const skd::Box3& box, const SkdEnclosure& enclosure)
 {
   std::array<int, 3> counts;
   for (int axis = 0; axis < 3; ++axis)
@@ -29,7 +29,7 @@ double SampledFraction(const skd::Box3& box, const SkdSignedSource& boundary)
     {
       x[axis] = box.Min[axis] + (at[axis] + 0.5) / counts[axis] * box.Length(axis);
     }
-    in += boundary.IsInside(x.X);
+    in += enclosure.IsInside(x);
   }
   return static_cast<double>(in) / all;
 }
@@ -52,13 +52,13 @@ void SetRefined(const SkdGrid& grid, std::vector<std::vector<double>>& fractions
 }
 
 std::vector<std::vector<double>> SkdFindFractions(const SkdGrid& grid,
-  const SkdSignedSource& boundary, const std::vector<std::vector<unsigned char>>& inside,
+  const SkdEnclosure& enclosure, const std::vector<std::vector<unsigned char>>& inside,
   double epsilon, vtkAlgorithm* algorithm, double first, double last)
 {
   std::optional<SkdOrientedWalls> walls;
-  if (boundary.GetNumberOfOpenEdges() == 0)
+  if (enclosure.IsClosed())
   {
-    walls.emplace(boundary, epsilon);
+    walls.emplace(enclosure.GetBoundary(), epsilon);
   }
   std::vector<std::vector<double>> fractions;
   SkdLoop loop(algorithm, static_cast<vtkIdType>(grid.Forest.NumberOfCells()), first, last);
@@ -73,7 +73,7 @@ std::vector<std::vector<double>> SkdFindFractions(const SkdGrid& grid,
           if (grid.Forest.IsLeaf(level, cell) && grid.Levels[level].Cut[cell])
           {
             const skd::Box3 box = grid.BoxOf(level, cell);
-            row[cell] = walls ? walls->GetFraction(box) : SampledFraction(box, boundary);
+            row[cell] = walls ? walls->GetFraction(box) : SampledFraction(box, enclosure);
           }
         }
       });

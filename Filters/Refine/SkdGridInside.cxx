@@ -4,7 +4,7 @@
 
 #include "Core/Grid/Balance.h"
 #include "Pipeline/SkdLoop.h"
-#include "Pipeline/SkdSignedSource.h"
+#include "Refine/SkdEnclosure.h"
 
 #include <numeric>
 
@@ -113,11 +113,10 @@ void SetRefined(const SkdGrid& grid, std::vector<std::vector<unsigned char>>& in
 
 //------------------------------------------------------------------------------
 std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
-  const SkdSignedSource& boundary, vtkAlgorithm* algorithm, double first, double last)
+  const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first, double last)
 {
   const Row row(grid);
-  const bool isClosed = boundary.GetNumberOfOpenEdges() == 0;
-  Unions unions = isClosed ? JoinFreeLeaves(grid, row) : Unions(row.Cells.size());
+  Unions unions = enclosure.IsClosed() ? JoinFreeLeaves(grid, row) : Unions(row.Cells.size());
   std::vector<std::size_t> asked(row.Cells.size());
   for (std::size_t i = 0; i < asked.size(); ++i)
   {
@@ -134,7 +133,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
         const SkdGridCell& at = row.Cells[i];
         if (asked[i] == i && grid.Forest.IsLeaf(at.Level, at.Index))
         {
-          answers[i] = boundary.IsInside(grid.BoxOf(at.Level, at.Index).Centroid().X);
+          answers[i] = enclosure.IsInside(grid.BoxOf(at.Level, at.Index).Centroid());
         }
       }
     });

@@ -5,7 +5,7 @@
 
 #include "Refine/SkdGrid.h"
 
-class SkdSignedSource;
+class SkdEnclosure;
 class vtkAlgorithm;
 
 /// Which cells have their centres inside of a boundary, a value a cell, level by level; that of a
@@ -14,6 +14,6 @@ class vtkAlgorithm;
 /// Leaves that no part meets and that share a face are on the same side of a closed boundary: one
 /// of those that hang together is asked for all. Of an open boundary each leaf is asked.
 std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
-  const SkdSignedSource& boundary, vtkAlgorithm* algorithm, double first, double last);
+  const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first, double last);
 
 #endif

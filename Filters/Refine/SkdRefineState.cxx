@@ -18,22 +18,23 @@ void WarnAbout(vtkSkdTreeRefineAlgorithm* self, const SkdSignedSource& boundary)
   else if (boundary.GetNumberOfOpenEdges() > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "The parts are not closed, they have " << boundary.GetNumberOfOpenEdges()
-                                             << " open edges: what is inside goes by vote.");
+      "The parts are not closed, they have "
+        << boundary.GetNumberOfOpenEdges()
+        << " open edges: what is inside goes by winding number.");
   }
 }
 }
 
 int SkdRefineState::Update(vtkSkdTreeRefineAlgorithm* self, const std::vector<SkdLeaf>& parts,
-  vtkDataObject* field, bool needsBoundary)
+  vtkDataObject* field, bool needsEnclosure)
 {
   int treesBuilt = this->Parts.Update(parts, self->GetEpsilon());
   this->UpdateField(self, field);
-  this->HasBoundary = needsBoundary || self->GetInsideLevel() > 0;
-  if (this->HasBoundary)
+  this->HasEnclosure = needsEnclosure || self->GetInsideLevel() > 0;
+  if (this->HasEnclosure)
   {
-    treesBuilt += this->Boundary.Update(parts, self->GetEpsilon());
-    WarnAbout(self, this->Boundary);
+    treesBuilt += this->Enclosure.Update(parts, self->GetEpsilon());
+    WarnAbout(self, this->Enclosure.GetBoundary());
   }
   return treesBuilt;
 }
@@ -74,7 +75,7 @@ SkdCriteria SkdRefineState::MakeCriteria(vtkSkdTreeRefineAlgorithm* self) const
   if (self->GetInsideLevel() > 0)
   {
     criteria.InsideLevel = self->GetInsideLevel();
-    criteria.IsInside = [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); };
+    criteria.IsInside = [this](const skd::Vector3& x) { return this->Enclosure.IsInside(x); };
   }
   if (!this->FieldArrays.empty())
   {
@@ -91,8 +92,8 @@ void SkdRefineState::Report(SkdReport& report) const
   report.AddCount("PartCells", counts.Cells);
   report.AddCount("PartCellsLeftOut", counts.CellsLeftOut);
   report.AddMeasure("Epsilon", counts.Tolerance);
-  if (this->HasBoundary)
+  if (this->HasEnclosure)
   {
-    report.AddCount("OpenEdges", this->Boundary.GetNumberOfOpenEdges());
+    report.AddCount("OpenEdges", this->Enclosure.GetBoundary().GetNumberOfOpenEdges());
   }
 }

@@ -9,8 +9,8 @@
 #ifndef SkdRefineState_h
 #define SkdRefineState_h
 
-#include "Pipeline/SkdSignedSource.h"
 #include "Refine/SkdCriteria.h"
+#include "Refine/SkdEnclosure.h"
 #include "Refine/SkdFieldCriterion.h"
 #include "vtkSkdTreeRefineAlgorithm.h"
 
@@ -32,13 +32,13 @@ public:
   ///@}
 
   SkdParts Parts;
-  SkdSignedSource Boundary; ///< of the parts, if something needs it
+  SkdEnclosure Enclosure; ///< of the parts, if something needs it
   SkdFieldCriterion Field;
 
   /// Makes trees those of the parts and of the field, if that is asked, and warns of arrays that it
   /// does not have. Returns how many trees of parts were built. Throws as SkdParts::Update() does.
   int Update(vtkSkdTreeRefineAlgorithm* self, const std::vector<SkdLeaf>& parts,
-    vtkDataObject* field, bool needsBoundary);
+    vtkDataObject* field, bool needsEnclosure);
 
   /// What the filter's settings ask for. This must live.
   SkdCriteria MakeCriteria(vtkSkdTreeRefineAlgorithm* self) const;
@@ -49,7 +49,7 @@ public:
 private:
   void UpdateField(vtkSkdTreeRefineAlgorithm* self, vtkDataObject* field);
 
-  bool HasBoundary = false;
+  bool HasEnclosure = false;
 };
 
 #endif

@@ -200,7 +200,59 @@ TEST(AMRCriteria, InsideAndDistanceAreThoseOfTheCentres)
   }
 }
 
-TEST(AMRCriteria, AnOpenSurfaceIsVotedOnWithAWarning)
+/// The sum of the solid angles of all triangles (A. van Oosterom, J. Strackee, "The Solid Angle of
+/// a Plane Triangle", IEEE Trans. Biomed. Eng. 30 (1983) 125-126), in whole spheres.
+double WindingNumber(const Mesh& mesh, const Point& x)
+{
+  double sum = 0.0;
+  for (const CellSpec& cell : mesh.Cells)
+  {
+    const Point a = mesh.Points[cell.Points[0]] - x;
+    const Point b = mesh.Points[cell.Points[1]] - x;
+    const Point c = mesh.Points[cell.Points[2]] - x;
+    sum += std::atan2(Dot(a, Cross(b, c)),
+      Length(a) * Length(b) * Length(c) + Dot(a, b) * Length(c) + Dot(b, c) * Length(a) +
+        Dot(c, a) * Length(b));
+  }
+  return sum / (2.0 * 3.14159265358979323846);
+}
+
+/// Without its cap, and with triangles turned at random.
+TEST(AMRCriteria, TheInsideOfAnOpenSurfaceIsByWindingNumber)
+{
+  const Mesh ball = SphereTriangles(16);
+  const Mesh bowl =
+    Part(ball, [&](std::size_t cell) { return ball.Points[ball.Cells[cell].Points[1]][2] < 0.5; });
+  Mesh turned = bowl;
+  Random random(6);
+  for (CellSpec& cell : turned.Cells)
+  {
+    if (random.InBox({ 0, 1, 0, 1, 0, 1 })[0] < 0.3)
+    {
+      std::swap(cell.Points[1], cell.Points[2]);
+    }
+  }
+  for (const Mesh& mesh : { bowl, turned })
+  {
+    AMRPointer filter = MakeAMR(MakePolyData(mesh), 4);
+    filter->ComputeInsideOn();
+    EventCounter events(filter);
+    const std::vector<Leaf> leaves = RunLeaves(filter);
+    const std::vector<double> inside = CellArray(filter, "SkdInside");
+    int seen[2] = { 0, 0 };
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      const double number = std::abs(WindingNumber(bowl, Center(leaves[i].Box)));
+      EXPECT_TRUE(std::abs(number - 0.5) < 1e-9 || inside[i] == (number > 0.5)) << number;
+      ++seen[inside[i] != 0];
+    }
+    EXPECT_TRUE(seen[0] > 100 && seen[1] > 100);
+    EXPECT_EQ(events.Warnings, 1);
+    EXPECT_NE(events.Warning.find("winding number"), std::string::npos) << events.Warning;
+  }
+}
+
+TEST(AMRCriteria, AnOpenSurfaceIsSaidToBeOpen)
 {
   const Mesh ball = SphereTriangles(12);
   auto open = MakePolyData(Part(ball, [](std::size_t cell) { return cell != 5; }));

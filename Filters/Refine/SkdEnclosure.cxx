@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refine/SkdEnclosure.h"
+
+#include "Pipeline/SkdOrientation.h"
+
+int SkdEnclosure::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+{
+  const int built = this->Boundary.Update(leaves, epsilon);
+  if (this->IsClosed())
+  {
+    this->Winding.reset();
+  }
+  else if (built > 0 || !this->Winding)
+  {
+    vtkPolyData* walls = this->Boundary.GetWalls();
+    const std::vector<bool> isTurned = SkdFindTurned(SkdPointsOf(walls), SkdTrianglesOf(walls),
+      [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); });
+    this->Winding = std::make_unique<SkdWinding>(walls, isTurned);
+  }
+  return built;
+}
