@@ -199,13 +199,21 @@ bool Referee::MayBeListed(Question question, const Query& query, vtkIdType cell)
                                           : this->IsHit(query, cell, 10 * this->LineTolerance);
 }
 
+// A cell of its own each time: a generic cell gives its polyhedron again, and one of VTK 9.1 that is
+// used again may find no nearest point.
+void Referee::LookAt(vtkIdType cell)
+{
+  this->Cell = vtkSmartPointer<vtkGenericCell>::New();
+  this->Data->GetCell(cell, this->Cell);
+}
+
 bool Referee::IsHit(const Query& query, vtkIdType cell, double tolerance)
 {
   if (cell < 0 || cell >= this->Data->GetNumberOfCells())
   {
     return false;
   }
-  this->Data->GetCell(cell, this->Cell);
+  this->LookAt(cell);
   double t;
   Point x;
   Point pcoords;
@@ -236,7 +244,7 @@ double Referee::DistanceToCell(const Point& x, vtkIdType cell)
   {
     return Infinity;
   }
-  this->Data->GetCell(cell, this->Cell);
+  this->LookAt(cell);
   Point closest;
   Point pcoords;
   int subId;
@@ -272,7 +280,7 @@ double Referee::Warp(vtkIdType cell)
   {
     return 0.0;
   }
-  this->Data->GetCell(cell, this->Cell);
+  this->LookAt(cell);
   if (this->Cell->GetCellDimension() < 3)
   {
     return WarpOf(this->Cell);

@@ -16,7 +16,7 @@
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
-#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -58,6 +58,8 @@ private:
   bool IsInBox(const Query& query, vtkIdType cell);
   bool IsInside(const Point& x, vtkIdType cell);
 
+  void LookAt(vtkIdType cell);
+
   /// Infinity for an id that no cell has.
   double DistanceToCell(const Point& x, vtkIdType cell);
 
@@ -70,7 +72,7 @@ private:
   double Slack(const Record& record) const { return record.Precision * this->Size; }
 
   vtkDataSet* Data;
-  vtkNew<vtkGenericCell> Cell;
+  vtkSmartPointer<vtkGenericCell> Cell; // the one that is looked at
   std::vector<double> Weights;
   double Size;
   double LineTolerance;
