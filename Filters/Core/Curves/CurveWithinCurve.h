@@ -3,6 +3,7 @@
 #ifndef skd_Curves_CurveWithinCurve_h
 #define skd_Curves_CurveWithinCurve_h
 
+#include "CommonStretches.h"
 #include "CurvePair.h"
 
 namespace skd
@@ -16,66 +17,29 @@ class CurveWithinCurve
 public:
   explicit CurveWithinCurve(const CurvePair& pair)
     : Pair(pair)
-    , Size(std::clamp(pair.First.Degree * pair.Second.Degree + 2, 8, MaximumSize - 1))
   {
   }
 
   /// If it does, appends both ends of each stretch, one after the other.
-  bool Find(std::vector<CurvePairHit>& hits)
+  bool Find(std::vector<CurvePairHit>& hits) const
   {
-    const int middle = this->Size / 2;
-    CurvePairHit foot;
-    foot.S = 0.5;
-    if (!this->TryAll(middle, -1, foot))
-    {
-      return false;
-    }
-    foot = this->Feet[middle];
-    if (!this->TryAll(middle + 1, this->Size + 1, foot))
-    {
-      return false;
-    }
-    this->AppendStretches(hits);
-    return true;
+    using Stretches = CommonStretches<CurveWithinCurve, CurvePairHit>;
+    const int size = this->Pair.First.Degree * this->Pair.Second.Degree + 2;
+    CurvePairHit start;
+    start.S = 0.5;
+    return Stretches(*this, std::clamp(size, 8, Stretches::MaximumSize)).Find(start, hits);
   }
 
 private:
-  static constexpr int MaximumSize = 128;
+  friend class CommonStretches<CurveWithinCurve, CurvePairHit>;
 
-  /// From `first` on, to before `end`.
-  bool TryAll(int first, int end, CurvePairHit& foot)
+  bool Follow(CurvePairHit& foot) const
   {
-    const int step = end < first ? -1 : 1;
-    for (int i = first; i != end; i += step)
-    {
-      foot.T = static_cast<double>(i) / this->Size;
-      Vector3 way;
-      const bool isWithin =
-        this->Pair.FindFoot(foot, way) && Norm(way) <= 2.0 * this->Pair.Tolerance;
-      this->Feet[i] = foot;
-      if (!isWithin)
-      {
-        return false;
-      }
-    }
-    return true;
+    Vector3 way;
+    return this->Pair.FindFoot(foot, way) && Norm(way) <= 2.0 * this->Pair.Tolerance;
   }
 
   static double Depth(const CurvePairHit& foot) { return std::min(foot.S, 1.0 - foot.S); }
-
-  /// Between a place on the other curve and one beyond its ends.
-  CurvePairHit Border(CurvePairHit on, CurvePairHit beyond) const
-  {
-    for (int iteration = 0; iteration < 60; ++iteration)
-    {
-      CurvePairHit middle = on;
-      middle.T = 0.5 * (on.T + beyond.T);
-      Vector3 way;
-      this->Pair.FindFoot(middle, way);
-      (Depth(middle) >= 0.0 ? on : beyond) = middle;
-    }
-    return on;
-  }
 
   void Append(CurvePairHit begin, CurvePairHit end, std::vector<CurvePairHit>& hits) const
   {
@@ -103,32 +67,7 @@ private:
     }
   }
 
-  void AppendStretches(std::vector<CurvePairHit>& hits) const
-  {
-    CurvePairHit begin;
-    bool isOn = false;
-    for (int i = 0; i <= this->Size; ++i)
-    {
-      const bool isNext = Depth(this->Feet[i]) >= -1e-9;
-      if (isNext && !isOn)
-      {
-        begin = i == 0 ? this->Feet[0] : this->Border(this->Feet[i], this->Feet[i - 1]);
-      }
-      if (!isNext && isOn)
-      {
-        this->Append(begin, this->Border(this->Feet[i - 1], this->Feet[i]), hits);
-      }
-      isOn = isNext;
-    }
-    if (isOn)
-    {
-      this->Append(begin, this->Feet[this->Size], hits);
-    }
-  }
-
   const CurvePair& Pair;
-  int Size;
-  CurvePairHit Feet[MaximumSize];
 };
 
 }

@@ -3,6 +3,7 @@
 #ifndef skd_Curves_CurveWithinPatch_h
 #define skd_Curves_CurveWithinPatch_h
 
+#include "CommonStretches.h"
 #include "CurvePatchContact.h"
 
 namespace skd
@@ -17,50 +18,25 @@ public:
   explicit CurveWithinPatch(const CurvePatchPair& pair)
     : Pair(pair)
   {
-    const int surface = 2 * pair.Patch.DegreeR * pair.Patch.DegreeS;
-    this->Size = std::clamp(pair.Curve.Degree * surface + 2, 16, MaximumSize - 1);
   }
 
-  /// If it does, appends both ends of each stretch. A curve that does not is mostly told by its
-  /// first place.
-  bool Find(std::vector<CurvePatchHit>& hits)
+  /// If it does, appends both ends of each stretch.
+  bool Find(std::vector<CurvePatchHit>& hits) const
   {
-    const int middle = this->Size / 2;
-    CurvePatchHit foot{ 0.0, 0.5, 0.5 };
-    if (!this->Try(middle, foot))
-    {
-      return false;
-    }
-    for (int i = middle - 1; i >= 0; --i)
-    {
-      if (!this->Try(i, foot))
-      {
-        return false;
-      }
-    }
-    foot = this->Feet[middle];
-    for (int i = middle + 1; i <= this->Size; ++i)
-    {
-      if (!this->Try(i, foot))
-      {
-        return false;
-      }
-    }
-    this->AppendStretches(hits);
-    return true;
+    using Stretches = CommonStretches<CurveWithinPatch, CurvePatchHit>;
+    const int surface = 2 * this->Pair.Patch.DegreeR * this->Pair.Patch.DegreeS;
+    const int size = this->Pair.Curve.Degree * surface + 2;
+    const CurvePatchHit start{ 0.0, 0.5, 0.5 };
+    return Stretches(*this, std::clamp(size, 16, Stretches::MaximumSize)).Find(start, hits);
   }
 
 private:
-  static constexpr int MaximumSize = 128;
+  friend class CommonStretches<CurveWithinPatch, CurvePatchHit>;
 
-  bool Try(int i, CurvePatchHit& foot)
+  bool Follow(CurvePatchHit& foot) const
   {
-    foot.T = static_cast<double>(i) / this->Size;
     double height;
-    const bool isWithin =
-      this->Pair.FindFoot(foot, height) && std::abs(height) <= 2.0 * this->Pair.Tolerance;
-    this->Feet[i] = foot;
-    return isWithin;
+    return this->Pair.FindFoot(foot, height) && std::abs(height) <= 2.0 * this->Pair.Tolerance;
   }
 
   /// How far the foot is within the patch; negative beyond.
@@ -68,22 +44,6 @@ private:
   {
     const double inSquare = std::min({ foot.R, 1.0 - foot.R, foot.S, 1.0 - foot.S });
     return this->Pair.Patch.IsTriangle ? std::min(inSquare, 1.0 - foot.R - foot.S) : inSquare;
-  }
-
-  bool IsOn(const CurvePatchHit& foot) const { return this->Depth(foot) >= -1e-9; }
-
-  /// Between a place on the patch and one beyond.
-  CurvePatchHit Border(CurvePatchHit on, CurvePatchHit beyond) const
-  {
-    for (int iteration = 0; iteration < 60; ++iteration)
-    {
-      CurvePatchHit middle = on;
-      middle.T = 0.5 * (on.T + beyond.T);
-      double height;
-      this->Pair.FindFoot(middle, height);
-      (this->Depth(middle) >= 0.0 ? on : beyond) = middle;
-    }
-    return on;
   }
 
   void Append(CurvePatchHit begin, CurvePatchHit end, std::vector<CurvePatchHit>& hits) const
@@ -112,32 +72,7 @@ private:
     }
   }
 
-  void AppendStretches(std::vector<CurvePatchHit>& hits) const
-  {
-    CurvePatchHit begin;
-    bool isOn = false;
-    for (int i = 0; i <= this->Size; ++i)
-    {
-      const bool isNext = this->IsOn(this->Feet[i]);
-      if (isNext && !isOn)
-      {
-        begin = i == 0 ? this->Feet[0] : this->Border(this->Feet[i], this->Feet[i - 1]);
-      }
-      if (!isNext && isOn)
-      {
-        this->Append(begin, this->Border(this->Feet[i - 1], this->Feet[i]), hits);
-      }
-      isOn = isNext;
-    }
-    if (isOn)
-    {
-      this->Append(begin, this->Feet[this->Size], hits);
-    }
-  }
-
   const CurvePatchPair& Pair;
-  int Size;
-  CurvePatchHit Feet[MaximumSize];
 };
 
 }
