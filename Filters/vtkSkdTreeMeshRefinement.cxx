@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeMeshRefinement.h"
 
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
@@ -20,6 +21,7 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -118,6 +120,39 @@ vtkSmartPointer<vtkPointSet> MakeBlock(const SkdReadMesh& read, const SkdReadMes
   auto mesh = vtkPointSet::SafeDownCast(output);
   SkdWriteBlock(read, block, hanging, self->GetOutputPointsPrecision(), mesh);
   return mesh;
+}
+
+std::vector<vtkSmartPointer<vtkPointSet>> MakeBlocks(
+  const SkdReadMesh& read, const skd::HangingNodes& hanging, Filter* self)
+{
+  std::vector<vtkSmartPointer<vtkPointSet>> meshes;
+  for (const SkdReadMesh::Block& block : read.Blocks)
+  {
+    meshes.push_back(MakeBlock(read, block, hanging, self));
+  }
+  return meshes;
+}
+
+/// The number of trees that were built, if all processes can read their input.
+std::optional<int> Read(Filter* self, SkdRefineState& state, vtkInformationVector** inputs,
+  const skd::Processes* processes, SkdReadMesh& read)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* field = vtkDataObject::GetData(inputs[2]);
+  std::optional<int> treesBuilt;
+  try
+  {
+    treesBuilt = state.Update(
+      self, SkdLeavesOf(vtkDataObject::GetData(inputs[1])), field ? field : input, false);
+    SkdReadLeaves(SkdLeavesOf(input), read);
+  }
+  catch (const std::length_error& error)
+  {
+    vtkErrorWithObjectMacro(self, "Input cannot be refined: " << error.what());
+    treesBuilt.reset();
+  }
+  const bool isAnyLost = processes && processes->IsAny(!treesBuilt);
+  return isAnyLost ? std::nullopt : treesBuilt;
 }
 
 /// Blocks go where they were, or in a row where the output is of another make.
@@ -222,28 +257,23 @@ int vtkSkdTreeMeshRefinement::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  vtkDataObject* field = vtkDataObject::GetData(inputVector[2]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   output->Initialize();
+  const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
   SkdStopwatch watch;
-  int treesBuilt = 0;
   SkdReadMesh read;
-  try
+  const std::optional<int> treesBuilt = Read(
+    this, *this->State, inputVector, this->Method == BISECTION ? processes.get() : nullptr, read);
+  if (!treesBuilt)
   {
-    treesBuilt = this->State->Update(
-      this, SkdLeavesOf(vtkDataObject::GetData(inputVector[1])), field ? field : input, false);
-    SkdReadLeaves(SkdLeavesOf(input), read);
-  }
-  catch (const std::length_error& error)
-  {
-    vtkErrorMacro("Input cannot be refined: " << error.what());
     return 1;
   }
   this->Impl->Surface.Update(vtkDataObject::GetData(inputVector[3]), false, this->Epsilon);
   SetPlacement(this, this->Impl->Surface, read.Mesh);
   const double buildSeconds = watch.Lap();
 
-  const SkdMeshSettings settings = MakeSettings(this, *this->State);
+  SkdMeshSettings settings = MakeSettings(this, *this->State);
+  settings.Processes = processes.get();
   WarnAbout(this, settings, read);
   SkdMeshTally tally(read.Mesh);
   const SkdMeshOutcome outcome =
@@ -251,19 +281,14 @@ int vtkSkdTreeMeshRefinement::RequestData(
   const double refineSeconds = watch.Lap();
 
   const skd::HangingNodes hanging(read.Mesh);
-  std::vector<vtkSmartPointer<vtkPointSet>> meshes;
-  for (const SkdReadMesh::Block& block : read.Blocks)
-  {
-    meshes.push_back(MakeBlock(read, block, hanging, this));
-  }
-  PutBlocks(read.Blocks, meshes, input, output);
+  PutBlocks(read.Blocks, MakeBlocks(read, hanging, this), input, output);
   tally.Finish(read.Mesh, hanging);
   WarnAbout(this, outcome, tally);
 
   SkdReport report(output);
   SkdReportMesh(report, read, outcome, tally);
   this->State->Report(report);
-  report.AddCount("TreesBuilt", treesBuilt);
+  report.AddCount("TreesBuilt", *treesBuilt);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("RefineSeconds", refineSeconds);
   this->Impl->Surface.Release();

@@ -55,9 +55,11 @@
  * triangle and 400 a tetrahedron beside the output. How many cells and how much memory it will be
  * is told by the progress text, from the first round on, by how the mesh has grown so far.
  *
- * Processes: each refines its own piece of Input, around all of the parts. REGULAR cuts without
- * Balance are the same on any number of processes; by BISECTION, points may hang where two pieces
- * meet (SkdHanging does not tell), unless each process gets the whole Input.
+ * Processes: each refines its own piece of Input, around all of the parts. By BISECTION they tell
+ * each other what they cut where their pieces meet, by the global controller, until nothing
+ * changes, so together the pieces are what one process makes of the whole (CellLimit is each one's
+ * own, and SURFACE takes the border of a piece for one of the mesh). All processes must update
+ * then. REGULAR cuts are the same on any number of processes without Balance and GrowingLayers.
  *
  * Where nothing is told that could ask for cells (no Parts, no arrays of a field, no MinimumLevel)
  * all of them are refined once.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdMeshRefiner.h"
 
-#include "Core/Mesh/Bisection.h"
 #include "Core/Mesh/MeshLayers.h"
 #include "Core/Mesh/RegularCuts.h"
 #include "Pipeline/SkdLoop.h"
@@ -20,6 +19,16 @@ SkdMeshRefiner::SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double las
   , Parts(parts)
   , Settings(settings)
 {
+  if (settings.Processes && settings.IsConforming)
+  {
+    this->Shared = std::make_unique<skd::SharedCuts>(mesh, *settings.Processes);
+  }
+}
+
+/// On any process.
+bool SkdMeshRefiner::IsAny(bool here) const
+{
+  return this->Shared ? this->Settings.Processes->IsAny(here) : here;
 }
 
 SkdMeshOutcome SkdMeshRefiner::Refine()
@@ -31,13 +40,14 @@ SkdMeshOutcome SkdMeshRefiner::Refine()
     const std::uint32_t begin = seen;
     seen = this->Mesh.NumberOfCells();
     const std::vector<std::uint32_t> wanted = this->FindWanted(begin);
-    if (wanted.empty() || this->Outcome.IsAborted)
+    this->Outcome.IsAborted = this->IsAny(this->Outcome.IsAborted);
+    if (!this->IsAny(!wanted.empty()) || this->Outcome.IsAborted)
     {
       break;
     }
     this->TellSize();
     const int level = this->LeastLevelOf(wanted);
-    if (!this->Cut(skd::WithLayers(this->Mesh, wanted, this->Settings.Layers)))
+    if (!this->Cut(wanted))
     {
       this->Outcome.IsStopped = true;
       this->Outcome.StoppedAtLevel = level;
@@ -99,12 +109,28 @@ bool SkdMeshRefiner::IsWanted(std::uint32_t cell) const
     this->Settings.IsWantedByOthers(level, region, this->Parts);
 }
 
-bool SkdMeshRefiner::Cut(const std::vector<std::uint32_t>& cells)
+bool SkdMeshRefiner::Cut(const std::vector<std::uint32_t>& wanted)
 {
-  const std::uint64_t limit = this->Settings.CellLimit;
+  const std::vector<std::uint32_t> cells =
+    skd::WithLayers(this->Mesh, wanted, this->Settings.Layers,
+      [this](std::vector<int>& levels)
+      { this->Shared ? this->Shared->ShareLevels(levels) : void(); });
   return this->Settings.IsConforming
-    ? skd::Bisection(this->Mesh, limit).Refine(cells)
-    : skd::RegularCuts(this->Mesh, limit, this->Settings.Balance).Refine(cells);
+    ? this->Bisect(cells)
+    : skd::RegularCuts(this->Mesh, this->Settings.CellLimit, this->Settings.Balance).Refine(cells);
+}
+
+bool SkdMeshRefiner::Bisect(const std::vector<std::uint32_t>& cells)
+{
+  const skd::RefinedMesh::State before = this->Mesh.GetState();
+  skd::Bisection bisection(this->Mesh, this->Settings.CellLimit);
+  bool fits = bisection.Refine(cells);
+  if (this->Shared)
+  {
+    fits = this->Shared->Exchange(bisection, fits);
+    fits ? void() : this->Mesh.GoBackTo(before);
+  }
+  return fits;
 }
 
 /// How much it will be, if it goes on like this, before it is made.
@@ -119,7 +145,7 @@ void SkdMeshRefiner::TellSize() const
 //------------------------------------------------------------------------------
 int SkdMeshRefiner::LeastLevelOf(const std::vector<std::uint32_t>& cells) const
 {
-  int least = this->Mesh[cells.front()].Level();
+  int least = this->Settings.MaximumLevel;
   for (const std::uint32_t cell : cells)
   {
     least = std::min(least, this->Mesh[cell].Level());

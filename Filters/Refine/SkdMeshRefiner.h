@@ -13,8 +13,10 @@
 #define SkdMeshRefiner_h
 
 #include "Core/Grid/Balance.h"
-#include "Core/Mesh/RefinedMesh.h"
+#include "Core/Mesh/SharedCuts.h"
 #include "Refine/SkdCriteria.h"
+
+#include <memory>
 
 class vtkAlgorithm;
 
@@ -25,6 +27,7 @@ struct SkdMeshSettings : SkdCriteria
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0; ///< around cells that are wanted finer
   std::uint64_t CellLimit = 0;
+  const skd::Processes* Processes = nullptr; ///< that bisect the mesh together, each a piece of it
 };
 
 /// What became of it.
@@ -50,7 +53,9 @@ public:
 private:
   std::vector<std::uint32_t> FindWanted(std::uint32_t begin);
   bool IsWanted(std::uint32_t cell) const;
-  bool Cut(const std::vector<std::uint32_t>& cells);
+  bool Cut(const std::vector<std::uint32_t>& wanted);
+  bool Bisect(const std::vector<std::uint32_t>& cells);
+  bool IsAny(bool here) const;
   void TellSize() const;
   double Estimate() const;
   int LeastLevelOf(const std::vector<std::uint32_t>& cells) const;
@@ -62,8 +67,9 @@ private:
   const SkdParts& Parts;
   const SkdMeshSettings& Settings;
   SkdMeshOutcome Outcome;
-  std::vector<double> LeavesAfter; // each round
-  double Done = 0.0;               // of all that there is to do, as far as can be told
+  std::unique_ptr<skd::SharedCuts> Shared; // if there are several processes
+  std::vector<double> LeavesAfter;         // each round
+  double Done = 0.0;                       // of all that there is to do, as far as can be told
 };
 
 #endif

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MeshScenes.h"
+
 #include "Core/Geometry/Ears.h"
 #include "Core/Mesh/Bisection.h"
 #include "Core/Mesh/HangingNodes.h"
@@ -19,25 +21,6 @@ using skd::CellKind;
 using skd::RefinedMesh;
 using skd::Vector3;
 
-/// A square of n times n squares, two triangles each.
-RefinedMesh MakeSquare(std::uint32_t n)
-{
-  RefinedMesh mesh;
-  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i)
-  {
-    mesh.AddNode({ { double(i % (n + 1)), double(i / (n + 1)), 0.0 } });
-  }
-  for (std::uint32_t cell = 0; cell < n * n; ++cell)
-  {
-    const std::uint32_t a = cell / n * (n + 1) + cell % n;
-    const std::uint32_t low[3] = { a, a + 1, a + n + 2 };
-    const std::uint32_t high[3] = { a, a + n + 2, a + n + 1 };
-    mesh.AddCell(CellKind::Triangle, low, 3, 2 * cell, 0);
-    mesh.AddCell(CellKind::Triangle, high, 3, 2 * cell + 1, 0);
-  }
-  return mesh;
-}
-
 std::vector<std::uint32_t> SomeLeaves(const RefinedMesh& mesh, std::mt19937& random)
 {
   std::vector<std::uint32_t> some;
@@ -49,19 +32,6 @@ std::vector<std::uint32_t> SomeLeaves(const RefinedMesh& mesh, std::mt19937& ran
     }
   }
   return some;
-}
-
-std::vector<std::vector<std::uint32_t>> LeavesOf(const RefinedMesh& mesh)
-{
-  std::vector<std::vector<std::uint32_t>> leaves;
-  for (std::uint32_t cell = 0; cell < mesh.NumberOfCells(); ++cell)
-  {
-    if (mesh[cell].IsLeaf())
-    {
-      leaves.emplace_back(mesh.NodesOf(cell).begin(), mesh.NodesOf(cell).end());
-    }
-  }
-  return leaves;
 }
 
 TEST(TupleNumbers, AreThoseOfAMap)

@@ -89,8 +89,39 @@ def all_centres_found():
     ]
 
 
+def cells_of(proxy):
+    """A row for each cell of this process: its corners in order."""
+    proxy.UpdatePipeline()
+    data = proxy.GetClientSideObject().GetOutputDataObject(0)
+    rows = numpy.full((data.GetNumberOfCells(), 24), -99.0)
+    for i, row in enumerate(rows):
+        points = data.GetCell(i).GetPoints()
+        corners = sorted(points.GetPoint(k) for k in range(points.GetNumberOfPoints()))
+        row[:3 * len(corners)] = numpy.array(corners).ravel()
+    return rows
+
+
+def all_refined():
+    """Without hanging points: what one process cuts the other does, too, where they meet."""
+    from paraview import simple
+
+    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+    ball = simple.Sphere(Radius=2.3, Center=[0.3, 0.2, 0.4])
+    return [
+        cells_of(simple.SkdTreeMeshRefinement(Input=image, Parts=ball, MaximumLevel=2)),
+        cells_of(simple.SkdTreeMeshRefinement(
+            Input=image, Parts=ball, MaximumLevel=1, GrowingLayers=1)),
+        cells_of(simple.SkdTreeAMR(Input=ball, OutputType="Unstructured Grid", Balance="Face",
+            BaseDimensions=[3, 2, 2])),
+    ]
+
+
+def all_cells():
+    return all_centres_found() + all_refined()
+
+
 if len(sys.argv) > 1:
-    numpy.savez(sys.argv[1] % skdtesting.process_id(), *all_answers(), *all_centres_found())
+    numpy.savez(sys.argv[1] % skdtesting.process_id(), *all_answers(), *all_cells())
 elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
     skdtesting.skip("there is no mpiexec or no pvbatch")
 else:
@@ -106,7 +137,7 @@ else:
         together = numpy.unique(numpy.vstack([first, second]), axis=0)
         skdtesting.assert_same(together, numpy.unique(whole, axis=0))
     # Cells are on one process each: together they are those that one finds, each once.
-    for whole, first, second in zip(all_centres_found(), *(part[count:] for part in parts)):
+    for whole, first, second in zip(all_cells(), *(part[count:] for part in parts)):
         assert min(len(first), len(second)) > 0
         together = numpy.vstack([first, second])
         skdtesting.assert_same(

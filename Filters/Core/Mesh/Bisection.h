@@ -23,6 +23,7 @@
 #include "EdgeOrder.h"
 #include "StarShape.h"
 
+#include <utility>
 #include <vector>
 
 namespace skd
@@ -44,6 +45,38 @@ public:
   {
     const RefinedMesh::State before = this->Mesh.GetState();
     this->Waiting = cells;
+    return this->CutWaiting() || this->GoBackTo(before);
+  }
+
+  ///@{
+  /// Cuts an edge that a cell has, or a face of four nodes, as if a cell beyond it were cut there,
+  /// and what else must be. Returns as Refine() does.
+  bool RefineAt(std::uint32_t a, std::uint32_t b)
+  {
+    const RefinedMesh::State before = this->Mesh.GetState();
+    this->Waiting.clear();
+    this->CutEdge(a, b);
+    return this->CutWaiting() || this->GoBackTo(before);
+  }
+  bool RefineAt(const FaceNodes& face)
+  {
+    const RefinedMesh::State before = this->Mesh.GetState();
+    this->Waiting.clear();
+    this->CutFace(face);
+    return this->CutWaiting() || this->GoBackTo(before);
+  }
+  ///@}
+
+  /// The edges and faces that have been cut, in turn. The last node of a face is not None, that of
+  /// an edge, and the one before, are.
+  std::vector<FaceNodes> TakeCuts() { return std::exchange(this->Cuts, {}); }
+
+private:
+  static constexpr std::uint32_t None = RefinedMesh::None;
+
+  /// False if it makes too many leaves.
+  bool CutWaiting()
+  {
     for (std::size_t next = 0; next < this->Waiting.size(); ++next)
     {
       const std::uint32_t cell = this->Waiting[next];
@@ -53,15 +86,17 @@ public:
       }
       if (this->Mesh.NumberOfLeaves() > this->Limit)
       {
-        this->Mesh.GoBackTo(before);
         return false;
       }
     }
     return true;
   }
 
-private:
-  static constexpr std::uint32_t None = RefinedMesh::None;
+  bool GoBackTo(const RefinedMesh::State& before)
+  {
+    this->Mesh.GoBackTo(before);
+    return false;
+  }
 
   void Cut(std::uint32_t cell)
   {
@@ -111,6 +146,7 @@ private:
       return known;
     }
     this->Mesh.ForEachLeafAt(a, b, [&](std::uint32_t cell) { this->Waiting.push_back(cell); });
+    this->Cuts.push_back({ a, b, None, None });
     return this->Mesh.MakeMiddle(a, b);
   }
 
@@ -119,6 +155,7 @@ private:
     if (this->Mesh.SetCut(face))
     {
       this->Mesh.ForEachLeafAt(face, [&](std::uint32_t cell) { this->Waiting.push_back(cell); });
+      this->Cuts.push_back(face);
     }
   }
 
@@ -238,6 +275,7 @@ private:
   RefinedMesh& Mesh;
   std::uint64_t Limit;
   std::vector<std::uint32_t> Waiting;
+  std::vector<FaceNodes> Cuts;
 };
 
 }

@@ -12,12 +12,14 @@ namespace skd
 {
 
 /// Some leaves, and layers of leaves around them: those that share a node with one and are not
-/// finer than it. In the order of their numbers. O(layers cells).
-inline std::vector<std::uint32_t> WithLayers(
-  const RefinedMesh& mesh, const std::vector<std::uint32_t>& leaves, int layers)
+/// finer than it. In the order of their numbers. O(layers cells). `share(finest)` may raise what
+/// is known of nodes, for each layer: the level of the finest cell so far that has it, or -1.
+template <class Share>
+std::vector<std::uint32_t> WithLayers(
+  const RefinedMesh& mesh, const std::vector<std::uint32_t>& leaves, int layers, const Share& share)
 {
   std::vector<std::uint32_t> grown = leaves;
-  for (int layer = 0; layer < layers && !leaves.empty(); ++layer)
+  for (int layer = 0; layer < layers; ++layer)
   {
     std::vector<int> finest(mesh.NumberOfNodes(), -1);
     for (const std::uint32_t cell : grown)
@@ -27,6 +29,7 @@ inline std::vector<std::uint32_t> WithLayers(
         finest[node] = std::max(finest[node], mesh[cell].Level());
       }
     }
+    share(finest);
     grown.clear();
     for (std::uint32_t cell = 0; cell < mesh.NumberOfCells(); ++cell)
     {

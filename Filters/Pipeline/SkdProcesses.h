@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdProcesses_h
+#define SkdProcesses_h
+
+#include "Core/Mesh/SharedCuts.h"
+
+#include <memory>
+
+class vtkInformation;
+
+/// The processes of the global controller, if there are several and each is asked for a piece of
+/// its own; else nullptr.
+std::unique_ptr<skd::Processes> SkdProcessesOf(vtkInformation* output);
+
+#endif
