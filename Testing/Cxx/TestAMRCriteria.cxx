@@ -6,6 +6,7 @@
 #include "Support/BruteForce.h"
 #include "Support/ClosestPointRun.h"
 #include "Support/NamedMeshes.h"
+#include "Support/WindingReference.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -198,23 +199,6 @@ TEST(AMRCriteria, InsideAndDistanceAreThoseOfTheCentres)
     EXPECT_NEAR(volume, 2 * 9.8696 * 0.35 * 0.35, 0.15);
     EXPECT_EQ(Reported(filter, "OpenEdges"), 0);
   }
-}
-
-/// The sum of the solid angles of all triangles (A. van Oosterom, J. Strackee, "The Solid Angle of
-/// a Plane Triangle", IEEE Trans. Biomed. Eng. 30 (1983) 125-126), in whole spheres.
-double WindingNumber(const Mesh& mesh, const Point& x)
-{
-  double sum = 0.0;
-  for (const CellSpec& cell : mesh.Cells)
-  {
-    const Point a = mesh.Points[cell.Points[0]] - x;
-    const Point b = mesh.Points[cell.Points[1]] - x;
-    const Point c = mesh.Points[cell.Points[2]] - x;
-    sum += std::atan2(Dot(a, Cross(b, c)),
-      Length(a) * Length(b) * Length(c) + Dot(a, b) * Length(c) + Dot(b, c) * Length(a) +
-        Dot(c, a) * Length(b));
-  }
-  return sum / (2.0 * 3.14159265358979323846);
 }
 
 /// Without its cap, and with triangles turned at random.

@@ -8,6 +8,7 @@
 #include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
 #include "Support/VolumeMeshes.h"
+#include "Support/WindingReference.h"
 
 #include "vtkXMLPolyDataReader.h"
 
@@ -19,23 +20,6 @@ using namespace skdtest;
 
 namespace
 {
-
-/// The solid angle of all triangles of a surface that is oriented, over 4 pi: 1 inside, 0 outside.
-double WindingNumber(const Mesh& triangles, const Point& x)
-{
-  double sum = 0.0;
-  for (const CellSpec& cell : triangles.Cells)
-  {
-    const Point a = triangles.Points[cell.Points[0]] - x;
-    const Point b = triangles.Points[cell.Points[1]] - x;
-    const Point c = triangles.Points[cell.Points[2]] - x;
-    const double la = Length(a), lb = Length(b), lc = Length(c);
-    sum += 2.0 *
-      std::atan2(
-        Dot(a, Cross(b, c)), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
-  }
-  return sum / (4.0 * 3.14159265358979323846);
-}
 
 bool IsInside(const Mesh& triangles, const Point& x)
 {
