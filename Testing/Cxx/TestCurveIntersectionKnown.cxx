@@ -189,3 +189,23 @@ TEST(CurveIntersectionKnown, CurvesThatHardlyMissDoNotCross)
     ASSERT_NEAR(OutputArray(filter, "SkdGap")[0], gap, 1e-14);
   }
 }
+
+// They are cut into no more than so many parts: what is left of a pair is looked at bit by bit.
+TEST(CurveIntersectionKnown, CurvesThatNearlyCoincideCrossWhereTheyDo)
+{
+  constexpr int pieces = 4;
+  for (double amplitude : { 1e-6, 1e-9, 1e-11 })
+  {
+    const auto weave = [&](double t)
+    {
+      const double r = 1 + amplitude * std::sin(5 * t);
+      return Point{ r * std::cos(t), r * std::sin(t), 0 };
+    };
+    const FilterPointer filter =
+      MakeFilter(LagrangeCurve(weave, 0.1, 1.5, pieces), BezierCircle(1.0));
+    const Numbers places = PlacesOfPieces(filter, 0.1, 1.5, pieces);
+    ASSERT_EQ(places.size(), 2u) << amplitude;
+    EXPECT_NEAR(places[0], M_PI / 5, 1e-14 / amplitude);
+    EXPECT_NEAR(places[1], 2 * M_PI / 5, 1e-14 / amplitude);
+  }
+}

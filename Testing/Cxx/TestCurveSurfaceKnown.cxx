@@ -171,6 +171,27 @@ TEST(CurveSurfaceKnown, AHelixAndCylindersAboutItsAxis)
   }
 }
 
+// They are cut into no more than so many parts: what is left of a pair is looked at bit by bit.
+TEST(CurveSurfaceKnown, ACurveThatNearlyRunsWithinACylinderCrossesItWhereItDoes)
+{
+  constexpr int pieces = 4;
+  for (double amplitude : { 1e-6, 1e-10 })
+  {
+    const auto weave = [&](double t)
+    {
+      const double r = 1 + amplitude * std::sin(5 * t);
+      return Point{ r * std::cos(t), r * std::sin(t), 0.1 * t };
+    };
+    const FilterPointer filter =
+      MakeFilter(LagrangeCurve(weave, 0.1, 1.5, pieces), BezierCylinder(1.0, 4.0));
+    const std::vector<double> places = PlacesOfPieces(filter, 0.1, 1.5, pieces);
+    ASSERT_EQ(places.size(), 2u) << amplitude;
+    EXPECT_NEAR(places[0], M_PI / 5, 1e-14 / amplitude);
+    EXPECT_NEAR(places[1], 2 * M_PI / 5, 1e-14 / amplitude);
+    EXPECT_EQ(OutputArray(filter, "SkdSense"), (std::vector<double>{ 1, -1 }));
+  }
+}
+
 TEST(CurveSurfaceKnown, AHelixAcrossAPlane)
 {
   const FilterPointer filter = MakeFilter(LagrangeCurve(HelixAt, 0.5, 20.0, 60), SlantedPlane());

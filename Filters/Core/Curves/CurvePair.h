@@ -141,6 +141,15 @@ struct CurvePair
                                                    : std::nullopt;
   }
 
+  /// Whether the curves stay within the tolerance of each other from one touch to the next.
+  bool IsOneContact(const CurvePairHit& a, const CurvePairHit& b) const
+  {
+    CurvePairHit middle = a;
+    middle.T = 0.5 * (a.T + b.T);
+    Vector3 way;
+    return this->FindFoot(middle, way) && Norm(way) <= 4.0 * this->Tolerance;
+  }
+
   /// Takes a gap to the changes of T and S (less) that close it: the third direction is across
   /// both.
   static InverseRows Inverse(const Vector3& first, const Vector3& second)

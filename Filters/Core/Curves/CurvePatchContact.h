@@ -172,6 +172,15 @@ struct CurvePatchPair
     return isNear && this->PlaceContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
+  /// Whether the curve stays within the tolerance of the patch from one touch to the next.
+  bool IsOneContact(const CurvePatchHit& a, const CurvePatchHit& b) const
+  {
+    CurvePatchHit middle = a;
+    middle.T = 0.5 * (a.T + b.T);
+    double height;
+    return this->FindFoot(middle, height) && std::abs(height) <= 4.0 * this->Tolerance;
+  }
+
 private:
   static bool Snap(double& value, double slack, bool& isOnBoundary)
   {

@@ -6,6 +6,7 @@
 #include "../Geometry/Segment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +20,7 @@ template <class Cell, class Hit, class Contact>
 class MeetingSearch
 {
 protected:
-  static constexpr int CellBudget = 20000; ///< what is left then counts as touching
+  static constexpr int CellBudget = 20000; ///< what is left then may touch: see ResolveContacts
 
   void Clear()
   {
@@ -42,7 +43,8 @@ protected:
   }
 
   /// Puts together the contacts that follow each other along the curve, and lets the pair resolve
-  /// each of them: from its middle, over the whole range.
+  /// each of them: from its middle, over the whole range. Long ones, of what the budget has left,
+  /// may hold several places: they are resolved bit by bit.
   template <class Pair>
   void ResolveContacts(const Pair& pair)
   {
@@ -56,12 +58,7 @@ protected:
       {
         range.Max = std::max(range.Max, this->Contacts[last++].T.Max);
       }
-      Contact all = this->Contacts[(first + last) / 2];
-      all.T = range;
-      if (const auto hit = pair.Resolve(all))
-      {
-        this->Hits.push_back(*hit);
-      }
+      this->ResolveRange(pair, range, first, last);
       first = last;
     }
   }
@@ -73,6 +70,39 @@ protected:
     return value >= interval.Min - slack && value <= interval.Max + slack;
   }
 
+private:
+  /// The range that contacts from `first` to before `last` make up.
+  template <class Pair>
+  void ResolveRange(const Pair& pair, const Interval& range, std::size_t first, std::size_t last)
+  {
+    constexpr double longest = 1.0 / 256;
+    const double length = range.Max - range.Min;
+    const std::size_t before = this->Hits.size();
+    const int bits = 1 + static_cast<int>(length / longest);
+    for (int i = 0; i < bits; ++i)
+    {
+      const Interval bit{ range.Min + i * length / bits, range.Min + (i + 1) * length / bits };
+      Contact contact = bits == 1 ? this->Contacts[(first + last) / 2]
+                                  : this->NearestContact(0.5 * (bit.Min + bit.Max), first, last);
+      contact.T = bit;
+      const auto hit = pair.Resolve(contact);
+      if (hit && (this->Hits.size() == before || !pair.IsOneContact(this->Hits.back(), *hit)))
+      {
+        this->Hits.push_back(*hit);
+      }
+    }
+  }
+
+  const Contact& NearestContact(double t, std::size_t first, std::size_t last) const
+  {
+    const auto distance = [t](const Contact& contact)
+    { return std::abs(0.5 * (contact.T.Min + contact.T.Max) - t); };
+    return *std::min_element(this->Contacts.begin() + static_cast<std::ptrdiff_t>(first),
+      this->Contacts.begin() + static_cast<std::ptrdiff_t>(last),
+      [&](const Contact& a, const Contact& b) { return distance(a) < distance(b); });
+  }
+
+protected:
   std::vector<Hit> Hits;
   std::vector<Contact> Contacts;
   std::vector<Cell> Stack;
