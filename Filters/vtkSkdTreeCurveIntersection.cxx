@@ -79,8 +79,9 @@ int vtkSkdTreeCurveIntersection::RequestData(
   }
   const double buildSeconds = watch.Lap();
 
+  const double clearance = this->Clearance > 0.0 ? this->Clearance : 0.0; // also of NaN
   const SkdCurveHitFinder finder(
-    first, second, { this->Clearance, this->IgnoreJoints, this->CandidateRegions });
+    first, second, { clearance, this->IgnoreJoints, this->CandidateRegions });
   SkdLoop loop(this, static_cast<vtkIdType>(first.GetSpans().size()), 0.2, 0.9);
   const SkdCurveHitTable table{ { first, leaves, IsComposite(input) },
     { second, otherLeaves, IsComposite(source ? source : input) }, finder.Find(loop) };
@@ -98,9 +99,10 @@ int vtkSkdTreeCurveIntersection::RequestData(
 //------------------------------------------------------------------------------
 SkdCurveSettings vtkSkdTreeCurveIntersection::FindSettings()
 {
-  if (this->ChordTolerance == 0.0)
+  if (!(this->ChordTolerance > 0.0))
   {
-    vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
+    vtkWarningMacro("ChordTolerance is " << this->ChordTolerance
+                                         << ": curves are cut to 0.001 of their bounds instead.");
   }
   return { SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity),
     this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3, this->Epsilon };

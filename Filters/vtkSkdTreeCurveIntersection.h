@@ -68,10 +68,11 @@
  * The tree is kept while the curves in it have the same points and cells. The answer does not
  * depend on the number of threads or processes (each asks for the whole of both inputs).
  *
- * Bad input: cells that are no curves, curves without length, coordinates that are not finite,
- * Bezier weights that are not positive and degrees above 10 are left out, with one warning of each
- * that counts them; the rest is answered. A ChordTolerance of 0 gives a warning, and the default is
- * used. Without curves there is a warning and no point.
+ * Bad input: cells that are no curves, curves without length or with one beyond 1e-140 to 1e140,
+ * coordinates that are not finite, Bezier weights that are not positive and degrees above 10 are
+ * left out, with one warning of each that counts them; the rest is answered. A ChordTolerance of 0
+ * or NaN gives a warning, and the default is used; a Clearance or Epsilon of NaN counts as 0.
+ * Without curves there is a warning and no point.
  *
  * Cost: O(n log m) for n and m parts of curves, and some microseconds a candidate.
  *

@@ -223,9 +223,10 @@ void vtkSkdTreeCurveSurfaceIntersection::WarnAboutInputs(
   {
     vtkWarningMacro("Source has no surfaces: nothing is crossed.");
   }
-  if (this->ChordTolerance == 0.0)
+  if (!(this->ChordTolerance > 0.0))
   {
-    vtkWarningMacro("ChordTolerance is 0: curves are cut to 0.001 of their bounds instead.");
+    vtkWarningMacro("ChordTolerance is " << this->ChordTolerance
+                                         << ": curves are cut to 0.001 of their bounds instead.");
   }
 }
 

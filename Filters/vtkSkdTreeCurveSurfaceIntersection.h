@@ -61,11 +61,11 @@
  * The tree is kept while the Source's points, cells and ghost marks are the same. The answer does
  * not depend on the number of threads or processes (each asks for the whole Source).
  *
- * Bad input: cells that are no curves in Input or no surfaces in Source, curves without length,
- * coordinates that are not finite, Bezier weights that are not positive and degrees above 10 are
- * left out, with one warning of each that counts them; the rest is answered. A ChordTolerance of 0
- * gives a warning, and the default is used. Without curves or surfaces there is a warning and no
- * point.
+ * Bad input: cells that are no curves in Input or no surfaces in Source, curves without length or
+ * with one beyond 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not
+ * positive and degrees above 10 are left out, with one warning of each that counts them; the rest
+ * is answered. A ChordTolerance of 0 or NaN gives a warning, and the default is used; an Epsilon of
+ * NaN counts as 0. Without curves or surfaces there is a warning and no point.
  *
  * Cost: O(n log m) for n parts of curves and m surface cells, and some microseconds a candidate.
  *

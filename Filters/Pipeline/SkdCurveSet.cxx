@@ -19,6 +19,8 @@
 
 namespace
 {
+constexpr double LeastLength = 1e-140; // of what has squares, and a largest length of its inverse
+
 bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
 {
   constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
@@ -271,9 +273,6 @@ void SkdCurveSet::AddPiece(const skd::BezierCurve& form, const skd::Vector3& ori
   this->Pieces.push_back(
     { origin, 0.0, this->Points.size(), this->Curves.size(), form.Degree, interval });
   this->Points.insert(this->Points.end(), form.Points, form.Points + form.Degree + 1);
-  const skd::Box3 bounds = form.Bounds();
-  this->Bounds.Add(bounds.Min + origin);
-  this->Bounds.Add(bounds.Max + origin);
 }
 
 //------------------------------------------------------------------------------
@@ -282,17 +281,30 @@ void SkdCurveSet::Close(SkdCurve& curve)
   curve.LastPiece = this->Pieces.size();
   if (curve.FirstPiece == curve.LastPiece)
   {
-    this->NoLength += 1;
+    ++this->NoLength;
     return;
   }
+  skd::Box3 bounds;
   for (std::size_t piece = curve.FirstPiece; piece < curve.LastPiece; ++piece)
   {
+    const skd::Vector3& origin = this->Pieces[piece].Origin;
+    const skd::BezierCurve form = this->GetPiece(piece, origin);
     this->Pieces[piece].LengthBefore = curve.Length;
-    curve.Length += skd::ArcLength(this->GetPiece(piece, this->Pieces[piece].Origin), 0.0, 1.0);
+    curve.Length += skd::ArcLength(form, 0.0, 1.0);
+    bounds.Add(form.Bounds().Min + origin);
+    bounds.Add(form.Bounds().Max + origin);
+  }
+  if (!(curve.Length >= LeastLength && curve.Length <= 1.0 / LeastLength))
+  {
+    ++this->NotMeasurable;
+    this->Points.resize(this->Pieces[curve.FirstPiece].FirstPoint);
+    this->Pieces.resize(curve.FirstPiece);
+    return;
   }
   const skd::Vector3& origin = this->Pieces[curve.FirstPiece].Origin;
   curve.IsClosed = this->GetPiece(curve.FirstPiece, origin).Start() ==
     this->GetPiece(curve.LastPiece - 1, origin).End();
+  this->Bounds.Add(bounds);
   this->Curves.push_back(curve);
 }
 
@@ -365,6 +377,7 @@ std::vector<std::string> SkdCurveSet::GetFaults() const
   tell(this->NoLength, " curves have no length");
   tell(this->NotFinite, " curves have points that are not finite");
   tell(this->BadWeights, " curves have a weight that is not positive");
+  tell(this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140");
   tell(this->TooHigh, " curves are of a degree above 10");
   return faults;
 }

@@ -111,6 +111,7 @@ private:
   vtkIdType NotCurves = 0;
   vtkIdType NoLength = 0;
   vtkIdType NotFinite = 0;
+  vtkIdType NotMeasurable = 0;
   vtkIdType BadWeights = 0;
   vtkIdType TooHigh = 0;
 };

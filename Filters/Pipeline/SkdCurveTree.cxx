@@ -62,7 +62,7 @@ void SkdCurveTree::Build(double epsilon)
   const skd::Box3& bounds = this->Curves.GetBounds();
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(bounds);
-  this->AbsoluteEpsilon = std::max(epsilon * bounds.Diagonal(), rounding);
+  this->AbsoluteEpsilon = std::max(rounding, epsilon * bounds.Diagonal()); // also of NaN
   this->Tree =
     skd::Tree<3>(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon), SkdParallelLoop());
 }

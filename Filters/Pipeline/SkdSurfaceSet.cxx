@@ -54,7 +54,7 @@ void SkdSurfaceSet::Build(double epsilon)
   }
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
-  this->AbsoluteEpsilon = std::max(epsilon * this->Bounds.Diagonal(), rounding);
+  this->AbsoluteEpsilon = std::max(rounding, epsilon * this->Bounds.Diagonal()); // also of NaN
   this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdParallelLoop());
 }
 

@@ -265,6 +265,40 @@ TEST(CurveIntersection, AnswersTheRestOfBadInput)
   EXPECT_EQ(more.Warnings, 1);
 }
 
+TEST(CurveIntersection, LeavesOutWhatCannotBeMeasured)
+{
+  Mesh curves = OneCell(VTK_LINE, { { 0, 0, 0 }, { 4, 0, 0 } });
+  for (double size : { 1e200, 1e-200 })
+  {
+    curves.Add(VTK_POLY_LINE,
+      { curves.Add({ 0, 0, 0 }), curves.Add({ size, size, 0 }), curves.Add({ 2 * size, 0, 0 }) });
+  }
+  curves.Add(VTK_LINE, { curves.Add({ 1, -1, 0 }), curves.Add({ 1, 1, 0 }) });
+  const FilterPointer filter = MakeFilter(MakeGrid(curves));
+  EventCounter events(filter);
+  for (int form : { Filter::STRAIGHT, Filter::CARDINAL_SPLINE, Filter::KOCHANEK_SPLINE })
+  {
+    filter->SetPolylineForm(form);
+    EXPECT_EQ(OutputPoints(filter), (std::vector<Point>{ { 1, 0, 0 } }));
+    EXPECT_NE(events.Warning.find("2 curves are longer than"), std::string::npos) << events.Warning;
+  }
+  EXPECT_EQ(events.Warnings, 3);
+}
+
+TEST(CurveIntersection, ParametersThatAreNoNumbersCountAsNone)
+{
+  const double nan = std::nan("");
+  const FilterPointer filter = MakeFilter(
+    MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } }), MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } }));
+  filter->SetClearance(nan);
+  filter->SetEpsilon(nan);
+  filter->SetChordTolerance(nan);
+  EventCounter events(filter);
+  EXPECT_EQ(OutputPoints(filter), (std::vector<Point>{ { 1, 0, 0 } }));
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("ChordTolerance is nan"), std::string::npos) << events.Warning;
+}
+
 TEST(CurveIntersection, RefusesWeightsThatAreNotPositive)
 {
   for (double weight : { 0.0, -1.0 })
