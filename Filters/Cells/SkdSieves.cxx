@@ -23,59 +23,6 @@ skd::Raster RasterOf(const Node& bottom)
   return skd::Raster(box);
 }
 
-/// The corners of a cell on a raster, and a direction out of each of its faces.
-struct Faceted
-{
-  std::vector<skd::Vector3> Points;
-  std::vector<skd::Vector3> Directions;
-
-  void Clear()
-  {
-    this->Points.clear();
-    this->Directions.clear();
-  }
-
-  template <class Shape>
-  void AddFaces()
-  {
-    for (int face = 0; face < Shape::NumberOfFaces; ++face)
-    {
-      this->AddOutward(
-        skd::FaceNormal<Shape>(this->Points.data(), face), this->Points[Shape::Faces[face][0]]);
-    }
-  }
-
-  void AddFaces(const skd::PolyhedronView& cell)
-  {
-    for (const std::uint32_t* at = cell.Faces; at != cell.End; at += 1 + *at)
-    {
-      const std::uint32_t* ids = at + 1;
-      const skd::Vector3& first = this->Points[ids[0]];
-      skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
-      for (std::uint32_t i = 2; i < *at; ++i)
-      {
-        sum = sum + skd::Cross(this->Points[ids[i - 1]] - first, this->Points[ids[i]] - first);
-      }
-      this->AddOutward(sum, first);
-    }
-  }
-
-private:
-  /// Faces may be ordered either way: outward is where fewer of the cell is.
-  void AddOutward(const skd::Vector3& normal, const skd::Vector3& onFace)
-  {
-    double above = 0.0;
-    double below = 0.0;
-    for (const skd::Vector3& point : this->Points)
-    {
-      const double height = skd::Dot(normal, point - onFace);
-      above = std::max(above, height);
-      below = std::max(below, -height);
-    }
-    this->Directions.push_back(above > below ? -1.0 * normal : normal);
-  }
-};
-
 /// Calls visit(shape) with a linear volume cell that may be turned; a voxel's box says it all.
 template <class Visit>
 void VisitVolume(SkdShape shape, Visit visit)
@@ -115,14 +62,68 @@ int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
   return std::min(count, enough);
 }
 
-void AddFaces(const SkdCellStore& store, std::uint32_t cell, Faceted& faceted)
+/// One bottom node's part of the rows, and where its cells are on its raster.
+struct Planes
 {
-  if (store.ShapeOf(cell) == SkdShape::Polyhedron)
+  const SkdCellStore& Store;
+  const skd::Frame<3>& Frame;
+  skd::Raster Raster;
+  double Margin;
+  skd::PlaneRow* Rows;
+
+  /// Of a cell of a shape with so many faces.
+  template <class Shape>
+  void Set(int lane, std::uint32_t cell) const
   {
-    faceted.AddFaces(store.GatherPoly(cell).AsPolyhedron());
+    skd::Vector3 points[Shape::Size];
+    this->Gather(cell, points, Shape::Size);
+    for (int face = 0; face < Shape::NumberOfFaces; ++face)
+    {
+      this->Rows[face].SetAlongFace(lane, skd::FaceNormal<Shape>(points, face),
+        points[Shape::Faces[face][0]], points, Shape::Size, this->Margin);
+    }
   }
-  VisitVolume(store.ShapeOf(cell), [&](auto shape) { faceted.AddFaces<decltype(shape)>(); });
-}
+
+  /// Of the first faces of a polyhedron.
+  void SetPolyhedron(int lane, std::uint32_t cell, std::uint32_t count) const
+  {
+    thread_local std::vector<skd::Vector3> points;
+    points.resize(this->Store.SizeOf(cell));
+    this->Gather(cell, points.data(), static_cast<int>(points.size()));
+    const skd::PolyhedronView view = this->Store.GatherPoly(cell).AsPolyhedron();
+    const std::uint32_t* at = view.Faces;
+    for (std::uint32_t i = 0; i < count; ++i, at += 1 + *at)
+    {
+      this->Rows[i].SetAlongFace(lane, Across(points.data(), at + 1, *at), points[at[1]],
+        points.data(), static_cast<int>(points.size()), this->Margin);
+    }
+  }
+
+private:
+  void Gather(std::uint32_t cell, skd::Vector3* points, int count) const
+  {
+    const std::uint32_t* ids = this->Store.PointIdsOf(cell);
+    const skd::Raster raster = this->Raster; // of our own: its inverse is made once
+    for (int i = 0; i < count; ++i)
+    {
+      const skd::Vector3 world = this->Store.Point(ids[i]);
+      points[i] = raster.Of(this->Frame.Local(world));
+    }
+  }
+
+  /// Twice the area vector of a face.
+  static skd::Vector3 Across(
+    const skd::Vector3* points, const std::uint32_t* ids, std::uint32_t size)
+  {
+    const skd::Vector3& first = points[ids[0]];
+    skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (std::uint32_t i = 2; i < size; ++i)
+    {
+      sum = sum + skd::Cross(points[ids[i - 1]] - first, points[ids[i]] - first);
+    }
+    return sum;
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -207,27 +208,20 @@ SkdSieves::PlaneNote SkdSieves::FillPlanes(
   PlaneNote note{ RasterOf(bottom), 0 };
   const skd::Frame<3>& frame = tree.GetFrame();
   const double margin = rounding * frame.Scale / note.Raster.Unit + skd::PlaneRow::Rounding;
-  thread_local Faceted faceted;
+  const Planes planes{ store, frame, note.Raster, margin, rows };
   for (int lane = 0; lane < bottom.Count; ++lane)
   {
     const std::uint32_t cell = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
     const auto count = static_cast<std::uint32_t>(NumberOfPlanes(store, cell));
-    faceted.Clear();
-    for (std::uint32_t i = 0; i < store.SizeOf(cell); ++i)
-    {
-      const skd::Vector3 world = store.Point(store.PointIdsOf(cell)[i]);
-      faceted.Points.push_back(note.Raster.Of(frame.Local(world)));
-    }
-    AddFaces(store, cell, faceted);
     for (; note.Count < count; ++note.Count)
     {
       rows[note.Count] = {};
     }
-    for (std::uint32_t i = 0; i < count; ++i)
+    if (store.ShapeOf(cell) == SkdShape::Polyhedron)
     {
-      rows[i].Set(lane, faceted.Directions[i], faceted.Points.data(),
-        static_cast<int>(faceted.Points.size()), margin);
+      planes.SetPolyhedron(lane, cell, count);
     }
+    VisitVolume(store.ShapeOf(cell), [&](auto shape) { planes.Set<decltype(shape)>(lane, cell); });
   }
   return note;
 }

@@ -266,18 +266,15 @@ struct CellPlanes
     : TheRaster(skd::FloatBox<3>{ { -3, -3, -3 }, { 3, 3, 3 } })
   {
     std::vector<Vector3> onRaster;
-    Vector3 middle{ { 0.0, 0.0, 0.0 } };
     for (const Vector3& point : points)
     {
       onRaster.push_back(this->TheRaster.Of(point));
-      middle = middle + (1.0 / Shape::Size) * onRaster.back();
     }
     for (int face = 0; face < Shape::NumberOfFaces; ++face)
     {
-      const Vector3 normal = skd::FaceNormal<Shape>(onRaster.data(), face);
-      const bool isOutward = skd::Dot(normal, onRaster[Shape::Faces[face][0]] - middle) > 0.0;
-      this->Rows[face].Set(lane, isOutward ? normal : -1.0 * normal, onRaster.data(), Shape::Size,
-        skd::PlaneRow::Rounding);
+      const Vector3 across = skd::FaceNormal<Shape>(onRaster.data(), face);
+      this->Rows[face].SetAlongFace(lane, (face + lane) % 2 == 0 ? across : -1.0 * across,
+        onRaster[Shape::Faces[face][0]], onRaster.data(), Shape::Size, skd::PlaneRow::Rounding);
     }
   }
 
@@ -326,7 +323,7 @@ TEST(PlaneRow, ADirectionWithoutLengthExcludesNothing)
   for (const Vector3& direction : { Vector3{ { 0.0, 0.0, 0.0 } }, Vector3{ { nan, 0.0, 0.0 } } })
   {
     skd::PlaneRow row;
-    row.Set(2, direction, points, 1, 0.0);
+    row.SetAlongFace(2, direction, points[0], points, 1, 0.0);
     const float far[3] = { 3e4f, -3e4f, 3e4f };
     EXPECT_EQ(row.MayHold(far), 0xffu);
   }

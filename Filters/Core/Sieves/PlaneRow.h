@@ -22,30 +22,25 @@ struct alignas(64) PlaneRow
   std::int16_t Normal[3][Width] = {};
   std::int16_t Offset[Width] = {}; // 0 . x <= 0: until it is set, a plane excludes nothing
 
-  /// The plane across a direction, beside all the points (on the raster) and `margin` away from
-  /// them: on the side to which the direction points. A direction without length excludes nothing.
-  void Set(int lane, const Vector3& direction, const Vector3* points, int count, double margin)
+  /// The plane along a face of what the points (on the raster) span, beside them all and `margin`
+  /// away from them, given a direction across it, either way, and a point of it: outward is where
+  /// the points reach less far from there. A direction without length excludes nothing.
+  void SetAlongFace(int lane, const Vector3& across, const Vector3& onFace, const Vector3* points,
+    int count, double margin)
   {
-    const double largest =
-      std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
-    if (!(largest > 0.0 && std::isfinite(largest)))
+    Vector3 normal;
+    if (!RoundToNormal(across, normal))
     {
       return;
     }
-    Vector3 normal;
-    for (int axis = 0; axis < 3; ++axis)
+    const Heights heights = HeightsAlong(normal, points, count);
+    const double height = Dot(normal, onFace);
+    if (heights.Most - height > height - heights.Least)
     {
-      this->Normal[axis][lane] = Raster::Round(direction[axis] / largest * Raster::Reach);
-      normal[axis] = this->Normal[axis][lane];
+      this->Put(lane, -1.0 * normal, -heights.Least, margin);
+      return;
     }
-    double most = std::numeric_limits<double>::lowest();
-    for (int i = 0; i < count; ++i)
-    {
-      most = std::max(most, Dot(normal, points[i]));
-    }
-    const double needed = std::ceil((most + Norm(normal) * margin) / OffsetUnit);
-    this->Offset[lane] =
-      static_cast<std::int16_t>(std::clamp<double>(needed, -Raster::Reach, Raster::Reach));
+    this->Put(lane, normal, heights.Most, margin);
   }
 
   /// Bit i: x, which is within the raster's reach, may be in the cell of lane i.
@@ -61,6 +56,52 @@ struct alignas(64) PlaneRow
       held |= LessEqual(height, offset) << first;
     }
     return held;
+  }
+
+private:
+  struct Heights
+  {
+    double Least;
+    double Most;
+  };
+
+  static Heights HeightsAlong(const Vector3& normal, const Vector3* points, int count)
+  {
+    Heights heights{ std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+    for (int i = 0; i < count; ++i)
+    {
+      const double height = Dot(normal, points[i]);
+      heights.Least = std::min(heights.Least, height);
+      heights.Most = std::max(heights.Most, height);
+    }
+    return heights;
+  }
+
+  /// False of a direction without length.
+  static bool RoundToNormal(const Vector3& direction, Vector3& normal)
+  {
+    const double largest =
+      std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
+    if (!(largest > 0.0 && std::isfinite(largest)))
+    {
+      return false;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      normal[axis] = Raster::Round(direction[axis] / largest * Raster::Reach);
+    }
+    return true;
+  }
+
+  void Put(int lane, const Vector3& normal, double most, double margin)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Normal[axis][lane] = static_cast<std::int16_t>(normal[axis]);
+    }
+    const double needed = std::ceil((most + Norm(normal) * margin) / OffsetUnit);
+    this->Offset[lane] =
+      static_cast<std::int16_t>(std::clamp<double>(needed, -Raster::Reach, Raster::Reach));
   }
 };
 
