@@ -227,10 +227,7 @@ void vtkSkdTreePointInOut::UpdateParts()
   internals.Rules.Method = SkdInsideMethod::AxisRays;
   internals.Parts = SkdPartList();
   internals.Built = internals.Trees.Update(internals.Leaves, this->Epsilon);
-  if (internals.Built > 0)
-  {
-    internals.Places.MeasureCells();
-  }
+  internals.Places.Update(internals.Built);
   for (std::size_t i = 0; this->Parts == CELL_ARRAY && i < internals.Leaves.size(); ++i)
   {
     internals.PartIds.push_back(SkdPartIdsOf(internals.Leaves[i].Mesh, this->PartArray));

@@ -78,8 +78,8 @@ private:
     std::vector<double> all{ 0.0, 1.0 };
     for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
     {
-      const double tolerance = std::max(this->Rules.AbsoluteTolerance,
-        this->Rules.RelativeTolerance * this->Source.LargestCells[leaf]);
+      const double tolerance =
+        this->Source.GetLargestTolerance(this->Rules, static_cast<int>(leaf));
       this->Source.Trees.GetLocator(static_cast<int>(leaf))
         ->FindCellBorders(piece.From.X, piece.To.X, tolerance, this->Parameters);
       const double* first = this->Parameters->GetPointer(0);

@@ -5,12 +5,9 @@
 #include "Pipeline/SkdTouchCells.h"
 #include "vtkBoundingBox.h"
 #include "vtkGenericCell.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace
 {
@@ -24,19 +21,13 @@ double DiagonalOf(vtkDataSet* mesh, vtkIdType cell)
 
 double LargestDiagonal(vtkDataSet* mesh)
 {
-  vtkSMPThreadLocal<double> largest(0.0);
-  vtkSMPTools::For(0, mesh->GetNumberOfCells(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      double& mine = largest.Local();
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const double diagonal = DiagonalOf(mesh, cell);
-        mine = std::isfinite(diagonal) ? std::max(mine, diagonal) : mine;
-      }
-    });
-  return std::accumulate(
-    largest.begin(), largest.end(), 0.0, [](double a, double b) { return std::max(a, b); });
+  double largest = 0.0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const double diagonal = DiagonalOf(mesh, cell);
+    largest = std::isfinite(diagonal) ? std::max(largest, diagonal) : largest;
+  }
+  return largest;
 }
 }
 
@@ -46,16 +37,36 @@ SkdPlaceSource::SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<Sk
 {
 }
 
-void SkdPlaceSource::MeasureCells()
+void SkdPlaceSource::Update(int built)
 {
+  for (const SkdLeaf& leaf : this->Leaves)
+  {
+    SkdTouchCells(leaf.Mesh);
+  }
+  if (built == 0 && this->LargestCells.size() == this->Leaves.size())
+  {
+    return;
+  }
   this->LargestCells.clear();
   this->MaxCellSize = 0;
   for (const SkdLeaf& leaf : this->Leaves)
   {
-    SkdTouchCells(leaf.Mesh);
-    this->LargestCells.push_back(LargestDiagonal(leaf.Mesh));
+    this->LargestCells.push_back(std::make_unique<LargestCell>());
     this->MaxCellSize = std::max(this->MaxCellSize, leaf.Mesh->GetMaxCellSize());
   }
+}
+
+// By one thread while others wait: a parallel loop in here might take up work that waits for it.
+double SkdPlaceSource::GetLargestTolerance(const SkdPlaceRules& rules, int leaf) const
+{
+  if (!(rules.RelativeTolerance > 0.0))
+  {
+    return rules.AbsoluteTolerance;
+  }
+  LargestCell& largest = *this->LargestCells[leaf];
+  std::call_once(
+    largest.IsKnown, [&]() { largest.Diagonal = LargestDiagonal(this->Leaves[leaf].Mesh); });
+  return std::max(rules.AbsoluteTolerance, rules.RelativeTolerance * largest.Diagonal);
 }
 
 SkdPlaceFinder::SkdPlaceFinder(const SkdPlaceSource& source, const SkdPlaceRules& rules)
@@ -89,12 +100,6 @@ bool SkdPlaceFinder::FindWithin(const double x[3])
   return false;
 }
 
-double SkdPlaceFinder::LargestTolerance(int leaf) const
-{
-  return std::max(
-    this->Rules.AbsoluteTolerance, this->Rules.RelativeTolerance * this->Source.LargestCells[leaf]);
-}
-
 bool SkdPlaceFinder::IsTolerated(int leaf, vtkIdType cell, double distance) const
 {
   return distance <= this->Rules.AbsoluteTolerance ||
@@ -115,7 +120,7 @@ bool SkdPlaceFinder::FindByTolerance(const double x[3])
 void SkdPlaceFinder::FindTolerated(int leaf, const double x[3], SkdPlace& best)
 {
   double asked[3] = { x[0], x[1], x[2] };
-  const double reach = this->LargestTolerance(leaf);
+  const double reach = this->Source.GetLargestTolerance(this->Rules, leaf);
   vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(leaf);
   double point[3], dist2;
   vtkIdType cell;

@@ -13,6 +13,8 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 /// A place in a Source: a cell, and where in it.
@@ -33,18 +35,31 @@ struct SkdPlaceRules
   double OutsideRadius = -1.0; // whatever the cell; negative: never
 };
 
-/// The trees of a Source's leaves, and the numbers that finders want of them. Constant once made.
-struct SkdPlaceSource
+/// The trees of a Source's leaves, and the numbers that finders want of them.
+class SkdPlaceSource
 {
+public:
   SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdLeaf>& leaves);
 
-  /// Looks at all cells anew. To be called when trees were built.
-  void MeasureCells();
+  /// To be called once the trees are those of the leaves, which may be other data sets each time
+  /// though trees were kept: `built` of them were not.
+  void Update(int built);
+
+  /// The largest tolerance that a cell of the leaf has. Who asks first looks at all cells, if they
+  /// matter: nobody does where every point is within a cell. Thread-safe.
+  double GetLargestTolerance(const SkdPlaceRules& rules, int leaf) const;
 
   const SkdSourceTrees& Trees;
   const std::vector<SkdLeaf>& Leaves;
-  std::vector<double> LargestCells; // the longest diagonal of a cell's bounds, one a leaf
-  int MaxCellSize = 0;              // points of a cell
+  int MaxCellSize = 0; // points of a cell
+
+private:
+  struct LargestCell
+  {
+    std::once_flag IsKnown;
+    double Diagonal = 0.0;
+  };
+  std::vector<std::unique_ptr<LargestCell>> LargestCells; // one a leaf
 };
 
 /// Finds places. One object a thread.
@@ -80,7 +95,6 @@ private:
   bool FindOutside(const double x[3]);
   void FindTolerated(int leaf, const double x[3], SkdPlace& best);
   bool IsTolerated(int leaf, vtkIdType cell, double distance) const;
-  double LargestTolerance(int leaf) const;
   bool Finish();
 
   const SkdPlaceSource& Source;
