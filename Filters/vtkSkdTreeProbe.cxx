@@ -43,10 +43,7 @@ public:
                          [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
       this->Leaves.end());
     const int built = this->Trees.Update(this->Leaves, epsilon);
-    if (built > 0)
-    {
-      this->Source.MeasureCells();
-    }
+    this->Source.Update(built);
     this->Names.Refused.clear();
     this->Names.Missing.clear();
     return built;

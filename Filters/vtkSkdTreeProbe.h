@@ -29,8 +29,9 @@
  * | SkdParametricCoordinates | double | 3          | in the cell, VTK's                | NaN  |
  * | SkdDistance              | double | 1          | distance to the cell, 0 within it | NaN  |
  * | name_Gradient            | double | 3 k        | see AddGradientArray              | NaN  |
- * (the block index only of a composite Source). See SetUseFillValue for
- * what data arrays have where there is no answer.
+ * (the block index only of a composite Source). See SetUseFillValue for what data arrays have where
+ * there is no answer. The active scalars become the Source's own, or else its first array of
+ * numbers.
  *
  * Output ports 1 and 2: by choice (see SetProbeLines) the input's lines, cut where they pass from
  * one cell of the Source to another, and the integrals along them.

@@ -47,6 +47,7 @@ SkdProbedData::SkdProbedData(vtkDataSetAttributes* into, vtkIdType n,
   , Gradients(leaves, names.Gradients, n, names.Missing)
 {
   this->Gradients.AddTo(into);
+  this->Activate(into);
   for (const std::string& name : names.Categorical)
   {
     const auto has = [&](const SkdLeaf& leaf)
@@ -55,6 +56,28 @@ SkdProbedData::SkdProbedData(vtkDataSetAttributes* into, vtkIdType n,
     {
       names.Missing.insert(name);
     }
+  }
+}
+
+void SkdProbedData::Activate(vtkDataSetAttributes* into) const
+{
+  vtkDataArray* own = this->Leaves.empty()
+    ? nullptr
+    : vtkDataArray::SafeDownCast(this->Leaves.front().Mesh->GetPointData()->GetScalars());
+  const std::string preferred = own && own->GetName() ? own->GetName() : "";
+  const char* chosen = nullptr;
+  for (const SkdArrayGather* gather : { &this->Quantities, &this->Labels, &this->OfCells })
+  {
+    for (int i = 0; i < gather->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = gather->GetResult(i);
+      const bool isFirst = !chosen && array->IsNumeric();
+      chosen = isFirst || array->GetName() == preferred ? array->GetName() : chosen;
+    }
+  }
+  if (chosen)
+  {
+    into->SetActiveScalars(chosen);
   }
 }
 

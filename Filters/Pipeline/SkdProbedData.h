@@ -23,8 +23,9 @@ struct SkdProbedNames
 class SkdProbedData
 {
 public:
-  /// Adds the arrays to `into`, of n tuples, at first `fill` (see SkdArrayGather::Allocate). Puts
-  /// down names that are refused or missing.
+  /// Adds the arrays to `into`, of n tuples, at first `fill` (see SkdArrayGather::Allocate). The
+  /// active scalars become the Source's, or else its first array of numbers. Puts down names that
+  /// are refused or missing.
   SkdProbedData(vtkDataSetAttributes* into, vtkIdType n, const std::vector<SkdLeaf>& leaves,
     SkdProbedNames& names, double fill);
 
@@ -33,6 +34,8 @@ public:
   void Set(vtkIdType i, const double x[3], SkdPlaceFinder& finder, SkdGradient& gradient);
 
 private:
+  void Activate(vtkDataSetAttributes* into) const;
+
   const std::vector<SkdLeaf>& Leaves;
   SkdArrayGather Quantities;
   SkdArrayGather Labels;

@@ -8,6 +8,7 @@
 #include "Support/VolumeMeshes.h"
 
 #include "vtkImageData.h"
+#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
@@ -192,6 +193,29 @@ TEST(Probe, TheInputsDataArePassedOrNot)
   EXPECT_TRUE(input->GetPointData()->HasArray("Mine"));
 }
 
+TEST(Probe, TheActiveScalarsAreTheSourcesOrItsFirstNumbers)
+{
+  const auto activeOf = [](vtkDataObject* input, vtkDataObject* source)
+  {
+    ProbePointer probe = MakeProbe(input, source);
+    probe->Update();
+    vtkDataArray* active =
+      vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0))->GetPointData()->GetScalars();
+    return std::string(active ? active->GetName() : "");
+  };
+  auto input = MakeQueries({ { 0.5, 0.5, 0.5 } });
+  auto source = WithData(MakeGrid(Hexahedra(1)));
+  EXPECT_EQ(activeOf(input, source), "Linear");
+  source->GetPointData()->SetActiveScalars("LinearInt");
+  EXPECT_EQ(activeOf(input, source), "LinearInt");
+  input->GetPointData()->SetScalars(MakeArray("Own", 1, [](vtkIdType) { return 1.0; }));
+  EXPECT_EQ(activeOf(input, source), "LinearInt");
+  source->GetPointData()->Initialize();
+  EXPECT_EQ(activeOf(input, source), "Number");
+  source->GetCellData()->Initialize();
+  EXPECT_EQ(activeOf(input, source), "Own");
+}
+
 TEST(Probe, TreesAreKeptWhileTheMeshIsTheSame)
 {
   auto source = WithData(MakeGrid(Hexahedra(3)));
@@ -204,6 +228,23 @@ TEST(Probe, TreesAreKeptWhileTheMeshIsTheSame)
   probe->SetSourceData(later);
   EXPECT_EQ(ProbeArray(probe, "Linear")[0], 5.0);
   EXPECT_EQ(Reported(probe, "TreesBuilt"), 0);
+}
+
+TEST(Probe, AKeptTreeServesManyThreadsOnPolydataThatNobodyHasAsked)
+{
+  const Mesh sphere = Triangulated(SphereTriangles(24));
+  auto input = MakeQueries(MakePointsInCells(MakePolyData(sphere), 20000).Points);
+  vtkSMPTools::Initialize(4);
+  ProbePointer probe = MakeProbe(input, WithData(MakePolyData(sphere)));
+  const std::vector<double> first = ProbeArray(probe, "Linear");
+  for (int step = 0; step < 5; ++step)
+  {
+    probe->SetSourceData(WithData(MakePolyData(sphere))); // its cells are not built yet
+    EXPECT_EQ(ProbeArray(probe, "Linear"), first);
+    EXPECT_EQ(Reported(probe, "TreesBuilt"), 0);
+  }
+  vtkSMPTools::Initialize();
+  EXPECT_EQ(Reported(probe, "PointsFound"), 20000);
 }
 
 TEST(Probe, ProgressRisesAndAnAbortLeavesNone)
@@ -251,6 +292,23 @@ TEST(Probe, BadInputGivesOneWarningAndNoAnswers)
   probe->ClearGradientArrays();
   ProbeArray(probe, "SkdValid");
   EXPECT_EQ(events.Warnings, 1);
+}
+
+TEST(Probe, DistancesThatAreNegativeOrNoNumbersCountAsZero)
+{
+  auto source = WithData(MakeGrid(Hexahedra(1)));
+  auto input = MakeQueries({ { 0.5, 0.5, 0.5 }, { 1.0001, 0.5, 0.5 }, { NAN, 0.5, 0.5 } });
+  for (const double distance : { -1.0, double(NAN) })
+  {
+    ProbePointer probe = MakeProbe(input, source);
+    probe->SetRelativeTolerance(distance);
+    probe->SetAbsoluteTolerance(distance);
+    probe->SetOutsidePoints(vtkSkdTreeProbe::NEAREST_CELL_WITHIN_DISTANCE);
+    probe->SetMaximumDistance(distance);
+    EventCounter events(probe);
+    EXPECT_EQ(ProbeArray(probe, "SkdValid"), (std::vector<double>{ 1, 0, 0 })) << distance;
+    EXPECT_EQ(events.Errors + events.Warnings, 0);
+  }
 }
 
 }
