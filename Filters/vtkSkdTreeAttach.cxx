@@ -4,6 +4,7 @@
 
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkObjectFactory.h"
@@ -22,6 +23,8 @@ public:
   };
   std::vector<Tree> Trees; // one a leaf
   int Built = 0;
+
+  void Update(Tree& tree, vtkPointSet* mesh, vtkSkdTreeAttach* self);
 };
 
 vtkSkdTreeAttach::vtkSkdTreeAttach()
@@ -42,34 +45,41 @@ int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+// Builds a leaf's tree unless the kept one serves.
+void vtkSkdTreeAttach::Internals::Update(Tree& tree, vtkPointSet* mesh, vtkSkdTreeAttach* self)
+{
+  const bool isSame = tree.Mesh.IsSameAs(mesh) &&
+    tree.Locator->GetLazyBuild() == self->GetLazyBuild() &&
+    tree.Locator->GetSkipGhostCells() == self->GetSkipGhostCells();
+  if (!isSame)
+  {
+    tree.Mesh.Keep(mesh);
+    tree.Locator = SkdMakeLocator(tree.Mesh.Get());
+    tree.Locator->SetLazyBuild(self->GetLazyBuild());
+    tree.Locator->SetSkipGhostCells(self->GetSkipGhostCells());
+  }
+  this->Built += SkdBuildLocator(tree.Locator, self->GetEpsilon(), !isSame);
+}
+
 // What is kept is a tree on a data set of our own; each output gets a locator that shares the tree.
 int vtkSkdTreeAttach::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  Internals& internals = *this->Impl;
   const std::vector<SkdLeaf> leaves =
     SkdMirror(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
-  this->Impl->Built = 0;
-  this->Impl->Trees.resize(leaves.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  internals.Built = 0;
+  internals.Trees.resize(leaves.size());
+  for (std::size_t i = 0; i < leaves.size() && !SkdIsAskedToStop(this); ++i)
   {
-    Internals::Tree& tree = this->Impl->Trees[i];
+    Internals::Tree& tree = internals.Trees[i];
     vtkPointSet* mesh = vtkPointSet::SafeDownCast(leaves[i].Mesh);
     if (!mesh)
     {
       tree = Internals::Tree();
       continue;
     }
-    const bool isSame = tree.Mesh.IsSameAs(mesh) &&
-      tree.Locator->GetLazyBuild() == this->LazyBuild &&
-      tree.Locator->GetSkipGhostCells() == this->SkipGhostCells;
-    if (!isSame)
-    {
-      tree.Mesh.Keep(mesh);
-      tree.Locator = SkdMakeLocator(tree.Mesh.Get());
-      tree.Locator->SetLazyBuild(this->LazyBuild);
-      tree.Locator->SetSkipGhostCells(this->SkipGhostCells);
-    }
-    this->Impl->Built += SkdBuildLocator(tree.Locator, this->Epsilon, !isSame);
+    internals.Update(tree, mesh, this);
     vtkNew<vtkSkdTreeCellLocator> locator;
     locator->SetDataSet(mesh);
     locator->ShallowCopy(tree.Locator);

@@ -16,7 +16,8 @@
  * The tree is kept while the input's points, cells and ghost marks are the same: further time steps
  * build nothing.
  *
- * Bad input: nothing is refused. A mesh without cells has a locator that finds nothing.
+ * Bad input: nothing is refused. A mesh without cells has a locator that finds nothing. After an
+ * execution that is aborted the blocks that it did not get to have no locator.
  *
  * @sa
  * vtkSkdTreeCellLocator

@@ -3,6 +3,7 @@
 #include "vtkSkdTreeRepresentation.h"
 
 #include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -212,6 +213,10 @@ int vtkSkdTreeRepresentation::RequestData(
   int done = 0;
   for (const SkdLeaf& leaf : leaves)
   {
+    if (SkdIsAskedToStop(this))
+    {
+      break;
+    }
     vtkNew<vtkSkdTreeCellLocator> locator;
     locator->SetDataSet(leaf.Mesh);
     locator->SetEpsilon(this->Epsilon);

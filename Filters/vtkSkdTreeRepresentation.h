@@ -17,7 +17,8 @@
  * boxes of the binary tree a random line meets that meets the first: the sum of their surface areas
  * by that of the first), Bytes, BuildSeconds.
  *
- * Bad input: a mesh without cells has a row of zeros and no boxes.
+ * Bad input: a mesh without cells has a row of zeros and no boxes. An execution that is aborted
+ * leaves out the blocks that it did not get to.
  *
  * @sa
  * vtkSkdTreeCellLocator

@@ -18,6 +18,16 @@
 
 #include <algorithm>
 
+/// Whether an algorithm was asked to stop.
+inline bool SkdIsAskedToStop(vtkAlgorithm* algorithm)
+{
+#if VTK_SKD_HAS_CHECK_ABORT
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
 class SkdLoop
 {
 public:
@@ -54,11 +64,7 @@ public:
 private:
   bool IsStopped()
   {
-#if VTK_SKD_HAS_CHECK_ABORT
-    this->Stopped = this->Stopped || this->Algorithm->CheckAbort();
-#else
-    this->Stopped = this->Stopped || this->Algorithm->GetAbortExecute();
-#endif
+    this->Stopped = this->Stopped || SkdIsAskedToStop(this->Algorithm);
     return this->Stopped;
   }
 

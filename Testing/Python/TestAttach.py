@@ -7,7 +7,8 @@ import os
 import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkUnstructuredGrid
 
 import vtkskdtree
 
@@ -61,6 +62,57 @@ def test_it_has_the_locator_and_keeps_the_tree():
     assert attach.GetOutputDataObject(0).GetCellLocator().GetLazyBuild()
 
 
+def polyhedral(data):
+    """The same mesh with every cell a polyhedron."""
+    mesh = vtkUnstructuredGrid()
+    mesh.SetPoints(data.GetPoints())
+    mesh.GetPointData().ShallowCopy(data.GetPointData())
+    for i in range(data.GetNumberOfCells()):
+        cell = data.GetCell(i)
+        faces = [cell.GetNumberOfFaces()]
+        for face in (cell.GetFace(k) for k in range(cell.GetNumberOfFaces())):
+            ids = face.GetPointIds()
+            faces += [ids.GetNumberOfIds()] + [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        mesh.InsertNextCell(VTK_POLYHEDRON, as_id_list(faces))
+    return mesh
+
+
+def as_id_list(numbers):
+    ids = vtkIdList()
+    for number in numbers:
+        ids.InsertNextId(number)
+    return ids
+
+
+def test_streamlines_are_traced_on_polyhedra():
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(polyhedral(servermanager.Fetch(flow())))
+    plain = trace(producer)
+    ours = trace(simple.SkdTreeAttach(Input=producer))
+    assert ours.GetNumberOfCells() >= plain.GetNumberOfCells() > 20
+    assert ours.GetNumberOfPoints() > 0.99 * plain.GetNumberOfPoints()
+    count = min(len(points_of(ours)), len(points_of(plain)), 50)
+    numpy.testing.assert_allclose(points_of(ours)[:count], points_of(plain)[:count], atol=1e-2)
+
+
+def test_in_a_time_series_the_tree_is_kept():
+    files = []
+    for step in range(3):
+        scaled = simple.Calculator(
+            Input=flow(), ResultArrayName="V", Function="V*%d" % (step + 1))
+        files.append(skdtesting.temporary("attach_%d.vtu" % step))
+        simple.SaveData(files[-1], proxy=scaled)
+    series = simple.XMLUnstructuredGridReader(FileName=files)
+    attached = simple.SkdTreeAttach(Input=series)
+    built, lengths = [], []
+    for step in range(3):
+        attached.UpdatePipeline(step)
+        built.append(attached.GetClientSideObject().GetTreesBuilt())
+        lengths.append(trace(attached).GetNumberOfPoints())
+    assert built == [1, 0, 0], built
+    assert min(lengths) > 100, lengths
+
+
 def test_images_and_blocks_are_passed():
     parts = simple.GroupDatasets(Input=[simple.Wavelet(), flow(), simple.Sphere()])
     attached = simple.SkdTreeAttach(Input=parts)
@@ -68,26 +120,6 @@ def test_images_and_blocks_are_passed():
     before, after = parts.GetDataInformation(), attached.GetDataInformation()
     assert before.GetNumberOfCells() == after.GetNumberOfCells() > 0
     assert before.GetCompositeDataSetType() == after.GetCompositeDataSetType()
-
-
-def test_resample_and_lagrangian_tracker_offer_it_by_name():
-    resample = simple.ResampleWithDataset(SourceDataArrays=flow(), DestinationMesh=simple.Sphere())
-    offered = resample.GetProperty("CellLocator").GetAvailable()
-    assert "skD-Tree Cell Locator" in offered, offered
-    try:
-        simple.LoadDistributedPlugin("LagrangianParticleTracker", ns=globals())
-    except RuntimeError:
-        print("the Lagrangian Particle Tracker's plugin is not installed: left out")
-        return
-    tracker = servermanager.ProxyManager().NewProxy("filters", "LagrangianParticleTracker")
-    if tracker is None:
-        print("the Lagrangian Particle Tracker's plugin is not installed: left out")
-        return
-    model = servermanager.ProxyManager().NewProxy(
-        "lagrangian_integration_models", "MatidaIntegrationModel")
-    domain = model.GetProperty("Locator").FindDomain("vtkSMProxyListDomain")
-    names = [domain.GetProxy(i).GetXMLName() for i in range(domain.GetNumberOfProxies())]
-    assert "SkdTreeCellLocator" in names, names
 
 
 def test_the_tree_is_drawn_level_by_level():

@@ -7,7 +7,8 @@ import os
 import sys
 
 import numpy
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import skdtesting
 
@@ -63,13 +64,44 @@ def load_lagrangian_tracker():
     return bool(files)
 
 
-def test_the_lagrangian_tracker_offers_it():
+def with_constants(data, **functions):
+    """The data with point arrays made by the calculator."""
+    for name, function in functions.items():
+        data = simple.Calculator(Input=data, ResultArrayName=name, Function=function)
+    data.UpdatePipeline()
+    return data
+
+
+def tracked(locator):
+    """Particles carried by the flow of a volume mesh, found in it by the locator of that name."""
+    line = simple.Line(Point1=[-4, -4, 1], Point2=[4, 4, 8], Resolution=20)
+    tracker = simple.LagrangianParticleTracker(
+        FlowInput=with_constants(volume(), FlowDensity="1.2", FlowViscosity="0.001"),
+        ParticleSeeds=with_constants(
+            line, Velocity="kHat", ParticleDensity="1000", ParticleDiameter="0.1"))
+    model = tracker.IntegrationModel
+    model.Locator = locator
+    model.FlowVelocity = ["POINTS", "V"]
+    model.FlowDensity = ["POINTS", "FlowDensity"]
+    model.FlowDynamicViscosity = ["POINTS", "FlowViscosity"]
+    model.ParticleInitialVelocity = ["POINTS", "Velocity"]
+    model.ParticleDensity = ["POINTS", "ParticleDensity"]
+    model.ParticleDiameter = ["POINTS", "ParticleDiameter"]
+    tracker.UpdatePipeline()
+    return tracker
+
+
+def test_the_lagrangian_tracker_gives_the_same_with_it():
     if not load_lagrangian_tracker():
         print("left out: there is no plugin LagrangianParticleTracker")
         return
-    tracker = simple.LagrangianParticleTracker(
-        FlowInput=simple.Wavelet(), ParticleSeeds=simple.Sphere())
-    assert LABEL in tracker.IntegrationModel.GetProperty("Locator").Available
+    own, static = tracked(LABEL), tracked("Static Cell Locator")
+    assert own.IntegrationModel.Locator.SMProxy.GetXMLName() == "SkdTreeCellLocator"
+    paths = [servermanager.Fetch(tracker) for tracker in (own, static)]
+    assert paths[0].GetNumberOfCells() == paths[1].GetNumberOfCells() == 21
+    points = [vtk_to_numpy(path.GetPoints().GetData()) for path in paths]
+    assert len(points[0]) > 100
+    numpy.testing.assert_allclose(points[0], points[1], rtol=1e-6, atol=1e-6)
 
 
 skdtesting.run_tests(globals())

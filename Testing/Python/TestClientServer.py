@@ -93,16 +93,52 @@ def crossings():
     return found
 
 
+def traced():
+    """Streamlines on an attached tree."""
+    from paraview import servermanager, simple
+
+    flow = simple.OpenDataFile(os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"))
+    tracer = simple.StreamTracer(Input=simple.SkdTreeAttach(Input=flow), Vectors=["POINTS", "V"],
+        SeedType="Line", InterpolatorType="Interpolator with Cell Locator",
+        MaximumStreamlineLength=5)
+    tracer.SeedType.Point1, tracer.SeedType.Point2 = [-4, -4, 1], [4, 4, 8]
+    tracer.SeedType.Resolution = 5
+    tracer.UpdatePipeline()
+    lines = servermanager.Fetch(tracer)
+    return [lines.GetPoint(i) for i in range(lines.GetNumberOfPoints())]
+
+
+def tree_drawn():
+    """The boxes of a level, and the table but for its last column, the seconds."""
+    from paraview import servermanager, simple
+
+    drawn = simple.SkdTreeRepresentation(Input=simple.Sphere(), Level=3)
+    drawn.UpdatePipeline()
+    boxes, table = servermanager.Fetch(drawn), servermanager.Fetch(drawn, idx=1)
+    return [boxes.GetPoint(i) for i in range(boxes.GetNumberOfPoints())], [
+        table.GetValue(0, i).ToDouble() for i in range(table.GetNumberOfColumns() - 1)]
+
+
+def assert_all_same(first, second):
+    """The same values, or lists of them."""
+    if isinstance(first, tuple):
+        for one, other in zip(first, second):
+            skdtesting.assert_same(one, other)
+        return
+    skdtesting.assert_same(first, second)
+
+
 def be_client(port):
     from paraview import simple
 
-    questions = (distances, probed, depths, crossings, cells_found)
+    questions = (distances, probed, depths, crossings, cells_found, traced, tree_drawn)
     alone = [ask() for ask in questions]
     assert set(alone[2]) == {0, 1, 2}
     assert len(alone[3]) > 10
+    assert len(alone[5]) > 100
     simple.Connect("localhost", int(port))
     for ask, before in zip(questions, alone):
-        skdtesting.assert_same(ask(), before)
+        assert_all_same(ask(), before)
     assert resampled_mask().all()
 
 

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeAttach: what comes out has the input's data and our locator, for the next filter.
+
+#include "Support/EventCounter.h"
+#include "Support/FilterRun.h"
+#include "Support/NamedMeshes.h"
+#include "Support/VolumeMeshes.h"
+
+#include "vtkCellLocatorStrategy.h"
+#include "vtkGenericCell.h"
+#include "vtkImageData.h"
+#include "vtkPointSet.h"
+#include "vtkSkdTreeAttach.h"
+#include "vtkSkdTreeCellLocator.h"
+#include "vtkStaticCellLocator.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+using AttachPointer = vtkSmartPointer<vtkSkdTreeAttach>;
+
+AttachPointer MakeAttach(vtkDataObject* input)
+{
+  auto made = AttachPointer::New();
+  made->SetInputDataObject(input);
+  return made;
+}
+
+vtkPointSet* OutputOf(vtkSkdTreeAttach* attach)
+{
+  attach->Update();
+  return vtkPointSet::SafeDownCast(attach->GetOutputDataObject(0));
+}
+
+/// Ours, or nullptr.
+vtkSkdTreeCellLocator* LocatorOf(vtkDataObject* mesh)
+{
+  auto* points = vtkPointSet::SafeDownCast(mesh);
+  return vtkSkdTreeCellLocator::SafeDownCast(points ? points->GetCellLocator() : nullptr);
+}
+
+/// A copy of everything, in new arrays.
+template <class Pointer>
+Pointer DeepCopyOf(const Pointer& mesh)
+{
+  Pointer copy = Pointer::New();
+  copy->DeepCopy(mesh);
+  return copy;
+}
+
+class AttachToMesh : public testing::TestWithParam<NamedMesh>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(All, AttachToMesh, testing::ValuesIn(AllMeshes()), NameOfMesh());
+
+TEST_P(AttachToMesh, PassesTheDataAndAnswersAsALocatorOfItsOwn)
+{
+  const DataSetPointer input = WithData(GetParam().Make());
+  AttachPointer attach = MakeAttach(input);
+  attach->Update();
+  auto* output = vtkDataSet::SafeDownCast(attach->GetOutputDataObject(0));
+  ASSERT_EQ(output->GetDataObjectType(), input->GetDataObjectType());
+  EXPECT_EQ(output->GetPointData()->GetArray("Linear"), input->GetPointData()->GetArray("Linear"));
+  EXPECT_EQ(output->GetCellData()->GetArray("Number"), input->GetCellData()->GetArray("Number"));
+  EXPECT_EQ(LocatorOf(input), nullptr);
+  if (!vtkPointSet::SafeDownCast(input))
+  {
+    EXPECT_EQ(attach->GetTreesBuilt(), 0);
+    return;
+  }
+  vtkSkdTreeCellLocator* attached = LocatorOf(output);
+  ASSERT_NE(attached, nullptr);
+  EXPECT_EQ(attached->GetDataSet(), output);
+  vtkNew<vtkSkdTreeCellLocator> own;
+  own->SetDataSet(input);
+  own->BuildLocator();
+  for (Point x : RandomQueries(input, 200))
+  {
+    ASSERT_EQ(attached->FindCell(x.data()), own->FindCell(x.data()));
+  }
+}
+
+TEST(Attach, TheStrategyOfStreamTracersAsksIt)
+{
+  const GridPointer grid = MakeGrid(Polyhedra(3).Map(Bent));
+  AttachPointer attach = MakeAttach(grid);
+  vtkPointSet* output = OutputOf(attach);
+  vtkNew<vtkCellLocatorStrategy> strategy;
+  ASSERT_EQ(strategy->Initialize(output), 1);
+  vtkNew<vtkGenericCell> cell;
+  int subId;
+  double pcoords[3], weights[32];
+  int found = 0;
+  for (Point x : RandomQueries(grid, 300))
+  {
+    const vtkIdType id =
+      strategy->FindCell(x.data(), nullptr, cell, -1, 0.0, subId, pcoords, weights);
+    ASSERT_EQ(id, LocatorOf(output)->FindCell(x.data()));
+    found += id >= 0 ? 1 : 0;
+  }
+  EXPECT_GT(found, 50);
+}
+
+TEST(Attach, ImagesHaveNoLocatorAndPass)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 4, 5);
+  AttachPointer attach = MakeAttach(image);
+  EventCounter events(attach);
+  attach->Update();
+  EXPECT_EQ(vtkDataSet::SafeDownCast(attach->GetOutputDataObject(0))->GetNumberOfCells(), 24);
+  EXPECT_EQ(attach->GetTreesBuilt(), 0);
+  EXPECT_EQ(events.Errors + events.Warnings, 0);
+}
+
+TEST(Attach, OfBlocksEachHasALocatorOfItsOwn)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  const GridPointer left = MakeGrid(Hexahedra(2));
+  const PolyDataPointer right = MakePolyData(Octahedron(1));
+  AttachPointer attach = MakeAttach(MakeBlocks({ left, nullptr, image, right }));
+  attach->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(attach->GetOutputDataObject(0));
+  ASSERT_EQ(blocks->GetNumberOfBlocks(), 4u);
+  EXPECT_EQ(LocatorOf(blocks->GetBlock(0))->GetDataSet(), blocks->GetBlock(0));
+  EXPECT_EQ(blocks->GetBlock(1), nullptr);
+  EXPECT_NE(blocks->GetBlock(2), nullptr);
+  EXPECT_EQ(LocatorOf(blocks->GetBlock(3))->GetDataSet(), blocks->GetBlock(3));
+  EXPECT_EQ(attach->GetTreesBuilt(), 2);
+}
+
+TEST(Attach, InATimeSeriesTheTreeIsKeptUntilPointsMove)
+{
+  const GridPointer first = WithData(MakeGrid(Hexahedra(4).Map(Bent)));
+  AttachPointer attach = MakeAttach(first);
+  attach->Update();
+  EXPECT_EQ(attach->GetTreesBuilt(), 1);
+
+  const GridPointer sameValues = DeepCopyOf(first);
+  sameValues->GetPointData()->GetArray("Linear")->Fill(1.0);
+  attach->SetInputDataObject(sameValues);
+  vtkPointSet* second = OutputOf(attach);
+  EXPECT_EQ(attach->GetTreesBuilt(), 0);
+  EXPECT_EQ(second->GetPointData()->GetArray("Linear")->GetTuple1(0), 1.0);
+  EXPECT_EQ(LocatorOf(second)->GetDataSet(), second);
+
+  const GridPointer moved = MakeGrid(Placed(Hexahedra(4).Map(Bent), 1.0, { 100, 0, 0 }));
+  attach->SetInputDataObject(moved);
+  Point there = { 102.1, 2.1, 2.1 };
+  EXPECT_GE(LocatorOf(OutputOf(attach))->FindCell(there.data()), 0);
+  EXPECT_EQ(attach->GetTreesBuilt(), 1);
+  Point here = { 2.1, 2.1, 2.1 };
+  EXPECT_LT(LocatorOf(OutputOf(attach))->FindCell(here.data()), 0);
+}
+
+TEST(Attach, SettingsReachTheTreeAndBuildItAnew)
+{
+  const GridPointer grid = MakeGrid(Tetrahedra(2));
+  MarkGhosts(grid, { 0, 1, 2 }, vtkDataSetAttributes::DUPLICATECELL);
+  AttachPointer attach = MakeAttach(grid);
+  EXPECT_EQ(LocatorOf(OutputOf(attach))->GetNumberOfCellsInTree(), 45);
+  attach->SkipGhostCellsOff();
+  EXPECT_EQ(LocatorOf(OutputOf(attach))->GetNumberOfCellsInTree(), 48);
+  EXPECT_EQ(attach->GetTreesBuilt(), 1);
+  attach->LazyBuildOn();
+  EXPECT_TRUE(LocatorOf(OutputOf(attach))->GetLazyBuild());
+  EXPECT_EQ(attach->GetTreesBuilt(), 1);
+  attach->SetEpsilon(1e-3);
+  EXPECT_EQ(LocatorOf(OutputOf(attach))->GetEpsilon(), 1e-3);
+  EXPECT_EQ(attach->GetTreesBuilt(), 1);
+  attach->Modified();
+  attach->Update();
+  EXPECT_EQ(attach->GetTreesBuilt(), 0);
+}
+
+TEST(Attach, TheInputsOwnLocatorStaysItsOwn)
+{
+  const GridPointer grid = MakeGrid(Hexahedra(2));
+  vtkNew<vtkStaticCellLocator> theirs;
+  theirs->SetDataSet(grid);
+  grid->SetCellLocator(theirs);
+  EXPECT_NE(LocatorOf(OutputOf(MakeAttach(grid))), nullptr);
+  EXPECT_EQ(grid->GetCellLocator(), theirs.Get());
+}
+
+TEST(Attach, WithoutCellsTheLocatorFindsNothing)
+{
+  vtkNew<vtkPolyData> empty;
+  AttachPointer attach = MakeAttach(empty);
+  EventCounter events(attach);
+  Point x = { 0, 0, 0 };
+  EXPECT_EQ(LocatorOf(OutputOf(attach))->FindCell(x.data()), -1);
+  EXPECT_EQ(events.Errors + events.Warnings, 0);
+}
+
+TEST(Attach, AnAbortLeavesTheRestWithoutLocators)
+{
+  std::vector<GridPointer> grids;
+  std::vector<vtkDataObject*> blocks;
+  for (int i = 0; i < 6; ++i)
+  {
+    blocks.push_back(grids.emplace_back(MakeGrid(Hexahedra(2))));
+  }
+  AttachPointer attach = MakeAttach(MakeBlocks(blocks));
+  ProgressWatch watch(attach, 0.4);
+  attach->Update();
+  EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
+  EXPECT_LT(attach->GetTreesBuilt(), 6);
+  attach->RemoveAllObservers();
+  attach->SetAbortExecute(0);
+  attach->Modified();
+  attach->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(attach->GetOutputDataObject(0));
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    EXPECT_NE(LocatorOf(output->GetBlock(i)), nullptr);
+  }
+}
+
+}
