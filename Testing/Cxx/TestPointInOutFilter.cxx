@@ -133,6 +133,45 @@ TEST(PointInOut, BadInputSaysWhy)
   EXPECT_EQ(filter->GetNumberOfRays(), 1);
 }
 
+TEST(PointInOut, MixedBlocksAreEachAPartOfItsKind)
+{
+  auto ball = MakePolyData(Sphere(8, 1.0));
+  ball->GetCellData()->AddArray(
+    MakeArray<vtkIntArray>("Part", ball->GetNumberOfCells(), [](vtkIdType) { return 7.0; }));
+  auto bricks = MakeGrid(Placed(Hexahedra(2), 1.0, { 5, 0, 0 }));
+  vtkNew<vtkPolyData> empty;
+  auto blocks = MakeBlocks({ ball, nullptr, bricks, empty });
+  auto points = MakeQueries({ { 0, 0, 0 }, { 6, 1, 1 }, { 3, 1, 1 }, { NAN, 1, 1 } });
+  InOutPointer filter = MakeInOut(points, blocks);
+  EventCounter events(filter);
+  EXPECT_EQ(RunFor(filter, "SkdPartId"), (std::vector<double>{ 1, 3, -1, -1 }));
+  EXPECT_EQ(events.Errors, 0) << events.Error;
+  filter->SetParts(InOut::CELL_ARRAY);
+  filter->SetPartArray("Part");
+  filter->Update();
+  EXPECT_EQ(events.Errors, 1);
+  EXPECT_NE(events.Error.find("Part"), std::string::npos) << events.Error;
+  filter->SetParts(InOut::BLOCKS);
+  filter->UseOuterFacesOff();
+  filter->Update();
+  EXPECT_EQ(events.Errors, 2);
+  EXPECT_NE(events.Error.find("UseOuterFaces"), std::string::npos) << events.Error;
+}
+
+TEST(PointInOut, ABandThatIsNegativeOrNoNumberIsNone)
+{
+  auto points = MakeQueries({ { 0, 0, 0 }, { 1, 0, 0 } });
+  auto ball = MakePolyData(Sphere(8, 1.0));
+  for (const double band : { -1.0, double(NAN) })
+  {
+    InOutPointer filter = MakeInOut(points, ball);
+    filter->SetBoundaryBand(band);
+    EventCounter events(filter);
+    EXPECT_EQ(RunFor(filter, "SkdOnBoundary"), (std::vector<double>{ 0, 0 })) << band;
+    EXPECT_EQ(events.Errors + events.Warnings, 0);
+  }
+}
+
 TEST(PointInOut, ProgressRisesAndAnAbortLeavesNone)
 {
   auto ball = MakePolyData(Sphere(8, 3.0));

@@ -8,8 +8,6 @@
 #include "Support/InOutRun.h"
 #include "Support/RealMeshes.h"
 
-#include "vtkSelectEnclosedPoints.h"
-
 #include <gtest/gtest.h>
 
 using namespace skdtest;
@@ -118,47 +116,6 @@ TEST_P(PointInOutOfFile, RaysAreRightAtEveryPoint)
     }
     EXPECT_EQ(Reported(filter, "OpenEdges"), 0);
   }
-}
-
-int CountWrong(const std::vector<double>& answers, const std::vector<double>& right)
-{
-  int wrong = 0;
-  for (std::size_t i = 0; i < right.size(); ++i)
-  {
-    wrong += answers[i] != right[i];
-  }
-  return wrong;
-}
-
-TEST(PointInOutLeaky, AnElephantWithHolesIsToldBetterThanByVtk)
-{
-  const std::string folder = ExtraDataFolder() + "/A_surface/";
-  if (!std::filesystem::exists(folder + "elephant-with-holes.vtp"))
-  {
-    GTEST_SKIP() << "no meshes in " << folder;
-  }
-  const DataSetPointer whole = ReadMesh(folder + "elephant.vtp");
-  const DataSetPointer leaky = ReadMesh(folder + "elephant-with-holes.vtp");
-  Random random(73);
-  std::vector<Point> points;
-  for (int i = 0; i < 4000; ++i)
-  {
-    points.push_back(random.InBox(BoundsOf(whole)));
-  }
-  const auto input = MakeQueries(points);
-  const std::vector<double> right = RunFor(MakeInOut(input, whole), "SkdInside");
-  vtkNew<vtkSelectEnclosedPoints> other;
-  other->SetInputData(input);
-  other->SetSurfaceData(vtkPolyData::SafeDownCast(leaky));
-  other->Update();
-  const int theirs = CountWrong(PointArray(other->GetOutput(), "SelectedPoints"), right);
-  for (int method : { InOut::AXIS_RAYS, InOut::RANDOM_RAYS, InOut::WINDING_NUMBER })
-  {
-    const std::vector<double> found = RunFor(MakeInOut(input, leaky, method), "SkdInside");
-    EXPECT_LE(CountWrong(found, right), theirs) << method;
-    RecordProperty("WrongBy" + std::to_string(method), CountWrong(found, right));
-  }
-  RecordProperty("WrongByVtk", theirs);
 }
 
 }
