@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// skdtree_inout_benchmark points file ...: which points are inside of surfaces, beside VTK's
-/// filter and, where it is found, CGAL. A half of the points is anywhere near the bounds, the other
-/// close to the surface. Prints a table of processor microseconds a point, searching structures
-/// and all (medians of runs that take turns), of how many times the time of axis rays that is, and
-/// of the answers that are not those of CGAL, or without it of random rays, at points that are
-/// farther from the surface than rounding. VTK is asked for 200 thousand of them at most.
+/// skdtree_inout_benchmark [--answers] points file ...: which points are inside of surfaces, beside
+/// VTK's filter and, where it is found, CGAL. A half of the points is anywhere near the bounds, the
+/// other close to the surface. Prints a table of processor microseconds a point, searching
+/// structures and all (medians of runs that take turns), of how many times the time of axis rays
+/// that is, and of the answers that are not those of CGAL, or without it of random rays, at points
+/// that are farther from the surface than rounding. VTK is asked for 200 thousand of them at most.
+/// With
+/// --answers everyone but VTK is asked once, for the sake of the last column.
 #include "InOut.h"
 
 #include "Support/InOutRun.h"
@@ -75,13 +77,16 @@ Contender OurMethod(const char* name, int method)
   return { name, ask, std::numeric_limits<std::size_t>::max() };
 }
 
-std::vector<Contender> MakeContenders()
+std::vector<Contender> MakeContenders(bool onlyAnswers)
 {
   std::vector<Contender> contenders = { OurMethod("skD-tree, axis rays", InOut::AXIS_RAYS),
     OurMethod("skD-tree, random rays", InOut::RANDOM_RAYS),
     OurMethod("skD-tree, winding number", InOut::WINDING_NUMBER),
-    OurMethod("skD-tree, nearest feature", InOut::NEAREST_FEATURE),
-    { "vtkSelectEnclosedPoints", AskVtk, 200000 } };
+    OurMethod("skD-tree, nearest feature", InOut::NEAREST_FEATURE) };
+  if (!onlyAnswers)
+  {
+    contenders.push_back({ "vtkSelectEnclosedPoints", AskVtk, 200000 });
+  }
 #ifdef SKDBENCH_HAS_CGAL
   contenders.push_back(
     { "CGAL, Side_of_triangle_mesh", AskCgalSides, std::numeric_limits<std::size_t>::max() });
@@ -138,11 +143,11 @@ long CountWrong(const Sides& answers, const Sides& right, const std::vector<bool
   return wrong;
 }
 
-void Measure(const std::string& file, vtkPolyData* surface, int count)
+void Measure(const std::string& file, vtkPolyData* surface, int count, bool onlyAnswers)
 {
   const std::vector<Point> points = MakePointsNear(surface, count);
-  std::vector<Contender> contenders = MakeContenders();
-  for (int repetition = 0; repetition < 3; ++repetition)
+  std::vector<Contender> contenders = MakeContenders(onlyAnswers);
+  for (int repetition = 0; repetition < (onlyAnswers ? 1 : 3); ++repetition)
   {
     for (Contender& contender : contenders)
     {
@@ -209,20 +214,26 @@ void MeasureImage(const std::string& file, vtkPolyData* surface, int count)
 int main(int argc, char* argv[])
 {
   vtkSMPTools::Initialize(1);
-  if (argc < 3)
+  const bool onlyAnswers = argc > 1 && std::string(argv[1]) == "--answers";
+  const int first = onlyAnswers ? 2 : 1;
+  if (argc < first + 2)
   {
-    std::fprintf(stderr, "usage: skdtree_inout_benchmark points file ...\n");
+    std::fprintf(stderr, "usage: skdtree_inout_benchmark [--answers] points file ...\n");
     return 1;
   }
+  const int count = std::atoi(argv[first]);
   std::printf("| surface | by | us a point | x | other than it should be |\n");
   std::printf("| --- | --- | ---: | ---: | ---: |\n");
-  for (int i = 2; i < argc; ++i)
+  for (int i = first + 1; i < argc; ++i)
   {
     const PolyDataPointer surface = ReadTriangles(argv[i]);
     if (surface && surface->GetNumberOfCells() > 0)
     {
-      Measure(argv[i], surface, std::atoi(argv[1]));
-      MeasureImage(argv[i], surface, std::atoi(argv[1]));
+      Measure(argv[i], surface, count, onlyAnswers);
+      if (!onlyAnswers)
+      {
+        MeasureImage(argv[i], surface, count);
+      }
     }
   }
   return 0;
