@@ -96,6 +96,7 @@ vtkSmartPointer<vtkStreamTracer> MakeTracer(vtkDataSet* seeds)
   tracer->SetIntegrationStepUnit(vtkStreamTracer::CELL_LENGTH_UNIT);
   tracer->SetInitialIntegrationStep(0.5);
   tracer->SetMaximumNumberOfSteps(2000);
+  tracer->SetMaximumPropagation(1e30);
   tracer->SetIntegrationDirectionToForward();
   tracer->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Flow");
   return tracer;

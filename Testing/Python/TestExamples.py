@@ -69,7 +69,7 @@ def test_spatial_query():
 
 
 def test_attach():
-    check("Attach", data("disk_flow.vtu"), {"without: ": 1, "with: ": 1}, (0.2, 0.95))
+    check("Attach", data("disk_flow.vtu"), {"without: ": 2, "with: ": 2}, (0.2, 0.95))
 
 
 def test_point_in_out():
