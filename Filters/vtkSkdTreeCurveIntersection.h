@@ -24,7 +24,7 @@
  * - Each place of two curves is one point, also at the joints of a polyline.
  * - All roots are found by bisection that excludes with certainty, simple ones to within rounding.
  * A root of higher multiplicity is one point where the curves touch.
- * - Of curves that nearly run along each other, apart by less than about 1e-8 of their length, what
+ * - Of curves that nearly run along each other, apart by less than about 1e-10 of their length, what
  *   20000 halvings of two pieces have not decided is looked at in up to 256 places along it: there,
  *   two crossings between two of these may be missed.
  * - Where two curves run along each other for a stretch, both ends of the stretch are told.

@@ -204,3 +204,51 @@ TEST(CurvePair, NearMissesAreNoHits)
   }
   EXPECT_GT(crossings, 200);
 }
+
+// A bend of any curve, not only of one of the two.
+TEST(CommonBend, SeparatesNoCurvesThatMeet)
+{
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto point = [&] { return Vector3{ { any(engine), any(engine), any(engine) } }; };
+  for (int round = 0; round < 2000; ++round)
+  {
+    BezierCurve curves[3];
+    for (BezierCurve& curve : curves)
+    {
+      curve.Degree = 1 + static_cast<int>(engine() % MaximumDegree);
+      const double size = std::pow(10.0, 3.0 * any(engine) - 3.0);
+      for (int i = 0; i <= curve.Degree; ++i)
+      {
+        curve.Points[i] = Weighted(size * point(), round % 2 ? 1.0 : 1.5 + any(engine));
+      }
+    }
+    const Vector3 shift = curves[0].At(0.3).X - curves[1].At(0.6).X;
+    for (int i = 0; i <= curves[1].Degree; ++i)
+    {
+      curves[1].Points[i] = Weighted(curves[1].Control(i) + shift, curves[1].Points[i][3]);
+    }
+    for (const BezierCurve& bent : curves)
+    {
+      EXPECT_FALSE(CommonBend(bent.At(0.5)).Separates(curves[0], curves[1], 8e-16)) << round;
+    }
+  }
+}
+
+TEST(CommonBend, SeparatesCirclesAboutOneCentre)
+{
+  const BezierCurve circle = Quarter(1.0, 0);
+  for (double gap : { 1e-3, 1e-9, 1e-13, -1e-13, -1e-9 })
+  {
+    const BezierCurve other = Quarter(1.0 + gap, 0);
+    EXPECT_TRUE(CommonBend(circle.At(0.5)).Separates(other, circle, 4e-15)) << gap;
+    EXPECT_FALSE(CommonBend(circle.At(0.5)).Separates(other, circle, 2.0 * std::abs(gap))) << gap;
+    EXPECT_TRUE(Solve(other, circle).empty()) << gap;
+  }
+}
+
+TEST(CommonBend, OfALineIsNone)
+{
+  const BezierCurve line = BezierCurve::Line({ { 0, 0, 0 } }, { { 1, 0, 0 } });
+  EXPECT_FALSE(CommonBend(line.At(0.5)).Separates(line, Quarter(9.0, 0), 0.0));
+}

@@ -144,10 +144,17 @@ struct CurvePair
   /// Whether the curves stay within the tolerance of each other from one touch to the next.
   bool IsOneContact(const CurvePairHit& a, const CurvePairHit& b) const
   {
-    CurvePairHit middle = a;
-    middle.T = 0.5 * (a.T + b.T);
-    Vector3 way;
-    return this->FindFoot(middle, way) && Norm(way) <= 4.0 * this->Tolerance;
+    CurvePairHit foot = a;
+    for (const double t : { 0.5 * (a.T + b.T), b.T })
+    {
+      foot.T = t;
+      Vector3 way;
+      if (!this->FindFoot(foot, way) || Norm(way) > 4.0 * this->Tolerance)
+      {
+        return false;
+      }
+    }
+    return std::abs(foot.S - b.S) <= 1e-6; // not where the second curve comes by again
   }
 
   /// Takes a gap to the changes of T and S (less) that close it: the third direction is across

@@ -3,6 +3,7 @@
 #ifndef skd_Curves_CurvePairCell_h
 #define skd_Curves_CurvePairCell_h
 
+#include "CommonBend.h"
 #include "CurvePair.h"
 
 namespace skd
@@ -47,6 +48,13 @@ public:
     return this->IsBounded &&
       std::any_of(directions, directions + 6,
         [&](const Vector3& direction) { return this->AreApartAlong(direction, tolerance); });
+  }
+
+  /// The same of curves that bend alike. Dearer.
+  bool AreApartAround(const CurvePairCell& cell, double tolerance) const
+  {
+    return this->IsBounded &&
+      CommonBend(cell.Second.At(0.5)).Separates(cell.First, cell.Second, tolerance);
   }
 
   /// Whether both lie in one tube of that width along the first.

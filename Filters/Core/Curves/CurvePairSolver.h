@@ -4,7 +4,8 @@
 /// All points that two pieces of curves have in common (section 6.1), on their native form.
 ///
 /// As for a curve and a patch (CurvePatchSolver.h): both are halved until each part is certainly
-/// apart, has at most one root, which is then found, or touches.
+/// apart, by planes or, where both bend alike, by a cylinder (CommonBend.h), has at most one root,
+/// which is then found, or touches.
 #ifndef skd_Curves_CurvePairSolver_h
 #define skd_Curves_CurvePairSolver_h
 
@@ -57,6 +58,10 @@ private:
     if (contraction.Worst() < 0.5)
     {
       this->FindOnly(cell, inverse, pair);
+      return;
+    }
+    if (hulls.AreApartAround(cell, pair.Tolerance))
+    {
       return;
     }
     if (!mayHalve || cell.Depth >= DepthLimit || hulls.AreTogether(2.0 * pair.Tolerance))

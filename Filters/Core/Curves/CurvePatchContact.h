@@ -175,10 +175,17 @@ struct CurvePatchPair
   /// Whether the curve stays within the tolerance of the patch from one touch to the next.
   bool IsOneContact(const CurvePatchHit& a, const CurvePatchHit& b) const
   {
-    CurvePatchHit middle = a;
-    middle.T = 0.5 * (a.T + b.T);
-    double height;
-    return this->FindFoot(middle, height) && std::abs(height) <= 4.0 * this->Tolerance;
+    CurvePatchHit foot = a;
+    for (const double t : { 0.5 * (a.T + b.T), b.T })
+    {
+      foot.T = t;
+      double height;
+      if (!this->FindFoot(foot, height) || std::abs(height) > 4.0 * this->Tolerance)
+      {
+        return false;
+      }
+    }
+    return std::abs(foot.R - b.R) + std::abs(foot.S - b.S) <= 1e-6;
   }
 
 private:

@@ -27,6 +27,7 @@ protected:
     this->Hits.clear();
     this->Contacts.clear();
     this->Stack.clear();
+    this->Resolved = 0;
   }
 
   /// Calls examine(cell, whether it may be halved) for a cell and what is put on the stack then.
@@ -77,7 +78,6 @@ private:
   {
     constexpr double longest = 1.0 / 256;
     const double length = range.Max - range.Min;
-    const std::size_t before = this->Hits.size();
     const int bits = 1 + static_cast<int>(length / longest);
     for (int i = 0; i < bits; ++i)
     {
@@ -86,9 +86,10 @@ private:
                                   : this->NearestContact(0.5 * (bit.Min + bit.Max), first, last);
       contact.T = bit;
       const auto hit = pair.Resolve(contact);
-      if (hit && (this->Hits.size() == before || !pair.IsOneContact(this->Hits.back(), *hit)))
+      if (hit && (this->Resolved == 0 || !pair.IsOneContact(this->Hits.back(), *hit)))
       {
         this->Hits.push_back(*hit);
+        ++this->Resolved;
       }
     }
   }
@@ -106,6 +107,9 @@ protected:
   std::vector<Hit> Hits;
   std::vector<Contact> Contacts;
   std::vector<Cell> Stack;
+
+private:
+  std::size_t Resolved = 0; ///< of the hits, how many were contacts
 };
 
 }
