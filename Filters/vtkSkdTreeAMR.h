@@ -51,8 +51,8 @@
  * is asked.
  *
  * The estimate is made by refining a sample of the cells. It is right to a few percent; where
- * Balance or GrowingLayers add cells, to within a factor of two. Memory counts the grid and the
- * output, to within a factor of two.
+ * Balance or GrowingLayers add cells, to within a factor of two, as it is of memory, which counts
+ * the grid and the output, and of seconds, which leave out what is computed by choice.
  *
  * Cost: about a microsecond a cell that is cut, less for others; memory about 25 bytes a cell
  * beside the output. The result is the same whatever the number of threads.

@@ -110,6 +110,8 @@ def test_the_cell_limit_stops_it():
     amr.UpdatePipeline()
     assert 0 < skdtesting.report(amr, "StoppedAtLevel") < 8
     assert skdtesting.report(amr, "AllCells") <= 5000
+    assert skdtesting.report(amr, "EstimatedCells") > 100000
+    assert skdtesting.report(amr, "EstimatedBytes") > 1e6
 
 
 def test_the_tree_is_kept():
