@@ -8,7 +8,7 @@
 
 set(vtk_components
   CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
-  FiltersGeometry)
+  FiltersGeometry ParallelCore)
 set(vtk_test_components
   CommonTransforms FiltersCore FiltersExtraction FiltersFlowPaths FiltersGeneral FiltersGeometry
   FiltersModeling FiltersSources IOGeometry IOLegacy IOPLY IOXML)
