@@ -25,9 +25,9 @@
  * - Elsewhere all roots are found by bisection that excludes with certainty, simple ones to within
  *   rounding. What misses an edge by no more than rounding may explain, meets it. A root of even
  *   multiplicity is one point where the curve touches.
- * - Of a curve that nearly runs within a surface, apart by less than about 1e-8 of its length, what
- *   20000 halvings of two pieces have not decided is looked at in up to 256 places along it: there,
- *   two crossings between two of these may be missed.
+ * - Of a curve that nearly runs within a surface, apart by less than about 1e-10 of its length,
+ *   what 20000 halvings of two pieces have not decided is looked at in up to 256 places along it:
+ *   there, two crossings between two of these may be missed.
  * - Where a curve runs within a surface for a stretch, both ends of the stretch are told.
  *
  * Output port 0: vtkPolyData, a vertex for each point, by curve and then along it, with

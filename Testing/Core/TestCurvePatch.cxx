@@ -187,3 +187,37 @@ TEST(CurvePatch, RandomLinesCrossTheTorusEvenly)
     }
   }
 }
+
+TEST(CommonBend, SeparatesNoCurveFromAPatchThatItMeets)
+{
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto point = [&](double size) {
+    return size * Vector3{ { any(engine), any(engine), any(engine) } };
+  };
+  for (int round = 0; round < 1000; ++round)
+  {
+    const double size = std::pow(10.0, 3.0 * any(engine) - 3.0);
+    const auto weight = [&] { return round % 2 ? 1.0 : 1.5 + any(engine); };
+    BezierPatch patch;
+    patch.DegreeR = 1 + static_cast<int>(engine() % 4);
+    patch.DegreeS = 1 + static_cast<int>(engine() % 4);
+    for (int i = 0; i < patch.Size(); ++i)
+    {
+      patch.Points[i] = Weighted(point(size), weight());
+    }
+    BezierCurve curve;
+    curve.Degree = 1 + static_cast<int>(engine() % MaximumDegree);
+    for (int i = 0; i <= curve.Degree; ++i)
+    {
+      curve.Points[i] = Weighted(point(0.1 * size), weight());
+    }
+    const Vector3 shift = patch.At(0.2, 0.7).X - curve.At(0.4).X;
+    for (int i = 0; i <= curve.Degree; ++i)
+    {
+      curve.Points[i] = Weighted(curve.Control(i) + shift, curve.Points[i][3]);
+    }
+    EXPECT_FALSE(CommonBend(patch).Separates(curve, patch, 8e-16)) << round;
+    EXPECT_FALSE(CommonBend(curve.At(0.4)).Separates(curve, patch, 8e-16)) << round;
+  }
+}

@@ -164,7 +164,7 @@ TEST(CurveSurfaceKnown, AHelixAndCylindersAboutItsAxis)
   const FilterPointer filter =
     MakeFilter(LagrangeCurve(HelixAt, -12.0, 12.0, pieces), BezierCylinder(1.0, 4.0));
   ExpectWithin(filter, pieces);
-  for (double radius : { 1.0 - 1e-5, 1.0 + 1e-5 })
+  for (double radius : { 1.0 - 1e-10, 1.0 + 1e-10 })
   {
     filter->SetSourceData(BezierCylinder(radius, 4.0));
     EXPECT_TRUE(OutputPoints(filter).empty()) << radius;

@@ -3,7 +3,7 @@
 #ifndef skd_Curves_CurvePatchCell_h
 #define skd_Curves_CurvePatchCell_h
 
-#include "Preconditioner.h"
+#include "CommonBend.h"
 
 namespace skd
 {
@@ -76,6 +76,15 @@ public:
     return this->AreApartAlong(Cross(this->AlongR, this->AlongS), tolerance) ||
       this->AreApartAlong(Cross(this->Along, this->AlongR), tolerance) ||
       this->AreApartAlong(Cross(this->Along, this->AlongS), tolerance);
+  }
+
+  /// The same of a curve that bends with the patch. Dearer, and not tried on patches of high
+  /// degree.
+  bool AreApartAround(const CurvePatchCell& cell, double tolerance) const
+  {
+    constexpr int largest = 36;
+    return this->IsBounded && this->PatchSize <= largest &&
+      CommonBend(cell.Patch).Separates(cell.Curve, cell.Patch, tolerance);
   }
 
   /// Whether both lie between two planes along the patch that are not farther apart than that. A

@@ -4,11 +4,12 @@
 /// All points that a piece of a curve and a patch have in common (section 6.2), on their native
 /// form.
 ///
-/// Both are halved until each part of them is certainly apart (the hulls of control points are),
-/// has one certain root (Krawczyk's test, then Newton's method), or touches: curve and patch are
-/// then within the tolerance of each other without a simple root. Parts that touch are put together
-/// and examined for where exactly, and whether the curve passes. A curve that runs within the patch
-/// is found first, by more points than two different ones can share.
+/// Both are halved until each part of them is certainly apart (the hulls of control points are, or
+/// a quadric is in between: CommonBend.h), has one certain root (Krawczyk's test, then Newton's
+/// method), or touches: curve and patch are then within the tolerance of each other without a
+/// simple root. Parts that touch are put together and examined for where exactly, and whether the
+/// curve passes. A curve that runs within the patch is found first, by more points than two
+/// different ones can share.
 #ifndef skd_Curves_CurvePatchSolver_h
 #define skd_Curves_CurvePatchSolver_h
 
@@ -58,7 +59,8 @@ private:
       return;
     }
     const Contraction<3> contraction = ContractionOf(cell);
-    if (contraction.Excludes() || this->Finds(cell, contraction, pair))
+    if (contraction.Excludes() || this->Finds(cell, contraction, pair) ||
+      hulls.AreApartAround(cell, pair.Tolerance))
     {
       return;
     }
