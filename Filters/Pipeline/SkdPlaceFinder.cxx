@@ -82,6 +82,9 @@ bool SkdPlaceFinder::Find(const double x[3])
   return this->FindWithin(x) || this->FindByTolerance(x) || this->FindOutside(x);
 }
 
+// Without a hint, though along a line that would halve the search: the cell of the last point would
+// win over a lower one that holds this point, too, and so answers would depend on what was asked
+// before, and by which thread.
 bool SkdPlaceFinder::FindWithin(const double x[3])
 {
   double asked[3] = { x[0], x[1], x[2] };
