@@ -11,7 +11,6 @@
 #include "Support/VolumeMeshes.h"
 
 #include "vtkCellLocatorInterpolatedVelocityField.h"
-#include "vtkCellTreeLocator.h"
 #include "vtkModifiedBSPTree.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeAttach.h"
@@ -151,7 +150,6 @@ std::vector<Contender> MakeContenders()
   Contender ours{ "vtkSkdTreeAttach", {} };
 #endif
   return { ours, { "vtkStaticCellLocator", NewLocator<vtkStaticCellLocator> },
-    { "vtkCellTreeLocator", NewLocator<vtkCellTreeLocator> },
     { "vtkModifiedBSPTree", NewLocator<vtkModifiedBSPTree> } };
 }
 
