@@ -25,12 +25,17 @@ bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* first)
     array->IsNumeric() == first->IsNumeric();
 }
 
-/// What integers are filled with: the nearest that they can hold, 0 for NaN.
-double FillOf(vtkDataArray* numbers, double fill)
+/// The nearest number that an array can hold; of integers 0 for NaN.
+double HeldBy(vtkDataArray* numbers, double value)
 {
+  const int type = numbers->GetDataType();
+  if (type == VTK_FLOAT || type == VTK_DOUBLE)
+  {
+    return value;
+  }
   const double least = numbers->GetDataTypeMin();
   const double most = numbers->GetDataTypeMax();
-  return std::isnan(fill) ? 0.0 : std::max(least, std::min(most, std::round(fill)));
+  return std::isnan(value) ? 0.0 : std::max(least, std::min(most, std::round(value)));
 }
 
 vtkSmartPointer<vtkAbstractArray> MakeResult(
@@ -46,8 +51,7 @@ vtkSmartPointer<vtkAbstractArray> MakeResult(
   result->SetNumberOfTuples(n);
   if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(result))
   {
-    const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
-    numbers->Fill(isReal ? fill : FillOf(numbers, fill));
+    numbers->Fill(HeldBy(numbers, fill));
   }
   return result;
 }
@@ -63,8 +67,8 @@ void TakeAny(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, v
   result->SetTuple(to, from, source);
 }
 
-/// Of any numbers, into doubles.
-void InterpolateAsDouble(
+/// Of any numbers, into those of another type; before VTK 9.2 arrays themselves do not.
+void InterpolateNumbers(
   vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdList* ids, double* weights)
 {
   auto* from = static_cast<vtkDataArray*>(source);
@@ -76,7 +80,17 @@ void InterpolateAsDouble(
     {
       sum += weights[i] * from->GetComponent(ids->GetId(i), c);
     }
-    into->SetComponent(to, c, sum);
+    into->SetComponent(to, c, HeldBy(into, sum));
+  }
+}
+
+void TakeNumbers(vtkAbstractArray* result, vtkIdType to, vtkAbstractArray* source, vtkIdType from)
+{
+  auto* into = static_cast<vtkDataArray*>(result);
+  for (int c = 0; c < into->GetNumberOfComponents(); ++c)
+  {
+    into->SetComponent(
+      to, c, HeldBy(into, static_cast<vtkDataArray*>(source)->GetComponent(from, c)));
   }
 }
 
@@ -145,11 +159,14 @@ SkdArrayGather::SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
   }
 }
 
-void SkdArrayGather::ChooseFunctions(Array& array, bool isDouble)
+void SkdArrayGather::ChooseFunctions(Array& array)
 {
-  array.Interpolate =
-    isDouble && array.Result->IsNumeric() ? &InterpolateAsDouble : &InterpolateAny;
-  array.Take = &TakeAny;
+  const bool isConverted = array.Result->IsNumeric() &&
+    std::any_of(array.Sources.begin(), array.Sources.end(),
+      [&array](vtkAbstractArray* source)
+      { return source->GetDataType() != array.Result->GetDataType(); });
+  array.Interpolate = isConverted ? &InterpolateNumbers : &InterpolateAny;
+  array.Take = isConverted ? &TakeNumbers : &TakeAny;
   const auto choose = [&](auto value)
   {
     using Value = decltype(value);
@@ -174,7 +191,7 @@ void SkdArrayGather::Allocate(vtkIdType n, double fill, bool isDouble)
   for (Array& array : this->Arrays)
   {
     array.Result = MakeResult(array.Sources.front(), n, fill, isDouble);
-    ChooseFunctions(array, isDouble);
+    ChooseFunctions(array);
   }
 }
 

@@ -67,7 +67,7 @@ private:
     TakeFunction Take = nullptr;
   };
 
-  static void ChooseFunctions(Array& array, bool isDouble);
+  static void ChooseFunctions(Array& array);
 
   std::vector<Array> Arrays;
 };

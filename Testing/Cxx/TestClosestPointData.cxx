@@ -184,6 +184,18 @@ TEST(ClosestPointData, StringsAndBitsAreTaken)
   EXPECT_EQ(RunArray(filter, "Bits"), (std::vector<double>{ 1, 0, 0 }));
 }
 
+TEST(ClosestPointData, BitsAreInterpolatedAsSmallNumbers)
+{
+  auto source = MakePolyData(Sheet(1, VTK_QUAD));
+  source->GetPointData()->AddArray(
+    MakeArray<vtkBitArray>("Bits", 4, [](vtkIdType i) { return double(i % 2); }));
+  double corner[3];
+  source->GetPoint(1, corner);
+  FilterPointer filter = MakeInterpolation(
+    MakeQueries({ { 0.2, 0.9 * corner[1] + 0.05, 1 }, { corner[0], corner[1], 1 } }), source);
+  EXPECT_EQ(RunArray(filter, "Bits"), (std::vector<double>{ 0, 1 }));
+}
+
 TEST(ClosestPointData, ATriangleWithoutAreaInterpolatesAlongItself)
 {
   Mesh mesh;
