@@ -129,30 +129,34 @@ private:
 //------------------------------------------------------------------------------
 SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
 {
-  this->Number(store, tree);
+  const bool isInOrder = this->Number(tree, Census(store, tree));
   vtkSMPTools::For(0, static_cast<vtkIdType>(tree.NumberOfNodes()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
       {
         const Node& node = tree.Open(i);
-        if (skd::TrianglePacks::Has(node))
+        if (node.IsBottom && skd::TrianglePacks::Has(node))
         {
           this->FillTriangles(store, tree, node);
         }
-        else if (HasPlanes(node))
+        else if (node.IsBottom && HasPlanes(node))
         {
-          tree.SetNote(i, this->FillPlanes(store, tree, node, rounding));
+          this->FillPlanes(store, tree, node, rounding);
+        }
+        else if (!node.IsBottom && isInOrder)
+        {
+          tree.SetTag(i, this->Blocks.empty() ? skd::TrianglePacks::TagOf(0) : TagOfBlock(0));
+          tree.SetNote(i, tree.BottomsBelow(node));
         }
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::Number(const SkdCellStore& store, skd::Tree<3>& tree)
+SkdSieves::Counts SkdSieves::Census(const SkdCellStore& store, skd::Tree<3>& tree)
 {
-  std::uint32_t packs = 0;
-  std::uint32_t rows = 0;
+  Counts counts;
   for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
   {
     const Node& node = tree.Open(i);
@@ -167,17 +171,63 @@ void SkdSieves::Number(const SkdCellStore& store, skd::Tree<3>& tree)
       most = std::max(most, planes);
       triangles += store.ShapeOf(cell) == SkdShape::Triangle ? 1 : 0;
     }
+    counts.Bottoms += node.IsBottom ? 1 : 0;
     if (triangles > 0 && triangles == node.Count)
     {
-      tree.SetTag(i, skd::TrianglePacks::TagOf(packs++));
+      tree.SetTag(i, skd::TrianglePacks::TagOf(0));
+      ++counts.Packs;
     }
-    else if (most > 0 && least > 0 && rows < Node::NoTag / 4)
+    else if (most > 0 && least > 0 && counts.Rows < Node::NoTag / 2)
     {
-      tree.SetTag(i, 2 * rows + 1);
-      rows += static_cast<std::uint32_t>(most);
+      tree.SetTag(i, TagOfBlock(static_cast<std::uint32_t>(most)));
+      ++counts.Blocks;
+      counts.Rows += static_cast<std::uint32_t>(most);
     }
   }
-  this->Triangles.resize(packs);
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
+{
+  const bool isInOrder = counts.Packs == counts.Bottoms || counts.Blocks == counts.Bottoms;
+  this->Triangles.resize(counts.Packs);
+  this->Blocks.resize(counts.Blocks);
+  std::uint32_t packs = 0;
+  std::uint32_t blocks = 0;
+  for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
+  {
+    const Node& node = tree.Open(i);
+    if (!node.IsBottom)
+    {
+      continue;
+    }
+    if (skd::TrianglePacks::Has(node))
+    {
+      tree.SetTag(i, skd::TrianglePacks::TagOf(isInOrder ? tree.NumberOf(node) : packs++));
+    }
+    else if (HasPlanes(node))
+    {
+      const std::uint32_t number = isInOrder ? tree.NumberOf(node) : blocks++;
+      this->Blocks[number].Count = node.Tag >> 1;
+      tree.SetTag(i, TagOfBlock(number));
+    }
+  }
+  this->NumberRows();
+  return isInOrder;
+}
+
+//------------------------------------------------------------------------------
+void SkdSieves::NumberRows()
+{
+  std::uint32_t rows = 0;
+  this->CommonRows = this->Blocks.empty() ? 0 : this->Blocks.front().Count;
+  for (PlaneBlock& block : this->Blocks)
+  {
+    block.FirstRow = rows;
+    rows += block.Count;
+    this->CommonRows = block.Count == this->CommonRows ? this->CommonRows : 0;
+  }
   this->Rows.resize(rows);
 }
 
@@ -201,34 +251,31 @@ void SkdSieves::FillTriangles(
 }
 
 //------------------------------------------------------------------------------
-SkdSieves::PlaneNote SkdSieves::FillPlanes(
+void SkdSieves::FillPlanes(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& bottom, double rounding)
 {
-  skd::PlaneRow* rows = this->Rows.data() + (bottom.Tag >> 1);
-  PlaneNote note{ RasterOf(bottom), 0 };
+  PlaneBlock& block = this->Blocks[bottom.Tag >> 1];
+  block.Raster = RasterOf(bottom);
+  skd::PlaneRow* rows = this->Rows.data() + block.FirstRow;
+  std::fill_n(rows, block.Count, skd::PlaneRow());
   const skd::Frame<3>& frame = tree.GetFrame();
-  const double margin = rounding * frame.Scale / note.Raster.Unit + skd::PlaneRow::Rounding;
-  const Planes planes{ store, frame, note.Raster, margin, rows };
+  const double margin = rounding * frame.Scale / block.Raster.Unit + skd::PlaneRow::Rounding;
+  const Planes planes{ store, frame, block.Raster, margin, rows };
   for (int lane = 0; lane < bottom.Count; ++lane)
   {
     const std::uint32_t cell = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
-    const auto count = static_cast<std::uint32_t>(NumberOfPlanes(store, cell));
-    for (; note.Count < count; ++note.Count)
-    {
-      rows[note.Count] = {};
-    }
     if (store.ShapeOf(cell) == SkdShape::Polyhedron)
     {
+      const auto count = static_cast<std::uint32_t>(NumberOfPlanes(store, cell));
       planes.SetPolyhedron(lane, cell, count);
     }
     VisitVolume(store.ShapeOf(cell), [&](auto shape) { planes.Set<decltype(shape)>(lane, cell); });
   }
-  return note;
 }
 
 //------------------------------------------------------------------------------
 std::size_t SkdSieves::MemorySize() const
 {
   return this->Triangles.capacity() * sizeof(skd::TrianglePack) +
-    this->Rows.capacity() * sizeof(skd::PlaneRow);
+    this->Blocks.capacity() * sizeof(PlaneBlock) + this->Rows.capacity() * sizeof(skd::PlaneRow);
 }

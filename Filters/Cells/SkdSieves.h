@@ -29,59 +29,97 @@ public:
   class Point
   {
   public:
+    static constexpr bool SkipsBottoms = true;
+
     Point(const SkdSieves& sieves, const skd::Vector3& local)
-      : Rows(sieves.Rows.data())
+      : Sieves(sieves)
       , Local(local)
     {
     }
-    bool Knows(const skd::Node<3>& bottom) const { return HasPlanes(bottom); }
-    unsigned Pass(const skd::Node<3>& bottom, float* keys) const;
+    bool Knows(const skd::Node<3>& node) const { return HasPlanes(node); }
+    unsigned Pass(const skd::Node<3>& bottom, float* keys) const
+    {
+      return this->Pass(bottom.Tag >> 1, bottom.Count, keys);
+    }
+    unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const;
+    void Fetch(std::uint32_t number) const;
 
   private:
-    const skd::PlaneRow* Rows;
+    const SkdSieves& Sieves;
     const skd::Vector3& Local;
   };
 
   std::size_t MemorySize() const;
 
 private:
-  /// Lies in the bottom node itself, which is in the caches when its rows are asked for.
-  struct PlaneNote
+  /// The planes of a bottom node's cells: where they begin, and the raster that they are on.
+  struct PlaneBlock
   {
     skd::Raster Raster;
+    std::uint32_t FirstRow;
     std::uint32_t Count; ///< of rows
   };
 
-  // A tag is twice the number of a pack of triangles, or of a row of planes and 1 more.
-  static bool HasPlanes(const skd::Node<3>& bottom)
+  // A tag is twice the number of a pack of triangles, or of a block of planes and 1 more. If all
+  // bottom nodes have packs, or all blocks, these have the numbers of the nodes, and inner nodes
+  // have a note about those of their children.
+  static bool HasPlanes(const skd::Node<3>& node)
   {
-    return (bottom.Tag & 1u) != 0 && bottom.Tag != skd::Node<3>::NoTag;
+    return (node.Tag & 1u) != 0 && node.Tag != skd::Node<3>::NoTag;
   }
 
-  void Number(const SkdCellStore& store, skd::Tree<3>& tree);
+  static std::uint32_t TagOfBlock(std::uint32_t block) { return 2 * block + 1; }
+
+  /// Of bottom nodes, and of those that have a pack or a block.
+  struct Counts
+  {
+    std::uint32_t Bottoms = 0;
+    std::uint32_t Packs = 0;
+    std::uint32_t Blocks = 0;
+    std::uint32_t Rows = 0; ///< that the blocks have
+  };
+
+  /// Tags bottom nodes for a pack, or with the number of rows that they need.
+  static Counts Census(const SkdCellStore& store, skd::Tree<3>& tree);
+  /// Gives packs and blocks their numbers. Whether these are those of the bottom nodes.
+  bool Number(skd::Tree<3>& tree, const Counts& counts);
+  void NumberRows();
   void FillTriangles(
     const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom);
-  PlaneNote FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree,
-    const skd::Node<3>& bottom, double rounding);
+  void FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom,
+    double rounding);
 
   skd::RawVector<skd::TrianglePack> Triangles;
-  skd::RawVector<skd::PlaneRow> Rows; // those of a bottom node in turn
+  skd::RawVector<PlaneBlock> Blocks;
+  skd::RawVector<skd::PlaneRow> Rows; // those of a block in turn
+  std::uint32_t CommonRows = 0;       // of each block, or 0
 };
 
 //------------------------------------------------------------------------------
-inline unsigned SkdSieves::Point::Pass(const skd::Node<3>& bottom, float*) const
+inline unsigned SkdSieves::Point::Pass(std::uint32_t number, std::uint32_t count, float*) const
 {
-  const skd::PlaneRow* row = this->Rows + (bottom.Tag >> 1);
-  const auto note = bottom.Read<PlaneNote>();
-  const skd::Vector3 x = note.Raster.Of(this->Local);
+  const PlaneBlock& block = this->Sieves.Blocks[number];
+  const skd::PlaneRow* row = this->Sieves.Rows.data() + block.FirstRow;
+  const skd::Vector3 x = block.Raster.Of(this->Local);
   const float place[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
     static_cast<float>(x[2]) };
-  unsigned passed = bottom.Occupied();
-  for (std::uint32_t i = 0; i < note.Count && passed != 0; ++i)
+  unsigned passed = skd::LowBits(count);
+  for (std::uint32_t i = 0; i < block.Count && passed != 0; ++i)
   {
     passed &= row[i].MayHold(place);
   }
   return passed;
+}
+
+//------------------------------------------------------------------------------
+inline void SkdSieves::Point::Fetch(std::uint32_t number) const
+{
+  skd::FetchLines<sizeof(PlaneBlock)>(&this->Sieves.Blocks[number]);
+  const std::uint32_t rows = this->Sieves.CommonRows;
+  for (std::uint32_t i = 0; i < rows; ++i)
+  {
+    skd::FetchLines<sizeof(skd::PlaneRow)>(&this->Sieves.Rows[number * std::uint64_t(rows) + i]);
+  }
 }
 
 #endif

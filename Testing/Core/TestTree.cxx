@@ -277,6 +277,41 @@ TYPED_TEST(TreeTest, KeepsWhatItsOwnerNotesInANode)
   EXPECT_EQ(ContentOf(tree), before);
 }
 
+TYPED_TEST(TreeTest, NumbersOfBottomNodesTellTheirElements)
+{
+  constexpr int D = TypeParam::Value;
+  for (const std::size_t count : Counts())
+  {
+    for (const int capacity : { 1, 3, 8 })
+    {
+      for (const skd::SplitRule rule : { skd::SplitRule::Median, skd::SplitRule::SurfaceArea })
+      {
+        const skd::Tree<D> tree(InputOf(RandomBoxes<D>(count), capacity, rule));
+        for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
+        {
+          const skd::Node<D>& node = tree.Open(i);
+          if (node.IsBottom)
+          {
+            const skd::ElementRange elements = tree.BottomAt(tree.NumberOf(node));
+            ASSERT_EQ(elements.First, node.First);
+            ASSERT_EQ(elements.Count, node.Count);
+            continue;
+          }
+          const skd::KnownBottoms known = tree.BottomsBelow(node);
+          for (int lane = 0; lane < 8; ++lane)
+          {
+            const bool isChild = lane < node.Count;
+            const auto& child = tree.Open(node.First + (isChild ? lane : 0));
+            const bool isKnown = (known.Lanes >> lane & 1) != 0;
+            ASSERT_EQ(isKnown, isChild && child.IsBottom);
+            ASSERT_TRUE(!isKnown || known.NumberOf(lane) == tree.NumberOf(child));
+          }
+        }
+      }
+    }
+  }
+}
+
 TYPED_TEST(TreeTest, SafetyBoxesAreInflatedByTwoEpsilon)
 {
   constexpr int D = TypeParam::Value;

@@ -104,6 +104,73 @@ TEST(Walk, WithANaNLimitVisitsNothing)
   EXPECT_TRUE(query.Visited.empty());
 }
 
+/// Keeps the boxes of bottom nodes beside the tree, by the numbers of the nodes.
+template <bool IsOrdered>
+struct KnowsBottoms : LowerEnds<IsOrdered>
+{
+  static constexpr bool SkipsBottoms = true;
+
+  explicit KnowsBottoms(skd::Tree<1>& tree)
+  {
+    for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
+    {
+      const skd::Node<1>& node = tree.Open(i);
+      if (node.IsBottom)
+      {
+        const std::size_t number = tree.NumberOf(node);
+        this->Boxes.resize(std::max(this->Boxes.size(), number + 1));
+        this->Boxes[number] = node.Boxes;
+      }
+      else if (i % 3 != 2) // some are opened
+      {
+        tree.SetTag(i, 0);
+        tree.SetNote(i, tree.BottomsBelow(node));
+      }
+    }
+  }
+
+  bool Knows(const skd::Node<1>& node) const { return node.Tag == 0; }
+  unsigned ReachElements(const skd::Node<1>& bottom, float* keys)
+  {
+    ++this->Opened;
+    return this->Reach(bottom.Boxes, keys);
+  }
+  unsigned ReachKnown(std::uint32_t number, std::uint32_t count, float* keys)
+  {
+    ++this->Known;
+    return this->Reach(this->Boxes[number], keys) & skd::LowBits(count);
+  }
+  void FetchKnown(std::uint32_t number) const { EXPECT_LT(number, this->Boxes.size()); }
+
+  std::vector<skd::Bundle<1, 8>> Boxes;
+  int Opened = 0;
+  int Known = 0;
+};
+
+TEST(Walk, OfKnownBottomNodesVisitsTheSame)
+{
+  ShuffledLine line(513);
+  KnowsBottoms<true> inOrder(line.Tree);
+  inOrder.TheLimit = line.Tree.GetFrame().Down(300.0, 0);
+  skd::Walk(line.Tree, inOrder);
+  EXPECT_EQ(inOrder.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 301));
+  EXPECT_GT(inOrder.Opened, 0);
+  EXPECT_GT(inOrder.Known, inOrder.Opened);
+
+  KnowsBottoms<false> inAnyOrder(line.Tree);
+  skd::Walk(line.Tree, inAnyOrder);
+  EXPECT_EQ(Sorted(inAnyOrder.Visited), Sorted(line.IndexAt));
+}
+
+TEST(Walk, OfKnownBottomNodesEndsWhenVisitSaysSo)
+{
+  ShuffledLine line(65);
+  KnowsBottoms<true> query(line.Tree);
+  query.Most = 7;
+  skd::Walk(line.Tree, query);
+  EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 7));
+}
+
 /// Says of every lane that it is wanted, of those too that hold nothing.
 struct WantsAll : LowerEnds<false>
 {

@@ -23,6 +23,7 @@ class AlongSegment
 {
 public:
   static constexpr bool Ordered = InOrder;
+  static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
 
   AlongSegment(const Frame<D>& frame, const Box<D>& bounds, const Segment<D>& segment,
     double margin, Leaf& leaf, const Sieve& sieve = Sieve())
@@ -68,6 +69,13 @@ public:
     return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys)
                                         : this->Reach(bottom.Boxes, keys);
   }
+
+  bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
+  unsigned ReachKnown(std::uint32_t bottom, std::uint32_t count, float* keys) const
+  {
+    return this->TheSieve.Pass(bottom, count, keys);
+  }
+  void FetchKnown(std::uint32_t bottom) const { this->TheSieve.Fetch(bottom); }
 
   float Limit() const { return this->TheLimit; }
 

@@ -22,6 +22,7 @@ class Nearest
 {
 public:
   static constexpr bool Ordered = true;
+  static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
 
   Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf,
     const Sieve& sieve = Sieve())
@@ -46,6 +47,13 @@ public:
     return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys, this->TheLimit)
                                         : this->Reach(bottom.Boxes, keys);
   }
+
+  bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
+  unsigned ReachKnown(std::uint32_t bottom, std::uint32_t count, float* keys)
+  {
+    return this->TheSieve.Pass(bottom, count, keys, this->TheLimit);
+  }
+  void FetchKnown(std::uint32_t bottom) const { this->TheSieve.Fetch(bottom); }
 
   float Limit() const { return this->TheLimit; }
 

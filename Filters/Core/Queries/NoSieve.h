@@ -12,10 +12,15 @@ namespace skd
 /// and says which are worth a visit: it may leave out what is proven to be no answer. It gives
 ///   bool Knows(const Node&)                 whether it can, of this node
 ///   unsigned Pass(const Node&, float* keys) as Reach() of a query (Walk.h)
+///   static constexpr bool SkipsBottoms      whether a bottom node's number, and how many elements
+///                                           it has, is enough (KnownBottoms); if so it gives
+///   unsigned Pass(number, count, float* keys), void Fetch(number)
 /// Nearest hands it the limit, too, by reference; AlongSegment first calls Aim(segment, margin), in
 /// the frame, the segment being clipped to where the tree is. This one knows nothing.
 struct NoSieve
 {
+  static constexpr bool SkipsBottoms = false;
+
   template <class Segment>
   void Aim(const Segment&, double)
   {

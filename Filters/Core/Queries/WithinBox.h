@@ -15,6 +15,7 @@ class WithinBox
 {
 public:
   static constexpr bool Ordered = false;
+  static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
 
   WithinBox(const Frame<D>& frame, const Box<D>& box, Leaf& leaf, const Sieve& sieve = Sieve())
     : TheLeaf(leaf)
@@ -45,6 +46,13 @@ public:
     return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys)
                                         : this->Reach(bottom.Boxes, keys);
   }
+
+  bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
+  unsigned ReachKnown(std::uint32_t bottom, std::uint32_t count, float* keys) const
+  {
+    return this->TheSieve.Pass(bottom, count, keys);
+  }
+  void FetchKnown(std::uint32_t bottom) const { this->TheSieve.Fetch(bottom); }
 
   float Limit() const { return 0.0f; }
   bool Visit(std::uint32_t element) { return this->TheLeaf(element); }

@@ -22,10 +22,12 @@ public:
   {
   }
 
-  static bool Has(const Node<3>& bottom) { return (bottom.Tag & 1u) == 0; }
+  static bool Has(const Node<3>& node) { return (node.Tag & 1u) == 0; }
   static std::uint32_t TagOf(std::uint32_t pack) { return 2 * pack; }
   const TrianglePack* Data() const { return this->First; }
-  const TrianglePack& Of(const Node<3>& bottom) const { return this->First[bottom.Tag >> 1]; }
+  static std::uint32_t NumberOf(const Node<3>& bottom) { return bottom.Tag >> 1; }
+  const TrianglePack& Of(std::uint32_t number) const { return this->First[number]; }
+  void Fetch(std::uint32_t number) const { FetchLines<sizeof(TrianglePack)>(this->First + number); }
 
 private:
   const TrianglePack* First;
@@ -36,6 +38,8 @@ template <bool OnlyNearest>
 class DistanceSieve
 {
 public:
+  static constexpr bool SkipsBottoms = true;
+
   /// `local`: the point in the tree's frame.
   DistanceSieve(const TrianglePacks& packs, const Vector3& local)
     : Packs(packs)
@@ -43,18 +47,23 @@ public:
   {
   }
 
-  bool Knows(const Node<3>& bottom) const { return TrianglePacks::Has(bottom); }
+  bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
 
   unsigned Pass(const Node<3>& bottom, float* keys, float& limit) const
   {
-    const TrianglePack& pack = this->Packs.Of(bottom);
+    return this->Pass(TrianglePacks::NumberOf(bottom), bottom.Count, keys, limit);
+  }
+  unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const
+  {
+    const TrianglePack& pack = this->Packs.Of(number);
     const TriangleDistances distances(pack, pack.Raster.Of(this->Local));
     if constexpr (OnlyNearest)
     {
-      limit = std::min(limit, distances.LeastMost2(bottom.Count, pack.Raster.Unit));
+      limit = std::min(limit, distances.LeastMost2(static_cast<int>(count), pack.Raster.Unit));
     }
-    return distances.Within(limit, pack.Raster.Unit, keys);
+    return distances.Within(limit, pack.Raster.Unit, keys) & LowBits(count);
   }
+  void Fetch(std::uint32_t number) const { this->Packs.Fetch(number); }
 
 private:
   TrianglePacks Packs;
@@ -65,6 +74,8 @@ private:
 class LineSieve
 {
 public:
+  static constexpr bool SkipsBottoms = true;
+
   explicit LineSieve(const TrianglePacks& packs)
     : Packs(packs)
   {
@@ -75,13 +86,18 @@ public:
     this->Crossings = TriangleCrossings(local, margin);
   }
 
-  bool Knows(const Node<3>& bottom) const { return TrianglePacks::Has(bottom); }
+  bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
 
   unsigned Pass(const Node<3>& bottom, float* keys) const
   {
-    std::fill(keys, keys + Node<3>::Width, 0.0f);
-    return this->Crossings.MayMeet(this->Packs.Of(bottom));
+    return this->Pass(TrianglePacks::NumberOf(bottom), bottom.Count, keys);
   }
+  unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const
+  {
+    std::fill(keys, keys + Node<3>::Width, 0.0f);
+    return this->Crossings.MayMeet(this->Packs.Of(number)) & LowBits(count);
+  }
+  void Fetch(std::uint32_t number) const { this->Packs.Fetch(number); }
 
 private:
   TrianglePacks Packs;

@@ -113,6 +113,7 @@ public:
   std::size_t NumberOfNodes() const { return this->Nodes.size(); }
   std::size_t NumberOfElements() const { return this->Elements.size(); }
 
+  std::uint32_t GetCapacity() const { return this->Capacity; }
   SplitRule Rule() const { return this->IsByArea ? SplitRule::SurfaceArea : SplitRule::Median; }
 
   /// When all tasks are done.

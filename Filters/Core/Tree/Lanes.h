@@ -120,6 +120,12 @@ inline int LowestBit(unsigned bits)
 #endif
 }
 
+/// That many bits, from the lowest.
+inline unsigned LowBits(std::uint32_t count)
+{
+  return (1u << count) - 1u;
+}
+
 /// Ask for `Size` bytes of memory that are going to be read, and do not wait for them.
 template <std::size_t Size>
 void FetchLines(const void* address)

@@ -92,12 +92,12 @@ struct alignas(32) Node
   std::uint32_t First = 0;
   std::uint16_t Count = 0;
   bool IsBottom = false;
-  std::uint32_t Tag = NoTag; ///< of a bottom node: what the tree's owner keeps of its elements
+  std::uint32_t Tag = NoTag; ///< what the tree's owner keeps of the elements below
   std::uint32_t Note[5]; ///< the owner's, too, in what would be padding; not set until it sets it
 
   static constexpr std::uint32_t NoTag = 0xffffffffu;
   /// A bit for each lane in use.
-  unsigned Occupied() const { return (1u << this->Count) - 1u; }
+  unsigned Occupied() const { return LowBits(this->Count); }
 
   template <class T>
   void Write(const T& note)
@@ -108,9 +108,25 @@ struct alignas(32) Node
   template <class T>
   T Read() const
   {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(this->Note));
     T note;
     std::memcpy(&note, this->Note, sizeof(T));
     return note;
+  }
+};
+
+/// The note of an inner node some of whose children are bottom nodes that a walk need not open:
+/// their elements are known by the number of the bottom node, in the order of the elements
+/// (Tree::BottomAt). Whoever writes it gives the node a tag, too.
+struct KnownBottoms
+{
+  std::uint32_t Number;    ///< of the first child's first bottom node
+  std::uint16_t Beyond[7]; ///< how much greater that of each further child is
+  std::uint8_t Lanes;      ///< a bit for each child that is a bottom node, so known
+
+  std::uint32_t NumberOf(int lane) const
+  {
+    return this->Number + (lane > 0 ? this->Beyond[lane - 1] : 0u);
   }
 };
 

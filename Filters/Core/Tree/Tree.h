@@ -73,6 +73,8 @@ public:
     }
     skd::Grower<D> grower(std::move(input.Elements), input.Capacity, input.Rule);
     this->TheRule = grower.Rule();
+    this->Bottoms = { static_cast<std::uint32_t>(grower.GetCapacity()),
+      static_cast<std::uint32_t>(grower.NumberOfElements()) };
     GrowAll(grower, loop);
     this->CopyElements(grower, loop);
     this->Nodes = grower.TakeNodes();
@@ -97,10 +99,39 @@ public:
   void Fetch(std::uint32_t node) const { FetchLines<sizeof(Node<D>)>(&this->Nodes[node]); }
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
 
+  ///@{
+  /// The number of a bottom node, in the order of the elements; its elements.
+  std::uint32_t NumberOf(const Node<D>& bottom) const
+  {
+    return bottom.First / this->Bottoms.Capacity;
+  }
+  ElementRange BottomAt(std::uint32_t number) const { return this->Bottoms.At(number); }
+  /// See KnownBottoms. Of a node high above, only the first children are told.
+  KnownBottoms BottomsBelow(const Node<D>& inner) const
+  {
+    KnownBottoms known{ this->FirstBottom(inner.First), {}, 0 };
+    for (std::uint32_t lane = 0; lane < inner.Count; ++lane)
+    {
+      const std::uint32_t beyond = this->FirstBottom(inner.First + lane) - known.Number;
+      if (beyond <= std::numeric_limits<std::uint16_t>::max() &&
+        this->Nodes[inner.First + lane].IsBottom)
+      {
+        known.Lanes |= static_cast<std::uint8_t>(1u << lane);
+        known.Beyond[lane > 0 ? lane - 1 : 0] = static_cast<std::uint16_t>(beyond);
+      }
+    }
+    return known;
+  }
+  void FetchElements(std::uint32_t position) const
+  {
+    FetchLines<1>(this->Elements.data() + position);
+  }
+  ///@}
+
   TreeView<D> View() const
   {
     return { this->TheFrame, this->TheBounds, this->IsEmpty() ? nullptr : this->Nodes.data(),
-      this->Elements.data() };
+      this->Elements.data(), this->Bottoms };
   }
 
   const Frame<D>& GetFrame() const { return this->TheFrame; }
@@ -176,6 +207,15 @@ private:
       });
   }
 
+  std::uint32_t FirstBottom(std::uint32_t index) const
+  {
+    while (!this->Nodes[index].IsBottom)
+    {
+      index = this->Nodes[index].First;
+    }
+    return this->NumberOf(this->Nodes[index]);
+  }
+
   int DepthFrom(std::uint32_t index) const
   {
     const Node<D>& node = this->Nodes[index];
@@ -190,6 +230,7 @@ private:
   Frame<D> TheFrame{};
   Box<D> TheBounds;
   SplitRule TheRule = SplitRule::Median;
+  BottomNumbers Bottoms{ 1, 0 };
   RawVector<Node<D>> Nodes;
   RawVector<std::uint32_t> Elements;
 };

@@ -9,17 +9,37 @@
 namespace skd
 {
 
+struct ElementRange
+{
+  std::uint32_t First;
+  std::uint32_t Count;
+};
+
+/// All bottom nodes are full but for the last: their numbers tell their elements.
+struct BottomNumbers
+{
+  std::uint32_t Capacity;
+  std::uint32_t NumberOfElements;
+
+  ElementRange At(std::uint32_t number) const
+  {
+    const std::uint32_t first = number * this->Capacity;
+    return { first, std::min(this->Capacity, this->NumberOfElements - first) };
+  }
+};
+
 /// What a walk sees of a tree that is built whole (Tree), which it must not outlive.
 template <int D>
 class TreeView
 {
 public:
   TreeView(const Frame<D>& frame, const Box<D>& bounds, const Node<D>* nodes,
-    const std::uint32_t* elements)
+    const std::uint32_t* elements, const BottomNumbers& bottoms)
     : TheFrame(frame)
     , TheBounds(bounds)
     , Nodes(nodes)
     , Elements(elements)
+    , Bottoms(bottoms)
   {
   }
 
@@ -27,6 +47,8 @@ public:
   const Node<D>& Open(std::uint32_t node) const { return this->Nodes[node]; }
   void Fetch(std::uint32_t node) const { FetchLines<sizeof(Node<D>)>(this->Nodes + node); }
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
+  ElementRange BottomAt(std::uint32_t number) const { return this->Bottoms.At(number); }
+  void FetchElements(std::uint32_t position) const { FetchLines<1>(this->Elements + position); }
   const Frame<D>& GetFrame() const { return this->TheFrame; }
   const Box<D>& GetBounds() const { return this->TheBounds; }
 
@@ -35,6 +57,7 @@ private:
   Box<D> TheBounds;
   const Node<D>* Nodes;
   const std::uint32_t* Elements;
+  BottomNumbers Bottoms;
 };
 
 }

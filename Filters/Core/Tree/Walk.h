@@ -40,6 +40,18 @@ void Fetch(const Tree&, std::uint32_t, long)
 {
 }
 
+/// Whether a walk may leave bottom nodes unopened: the tree finds their elements by number, and the
+/// query looks at these in a way of its own.
+template <class Tree, class Query, class = void>
+struct SkipsBottoms : std::false_type
+{
+};
+template <class Tree, class Query>
+struct SkipsBottoms<Tree, Query,
+  std::void_t<decltype(&Tree::BottomAt), std::enable_if_t<Query::SkipsBottoms>>> : std::true_type
+{
+};
+
 /// The wanted lanes of a node. A query may look at elements in a way of its own.
 template <class Query, int D>
 auto ReachElements(Query& query, const Node<D>& bottom, float* keys, int)
@@ -72,6 +84,7 @@ struct Level
   std::uint32_t First;
   unsigned Wanted;
   unsigned Sure;
+  KnownBottoms Bottoms; ///< of a walk that skips bottom nodes
 };
 
 /// `isSure`: all that is below the node is an answer.
@@ -123,12 +136,45 @@ bool HasNext(const Query& query, Level<W>& level)
   return level.Wanted != 0;
 }
 
-/// The node to open next, and whether all that is below is an answer.
+/// The elements of a bottom node that is not opened.
+template <class Tree, class Query, int W>
+void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<W>& level)
+{
+  const auto elements = tree.BottomAt(number);
+  tree.FetchElements(elements.First);
+  level.First = elements.First;
+  level.Wanted = query.ReachKnown(number, elements.Count, level.Keys);
+}
+
+/// The node to open next, and whether all that is below is an answer. Or a known bottom node.
 struct Turn
 {
-  std::uint32_t Node;
+  std::uint32_t Index; ///< of the node, or the number of a bottom node
   bool IsSure;
+  bool IsKnown;
 };
+
+/// Opens what comes next. Whether it is a bottom node.
+template <class Tree, class Query, int W>
+bool Take(const Tree& tree, Query& query, const Turn& turn, Level<W>& level)
+{
+  if constexpr (SkipsBottoms<Tree, Query>::value)
+  {
+    if (turn.IsKnown)
+    {
+      OpenKnown(tree, query, turn.Index, level);
+      return true;
+    }
+  }
+  const auto& node = tree.Open(turn.Index);
+  Open(query, node, turn.IsSure, level);
+  if constexpr (SkipsBottoms<Tree, Query>::value)
+  {
+    level.Bottoms = node.template Read<KnownBottoms>();
+    level.Bottoms.Lanes = query.Knows(node) ? level.Bottoms.Lanes : 0;
+  }
+  return node.IsBottom;
+}
 
 /// The open nodes on the way from the root that have children which wait, and room for one more.
 template <int W>
@@ -150,14 +196,21 @@ public:
     return this->Count > 0;
   }
 
-  template <class Query>
+  template <class Tree, class Query>
   Turn TakeNext()
   {
     Level<W>& last = this->Stack[this->Count - 1];
     const int lane = detail::TakeNext<Query>(last);
     this->Count -= last.Wanted == 0 ? 1 : 0;
+    if constexpr (SkipsBottoms<Tree, Query>::value)
+    {
+      if ((last.Bottoms.Lanes >> lane & 1u) != 0)
+      {
+        return { last.Bottoms.NumberOf(lane), false, true };
+      }
+    }
     const bool isSure = KnowsSure<Query>::value && (last.Sure >> lane & 1u) != 0;
-    return { last.First + static_cast<std::uint32_t>(lane), isSure };
+    return { last.First + static_cast<std::uint32_t>(lane), isSure, false };
   }
 
 private:
@@ -165,24 +218,40 @@ private:
   int Count = 0;
 };
 
+/// False ends the walk.
+template <class Tree, class Query, int W>
+bool VisitElement(const Tree& tree, Query& query, const Level<W>& bottom, int lane)
+{
+  const std::uint32_t element = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+  if constexpr (KnowsSure<Query>::value)
+  {
+    return (bottom.Sure >> lane & 1u) != 0 ? query.VisitSure(element) : query.Visit(element);
+  }
+  else
+  {
+    return query.Visit(element);
+  }
+}
+
 /// Visit the wanted elements of a bottom node. False ends the walk.
 template <class Tree, class Query, int W>
 bool VisitElements(const Tree& tree, Query& query, Level<W>& bottom)
 {
+  if constexpr (!Query::Ordered)
+  {
+    for (unsigned wanted = bottom.Wanted; wanted != 0; wanted &= wanted - 1)
+    {
+      if (!VisitElement(tree, query, bottom, LowestBit(wanted)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
   while (HasNext(query, bottom))
   {
     const int lane = TakeNext<Query>(bottom);
-    const std::uint32_t element = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
-    bool goesOn = true;
-    if constexpr (KnowsSure<Query>::value)
-    {
-      goesOn = (bottom.Sure >> lane & 1u) != 0 ? query.VisitSure(element) : query.Visit(element);
-    }
-    else
-    {
-      goesOn = query.Visit(element);
-    }
-    if (!goesOn)
+    if (!VisitElement(tree, query, bottom, lane))
     {
       return false;
     }
@@ -190,11 +259,22 @@ bool VisitElements(const Tree& tree, Query& query, Level<W>& bottom)
   return true;
 }
 
-template <class Tree, int W>
-void FetchChildren(const Tree& tree, const Level<W>& level)
+template <class Tree, class Query, int W>
+void FetchChildren(const Tree& tree, const Query& query, const Level<W>& level)
 {
   ForEachLane(level.Wanted,
-    [&](int lane) { Fetch(tree, level.First + static_cast<std::uint32_t>(lane), 0); });
+    [&](int lane)
+    {
+      if constexpr (SkipsBottoms<Tree, Query>::value)
+      {
+        if ((level.Bottoms.Lanes >> lane & 1u) != 0)
+        {
+          query.FetchKnown(level.Bottoms.NumberOf(lane));
+          return;
+        }
+      }
+      Fetch(tree, level.First + static_cast<std::uint32_t>(lane), 0);
+    });
 }
 
 }
@@ -209,6 +289,12 @@ void FetchChildren(const Tree& tree, const Level<W>& level)
 ///                                        bound of what is sought below that box, is within Limit()
 ///   unsigned ReachElements(const Node&, float* keys)
 ///                                        if there: the same for a bottom node and its elements
+///   static constexpr bool SkipsBottoms   if there and true, it gives
+///   bool Knows(const Node&)              whether the node's note, if it is an inner one, is
+///                                        KnownBottoms: these need not be opened
+///   unsigned ReachKnown(number, count, float* keys), void FetchKnown(number)
+///                                        what ReachElements() does, by a bottom node's number, and
+///                                        that it is going to be asked that
 ///   unsigned SureOf(const Node&), bool VisitSure(element index)
 ///                                        if there, and not Ordered: the lanes below which all is
 ///                                        an answer, and what is visited without a test of any box
@@ -224,23 +310,21 @@ void Walk(const Tree& tree, Query& query)
     return;
   }
   detail::Levels<std::decay_t<decltype(tree.Open(0))>::Width> levels;
-  detail::Turn turn{ 0, false };
+  detail::Turn turn{ 0, false, false };
   while (true)
   {
-    const auto& node = tree.Open(turn.Node);
     auto& opened = levels.Room();
-    detail::Open(query, node, turn.IsSure, opened);
-    if (!node.IsBottom && opened.Wanted != 0)
+    const bool isBottom = detail::Take(tree, query, turn, opened);
+    if (!isBottom && opened.Wanted != 0)
     {
-      detail::FetchChildren(tree, opened);
+      detail::FetchChildren(tree, query, opened);
       levels.Keep();
     }
-    else if ((node.IsBottom && !detail::VisitElements(tree, query, opened)) ||
-      !levels.HaveNext(query))
+    else if ((isBottom && !detail::VisitElements(tree, query, opened)) || !levels.HaveNext(query))
     {
       return;
     }
-    turn = levels.template TakeNext<Query>();
+    turn = levels.template TakeNext<Tree, Query>();
   }
 }
 
