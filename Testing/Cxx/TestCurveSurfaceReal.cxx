@@ -108,6 +108,22 @@ PolyDataPointer MakeLines(const std::vector<Line>& lines)
   return MakePolyData(mesh);
 }
 
+/// All triangles that the line meets are met at one of the places.
+void ExpectAllMet(
+  const Line& line, const std::vector<Triangle>& triangles, const std::vector<double>& places)
+{
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    double at = 0.0;
+    const auto isThere = [&](double place) { return std::abs(place - at) < 1e-9; };
+    if (Meet(line.Start, line.Way, triangles[i], at) == Meeting::Yes)
+    {
+      ASSERT_TRUE(std::any_of(places.begin(), places.end(), isThere))
+        << "cell " << i << " is met at " << at;
+    }
+  }
+}
+
 class CurveSurfaceReal : public testing::TestWithParam<std::string>
 {
 };
@@ -152,15 +168,7 @@ TEST_P(CurveSurfaceReal, HitsAreThoseOfALookAtAllTriangles)
       EXPECT_NE(Meet(lines[line].Start, lines[line].Way, hit, at), Meeting::No)
         << "line " << line << " misses cell " << cells[told];
     }
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      const auto isThere = [&](double place) { return std::abs(place - at) < 1e-9; };
-      if (Meet(lines[line].Start, lines[line].Way, triangles[i], at) == Meeting::Yes)
-      {
-        ASSERT_TRUE(std::any_of(places.begin() + first, places.begin() + told, isThere))
-          << "line " << line << " meets cell " << i << " at " << at;
-      }
-    }
+    ExpectAllMet(lines[line], triangles, { places.begin() + first, places.begin() + told });
   }
   EXPECT_EQ(told, curves.size());
 }
