@@ -58,10 +58,11 @@ std::size_t LeastSize(int kind)
 //------------------------------------------------------------------------------
 SkdCellReader::SkdCellReader(vtkDataSet* data)
   : Data(data)
+  , Surface(vtkPolyData::SafeDownCast(data))
 {
-  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  if (this->Surface)
   {
-    this->AddRunsOf(mesh);
+    this->AddRunsOf(this->Surface);
   }
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
@@ -126,11 +127,8 @@ bool SkdCellReader::HasTooSmallCells() const
     [this](const Run& run)
     {
       bool isSmall = false;
-      for (vtkIdType id = run.First; id < run.Last && !isSmall; ++id)
-      {
-        VisitStored(
-          run, id, [&](const auto*, std::size_t size) { isSmall = size < LeastSize(run.Kind); });
-      }
+      VisitStored(run, run.First, run.Last,
+        [&](vtkIdType, const auto*, std::size_t size) { isSmall |= size < LeastSize(run.Kind); });
       return isSmall;
     });
 }
@@ -142,8 +140,8 @@ int SkdCellReader::TypeBySize(vtkIdType cellId) const
   int type = VTK_EMPTY_CELL;
   if (run)
   {
-    VisitStored(
-      *run, cellId, [&](const auto*, std::size_t size) { type = TypeOfSize(run->Kind, size); });
+    VisitStored(*run, cellId, cellId + 1,
+      [&](vtkIdType, const auto*, std::size_t size) { type = TypeOfSize(run->Kind, size); });
   }
   return type;
 }

@@ -5,14 +5,15 @@
 
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
+#include "vtkPolyData.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 class vtkCellArray;
 class vtkGenericCell;
-class vtkPolyData;
 
 /// The type and the point ids of the cells of a data set: of vtkPolyData and vtkUnstructuredGrid
 /// read where they are stored, in 32 or 64 bit, of others as vtkDataSet gives them. Once made, any
@@ -24,20 +25,30 @@ public:
 
   int TypeOf(vtkIdType cellId) const
   {
-    return this->HasTypes ? this->Data->GetCellType(cellId) : this->TypeBySize(cellId);
+    return !this->HasTypes ? this->TypeBySize(cellId)
+      : this->Surface      ? this->Surface->vtkPolyData::GetCellType(cellId) // not virtual: inline
+                           : this->Data->GetCellType(cellId);
   }
 
   /// Calls visit(ids, size), ids of whatever type they are stored in.
   template <class Visit>
   void VisitPoints(vtkIdType cellId, vtkIdList* list, const Visit& visit) const
   {
-    if (const Run* run = this->RunOf(cellId))
+    this->VisitCells(cellId, cellId + 1, list,
+      [&visit](vtkIdType, const auto* ids, std::size_t size) { visit(ids, size); });
+  }
+
+  /// The same of the cells begin .. end - 1: visit(cell id, ids, size).
+  template <class Visit>
+  void VisitCells(vtkIdType begin, vtkIdType end, vtkIdList* list, const Visit& visit) const
+  {
+    while (begin < end)
     {
-      VisitStored(*run, cellId, visit);
-      return;
+      const Run* run = this->RunOf(begin);
+      const vtkIdType last = run ? std::min(end, run->Last) : end;
+      run ? VisitStored(*run, begin, last, visit) : this->VisitOthers(begin, last, list, visit);
+      begin = last;
     }
-    this->Data->GetCellPoints(cellId, list);
-    visit(list->GetPointer(0), static_cast<std::size_t>(list->GetNumberOfIds()));
   }
 
 private:
@@ -55,14 +66,26 @@ private:
   };
 
   template <class Visit>
-  static void VisitStored(const Run& run, vtkIdType cellId, const Visit& visit)
+  static void VisitStored(const Run& run, vtkIdType begin, vtkIdType end, const Visit& visit)
   {
-    const auto at = [&](const auto* offsets, const auto* ids)
+    const auto each = [&](const auto* offsets, const auto* ids)
     {
-      const auto first = offsets[cellId - run.First];
-      visit(ids + first, static_cast<std::size_t>(offsets[cellId - run.First + 1] - first));
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const auto first = offsets[id - run.First];
+        visit(id, ids + first, static_cast<std::size_t>(offsets[id - run.First + 1] - first));
+      }
     };
-    run.Ids64 ? at(run.Offsets64, run.Ids64) : at(run.Offsets32, run.Ids32);
+    run.Ids64 ? each(run.Offsets64, run.Ids64) : each(run.Offsets32, run.Ids32);
+  }
+  template <class Visit>
+  void VisitOthers(vtkIdType begin, vtkIdType end, vtkIdList* list, const Visit& visit) const
+  {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      this->Data->GetCellPoints(id, list);
+      visit(id, list->GetPointer(0), static_cast<std::size_t>(list->GetNumberOfIds()));
+    }
   }
 
   const Run* RunOf(vtkIdType cellId) const
@@ -83,6 +106,7 @@ private:
   int TypeBySize(vtkIdType cellId) const;
 
   vtkDataSet* Data;
+  vtkPolyData* Surface; // the data set, if it is one
   bool HasTypes = true;
   std::vector<Run> Runs; // of all cells, or of none
 };

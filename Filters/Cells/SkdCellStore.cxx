@@ -42,48 +42,47 @@ void ForEach(std::size_t count, const Body& body)
     });
 }
 
-/// The bounds of all cells, of their points and of their reach, in parallel.
-class BoundsOfCells
+/// What encloses all boxes of a list, in parallel: boxOf(0) .. boxOf(count - 1).
+template <class BoxOf>
+class Enclosing
 {
 public:
-  explicit BoundsOfCells(const SkdCellStore& cells)
-    : Cells(cells)
+  explicit Enclosing(const BoxOf& boxOf)
+    : BoxAt(boxOf)
   {
   }
   void Initialize() { this->Partial.Local() = {}; }
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    Both& both = this->Partial.Local();
+    skd::Box3 box = this->Partial.Local();
     for (vtkIdType i = begin; i < end; ++i)
     {
-      both.OfPoints.Add(this->Cells.BoundsOf(static_cast<std::uint32_t>(i)));
-      if (this->Cells.HasReaches())
-      {
-        both.OfReach.Add(this->Cells.ReachOf(static_cast<std::uint32_t>(i)));
-      }
+      box.Add(this->BoxAt(static_cast<std::size_t>(i)));
     }
+    this->Partial.Local() = box;
   }
   void Reduce()
   {
-    for (const Both& both : this->Partial)
+    for (const skd::Box3& box : this->Partial)
     {
-      this->Total.OfPoints.Add(both.OfPoints);
-      this->Total.OfReach.Add(both.OfReach);
+      this->Total.Add(box);
     }
-    this->Total.OfReach.Add(this->Total.OfPoints);
   }
 
-  struct Both
-  {
-    skd::Box3 OfPoints;
-    skd::Box3 OfReach;
-  };
-  Both Total;
+  skd::Box3 Total;
 
 private:
-  const SkdCellStore& Cells;
-  vtkSMPThreadLocal<Both> Partial;
+  const BoxOf& BoxAt;
+  vtkSMPThreadLocal<skd::Box3> Partial;
 };
+
+template <class BoxOf>
+skd::Box3 Enclose(std::size_t count, const BoxOf& boxOf)
+{
+  Enclosing<BoxOf> enclosing(boxOf);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), enclosing);
+  return enclosing.Total;
+}
 
 }
 
@@ -102,7 +101,10 @@ SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts)
   this->ReadFaces(data);
   this->Compact();
   this->ReadReaches(data);
-  this->FindBounds();
+  if (this->Count > 0)
+  {
+    this->FindBounds();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,15 +189,23 @@ void SkdCellStore::Compact()
 }
 
 //------------------------------------------------------------------------------
+// Two points at a time: the processor need not wait for the last two.
 void SkdCellStore::FindBounds()
 {
-  BoundsOfCells bounds(*this);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Count), bounds);
-  this->Bounds = bounds.Total.OfReach;
-  const skd::Box3& box = bounds.Total.OfPoints;
-  for (int axis = 0; axis < 3 && this->Count > 0; ++axis)
+  const std::size_t last = this->PointIds.size() - 1;
+  const skd::Box3 box = Enclose(this->PointIds.size() / 2 + 1,
+    [this, last](std::size_t i)
+    {
+      const skd::Vector3 first = this->Point(this->PointIds[std::min(2 * i, last)]);
+      const skd::Vector3 second = this->Point(this->PointIds[std::min(2 * i + 1, last)]);
+      return skd::Box3(skd::Least(first, second), skd::Greatest(first, second));
+    });
+  this->Largest = skd::LargestCoordinate(box);
+  this->Bounds = box;
+  if (this->HasReaches())
   {
-    this->Largest = std::max({ this->Largest, std::abs(box.Min[axis]), std::abs(box.Max[axis]) });
+    this->Bounds.Add(Enclose(this->Count,
+      [this](std::size_t cell) { return this->ReachOf(static_cast<std::uint32_t>(cell)); }));
   }
 }
 
@@ -234,13 +244,9 @@ SkdPolyCell SkdCellStore::GatherPoly(std::uint32_t cell) const
 }
 
 //------------------------------------------------------------------------------
-skd::Box3 SkdCellStore::ReachOf(std::uint32_t cell) const
+skd::Box3 SkdCellStore::CurvedReachOf(std::uint32_t cell) const
 {
   const skd::Box3 bounds = this->BoundsOf(cell);
-  if (this->Reaches.empty())
-  {
-    return bounds;
-  }
   const double factor = this->Reaches[cell];
   const skd::Vector3 centre = bounds.Centroid();
   return { centre + factor * (bounds.Min - centre), centre + factor * (bounds.Max - centre) };

@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <vector>
 
 class SkdCellReader;
@@ -83,18 +84,24 @@ public:
   /// The box of the cell's points: what vtkDataSet::GetCellBounds gives.
   skd::Box3 BoundsOf(std::uint32_t cell) const
   {
-    skd::Box3 bounds;
-    const std::uint32_t* ids = this->PointIdsOf(cell);
-    const std::uint32_t size = this->SizeOf(cell);
-    for (std::uint32_t i = 0; i < size; ++i)
+    const std::uint32_t* id = this->PointIdsOf(cell);
+    const std::uint32_t* const end = id + this->SizeOf(cell);
+    skd::Vector3 low = this->Point(*id);
+    skd::Vector3 high = low;
+    while (++id < end)
     {
-      bounds.Add(this->Point(ids[i]));
+      const skd::Vector3 x = this->Point(*id);
+      low = { { std::min(low[0], x[0]), std::min(low[1], x[1]), std::min(low[2], x[2]) } };
+      high = { { std::max(high[0], x[0]), std::max(high[1], x[1]), std::max(high[2], x[2]) } };
     }
-    return bounds;
+    return { low, high };
   }
 
   /// The box that holds all of the cell: curved cells reach beyond that of their points.
-  skd::Box3 ReachOf(std::uint32_t cell) const;
+  skd::Box3 ReachOf(std::uint32_t cell) const
+  {
+    return this->Reaches.empty() ? this->BoundsOf(cell) : this->CurvedReachOf(cell);
+  }
   bool HasReaches() const { return !this->Reaches.empty(); }
 
   /// The box that holds all of all cells.
@@ -118,12 +125,15 @@ private:
   template <class Id>
   void Put(std::uint32_t cell, vtkIdType id, SkdShape shape, std::uint64_t first, const Id* ids,
     std::size_t size);
+  template <class Id>
+  void PutPoints(std::uint64_t first, const Id* ids, std::size_t size);
   ///@}
 
   void ReadFaces(vtkDataSet* data);
   void ReadReaches(vtkDataSet* data);
   void Compact();
   void FindBounds();
+  skd::Box3 CurvedReachOf(std::uint32_t cell) const;
 
   std::uint32_t Count = 0;
   LeftOutCounts Missing;

@@ -169,11 +169,8 @@ private:
     vtkIdList* list = this->Lists.Local();
     Block& block = this->Blocks[static_cast<std::size_t>(i)];
     const vtkIdType end = std::min(this->NumberOfCells, (i + 1) * Block::Size);
-    for (vtkIdType id = i * Block::Size; id < end; ++id)
-    {
-      this->Reader.VisitPoints(
-        id, list, [&](const auto* ids, std::size_t size) { body(block, id, ids, size); });
-    }
+    this->Reader.VisitCells(i * Block::Size, end, list,
+      [&](vtkIdType id, const auto* ids, std::size_t size) { body(block, id, ids, size); });
   }
 
   const SkdCellReader& Reader;
@@ -232,12 +229,16 @@ bool SkdCellStore::ArePointsFinite() const
 }
 
 //------------------------------------------------------------------------------
-// Twice over the cells: what they are, then, when it is known where each goes, their points.
+// Twice over the cells: what they are, then, when it is known where each goes, their points. Of a
+// mesh of one shape, all of whose cells are kept, that is known at once.
 void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool skipGhosts)
 {
   const CellSieve sieve(data, skipGhosts);
   const bool areFinite = this->ArePointsFinite();
   const vtkIdType numberOfCells = data->GetNumberOfCells();
+  const SkdShape usual = SkdShapeOfCellType(reader.TypeOf(0));
+  const auto usualSize = static_cast<std::size_t>(SkdNumberOfPoints(usual));
+  this->PointIds.resize(static_cast<std::size_t>(numberOfCells) * usualSize);
   skd::RawVector<SkdShape> shapes(static_cast<std::size_t>(numberOfCells));
   BlockLoop loop(reader, numberOfCells);
   loop.Run(
@@ -252,11 +253,21 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
       {
         shape = SkdShape::None;
       }
+      else if (shape == usual && usualSize > 0)
+      {
+        this->PutPoints(static_cast<std::uint64_t>(id) * usualSize, ids, usualSize);
+      }
       shapes[static_cast<std::size_t>(id)] = shape;
       block.Count(shape, size);
     });
   const Block total = AddUp(loop.Blocks);
   this->Missing = { total.Bad, total.Other };
+  if (total.Cells == numberOfCells && total.Least == usual && total.Most == usual && usualSize > 0)
+  {
+    this->SizeFor(total.Cells, total.PointIds, usual, usual);
+    return;
+  }
+  skd::RawVector<std::uint32_t>().swap(this->PointIds);
   this->SizeFor(total.Cells, total.PointIds, total.Least, total.Most);
   loop.Run(
     [&](Block& block, vtkIdType id, const auto* ids, std::size_t size)
@@ -311,8 +322,7 @@ template <class Id>
 void SkdCellStore::Put(std::uint32_t cell, vtkIdType id, SkdShape shape, std::uint64_t first,
   const Id* ids, std::size_t size)
 {
-  std::transform(ids, ids + size, this->PointIds.data() + first,
-    [](Id pointId) { return static_cast<std::uint32_t>(pointId); });
+  this->PutPoints(first, ids, size);
   if (!this->Ids.empty())
   {
     this->Ids[cell] = static_cast<std::uint32_t>(id);
@@ -322,4 +332,12 @@ void SkdCellStore::Put(std::uint32_t cell, vtkIdType id, SkdShape shape, std::ui
     this->Shapes[cell] = shape;
     this->Offsets[std::size_t(cell) + 1] = first + size;
   }
+}
+
+//------------------------------------------------------------------------------
+template <class Id>
+void SkdCellStore::PutPoints(std::uint64_t first, const Id* ids, std::size_t size)
+{
+  std::transform(ids, ids + size, this->PointIds.data() + first,
+    [](Id pointId) { return static_cast<std::uint32_t>(pointId); });
 }

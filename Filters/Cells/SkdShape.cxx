@@ -75,10 +75,3 @@ SkdShape SkdShapeOfCellType(int cellType)
   const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
   return isKnown ? table[static_cast<std::size_t>(cellType)] : SkdShape::None;
 }
-
-//------------------------------------------------------------------------------
-int SkdNumberOfPoints(SkdShape shape)
-{
-  constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0 };
-  return numbers[static_cast<int>(shape)];
-}

@@ -33,6 +33,10 @@ enum class SkdShape : std::uint8_t
 SkdShape SkdShapeOfCellType(int cellType);
 
 /// The points of a cell of this shape, or 0 when that is up to the cell.
-int SkdNumberOfPoints(SkdShape shape);
+inline int SkdNumberOfPoints(SkdShape shape)
+{
+  constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0 };
+  return numbers[static_cast<int>(shape)];
+}
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Box_h
 #define skd_Geometry_Box_h
 
+#include "ForEachAxis.h"
 #include "Vector.h"
 
 #include <algorithm>
@@ -20,11 +21,12 @@ struct Box
 
   Box()
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      this->Min[axis] = std::numeric_limits<double>::max();
-      this->Max[axis] = std::numeric_limits<double>::lowest();
-    }
+    ForEachAxis<D>(
+      [this](int axis)
+      {
+        this->Min[axis] = std::numeric_limits<double>::max();
+        this->Max[axis] = std::numeric_limits<double>::lowest();
+      });
   }
   Box(const Vector<D>& min, const Vector<D>& max)
     : Min(min)
@@ -34,32 +36,21 @@ struct Box
 
   bool IsEmpty() const
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      if (!(this->Min[axis] <= this->Max[axis]))
-      {
-        return true;
-      }
-    }
-    return false;
+    bool isEmpty = false;
+    ForEachAxis<D>([&](int axis) { isEmpty |= !(this->Min[axis] <= this->Max[axis]); });
+    return isEmpty;
   }
 
   void Add(const Vector<D>& point)
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      this->Min[axis] = std::min(this->Min[axis], point[axis]);
-      this->Max[axis] = std::max(this->Max[axis], point[axis]);
-    }
+    this->Min = Least(this->Min, point);
+    this->Max = Greatest(this->Max, point);
   }
 
   void Add(const Box& other)
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      this->Min[axis] = std::min(this->Min[axis], other.Min[axis]);
-      this->Max[axis] = std::max(this->Max[axis], other.Max[axis]);
-    }
+    this->Min = Least(this->Min, other.Min);
+    this->Max = Greatest(this->Max, other.Max);
   }
 
   /// The box grown by `margin` on every side; an empty box stays empty.
@@ -69,12 +60,13 @@ struct Box
     {
       return *this;
     }
-    Box grown(*this);
-    for (int axis = 0; axis < D; ++axis)
-    {
-      grown.Min[axis] -= margin;
-      grown.Max[axis] += margin;
-    }
+    Box grown;
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        grown.Min[axis] = this->Min[axis] - margin;
+        grown.Max[axis] = this->Max[axis] + margin;
+      });
     return grown;
   }
 

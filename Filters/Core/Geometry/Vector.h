@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Vector_h
 #define skd_Geometry_Vector_h
 
+#include <algorithm>
 #include <cmath>
 
 namespace skd
@@ -88,6 +89,26 @@ double Dot(const Vector<D>& a, const Vector<D>& b)
   return sum;
 }
 
+/// Of each coordinate the less, or the greater.
+template <int D>
+Vector<D> Least(Vector<D> a, const Vector<D>& b)
+{
+  for (int axis = 0; axis < D; ++axis)
+  {
+    a[axis] = std::min(a[axis], b[axis]);
+  }
+  return a;
+}
+template <int D>
+Vector<D> Greatest(Vector<D> a, const Vector<D>& b)
+{
+  for (int axis = 0; axis < D; ++axis)
+  {
+    a[axis] = std::max(a[axis], b[axis]);
+  }
+  return a;
+}
+
 template <int D>
 double Norm2(const Vector<D>& a)
 {
@@ -129,6 +150,16 @@ inline Vector3 operator-(const Vector3& a, const Vector3& b)
 inline Vector3 operator*(double factor, const Vector3& a)
 {
   return { { factor * a[0], factor * a[1], factor * a[2] } };
+}
+
+inline Vector3 Least(const Vector3& a, const Vector3& b)
+{
+  return { { std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2]) } };
+}
+
+inline Vector3 Greatest(const Vector3& a, const Vector3& b)
+{
+  return { { std::max(a[0], b[0]), std::max(a[1], b[1]), std::max(a[2], b[2]) } };
 }
 
 inline double Dot(const Vector3& a, const Vector3& b)

@@ -26,11 +26,12 @@ template <int D>
 FloatBox<D> NoBox()
 {
   FloatBox<D> box;
-  for (int axis = 0; axis < D; ++axis)
-  {
-    box.Min[axis] = std::numeric_limits<float>::max();
-    box.Max[axis] = std::numeric_limits<float>::lowest();
-  }
+  ForEachAxis<D>(
+    [&](int axis)
+    {
+      box.Min[axis] = std::numeric_limits<float>::max();
+      box.Max[axis] = std::numeric_limits<float>::lowest();
+    });
   return box;
 }
 
@@ -38,11 +39,12 @@ FloatBox<D> NoBox()
 template <int D>
 void Enclose(FloatBox<D>& box, const FloatBox<D>& other)
 {
-  for (int axis = 0; axis < D; ++axis)
-  {
-    box.Min[axis] = std::min(box.Min[axis], other.Min[axis]);
-    box.Max[axis] = std::max(box.Max[axis], other.Max[axis]);
-  }
+  ForEachAxis<D>(
+    [&](int axis)
+    {
+      box.Min[axis] = std::min(box.Min[axis], other.Min[axis]);
+      box.Max[axis] = std::max(box.Max[axis], other.Max[axis]);
+    });
 }
 
 /// Half the surface of a box, in any dimension: 1 of an interval, and half the way round a
@@ -105,11 +107,28 @@ struct Frame
   FloatBox<D> Outward(const Box<D>& box) const
   {
     FloatBox<D> rounded;
-    for (int axis = 0; axis < D; ++axis)
-    {
-      rounded.Min[axis] = this->Down(box.Min[axis], axis);
-      rounded.Max[axis] = this->Up(box.Max[axis], axis);
-    }
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        rounded.Min[axis] = this->Down(box.Min[axis], axis);
+        rounded.Max[axis] = this->Up(box.Max[axis], axis);
+      });
+    return rounded;
+  }
+
+  /// The same of the finite box grown by `margin`, which lies within the bounds that the frame is
+  /// of.
+  FloatBox<D> OutwardWithin(const Box<D>& box, double margin) const
+  {
+    FloatBox<D> rounded;
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        const double min = this->Local(box.Min[axis] - margin, axis);
+        const double max = this->Local(box.Max[axis] + margin, axis);
+        rounded.Min[axis] = -NextOfLess(-static_cast<float>(min));
+        rounded.Max[axis] = NextOfLess(static_cast<float>(max));
+      });
     return rounded;
   }
 
@@ -134,16 +153,13 @@ private:
   double Local(double world, int axis) const { return (world - this->Centre[axis]) * this->Scale; }
 
   /// The next float above, of infinity and NaN themselves: nextafterf without the call.
-  static float Next(float value)
+  static float Next(float value) { return value < Infinity ? NextOfLess(value) : value; }
+  static float NextOfLess(float value)
   {
-    if (!(value < Infinity))
-    {
-      return value;
-    }
     std::int32_t bits;
     value += 0.0f; // -0 becomes 0
     std::memcpy(&bits, &value, sizeof(bits));
-    bits += bits >= 0 ? 1 : -1;
+    bits += (bits >> 31) | 1; // of negative numbers the bits count down
     std::memcpy(&value, &bits, sizeof(bits));
     return value;
   }

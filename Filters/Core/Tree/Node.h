@@ -9,23 +9,9 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
-#include <utility>
 
 namespace skd
 {
-
-/// body(0) .. body(D - 1), written out: compilers leave short loops over axes as loops, and keep in
-/// memory what they could keep in registers.
-template <class Body, int... Axes>
-void ForEachAxis(std::integer_sequence<int, Axes...>, Body body)
-{
-  (body(Axes), ...);
-}
-template <int D, class Body>
-void ForEachAxis(Body body)
-{
-  ForEachAxis(std::make_integer_sequence<int, D>(), body);
-}
 
 /// Up to W boxes side by side, a box a lane, so that one pass of arithmetic tests them all.
 template <int D, int W>
