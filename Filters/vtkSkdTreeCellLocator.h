@@ -37,7 +37,7 @@
  * - FindCellsWithinBounds: exactly the cells whose bounds overlap the box, bounds included.
  *
  * Threads: after BuildLocator() every query is thread-safe, the short forms included, and
- * allocates nothing (lists handed in grow as VTK's lists do). With LazyBuild, too.
+ * allocates nothing (lists handed in grow as VTK's lists do), but where LazyBuild must build.
  *
  * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 36 bytes a
  * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles in
@@ -103,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Build-on-query (Algorithm 3.2): BuildLocator computes the boxes only, and a node is split when
-   * the first query reaches it. Answers are the same; safe when many threads query at once.
+   * Build-on-query (Algorithm 3.2): BuildLocator sorts cells coarsely at most, and a node is split
+   * when the first query reaches it. Answers are the same; safe when many threads query at once.
    * Default off.
    */
   vtkSetMacro(LazyBuild, bool);

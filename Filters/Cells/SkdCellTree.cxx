@@ -9,6 +9,19 @@
 namespace
 {
 constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
+
+/// The loop of skd::Tree.
+constexpr auto parallelLoop = [](std::size_t count, const auto& body)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
+    [&body](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        body(static_cast<std::size_t>(i));
+      }
+    });
+};
 }
 
 //------------------------------------------------------------------------------
@@ -21,48 +34,37 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
   {
     return;
   }
-  skd::TreeInput<3> input = this->MakeInput(settings);
+  const skd::ReadInput<3> input = this->MakeInput(settings);
   if (settings.IsLazy)
   {
-    this->Lazy = std::make_unique<skd::LazyTree<3>>(std::move(input));
+    this->Lazy = std::make_unique<skd::LazyTree<3>>(input, parallelLoop);
     return;
   }
-  const auto parallelLoop = [](std::size_t count, const auto& body)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
-      [&body](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          body(static_cast<std::size_t>(i));
-        }
-      });
-  };
-  this->Eager = EagerTree(std::move(input), parallelLoop);
+  this->Eager = EagerTree(input, parallelLoop);
   this->Sieves = SkdSieves(this->Store, this->Eager, this->TheRounding);
 }
 
 //------------------------------------------------------------------------------
-skd::TreeInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
+skd::ReadInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
 {
   const skd::Box3& bounds = this->Store.GetBounds();
   this->TheEpsilon = std::max(this->TheEpsilon * bounds.Diagonal(), this->TheRounding);
 
-  skd::TreeInput<3> input;
+  skd::ReadInput<3> input;
   input.Capacity = settings.Capacity;
   input.Rule = settings.Rule;
   input.Bounds = bounds.Inflated(2.0 * this->TheEpsilon);
   input.Frame = skd::Frame<3>::Of(input.Bounds);
-  input.Elements.resize(this->Store.NumberOfCells());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Store.NumberOfCells()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto cell = static_cast<std::uint32_t>(i);
-        input.Elements[cell] = { input.Frame.Outward(this->SafetyBoxOf(cell)), cell };
-      }
-    });
+  input.Count = this->Store.NumberOfCells();
+  input.Read = [this, frame = input.Frame](
+                 const std::uint32_t* cells, std::size_t count, skd::Element<3>* to)
+  {
+    const double margin = 2.0 * this->TheEpsilon;
+    std::transform(cells, cells + count, to,
+      [&](std::uint32_t cell) {
+        return skd::Element<3>{ frame.OutwardWithin(this->Store.ReachOf(cell), margin), cell };
+      });
+  };
   return input;
 }
 

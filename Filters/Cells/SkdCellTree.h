@@ -83,6 +83,8 @@ class SkdCellTree
 {
 public:
   SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings);
+  SkdCellTree(const SkdCellTree&) = delete; // a tree that is built on query reads these cells
+  SkdCellTree& operator=(const SkdCellTree&) = delete;
 
   const SkdCellStore& Cells() const { return this->Store; }
   double Rounding() const { return this->TheRounding; }
@@ -220,7 +222,7 @@ public:
 private:
   using EagerTree = skd::Tree<3>;
 
-  skd::TreeInput<3> MakeInput(const SkdTreeSettings& settings);
+  skd::ReadInput<3> MakeInput(const SkdTreeSettings& settings);
 
   /// Runs a query on whichever tree there is.
   template <class Query>

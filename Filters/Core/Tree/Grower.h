@@ -4,6 +4,7 @@
 #define skd_Tree_Grower_h
 
 #include "AreaSplit.h"
+#include "CoarseBins.h"
 #include "Node.h"
 #include "RawVector.h"
 #include "SplitAtRank.h"
@@ -11,6 +12,7 @@
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace skd
@@ -40,6 +42,7 @@ public:
     std::uint32_t Last;
     FloatBox<D> Box;
     std::uint32_t Height; ///< there may be so many levels below its node
+    bool IsInBins;        ///< its elements are not yet in place
   };
 
   /// Elements still to be divided among some lanes of a node.
@@ -59,20 +62,35 @@ public:
   {
   }
 
+  /// By the median, too, of elements that are coarsely sorted.
+  Grower(std::unique_ptr<CoarseBins<D>> bins, int capacity)
+    : Grower(RawVector<Element<D>>(bins->Size()), capacity)
+  {
+    this->Bins = std::move(bins);
+  }
+
   Range All() const
   {
     const auto last = static_cast<std::uint32_t>(this->Elements.size());
-    return { 0, last, this->Union(0, last), HeightFor(this->CountBottoms(last)) };
+    const std::uint32_t height = HeightFor(this->CountBottoms(last));
+    return this->Bins ? Range{ 0, last, this->Bins->Box(), height, true }
+                      : Range{ 0, last, this->Union(0, last), height, false };
   }
 
   /// Make `node` the node of a range: a bottom node at once, an inner one by a task to be pushed.
   template <class Push>
-  void Begin(std::uint32_t node, const Range& range, Push push)
+  void Begin(std::uint32_t node, Range range, Push push)
   {
+    const std::uint32_t size = range.Last - range.First;
+    const std::uint64_t bottoms = this->CountBottoms(size);
+    if (range.IsInBins && (bottoms <= 1 || this->Bins->IsDone(range.First, size)))
+    {
+      this->Bins->Take(range.First, this->Elements.data() + range.First);
+      range.IsInBins = false;
+    }
     Node<D>& made = this->Nodes[node];
     made.Boxes.Clear();
     made.Tag = Node<D>::NoTag;
-    const std::uint64_t bottoms = this->CountBottoms(range.Last - range.First);
     made.IsBottom = bottoms <= 1;
     if (made.IsBottom)
     {
@@ -100,12 +118,9 @@ public:
       return;
     }
     const int leftParts = (task.Parts + 1) / 2;
-    const std::uint32_t middle = this->Split(task, leftParts);
-    const Range& range = task.Elements;
-    push(Task{ task.Node, task.Lane, leftParts,
-      { range.First, middle, this->Union(range.First, middle), range.Height } });
-    push(Task{ task.Node, task.Lane + leftParts, task.Parts - leftParts,
-      { middle, range.Last, this->Union(middle, range.Last), range.Height } });
+    const Halves halves = this->Split(task, leftParts);
+    push(Task{ task.Node, task.Lane, leftParts, halves.Left });
+    push(Task{ task.Node, task.Lane + leftParts, task.Parts - leftParts, halves.Right });
   }
 
   const Node<D>& GetNode(std::uint32_t node) const { return this->Nodes[node]; }
@@ -249,18 +264,35 @@ private:
     return longest;
   }
 
-  /// Divides the elements of a task; returns the first that is right of the cut.
-  std::uint32_t Split(const Task& task, int leftParts)
+  struct Halves
+  {
+    Range Left;
+    Range Right;
+  };
+
+  /// Divides the elements of a task.
+  Halves Split(const Task& task, int leftParts)
   {
     const Range& range = task.Elements;
     const auto where =
       this->IsByArea ? this->BestPlace(task, leftParts) : this->Middle(task, leftParts);
     const std::uint32_t middle =
       range.First + static_cast<std::uint32_t>(where.Left) * this->Capacity;
+    Halves halves{ range, range };
+    halves.Left.Last = halves.Right.First = middle;
+    if (range.IsInBins)
+    {
+      const auto boxes = this->Bins->Split(range.First, middle, where.Axis);
+      halves.Left.Box = boxes.Left;
+      halves.Right.Box = boxes.Right;
+      return halves;
+    }
     Element<D>* const elements = this->Elements.data();
     SplitAtRank<D>::Run(
       elements + range.First, elements + middle, elements + range.Last, where.Axis);
-    return middle;
+    halves.Left.Box = this->Union(range.First, middle);
+    halves.Right.Box = this->Union(middle, range.Last);
+    return halves;
   }
 
   using Place = typename AreaSplit<D>::Place;
@@ -286,6 +318,7 @@ private:
     return split.Best({ bottoms, least, most }, LongestAxis(range.Box));
   }
 
+  std::unique_ptr<CoarseBins<D>> Bins; // of those that are not yet in place; else none
   RawVector<Element<D>> Elements;
   std::uint32_t Capacity;
   bool IsByArea;

@@ -25,7 +25,26 @@ public:
   {
     if (!input.Elements.empty())
     {
-      this->Growing = std::make_unique<Growth>(std::move(input));
+      this->Growing = std::make_unique<Growth>(std::move(input.Elements), input.Capacity);
+    }
+  }
+
+  /// The same of elements that are read when they are needed: before the first query each of them
+  /// once, and no box is kept (CoarseBins). `loop` as of Tree.
+  template <class Loop>
+  LazyTree(const ReadInput<D>& input, Loop loop)
+    : TheFrame(input.Frame)
+    , TheBounds(input.Bounds)
+  {
+    if (input.Count > input.Few)
+    {
+      this->Growing = std::make_unique<Growth>(
+        std::make_unique<CoarseBins<D>>(input.Count, input.Few, input.Read, loop), input.Capacity);
+    }
+    else if (input.Count > 0)
+    {
+      this->Growing =
+        std::make_unique<Growth>(ReadAll<D>(input.Read, input.Count, loop), input.Capacity);
     }
   }
 
@@ -60,7 +79,7 @@ public:
   std::size_t MemorySize() const
   {
     return this->NumberOfNodes() * (sizeof(Node<D>) + sizeof(Range) + 1) +
-      this->NumberOfElements() * sizeof(skd::Element<D>);
+      this->NumberOfElements() * (sizeof(skd::Element<D>) + sizeof(std::uint32_t));
   }
 
 private:
@@ -69,8 +88,9 @@ private:
 
   struct Growth
   {
-    explicit Growth(TreeInput<D>&& input)
-      : Grower(std::move(input.Elements), input.Capacity)
+    template <class Elements>
+    Growth(Elements elements, int capacity)
+      : Grower(std::move(elements), capacity)
       , IsReady(new std::atomic<bool>[this->Grower.NumberOfNodes()]())
       , Ranges(this->Grower.NumberOfNodes())
     {
@@ -99,7 +119,7 @@ private:
 
     skd::Grower<D> Grower;
     std::unique_ptr<std::atomic<bool>[]> IsReady;
-    std::vector<Range> Ranges;
+    RawVector<Range> Ranges; // each is written before its node is opened
     std::array<std::mutex, 64> Locks;
   };
 

@@ -33,6 +33,18 @@ template <int D>
 class SplitAtRank
 {
 public:
+  /// The centroid's bits in an order that is its own, then the index.
+  using Key = std::uint64_t;
+
+  static Key KeyOf(const Element<D>& element, int axis)
+  {
+    const float twice = element.Box.Min[axis] + element.Box.Max[axis] + 0.0f; // no -0
+    std::uint32_t bits;
+    std::memcpy(&bits, &twice, sizeof(bits));
+    const std::uint32_t sign = 0u - (bits >> 31);
+    return (Key(bits ^ (sign | 0x80000000u)) << 32) | element.Index;
+  }
+
   /// Puts the least `middle - first` of the elements [first, last) before the others.
   static void Run(Element<D>* first, Element<D>* middle, Element<D>* last, int axis)
   {
@@ -60,23 +72,13 @@ private:
   static constexpr std::ptrdiff_t Few = 4096;
   static constexpr std::ptrdiff_t SampleSize = 512;
 
-  /// The centroid's bits in an order that is its own, then the index.
-  using Key = std::uint64_t;
-
   struct Bracket
   {
     Key Low;
     Key High;
   };
 
-  Key KeyOf(const Element<D>& element) const
-  {
-    const float twice = element.Box.Min[this->Axis] + element.Box.Max[this->Axis] + 0.0f; // no -0
-    std::uint32_t bits;
-    std::memcpy(&bits, &twice, sizeof(bits));
-    const std::uint32_t sign = 0u - (bits >> 31);
-    return (Key(bits ^ (sign | 0x80000000u)) << 32) | element.Index;
-  }
+  Key KeyOf(const Element<D>& element) const { return KeyOf(element, this->Axis); }
 
   /// Elements below a key to the front; returns the first of the others. Every element is moved,
   /// whatever it is compared to: cheaper than to guess.

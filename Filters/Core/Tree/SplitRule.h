@@ -41,6 +41,15 @@ public:
     }
     this->Scale(count, static_cast<double>(elements.size()));
   }
+  /// Of a sample of so many elements.
+  ElementSizes(const std::vector<Element<D>>& sample, std::size_t all)
+  {
+    for (const Element<D>& element : sample)
+    {
+      this->Add(element.Box);
+    }
+    this->Scale(static_cast<double>(sample.size()), static_cast<double>(all));
+  }
 
   /// How many boxes there are, on the average, at a place in the box of all.
   double Overlap() const { return this->TheOverlap; }

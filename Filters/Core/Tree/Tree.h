@@ -21,6 +21,20 @@ struct TreeInput
   SplitRule Rule = SplitRule::Median; ///< LazyTree knows the median only
 };
 
+/// The same of elements that are read when they are needed, and as often: `Read` must stay good as
+/// long as the tree.
+template <int D>
+struct ReadInput
+{
+  skd::Frame<D> Frame;
+  Box<D> Bounds;
+  std::uint32_t Count = 0;
+  ElementReader<D> Read;
+  int Capacity = Node<D>::Width;
+  SplitRule Rule = SplitRule::Median;   ///< LazyTree knows the median only
+  std::size_t Few = CoarseBins<D>::Few; ///< so few elements are all read at once
+};
+
 /// The frame, the bounds and the elements of a set of boxes, inflated by 2 epsilon (section 3.1).
 template <int D>
 TreeInput<D> MakeTreeInput(const std::vector<Box<D>>& boxes, double epsilon)
@@ -71,13 +85,29 @@ public:
     {
       return;
     }
-    skd::Grower<D> grower(std::move(input.Elements), input.Capacity, input.Rule);
-    this->TheRule = grower.Rule();
-    this->Bottoms = { static_cast<std::uint32_t>(grower.GetCapacity()),
-      static_cast<std::uint32_t>(grower.NumberOfElements()) };
-    GrowAll(grower, loop);
-    this->CopyElements(grower, loop);
-    this->Nodes = grower.TakeNodes();
+    this->Grow(skd::Grower<D>(std::move(input.Elements), input.Capacity, input.Rule), loop);
+  }
+
+  /// The same of elements that are read. Where many are divided at the median, they are first
+  /// sorted coarsely (CoarseBins): so threads share the work from the root on.
+  template <class Loop>
+  Tree(const ReadInput<D>& input, Loop loop)
+    : TheFrame(input.Frame)
+    , TheBounds(input.Bounds)
+  {
+    if (input.Count == 0)
+    {
+      return;
+    }
+    const SplitRule rule = RuleFor(input);
+    if (rule == SplitRule::Median && input.Count > input.Few)
+    {
+      auto bins = std::make_unique<CoarseBins<D>>(input.Count, input.Few, input.Read, loop);
+      this->Grow(skd::Grower<D>(std::move(bins), input.Capacity), loop);
+      return;
+    }
+    this->Grow(
+      skd::Grower<D>(ReadAll<D>(input.Read, input.Count, loop), input.Capacity, rule), loop);
   }
 
   explicit Tree(TreeInput<D>&& input)
@@ -152,6 +182,27 @@ public:
 private:
   using Task = typename skd::Grower<D>::Task;
   using Range = typename skd::Grower<D>::Range;
+
+  static SplitRule RuleFor(const ReadInput<D>& input)
+  {
+    if (input.Rule != SplitRule::Automatic)
+    {
+      return input.Rule;
+    }
+    const auto sample = ReadSample<D>(input.Read, input.Count, ElementSizes<D>::SampleSize);
+    return ElementSizes<D>(sample, input.Count).Choose();
+  }
+
+  template <class Loop>
+  void Grow(skd::Grower<D>&& grower, Loop& loop)
+  {
+    this->TheRule = grower.Rule();
+    this->Bottoms = { static_cast<std::uint32_t>(grower.GetCapacity()),
+      static_cast<std::uint32_t>(grower.NumberOfElements()) };
+    GrowAll(grower, loop);
+    this->CopyElements(grower, loop);
+    this->Nodes = grower.TakeNodes();
+  }
 
   /// Breadth first until there is work for every thread, then each piece to its end.
   template <class Loop>

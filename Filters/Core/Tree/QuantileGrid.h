@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_QuantileGrid_h
+#define skd_Tree_QuantileGrid_h
+
+#include "SplitAtRank.h"
+
+#include <vector>
+
+namespace skd
+{
+
+/// A grid over a tree's frame with about as many elements in each of the slabs along an axis, as a
+/// sample has it: where meshes are graded, slabs are thin. Which slab an element is in never
+/// decreases with SplitAtRank's key of it along that axis.
+template <int D>
+class QuantileGrid
+{
+public:
+  using Bin = std::uint16_t;
+
+  static constexpr int Bits = std::clamp(15 / D, 1, 8);
+  static constexpr int NumberOfSlabs = 1 << Bits;
+  static constexpr std::size_t NumberOfBins = std::size_t(1) << (Bits * D);
+
+  explicit QuantileGrid(const std::vector<Element<D>>& sample)
+  {
+    for (int axis = 0; axis < D; ++axis)
+    {
+      std::array<std::size_t, NumberOfSteps> counts{};
+      for (const Element<D>& element : sample)
+      {
+        ++counts[StepOf(element, axis)];
+      }
+      std::size_t before = 0;
+      for (std::size_t step = 0; step < NumberOfSteps; ++step)
+      {
+        const std::size_t middle = before + counts[step] / 2;
+        this->Slabs[axis][step] = static_cast<std::uint8_t>(
+          std::min(middle * NumberOfSlabs / std::max<std::size_t>(sample.size(), 1), LastSlab));
+        before += counts[step];
+      }
+    }
+  }
+
+  Bin BinOf(const Element<D>& element) const
+  {
+    unsigned bin = 0;
+    ForEachAxis<D>([&](int axis) { bin = bin << Bits | this->Slabs[axis][StepOf(element, axis)]; });
+    return static_cast<Bin>(bin);
+  }
+
+  static int SlabOf(Bin bin, int axis)
+  {
+    return bin >> (Bits * (D - 1 - axis)) & (NumberOfSlabs - 1);
+  }
+
+private:
+  static constexpr std::size_t NumberOfSteps = 4096;
+  static constexpr std::size_t LastSlab = NumberOfSlabs - 1;
+
+  /// Of equal steps along an axis: twice a centroid in the frame is from -2 to 2.
+  static std::size_t StepOf(const Element<D>& element, int axis)
+  {
+    const float twice = element.Box.Min[axis] + element.Box.Max[axis];
+    const float step = (twice + 2.0f) * (NumberOfSteps / 4);
+    return step > 0.0f ? static_cast<std::size_t>(std::min(step, NumberOfSteps - 1.0f)) : 0;
+  }
+
+  std::array<std::array<std::uint8_t, NumberOfSteps>, D> Slabs;
+};
+
+}
+
+#endif
