@@ -120,14 +120,17 @@ public:
     AXIS_RAYS = 0,
     RANDOM_RAYS = 1,
     WINDING_NUMBER = 2,
-    NEAREST_FEATURE = 3
+    NEAREST_FEATURE = 3,
+    AUTOMATIC = 4
   };
 
   ///@{
   /**
    * How a surface tells inside from outside:
-   * - AXIS_RAYS (default): the parity of the crossings of a ray along an axis, the shortest way
-   * out. Of a surface with gaps, a vote of up to six, and a seventh if they are divided.
+   * - AUTOMATIC (default): AXIS_RAYS for a part without open edges, whatever the way its triangles
+   *   are turned; WINDING_NUMBER for one with gaps, as if RepairOrientation were on.
+   * - AXIS_RAYS: the parity of the crossings of a ray along an axis, the shortest way out. Of a
+   *   surface with gaps, a vote of up to six, and a seventh if they are divided.
    * - RANDOM_RAYS: the same in directions that are spread evenly over the sphere, of a surface with
    *   gaps a vote of up to NumberOfRays, and one more if they are divided. Voting ends once it is
    *   decided. The confidence is the share of the votes.
@@ -137,7 +140,7 @@ public:
    * - NEAREST_FEATURE: the side of the nearest face, edge or corner by its normal; wants normals
    * that point outward. The confidence is 1/2 where that is an open edge.
    */
-  vtkSetClampMacro(Method, int, AXIS_RAYS, NEAREST_FEATURE);
+  vtkSetClampMacro(Method, int, AXIS_RAYS, AUTOMATIC);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -239,7 +242,7 @@ protected:
   int Model = BOUNDARIES;
   int Parts = BLOCKS;
   std::string PartArray;
-  int Method = AXIS_RAYS;
+  int Method = AUTOMATIC;
   int NumberOfRays = 10;
   int Seed = 0;
   int Ask = POINTS;

@@ -55,17 +55,19 @@ SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettin
   this->Boundary.Faces->GetCellsBounds(this->Bounds);
   const vtkBoundingBox box(this->Bounds);
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
-  if (settings.Method == SkdInsideMethod::WindingNumber)
+  const bool repairs = settings.RepairsOrientation || settings.Method == SkdInsideMethod::Automatic;
+  const auto turnedOf = [&](vtkPolyData* surface)
+  { return repairs ? this->FindTurned(surface) : std::vector<bool>(); };
+  const SkdInsideMethod method = this->Resolved(settings.Method);
+  if (method == SkdInsideMethod::WindingNumber)
   {
     vtkPolyData* walls = this->Boundary.Walls;
-    this->Winding = std::make_unique<SkdWinding>(
-      walls, settings.RepairsOrientation ? this->FindTurned(walls) : std::vector<bool>());
+    this->Winding = std::make_unique<SkdWinding>(walls, turnedOf(walls));
   }
-  if (settings.Method == SkdInsideMethod::NearestFeature)
+  if (method == SkdInsideMethod::NearestFeature)
   {
     vtkPolyData* faces = this->Boundary.Faces;
-    this->Normals = std::make_unique<SkdFeatureNormals>(
-      faces, settings.RepairsOrientation ? this->FindTurned(faces) : std::vector<bool>());
+    this->Normals = std::make_unique<SkdFeatureNormals>(faces, turnedOf(faces));
   }
 }
 
@@ -88,7 +90,7 @@ SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::ui
   {
     return SkdSide();
   }
-  switch (rules.Method)
+  switch (this->Resolved(rules.Method))
   {
     case SkdInsideMethod::AxisRays:
       return this->VoteAlongAxes(x);

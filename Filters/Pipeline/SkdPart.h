@@ -24,12 +24,13 @@ enum class SkdInsideMethod
   AxisRays,
   RandomRays,
   WindingNumber,
-  NearestFeature
+  NearestFeature,
+  Automatic // axis rays where the boundary is closed, else the winding number, orientation repaired
 };
 
 struct SkdInsideRules
 {
-  SkdInsideMethod Method = SkdInsideMethod::AxisRays;
+  SkdInsideMethod Method = SkdInsideMethod::Automatic;
   int NumberOfRays = 10; // random ones
   std::uint64_t Seed = 0;
 };
@@ -38,7 +39,7 @@ struct SkdInsideRules
 struct SkdPartSettings
 {
   double Epsilon = 1e-9; // see vtkSkdTreeCellLocator::SetEpsilon
-  SkdInsideMethod Method = SkdInsideMethod::AxisRays;
+  SkdInsideMethod Method = SkdInsideMethod::Automatic;
   bool RepairsOrientation = false; // turn triangles whose normals point inward
 
   bool operator==(const SkdPartSettings& other) const
@@ -91,6 +92,13 @@ public:
   bool IsNear(const double x[3], double distance) const;
 
 private:
+  /// What it is to this part.
+  SkdInsideMethod Resolved(SkdInsideMethod method) const
+  {
+    return method != SkdInsideMethod::Automatic ? method
+      : this->GetNumberOfOpenEdges() == 0       ? SkdInsideMethod::AxisRays
+                                                : SkdInsideMethod::WindingNumber;
+  }
   std::vector<bool> FindTurned(vtkPolyData* surface) const;
   bool IsOdd(const double x[3], const SkdWayOut& way) const;
   SkdSide VoteAlongAxes(const double x[3]) const;

@@ -13,8 +13,8 @@ SkdPartAsker::SkdPartAsker(const std::vector<SkdPart>& parts, const SkdInsideRul
   , Rules(rules)
   , Band(band)
   , Questions(questions)
-  , UsesRows(questions.GetRowLength() > 0 &&
-      (rules.Method == SkdInsideMethod::AxisRays || rules.Method == SkdInsideMethod::RandomRays))
+  , UsesRows(questions.GetRowLength() > 0 && rules.Method != SkdInsideMethod::WindingNumber &&
+      rules.Method != SkdInsideMethod::NearestFeature)
 {
   this->TheRow.Passes.resize(this->UsesRows ? parts.size() : 0);
 }

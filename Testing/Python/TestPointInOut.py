@@ -28,7 +28,7 @@ def radii(proxy):
 
 def test_defaults():
     test = simple.SkdTreePointInOut(Input=grid(), Source=ball(5))
-    assert test.Model == "Boundaries" and test.Parts == "Blocks" and test.Method == "Axis Rays"
+    assert test.Model == "Boundaries" and test.Parts == "Blocks" and test.Method == "Automatic"
     assert test.NumberOfRays == 10 and test.Seed == 0 and test.Ask == "Points"
     assert test.BoundaryBand == 0 and test.UseOuterFaces == 1
     assert test.RepairOrientation == 0 and test.Extract == "Nothing"

@@ -19,10 +19,10 @@ using InOut = vtkSkdTreePointInOut;
 using InOutPointer = vtkSmartPointer<InOut>;
 
 inline constexpr int AllMethods[] = { InOut::AXIS_RAYS, InOut::RANDOM_RAYS, InOut::WINDING_NUMBER,
-  InOut::NEAREST_FEATURE };
+  InOut::NEAREST_FEATURE, InOut::AUTOMATIC };
 
 inline InOutPointer MakeInOut(
-  vtkDataObject* input, vtkDataObject* source, int method = InOut::AXIS_RAYS)
+  vtkDataObject* input, vtkDataObject* source, int method = InOut::AUTOMATIC)
 {
   auto made = InOutPointer::New();
   made->SetInputDataObject(0, input);
