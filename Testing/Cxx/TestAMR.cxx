@@ -182,14 +182,14 @@ TEST(AMR, PlacesFarAwayAndTinyAndHugeScalesGiveTheSameCells)
 
 TEST(AMR, TheSameCellsWhateverTheNumberOfThreads)
 {
-  auto parts = MakePolyData(TriangleSoup(2000, 0.1));
+  auto parts = MakePolyData(TriangleSoup(500, 0.1));
   const std::string former = vtkSMPTools::GetBackend();
   vtkSMPTools::SetBackend("STDThread");
   std::vector<std::vector<double>> seen;
   for (int threads : { 1, 4 })
   {
     vtkSMPTools::Initialize(threads);
-    AMRPointer filter = MakeAMRIn(parts, 6, UnitCube);
+    AMRPointer filter = MakeAMRIn(parts, 5, UnitCube);
     filter->SetBalance(vtkSkdTreeAMR::FACE);
     filter->ComputeInsideOn();
     EventCounter events(filter); // the soup is open

@@ -114,10 +114,10 @@ TEST(AMREstimate, IsToldBeforeItStarts)
 
 TEST(AMREstimate, OfWhatCellLimitStopsIsOfTheWhole)
 {
-  AMRPointer whole = MakeAMR(MakeTorus(), 7);
+  AMRPointer whole = MakeAMR(MakeTorus(), 6);
   whole->Update();
-  AMRPointer filter = MakeAMR(MakeTorus(), 7);
-  filter->SetCellLimit(10000);
+  AMRPointer filter = MakeAMR(MakeTorus(), 6);
+  filter->SetCellLimit(4000);
   EventCounter events(filter);
   filter->Update();
   EXPECT_EQ(Reported(filter, "EstimatedCells"), Reported(whole, "EstimatedCells"));

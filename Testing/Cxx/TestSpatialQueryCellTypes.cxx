@@ -30,12 +30,21 @@ struct TypeAndOrder
   }
 };
 
+/// Curved solids are hundreds of facets each: one kind of them can stand for the others.
+bool IsStoodFor(int type)
+{
+  vtkSmartPointer<vtkCell> cell;
+  cell.TakeReference(vtkGenericCell::InstantiateCell(type));
+  return cell->GetCellDimension() == 3 && !cell->IsLinear() && type != VTK_QUADRATIC_TETRA;
+}
+
 std::vector<TypeAndOrder> AllTypes()
 {
   std::vector<TypeAndOrder> types;
   for (const int type : AllCellTypes())
   {
-    if (type != VTK_EMPTY_CELL && !ReferenceCell(type, 2).Cells.empty())
+    if (type != VTK_EMPTY_CELL && !ReferenceCell(type, 2).Cells.empty() &&
+      !(FewerKinds && IsStoodFor(type)))
     {
       types.push_back({ type, 2 });
     }

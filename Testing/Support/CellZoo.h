@@ -23,12 +23,15 @@ namespace skdtest
 
 bool IsHigherOrder(int type);
 
-/// The highest order of Lagrange and Bezier cells that tests try. VTK's own maps of them are slow.
+/// Whether some kinds of cell may stand for all that the same code treats.
 #ifdef SKD_TEST_FEWER_KINDS
-constexpr int HighestOrder = 2;
+constexpr bool FewerKinds = true;
 #else
-constexpr int HighestOrder = 4;
+constexpr bool FewerKinds = false;
 #endif
+
+/// The highest order of Lagrange and Bezier cells that tests try. VTK's own maps of them are slow.
+constexpr int HighestOrder = FewerKinds ? 2 : 4;
 
 /// How many points a Lagrange or Bezier cell of uniform order has.
 int HigherOrderSize(int type, int order);
