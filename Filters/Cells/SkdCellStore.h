@@ -11,7 +11,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <algorithm>
 #include <vector>
 
 class SkdCellReader;
@@ -91,8 +90,8 @@ public:
     while (++id < end)
     {
       const skd::Vector3 x = this->Point(*id);
-      low = { { std::min(low[0], x[0]), std::min(low[1], x[1]), std::min(low[2], x[2]) } };
-      high = { { std::max(high[0], x[0]), std::max(high[1], x[1]), std::max(high[2], x[2]) } };
+      low = skd::Least(low, x);
+      high = skd::Greatest(high, x);
     }
     return { low, high };
   }

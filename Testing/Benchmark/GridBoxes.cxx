@@ -6,6 +6,8 @@
 /// FindCellsWithinBounds for each box: boxes that cells' bounds meet are divided by eight. (It
 /// tests nothing exactly, and makes no output.) Prints a table of processor seconds of one thread;
 /// ours are medians of three, the other's are of one run.
+#include "ProcessorTime.h"
+
 #include "Support/AMRRun.h"
 #include "Support/RealMeshes.h"
 
@@ -15,30 +17,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+using namespace skdbench;
 using namespace skdtest;
 
 namespace
 {
-/// Of this process, which runs one thread: what others do on the machine does not count.
-double ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 template <class Body>
 double Timed(const Body& body)
 {
   const double start = ProcessorSeconds();
   body();
   return ProcessorSeconds() - start;
-}
-
-double MedianOf(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 double Refine(vtkDataSet* surface, int level, double& cells)
@@ -109,8 +99,8 @@ void Compare(vtkDataSet* surface, int level)
     ours.push_back(Refine(surface, level, cells));
   }
   const double theirs = AskLocator(surface, level, boxes);
-  std::printf("| %d | %.0f | %.3g | %.0f | %.3g | %.3g |\n", level, cells, MedianOf(ours), boxes,
-    theirs, theirs / MedianOf(ours));
+  std::printf("| %d | %.0f | %.3g | %.0f | %.3g | %.3g |\n", level, cells, Median(ours), boxes,
+    theirs, theirs / Median(ours));
   std::fflush(stdout);
 }
 }

@@ -10,6 +10,7 @@
 /// With
 /// --answers everyone but VTK is asked once, for the sake of the last column.
 #include "InOut.h"
+#include "ProcessorTime.h"
 
 #include "Support/InOutRun.h"
 #include "Support/RealMeshes.h"
@@ -20,18 +21,12 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+using namespace skdbench;
 using namespace skdtest;
 
 namespace
 {
-/// Of this process, which runs one thread: what others do on the machine does not count.
-double ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 Sides SidesOf(const std::vector<double>& values)
 {
   Sides sides;
@@ -56,12 +51,6 @@ struct Contender
   std::size_t Most; // points that it is asked for
   Sides Answers = {};
   std::vector<double> Seconds = {};
-
-  double Median()
-  {
-    std::sort(this->Seconds.begin(), this->Seconds.end());
-    return this->Seconds[this->Seconds.size() / 2];
-  }
 };
 
 /// Triangles turned inward are repaired for the methods that go by normals.
@@ -162,14 +151,14 @@ void Measure(const std::string& file, vtkPolyData* surface, int count, bool only
   const Sides& last = contenders.back().Answers; // CGAL's, which has none of surfaces with gaps
   const bool isByCgal = last.size() == points.size();
   const Sides& right = isByCgal ? last : contenders[1].Answers;
-  const double ours = contenders.front().Median();
+  const double ours = Median(contenders.front().Seconds);
   for (Contender& contender : contenders)
   {
     std::printf("| %s, %lld triangles | %s | %.3f | %.2f | %ld of %zu |\n",
       std::filesystem::path(file).filename().c_str(),
-      static_cast<long long>(surface->GetNumberOfCells()), contender.Name, 1e6 * contender.Median(),
-      contender.Median() / ours, CountWrong(contender.Answers, right, isFree),
-      contender.Answers.size());
+      static_cast<long long>(surface->GetNumberOfCells()), contender.Name,
+      1e6 * Median(contender.Seconds), Median(contender.Seconds) / ours,
+      CountWrong(contender.Answers, right, isFree), contender.Answers.size());
     std::fflush(stdout);
   }
 }

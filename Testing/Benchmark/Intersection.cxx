@@ -6,6 +6,7 @@
 /// of processor seconds and of how many times the skD-tree's time the others take: medians of runs
 /// that take turns, trees and all. Who takes more than 20 seconds is not asked for more triangles.
 #include "Intersection.h"
+#include "ProcessorTime.h"
 
 #include "vtkCollisionDetectionFilter.h"
 #include "vtkFieldData.h"
@@ -22,18 +23,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <string>
 
+using namespace skdbench;
+
 namespace
 {
-/// Of this process, which runs one thread: what others do on the machine does not count.
-double ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 vtkSmartPointer<vtkPolyData> MakeSphere(double triangles, double x)
 {
   vtkNew<vtkSphereSource> source;
@@ -133,12 +129,6 @@ struct Contender
     this->Found = this->Run(first, second);
     this->Seconds.push_back(ProcessorSeconds() - start);
   }
-
-  double Median()
-  {
-    std::sort(this->Seconds.begin(), this->Seconds.end());
-    return this->Seconds[this->Seconds.size() / 2];
-  }
 };
 
 void TakeTurns(std::vector<Contender>& contenders, vtkPolyData* first, vtkPolyData* second)
@@ -166,7 +156,7 @@ void Measure(std::vector<Contender>& contenders, double triangles, std::ostream&
 {
   const auto first = MakeSphere(triangles, 0.0);
   TakeTurns(contenders, first, MakeSphere(triangles, 0.9));
-  const double ours = contenders.front().Median();
+  const double ours = Median(contenders.front().Seconds);
   std::printf("| %lld |", static_cast<long long>(first->GetNumberOfCells()));
   for (Contender& contender : contenders)
   {
@@ -175,7 +165,7 @@ void Measure(std::vector<Contender>& contenders, double triangles, std::ostream&
       std::printf(" - |");
       continue;
     }
-    const double seconds = contender.Median();
+    const double seconds = Median(contender.Seconds);
     std::printf(" %.3g s, %.3g x, finds %lld |", seconds, seconds / ours,
       static_cast<long long>(contender.Found));
     WriteRow(csv, first->GetNumberOfCells(), contender, seconds);

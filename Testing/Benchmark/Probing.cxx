@@ -5,8 +5,10 @@
 /// points, beside VTK's filters. Prints a table of processor seconds, of how many times the
 /// skD-tree's time the others take (medians of runs that take turns, searching structures and all),
 /// of the points that were found, and of the largest error at those that are in a cell.
+#include "ProcessorTime.h"
+#include "VolumeKinds.h"
+
 #include "Support/ProbeRun.h"
-#include "Support/VolumeMeshes.h"
 
 #include "vtkProbeFilter.h"
 #include "vtkResampleWithDataSet.h"
@@ -16,28 +18,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+using namespace skdbench;
 using namespace skdtest;
 
 namespace
 {
-/// Of this process, which runs one thread: what others do on the machine does not count.
-double ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-struct Kind
-{
-  const char* Name;
-  Mesh (*Make)(int n);
-  int CellsACube;
-};
-
-const Kind Kinds[] = { { "tetrahedra", Tetrahedra, 6 }, { "hexahedra", Hexahedra, 1 },
-  { "wedges", Wedges, 2 }, { "pyramids", Pyramids, 6 }, { "polyhedra", Polyhedra, 1 } };
-
 /// The data set that has the answers.
 using ProbeAnswer = std::function<vtkDataSet*(vtkDataSet* points, vtkDataSet* source)>;
 
@@ -70,12 +56,6 @@ struct Contender
       this->Found += isValid[i];
       this->Error = std::max(this->Error, isValid[i] == 1 ? std::abs(field[i] - Linear(x)) : 0.0);
     }
-  }
-
-  double Median()
-  {
-    std::sort(this->Seconds.begin(), this->Seconds.end());
-    return this->Seconds[this->Seconds.size() / 2];
   }
 };
 
@@ -133,21 +113,15 @@ void Measure(const Kind& kind, int cells, int points)
       }
     }
   }
-  const double ours = contenders.front().Median();
+  const double ours = Median(contenders.front().Seconds);
   for (Contender& contender : contenders)
   {
     std::printf("| %lld %s | %s | %.3g | %.2f | %.0f | %.1e |\n",
       static_cast<long long>(source->GetNumberOfCells()), kind.Name, contender.Name,
-      contender.Median(), contender.Median() / ours, contender.Found, contender.Error);
+      Median(contender.Seconds), Median(contender.Seconds) / ours, contender.Found,
+      contender.Error);
     std::fflush(stdout);
   }
-}
-
-bool IsWanted(const Kind& kind, int argc, char* argv[])
-{
-  return argc < 4 ||
-    std::any_of(
-      argv + 3, argv + argc, [&](const char* name) { return kind.Name == std::string(name); });
 }
 }
 

@@ -7,8 +7,10 @@
 /// the skD-tree that is, and of the points of the lines. VTK 9.1 is given prototypes; since 9.2 the
 /// locator is that of the data set, as vtkSkdTreeAttach sets it, and "further time steps" have
 /// another flow on the same mesh, for which Attach keeps the tree.
+#include "ProcessorTime.h"
+#include "VolumeKinds.h"
+
 #include "Support/FilterRun.h"
-#include "Support/VolumeMeshes.h"
 
 #include "vtkCellLocatorInterpolatedVelocityField.h"
 #include "vtkModifiedBSPTree.h"
@@ -22,28 +24,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
+using namespace skdbench;
 using namespace skdtest;
 
 namespace
 {
-/// Of this process, which runs one thread: what others do on the machine does not count.
-double ProcessorSeconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-struct Kind
-{
-  const char* Name;
-  Mesh (*Make)(int n);
-  int CellsACube;
-};
-
-const Kind Kinds[] = { { "tetrahedra", Tetrahedra, 6 }, { "hexahedra", Hexahedra, 1 },
-  { "wedges", Wedges, 2 }, { "pyramids", Pyramids, 6 }, { "polyhedra", Polyhedra, 1 } };
-
 /// Around the vertical axis in the middle of a box, and slowly up.
 void SetSwirl(vtkDataSet* mesh, double up)
 {
@@ -79,12 +65,6 @@ struct Contender
   std::vector<double> First = {};
   std::vector<double> Further = {};
   vtkIdType Points = 0;
-
-  static double Median(std::vector<double> seconds)
-  {
-    std::sort(seconds.begin(), seconds.end());
-    return seconds[seconds.size() / 2];
-  }
 };
 
 vtkSmartPointer<vtkStreamTracer> MakeTracer(vtkDataSet* seeds)
@@ -176,24 +156,16 @@ void Measure(const Kind& kind, int cells, int lines)
       Trace(contender, mesh, seeds, 1);
     }
   }
-  const double first = Contender::Median(contenders.front().First);
-  const double further = Contender::Median(contenders.front().Further);
+  const double first = Median(contenders.front().First);
+  const double further = Median(contenders.front().Further);
   for (const Contender& contender : contenders)
   {
     std::printf("| %lld %s | %s | %.3g | %.2f | %.3g | %.2f | %lld |\n",
       static_cast<long long>(mesh->GetNumberOfCells()), kind.Name, contender.Name,
-      Contender::Median(contender.First), Contender::Median(contender.First) / first,
-      Contender::Median(contender.Further), Contender::Median(contender.Further) / further,
-      static_cast<long long>(contender.Points));
+      Median(contender.First), Median(contender.First) / first, Median(contender.Further),
+      Median(contender.Further) / further, static_cast<long long>(contender.Points));
     std::fflush(stdout);
   }
-}
-
-bool IsWanted(const Kind& kind, int argc, char* argv[])
-{
-  return argc < 4 ||
-    std::any_of(
-      argv + 3, argv + argc, [&](const char* name) { return kind.Name == std::string(name); });
 }
 }
 

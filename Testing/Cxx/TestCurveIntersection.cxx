@@ -20,16 +20,8 @@ using Filter = vtkSkdTreeCurveIntersection;
 using FilterPointer = vtkSmartPointer<Filter>;
 using Numbers = std::vector<double>;
 
-FilterPointer MakeFilter(vtkDataObject* curves, vtkDataObject* others = nullptr)
-{
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, curves);
-  if (others)
-  {
-    filter->SetSourceData(others);
-  }
-  return filter;
-}
+constexpr auto MakeFilter = [](vtkDataObject* curves, vtkDataObject* others = nullptr)
+{ return MakeCurveFilter<Filter>(curves, others); };
 
 auto Lissajous(int a, int b)
 {

@@ -16,16 +16,8 @@ namespace
 using FilterPointer = vtkSmartPointer<vtkSkdTreeCurveIntersection>;
 using Numbers = std::vector<double>;
 
-FilterPointer MakeFilter(vtkDataObject* curves, vtkDataObject* others = nullptr)
-{
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, curves);
-  if (others)
-  {
-    filter->SetSourceData(others);
-  }
-  return filter;
-}
+constexpr auto MakeFilter = [](vtkDataObject* curves, vtkDataObject* others = nullptr)
+{ return MakeCurveFilter<vtkSkdTreeCurveIntersection>(curves, others); };
 
 /// (cos t, +-sin t, t / 2 pi)
 auto MirroredHelix(double sign)

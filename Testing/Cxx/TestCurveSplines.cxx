@@ -100,9 +100,7 @@ private:
 template <class Filter>
 vtkSmartPointer<Filter> MakeFilter(vtkDataObject* polyline, vtkDataObject* source, const Form& form)
 {
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputDataObject(0, polyline);
-  filter->SetSourceData(source);
+  auto filter = MakeCurveFilter<Filter>(polyline, source);
   filter->SetPolylineForm(form.Kind);
   filter->SetTension(form.Tension);
   filter->SetBias(form.Bias);

@@ -27,13 +27,8 @@ namespace
 using Filter = vtkSkdTreeCurveSurfaceIntersection;
 using FilterPointer = vtkSmartPointer<Filter>;
 
-FilterPointer MakeFilter(vtkDataObject* curves, vtkDataObject* surfaces)
-{
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, curves);
-  filter->SetSourceData(surfaces);
-  return filter;
-}
+constexpr auto MakeFilter = [](vtkDataObject* curves, vtkDataObject* others = nullptr)
+{ return MakeCurveFilter<Filter>(curves, others); };
 
 /// Lines whose ends are outside of the bounds, through points that the mesh has on its vertices, on
 /// the middles of its edges, and on its cells.

@@ -16,13 +16,8 @@ namespace
 
 using FilterPointer = vtkSmartPointer<vtkSkdTreeCurveSurfaceIntersection>;
 
-FilterPointer MakeFilter(vtkDataObject* curves, vtkDataObject* surfaces)
-{
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, curves);
-  filter->SetSourceData(surfaces);
-  return filter;
-}
+constexpr auto MakeFilter = [](vtkDataObject* curves, vtkDataObject* others = nullptr)
+{ return MakeCurveFilter<vtkSkdTreeCurveSurfaceIntersection>(curves, others); };
 
 std::vector<double> Lengths(vtkDataObject* curves, vtkDataObject* surfaces)
 {

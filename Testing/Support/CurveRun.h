@@ -175,6 +175,19 @@ inline GridPointer BezierSphere(double radius)
   return BezierRevolution(0.0, radius, 3, 2);
 }
 
+/// A filter of the intersections of curves; without others those with themselves.
+template <class Filter>
+vtkSmartPointer<Filter> MakeCurveFilter(vtkDataObject* curves, vtkDataObject* others = nullptr)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputDataObject(0, curves);
+  if (others)
+  {
+    filter->SetSourceData(others);
+  }
+  return filter;
+}
+
 /// A point array of a filter's output after an update, all components in a row.
 inline std::vector<double> OutputArray(vtkAlgorithm* filter, const std::string& name, int port = 0)
 {
