@@ -18,16 +18,18 @@ Prints tables of what searches cost, as Markdown. Files: vtp, vtu, vtk, ply.
   --table              the whole table (the default)
   --smoke              tiny data, milliseconds: do all answers agree?
   --large              a million cells each
-  --only-files         the given files only, no growth and no pairs
+  --only-files         the given files only: no growth, pairs and batches
   --no-growth          without the growth over 10^4 .. 10^7 cells
   --only-growth        nothing else
   --no-pairs           without tree against tree
   --only-pairs         nothing else
+  --no-batches         without threads and batches
+  --only-batches       nothing else; the machine must be at rest
   --growth-until N     up to so many cells (10000000)
   --repetitions N      interleaved; medians are shown (5)
   --seconds S          a repetition lasts at least (0.05)
   --checks N           answers compared for each kind of work (300)
-  --threads N          of vtkSMPTools, for builds (1)
+  --threads N          of vtkSMPTools, for builds (1) and batches (2)
   --scene TEXT         only data sets whose name holds TEXT; likewise:
   --work TEXT
   --structure TEXT
@@ -52,6 +54,7 @@ void OnlyFiles(Options& options)
   options.DataScenes = false;
   options.Growth = false;
   options.Pairs = false;
+  options.Batches = false;
 }
 
 void OnlyGrowth(Options& options)
@@ -64,6 +67,12 @@ void OnlyPairs(Options& options)
 {
   OnlyFiles(options);
   options.Pairs = true;
+}
+
+void OnlyBatches(Options& options)
+{
+  OnlyFiles(options);
+  options.Batches = true;
 }
 
 using Flag = std::function<void(Options&)>;
@@ -80,6 +89,8 @@ const std::map<std::string, Flag>& Flags()
     { "--only-growth", OnlyGrowth },
     { "--no-pairs", [](Options& o) { o.Pairs = false; } },
     { "--only-pairs", OnlyPairs },
+    { "--no-batches", [](Options& o) { o.Batches = false; } },
+    { "--only-batches", OnlyBatches },
   };
   return flags;
 }

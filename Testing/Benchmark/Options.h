@@ -23,6 +23,7 @@ struct Options
   bool DataScenes = true;
   bool Pairs = true;
   bool Growth = true;
+  bool Batches = true;
   int GrowthUntil = 10000000; // cells
   int Repetitions = 5;
   double Seconds = 0.05; // a repetition lasts at least

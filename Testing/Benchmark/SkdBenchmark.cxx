@@ -4,6 +4,7 @@
  * @file SkdBenchmark.cxx
  * @brief one command that prints what searches cost: see README.md in this folder
  */
+#include "Batches.h"
 #include "Growth.h"
 #include "Measure.h"
 #include "Pairs.h"
@@ -109,14 +110,12 @@ Results RunTables(const Options& options, const std::vector<Kind>& kinds, bool& 
   return results;
 }
 
-Results RunPairs(const Options& options)
+void ShowScenes(const Options& options, const Results& results)
 {
-  const Results pairs = MeasurePairs(options);
-  for (const SceneResult& scene : pairs.Scenes)
+  for (const SceneResult& scene : results.Scenes)
   {
-    Show(options, Text([&](std::ostream& out) { PrintScene(out, scene, pairs.Kinds); }));
+    Show(options, Text([&](std::ostream& out) { PrintScene(out, scene, results.Kinds); }));
   }
-  return pairs;
 }
 
 std::vector<Results> RunGrowth(const Options& options, const std::vector<Kind>& kinds)
@@ -156,7 +155,13 @@ int main(int argc, char* argv[])
   std::vector<Results> all = { RunTables(*options, kinds, allRead) };
   if (options->Pairs && options->Profile == 0)
   {
-    all.push_back(RunPairs(*options));
+    all.push_back(MeasurePairs(*options));
+    ShowScenes(*options, all.back());
+  }
+  if (options->Batches && options->Profile == 0)
+  {
+    all.push_back(MeasureBatches(*options));
+    ShowScenes(*options, all.back());
   }
   if (options->Growth && options->Profile == 0)
   {
