@@ -176,7 +176,10 @@ vtkIdType FindPairLists(const SkdCellTree& tree, const SkdCellTree& other, vtkId
     {
       for (vtkIdType id = begin; id < end; ++id)
       {
-        std::sort(others + starts[id], others + starts[id + 1]);
+        if (starts[id + 1] - starts[id] > 1) // a glance at each of many cells that have none
+        {
+          std::sort(others + starts[id], others + starts[id + 1]);
+        }
       }
     });
   return starts[size];

@@ -204,7 +204,7 @@ std::vector<Work> MakeWorks(vtkDataSet* data, int count)
     works.push_back(maker.Make("find cell, random in the box", Q::FindCell, &M::InBox));
     works.push_back(maker.Make("find cell, random in cells", Q::FindCell, &M::InCell));
     works.push_back(maker.Make("find cell, coherent", Q::FindCell, &M::Coherent));
-    works.push_back(maker.Make("find cell, coherent, hinted", Q::FindCellWithHint, &M::Coherent));
+    works.push_back({ "find cell, coherent, hinted", Q::FindCellWithHint, works.back().Queries });
   }
   return works;
 }
