@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAMR.h"
 
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
@@ -156,11 +157,18 @@ std::optional<int> UpdateTrees(
 
 /// Says how much it is going to be, refines the grid, and says what went otherwise than one may
 /// expect.
-SkdGridEstimate Refine(vtkSkdTreeAMR* self, const SkdRefineState& state, SkdGrid& grid)
+SkdGridEstimate Refine(
+  vtkSkdTreeAMR* self, const SkdRefineState& state, const skd::Processes* processes, SkdGrid& grid)
 {
   SkdRefineSettings settings = MakeSettings(self, state);
-  settings.OwnOnly = !grid.OwnsAll() && self->GetBalance() == vtkSkdTreeAMR::NONE &&
+  const bool isOnItsOwn = grid.Pieces > 1 && self->GetBalance() == vtkSkdTreeAMR::NONE &&
     self->GetGrowingLayers() == 0 && self->GetOutputType() != vtkSkdTreeAMR::OVERLAPPING_AMR;
+  if (isOnItsOwn)
+  {
+    // What hangs on a cell, neighbours decide.
+    settings.Reach = self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
+    settings.Processes = processes;
+  }
   const SkdGridEstimate estimate = SkdEstimateGrid(
     grid, state.Parts, settings, AskedBy(self), OutputVtkTypes[self->GetOutputType()], self, 0.1);
   SkdTellSize(self, estimate.Cells, estimate.Bytes, estimate.Seconds);
@@ -252,7 +260,8 @@ int vtkSkdTreeAMR::RequestData(
     return 1;
   }
   OwnPiece(*grid, outputVector->GetInformationObject(0));
-  const SkdGridEstimate estimate = Refine(this, state, *grid);
+  const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
+  const SkdGridEstimate estimate = Refine(this, state, processes.get(), *grid);
   const SkdGridExtras extras =
     SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Enclosure, this, 0.6, 0.9);
   const double refineSeconds = watch.Lap();

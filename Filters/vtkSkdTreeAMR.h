@@ -59,8 +59,10 @@
  *
  * Several processes share the base cells out, in their order, and each gives its own with all below
  * them (an overlapping AMR data set: every so-manieth block); together it is what one process
- * gives. Each needs all of the parts. Without Balance and GrowingLayers each refines its own base
- * cells only, and CellLimit is each one's own. Reports are of a process's own cells.
+ * gives, CellLimit included. Each needs all of the parts. Without Balance and GrowingLayers each
+ * refines its own base cells only (of an unstructured grid those next to them, too, for what hangs
+ * on them), and all processes must update: they count their cells together. With these, and for
+ * overlapping AMR data sets, each refines all. Reports are of a process's own cells.
  *
  * Bad input, each with one warning or error that says so: an Input without cells gives the base
  * grid unrefined if that is given, else nothing. A base grid that the parts miss stays as it is. A

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeMeshRefinement.h"
 
+#include "Core/Mesh/FindBorder.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
@@ -58,16 +59,18 @@ SkdMeshSettings MakeSettings(Filter* self, const SkdRefineState& state)
   return settings;
 }
 
-void SetPlacement(Filter* self, const SkdSource& surface, skd::RefinedMesh& mesh)
+void SetPlacement(
+  Filter* self, const SkdSource& surface, skd::SharedCuts* shared, skd::RefinedMesh& mesh)
 {
   const double* centre = self->GetSphereCenter();
   if (self->GetPointPlacement() == Filter::SPHERE)
   {
-    mesh.SetPlacement(SkdPlaceOnSphere({ { centre[0], centre[1], centre[2] } }), false);
+    mesh.SetPlacement(SkdPlaceOnSphere({ { centre[0], centre[1], centre[2] } }));
   }
   else if (self->GetPointPlacement() == Filter::SURFACE && surface.GetCounts().Cells > 0)
   {
-    mesh.SetPlacement(SkdPlaceOnSurface(surface), true);
+    mesh.SetPlacement(SkdPlaceOnSurface(surface),
+      shared ? shared->FindBorder() : skd::MakeBorder(mesh, skd::OuterFaces(mesh)));
   }
   else if (self->GetPointPlacement() == Filter::SURFACE)
   {
@@ -77,7 +80,9 @@ void SetPlacement(Filter* self, const SkdSource& surface, skd::RefinedMesh& mesh
 
 void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh& read)
 {
-  if (read.Mesh.NumberOfCells() == 0)
+  const skd::SharedCuts* shared = settings.Shared;
+  const bool hasCells = read.Mesh.NumberOfCells() > 0;
+  if (!(shared ? shared->GetProcesses().IsAny(hasCells) : hasCells))
   {
     vtkWarningWithObjectMacro(self, "Input has no cells: there is nothing to refine.");
   }
@@ -112,6 +117,13 @@ void WarnAbout(Filter* self, const SkdMeshOutcome& outcome, const SkdMeshTally& 
   }
 }
 
+skd::HangingNodes FindHanging(const skd::RefinedMesh& mesh, skd::SharedCuts* shared)
+{
+  skd::HangingNodes hanging(mesh);
+  hanging.Add([shared](std::vector<char>& marks) { shared ? shared->ShareMarks(marks) : void(); });
+  return hanging;
+}
+
 vtkSmartPointer<vtkPointSet> MakeBlock(const SkdReadMesh& read, const SkdReadMesh::Block& block,
   const skd::HangingNodes& hanging, Filter* self)
 {
@@ -144,7 +156,7 @@ std::optional<int> Read(Filter* self, SkdRefineState& state, vtkInformationVecto
   {
     treesBuilt = state.Update(
       self, SkdLeavesOf(vtkDataObject::GetData(inputs[1])), field ? field : input, false);
-    SkdReadLeaves(SkdLeavesOf(input), read);
+    SkdReadLeaves(SkdLeavesOf(input), processes == nullptr, read);
   }
   catch (const std::length_error& error)
   {
@@ -262,25 +274,27 @@ int vtkSkdTreeMeshRefinement::RequestData(
   const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
   SkdStopwatch watch;
   SkdReadMesh read;
-  const std::optional<int> treesBuilt = Read(
-    this, *this->State, inputVector, this->Method == BISECTION ? processes.get() : nullptr, read);
+  const std::optional<int> treesBuilt =
+    Read(this, *this->State, inputVector, processes.get(), read);
   if (!treesBuilt)
   {
     return 1;
   }
   this->Impl->Surface.Update(vtkDataObject::GetData(inputVector[3]), false, this->Epsilon);
-  SetPlacement(this, this->Impl->Surface, read.Mesh);
+  const auto shared =
+    processes ? std::make_unique<skd::SharedCuts>(read.Mesh, *processes) : nullptr;
+  SetPlacement(this, this->Impl->Surface, shared.get(), read.Mesh);
   const double buildSeconds = watch.Lap();
 
   SkdMeshSettings settings = MakeSettings(this, *this->State);
-  settings.Processes = processes.get();
+  settings.Shared = shared.get();
   WarnAbout(this, settings, read);
   SkdMeshTally tally(read.Mesh);
   const SkdMeshOutcome outcome =
     SkdMeshRefiner(this, 0.1, 0.8, read.Mesh, this->State->Parts, settings).Refine();
   const double refineSeconds = watch.Lap();
 
-  const skd::HangingNodes hanging(read.Mesh);
+  const skd::HangingNodes hanging = FindHanging(read.Mesh, shared.get());
   PutBlocks(read.Blocks, MakeBlocks(read, hanging, this), input, output);
   tally.Finish(read.Mesh, hanging);
   WarnAbout(this, outcome, tally);

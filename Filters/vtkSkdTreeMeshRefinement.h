@@ -55,11 +55,13 @@
  * triangle and 400 a tetrahedron beside the output. How many cells and how much memory it will be
  * is told by the progress text, from the first round on, by how the mesh has grown so far.
  *
- * Processes: each refines its own piece of Input, around all of the parts. By BISECTION they tell
- * each other what they cut where their pieces meet, by the global controller, until nothing
- * changes, so together the pieces are what one process makes of the whole (CellLimit is each one's
- * own, and SURFACE takes the border of a piece for one of the mesh). All processes must update
- * then. REGULAR cuts are the same on any number of processes without Balance and GrowingLayers.
+ * Processes: each refines its own piece of Input, around all of the parts. They tell each other, by
+ * the global controller, what is cut and wanted where their pieces meet, until nothing changes: so
+ * together the pieces are what one process makes of the whole, cell for cell, by either Method and
+ * with all of its options, in places, levels and marks (SkdHanging); CellLimit counts the cells of
+ * all. Pieces must meet at points of equal coordinates. Ghost cells are left out: others have them.
+ * All processes must update. Reports are of a process's own piece. A field that is not connected at
+ * port 2 is the piece itself: connect Input there, too, if values beyond its border matter.
  *
  * Where nothing is told that could ask for cells (no Parts, no arrays of a field, no MinimumLevel)
  * all of them are refined once.

@@ -3,7 +3,7 @@
 #ifndef SkdProcesses_h
 #define SkdProcesses_h
 
-#include "Core/Mesh/SharedCuts.h"
+#include "Core/Mesh/Processes.h"
 
 #include <memory>
 

@@ -16,7 +16,7 @@ double CountCells(
   // By how much the 2:1 balance over faces, edges and corners adds cells around a sphere.
   const double more[4] = { 1.0, 1.16, 1.27, 1.31 };
   const double base =
-    settings.OwnOnly ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);
+    settings.Reach >= 0 ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);
   double ofLevel = base;
   double below = 0.0;
   for (const double families : wanted)

@@ -34,6 +34,18 @@ SkdGridRefiner::SkdGridRefiner(vtkAlgorithm* algorithm, double first, double las
   , Parts(parts)
   , Settings(settings)
 {
+  if (settings.Reach >= 0)
+  {
+    std::vector<char> own(grid.Forest.NumberOfCells(0), 0);
+    std::fill(own.begin() + grid.FirstOwn, own.begin() + grid.LastOwn, 1);
+    this->IsNear = skd::Grown(grid.Forest, 0, own, settings.Reach);
+  }
+}
+
+/// On any process.
+bool SkdGridRefiner::IsAny(bool here) const
+{
+  return this->Settings.Processes ? this->Settings.Processes->IsAny(here) : here;
 }
 
 bool SkdGridRefiner::Refine()
@@ -41,12 +53,15 @@ bool SkdGridRefiner::Refine()
   std::vector<char> marks;
   for (int level = 0;; ++level)
   {
-    if (!this->ExamineLevel(level) || !this->MarkLevel(level, marks))
+    marks.clear(); // others may go on where there are no more cells
+    const bool isDone = level >= this->Grid.Forest.NumberOfLevels() ||
+      (this->ExamineLevel(level) && this->MarkLevel(level, marks));
+    if (this->IsAny(!isDone))
     {
       return false;
     }
-    const auto families = std::count(marks.begin(), marks.end(), 1);
-    if (families == 0 || !this->HasRoomFor(level, static_cast<std::uint64_t>(families)))
+    const bool isAnyMarked = std::count(marks.begin(), marks.end(), 1) > 0;
+    if (!this->IsAny(isAnyMarked) || !this->HasRoomFor(level, marks))
     {
       break;
     }
@@ -189,7 +204,7 @@ void SkdGridRefiner::KeepFindings(int level, const std::vector<Batch>& batches)
 /// Nothing below a base cell that is left alone is ever looked at.
 bool SkdGridRefiner::IsLeftAlone(int level, std::uint32_t cell) const
 {
-  return level == 0 && this->Settings.OwnOnly && !this->Grid.IsOwn(level, cell);
+  return level == 0 && !this->IsNear.empty() && !this->IsNear[cell];
 }
 
 bool SkdGridRefiner::IsWanted(int level, std::uint32_t cell) const
@@ -258,8 +273,32 @@ bool SkdGridRefiner::MarkLevel(int level, std::vector<char>& marks)
 //------------------------------------------------------------------------------
 bool SkdGridRefiner::HasRoomFor(int level, std::uint64_t families)
 {
-  const std::uint64_t cells =
-    this->Grid.Forest.NumberOfCells() + families * this->Grid.Forest.FamilySize();
+  return this->HasRoomFor(
+    level, families, this->Grid.Forest.NumberOfCells() + families * this->Grid.Forest.FamilySize());
+}
+
+/// Each cell counts once, with the process that it is given out by.
+bool SkdGridRefiner::HasRoomFor(int level, const std::vector<char>& marks)
+{
+  const auto families = static_cast<std::uint64_t>(std::count(marks.begin(), marks.end(), 1));
+  if (!this->Settings.Processes)
+  {
+    return this->HasRoomFor(level, families);
+  }
+  for (std::uint32_t cell = 0; cell < marks.size(); ++cell)
+  {
+    this->OwnFamilies += marks[cell] && this->Grid.IsOwn(level, cell);
+  }
+  const double all = this->Settings.Processes->SumOf(static_cast<double>(this->OwnFamilies));
+  const bool hasRoom = this->HasRoomFor(level, families,
+    this->Grid.Forest.NumberOfCells(0) +
+      static_cast<std::uint64_t>(all) * this->Grid.Forest.FamilySize());
+  return !this->IsAny(!hasRoom);
+}
+
+/// If that would make so many cells.
+bool SkdGridRefiner::HasRoomFor(int level, std::uint64_t families, std::uint64_t cells)
+{
   const bool hasNumbers = families < skd::Forest::None / this->Grid.Forest.FamilySize();
   if (cells <= this->Settings.CellLimit && hasNumbers)
   {

@@ -12,6 +12,7 @@
 #define SkdGridRefiner_h
 
 #include "Core/Grid/Balance.h"
+#include "Core/Mesh/Processes.h"
 #include "Refine/SkdCriteria.h"
 #include "Refine/SkdGrid.h"
 #include "Refine/SkdShortlists.h"
@@ -23,7 +24,12 @@ struct SkdRefineSettings : SkdCriteria
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
   std::uint64_t CellLimit = 0;
-  bool OwnOnly = false; ///< leave base cells of other processes alone
+  ///@{
+  /// Leave base cells alone that are farther than so many from own ones; -1: none. The own cells of
+  /// all of these processes count together then.
+  int Reach = -1;
+  const skd::Processes* Processes = nullptr;
+  ///@}
 };
 
 class SkdGridRefiner
@@ -34,7 +40,8 @@ public:
     const SkdParts& parts, const SkdRefineSettings& settings);
 
   /// Refines the base cells. The result does not depend on the number of threads. Returns false if
-  /// the algorithm was told to stop: the grid is not refined as it should be then, but sound.
+  /// the algorithm was told to stop: the grid is not refined as it should be then, but sound. Where
+  /// there are other processes all of them must call it.
   bool Refine();
 
   /// Refines no more than `most` cells a level, evenly chosen of those that it should. Returns how
@@ -63,7 +70,10 @@ private:
   bool IsLeftAlone(int level, std::uint32_t cell) const;
   bool IsWanted(int level, std::uint32_t cell) const;
   bool IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const;
+  bool IsAny(bool here) const;
   bool HasRoomFor(int level, std::uint64_t families);
+  bool HasRoomFor(int level, const std::vector<char>& marks);
+  bool HasRoomFor(int level, std::uint64_t families, std::uint64_t cells);
   void RefineMarked(int level, const std::vector<char>& marks);
   void Balance();
   bool RefineForBalance(int level, std::uint32_t cell);
@@ -78,6 +88,8 @@ private:
   const SkdRefineSettings& Settings;
   SkdShortlists Lists; // of the cells of the level that was examined last
   std::vector<Finding> Findings;
+  std::vector<char> IsNear;      // of base cells: within reach of own ones; empty if all are
+  std::uint64_t OwnFamilies = 0; // that were made so far
 };
 
 #endif

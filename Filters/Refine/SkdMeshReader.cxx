@@ -5,7 +5,10 @@
 #include "Cells/SkdCellReader.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <set>
 #include <stdexcept>
@@ -219,7 +222,7 @@ void CheckSizes(const std::vector<SkdLeaf>& leaves)
 }
 
 //------------------------------------------------------------------------------
-void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, SkdReadMesh& read)
+void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, bool withDuplicates, SkdReadMesh& read)
 {
   CheckSizes(leaves);
   SkdWeld weld;
@@ -248,9 +251,12 @@ void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, SkdReadMesh& read)
   {
     block.FirstCell = read.Mesh.NumberOfCells();
     CellAdder adder(read, block);
+    vtkUnsignedCharArray* ghosts = withDuplicates ? nullptr : block.Leaf.Mesh->GetCellGhostArray();
     for (vtkIdType cell = 0; cell < block.Leaf.Mesh->GetNumberOfCells(); ++cell)
     {
-      adder.Add(cell);
+      const bool isDuplicate =
+        ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+      isDuplicate ? void() : adder.Add(cell);
     }
     block.LastCell = read.Mesh.NumberOfCells();
   }

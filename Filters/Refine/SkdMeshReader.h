@@ -36,8 +36,9 @@ struct SkdReadMesh
 /// Fills it. Lines, triangles, quads and pixels, polygons, strips (as triangles), tetrahedra,
 /// pyramids, wedges, hexahedra and voxels can be refined. All other cells are Fixed and without
 /// nodes, and so are those of points that are not finite and volume cells that use a node twice.
-/// Polygons lose corners that repeat the one before. Throws std::length_error where there are more
-/// cells or points than 32-bit numbers tell apart.
-void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, SkdReadMesh& read);
+/// Polygons lose corners that repeat the one before. Without duplicates, ghost cells that are those
+/// of other processes are left out. Throws std::length_error where there are more cells or points
+/// than 32-bit numbers tell apart.
+void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, bool withDuplicates, SkdReadMesh& read);
 
 #endif

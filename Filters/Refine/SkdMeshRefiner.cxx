@@ -19,16 +19,22 @@ SkdMeshRefiner::SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double las
   , Parts(parts)
   , Settings(settings)
 {
-  if (settings.Processes && settings.IsConforming)
-  {
-    this->Shared = std::make_unique<skd::SharedCuts>(mesh, *settings.Processes);
-  }
 }
 
 /// On any process.
 bool SkdMeshRefiner::IsAny(bool here) const
 {
-  return this->Shared ? this->Settings.Processes->IsAny(here) : here;
+  const skd::SharedCuts* shared = this->Settings.Shared;
+  return shared ? shared->GetProcesses().IsAny(here) : here;
+}
+
+/// The leaves of all processes, those of each one alone do.
+bool SkdMeshRefiner::FitTogether() const
+{
+  const skd::SharedCuts* shared = this->Settings.Shared;
+  return !shared ||
+    shared->GetProcesses().SumOf(this->Mesh.NumberOfLeaves()) <=
+    static_cast<double>(this->Settings.CellLimit);
 }
 
 SkdMeshOutcome SkdMeshRefiner::Refine()
@@ -114,23 +120,24 @@ bool SkdMeshRefiner::Cut(const std::vector<std::uint32_t>& wanted)
   const std::vector<std::uint32_t> cells =
     skd::WithLayers(this->Mesh, wanted, this->Settings.Layers,
       [this](std::vector<int>& levels)
-      { this->Shared ? this->Shared->ShareLevels(levels) : void(); });
-  return this->Settings.IsConforming
+      { this->Settings.Shared ? this->Settings.Shared->ShareLevels(levels) : void(); });
+  const skd::RefinedMesh::State before = this->Mesh.GetState();
+  const bool fits = this->Settings.IsConforming
     ? this->Bisect(cells)
-    : skd::RegularCuts(this->Mesh, this->Settings.CellLimit, this->Settings.Balance).Refine(cells);
+    : skd::RegularCuts(
+        this->Mesh, this->Settings.CellLimit, this->Settings.Balance, this->Settings.Shared)
+        .Refine(cells);
+  const bool fitsTogether = fits && this->FitTogether();
+  fitsTogether ? void() : this->Mesh.GoBackTo(before);
+  return fitsTogether;
 }
 
+/// The mesh must be taken back if it does not fit.
 bool SkdMeshRefiner::Bisect(const std::vector<std::uint32_t>& cells)
 {
-  const skd::RefinedMesh::State before = this->Mesh.GetState();
   skd::Bisection bisection(this->Mesh, this->Settings.CellLimit);
-  bool fits = bisection.Refine(cells);
-  if (this->Shared)
-  {
-    fits = this->Shared->Exchange(bisection, fits);
-    fits ? void() : this->Mesh.GoBackTo(before);
-  }
-  return fits;
+  const bool fits = bisection.Refine(cells);
+  return this->Settings.Shared ? this->Settings.Shared->Exchange(bisection, fits) : fits;
 }
 
 /// How much it will be, if it goes on like this, before it is made.
@@ -150,7 +157,8 @@ int SkdMeshRefiner::LeastLevelOf(const std::vector<std::uint32_t>& cells) const
   {
     least = std::min(least, this->Mesh[cell].Level());
   }
-  return least;
+  const skd::SharedCuts* shared = this->Settings.Shared;
+  return shared ? static_cast<int>(shared->GetProcesses().LeastOf(least)) : least;
 }
 
 /// The leaves after the rounds that are left, if they grow as they did in the last ones; no more

@@ -6,7 +6,8 @@
  *
  * In rounds: each looks at the cells that the round before has made, once, in parallel, and cuts
  * those that are wanted finer, and what must be cut with them. The last round that would make too
- * many cells is taken back as a whole, so the mesh is sound whenever it stops.
+ * many cells is taken back as a whole, so the mesh is sound whenever it stops. Several processes go
+ * through the same rounds; cells count together.
  */
 
 #ifndef SkdMeshRefiner_h
@@ -15,8 +16,6 @@
 #include "Core/Grid/Balance.h"
 #include "Core/Mesh/SharedCuts.h"
 #include "Refine/SkdCriteria.h"
-
-#include <memory>
 
 class vtkAlgorithm;
 
@@ -27,7 +26,7 @@ struct SkdMeshSettings : SkdCriteria
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0; ///< around cells that are wanted finer
   std::uint64_t CellLimit = 0;
-  const skd::Processes* Processes = nullptr; ///< that bisect the mesh together, each a piece of it
+  skd::SharedCuts* Shared = nullptr; ///< with other processes, each of which refines a piece
 };
 
 /// What became of it.
@@ -56,6 +55,7 @@ private:
   bool Cut(const std::vector<std::uint32_t>& wanted);
   bool Bisect(const std::vector<std::uint32_t>& cells);
   bool IsAny(bool here) const;
+  bool FitTogether() const;
   void TellSize() const;
   double Estimate() const;
   int LeastLevelOf(const std::vector<std::uint32_t>& cells) const;
@@ -67,9 +67,8 @@ private:
   const SkdParts& Parts;
   const SkdMeshSettings& Settings;
   SkdMeshOutcome Outcome;
-  std::unique_ptr<skd::SharedCuts> Shared; // if there are several processes
-  std::vector<double> LeavesAfter;         // each round
-  double Done = 0.0;                       // of all that there is to do, as far as can be told
+  std::vector<double> LeavesAfter; // each round
+  double Done = 0.0;               // of all that there is to do, as far as can be told
 };
 
 #endif

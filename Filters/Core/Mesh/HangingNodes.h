@@ -29,6 +29,13 @@ public:
 
   bool operator[](std::uint32_t node) const { return this->Marks[node] != 0; }
 
+  /// `share(marks)` may mark more: those that hang on cells of other processes.
+  template <class Share>
+  void Add(const Share& share)
+  {
+    share(this->Marks);
+  }
+
 private:
   static constexpr std::uint32_t None = RefinedMesh::None;
 

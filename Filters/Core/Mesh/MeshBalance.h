@@ -23,8 +23,10 @@ public:
   {
   }
 
-  /// Leaves with a neighbour of two levels more.
-  std::vector<std::uint32_t> FindUnbalanced()
+  /// Leaves with a neighbour of two levels more. `share(levels)` may raise what is known of nodes:
+  /// the level of the finest leaf that has it.
+  template <class Share>
+  std::vector<std::uint32_t> FindUnbalanced(const Share& share)
   {
     std::vector<std::uint32_t> found;
     if (this->Balance == Contact::None)
@@ -32,6 +34,7 @@ public:
       return found;
     }
     this->FindLevelsOfNodes();
+    share(this->NodeLevels);
     for (std::uint32_t cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
     {
       const RefinedMesh::Cell& at = this->Mesh[cell];

@@ -12,7 +12,8 @@ namespace skd
 {
 
 /// The edges and faces on the border of a mesh of volume cells, kept while these are cut: the faces
-/// that one cell alone has, and what they become. All of lines and surfaces is border.
+/// that one cell alone has, and what they become. All of lines and surfaces is border. Halves of an
+/// edge on the border are, too, whatever cell has them.
 class MeshBorder
 {
 public:
@@ -42,6 +43,34 @@ public:
       this->Faces.FindOrAdd({ nodes[0], nodes[1], nodes[2], nodes[3] });
     }
   }
+
+  void AddHalves(std::uint32_t a, std::uint32_t middle, std::uint32_t b)
+  {
+    this->Edges.FindOrAdd({ a, middle });
+    this->Edges.FindOrAdd({ middle, b });
+  }
+
+  ///@{
+  /// Edges, the last nodes None, and faces, each for itself, the nodes of a face in any order.
+  void AddSide(const FaceNodes& side)
+  {
+    side[2] == TupleNumbers<4>::None ? this->Edges.FindOrAdd({ side[0], side[1] })
+                                     : this->Faces.FindOrAdd(side);
+  }
+  template <class Visit>
+  void ForEachSide(const Visit& visit) const
+  {
+    for (std::uint32_t edge = 0; edge < this->Edges.Size(); ++edge)
+    {
+      visit(FaceNodes{
+        this->Edges[edge][0], this->Edges[edge][1], TupleNumbers<4>::None, TupleNumbers<4>::None });
+    }
+    for (std::uint32_t face = 0; face < this->Faces.Size(); ++face)
+    {
+      visit(this->Faces[face]);
+    }
+  }
+  ///@}
 
 private:
   void AddEdgesOf(CellKind kind, const std::uint32_t* nodes, std::uint32_t size)

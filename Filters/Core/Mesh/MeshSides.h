@@ -52,12 +52,25 @@ public:
     return true;
   }
 
+  /// The sides that are cut, in turn, from `first` on.
+  std::vector<Nodes> GetCut(std::size_t first) const
+  {
+    std::vector<Nodes> cut;
+    for (std::size_t i = first; i < this->CutSides.size(); ++i)
+    {
+      cut.push_back(this->Numbers[this->CutSides[i]]);
+    }
+    return cut;
+  }
+
   /// Whether a volume cell was put down.
   bool IsOfVolume(const Nodes& nodes) const
   {
     const std::uint32_t side = this->Numbers.Find(nodes);
     return side != None && this->Sides[side].IsOfVolume;
   }
+
+  void SetOfVolume(const Nodes& nodes) { this->Sides[this->NumberOf(nodes)].IsOfVolume = true; }
 
   void Enter(const Nodes& nodes, std::uint32_t cell, bool isVolume)
   {

@@ -55,18 +55,22 @@ public:
   /// Where a new node is placed, given the mean of the points where those are that it is made of.
   using Placement = std::function<Vector3(const Vector3& mean, const RefinedMesh&, Nodes makers)>;
 
-  /// To be set once the mesh has its cells; without one, nodes stay where they are made. Nodes
-  /// within volumes may be left out: these are then in the mean of the others.
-  void SetPlacement(Placement placement, bool isOfBorderOnly)
+  ///@{
+  /// To be set once the mesh has its nodes; without one, nodes stay where they are made. With a
+  /// border (FindBorder.h), which is then kept while cells are cut, nodes within volumes are left
+  /// out: these are in the mean of the others.
+  void SetPlacement(Placement placement)
   {
     this->Place = std::move(placement);
     this->Placed = this->Flat;
-    this->HasBorder = isOfBorderOnly;
-    if (isOfBorderOnly)
-    {
-      this->FindBorder();
-    }
   }
+  void SetPlacement(Placement placement, MeshBorder border)
+  {
+    this->SetPlacement(std::move(placement));
+    this->HasBorder = true;
+    this->Border = std::move(border);
+  }
+  ///@}
 
   ///@{
   /// The mesh as it is. Nodes before cells, cells before any cut.
@@ -128,10 +132,13 @@ public:
   std::uint32_t MiddleOf(const FaceNodes& face) const { return this->Faces.MiddleOf(face); }
   ///@}
 
-  /// Whether an edge is known, which it is once a cell has it.
+  /// Whether an edge is known, which it is once a cell has it or it is cut.
   bool HasEdge(std::uint32_t a, std::uint32_t b) const { return this->Edges.Has({ a, b }); }
   bool IsCut(const FaceNodes& face) const { return this->Faces.IsCut(face); }
   bool IsFaceOfVolume(const FaceNodes& face) const { return this->Faces.IsOfVolume(face); }
+
+  /// Puts down that a face of four nodes is a volume cell's, whoever has that.
+  void SetFaceOfVolume(const FaceNodes& face) { this->Faces.SetOfVolume(face); }
 
   ///@{
   /// Those, made if there are none.
@@ -140,8 +147,10 @@ public:
     std::uint32_t middle = this->Edges.MiddleOf({ a, b });
     if (middle == None)
     {
-      middle = this->MakeNode({ a, b }, this->Border.HasEdge(a, b));
+      const bool isOfBorder = this->Border.HasEdge(a, b);
+      middle = this->MakeNode({ a, b }, isOfBorder);
       this->Edges.SetMiddle({ a, b }, middle);
+      isOfBorder ? this->Border.AddHalves(a, middle, b) : void();
     }
     return middle;
   }
@@ -165,6 +174,9 @@ public:
 
   /// Puts down that a face is cut. Returns whether it was not before.
   bool SetCut(const FaceNodes& face) { return this->Faces.SetCut(face); }
+
+  /// The faces that are cut, in the order in which that was put down, but for the first few.
+  std::vector<FaceNodes> GetCutFaces(std::size_t first) const { return this->Faces.GetCut(first); }
 
   ///@{
   /// A cell becomes several: begin, add the children one by one, none else in between.
@@ -287,7 +299,6 @@ private:
     return this->NumberOfNodes() - 1;
   }
 
-  void FindBorder();
   void PassBorderOn(std::uint32_t cell);
 
   Placement Place;
@@ -327,43 +338,6 @@ inline void RefinedMesh::GoBackTo(const State& state)
 }
 
 //------------------------------------------------------------------------------
-/// Faces of volume cells that occur once, and all of other cells.
-inline void RefinedMesh::FindBorder()
-{
-  TupleNumbers<4> faces;
-  std::vector<char> counts;
-  const auto forEachFaceOfAll = [this](const auto& visit)
-  {
-    for (std::uint32_t cell = 0; cell < this->NumberOfCells(); ++cell)
-    {
-      ForEachFace(this->Cells[cell].Kind, this->NodesOf(cell).First, visit);
-    }
-  };
-  forEachFaceOfAll(
-    [&](const FaceNodes& face)
-    {
-      const std::uint32_t number = faces.FindOrAdd(face);
-      counts.resize(faces.Size(), 0);
-      counts[number] = static_cast<char>(std::min(2, counts[number] + 1));
-    });
-  forEachFaceOfAll(
-    [&](const FaceNodes& face)
-    {
-      if (counts[faces.Find(face)] == 1)
-      {
-        this->Border.AddFace(face);
-      }
-    });
-  for (std::uint32_t cell = 0; cell < this->NumberOfCells(); ++cell)
-  {
-    if (DimensionOf(this->Cells[cell].Kind) < 3)
-    {
-      this->Border.AddCell(
-        this->Cells[cell].Kind, this->NodesOf(cell).First, this->NodesOf(cell).Size);
-    }
-  }
-}
-
 /// Children's faces are border where all of their nodes lie on one face that is.
 inline void RefinedMesh::PassBorderOn(std::uint32_t cell)
 {

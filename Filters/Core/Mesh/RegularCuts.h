@@ -9,6 +9,7 @@
 #define skd_Mesh_RegularCuts_h
 
 #include "MeshBalance.h"
+#include "SharedCuts.h"
 #include "StarShape.h"
 #include "VolumeCuts.h"
 
@@ -21,41 +22,56 @@ class RegularCuts
 {
 public:
   /// The mesh may have `limit` leaves at most. Over contacts of the kind leaves differ by one level
-  /// at most; on a surface a face is an edge, and an edge a corner.
-  RegularCuts(RefinedMesh& mesh, std::uint64_t limit, Contact balance)
+  /// at most; on a surface a face is an edge, and an edge a corner. `shared` if the mesh is one of
+  /// several processes' pieces.
+  RegularCuts(RefinedMesh& mesh, std::uint64_t limit, Contact balance, SharedCuts* shared = nullptr)
     : Mesh(mesh)
     , Limit(limit)
     , Balance(balance)
+    , Shared(shared)
   {
   }
 
   /// Cuts each of the cells that is a leaf, and what else must be. Returns false, and leaves the
-  /// mesh as it was, if that makes more leaves than may be.
+  /// mesh as it was, if that makes more leaves than may be, here or with another process.
   bool Refine(const std::vector<std::uint32_t>& cells)
   {
     const RefinedMesh::State before = this->Mesh.GetState();
     std::vector<std::uint32_t> wanted = cells;
-    while (!wanted.empty())
+    do
     {
-      for (const std::uint32_t cell : wanted)
+      const bool fits = this->CutAll(wanted);
+      if (this->Shared ? !this->Shared->ShareMiddles(fits) : !fits)
       {
-        if (this->Mesh[cell].IsLeaf() && !this->Mesh[cell].IsFixed)
-        {
-          this->Cut(cell);
-        }
-        if (this->Mesh.NumberOfLeaves() > this->Limit)
-        {
-          this->Mesh.GoBackTo(before);
-          return false;
-        }
+        this->Mesh.GoBackTo(before);
+        return false;
       }
-      wanted = MeshBalance(this->Mesh, this->Balance).FindUnbalanced();
-    }
+      wanted = MeshBalance(this->Mesh, this->Balance)
+                 .FindUnbalanced([this](std::vector<int>& levels)
+                   { this->Shared ? this->Shared->ShareLevels(levels) : void(); });
+    } while (this->Shared ? this->Shared->GetProcesses().IsAny(!wanted.empty()) : !wanted.empty());
     return true;
   }
 
 private:
   static constexpr std::uint32_t None = RefinedMesh::None;
+
+  /// False if it makes too many leaves.
+  bool CutAll(const std::vector<std::uint32_t>& cells)
+  {
+    for (const std::uint32_t cell : cells)
+    {
+      if (this->Mesh[cell].IsLeaf() && !this->Mesh[cell].IsFixed)
+      {
+        this->Cut(cell);
+      }
+      if (this->Mesh.NumberOfLeaves() > this->Limit)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 
   void Cut(std::uint32_t cell)
   {
@@ -152,6 +168,7 @@ private:
   RefinedMesh& Mesh;
   std::uint64_t Limit;
   Contact Balance;
+  SharedCuts* Shared;
 };
 
 }

@@ -5,156 +5,102 @@
 #ifndef skd_Mesh_SharedCuts_h
 #define skd_Mesh_SharedCuts_h
 
-#include "../Geometry/Box.h"
 #include "Bisection.h"
+#include "FindBorder.h"
+#include "SharedNodes.h"
 
-#include <map>
 #include <vector>
 
 namespace skd
 {
 
-/// What processes that run side by side tell each other. All of them must ask the same, in the same
-/// order.
-class Processes
-{
-public:
-  virtual ~Processes() = default;
-
-  /// Whether it is so on any of them.
-  virtual bool IsAny(bool here) const = 0;
-
-  /// The numbers of each of the others.
-  virtual std::vector<std::vector<double>> GatherFromOthers(
-    const std::vector<double>& own) const = 0;
-};
-
-/// An edge or face that one process cuts is cut on all that have it, and what must be cut for it,
-/// until nothing changes: the pieces together are what one process would make of the whole. Nodes
-/// of two processes are one where their coordinates are equal. Of what lies within the bounds of no
-/// other process nothing is told.
+/// What processes must tell each other of edges, faces and nodes where their pieces of a mesh meet,
+/// so that the pieces together are what one process would make of the whole. All of them must call
+/// the same functions, in the same order, and all wait for the last one.
 class SharedCuts
 {
 public:
-  /// Before any cut.
-  SharedCuts(RefinedMesh& mesh, const Processes& processes);
+  /// Before any cut. Both must live.
+  SharedCuts(RefinedMesh& mesh, const Processes& processes)
+    : Mesh(mesh)
+    , Peers(processes)
+    , Nodes(mesh, processes)
+    , MiddlesTold(mesh.NumberOfNodes())
+  {
+    this->AgreeOnFacesOfVolumes();
+  }
 
-  /// Cuts here what others have cut, and tells them what is cut for it, until all is done. `fits`
-  /// tells whether what was cut so far has made no more leaves than may be; returns whether that is
-  /// so on all processes to the end. If not, the mesh must be taken back to what it was.
+  const Processes& GetProcesses() const { return this->Peers; }
+
+  /// The border of all pieces together, as far as this one has it. Before any cut.
+  MeshBorder FindBorder();
+
+  /// For bisection: cuts here what others have cut, and tells them what is cut for it, until
+  /// nothing changes. `fits` tells whether what was cut so far has made no more leaves than may be;
+  /// returns whether that is so on all processes to the end. If not, the mesh must be taken back to
+  /// what it was.
   bool Exchange(Bisection& bisection, bool fits);
 
-  /// Makes what is known of nodes (see WithLayers) the largest of all processes.
-  void ShareLevels(std::vector<int>& levels);
+  /// For cuts that leave nodes hanging: makes the middles of edges and faces here that others have
+  /// made, and marks the faces as cut. Returns whether it fits on all processes, as above.
+  bool ShareMiddles(bool fits);
+
+  ///@{
+  /// Makes the level known of each node (see WithLayers, MeshBalance), or its mark, the largest.
+  void ShareLevels(std::vector<int>& levels) { this->Nodes.Raise(levels, -1); }
+  void ShareMarks(std::vector<char>& marks) { this->Nodes.Raise<char>(marks, 0); }
+  ///@}
 
 private:
   static constexpr std::uint32_t None = RefinedMesh::None;
 
-  static void Append(std::vector<double>& numbers, const Vector3& x)
-  {
-    numbers.insert(numbers.end(), x.X, x.X + 3);
-  }
-  bool MayBeShared(const Vector3& x) const;
-  void EnterNewNodes();
-  std::uint32_t Find(const double* x) const;
-  std::vector<double> Tell(const std::vector<FaceNodes>& cuts) const;
-  bool CutAsTold(const std::vector<double>& told, Bisection& bisection);
+  static int SizeOf(const FaceNodes& side) { return side[2] == None ? 2 : side[3] == None ? 3 : 4; }
+  void Append(std::vector<double>& told, const FaceNodes& side) const;
+  template <class Visit>
+  void ForEachToldHere(const std::vector<double>& told, const Visit& visit);
+  std::vector<double> TellMiddles() const;
+  void AgreeOnFacesOfVolumes();
 
   RefinedMesh& Mesh;
   const Processes& Peers;
-  std::vector<Box3> Others; // the bounds of the other processes' nodes
-  std::map<Vector3, std::uint32_t> Nodes;
-  std::uint32_t NodesSeen = 0;
+  SharedNodes Nodes;
+  std::uint32_t MiddlesTold;
+  std::size_t FacesTold = 0;
 };
 
-inline SharedCuts::SharedCuts(RefinedMesh& mesh, const Processes& processes)
-  : Mesh(mesh)
-  , Peers(processes)
-{
-  Box3 box;
-  for (std::uint32_t node = 0; node < mesh.NumberOfNodes(); ++node)
-  {
-    box.Add(mesh.FlatPoint(node));
-  }
-  std::vector<double> own;
-  Append(own, box.Min);
-  Append(own, box.Max);
-  for (const std::vector<double>& told : processes.GatherFromOthers(own))
-  {
-    this->Others.push_back(
-      Box3({ { told[0], told[1], told[2] } }, { { told[3], told[4], told[5] } }));
-  }
-}
-
-inline bool SharedCuts::MayBeShared(const Vector3& x) const
-{
-  return std::any_of(
-    this->Others.begin(), this->Others.end(), [&](const Box3& box) { return box.Contains(x); });
-}
-
-inline void SharedCuts::EnterNewNodes()
-{
-  for (; this->NodesSeen < this->Mesh.NumberOfNodes(); ++this->NodesSeen)
-  {
-    const Vector3& x = this->Mesh.FlatPoint(this->NodesSeen);
-    if (this->MayBeShared(x))
-    {
-      this->Nodes.emplace(x, this->NodesSeen);
-    }
-  }
-}
-
-inline std::uint32_t SharedCuts::Find(const double* x) const
-{
-  const auto found = this->Nodes.find({ { x[0], x[1], x[2] } });
-  return found == this->Nodes.end() ? None : found->second;
-}
-
 //------------------------------------------------------------------------------
-/// The number of nodes of each cut, 2 or 4, and where they are.
-inline std::vector<double> SharedCuts::Tell(const std::vector<FaceNodes>& cuts) const
+/// The number of nodes of a side, 2 to 4, and the nodes, if others may have all of them.
+inline void SharedCuts::Append(std::vector<double>& told, const FaceNodes& side) const
 {
-  std::vector<double> told;
-  for (const FaceNodes& cut : cuts)
+  const int size = SizeOf(side);
+  if (std::all_of(side.begin(), side.begin() + size, // the rest is None
+        [this](std::uint32_t node) { return this->Nodes.MayBeShared(node); }))
   {
-    const int size = cut[3] == None ? 2 : 4;
-    const bool isShared = std::all_of(cut.begin(), cut.begin() + size,
-      [this](std::uint32_t node) { return this->MayBeShared(this->Mesh.FlatPoint(node)); });
-    if (isShared)
-    {
-      told.push_back(size);
-      std::for_each(cut.begin(), cut.begin() + size,
-        [&](std::uint32_t node) { Append(told, this->Mesh.FlatPoint(node)); });
-    }
+    told.push_back(size);
+    std::for_each(side.begin(), side.begin() + size,
+      [&](std::uint32_t node) { this->Nodes.Append(told, node); });
   }
-  return told;
 }
 
-/// In turn: the halves of an edge are there once the edge is cut.
-inline bool SharedCuts::CutAsTold(const std::vector<double>& told, Bisection& bisection)
+/// Calls visit(side), false to end it, for the sides whose nodes are all here. In turn: what is
+/// made of a side may be nodes of the next one.
+template <class Visit>
+void SharedCuts::ForEachToldHere(const std::vector<double>& told, const Visit& visit)
 {
-  bool fits = true;
-  for (std::size_t i = 0; i < told.size() && fits;)
+  bool goesOn = true;
+  for (std::size_t i = 0; i < told.size() && goesOn;)
   {
     const int size = static_cast<int>(told[i++]);
-    FaceNodes nodes{ None, None, None, None };
-    for (int k = 0; k < size; ++k, i += 3)
+    FaceNodes side{ None, None, None, None };
+    bool isHere = true;
+    for (int k = 0; k < size; ++k, i += SharedNodes::Size)
     {
-      nodes[k] = this->Find(&told[i]);
+      side[k] = this->Nodes.Find(&told[i]);
+      isHere = isHere && side[k] != None;
     }
-    const bool isHere =
-      std::find(nodes.begin(), nodes.begin() + size, None) == nodes.begin() + size;
-    if (isHere && size == 4 && this->Mesh.IsFaceOfVolume(nodes))
-    {
-      fits = bisection.RefineAt(nodes);
-    }
-    else if (isHere && size == 2 && this->Mesh.HasEdge(nodes[0], nodes[1]))
-    {
-      fits = bisection.RefineAt(nodes[0], nodes[1]);
-    }
-    this->EnterNewNodes();
+    goesOn = !isHere || visit(side);
+    this->Nodes.Update();
   }
-  return fits;
 }
 
 inline bool SharedCuts::Exchange(Bisection& bisection, bool fits)
@@ -165,43 +111,142 @@ inline bool SharedCuts::Exchange(Bisection& bisection, bool fits)
     {
       return false;
     }
-    this->EnterNewNodes();
-    const std::vector<double> own = this->Tell(bisection.TakeCuts());
+    this->Nodes.Update();
+    std::vector<double> own;
+    for (const FaceNodes& cut : bisection.TakeCuts())
+    {
+      this->Append(own, cut);
+    }
     if (!this->Peers.IsAny(!own.empty()))
     {
       return true;
     }
     for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
     {
-      fits = fits && this->CutAsTold(told, bisection);
+      this->ForEachToldHere(told,
+        [&](const FaceNodes& side)
+        {
+          fits = fits &&
+            (SizeOf(side) == 4 ? bisection.RefineAt(side) : bisection.RefineAt(side[0], side[1]));
+          return fits;
+        });
     }
   }
 }
 
 //------------------------------------------------------------------------------
-inline void SharedCuts::ShareLevels(std::vector<int>& levels)
+/// Middles in the order in which they were made: the nodes of a side are there before its middle.
+/// Faces of three nodes have none.
+inline std::vector<double> SharedCuts::TellMiddles() const
 {
-  this->EnterNewNodes();
-  std::vector<double> own;
-  for (const auto& [x, node] : this->Nodes)
+  std::vector<double> told;
+  for (std::uint32_t node = this->MiddlesTold; node < this->Mesh.NumberOfNodes(); ++node)
   {
-    if (levels[node] >= 0)
+    const RefinedMesh::Nodes of = this->Mesh.MakersOf(node);
+    if (of.Size == 2)
     {
-      Append(own, x);
-      own.push_back(levels[node]);
+      this->Append(told, { of[0], of[1], None, None });
+    }
+    else if (of.Size == 4 && this->Mesh.MiddleOf({ of[0], of[1], of[2], of[3] }) == node)
+    {
+      this->Append(told, { of[0], of[1], of[2], of[3] });
     }
   }
+  for (const FaceNodes& face : this->Mesh.GetCutFaces(this->FacesTold))
+  {
+    face[3] == None ? this->Append(told, face) : void();
+  }
+  return told;
+}
+
+inline bool SharedCuts::ShareMiddles(bool fits)
+{
+  if (this->Peers.IsAny(!fits))
+  {
+    return false;
+  }
+  this->Nodes.Update();
+  for (const std::vector<double>& told : this->Peers.GatherFromOthers(this->TellMiddles()))
+  {
+    this->ForEachToldHere(told,
+      [this](const FaceNodes& side)
+      {
+        const int size = SizeOf(side);
+        size > 2 ? this->Mesh.SetCut(side) : false;
+        size == 2       ? this->Mesh.MakeMiddle(side[0], side[1])
+          : (size == 4) ? this->Mesh.MakeMiddle(side)
+                        : None;
+        return true;
+      });
+  }
+  this->MiddlesTold = this->Mesh.NumberOfNodes();
+  this->FacesTold += this->Mesh.GetCutFaces(this->FacesTold).size();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// A quadrilateral on the face of another process's volume cell is cut as that is.
+inline void SharedCuts::AgreeOnFacesOfVolumes()
+{
+  std::vector<double> asked;
+  for (std::uint32_t cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
+  {
+    const RefinedMesh::Nodes of = this->Mesh.NodesOf(cell);
+    if (this->Mesh[cell].Kind == CellKind::Polygon && of.Size == 4)
+    {
+      this->Append(asked, { of[0], of[1], of[2], of[3] });
+    }
+  }
+  std::vector<double> answers;
+  for (const std::vector<double>& told : this->Peers.GatherFromOthers(asked))
+  {
+    this->ForEachToldHere(told,
+      [&](const FaceNodes& side)
+      {
+        this->Mesh.IsFaceOfVolume(side) ? this->Append(answers, side) : void();
+        return true;
+      });
+  }
+  for (const std::vector<double>& told : this->Peers.GatherFromOthers(answers))
+  {
+    this->ForEachToldHere(told,
+      [this](const FaceNodes& side)
+      {
+        this->Mesh.SetFaceOfVolume(side);
+        return true;
+      });
+  }
+}
+
+/// What others have a cell beyond of is no border. Edges and faces of theirs that are may be
+/// those of cells here that have no more of the border.
+inline MeshBorder SharedCuts::FindBorder()
+{
+  OuterFaces faces(this->Mesh);
+  std::vector<double> own;
+  faces.ForEach([&](const FaceNodes& face) { this->Append(own, face); });
   for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
   {
-    for (std::size_t i = 0; i < told.size(); i += 4)
-    {
-      const std::uint32_t node = this->Find(&told[i]);
-      if (node != None)
+    this->ForEachToldHere(told,
+      [&](const FaceNodes& face)
       {
-        levels[node] = std::max(levels[node], static_cast<int>(told[i + 3]));
-      }
-    }
+        faces.LeaveOut(face);
+        return true;
+      });
   }
+  MeshBorder border = MakeBorder(this->Mesh, faces);
+  own.clear();
+  border.ForEachSide([&](const FaceNodes& side) { this->Append(own, side); });
+  for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
+  {
+    this->ForEachToldHere(told,
+      [&](const FaceNodes& side)
+      {
+        border.AddSide(side);
+        return true;
+      });
+  }
+  return border;
 }
 
 }

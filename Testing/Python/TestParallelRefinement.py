@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes and grids refined in two and three processes of pvbatch, each a piece, are together those
+that one makes, cell for cell. Run without an argument this starts them; with the name of a file it
+is one of them, and writes its part of the answers there."""
+
+import itertools
+import os
+import shutil
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import skdtesting
+
+BALANCES = ("None", "Face", "Edge", "Corner")
+
+
+def rows_of(proxy, names):
+    """A row for each cell of this process: its corners in order, how many of them hang, and arrays."""
+    proxy.UpdatePipeline()
+    data = proxy.GetClientSideObject().GetOutputDataObject(0)
+    count = data.GetNumberOfCells()
+    rows = numpy.full((count, 25 + len(names)), -99.0)
+    if count == 0:
+        return rows
+    points, places = numpy.unique(
+        vtk_to_numpy(data.GetPoints().GetData()), axis=0, return_inverse=True)
+    hanging = vtk_to_numpy(data.GetPointData().GetArray("SkdHanging"))
+    cells = data.GetPolys() if data.IsA("vtkPolyData") else data.GetCells()
+    starts = vtk_to_numpy(cells.GetOffsetsArray())
+    ids = vtk_to_numpy(cells.GetConnectivityArray())
+    sizes = numpy.diff(starts)
+    for size in numpy.unique(sizes):
+        of_size = numpy.where(sizes == size)[0]
+        corners = ids[starts[of_size][:, None] + numpy.arange(size)]
+        in_order = numpy.sort(places.ravel()[corners], axis=1)
+        rows[of_size, :3 * size] = points[in_order].reshape(len(of_size), 3 * size)
+        rows[of_size, 24] = hanging[corners].sum(axis=1)
+    for i, name in enumerate(names):
+        rows[:, 25 + i] = vtk_to_numpy(data.GetCellData().GetArray(name))
+    return rows
+
+
+def meshes():
+    """A surface, hexahedra (with ghost cells in parallel) and tetrahedra, in pieces."""
+    from paraview import simple
+
+    flow = simple.XMLUnstructuredGridReader(
+        FileName=[os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu")])
+    bricks = simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
+    return [
+        simple.Contour(Input=bricks, ContourBy="RTData", Isosurfaces=[190]),
+        bricks,
+        simple.RedistributeDataSet(Input=simple.Tetrahedralize(Input=flow)),
+    ]
+
+
+def refined(mesh, **asked):
+    from paraview import simple
+
+    return rows_of(simple.SkdTreeMeshRefinement(
+        Input=mesh, OutputPointsPrecision="Double", **asked), ["SkdLevel"])
+
+
+def refined_by_rules():
+    """By each rule, around a ball that is in several pieces."""
+    from paraview import simple
+
+    ball = simple.Sphere(Radius=0.7, Center=[0.6, 0.1, 2.4])
+    rules = [{"Method": "Bisection", "GrowingLayers": layers} for layers in (0, 2)]
+    rules += [{"Method": "Regular", "Balance": balance, "GrowingLayers": layers}
+        for balance, layers in itertools.product(BALANCES, (0, 1))]
+    return [refined(mesh, Parts=ball, MaximumLevel=level, **rule)
+        for rule in rules for mesh, level in zip(meshes(), (3, 2, 1))]
+
+
+def refined_by_placements():
+    from paraview import simple
+
+    surface, bricks, flow = meshes()
+    ball = simple.Sphere(Radius=0.7, Center=[0.6, 0.1, 2.4])
+    around = simple.Sphere(Radius=6, ThetaResolution=32, PhiResolution=32)
+    return [refined(mesh, Parts=ball, MaximumLevel=2, Method=method, **placement)
+        for mesh in (surface, bricks)
+        for method in ("Bisection", "Regular")
+        for placement in ({"PointPlacement": "Sphere"},
+            {"PointPlacement": "Surface", "Surface": around})]
+
+
+def refined_by_criteria():
+    """What else may ask for cells, and the limit of them."""
+    from paraview import simple
+
+    surface, bricks, _ = meshes()
+    cone = simple.Cone(Height=4, Radius=1.4, Resolution=12, Center=[0.2, 0.3, 0.1])
+    values = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+    field = {"Field": values, "FieldArrays": ["RTData"]}
+    asked = [
+        {"Parts": cone, "DistanceBands": [0.4, 1]},
+        {"Parts": cone, "InsideLevel": 2, "PartLevels": [0, 0]},
+        {"Parts": cone, "RefineByBend": 1, "FlatLevel": 1, "BendAngle": 20},
+        {"FieldTest": "Difference", "FieldThreshold": 40, **field},
+        {"FieldTest": "Gradient", "FieldThreshold": 25, **field},
+        {"FieldTest": "Value", "FieldRange": [200, 220], **field},
+        {"MinimumLevel": 3, "CellLimit": 5000},
+    ]
+    return [refined(mesh, MaximumLevel=2 + (i == 6), Method=method, Balance="Edge", **criterion)
+        for i, criterion in enumerate(asked)
+        for mesh in (surface, bricks) for method in ("Bisection", "Regular")]
+
+
+def grids():
+    """Leaves, by each rule and for all that may ask for cells."""
+    from paraview import simple
+
+    cone = simple.Cone(Height=4, Radius=1.4, Resolution=12, Center=[0.2, 0.3, 0.1])
+    values = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+    field = {"Field": values, "FieldArrays": ["RTData"]}
+    asked = [{"Balance": balance, "GrowingLayers": layers}
+        for balance, layers in itertools.product(BALANCES, (0, 1))]
+    asked += [
+        {"DistanceBands": [0.5, 2]},
+        {"InsideLevel": 3, "PartLevels": [0, 1], "Balance": "Corner"},
+        {"RefineByBend": 1, "FlatLevel": 1, "BendAngle": 20},
+        {"FieldTest": "Difference", "FieldThreshold": 40, **field},
+        {"FieldTest": "Gradient", "FieldThreshold": 25, **field},
+        {"FieldTest": "Value", "FieldRange": [200, 220], **field},
+        {"CellLimit": 2500},
+        {"CellLimit": 2500, "Balance": "Face"},
+        {"BaseDimensions": [1, 1, 1]},
+    ]
+    arrays = ["SkdLevel", "SkdCut", "SkdCandidates", "SkdInside", "SkdVolumeFraction", "SkdDistance"]
+    return [rows_of(simple.SkdTreeAMR(Input=cone, OutputType="Unstructured Grid", MaximumLevel=3,
+        ComputeInside=1, ComputeVolumeFraction=1, ComputeDistance=1,
+        **{"BaseDimensions": [4, 3, 3], **criterion}), arrays) for criterion in asked]
+
+
+def all_rows():
+    return refined_by_rules() + refined_by_placements() + refined_by_criteria() + grids()
+
+
+def sorted_rows(rows):
+    return rows[numpy.lexsort(rows.T)]
+
+
+if len(sys.argv) > 1:
+    numpy.savez(sys.argv[1] % skdtesting.process_id(), *all_rows())
+elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
+    skdtesting.skip("there is no mpiexec or no pvbatch")
+else:
+    alone = all_rows()
+    last = len(alone) - 1 # has but one base cell
+    for count in (2, 3):
+        file = skdtesting.temporary("refined%d.npz")
+        skdtesting.run_in_parallel(os.path.abspath(__file__), file, count)
+        parts = [list(numpy.load(file % process).values()) for process in range(count)]
+        for case, (whole, *pieces) in enumerate(zip(alone, *parts)):
+            together = numpy.vstack(pieces)
+            assert together.shape == whole.shape, (count, case, together.shape, whole.shape)
+            assert max(map(len, pieces)) < len(whole) or case == last, (count, case)
+            numpy.testing.assert_array_equal(
+                sorted_rows(together), sorted_rows(whole), str((count, case)))
