@@ -37,16 +37,44 @@ struct Surface
   std::vector<SkdLeaf> Leaves;
   bool IsComposite;
   SkdTriangleSet& Set;
-  int TreesBuilt;
+  bool IsNew;
 
   Surface(vtkDataObject* data, SkdTriangleSet& set)
     : Leaves(SkdLeavesOf(data))
     , IsComposite(vtkCompositeDataSet::SafeDownCast(data) != nullptr)
     , Set(set)
-    , TreesBuilt(set.Update(this->Leaves))
+    , IsNew(set.Update(this->Leaves))
   {
   }
 };
+
+/// Whether both surfaces are to have their whole trees: those that are asked again do. Of others
+/// only the triangles near each other go into trees, unless most are of surfaces that have theirs.
+bool CompleteWhatPays(const Surface& first, const Surface& second)
+{
+  std::size_t all = 0;
+  std::size_t unsorted = 0;
+  for (const Surface* surface : { &first, &second })
+  {
+    if (!surface->IsNew)
+    {
+      surface->Set.Complete();
+    }
+    const std::size_t triangles = surface->Set.GetTriangles().size();
+    all += triangles;
+    unsorted += surface->Set.IsComplete() ? 0 : triangles;
+  }
+  constexpr std::size_t gain = 16; // to look at a triangle, compared with sorting it into a tree
+  return all >= gain * unsorted;
+}
+
+SkdPlacement Complete(
+  const Surface& first, const Surface* second, const std::optional<skd::RigidMotion>& motion)
+{
+  first.Set.Complete();
+  second ? second->Set.Complete() : void();
+  return SkdPlace(first.Set, second ? &second->Set : nullptr, motion);
+}
 
 /// Where the Source is looked at.
 vtkSmartPointer<vtkMatrix4x4> FindMatrix(vtkSkdTreeSurfaceIntersection* self)
@@ -92,13 +120,34 @@ void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   second ? warn(*second, "Source") : void();
 }
 
-std::vector<SkdTrianglePair> FindPairs(
-  vtkSkdTreeSurfaceIntersection* self, const SkdPlacement& placement)
+/// What meets, and where the surfaces are.
+struct Meeting
+{
+  SkdPlacement Placement;
+  std::vector<SkdTrianglePair> Pairs;
+};
+
+/// `second` is nullptr when there is but one.
+Meeting FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second,
+  const std::optional<skd::RigidMotion>& motion)
 {
   SkdLoop loop(self, SkdTrianglePairs::NumberOfParts, 0.4, 0.8, 8);
   const double clearance = self->GetClearance() > 0.0 ? self->GetClearance() : 0.0; // also of NaN
-  return SkdTrianglePairs(placement).Find(
-    { static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance }, loop);
+  const SkdPairSearch search{ static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance };
+  if (second && !self->GetSplitSurfaces() && !CompleteWhatPays(first, *second))
+  {
+    Meeting meeting{ SkdPlace(first.Set, &second->Set, motion), {} };
+    if (const auto near = SkdFindNear(meeting.Placement, clearance * meeting.Placement.Scale))
+    {
+      meeting.Pairs = SkdTrianglePairs(meeting.Placement).FindNear(*near, search, loop);
+      first.Set.MakeCornersOne(SkdTrianglesOf(meeting.Pairs, &SkdTrianglePair::First));
+      second->Set.MakeCornersOne(SkdTrianglesOf(meeting.Pairs, &SkdTrianglePair::Second));
+      return meeting;
+    }
+  }
+  Meeting meeting{ Complete(first, second, motion), {} };
+  meeting.Pairs = SkdTrianglePairs(meeting.Placement).Find(search, loop);
+  return meeting;
 }
 
 /// Ports 0 to 3.
@@ -145,7 +194,7 @@ void ReportSurfaces(
   report.AddCount(
     "FacesLeftOut", sum([](const Surface& s) { return s.Set.GetNumberOfFacesLeftOut(); }));
   report.AddCount("TrianglesWithoutArea", placement.CountWithoutArea());
-  report.AddCount("TreesBuilt", sum([](const Surface& s) { return s.TreesBuilt; }));
+  report.AddCount("TreesBuilt", sum([](const Surface& s) { return s.IsNew; }));
 }
 }
 
@@ -206,9 +255,8 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   SkdReport report(vtkPolyData::GetData(outputVector, 0));
   report.AddMeasure("BuildSeconds", watch.Lap());
 
-  const SkdPlacement placement = SkdPlace(first.Set, source ? &other.Set : nullptr,
+  const auto [placement, pairs] = FindPairs(this, first, source ? &other : nullptr,
     source && !matrix->IsIdentity() ? motion : std::nullopt);
-  const std::vector<SkdTrianglePair> pairs = FindPairs(this, placement);
   const SkdContacts contacts(
     { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);
   FillContacts(contacts, this->JoinCurves, outputVector, report);

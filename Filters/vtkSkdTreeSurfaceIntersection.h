@@ -65,14 +65,17 @@
  * SkdReportOverlaps (polygons), SkdReportTriangles, SkdReportFacesLeftOut (with points that are not
  * finite, or with less than three different points), SkdReportTrianglesWithoutArea,
  * SkdReportInputTrianglesSplit and SkdReportSourceTrianglesSplit (with SplitSurfaces),
- * SkdReportTreesBuilt (0 when all were kept), SkdReportBuildSeconds, SkdReportQuerySeconds.
+ * SkdReportTreesBuilt (surfaces whose tree was begun, 0 when all were kept), SkdReportBuildSeconds,
+ * SkdReportQuerySeconds.
  *
  * The trees are kept while points and cells stay the same; moving the Source (Translation, Rotation
- * or SetTransform) builds none. The answer is the same whatever the number of threads. Of several
- * processes each answers for its piece of Input and asks for the whole Source; without a Source the
- * first process answers.
+ * or SetTransform) builds none. A tree is built as far as it is asked: when two surfaces meet for
+ * the first time, of those triangles only that share a cell of a coarse raster with the other
+ * surface, and of the others when a surface is asked again. The answer is the same whatever the
+ * number of threads. Of several processes each answers for its piece of Input and asks for the whole
+ * Source; without a Source the first process answers.
  *
- * Cost: O(n log n) to build, O(k) typical for k pairs of overlapping boxes.
+ * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping boxes.
  *
  * Bad input: triangles whose corners lie on one line have no inside and are left out, as are faces
  * with points that are not finite; they are counted. A Translation, Rotation or RotationCenter that

@@ -45,8 +45,14 @@ private:
     std::uint32_t B;
 
     bool operator==(const Part& other) const { return this->A == other.A && this->B == other.B; }
+    /// Insides last: numbers of triangles are not compared with those of corners, of which there
+    /// are more as long as equal points are several.
     bool operator<(const Part& other) const
     {
+      if (this->IsInside() != other.IsInside())
+      {
+        return other.IsInside();
+      }
       return this->A != other.A ? this->A < other.A : this->B < other.B;
     }
     bool IsCorner() const { return this->A == this->B; }

@@ -5,8 +5,11 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkExplicitStructuredGrid.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -54,6 +57,14 @@ SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh)
     this->PointIds =
       vtkIdTypeArray::SafeDownCast(this->Surface->GetPointData()->GetArray("vtkOriginalPointIds"));
   }
+  else if (this->Surface->GetPoints())
+  {
+    vtkDataArray* points = this->Surface->GetPoints()->GetData();
+    auto doubles = vtkDoubleArray::SafeDownCast(points);
+    auto floats = vtkFloatArray::SafeDownCast(points);
+    this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
+    this->Floats = floats ? floats->GetPointer(0) : nullptr;
+  }
 }
 
 vtkIdType SkdLeafSurface::GetCellId(vtkIdType cell) const
@@ -81,7 +92,7 @@ vtkIdType SkdLeafSurface::GetPointId(vtkIdType point) const
 }
 
 // VTK's surface of a structured grid has its points rounded to float: look at the original's.
-void SkdLeafSurface::GetPoint(vtkIdType point, double x[3]) const
+void SkdLeafSurface::FindPoint(vtkIdType point, double x[3]) const
 {
   const vtkIdType original = this->PointIds ? this->PointIds->GetValue(point) : -1;
   vtkDataSet* from = original >= 0 ? this->Mesh : this->Surface.Get();

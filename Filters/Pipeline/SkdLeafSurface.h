@@ -12,6 +12,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 /// The outer faces of one data set, its surface cells among them, and where its cells and points
@@ -31,7 +33,21 @@ public:
   vtkIdType GetPointId(vtkIdType point) const;
 
   /// A point of the surface, exactly where it is in the data set.
-  void GetPoint(vtkIdType point, double x[3]) const;
+  void GetPoint(vtkIdType point, double x[3]) const
+  {
+    if (this->Doubles)
+    {
+      std::copy_n(this->Doubles + 3 * point, 3, x);
+    }
+    else if (this->Floats)
+    {
+      std::copy_n(this->Floats + 3 * point, 3, x);
+    }
+    else
+    {
+      this->FindPoint(point, x);
+    }
+  }
 
   /// Calls visit(cell of the surface, size, corners) for each polygon and each triangle of a strip,
   /// ghosts left out. Corners are points of the surface.
@@ -60,19 +76,23 @@ public:
   }
 
 private:
+  void FindPoint(vtkIdType point, double x[3]) const;
+
   vtkDataSet* Mesh;
   vtkSmartPointer<vtkPolyData> Surface;
+  const double* Doubles = nullptr; // the points, where they lie in a row
+  const float* Floats = nullptr;
   vtkIdTypeArray* CellIds = nullptr;
   vtkIdTypeArray* PointIds = nullptr;
   vtkNew<vtkGenericCell> Cell;
 };
 
 /// Appends the corners of a face to `to`, each as idOf(corner), which is -1 of one that is not
-/// finite. Corners with the id of their neighbour go; what then has no area is no face. Returns how
-/// many were appended, 0 of no face.
-template <class IdOf>
-int SkdAppendCorners(
-  vtkIdType size, const vtkIdType* corners, IdOf idOf, std::vector<vtkIdType>& to)
+/// finite. Corners that are the same as their neighbour go; what then has no area is no face.
+/// Returns how many were appended, 0 of no face.
+template <class IdOf, class AreSame = std::equal_to<vtkIdType>>
+int SkdAppendCorners(vtkIdType size, const vtkIdType* corners, IdOf idOf,
+  std::vector<vtkIdType>& to, AreSame areSame = {})
 {
   const std::size_t first = to.size();
   bool isFinite = true;
@@ -80,12 +100,12 @@ int SkdAppendCorners(
   {
     const vtkIdType id = idOf(corners[i]);
     isFinite = id >= 0;
-    if (to.size() == first || to.back() != id)
+    if (to.size() == first || !isFinite || !areSame(to.back(), id))
     {
       to.push_back(id);
     }
   }
-  if (to.size() > first + 1 && to.back() == to[first])
+  if (isFinite && to.size() > first + 1 && areSame(to.back(), to[first]))
   {
     to.pop_back();
   }

@@ -5,7 +5,9 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -22,36 +24,47 @@ double FindScale(double reach)
 }
 
 //------------------------------------------------------------------------------
+// A motion rounds each corner, by less than `rounding`. That takes the area of no triangle which is
+// much wider.
 SkdPlacedTriangles::SkdPlacedTriangles(
   const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion, double scale)
   : Set(&set)
-  , Points(set.GetPoints())
-  , Axes(set.GetTriangles().size())
+  , IsElsewhere(motion || scale != 1.0)
+  , Points(this->IsElsewhere ? set.GetPoints().size() : 0)
 {
+  const double reach = set.GetReach() + (motion ? Norm(motion->Shift) : 0.0);
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
+  this->HaveAllArea = scale == 1.0 && set.GetLeastWidth() > 64.0 * rounding;
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        skd::Vector3& point = this->Points[i];
-        point = scale * (motion ? motion->Forward(point) : point);
-      }
-    });
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Axes.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto triangle = static_cast<std::uint32_t>(i);
-        this->Axes[i] =
-          static_cast<std::int8_t>(skd::SeenTriangle::FindAxis(this->Get(triangle).Corners));
+        const skd::Vector3& point = set.GetPoints()[i];
+        this->Points[i] = scale * (motion ? motion->Forward(point) : point);
       }
     });
 }
 
+//------------------------------------------------------------------------------
 vtkIdType SkdPlacedTriangles::CountWithoutArea() const
 {
-  return std::count(this->Axes.begin(), this->Axes.end(), -1);
+  if (this->HaveAllArea)
+  {
+    return 0;
+  }
+  std::atomic<vtkIdType> count{ 0 };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Set->GetTriangles().size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType some = 0;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        some += !this->HasArea(static_cast<std::uint32_t>(i));
+      }
+      count += some;
+    });
+  return count;
 }
 
 //------------------------------------------------------------------------------

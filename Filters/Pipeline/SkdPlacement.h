@@ -18,27 +18,46 @@ public:
     const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion, double scale);
 
   const SkdTriangleSet& GetSet() const { return *this->Set; }
-  const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
+  const SkdTriangleSet::PointList& GetPoints() const
+  {
+    return this->IsElsewhere ? this->Points : this->Set->GetPoints();
+  }
   const SkdTriangleSet::Corners& GetCorners(std::uint32_t triangle) const
   {
     return this->Set->GetTriangles()[triangle];
   }
 
-  skd::SeenTriangle Get(std::uint32_t triangle) const
+  std::array<skd::Vector3, 3> GetCornerPoints(std::uint32_t triangle) const
   {
     const SkdTriangleSet::Corners& corners = this->GetCorners(triangle);
-    return { { this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]] },
-      this->Axes[triangle] };
+    const SkdTriangleSet::PointList& points = this->GetPoints();
+    return { points[corners[0]], points[corners[1]], points[corners[2]] };
+  }
+
+  skd::SeenTriangle Get(std::uint32_t triangle) const
+  {
+    return skd::SeenTriangle(this->GetCornerPoints(triangle));
+  }
+
+  skd::Box3 GetBox(std::uint32_t triangle) const
+  {
+    skd::Box3 box;
+    for (const skd::Vector3& corner : this->GetCornerPoints(triangle))
+    {
+      box.Add(corner);
+    }
+    return box;
   }
 
   /// False of a triangle whose corners lie on one line: it is left out.
-  bool HasArea(std::uint32_t triangle) const { return this->Axes[triangle] >= 0; }
+  bool HasArea(std::uint32_t triangle) const { return this->Get(triangle).Axis >= 0; }
   vtkIdType CountWithoutArea() const;
 
 private:
   const SkdTriangleSet* Set;
-  std::vector<skd::Vector3> Points;
-  std::vector<std::int8_t> Axes;
+  bool IsElsewhere;                 // than in the set
+  SkdTriangleSet::PointList Points; // there
+  bool HaveAllArea;                 // none can have lost it by rounding
 };
 
 /// A surface and another, or one alone that is looked at against itself.

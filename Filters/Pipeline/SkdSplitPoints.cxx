@@ -10,7 +10,7 @@
 
 namespace
 {
-double ReachOf(const std::vector<skd::Vector3>& points)
+double ReachOf(const SkdTriangleSet::PointList& points)
 {
   double reach = 0.0;
   for (const skd::Vector3& x : points)

@@ -50,12 +50,16 @@ public:
 private:
   bool IsPair(SkdTrianglePair& pair) const
   {
-    if (!this->First.HasArea(pair.First) || !this->Second.HasArea(pair.Second))
+    if (this->Clearance2 == 0.0 && this->AreSurelyApart(pair))
     {
       return false;
     }
     const skd::SeenTriangle first = this->First.Get(pair.First);
     const skd::SeenTriangle second = this->Second.Get(pair.Second);
+    if (first.Axis < 0 || second.Axis < 0)
+    {
+      return false;
+    }
     skd::SharedCorners shared = skd::NoSharedCorners;
     const int numberShared = this->IsOfOne ? this->FindShared(pair, shared) : 0;
     pair.Contact = skd::FindContact(first, second, shared);
@@ -66,6 +70,13 @@ private:
     const bool isNear = this->Clearance2 > 0.0 && numberShared == 0 &&
       skd::ClosestPoints(first.Corners, second.Corners).Dist2 <= this->Clearance2;
     return isNear;
+  }
+
+  bool AreSurelyApart(const SkdTrianglePair& pair) const
+  {
+    const auto first = this->First.GetCornerPoints(pair.First);
+    const auto second = this->Second.GetCornerPoints(pair.Second);
+    return skd::AreSurelyOnOneSide(first, second) || skd::AreSurelyOnOneSide(second, first);
   }
 
   int FindShared(const SkdTrianglePair& pair, skd::SharedCorners& shared) const
@@ -121,14 +132,25 @@ struct SkdTrianglePairs::Moved
   }
 };
 
+/// What is walked; `near` is nullptr where trees are of all triangles.
+struct SkdTrianglePairs::Trees
+{
+  const skd::LazyTree<3>& First;
+  const skd::LazyTree<3>& Second;
+  const SkdNearSets* Near;
+};
+
 struct SkdTrianglePairs::Leaf
 {
   Search& State;
+  const SkdNearSets* Near;
   std::vector<SkdTrianglePair>& Found;
 
   bool operator()(std::uint32_t a, std::uint32_t b) const
   {
-    return this->State.Visit(a, b, this->Found);
+    return this->Near ? this->State.Visit(this->Near->First.Triangles[a],
+                          this->Near->Second.Triangles[b], this->Found)
+                      : this->State.Visit(a, b, this->Found);
   }
 };
 
@@ -148,29 +170,40 @@ void SortPairs(std::vector<SkdTrianglePair>& pairs)
 std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
   const SkdPairSearch& search, SkdLoop& loop) const
 {
+  const Trees trees{ this->Placement.First.GetSet().GetTree(),
+    this->Placement.GetSecond().GetSet().GetTree(), nullptr };
   const auto& motion = this->Placement.Motion;
   if (!motion)
   {
-    return this->FindSeen(skd::SameWorld{ search.Clearance }, search, loop);
+    return this->FindSeen(trees, skd::SameWorld{ search.Clearance }, search, loop);
   }
   const double reach = 2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
-  return this->FindSeen(Moved{ *motion, search.Clearance + rounding }, search, loop);
+  return this->FindSeen(trees, Moved{ *motion, search.Clearance + rounding }, search, loop);
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  const Trees trees{ near.First.Tree, near.Second.Tree, &near };
+  return this->FindSeen(
+    trees, skd::SameWorld{ search.Clearance * this->Placement.Scale }, search, loop);
 }
 
 //------------------------------------------------------------------------------
 template <class ToFirst>
 std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
-  const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
+  const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
   using Query = skd::OverlappingPairs<3, ToFirst, Leaf>;
   using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
-  const skd::LazyTree<3>& first = this->Placement.First.GetSet().GetTree();
-  const skd::LazyTree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
+  const skd::LazyTree<3>& first = trees.First;
+  const skd::LazyTree<3>& second = trees.Second;
   Search state(this->Placement, search);
   const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
   {
-    Leaf leaf{ state, found };
+    Leaf leaf{ state, trees.Near, found };
     Query query(first.GetFrame(), second.GetFrame(), toFirst, leaf);
     Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
     body(walk);
@@ -183,10 +216,14 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
   loop.For(static_cast<vtkIdType>(starts.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        inWalk(found[i], [&](Walk& walk) { walk.RunFrom(starts[i]); });
-      }
+      inWalk(found[begin],
+        [&](Walk& walk)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            walk.RunFrom(starts[i]);
+          }
+        });
     });
   for (const std::vector<SkdTrianglePair>& some : found)
   {
@@ -196,4 +233,19 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
   all.resize(
     search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
   return all;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdTrianglesOf(
+  const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side)
+{
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(pairs.size());
+  for (const SkdTrianglePair& pair : pairs)
+  {
+    triangles.push_back(pair.*side);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
 }

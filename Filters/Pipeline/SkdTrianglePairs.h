@@ -9,6 +9,7 @@
 #ifndef SkdTrianglePairs_h
 #define SkdTrianglePairs_h
 
+#include "Pipeline/SkdNearTriangles.h"
 #include "Pipeline/SkdPlacement.h"
 
 class SkdLoop;
@@ -44,8 +45,13 @@ public:
   {
   }
 
-  /// Pairs by ascending (First, Second): the same whatever the number of threads.
+  /// Pairs by ascending (First, Second): the same whatever the number of threads. By the trees of
+  /// complete sets.
   std::vector<SkdTrianglePair> Find(const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// The same by trees of those triangles that may meet others, of two sets that are only read.
+  std::vector<SkdTrianglePair> FindNear(
+    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
   /// The parts that a search goes in, for the loop's count.
   static constexpr vtkIdType NumberOfParts = 512;
@@ -54,12 +60,17 @@ private:
   class Search;
   struct Moved;
   struct Leaf;
+  struct Trees;
 
   template <class ToFirst>
   std::vector<SkdTrianglePair> FindSeen(
-    const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
+    const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
 
   const SkdPlacement& Placement;
 };
+
+/// The triangles of one side of pairs, each once, ascending.
+std::vector<std::uint32_t> SkdTrianglesOf(
+  const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side);
 
 #endif

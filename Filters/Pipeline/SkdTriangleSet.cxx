@@ -2,165 +2,181 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdTriangleSet.h"
 
-#include "Pipeline/SkdLeafSurface.h"
-#include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
-/// The faces of all leaves before they are cut.
-class SkdTriangleSet::Faces
+namespace
+{
+/// Tells of most points that they are none of some: a bit for each value of a hash.
+class PointFilter
 {
 public:
-  explicit Faces(const std::vector<SkdLeaf>& leaves)
+  explicit PointFilter(std::size_t count)
   {
-    for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    while ((std::size_t(1) << this->Log2) < 32 * count)
     {
-      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh);
+      ++this->Log2;
     }
-    const auto isBefore = [](const Face& a, const Face& b) { return a.Origin < b.Origin; };
-    if (!std::is_sorted(this->List.begin(), this->List.end(), isBefore))
-    {
-      std::stable_sort(this->List.begin(), this->List.end(), isBefore);
-    }
+    this->Bits.assign(std::size_t(1) << (this->Log2 - 6), 0);
   }
 
-  SkdWeld Weld;
-  std::vector<Origin> Origins;
-  std::vector<Face> List;
-  std::vector<vtkIdType> Corners;
-  vtkIdType LeftOut = 0;
+  void Add(const skd::Vector3& x)
+  {
+    const std::uint64_t hash = this->HashOf(x);
+    this->Bits[hash >> 6] |= std::uint64_t(1) << (hash & 63);
+  }
+
+  bool MayHave(const skd::Vector3& x) const
+  {
+    const std::uint64_t hash = this->HashOf(x);
+    return (this->Bits[hash >> 6] >> (hash & 63) & 1) != 0;
+  }
 
 private:
-  static constexpr vtkIdType Unknown = -2;
-
-  void AddLeaf(int leaf, vtkDataSet* mesh)
+  static std::uint64_t BitsOf(double coordinate)
   {
-    const SkdLeafSurface surface(mesh);
-    std::vector<vtkIdType> ids(surface.Get()->GetNumberOfPoints(), Unknown);
-    const auto idOf = [&](vtkIdType corner)
-    {
-      vtkIdType& id = ids[corner];
-      id = id == Unknown ? this->FindId(leaf, surface, corner) : id;
-      return id;
-    };
-    surface.ForEachFace(
-      [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
-      {
-        const std::size_t first = this->Corners.size();
-        const int rest = SkdAppendCorners(size, corners, idOf, this->Corners);
-        if (rest > 0)
-        {
-          this->List.push_back({ { leaf, surface.GetCellId(cell) }, first, rest });
-        }
-        this->LeftOut += rest == 0;
-      });
+    std::uint64_t bits;
+    coordinate += 0.0; // -0 and 0 are one
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    return bits;
   }
 
-  vtkIdType FindId(int leaf, const SkdLeafSurface& surface, vtkIdType corner)
+  std::uint64_t HashOf(const skd::Vector3& x) const
   {
-    double x[3];
-    surface.GetPoint(corner, x);
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-    {
-      return -1;
-    }
-    const vtkIdType id = this->Weld.GetId(x);
-    this->Origins.push_back({ static_cast<std::uint32_t>(id), leaf, surface.GetPointId(corner) });
-    return id;
+    const std::uint64_t mixed = BitsOf(x[0]) * 0x9e3779b97f4a7c15u +
+      BitsOf(x[1]) * 0xc2b2ae3d27d4eb4fu + BitsOf(x[2]) * 0x165667b19e3779f9u;
+    return ((mixed ^ (mixed >> 32)) * 0xd6e8feb86659fd93u) >> (64 - this->Log2);
   }
+
+  int Log2 = 6;
+  std::vector<std::uint64_t> Bits;
 };
-
-bool SkdTriangleSet::Update(const std::vector<SkdLeaf>& leaves)
-{
-  const bool isSame = this->IsBuilt &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
-      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
-  if (!isSame)
-  {
-    this->Build(leaves);
-    this->BuildTree();
-    this->IsBuilt = true;
-  }
-  return !isSame;
 }
 
-void SkdTriangleSet::Build(const std::vector<SkdLeaf>& leaves)
+//------------------------------------------------------------------------------
+bool SkdTriangleSet::Update(const std::vector<SkdLeaf>& leaves)
 {
+  const bool isSame = this->IsRead &&
+    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
+      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+  if (isSame)
+  {
+    return false;
+  }
   *this = SkdTriangleSet();
   this->Meshes.resize(leaves.size());
-  std::vector<SkdLeaf> structures = leaves;
+  SkdTriangleReader reader;
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     this->Meshes[i].Keep(leaves[i].Mesh);
-    structures[i].Mesh = this->Meshes[i].Get();
+    reader.Read(static_cast<int>(i), this->Meshes[i].Get());
   }
-  Faces faces(structures);
-  this->Origins = std::move(faces.Origins);
-  this->LeftOut = faces.LeftOut;
-  this->TakePoints(faces.Weld.GetPoints());
-  SkdTriangulation triangulation(faces.Weld.GetPoints());
-  this->Triangles.reserve(faces.List.size());
-  this->CellOf.reserve(faces.List.size());
-  for (const Face& face : faces.List)
-  {
-    if (this->Cells.empty() || this->Cells.back() < face.Origin)
-    {
-      this->Cells.push_back(face.Origin);
-    }
-    const vtkIdType* corners = faces.Corners.data() + face.First;
-    if (face.Size == 3)
-    {
-      this->AddTriangle(corners);
-      continue;
-    }
-    vtkIdList* cut = triangulation.Cut(corners, face.Size);
-    for (vtkIdType i = 0; i < cut->GetNumberOfIds(); i += 3)
-    {
-      this->AddTriangle(cut->GetPointer(i));
-    }
-  }
+  this->Read = reader.Take();
+  this->IsRead = true;
+  return true;
 }
 
-void SkdTriangleSet::AddTriangle(const vtkIdType* corners)
+//------------------------------------------------------------------------------
+void SkdTriangleSet::Complete()
 {
-  this->Triangles.push_back({ static_cast<std::uint32_t>(corners[0]),
-    static_cast<std::uint32_t>(corners[1]), static_cast<std::uint32_t>(corners[2]) });
-  this->CellOf.push_back(static_cast<std::uint32_t>(this->Cells.size() - 1));
+  if (this->HasTree)
+  {
+    return;
+  }
+  SkdWeld weld;
+  PointList& points = this->Read.Points;
+  this->PointOf.resize(points.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto id = static_cast<std::size_t>(weld.GetId(points[i].X));
+    this->PointOf[i] = static_cast<std::uint32_t>(id);
+    if (id == count)
+    {
+      points[count++] = points[i];
+    }
+  }
+  points.resize(count);
+  for (Corners& triangle : this->Read.Triangles)
+  {
+    for (std::uint32_t& corner : triangle)
+    {
+      corner = this->PointOf[corner];
+    }
+  }
+  this->BuildTree();
+  this->HasTree = true;
 }
 
+//------------------------------------------------------------------------------
+void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
+{
+  if (this->HasTree || triangles.empty())
+  {
+    return;
+  }
+  PointFilter filter(3 * triangles.size());
+  for (const std::uint32_t triangle : triangles)
+  {
+    for (const std::uint32_t corner : this->Read.Triangles[triangle])
+    {
+      filter.Add(this->Read.Points[corner]);
+    }
+  }
+  SkdWeld weld;
+  std::vector<std::uint32_t> first; // of the points at the places that the weld has
+  for (std::size_t i = 0; i < this->Read.Points.size(); ++i)
+  {
+    const skd::Vector3& point = this->Read.Points[i];
+    if (filter.MayHave(point) && weld.GetId(point.X) == static_cast<vtkIdType>(first.size()))
+    {
+      first.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  for (const std::uint32_t triangle : triangles)
+  {
+    for (std::uint32_t& corner : this->Read.Triangles[triangle])
+    {
+      corner = first[static_cast<std::size_t>(weld.GetId(this->Read.Points[corner].X))];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
 {
-  std::vector<Origin> origins = this->Origins;
+  std::vector<Origin> origins;
+  origins.reserve(this->PointOf.size());
+  for (std::size_t i = 0; i < this->PointOf.size(); ++i)
+  {
+    origins.push_back({ this->PointOf[i], this->Read.Origins[i].Leaf, this->Read.Origins[i].Id });
+  }
   vtkSMPTools::Sort(origins.begin(), origins.end());
   return origins;
 }
 
-void SkdTriangleSet::TakePoints(vtkPoints* points)
+//------------------------------------------------------------------------------
+double SkdTriangleSet::GetReach() const
 {
-  this->Points.resize(points->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    points->GetPoint(i, this->Points[i].X);
-    for (const double coordinate : this->Points[i].X)
-    {
-      this->Reach = std::max(this->Reach, std::abs(coordinate));
-    }
-  }
+  const skd::Box3& bounds = this->Read.Bounds;
+  return bounds.IsEmpty() ? 0.0 : skd::LargestCoordinate(bounds);
 }
 
+//------------------------------------------------------------------------------
 void SkdTriangleSet::BuildTree()
 {
   std::vector<skd::Box3> boxes;
-  boxes.reserve(this->Triangles.size());
-  for (const Corners& triangle : this->Triangles)
+  boxes.reserve(this->Read.Triangles.size());
+  for (const Corners& triangle : this->Read.Triangles)
   {
     skd::Box3 box;
     for (const std::uint32_t corner : triangle)
     {
-      box.Add(this->Points[corner]);
+      box.Add(this->Read.Points[corner]);
     }
     boxes.push_back(box);
   }

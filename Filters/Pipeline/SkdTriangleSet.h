@@ -12,45 +12,50 @@
 #include "Core/Tree/LazyTree.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdTriangleReader.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-class vtkPoints;
-
 /// The surface cells of all leaves and the outer faces of their volume cells, cut into triangles
-/// without new points (polygons by SkdTriangulation, so that neighbours keep meeting). Points of
-/// equal coordinates are one, be they of different leaves. Ghost cells are left out.
+/// without new points (polygons by SkdTriangulation, so that neighbours keep meeting). Ghost cells
+/// are left out.
+///
+/// A set is read first and, where that pays, completed: only then it has a tree, and points of
+/// equal coordinates, be they of different leaves, are one.
 class SkdTriangleSet
 {
 public:
-  using Corners = std::array<std::uint32_t, 3>;
+  using Corners = SkdReadTriangles::Corners;
+  using Cell = SkdTriangleCell;
+  using PointList = skd::RawVector<skd::Vector3>;
+  using TriangleList = skd::RawVector<Corners>;
 
-  /// A cell that triangles come from: an index in the list of leaves, and a cell there.
-  struct Cell
-  {
-    int Leaf;
-    vtkIdType Id;
-
-    bool operator<(const Cell& other) const
-    {
-      return this->Leaf != other.Leaf ? this->Leaf < other.Leaf : this->Id < other.Id;
-    }
-  };
-
-  /// Makes the set that of `leaves`. Returns whether it had to be built, or was the same.
+  /// Makes the set that of `leaves`. Returns whether it had to be read, or was the same.
   bool Update(const std::vector<SkdLeaf>& leaves);
 
-  const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
-  const std::vector<Corners>& GetTriangles() const { return this->Triangles; }
+  ///@{
+  /// Makes equal points one and begins the tree, unless that was done. O(n).
+  void Complete();
+  bool IsComplete() const { return this->HasTree; }
+  ///@}
+
+  /// What Complete() does to points, for the corners of some triangles: those of equal coordinates
+  /// become the first of all that have them. Numbers change, not which of two is the lower, so what
+  /// is told in their order is the same. About a nanosecond a point of the set, no hash table of
+  /// all.
+  void MakeCornersOne(const std::vector<std::uint32_t>& triangles);
+
+  const PointList& GetPoints() const { return this->Read.Points; }
+  const TriangleList& GetTriangles() const { return this->Read.Triangles; }
   const skd::LazyTree<3>& GetTree() const { return this->Tree; }
 
   ///@{
   /// The cells that have triangles, by ascending (leaf, id), and of each triangle its place there.
   /// Triangles are in the order of their cells.
-  const std::vector<Cell>& GetCells() const { return this->Cells; }
-  std::uint32_t GetCellOf(std::uint32_t triangle) const { return this->CellOf[triangle]; }
+  const skd::RawVector<Cell>& GetCells() const { return this->Read.Cells; }
+  std::uint32_t GetCellOf(std::uint32_t triangle) const { return this->Read.CellOf[triangle]; }
   ///@}
 
   /// A point of a leaf that is a point of the set; -1 of one that its surface has added.
@@ -68,39 +73,29 @@ public:
     }
   };
 
-  /// Where the points come from: all that are one in the set, ascending. O(n log n).
+  /// Where the points of a complete set come from: all that are one in it, ascending. O(n log n).
   std::vector<Origin> FindOrigins() const;
 
   /// Faces that have points that are not finite, or fewer than three different ones.
-  vtkIdType GetNumberOfFacesLeftOut() const { return this->LeftOut; }
+  vtkIdType GetNumberOfFacesLeftOut() const { return this->Read.LeftOut; }
+
+  const skd::Box3& GetBounds() const { return this->Read.Bounds; }
 
   /// The largest magnitude of a coordinate.
-  double GetReach() const { return this->Reach; }
+  double GetReach() const;
+
+  /// No triangle is less than about this wide.
+  double GetLeastWidth() const { return this->Read.LeastWidth; }
 
 private:
-  struct Face
-  {
-    Cell Origin;
-    std::size_t First; // of its corners
-    int Size;
-  };
-  class Faces;
-
-  void Build(const std::vector<SkdLeaf>& leaves);
-  void TakePoints(vtkPoints* points);
-  void AddTriangle(const vtkIdType* corners);
   void BuildTree();
 
   std::vector<SkdKeptMesh> Meshes;
-  std::vector<Origin> Origins;
-  bool IsBuilt = false;
-  std::vector<skd::Vector3> Points;
-  std::vector<Corners> Triangles;
-  std::vector<Cell> Cells;
-  std::vector<std::uint32_t> CellOf;
+  SkdReadTriangles Read;
+  std::vector<std::uint32_t> PointOf; // of each point that was read, when complete
+  bool IsRead = false;
+  bool HasTree = false;
   skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
-  vtkIdType LeftOut = 0;
-  double Reach = 0.0;
 };
 
 #endif

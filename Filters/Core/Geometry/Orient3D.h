@@ -10,6 +10,7 @@
 
 #include "Expansion.h"
 
+#include <array>
 #include <limits>
 
 namespace skd
@@ -25,6 +26,9 @@ inline int SignOf(double value)
 
 /// Half a unit in the last place of 1: Shewchuk's epsilon.
 constexpr double HalfUlp = 0.5 * std::numeric_limits<double>::epsilon();
+
+/// What rounding may do to a volume, relative to the magnitudes that it is summed of.
+constexpr double Orient3DBound = (8.0 + 64.0 * HalfUlp) * HalfUlp;
 
 inline Expansion<16> ExactOrient2D(
   const Vector3& a, const Vector3& b, const Vector3& c, int u, int v)
@@ -92,18 +96,87 @@ inline int Orient3D(const Vector3& a, const Vector3& b, const Vector3& c, const 
     volume += ad[axis] * (left - right);
     magnitude += std::abs(ad[axis]) * (std::abs(left) + std::abs(right));
   }
-  constexpr double bound = (8.0 + 64.0 * detail::HalfUlp) * detail::HalfUlp;
-  if (!(std::abs(volume) <= bound * magnitude) || magnitude == 0.0) // also of NaN
+  if (!(std::abs(volume) <= detail::Orient3DBound * magnitude) || magnitude == 0.0) // also of NaN
   {
     return detail::SignOf(volume);
   }
   return detail::ExactOrient3D(a, b, c, d).Sign();
 }
 
+/// Whether points lie on one side of the plane of a, b, c, all of them off it. True is certain,
+/// false is not: where rounding could matter. Costs less than to ask for the exact signs.
+inline bool AreSurelyOnOneSide(const std::array<Vector3, 3>& plane, const std::array<Vector3, 3>& x)
+{
+  const Vector3 ab = plane[1] - plane[0];
+  const Vector3 ac = plane[2] - plane[0];
+  double volumes[3] = { 0.0, 0.0, 0.0 };
+  double magnitudes[3] = { 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const double left = ab[u] * ac[v];
+    const double right = ab[v] * ac[u];
+    for (int i = 0; i < 3; ++i)
+    {
+      const double along = x[i][axis] - plane[0][axis];
+      volumes[i] += along * (left - right);
+      magnitudes[i] += std::abs(along) * (std::abs(left) + std::abs(right));
+    }
+  }
+  bool areAbove = true;
+  bool areBelow = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double error = detail::Orient3DBound * magnitudes[i];
+    areAbove = areAbove && volumes[i] > error;
+    areBelow = areBelow && volumes[i] < -error;
+  }
+  return areAbove || areBelow;
+}
+
+namespace detail
+{
+
+/// VolumeOf by pairs of doubles; NaN where these do not tell how the number is rounded.
+inline double VolumeByPairs(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  DoubleDouble ab[3], ac[3], ad[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ab[axis] = ExactSum(b[axis], -a[axis]);
+    ac[axis] = ExactSum(c[axis], -a[axis]);
+    ad[axis] = ExactSum(d[axis], -a[axis]);
+  }
+  DoubleDouble volume{ 0.0, 0.0 };
+  double magnitude = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const DoubleDouble left = ab[u] * ac[v];
+    const DoubleDouble right = ab[v] * ac[u];
+    volume = volume + ad[axis] * (left + DoubleDouble{ -right.High, -right.Low });
+    magnitude += std::abs(ad[axis].High) * (std::abs(left.High) + std::abs(right.High));
+  }
+  // Each step is right to about 2^-100 of what it adds up, and the sum of an exact expansion's
+  // parts to less: where both roundings of so much more and so much less agree, they are the
+  // expansion's.
+  constexpr double least = 1e-200; // the low parts of less may be lost
+  constexpr double relative = 0x1p-94;
+  const double error = relative * magnitude;
+  const bool isTold = magnitude > least && volume.High + (volume.Low + error) == volume.High &&
+    volume.High + (volume.Low - error) == volume.High;
+  return isTold ? volume.High : std::numeric_limits<double>::quiet_NaN();
+}
+
+}
+
 /// The same number as Orient3D has the sign of, to about a unit in the last place.
 inline double VolumeOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  return detail::ExactOrient3D(a, b, c, d).Value();
+  const double volume = detail::VolumeByPairs(a, b, c, d);
+  return volume == volume ? volume : detail::ExactOrient3D(a, b, c, d).Value();
 }
 
 }

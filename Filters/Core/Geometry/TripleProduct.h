@@ -45,6 +45,12 @@ inline DoubleDouble operator*(double a, const DoubleDouble& b)
   return ExactSum(product.High, product.Low + a * b.Low);
 }
 
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b)
+{
+  const DoubleDouble product = ExactProduct(a.High, b.High);
+  return ExactSum(product.High, product.Low + (a.High * b.Low + a.Low * b.High));
+}
+
 inline double TripleProduct(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return Dot(a, Cross(b, c));

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces that meet for the first time are looked at otherwise than those with trees: by a raster
+// and trees of what is near. The answers are the same, to the last bit and in their order.
+
+#include "Support/SurfaceIntersectionRun.h"
+
+#include "Support/SurfaceMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+/// All that the outputs have, in their order.
+using Everything = std::vector<double>;
+
+void AddData(vtkFieldData* data, Everything& all)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k)
+    {
+      for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+      {
+        all.push_back(array->GetComponent(k, component));
+      }
+    }
+  }
+}
+
+void AddGeometry(vtkPolyData* output, Everything& all)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    all.insert(all.end(), output->GetPoint(i), output->GetPoint(i) + 3);
+  }
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    output->GetCellPoints(cell, ids);
+    all.insert(all.end(), ids->begin(), ids->end());
+    all.push_back(-1.0);
+  }
+}
+
+Everything RunAll(vtkSkdTreeSurfaceIntersection* filter)
+{
+  filter->Update();
+  Everything all;
+  for (const int port : { 0, 1, 3 })
+  {
+    AddGeometry(OutputOf(filter, port), all);
+    AddData(OutputOf(filter, port)->GetPointData(), all);
+    AddData(OutputOf(filter, port)->GetCellData(), all);
+  }
+  AddData(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetRowData(), all);
+  for (const char* name : { "Triangles", "FacesLeftOut", "TrianglesWithoutArea" })
+  {
+    all.push_back(Reported(filter, name));
+  }
+  return all;
+}
+
+/// Each triangle with points of its own.
+Mesh Apart(const Mesh& mesh)
+{
+  Mesh apart;
+  for (const auto& cell : mesh.Cells)
+  {
+    Ids ids;
+    for (const vtkIdType id : cell.Points)
+    {
+      ids.push_back(apart.Add(mesh.Points[static_cast<std::size_t>(id)]));
+    }
+    apart.Add(cell.Type, ids);
+  }
+  return apart;
+}
+
+/// The first look, and one after the surfaces have been asked elsewhere.
+void ExpectSame(const Mesh& first, const Mesh& second, double clearance, const Point& shift)
+{
+  auto filter = MakeIntersection(MakePolyData(first), MakePolyData(second));
+  filter->SetClearance(clearance);
+  filter->SetTranslation(shift.data());
+  const Everything atFirst = RunAll(filter);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 2.0);
+  filter->SetTranslation(1e3, 0.0, 0.0);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 0.0);
+  filter->SetTranslation(shift.data());
+  EXPECT_TRUE(RunAll(filter) == atFirst) << "clearance " << clearance << ", shift " << shift[0];
+}
+
+void ExpectSameAnyhow(const Mesh& first, const Mesh& second)
+{
+  for (const double clearance : { 0.0, 0.02 })
+  {
+    ExpectSame(first, second, clearance, { 0, 0, 0 });
+    ExpectSame(first, second, clearance, { 0.01, 0.2, -0.1 });
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceIntersectionLooks, AFirstLookAtSpheresIsAsALaterOne)
+{
+  const Mesh sphere = Placed(SphereTriangles(24), 1.0, { 0, 0, 0 });
+  const Mesh other = Placed(SphereTriangles(31), 1.0, { 0.9, 0.28, 0.15 });
+  ExpectSameAnyhow(sphere, other);
+  ExpectSameAnyhow(Apart(sphere), Apart(other));
+  ExpectSameAnyhow(sphere, Apart(other));
+  ExpectSameAnyhow(sphere, Placed(SphereTriangles(3), 0.1, { 1.0, 0, 0 })); // few beside many
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceIntersectionLooks, AFirstLookAtSpecialContactsIsAsALaterOne)
+{
+  Mesh lattice = LatticeTriangles(150, 6, 3);
+  Mesh other = LatticeTriangles(150, 6, 4);
+  ExpectSameAnyhow(lattice, other);
+  const Mesh far = Placed(LatticeTriangles(2000, 6, 5), 1.0, { 5, 5, 5 }); // few are near
+  ExpectSameAnyhow(far, lattice);
+  ExpectSameAnyhow(lattice, far);
+  const Mesh sphere = Placed(SphereTriangles(16), 1.0, { 0, 0, 0 });
+  ExpectSameAnyhow(sphere, sphere);
+  ExpectSameAnyhow(sphere, Placed(SphereTriangles(16), 1.0, { 2, 0, 0 })); // touch at most
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceIntersectionLooks, AFirstLookAtTinyAndFarSurfacesIsAsALaterOne)
+{
+  for (const double scale : { 1e-30, 1.0, 1e90 })
+  {
+    ExpectSame(Placed(SphereTriangles(16), scale, { 0, 0, 0 }),
+      Placed(SphereTriangles(19), scale, { 0.9 * scale, 0.2 * scale, 0 }), 0.0, { 0, 0, 0 });
+  }
+  const Mesh far = Placed(SphereTriangles(16), 1.0, { 1e8, -3e8, 0 });
+  ExpectSameAnyhow(far, Placed(SphereTriangles(19), 1.0, { 1e8 + 0.5, -3e8, 0.5 }));
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceIntersectionLooks, TrianglesThatLoseTheirAreaByAMotionAreLeftOut)
+{
+  Mesh sliver;
+  sliver.Add(VTK_TRIANGLE,
+    { sliver.Add({ 0, 0, 0 }), sliver.Add({ 1, 0, 0 }), sliver.Add({ 0.5, 1e-14, 0 }) });
+  auto filter = MakeIntersection(
+    MakePolyData(Placed(SphereTriangles(16), 1.0, { 0, 0, 0 })), MakePolyData(sliver));
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TrianglesWithoutArea"), 0.0);
+  filter->SetTranslation(0.0, 1e4, 0.0); // rounds 1e-14 away
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TrianglesWithoutArea"), 1.0);
+  filter->SetTranslation(0.0, 0.0, 0.0);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "TrianglesWithoutArea"), 0.0);
+}
