@@ -99,8 +99,27 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   }
 }
 
-void WarnAbout(Filter* self, const SkdMeshOutcome& outcome, const SkdMeshTally& tally)
+/// Whether parts alone ask for cells, and all processes have come to an end without any round.
+bool DoPartsMiss(const SkdMeshSettings& settings, const SkdMeshOutcome& outcome)
 {
+  const bool isMore =
+    settings.MinimumLevel > 0 || settings.InsideLevel > 0 || settings.FieldLevel > 0;
+  const bool isAskedByParts = std::any_of(
+    settings.PartLevels.begin(), settings.PartLevels.end(), [](int level) { return level > 0; });
+  return isAskedByParts && !isMore && settings.MaximumLevel > 0 && outcome.Rounds == 0 &&
+    !outcome.IsStopped && !outcome.IsAborted;
+}
+
+void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdMeshOutcome& outcome,
+  const SkdMeshTally& tally)
+{
+  if (tally.CellsBefore > 0 && DoPartsMiss(settings, outcome))
+  {
+    vtkWarningWithObjectMacro(self,
+      "The parts meet no cell that can be refined: nothing is. (To refine cells that parts come "
+      "near "
+      "to, add distance bands.)");
+  }
   if (outcome.IsStopped)
   {
     vtkWarningWithObjectMacro(self,
@@ -297,7 +316,7 @@ int vtkSkdTreeMeshRefinement::RequestData(
   const skd::HangingNodes hanging = FindHanging(read.Mesh, shared.get());
   PutBlocks(read.Blocks, MakeBlocks(read, hanging, this), input, output);
   tally.Finish(read.Mesh, hanging);
-  WarnAbout(this, outcome, tally);
+  WarnAbout(this, settings, outcome, tally);
 
   SkdReport report(output);
   SkdReportMesh(report, read, outcome, tally);

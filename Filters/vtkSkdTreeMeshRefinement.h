@@ -66,11 +66,11 @@
  * Where nothing is told that could ask for cells (no Parts, no arrays of a field, no MinimumLevel)
  * all of them are refined once.
  *
- * Bad input, each with one warning or error that says so: Parts without cells, if nothing else
- * asks, pass the mesh on as it is; so does an Input without cells. Cells of other types, of points
- * that are not finite, that use a point twice, or (wedges, hexahedra) whose middle does not see all
- * faces are kept whole and counted; points may hang on them. Parts' cells that are not finite are
- * left out and counted, values that are not finite do not count.
+ * Bad input, each with one warning or error that says so: Parts without cells or that miss the
+ * mesh, if nothing else asks, pass the mesh on as it is; so does an Input without cells. Cells of
+ * other types, of points that are not finite, that use a point twice, or (wedges, hexahedra) whose
+ * middle does not see all faces are kept whole and counted; points may hang on them. Parts' cells
+ * that are not finite are left out and counted, values that are not finite do not count.
  *
  * @sa
  * vtkSkdTreeAMR vtkSkdTreeClosestPoint

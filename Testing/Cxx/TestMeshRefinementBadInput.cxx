@@ -67,6 +67,24 @@ TEST(MeshRefinementBadInput, PartsWithoutCellsPassTheMeshOn)
   EXPECT_NE(events.Warning.find("parts have no cells"), std::string::npos) << events.Warning;
 }
 
+TEST(MeshRefinementBadInput, PartsThatMissTheMeshPassItOn)
+{
+  auto torus = MakeTorus();
+  RefinementPointer filter =
+    MakeRefinement(torus, MakePolyData(Placed(SphereTriangles(8), 0.4, { 9, 0, 0 })), 3);
+  EventCounter events(filter);
+  EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("meet no cell"), std::string::npos) << events.Warning;
+  // With anything else that asks, or nothing to do, that is as it may be.
+  filter->SetMaximumLevel(0);
+  filter->Update();
+  filter->SetMaximumLevel(3);
+  filter->SetMinimumLevel(1);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 1);
+}
+
 TEST(MeshRefinementBadInput, EveryTypeOfCellIsRefinedOrKept)
 {
   for (const int type : AllCellTypes())
