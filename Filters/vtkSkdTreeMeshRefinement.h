@@ -60,8 +60,10 @@
  * together the pieces are what one process makes of the whole, cell for cell, by either Method and
  * with all of its options, in places, levels and marks (SkdHanging); CellLimit counts the cells of
  * all. Pieces must meet at points of equal coordinates. Ghost cells are left out: others have them.
- * All processes must update. Reports are of a process's own piece. A field that is not connected at
- * port 2 is the piece itself: connect Input there, too, if values beyond its border matter.
+ * All processes must update. Reports are of a process's own piece. Without port 2 the field is the
+ * piece itself: cells of others that meet its border do not count. Parts, field and surface must
+ * not come from the source of Input: that would give the whole to all of them, as VTK's pipeline
+ * asks a source once.
  *
  * Where nothing is told that could ask for cells (no Parts, no arrays of a field, no MinimumLevel)
  * all of them are refined once.
