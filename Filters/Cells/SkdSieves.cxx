@@ -63,7 +63,7 @@ int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
 }
 
 /// One bottom node's part of the rows, and where its cells are on its raster.
-struct Planes
+struct PlaneFiller
 {
   const SkdCellStore& Store;
   const skd::Frame<3>& Frame;
@@ -71,43 +71,65 @@ struct Planes
   double Margin;
   skd::PlaneRow* Rows;
 
-  /// Of a cell of a shape with so many faces.
-  template <class Shape>
-  void Set(int lane, std::uint32_t cell) const
+  /// Of the cells, some of those of a node, that are of the shape of one of them. Returns which.
+  unsigned SetLike(int first, const std::uint32_t* cells, unsigned lanes) const
   {
-    skd::Vector3 points[Shape::Size];
-    this->Gather(cell, points, Shape::Size);
+    const SkdShape shape = this->Store.ShapeOf(cells[first]);
+    unsigned alike = 0;
+    skd::ForEachLane(lanes,
+      [&](int lane) { alike |= this->Store.ShapeOf(cells[lane]) == shape ? 1u << lane : 0u; });
+    if (shape == SkdShape::Polyhedron)
+    {
+      skd::ForEachLane(alike, [&](int lane) { this->SetPolyhedron(lane, cells[lane]); });
+    }
+    VisitVolume(shape, [&](auto kind) { this->Set<decltype(kind)>(cells, alike); });
+    return alike;
+  }
+
+private:
+  /// Of one shape, several at once.
+  template <class Shape>
+  void Set(const std::uint32_t* cells, unsigned lanes) const
+  {
+    skd::CornerLanes<Shape> corners;
+    skd::ForEachLane(lanes,
+      [&](int lane)
+      {
+        this->Gather(cells[lane], Shape::Size,
+          [&](int i, const skd::Vector3& place) { corners.Set(lane, i, place); });
+      });
     for (int face = 0; face < Shape::NumberOfFaces; ++face)
     {
-      this->Rows[face].SetAlongFace(lane, skd::FaceNormal<Shape>(points, face),
-        points[Shape::Faces[face][0]], points, Shape::Size, this->Margin);
+      this->Rows[face].SetAlongFaces(lanes, face, corners, this->Margin);
     }
   }
 
   /// Of the first faces of a polyhedron.
-  void SetPolyhedron(int lane, std::uint32_t cell, std::uint32_t count) const
+  void SetPolyhedron(int lane, std::uint32_t cell) const
   {
+    const int count = NumberOfPlanes(this->Store, cell);
     thread_local std::vector<skd::Vector3> points;
     points.resize(this->Store.SizeOf(cell));
-    this->Gather(cell, points.data(), static_cast<int>(points.size()));
+    this->Gather(cell, static_cast<int>(points.size()),
+      [&](int i, const skd::Vector3& place) { points[static_cast<std::size_t>(i)] = place; });
     const skd::PolyhedronView view = this->Store.GatherPoly(cell).AsPolyhedron();
     const std::uint32_t* at = view.Faces;
-    for (std::uint32_t i = 0; i < count; ++i, at += 1 + *at)
+    for (int i = 0; i < count; ++i, at += 1 + *at)
     {
       this->Rows[i].SetAlongFace(lane, Across(points.data(), at + 1, *at), points[at[1]],
         points.data(), static_cast<int>(points.size()), this->Margin);
     }
   }
 
-private:
-  void Gather(std::uint32_t cell, skd::Vector3* points, int count) const
+  template <class Visit>
+  void Gather(std::uint32_t cell, int count, const Visit& visit) const
   {
     const std::uint32_t* ids = this->Store.PointIdsOf(cell);
     const skd::Raster raster = this->Raster; // of our own: its inverse is made once
     for (int i = 0; i < count; ++i)
     {
       const skd::Vector3 world = this->Store.Point(ids[i]);
-      points[i] = raster.Of(this->Frame.Local(world));
+      visit(i, raster.Of(this->Frame.Local(world)));
     }
   }
 
@@ -260,16 +282,15 @@ void SkdSieves::FillPlanes(
   std::fill_n(rows, block.Count, skd::PlaneRow());
   const skd::Frame<3>& frame = tree.GetFrame();
   const double margin = rounding * frame.Scale / block.Raster.Unit + skd::PlaneRow::Rounding;
-  const Planes planes{ store, frame, block.Raster, margin, rows };
+  const PlaneFiller filler{ store, frame, block.Raster, margin, rows };
+  std::uint32_t cells[Node::Width];
   for (int lane = 0; lane < bottom.Count; ++lane)
   {
-    const std::uint32_t cell = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
-    if (store.ShapeOf(cell) == SkdShape::Polyhedron)
-    {
-      const auto count = static_cast<std::uint32_t>(NumberOfPlanes(store, cell));
-      planes.SetPolyhedron(lane, cell, count);
-    }
-    VisitVolume(store.ShapeOf(cell), [&](auto shape) { planes.Set<decltype(shape)>(lane, cell); });
+    cells[lane] = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+  }
+  for (unsigned left = bottom.Occupied(); left != 0;)
+  {
+    left &= ~filler.SetLike(skd::LowestBit(left), cells, left);
   }
 }
 

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 namespace
 {
 
@@ -314,6 +316,42 @@ TYPED_TEST(CellSieves, NoPointOfACellIsOutsideOfItsPlanes)
     passed += isHeld ? 1 : 0;
   }
   EXPECT_LT(passed, count / 2); // and most of what is outside is left out
+}
+
+// Cells of a shape beside each other have the planes that each has alone, in the lanes that are
+// asked for.
+TYPED_TEST(CellSieves, SeveralCellsAtOnceHaveThePlanesOfEach)
+{
+  constexpr int size = TypeParam::Size;
+  Dice dice(23);
+  for (int i = 0; i < 200; ++i)
+  {
+    const auto lanes = static_cast<unsigned>(i % 256);
+    skd::CornerLanes<TypeParam> corners;
+    skd::PlaneRow alone[TypeParam::NumberOfFaces];
+    skd::PlaneRow together[TypeParam::NumberOfFaces];
+    for (int lane = 0; lane < skd::PlaneRow::Width; ++lane)
+    {
+      std::vector<Vector3> points = coretest::RandomCell<TypeParam>(dice, 0.1 * (i % 4));
+      points[1] = (i + lane) % 7 == 0 ? points[0] : points[1]; // collapsed
+      for (int corner = 0; corner < size; ++corner)
+      {
+        points[corner] = 9000.0 * points[corner];
+        corners.Set(lane, corner, points[corner]);
+      }
+      for (int face = 0; face < TypeParam::NumberOfFaces && (lanes >> lane & 1u) != 0; ++face)
+      {
+        alone[face].SetAlongFace(lane, skd::FaceNormal<TypeParam>(points.data(), face),
+          points[TypeParam::Faces[face][0]], points.data(), size, skd::PlaneRow::Rounding);
+      }
+    }
+    for (int face = 0; face < TypeParam::NumberOfFaces; ++face)
+    {
+      together[face].SetAlongFaces(lanes, face, corners, skd::PlaneRow::Rounding);
+      ASSERT_EQ(std::memcmp(&alone[face], &together[face], sizeof(skd::PlaneRow)), 0)
+        << "face " << face << " of " << i;
+    }
+  }
 }
 
 TEST(PlaneRow, ADirectionWithoutLengthExcludesNothing)

@@ -215,7 +215,7 @@ void VisitListed(const Tree& tree, const ListedLanes* first, const ListedLanes* 
     stack.pop_back();
     const auto& node = tree.Open(lanes.Node);
     const unsigned occupied = (1u << node.Count) - 1u;
-    detail::ForEachLane(seen.Overlapping(node.Boxes) & lanes.Lanes & occupied,
+    ForEachLane(seen.Overlapping(node.Boxes) & lanes.Lanes & occupied,
       [&](int lane)
       {
         const Reference child = Child(node, lane);

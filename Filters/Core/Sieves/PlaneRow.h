@@ -9,6 +9,30 @@
 namespace skd
 {
 
+/// The corners of eight cells of one shape, on the raster: by corner, axis and cell. Those that are
+/// not set are in the middle.
+template <class Shape>
+class CornerLanes
+{
+public:
+  void Set(int lane, int corner, const Vector3& place)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->At[corner][axis][lane] = place[axis];
+    }
+  }
+
+  /// Of the cells from `first` on, as many as are computed with at once.
+  DoubleVector Load(int corner, int axis, int first) const
+  {
+    return LoadDoubles(this->At[corner][axis] + first);
+  }
+
+private:
+  double At[Shape::Size][3][8] = {};
+};
+
 /// A plane for each of eight cells that has the whole cell on one side: Normal . x is at most
 /// Offset * OffsetUnit there, on the raster. Normals are whole numbers, and no error: with each
 /// goes the offset that it needs.
@@ -28,19 +52,33 @@ struct alignas(64) PlaneRow
   void SetAlongFace(int lane, const Vector3& across, const Vector3& onFace, const Vector3* points,
     int count, double margin)
   {
-    Vector3 normal;
-    if (!RoundToNormal(across, normal))
+    const auto corner = [&](int i, int axis) { return points[i][axis]; };
+    this->Put(lane, AlongFace(across.X, onFace.X, corner, count, margin));
+  }
+
+  /// The same along one face of cells of a shape: those of the lanes whose bits are set.
+  template <class Shape>
+  void SetAlongFaces(unsigned lanes, int face, const CornerLanes<Shape>& corners, double margin)
+  {
+    const int* ids = Shape::Faces[face];
+    const int last = ids[3] < 0 ? ids[0] : ids[3];
+    for (int first = 0; first < Width; first += NativeDoubles)
     {
-      return;
+      const auto corner = [&](int i, int axis) { return corners.Load(i, axis, first); };
+      DoubleVector onFace[3], across[3], a[3], b[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        onFace[axis] = corner(ids[0], axis);
+        a[axis] = corner(ids[2], axis) - onFace[axis];
+        b[axis] = corner(last, axis) - corner(ids[1], axis);
+      }
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int next = (axis + 1) % 3, other = (axis + 2) % 3;
+        across[axis] = a[next] * b[other] - a[other] * b[next];
+      }
+      this->PutSeveral(lanes, first, AlongFace(across, onFace, corner, Shape::Size, margin));
     }
-    const Heights heights = HeightsAlong(normal, points, count);
-    const double height = Dot(normal, onFace);
-    if (heights.Most - height > height - heights.Least)
-    {
-      this->Put(lane, -1.0 * normal, -heights.Least, margin);
-      return;
-    }
-    this->Put(lane, normal, heights.Most, margin);
   }
 
   /// Bit i: x, which is within the raster's reach, may be in the cell of lane i.
@@ -59,49 +97,105 @@ struct alignas(64) PlaneRow
   }
 
 private:
-  struct Heights
+  /// Of a cell, or of several: Number is double, or as many of them as are computed with at once.
+  /// Whole numbers of 16 bits.
+  template <class Number>
+  struct Plane
   {
-    double Least;
-    double Most;
+    Number Normal[3];
+    Number Offset;
   };
 
-  static Heights HeightsAlong(const Vector3& normal, const Vector3* points, int count)
+  template <class Number, class Corner>
+  static Plane<Number> AlongFace(
+    const Number* across, const Number* onFace, const Corner& corner, int count, double margin)
   {
-    Heights heights{ std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+    Plane<Number> plane;
+    SetDirection(across, plane.Normal);
+    const auto heightOf = [&](const auto& x)
+    { return plane.Normal[0] * x(0) + plane.Normal[1] * x(1) + plane.Normal[2] * x(2); };
+    const Number height = heightOf([&](int axis) { return onFace[axis]; });
+    Number least = height;
+    Number most = height;
     for (int i = 0; i < count; ++i)
     {
-      const double height = Dot(normal, points[i]);
-      heights.Least = std::min(heights.Least, height);
-      heights.Most = std::max(heights.Most, height);
+      const Number other = heightOf([&](int axis) { return corner(i, axis); });
+      least = other < least ? other : least;
+      most = other > most ? other : most;
     }
-    return heights;
+    const auto isTurned = most - height > height - least;
+    const Number length = SquareRoot(heightOf([&](int axis) { return plane.Normal[axis]; }));
+    const Number reach = isTurned ? -least : most;
+    plane.Offset = LeastWholeAbove((reach + length * margin) / OffsetUnit);
+    for (Number& component : plane.Normal)
+    {
+      component = isTurned ? -component : component;
+    }
+    return plane;
   }
 
-  /// False of a direction without length.
-  static bool RoundToNormal(const Vector3& direction, Vector3& normal)
+  /// To zero if `across` has no length, or none that is finite.
+  template <class Number>
+  static void SetDirection(const Number* across, Number* normal)
   {
-    const double largest =
-      std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
-    if (!(largest > 0.0 && std::isfinite(largest)))
-    {
-      return false;
-    }
+    const Number none = {};
+    Number largest = none;
+    Number sum = none;
     for (int axis = 0; axis < 3; ++axis)
     {
-      normal[axis] = Raster::Round(direction[axis] / largest * Raster::Reach);
+      const Number size = across[axis] < none ? -across[axis] : across[axis];
+      largest = size > largest ? size : largest;
+      sum = sum + size;
     }
-    return true;
+    const Number most = none + std::numeric_limits<double>::max();
+    const auto isDirection = (largest > none) & (sum <= most);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Number whole = NearestWhole(across[axis] / largest * double(Raster::Reach));
+      normal[axis] = isDirection ? whole : none;
+    }
   }
 
-  void Put(int lane, const Vector3& normal, double most, double margin)
+  /// What std::nearbyint() gives: doubles as large as this have no fractions.
+  template <class Number>
+  static Number NearestWhole(const Number& value)
+  {
+    constexpr double large = 6755399441055744.0; // 1.5 * 2^52
+    return (value + large) - large;
+  }
+
+  /// Within the raster's reach.
+  template <class Number>
+  static Number LeastWholeAbove(const Number& value)
+  {
+    const Number most = Number{} + double(Raster::Reach);
+    const Number above = value > -most ? value : -most;
+    const Number within = above < most ? above : most;
+    const Number nearest = NearestWhole(within);
+    return nearest < within ? nearest + 1.0 : nearest;
+  }
+
+  void PutSeveral(unsigned lanes, int first, const Plane<DoubleVector>& planes)
+  {
+    for (int i = 0; i < NativeDoubles; ++i)
+    {
+      if ((lanes >> (first + i) & 1u) != 0)
+      {
+        this->Put(first + i,
+          { { LaneOf(planes.Normal[0], i), LaneOf(planes.Normal[1], i),
+              LaneOf(planes.Normal[2], i) },
+            LaneOf(planes.Offset, i) });
+      }
+    }
+  }
+
+  void Put(int lane, const Plane<double>& plane)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Normal[axis][lane] = static_cast<std::int16_t>(normal[axis]);
+      this->Normal[axis][lane] = static_cast<std::int16_t>(plane.Normal[axis]);
     }
-    const double needed = std::ceil((most + Norm(normal) * margin) / OffsetUnit);
-    this->Offset[lane] =
-      static_cast<std::int16_t>(std::clamp<double>(needed, -Raster::Reach, Raster::Reach));
+    this->Offset[lane] = static_cast<std::int16_t>(plane.Offset);
   }
 };
 

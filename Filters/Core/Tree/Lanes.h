@@ -120,6 +120,17 @@ inline int LowestBit(unsigned bits)
 #endif
 }
 
+/// Calls visit(lane) for each bit that is set, from the lowest.
+template <class Visit>
+void ForEachLane(unsigned wanted, Visit visit)
+{
+  while (wanted != 0)
+  {
+    visit(LowestBit(wanted));
+    wanted &= wanted - 1;
+  }
+}
+
 /// That many bits, from the lowest.
 inline unsigned LowBits(std::uint32_t count)
 {
@@ -144,6 +155,49 @@ void FetchLines(const void* address)
 
 /// As many lanes as this machine computes with at once.
 constexpr int NativeWidth = detail::VectorWidth;
+
+/// Doubles side by side, or one alone: arithmetic, comparisons and `? :` go lane by lane.
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+using DoubleVector = double;
+#else
+typedef double DoubleVector __attribute__((vector_size(sizeof(detail::FloatVector))));
+#endif
+constexpr int NativeDoubles = sizeof(DoubleVector) / sizeof(double);
+
+inline DoubleVector LoadDoubles(const double* values)
+{
+  DoubleVector loaded;
+  std::memcpy(&loaded, values, sizeof(loaded));
+  return loaded;
+}
+
+inline double LaneOf(const DoubleVector& values, int lane)
+{
+  double stored[NativeDoubles];
+  std::memcpy(stored, &values, sizeof(values));
+  return stored[lane];
+}
+
+inline double SquareRoot(double value)
+{
+  return std::sqrt(value);
+}
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__)
+inline DoubleVector SquareRoot(DoubleVector values)
+{
+#if defined(__AVX__)
+  return _mm256_sqrt_pd(values);
+#elif defined(__SSE2__)
+  return _mm_sqrt_pd(values);
+#else
+  for (int i = 0; i < NativeDoubles; ++i)
+  {
+    values[i] = std::sqrt(values[i]);
+  }
+  return values;
+#endif
+}
+#endif
 
 /// One number for every lane of many operations: spread out once.
 class Spread

@@ -17,17 +17,6 @@ constexpr int MostLevels = 16;
 namespace detail
 {
 
-/// Calls visit(lane) for each bit that is set, from the lowest.
-template <class Visit>
-void ForEachLane(unsigned wanted, Visit visit)
-{
-  while (wanted != 0)
-  {
-    visit(LowestBit(wanted));
-    wanted &= wanted - 1;
-  }
-}
-
 /// Ask memory for the nodes that will be opened next: where the tree is larger than the caches, a
 /// walk is mostly waiting for them.
 template <class Tree>
