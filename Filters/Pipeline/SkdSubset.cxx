@@ -8,6 +8,8 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <numeric>
+
 namespace
 {
 int PointTypeOf(vtkDataSet* mesh)
@@ -16,16 +18,16 @@ int PointTypeOf(vtkDataSet* mesh)
   return set && set->GetPoints() ? set->GetPoints()->GetDataType() : VTK_DOUBLE;
 }
 
-void CopyTuples(
-  vtkDataSetAttributes* from, const std::vector<vtkIdType>& ids, vtkDataSetAttributes* into)
+/// All tuples of an array in one call: one by one costs several calls a tuple.
+void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* into)
 {
-  const auto n = static_cast<vtkIdType>(ids.size());
+  const vtkIdType n = ids->GetNumberOfIds();
+  vtkNew<vtkIdList> inTurn;
+  inTurn->SetNumberOfIds(n);
+  std::iota(inTurn->GetPointer(0), inTurn->GetPointer(0) + n, vtkIdType(0));
   into->CopyAllOn();
   into->CopyAllocate(from, n);
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    into->CopyData(from, ids[i], i);
-  }
+  into->CopyData(from, ids, inTurn);
 }
 }
 
@@ -53,7 +55,7 @@ void SkdSubset::AddCell(vtkIdType cell)
     this->Renumber(0, this->Ids->GetNumberOfIds());
   }
   this->Grid->InsertNextCell(type, this->Ids);
-  this->CellIds.push_back(cell);
+  this->CellIds->InsertNextId(cell);
 }
 
 void SkdSubset::AddPoint(vtkIdType point)
@@ -65,7 +67,7 @@ void SkdSubset::AddPoint(vtkIdType point)
 void SkdSubset::CopyData()
 {
   CopyTuples(this->Mesh->GetPointData(), this->PointIds, this->Grid->GetPointData());
-  if (!this->CellIds.empty())
+  if (this->CellIds->GetNumberOfIds() > 0)
   {
     CopyTuples(this->Mesh->GetCellData(), this->CellIds, this->Grid->GetCellData());
   }
@@ -73,16 +75,19 @@ void SkdSubset::CopyData()
 
 vtkIdType SkdSubset::NewPoint(vtkIdType point)
 {
-  const auto next = static_cast<vtkIdType>(this->PointIds.size());
-  const auto [entry, isNew] = this->NewIds.emplace(point, next);
-  if (isNew)
+  if (this->NewIds.empty())
+  {
+    this->NewIds.assign(static_cast<std::size_t>(this->Mesh->GetNumberOfPoints()), -1);
+  }
+  vtkIdType& id = this->NewIds[static_cast<std::size_t>(point)];
+  if (id < 0)
   {
     double x[3];
     this->Mesh->GetPoint(point, x);
     this->Grid->GetPoints()->InsertNextPoint(x);
-    this->PointIds.push_back(point);
+    id = this->PointIds->InsertNextId(point);
   }
-  return entry->second;
+  return id;
 }
 
 void SkdSubset::Renumber(vtkIdType first, vtkIdType last)

@@ -8,7 +8,6 @@
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <unordered_map>
 #include <vector>
 
 /// Some cells or points of a mesh as a grid of their own, with no more points than they use.
@@ -35,9 +34,9 @@ private:
   vtkDataSet* Mesh;
   vtkNew<vtkUnstructuredGrid> Grid;
   vtkNew<vtkIdList> Ids;
-  std::unordered_map<vtkIdType, vtkIdType> NewIds;
-  std::vector<vtkIdType> PointIds; // of the mesh
-  std::vector<vtkIdType> CellIds;
+  std::vector<vtkIdType> NewIds; // of each point of the mesh, -1: not used
+  vtkNew<vtkIdList> PointIds;    // of the mesh
+  vtkNew<vtkIdList> CellIds;
 };
 
 #endif

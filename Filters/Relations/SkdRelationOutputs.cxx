@@ -11,6 +11,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
+#include "vtkSMPTools.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkTable.h"
@@ -26,10 +27,14 @@ template <typename Array, typename Value>
 void AddColumn(vtkTable* table, const char* name, vtkIdType n, const Value& value)
 {
   const auto array = SkdMakeArray<Array>(name, 1, n);
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    array->SetValue(i, value(i));
-  }
+  vtkSMPTools::For(0, n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        array->SetValue(i, value(i));
+      }
+    });
   table->AddColumn(array);
 }
 
@@ -57,9 +62,12 @@ std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
   }
   for (std::vector<SkdChosenCell>& cells : chosen)
   {
-    std::sort(cells.begin(), cells.end(),
-      [](const SkdChosenCell& a, const SkdChosenCell& b)
-      { return a.CellId < b.CellId || (a.CellId == b.CellId && a.Distance < b.Distance); });
+    const auto isBefore = [](const SkdChosenCell& a, const SkdChosenCell& b)
+    { return a.CellId < b.CellId || (a.CellId == b.CellId && a.Distance < b.Distance); };
+    if (!std::is_sorted(cells.begin(), cells.end(), isBefore)) // as those of one shape are
+    {
+      std::sort(cells.begin(), cells.end(), isBefore);
+    }
     std::size_t kept = 0;
     for (const SkdChosenCell& cell : cells)
     {

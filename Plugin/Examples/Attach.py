@@ -50,7 +50,7 @@ def streamlines(name, mesh):
     tracer = simple.StreamTracer(Input=mesh, Vectors=["POINTS", "V"], SeedType="Line",
         InterpolatorType="Interpolator with Cell Locator", MaximumStreamlineLength=40)
     tracer.SeedType.Point1, tracer.SeedType.Point2 = [-5, -2, 0.5], [5, 2, 9]
-    tracer.SeedType.Resolution = 30
+    tracer.SeedType.Resolution = 10
     start = time.process_time()
     tracer.UpdatePipeline()
     seconds = time.process_time() - start
@@ -64,7 +64,7 @@ def show(lines, boxes, view):
     shown.ColorArrayName = [None, ""]
     shown.AmbientColor = shown.DiffuseColor = [0.55, 0.6, 0.7]
     shown.Opacity = 0.5
-    tubes = simple.Show(simple.Tube(Input=lines, Radius=0.06), view)
+    tubes = simple.Show(simple.Tube(Input=lines, Radius=0.08), view)
     simple.ColorBy(tubes, ("POINTS", "Temp"))
     simple.GetColorTransferFunction("Temp").ApplyPreset("Inferno (matplotlib)", True)
     view.CameraPosition, view.CameraViewUp = [14, -40, 14], [0, 0, 1]

@@ -202,20 +202,10 @@ TEST(Attach, WithoutCellsTheLocatorFindsNothing)
 
 TEST(Attach, AnAbortLeavesTheRestWithoutLocators)
 {
-  std::vector<GridPointer> grids;
-  std::vector<vtkDataObject*> blocks;
-  for (int i = 0; i < 6; ++i)
-  {
-    blocks.push_back(grids.emplace_back(MakeGrid(Hexahedra(2))));
-  }
-  AttachPointer attach = MakeAttach(MakeBlocks(blocks));
-  ProgressWatch watch(attach, 0.4);
-  attach->Update();
-  EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
+  AttachPointer attach = MakeAttach(MakeBlocks(Hexahedra(2), 6));
+  const std::vector<double> seen = AbortAt(attach, 0.4);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_LT(attach->GetTreesBuilt(), 6);
-  attach->RemoveAllObservers();
-  attach->SetAbortExecute(0);
-  attach->Modified();
   attach->Update();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(attach->GetOutputDataObject(0));
   for (unsigned int i = 0; i < 6; ++i)

@@ -78,6 +78,19 @@ inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkDat
   return blocks;
 }
 
+/// So many blocks, of a mesh each.
+inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const Mesh& mesh, int count)
+{
+  std::vector<GridPointer> grids(static_cast<std::size_t>(count));
+  std::vector<vtkDataObject*> blocks;
+  for (GridPointer& grid : grids)
+  {
+    grid = MakeGrid(mesh);
+    blocks.push_back(grid);
+  }
+  return MakeBlocks(blocks);
+}
+
 /// The cells of a mesh for which `isWanted` tells true.
 inline Mesh Part(const Mesh& mesh, const std::function<bool(std::size_t)>& isWanted)
 {
@@ -156,6 +169,18 @@ struct ProgressWatch
   std::vector<double> Seen;
   vtkNew<vtkCallbackCommand> Command;
 };
+
+/// Aborts an update when its progress reaches a part; another one then runs to its end. Returns the
+/// progress that was seen.
+inline std::vector<double> AbortAt(vtkAlgorithm* algorithm, double part)
+{
+  ProgressWatch watch(algorithm, part);
+  algorithm->Update();
+  algorithm->RemoveObserver(watch.Command);
+  algorithm->SetAbortExecute(0);
+  algorithm->Modified();
+  return watch.Seen;
+}
 
 }
 
