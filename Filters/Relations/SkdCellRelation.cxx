@@ -32,6 +32,7 @@ struct SkdCellRelation::Asked
   const SkdCellSource& Source;
   skd::SimplexSet& Set;
   double Tolerance;
+  mutable std::optional<double> Least = std::nullopt; // MinDistance(), once it is known
 
   double DistanceTo(const skd::Vector3& x) const
   {
@@ -59,7 +60,18 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
 }
 
 //------------------------------------------------------------------------------
+// A relation may ask for it before it is told.
 double SkdCellRelation::MinDistance(const Asked& asked) const
+{
+  if (!asked.Least)
+  {
+    asked.Least = this->FindMinDistance(asked);
+  }
+  return *asked.Least;
+}
+
+//------------------------------------------------------------------------------
+double SkdCellRelation::FindMinDistance(const Asked& asked) const
 {
   switch (this->Shape.GetKind())
   {

@@ -49,6 +49,7 @@ private:
   struct Asked; // a cell
 
   double MinDistance(const Asked& asked) const;
+  double FindMinDistance(const Asked& asked) const;
   double MaxDistance(const Asked& asked) const;
   bool IsRelated(const Asked& asked) const;
   bool IsContained(const Asked& asked) const;
