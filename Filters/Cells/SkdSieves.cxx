@@ -7,6 +7,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <bitset>
 #include <vector>
 
 namespace
@@ -82,14 +83,37 @@ struct PlaneFiller
     {
       skd::ForEachLane(alike, [&](int lane) { this->SetPolyhedron(lane, cells[lane]); });
     }
-    VisitVolume(shape, [&](auto kind) { this->Set<decltype(kind)>(cells, alike); });
+    constexpr std::size_t few = 3; // so many cost less one by one than all lanes at once
+    const bool areFew = std::bitset<Node::Width>(alike).count() <= few;
+    VisitVolume(shape,
+      [&](auto kind)
+      {
+        areFew ? this->SetEach<decltype(kind)>(cells, alike)
+               : this->SetTogether<decltype(kind)>(cells, alike);
+      });
     return alike;
   }
 
 private:
-  /// Of one shape, several at once.
   template <class Shape>
-  void Set(const std::uint32_t* cells, unsigned lanes) const
+  void SetEach(const std::uint32_t* cells, unsigned lanes) const
+  {
+    skd::ForEachLane(lanes,
+      [&](int lane)
+      {
+        skd::Vector3 points[Shape::Size];
+        this->Gather(
+          cells[lane], Shape::Size, [&](int i, const skd::Vector3& place) { points[i] = place; });
+        for (int face = 0; face < Shape::NumberOfFaces; ++face)
+        {
+          this->Rows[face].SetAlongFace(lane, skd::FaceNormal<Shape>(points, face),
+            points[Shape::Faces[face][0]], points, Shape::Size, this->Margin);
+        }
+      });
+  }
+
+  template <class Shape>
+  void SetTogether(const std::uint32_t* cells, unsigned lanes) const
   {
     skd::CornerLanes<Shape> corners;
     skd::ForEachLane(lanes,
