@@ -43,8 +43,9 @@
  * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles in
  * a vtkPointSet, which are shared, of the points (24 bytes each): 48 bytes a cell of triangles, 52 of
  * tetrahedra, and up to twice that while it is built. What spares exact tests comes on top, unless
- * LazyBuild: 20 bytes a triangle, 32 a tetrahedron, 48 a hexahedron. GetMemorySize() and
- * GetBytesPerCell() count it.
+ * LazyBuild: 24 bytes a triangle, 32 a tetrahedron, 48 a hexahedron. If all cells are triangles, a
+ * copy of their corners is kept for lines: 15 bytes a triangle where points are in single precision,
+ * else 30. GetMemorySize() and GetBytesPerCell() count it all.
  *
  * Inherited settings: it utilizes NumberOfCellsPerNode (clamped to 1..8, default 8),
  * CacheCellBounds (default off: bounds are taken from the points when asked) and

@@ -66,6 +66,9 @@ public:
     return { { x[0], x[1], x[2] } };
   }
 
+  /// Whether all coordinates are numbers of single precision.
+  bool HasFloatPoints() const { return this->AreFloats; }
+
   template <int Size>
   void Gather(std::uint32_t cell, skd::Vector3 (&points)[Size]) const
   {
@@ -150,6 +153,7 @@ private:
 
   const double* Coordinates = nullptr;
   vtkIdType NumberOfPoints = 0;
+  bool AreFloats = false;
   vtkSmartPointer<vtkDataArray> SharedPoints; // the data set's own array when it is of doubles
   skd::RawVector<double> OwnPoints;
 };

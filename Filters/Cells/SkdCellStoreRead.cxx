@@ -196,6 +196,7 @@ void SkdCellStore::ReadPoints(vtkDataSet* data)
   this->Coordinates = own;
   auto* floats = vtkFloatArray::FastDownCast(points);
   const float* values = floats ? floats->GetPointer(0) : nullptr;
+  this->AreFloats = values != nullptr;
   double x[3];
   data->GetPoint(0, x); // what is made at the first call must not be made by many threads
   vtkSMPTools::For(0, this->NumberOfPoints,

@@ -237,16 +237,17 @@ private:
       skd::Walk(this->Eager, query);
     }
   }
-  /// Calls wide(tree, leaf) if there are wide walks for it (SkdWideWalks.h). False if not.
-  template <class Leaf, class Wide>
-  bool WalkWide(Leaf& leaf, Wide wide) const
+  /// Calls wide(tree) if there are wide walks for it (SkdWideWalks.h). False if not.
+  template <class Wide>
+  bool WalkWide(Wide wide) const
   {
     if (this->Lazy || !SkdWideWalks::AreOn())
     {
       return false;
     }
     const skd::TreeView<3> view = this->Eager.View();
-    wide(SkdWideTree{ &view, this->Sieves.Packs().Data() }, SkdWideLeaf::Of(leaf));
+    const skd::TrianglePacks packs = this->Sieves.Packs();
+    wide(SkdWideTree{ &view, &packs });
     return true;
   }
   /// skd::Nearest and skd::AlongSegment, as fast as it goes here.
@@ -254,6 +255,9 @@ private:
   void WalkNearest(const skd::Vector3& x, double limit2, Leaf& leaf) const;
   template <bool InOrder, class Leaf>
   void WalkAlong(const skd::Segment<3>& segment, double margin, Leaf& leaf) const;
+  /// skd::VisitTriangleHits, if all cells are triangles whose corners are at hand. False if not.
+  template <bool InOrder, class Leaf>
+  bool VisitTriangleHits(const skd::Segment<3>& segment, double tolerance, Leaf& leaf) const;
 
   const skd::Frame<3>& GetFrame() const
   {

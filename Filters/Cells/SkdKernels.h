@@ -16,7 +16,7 @@
 #include "Core/Geometry/ClosestSegments.h"
 #include "Core/Geometry/Hexahedron.h"
 #include "Core/Geometry/Pyramid.h"
-#include "Core/Geometry/SegmentTriangle.h"
+#include "Core/Geometry/SegmentNearTriangle.h"
 #include "Core/Geometry/Tetrahedron.h"
 #include "Core/Geometry/Voxel.h"
 #include "Core/Geometry/Wedge.h"
@@ -103,26 +103,6 @@ struct SkdLineKernel
   }
 };
 
-/// The hit of a segment that misses a triangle, but meets its plane within a tolerance of it.
-inline std::optional<SkdLineHit> SkdNearMiss(
-  const skd::Vector3* p, const skd::SegmentView& view, double tolerance)
-{
-  const skd::Segment<3>& segment = view.GetSegment();
-  const skd::Vector3 normal = skd::Cross(p[1] - p[0], p[2] - p[0]);
-  const double t = skd::Dot(normal, p[0] - segment.A) / skd::Dot(normal, segment.B - segment.A);
-  const std::optional<double> accepted = view.Accept(t);
-  if (!accepted)
-  {
-    return std::nullopt;
-  }
-  const auto nearest = skd::ClosestPointOnTriangle(p[0], p[1], p[2], segment.At(*accepted));
-  if (!(nearest.Dist2 <= tolerance * tolerance))
-  {
-    return std::nullopt;
-  }
-  return SkdLineHit{ *accepted, { { nearest.R, nearest.S, 0.0 } } };
-}
-
 struct SkdTriangleKernel
 {
   static constexpr int Size = 3;
@@ -137,11 +117,13 @@ struct SkdTriangleKernel
   static std::optional<SkdLineHit> Intersect(
     const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
   {
-    if (const auto hit = skd::Intersect(view, p[0], p[1], p[2]))
-    {
-      return SkdLineHit{ hit->T, { { hit->R, hit->S, 0.0 } } };
-    }
-    return reach.Tolerance > 0.0 ? SkdNearMiss(p, view, reach.Tolerance) : std::nullopt;
+    const auto hit = skd::IntersectWithin(view, p[0], p[1], p[2], reach.Tolerance);
+    return hit ? std::optional<SkdLineHit>(From(*hit)) : std::nullopt;
+  }
+
+  static SkdLineHit From(const skd::TriangleHit& hit)
+  {
+    return { hit.T, { { hit.R, hit.S, 0.0 } } };
   }
 
   static void Weights(const skd::Vector3& pcoords, double* weights)

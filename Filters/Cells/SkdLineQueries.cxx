@@ -5,6 +5,7 @@
 #include "Cells/SkdMotion.h"
 #include "Core/Geometry/SegmentPolygon.h"
 #include "Core/Queries/AlongSegment.h"
+#include "Core/Queries/TriangleHits.h"
 
 #include "vtkCell.h"
 #include "vtkDataSet.h"
@@ -130,9 +131,12 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
 template <bool InOrder, class Leaf>
 void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Leaf& leaf) const
 {
-  const auto wide = [&](const SkdWideTree& tree, const SkdWideLeaf& wideLeaf)
-  { SkdWideWalks::AlongSegment(tree, segment.A.X, segment.B.X, margin, InOrder, wideLeaf); };
-  if (!this->WalkWide(leaf, wide))
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    SkdWideWalks::AlongSegment(
+      tree, segment.A.X, segment.B.X, margin, InOrder, SkdWideLeaf::Of(leaf));
+  };
+  if (!this->WalkWide(wide))
   {
     using Sieve = skd::LineSieve;
     skd::AlongSegment<3, Leaf, Sieve, InOrder> query(
@@ -142,11 +146,48 @@ void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Leaf&
 }
 
 //------------------------------------------------------------------------------
+template <bool InOrder, class Leaf>
+bool SkdCellTree::VisitTriangleHits(
+  const skd::Segment<3>& segment, double tolerance, Leaf& leaf) const
+{
+  const skd::TrianglePacks packs = this->Sieves.Packs();
+  if (!packs.HavePoints())
+  {
+    return false;
+  }
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    SkdWideWalks::VisitTriangleHits(
+      tree, segment.A.X, segment.B.X, tolerance, InOrder, SkdWideHits::Of<skd::TriangleHit>(leaf));
+  };
+  if (!this->WalkWide(wide))
+  {
+    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packs, segment, tolerance, leaf);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 SkdHitCell SkdCellTree::FindFirstHit(
   const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
 {
   SkdHitCell first;
   const double reach = std::max(tolerance, 0.0);
+  const auto take = [&](std::uint32_t cell, const SkdLineHit& hit)
+  {
+    const SkdHitCell found = WithId(hit, this->Store.IdOf(cell));
+    if (first.Id < 0 || IsBefore(found, first))
+    {
+      first = found;
+    }
+    return first.T;
+  };
+  auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
+  { return take(cell, SkdTriangleKernel::From(hit)); };
+  if (this->VisitTriangleHits<true>(segment, reach, takeTriangle))
+  {
+    return first;
+  }
   const skd::SegmentView view(segment);
   if (!view.IsValid())
   {
@@ -154,15 +195,8 @@ SkdHitCell SkdCellTree::FindFirstHit(
   }
   auto leaf = [&](std::uint32_t cell)
   {
-    if (const auto hit = this->Hit(cell, view, reach, source))
-    {
-      const SkdHitCell found = WithId(*hit, this->Store.IdOf(cell));
-      if (first.Id < 0 || IsBefore(found, first))
-      {
-        first = found;
-      }
-    }
-    return first.Id < 0 ? 1.0 : first.T;
+    const auto hit = this->Hit(cell, view, reach, source);
+    return hit ? take(cell, *hit) : (first.Id < 0 ? 1.0 : first.T);
   };
   this->WalkAlong<true>(segment, reach, leaf);
   return first;
@@ -175,11 +209,12 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
   thread_local std::vector<SkdHitCell> hits;
   hits.clear();
   const double reach = std::max(tolerance, 0.0);
-  const skd::SegmentView view(segment);
-  if (!view.IsValid())
+  auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
   {
-    return hits;
-  }
+    hits.push_back(WithId(SkdTriangleKernel::From(hit), this->Store.IdOf(cell)));
+    return 1.0;
+  };
+  const skd::SegmentView view(segment);
   auto leaf = [&](std::uint32_t cell)
   {
     if (const auto hit = this->Hit(cell, view, reach, source))
@@ -188,7 +223,10 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
     }
     return 1.0;
   };
-  this->WalkAlong<false>(segment, reach, leaf);
+  if (!this->VisitTriangleHits<false>(segment, reach, takeTriangle) && view.IsValid())
+  {
+    this->WalkAlong<false>(segment, reach, leaf);
+  }
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
 }
@@ -239,6 +277,16 @@ const SkdCrossings& SkdCellTree::FindCrossings(
   crossings.List.clear();
   crossings.Cells.clear();
   facets.clear();
+  auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
+  {
+    facets.push_back({ hit.T, this->Store.IdOf(cell), hit.OnEdge, hit.Passes });
+    return 1.0;
+  };
+  if (this->VisitTriangleHits<false>(segment, 0.0, takeTriangle))
+  {
+    Merge(facets, crossings);
+    return crossings;
+  }
   const skd::SegmentView view(segment);
   if (!view.IsValid())
   {

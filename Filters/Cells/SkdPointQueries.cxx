@@ -66,9 +66,9 @@ SkdCellPoint SkdCellTree::Measure(
 template <bool OnlyNearest, class Leaf>
 void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Leaf& leaf) const
 {
-  const auto wide = [&](const SkdWideTree& tree, const SkdWideLeaf& wideLeaf)
-  { SkdWideWalks::Nearest(tree, x.X, limit2, OnlyNearest, wideLeaf); };
-  if (!this->WalkWide(leaf, wide))
+  const auto wide = [&](const SkdWideTree& tree)
+  { SkdWideWalks::Nearest(tree, x.X, limit2, OnlyNearest, SkdWideLeaf::Of(leaf)); };
+  if (!this->WalkWide(wide))
   {
     using Sieve = skd::DistanceSieve<OnlyNearest>;
     skd::Nearest<3, Leaf, Sieve> query(

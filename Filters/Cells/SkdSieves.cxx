@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <utility>
 #include <vector>
 
 namespace
@@ -62,6 +63,24 @@ int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
   VisitVolume(store.ShapeOf(cell), [&](auto shape) { count = shape.NumberOfFaces; });
   return std::min(count, enough);
 }
+
+/// The points of a bottom node's triangles, each once.
+struct SharedIds
+{
+  std::uint32_t Ids[3 * skd::TrianglePack::Width];
+  std::uint32_t Count = 0;
+
+  std::uint8_t PlaceOf(std::uint32_t id)
+  {
+    std::uint32_t* const end = this->Ids + this->Count;
+    const auto place = static_cast<std::uint32_t>(std::find(this->Ids, end, id) - this->Ids);
+    if (place == this->Count)
+    {
+      this->Ids[this->Count++] = id;
+    }
+    return static_cast<std::uint8_t>(place);
+  }
+};
 
 /// One bottom node's part of the rows, and where its cells are on its raster.
 struct PlaneFiller
@@ -197,6 +216,10 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
         }
       }
     });
+  if (isInOrder && !this->Triangles.empty())
+  {
+    this->FillPoints(store, tree);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -284,6 +307,7 @@ void SkdSieves::FillTriangles(
   skd::TrianglePack& pack = this->Triangles[bottom.Tag >> 1];
   pack = {};
   pack.Raster = RasterOf(bottom);
+  SharedIds shared;
   for (int lane = 0; lane < bottom.Count; ++lane)
   {
     const std::uint32_t* ids =
@@ -292,8 +316,43 @@ void SkdSieves::FillTriangles(
     {
       const skd::Vector3 world = store.Point(ids[corner]);
       pack.Set(corner, lane, tree.GetFrame().Local(world));
+      pack.PointOf[lane][corner] = shared.PlaceOf(ids[corner]);
     }
   }
+  pack.FirstPoint = shared.Count;
+}
+
+//------------------------------------------------------------------------------
+// So far, packs have said how many points they have.
+void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
+{
+  std::uint64_t points = 0;
+  for (skd::TrianglePack& pack : this->Triangles)
+  {
+    points += std::exchange(pack.FirstPoint, static_cast<std::uint32_t>(points));
+  }
+  if (points > std::numeric_limits<std::uint32_t>::max())
+  {
+    return; // lines then ask the store
+  }
+  store.HasFloatPoints() ? this->FloatPoints.resize(3 * points) : this->Points.resize(3 * points);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Triangles.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto number = static_cast<std::uint32_t>(begin); number < end; ++number)
+      {
+        const skd::TrianglePack& pack = this->Triangles[number];
+        const skd::ElementRange elements = tree.BottomAt(number);
+        for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
+        {
+          const std::uint32_t* ids = store.PointIdsOf(tree.Element(elements.First + lane));
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            this->SetPoint(pack.FirstPoint + pack.PointOf[lane][corner], store.Point(ids[corner]));
+          }
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -322,5 +381,6 @@ void SkdSieves::FillPlanes(
 std::size_t SkdSieves::MemorySize() const
 {
   return this->Triangles.capacity() * sizeof(skd::TrianglePack) +
+    this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
     this->Blocks.capacity() * sizeof(PlaneBlock) + this->Rows.capacity() * sizeof(skd::PlaneRow);
 }

@@ -12,8 +12,10 @@
 /// most candidates of a query that they need no exact test. Sieves never change an answer: what
 /// they leave out is proven to be no answer, rounding included.
 ///
-/// Triangles are kept as they are, 20 bytes each; volume cells as the planes along their faces, 8
-/// bytes a plane. Constant once built: any number of threads may use it.
+/// Triangles are kept as they are, 24 bytes each; volume cells as the planes along their faces, 8
+/// bytes a plane. Where all cells are triangles, their corners lie beside, too, each once a bottom
+/// node: 15 bytes a triangle of points in single precision, 30 of others. What a line needs of a
+/// bottom node is then at hand at once. Constant once built: any number of threads may use it.
 class SkdSieves
 {
 public:
@@ -23,7 +25,12 @@ public:
   SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
 
   /// For the sieves of Core/Sieves/TriangleSieves.h.
-  skd::TrianglePacks Packs() const { return skd::TrianglePacks(this->Triangles.data()); }
+  skd::TrianglePacks Packs() const
+  {
+    return { this->Triangles.data(),
+      { this->FloatPoints.empty() ? nullptr : this->FloatPoints.data(),
+        this->Points.empty() ? nullptr : this->Points.data() } };
+  }
 
   /// Which volume cells may hold a point.
   class Point
@@ -86,10 +93,28 @@ private:
   void NumberRows();
   void FillTriangles(
     const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom);
+  void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
+  void SetPoint(std::uint32_t point, const skd::Vector3& x)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::size_t at = 3 * std::size_t(point) + static_cast<std::size_t>(axis);
+      if (this->Points.empty())
+      {
+        this->FloatPoints[at] = static_cast<float>(x[axis]);
+      }
+      else
+      {
+        this->Points[at] = x[axis];
+      }
+    }
+  }
   void FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom,
     double rounding);
 
   skd::RawVector<skd::TrianglePack> Triangles;
+  skd::RawVector<float> FloatPoints; // of the packs, in turn, if all bottom nodes have one: in
+  skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
   skd::RawVector<PlaneBlock> Blocks;
   skd::RawVector<skd::PlaneRow> Rows; // those of a block in turn
   std::uint32_t CommonRows = 0;       // of each block, or 0

@@ -16,6 +16,7 @@
 
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/Nearest.h"
+#include "Core/Queries/TriangleHits.h"
 #include "Core/Sieves/TriangleSieves.h"
 #include "Core/Tree/TreeView.h"
 #include "Core/Tree/Walk.h"
@@ -27,9 +28,9 @@ const skd::TreeView<3>& ViewOf(const SkdWideTree& tree)
   return *static_cast<const skd::TreeView<3>*>(tree.View);
 }
 
-skd::TrianglePacks PacksOf(const SkdWideTree& tree)
+const skd::TrianglePacks& PacksOf(const SkdWideTree& tree)
 {
-  return skd::TrianglePacks(static_cast<const skd::TrianglePack*>(tree.Packs));
+  return *static_cast<const skd::TrianglePacks*>(tree.Packs);
 }
 
 skd::Vector3 PointAt(const double x[3])
@@ -75,4 +76,15 @@ void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const double from[3], c
   const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
   inOrder ? WalkAlong<true>(tree, segment, margin, leaf)
           : WalkAlong<false>(tree, segment, margin, leaf);
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const double from[3],
+  const double to[3], double tolerance, bool inOrder, const SkdWideHits& leaf)
+{
+  const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
+  auto take = [&leaf](std::uint32_t cell, const skd::TriangleHit& hit)
+  { return leaf.Call(leaf.Self, cell, &hit); };
+  inOrder ? skd::VisitTriangleHits<true>(ViewOf(tree), PacksOf(tree), segment, tolerance, take)
+          : skd::VisitTriangleHits<false>(ViewOf(tree), PacksOf(tree), segment, tolerance, take);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The walks about triangles once more, for processors with AVX2: eight lanes in one register.
+/// The walks about triangles once more, for processors with AVX2 and FMA: eight lanes in a register.
 /// Which are run is decided when the program is. Answers are the same to the last bit: lanes do the
 /// same operations, rounded the same way, however many there are to a register.
 ///
@@ -18,7 +18,7 @@
 struct SkdWideTree
 {
   const void* View;  ///< skd::TreeView<3>
-  const void* Packs; ///< skd::TrianglePack, the first
+  const void* Packs; ///< skd::TrianglePacks
 };
 
 /// Measures a cell, and returns beyond what nothing is wanted any more.
@@ -38,7 +38,24 @@ struct SkdWideLeaf
   void* Self;
 };
 
-/// skd::Nearest and skd::AlongSegment with the sieves of Core/Sieves/TriangleSieves.h.
+/// Takes a triangle that is hit, and returns beyond what nothing is wanted any more.
+struct SkdWideHits
+{
+  template <class Hit, class Leaf>
+  static SkdWideHits Of(Leaf& leaf)
+  {
+    return { [](void* self, std::uint32_t cell, const void* hit) -> double
+      { return (*static_cast<Leaf*>(self))(cell, *static_cast<const Hit*>(hit)); },
+      &leaf };
+  }
+
+  /// `hit`: skd::TriangleHit
+  double (*Call)(void*, std::uint32_t cell, const void* hit);
+  void* Self;
+};
+
+/// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the sieves of
+/// Core/Sieves/TriangleSieves.h.
 class SkdWideWalks
 {
 public:
@@ -52,6 +69,8 @@ public:
     const SkdWideLeaf& leaf);
   static void AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
     double margin, bool inOrder, const SkdWideLeaf& leaf);
+  static void VisitTriangleHits(const SkdWideTree& tree, const double from[3], const double to[3],
+    double tolerance, bool inOrder, const SkdWideHits& leaf);
 };
 
 #endif

@@ -263,12 +263,16 @@ TEST_F(Lifecycle, StatisticsDescribeTheTree)
   EXPECT_GT(this->Locator->GetBuildSeconds(), 0.0);
 }
 
-TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost80BytesForEach)
+/// What the header says of the corners that trees of triangles keep for lines: 30 bytes each, and a
+/// few more where bottom nodes share less.
+constexpr int BytesOfCorners = 32;
+
+TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost80BytesForEachBesideTheirCorners)
 {
   const auto locator = MakeLocator(MakePolyData(SphereTriangles(60)));
   const double cells = static_cast<double>(locator->GetNumberOfCellsInTree());
   EXPECT_GT(cells, 40000.0);
-  EXPECT_LE(locator->GetBytesPerCell(), 80.0);
+  EXPECT_LE(locator->GetBytesPerCell(), 80.0 + BytesOfCorners);
   EXPECT_EQ(locator->GetBytesPerCell(), static_cast<double>(locator->GetMemorySize()) / cells);
   locator->FreeSearchStructure();
   EXPECT_EQ(locator->GetBytesPerCell(), 0.0);
@@ -295,7 +299,7 @@ TEST_F(Lifecycle, MemoryGrowsWithTheMeshNotFasterThanSaid)
   const auto data = MakePolyData(SphereTriangles(40));
   const auto locator = MakeLocator(data);
   const vtkIdType cells = data->GetNumberOfCells();
-  const vtkIdType said = cells * (32 + 3 * 4) + data->GetNumberOfPoints() * 24;
+  const vtkIdType said = cells * (32 + 3 * 4 + BytesOfCorners) + data->GetNumberOfPoints() * 24;
   EXPECT_LE(locator->GetMemorySize(), said + said / 4 + 4096);
 }
 

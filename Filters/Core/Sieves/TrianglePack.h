@@ -9,13 +9,16 @@
 namespace skd
 {
 
-/// Up to eight triangles on their raster.
-struct alignas(32) TrianglePack
+/// Up to eight triangles on their raster, and where their corners as they are can be found: three
+/// cache lines.
+struct alignas(64) TrianglePack
 {
   static constexpr int Width = 8;
 
   skd::Raster Raster{};
   std::int16_t Corners[3][3][Width] = {}; ///< by corner, axis, lane
+  std::uint32_t FirstPoint = 0;           ///< of those that the triangles share (TrianglePacks)
+  std::uint8_t PointOf[Width][3] = {};    ///< how much farther that of each corner is
 
   /// `place` in the tree's frame.
   void Set(int corner, int lane, const Vector3& place)

@@ -13,24 +13,67 @@
 namespace skd
 {
 
+/// The corners that packs name, each once a pack, as the data set has them: in single precision
+/// where it has no more.
+struct PackPoints
+{
+  const float* Floats = nullptr; ///< one of the two
+  const double* Doubles = nullptr;
+
+  Vector3 At(std::uint32_t point) const
+  {
+    const std::size_t at = 3 * std::size_t(point);
+    return this->Floats
+      ? Vector3{ { this->Floats[at], this->Floats[at + 1], this->Floats[at + 2] } }
+      : Vector3{ { this->Doubles[at], this->Doubles[at + 1], this->Doubles[at + 2] } };
+  }
+
+  /// As many as packs have usually.
+  void Fetch(std::uint32_t first) const
+  {
+    const std::size_t at = 3 * std::size_t(first);
+    if (this->Floats)
+    {
+      FetchLines<128>(this->Floats + at);
+    }
+    else
+    {
+      FetchLines<256>(this->Doubles + at);
+    }
+  }
+};
+
 /// The packs of a tree's bottom nodes.
 class TrianglePacks
 {
 public:
-  explicit TrianglePacks(const TrianglePack* first)
+  TrianglePacks(const TrianglePack* first, const PackPoints& points)
     : First(first)
+    , Points(points)
   {
   }
 
   static bool Has(const Node<3>& node) { return (node.Tag & 1u) == 0; }
   static std::uint32_t TagOf(std::uint32_t pack) { return 2 * pack; }
-  const TrianglePack* Data() const { return this->First; }
   static std::uint32_t NumberOf(const Node<3>& bottom) { return bottom.Tag >> 1; }
   const TrianglePack& Of(std::uint32_t number) const { return this->First[number]; }
   void Fetch(std::uint32_t number) const { FetchLines<sizeof(TrianglePack)>(this->First + number); }
 
+  /// Whether there are points: the packs are then those of all bottom nodes, by number.
+  bool HavePoints() const { return this->Points.Floats || this->Points.Doubles; }
+  void FetchPoints(std::uint32_t number) const
+  {
+    this->Points.Fetch(this->First[number].FirstPoint);
+  }
+  Vector3 Corner(std::uint32_t number, std::uint32_t lane, int corner) const
+  {
+    const TrianglePack& pack = this->First[number];
+    return this->Points.At(pack.FirstPoint + pack.PointOf[lane][corner]);
+  }
+
 private:
   const TrianglePack* First;
+  PackPoints Points;
 };
 
 /// Lower bounds of distances. With `OnlyNearest` also upper ones: these limit the search.
@@ -94,6 +137,10 @@ public:
   }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const
   {
+    if (this->Packs.HavePoints())
+    {
+      this->Packs.FetchPoints(number);
+    }
     std::fill(keys, keys + Node<3>::Width, 0.0f);
     return this->Crossings.MayMeet(this->Packs.Of(number)) & LowBits(count);
   }

@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangles whose corners lie beside the packs of a tree are hit as each of them is by itself.
+#include "Core/Queries/TriangleHits.h"
+#include "Core/Tree/Tree.h"
+#include "CoreScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <tuple>
+
+using namespace coretest;
+using skd::Segment;
+using skd::TriangleHit;
+using skd::Vector3;
+
+namespace
+{
+
+struct Mesh
+{
+  std::vector<Vector3> Points;
+  std::vector<std::array<std::uint32_t, 3>> Triangles;
+
+  const Vector3& Corner(std::size_t triangle, int corner) const
+  {
+    return this->Points[this->Triangles[triangle][static_cast<std::size_t>(corner)]];
+  }
+};
+
+/// Triangles of points that many of them share: on whole numbers, where lines meet edges and
+/// corners exactly, or anywhere. Some have no area, some are twins.
+Mesh MakeMesh(Random& random, std::size_t count, bool isWhole, const Vector3& offset, double scale)
+{
+  Mesh mesh;
+  for (std::size_t i = 0; i < count / 2 + 3; ++i)
+  {
+    Vector3 x = random.Point<3>(-4.0, 4.0);
+    for (int axis = 0; axis < 3 && isWhole; ++axis)
+    {
+      x[axis] = std::round(x[axis]);
+    }
+    mesh.Points.push_back(offset + scale * x);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::array<std::uint32_t, 3> corners;
+    for (std::uint32_t& corner : corners)
+    {
+      corner = static_cast<std::uint32_t>(random.Below(mesh.Points.size()));
+    }
+    const bool isTwin = i > 0 && random.Below(10) == 0;
+    mesh.Triangles.push_back(isTwin ? mesh.Triangles.back() : corners);
+  }
+  return mesh;
+}
+
+/// A tree of triangles with packs that have points.
+template <class Real>
+class Packed
+{
+public:
+  Packed(const Mesh& mesh, int capacity, double epsilon)
+    : TheTree(InputOf(mesh, capacity, epsilon))
+  {
+    for (std::uint32_t i = 0; i < this->TheTree.NumberOfNodes(); ++i)
+    {
+      const skd::Node<3>& node = this->TheTree.Open(i);
+      if (node.IsBottom)
+      {
+        this->Pack(mesh, node);
+        this->TheTree.SetTag(i, skd::TrianglePacks::TagOf(this->TheTree.NumberOf(node)));
+      }
+      else
+      {
+        this->TheTree.SetTag(i, skd::TrianglePacks::TagOf(0));
+        this->TheTree.SetNote(i, this->TheTree.BottomsBelow(node));
+      }
+    }
+  }
+
+  template <bool InOrder, class Leaf>
+  void Visit(const Segment<3>& segment, double tolerance, Leaf leaf) const
+  {
+    skd::PackPoints points;
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      points.Floats = this->Points.data();
+    }
+    else
+    {
+      points.Doubles = this->Points.data();
+    }
+    const skd::TrianglePacks packs(this->Packs.data(), points);
+    skd::VisitTriangleHits<InOrder>(this->TheTree.View(), packs, segment, tolerance, leaf);
+  }
+
+private:
+  static skd::TreeInput<3> InputOf(const Mesh& mesh, int capacity, double epsilon)
+  {
+    Boxes<3> boxes(mesh.Triangles.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        boxes[i].Add(mesh.Corner(i, corner));
+      }
+    }
+    skd::TreeInput<3> input = skd::MakeTreeInput(boxes, epsilon);
+    input.Capacity = capacity;
+    return input;
+  }
+
+  void Pack(const Mesh& mesh, const skd::Node<3>& bottom)
+  {
+    const std::uint32_t number = this->TheTree.NumberOf(bottom);
+    this->Packs.resize(std::max<std::size_t>(this->Packs.size(), number + 1));
+    skd::TrianglePack& pack = this->Packs[number];
+    skd::FloatBox<3> box = skd::NoBox<3>();
+    for (int lane = 0; lane < bottom.Count; ++lane)
+    {
+      skd::Enclose(box, bottom.Boxes.Get(lane));
+    }
+    pack.Raster = skd::Raster(box);
+    pack.FirstPoint = static_cast<std::uint32_t>(this->Points.size() / 3);
+    std::map<std::uint32_t, std::uint8_t> places;
+    for (int lane = 0; lane < bottom.Count; ++lane)
+    {
+      const std::uint32_t triangle =
+        this->TheTree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const Vector3& x = mesh.Corner(triangle, corner);
+        pack.Set(corner, lane, this->TheTree.GetFrame().Local(x));
+        const std::uint32_t id = mesh.Triangles[triangle][static_cast<std::size_t>(corner)];
+        const auto place = places.emplace(id, static_cast<std::uint8_t>(places.size()));
+        pack.PointOf[lane][corner] = place.first->second;
+        if (place.second)
+        {
+          std::copy(x.X, x.X + 3, std::back_inserter(this->Points));
+        }
+      }
+    }
+  }
+
+  skd::Tree<3> TheTree;
+  std::vector<skd::TrianglePack> Packs;
+  std::vector<Real> Points;
+};
+
+using Hits = std::vector<std::tuple<double, std::uint32_t, double, double, bool, bool>>;
+
+Hits::value_type ToTuple(std::uint32_t triangle, const TriangleHit& hit)
+{
+  return { hit.T, triangle, hit.R, hit.S, hit.OnEdge, hit.Passes };
+}
+
+Hits OneByOne(const Mesh& mesh, const Segment<3>& segment, double tolerance)
+{
+  Hits hits;
+  const skd::SegmentView view(segment);
+  for (std::uint32_t i = 0; i < mesh.Triangles.size() && view.IsValid(); ++i)
+  {
+    const auto hit = skd::IntersectWithin(
+      view, mesh.Corner(i, 0), mesh.Corner(i, 1), mesh.Corner(i, 2), tolerance);
+    if (hit)
+    {
+      hits.push_back(ToTuple(i, *hit));
+    }
+  }
+  std::sort(hits.begin(), hits.end());
+  return hits;
+}
+
+/// Returns how many are hit.
+template <class Real>
+std::size_t ExpectAsOneByOne(
+  const Mesh& mesh, const Packed<Real>& packed, const Segment<3>& segment, double tolerance)
+{
+  const Hits expected = OneByOne(mesh, segment, tolerance);
+  Hits all;
+  packed.template Visit<false>(segment, tolerance,
+    [&](std::uint32_t triangle, const TriangleHit& hit)
+    {
+      all.push_back(ToTuple(triangle, hit));
+      return 1.0;
+    });
+  std::sort(all.begin(), all.end());
+  EXPECT_EQ(all, expected);
+
+  Hits first;
+  packed.template Visit<true>(segment, tolerance,
+    [&](std::uint32_t triangle, const TriangleHit& hit)
+    {
+      const auto found = ToTuple(triangle, hit);
+      first.assign(1, first.empty() ? found : std::min(found, first.front()));
+      return std::get<0>(first.front());
+    });
+  EXPECT_EQ(first, Hits(expected.begin(), expected.begin() + (expected.empty() ? 0 : 1)));
+  return expected.size();
+}
+
+struct Setting
+{
+  bool IsWhole;
+  Vector3 Offset;
+  double Scale;
+};
+
+/// Between two points, one of them on a triangle as often as not; now and then along an axis, of no
+/// length, or not finite.
+Segment<3> MakeSegment(Random& random, const Mesh& mesh, const Setting& setting)
+{
+  Segment<3> segment{ setting.Offset + setting.Scale * random.Point<3>(-6.0, 6.0),
+    setting.Offset + setting.Scale * random.Point<3>(-6.0, 6.0) };
+  if (random.Below(2) == 0)
+  {
+    segment.B = mesh.Points[random.Below(mesh.Points.size())];
+  }
+  if (random.Below(3) == 0)
+  {
+    const auto axis = static_cast<int>(random.Below(3));
+    segment.A = segment.B + Along<3>(axis, 9.0 * setting.Scale);
+    segment.B = segment.B - Along<3>(axis, 9.0 * setting.Scale);
+  }
+  if (random.Below(20) == 0)
+  {
+    segment.A = random.Below(2) == 0 ? segment.B : Filled<3>(NAN);
+  }
+  return segment;
+}
+
+template <class Real>
+void Check(const Setting& setting)
+{
+  Random random(7);
+  std::size_t hits = 0;
+  for (const std::size_t count : { 1, 2, 8, 9, 63, 64, 65, 700 })
+  {
+    const Mesh mesh = MakeMesh(random, count, setting.IsWhole, setting.Offset, setting.Scale);
+    for (const int capacity : { 1, 3, 8 })
+    {
+      const Packed<Real> packed(mesh, capacity, 1e-9 * setting.Scale);
+      for (int i = 0; i < 40; ++i)
+      {
+        const double tolerance = i % 3 == 0 ? 0.05 * setting.Scale : 0.0;
+        hits += ExpectAsOneByOne(mesh, packed, MakeSegment(random, mesh, setting), tolerance);
+      }
+    }
+  }
+  EXPECT_GT(hits, 1000u);
+}
+
+TEST(TriangleHits, DoublesAreHitAsEachTriangleIs)
+{
+  Check<double>({ false, Filled<3>(0.0), 1.0 });
+}
+
+TEST(TriangleHits, EdgesAndCornersAreHitAsEachTriangleIs)
+{
+  Check<double>({ true, Filled<3>(0.0), 1.0 });
+}
+
+TEST(TriangleHits, FloatsAreHitAsEachTriangleIs)
+{
+  Check<float>({ true, Filled<3>(16.0), 0.125 });
+}
+
+TEST(TriangleHits, FarAndTinyTrianglesAreHitAsEachIs)
+{
+  Check<double>({ false, Filled<3>(1e6), 1e-3 });
+  Check<double>({ true, Filled<3>(0.0), 1e-150 });
+  Check<double>({ true, Filled<3>(0.0), 1e100 });
+}
+
+}
