@@ -35,7 +35,8 @@
  *
  * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and "none"
  * everywhere. An unset Source is an error of the pipeline. See SetSignedDistance for a Source that
- * is not closed. An Input without points gives an output without points.
+ * is not closed. An Input without points gives an output without points. A MaximumDistance that is
+ * negative or NaN gives a warning and counts as 0.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -63,7 +64,7 @@ public:
   /**
    * Distance beyond which a point gets no answer. Default VTK_DOUBLE_MAX: no limit.
    */
-  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  void SetMaximumDistance(double distance);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 

@@ -182,6 +182,16 @@ vtkSkdTreePointInOut::vtkSkdTreePointInOut()
 
 vtkSkdTreePointInOut::~vtkSkdTreePointInOut() = default;
 
+void vtkSkdTreePointInOut::SetNumberOfRays(int rays)
+{
+  this->SetWithin("NumberOfRays", rays, 1, 1000, this->NumberOfRays);
+}
+
+void vtkSkdTreePointInOut::SetBoundaryBand(double band)
+{
+  this->SetWithin("BoundaryBand", band, 0.0, VTK_DOUBLE_MAX, this->BoundaryBand);
+}
+
 void vtkSkdTreePointInOut::SetPartArray(const char* name)
 {
   const std::string wanted = name ? name : "";
@@ -215,7 +225,7 @@ void vtkSkdTreePointInOut::UpdateParts()
   Internals& internals = *this->Impl;
   internals.Rules = { static_cast<SkdInsideMethod>(this->Method), this->NumberOfRays,
     static_cast<std::uint64_t>(this->Seed) };
-  internals.Band = this->BoundaryBand > 0.0 ? this->BoundaryBand : 0.0;
+  internals.Band = this->BoundaryBand;
   internals.PartIds.clear();
   if (this->Model == BOUNDARIES)
   {
@@ -350,6 +360,8 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
   report.AddCount("Parts", static_cast<vtkIdType>(this->Impl->Parts.Get().size()));
   report.AddCount("OpenParts", open);
   report.AddCount("OpenEdges", edges);
+  const bool asksFaces = this->Model == BOUNDARIES && HasVolumes(this->Impl->Leaves);
+  report.AddCount("OuterFaces", asksFaces ? 1 : 0);
   report.AddCount("TreesBuilt", this->Impl->Built);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);

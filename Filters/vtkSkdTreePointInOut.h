@@ -37,14 +37,16 @@
  * vtkUnstructuredGrid; of composite data a vtkMultiBlockDataSet with one for each data set in it.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
- * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportTreesBuilt (0 when all were
- * kept), SkdReportBuildSeconds and SkdReportQuerySeconds.
+ * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 where volume
+ * cells were taken for their outer faces), SkdReportTreesBuilt (0 when all were kept),
+ * SkdReportBuildSeconds and SkdReportQuerySeconds.
  *
  * Bad input: a Source without cells, or without surfaces where they are needed, gives a warning and
  * nothing is inside. A PartArray that some block does not have, and volume cells with
  * UseOuterFaces off, give an error and an empty output. Open edges (that an odd number of a part's
  * faces use) give one warning that counts them: answers near them may be wrong, and the confidence
- * tells. A NumberOfRays below 1 counts as 1; a BoundaryBand that is negative or NaN counts as 0.
+ * tells. A NumberOfRays below 1 counts as 1, a BoundaryBand that is negative or NaN as 0: a warning
+ * says so.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSelectEnclosedPoints
@@ -148,7 +150,7 @@ public:
   /**
    * Of RANDOM_RAYS, of surfaces with gaps. Range 1 to 1000, default 10.
    */
-  vtkSetClampMacro(NumberOfRays, int, 1, 1000);
+  void SetNumberOfRays(int rays);
   vtkGetMacro(NumberOfRays, int);
   ///@}
 
@@ -184,7 +186,7 @@ public:
    * Points at this distance from a part's surface or nearer are marked as on the boundary. World
    * units, default 0: none is.
    */
-  vtkSetClampMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
+  void SetBoundaryBand(double band);
   vtkGetMacro(BoundaryBand, double);
   ///@}
 

@@ -147,6 +147,11 @@ vtkSkdTreeProbe::vtkSkdTreeProbe()
 
 vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
 
+void vtkSkdTreeProbe::SetMaximumDistance(double distance)
+{
+  this->SetWithin("MaximumDistance", distance, 0.0, VTK_DOUBLE_MAX, this->MaximumDistance);
+}
+
 void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 {
   if (name && this->Impl->Names.Categorical.insert(name).second)

@@ -50,8 +50,9 @@
  * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and no
  * answers. A point that is not finite gets none. An array named for gradients or as categorical
  * that the Source does not have gives a warning, as an array whose name is in use does. A negative
- * or NaN tolerance counts as 0, a negative MaximumDistance too. ProbeLines with an Input that has
- * no lines gives a warning. An execution that is aborted leaves "none" where it did not get to.
+ * or NaN tolerance counts as 0, a negative MaximumDistance too, with a warning. ProbeLines with an
+ * Input that has no lines gives a warning. An execution that is aborted leaves "none" where it did
+ * not get to.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeClosestPoint vtkProbeFilter
@@ -114,7 +115,7 @@ public:
   /**
    * See SetOutsidePoints. World units, default 1.
    */
-  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  void SetMaximumDistance(double distance);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 

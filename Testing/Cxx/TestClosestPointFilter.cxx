@@ -345,9 +345,11 @@ TEST(ClosestPointFilter, SettingsHaveTheirDefaultsAndRanges)
   EXPECT_EQ(filter->GetEpsilon(), 1e-9);
   EXPECT_FALSE(filter->GetSignedDistance() || filter->GetInterpolateSourceData() ||
     filter->GetGenerateLines());
+  EventCounter events(filter);
   filter->SetMaximumDistance(-1.0);
   filter->SetEpsilon(2.0);
   EXPECT_EQ(filter->GetMaximumDistance(), 0.0);
+  EXPECT_EQ(events.Warnings, 1);
   EXPECT_EQ(filter->GetEpsilon(), 1.0);
   std::ostringstream text;
   filter->Print(text);

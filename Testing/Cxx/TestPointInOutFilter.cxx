@@ -48,6 +48,7 @@ TEST(PointInOut, OfVolumeCellsTheOuterFacesOrTheCellsThemselves)
     filter->Modified();
     filter->Update();
     EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
+    EXPECT_EQ(Reported(filter, "OuterFaces"), model == InOut::BOUNDARIES ? 1 : 0);
   }
   InOutPointer strict = MakeInOut(input, grid);
   strict->UseOuterFacesOff();
@@ -129,8 +130,23 @@ TEST(PointInOut, BadInputSaysWhy)
   filter->Update();
   EXPECT_EQ(events.Errors, 1);
   EXPECT_NE(events.Error.find("Nothing"), std::string::npos);
+}
+
+TEST(PointInOut, NumbersOutOfTheirRangeAreSaidAndTheNearestTaken)
+{
+  auto filter = InOutPointer::New();
+  EventCounter events(filter);
   filter->SetNumberOfRays(0);
   EXPECT_EQ(filter->GetNumberOfRays(), 1);
+  filter->SetBoundaryBand(-1.0);
+  EXPECT_EQ(filter->GetBoundaryBand(), 0.0);
+  EXPECT_EQ(events.Warnings, 2);
+  filter->SetBoundaryBand(double(NAN));
+  EXPECT_EQ(filter->GetBoundaryBand(), 0.0);
+  EXPECT_EQ(events.Warnings, 3);
+  filter->SetNumberOfRays(1000);
+  filter->SetBoundaryBand(2.0);
+  EXPECT_EQ(events.Warnings, 3);
 }
 
 TEST(PointInOut, MixedBlocksAreEachAPartOfItsKind)
