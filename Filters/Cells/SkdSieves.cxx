@@ -7,6 +7,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <utility>
 #include <vector>
@@ -48,9 +49,11 @@ void VisitVolume(SkdShape shape, Visit visit)
   }
 }
 
+/// Of a cell; of a polyhedron's faces the others are left out.
+constexpr int MostPlanes = 16;
+
 int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
 {
-  constexpr int enough = 16;
   int count = 0;
   if (store.ShapeOf(cell) == SkdShape::Polyhedron)
   {
@@ -61,7 +64,25 @@ int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
     }
   }
   VisitVolume(store.ShapeOf(cell), [&](auto shape) { count = shape.NumberOfFaces; });
-  return std::min(count, enough);
+  return std::min(count, MostPlanes);
+}
+
+constexpr std::size_t NumberOfPieces = 64;
+
+/// Calls body(piece, first, last) in parallel for pieces of 0 .. count - 1, always the same.
+template <class Body>
+void ForEachPiece(std::uint64_t count, const Body& body)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(NumberOfPieces), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto piece = static_cast<std::uint64_t>(begin); piece < static_cast<std::uint64_t>(end);
+           ++piece)
+      {
+        body(piece, static_cast<std::uint32_t>(count * piece / NumberOfPieces),
+          static_cast<std::uint32_t>(count * (piece + 1) / NumberOfPieces));
+      }
+    });
 }
 
 /// The points of a bottom node's triangles, each once.
@@ -203,6 +224,10 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
         const Node& node = tree.Open(i);
         if (node.IsBottom && skd::TrianglePacks::Has(node))
         {
+          if (isInOrder)
+          {
+            tree.SetTag(i, skd::TrianglePacks::TagOf(tree.NumberOf(node)));
+          }
           this->FillTriangles(store, tree, node);
         }
         else if (node.IsBottom && HasPlanes(node))
@@ -225,35 +250,59 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
 //------------------------------------------------------------------------------
 SkdSieves::Counts SkdSieves::Census(const SkdCellStore& store, skd::Tree<3>& tree)
 {
-  Counts counts;
-  for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
+  std::array<Counts, NumberOfPieces> pieces;
+  ForEachPiece(tree.NumberOfNodes(),
+    [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
+    {
+      Counts counts;
+      for (std::uint32_t i = first; i < last; ++i)
+      {
+        CountIn(store, tree, i, counts);
+      }
+      pieces[piece] = counts;
+    });
+  Counts all;
+  for (const Counts& counts : pieces)
   {
-    const Node& node = tree.Open(i);
-    int least = std::numeric_limits<int>::max();
-    int most = 0;
-    std::uint32_t triangles = 0;
-    for (std::uint32_t lane = 0; node.IsBottom && lane < node.Count; ++lane)
-    {
-      const std::uint32_t cell = tree.Element(node.First + lane);
-      const int planes = NumberOfPlanes(store, cell);
-      least = std::min(least, planes);
-      most = std::max(most, planes);
-      triangles += store.ShapeOf(cell) == SkdShape::Triangle ? 1 : 0;
-    }
-    counts.Bottoms += node.IsBottom ? 1 : 0;
-    if (triangles > 0 && triangles == node.Count)
-    {
-      tree.SetTag(i, skd::TrianglePacks::TagOf(0));
-      ++counts.Packs;
-    }
-    else if (most > 0 && least > 0 && counts.Rows < Node::NoTag / 2)
-    {
-      tree.SetTag(i, TagOfBlock(static_cast<std::uint32_t>(most)));
-      ++counts.Blocks;
-      counts.Rows += static_cast<std::uint32_t>(most);
-    }
+    all.Bottoms += counts.Bottoms;
+    all.Packs += counts.Packs;
+    all.Blocks += counts.Blocks;
   }
-  return counts;
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void SkdSieves::CountIn(
+  const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts)
+{
+  const Node& node = tree.Open(index);
+  if (!node.IsBottom)
+  {
+    return;
+  }
+  int least = std::numeric_limits<int>::max();
+  int most = 0;
+  std::uint32_t triangles = 0;
+  for (std::uint32_t lane = 0; lane < node.Count; ++lane)
+  {
+    const std::uint32_t cell = tree.Element(node.First + lane);
+    const int planes = NumberOfPlanes(store, cell);
+    least = std::min(least, planes);
+    most = std::max(most, planes);
+    triangles += store.ShapeOf(cell) == SkdShape::Triangle ? 1 : 0;
+  }
+  ++counts.Bottoms;
+  const bool haveRowsNumbers = tree.NumberOfNodes() < Node::NoTag / 2 / MostPlanes;
+  if (triangles == node.Count)
+  {
+    tree.SetTag(index, skd::TrianglePacks::TagOf(0));
+    ++counts.Packs;
+  }
+  else if (most > 0 && least > 0 && haveRowsNumbers)
+  {
+    tree.SetTag(index, TagOfBlock(static_cast<std::uint32_t>(most)));
+    ++counts.Blocks;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +311,10 @@ bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
   const bool isInOrder = counts.Packs == counts.Bottoms || counts.Blocks == counts.Bottoms;
   this->Triangles.resize(counts.Packs);
   this->Blocks.resize(counts.Blocks);
+  if (isInOrder && counts.Blocks == 0)
+  {
+    return true; // packs are numbered as they are filled
+  }
   std::uint32_t packs = 0;
   std::uint32_t blocks = 0;
   for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
@@ -326,33 +379,51 @@ void SkdSieves::FillTriangles(
 // So far, packs have said how many points they have.
 void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
 {
+  std::array<std::uint64_t, NumberOfPieces> firsts{};
+  ForEachPiece(this->Triangles.size(),
+    [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
+    {
+      for (std::uint32_t number = first; number < last; ++number)
+      {
+        firsts[piece] += this->Triangles[number].FirstPoint;
+      }
+    });
   std::uint64_t points = 0;
-  for (skd::TrianglePack& pack : this->Triangles)
+  for (std::uint64_t& first : firsts)
   {
-    points += std::exchange(pack.FirstPoint, static_cast<std::uint32_t>(points));
+    points += std::exchange(first, points);
   }
   if (points > std::numeric_limits<std::uint32_t>::max())
   {
     return; // lines then ask the store
   }
   store.HasFloatPoints() ? this->FloatPoints.resize(3 * points) : this->Points.resize(3 * points);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Triangles.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  ForEachPiece(this->Triangles.size(),
+    [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
     {
-      for (auto number = static_cast<std::uint32_t>(begin); number < end; ++number)
+      auto next = static_cast<std::uint32_t>(firsts[piece]);
+      for (std::uint32_t number = first; number < last; ++number)
       {
-        const skd::TrianglePack& pack = this->Triangles[number];
-        const skd::ElementRange elements = tree.BottomAt(number);
-        for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
-        {
-          const std::uint32_t* ids = store.PointIdsOf(tree.Element(elements.First + lane));
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            this->SetPoint(pack.FirstPoint + pack.PointOf[lane][corner], store.Point(ids[corner]));
-          }
-        }
+        next += std::exchange(this->Triangles[number].FirstPoint, next);
+        this->CopyPoints(store, tree, number);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void SkdSieves::CopyPoints(
+  const SkdCellStore& store, const skd::Tree<3>& tree, std::uint32_t number)
+{
+  const skd::TrianglePack& pack = this->Triangles[number];
+  const skd::ElementRange elements = tree.BottomAt(number);
+  for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
+  {
+    const std::uint32_t* ids = store.PointIdsOf(tree.Element(elements.First + lane));
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->SetPoint(pack.FirstPoint + pack.PointOf[lane][corner], store.Point(ids[corner]));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -83,17 +83,19 @@ private:
     std::uint32_t Bottoms = 0;
     std::uint32_t Packs = 0;
     std::uint32_t Blocks = 0;
-    std::uint32_t Rows = 0; ///< that the blocks have
   };
 
   /// Tags bottom nodes for a pack, or with the number of rows that they need.
   static Counts Census(const SkdCellStore& store, skd::Tree<3>& tree);
+  static void CountIn(
+    const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts);
   /// Gives packs and blocks their numbers. Whether these are those of the bottom nodes.
   bool Number(skd::Tree<3>& tree, const Counts& counts);
   void NumberRows();
   void FillTriangles(
     const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom);
   void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
+  void CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree, std::uint32_t number);
   void SetPoint(std::uint32_t point, const skd::Vector3& x)
   {
     for (int axis = 0; axis < 3; ++axis)
