@@ -17,9 +17,9 @@
  * SetOutsidePoints. The answer is the same whatever the number of threads or processes (each asks
  * for the whole Source).
  *
- * Points are asked in the order of a space-filling curve, which takes a third of the time to find the
- * cells of scattered ones (600 thousand among as many), and not by the cell of the last one as a
- * hint, though that would take 0.4 to 0.6 along a line: where cells overlap it would win over a
+ * Points are asked in the order of a space-filling curve, which takes a third of the time to find
+ * the cells of scattered ones (600 thousand among as many), and not by the cell of the last one as
+ * a hint, though that would take 0.4 to 0.6 along a line: where cells overlap it would win over a
  * lower one, and so the answer would depend on what was asked before, by which thread.
  *
  * The tree is kept while the Source's points, cells and ghost marks are the same, be it in the same

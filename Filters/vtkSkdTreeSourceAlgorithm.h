@@ -61,8 +61,8 @@ protected:
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /// What a Set method does with a number that must be in a range: one outside of it, or none at all,
-  /// gets a warning, and the nearest that is allowed (of NaN the least) is taken.
+  /// What a Set method does with a number that must be in a range: one outside of it, or none at
+  /// all, gets a warning, and the nearest that is allowed (of NaN the least) is taken.
   template <class T>
   void SetWithin(const char* name, T wanted, T least, T most, T& member)
   {
