@@ -326,7 +326,7 @@ bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
     }
     if (skd::TrianglePacks::Has(node))
     {
-      tree.SetTag(i, skd::TrianglePacks::TagOf(isInOrder ? tree.NumberOf(node) : packs++));
+      tree.SetTag(i, skd::TrianglePacks::TagOf(packs++));
     }
     else if (HasPlanes(node))
     {

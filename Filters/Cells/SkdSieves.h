@@ -89,7 +89,8 @@ private:
   static Counts Census(const SkdCellStore& store, skd::Tree<3>& tree);
   static void CountIn(
     const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts);
-  /// Gives packs and blocks their numbers. Whether these are those of the bottom nodes.
+  /// Gives packs and blocks their numbers, but packs of all bottom nodes, which take theirs when
+  /// they are filled. Whether the numbers are those of the bottom nodes.
   bool Number(skd::Tree<3>& tree, const Counts& counts);
   void NumberRows();
   void FillTriangles(

@@ -59,6 +59,7 @@ private:
   template <class Visit>
   void ForEachToldHere(const std::vector<double>& told, const Visit& visit);
   std::vector<double> TellMiddles() const;
+  void CutSide(const FaceNodes& side);
   void AgreeOnFacesOfVolumes();
 
   RefinedMesh& Mesh;
@@ -159,6 +160,22 @@ inline std::vector<double> SharedCuts::TellMiddles() const
   return told;
 }
 
+/// Makes the middle that it has, an edge or a face of four nodes, and marks faces as cut.
+inline void SharedCuts::CutSide(const FaceNodes& side)
+{
+  const int size = SizeOf(side);
+  if (size == 2)
+  {
+    this->Mesh.MakeMiddle(side[0], side[1]);
+    return;
+  }
+  this->Mesh.SetCut(side);
+  if (size == 4)
+  {
+    this->Mesh.MakeMiddle(side);
+  }
+}
+
 inline bool SharedCuts::ShareMiddles(bool fits)
 {
   if (this->Peers.IsAny(!fits))
@@ -171,11 +188,7 @@ inline bool SharedCuts::ShareMiddles(bool fits)
     this->ForEachToldHere(told,
       [this](const FaceNodes& side)
       {
-        const int size = SizeOf(side);
-        size > 2 ? this->Mesh.SetCut(side) : false;
-        size == 2       ? this->Mesh.MakeMiddle(side[0], side[1])
-          : (size == 4) ? this->Mesh.MakeMiddle(side)
-                        : None;
+        this->CutSide(side);
         return true;
       });
   }
