@@ -144,6 +144,8 @@ void FetchLines(const void* address)
 #if defined(__GNUC__)
   constexpr std::size_t line = 64;
   __builtin_prefetch(address);
+  // To GCC a function that does no more has no effect, and calls of it are left out.
+  __asm__ volatile("");
   if constexpr (Size > line)
   {
     FetchLines<Size - line>(static_cast<const char*>(address) + line);
