@@ -379,7 +379,7 @@ void SkdSieves::FillTriangles(
 // So far, packs have said how many points they have.
 void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
 {
-  std::array<std::uint64_t, NumberOfPieces> firsts{};
+  std::vector<std::uint64_t> firsts(NumberOfPieces);
   ForEachPiece(this->Triangles.size(),
     [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
     {
@@ -393,11 +393,44 @@ void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
   {
     points += std::exchange(first, points);
   }
-  if (points > std::numeric_limits<std::uint32_t>::max())
+  const std::uint64_t lanes = std::uint64_t(skd::TrianglePack::Width) * this->Triangles.size();
+  if (std::max(points, lanes) > std::numeric_limits<std::uint32_t>::max())
   {
     return; // lines then ask the store
   }
-  store.HasFloatPoints() ? this->FloatPoints.resize(3 * points) : this->Points.resize(3 * points);
+  if (store.HasFloatPoints())
+  {
+    this->FloatPoints.resize(3 * points);
+    this->CopyPoints(store, tree, firsts, this->FloatPoints);
+  }
+  else
+  {
+    this->Points.resize(3 * points);
+    this->CopyPoints(store, tree, firsts, this->Points);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Real>
+void SkdSieves::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
+  const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points)
+{
+  const auto copy = [&](const skd::TrianglePack& pack, const skd::ElementRange& elements)
+  {
+    for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
+    {
+      const std::uint32_t* ids = store.PointIdsOf(tree.Element(elements.First + lane));
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const skd::Vector3 x = store.Point(ids[corner]);
+        const std::size_t point = std::size_t(pack.FirstPoint) + pack.PointOf[lane][corner];
+        Real* const at = points.data() + 3 * point;
+        at[0] = static_cast<Real>(x[0]);
+        at[1] = static_cast<Real>(x[1]);
+        at[2] = static_cast<Real>(x[2]);
+      }
+    }
+  };
   ForEachPiece(this->Triangles.size(),
     [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
     {
@@ -405,25 +438,9 @@ void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
       for (std::uint32_t number = first; number < last; ++number)
       {
         next += std::exchange(this->Triangles[number].FirstPoint, next);
-        this->CopyPoints(store, tree, number);
+        copy(this->Triangles[number], tree.BottomAt(number));
       }
     });
-}
-
-//------------------------------------------------------------------------------
-void SkdSieves::CopyPoints(
-  const SkdCellStore& store, const skd::Tree<3>& tree, std::uint32_t number)
-{
-  const skd::TrianglePack& pack = this->Triangles[number];
-  const skd::ElementRange elements = tree.BottomAt(number);
-  for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
-  {
-    const std::uint32_t* ids = store.PointIdsOf(tree.Element(elements.First + lane));
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      this->SetPoint(pack.FirstPoint + pack.PointOf[lane][corner], store.Point(ids[corner]));
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

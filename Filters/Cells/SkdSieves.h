@@ -8,6 +8,8 @@
 #include "Core/Sieves/TriangleSieves.h"
 #include "Core/Tree/Tree.h"
 
+#include <vector>
+
 /// What the cells of bottom nodes look like on 16-bit rasters, eight at once: enough to see of
 /// most candidates of a query that they need no exact test. Sieves never change an answer: what
 /// they leave out is proven to be no answer, rounding included.
@@ -96,22 +98,10 @@ private:
   void FillTriangles(
     const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom);
   void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
-  void CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree, std::uint32_t number);
-  void SetPoint(std::uint32_t point, const skd::Vector3& x)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const std::size_t at = 3 * std::size_t(point) + static_cast<std::size_t>(axis);
-      if (this->Points.empty())
-      {
-        this->FloatPoints[at] = static_cast<float>(x[axis]);
-      }
-      else
-      {
-        this->Points[at] = x[axis];
-      }
-    }
-  }
+  /// `firsts`: where the points of each piece of the packs begin.
+  template <class Real>
+  void CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
+    const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points);
   void FillPlanes(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& bottom,
     double rounding);
 
