@@ -222,8 +222,7 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(
-    this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+  skd::AlongSegment<3, decltype(leaf)> query(this->GetFrame(), segment, reach, leaf);
   this->Walk(query);
 }
 

@@ -167,8 +167,7 @@ void SkdCellTree::FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(
-    this->GetFrame(), this->GetBounds(), segment, 0.0, leaf);
+  skd::AlongSegment<3, decltype(leaf)> query(this->GetFrame(), segment, 0.0, leaf);
   this->Walk(query);
 }
 

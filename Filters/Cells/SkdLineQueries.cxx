@@ -139,8 +139,8 @@ void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Leaf&
   if (!this->WalkWide(wide))
   {
     using Sieve = skd::LineSieve;
-    skd::AlongSegment<3, Leaf, Sieve, InOrder> query(
-      this->GetFrame(), this->GetBounds(), segment, margin, leaf, Sieve(this->Sieves.Packs()));
+    skd::AlongSegment<3, Leaf, Sieve, InOrder> query(this->GetFrame(), segment, margin, leaf,
+      Sieve(this->Sieves.Packs(), skd::Shear(segment.B - segment.A)));
     this->Walk(query);
   }
 }
@@ -261,7 +261,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
       return 1.0;
     };
     skd::AlongSegment<3, decltype(leaf), skd::NoSieve, false> query(
-      this->GetFrame(), this->GetBounds(), segment, reach, leaf);
+      this->GetFrame(), segment, reach, leaf);
     this->Walk(query);
   }
   std::sort(hits.begin(), hits.end(), IsBefore);

@@ -55,8 +55,8 @@ void WalkAlong(
 {
   using Sieve = skd::LineSieve;
   const skd::TreeView<3>& view = ViewOf(tree);
-  skd::AlongSegment<3, const SkdWideLeaf, Sieve, InOrder> query(
-    view.GetFrame(), view.GetBounds(), segment, margin, leaf, Sieve(PacksOf(tree)));
+  skd::AlongSegment<3, const SkdWideLeaf, Sieve, InOrder> query(view.GetFrame(), segment, margin,
+    leaf, Sieve(PacksOf(tree), skd::Shear(segment.B - segment.A)));
   skd::Walk(view, query);
 }
 }

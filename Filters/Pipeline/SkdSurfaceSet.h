@@ -53,8 +53,7 @@ public:
       visit(element);
       return 1.0;
     };
-    skd::AlongSegment<3, decltype(leaf)> query(
-      this->Tree.GetFrame(), this->Tree.GetBounds(), segment, 0.0, leaf);
+    skd::AlongSegment<3, decltype(leaf)> query(this->Tree.GetFrame(), segment, 0.0, leaf);
     skd::Walk(this->Tree, query);
   }
   template <class Visit>

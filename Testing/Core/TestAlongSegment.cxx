@@ -21,7 +21,7 @@ Ids AllAlong(const Tree& tree, const skd::Segment<D>& segment, double margin = 0
     [&](auto& leaf)
     {
       return skd::AlongSegment<D, std::decay_t<decltype(leaf)>>(
-        tree.GetFrame(), tree.GetBounds(), segment, margin, leaf);
+        tree.GetFrame(), segment, margin, leaf);
     });
 }
 
@@ -36,7 +36,7 @@ double FirstAlong(const Tree& tree, const Boxes<D>& boxes, const skd::Segment<D>
     first = inside ? std::min(first, inside->Min) : first;
     return std::min(first, 1.0);
   };
-  skd::AlongSegment<D, decltype(leaf)> query(tree.GetFrame(), tree.GetBounds(), segment, 0.0, leaf);
+  skd::AlongSegment<D, decltype(leaf)> query(tree.GetFrame(), segment, 0.0, leaf);
   skd::Walk(tree, query);
   return first;
 }
@@ -298,7 +298,7 @@ TYPED_TEST(AlongSegmentTest, ReachesAllThatShareTheFirstHit)
       [&](auto& leaf)
       {
         return skd::AlongSegment<D, std::decay_t<decltype(leaf)>>(
-          tree.GetFrame(), tree.GetBounds(), segment, 0.0, leaf);
+          tree.GetFrame(), segment, 0.0, leaf);
       });
     EXPECT_EQ(reached.size(), 65u) << far;
   }

@@ -60,7 +60,7 @@ Ids SegmentWalk(const Tree& tree, const skd::Vector<D>& a, const skd::Vector<D>&
     [&](auto& leaf)
     {
       return skd::AlongSegment<D, std::decay_t<decltype(leaf)>>(
-        tree.GetFrame(), tree.GetBounds(), skd::Segment<D>{ a, b }, 0.0, leaf);
+        tree.GetFrame(), skd::Segment<D>{ a, b }, 0.0, leaf);
     });
 }
 

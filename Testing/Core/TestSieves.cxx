@@ -208,9 +208,8 @@ TEST_P(Sieves, NoHitIsMissed)
     const Vector3 reach = this->Random.Point(GetParam().Scale);
     const skd::Segment<3> segment{ through - reach, through + reach };
     const skd::SegmentView view(segment);
-    const skd::Segment<3> local{ packed.TheFrame.Local(segment.A),
-      packed.TheFrame.Local(segment.B) };
-    const skd::TriangleCrossings crossings(local, 1e-15);
+    skd::TriangleCrossings crossings(view.GetShear());
+    crossings.Aim(packed.TheFrame.Local(segment.A), 1e-15);
     const unsigned met = crossings.MayMeet(packed.Pack);
     for (int lane = 0; lane < Width; ++lane)
     {
@@ -241,9 +240,9 @@ TEST_P(Sieves, AMarginWidensTriangles)
     const Vector3 aside = this->Random.Point(0.5 * margin / packed.TheFrame.Scale);
     const Vector3 reach = this->Random.Point(GetParam().Scale);
     const Vector3 through = aim[0] + aside;
-    const skd::Segment<3> local{ packed.TheFrame.Local(through - reach),
-      packed.TheFrame.Local(through + reach) };
-    const unsigned met = skd::TriangleCrossings(local, margin).MayMeet(packed.Pack);
+    skd::TriangleCrossings crossings{ skd::Shear(reach) };
+    crossings.Aim(packed.TheFrame.Local(through - reach), margin);
+    const unsigned met = crossings.MayMeet(packed.Pack);
     ASSERT_TRUE(met >> (&aim - packed.Corners) & 1u);
   }
 }

@@ -12,6 +12,9 @@
 #include "Segment.h"
 #include "Sign.h"
 
+#include <cstdint>
+#include <cstring>
+
 namespace skd
 {
 
@@ -23,31 +26,49 @@ struct Sheared
   double Z;
 };
 
+/// The axis that a direction runs along most, Z, the two others, and how far it goes along these
+/// for each step along Z.
+struct Shear
+{
+  explicit Shear(const Vector3& direction)
+    : Z(MostAlong(direction))
+  {
+    constexpr int after[] = { 1, 2, 0, 1 };
+    this->X = after[this->Z];
+    this->Y = after[this->Z + 1];
+    this->SlopeX = direction[this->X] / direction[this->Z];
+    this->SlopeY = direction[this->Y] / direction[this->Z];
+  }
+
+  int Z;
+  int X;
+  int Y;
+  double SlopeX;
+  double SlopeY;
+
+private:
+  /// Without a branch: which it is, is anyone's guess.
+  static int MostAlong(const Vector3& direction)
+  {
+    const double x = std::abs(direction[0]);
+    const double y = std::abs(direction[1]);
+    const int isY = y > x;
+    const int isZ = std::abs(direction[2]) > std::max(x, y);
+    return 2 * isZ | (isY & ~isZ);
+  }
+};
+
 /// A segment prepared to be intersected with many triangles.
 class SegmentView
 {
 public:
   explicit SegmentView(const Segment<3>& segment)
-    : TheSegment(segment)
+    : SegmentView(segment, segment.B - segment.A)
   {
-    const Vector3 direction = segment.B - segment.A;
-    this->AxisZ = 0;
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      if (std::abs(direction[axis]) > std::abs(direction[this->AxisZ]))
-      {
-        this->AxisZ = axis;
-      }
-    }
-    this->AxisX = (this->AxisZ + 1) % 3;
-    this->AxisY = (this->AxisZ + 2) % 3;
-    this->Length = direction[this->AxisZ];
-    this->SlopeX = direction[this->AxisX] / this->Length;
-    this->SlopeY = direction[this->AxisY] / this->Length;
-    this->SetScaleAndSlack();
   }
 
   const Segment<3>& GetSegment() const { return this->TheSegment; }
+  const Shear& GetShear() const { return this->TheShear; }
 
   /// False for a segment of no length and for one that is not finite: these hit nothing.
   bool IsValid() const { return this->Length != 0.0 && std::isfinite(this->Length); }
@@ -56,16 +77,18 @@ public:
   Sheared See(const Vector3& vertex) const
   {
     const Vector3 p = vertex - this->TheSegment.A;
-    const double z = p[this->AxisZ];
-    return { (p[this->AxisX] - this->SlopeX * z) * this->Scale,
-      (p[this->AxisY] - this->SlopeY * z) * this->Scale, z / this->Length };
+    const Shear& shear = this->TheShear;
+    const double z = p[shear.Z];
+    return { (p[shear.X] - shear.SlopeX * z) * this->Scale,
+      (p[shear.Y] - shear.SlopeY * z) * this->Scale, z / this->Length };
   }
 
   /// The parameter to report for a computed one: those within rounding of an end are that end's;
   /// nothing beyond.
   std::optional<double> Accept(double parameter) const
   {
-    if (!(parameter >= -this->EndSlack && parameter <= 1.0 + this->EndSlack))
+    const double slack = this->EndSlack();
+    if (!(parameter >= -slack && parameter <= 1.0 + slack))
     {
       return std::nullopt;
     }
@@ -73,30 +96,45 @@ public:
   }
 
 private:
-  void SetScaleAndSlack()
+  SegmentView(const Segment<3>& segment, const Vector3& direction)
+    : TheSegment(segment)
+    , TheShear(direction)
+    , Length(direction[this->TheShear.Z])
+    , Scale(ScaleOf(this->Length))
   {
-    int exponent = 0;
-    std::frexp(this->Length, &exponent);
-    this->Scale = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
+  }
+
+  /// 2^-e for |length| in [2^(e-1), 2^e), e within 1000 of 0: as frexp() and ldexp() have it, which
+  /// are calls.
+  static double ScaleOf(double length)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &length, sizeof(bits));
+    constexpr int bias = 1023;
+    const int exponent = static_cast<int>(bits >> 52 & 0x7ffu) - (bias - 1);
+    bits = static_cast<std::uint64_t>(bias - std::clamp(exponent, -1000, 1000)) << 52;
+    double scale;
+    std::memcpy(&scale, &bits, sizeof(scale));
+    return scale;
+  }
+
+  double EndSlack() const
+  {
     double magnitude = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      magnitude = std::max(
-        { magnitude, std::abs(this->TheSegment.A[axis]), std::abs(this->TheSegment.B[axis]) });
-    }
+    ForEachAxis<3>(
+      [&](int axis)
+      {
+        magnitude = std::max(magnitude, std::abs(this->TheSegment.A[axis]));
+        magnitude = std::max(magnitude, std::abs(this->TheSegment.B[axis]));
+      });
     constexpr double ulp = std::numeric_limits<double>::epsilon();
-    this->EndSlack = 4.0 * ulp * (1.0 + magnitude / std::abs(this->Length));
+    return 4.0 * ulp * (1.0 + magnitude / std::abs(this->Length));
   }
 
   Segment<3> TheSegment;
-  int AxisX;
-  int AxisY;
-  int AxisZ;
+  Shear TheShear;
   double Length;
-  double SlopeX;
-  double SlopeY;
   double Scale;
-  double EndSlack;
 };
 
 /// A crossing of a segment and a triangle.

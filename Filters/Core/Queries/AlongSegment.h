@@ -15,8 +15,9 @@ namespace skd
 /// which nothing is wanted any more: the first hit so far, or 1 for all hits.
 ///
 /// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
-/// bounds of the tree and as much room again: no new end comes near a box. `margin` (world units)
-/// widens every box, for searches with a tolerance.
+/// cube of the tree's frame and as much room again: no new end comes near a box. `margin` (world
+/// units) widens every box, for searches with a tolerance. Of a short query much is what is done
+/// once a segment: there is a division for each axis, and one for what the clipping leaves.
 /// `InOrder`: whether the nearest comes first. Where all is wanted, any order will do.
 template <int D, class Leaf, class Sieve = NoSieve, bool InOrder = true>
 class AlongSegment
@@ -25,25 +26,23 @@ public:
   static constexpr bool Ordered = InOrder;
   static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
 
-  AlongSegment(const Frame<D>& frame, const Box<D>& bounds, const Segment<D>& segment,
-    double margin, Leaf& leaf, const Sieve& sieve = Sieve())
+  SKD_APART AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
+    Leaf& leaf, const Sieve& sieve = Sieve())
     : TheLeaf(leaf)
     , TheSieve(sieve)
   {
-    const std::optional<Interval> inside =
-      Clip(segment, bounds.Inflated(margin + 1.0 / frame.Scale));
-    if (!inside || !(margin >= 0.0))
+    const Line line(frame.Local(segment.A), frame.Scale * (segment.B - segment.A));
+    const double rounding = line.Rounding();
+    const double reach = margin * frame.Scale + rounding;
+    const Interval inside = line.Within(2.0 + reach + rounding);
+    this->Begin = inside.Min;
+    this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
+    this->SetLocal(line, std::min(reach, Most));
+    this->TheSieve.Aim(line.At(this->Begin), reach);
+    if (inside.Min <= inside.Max && margin >= 0.0 && std::isfinite(rounding))
     {
-      return;
+      this->TheLimit = 1.0f + Slack;
     }
-    this->Begin = inside->Min;
-    this->Length = inside->Max - inside->Min;
-    const Segment<D> local{ frame.Local(segment.A), frame.Local(segment.B) };
-    const Segment<D> clipped{ local.At(inside->Min), local.At(inside->Max) };
-    const double reach = margin * frame.Scale + RoundingOf(local);
-    this->SetLocal(clipped.A, clipped.B, reach);
-    this->TheSieve.Aim(clipped, reach);
-    this->TheLimit = 1.0f + Slack;
   }
 
   template <int W>
@@ -55,8 +54,8 @@ public:
       [&](int axis)
       {
         const Lanes<W> inverse(this->Inverse[axis]);
-        const Lanes<W> near = boxes.Side(axis, !this->IsForward[axis]);
-        const Lanes<W> far = boxes.Side(axis, this->IsForward[axis]);
+        const Lanes<W> near = boxes.Side(this->NearSide[axis]);
+        const Lanes<W> far = boxes.Side(this->FarSide[axis]);
         enter = Max((near - Lanes<W>(this->NearOrigin[axis])) * inverse, enter);
         leave = Min((far - Lanes<W>(this->FarOrigin[axis])) * inverse, leave);
       });
@@ -82,10 +81,10 @@ public:
   bool Visit(std::uint32_t element)
   {
     const double parameter = this->TheLeaf(element);
-    const double local = (parameter - this->Begin) / this->Length;
+    const double local = (parameter - this->Begin) * this->PerLength;
     if (local < 1.0)
     {
-      this->TheLimit = Frame<D>::RoundUp(std::max(local, 0.0)) + Slack;
+      this->TheLimit = Frame<D>::RoundUpInRange(std::max(local, 0.0)) + Slack;
     }
     return true;
   }
@@ -94,47 +93,95 @@ private:
   /// Above the rounding of a parameter in [0, 1]: a handful of operations of 2^-24 each.
   static constexpr float Slack = 4e-6f;
 
-  /// What points along a segment with these ends are off by, at most.
-  static double RoundingOf(const Segment<D>& local)
-  {
-    double largest = 0.0;
-    for (int axis = 0; axis < D; ++axis)
-    {
-      largest = std::max({ largest, std::abs(local.A[axis]), std::abs(local.B[axis]) });
-    }
-    return 4.0 * std::numeric_limits<double>::epsilon() * largest;
-  }
-
-  /// Without a branch: which way a segment runs is anyone's guess.
-  void SetLocal(const Vector<D>& from, const Vector<D>& to, double margin)
-  {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      const double direction = to[axis] - from[axis];
-      const double sign = std::copysign(1.0, direction);
-      this->IsForward[axis] = sign > 0.0;
-      this->Inverse[axis] = Spread(static_cast<float>(1.0 / Widened(direction)));
-      this->NearOrigin[axis] = Spread(Beside(from[axis], sign, margin));
-      this->FarOrigin[axis] = Spread(Beside(from[axis], -sign, margin));
-    }
-  }
-
-  /// A margin away to that side, rounded away, too.
-  static float Beside(double place, double side, double margin)
-  {
-    return static_cast<float>(side) * Frame<D>::RoundUp(side * place + margin);
-  }
-
   /// "Insure width of L in each coordinate direction": no division by zero, no infinity below.
-  static double Widened(double direction)
+  static constexpr double Least = 1e-30;
+  /// What is beyond so much is as good there.
+  static constexpr double Most = 1.0 / Least;
+
+  /// A segment in the tree's frame, mirrored so that it runs forward along every axis: which way
+  /// it does is anyone's guess, and there is no branch on it.
+  struct Line
   {
-    constexpr double least = 1e-30;
-    return std::copysign(std::max(std::abs(direction), least), direction);
+    Line(const Vector<D>& from, const Vector<D>& along)
+    {
+      ForEachAxis<D>(
+        [&](int axis)
+        {
+          this->Sign[axis] = std::copysign(1.0, along[axis]);
+          this->From[axis] = this->Sign[axis] * from[axis];
+          this->Along[axis] = std::abs(along[axis]);
+          this->Inverse[axis] = 1.0 / std::max(this->Along[axis], Least);
+        });
+    }
+
+    /// What points of the segment are off by, at most. Infinite if an end is, or NaN.
+    double Rounding() const
+    {
+      double most = 0.0;
+      ForEachAxis<D>([&](int axis) { most += std::abs(this->From[axis]) + this->Along[axis]; });
+      return 4.0 * std::numeric_limits<double>::epsilon() * most;
+    }
+
+    /// The stretch on which no coordinate is beyond `room`: Min > Max if there is none.
+    Interval Within(double room) const
+    {
+      Interval inside{ 0.0, 1.0 };
+      ForEachAxis<D>(
+        [&](int axis)
+        {
+          const double enter = (-room - this->From[axis]) * this->Inverse[axis];
+          const double leave = (room - this->From[axis]) * this->Inverse[axis];
+          inside.Min = std::max(inside.Min, enter);
+          inside.Max = std::min(inside.Max, leave);
+        });
+      return inside;
+    }
+
+    /// As it is, not mirrored.
+    Vector<D> At(double parameter) const
+    {
+      Vector<D> x;
+      ForEachAxis<D>([&](int axis)
+        { x[axis] = this->Sign[axis] * (this->From[axis] + parameter * this->Along[axis]); });
+      return x;
+    }
+
+    Vector<D> Sign; ///< -1 of an axis that is mirrored
+    Vector<D> From;
+    Vector<D> Along;
+    Vector<D> Inverse; ///< of Along
+  };
+
+  void SetLocal(const Line& line, double reach)
+  {
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        const double sign = line.Sign[axis];
+        const double place = line.From[axis] + this->Begin * line.Along[axis];
+        const double from = std::max(-Most, std::min(place, Most));
+        this->NearOrigin[axis] = Spread(static_cast<float>(sign * RoundedUp(from + reach)));
+        this->FarOrigin[axis] = Spread(static_cast<float>(-sign * RoundedUp(reach - from)));
+        const double inverse = std::min(line.Inverse[axis] * this->PerLength, Most);
+        this->Inverse[axis] = Spread(static_cast<float>(sign * inverse));
+        const bool isForward = sign > 0.0;
+        this->NearSide[axis] = Bundle<D, Node<D>::Width>::SideAt(axis, !isForward);
+        this->FarSide[axis] = Bundle<D, Node<D>::Width>::SideAt(axis, isForward);
+      });
+  }
+
+  /// So that the nearest float is not below. What no float is near, 0 is: boxes are rounded outward
+  /// by as much.
+  static double RoundedUp(double place)
+  {
+    constexpr double half = 1.0 / (1 << 23);
+    return place + half * std::abs(place);
   }
 
   double Begin = 0.0;
-  double Length = 0.0;
-  bool IsForward[D];
+  double PerLength = 0.0; ///< 1 over the length that the clipping left, in the parameter
+  std::size_t NearSide[D];
+  std::size_t FarSide[D];
   Spread NearOrigin[D];
   Spread FarOrigin[D];
   Spread Inverse[D];

@@ -15,14 +15,14 @@ namespace skd
 ///   static constexpr bool SkipsBottoms      whether a bottom node's number, and how many elements
 ///                                           it has, is enough (KnownBottoms); if so it gives
 ///   unsigned Pass(number, count, float* keys), void Fetch(number)
-/// Nearest hands it the limit, too, by reference; AlongSegment first calls Aim(segment, margin), in
-/// the frame, the segment being clipped to where the tree is. This one knows nothing.
+/// Nearest hands it the limit, too, by reference; AlongSegment first calls Aim(point, margin), in
+/// the frame: where the segment begins, clipped to where the tree is. This one knows nothing.
 struct NoSieve
 {
   static constexpr bool SkipsBottoms = false;
 
-  template <class Segment>
-  void Aim(const Segment&, double)
+  template <class Point>
+  void Aim(const Point&, double)
   {
   }
   template <class Node>

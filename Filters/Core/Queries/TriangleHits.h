@@ -14,17 +14,35 @@ namespace skd
 namespace detail
 {
 
-/// A tree to queries that find elements by their positions.
-class PositionsView : public TreeView<3>
+/// A tree to queries that find elements by the number of their bottom node and their lane in it:
+/// the Element() of a position is Width times that number and the lane.
+class LanesView
 {
 public:
-  explicit PositionsView(const TreeView<3>& view)
-    : TreeView<3>(view)
+  static constexpr std::uint32_t Width = TrianglePack::Width;
+
+  explicit LanesView(const TreeView<3>& view)
+    : View(view)
   {
   }
 
-  std::uint32_t Element(std::uint32_t position) const { return position; }
+  bool IsEmpty() const { return this->View.IsEmpty(); }
+  const Node<3>& Open(std::uint32_t node) const { return this->View.Open(node); }
+  void Fetch(std::uint32_t node) const { this->View.Fetch(node); }
+  ElementRange BottomAt(std::uint32_t number) const
+  {
+    return { number * Width, this->View.BottomAt(number).Count };
+  }
+  std::uint32_t Element(std::uint32_t laneOfAll) const { return laneOfAll; }
   void FetchElements(std::uint32_t) const {}
+  /// The element itself.
+  std::uint32_t ElementAt(std::uint32_t number, std::uint32_t lane) const
+  {
+    return this->View.Element(this->View.BottomAt(number).First + lane);
+  }
+
+private:
+  const TreeView<3>& View;
 };
 
 }
@@ -44,22 +62,22 @@ SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TriangleP
   {
     return;
   }
-  const std::uint32_t capacity = tree.BottomAt(1).First; // of all bottom nodes, if there are more
+  const detail::LanesView lanes(tree);
   double limit = 1.0;
-  auto test = [&](std::uint32_t position)
+  auto test = [&](std::uint32_t laneOfAll)
   {
-    const std::uint32_t number = position / capacity;
-    const auto corner = [&](int i)
-    { return packs.Corner(number, position - number * capacity, i); };
+    const std::uint32_t number = laneOfAll / lanes.Width;
+    const std::uint32_t lane = laneOfAll % lanes.Width;
+    const auto corner = [&](int i) { return packs.Corner(number, lane, i); };
     if (const auto hit = IntersectWithin(view, corner(0), corner(1), corner(2), tolerance))
     {
-      limit = leaf(tree.Element(position), *hit);
+      limit = leaf(lanes.ElementAt(number, lane), *hit);
     }
     return limit;
   };
   AlongSegment<3, decltype(test), LineSieve, InOrder> query(
-    tree.GetFrame(), tree.GetBounds(), segment, tolerance, test, LineSieve(packs));
-  Walk(detail::PositionsView(tree), query);
+    tree.GetFrame(), segment, tolerance, test, LineSieve(packs, view.GetShear()));
+  Walk(lanes, query);
 }
 
 }

@@ -3,7 +3,7 @@
 #ifndef skd_Sieves_TriangleCrossings_h
 #define skd_Sieves_TriangleCrossings_h
 
-#include "../Geometry/Segment.h"
+#include "../Geometry/SegmentTriangle.h"
 #include "TrianglePack.h"
 
 namespace skd
@@ -14,43 +14,42 @@ namespace skd
 class TriangleCrossings
 {
 public:
-  TriangleCrossings() = default;
-
-  /// The segment must not be much longer than the tree is wide, or rounding counts for too little.
-  /// `margin`: by how much triangles may be missed, in the frame.
-  TriangleCrossings(const Segment<3>& local, double margin)
-    : Origin(local.A)
-    , Margin(margin)
+  explicit TriangleCrossings(const Shear& shear)
+    : TheShear(shear)
+    , SlopeX(static_cast<float>(shear.SlopeX))
+    , SlopeY(static_cast<float>(shear.SlopeY))
   {
-    const Vector3 direction = local.B - local.A;
-    this->Z = 0;
-    for (int axis = 1; axis < 3; ++axis)
-    {
-      this->Z = std::abs(direction[axis]) > std::abs(direction[this->Z]) ? axis : this->Z;
-    }
-    this->X = (this->Z + 1) % 3;
-    this->Y = (this->Z + 2) % 3;
-    this->SlopeX = direction[this->X] / direction[this->Z];
-    this->SlopeY = direction[this->Y] / direction[this->Z];
+  }
+
+  /// `local`: a point of the line, in the frame, that is not much farther from the packs than the
+  /// tree is wide, or rounding counts for too little. `margin`: by how much triangles may be
+  /// missed.
+  void Aim(const Vector3& local, double margin)
+  {
+    const Shear& shear = this->TheShear;
+    this->X = local[shear.X] - shear.SlopeX * local[shear.Z];
+    this->Y = local[shear.Y] - shear.SlopeY * local[shear.Z];
+    this->Margin = Frame<3>::RoundUp(margin);
   }
 
   /// Bit i: the line may meet the triangle of lane i.
   SKD_IN_ONE_PIECE unsigned MayMeet(const TrianglePack& pack) const
   {
-    const Vector3 origin = pack.Raster.Of(this->Origin);
-    const double x = origin[this->X] - this->SlopeX * origin[this->Z];
-    const double y = origin[this->Y] - this->SlopeY * origin[this->Z];
+    const Shear& shear = this->TheShear;
+    const float* centre = pack.Raster.Centre;
+    const double z = centre[shear.Z];
+    const float perUnit = 1.0f / pack.Raster.Unit;
+    const float x = perUnit * static_cast<float>(this->X - (centre[shear.X] - shear.SlopeX * z));
+    const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
     // A corner's error in the plane across the line, and what that does to products of two corners.
-    const double reach = 2.0 * Raster::Reach + std::max(std::abs(x), std::abs(y));
-    const double error =
-      2.0 * (Raster::CornerError + this->Margin / pack.Raster.Unit) + 1e-6 * reach;
-    const double slack = 4.0 * error * reach + 2.0 * error * error + 1e-6 * reach * reach;
+    const float reach = 2.0f * Raster::Reach + std::max(std::abs(x), std::abs(y));
+    const float error =
+      2.0f * (static_cast<float>(Raster::CornerError) + this->Margin * perUnit) + 1e-6f * reach;
+    const float slack = 4.0f * error * reach + 2.0f * error * error + 1e-6f * reach * reach;
     unsigned met = 0;
     for (int first = 0; first < TrianglePack::Width; first += NativeWidth)
     {
-      met |= this->Test<NativeWidth>(
-               pack, static_cast<float>(x), static_cast<float>(y), static_cast<float>(slack), first)
-        << first;
+      met |= this->Test<NativeWidth>(pack, x, y, slack, first) << first;
     }
     return met;
   }
@@ -67,9 +66,9 @@ private:
   Across<W> See(const TrianglePack& pack, int corner, float x, float y, int first) const
   {
     using L = Lanes<W>;
-    const L z = pack.Load<W>(corner, this->Z, first);
-    return { pack.Load<W>(corner, this->X, first) - L(static_cast<float>(this->SlopeX)) * z - L(x),
-      pack.Load<W>(corner, this->Y, first) - L(static_cast<float>(this->SlopeY)) * z - L(y) };
+    const L z = pack.Load<W>(corner, this->TheShear.Z, first);
+    return { pack.Load<W>(corner, this->TheShear.X, first) - L(this->SlopeX) * z - L(x),
+      pack.Load<W>(corner, this->TheShear.Y, first) - L(this->SlopeY) * z - L(y) };
   }
 
   template <int W>
@@ -87,13 +86,12 @@ private:
     return LessEqual(L(-slack), least) | LessEqual(most, L(slack));
   }
 
-  Vector3 Origin;
-  double Margin;
-  int X;
-  int Y;
-  int Z;
-  double SlopeX;
-  double SlopeY;
+  Shear TheShear;
+  Spread SlopeX;
+  Spread SlopeY;
+  double X = 0.0; ///< where the line meets the plane through the frame's centre, across axis Z
+  double Y = 0.0;
+  float Margin = 0.0f;
 };
 
 }

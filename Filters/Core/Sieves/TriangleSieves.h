@@ -119,15 +119,14 @@ class LineSieve
 public:
   static constexpr bool SkipsBottoms = true;
 
-  explicit LineSieve(const TrianglePacks& packs)
+  /// `shear`: that of the line's direction.
+  LineSieve(const TrianglePacks& packs, const Shear& shear)
     : Packs(packs)
+    , Crossings(shear)
   {
   }
 
-  void Aim(const Segment<3>& local, double margin)
-  {
-    this->Crossings = TriangleCrossings(local, margin);
-  }
+  void Aim(const Vector3& local, double margin) { this->Crossings.Aim(local, margin); }
 
   bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
 

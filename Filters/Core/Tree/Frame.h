@@ -92,13 +92,11 @@ struct Frame
     return frame;
   }
 
-  Vector<D> Local(Vector<D> world) const
+  Vector<D> Local(const Vector<D>& world) const
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      world[axis] = this->Local(world[axis], axis);
-    }
-    return world;
+    Vector<D> local;
+    ForEachAxis<D>([&](int axis) { local[axis] = this->Local(world[axis], axis); });
+    return local;
   }
 
   float Down(double world, int axis) const { return RoundDown(this->Local(world, axis)); }
@@ -126,8 +124,8 @@ struct Frame
       {
         const double min = this->Local(box.Min[axis] - margin, axis);
         const double max = this->Local(box.Max[axis] + margin, axis);
-        rounded.Min[axis] = -NextOfLess(-static_cast<float>(min));
-        rounded.Max[axis] = NextOfLess(static_cast<float>(max));
+        rounded.Min[axis] = -RoundUpInRange(-min);
+        rounded.Max[axis] = RoundUpInRange(max);
       });
     return rounded;
   }
@@ -146,6 +144,8 @@ struct Frame
   /// (GCC 12 drops the rounding of double(float(x)) where it vectorises two of them.)
   static float RoundDown(double value) { return -Next(-ToFloat(value)); }
   static float RoundUp(double value) { return Next(ToFloat(value)); }
+  /// The same of what is surely in the range of float.
+  static float RoundUpInRange(double value) { return NextOfLess(static_cast<float>(value)); }
 
 private:
   static constexpr float Infinity = std::numeric_limits<float>::infinity();

@@ -24,6 +24,14 @@
 #define SKD_IN_ONE_PIECE
 #endif
 
+/// Before a function: it is no part of others, not even of those in one piece. For those that are
+/// run once a query: these would take registers from what is run at every node.
+#if defined(__GNUC__)
+#define SKD_APART __attribute__((noinline))
+#else
+#define SKD_APART
+#endif
+
 namespace skd
 {
 namespace detail
@@ -45,18 +53,27 @@ typedef std::int16_t ShortVector __attribute__((vector_size(8)));
 
 constexpr int VectorWidth = sizeof(FloatVector) / sizeof(float);
 
-/// All lanes the same. The sum with zeros is exact, but for the sign of zero.
+/// One as it lies in an array: GCC would take a copy of its bytes on a way through the stack.
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+using FloatsInMemory = float;
+#else
+typedef FloatVector FloatsInMemory __attribute__((aligned(sizeof(float)), may_alias));
+#endif
+
+/// All lanes the same. What compilers know to be no difference: the sum with zeros they would make.
 inline FloatVector Same(float value)
 {
-  return FloatVector{} + value;
+  return value - FloatVector{};
 }
 
 inline FloatVector ToFloats(ShortVector values)
 {
 #if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
   return static_cast<float>(values);
+#elif defined(__AVX2__)
+  // GCC 12 makes two halves of the last line below, and without AVX goes through memory.
+  return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32((__m128i)values));
 #elif defined(__SSE2__) && !defined(__AVX__)
-  // What GCC 12 makes of the line below goes through memory, number by number.
   const __m128i shorts = _mm_cvtsi64_si128((long long)values);
   return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(shorts, shorts), 16));
 #else
@@ -247,7 +264,7 @@ public:
     Lanes lanes;
     for (detail::FloatVector& part : lanes.Parts)
     {
-      std::memcpy(&part, values, sizeof(part));
+      part = *reinterpret_cast<const detail::FloatsInMemory*>(values);
       values += detail::VectorWidth;
     }
     return lanes;
@@ -268,7 +285,7 @@ public:
   {
     for (const detail::FloatVector& part : this->Parts)
     {
-      std::memcpy(values, &part, sizeof(part));
+      *reinterpret_cast<detail::FloatsInMemory*>(values) = part;
       values += detail::VectorWidth;
     }
   }

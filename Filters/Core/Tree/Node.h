@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "Lanes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -25,11 +26,15 @@ struct Bundle
   Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
   Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
 
-  /// Without a branch.
-  Lanes<W> Side(int axis, bool isMax) const
+  /// Where in a bundle a side of the boxes is, to be looked up in many.
+  static std::size_t SideAt(int axis, bool isMax)
   {
-    const float* sides[2] = { this->Min[axis], this->Max[axis] };
-    return Lanes<W>::Load(sides[isMax]);
+    return (isMax ? offsetof(Bundle, Max) : offsetof(Bundle, Min)) +
+      static_cast<std::size_t>(axis) * sizeof(float[W]);
+  }
+  Lanes<W> Side(std::size_t at) const
+  {
+    return Lanes<W>::Load(reinterpret_cast<const float*>(reinterpret_cast<const char*>(this) + at));
   }
 
   /// All lanes empty: (+max, lowest), which no finite query reaches.

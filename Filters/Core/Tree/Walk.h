@@ -66,19 +66,27 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 
 /// An open node whose children are visited one after the other: those that wait, and which of them
 /// need no test any more.
-template <int W>
+template <class Node>
 struct Level
 {
-  float Keys[W];
+  float Keys[Node::Width];
   std::uint32_t First;
   unsigned Wanted;
   unsigned Sure;
-  KnownBottoms Bottoms; ///< of a walk that skips bottom nodes
+  // Of a walk that skips bottom nodes:
+  unsigned Known;     ///< the children that are bottom nodes which need not be opened
+  const Node* Opened; ///< whose note then says which these are
+
+  bool IsKnown(int lane) const { return (this->Known >> lane & 1u) != 0; }
+  std::uint32_t NumberOf(int lane) const
+  {
+    return this->Opened->template Read<KnownBottoms>().NumberOf(lane);
+  }
 };
 
 /// `isSure`: all that is below the node is an answer.
-template <class Query, int D, int W>
-void Open(Query& query, const Node<D>& node, bool isSure, Level<W>& level)
+template <class Query, class Node>
+void Open(Query& query, const Node& node, bool isSure, Level<Node>& level)
 {
   level.First = node.First;
   if (KnowsSure<Query>::value && isSure)
@@ -106,8 +114,8 @@ inline int LeastLane(unsigned lanes, const float* keys)
 }
 
 /// Of the lanes of a level that wait, at least one: takes out that which comes next.
-template <class Query, int W>
-int TakeNext(Level<W>& level)
+template <class Query, class Node>
+int TakeNext(Level<Node>& level)
 {
   const int lane = Query::Ordered ? LeastLane(level.Wanted, level.Keys) : LowestBit(level.Wanted);
   level.Wanted &= ~(1u << lane);
@@ -115,19 +123,20 @@ int TakeNext(Level<W>& level)
 }
 
 /// Leaves alone what is not wanted any more, the limit having fallen. Whether there is any left.
-template <class Query, int W>
-bool HasNext(const Query& query, Level<W>& level)
+template <class Query, class Node>
+bool HasNext(const Query& query, Level<Node>& level)
 {
   if constexpr (Query::Ordered)
   {
-    level.Wanted &= LessEqual(Lanes<W>::Load(level.Keys), Lanes<W>(query.Limit()));
+    level.Wanted &=
+      LessEqual(Lanes<Node::Width>::Load(level.Keys), Lanes<Node::Width>(query.Limit()));
   }
   return level.Wanted != 0;
 }
 
 /// The elements of a bottom node that is not opened.
-template <class Tree, class Query, int W>
-void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<W>& level)
+template <class Tree, class Query, class Node>
+void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<Node>& level)
 {
   const auto elements = tree.BottomAt(number);
   tree.FetchElements(elements.First);
@@ -144,8 +153,8 @@ struct Turn
 };
 
 /// Opens what comes next. Whether it is a bottom node.
-template <class Tree, class Query, int W>
-bool Take(const Tree& tree, Query& query, const Turn& turn, Level<W>& level)
+template <class Tree, class Query, class Node>
+bool Take(const Tree& tree, Query& query, const Turn& turn, Level<Node>& level)
 {
   if constexpr (SkipsBottoms<Tree, Query>::value)
   {
@@ -159,18 +168,18 @@ bool Take(const Tree& tree, Query& query, const Turn& turn, Level<W>& level)
   Open(query, node, turn.IsSure, level);
   if constexpr (SkipsBottoms<Tree, Query>::value)
   {
-    level.Bottoms = node.template Read<KnownBottoms>();
-    level.Bottoms.Lanes = query.Knows(node) ? level.Bottoms.Lanes : 0;
+    level.Opened = &node;
+    level.Known = query.Knows(node) ? node.template Read<KnownBottoms>().Lanes : 0u;
   }
   return node.IsBottom;
 }
 
 /// The open nodes on the way from the root that have children which wait, and room for one more.
-template <int W>
+template <class Node>
 class Levels
 {
 public:
-  Level<W>& Room() { return this->Stack[this->Count]; }
+  Level<Node>& Room() { return this->Stack[this->Count]; }
   /// The level in that room has children that wait.
   void Keep() { ++this->Count; }
 
@@ -188,14 +197,14 @@ public:
   template <class Tree, class Query>
   Turn TakeNext()
   {
-    Level<W>& last = this->Stack[this->Count - 1];
+    Level<Node>& last = this->Stack[this->Count - 1];
     const int lane = detail::TakeNext<Query>(last);
     this->Count -= last.Wanted == 0 ? 1 : 0;
     if constexpr (SkipsBottoms<Tree, Query>::value)
     {
-      if ((last.Bottoms.Lanes >> lane & 1u) != 0)
+      if (last.IsKnown(lane))
       {
-        return { last.Bottoms.NumberOf(lane), false, true };
+        return { last.NumberOf(lane), false, true };
       }
     }
     const bool isSure = KnowsSure<Query>::value && (last.Sure >> lane & 1u) != 0;
@@ -203,13 +212,13 @@ public:
   }
 
 private:
-  Level<W> Stack[MostLevels];
+  Level<Node> Stack[MostLevels];
   int Count = 0;
 };
 
 /// False ends the walk.
-template <class Tree, class Query, int W>
-bool VisitElement(const Tree& tree, Query& query, const Level<W>& bottom, int lane)
+template <class Tree, class Query, class Node>
+bool VisitElement(const Tree& tree, Query& query, const Level<Node>& bottom, int lane)
 {
   const std::uint32_t element = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
   if constexpr (KnowsSure<Query>::value)
@@ -223,8 +232,8 @@ bool VisitElement(const Tree& tree, Query& query, const Level<W>& bottom, int la
 }
 
 /// Visit the wanted elements of a bottom node. False ends the walk.
-template <class Tree, class Query, int W>
-bool VisitElements(const Tree& tree, Query& query, Level<W>& bottom)
+template <class Tree, class Query, class Node>
+bool VisitElements(const Tree& tree, Query& query, Level<Node>& bottom)
 {
   if constexpr (!Query::Ordered)
   {
@@ -248,17 +257,17 @@ bool VisitElements(const Tree& tree, Query& query, Level<W>& bottom)
   return true;
 }
 
-template <class Tree, class Query, int W>
-void FetchChildren(const Tree& tree, const Query& query, const Level<W>& level)
+template <class Tree, class Query, class Node>
+void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& level)
 {
   ForEachLane(level.Wanted,
     [&](int lane)
     {
       if constexpr (SkipsBottoms<Tree, Query>::value)
       {
-        if ((level.Bottoms.Lanes >> lane & 1u) != 0)
+        if (level.IsKnown(lane))
         {
-          query.FetchKnown(level.Bottoms.NumberOf(lane));
+          query.FetchKnown(level.NumberOf(lane));
           return;
         }
       }
@@ -298,7 +307,7 @@ void Walk(const Tree& tree, Query& query)
   {
     return;
   }
-  detail::Levels<std::decay_t<decltype(tree.Open(0))>::Width> levels;
+  detail::Levels<std::decay_t<decltype(tree.Open(0))>> levels;
   detail::Turn turn{ 0, false, false };
   while (true)
   {
