@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSkdTreeVersion.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -67,6 +68,8 @@ SkdCellReader::SkdCellReader(vtkDataSet* data)
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     this->AddRun(grid->GetCells(), 0);
+    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+    this->Types = types ? types->GetPointer(0) : nullptr;
   }
   const bool areStored =
     std::all_of(this->Runs.begin(), this->Runs.end(), [](const Run& run) { return run.IsStored; });

@@ -25,9 +25,10 @@ public:
 
   int TypeOf(vtkIdType cellId) const
   {
-    return !this->HasTypes ? this->TypeBySize(cellId)
-      : this->Surface      ? this->Surface->vtkPolyData::GetCellType(cellId) // not virtual: inline
-                           : this->Data->GetCellType(cellId);
+    return this->Types  ? this->Types[cellId]
+      : !this->HasTypes ? this->TypeBySize(cellId)
+      : this->Surface   ? this->Surface->vtkPolyData::GetCellType(cellId) // not virtual: inline
+                        : this->Data->GetCellType(cellId);
   }
 
   /// Calls visit(ids, size), ids of whatever type they are stored in.
@@ -106,7 +107,8 @@ private:
   int TypeBySize(vtkIdType cellId) const;
 
   vtkDataSet* Data;
-  vtkPolyData* Surface; // the data set, if it is one
+  vtkPolyData* Surface;                 // the data set, if it is one
+  const unsigned char* Types = nullptr; // of a vtkUnstructuredGrid
   bool HasTypes = true;
   std::vector<Run> Runs; // of all cells, or of none
 };

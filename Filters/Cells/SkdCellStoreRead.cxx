@@ -237,7 +237,8 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
   const CellSieve sieve(data, skipGhosts);
   const bool areFinite = this->ArePointsFinite();
   const vtkIdType numberOfCells = data->GetNumberOfCells();
-  const SkdShape usual = SkdShapeOfCellType(reader.TypeOf(0));
+  const int usualType = reader.TypeOf(0);
+  const SkdShape usual = SkdShapeOfCellType(usualType);
   const auto usualSize = static_cast<std::size_t>(SkdNumberOfPoints(usual));
   this->PointIds.resize(static_cast<std::size_t>(numberOfCells) * usualSize);
   skd::RawVector<SkdShape> shapes(static_cast<std::size_t>(numberOfCells));
@@ -245,7 +246,8 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
   loop.Run(
     [&](Block& block, vtkIdType id, const auto* ids, std::size_t size)
     {
-      SkdShape shape = SkdShapeOfCellType(reader.TypeOf(id));
+      const int type = reader.TypeOf(id);
+      SkdShape shape = type == usualType ? usual : SkdShapeOfCellType(type);
       if (!this->ArePoints(ids, size, areFinite))
       {
         shape = NotFinite;
