@@ -86,14 +86,16 @@ SkdInOut ChooseCorner(const std::vector<SkdInOut>& corners, vtkIdList* ids, bool
 vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
   vtkDataSet* mesh, const SkdInOuts& answers, bool wantsInside, bool ofCells)
 {
-  SkdSubset subset(mesh);
+  std::vector<vtkIdType> those;
   for (vtkIdType i = 0; i < answers.GetNumber(); ++i)
   {
     if (answers.IsInside(i) == wantsInside)
     {
-      ofCells ? subset.AddCell(i) : subset.AddPoint(i);
+      those.push_back(i);
     }
   }
+  SkdSubset subset(mesh);
+  ofCells ? subset.SetCells(those) : subset.SetPoints(those);
   subset.CopyData();
   return subset.Get();
 }

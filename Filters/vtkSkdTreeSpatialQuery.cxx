@@ -33,7 +33,7 @@ public:
   SkdParts Mesh;
   SkdParts SourceCells; // if they are the queries
   SkdQueryList Queries;
-  std::vector<SkdRelatedCell> Pairs;
+  SkdRelatedCells Pairs;
   int Built = 0;
 
   /// Of a shape of its own.
@@ -200,7 +200,10 @@ void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* so
 {
   Internals& internals = *this->Impl;
   internals.Leaves = LeavesWithCells(input);
-  internals.Built = internals.Mesh.Update(internals.Leaves, this->Epsilon);
+  const bool isOfOne =
+    this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
+  internals.Built = internals.Mesh.Update(
+    internals.Leaves, this->Epsilon, isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
   const std::vector<SkdLeaf> sourceLeaves =
     needsCells ? LeavesWithCells(source) : std::vector<SkdLeaf>();
@@ -266,12 +269,12 @@ void vtkSkdTreeSpatialQuery::KeepShare(vtkInformation* output)
   {
     return;
   }
-  std::vector<SkdRelatedCell>& pairs = this->Impl->Pairs;
+  SkdRelatedCells& pairs = this->Impl->Pairs;
   const auto piece = static_cast<std::size_t>(PieceOf(output));
   const auto pieces = static_cast<std::size_t>(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
   const std::size_t first = pairs.size() * piece / pieces;
   const std::size_t last = pairs.size() * (piece + 1) / pieces;
-  pairs = std::vector<SkdRelatedCell>(pairs.begin() + static_cast<std::ptrdiff_t>(first),
+  pairs = SkdRelatedCells(pairs.begin() + static_cast<std::ptrdiff_t>(first),
     pairs.begin() + static_cast<std::ptrdiff_t>(last));
 }
 

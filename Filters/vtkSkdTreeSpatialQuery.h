@@ -30,11 +30,12 @@
  * coordinates: 8 units in the last place of the largest.
  *
  * The trees are kept while the points, cells and ghost marks of Input and Source are the same:
- * another query, or another time step of the same mesh, costs the query only. O(log N + k) for k
- * cells near the query's boundary; cells within a box or sphere altogether are not looked into. The
- * answers are the same whatever the number of threads or processes (each asks for the whole Source,
- * and to find the nearest for the whole Input, of whose answers it then gives a share). Ghost and
- * blanked cells are no answers.
+ * another query, or another time step of the same mesh, costs the query only, O(log N + k) for k
+ * cells that are found or near the query's boundary. An Input that is asked about one shape for the
+ * first time, but for the nearest, gets no tree yet: all its cells are looked at, O(N), in a
+ * fraction of the time that a tree takes. The answers are the same with and without, and whatever
+ * the number of threads or processes (each asks for the whole Source, and to find the nearest for
+ * the whole Input, of whose answers it then gives a share). Ghost and blanked cells are no answers.
  *
  * Output port 0: the cells found, by ascending id, with all data of the Input; a
  * vtkUnstructuredGrid, of a composite Input a composite of them of the same structure (of AMR data
@@ -65,8 +66,9 @@
  *
  * Field data of output port 0, one value each: SkdReportQueries, SkdReportPairs,
  * SkdReportCellsFound, SkdReportCells (that were searched), SkdReportCellsLeftOut (see
- * vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 when all were kept), SkdReportEpsilon (the largest
- * in use, in world units), SkdReportBuildSeconds and SkdReportQuerySeconds.
+ * vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 when all were kept, or none was needed),
+ * SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
+ * SkdReportQuerySeconds.
  *
  * Bad input: a Shape that needs the Source, which is not there, is an error, and nothing is found.
  * A shape that is not finite, a negative radius and a normal of length 0 give a warning, and

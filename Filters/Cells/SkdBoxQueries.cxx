@@ -232,3 +232,37 @@ void SkdCellTree::FindSafetyBoxesAlong(
   skd::AlongPlane<3, decltype(leaf)> query(this->GetFrame(), plane, tolerance, leaf);
   this->Walk(query);
 }
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindMaybeWithin(const skd::Box3& box, std::vector<std::uint32_t>& cells) const
+{
+  if (box.IsEmpty())
+  {
+    return;
+  }
+  auto leaf = [&](std::uint32_t cell)
+  {
+    cells.push_back(cell);
+    return true;
+  };
+  skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), box, leaf);
+  this->Walk(query);
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindMaybeWithin(
+  const skd::Vector3& x, double radius, std::vector<std::uint32_t>& cells) const
+{
+  if (!skd::IsFinite(x) || !(radius >= 0.0))
+  {
+    return;
+  }
+  const double radius2 = radius * radius;
+  auto leaf = [&](std::uint32_t cell)
+  {
+    cells.push_back(cell);
+    return radius2;
+  };
+  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, radius2, leaf);
+  this->Walk(query);
+}

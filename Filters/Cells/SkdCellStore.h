@@ -60,6 +60,7 @@ public:
       : static_cast<std::uint32_t>(this->Offsets[cell + 1] - this->Offsets[cell]);
   }
 
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; } ///< in use or not
   skd::Vector3 Point(std::uint32_t pointId) const
   {
     const double* x = this->Coordinates + 3 * std::uint64_t(pointId);

@@ -27,6 +27,7 @@ constexpr auto parallelLoop = [](std::size_t count, const auto& body)
 //------------------------------------------------------------------------------
 SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
   : Store(data, settings.SkipsGhosts)
+  , Bare(settings.IsBare)
   , TheRounding(Ulps * this->Store.LargestCoordinate())
   , TheEpsilon(settings.Epsilon)
 {
@@ -35,6 +36,10 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
     return;
   }
   const skd::ReadInput<3> input = this->MakeInput(settings);
+  if (settings.IsBare)
+  {
+    return;
+  }
   if (settings.IsLazy)
   {
     this->Lazy = std::make_unique<skd::LazyTree<3>>(input, parallelLoop);

@@ -27,6 +27,7 @@ struct SkdTreeSettings
   double Epsilon = 1e-9; ///< relative to the diagonal
   int Capacity = 8;      ///< cells a bottom node
   bool IsLazy = false;
+  bool IsBare = false; ///< there is no tree: its cells can be asked about one by one, no more
   bool SkipsGhosts = true;
   skd::SplitRule Rule = skd::SplitRule::Automatic; ///< of trees that are built whole
 };
@@ -87,6 +88,7 @@ public:
   SkdCellTree& operator=(const SkdCellTree&) = delete;
 
   const SkdCellStore& Cells() const { return this->Store; }
+  bool IsBare() const { return this->Bare; }
   double Rounding() const { return this->TheRounding; }
   double AbsoluteEpsilon() const { return this->TheEpsilon; }
 
@@ -152,6 +154,11 @@ public:
   void FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) const;
   void FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const;
   void FindSafetyBoxesAlong(const skd::Plane<3>& plane, double tolerance, vtkIdList* ids) const;
+  /// Adds the cells whose safety boxes may come so near, for none of these is looked at: all that
+  /// do, and some more.
+  void FindMaybeWithin(const skd::Box3& box, std::vector<std::uint32_t>& cells) const;
+  void FindMaybeWithin(
+    const skd::Vector3& x, double radius, std::vector<std::uint32_t>& cells) const;
   ///@}
 
   ///@{
@@ -288,6 +295,7 @@ private:
   void ForEachTriangle(std::uint32_t cell, Visit visit) const;
 
   SkdCellStore Store;
+  bool Bare = false;
   double TheRounding = 0.0;
   double TheEpsilon = 0.0;
   EagerTree Eager;

@@ -145,7 +145,7 @@ int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const
 
 void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
 {
-  std::map<int, std::map<std::size_t, SkdSubset>> subsets; // by id, then leaf
+  std::map<int, std::map<std::size_t, std::vector<vtkIdType>>> cells; // by id, then leaf
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     vtkUnsignedCharArray* ghosts = leaves[leaf].Mesh->GetCellGhostArray();
@@ -154,17 +154,17 @@ void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
       const auto id = static_cast<vtkIdType>(cell);
       if (!ghosts || !ghosts->GetValue(id))
       {
-        subsets[this->Last.Ids[leaf][cell]]
-          .try_emplace(leaf, leaves[leaf].Mesh)
-          .first->second.AddCell(id);
+        cells[this->Last.Ids[leaf][cell]][leaf].push_back(id);
       }
     }
   }
-  for (const auto& [id, grids] : subsets)
+  for (const auto& [id, some] : cells)
   {
     std::vector<SkdLeaf> parts;
-    for (const auto& [leaf, subset] : grids)
+    for (const auto& [leaf, ids] : some)
     {
+      SkdSubset subset(leaves[leaf].Mesh);
+      subset.SetCells(ids);
       parts.push_back({ subset.Get(), leaves[leaf].BlockIndex });
     }
     this->Parts.emplace_back(id, parts, this->Last.Settings);

@@ -10,16 +10,21 @@
 
 #include <vector>
 
-/// Some cells or points of a mesh as a grid of their own, with no more points than they use.
+class SkdCellReader;
+class vtkUnsignedCharArray;
+
+/// Some cells or points of a mesh as a grid of their own, with no more points than they use, in the
+/// order of their first use.
 class SkdSubset
 {
 public:
   explicit SkdSubset(vtkDataSet* mesh);
 
-  void AddCell(vtkIdType cell);
-
-  /// Adds a point as a cell of type VTK_VERTEX. For subsets of points alone.
-  void AddPoint(vtkIdType point);
+  ///@{
+  /// The grid becomes these cells, or these points as cells of type VTK_VERTEX. Once a subset.
+  void SetCells(const std::vector<vtkIdType>& cells);
+  void SetPoints(const std::vector<vtkIdType>& points);
+  ///@}
 
   /// Gives the grid the mesh's point data, and cell data if it has cells of the mesh.
   void CopyData();
@@ -27,16 +32,27 @@ public:
   vtkUnstructuredGrid* Get() const { return this->Grid; }
 
 private:
-  vtkIdType NewPoint(vtkIdType point);
-  void Renumber(vtkIdType first, vtkIdType last);
-  void RenumberFaces();
+  void CopyCells(const SkdCellReader& reader, vtkUnsignedCharArray* types);
+  void InsertCells(const SkdCellReader& reader);
+  template <class Visit>
+  void VisitCells(const SkdCellReader& reader, vtkIdList* list, const Visit& visit) const;
+  void CopyPoints();
+  vtkIdType NewPoint(vtkIdType point)
+  {
+    vtkIdType& id = this->NewIds[static_cast<std::size_t>(point)];
+    if (id < 0)
+    {
+      id = static_cast<vtkIdType>(this->PointIds.size());
+      this->PointIds.push_back(point);
+    }
+    return id;
+  }
 
   vtkDataSet* Mesh;
   vtkNew<vtkUnstructuredGrid> Grid;
-  vtkNew<vtkIdList> Ids;
-  std::vector<vtkIdType> NewIds; // of each point of the mesh, -1: not used
-  vtkNew<vtkIdList> PointIds;    // of the mesh
-  vtkNew<vtkIdList> CellIds;
+  std::vector<vtkIdType> NewIds;   // of each point of the mesh, -1: not used
+  std::vector<vtkIdType> PointIds; // of the mesh
+  std::vector<vtkIdType> CellIds;
 };
 
 #endif

@@ -7,40 +7,42 @@
 #include <algorithm>
 #include <cmath>
 
-bool SkdParts::Part::Update(const SkdLeaf& leaf, double epsilon)
+bool SkdParts::Part::Update(const SkdLeaf& leaf, double epsilon, SkdTreeWanted wanted)
 {
   this->BlockIndex = leaf.BlockIndex;
   const bool isSame = this->Tree && this->Epsilon == epsilon && this->Mesh.IsSameAs(leaf.Mesh);
-  if (!isSame)
+  if (isSame && !this->Tree->IsBare())
   {
-    this->Mesh.Keep(leaf.Mesh);
-    this->Epsilon = epsilon;
-    SkdTreeSettings settings;
-    settings.Epsilon = epsilon;
-    this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
-    if (leaf.Mesh->GetNumberOfCells() > 0)
-    {
-      this->Mesh.Get()->GetCell(0, SkdScratchCell()); // makes GetCell thread-safe
-    }
+    return false;
   }
-  return !isSame;
+  this->Mesh.Keep(leaf.Mesh);
+  this->Epsilon = epsilon;
+  SkdTreeSettings settings;
+  settings.Epsilon = epsilon;
+  settings.IsBare = !isSame && wanted == SkdTreeWanted::IfSeenBefore;
+  this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
+  if (leaf.Mesh->GetNumberOfCells() > 0)
+  {
+    this->Mesh.Get()->GetCell(0, SkdScratchCell()); // makes GetCell thread-safe
+  }
+  return !settings.IsBare;
 }
 
-int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon, SkdTreeWanted wanted)
 {
-  std::vector<const SkdLeaf*> wanted;
+  std::vector<const SkdLeaf*> filled;
   for (const SkdLeaf& leaf : leaves)
   {
     if (leaf.Mesh->GetNumberOfCells() > 0)
     {
-      wanted.push_back(&leaf);
+      filled.push_back(&leaf);
     }
   }
-  this->Parts.resize(wanted.size());
+  this->Parts.resize(filled.size());
   int built = 0;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
+  for (std::size_t i = 0; i < filled.size(); ++i)
   {
-    built += this->Parts[i].Update(*wanted[i], epsilon);
+    built += this->Parts[i].Update(*filled[i], epsilon, wanted);
   }
   return built;
 }

@@ -16,12 +16,20 @@
 #include <memory>
 #include <vector>
 
+/// When a part gets its tree. To look through all cells once is a fraction of what that takes.
+enum class SkdTreeWanted
+{
+  AtOnce,
+  IfSeenBefore ///< until then the tree is bare
+};
+
 class SkdParts
 {
 public:
   /// Makes the trees those of the leaves that have cells. Returns how many had to be built. Throws
   /// std::length_error when a part has more cells or points than a tree can hold.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon,
+    SkdTreeWanted wanted = SkdTreeWanted::AtOnce);
 
   std::uint32_t GetNumberOfParts() const { return static_cast<std::uint32_t>(this->Parts.size()); }
   std::vector<int> GetBlockIndices() const; // one a part
@@ -47,7 +55,8 @@ private:
     SkdKeptMesh Mesh;
     std::shared_ptr<const SkdCellTree> Tree;
 
-    bool Update(const SkdLeaf& leaf, double epsilon); // whether a tree was built
+    /// Whether a tree was built.
+    bool Update(const SkdLeaf& leaf, double epsilon, SkdTreeWanted wanted);
   };
   std::vector<Part> Parts;
 };

@@ -46,9 +46,15 @@ struct SkdCellRelation::Asked
 std::optional<SkdDistances> SkdCellRelation::Ask(
   const SkdCellTree& tree, std::uint32_t cell, const SkdCellSource& source) const
 {
+  const double tolerance = std::max(this->Rules.Tolerance, this->Shape.Rounding(tree));
+  // The distance of two sets of simplices takes far longer than to see that they are apart.
+  if (this->Rules.Relation == SkdRelation::Overlap && this->Shape.IsAlignedBox() &&
+    !tree.Overlaps(cell, this->Shape.GetBounds().Inflated(2.0 * tolerance)))
+  {
+    return std::nullopt;
+  }
   thread_local skd::SimplexSet set; // keeps its memory
   tree.GetSimplices(cell, source, set);
-  const double tolerance = std::max(this->Rules.Tolerance, this->Shape.Rounding(tree));
   const Asked asked{ tree, cell, source, set, tolerance };
   if (this->Rules.Relation != SkdRelation::Nearest && !this->IsRelated(asked))
   {

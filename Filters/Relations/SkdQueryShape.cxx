@@ -17,6 +17,29 @@ skd::Box3 BoundsOf(const skd::Sphere<3>& ball)
   return skd::Box3(ball.Centre, ball.Centre).Inflated(ball.Radius);
 }
 
+/// Sorts different numbers that are less than `end`. Many are marked in a row of bits instead.
+void SortNumbers(std::vector<std::uint32_t>& numbers, std::uint32_t end)
+{
+  if (numbers.size() < end / 64)
+  {
+    std::sort(numbers.begin(), numbers.end());
+    return;
+  }
+  std::vector<std::uint32_t> rows(end / 32 + 1, 0u);
+  for (const std::uint32_t number : numbers)
+  {
+    rows[number / 32] |= 1u << number % 32;
+  }
+  std::uint32_t* to = numbers.data();
+  for (std::uint32_t row = 0; row < rows.size(); ++row)
+  {
+    for (std::uint32_t marks = rows[row]; marks != 0; marks &= marks - 1)
+    {
+      *to++ = 32 * row + static_cast<std::uint32_t>(skd::LowestBit(marks));
+    }
+  }
+}
+
 /// How far the box is above and below a plane: the least and the greatest height.
 skd::Interval HeightsOf(const skd::Plane<3>& plane, const skd::Box3& box)
 {
@@ -130,32 +153,66 @@ double SkdQueryShape::Rounding(const SkdCellTree& tree) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> SkdQueryShape::FindNear(const SkdCellTree& tree, double reach) const
+// A line itself, not its bounding box, is asked for where safety boxes allow for the reach.
+bool SkdQueryShape::IsAsSegment(const SkdCellTree& tree, double reach) const
 {
-  vtkNew<vtkIdList> ids;
+  return this->TheKind == Kind::Line && reach <= tree.AbsoluteEpsilon();
+}
+
+//------------------------------------------------------------------------------
+bool SkdQueryShape::IsNear(const SkdCellTree& tree, const skd::Box3& safetyBox, double reach) const
+{
+  switch (this->TheKind)
+  {
+    case Kind::Ball:
+    {
+      const double radius = this->Ball.Radius + reach;
+      return skd::MinDistance2(this->Ball.Centre, safetyBox) <= radius * radius;
+    }
+    case Kind::Plane:
+      return skd::Overlaps(this->Plane, safetyBox, reach);
+    default:
+      return this->IsAsSegment(tree, reach)
+        ? skd::Clip(skd::Segment<3>{ this->Set.Points.front(), this->Set.Points.back() }, safetyBox)
+            .has_value()
+        : safetyBox.Overlaps(this->Bounds.Inflated(reach));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdQueryShape::FindMaybeNear(const SkdCellTree& tree, double reach) const
+{
+  std::vector<std::uint32_t> cells;
   if (this->TheKind == Kind::Ball)
   {
-    tree.FindSafetyBoxesWithin(this->Ball.Centre, this->Ball.Radius + reach, ids);
+    tree.FindMaybeWithin(this->Ball.Centre, this->Ball.Radius + reach, cells);
   }
-  else if (this->TheKind == Kind::Plane)
+  else if (this->TheKind == Kind::Plane || this->IsAsSegment(tree, reach))
   {
-    tree.FindSafetyBoxesAlong(this->Plane, reach, ids);
-  }
-  else if (this->TheKind == Kind::Line && reach <= tree.AbsoluteEpsilon())
-  {
-    tree.FindSafetyBoxesAlong({ this->Set.Points.front(), this->Set.Points.back() }, ids);
+    vtkNew<vtkIdList> ids;
+    this->TheKind == Kind::Plane
+      ? tree.FindSafetyBoxesAlong(this->Plane, reach, ids)
+      : tree.FindSafetyBoxesAlong({ this->Set.Points.front(), this->Set.Points.back() }, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      cells.push_back(static_cast<std::uint32_t>(tree.Cells().CellOfId(ids->GetId(i))));
+    }
   }
   else
   {
-    tree.FindSafetyBoxesWithin(this->Bounds.Inflated(reach), ids);
+    tree.FindMaybeWithin(this->Bounds.Inflated(reach), cells);
   }
-  std::vector<std::uint32_t> cells;
-  cells.reserve(static_cast<std::size_t>(ids->GetNumberOfIds()));
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    cells.push_back(static_cast<std::uint32_t>(tree.Cells().CellOfId(ids->GetId(i))));
-  }
-  std::sort(cells.begin(), cells.end());
+  SortNumbers(cells, tree.Cells().NumberOfCells());
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdQueryShape::FindNear(const SkdCellTree& tree, double reach) const
+{
+  std::vector<std::uint32_t> cells = this->FindMaybeNear(tree, reach);
+  const auto isFar = [&](std::uint32_t cell)
+  { return !this->IsNear(tree, tree.SafetyBoxOf(cell), reach); };
+  cells.erase(std::remove_if(cells.begin(), cells.end(), isFar), cells.end());
   return cells;
 }
 
@@ -201,6 +258,10 @@ double SkdQueryShape::PessimisticDistance(const skd::Box3& box) const
     default:
       break;
   }
+  if (this->IsAligned)
+  {
+    return this->PessimisticFromCorners(box); // the same as of each corner
+  }
   double most2 = 0.0;
   for (const skd::Vector3& x : this->Set.Points)
   {
@@ -245,4 +306,65 @@ bool SkdQueryShape::IsSureToHold(const skd::Box3& box) const
     return skd::MaxDistance2(this->Ball.Centre, box) <= this->Ball.Radius * this->Ball.Radius;
   }
   return this->IsAligned && this->Bounds.Contains(box);
+}
+
+//------------------------------------------------------------------------------
+// The farthest point of a box is, along each axis, on the farther of its sides.
+SkdQueryShape::Corner SkdQueryShape::LookAt(const skd::Vector3& x) const
+{
+  if (this->TheKind == Kind::Ball)
+  {
+    const double dist2 = skd::Distance2(x, this->Ball.Centre);
+    return { dist2, dist2 <= this->Ball.Radius * this->Ball.Radius };
+  }
+  return { skd::MaxDistance2(x, this->Bounds), this->Bounds.Contains(x) };
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdQueryShape::Corners> SkdQueryShape::LookAtCorners(
+  const SkdCellTree& tree, std::uint32_t cell, const Corner* known) const
+{
+  const SkdCellStore& cells = tree.Cells();
+  if (!this->LooksAtCorners() || cells.HasReaches() || cells.ShapeOf(cell) == SkdShape::Generic)
+  {
+    return std::nullopt;
+  }
+  const std::uint32_t* const ids = cells.PointIdsOf(cell);
+  Corners corners{ false, true, 0.0, 0.0 };
+  double most2 = 0.0;
+  std::for_each(ids, ids + cells.SizeOf(cell),
+    [&](std::uint32_t id)
+    {
+      const Corner corner = known ? known[id] : this->LookAt(cells.Point(id));
+      corners.AreSomeIn |= corner.IsIn;
+      corners.AreAllIn &= corner.IsIn;
+      most2 = std::max(most2, corner.Farthest2);
+    });
+  const skd::Box3 box = cells.BoundsOf(cell).Inflated(2.0 * tree.AbsoluteEpsilon());
+  corners.Farthest = std::sqrt(most2) + this->Ball.Radius; // 0 if it is a box
+  corners.Pessimistic = this->PessimisticFromCorners(box);
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+// As skd::MaxDistance2(), of which compilers make loads that wait for stores.
+double SkdQueryShape::PessimisticFromCorners(const skd::Box3& box) const
+{
+  const bool isBall = this->TheKind == Kind::Ball;
+  const skd::Vector3& low = isBall ? this->Ball.Centre : this->Bounds.Min;
+  const skd::Vector3& high = isBall ? this->Ball.Centre : this->Bounds.Max;
+  return skd::Norm(skd::Greatest(box.Max - low, high - box.Min)) + this->Ball.Radius;
+}
+
+//------------------------------------------------------------------------------
+// A bit for each side of the bounds that a point is beyond.
+unsigned char SkdQueryShape::SidesOf(const skd::Vector3& x, double reach) const
+{
+  unsigned sides = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sides |= static_cast<unsigned>(x[axis] < this->Bounds.Min[axis] - reach) << 2 * axis |
+      static_cast<unsigned>(x[axis] > this->Bounds.Max[axis] + reach) << (2 * axis + 1);
+  }
+  return static_cast<unsigned char>(sides);
 }

@@ -17,6 +17,7 @@
 #include "Core/Geometry/Sphere.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class SkdCellOutline;
@@ -64,13 +65,21 @@ public:
 
   /// Of all but planes.
   const skd::Box3& GetBounds() const { return this->Bounds; }
+  /// Whether it is a box along the axes: its bounds.
+  bool IsAlignedBox() const { return this->IsAligned; }
 
   /// A distance that is not more is 0 to within rounding: 8 units in the last place of the largest
   /// coordinate of the shape or of the mesh.
   double Rounding(const SkdCellTree& tree) const;
 
-  /// The cells whose safety boxes may come as near as `reach`, ascending.
+  ///@{
+  /// The cells whose safety boxes come as near as `reach`, by no more than their bounding boxes (of
+  /// planes and lines: themselves), ascending. The tree must not be bare. FindMaybeNear: these, and
+  /// some more for which IsNear() is still to be asked.
   std::vector<std::uint32_t> FindNear(const SkdCellTree& tree, double reach) const;
+  std::vector<std::uint32_t> FindMaybeNear(const SkdCellTree& tree, double reach) const;
+  bool IsNear(const SkdCellTree& tree, const skd::Box3& safetyBox, double reach) const;
+  ///@}
 
   ///@{
   /// Section 4: the distances of the nearest and the farthest points of a box and the shape (of a
@@ -90,11 +99,40 @@ public:
   bool IsCandidate(
     SkdRelation relation, const SkdCellTree& tree, std::uint32_t cell, double tolerance) const;
 
+  /// The sides of the bounds, a bit each, that a point is beyond by more than the reach: what is
+  /// straight between points that are all beyond one side is not nearer. None of a plane.
+  unsigned char SidesOf(const skd::Vector3& x, double reach) const;
+
   /// Whether all of a box is in the shape, so that nothing need be asked of what is in the box.
   bool IsSureToHold(const skd::Box3& box) const;
 
+  ///@{
+  /// Balls and boxes along the axes hold all that is straight between points that they hold. What
+  /// such a point is to them, and what the points of a cell are.
+  struct Corner
+  {
+    double Farthest2; ///< its squared distance from the ball's centre, or the box's farthest point
+    bool IsIn;
+  };
+  struct Corners
+  {
+    bool AreSomeIn;
+    bool AreAllIn;
+    double Farthest;    ///< of the farthest of them from the farthest point of the shape
+    double Pessimistic; ///< PessimisticDistance() of the cell's safety box
+  };
+  bool LooksAtCorners() const { return this->TheKind == Kind::Ball || this->IsAligned; }
+  Corner LookAt(const skd::Vector3& x) const;
+  /// Nothing of other shapes, of cells that are not straight, and in meshes with curved cells.
+  /// `known`: what LookAt() tells of each point of the mesh, or nullptr.
+  std::optional<Corners> LookAtCorners(
+    const SkdCellTree& tree, std::uint32_t cell, const Corner* known) const;
+  ///@}
+
 private:
   static SkdQueryShape MakeSet(Kind kind, skd::SimplexSet set);
+  bool IsAsSegment(const SkdCellTree& tree, double reach) const;
+  double PessimisticFromCorners(const skd::Box3& box) const;
   bool AreBoundsRelated(
     SkdRelation relation, const SkdCellTree& tree, std::uint32_t cell, double tolerance) const;
 

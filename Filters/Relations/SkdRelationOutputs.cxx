@@ -52,22 +52,31 @@ vtkSmartPointer<vtkIdTypeArray> IdsOf(const std::vector<SkdChosenCell>& chosen)
 
 //------------------------------------------------------------------------------
 std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
-  const std::vector<SkdRelatedCell>& pairs, std::size_t parts)
+  const SkdRelatedCells& pairs, std::size_t parts)
 {
   std::vector<std::vector<SkdChosenCell>> chosen(parts);
+  if (parts == 1)
+  {
+    chosen.front().reserve(pairs.size());
+  }
+  std::vector<char> areInTurn(parts, 1); // each once, as those of one shape are
   for (const SkdRelatedCell& pair : pairs)
   {
     const double distance = std::isnan(pair.OfCells.Min) ? pair.OfBoxes.Min : pair.OfCells.Min;
-    chosen[pair.Part].push_back({ pair.CellId, 1, distance });
+    std::vector<SkdChosenCell>& cells = chosen[pair.Part];
+    areInTurn[pair.Part] &= cells.empty() || cells.back().CellId < pair.CellId;
+    cells.push_back({ pair.CellId, 1, distance });
   }
-  for (std::vector<SkdChosenCell>& cells : chosen)
+  for (std::size_t part = 0; part < parts; ++part)
   {
+    if (areInTurn[part])
+    {
+      continue;
+    }
+    std::vector<SkdChosenCell>& cells = chosen[part];
     const auto isBefore = [](const SkdChosenCell& a, const SkdChosenCell& b)
     { return a.CellId < b.CellId || (a.CellId == b.CellId && a.Distance < b.Distance); };
-    if (!std::is_sorted(cells.begin(), cells.end(), isBefore)) // as those of one shape are
-    {
-      std::sort(cells.begin(), cells.end(), isBefore);
-    }
+    std::sort(cells.begin(), cells.end(), isBefore);
     std::size_t kept = 0;
     for (const SkdChosenCell& cell : cells)
     {
@@ -87,11 +96,14 @@ std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
 void SkdExtractCells(
   vtkDataSet* mesh, const std::vector<SkdChosenCell>& chosen, vtkUnstructuredGrid* output)
 {
-  SkdSubset subset(mesh);
+  std::vector<vtkIdType> ids;
+  ids.reserve(chosen.size());
   for (const SkdChosenCell& cell : chosen)
   {
-    subset.AddCell(cell.CellId);
+    ids.push_back(cell.CellId);
   }
+  SkdSubset subset(mesh);
+  subset.SetCells(ids);
   subset.CopyData();
   output->ShallowCopy(subset.Get());
   output->GetFieldData()->PassData(mesh->GetFieldData());
@@ -140,7 +152,7 @@ void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
 //------------------------------------------------------------------------------
 void SkdFillPairs(const SkdRelationAnswers& answers, vtkTable* table)
 {
-  const std::vector<SkdRelatedCell>& pairs = answers.Pairs;
+  const SkdRelatedCells& pairs = answers.Pairs;
   const auto n = static_cast<vtkIdType>(pairs.size());
   const auto pair = [&](vtkIdType i) -> const SkdRelatedCell&
   { return pairs[static_cast<std::size_t>(i)]; };

@@ -18,7 +18,7 @@ class vtkUnstructuredGrid;
 /// What there is to tell.
 struct SkdRelationAnswers
 {
-  const std::vector<SkdRelatedCell>& Pairs;
+  const SkdRelatedCells& Pairs;
   const SkdQueryList& Queries;
   std::vector<int> BlockIndices; ///< one a part of the mesh
   bool IsExact;
@@ -36,7 +36,7 @@ struct SkdChosenCell
 
 /// By part and cell id; one list a part.
 std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
-  const std::vector<SkdRelatedCell>& pairs, std::size_t parts);
+  const SkdRelatedCells& pairs, std::size_t parts);
 
 /// The chosen cells of a mesh with all its data.
 void SkdExtractCells(

@@ -26,6 +26,42 @@ bool IsNearer(const SkdRelatedCell& a, const SkdRelatedCell& b)
   };
   return key(a) < key(b);
 }
+
+/// What make(i, where to put it) says is to be kept, of each i of n in turn, in parallel. Found in
+/// blocks, which are then moved together.
+template <class T, class Make>
+skd::RawVector<T> Collect(
+  vtkAlgorithm* owner, double first, double last, std::size_t n, const Make& make)
+{
+  constexpr std::size_t size = 256;
+  skd::RawVector<T> found(n);
+  std::vector<std::size_t> counts((n + size - 1) / size, 0);
+  const auto blocks = static_cast<vtkIdType>(counts.size());
+  SkdLoop(owner, blocks, first, last, 16)
+    .For(blocks,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (auto block = static_cast<std::size_t>(begin); block < static_cast<std::size_t>(end);
+             ++block)
+        {
+          T* to = found.data() + block * size;
+          const std::size_t beyond = std::min(n, (block + 1) * size);
+          for (std::size_t i = block * size; i < beyond; ++i)
+          {
+            to += make(i, to);
+          }
+          counts[block] = static_cast<std::size_t>(to - found.data()) - block * size;
+        }
+      });
+  T* to = found.data();
+  for (std::size_t block = 0; block < counts.size(); ++block)
+  {
+    const T* const from = found.data() + block * size;
+    to = to == from ? to + counts[block] : std::copy(from, from + counts[block], to);
+  }
+  found.resize(static_cast<std::size_t>(to - found.data()));
+  return found;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,38 +88,80 @@ SkdRelatedCell SkdSpatialSearch::MakeCell(
 }
 
 //------------------------------------------------------------------------------
-std::optional<SkdRelatedCell> SkdSpatialSearch::Ask(
-  const SkdQueryShape& shape, const Candidate& candidate) const
+bool SkdSpatialSearch::AsksCorners() const
+{
+  return this->Rules.IsExact &&
+    (this->Rules.Relation == SkdRelation::Overlap ||
+      this->Rules.Relation == SkdRelation::Containment);
+}
+
+//------------------------------------------------------------------------------
+// What the corners tell of most cells: a cell that has some in the shape overlaps it, and one that
+// has all is in it. Then the nearest points are common points, of the boxes, too.
+bool SkdSpatialSearch::AskCorners(const SkdQueryShape& shape, const Candidate& candidate,
+  const CornersOfParts& known, SkdRelatedCell& related) const
+{
+  if (!this->AsksCorners())
+  {
+    return false;
+  }
+  const bool isOverlap = this->Rules.Relation == SkdRelation::Overlap;
+  const SkdCellTree& tree = this->Mesh.GetTree(candidate.Part);
+  const bool isKnown = !known.empty() && !known[candidate.Part].empty();
+  const auto corners =
+    shape.LookAtCorners(tree, candidate.Cell, isKnown ? known[candidate.Part].data() : nullptr);
+  if (!corners || !(isOverlap ? corners->AreSomeIn : corners->AreAllIn))
+  {
+    return false;
+  }
+  related = { 0, candidate.Part, tree.Cells().IdOf(candidate.Cell), { 0.0, corners->Pessimistic },
+    { 0.0, corners->Farthest } };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool SkdSpatialSearch::Ask(const SkdQueryShape& shape, const Candidate& candidate,
+  const CornersOfParts& known, SkdRelatedCell& related) const
 {
   const SkdCellTree& tree = this->Mesh.GetTree(candidate.Part);
-  const double tolerance = std::max(this->Rules.Tolerance, shape.Rounding(tree));
-  const bool isNearest = this->Rules.Relation == SkdRelation::Nearest;
-  if (!isNearest && !shape.IsCandidate(this->Rules.Relation, tree, candidate.Cell, tolerance))
+  if (this->Rules.Relation != SkdRelation::Nearest)
   {
-    return std::nullopt;
+    if (this->AskCorners(shape, candidate, known, related))
+    {
+      return true;
+    }
+    const double tolerance = std::max(this->Rules.Tolerance, shape.Rounding(tree));
+    if (!shape.IsNear(tree, tree.SafetyBoxOf(candidate.Cell), this->Rules.Tolerance) ||
+      !shape.IsCandidate(this->Rules.Relation, tree, candidate.Cell, tolerance))
+    {
+      return false;
+    }
   }
-  SkdRelatedCell related = this->MakeCell(shape, candidate);
+  related = this->MakeCell(shape, candidate);
   if (this->Rules.IsExact)
   {
     const auto distances = SkdCellRelation(shape, this->Rules)
                              .Ask(tree, candidate.Cell, this->Mesh.GetSource(candidate.Part));
     if (!distances)
     {
-      return std::nullopt;
+      return false;
     }
     related.OfCells = *distances;
   }
-  return related;
+  return true;
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdSpatialSearch::Candidate> SkdSpatialSearch::FindCandidates(
-  const SkdQueryShape& shape, double reach) const
+// Of each part what find(tree) gives.
+template <class Finder>
+std::vector<SkdSpatialSearch::Candidate> SkdSpatialSearch::FindInParts(const Finder& find) const
 {
   std::vector<Candidate> candidates;
   for (std::uint32_t part = 0; part < this->Mesh.GetNumberOfParts(); ++part)
   {
-    for (const std::uint32_t cell : shape.FindNear(this->Mesh.GetTree(part), reach))
+    const auto cells = find(this->Mesh.GetTree(part));
+    candidates.reserve(candidates.size() + cells.size());
+    for (const std::uint32_t cell : cells)
     {
       candidates.push_back({ part, cell });
     }
@@ -92,14 +170,24 @@ std::vector<SkdSpatialSearch::Candidate> SkdSpatialSearch::FindCandidates(
 }
 
 //------------------------------------------------------------------------------
+std::vector<SkdSpatialSearch::Candidate> SkdSpatialSearch::FindCandidates(
+  const SkdQueryShape& shape, double reach) const
+{
+  return this->FindInParts([&](const SkdCellTree& tree) { return shape.FindNear(tree, reach); });
+}
+
+//------------------------------------------------------------------------------
 SkdSpatialSearch::Cells SkdSpatialSearch::FindRelated(const SkdQueryShape& shape) const
 {
   Cells found;
-  for (const Candidate& candidate : this->FindCandidates(shape, this->Rules.Tolerance))
+  const auto candidates = this->FindInParts(
+    [&](const SkdCellTree& tree) { return shape.FindMaybeNear(tree, this->Rules.Tolerance); });
+  for (const Candidate& candidate : candidates)
   {
-    if (const auto related = this->Ask(shape, candidate))
+    SkdRelatedCell related;
+    if (this->Ask(shape, candidate, {}, related))
     {
-      found.push_back(*related);
+      found.push_back(related);
     }
   }
   return found;
@@ -168,7 +256,8 @@ SkdSpatialSearch::Cells SkdSpatialSearch::MeasureNearest(
     {
       break;
     }
-    const SkdRelatedCell related = *this->Ask(shape, candidate);
+    SkdRelatedCell related;
+    this->Ask(shape, candidate, {}, related);
     best.insert(std::upper_bound(best.begin(), best.end(), related, IsNearer), related);
     best.resize(std::min(best.size(), this->Rules.Number));
   }
@@ -241,34 +330,94 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindNearestBoxes(const SkdQueryShape& 
 }
 
 //------------------------------------------------------------------------------
-SkdSpatialSearch::Cells SkdSpatialSearch::FindOfOne(
-  const SkdQueryShape& shape, vtkAlgorithm* owner) const
+// Without a tree: all cells but those whose points are all beyond one side of the shape, which a
+// look at each point tells.
+skd::RawVector<std::uint32_t> SkdSpatialSearch::LookThrough(
+  const SkdCellTree& tree, const SkdQueryShape& shape, vtkAlgorithm* owner) const
 {
-  const std::vector<Candidate> candidates = this->FindCandidates(shape, this->Rules.Tolerance);
-  const auto n = static_cast<vtkIdType>(candidates.size());
-  std::vector<std::optional<SkdRelatedCell>> slots(candidates.size());
-  SkdLoop loop(owner, n, 0.3, 0.9);
-  loop.For(n,
+  const SkdCellStore& cells = tree.Cells();
+  const bool hasSides = shape.GetKind() != SkdQueryShape::Kind::Plane && !cells.HasReaches();
+  // Safety boxes are wider than cells, and what they are compared with is rounded.
+  const double reach =
+    this->Rules.Tolerance + 3.0 * tree.AbsoluteEpsilon() + 2.0 * shape.Rounding(tree);
+  skd::RawVector<unsigned char> sides(static_cast<std::size_t>(cells.GetNumberOfPoints()));
+  vtkSMPTools::For(0, hasSides ? cells.GetNumberOfPoints() : 0,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (vtkIdType id = begin; id < end; ++id)
       {
-        slots[i] = this->Ask(shape, candidates[i]);
+        sides[static_cast<std::size_t>(id)] =
+          shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), reach);
       }
     });
-  Cells found;
-  for (const auto& slot : slots)
-  {
-    if (slot)
+  return Collect<std::uint32_t>(owner, 0.2, 0.3, cells.NumberOfCells(),
+    [&](std::size_t i, std::uint32_t* to)
     {
-      found.push_back(*slot);
-    }
-  }
-  return found;
+      *to = static_cast<std::uint32_t>(i);
+      const std::uint32_t* const ids = cells.PointIdsOf(*to);
+      unsigned common = hasSides ? 63u : 0u;
+      for (std::uint32_t k = 0; common != 0 && k < cells.SizeOf(*to); ++k)
+      {
+        common &= sides[ids[k]];
+      }
+      return common == 0;
+    });
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdRelatedCell> SkdSpatialSearch::Find(
+// Of parts where there are more candidates than points: a point is a corner of several cells.
+SkdSpatialSearch::CornersOfParts SkdSpatialSearch::LookAtPoints(
+  const SkdQueryShape& shape, const std::vector<Candidate>& candidates) const
+{
+  CornersOfParts known(this->Mesh.GetNumberOfParts());
+  std::vector<vtkIdType> counts(known.size(), 0);
+  for (const Candidate& candidate : candidates)
+  {
+    ++counts[candidate.Part];
+  }
+  for (std::uint32_t part = 0; part < known.size(); ++part)
+  {
+    const SkdCellStore& cells = this->Mesh.GetTree(part).Cells();
+    const vtkIdType points = cells.GetNumberOfPoints();
+    if (!this->AsksCorners() || !shape.LooksAtCorners() || counts[part] < points)
+    {
+      continue;
+    }
+    known[part].resize(static_cast<std::size_t>(points));
+    vtkSMPTools::For(0, points,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          known[part][static_cast<std::size_t>(id)] =
+            shape.LookAt(cells.Point(static_cast<std::uint32_t>(id)));
+        }
+      });
+  }
+  return known;
+}
+
+//------------------------------------------------------------------------------
+SkdSpatialSearch::Cells SkdSpatialSearch::FindOfOne(
+  const SkdQueryShape& shape, vtkAlgorithm* owner) const
+{
+  const auto candidates = this->FindInParts(
+    [&](const SkdCellTree& tree) -> skd::RawVector<std::uint32_t>
+    {
+      if (tree.IsBare())
+      {
+        return this->LookThrough(tree, shape, owner);
+      }
+      const auto cells = shape.FindMaybeNear(tree, this->Rules.Tolerance);
+      return { cells.begin(), cells.end() };
+    });
+  const CornersOfParts known = this->LookAtPoints(shape, candidates);
+  return Collect<SkdRelatedCell>(owner, 0.3, 0.9, candidates.size(),
+    [&](std::size_t i, SkdRelatedCell* to) { return this->Ask(shape, candidates[i], known, *to); });
+}
+
+//------------------------------------------------------------------------------
+SkdRelatedCells SkdSpatialSearch::Find(
   vtkIdType n, const MakeShape& make, vtkAlgorithm* owner) const
 {
   const bool isNearest = this->Rules.Relation == SkdRelation::Nearest;

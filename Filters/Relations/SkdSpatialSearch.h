@@ -8,6 +8,7 @@
 #ifndef SkdSpatialSearch_h
 #define SkdSpatialSearch_h
 
+#include "Core/Tree/RawVector.h"
 #include "Pipeline/SkdLoop.h"
 #include "Refine/SkdParts.h"
 #include "Relations/SkdCellRelation.h"
@@ -30,10 +31,13 @@ struct SkdRelatedCell
   SkdDistances OfCells; ///< exact ones; NaN if boxes decided
 };
 
+using SkdRelatedCells = skd::RawVector<SkdRelatedCell>;
+
 class SkdSpatialSearch
 {
 public:
-  /// Both must outlive it.
+  /// Both must outlive it. Only where one shape is asked for its relations, but for the nearest,
+  /// may trees be bare.
   SkdSpatialSearch(const SkdParts& mesh, const SkdSearchRules& rules);
 
   using MakeShape = std::function<SkdQueryShape(vtkIdType query)>;
@@ -43,21 +47,37 @@ public:
   /// boxes decide, all whose optimistic distance is not more than the Number-th least pessimistic
   /// one (Algorithm 5.1), among them those cells. In parallel; the same whatever the number of
   /// threads.
-  std::vector<SkdRelatedCell> Find(vtkIdType n, const MakeShape& make, vtkAlgorithm* owner) const;
+  SkdRelatedCells Find(vtkIdType n, const MakeShape& make, vtkAlgorithm* owner) const;
 
 private:
   struct Candidate; // a part and a cell
-  using Cells = std::vector<SkdRelatedCell>;
+  using Cells = SkdRelatedCells;
+  /// What the points of parts are to a shape; of parts where it is not known, nothing.
+  using CornersOfParts = std::vector<skd::RawVector<SkdQueryShape::Corner>>;
 
   Cells FindOfOne(const SkdQueryShape& shape, vtkAlgorithm* owner) const;
+  skd::RawVector<std::uint32_t> LookThrough(
+    const SkdCellTree& tree, const SkdQueryShape& shape, vtkAlgorithm* owner) const;
   Cells FindRelated(const SkdQueryShape& shape) const;
   Cells FindNearest(const SkdQueryShape& shape) const;
   Cells FindNearestToPoint(const SkdQueryShape& shape) const;
   Cells FindNearestBoxes(const SkdQueryShape& shape) const;
 
   std::vector<Candidate> FindCandidates(const SkdQueryShape& shape, double reach) const;
+  template <class Finder>
+  std::vector<Candidate> FindInParts(const Finder& find) const;
   Cells MeasureNearest(const SkdQueryShape& shape, std::vector<Candidate>& candidates) const;
-  std::optional<SkdRelatedCell> Ask(const SkdQueryShape& shape, const Candidate& candidate) const;
+  ///@{
+  /// Whether a cell is related; then what there is to tell, put where it belongs: to move it costs
+  /// as much as to find it.
+  bool Ask(const SkdQueryShape& shape, const Candidate& candidate, const CornersOfParts& known,
+    SkdRelatedCell& related) const;
+  bool AskCorners(const SkdQueryShape& shape, const Candidate& candidate,
+    const CornersOfParts& known, SkdRelatedCell& related) const;
+  ///@}
+  bool AsksCorners() const;
+  CornersOfParts LookAtPoints(
+    const SkdQueryShape& shape, const std::vector<Candidate>& candidates) const;
   SkdRelatedCell MakeCell(const SkdQueryShape& shape, const Candidate& candidate) const;
   template <class Search>
   Cells FindWidening(const SkdQueryShape& shape, const Search& search) const;

@@ -315,6 +315,49 @@ TEST(SpatialQuery, TreesAreKeptWhileMeshesAreTheSame)
   EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
 }
 
+TEST(SpatialQuery, AMeshThatIsAskedAboutOneShapeGetsItsTreeWhenItIsAskedAgain)
+{
+  QueryPointer query = MakeQuery(MakeBricks());
+  SetBox(query, { 0.5, 1.5, 0.5, 1.5, 0.5, 1.5 });
+  query->Update();
+  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
+  query->SetRelation(SpatialQuery::CONTAINMENT);
+  query->Update();
+  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
+  query->SetRelation(SpatialQuery::NEAREST);
+  query->Update();
+  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
+  query->SetInputDataObject(0, MakeBricks(1.0));
+  query->Update();
+  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
+}
+
+TEST_P(SpatialQueryOnMesh, AnswersAreTheSameWithoutATreeAndWithOne)
+{
+  for (int relation = SpatialQuery::EXACT_MATCH; relation <= SpatialQuery::ADJACENCY; ++relation)
+  {
+    Random random(9);
+    for (int shape = SpatialQuery::BOX; shape <= SpatialQuery::LINE; ++shape)
+    {
+      QueryPointer query = MakeQuery(this->Input, relation);
+      SetSphere(query, random.InBox(this->Box), random.Between(0.0, 0.5) * Diagonal(this->Box));
+      SetPlane(query, random.InBox(this->Box), random.InBox(this->Box));
+      SetLine(query, random.InBox(this->Box), random.InBox(this->Box));
+      SetBox(query, this->RandomBox(random));
+      query->SetShape(shape);
+      const std::vector<PairRow> without = RunQuery(query);
+      query->Modified();
+      const std::vector<PairRow> with = RunQuery(query);
+      EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
+      ASSERT_EQ(without.size(), with.size());
+      for (std::size_t i = 0; i < with.size(); ++i)
+      {
+        ASSERT_EQ(std::memcmp(&without[i], &with[i], sizeof(PairRow)), 0);
+      }
+    }
+  }
+}
+
 TEST(SpatialQuery, NoneOneAndFlatMeshes)
 {
   vtkNew<vtkUnstructuredGrid> none;

@@ -118,13 +118,14 @@ def test_composite_inputs():
     assert extracted.GetDataInformation().GetNumberOfCells() == information.GetNumberOfCells()
 
 
-def test_the_tree_is_kept_when_the_shape_moves():
+def test_the_tree_is_built_when_the_shape_moves_and_kept():
     query = simple.SkdTreeSpatialQuery(Input=flow(), Shape="Plane")
     query.UpdatePipeline()
-    assert skdtesting.report(query, "TreesBuilt") == 1
-    query.PlaneNormal = [0, 1, 1]
-    query.UpdatePipeline()
     assert skdtesting.report(query, "TreesBuilt") == 0
+    for normal, built in (([0, 1, 1], 1), ([1, 1, 0], 0)):
+        query.PlaneNormal = normal
+        query.UpdatePipeline()
+        assert skdtesting.report(query, "TreesBuilt") == built
 
 
 skdtesting.run_tests(globals())
