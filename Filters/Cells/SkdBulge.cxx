@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdBulge.h"
 
+#include "Cells/SkdCellFunctions.h"
 #include "Cells/SkdParametricCell.h"
 #include "Core/Geometry/Box.h"
 
@@ -102,7 +103,7 @@ private:
   void Try(const skd::Vector3& point)
   {
     const skd::Vector3 p = skd::Clamped(this->Cell.Domain(), point);
-    this->Source->InterpolateFunctions(this->Cell.ToVTK(p).X, this->Weights.data());
+    SkdCellFunctions::Interpolate(this->Source, this->Cell.ToVTK(p).X, this->Weights.data());
     double sum = 0.0;
     for (auto i = static_cast<std::size_t>(this->First); i < this->Weights.size(); ++i)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdGenericKernel.h"
 
+#include "Cells/SkdCellFunctions.h"
 #include "Cells/SkdParametricCell.h"
 #include "Cells/SkdPiecewiseKernel.h"
 
@@ -149,7 +150,7 @@ void SkdGenericKernel::Locate(
   {
     if (weights)
     {
-      cell->InterpolateFunctions(pcoords.X, weights);
+      SkdCellFunctions::Interpolate(cell, pcoords.X, weights);
     }
     return;
   }

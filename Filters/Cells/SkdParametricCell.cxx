@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdParametricCell.h"
 
+#include "Cells/SkdCellFunctions.h"
+
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkPoints.h"
@@ -158,7 +160,7 @@ skd::Vector3 SkdParametricCell::Sum(const double* weights) const
 //------------------------------------------------------------------------------
 skd::Vector3 SkdParametricCell::Value(const skd::Vector3& p) const
 {
-  this->Cell->InterpolateFunctions(this->ToVTK(p).X, this->Weights);
+  SkdCellFunctions::Interpolate(this->Cell, this->ToVTK(p).X, this->Weights);
   return this->Sum(this->Weights);
 }
 

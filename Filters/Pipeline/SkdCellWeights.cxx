@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdCellWeights.h"
 
+#include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdGenericKernel.h"
+
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkMath.h"
@@ -35,13 +38,21 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
 }
 
 // A polyhedron's functions take x itself; its EvaluatePosition is not to be trusted in a cell that
-// was another polyhedron before. A cell that fails leaves its weights 0.
+// was another polyhedron before. That of cells that share memory must not be called by threads. A
+// cell that fails leaves its weights 0.
 void SkdCellWeights::EvaluateByCell(const Vector& x)
 {
   std::fill(this->PCoords, this->PCoords + 3, 0.0);
   if (this->Cell->GetCellType() == VTK_POLYHEDRON)
   {
     this->Cell->InterpolateFunctions(x.X, this->Weights.data());
+    return;
+  }
+  if (SkdCellFunctions::ShareMemory(this->Cell->GetCellType()))
+  {
+    const Vector found = SkdGenericKernel::Closest(this->Cell->GetRepresentativeCell(), x).PCoords;
+    std::copy(found.X, found.X + 3, this->PCoords);
+    SkdCellFunctions::Interpolate(this->Cell, this->PCoords, this->Weights.data());
     return;
   }
   double nearest[3];
@@ -69,7 +80,7 @@ void SkdCellWeights::Improve(const Vector& x)
       return;
     }
     this->Next.assign(this->Corners.size(), 0.0);
-    this->Cell->InterpolateFunctions(this->PCoords, this->Next.data());
+    SkdCellFunctions::Interpolate(this->Cell, this->PCoords, this->Next.data());
     const Vector left = this->GetResidual(x, this->Next);
     if (!(Norm(left) < Norm(residual)))
     {
@@ -99,7 +110,7 @@ bool SkdCellWeights::MakeStep(const Vector& residual)
   const int dimension = this->Cell->GetCellDimension();
   const std::size_t n = this->Corners.size();
   this->Derivatives.assign(3 * n, 0.0);
-  this->Cell->InterpolateDerivs(this->PCoords, this->Derivatives.data());
+  SkdCellFunctions::Derive(this->Cell, this->PCoords, this->Derivatives.data());
   Vector tangents[3] = {};
   double matrix[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
   double right[3] = { 0.0, 0.0, 0.0 };

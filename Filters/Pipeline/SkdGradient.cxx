@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdGradient.h"
 
+#include "Cells/SkdCellFunctions.h"
+
 #include "vtkCellType.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
@@ -132,7 +134,7 @@ void SkdGradient::Differentiate(const SkdPlace& place)
     pcoords[2] = std::min(pcoords[2], 0.999); // at the apex there is but one tangent
   }
   this->Derivatives.assign(3 * size, 0.0);
-  this->Cell->InterpolateDerivs(pcoords, this->Derivatives.data());
+  SkdCellFunctions::Derive(this->Cell, pcoords, this->Derivatives.data());
   skd::Vector3 tangents[3] = {};
   SpannedInverse inverse;
   for (int k = 0; k < dimension; ++k)

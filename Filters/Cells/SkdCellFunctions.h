@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCellFunctions_h
+#define SkdCellFunctions_h
+
+class vtkCell;
+
+/// A cell's interpolation functions and their derivatives, safe to ask of cells of many threads at
+/// once. VTK's own are not: all Lagrange wedges, and all Bezier wedges, resize and ask one static
+/// triangle at each call, whichever thread they belong to, which overruns memory (VTK 9.1 and
+/// later). So does all else that evaluates such a wedge: EvaluatePosition, EvaluateLocation and
+/// Derivatives must not be called where threads may run.
+namespace SkdCellFunctions
+{
+/// To the last bit what VTK gives.
+void Interpolate(vtkCell* cell, const double pcoords[3], double* weights);
+
+/// As many for each axis as the cell has points, axis by axis. By differences where VTK's are
+/// wrong.
+void Derive(vtkCell* cell, const double pcoords[3], double* derivatives);
+
+/// Whether VTK evaluates cells of this type in memory that all of them share.
+bool ShareMemory(int cellType);
+}
+
+#endif
