@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellReader.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
@@ -17,14 +16,6 @@
 
 namespace
 {
-/// The values of an array of such numbers that are stored one after the other, else nullptr.
-template <class Integer>
-const Integer* StoredValues(vtkDataArray* array)
-{
-  auto* stored = vtkAOSDataArrayTemplate<Integer>::FastDownCast(array);
-  return stored ? stored->GetPointer(0) : nullptr;
-}
-
 enum KindOfRun
 {
   Vertices,
@@ -71,8 +62,8 @@ SkdCellReader::SkdCellReader(vtkDataSet* data)
     vtkUnsignedCharArray* types = grid->GetCellTypesArray();
     this->Types = types ? types->GetPointer(0) : nullptr;
   }
-  const bool areStored =
-    std::all_of(this->Runs.begin(), this->Runs.end(), [](const Run& run) { return run.IsStored; });
+  const bool areStored = std::all_of(
+    this->Runs.begin(), this->Runs.end(), [](const Run& run) { return run.Cells.AreStored(); });
   if (!areStored || this->Runs.empty() || this->Runs.back().Last != data->GetNumberOfCells())
   {
     this->Runs.clear();
@@ -111,16 +102,7 @@ void SkdCellReader::AddRun(vtkCellArray* cells, int kind)
   {
     return;
   }
-  Run run;
-  run.First = first;
-  run.Last = first + cells->GetNumberOfCells();
-  run.Kind = kind;
-  run.Offsets32 = StoredValues<vtkTypeInt32>(cells->GetOffsetsArray());
-  run.Ids32 = StoredValues<vtkTypeInt32>(cells->GetConnectivityArray());
-  run.Offsets64 = StoredValues<vtkTypeInt64>(cells->GetOffsetsArray());
-  run.Ids64 = StoredValues<vtkTypeInt64>(cells->GetConnectivityArray());
-  run.IsStored = (run.Offsets32 && run.Ids32) || (run.Offsets64 && run.Ids64);
-  this->Runs.push_back(run);
+  this->Runs.push_back({ first, first + cells->GetNumberOfCells(), SkdStoredCells(cells), kind });
 }
 
 //------------------------------------------------------------------------------

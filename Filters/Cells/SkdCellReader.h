@@ -3,6 +3,7 @@
 #ifndef SkdCellReader_h
 #define SkdCellReader_h
 
+#include "Cells/SkdStoredCells.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
@@ -53,31 +54,21 @@ public:
   }
 
 private:
-  /// Cells with ids that follow each other, of one vtkCellArray.
+  /// The cells of one vtkCellArray.
   struct Run
   {
-    vtkIdType First = 0;
-    vtkIdType Last = 0;
-    const vtkTypeInt32* Offsets32 = nullptr; // these, or the others
-    const vtkTypeInt32* Ids32 = nullptr;
-    const vtkTypeInt64* Offsets64 = nullptr;
-    const vtkTypeInt64* Ids64 = nullptr;
-    int Kind = 0; // of vtkPolyData: vertices, lines, polygons, strips
-    bool IsStored = false;
+    vtkIdType First;
+    vtkIdType Last;
+    SkdStoredCells Cells;
+    int Kind; // of vtkPolyData: vertices, lines, polygons, strips
   };
 
   template <class Visit>
   static void VisitStored(const Run& run, vtkIdType begin, vtkIdType end, const Visit& visit)
   {
-    const auto each = [&](const auto* offsets, const auto* ids)
-    {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        const auto first = offsets[id - run.First];
-        visit(id, ids + first, static_cast<std::size_t>(offsets[id - run.First + 1] - first));
-      }
-    };
-    run.Ids64 ? each(run.Offsets64, run.Ids64) : each(run.Offsets32, run.Ids32);
+    run.Cells.VisitEach(begin - run.First, end - run.First,
+      [&](vtkIdType cell, const auto* ids, std::size_t size)
+      { visit(run.First + cell, ids, size); });
   }
   template <class Visit>
   void VisitOthers(vtkIdType begin, vtkIdType end, vtkIdList* list, const Visit& visit) const

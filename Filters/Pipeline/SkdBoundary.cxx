@@ -40,7 +40,8 @@ public:
 
 private:
   void AddLeaf(int leaf, vtkDataSet* mesh);
-  void AddFace(Face face, const SkdLeafSurface& surface, vtkIdType size, const vtkIdType* corners);
+  template <class Corner>
+  void AddFace(Face face, const SkdLeafSurface& surface, vtkIdType size, const Corner* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
 
   template <typename Predicate>
@@ -69,7 +70,7 @@ void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
 {
   SkdLeafSurface surface(mesh);
   surface.ForEachFace(
-    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+    [&](vtkIdType cell, vtkIdType size, const auto* corners)
     {
       const SkdBoundary::Origin origin{ leaf, surface.GetCellId(cell) };
       const Face like{ this->Corners.size(), 0, origin, surface.IsOfVolume(cell), 0 };
@@ -77,8 +78,9 @@ void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
     });
 }
 
+template <class Corner>
 void FaceList::AddFace(
-  Face face, const SkdLeafSurface& surface, vtkIdType size, const vtkIdType* corners)
+  Face face, const SkdLeafSurface& surface, vtkIdType size, const Corner* corners)
 {
   const auto idOf = [&](vtkIdType corner) -> vtkIdType
   {

@@ -67,28 +67,18 @@ SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh)
   }
 }
 
-vtkIdType SkdLeafSurface::GetCellId(vtkIdType cell) const
-{
-  return this->CellIds ? this->CellIds->GetValue(cell) : cell;
-}
-
 bool SkdLeafSurface::IsOfVolume(vtkIdType cell)
 {
   if (!this->CellIds)
   {
     return false;
   }
+  if (!this->Cell)
+  {
+    this->Cell = vtkSmartPointer<vtkGenericCell>::New();
+  }
   this->Mesh->GetCell(this->CellIds->GetValue(cell), this->Cell);
   return this->Cell->GetCellDimension() == 3;
-}
-
-vtkIdType SkdLeafSurface::GetPointId(vtkIdType point) const
-{
-  if (this->PointIds)
-  {
-    return this->PointIds->GetValue(point);
-  }
-  return this->Mesh == this->Surface.Get() ? point : -1;
 }
 
 // VTK's surface of a structured grid has its points rounded to float: look at the original's.

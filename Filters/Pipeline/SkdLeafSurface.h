@@ -3,11 +3,11 @@
 #ifndef SkdLeafSurface_h
 #define SkdLeafSurface_h
 
+#include "Cells/SkdStoredCells.h"
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -26,11 +26,18 @@ public:
   vtkPolyData* Get() const { return this->Surface; }
 
   /// The data set's cell that a cell of the surface comes from, and whether it has a volume.
-  vtkIdType GetCellId(vtkIdType cell) const;
+  vtkIdType GetCellId(vtkIdType cell) const
+  {
+    return this->CellIds ? this->CellIds->GetValue(cell) : cell;
+  }
   bool IsOfVolume(vtkIdType cell);
 
   /// The data set's point that a point of the surface is; -1 of one that it does not have.
-  vtkIdType GetPointId(vtkIdType point) const;
+  vtkIdType GetPointId(vtkIdType point) const
+  {
+    return this->PointIds ? this->PointIds->GetValue(point)
+                          : (this->Mesh == this->Surface.Get() ? point : -1);
+  }
 
   /// A point of the surface, exactly where it is in the data set.
   void GetPoint(vtkIdType point, double x[3]) const
@@ -50,28 +57,29 @@ public:
   }
 
   /// Calls visit(cell of the surface, size, corners) for each polygon and each triangle of a strip,
-  /// ghosts left out. Corners are points of the surface.
+  /// ghosts left out. Corners are points of the surface, in whatever type they are stored.
   template <class Visit>
-  void ForEachFace(Visit visit) const
+  void ForEachFace(const Visit& visit) const
   {
     vtkUnsignedCharArray* ghosts = this->Surface->GetCellGhostArray();
-    vtkIdType cell = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
+    vtkIdType first = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
     for (vtkCellArray* cells : { this->Surface->GetPolys(), this->Surface->GetStrips() })
     {
       const bool isStrip = cells == this->Surface->GetStrips();
-      for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
-      {
-        if (!ghosts || ghosts->GetValue(cell) == 0)
+      SkdForEachCell(cells,
+        [&](vtkIdType i, const auto* corners, std::size_t number)
         {
-          vtkIdType size = 0;
-          const vtkIdType* corners = nullptr;
-          cells->GetCellAtId(i, size, corners);
-          for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
+          const vtkIdType cell = first + i;
+          const auto size = static_cast<vtkIdType>(number);
+          if (!ghosts || ghosts->GetValue(cell) == 0)
           {
-            visit(cell, isStrip ? 3 : size, corners + k);
+            for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
+            {
+              visit(cell, isStrip ? 3 : size, corners + k);
+            }
           }
-        }
-      }
+        });
+      first += cells->GetNumberOfCells();
     }
   }
 
@@ -84,21 +92,21 @@ private:
   const float* Floats = nullptr;
   vtkIdTypeArray* CellIds = nullptr;
   vtkIdTypeArray* PointIds = nullptr;
-  vtkNew<vtkGenericCell> Cell;
+  vtkSmartPointer<vtkGenericCell> Cell; // made when it is first needed
 };
 
 /// Appends the corners of a face to `to`, each as idOf(corner), which is -1 of one that is not
 /// finite. Corners that are the same as their neighbour go; what then has no area is no face.
 /// Returns how many were appended, 0 of no face.
-template <class IdOf, class AreSame = std::equal_to<vtkIdType>>
-int SkdAppendCorners(vtkIdType size, const vtkIdType* corners, IdOf idOf,
-  std::vector<vtkIdType>& to, AreSame areSame = {})
+template <class Corner, class IdOf, class AreSame = std::equal_to<vtkIdType>>
+int SkdAppendCorners(vtkIdType size, const Corner* corners, IdOf idOf, std::vector<vtkIdType>& to,
+  AreSame areSame = {})
 {
   const std::size_t first = to.size();
   bool isFinite = true;
   for (vtkIdType i = 0; i < size && isFinite; ++i)
   {
-    const vtkIdType id = idOf(corners[i]);
+    const vtkIdType id = idOf(static_cast<vtkIdType>(corners[i]));
     isFinite = id >= 0;
     if (to.size() == first || !isFinite || !areSame(to.back(), id))
     {

@@ -3,6 +3,7 @@
 #include "Pipeline/SkdTriangleReader.h"
 
 #include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdTriangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,159 +11,216 @@
 
 namespace
 {
-/// Lowers `least` to the width of a triangle: the area along the axis where it is largest, over the
-/// length of two edges. 0 where that cannot be told.
-void TakeWidth(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c, double& least)
+bool IsFinite(const skd::Vector3& x)
 {
-  const skd::Vector3 ab = b - a;
-  const skd::Vector3 ac = c - a;
-  const skd::Vector3 normal = skd::Cross(ab, ac);
-  const double area = std::max({ std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2]) });
-  const double length = std::abs(ab[0]) + std::abs(ab[1]) + std::abs(ab[2]) + std::abs(ac[0]) +
-    std::abs(ac[1]) + std::abs(ac[2]);
-  if (!(area >= least * length)) // also of NaN
-  {
-    const double width = area / length;
-    least = width > 0.0 ? width : 0.0;
-  }
+  return 0.0 * x[0] + 0.0 * x[1] + 0.0 * x[2] == 0.0;
 }
 }
 
-SkdTriangleReader::SkdTriangleReader()
-  : Triangulation(this->Local)
+//------------------------------------------------------------------------------
+/// Cuts polygons of points that are not in a vtkPoints.
+class SkdTriangleReader::Cutter
 {
-  this->Local->SetDataTypeToDouble();
+public:
+  Cutter() { this->Local->SetDataTypeToDouble(); }
+
+  /// Places in `polygon`, three a triangle. Valid until the next call.
+  vtkIdList* Cut(const std::vector<vtkIdType>& polygon, const skd::RawVector<skd::Vector3>& points)
+  {
+    const auto size = static_cast<vtkIdType>(polygon.size());
+    this->Local->SetNumberOfPoints(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Local->SetPoint(i, points[static_cast<std::size_t>(polygon[i])].X);
+    }
+    this->Order.resize(polygon.size());
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    return this->Triangulation.Cut(this->Order.data(), static_cast<int>(size));
+  }
+
+private:
+  vtkNew<vtkPoints> Local;
+  std::vector<vtkIdType> Order;
+  SkdTriangulation Triangulation{ this->Local };
+};
+
+SkdTriangleReader::SkdTriangleReader() = default;
+SkdTriangleReader::~SkdTriangleReader() = default;
+
+//------------------------------------------------------------------------------
+inline bool SkdTriangleReader::AreSame(std::uint32_t a, std::uint32_t b) const
+{
+  return this->To.Points[a] == this->To.Points[b];
+}
+
+//------------------------------------------------------------------------------
+inline bool SkdTriangleReader::HasEqualCorners(const Corners& ids) const
+{
+  return this->AreSame(ids[0], ids[1]) || this->AreSame(ids[1], ids[2]) ||
+    this->AreSame(ids[2], ids[0]);
+}
+
+//------------------------------------------------------------------------------
+// Returns whether it is more than 0, so that no corners are the same. Not of NaN.
+inline bool SkdTriangleReader::TakeArea(const Corners& ids)
+{
+  const skd::Vector3& a = this->To.Points[ids[0]];
+  const skd::Vector3 normal = skd::Cross(this->To.Points[ids[1]] - a, this->To.Points[ids[2]] - a);
+  const double area =
+    std::max(std::max(std::abs(normal[0]), std::abs(normal[1])), std::abs(normal[2]));
+  this->To.LeastArea = std::min(this->To.LeastArea, area > 0.0 ? area : this->To.LeastArea);
+  return area > 0.0;
+}
+
+//------------------------------------------------------------------------------
+inline void SkdTriangleReader::Append(const SkdTriangleCell& cell, const Corners& ids, bool hasArea)
+{
+  SkdReadTriangles& to = this->To;
+  const SkdTriangleCell* last = to.Cells.data() + this->NumberOfCells - 1;
+  const bool isNext = this->NumberOfCells == 0 || *last < cell;
+  if (isNext || cell < *last)
+  {
+    this->IsSorted = this->IsSorted && isNext;
+    to.Cells[this->NumberOfCells++] = cell;
+  }
+  to.LeastArea = hasArea ? to.LeastArea : 0.0;
+  to.Triangles[this->NumberOfTriangles] = ids;
+  to.CellOf[this->NumberOfTriangles] = static_cast<std::uint32_t>(this->NumberOfCells - 1);
+  ++this->NumberOfTriangles;
+}
+
+//------------------------------------------------------------------------------
+inline void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Corners& ids)
+{
+  const bool isFinite = std::max({ ids[0], ids[1], ids[2] }) < NotFinite;
+  const bool hasArea = isFinite && this->TakeArea(ids);
+  if (isFinite && (hasArea || !this->HasEqualCorners(ids)))
+  {
+    this->Append(cell, ids, hasArea);
+  }
+  else
+  {
+    ++this->To.LeftOut;
+  }
 }
 
 //------------------------------------------------------------------------------
 void SkdTriangleReader::Read(int leaf, vtkDataSet* mesh)
 {
   const SkdLeafSurface surface(mesh);
-  this->MakeRoom(surface);
+  this->MarkPoints(surface);
+  this->ReadPoints(leaf, surface);
+  const std::uint32_t* const ids = this->Ids.data();
   surface.ForEachFace(
-    [&](vtkIdType face, vtkIdType size, const vtkIdType* corners)
+    [&](vtkIdType face, vtkIdType size, const auto* corners)
     {
       const SkdTriangleCell cell{ leaf, surface.GetCellId(face) };
       if (size == 3)
       {
-        Corners ids{ Unknown, Unknown, Unknown };
-        for (int i = 0; i < 3 && (i == 0 || ids[i - 1] != NotFinite); ++i)
-        {
-          ids[i] = this->IdOf(leaf, surface, corners[i]);
-        }
-        this->AddTriangle(cell, ids);
+        this->AddTriangle(cell, { ids[corners[0]], ids[corners[1]], ids[corners[2]] });
         return;
       }
-      const auto idOf = [&](vtkIdType corner)
-      {
-        const std::uint32_t id = this->IdOf(leaf, surface, corner);
-        return id == NotFinite ? vtkIdType(-1) : static_cast<vtkIdType>(id);
-      };
-      this->Polygon.clear();
-      SkdAppendCorners(size, corners, idOf, this->Polygon,
-        [this](vtkIdType a, vtkIdType b)
-        { return this->AreSame(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)); });
-      this->AddPolygon(cell);
+      this->AddPolygon(cell, size, corners);
     });
+  this->To.Triangles.resize(this->NumberOfTriangles);
+  this->To.CellOf.resize(this->NumberOfTriangles);
+  this->To.Cells.resize(this->NumberOfCells);
 }
 
 //------------------------------------------------------------------------------
-void SkdTriangleReader::MakeRoom(const SkdLeafSurface& surface)
+// Makes room for all faces, too.
+void SkdTriangleReader::MarkPoints(const SkdLeafSurface& surface)
 {
-  const auto points = static_cast<std::size_t>(surface.Get()->GetNumberOfPoints());
-  const auto faces = static_cast<std::size_t>(
-    surface.Get()->GetNumberOfPolys() + surface.Get()->GetNumberOfStrips());
-  this->Ids.assign(points, Unknown);
-  this->To.Points.reserve(this->To.Points.size() + points);
-  this->To.Origins.reserve(this->To.Origins.size() + points);
-  this->To.Triangles.reserve(this->To.Triangles.size() + faces);
-  this->To.Cells.reserve(this->To.Cells.size() + faces);
-  this->To.CellOf.reserve(this->To.CellOf.size() + faces);
+  this->Ids.assign(static_cast<std::size_t>(surface.Get()->GetNumberOfPoints()), Unused);
+  std::uint32_t* const ids = this->Ids.data();
+  std::size_t faces = 0;
+  std::size_t triangles = 0; // at most
+  surface.ForEachFace(
+    [&faces, &triangles, ids](vtkIdType, vtkIdType size, const auto* corners)
+    {
+      ++faces;
+      triangles += size > 3 ? static_cast<std::size_t>(size - 2) : 1;
+      if (size == 3)
+      {
+        ids[corners[0]] = ids[corners[1]] = ids[corners[2]] = Used;
+        return;
+      }
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        ids[corners[i]] = Used;
+      }
+    });
+  this->To.Cells.resize(this->NumberOfCells + faces);
+  this->To.Triangles.resize(this->NumberOfTriangles + triangles);
+  this->To.CellOf.resize(this->NumberOfTriangles + triangles);
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t SkdTriangleReader::IdOf(int leaf, const SkdLeafSurface& surface, vtkIdType corner)
+void SkdTriangleReader::ReadPoints(int leaf, const SkdLeafSurface& surface)
 {
-  std::uint32_t& id = this->Ids[static_cast<std::size_t>(corner)];
-  id = id == Unknown ? this->Visit(leaf, surface, corner) : id;
-  return id;
-}
-
-//------------------------------------------------------------------------------
-std::uint32_t SkdTriangleReader::Visit(int leaf, const SkdLeafSurface& surface, vtkIdType corner)
-{
-  skd::Vector3 x;
-  surface.GetPoint(corner, x.X);
-  if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+  std::uint32_t* const ids = this->Ids.data();
+  const auto size = static_cast<vtkIdType>(this->Ids.size());
+  std::size_t count = this->To.Points.size();
+  this->To.Points.resize(count + this->Ids.size());
+  this->To.Origins.resize(count + this->Ids.size());
+  skd::Box3 bounds = this->To.Bounds;
+  for (vtkIdType i = 0; i < size; ++i)
   {
-    return NotFinite;
+    if (ids[i] == Used)
+    {
+      skd::Vector3 x;
+      surface.GetPoint(i, x.X);
+      ids[i] = NotFinite;
+      if (IsFinite(x))
+      {
+        ids[i] = static_cast<std::uint32_t>(count);
+        bounds.Add(x);
+        this->To.Points[count] = x;
+        this->To.Origins[count] = { leaf, surface.GetPointId(i) };
+        ++count;
+      }
+    }
   }
-  this->To.Bounds.Add(x);
-  this->To.Points.push_back(x);
-  this->To.Origins.push_back({ leaf, surface.GetPointId(corner) });
-  return static_cast<std::uint32_t>(this->To.Points.size() - 1);
-}
-
-//------------------------------------------------------------------------------
-bool SkdTriangleReader::AreSame(std::uint32_t a, std::uint32_t b) const
-{
-  return this->To.Points[a] == this->To.Points[b];
-}
-
-//------------------------------------------------------------------------------
-void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Corners& ids)
-{
-  const bool isFinite = std::max({ ids[0], ids[1], ids[2] }) < NotFinite;
-  if (!isFinite || this->AreSame(ids[0], ids[1]) || this->AreSame(ids[1], ids[2]) ||
-    this->AreSame(ids[2], ids[0]))
-  {
-    ++this->To.LeftOut;
-    return;
-  }
-  this->Append(cell, ids);
+  this->To.Bounds = bounds;
+  this->To.Points.resize(count);
+  this->To.Origins.resize(count);
 }
 
 //------------------------------------------------------------------------------
 // A cut may leave triangles with equal corners. They have no area, and are counted as such.
-void SkdTriangleReader::AddPolygon(const SkdTriangleCell& cell)
+template <class Corner>
+void SkdTriangleReader::AddPolygon(
+  const SkdTriangleCell& cell, vtkIdType size, const Corner* corners)
 {
-  const auto size = static_cast<vtkIdType>(this->Polygon.size());
-  this->To.LeftOut += size == 0;
-  this->Local->SetNumberOfPoints(size);
-  for (vtkIdType i = 0; i < size; ++i)
+  const auto idOf = [this](vtkIdType corner)
   {
-    this->Local->SetPoint(i, this->To.Points[this->Polygon[i]].X);
-  }
-  std::array<vtkIdType, 3> all = { 0, 1, 2 };
-  vtkIdList* cut = nullptr;
-  if (size > 3)
+    const std::uint32_t id = this->Ids[static_cast<std::size_t>(corner)];
+    return id == NotFinite ? vtkIdType(-1) : static_cast<vtkIdType>(id);
+  };
+  const auto areSame = [this](vtkIdType a, vtkIdType b)
+  { return this->AreSame(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)); };
+  this->Polygon.clear();
+  SkdAppendCorners(size, corners, idOf, this->Polygon, areSame);
+  this->To.LeftOut += this->Polygon.empty();
+  const auto append = [&](vtkIdType a, vtkIdType b, vtkIdType c)
   {
-    this->Order.resize(this->Polygon.size());
-    std::iota(this->Order.begin(), this->Order.end(), 0);
-    cut = this->Triangulation.Cut(this->Order.data(), static_cast<int>(size));
-  }
-  const vtkIdType corners = size > 3 ? cut->GetNumberOfIds() : size;
-  for (vtkIdType i = 0; i < corners; i += 3)
+    const auto at = [this](vtkIdType i) { return static_cast<std::uint32_t>(this->Polygon[i]); };
+    const Corners ids{ at(a), at(b), at(c) };
+    this->Append(cell, ids, this->TakeArea(ids));
+  };
+  if (this->Polygon.size() == 3)
   {
-    const vtkIdType* at = cut ? cut->GetPointer(i) : all.data();
-    const auto idOf = [&](int k) { return static_cast<std::uint32_t>(this->Polygon[at[k]]); };
-    this->Append(cell, { idOf(0), idOf(1), idOf(2) });
+    append(0, 1, 2);
   }
-}
-
-//------------------------------------------------------------------------------
-void SkdTriangleReader::Append(const SkdTriangleCell& cell, const Corners& ids)
-{
-  SkdReadTriangles& to = this->To;
-  const bool isNext = to.Cells.empty() || to.Cells.back() < cell;
-  if (isNext || cell < to.Cells.back())
+  else if (this->Polygon.size() > 3)
   {
-    this->IsSorted = this->IsSorted && isNext;
-    to.Cells.push_back(cell);
+    this->Cut = this->Cut ? std::move(this->Cut) : std::make_unique<Cutter>();
+    vtkIdList* cut = this->Cut->Cut(this->Polygon, this->To.Points);
+    for (vtkIdType i = 0; i < cut->GetNumberOfIds(); i += 3)
+    {
+      append(cut->GetId(i), cut->GetId(i + 1), cut->GetId(i + 2));
+    }
   }
-  to.Triangles.push_back(ids);
-  to.CellOf.push_back(static_cast<std::uint32_t>(to.Cells.size() - 1));
-  TakeWidth(to.Points[ids[0]], to.Points[ids[1]], to.Points[ids[2]], to.LeastWidth);
 }
 
 //------------------------------------------------------------------------------

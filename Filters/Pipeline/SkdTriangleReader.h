@@ -10,13 +10,12 @@
 
 #include "Core/Geometry/Box.h"
 #include "Core/Tree/RawVector.h"
-#include "Pipeline/SkdTriangulation.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
+#include "vtkType.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 class SkdLeafSurface;
@@ -41,7 +40,7 @@ struct SkdTrianglePoint
   vtkIdType Id;
 };
 
-/// Triangles and their points, these in the order in which faces first have them. Points of equal
+/// Triangles and the points that they have, these in the order of their data sets. Points of equal
 /// coordinates stay several.
 struct SkdReadTriangles
 {
@@ -55,14 +54,16 @@ struct SkdReadTriangles
   vtkIdType LeftOut = 0;                    ///< faces that are none
   skd::Box3 Bounds;                         ///< of the points
 
-  /// No triangle, as the points are, is less than about this wide.
-  double LeastWidth = std::numeric_limits<double>::infinity();
+  /// No triangle has less than about this as twice its area, seen along the axis where that is
+  /// largest.
+  double LeastArea = std::numeric_limits<double>::infinity();
 };
 
 class SkdTriangleReader
 {
 public:
   SkdTriangleReader();
+  ~SkdTriangleReader();
 
   void Read(int leaf, vtkDataSet* mesh);
 
@@ -71,25 +72,29 @@ public:
 
 private:
   using Corners = SkdReadTriangles::Corners;
-  static constexpr std::uint32_t Unknown = 0xffffffffu;
+  class Cutter;
+  static constexpr std::uint32_t Unused = 0xffffffffu;
   static constexpr std::uint32_t NotFinite = 0xfffffffeu;
+  static constexpr std::uint32_t Used = 0xfffffffdu; // and to be numbered
 
-  void MakeRoom(const SkdLeafSurface& surface);
-  std::uint32_t IdOf(int leaf, const SkdLeafSurface& surface, vtkIdType corner);
-  std::uint32_t Visit(int leaf, const SkdLeafSurface& surface, vtkIdType corner);
+  void MarkPoints(const SkdLeafSurface& surface);
+  void ReadPoints(int leaf, const SkdLeafSurface& surface);
   bool AreSame(std::uint32_t a, std::uint32_t b) const;
+  bool HasEqualCorners(const Corners& corners) const;
   void AddTriangle(const SkdTriangleCell& cell, const Corners& corners);
-  void AddPolygon(const SkdTriangleCell& cell);
-  void Append(const SkdTriangleCell& cell, const Corners& corners);
+  bool TakeArea(const Corners& corners);
+  template <class Corner>
+  void AddPolygon(const SkdTriangleCell& cell, vtkIdType size, const Corner* corners);
+  void Append(const SkdTriangleCell& cell, const Corners& corners, bool hasArea);
   void Sort();
 
-  SkdReadTriangles To;
+  SkdReadTriangles To; // has room for more while a data set is read
+  std::size_t NumberOfTriangles = 0;
+  std::size_t NumberOfCells = 0;
   bool IsSorted = true;
   std::vector<std::uint32_t> Ids; // of the points of the leaf that is read
-  std::vector<vtkIdType> Polygon; // the corners of the face that is read, and these points
-  vtkNew<vtkPoints> Local;
-  std::vector<vtkIdType> Order;
-  SkdTriangulation Triangulation;
+  std::vector<vtkIdType> Polygon; // the corners of the face that is read
+  std::unique_ptr<Cutter> Cut;    // made when it is first needed
 };
 
 #endif

@@ -11,7 +11,8 @@
 
 namespace
 {
-/// Tells of most points that they are none of some: a bit for each value of a hash.
+/// Tells of most points that they are none of some: by their bounds, and a bit for each value of a
+/// hash.
 class PointFilter
 {
 public:
@@ -26,12 +27,17 @@ public:
 
   void Add(const skd::Vector3& x)
   {
+    this->Bounds.Add(x);
     const std::uint64_t hash = this->HashOf(x);
     this->Bits[hash >> 6] |= std::uint64_t(1) << (hash & 63);
   }
 
   bool MayHave(const skd::Vector3& x) const
   {
+    if (!this->Bounds.Contains(x))
+    {
+      return false;
+    }
     const std::uint64_t hash = this->HashOf(x);
     return (this->Bits[hash >> 6] >> (hash & 63) & 1) != 0;
   }
@@ -54,6 +60,7 @@ private:
 
   int Log2 = 6;
   std::vector<std::uint64_t> Bits;
+  skd::Box3 Bounds;
 };
 }
 
@@ -129,19 +136,25 @@ void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
   }
   SkdWeld weld;
   std::vector<std::uint32_t> first; // of the points at the places that the weld has
+  skd::RawVector<std::uint32_t> firstLike(this->Read.Points.size()); // set of those in the filter
   for (std::size_t i = 0; i < this->Read.Points.size(); ++i)
   {
     const skd::Vector3& point = this->Read.Points[i];
-    if (filter.MayHave(point) && weld.GetId(point.X) == static_cast<vtkIdType>(first.size()))
+    if (filter.MayHave(point))
     {
-      first.push_back(static_cast<std::uint32_t>(i));
+      const auto place = static_cast<std::size_t>(weld.GetId(point.X));
+      if (place == first.size())
+      {
+        first.push_back(static_cast<std::uint32_t>(i));
+      }
+      firstLike[i] = first[place];
     }
   }
   for (const std::uint32_t triangle : triangles)
   {
     for (std::uint32_t& corner : this->Read.Triangles[triangle])
     {
-      corner = first[static_cast<std::size_t>(weld.GetId(this->Read.Points[corner].X))];
+      corner = firstLike[corner];
     }
   }
 }
@@ -164,6 +177,14 @@ double SkdTriangleSet::GetReach() const
 {
   const skd::Box3& bounds = this->Read.Bounds;
   return bounds.IsEmpty() ? 0.0 : skd::LargestCoordinate(bounds);
+}
+
+//------------------------------------------------------------------------------
+// A width is an area over the length of an edge, which the bounds have room for.
+double SkdTriangleSet::GetLeastWidth() const
+{
+  const double longest = this->Read.Bounds.Diagonal();
+  return longest > 0.0 ? this->Read.LeastArea / longest : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -84,8 +84,8 @@ public:
   /// The largest magnitude of a coordinate.
   double GetReach() const;
 
-  /// No triangle is less than about this wide.
-  double GetLeastWidth() const { return this->Read.LeastWidth; }
+  /// No triangle is less than about this wide; less than most are where triangles are small.
+  double GetLeastWidth() const;
 
 private:
   void BuildTree();

@@ -11,8 +11,12 @@
 #include "Support/VolumeMeshes.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkTransform.h"
 #include "vtkTransformFilter.h"
@@ -334,6 +338,36 @@ TEST(SurfaceIntersectionFilter, FacesThatAreNoneAreCounted)
   EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 0, 0 } }));
   EXPECT_EQ(Reported(filter, "FacesLeftOut"), 3.0);
   EXPECT_EQ(Reported(filter, "TrianglesWithoutArea"), 1.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceIntersectionFilter, APolygonOfManyIsReadBesideSomeOfTooFew)
+{
+  constexpr int corners = 200;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  std::vector<vtkIdType> ids;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / corners;
+    ids.push_back(points->InsertNextPoint(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.1));
+  }
+  for (const vtkIdType size : { 0, 1, 2, corners, 2, 1, 0 })
+  {
+    polygons->InsertNextCell(size, ids.data());
+  }
+  vtkNew<vtkPolyData> plate;
+  plate->SetPoints(points);
+  plate->SetPolys(polygons);
+  const auto sphere = MakePolyData(Placed(SphereTriangles(12), 1.0, { 0, 0, 0 }));
+  auto filter = MakeIntersection(plate, sphere);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "FacesLeftOut"), 6.0);
+  EXPECT_EQ(Reported(filter, "Curves"), 1.0);
+  for (const CellPair& pair : PairsOf(filter))
+  {
+    EXPECT_EQ(pair.First, 3);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdStoredCells_h
+#define SkdStoredCells_h
+
+#include "vtkCellArray.h"
+#include "vtkType.h"
+
+#include <cstddef>
+
+/// The cells of a vtkCellArray where offsets and ids are stored in a row, in 32 or 64 bit. The
+/// array must live and stay as it is.
+class SkdStoredCells
+{
+public:
+  explicit SkdStoredCells(vtkCellArray* cells);
+
+  /// False of implicit offsets, and of others that are not stored: then VTK is to be asked.
+  bool AreStored() const { return this->Ids32 || this->Ids64; }
+
+  /// Calls visit(cell, ids, size) for the cells begin .. end - 1, ids of whatever type is stored.
+  template <class Visit>
+  void VisitEach(vtkIdType begin, vtkIdType end, const Visit& visit) const
+  {
+    const auto each = [&](const auto* offsets, const auto* ids)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const auto first = offsets[cell];
+        visit(cell, ids + first, static_cast<std::size_t>(offsets[cell + 1] - first));
+      }
+    };
+    this->Ids64 ? each(this->Offsets64, this->Ids64) : each(this->Offsets32, this->Ids32);
+  }
+
+private:
+  const vtkTypeInt32* Offsets32 = nullptr; // these, or the others
+  const vtkTypeInt32* Ids32 = nullptr;
+  const vtkTypeInt64* Offsets64 = nullptr;
+  const vtkTypeInt64* Ids64 = nullptr;
+};
+
+/// Calls visit(cell, ids, size) for all cells of an array, however they are stored.
+template <class Visit>
+void SkdForEachCell(vtkCellArray* cells, const Visit& visit)
+{
+  const vtkIdType count = cells->GetNumberOfCells();
+  const SkdStoredCells stored(cells);
+  if (stored.AreStored())
+  {
+    stored.VisitEach(0, count, visit);
+    return;
+  }
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCellAtId(cell, size, ids);
+    visit(cell, ids, static_cast<std::size_t>(size));
+  }
+}
+
+#endif
