@@ -174,7 +174,7 @@ TEST(Orient3DTest, ValueIsThatOfTheVolume)
   const Vector3 x{ { 1e6 + 1.0, 1e6, 1e6 } };
   const Vector3 y{ { 1e6, 1e6 + 1.0, 1e6 } };
   const Vector3 z{ { 1e6 + 0.25, 1e6 + 0.25, 1e6 + std::ldexp(1.0, -30) } };
-  EXPECT_EQ(skd::VolumeOf(o, x, y, z), std::ldexp(1.0, -30));
+  EXPECT_EQ(skd::AccuratePlane(o, x, y).VolumeTo(z), std::ldexp(1.0, -30));
   EXPECT_EQ(skd::AreaOf(o, x, y, 2), 1.0);
 }
 
@@ -186,7 +186,7 @@ TEST(Orient3DTest, EqualPointsAreInOnePlane)
   for (const Vector3& d : { a, b, c })
   {
     EXPECT_EQ(skd::Orient3D(a, b, c, d), 0);
-    EXPECT_EQ(skd::VolumeOf(a, b, c, d), 0.0);
+    EXPECT_EQ(skd::AccuratePlane(a, b, c).VolumeTo(d), 0.0);
   }
 }
 

@@ -166,7 +166,7 @@ Corners RandomTriangle(std::mt19937& random, int reach, bool isFlat)
 
 void ExpectRightContact(const Corners& a, const Corners& b)
 {
-  const skd::TriangleContact contact = skd::FindContact(skd::SeenTriangle(a), skd::SeenTriangle(b));
+  const skd::TriangleContact contact = skd::FindContact(a, b);
   ASSERT_EQ(contact.Count > 0, Touch(a, b));
   std::vector<Vector3> points;
   for (int i = 0; i < contact.Count; ++i)
@@ -190,10 +190,8 @@ void ExpectRightContact(const Corners& a, const Corners& b)
 
 void ExpectSameTheOtherWay(const Corners& a, const Corners& b)
 {
-  const skd::SeenTriangle first(a);
-  const skd::SeenTriangle second(b);
-  const skd::TriangleContact there = skd::FindContact(first, second);
-  const skd::TriangleContact back = skd::FindContact(second, first);
+  const skd::TriangleContact there = skd::FindContact(a, b);
+  const skd::TriangleContact back = skd::FindContact(b, a);
   ASSERT_EQ(there.Count, back.Count);
   ASSERT_EQ(there.IsFlat, back.IsFlat);
   for (int i = 0; i < there.Count; ++i)
@@ -239,9 +237,8 @@ TEST(TriangleContact, KnownSharedCornersChangeNothing)
       const auto at = std::find(b.begin(), b.end(), a[i]);
       shared[i] = static_cast<std::int8_t>(at == b.end() ? -1 : at - b.begin());
     }
-    const skd::TriangleContact plain = FindContact(skd::SeenTriangle(a), skd::SeenTriangle(b));
-    const skd::TriangleContact told =
-      FindContact(skd::SeenTriangle(a), skd::SeenTriangle(b), shared);
+    const skd::TriangleContact plain = skd::FindContact(a, b);
+    const skd::TriangleContact told = skd::FindContact(a, b, shared);
     ASSERT_EQ(plain.Count, told.Count) << "run " << run;
     for (int i = 0; i < plain.Count; ++i)
     {
@@ -264,11 +261,49 @@ TEST(TriangleContact, OneUlpDecides)
     };
     const double above = std::nextafter(z, 1e300);
     const double below = std::nextafter(z, -1e300);
-    const auto count = [&](double tip)
-    { return FindContact(skd::SeenTriangle(floor), skd::SeenTriangle(standing(tip))).Count; };
+    const auto count = [&](double tip) { return skd::FindContact(floor, standing(tip)).Count; };
     EXPECT_EQ(count(above), 0);
     EXPECT_EQ(count(z), 1);
     EXPECT_EQ(count(below), 2);
+  }
+}
+
+// Triangles that are cut through by others, off all corners and edges: the short way.
+TEST(TriangleContact, IsThatOfBruteForceOffAllLattices)
+{
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> coordinate(0.0, 1.0);
+  const auto next = [&]
+  {
+    Corners corners;
+    for (Vector3& x : corners)
+    {
+      x = { { coordinate(random), coordinate(random), coordinate(random) } };
+    }
+    return corners;
+  };
+  for (int run = 0; run < 50000; ++run)
+  {
+    const Corners a = next();
+    const Corners b = next();
+    SCOPED_TRACE("run " + std::to_string(run));
+    ASSERT_EQ(skd::FindContact(a, b).Count > 0, Touch(a, b));
+    ASSERT_NO_FATAL_FAILURE(ExpectSameTheOtherWay(a, b));
+  }
+}
+
+TEST(TriangleContact, TrianglesOnALineTouchNothing)
+{
+  const Vector3 a{ { 0.0, 0.0, -1.0 } };
+  const Vector3 b{ { 0.0, 0.0, 1.0 } };
+  const Corners line = { { a, b, 0.5 * b } };
+  const Corners floor = { { { { -1.0, -1.0, 0.0 } }, { { 3.0, -1.0, 0.0 } },
+    { { -1.0, 3.0, 0.0 } } } };
+  const Corners along = { { a, b, { { 1.0, 0.0, 0.0 } } } };
+  for (const Corners& other : { floor, along, line })
+  {
+    EXPECT_EQ(skd::FindContact(line, other).Count, 0);
+    EXPECT_EQ(skd::FindContact(other, line).Count, 0);
   }
 }
 

@@ -24,25 +24,26 @@ using namespace skdtest;
 namespace
 {
 
+using Triangle = std::array<skd::Vector3, 3>;
 using CellIdPairs = std::vector<std::pair<vtkIdType, vtkIdType>>;
 
-skd::SeenTriangle TriangleOf(const Mesh& mesh, std::size_t cell)
+Triangle TriangleOf(const Mesh& mesh, std::size_t cell)
 {
-  std::array<skd::Vector3, 3> corners;
+  Triangle corners;
   for (int i = 0; i < 3; ++i)
   {
     const Point& p = mesh.Points[mesh.Cells[cell].Points[i]];
     corners[i] = { { p[0], p[1], p[2] } };
   }
-  return skd::SeenTriangle(corners);
+  return corners;
 }
 
-int CountShared(const skd::SeenTriangle& a, const skd::SeenTriangle& b)
+int CountShared(const Triangle& a, const Triangle& b)
 {
   int count = 0;
-  for (const skd::Vector3& x : a.Corners)
+  for (const skd::Vector3& x : a)
   {
-    count += static_cast<int>(std::count(b.Corners.begin(), b.Corners.end(), x));
+    count += static_cast<int>(std::count(b.begin(), b.end(), x));
   }
   return count;
 }
@@ -54,7 +55,7 @@ CellIdPairs BruteForce(const Mesh& first, const Mesh& second)
   {
     for (std::size_t k = 0; k < second.Cells.size(); ++k)
     {
-      if (FindContact(TriangleOf(first, i), TriangleOf(second, k)).Count > 0)
+      if (skd::FindContact(TriangleOf(first, i), TriangleOf(second, k)).Count > 0)
       {
         pairs.emplace_back(i, k);
       }
@@ -70,10 +71,10 @@ CellIdPairs BruteForce(const Mesh& mesh)
   {
     for (std::size_t k = i + 1; k < mesh.Cells.size(); ++k)
     {
-      const skd::SeenTriangle a = TriangleOf(mesh, i);
-      const skd::SeenTriangle b = TriangleOf(mesh, k);
+      const Triangle a = TriangleOf(mesh, i);
+      const Triangle b = TriangleOf(mesh, k);
       const int shared = CountShared(a, b);
-      if (shared == 3 || FindContact(a, b).Count > shared)
+      if (shared == 3 || skd::FindContact(a, b).Count > shared)
       {
         pairs.emplace_back(i, k);
       }

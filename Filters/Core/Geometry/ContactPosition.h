@@ -16,8 +16,9 @@ namespace skd
 inline Vector3 CrossingWithPlane(
   const Segment<3>& edge, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const double start = VolumeOf(a, b, c, edge.A);
-  const double end = VolumeOf(a, b, c, edge.B);
+  const AccuratePlane plane(a, b, c);
+  const double start = plane.VolumeTo(edge.A);
+  const double end = plane.VolumeTo(edge.B);
   return edge.At(start / (start - end));
 }
 

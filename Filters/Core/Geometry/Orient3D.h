@@ -78,106 +78,154 @@ inline double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c, int a
   return detail::ExactOrient2D(a, b, c, (axis + 1) % 3, (axis + 2) % 3).Value();
 }
 
+/// A plane through three points that tells by floating arithmetic on which side others lie, and
+/// when that is certain: for many points, or where most are certain.
+class FloatingPlane
+{
+public:
+  FloatingPlane(const Vector3& a, const Vector3& b, const Vector3& c)
+    : A(a)
+  {
+    const Vector3 ab = b - a;
+    const Vector3 ac = c - a;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      const double left = ab[u] * ac[v];
+      const double right = ab[v] * ac[u];
+      this->Normal[axis] = left - right;
+      this->Magnitude[axis] = std::abs(left) + std::abs(right);
+    }
+  }
+
+  /// The sign of (b - a) x (c - a) . (x - a); 0 also where rounding could matter.
+  int SureSideOf(const Vector3& x) const
+  {
+    const Volume volume = this->VolumeTo(x);
+    const double rounding = detail::Orient3DBound * volume.Magnitude;
+    return (volume.Value > rounding) - (volume.Value < -rounding);
+  }
+
+private:
+  friend int Orient3D(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+
+  struct Volume
+  {
+    double Value;
+    double Magnitude; ///< of what it is summed of
+
+    bool MayBeRounding() const // not of NaN
+    {
+      return std::abs(this->Value) <= detail::Orient3DBound * this->Magnitude &&
+        this->Magnitude != 0.0;
+    }
+  };
+
+  Volume VolumeTo(const Vector3& x) const
+  {
+    const Vector3 ax = x - this->A;
+    return { ax[0] * this->Normal[0] + ax[1] * this->Normal[1] + ax[2] * this->Normal[2],
+      std::abs(ax[0]) * this->Magnitude[0] + std::abs(ax[1]) * this->Magnitude[1] +
+        std::abs(ax[2]) * this->Magnitude[2] };
+  }
+
+  Vector3 A;
+  Vector3 Normal;
+  Vector3 Magnitude; // of the products that a coordinate of the normal is the difference of
+};
+
 /// The sign of (b - a) x (c - a) . (d - a): 1 when d lies where the normal of a, b, c points to, 0
 /// when all four lie in one plane.
 inline int Orient3D(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  const Vector3 ab = b - a;
-  const Vector3 ac = c - a;
-  const Vector3 ad = d - a;
-  double volume = 0.0;
-  double magnitude = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    const double left = ab[u] * ac[v];
-    const double right = ab[v] * ac[u];
-    volume += ad[axis] * (left - right);
-    magnitude += std::abs(ad[axis]) * (std::abs(left) + std::abs(right));
-  }
-  if (!(std::abs(volume) <= detail::Orient3DBound * magnitude) || magnitude == 0.0) // also of NaN
-  {
-    return detail::SignOf(volume);
-  }
-  return detail::ExactOrient3D(a, b, c, d).Sign();
-}
-
-/// Whether points lie on one side of the plane of a, b, c, all of them off it. True is certain,
-/// false is not: where rounding could matter. Costs less than to ask for the exact signs.
-inline bool AreSurelyOnOneSide(const std::array<Vector3, 3>& plane, const std::array<Vector3, 3>& x)
-{
-  const Vector3 ab = plane[1] - plane[0];
-  const Vector3 ac = plane[2] - plane[0];
-  double volumes[3] = { 0.0, 0.0, 0.0 };
-  double magnitudes[3] = { 0.0, 0.0, 0.0 };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    const double left = ab[u] * ac[v];
-    const double right = ab[v] * ac[u];
-    for (int i = 0; i < 3; ++i)
-    {
-      const double along = x[i][axis] - plane[0][axis];
-      volumes[i] += along * (left - right);
-      magnitudes[i] += std::abs(along) * (std::abs(left) + std::abs(right));
-    }
-  }
-  bool areAbove = true;
-  bool areBelow = true;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double error = detail::Orient3DBound * magnitudes[i];
-    areAbove = areAbove && volumes[i] > error;
-    areBelow = areBelow && volumes[i] < -error;
-  }
-  return areAbove || areBelow;
+  const FloatingPlane::Volume volume = FloatingPlane(a, b, c).VolumeTo(d);
+  return volume.MayBeRounding() ? detail::ExactOrient3D(a, b, c, d).Sign()
+                                : detail::SignOf(volume.Value);
 }
 
 namespace detail
 {
 
-/// VolumeOf by pairs of doubles; NaN where these do not tell how the number is rounded.
-inline double VolumeByPairs(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+/// A plane through three points, and volumes above it, by pairs of doubles.
+class PlaneByPairs
 {
-  DoubleDouble ab[3], ac[3], ad[3];
-  for (int axis = 0; axis < 3; ++axis)
+public:
+  PlaneByPairs(const Vector3& a, const Vector3& b, const Vector3& c)
+    : A(a)
   {
-    ab[axis] = ExactSum(b[axis], -a[axis]);
-    ac[axis] = ExactSum(c[axis], -a[axis]);
-    ad[axis] = ExactSum(d[axis], -a[axis]);
+    DoubleDouble ab[3], ac[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ab[axis] = ExactSum(b[axis], -a[axis]);
+      ac[axis] = ExactSum(c[axis], -a[axis]);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      const DoubleDouble left = ab[u] * ac[v];
+      const DoubleDouble right = ab[v] * ac[u];
+      this->Normal[axis] = left + DoubleDouble{ -right.High, -right.Low };
+      this->Magnitude[axis] = std::abs(left.High) + std::abs(right.High);
+    }
   }
-  DoubleDouble volume{ 0.0, 0.0 };
-  double magnitude = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+
+  /// NaN where pairs do not tell how the number is rounded.
+  double VolumeTo(const Vector3& d) const
   {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    const DoubleDouble left = ab[u] * ac[v];
-    const DoubleDouble right = ab[v] * ac[u];
-    volume = volume + ad[axis] * (left + DoubleDouble{ -right.High, -right.Low });
-    magnitude += std::abs(ad[axis].High) * (std::abs(left.High) + std::abs(right.High));
+    DoubleDouble volume{ 0.0, 0.0 };
+    double magnitude = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const DoubleDouble ad = ExactSum(d[axis], -this->A[axis]);
+      volume = volume + ad * this->Normal[axis];
+      magnitude += std::abs(ad.High) * this->Magnitude[axis];
+    }
+    // Each step is right to about 2^-100 of what it adds up, and the sum of an exact expansion's
+    // parts to less: where both roundings of so much more and so much less agree, they are the
+    // expansion's.
+    constexpr double least = 1e-200; // the low parts of less may be lost
+    constexpr double relative = 0x1p-94;
+    const double error = relative * magnitude;
+    const bool isTold = magnitude > least && volume.High + (volume.Low + error) == volume.High &&
+      volume.High + (volume.Low - error) == volume.High;
+    return isTold ? volume.High : std::numeric_limits<double>::quiet_NaN();
   }
-  // Each step is right to about 2^-100 of what it adds up, and the sum of an exact expansion's
-  // parts to less: where both roundings of so much more and so much less agree, they are the
-  // expansion's.
-  constexpr double least = 1e-200; // the low parts of less may be lost
-  constexpr double relative = 0x1p-94;
-  const double error = relative * magnitude;
-  const bool isTold = magnitude > least && volume.High + (volume.Low + error) == volume.High &&
-    volume.High + (volume.Low - error) == volume.High;
-  return isTold ? volume.High : std::numeric_limits<double>::quiet_NaN();
-}
+
+private:
+  Vector3 A;
+  DoubleDouble Normal[3];
+  double Magnitude[3];
+};
 
 }
 
-/// The same number as Orient3D has the sign of, to about a unit in the last place.
-inline double VolumeOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+/// A plane through three points, and volumes above it to about a unit in the last place: the
+/// numbers that Orient3D has the signs of.
+class AccuratePlane
 {
-  const double volume = detail::VolumeByPairs(a, b, c, d);
-  return volume == volume ? volume : detail::ExactOrient3D(a, b, c, d).Value();
-}
+public:
+  AccuratePlane(const Vector3& a, const Vector3& b, const Vector3& c)
+    : A(a)
+    , B(b)
+    , C(c)
+    , Pairs(a, b, c)
+  {
+  }
+
+  double VolumeTo(const Vector3& x) const
+  {
+    const double volume = this->Pairs.VolumeTo(x);
+    return volume == volume ? volume : detail::ExactOrient3D(this->A, this->B, this->C, x).Value();
+  }
+
+private:
+  Vector3 A;
+  Vector3 B;
+  Vector3 C;
+  detail::PlaneByPairs Pairs;
+};
 
 }
 

@@ -54,11 +54,9 @@ inline bool Touch(const SetSimplex& first, const SetSimplex& second, double slac
 {
   if (first.Dimension >= 2 && second.Dimension >= 2)
   {
-    const SeenTriangle a(first.Corners);
-    const SeenTriangle b(second.Corners);
-    if (a.Axis >= 0 && b.Axis >= 0)
+    if (SeenTriangle::FindAxis(first.Corners) >= 0 && SeenTriangle::FindAxis(second.Corners) >= 0)
     {
-      return FindContact(a, b, NoSharedCorners).Count > 0;
+      return FindContact(first.Corners, second.Corners).Count > 0;
     }
   }
   const double scale = ScaleOf(first.Corners, second.Corners);

@@ -65,6 +65,19 @@ struct SeenTriangle
   }
 };
 
+/// A triangle to be asked for contacts with many others: corners, and the plane through them.
+struct TriangleInPlane
+{
+  std::array<Vector3, 3> Corners;
+  FloatingPlane Plane;
+
+  explicit TriangleInPlane(const std::array<Vector3, 3>& corners)
+    : Corners(corners)
+    , Plane(corners[0], corners[1], corners[2])
+  {
+  }
+};
+
 /// A point where two triangles touch: the least part of each that it lies on.
 struct ContactPoint
 {
@@ -140,6 +153,20 @@ inline unsigned EdgesAt(TrianglePart part)
   return IsEdge(part) ? 1u << (part - 3) : 0u;
 }
 
+using Sides = std::array<int, 3>;
+
+/// On which side of a plane the corners of a triangle lie, 0 also where rounding could matter.
+inline Sides SureSidesOf(const std::array<Vector3, 3>& corners, const FloatingPlane& plane)
+{
+  return { plane.SureSideOf(corners[0]), plane.SureSideOf(corners[1]),
+    plane.SureSideOf(corners[2]) };
+}
+
+inline bool AreOnOneSide(const Sides& sides)
+{
+  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+}
+
 /// Finds what two triangles have in common. Of sides of a plane all that is needed are signs, and
 /// these are exact, so what is found fits together: between the two ways of looking at a pair, and
 /// between all pairs that meet at an edge or a corner.
@@ -149,9 +176,15 @@ inline unsigned EdgesAt(TrianglePart part)
 class ContactFinder
 {
 public:
-  ContactFinder(const SeenTriangle& first, const SeenTriangle& second, const SharedCorners& shared)
+  using Corners = std::array<Vector3, 3>;
+
+  /// `sidesOfFirst` and `sidesOfSecond`: by SureSidesOf(), not all on one side.
+  ContactFinder(const Corners& first, const Corners& second, const SharedCorners& shared,
+    const Sides& sidesOfFirst, const Sides& sidesOfSecond)
     : A(first)
     , B(second)
+    , SidesOfA(sidesOfFirst)
+    , SidesOfB(sidesOfSecond)
     , SharedOfA(shared)
   {
     for (std::int8_t corner = 0; corner < 3; ++corner)
@@ -166,33 +199,18 @@ public:
   TriangleContact Find()
   {
     TriangleContact contact;
-    const Sides sidesOfA = SidesOf(this->A, this->SharedOfA, this->B);
-    const auto zeros = std::count(sidesOfA.begin(), sidesOfA.end(), 0);
-    const auto shared = 3 - std::count(this->SharedOfA.begin(), this->SharedOfA.end(), -1);
-    const bool isCrossed = HasBothSides(sidesOfA);
-    if (zeros == 0 && !isCrossed)
+    if (HasZero(this->SidesOfA) || HasZero(this->SidesOfB))
     {
-      return contact;
+      this->FindExactly(contact);
     }
-    if (zeros == 3)
+    else if (!this->AreApartOnLine())
     {
-      contact.IsFlat = true;
-      this->AddFlat(contact);
-      return contact;
+      this->AddCrossings(contact);
     }
-    this->AddCornersOfA(contact, sidesOfA);
-    if (isCrossed || (zeros > 1 && zeros > shared))
-    {
-      const Sides sidesOfB = SidesOf(this->B, this->SharedOfB, this->A);
-      this->AddCornersOfB(contact, sidesOfB);
-      this->AddCrossings(contact, sidesOfA, sidesOfB);
-    } // else those corners at most
     return contact;
   }
 
 private:
-  using Sides = std::array<int, 3>;
-
   static void Add(TriangleContact& contact, int first, int second)
   {
     if (first >= 0 && second >= 0)
@@ -207,20 +225,75 @@ private:
       (sides[0] < 0 || sides[1] < 0 || sides[2] < 0);
   }
 
-  /// On which side of the plane of `of` the corners of a triangle lie.
-  static Sides SidesOf(
-    const SeenTriangle& corners, const SharedCorners& shared, const SeenTriangle& of)
+  static bool HasZero(const Sides& sides)
   {
-    Sides sides;
+    return sides[0] == 0 || sides[1] == 0 || sides[2] == 0;
+  }
+
+  /// Asks exactly where that was not told so far, on which sides of the plane of `of` corners lie.
+  static void Complete(
+    Sides& sides, const Corners& corners, const SharedCorners& shared, const Corners& of)
+  {
     for (int i = 0; i < 3; ++i)
     {
-      sides[i] = shared[i] >= 0 ? 0 : Orient3D(of[0], of[1], of[2], corners[i]);
+      if (sides[i] == 0 && shared[i] < 0)
+      {
+        sides[i] = Orient3D(of[0], of[1], of[2], corners[i]);
+      }
     }
-    return sides;
+  }
+
+  /// Triangles without an area have no contact.
+  void FindExactly(TriangleContact& contact)
+  {
+    this->AxisOfA = SeenTriangle::FindAxis(this->A);
+    this->AxisOfB = SeenTriangle::FindAxis(this->B);
+    Complete(this->SidesOfA, this->A, this->SharedOfA, this->B);
+    const auto zeros = std::count(this->SidesOfA.begin(), this->SidesOfA.end(), 0);
+    const auto shared = 3 - std::count(this->SharedOfA.begin(), this->SharedOfA.end(), -1);
+    const bool isCrossed = HasBothSides(this->SidesOfA);
+    if (this->AxisOfA < 0 || this->AxisOfB < 0 || (zeros == 0 && !isCrossed))
+    {
+      return;
+    }
+    if (zeros == 3)
+    {
+      contact.IsFlat = true;
+      this->AddFlat(contact);
+      return;
+    }
+    this->AddCornersOfA(contact);
+    if (isCrossed || (zeros > 1 && zeros > shared))
+    {
+      Complete(this->SidesOfB, this->B, this->SharedOfB, this->A);
+      this->AddCornersOfB(contact);
+      this->AddCrossings(contact);
+    } // else those corners at most
+  }
+
+  /// The two edges of a triangle that cross the other's plane, in their order along the line of
+  /// both planes: from left to right, seen from where the normal points to and the other's normal
+  /// being up. The first goes down, the second up.
+  static std::array<int, 2> CrossingEdges(const Sides& sides)
+  {
+    const int alone = sides[0] == sides[1] ? 2 : (sides[0] == sides[2] ? 1 : 0);
+    const int before = alone == 0 ? 2 : alone - 1;
+    return sides[alone] > 0 ? std::array<int, 2>{ alone, before }
+                            : std::array<int, 2>{ before, alone };
+  }
+
+  /// Whether the stretches of two triangles on the line of their planes have no point in common,
+  /// all corners being off these: P. Guigue and O. Devillers, "Fast and Robust Triangle-Triangle
+  /// Overlap Test Using Orientation Predicates", Journal of Graphics Tools 8 (2003) 25-32.
+  bool AreApartOnLine()
+  {
+    const std::array<int, 2> a = CrossingEdges(this->SidesOfA); // the other way round than b
+    const std::array<int, 2> b = CrossingEdges(this->SidesOfB);
+    return this->Turn(a[0], b[0]) > 0 || this->Turn(a[1], b[1]) < 0;
   }
 
   /// On which side of the edges of `of` a point of its plane lies.
-  static Sides SidesInPlane(const Vector3& x, const SeenTriangle& of, int axis)
+  static Sides SidesInPlane(const Vector3& x, const Corners& of, int axis)
   {
     Sides sides;
     for (int edge = 0; edge < 3; ++edge)
@@ -230,28 +303,28 @@ private:
     return sides;
   }
 
-  void AddCornersOfA(TriangleContact& contact, const Sides& sides) const
+  void AddCornersOfA(TriangleContact& contact) const
   {
     for (int i = 0; i < 3; ++i)
     {
-      if (sides[i] == 0)
+      if (this->SidesOfA[i] == 0)
       {
         Add(contact, i,
           this->SharedOfA[i] >= 0 ? this->SharedOfA[i]
-                                  : PartOf(SidesInPlane(this->A[i], this->B, this->B.Axis)));
+                                  : PartOf(SidesInPlane(this->A[i], this->B, this->AxisOfB)));
       }
     }
   }
 
-  void AddCornersOfB(TriangleContact& contact, const Sides& sides) const
+  void AddCornersOfB(TriangleContact& contact) const
   {
     for (int i = 0; i < 3; ++i)
     {
-      if (sides[i] == 0)
+      if (this->SidesOfB[i] == 0)
       {
         Add(contact,
           this->SharedOfB[i] >= 0 ? this->SharedOfB[i]
-                                  : PartOf(SidesInPlane(this->B[i], this->A, this->A.Axis)),
+                                  : PartOf(SidesInPlane(this->B[i], this->A, this->AxisOfA)),
           i);
       }
     }
@@ -275,11 +348,11 @@ private:
   }
 
   /// Where edges that have their ends on different sides of the other triangle's plane cross it.
-  void AddCrossings(TriangleContact& contact, const Sides& sidesOfA, const Sides& sidesOfB)
+  void AddCrossings(TriangleContact& contact)
   {
     for (int edge = 0; edge < 3; ++edge)
     {
-      if (sidesOfA[edge] * sidesOfA[NextCorner(edge)] < 0)
+      if (this->SidesOfA[edge] * this->SidesOfA[NextCorner(edge)] < 0)
       {
         const Sides turns = { this->Turn(edge, 0), this->Turn(edge, 1), this->Turn(edge, 2) };
         Add(contact, 3 + edge, PartOf(turns));
@@ -287,7 +360,7 @@ private:
     }
     for (int edge = 0; edge < 3; ++edge)
     {
-      if (sidesOfB[edge] * sidesOfB[NextCorner(edge)] < 0)
+      if (this->SidesOfB[edge] * this->SidesOfB[NextCorner(edge)] < 0)
       {
         const Sides turns = { this->Turn(0, edge), this->Turn(1, edge), this->Turn(2, edge) };
         Add(contact, PartOf(turns), 3 + edge);
@@ -301,8 +374,8 @@ private:
     std::array<Sides, 3> ofB;
     for (int i = 0; i < 3; ++i)
     {
-      ofA[i] = SidesInPlane(this->A[i], this->B, this->B.Axis);
-      ofB[i] = SidesInPlane(this->B[i], this->A, this->B.Axis);
+      ofA[i] = SidesInPlane(this->A[i], this->B, this->AxisOfB);
+      ofB[i] = SidesInPlane(this->B[i], this->A, this->AxisOfB);
       Add(contact, i, PartOf(ofA[i]));
     }
     for (int i = 0; i < 3; ++i)
@@ -342,8 +415,12 @@ private:
 
   static constexpr int Unknown = 2;
 
-  const SeenTriangle& A;
-  const SeenTriangle& B;
+  const Corners& A;
+  const Corners& B;
+  Sides SidesOfA; // of the plane of B; 0 also of what is not told
+  Sides SidesOfB;
+  int AxisOfA = -1; // those that they are seen along, when it was looked
+  int AxisOfB = -1;
   SharedCorners SharedOfA;
   SharedCorners SharedOfB = NoSharedCorners;
   std::array<std::array<int, 3>, 3> Turns = { { { Unknown, Unknown, Unknown },
@@ -352,12 +429,30 @@ private:
 
 }
 
-/// What two triangles with an area have in common, boundaries included, exactly: no tolerance. See
-/// Orient3D.h for the range of coordinates. `shared` only spares work.
-inline TriangleContact FindContact(const SeenTriangle& first, const SeenTriangle& second,
-  const SharedCorners& shared = NoSharedCorners)
+/// What two triangles have in common, boundaries included, exactly: no tolerance. See Orient3D.h
+/// for the range of coordinates. A triangle whose corners lie on one line has nothing in common
+/// with any. `shared` only spares work.
+inline TriangleContact FindContact(const TriangleInPlane& first,
+  const std::array<Vector3, 3>& second, const SharedCorners& shared = NoSharedCorners)
 {
-  return detail::ContactFinder(first, second, shared).Find();
+  // Most that are asked for have no contact, and of most of these floating arithmetic tells so.
+  const detail::Sides sidesOfSecond = detail::SureSidesOf(second, first.Plane);
+  if (detail::AreOnOneSide(sidesOfSecond))
+  {
+    return {};
+  }
+  const FloatingPlane planeOfSecond(second[0], second[1], second[2]);
+  const detail::Sides sidesOfFirst = detail::SureSidesOf(first.Corners, planeOfSecond);
+  if (detail::AreOnOneSide(sidesOfFirst))
+  {
+    return {};
+  }
+  return detail::ContactFinder(first.Corners, second, shared, sidesOfFirst, sidesOfSecond).Find();
+}
+inline TriangleContact FindContact(const std::array<Vector3, 3>& first,
+  const std::array<Vector3, 3>& second, const SharedCorners& shared = NoSharedCorners)
+{
+  return FindContact(TriangleInPlane(first), second, shared);
 }
 
 }
