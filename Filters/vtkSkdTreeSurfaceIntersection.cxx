@@ -49,7 +49,7 @@ struct Surface
 };
 
 /// Whether both surfaces are to have their whole trees: those that are asked again do. Of others
-/// only the triangles near each other go into trees, unless most are of surfaces that have theirs.
+/// only the triangles near each other are looked at, unless most are of surfaces that have theirs.
 bool CompleteWhatPays(const Surface& first, const Surface& second)
 {
   std::size_t all = 0;
@@ -131,7 +131,7 @@ struct Meeting
 Meeting FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second,
   const std::optional<skd::RigidMotion>& motion)
 {
-  SkdLoop loop(self, SkdTrianglePairs::NumberOfParts, 0.4, 0.8, 8);
+  SkdLoop loop(self, 0, 0.4, 0.8, 8);
   const double clearance = self->GetClearance() > 0.0 ? self->GetClearance() : 0.0; // also of NaN
   const SkdPairSearch search{ static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance };
   if (second && !self->GetSplitSurfaces() && !CompleteWhatPays(first, *second))

@@ -3,25 +3,11 @@
 #include "Pipeline/SkdContactPoints.h"
 
 #include "Core/Geometry/ContactPosition.h"
+#include "Pipeline/SkdForEach.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-
-namespace
-{
-template <class Body>
-void ForEach(std::size_t n, const Body& body)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(n),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        body(static_cast<std::size_t>(i));
-      }
-    });
-}
-}
+#include <numeric>
 
 SkdContactPoints::SkdContactPoints(
   const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
@@ -29,19 +15,22 @@ SkdContactPoints::SkdContactPoints(
   , Second(placement.IsOfOne() ? nullptr : &placement.GetSecond())
 {
   const std::vector<Key> keys = this->MakeKeys(pairs);
-  this->Keys = keys;
-  vtkSMPTools::Sort(this->Keys.begin(), this->Keys.end());
-  this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end()), this->Keys.end());
+  std::vector<std::uint32_t> order(keys.size());
+  std::iota(order.begin(), order.end(), 0u);
+  vtkSMPTools::Sort(order.begin(), order.end(),
+    [&keys](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
   this->Points.resize(keys.size());
-  ForEach(keys.size(),
-    [&](std::size_t i)
+  for (const std::uint32_t i : order)
+  {
+    if (this->Keys.empty() || !(this->Keys.back() == keys[i]))
     {
-      const auto at = std::lower_bound(this->Keys.begin(), this->Keys.end(), keys[i]);
-      this->Points[i] = static_cast<std::uint32_t>(at - this->Keys.begin());
-    });
+      this->Keys.push_back(keys[i]);
+    }
+    this->Points[i] = static_cast<std::uint32_t>(this->Keys.size() - 1);
+  }
   this->Positions.resize(this->Keys.size());
   const double unscaled = 1.0 / placement.Scale;
-  ForEach(this->Keys.size(),
+  SkdForEach(this->Keys.size(),
     [&](std::size_t i) { this->Positions[i] = unscaled * this->FindPosition(this->Keys[i]); });
 }
 
@@ -55,7 +44,7 @@ std::vector<SkdContactPoints::Key> SkdContactPoints::MakeKeys(
     this->Offsets.push_back(this->Offsets.back() + static_cast<std::size_t>(pair.Contact.Count));
   }
   std::vector<Key> keys(this->Offsets.back());
-  ForEach(pairs.size(),
+  SkdForEach(pairs.size(),
     [&](std::size_t pair)
     {
       for (int i = 0; i < pairs[pair].Contact.Count; ++i)
@@ -124,7 +113,7 @@ void SkdContactPoints::MakeCornersOne(
     }
   }
   vtkSMPTools::Sort(same.begin(), same.end());
-  ForEach(keys.size(),
+  SkdForEach(keys.size(),
     [&](std::size_t i)
     {
       Key& key = keys[i];
@@ -150,10 +139,11 @@ skd::Segment<3> SkdContactPoints::EdgeAt(const Part& edge) const
   return { this->CornerAt(edge.A), this->CornerAt(edge.B) };
 }
 
-skd::SeenTriangle SkdContactPoints::TriangleAt(std::uint32_t triangle) const
+std::array<skd::Vector3, 3> SkdContactPoints::TriangleAt(std::uint32_t triangle) const
 {
   const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
-  return triangle < before ? this->First.Get(triangle) : this->Second->Get(triangle - before);
+  return triangle < before ? this->First.GetCornerPoints(triangle)
+                           : this->Second->GetCornerPoints(triangle - before);
 }
 
 skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
@@ -166,8 +156,8 @@ skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
   {
     return skd::CrossingWithEdge(this->EdgeAt(key.first), this->EdgeAt(key.second));
   }
-  const skd::SeenTriangle seen = this->TriangleAt(key.second.A);
-  return skd::CrossingWithPlane(this->EdgeAt(key.first), seen[0], seen[1], seen[2]);
+  const auto [a, b, c] = this->TriangleAt(key.second.A);
+  return skd::CrossingWithPlane(this->EdgeAt(key.first), a, b, c);
 }
 
 skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
@@ -183,6 +173,6 @@ skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
     const skd::Segment<3> other = this->EdgeAt(key.second);
     return skd::ExactCrossingOfEdges(edge.A, edge.B, other.A, other.B);
   }
-  const skd::SeenTriangle seen = this->TriangleAt(key.second.A);
-  return skd::ExactCrossingWithPlane(edge.A, edge.B, seen[0], seen[1], seen[2]);
+  const auto [a, b, c] = this->TriangleAt(key.second.A);
+  return skd::ExactCrossingWithPlane(edge.A, edge.B, a, b, c);
 }

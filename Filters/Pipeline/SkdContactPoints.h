@@ -68,7 +68,7 @@ private:
   skd::Vector3 FindPosition(const Key& key) const;
   const skd::Vector3& CornerAt(std::uint32_t corner) const;
   skd::Segment<3> EdgeAt(const Part& edge) const;
-  skd::SeenTriangle TriangleAt(std::uint32_t triangle) const;
+  std::array<skd::Vector3, 3> TriangleAt(std::uint32_t triangle) const;
 
   const SkdPlacedTriangles& First;
   const SkdPlacedTriangles* Second; // nullptr of one alone

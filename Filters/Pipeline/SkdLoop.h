@@ -44,6 +44,13 @@ public:
   {
   }
 
+  /// Of work whose steps are known only when it has begun, or that begins anew.
+  void SetTotal(vtkIdType total)
+  {
+    this->Total = total;
+    this->Done = 0;
+  }
+
   /// Calls body(begin, end) in parallel for ranges that cover [0, n). A stop leaves ranges out.
   /// Returns whether all was done.
   template <typename Body>
@@ -53,7 +60,7 @@ public:
     for (vtkIdType begin = 0; begin < n && !this->IsStopped(); begin += piece)
     {
       const vtkIdType end = std::min(n, begin + piece);
-      vtkSMPTools::For(begin, end, body);
+      end - begin > 1 ? vtkSMPTools::For(begin, end, body) : body(begin, end);
       this->Done += end - begin;
       const double part = static_cast<double>(this->Done) / std::max<vtkIdType>(this->Total, 1);
       this->Algorithm->UpdateProgress(this->First + part * (this->Last - this->First));

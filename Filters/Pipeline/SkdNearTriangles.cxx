@@ -11,13 +11,6 @@ namespace
 {
 using Cells = skd::CoarseCells;
 
-/// A triangle that is within the region, and where.
-struct Inside
-{
-  std::uint32_t Triangle;
-  Cells::Range Range;
-};
-
 std::uint32_t CountOf(const SkdPlacedTriangles& set)
 {
   return static_cast<std::uint32_t>(set.GetSet().GetTriangles().size());
@@ -50,22 +43,65 @@ double MeanSize(const SkdPlacedTriangles& set)
   return sum / count;
 }
 
+/// The triangles of a set as cells see them.
+class SeenByCells
+{
+public:
+  SeenByCells(const SkdPlacedTriangles& set, const Cells& cells, double margin)
+    : Set(set)
+    , TheCells(cells)
+    , Lows(PlacesOf(set, cells, -margin))
+    , Highs(margin > 0.0 ? PlacesOf(set, cells, margin) : PlaceList())
+    , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
+  {
+  }
+
+  std::uint32_t Count() const { return CountOf(this->Set); }
+
+  Cells::Range RangeOf(std::uint32_t triangle) const
+  {
+    const auto [a, b, c] = this->Set.GetCorners(triangle);
+    return this->TheCells.RangeOf({ this->Lows[a], this->Lows[b], this->Lows[c] },
+      { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
+  }
+
+private:
+  using PlaceList = skd::RawVector<Cells::Place>;
+
+  static PlaceList PlacesOf(const SkdPlacedTriangles& set, const Cells& cells, double shift)
+  {
+    const SkdTriangleSet::PointList& points = set.GetPoints();
+    const skd::Vector3 shifts{ { shift, shift, shift } };
+    PlaceList places(points.size());
+    std::transform(points.begin(), points.end(), places.begin(),
+      [&](const skd::Vector3& x) { return cells.PlaceOf(x + shifts); });
+    return places;
+  }
+
+  const SkdPlacedTriangles& Set;
+  const Cells& TheCells;
+  PlaceList Lows;
+  PlaceList Highs; // empty where these are the lows
+  const Cells::Place* AtHighs;
+};
+
 /// Keeps the work bounded where sizes differ much: stops when triangles cover many cells.
 class Raster
 {
 public:
-  Raster(const skd::Box3& region, double size, std::size_t triangles)
-    : Marked(region, size)
-    , Other(region, size)
+  Raster(const Cells& cells, std::size_t triangles)
+    : Marked(cells)
+    , Other(cells)
     , RowsLeft(16 * triangles + 4096)
   {
   }
 
-  bool MarkAll(const SkdPlacedTriangles& set, double margin, std::vector<Inside>& inside)
+  /// Appends those within the region to `inside`.
+  bool MarkAll(const SeenByCells& set, std::vector<std::uint32_t>& inside)
   {
-    for (std::uint32_t i = 0; i < CountOf(set); ++i)
+    for (std::uint32_t i = 0; i < set.Count(); ++i)
     {
-      const Cells::Range range = this->RangeOf(set, i, margin);
+      const Cells::Range range = set.RangeOf(i);
       if (!range.IsEmpty)
       {
         if (!this->Affords(range))
@@ -73,18 +109,18 @@ public:
           return false;
         }
         this->Marked.Mark(range);
-        inside.push_back({ i, range });
+        inside.push_back(i);
       }
     }
     return true;
   }
 
   /// Those of the other set that are in marked cells; marks theirs.
-  bool FindMarked(const SkdPlacedTriangles& set, double margin, std::vector<std::uint32_t>& found)
+  bool FindMarked(const SeenByCells& set, std::vector<std::uint32_t>& found)
   {
-    for (std::uint32_t i = 0; i < CountOf(set); ++i)
+    for (std::uint32_t i = 0; i < set.Count(); ++i)
     {
-      const Cells::Range range = this->RangeOf(set, i, margin);
+      const Cells::Range range = set.RangeOf(i);
       if (!range.IsEmpty)
       {
         if (!this->Affords(range))
@@ -101,24 +137,13 @@ public:
     return true;
   }
 
-  void KeepMarked(const std::vector<Inside>& inside, std::vector<std::uint32_t>& found) const
+  void KeepMarked(const SeenByCells& set, std::vector<std::uint32_t>& inside) const
   {
-    for (const Inside& one : inside)
-    {
-      if (this->Other.HasMarks(one.Range))
-      {
-        found.push_back(one.Triangle);
-      }
-    }
+    const auto isAlone = [&](std::uint32_t i) { return !this->Other.HasMarks(set.RangeOf(i)); };
+    inside.erase(std::remove_if(inside.begin(), inside.end(), isAlone), inside.end());
   }
 
 private:
-  Cells::Range RangeOf(const SkdPlacedTriangles& set, std::uint32_t triangle, double margin) const
-  {
-    const skd::Box3 box = set.GetBox(triangle);
-    return this->Marked.RangeOf(margin > 0.0 ? box.Inflated(margin) : box);
-  }
-
   bool Affords(const Cells::Range& range)
   {
     const std::size_t rows = range.CountRows();
@@ -131,15 +156,57 @@ private:
   std::size_t RowsLeft;
 };
 
-void BuildTree(const SkdPlacedTriangles& set, SkdNearTriangles& near)
+void AddBoxes(const SkdPlacedTriangles& set, double margin, SkdNearTriangles& near)
 {
-  std::vector<skd::Box3> boxes;
-  boxes.reserve(near.Triangles.size());
+  near.Boxes.reserve(near.Triangles.size());
   for (const std::uint32_t triangle : near.Triangles)
   {
-    boxes.push_back(set.GetBox(triangle));
+    const skd::Box3 box = set.GetBox(triangle);
+    near.Boxes.push_back(margin > 0.0 ? box.Inflated(margin) : box);
   }
-  near.Tree = skd::LazyTree<3>(skd::MakeTreeInput(boxes, 0.0));
+}
+
+/// Adds those whose boxes overlap the region.
+void AddWithin(
+  const SkdPlacedTriangles& set, const skd::Box3& region, double margin, SkdNearTriangles& near)
+{
+  for (std::uint32_t i = 0; i < CountOf(set); ++i)
+  {
+    const skd::Box3 box = set.GetBox(i);
+    const skd::Box3 around = margin > 0.0 ? box.Inflated(margin) : box;
+    if (region.Overlaps(around))
+    {
+      near.Triangles.push_back(i);
+      near.Boxes.push_back(around);
+    }
+  }
+}
+
+struct Meeting
+{
+  const SkdPlacement& Placement;
+  skd::Box3 Region; ///< that both are in, the second with a margin
+  double Margin;
+};
+
+/// False when those that are near are not much fewer than all.
+bool SieveByRaster(const Meeting& meeting, SkdNearSets& near)
+{
+  const SkdPlacedTriangles& first = meeting.Placement.First;
+  const SkdPlacedTriangles& second = meeting.Placement.GetSecond();
+  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
+  const double size = std::max(MeanSize(first), MeanSize(second)) + meeting.Margin;
+  const Cells cells(meeting.Region, size);
+  const SeenByCells seenFirst(first, cells, 0.0);
+  const SeenByCells seenSecond(second, cells, meeting.Margin);
+  Raster raster(cells, all);
+  if (!raster.MarkAll(seenFirst, near.First.Triangles) ||
+    !raster.FindMarked(seenSecond, near.Second.Triangles))
+  {
+    return false;
+  }
+  raster.KeepMarked(seenFirst, near.First.Triangles);
+  return 4 * (near.First.Triangles.size() + near.Second.Triangles.size()) <= 3 * all;
 }
 }
 
@@ -164,20 +231,18 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   {
     return near;
   }
-  const double size = std::max(MeanSize(first), MeanSize(second)) + margin;
-  Raster raster(region, size, all);
-  std::vector<Inside> inside;
-  if (!raster.MarkAll(first, 0.0, inside) ||
-    !raster.FindMarked(second, margin, near.Second.Triangles))
+  constexpr std::size_t few = 4096; // for a raster to pay
+  if (all < few)
+  {
+    AddWithin(first, region, 0.0, near.First);
+    AddWithin(second, region, margin, near.Second);
+    return near;
+  }
+  if (!SieveByRaster({ placement, region, margin }, near))
   {
     return std::nullopt;
   }
-  raster.KeepMarked(inside, near.First.Triangles);
-  if (4 * (near.First.Triangles.size() + near.Second.Triangles.size()) > 3 * all)
-  {
-    return std::nullopt;
-  }
-  BuildTree(first, near.First);
-  BuildTree(second, near.Second);
+  AddBoxes(first, 0.0, near.First);
+  AddBoxes(second, margin, near.Second);
   return near;
 }

@@ -2,30 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdNearTriangles.h
- * @brief Two surfaces that meet once: the triangles of each that may meet any of the other, alone
- * in trees.
+ * @brief Two surfaces that meet once: the triangles of each that may meet any of the other.
  */
 
 #ifndef SkdNearTriangles_h
 #define SkdNearTriangles_h
 
-#include "Core/Tree/LazyTree.h"
 #include "Pipeline/SkdPlacement.h"
 
 #include <optional>
 #include <vector>
 
-/// Some triangles of a placed set, ascending, and a tree of their boxes where they are placed.
+/// Some triangles of a placed set, ascending, and their boxes where they are placed.
 struct SkdNearTriangles
 {
   std::vector<std::uint32_t> Triangles;
-  skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
+  std::vector<skd::Box3> Boxes;
 };
 
 struct SkdNearSets
 {
   SkdNearTriangles First;
-  SkdNearTriangles Second;
+  SkdNearTriangles Second; ///< its boxes are larger by the clearance, and a little more
 };
 
 /// Of both sets of a placement those triangles that share a cell of a coarse raster with the other

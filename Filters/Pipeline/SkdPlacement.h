@@ -39,6 +39,11 @@ public:
     return skd::SeenTriangle(this->GetCornerPoints(triangle));
   }
 
+  skd::TriangleInPlane GetInPlane(std::uint32_t triangle) const
+  {
+    return skd::TriangleInPlane(this->GetCornerPoints(triangle));
+  }
+
   skd::Box3 GetBox(std::uint32_t triangle) const
   {
     skd::Box3 box;

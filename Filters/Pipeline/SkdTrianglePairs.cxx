@@ -4,6 +4,7 @@
 
 #include "Core/Geometry/ClosestTriangles.h"
 #include "Core/Queries/OverlappingPairs.h"
+#include "Core/Tree/BundledBoxes.h"
 #include "Core/Tree/WalkPairs.h"
 #include "Pipeline/SkdLoop.h"
 
@@ -34,49 +35,46 @@ public:
     {
       std::swap(first, second);
     }
+    return this->Visit(first, this->First.GetInPlane(first), second, found);
+  }
+
+  /// The same of one triangle of the first set and several of the other.
+  bool VisitAll(std::uint32_t first, const std::vector<std::uint32_t>& others,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const skd::TriangleInPlane triangle = this->First.GetInPlane(first);
+    return std::all_of(others.begin(), others.end(),
+      [&](std::uint32_t second) { return this->Visit(first, triangle, second, found); });
+  }
+
+private:
+  bool Visit(std::uint32_t first, const skd::TriangleInPlane& triangle, std::uint32_t second,
+    std::vector<SkdTrianglePair>& found)
+  {
     const std::uint64_t key = (static_cast<std::uint64_t>(first) << 32) | second;
     if (this->Wanted != SkdPairSearch::All && key >= this->Lowest)
     {
       return this->Wanted == SkdPairSearch::LowestOnly;
     }
     SkdTrianglePair pair{ first, second, {} };
-    if (this->IsPair(pair))
+    if (this->IsPair(pair, triangle))
     {
       this->Keep(key, pair, found);
     }
     return true;
   }
 
-private:
-  bool IsPair(SkdTrianglePair& pair) const
+  bool IsPair(SkdTrianglePair& pair, const skd::TriangleInPlane& first) const
   {
-    if (this->Clearance2 == 0.0 && this->AreSurelyApart(pair))
-    {
-      return false;
-    }
-    const skd::SeenTriangle first = this->First.Get(pair.First);
-    const skd::SeenTriangle second = this->Second.Get(pair.Second);
-    if (first.Axis < 0 || second.Axis < 0)
-    {
-      return false;
-    }
+    const auto second = this->Second.GetCornerPoints(pair.Second);
     skd::SharedCorners shared = skd::NoSharedCorners;
     const int numberShared = this->IsOfOne ? this->FindShared(pair, shared) : 0;
     pair.Contact = skd::FindContact(first, second, shared);
-    if (pair.Contact.Count > numberShared || numberShared == 3)
-    {
-      return true;
-    }
-    const bool isNear = this->Clearance2 > 0.0 && numberShared == 0 &&
-      skd::ClosestPoints(first.Corners, second.Corners).Dist2 <= this->Clearance2;
-    return isNear;
-  }
-
-  bool AreSurelyApart(const SkdTrianglePair& pair) const
-  {
-    const auto first = this->First.GetCornerPoints(pair.First);
-    const auto second = this->Second.GetCornerPoints(pair.Second);
-    return skd::AreSurelyOnOneSide(first, second) || skd::AreSurelyOnOneSide(second, first);
+    const int count = pair.Contact.Count;
+    return count > numberShared || (count == 3 && numberShared == 3) ||
+      (this->Clearance2 > 0.0 && numberShared == 0 &&
+        skd::ClosestPoints(first.Corners, second).Dist2 <= this->Clearance2 &&
+        this->First.HasArea(pair.First) && this->Second.HasArea(pair.Second));
   }
 
   int FindShared(const SkdTrianglePair& pair, skd::SharedCorners& shared) const
@@ -156,11 +154,21 @@ struct SkdTrianglePairs::Leaf
 
 namespace
 {
-void SortPairs(std::vector<SkdTrianglePair>& pairs)
+/// All that were found, or the lowest.
+std::vector<SkdTrianglePair> Gather(
+  const std::vector<std::vector<SkdTrianglePair>>& found, const SkdPairSearch& search)
 {
-  vtkSMPTools::Sort(pairs.begin(), pairs.end(),
+  std::vector<SkdTrianglePair> all;
+  for (const std::vector<SkdTrianglePair>& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  vtkSMPTools::Sort(all.begin(), all.end(),
     [](const SkdTrianglePair& a, const SkdTrianglePair& b)
     { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+  all.resize(
+    search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
+  return all;
 }
 }
 
@@ -175,29 +183,21 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
   const auto& motion = this->Placement.Motion;
   if (!motion)
   {
-    return this->FindSeen(trees, skd::SameWorld{ search.Clearance }, search, loop);
+    return this->FindByTrees(trees, skd::SameWorld{ search.Clearance }, search, loop);
   }
   const double reach = 2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
-  return this->FindSeen(trees, Moved{ *motion, search.Clearance + rounding }, search, loop);
-}
-
-//------------------------------------------------------------------------------
-std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
-  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
-{
-  const Trees trees{ near.First.Tree, near.Second.Tree, &near };
-  return this->FindSeen(
-    trees, skd::SameWorld{ search.Clearance * this->Placement.Scale }, search, loop);
+  return this->FindByTrees(trees, Moved{ *motion, search.Clearance + rounding }, search, loop);
 }
 
 //------------------------------------------------------------------------------
 template <class ToFirst>
-std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
   using Query = skd::OverlappingPairs<3, ToFirst, Leaf>;
   using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
+  constexpr vtkIdType numberOfParts = 512;
   const skd::LazyTree<3>& first = trees.First;
   const skd::LazyTree<3>& second = trees.Second;
   Search state(this->Placement, search);
@@ -209,10 +209,11 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
     body(walk);
   };
 
-  std::vector<SkdTrianglePair> all;
+  std::vector<SkdTrianglePair> onTheWay;
   std::vector<typename Walk::Pair> starts;
-  inWalk(all, [&](Walk& walk) { starts = walk.Split(NumberOfParts); });
+  inWalk(onTheWay, [&](Walk& walk) { starts = walk.Split(numberOfParts); });
   std::vector<std::vector<SkdTrianglePair>> found(starts.size());
+  loop.SetTotal(numberOfParts);
   loop.For(static_cast<vtkIdType>(starts.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -225,14 +226,67 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindSeen(
           }
         });
     });
-  for (const std::vector<SkdTrianglePair>& some : found)
+  found.push_back(std::move(onTheWay));
+  return Gather(found, search);
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  if (auto pairs = this->FindByBundles(near, search, loop))
   {
-    all.insert(all.end(), some.begin(), some.end());
+    return *std::move(pairs);
   }
-  SortPairs(all);
-  all.resize(
-    search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
-  return all;
+  const skd::LazyTree<3> first(skd::MakeTreeInput(near.First.Boxes, 0.0));
+  const skd::LazyTree<3> second(skd::MakeTreeInput(near.Second.Boxes, 0.0));
+  return this->FindByTrees({ first, second, &near }, skd::SameWorld{}, search, loop);
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByBundles(
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  constexpr std::size_t size = 16; // of a part, in triangles of the first set
+  const std::size_t count = near.First.Triangles.size();
+  const std::size_t most = 64 * (count + near.Second.Triangles.size()); // looks: more is for trees
+  const skd::BundledBoxes boxes(near.Second.Boxes);
+  Search state(this->Placement, search);
+  std::atomic<std::size_t> looks{ 0 };
+  std::vector<std::vector<SkdTrianglePair>> found((count + size - 1) / size);
+  const auto visitPart = [&](std::size_t part)
+  {
+    std::vector<std::uint32_t> others; // that a triangle's box overlaps
+    bool goesOn = true;
+    for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+    {
+      std::size_t some = 0;
+      others.clear();
+      boxes.ForEachOverlapping(near.First.Boxes[i],
+        [&](std::uint32_t k)
+        {
+          ++some;
+          if (near.First.Boxes[i].Overlaps(near.Second.Boxes[k]))
+          {
+            others.push_back(near.Second.Triangles[k]);
+          }
+        });
+      looks += some;
+      goesOn = looks <= most &&
+        (others.empty() || state.VisitAll(near.First.Triangles[i], others, found[part]));
+    }
+  };
+  const auto parts = static_cast<vtkIdType>(found.size());
+  loop.SetTotal(parts);
+  loop.For(parts,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType part = begin; part < end; ++part)
+      {
+        visitPart(static_cast<std::size_t>(part));
+      }
+    });
+  return looks > most ? std::nullopt : std::make_optional(Gather(found, search));
 }
 
 //------------------------------------------------------------------------------

@@ -49,22 +49,25 @@ public:
   /// complete sets.
   std::vector<SkdTrianglePair> Find(const SkdPairSearch& search, SkdLoop& loop) const;
 
-  /// The same by trees of those triangles that may meet others, of two sets that are only read.
+  /// The same among those triangles that may meet others, of two sets that are only read.
   std::vector<SkdTrianglePair> FindNear(
     const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
-  /// The parts that a search goes in, for the loop's count.
-  static constexpr vtkIdType NumberOfParts = 512;
-
 private:
+  static constexpr vtkIdType NumberOfParts = 512; // of a walk
+
   class Search;
   struct Moved;
   struct Leaf;
   struct Trees;
 
   template <class ToFirst>
-  std::vector<SkdTrianglePair> FindSeen(
+  std::vector<SkdTrianglePair> FindByTrees(
     const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// Nothing where sizes differ so much that trees are better.
+  std::optional<std::vector<SkdTrianglePair>> FindByBundles(
+    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
   const SkdPlacement& Placement;
 };

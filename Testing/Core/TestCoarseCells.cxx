@@ -158,5 +158,7 @@ TEST(CoarseCells, WhatIsBeyondTheRegionIsInNoCell)
   EXPECT_TRUE(isIn(-1.0, 7.0));
   EXPECT_FALSE(isIn(-1.0, -0.1));
   EXPECT_FALSE(isIn(1.1, 7.0));
-  EXPECT_FALSE(isIn(std::nan(""), 0.5));
+  EXPECT_FALSE(isIn(std::nan(""), -0.1));
+  EXPECT_FALSE(isIn(std::nan(""), std::nan("")));
+  EXPECT_TRUE(isIn(std::nan(""), 0.5)) << "in doubt it is in";
 }

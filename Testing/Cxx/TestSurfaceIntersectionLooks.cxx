@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces that meet for the first time are looked at otherwise than those with trees: by a raster
-// and trees of what is near. The answers are the same, to the last bit and in their order.
+// and bundles of what is near, or trees of it. The answers are the same, to the last bit and in
+// their order.
 
 #include "Support/SurfaceIntersectionRun.h"
 
@@ -130,6 +131,25 @@ TEST(SurfaceIntersectionLooks, AFirstLookAtSpecialContactsIsAsALaterOne)
   const Mesh sphere = Placed(SphereTriangles(16), 1.0, { 0, 0, 0 });
   ExpectSameAnyhow(sphere, sphere);
   ExpectSameAnyhow(sphere, Placed(SphereTriangles(16), 1.0, { 2, 0, 0 })); // touch at most
+}
+
+//------------------------------------------------------------------------------
+// Many that overlap many are left to trees.
+TEST(SurfaceIntersectionLooks, AFirstLookAtLargeAndSmallTrianglesIsAsALaterOne)
+{
+  const Mesh large = Placed(LatticeTriangles(300, 6, 6), 3.0, { -9, -9, -9 });
+  const Mesh small = Placed(LatticeTriangles(2500, 6, 7), 0.01, { 0, 0, 0 });
+  ExpectSame(large, small, 0.0, { 0, 0, 0 });
+  ExpectSame(small, large, 0.001, { 0, 0, 0 });
+  ExpectSame(large, Placed(LatticeTriangles(9000, 6, 7), 0.1, { 0, 0, 0 }), 0.0, { 0, 0, 0 });
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceIntersectionLooks, AFirstLookAtManyIsAsALaterOne)
+{
+  const Mesh sphere = Placed(SphereTriangles(60), 1.0, { 0, 0, 0 });
+  const Mesh other = Placed(SphereTriangles(71), 1.0, { 0.9, 0.28, 0.15 });
+  ExpectSameAnyhow(sphere, other);
 }
 
 //------------------------------------------------------------------------------

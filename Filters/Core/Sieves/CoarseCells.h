@@ -4,9 +4,13 @@
 #define skd_Sieves_CoarseCells_h
 
 #include "../Geometry/Box.h"
+#include "../Tree/ShortLanes.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace skd
@@ -15,10 +19,15 @@ namespace skd
 /// At most 64 x 64 x 64 cells over a box, and a bit for each: whether anything marked is in it.
 /// Says of boxes that they overlap none of those that were marked, in a few instructions and
 /// without a tree: two boxes that overlap within the region have a cell in common, because what
-/// maps coordinates to cells is monotone, rounding and all.
+/// maps coordinates to cells is monotone, rounding and all. For the same reason the cells of what
+/// encloses some points are found from those of the points.
 class CoarseCells
 {
 public:
+  /// Where a point is along each axis: in a cell from 1 on, 0 below the region, Counts + 1 above.
+  using Place = FourBytes;
+  using Places = std::array<Place, 3>;
+
   /// The cells that a box is in: none when it is beyond the region.
   struct Range
   {
@@ -42,19 +51,50 @@ public:
       const double width = region.Max[axis] - region.Min[axis];
       const double wanted = width / size;
       this->Counts[axis] = wanted < Most ? (wanted > 1.0 ? static_cast<int>(wanted) : 1) : Most;
-      const double factor = this->Counts[axis] / width;
-      this->Factors[axis] = factor < LargestFactor ? factor : 0.0; // else all is one cell
+      this->Factors[axis] = std::min(AlmostOne * this->Counts[axis] / width, LargestFactor);
+      if (!(width <= std::numeric_limits<double>::max())) // all is one cell
+      {
+        this->Region.Min[axis] = 0.0;
+        this->Factors[axis] = 0.0;
+      }
     }
     this->Rows.assign(static_cast<std::size_t>(this->Counts[1] * this->Counts[2]), 0);
   }
 
+  /// A coordinate that is NaN counts as below.
+  Place PlaceOf(const Vector3& x) const
+  {
+    Place place{ { 0, 0, 0, 1 } };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double cell = (x[axis] - this->Region.Min[axis]) * this->Factors[axis] + 1.0;
+      const double last = this->Counts[axis] + 1;
+      place.At[axis] = static_cast<std::uint8_t>(std::min(std::max(0.0, cell), last));
+    }
+    return place;
+  }
+
   Range RangeOf(const Box3& box) const
   {
-    Range range{ {}, {}, !this->IsWithin(box) };
+    const Place low = this->PlaceOf(box.Min);
+    const Place high = this->PlaceOf(box.Max);
+    return this->RangeOf({ low, low, low }, { high, high, high });
+  }
+
+  /// That of the box of a triangle: `lows` are where its corners are, or how far down they reach,
+  /// `highs` how far up.
+  Range RangeOf(const Places& lows, const Places& highs) const
+  {
+    const Place low = Least(Least(lows[0], lows[1]), lows[2]);
+    const Place high = Greatest(Greatest(highs[0], highs[1]), highs[2]);
+    const Place above{ { static_cast<std::uint8_t>(this->Counts[0] + 1),
+      static_cast<std::uint8_t>(this->Counts[1] + 1),
+      static_cast<std::uint8_t>(this->Counts[2] + 1), 0 } };
+    Range range{ {}, {}, HaveEqual(low, above) || HaveEqual(high, Place{ { 0, 0, 0, 0 } }) };
     for (int axis = 0; axis < 3 && !range.IsEmpty; ++axis)
     {
-      range.First[axis] = this->CellOf(box.Min[axis], axis);
-      range.Last[axis] = this->CellOf(box.Max[axis], axis);
+      range.First[axis] = std::max<std::uint8_t>(low.At[axis], 1) - 1;
+      range.Last[axis] = std::min<std::uint8_t>(high.At[axis], above.At[axis] - 1) - 1;
     }
     return range;
   }
@@ -79,25 +119,8 @@ public:
 
 private:
   static constexpr int Most = 64;
+  static constexpr double AlmostOne = 1.0 - 0x1p-49; // the region's end is in the last cell
   static constexpr double LargestFactor = 1e300;
-
-  bool IsWithin(const Box3& box) const
-  {
-    bool isWithin = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      isWithin = isWithin && box.Min[axis] <= this->Region.Max[axis] &&
-        box.Max[axis] >= this->Region.Min[axis];
-    }
-    return isWithin;
-  }
-
-  std::uint8_t CellOf(double x, int axis) const
-  {
-    const double cell = (x - this->Region.Min[axis]) * this->Factors[axis];
-    const double last = this->Counts[axis] - 1;
-    return static_cast<std::uint8_t>(cell < last ? (cell > 0.0 ? cell : 0.0) : last);
-  }
 
   static std::uint64_t Columns(const Range& range)
   {

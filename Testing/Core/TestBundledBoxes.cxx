@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Tree/BundledBoxes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace
+{
+using skd::Box3;
+using BoxList = std::vector<Box3>;
+
+struct Scene
+{
+  int Count;
+  double Size; ///< of the largest box, where all are in a unit cube
+  double Shift = 0.0;
+  double Scale = 1.0;
+  bool IsFlat = false;
+};
+
+BoxList MakeBoxes(const Scene& scene, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  BoxList boxes(static_cast<std::size_t>(scene.Count));
+  for (Box3& box : boxes)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool isThin = scene.IsFlat && axis == 1;
+      const double low = isThin ? 0.5 : unit(random);
+      const double length = isThin ? 0.0 : scene.Size * unit(random);
+      box.Min[axis] = scene.Scale * (scene.Shift + low);
+      box.Max[axis] = scene.Scale * (scene.Shift + low + length);
+    }
+  }
+  return boxes;
+}
+
+/// What overlaps is visited, nothing twice, and nothing that is farther away than `excess`.
+void ExpectRight(const BoxList& boxes, const BoxList& asked, double excess)
+{
+  const skd::BundledBoxes bundled(boxes);
+  for (const Box3& box : asked)
+  {
+    std::vector<int> visits(boxes.size(), 0);
+    bundled.ForEachOverlapping(box, [&](std::uint32_t i) { ++visits.at(i); });
+    const Box3 around = box.Inflated(excess);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      ASSERT_LE(visits[i], around.Overlaps(boxes[i]) ? 1 : 0) << i;
+      ASSERT_GE(visits[i], box.Overlaps(boxes[i]) ? 1 : 0) << i;
+    }
+  }
+}
+
+void ExpectRight(const Scene& scene)
+{
+  const BoxList boxes = MakeBoxes(scene, 3);
+  const double steps = 4.0 / 16000.0; // of the lattice, and its rounding
+  ExpectRight(boxes, MakeBoxes({ 300, 0.3, scene.Shift, scene.Scale, scene.IsFlat }, 5),
+    steps * scene.Scale * (1.0 + scene.Size));
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(BundledBoxes, AllThatOverlapAreVisitedOnce)
+{
+  for (const int count : { 1, 7, 8, 9, 64, 65, 700, 5000 })
+  {
+    ExpectRight({ count, 0.05 });
+    ExpectRight({ count, 0.0 });
+    ExpectRight({ count, 1.0 });
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(BundledBoxes, FlatFarTinyAndHugeOnesAreToo)
+{
+  ExpectRight({ 500, 0.05, 0.0, 1.0, true });
+  ExpectRight({ 500, 0.05, 1e6 });
+  ExpectRight({ 500, 0.05, -1e12 });
+  ExpectRight({ 500, 0.05, 0.0, 1e-300 });
+  ExpectRight({ 500, 0.05, 0.0, 1e300 });
+}
+
+//------------------------------------------------------------------------------
+TEST(BundledBoxes, BoxesThatTouchOverlap)
+{
+  BoxList boxes;
+  for (int i = 0; i < 100; ++i)
+  {
+    boxes.push_back({ { { 0.1 * i, 0.0, 0.0 } }, { { 0.1 * (i + 1), 1.0, 1.0 } } });
+  }
+  ExpectRight(boxes, boxes, 0.005);
+}
+
+//------------------------------------------------------------------------------
+TEST(BundledBoxes, EqualOnesAreAllVisited)
+{
+  const Box3 box({ { 1.0, 2.0, 3.0 } }, { { 1.5, 2.0, 3.0 } });
+  ExpectRight(BoxList(77, box), { box }, 0.0);
+  const Box3 point({ { 1.0, 2.0, 3.0 } }, { { 1.0, 2.0, 3.0 } });
+  ExpectRight(BoxList(77, point), { box, point }, 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(BundledBoxes, WhatIsFarAwayVisitsNone)
+{
+  const skd::BundledBoxes bundled(MakeBoxes({ 300, 0.05 }, 3));
+  for (const double x : { -1e300, -1e30, -3.0, 3.0, 1e30, 1e300 })
+  {
+    const Box3 far({ { x, x, x } }, { { x, x, x } });
+    bundled.ForEachOverlapping(far, [](std::uint32_t) { FAIL(); });
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(BundledBoxes, OfNoneThereIsNone)
+{
+  const skd::BundledBoxes bundled{ BoxList() };
+  bundled.ForEachOverlapping(
+    { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } } }, [](std::uint32_t) { FAIL(); });
+}
