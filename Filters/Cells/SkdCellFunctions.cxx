@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellFunctions.h"
 
+#include "vtkBezierCurve.h"
+#include "vtkBezierHexahedron.h"
 #include "vtkBezierInterpolation.h"
+#include "vtkBezierQuadrilateral.h"
+#include "vtkBezierTetra.h"
 #include "vtkBezierTriangle.h"
 #include "vtkBezierWedge.h"
 #include "vtkCellType.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkLagrangeInterpolation.h"
 #include "vtkLagrangeTriangle.h"
 #include "vtkLagrangeWedge.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <vector>
 
@@ -74,12 +80,38 @@ vtkCell* RealCell(vtkCell* cell)
   return generic ? generic->GetRepresentativeCell() : cell;
 }
 
+bool IsBezier(int cellType)
+{
+  return cellType >= VTK_BEZIER_CURVE && cellType <= VTK_BEZIER_PYRAMID;
+}
+
+vtkDoubleArray* RationalWeightsOf(vtkCell* cell)
+{
+  switch (cell->GetCellType())
+  {
+    case VTK_BEZIER_CURVE:
+      return static_cast<vtkBezierCurve*>(cell)->GetRationalWeights();
+    case VTK_BEZIER_QUADRILATERAL:
+      return static_cast<vtkBezierQuadrilateral*>(cell)->GetRationalWeights();
+    case VTK_BEZIER_TRIANGLE:
+      return static_cast<vtkBezierTriangle*>(cell)->GetRationalWeights();
+    case VTK_BEZIER_TETRAHEDRON:
+      return static_cast<vtkBezierTetra*>(cell)->GetRationalWeights();
+    case VTK_BEZIER_HEXAHEDRON:
+      return static_cast<vtkBezierHexahedron*>(cell)->GetRationalWeights();
+    case VTK_BEZIER_WEDGE:
+      return static_cast<vtkBezierWedge*>(cell)->GetRationalWeights();
+    default:
+      return nullptr;
+  }
+}
+
 /// VTK stores those of Lagrange quadrilaterals and hexahedra point by point; of Bezier cells it
 /// forgets the rational weights, and writes past its buffers in triangles, tetrahedra and wedges.
 bool HasDerivatives(int cellType)
 {
   return cellType != VTK_LAGRANGE_QUADRILATERAL && cellType != VTK_LAGRANGE_HEXAHEDRON &&
-    !(cellType >= VTK_BEZIER_CURVE && cellType <= VTK_BEZIER_PYRAMID);
+    !IsBezier(cellType);
 }
 
 void DeriveByDifferences(vtkCell* cell, const double pcoords[3], double* derivatives)
@@ -139,6 +171,21 @@ void SkdCellFunctions::Derive(vtkCell* cell, const double pcoords[3], double* de
   else
   {
     DeriveByDifferences(cell, pcoords, derivatives);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCellFunctions::ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cell)
+{
+  if (!IsBezier(cell->GetCellType()))
+  {
+    return;
+  }
+  vtkDataArray* stored = data->GetPointData()->GetRationalWeights();
+  vtkDoubleArray* weights = stored ? RationalWeightsOf(cell->GetRepresentativeCell()) : nullptr;
+  for (vtkIdType i = 0; weights && i < weights->GetNumberOfValues(); ++i)
+  {
+    weights->SetValue(i, stored->GetComponent(cell->GetPointId(static_cast<int>(i)), 0));
   }
 }
 

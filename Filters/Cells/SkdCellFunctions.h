@@ -4,6 +4,8 @@
 #define SkdCellFunctions_h
 
 class vtkCell;
+class vtkDataSet;
+class vtkGenericCell;
 
 /// A cell's interpolation functions and their derivatives, safe to ask of cells of many threads at
 /// once. VTK's own are not: all Lagrange wedges, and all Bezier wedges, resize and ask one static
@@ -18,6 +20,11 @@ void Interpolate(vtkCell* cell, const double pcoords[3], double* weights);
 /// As many for each axis as the cell has points, axis by axis. By differences where VTK's are
 /// wrong.
 void Derive(vtkCell* cell, const double pcoords[3], double* derivatives);
+
+/// To be called after GetCell, which reads the rational weights of Bezier cells through one tuple
+/// that all threads share, and so may take those of another thread's point. Reads them again,
+/// safely.
+void ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cell);
 
 /// Whether VTK evaluates cells of this type in memory that all of them share.
 bool ShareMemory(int cellType);

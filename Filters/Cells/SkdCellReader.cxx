@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellReader.h"
 
+#include "Cells/SkdCellFunctions.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
@@ -138,6 +140,7 @@ void SkdLoadCell(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell)
   if (!mesh || !mesh->NeedToBuildCells())
   {
     data->GetCell(cellId, cell);
+    SkdCellFunctions::ReadRationalWeights(data, cell);
     return;
   }
   const SkdCellReader reader(mesh);

@@ -89,6 +89,7 @@ SkdCellPoint ClosestCellPoint(vtkCell* cell, const skd::Vector3& x)
 vtkCell* SkdCellSource::Load(vtkIdType id) const
 {
   this->Data->GetCell(id, this->Scratch);
+  SkdCellFunctions::ReadRationalWeights(this->Data, this->Scratch);
   return this->Scratch->GetRepresentativeCell();
 }
 

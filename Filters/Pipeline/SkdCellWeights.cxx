@@ -19,6 +19,7 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
 {
   const Vector x{ { at[0], at[1], at[2] } };
   mesh->GetCell(cellId, this->Cell);
+  SkdCellFunctions::ReadRationalWeights(mesh, this->Cell);
   this->Corners.resize(this->Cell->GetNumberOfPoints());
   for (std::size_t i = 0; i < this->Corners.size(); ++i)
   {

@@ -73,6 +73,7 @@ bool IsPyramid(int type)
 void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdPlace& place)
 {
   mesh->GetCell(place.CellId, this->Cell);
+  SkdCellFunctions::ReadRationalWeights(mesh, this->Cell);
   const auto size = static_cast<std::size_t>(this->Cell->GetNumberOfPoints());
   this->Points.resize(size);
   for (std::size_t i = 0; i < size; ++i)
