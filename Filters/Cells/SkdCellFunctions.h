@@ -21,7 +21,7 @@ void Interpolate(vtkCell* cell, const double pcoords[3], double* weights);
 /// wrong.
 void Derive(vtkCell* cell, const double pcoords[3], double* derivatives);
 
-/// To be called after GetCell, which reads the rational weights of Bezier cells through one tuple
+/// For SkdLoadCell, after GetCell, which reads the rational weights of Bezier cells through one tuple
 /// that all threads share, and so may take those of another thread's point. Reads them again,
 /// safely.
 void ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cell);

@@ -3,6 +3,7 @@
 #include "Cells/SkdGenericKernel.h"
 
 #include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdCellReader.h"
 #include "Cells/SkdParametricCell.h"
 #include "Cells/SkdPiecewiseKernel.h"
 
@@ -88,8 +89,7 @@ SkdCellPoint ClosestCellPoint(vtkCell* cell, const skd::Vector3& x)
 //------------------------------------------------------------------------------
 vtkCell* SkdCellSource::Load(vtkIdType id) const
 {
-  this->Data->GetCell(id, this->Scratch);
-  SkdCellFunctions::ReadRationalWeights(this->Data, this->Scratch);
+  SkdLoadCell(this->Data, id, this->Scratch);
   return this->Scratch->GetRepresentativeCell();
 }
 

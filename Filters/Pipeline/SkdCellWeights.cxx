@@ -3,6 +3,7 @@
 #include "Pipeline/SkdCellWeights.h"
 
 #include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdCellReader.h"
 #include "Cells/SkdGenericKernel.h"
 
 #include "vtkCellType.h"
@@ -18,8 +19,7 @@
 void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double at[3])
 {
   const Vector x{ { at[0], at[1], at[2] } };
-  mesh->GetCell(cellId, this->Cell);
-  SkdCellFunctions::ReadRationalWeights(mesh, this->Cell);
+  SkdLoadCell(mesh, cellId, this->Cell);
   this->Corners.resize(this->Cell->GetNumberOfPoints());
   for (std::size_t i = 0; i < this->Corners.size(); ++i)
   {

@@ -3,6 +3,7 @@
 #include "Pipeline/SkdGradient.h"
 
 #include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdCellReader.h"
 
 #include "vtkCellType.h"
 #include "vtkMath.h"
@@ -72,8 +73,7 @@ bool IsPyramid(int type)
 
 void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdPlace& place)
 {
-  mesh->GetCell(place.CellId, this->Cell);
-  SkdCellFunctions::ReadRationalWeights(mesh, this->Cell);
+  SkdLoadCell(mesh, place.CellId, this->Cell);
   const auto size = static_cast<std::size_t>(this->Cell->GetNumberOfPoints());
   this->Points.resize(size);
   for (std::size_t i = 0; i < size; ++i)

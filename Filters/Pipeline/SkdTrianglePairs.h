@@ -3,7 +3,7 @@
 /**
  * @file SkdTrianglePairs.h
  * @brief Which triangles of two sets, or of one, touch or come near: both trees walked together
- * (Algorithm 5.4), decided by exact signs.
+ * (Algorithm 5.4), or bundles of boxes searched, decided by exact signs.
  */
 
 #ifndef SkdTrianglePairs_h

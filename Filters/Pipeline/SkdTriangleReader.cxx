@@ -214,7 +214,10 @@ void SkdTriangleReader::AddPolygon(
   }
   else if (this->Polygon.size() > 3)
   {
-    this->Cut = this->Cut ? std::move(this->Cut) : std::make_unique<Cutter>();
+    if (!this->Cut)
+    {
+      this->Cut = std::make_unique<Cutter>();
+    }
     vtkIdList* cut = this->Cut->Cut(this->Polygon, this->To.Points);
     for (vtkIdType i = 0; i < cut->GetNumberOfIds(); i += 3)
     {

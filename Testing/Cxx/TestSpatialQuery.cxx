@@ -213,14 +213,6 @@ TEST_P(SpatialQueryOnMesh, AnswersAreTheSameAtAnyNumberOfThreads)
 }
 
 //------------------------------------------------------------------------------
-DataSetPointer MakeBricks(double x = 0.0)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(4, 4, 4);
-  image->SetOrigin(x, 0, 0);
-  return WithData(image);
-}
-
 TEST(SpatialQuery, ArraysTellHowManyQueriesACellAnswersAndHowFarItIs)
 {
   QueryPointer query = MakeQuery(MakeBricks(), SpatialQuery::NEAREST);
@@ -297,39 +289,6 @@ TEST(SpatialQuery, GhostCellsAreNoAnswers)
   SetBox(query, { 1.25, 1.75, 1.25, 1.75, 1.25, 1.75 });
   EXPECT_TRUE(CellsFound(query).empty());
   EXPECT_EQ(Reported(query, "CellsLeftOut"), 1);
-}
-
-TEST(SpatialQuery, TreesAreKeptWhileMeshesAreTheSame)
-{
-  DataSetPointer input = MakeBricks();
-  QueryPointer query = MakeQuery(input);
-  query->SetShape(SpatialQuery::SOURCE_CELLS);
-  query->SetSourceData(MakeBricks(0.5));
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 2);
-  query->SetRelation(SpatialQuery::NEAREST);
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
-  query->SetInputDataObject(0, MakeBricks(1.0));
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
-}
-
-TEST(SpatialQuery, AMeshThatIsAskedAboutOneShapeGetsItsTreeWhenItIsAskedAgain)
-{
-  QueryPointer query = MakeQuery(MakeBricks());
-  SetBox(query, { 0.5, 1.5, 0.5, 1.5, 0.5, 1.5 });
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
-  query->SetRelation(SpatialQuery::CONTAINMENT);
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
-  query->SetRelation(SpatialQuery::NEAREST);
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
-  query->SetInputDataObject(0, MakeBricks(1.0));
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
 }
 
 TEST_P(SpatialQueryOnMesh, AnswersAreTheSameWithoutATreeAndWithOne)

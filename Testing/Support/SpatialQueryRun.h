@@ -9,6 +9,7 @@
 
 #include "Support/FilterRun.h"
 
+#include "vtkImageData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSkdTreeSpatialQuery.h"
@@ -25,6 +26,15 @@ using SpatialQuery = vtkSkdTreeSpatialQuery;
 constexpr const char* RelationNames[] = { "ExactMatch", "Overlap", "Enclosure", "Containment",
   "Adjacency", "Nearest" };
 constexpr const char* ShapeNames[] = { "Box", "Sphere", "Plane", "Line", "Points", "Cells" };
+
+/// A grid of three cubes each way, with data.
+inline DataSetPointer MakeBricks(double x = 0.0)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(4, 4, 4);
+  image->SetOrigin(x, 0, 0);
+  return WithData(image);
+}
 
 inline QueryPointer MakeQuery(vtkDataObject* input, int relation = SpatialQuery::OVERLAP)
 {

@@ -18,7 +18,7 @@ namespace skd
 
 /// Boxes for a few questions: rounded to a lattice of 2^15 steps over all of them, eight side by
 /// side that follow each other along Morton's curve, eight of these, and so on. Made in O(n log n),
-/// in about a tenth of the time of a tree; good where boxes are small, but not as small as the
+/// in less than half of the time of a tree; good where boxes are small, but not as small as the
 /// lattice's steps.
 class BundledBoxes
 {
