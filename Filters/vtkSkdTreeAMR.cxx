@@ -68,6 +68,15 @@ bool IsAnyCut(const SkdGrid& grid)
   return std::count(cut.begin(), cut.end(), 1) > 0;
 }
 
+/// Nothing, if there are parts' cells.
+std::string WhyThereAreNoParts(const SkdParts& parts)
+{
+  const SkdTreeCounts counts = parts.GetCounts();
+  return counts.Cells > 0 || counts.CellsLeftOut == 0
+    ? ""
+    : " (All cells of Input are left out: " + SkdWhyCellsAreLeftOut(SkdComparable) + ")";
+}
+
 void WarnAbout(
   vtkSkdTreeAMR* self, const SkdGrid& grid, const SkdParts& parts, const SkdGridEstimate& estimate)
 {
@@ -77,13 +86,21 @@ void WarnAbout(
   }
   else if (!IsAnyCut(grid))
   {
-    vtkWarningWithObjectMacro(self, "The base mesh misses the parts: they meet none of its cells.");
+    vtkWarningWithObjectMacro(self,
+      "The base mesh misses the parts: they meet none of its cells." << WhyThereAreNoParts(parts));
   }
   if (self->GetConforming() &&
     (grid.Lattice.Dimension() == 3 || self->GetOutputType() != vtkSkdTreeAMR::UNSTRUCTURED_GRID))
   {
     vtkWarningWithObjectMacro(
       self, "Conforming is for unstructured grids of two dimensions: points hang here.");
+  }
+  if (grid.ResolvedLevel >= 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "Cells of level " << grid.ResolvedLevel
+                        << " are about as small as the resolution of their coordinates, and are "
+                           "not refined: there is no room for points between theirs.");
   }
   if (grid.IsStopped)
   {
@@ -111,7 +128,8 @@ std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, co
   const SkdBaseLattice base = MakeLattice(self, baseMesh, parts);
   if (!base.Lattice)
   {
-    vtkErrorWithObjectMacro(self, "There is no base mesh: " << base.Complaint << ".");
+    vtkErrorWithObjectMacro(
+      self, "There is no base mesh: " << base.Complaint << "." << WhyThereAreNoParts(parts));
     return std::nullopt;
   }
   if (!(base.Lattice->NumberOfBaseCells() <= self->GetCellLimit()))
@@ -119,6 +137,13 @@ std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, co
     vtkErrorWithObjectMacro(self,
       "There is no base mesh: it would have " << base.Lattice->NumberOfBaseCells()
                                               << " cells, more than CellLimit.");
+    return std::nullopt;
+  }
+  if (self->GetOutputType() == vtkSkdTreeAMR::HYPER_TREE_GRID && base.Lattice->Dimension() == 0)
+  {
+    vtkErrorWithObjectMacro(self,
+      "There is no base mesh: its bounds are a single point, in which a hyper tree grid has no "
+      "cell. Give BaseBounds an extent, or choose another OutputType.");
     return std::nullopt;
   }
   if (self->GetOutputType() == vtkSkdTreeAMR::OVERLAPPING_AMR && !SkdIsUniform(*base.Lattice))

@@ -66,8 +66,11 @@
  *
  * Bad input, each with one warning or error that says so: an Input without cells gives the base
  * grid unrefined if that is given, else nothing. A base grid that the parts miss stays as it is. A
- * base grid that cannot be made (bounds that are not finite, an image that is turned) gives an
- * empty output. Parts' cells that are not finite are left out and counted.
+ * base grid that cannot be made (of bounds whose lengths are not finite, an image that is turned,
+ * or for a hyper tree grid a single point) gives an empty output. Cells about as small as the
+ * resolution of their coordinates, far from the origin, are not refined. Parts' cells with points
+ * that are not finite, or beyond 1e152, are left out and counted; so are all within 1e-152 of the
+ * origin.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkHyperTreeGrid
@@ -78,7 +81,8 @@
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
 #include "vtkSkdTreeRefineAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -117,7 +121,7 @@ public:
    * The margin on each side of the parts, relative to the longest side of their bounds. Sides
    * without length get none: parts in a plane have a grid in that plane. Default 0.1.
    */
-  vtkSetClampMacro(BoundsMargin, double, 0.0, 1e6);
+  vtkSkdTreeSetWithinMacro(BoundsMargin, double, 0.0, 1e6);
   vtkGetMacro(BoundsMargin, double);
   ///@}
 
@@ -126,7 +130,7 @@ public:
    * The bounds of the base grid (xmin, xmax, ymin, ymax, zmin, zmax) where they are not automatic.
    * Default: the unit cube.
    */
-  vtkSetVector6Macro(BaseBounds, double);
+  vtkSkdTreeSetFinite6Macro(BaseBounds);
   vtkGetVector6Macro(BaseBounds, double);
   ///@}
 
@@ -145,7 +149,7 @@ public:
    * The side of base cells, which are cubes then; the bounds grow to whole cells. 0, the default:
    * BaseDimensions say how many cells there are.
    */
-  vtkSetClampMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BaseCellSize, double);
   ///@}
 

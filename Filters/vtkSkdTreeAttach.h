@@ -28,7 +28,8 @@
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
 #include "vtkPassInputTypeAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
@@ -45,7 +46,7 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

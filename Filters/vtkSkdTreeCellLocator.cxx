@@ -128,7 +128,7 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   if (notFinite > 0)
   {
     vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
-                    << " cells have points that are NaN, infinite or missing: they are left out.");
+                    << " cells are left out: " << SkdWhyCellsAreLeftOut());
   }
   this->CacheBounds();
   this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;

@@ -40,22 +40,24 @@
  * allocates nothing (lists handed in grow as VTK's lists do), but where LazyBuild must build.
  *
  * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 36 bytes a
- * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles in
- * a vtkPointSet, which are shared, of the points (24 bytes each): 48 bytes a cell of triangles, 52 of
- * tetrahedra, and up to twice that while it is built. What spares exact tests comes on top, unless
- * LazyBuild: 24 bytes a triangle, 32 a tetrahedron, 48 a hexahedron. If all cells are triangles, a
- * copy of their corners is kept for lines: 15 bytes a triangle where points are in single precision,
- * else 30. GetMemorySize() and GetBytesPerCell() count it all.
+ * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles
+ * in a vtkPointSet, which are shared, of the points (24 bytes each): 48 bytes a cell of triangles,
+ * 52 of tetrahedra, and up to twice that while it is built. What spares exact tests comes on top,
+ * unless LazyBuild: 24 bytes a triangle, 32 a tetrahedron, 48 a hexahedron. If all cells are
+ * triangles, a copy of their corners is kept for lines: 15 bytes a triangle where points are in
+ * single precision, else 30. GetMemorySize() and GetBytesPerCell() count it all.
  *
  * Inherited settings: it utilizes NumberOfCellsPerNode (clamped to 1..8, default 8),
  * CacheCellBounds (default off: bounds are taken from the points when asked) and
  * UseExistingSearchStructure. It does not utilize Automatic, MaxLevel, RetainCellLists and
  * Tolerance (each query has a tolerance of its own; Epsilon sizes the safety boxes).
  *
- * Bad input: no data set or no cells: every query finds nothing, with no error. Cells with NaN or
- * infinite points are left out of the tree, with one warning that counts them. Empty cells and
- * cells of unknown type are left out. NaN or infinite query points find nothing; a NaN or negative
- * radius finds nothing; a negative tolerance counts as zero.
+ * Bad input: no data set or no cells: every query finds nothing, with no error. Cells with points
+ * that are missing, NaN, infinite or beyond 1e50 are left out of the tree, as are all cells of a
+ * mesh whose largest coordinate, without its sign, is not 0 but less than 1e-50: products of these
+ * are no numbers. One warning counts them. Empty cells and cells of unknown type are left out. NaN
+ * or infinite query points find nothing; a NaN or negative radius finds nothing; a negative
+ * tolerance counts as zero.
  *
  * @sa
  * vtkAbstractCellLocator vtkStaticCellLocator vtkSkdTreeClosestPoint
@@ -66,6 +68,7 @@
 
 #include "vtkAbstractCellLocator.h"
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
@@ -93,7 +96,7 @@ public:
    * of the data set's bounding box. The width in use is never below 8 units in the last place of
    * the largest coordinate. It widens the search only, never an answer. Range [0, 1], default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 
@@ -125,14 +128,14 @@ public:
 
   ///@{
   /**
-   * Where the cells of a node are divided. At the median: half of them on either side of the longest
-   * axis (Algorithm 3.1). By surface area: where the boxes of both sides, times the number of cells
-   * in them, are least; the build takes about half as long again, and on cells that overlap and
-   * differ much in size FindCell takes 0.7 to 0.8 of the time. Automatically: by surface area where
-   * that pays: where a place is in the boxes of 0.25 cells or more, on the average, and the mean of
-   * the squared areas of the boxes is at least 1.2 times the square of the mean (tetrahedra of
-   * Delaunay's, graded meshes); else at the median. Answers are the same. With LazyBuild it is the
-   * median always. Default SPLIT_AUTOMATICALLY.
+   * Where the cells of a node are divided. At the median: half of them on either side of the
+   * longest axis (Algorithm 3.1). By surface area: where the boxes of both sides, times the number
+   * of cells in them, are least; the build takes about half as long again, and on cells that
+   * overlap and differ much in size FindCell takes 0.7 to 0.8 of the time. Automatically: by
+   * surface area where that pays: where a place is in the boxes of 0.25 cells or more, on the
+   * average, and the mean of the squared areas of the boxes is at least 1.2 times the square of the
+   * mean (tetrahedra of Delaunay's, graded meshes); else at the median. Answers are the same. With
+   * LazyBuild it is the median always. Default SPLIT_AUTOMATICALLY.
    */
   vtkSetClampMacro(SplitRule, int, SPLIT_AUTOMATICALLY, SPLIT_BY_SURFACE_AREA);
   vtkGetMacro(SplitRule, int);
@@ -362,9 +365,9 @@ public:
   /**
    * Batches: many queries in one call, asked in parallel by vtkSMPTools, answered into flat arrays.
    * Query i is tuple i of the first argument, an array of any numbers with 3 components (points) or
-   * 6 (lines: x, y, z of both ends; boxes: xmin, xmax, ymin, ymax, zmin, zmax), and its answer is in
-   * slot i of the outputs. Answers are those of the query of the same arguments for one, ties and
-   * roundings too, whatever the number of threads. Outputs are sized and named here; any may be
+   * 6 (lines: x, y, z of both ends; boxes: xmin, xmax, ymin, ymax, zmin, zmax), and its answer is
+   * in slot i of the outputs. Answers are those of the query of the same arguments for one, ties
+   * and roundings too, whatever the number of threads. Outputs are sized and named here; any may be
    * nullptr. Queries that are not finite, and those that find nothing, have the id -1 and NaN as
    * numbers, or an empty list. Inside they are asked along a space-filling curve, so their order in
    * the array does not matter. 8 bytes a query on top of the outputs, and the lists once more.
@@ -377,8 +380,8 @@ public:
    * - FindAllHits: all hits of each line, each cell once, by (t, cell id).
    * - FindCellsWithinBoxes: the cells whose bounds overlap each box, in the order of the tree.
    * - FindPairs: for each cell of this locator's data set the cells of the other's whose bounds
-   *   overlap its own, by id; both as moved by the locators' transforms. Of the locator itself: (i, i)
-   *   too.
+   *   overlap its own, by id; both as moved by the locators' transforms. Of the locator itself:
+   *   (i, i) too.
    *
    * Lists come as vtkCellArray has them: `offsets` has a tuple more than there are queries, and the
    * values of query i are those from offsets[i] to offsets[i + 1] of the others.
@@ -389,8 +392,8 @@ public:
    */
   vtkIdType FindClosestPoints(vtkDataArray* points, vtkIdTypeArray* cellIds,
     vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius = VTK_DOUBLE_MAX);
-  vtkIdType FindCells(vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords,
-    double tol2 = 0.0);
+  vtkIdType FindCells(
+    vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords, double tol2 = 0.0);
   vtkIdType IntersectWithLines(vtkDataArray* lines, vtkIdTypeArray* cellIds,
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
   vtkIdType FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,

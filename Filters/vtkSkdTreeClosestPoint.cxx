@@ -148,11 +148,6 @@ vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
 
 vtkSkdTreeClosestPoint::~vtkSkdTreeClosestPoint() = default;
 
-void vtkSkdTreeClosestPoint::SetMaximumDistance(double distance)
-{
-  this->SetWithin("MaximumDistance", distance, 0.0, VTK_DOUBLE_MAX, this->MaximumDistance);
-}
-
 int vtkSkdTreeClosestPoint::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -35,8 +35,7 @@
  *
  * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and "none"
  * everywhere. An unset Source is an error of the pipeline. See SetSignedDistance for a Source that
- * is not closed. An Input without points gives an output without points. A MaximumDistance that is
- * negative or NaN gives a warning and counts as 0.
+ * is not closed. An Input without points gives an output without points.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -46,6 +45,7 @@
 #define vtkSkdTreeClosestPoint_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -64,7 +64,7 @@ public:
   /**
    * Distance beyond which a point gets no answer. Default VTK_DOUBLE_MAX: no limit.
    */
-  void SetMaximumDistance(double distance);
+  vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
@@ -116,7 +116,7 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

@@ -79,9 +79,8 @@ int vtkSkdTreeCurveIntersection::RequestData(
   }
   const double buildSeconds = watch.Lap();
 
-  const double clearance = this->Clearance > 0.0 ? this->Clearance : 0.0; // also of NaN
   const SkdCurveHitFinder finder(
-    first, second, { clearance, this->IgnoreJoints, this->CandidateRegions });
+    first, second, { this->Clearance, this->IgnoreJoints, this->CandidateRegions });
   SkdLoop loop(this, static_cast<vtkIdType>(first.GetSpans().size()), 0.2, 0.9);
   const SkdCurveHitTable table{ { first, leaves, IsComposite(input) },
     { second, otherLeaves, IsComposite(source ? source : input) }, finder.Find(loop) };

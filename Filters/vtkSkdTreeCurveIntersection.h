@@ -23,10 +23,10 @@
  *   place of the largest coordinate. See SetClearance for curves that only come near.
  * - Each place of two curves is one point, also at the joints of a polyline.
  * - All roots are found by bisection that excludes with certainty, simple ones to within rounding.
- * A root of higher multiplicity is one point where the curves touch.
- * - Of curves that nearly run along each other, apart by less than about 1e-10 of their length, what
- *   20000 halvings of two pieces have not decided is looked at in up to 256 places along it: there,
- *   two crossings between two of these may be missed.
+ *   A root of higher multiplicity is one point where the curves touch.
+ * - Of curves that nearly run along each other, apart by less than about 1e-10 of their length,
+ *   what 20000 halvings of two pieces have not decided is looked at in up to 256 places along it:
+ *   there, two crossings between two of these may be missed.
  * - Where two curves run along each other for a stretch, both ends of the stretch are told.
  * - Of a curve against itself, parts that follow each other are left out.
  *
@@ -71,8 +71,7 @@
  * Bad input: cells that are no curves, curves without length or with one beyond 1e-140 to 1e140,
  * coordinates that are not finite, Bezier weights that are not positive and degrees above 10 are
  * left out, with one warning of each that counts them; the rest is answered. A ChordTolerance of 0
- * or NaN gives a warning, and the default is used; a Clearance or Epsilon of NaN counts as 0.
- * Without curves there is a warning and no point.
+ * gives a warning, and the default is used. Without curves there is a warning and no point.
  *
  * Cost: O(n log m) for n and m parts of curves, and some microseconds a candidate.
  *
@@ -84,6 +83,7 @@
 #define vtkSkdTreeCurveIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -126,13 +126,13 @@ public:
   /**
    * How a Kochanek spline bends at its points, each from -1 to 1, 0 by default: how tightly (1:
    * straight between points), towards the line before (1) or after (-1) the point, and with what
-   * corner (the farther from 0). What is not a number counts as 0.
+   * corner (the farther from 0).
    */
-  vtkSetClampMacro(Tension, double, -1.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Tension, double, -1.0, 1.0);
   vtkGetMacro(Tension, double);
-  vtkSetClampMacro(Bias, double, -1.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Bias, double, -1.0, 1.0);
   vtkGetMacro(Bias, double);
-  vtkSetClampMacro(Continuity, double, -1.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Continuity, double, -1.0, 1.0);
   vtkGetMacro(Continuity, double);
   ///@}
 
@@ -142,7 +142,7 @@ public:
    * approach is told as a point of kind 3: one of each pair of curves, however often they come
    * near. See CandidateRegions for all places that are. Default 0: none.
    */
-  vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
   ///@}
 
@@ -182,7 +182,7 @@ public:
    * The paper's delta, relative to the diagonal of the curves' bounds: how far a part of a curve
    * may be from its chord. It changes what the search costs, never where curves meet. Default 1e-3.
    */
-  vtkSetClampMacro(ChordTolerance, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);
   ///@}
 
@@ -191,7 +191,7 @@ public:
    * The half width that safety boxes are inflated by, twice, relative to the diagonal of the
    * curves' bounds. It widens the search only. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

@@ -64,8 +64,8 @@
  * Bad input: cells that are no curves in Input or no surfaces in Source, curves without length or
  * with one beyond 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not
  * positive and degrees above 10 are left out, with one warning of each that counts them; the rest
- * is answered. A ChordTolerance of 0 or NaN gives a warning, and the default is used; an Epsilon of
- * NaN counts as 0. Without curves or surfaces there is a warning and no point.
+ * is answered. A ChordTolerance of 0 gives a warning, and the default is used. Without curves or
+ * surfaces there is a warning and no point.
  *
  * Cost: O(n log m) for n parts of curves and m surface cells, and some microseconds a candidate.
  *
@@ -77,6 +77,7 @@
 #define vtkSkdTreeCurveSurfaceIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -141,13 +142,13 @@ public:
   /**
    * How a Kochanek spline bends at its points, each from -1 to 1, 0 by default: how tightly (1:
    * straight between points), towards the line before (1) or after (-1) the point, and with what
-   * corner (the farther from 0). What is not a number counts as 0.
+   * corner (the farther from 0).
    */
-  vtkSetClampMacro(Tension, double, -1.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Tension, double, -1.0, 1.0);
   vtkGetMacro(Tension, double);
-  vtkSetClampMacro(Bias, double, -1.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Bias, double, -1.0, 1.0);
   vtkGetMacro(Bias, double);
-  vtkSetClampMacro(Continuity, double, -1.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Continuity, double, -1.0, 1.0);
   vtkGetMacro(Continuity, double);
   ///@}
 
@@ -229,7 +230,7 @@ public:
    * may be from its chord when it asks the tree. It changes what the search costs, never an answer.
    * Default 1e-3.
    */
-  vtkSetClampMacro(ChordTolerance, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);
   ///@}
 
@@ -238,7 +239,7 @@ public:
    * The half width that safety boxes are inflated by, twice, relative to the diagonal of the
    * surfaces' bounds. It widens the search only. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

@@ -117,8 +117,7 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdMeshOutco
   {
     vtkWarningWithObjectMacro(self,
       "The parts meet no cell that can be refined: nothing is. (To refine cells that parts come "
-      "near "
-      "to, add distance bands.)");
+      "near to, add distance bands.)");
   }
   if (outcome.IsStopped)
   {
@@ -127,6 +126,13 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdMeshOutco
                           << ": the mesh has " << tally.Cells << " cells, refining on would make "
                           << "more than CellLimit (" << self->GetCellLimit() << "), about "
                           << outcome.CellsEstimated << " in the end.");
+  }
+  if (tally.CellsTooSmall > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "" << tally.CellsTooSmall
+         << " cells are about as small as the resolution of their coordinates, and are not refined: "
+            "there is no room for points between theirs.");
   }
   if (tally.CellsOddlyShaped > 0)
   {

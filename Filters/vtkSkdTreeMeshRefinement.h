@@ -71,8 +71,9 @@
  * Bad input, each with one warning or error that says so: Parts without cells or that miss the
  * mesh, if nothing else asks, pass the mesh on as it is; so does an Input without cells. Cells of
  * other types, of points that are not finite, that use a point twice, or (wedges, hexahedra) whose
- * middle does not see all faces are kept whole and counted; points may hang on them. Parts' cells
- * that are not finite are left out and counted, values that are not finite do not count.
+ * middle does not see all faces are kept whole and counted; points may hang on them. So are cells
+ * about as small as the resolution of their coordinates, far from the origin. Parts' cells that are
+ * not finite are left out and counted, values that are not finite do not count.
  *
  * @sa
  * vtkSkdTreeAMR vtkSkdTreeClosestPoint
@@ -83,7 +84,8 @@
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
 #include "vtkSkdTreeRefineAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -155,7 +157,7 @@ public:
   /**
    * See PointPlacement. Default (0, 0, 0).
    */
-  vtkSetVector3Macro(SphereCenter, double);
+  vtkSkdTreeSetFinite3Macro(SphereCenter);
   vtkGetVector3Macro(SphereCenter, double);
   ///@}
 

@@ -184,16 +184,6 @@ vtkSkdTreePointInOut::vtkSkdTreePointInOut()
 
 vtkSkdTreePointInOut::~vtkSkdTreePointInOut() = default;
 
-void vtkSkdTreePointInOut::SetNumberOfRays(int rays)
-{
-  this->SetWithin("NumberOfRays", rays, 1, 1000, this->NumberOfRays);
-}
-
-void vtkSkdTreePointInOut::SetBoundaryBand(double band)
-{
-  this->SetWithin("BoundaryBand", band, 0.0, VTK_DOUBLE_MAX, this->BoundaryBand);
-}
-
 void vtkSkdTreePointInOut::SetPartArray(const char* name)
 {
   const std::string wanted = name ? name : "";

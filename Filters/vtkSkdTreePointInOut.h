@@ -45,8 +45,7 @@
  * nothing is inside. A PartArray that some block does not have, and volume cells with
  * UseOuterFaces off, give an error and an empty output. Open edges (that an odd number of a part's
  * faces use) give one warning that counts them: answers near them may be wrong, and the confidence
- * tells. A NumberOfRays below 1 counts as 1, a BoundaryBand that is negative or NaN as 0: a warning
- * says so.
+ * tells.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSelectEnclosedPoints
@@ -56,6 +55,7 @@
 #define vtkSkdTreePointInOut_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -150,7 +150,7 @@ public:
   /**
    * Of RANDOM_RAYS, of surfaces with gaps. Range 1 to 1000, default 10.
    */
-  void SetNumberOfRays(int rays);
+  vtkSkdTreeSetWithinMacro(NumberOfRays, int, 1, 1000);
   vtkGetMacro(NumberOfRays, int);
   ///@}
 
@@ -186,7 +186,7 @@ public:
    * Points at this distance from a part's surface or nearer are marked as on the boundary. World
    * units, default 0: none is.
    */
-  void SetBoundaryBand(double band);
+  vtkSkdTreeSetWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BoundaryBand, double);
   ///@}
 
@@ -230,7 +230,7 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

@@ -55,12 +55,6 @@ public:
 
 namespace
 {
-/// 0 of NaN, too.
-double PositivePart(double value)
-{
-  return value > 0.0 ? value : 0.0;
-}
-
 void DropData(const std::vector<SkdLeaf>& outputs)
 {
   for (const SkdLeaf& output : outputs)
@@ -147,11 +141,6 @@ vtkSkdTreeProbe::vtkSkdTreeProbe()
 
 vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
 
-void vtkSkdTreeProbe::SetMaximumDistance(double distance)
-{
-  this->SetWithin("MaximumDistance", distance, 0.0, VTK_DOUBLE_MAX, this->MaximumDistance);
-}
-
 void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 {
   if (name && this->Impl->Names.Categorical.insert(name).second)
@@ -194,7 +183,7 @@ int vtkSkdTreeProbe::RequestData(
 
   Internals& internals = *this->Impl;
   const double radii[3] = { -1.0, VTK_DOUBLE_MAX, this->MaximumDistance };
-  internals.Rules = { PositivePart(this->RelativeTolerance), PositivePart(this->AbsoluteTolerance),
+  internals.Rules = { this->RelativeTolerance, this->AbsoluteTolerance,
     radii[this->OutsidePoints] };
   SkdStopwatch watch;
   const int built = internals.Update(source, this->Epsilon);

@@ -49,10 +49,9 @@
  *
  * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and no
  * answers. A point that is not finite gets none. An array named for gradients or as categorical
- * that the Source does not have gives a warning, as an array whose name is in use does. A negative
- * or NaN tolerance counts as 0, a negative MaximumDistance too, with a warning. ProbeLines with an
- * Input that has no lines gives a warning. An execution that is aborted leaves "none" where it did
- * not get to.
+ * that the Source does not have gives a warning, as an array whose name is in use does. ProbeLines
+ * with an Input that has no lines gives a warning. An execution that is aborted leaves "none" where
+ * it did not get to.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeClosestPoint vtkProbeFilter
@@ -62,6 +61,7 @@
 #define vtkSkdTreeProbe_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -82,7 +82,7 @@ public:
    * diagonal of that cell's bounds. It is for points that are in the mesh but for rounding, and for
    * those just off a surface. Range 0 and more, default 1e-3, which is what vtkProbeFilter allows.
    */
-  vtkSetClampMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RelativeTolerance, double);
   ///@}
 
@@ -90,7 +90,7 @@ public:
   /**
    * The same as a distance in world units; the larger of the two holds. Default 0.
    */
-  vtkSetClampMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AbsoluteTolerance, double);
   ///@}
 
@@ -115,7 +115,7 @@ public:
   /**
    * See SetOutsidePoints. World units, default 1.
    */
-  void SetMaximumDistance(double distance);
+  vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
@@ -196,7 +196,7 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

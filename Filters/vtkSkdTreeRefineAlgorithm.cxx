@@ -6,8 +6,6 @@
 #include "Refine/SkdRefineState.h"
 #include "vtkInformation.h"
 
-#include <algorithm>
-
 VTK_ABI_NAMESPACE_BEGIN
 vtkSkdTreeRefineAlgorithm::vtkSkdTreeRefineAlgorithm()
   : State(new SkdRefineState)
@@ -55,8 +53,12 @@ void vtkSkdTreeRefineAlgorithm::RemoveAllPartLevels()
 
 void vtkSkdTreeRefineAlgorithm::AddDistanceBand(double distance, double level)
 {
-  this->State->Bands.push_back({ distance, static_cast<int>(std::clamp(level, 0.0, 30.0)) });
-  this->Modified();
+  if (vtkSkdTreeIsWithin(this, "The distance of a band", &distance, 1, 0.0, VTK_DOUBLE_MAX) &&
+    vtkSkdTreeIsWithin(this, "The level of a band", &level, 1, 0.0, 30.0))
+  {
+    this->State->Bands.push_back({ distance, static_cast<int>(level) });
+    this->Modified();
+  }
 }
 
 void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()

@@ -13,6 +13,7 @@
 
 #include "vtkDataObjectAlgorithm.h"
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeVersion.h"       // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
@@ -134,7 +135,7 @@ public:
   vtkSetMacro(RefineByBend, bool);
   vtkGetMacro(RefineByBend, bool);
   vtkBooleanMacro(RefineByBend, bool);
-  vtkSetClampMacro(BendAngle, double, 0.0, 180.0);
+  vtkSkdTreeSetWithinMacro(BendAngle, double, 0.0, 180.0);
   vtkGetMacro(BendAngle, double);
   vtkSetClampMacro(FlatLevel, int, 0, 30);
   vtkGetMacro(FlatLevel, int);
@@ -166,7 +167,7 @@ public:
   /**
    * See FieldTest. Default 0: any difference.
    */
-  vtkSetMacro(FieldThreshold, double);
+  vtkSkdTreeSetWithinMacro(FieldThreshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FieldThreshold, double);
   ///@}
 
@@ -174,7 +175,7 @@ public:
   /**
    * See FieldTest; bounds included. Default (0, 1).
    */
-  vtkSetVector2Macro(FieldRange, double);
+  vtkSkdTreeSetFinite2Macro(FieldRange);
   vtkGetVector2Macro(FieldRange, double);
   ///@}
 
@@ -199,7 +200,7 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 

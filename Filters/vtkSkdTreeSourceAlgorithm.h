@@ -61,23 +61,6 @@ protected:
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /// What a Set method does with a number that must be in a range: one outside of it, or none at
-  /// all, gets a warning, and the nearest that is allowed (of NaN the least) is taken.
-  template <class T>
-  void SetWithin(const char* name, T wanted, T least, T most, T& member)
-  {
-    const T taken = !(wanted >= least) ? least : wanted > most ? most : wanted;
-    if (taken != wanted)
-    {
-      vtkWarningMacro(<< name << " cannot be " << wanted << ", " << taken << " is taken.");
-    }
-    if (taken != member)
-    {
-      member = taken;
-      this->Modified();
-    }
-  }
-
   /// For subclasses whose every process needs the whole Input, too.
   bool WholeInput = false;
 

@@ -6,6 +6,7 @@
 #include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdShare.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdParts.h"
@@ -202,12 +203,26 @@ void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* so
   internals.Leaves = LeavesWithCells(input);
   const bool isOfOne =
     this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
-  internals.Built = internals.Mesh.Update(
-    internals.Leaves, this->Epsilon, isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
+  internals.Built = internals.Mesh.Update(internals.Leaves, this->Epsilon, SkdMeasurable,
+    isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
   const std::vector<SkdLeaf> sourceLeaves =
     needsCells ? LeavesWithCells(source) : std::vector<SkdLeaf>();
-  internals.Built += internals.SourceCells.Update(sourceLeaves, this->Epsilon);
+  internals.Built += internals.SourceCells.Update(sourceLeaves, this->Epsilon, SkdMeasurable);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeSpatialQuery::WarnAboutCells()
+{
+  for (const auto& [parts, name] :
+    { std::pair(&this->Impl->Mesh, "Input"), std::pair(&this->Impl->SourceCells, "Source") })
+  {
+    const SkdTreeCounts counts = parts->GetCounts();
+    if (counts.Cells == 0 && counts.CellsLeftOut > 0)
+    {
+      vtkWarningMacro(<< name << " has no cell that can be searched: " << SkdWhyCellsAreLeftOut());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -253,8 +268,8 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
   const SkdQueryShape shape = Internals::MakeShape(this);
   if (!shape.IsUsable())
   {
-    vtkWarningMacro("The shape is not finite, or has a negative radius or no normal: nothing is "
-                    "found.");
+    vtkWarningMacro("The shape is not finite, reaches beyond "
+      << SkdMeasurable.Largest << ", or has no normal: nothing is found.");
   }
   queries.SetShape(shape);
   return true;
@@ -262,20 +277,16 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
 
 //------------------------------------------------------------------------------
 // Each process has found the nearest of all; together they give each once.
-void vtkSkdTreeSpatialQuery::KeepShare(vtkInformation* output)
+void vtkSkdTreeSpatialQuery::KeepShare(vtkInformationVector* outputs)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (this->Relation != NEAREST || PieceOf(output) < 0)
+  const SkdShare share = SkdShare::Of(outputs);
+  if (this->Relation == NEAREST && !share.IsAll())
   {
-    return;
+    SkdRelatedCells& pairs = this->Impl->Pairs;
+    const auto size = static_cast<vtkIdType>(pairs.size());
+    pairs =
+      SkdRelatedCells(pairs.begin() + share.FirstOf(size), pairs.begin() + share.LastOf(size));
   }
-  SkdRelatedCells& pairs = this->Impl->Pairs;
-  const auto piece = static_cast<std::size_t>(PieceOf(output));
-  const auto pieces = static_cast<std::size_t>(output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-  const std::size_t first = pairs.size() * piece / pieces;
-  const std::size_t last = pairs.size() * (piece + 1) / pieces;
-  pairs = SkdRelatedCells(pairs.begin() + static_cast<std::ptrdiff_t>(first),
-    pairs.begin() + static_cast<std::ptrdiff_t>(last));
 }
 
 //------------------------------------------------------------------------------
@@ -295,13 +306,14 @@ int vtkSkdTreeSpatialQuery::RequestData(
     vtkErrorMacro("Input or Source cannot be searched: " << error.what());
     return 1;
   }
+  this->WarnAboutCells();
   const double buildSeconds = watch.Lap();
 
   internals.Pairs.clear();
   if (this->MakeQueries(source))
   {
     this->FindPairs();
-    this->KeepShare(outputVector->GetInformationObject(0));
+    this->KeepShare(outputVector);
   }
   const double querySeconds = watch.Lap();
 
@@ -318,7 +330,7 @@ void vtkSkdTreeSpatialQuery::FindPairs()
   SkdSearchRules rules;
   rules.Relation = static_cast<SkdRelation>(this->Relation);
   rules.SharedPart = static_cast<SkdSharedPart>(this->SharedPart);
-  rules.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : 0.0;
+  rules.Tolerance = this->Tolerance;
   rules.IsExact = this->Exact;
   rules.Number = static_cast<std::size_t>(this->NumberOfNearestCells);
   this->Impl->FindPairs(rules, this);

@@ -39,12 +39,13 @@
  *
  * Output port 0: the cells found, by ascending id, with all data of the Input; a
  * vtkUnstructuredGrid, of a composite Input a composite of them of the same structure (of AMR data
- * a vtkMultiBlockDataSet of its blocks). Cell arrays | name          | type   | meaning | |
- * ------------- | ------ | ---------------------------------------------------------------- | |
- * SkdCellId     | idtype | the cell in the Input                                            | |
- * SkdQueryCount | idtype | the number of queries that it answers: of points or cells, maybe | | |
- * | more than one                                                    | | SkdDistance   | double |
- * the least distance to these                                      |
+ * a vtkMultiBlockDataSet of its blocks). Cell arrays
+ * | name          | type   | meaning                                                          |
+ * | ------------- | ------ | ---------------------------------------------------------------- |
+ * | SkdCellId     | idtype | the cell in the Input                                            |
+ * | SkdQueryCount | idtype | the number of queries that it answers: of points or cells, maybe |
+ * |               |        | more than one                                                    |
+ * | SkdDistance   | double | the least distance to these                                      |
  *
  * Output port 1: the same cells as a vtkSelection of cell indices, a node for each block that has
  * any.
@@ -71,10 +72,11 @@
  * SkdReportQuerySeconds.
  *
  * Bad input: a Shape that needs the Source, which is not there, is an error, and nothing is found.
- * A shape that is not finite, a negative radius and a normal of length 0 give a warning, and
- * nothing is found. Points that are not finite find nothing; cells that are not are in no tree. An
- * Input without cells gives outputs without cells. A negative or NaN Tolerance counts as 0. An
- * execution that is aborted finds what it got to; VTK 9.3 and later then empties the output.
+ * A shape that is not finite or reaches beyond 1e50 and a normal of length 0 give a warning, and
+ * nothing is found. Points and cells that are so find nothing; cells of Input that are so, or of a
+ * mesh of which all is within 1e-50 of the origin, are in no tree, with a warning if there are no
+ * others. An Input without cells gives outputs without cells. An execution that is aborted finds
+ * what it got to; VTK 9.3 and later then empties the output.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeProbe vtkExtractGeometry vtkExtractSelection
@@ -84,6 +86,7 @@
 #define vtkSkdTreeSpatialQuery_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -188,11 +191,11 @@ public:
    * around the corner by y, then x, then z, as ParaView's box widget has it. Edges of negative
    * length go the other way. Defaults (0, 0, 0), (1, 1, 1) and (0, 0, 0).
    */
-  vtkSetVector3Macro(BoxPosition, double);
+  vtkSkdTreeSetFinite3Macro(BoxPosition);
   vtkGetVector3Macro(BoxPosition, double);
-  vtkSetVector3Macro(BoxLength, double);
+  vtkSkdTreeSetFinite3Macro(BoxLength);
   vtkGetVector3Macro(BoxLength, double);
-  vtkSetVector3Macro(BoxRotation, double);
+  vtkSkdTreeSetFinite3Macro(BoxRotation);
   vtkGetVector3Macro(BoxRotation, double);
   ///@}
 
@@ -205,7 +208,7 @@ public:
   vtkSetMacro(UseReferenceBounds, bool);
   vtkGetMacro(UseReferenceBounds, bool);
   vtkBooleanMacro(UseReferenceBounds, bool);
-  vtkSetVector6Macro(ReferenceBounds, double);
+  vtkSkdTreeSetFinite6Macro(ReferenceBounds);
   vtkGetVector6Macro(ReferenceBounds, double);
   ///@}
 
@@ -213,9 +216,9 @@ public:
   /**
    * The sphere. Defaults (0, 0, 0) and 1.
    */
-  vtkSetVector3Macro(SphereCenter, double);
+  vtkSkdTreeSetFinite3Macro(SphereCenter);
   vtkGetVector3Macro(SphereCenter, double);
-  vtkSetMacro(SphereRadius, double);
+  vtkSkdTreeSetWithinMacro(SphereRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SphereRadius, double);
   ///@}
 
@@ -223,9 +226,9 @@ public:
   /**
    * The plane; its normal may have any length. Defaults (0, 0, 0) and (1, 0, 0).
    */
-  vtkSetVector3Macro(PlaneOrigin, double);
+  vtkSkdTreeSetFinite3Macro(PlaneOrigin);
   vtkGetVector3Macro(PlaneOrigin, double);
-  vtkSetVector3Macro(PlaneNormal, double);
+  vtkSkdTreeSetFinite3Macro(PlaneNormal);
   vtkGetVector3Macro(PlaneNormal, double);
   ///@}
 
@@ -233,9 +236,9 @@ public:
   /**
    * The ends of the line. Defaults (0, 0, 0) and (1, 0, 0).
    */
-  vtkSetVector3Macro(LinePoint1, double);
+  vtkSkdTreeSetFinite3Macro(LinePoint1);
   vtkGetVector3Macro(LinePoint1, double);
-  vtkSetVector3Macro(LinePoint2, double);
+  vtkSkdTreeSetFinite3Macro(LinePoint2);
   vtkGetVector3Macro(LinePoint2, double);
   ///@}
 
@@ -243,7 +246,7 @@ public:
   /**
    * How far apart, in world units, what counts as touching may be. Default 0: rounding alone.
    */
-  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -251,7 +254,7 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSetClampMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 
@@ -290,9 +293,10 @@ private:
   void operator=(const vtkSkdTreeSpatialQuery&) = delete;
 
   void UpdateTrees(vtkDataObject* input, vtkDataObject* source);
+  void WarnAboutCells();
   bool MakeQueries(vtkDataObject* source);
   void FindPairs();
-  void KeepShare(vtkInformation* output);
+  void KeepShare(vtkInformationVector* outputs);
   void FillOutputs(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector);
   void Report(vtkDataObject* output, double buildSeconds, double querySeconds);
 

@@ -6,6 +6,7 @@
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdShare.h"
 #include "Pipeline/SkdSplitSurface.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "vtkCompositeDataSet.h"
@@ -106,6 +107,16 @@ bool IsLaterPiece(vtkInformation* output)
     output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
+/// Ports 0 to 5, where every process has found all.
+void KeepShare(const SkdShare& share, vtkInformationVector* outputs)
+{
+  share.Keep(vtkTable::GetData(outputs, 2));
+  for (const int port : { 0, 1, 3, 4, 5 })
+  {
+    share.Keep(vtkPolyData::GetData(outputs, port));
+  }
+}
+
 /// `second` is nullptr when there is but one.
 void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second)
 {
@@ -132,7 +143,7 @@ Meeting FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, con
   const std::optional<skd::RigidMotion>& motion)
 {
   SkdLoop loop(self, 0, 0.4, 0.8, 8);
-  const double clearance = self->GetClearance() > 0.0 ? self->GetClearance() : 0.0; // also of NaN
+  const double clearance = self->GetClearance();
   const SkdPairSearch search{ static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance };
   if (second && !self->GetSplitSurfaces() && !CompleteWhatPays(first, *second))
   {
@@ -229,6 +240,19 @@ vtkMatrix4x4* vtkSkdTreeSurfaceIntersection::GetTransform()
   return this->Impl->Matrix;
 }
 
+bool vtkSkdTreeSurfaceIntersection::IsSplitting() const
+{
+  return this->SplitSurfaces && this->Pairs == ALL_PAIRS;
+}
+
+// What the Source is cut along is where it meets all of the Input.
+int vtkSkdTreeSurfaceIntersection::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->WholeInput = this->IsSplitting();
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
 int vtkSkdTreeSurfaceIntersection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -260,12 +284,13 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const SkdContacts contacts(
     { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);
   FillContacts(contacts, this->JoinCurves, outputVector, report);
-  if (this->SplitSurfaces && this->Pairs == ALL_PAIRS)
+  if (this->IsSplitting())
   {
     const SkdSplitSegments segments(placement, pairs, contacts.GetPoints());
     const SplitOutput output{ this, segments, placement.Scale, report };
     output.Fill(0, &first, vtkPolyData::GetData(outputVector, 4));
     output.Fill(1, source ? &other : nullptr, vtkPolyData::GetData(outputVector, 5));
+    source ? KeepShare(SkdShare::Of(outputVector), outputVector) : void();
   }
   report.AddMeasure("QuerySeconds", watch.Lap());
   ReportSurfaces(report, first, source ? &other : nullptr, placement);

@@ -55,6 +55,8 @@
  * Neighbours stay neighbours. Where the surfaces coincide both keep their pieces. Points of equal
  * coordinates are one, with the data of the first; new points have the data of the cut triangle at
  * their place, triangles that of their cell. Vectors of a moved Source are passed on unturned.
+ * Of several processes each asks for the whole of both surfaces then, and gives of all outputs its
+ * share of what one process would.
  * | name          | where | type   | meaning                                                      |
  * | ------------- | ----- | ------ | ------------------------------------------------------------ |
  * | SkdCellId     | cell  | idtype | the cell that the triangle comes from                        |
@@ -72,17 +74,17 @@
  * or SetTransform) builds none. A tree is built as far as it is asked: when two surfaces meet for
  * the first time, of those triangles only that share a cell of a coarse raster with the other
  * surface, and of the others when a surface is asked again. The answer is the same whatever the
- * number of threads. Of several processes each answers for its piece of Input and asks for the whole
- * Source; without a Source the first process answers.
+ * number of threads. Of several processes each answers for its piece of Input and asks for the
+ * whole Source; without a Source the first process answers.
  *
- * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping boxes.
+ * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
+ * boxes.
  *
  * Bad input: triangles whose corners lie on one line have no inside and are left out, as are faces
- * with points that are not finite; they are counted. A Translation, Rotation or RotationCenter that
- * is not finite is an error and gives empty outputs; a Clearance of NaN counts as 0. An Input
- * without faces gives empty outputs and a warning, a Source without faces too. Exact as long as
- * coordinates, unless 0, span less than 80 orders of magnitude. An execution that is aborted tells
- * of what it found until then; VTK 9.3 and later then empties the output.
+ * with points that are not finite; they are counted. An Input without faces gives empty outputs and
+ * a warning, a Source without faces too. Exact as long as coordinates, unless 0, span less than 80
+ * orders of magnitude. An execution that is aborted tells of what it found until then; VTK 9.3 and
+ * later then empties the output.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -92,6 +94,7 @@
 #define vtkSkdTreeSurfaceIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
@@ -151,7 +154,7 @@ public:
    * Pairs that are at most this far apart are given, too, with their distance and nearest points.
    * Within one surface no pairs of cells that share a corner. Default 0: pairs that touch, only.
    */
-  vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
   ///@}
 
@@ -161,11 +164,11 @@ public:
    * x, then z, as vtkProp3D's orientation) and shifted by Translation. Default 0: where it is.
    * Without a Source they do nothing.
    */
-  vtkSetVector3Macro(Translation, double);
+  vtkSkdTreeSetFinite3Macro(Translation);
   vtkGetVector3Macro(Translation, double);
-  vtkSetVector3Macro(Rotation, double);
+  vtkSkdTreeSetFinite3Macro(Rotation);
   vtkGetVector3Macro(Rotation, double);
-  vtkSetVector3Macro(RotationCenter, double);
+  vtkSkdTreeSetFinite3Macro(RotationCenter);
   vtkGetVector3Macro(RotationCenter, double);
   ///@}
 
@@ -183,6 +186,8 @@ protected:
   vtkSkdTreeSurfaceIntersection();
   ~vtkSkdTreeSurfaceIntersection() override;
 
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -197,6 +202,8 @@ protected:
 private:
   vtkSkdTreeSurfaceIntersection(const vtkSkdTreeSurfaceIntersection&) = delete;
   void operator=(const vtkSkdTreeSurfaceIntersection&) = delete;
+
+  bool IsSplitting() const;
 
   class Internals;
   std::unique_ptr<Internals> Impl; // the triangles with their trees, kept while they are unchanged

@@ -21,8 +21,8 @@ void Interpolate(vtkCell* cell, const double pcoords[3], double* weights);
 /// wrong.
 void Derive(vtkCell* cell, const double pcoords[3], double* derivatives);
 
-/// For SkdLoadCell, after GetCell, which reads the rational weights of Bezier cells through one tuple
-/// that all threads share, and so may take those of another thread's point. Reads them again,
+/// For SkdLoadCell, after GetCell, which reads the rational weights of Bezier cells through one
+/// tuple that all threads share, and so may take those of another thread's point. Reads them again,
 /// safely.
 void ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cell);
 

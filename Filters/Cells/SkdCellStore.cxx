@@ -87,7 +87,9 @@ skd::Box3 Enclose(std::size_t count, const BoxOf& boxOf)
 }
 
 //------------------------------------------------------------------------------
-SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts)
+SkdCellStore::SkdCellStore(
+  vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes)
+  : Magnitudes(magnitudes)
 {
   if (!data || data->GetNumberOfCells() == 0 || data->GetNumberOfPoints() == 0)
   {

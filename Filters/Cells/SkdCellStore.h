@@ -3,6 +3,7 @@
 #ifndef SkdCellStore_h
 #define SkdCellStore_h
 
+#include "Cells/SkdMagnitudes.h"
 #include "Cells/SkdPolyKernels.h"
 #include "Core/Geometry/Box.h"
 #include "Core/Tree/RawVector.h"
@@ -24,13 +25,13 @@ class SkdCellStore
 public:
   struct LeftOutCounts
   {
-    vtkIdType NotFinite = 0; ///< cells with NaN or infinite points, or points that do not exist
+    vtkIdType NotFinite = 0; ///< cells with points that do not exist, are not finite, or too large
     vtkIdType Other = 0;     ///< ghost, blanked, empty, of unknown type
   };
 
   /// `data` may be nullptr. Throws std::length_error when there are more cells or points than
   /// 32-bit numbers tell apart.
-  SkdCellStore(vtkDataSet* data, bool skipGhosts);
+  SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes);
 
   std::uint32_t NumberOfCells() const { return this->Count; }
   const LeftOutCounts& LeftOut() const { return this->Missing; }
@@ -120,7 +121,7 @@ private:
   ///@{
   /// SkdCellStoreRead.cxx.
   void ReadPoints(vtkDataSet* data);
-  bool ArePointsFinite() const;
+  bool ArePointsFinite();
   void ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool skipGhosts);
   template <class Id>
   bool ArePoints(const Id* ids, std::size_t size, bool areAllFinite) const;
@@ -138,6 +139,7 @@ private:
   void FindBounds();
   skd::Box3 CurvedReachOf(std::uint32_t cell) const;
 
+  SkdMagnitudes Magnitudes;
   std::uint32_t Count = 0;
   LeftOutCounts Missing;
   skd::RawVector<std::uint32_t> Ids;     // empty when no cell is left out

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 
 namespace
 {
@@ -76,15 +77,18 @@ bool IsWhole(SkdShape shape, std::size_t size)
   return shape != SkdShape::None && size > 0 && (expected == 0 || size == expected);
 }
 
-/// Whether numbers are all finite: not so if 0 times one of them is not 0.
-bool AreFinite(const double* values, vtkIdType count)
+/// The largest of some numbers, without their signs, by its bits: these are in the same order, and
+/// those of infinity and NaN above all others.
+std::uint64_t LargestBitsOf(const double* values, vtkIdType count)
 {
-  double sum = 0.0;
+  std::uint64_t largest = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    sum += 0.0 * values[i];
+    std::uint64_t bits;
+    std::memcpy(&bits, values + i, sizeof(bits));
+    largest = std::max(largest, bits & 0x7fffffffffffffffu);
   }
-  return sum == 0.0;
+  return largest;
 }
 
 /// What a first look at a cell tells: its shape, None to leave it out, or this: and count it, too.
@@ -215,18 +219,27 @@ void SkdCellStore::ReadPoints(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellStore::ArePointsFinite() const
+// As SkdMagnitudes has it: where all are too small, none is taken.
+bool SkdCellStore::ArePointsFinite()
 {
-  std::atomic<bool> areFinite(true);
+  std::atomic<std::uint64_t> largestBits(0);
   vtkSMPTools::For(0, this->NumberOfPoints,
     [&](vtkIdType begin, vtkIdType end)
     {
-      if (!AreFinite(this->Coordinates + 3 * begin, 3 * (end - begin)))
+      const std::uint64_t here = LargestBitsOf(this->Coordinates + 3 * begin, 3 * (end - begin));
+      std::uint64_t known = largestBits;
+      while (known < here && !largestBits.compare_exchange_weak(known, here))
       {
-        areFinite = false;
       }
     });
-  return areFinite;
+  const std::uint64_t bits = largestBits;
+  double largest;
+  std::memcpy(&largest, &bits, sizeof(largest));
+  if (0.0 < largest && largest < this->Magnitudes.Least)
+  {
+    this->Magnitudes.Largest = -1.0;
+  }
+  return largest <= this->Magnitudes.Largest;
 }
 
 //------------------------------------------------------------------------------
@@ -285,7 +298,7 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
 }
 
 //------------------------------------------------------------------------------
-/// Whether these points exist and are finite.
+/// Whether these points exist and are finite, as SkdMagnitudes has it.
 template <class Id>
 bool SkdCellStore::ArePoints(const Id* ids, std::size_t size, bool areAllFinite) const
 {
@@ -293,7 +306,9 @@ bool SkdCellStore::ArePoints(const Id* ids, std::size_t size, bool areAllFinite)
     [&](Id id)
     {
       const bool exists = id >= 0 && static_cast<vtkIdType>(id) < this->NumberOfPoints;
-      return exists && (areAllFinite || skd::IsFinite(this->Point(static_cast<std::uint32_t>(id))));
+      return exists &&
+        (areAllFinite ||
+          SkdIsWithin(this->Point(static_cast<std::uint32_t>(id)), this->Magnitudes.Largest));
     });
 }
 

@@ -26,7 +26,7 @@ constexpr auto parallelLoop = [](std::size_t count, const auto& body)
 
 //------------------------------------------------------------------------------
 SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
-  : Store(data, settings.SkipsGhosts)
+  : Store(data, settings.SkipsGhosts, settings.Magnitudes)
   , Bare(settings.IsBare)
   , TheRounding(Ulps * this->Store.LargestCoordinate())
   , TheEpsilon(settings.Epsilon)
@@ -35,6 +35,7 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
   {
     return;
   }
+  this->Runs = SkdPieceRuns(this->Store, this->TheRounding);
   const skd::ReadInput<3> input = this->MakeInput(settings);
   if (settings.IsBare)
   {
@@ -115,5 +116,6 @@ skd::SplitRule SkdCellTree::Rule() const
 std::size_t SkdCellTree::MemorySize() const
 {
   return sizeof(*this) + this->Store.MemorySize() + this->Sieves.MemorySize() +
+    this->Runs.MemorySize() +
     (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
 }

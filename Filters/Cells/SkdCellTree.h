@@ -5,6 +5,7 @@
 
 #include "Cells/SkdCellStore.h"
 #include "Cells/SkdGenericKernel.h"
+#include "Cells/SkdPieceRuns.h"
 #include "Cells/SkdSieves.h"
 #include "Cells/SkdWideWalks.h"
 #include "Core/Geometry/Plane.h"
@@ -29,6 +30,7 @@ struct SkdTreeSettings
   bool IsLazy = false;
   bool IsBare = false; ///< there is no tree: its cells can be asked about one by one, no more
   bool SkipsGhosts = true;
+  SkdMagnitudes Magnitudes = SkdMeasurable; ///< of coordinates; others count as not finite
   skd::SplitRule Rule = skd::SplitRule::Automatic; ///< of trees that are built whole
 };
 
@@ -295,6 +297,7 @@ private:
   void ForEachTriangle(std::uint32_t cell, Visit visit) const;
 
   SkdCellStore Store;
+  SkdPieceRuns Runs; // of Store
   bool Bare = false;
   double TheRounding = 0.0;
   double TheEpsilon = 0.0;

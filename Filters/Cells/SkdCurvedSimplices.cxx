@@ -6,8 +6,6 @@
 
 #include "vtkCell.h"
 
-#include <map>
-
 namespace
 {
 using skd::SimplexSet;
@@ -113,22 +111,20 @@ private:
 
   int At(const Place& place)
   {
-    const auto found = this->Numbers.find(place);
-    if (found != this->Numbers.end())
+    int& number = this->Numbers[place[0]][place[1]][place[2]];
+    if (number == 0)
     {
-      return found->second;
+      constexpr double part = 1.0 / Parts;
+      const Vector3 parameters{ { part * place[0], part * place[1], part * place[2] } };
+      number = this->Set.Add(this->Origin + this->Cell.Value(parameters)) + 1;
     }
-    constexpr double part = 1.0 / Parts;
-    const Vector3 parameters{ { part * place[0], part * place[1], part * place[2] } };
-    const int number = this->Set.Add(this->Origin + this->Cell.Value(parameters));
-    this->Numbers[place] = number;
-    return number;
+    return number - 1;
   }
 
   Vector3 Origin;
   SkdParametricCell Cell;
   SimplexSet& Set;
-  std::map<Place, int> Numbers;
+  int Numbers[Parts + 1][Parts + 1][Parts + 1] = {}; // of points that are there, from 1
 };
 }
 

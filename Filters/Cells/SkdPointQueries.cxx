@@ -57,6 +57,10 @@ SkdCellPoint SkdCellTree::Measure(
   {
     return found;
   }
+  if (this->Runs.Has(cell))
+  {
+    return this->Runs.Closest(this->Store, cell, x, limit2);
+  }
   return shape == SkdShape::Generic
     ? SkdGenericKernel::Closest(source.Load(this->Store.IdOf(cell)), x)
     : SkdPolyKernels::Closest(this->Store.GatherPoly(cell), x, limit2);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The walks about triangles once more, for processors with AVX2 and FMA: eight lanes in a register.
-/// Which are run is decided when the program is. Answers are the same to the last bit: lanes do the
-/// same operations, rounded the same way, however many there are to a register.
+/// The walks about triangles once more, for processors with AVX2 and FMA: eight lanes in a
+/// register. Which are run is decided when the program is. Answers are the same to the last bit:
+/// lanes do the same operations, rounded the same way, however many there are to a register.
 ///
 /// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in a namespace of its own,
 /// so that no inline function compiled for AVX2 ever takes the place of one that must run anywhere.

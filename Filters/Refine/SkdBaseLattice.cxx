@@ -154,11 +154,11 @@ SkdBaseLattice SkdMakeBaseLattice(
     {
       planes[axis] = { box.Min[axis] };
     }
-    else if (asked > 0)
+    else if (asked > 0 && asked <= MostCells)
     {
       planes[axis] = Divided(box.Min[axis], box.Max[axis], asked);
     }
-    else if (length / size > MostCells)
+    else if (asked > 0 || length / size > MostCells)
     {
       return { std::nullopt, "the base mesh has more than 2^20 cells along an axis" };
     }

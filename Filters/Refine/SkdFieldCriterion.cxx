@@ -125,7 +125,7 @@ void SkdFieldCriterion::Update(
   this->Settings = settings;
   this->Missing = settings.Arrays;
   this->Columns.clear();
-  this->Meshes.Update(leaves, epsilon);
+  this->Meshes.Update(leaves, epsilon, SkdComparable);
   std::uint32_t part = 0;
   for (const SkdLeaf& leaf : leaves)
   {

@@ -103,6 +103,10 @@ struct SkdGrid
   std::uint32_t FirstOwn = 0;
   std::uint32_t LastOwn;
 
+  /// The least level whose cells are about as small as the resolution of their coordinates, and so
+  /// were not refined though they should have been; -1 if there is none.
+  int ResolvedLevel = -1;
+
   ///@{
   /// Whether the cell limit stopped the refinement; then the level whose cells could not all be
   /// refined that should have been, and how many cells there would have been.

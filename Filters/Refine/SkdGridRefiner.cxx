@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridRefiner.h"
 
+#include "Core/Geometry/Resolution.h"
 #include "Pipeline/SkdLoop.h"
 
 #include <cmath>
@@ -236,6 +237,23 @@ bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::B
     });
 }
 
+/// Takes back the marks of cells whose parts would be too small for their corners to differ.
+void SkdGridRefiner::LeaveOutIndivisible(int level, std::vector<char>& marks)
+{
+  const auto& branch = this->Grid.Lattice.GetBranch();
+  for (std::uint32_t cell = 0; cell < marks.size(); ++cell)
+  {
+    const skd::Box3 box = marks[cell] ? this->Grid.BoxOf(level, cell) : skd::Box3();
+    for (int axis = 0; marks[cell] && axis < 3; ++axis)
+    {
+      const double largest = std::max(std::abs(box.Min[axis]), std::abs(box.Max[axis]));
+      marks[cell] = branch[axis] == 1 || skd::IsResolved(box.Length(axis) / branch[axis], largest);
+      const bool isFirst = !marks[cell] && this->Grid.ResolvedLevel < 0;
+      this->Grid.ResolvedLevel = isFirst ? level : this->Grid.ResolvedLevel;
+    }
+  }
+}
+
 /// Finds the cells to refine, and counts what meets those of the others that are cut.
 bool SkdGridRefiner::MarkLevel(int level, std::vector<char>& marks)
 {
@@ -255,6 +273,7 @@ bool SkdGridRefiner::MarkLevel(int level, std::vector<char>& marks)
       return false;
     }
     marks = skd::Grown(this->Grid.Forest, level, marks, this->Settings.Layers);
+    this->LeaveOutIndivisible(level, marks);
   }
   return this->ForCells(level, 1.0,
     [&](std::uint32_t begin, std::uint32_t end)

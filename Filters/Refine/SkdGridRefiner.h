@@ -68,6 +68,7 @@ private:
   void KeepFindings(int level, const std::vector<Batch>& batches);
   bool MarkLevel(int level, std::vector<char>& marks);
   bool IsLeftAlone(int level, std::uint32_t cell) const;
+  void LeaveOutIndivisible(int level, std::vector<char>& marks);
   bool IsWanted(int level, std::uint32_t cell) const;
   bool IsWantedByParts(int level, std::uint32_t cell, const skd::Box3& box) const;
   bool IsAny(bool here) const;

@@ -3,6 +3,7 @@
 #include "Refine/SkdMeshReader.h"
 
 #include "Cells/SkdCellReader.h"
+#include "Cells/SkdMagnitudes.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -120,7 +121,8 @@ private:
   bool IsFinite() const
   {
     return std::all_of(this->Nodes.begin(), this->Nodes.end(),
-      [this](std::uint32_t node) { return skd::IsFinite(this->Read.Mesh.FlatPoint(node)); });
+      [this](std::uint32_t node)
+      { return SkdIsWithin(this->Read.Mesh.FlatPoint(node), SkdComparable.Largest); });
   }
 
   /// Pixels and voxels count along axes.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdMeshReport.h"
 
+#include "Core/Mesh/Divisible.h"
 #include "Core/Mesh/SmallestAngle.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkMath.h"
@@ -41,7 +42,10 @@ void SkdMeshTally::Finish(const skd::RefinedMesh& after, const skd::HangingNodes
       const auto level = static_cast<std::size_t>(after[cell].Level());
       this->CellsAtLevel.resize(std::max(this->CellsAtLevel.size(), level + 1), 0);
       ++this->CellsAtLevel[level];
-      this->CellsOddlyShaped += after[cell].IsFixed && after[cell].Kind != skd::CellKind::Fixed;
+      if (after[cell].IsFixed && after[cell].Kind != skd::CellKind::Fixed)
+      {
+        ++(skd::IsDivisible(after, cell) ? this->CellsOddlyShaped : this->CellsTooSmall);
+      }
     }
   }
   for (std::uint32_t node = 0; node < after.NumberOfNodes(); ++node)
@@ -62,7 +66,8 @@ void SkdReportMesh(SkdReport& report, const SkdReadMesh& read, const SkdMeshOutc
   report.AddCount("StoppedAtLevel", outcome.StoppedAtLevel);
   report.AddCount("EstimatedCells", static_cast<vtkIdType>(outcome.CellsEstimated));
   report.AddCount("MemoryBytes", static_cast<vtkIdType>(read.Mesh.MemorySize()));
-  report.AddCount("CellsNotRefinable", read.CellsNotRefinable + tally.CellsOddlyShaped);
+  report.AddCount(
+    "CellsNotRefinable", read.CellsNotRefinable + tally.CellsOddlyShaped + tally.CellsTooSmall);
   if (std::isfinite(tally.SmallestAngle) && std::isfinite(tally.SmallestAngleBefore))
   {
     report.AddMeasure("MinimumAngleBefore", tally.SmallestAngleBefore);

@@ -19,8 +19,8 @@ struct SkdMeshTally
   vtkIdType Cells = 0;
   std::vector<vtkIdType> CellsAtLevel;
   vtkIdType HangingNodes = 0;
-  vtkIdType CellsOddlyShaped =
-    0; ///< that could have been cut by their type, but not by their shape
+  vtkIdType CellsOddlyShaped = 0;   ///< that could have been cut by type, but not by shape
+  vtkIdType CellsTooSmall = 0;      ///< that are no larger than the resolution of coordinates
   double SmallestAngleBefore = 0.0; ///< in degrees; infinity without cells that have such angles
   double SmallestAngle = 0.0;
 };

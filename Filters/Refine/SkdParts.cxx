@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-bool SkdParts::Part::Update(const SkdLeaf& leaf, double epsilon, SkdTreeWanted wanted)
+bool SkdParts::Part::Update(
+  const SkdLeaf& leaf, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
   this->BlockIndex = leaf.BlockIndex;
   const bool isSame = this->Tree && this->Epsilon == epsilon && this->Mesh.IsSameAs(leaf.Mesh);
@@ -19,6 +20,7 @@ bool SkdParts::Part::Update(const SkdLeaf& leaf, double epsilon, SkdTreeWanted w
   this->Epsilon = epsilon;
   SkdTreeSettings settings;
   settings.Epsilon = epsilon;
+  settings.Magnitudes = magnitudes;
   settings.IsBare = !isSame && wanted == SkdTreeWanted::IfSeenBefore;
   this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
   if (leaf.Mesh->GetNumberOfCells() > 0)
@@ -28,7 +30,8 @@ bool SkdParts::Part::Update(const SkdLeaf& leaf, double epsilon, SkdTreeWanted w
   return !settings.IsBare;
 }
 
-int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon, SkdTreeWanted wanted)
+int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon,
+  const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
   std::vector<const SkdLeaf*> filled;
   for (const SkdLeaf& leaf : leaves)
@@ -42,7 +45,7 @@ int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon, SkdTree
   int built = 0;
   for (std::size_t i = 0; i < filled.size(); ++i)
   {
-    built += this->Parts[i].Update(*filled[i], epsilon, wanted);
+    built += this->Parts[i].Update(*filled[i], epsilon, magnitudes, wanted);
   }
   return built;
 }

@@ -28,7 +28,7 @@ class SkdParts
 public:
   /// Makes the trees those of the leaves that have cells. Returns how many had to be built. Throws
   /// std::length_error when a part has more cells or points than a tree can hold.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon,
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, const SkdMagnitudes& magnitudes,
     SkdTreeWanted wanted = SkdTreeWanted::AtOnce);
 
   std::uint32_t GetNumberOfParts() const { return static_cast<std::uint32_t>(this->Parts.size()); }
@@ -56,7 +56,8 @@ private:
     std::shared_ptr<const SkdCellTree> Tree;
 
     /// Whether a tree was built.
-    bool Update(const SkdLeaf& leaf, double epsilon, SkdTreeWanted wanted);
+    bool Update(const SkdLeaf& leaf, double epsilon, const SkdMagnitudes& magnitudes,
+      SkdTreeWanted wanted);
   };
   std::vector<Part> Parts;
 };

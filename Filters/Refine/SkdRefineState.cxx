@@ -28,7 +28,7 @@ void WarnAbout(vtkSkdTreeRefineAlgorithm* self, const SkdSignedSource& boundary)
 int SkdRefineState::Update(vtkSkdTreeRefineAlgorithm* self, const std::vector<SkdLeaf>& parts,
   vtkDataObject* field, bool needsEnclosure)
 {
-  int treesBuilt = this->Parts.Update(parts, self->GetEpsilon());
+  int treesBuilt = this->Parts.Update(parts, self->GetEpsilon(), SkdComparable);
   this->UpdateField(self, field);
   this->HasEnclosure = needsEnclosure || self->GetInsideLevel() > 0;
   if (this->HasEnclosure)

@@ -54,9 +54,17 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
     return std::nullopt;
   }
   thread_local skd::SimplexSet set; // keeps its memory
-  tree.GetSimplices(cell, source, set);
   const Asked asked{ tree, cell, source, set, tolerance };
-  if (this->Rules.Relation != SkdRelation::Nearest && !this->IsRelated(asked))
+  // Neighbours have a point in common, so it is known how near they are; of curved cells the sets
+  // are large, and only to be made if it must be.
+  const bool asksNeighbours = this->Rules.Relation == SkdRelation::Adjacency &&
+    this->Shape.GetKind() == SkdQueryShape::Kind::Cell;
+  if (asksNeighbours && !this->IsNeighbour(asked))
+  {
+    return std::nullopt;
+  }
+  tree.GetSimplices(cell, source, set);
+  if (!asksNeighbours && this->Rules.Relation != SkdRelation::Nearest && !this->IsRelated(asked))
   {
     return std::nullopt;
   }
@@ -191,17 +199,21 @@ bool SkdCellRelation::Touches(const Asked& asked) const
       const bool isAbove = asked.IsZero(std::abs(heights.Min)) && !asked.IsZero(heights.Max);
       return isBelow || isAbove;
     }
-    case SkdQueryShape::Kind::Cell:
-    {
-      const vtkIdType id = asked.Tree.Cells().IdOf(asked.Cell);
-      const SkdCellOutline outline(asked.Source.Load(id));
-      return outline.Shares(*this->Shape.GetOutline(), this->Rules.SharedPart, asked.Tolerance);
-    }
     default:
       asked.Set.FindRim();
       return asked.IsZero(this->MinDistance(asked)) &&
         !skd::InteriorsMeet(asked.Set, this->Shape.GetSet(), asked.Tolerance);
   }
+}
+
+//------------------------------------------------------------------------------
+bool SkdCellRelation::IsNeighbour(const Asked& asked) const
+{
+  const SkdCellOutline outline(asked.Source.Load(asked.Tree.Cells().IdOf(asked.Cell)));
+  const bool isOne =
+    outline.Shares(*this->Shape.GetOutline(), this->Rules.SharedPart, asked.Tolerance);
+  asked.Least = isOne ? std::optional<double>(0.0) : std::nullopt;
+  return isOne;
 }
 
 //------------------------------------------------------------------------------

@@ -55,6 +55,7 @@ private:
   bool IsContained(const Asked& asked) const;
   bool IsEnclosing(const Asked& asked) const;
   bool Touches(const Asked& asked) const;
+  bool IsNeighbour(const Asked& asked) const;
   bool TouchesBall(const Asked& asked) const;
 
   const SkdQueryShape& Shape;

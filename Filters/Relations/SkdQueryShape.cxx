@@ -40,6 +40,11 @@ void SortNumbers(std::vector<std::uint32_t>& numbers, std::uint32_t end)
   }
 }
 
+bool IsMeasurable(const skd::Vector3& x)
+{
+  return SkdIsWithin(x, SkdMeasurable.Largest);
+}
+
 /// How far the box is above and below a plane: the least and the greatest height.
 skd::Interval HeightsOf(const skd::Plane<3>& plane, const skd::Box3& box)
 {
@@ -62,8 +67,7 @@ SkdQueryShape SkdQueryShape::MakeBall(const skd::Vector3& centre, double radius)
   shape.TheKind = Kind::Ball;
   shape.Ball = { centre, radius };
   shape.Bounds = BoundsOf(shape.Ball);
-  shape.Usable =
-    radius >= 0.0 && skd::IsFinite(shape.Bounds.Min) && skd::IsFinite(shape.Bounds.Max);
+  shape.Usable = radius >= 0.0 && IsMeasurable(shape.Bounds.Min) && IsMeasurable(shape.Bounds.Max);
   shape.Largest = skd::LargestCoordinate(shape.Bounds);
   return shape;
 }
@@ -74,7 +78,7 @@ SkdQueryShape SkdQueryShape::MakePlane(const skd::Vector3& origin, const skd::Ve
   SkdQueryShape shape;
   shape.TheKind = Kind::Plane;
   shape.Plane = { origin, (1.0 / skd::Norm(normal)) * normal };
-  shape.Usable = skd::IsFinite(origin) && skd::IsFinite(shape.Plane.Normal);
+  shape.Usable = IsMeasurable(origin) && skd::IsFinite(shape.Plane.Normal);
   shape.Largest = skd::LargestCoordinate(skd::Box3(origin, origin));
   return shape;
 }
@@ -138,8 +142,7 @@ SkdQueryShape SkdQueryShape::MakeSet(Kind kind, skd::SimplexSet set)
 {
   SkdQueryShape shape;
   shape.TheKind = kind;
-  shape.Usable = std::all_of(
-    set.Points.begin(), set.Points.end(), [](const skd::Vector3& x) { return skd::IsFinite(x); });
+  shape.Usable = std::all_of(set.Points.begin(), set.Points.end(), IsMeasurable);
   shape.Bounds = set.Bounds;
   shape.Largest = skd::LargestCoordinate(set.Bounds);
   shape.Set = std::move(set);

@@ -207,7 +207,8 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(
   }
   const double diagonal = this->Bounds.Diagonal();
   const double size = diagonal > 0.0 ? diagonal : shape.PessimisticDistance(this->Bounds);
-  double width = size / std::cbrt(static_cast<double>(all));
+  double width =
+    std::max(size / std::cbrt(static_cast<double>(all)), std::numeric_limits<double>::min());
   double reach = shape.LowerBound(this->Bounds) + this->Rules.Tolerance;
   while (true)
   {
@@ -218,7 +219,7 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(
     {
       double farthest = 0.0;
       Cells found = search(candidates, farthest);
-      if (isAll || farthest <= reach)
+      if (isAll || !(farthest > reach))
       {
         return found;
       }

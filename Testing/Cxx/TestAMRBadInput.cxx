@@ -55,6 +55,67 @@ TEST(AMRBadInput, WithoutCellsTheBaseStaysOrThereIsNothing)
   }
 }
 
+Mesh Points(const std::vector<Point>& points)
+{
+  Mesh mesh;
+  for (const Point& point : points)
+  {
+    mesh.Add(VTK_VERTEX, { mesh.Add(point) });
+  }
+  return mesh;
+}
+
+TEST(AMRBadInput, ASinglePointHasAGridOfOneCellButNoTrees)
+{
+  const Point x = { 1, 2, 3 };
+  for (const Mesh& mesh : { Points({ x }), Points({ x, x, x }) })
+  {
+    AMRPointer filter = MakeAMR(MakePolyData(mesh), 3);
+    EventCounter events(filter);
+    EXPECT_EQ(RunCells(filter), 1);
+    EXPECT_EQ(events.Errors, 0);
+    filter->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
+    EXPECT_EQ(RunCells(filter), 0);
+    EXPECT_EQ(events.Errors, 1);
+    EXPECT_NE(events.Error.find("single point"), std::string::npos) << events.Error;
+    filter->SetOutputType(vtkSkdTreeAMR::OVERLAPPING_AMR);
+    filter->Update();
+    EXPECT_EQ(events.Errors, 2);
+  }
+  AMRPointer flat = MakeAMRIn(MakeTorus(), 3, { 1, 1, 2, 2, 3, 3 });
+  flat->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
+  EventCounter events(flat);
+  EXPECT_EQ(RunCells(flat), 0);
+  EXPECT_NE(events.Error.find("single point"), std::string::npos) << events.Error;
+}
+
+TEST(AMRBadInput, MoreBaseCellsThanThereAreNumbersAreRefused)
+{
+  AMRPointer filter = MakeAMRIn(MakeTorus(), 3, UnitCube);
+  filter->SetBaseDimensions(VTK_INT_MAX, 1, 1);
+  EventCounter events(filter);
+  EXPECT_EQ(RunCells(filter), 0);
+  EXPECT_NE(events.Error.find("2^20"), std::string::npos) << events.Error;
+}
+
+TEST(AMRBadInput, StopsWhereCoordinatesTellNoCellsApart)
+{
+  for (const int type : { vtkSkdTreeAMR::HYPER_TREE_GRID, vtkSkdTreeAMR::UNSTRUCTURED_GRID })
+  {
+    AMRPointer filter =
+      MakeAMR(MakePolyData(Placed(TorusTriangles(24, 12), 1.0, { 1e15, 0, 0 })), 12);
+    filter->SetOutputType(type);
+    EventCounter events(filter);
+    EXPECT_LT(RunCells(filter), 1000);
+    EXPECT_EQ(events.Warnings, 1);
+    EXPECT_NE(events.Warning.find("resolution"), std::string::npos) << events.Warning;
+  }
+  AMRPointer near = MakeAMR(MakePolyData(Placed(TorusTriangles(24, 12), 1.0, { 1e12, 0, 0 })), 5);
+  EventCounter events(near);
+  EXPECT_GT(RunCells(near), 1000);
+  EXPECT_EQ(events.Warnings, 0);
+}
+
 TEST(AMRBadInput, ABaseThatMissesThePartsStays)
 {
   AMRPointer filter = MakeAMRIn(MakeTorus(), 4, { 10, 11, 10, 11, 10, 11 });
@@ -74,10 +135,7 @@ TEST(AMRBadInput, PartsThatReachOutOfTheBaseAreCutOff)
 
 TEST(AMRBadInput, BoundsThatMakeNoBaseAreRefused)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  const Bounds bad[] = { { 0, nan, 0, 1, 0, 1 }, { 0, 1, 2, 1, 0, 1 },
-    { -infinity, 1, 0, 1, 0, 1 } };
+  const Bounds bad[] = { { 0, 1, 2, 1, 0, 1 }, { -1e308, 1e308, 0, 1, 0, 1 } };
   for (const Bounds& box : bad)
   {
     AMRPointer filter = MakeAMRIn(MakeTorus(), 3, box);

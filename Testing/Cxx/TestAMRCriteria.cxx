@@ -124,7 +124,6 @@ TEST(AMRCriteria, DistanceBandsCoverAllThatIsNearer)
   AMRPointer filter = MakeAMRIn(ball, 6, Around);
   filter->AddDistanceBand(0.1, 5);
   filter->AddDistanceBand(0.4, 3);
-  filter->AddDistanceBand(-1.0, 6);
   const std::vector<Leaf> leaves = RunLeaves(filter);
   Random random(2);
   int far = 0;

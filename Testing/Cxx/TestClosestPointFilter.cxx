@@ -346,11 +346,12 @@ TEST(ClosestPointFilter, SettingsHaveTheirDefaultsAndRanges)
   EXPECT_FALSE(filter->GetSignedDistance() || filter->GetInterpolateSourceData() ||
     filter->GetGenerateLines());
   EventCounter events(filter);
+  filter->SetMaximumDistance(0.0);
   filter->SetMaximumDistance(-1.0);
   filter->SetEpsilon(2.0);
   EXPECT_EQ(filter->GetMaximumDistance(), 0.0);
-  EXPECT_EQ(events.Warnings, 1);
-  EXPECT_EQ(filter->GetEpsilon(), 1.0);
+  EXPECT_EQ(events.Errors, 2);
+  EXPECT_EQ(filter->GetEpsilon(), 1e-9);
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("MaximumDistance: 0"), std::string::npos);

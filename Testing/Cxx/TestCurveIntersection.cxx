@@ -277,20 +277,6 @@ TEST(CurveIntersection, LeavesOutWhatCannotBeMeasured)
   EXPECT_EQ(events.Warnings, 3);
 }
 
-TEST(CurveIntersection, ParametersThatAreNoNumbersCountAsNone)
-{
-  const double nan = std::nan("");
-  const FilterPointer filter = MakeFilter(
-    MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } }), MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } }));
-  filter->SetClearance(nan);
-  filter->SetEpsilon(nan);
-  filter->SetChordTolerance(nan);
-  EventCounter events(filter);
-  EXPECT_EQ(OutputPoints(filter), (std::vector<Point>{ { 1, 0, 0 } }));
-  EXPECT_EQ(events.Warnings, 1);
-  EXPECT_NE(events.Warning.find("ChordTolerance is nan"), std::string::npos) << events.Warning;
-}
-
 TEST(CurveIntersection, RefusesWeightsThatAreNotPositive)
 {
   for (double weight : { 0.0, -1.0 })

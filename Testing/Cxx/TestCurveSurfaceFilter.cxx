@@ -346,16 +346,6 @@ TEST(CurveSurfaceFilter, AnswersTheRestOfBadInput)
   EXPECT_EQ(OutputCellArray(filter, "SkdNumberOfHits", 2), (Numbers{ 2, 0, 0, 0 }));
 }
 
-TEST(CurveSurfaceFilter, ParametersThatAreNoNumbersCountAsNone)
-{
-  const FilterPointer filter = MakeFilter(LineAlongX(), MakePolyData(CubeTriangles(2)));
-  filter->SetEpsilon(std::nan(""));
-  filter->SetChordTolerance(std::nan(""));
-  EventCounter events(filter);
-  EXPECT_EQ(OutputArray(filter, "SkdArcLength"), (Numbers{ 1, 3 }));
-  EXPECT_EQ(events.Warnings, 1);
-}
-
 TEST(CurveSurfaceFilter, RefusesWeightsThatAreNotPositive)
 {
   const GridPointer sphere = BezierSphere(1.0);

@@ -268,13 +268,4 @@ TEST(Candidates, AnswersDoNotDependOnEpsilon)
   }
 }
 
-TEST(Candidates, EpsilonIsClampedToItsRange)
-{
-  const auto locator = LocatorPointer::New();
-  locator->SetEpsilon(-3.0);
-  EXPECT_EQ(locator->GetEpsilon(), 0.0);
-  locator->SetEpsilon(3.0);
-  EXPECT_EQ(locator->GetEpsilon(), 1.0);
-}
-
 }

@@ -348,6 +348,55 @@ TEST(MeshRefinementLimits, TheCellLimitStopsItAtASoundMesh)
   }
 }
 
+/// A mesh of triangles and one of hexahedra, moved along x.
+std::vector<vtkSmartPointer<vtkDataSet>> MeshesAt(double x)
+{
+  return { MakePolyData(Placed(Sheet(4, VTK_TRIANGLE), 1.0, { x, 0, 0 })),
+    MakePolyData(Placed(Sheet(4, VTK_QUAD), 1.0, { x, 0, 0 })),
+    MakeGrid(Placed(Hexahedra(2), 1.0, { x, 0, 0 })),
+    MakeGrid(Placed(Tetrahedra(2), 1.0, { x, 0, 0 })) };
+}
+
+TEST(MeshRefinementLimits, StopsWhereCoordinatesTellNoPointsApart)
+{
+  for (const int method : { 0, 1 })
+  {
+    for (const double x : { 1e15, -3e15, 4e15 })
+    {
+      for (const auto& mesh : MeshesAt(x))
+      {
+        RefinementPointer filter = MakeRefinement(mesh, nullptr, 12, method);
+        filter->SetMinimumLevel(12);
+        EventCounter events(filter);
+        vtkDataSet* refined = RunRefinement(filter);
+        EXPECT_LT(refined->GetNumberOfCells(), 20000) << x << " " << method;
+        EXPECT_EQ(events.Errors, 0);
+        EXPECT_EQ(events.Warnings, 1) << x << " " << method;
+        EXPECT_NE(events.Warning.find("resolution"), std::string::npos) << events.Warning;
+      }
+    }
+  }
+}
+
+TEST(MeshRefinementLimits, GoesOnWhereCoordinatesTellPointsApart)
+{
+  for (const int method : { 0, 1 })
+  {
+    const auto near = MeshesAt(0);
+    const auto far = MeshesAt(std::ldexp(1.0, 40));
+    for (std::size_t i = 0; i < near.size(); ++i)
+    {
+      RefinementPointer here = MakeRefinement(near[i], nullptr, 3, method);
+      RefinementPointer there = MakeRefinement(far[i], nullptr, 3, method);
+      here->SetMinimumLevel(2);
+      there->SetMinimumLevel(2);
+      EventCounter events(there);
+      EXPECT_EQ(RunRefinement(there)->GetNumberOfCells(), RunRefinement(here)->GetNumberOfCells());
+      EXPECT_EQ(events.Warnings, 0);
+    }
+  }
+}
+
 TEST(MeshRefinementLimits, LevelsZeroAndThirty)
 {
   auto torus = MakeTorus();

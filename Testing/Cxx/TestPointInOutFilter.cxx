@@ -132,23 +132,6 @@ TEST(PointInOut, BadInputSaysWhy)
   EXPECT_NE(events.Error.find("Nothing"), std::string::npos);
 }
 
-TEST(PointInOut, NumbersOutOfTheirRangeAreSaidAndTheNearestTaken)
-{
-  auto filter = InOutPointer::New();
-  EventCounter events(filter);
-  filter->SetNumberOfRays(0);
-  EXPECT_EQ(filter->GetNumberOfRays(), 1);
-  filter->SetBoundaryBand(-1.0);
-  EXPECT_EQ(filter->GetBoundaryBand(), 0.0);
-  EXPECT_EQ(events.Warnings, 2);
-  filter->SetBoundaryBand(double(NAN));
-  EXPECT_EQ(filter->GetBoundaryBand(), 0.0);
-  EXPECT_EQ(events.Warnings, 3);
-  filter->SetNumberOfRays(1000);
-  filter->SetBoundaryBand(2.0);
-  EXPECT_EQ(events.Warnings, 3);
-}
-
 TEST(PointInOut, MixedBlocksAreEachAPartOfItsKind)
 {
   auto ball = MakePolyData(Sphere(8, 1.0));

@@ -239,29 +239,6 @@ TEST(SurfaceIntersectionFilter, TurnsAreThoseOfVtkProp)
   EXPECT_EQ(RunCellPairs(byMatrix), expected);
 }
 
-TEST(SurfaceIntersectionFilter, AMotionThatIsNotFiniteIsAnError)
-{
-  for (void (*set)(vtkSkdTreeSurfaceIntersection*) :
-    { +[](vtkSkdTreeSurfaceIntersection* f) { f->SetTranslation(0, std::nan(""), 0); },
-      +[](vtkSkdTreeSurfaceIntersection* f) { f->SetRotation(std::nan(""), 0, 0); } })
-  {
-    auto filter = MakeIntersection(MakeSphere({ 0, 0, 0 }), MakeSphere({ 1, 0, 0 }));
-    set(filter);
-    EventCounter events(filter);
-    EXPECT_EQ(RunPairs(filter).size(), 0u);
-    EXPECT_EQ(events.Errors, 1);
-  }
-}
-
-TEST(SurfaceIntersectionFilter, AClearanceThatIsNoNumberIsNone)
-{
-  auto filter = MakeIntersection(MakeSphere({ 0, 0, 0 }), MakeSphere({ 1, 0, 0 }));
-  const CellIdPairs touching = RunCellPairs(filter);
-  EXPECT_GT(touching.size(), 10u);
-  filter->SetClearance(std::nan(""));
-  EXPECT_EQ(RunCellPairs(filter), touching);
-}
-
 TEST(SurfaceIntersectionFilter, AClearanceWithoutEndTakesAllPairs)
 {
   auto filter = MakeIntersection(MakePolyData(TriangleSoup(9, 0.1)),

@@ -70,8 +70,39 @@ def meeting(source):
     return numpy.array([pairs, length])
 
 
+def corners(surface):
+    """The coordinates of each triangle's corners."""
+    ids = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    return places(surface)[ids].reshape(-1, 9)
+
+
+def ends(curves):
+    """The coordinates of both ends of each line."""
+    return places(curves)[vtk_to_numpy(curves.GetLines().GetConnectivityArray())].reshape(-1, 6)
+
+
+def split():
+    """Both surfaces, and the curves that they are cut along; the regions, the cells' rows."""
+    from paraview import simple
+
+    proxy = simple.SkdTreeSurfaceIntersection(Input=sphere(0, 0, 0),
+        Source=sphere(0.9, 0.3, 0.2), JoinCurves=0, SplitSurfaces=1)
+    answers = {"curves": ends(output(proxy))}
+    pairs = output(proxy, 2)
+    columns = [pairs.GetColumnByName(name) for name in ("SkdFirstCellId", "SkdSecondCellId")]
+    answers["rows"] = numpy.column_stack([vtk_to_numpy(column) for column in columns])
+    for port, name in ((4, "input"), (5, "source")):
+        surface = output(proxy, port)
+        answers[name] = corners(surface)
+        cells = surface.GetCellData()
+        answers[name + " ids"] = numpy.column_stack(
+            [vtk_to_numpy(cells.GetArray(array)) for array in ("SkdCellId", "SkdRegionId")])
+    return {"split " + name: answer for name, answer in answers.items()}
+
+
 def all_answers():
     return {
+        **split(),
         "crossings": crossings(),
         "hits": hits(),
         "meeting": meeting(sphere(0.9, 0.3, 0.2)),
@@ -95,6 +126,10 @@ def check(alone, parts):
     numpy.testing.assert_allclose(total, alone["meeting"], rtol=1e-6)
     for part in parts + [alone]:
         assert (part["itself"] == 0).all()
+    for name in (name for name in alone if name.startswith("split")):
+        assert all(len(part[name]) > 0 for part in parts), name
+        numpy.testing.assert_array_equal(
+            numpy.vstack([part[name] for part in parts]), alone[name], name)
 
 
 if len(sys.argv) > 1:

@@ -243,7 +243,7 @@ inline double MaxDistance2(const SimplexSet& a, const SimplexSet& b)
   double most = 0.0;
   for (const Vector3& x : b.Points)
   {
-    most = std::max(most, MaxDistance2(a, x));
+    most = MaxDistance2(x, a.Bounds) > most ? std::max(most, MaxDistance2(a, x)) : most;
   }
   return most;
 }

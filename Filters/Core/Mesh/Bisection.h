@@ -17,9 +17,13 @@
 /// was bisected (I. Rosenberg, F. Stenger, "A lower bound on the angles of triangles constructed by
 /// bisecting the longest side", Math. Comp. 29 (1975) 390-395). In three dimensions no bound is
 /// known; few shapes occur in practice.
+///
+/// What is not divisible (Divisible.h), simplices along their longest edge, others at all edges, is
+/// fixed instead: nodes may hang there.
 #ifndef skd_Mesh_Bisection_h
 #define skd_Mesh_Bisection_h
 
+#include "Divisible.h"
 #include "EdgeOrder.h"
 #include "StarShape.h"
 
@@ -106,15 +110,23 @@ private:
       case CellKind::Triangle:
       case CellKind::Tetrahedron:
         return this->Bisect(cell);
+      case CellKind::Fixed:
+        return;
+      default:
+        return IsDivisible(this->Mesh, cell) ? this->CutIntoSimplices(cell) : this->Mesh.Fix(cell);
+    }
+  }
+
+  void CutIntoSimplices(std::uint32_t cell)
+  {
+    switch (this->Mesh[cell].Kind)
+    {
       case CellKind::Polygon:
         return this->CutPolygon(cell);
       case CellKind::Pyramid:
         return this->CutPyramid(cell);
-      case CellKind::Wedge:
-      case CellKind::Hexahedron:
+      default:
         return this->CutFromMiddle(cell);
-      case CellKind::Fixed:
-        return;
     }
   }
 
@@ -122,6 +134,10 @@ private:
   void Bisect(std::uint32_t cell)
   {
     const OrderedEdge edge = LongestEdgeOf(this->Mesh, cell);
+    if (!IsResolved(this->Mesh.FlatPoint(edge[0]), this->Mesh.FlatPoint(edge[1])))
+    {
+      return this->Mesh.Fix(cell);
+    }
     const std::uint32_t middle = this->CutEdge(edge[0], edge[1]);
     const CellKind kind = this->Mesh[cell].Kind;
     const std::uint32_t size = this->Mesh.NodesOf(cell).Size;

@@ -4,10 +4,12 @@
 /// Refinement cell by cell: each is cut at the middles of all of its edges and faces, into 2 lines,
 /// 4 triangles or quadrilaterals, n quadrilaterals (of a polygon of n corners), 8 tetrahedra,
 /// hexahedra or wedges, or 6 pyramids and 4 tetrahedra. Cells beside that are not cut have hanging
-/// nodes then; how many levels neighbours may differ can be limited.
+/// nodes then; how many levels neighbours may differ can be limited. Cells that are not divisible
+/// (Divisible.h) are fixed instead.
 #ifndef skd_Mesh_RegularCuts_h
 #define skd_Mesh_RegularCuts_h
 
+#include "Divisible.h"
 #include "MeshBalance.h"
 #include "SharedCuts.h"
 #include "StarShape.h"
@@ -63,7 +65,7 @@ private:
     {
       if (this->Mesh[cell].IsLeaf() && !this->Mesh[cell].IsFixed)
       {
-        this->Cut(cell);
+        IsDivisible(this->Mesh, cell) ? this->Cut(cell) : this->Mesh.Fix(cell);
       }
       if (this->Mesh.NumberOfLeaves() > this->Limit)
       {

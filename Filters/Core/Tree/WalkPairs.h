@@ -13,11 +13,11 @@ namespace skd
 /// The one walk over a pair of trees (Algorithm 5.4).
 ///
 /// A Query gives
-///   ToFirst(boxes)              a FloatBox or a Bundle of the second tree, seen in the first's
-///   frame Overlapping(boxes, box)     a bit for each lane of a Bundle that may hold a pair with a
-///   FloatBox,
-///                               both seen in the first's frame
-///   SureOf(boxes, box)          a bit for each of these lanes whose element is a pair for sure
+///   ToFirst(boxes)                 a FloatBox or a Bundle of the second tree, seen in the first's
+///                                  frame
+///   Overlapping(boxes, box)        a bit for each lane of a Bundle that may hold a pair with a
+///                                  FloatBox, both seen in the first's frame
+///   SureOf(boxes, box)             a bit for each of these lanes whose element is a pair for sure
 ///   Visit(first, second, isSure)   a pair of elements was reached; false ends the walk
 /// Of two nodes the one with the larger box is opened, or both if they are about as large: then one
 /// box of the one is looked at beside eight of the other at once.

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkSkdTreeSetWithin.h
+ * @brief What becomes of a number that is set as a property but is none that it can have.
+ *
+ * One rule for all: NaN, an infinity and what is out of the property's range is refused with an
+ * error that names the property, the value and the range, and the property stays as it was. So no
+ * filter has to ask whether its own numbers are sound. (VTK's own macros bring values to the
+ * nearest end of the range without a word, and let NaN pass.)
+ */
+
+#ifndef vtkSkdTreeSetWithin_h
+#define vtkSkdTreeSetWithin_h
+
+#include "vtkObject.h"         // For vtkErrorWithObjectMacro
+#include "vtkSkdTreeVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#include <algorithm> // For std::copy
+#include <limits>    // For std::numeric_limits
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// Whether each of the values is from least to most, both included, which NaN never is; if not,
+/// there is an error of `self` that says so.
+template <class T>
+bool vtkSkdTreeIsWithin(
+  vtkObject* self, const char* name, const T* wanted, int size, T least, T most)
+{
+  for (int i = 0; i < size; ++i)
+  {
+    if (!(wanted[i] >= least && wanted[i] <= most))
+    {
+      vtkErrorWithObjectMacro(self, << name << " cannot be " << wanted[i]
+                                    << ": it must be a number from " << least << " to " << most
+                                    << ". It stays as it was.");
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Takes values if all are within the range.
+template <class T>
+void vtkSkdTreeSetWithin(
+  vtkObject* self, const char* name, const T* wanted, int size, T least, T most, T* member)
+{
+  if (vtkSkdTreeIsWithin(self, name, wanted, size, least, most) &&
+    !std::equal(wanted, wanted + size, member))
+  {
+    std::copy(wanted, wanted + size, member);
+    self->Modified();
+  }
+}
+
+/// Takes values if all are finite.
+inline void vtkSkdTreeSetFinite(
+  vtkObject* self, const char* name, const double* wanted, int size, double* member)
+{
+  vtkSkdTreeSetWithin(self, name, wanted, size, std::numeric_limits<double>::lowest(),
+    std::numeric_limits<double>::max(), member);
+}
+
+/// In place of vtkSetClampMacro.
+#define vtkSkdTreeSetWithinMacro(name, type, least, most)                                          \
+  virtual void Set##name(type wanted)                                                              \
+  {                                                                                                \
+    vtkSkdTreeSetWithin<type>(this, #name, &wanted, 1, least, most, &this->name);                  \
+  }                                                                                                \
+  virtual type Get##name##MinValue() const                                                         \
+  {                                                                                                \
+    return least;                                                                                  \
+  }                                                                                                \
+  virtual type Get##name##MaxValue() const                                                         \
+  {                                                                                                \
+    return most;                                                                                   \
+  }
+
+///@{
+/// In place of vtkSetVector2Macro and so on: all finite.
+#define vtkSkdTreeSetFinite2Macro(name)                                                            \
+  virtual void Set##name(double a, double b)                                                       \
+  {                                                                                                \
+    const double wanted[2] = { a, b };                                                             \
+    vtkSkdTreeSetFinite(this, #name, wanted, 2, this->name);                                       \
+  }                                                                                                \
+  void Set##name(const double wanted[2])                                                           \
+  {                                                                                                \
+    this->Set##name(wanted[0], wanted[1]);                                                         \
+  }
+
+#define vtkSkdTreeSetFinite3Macro(name)                                                            \
+  virtual void Set##name(double a, double b, double c)                                             \
+  {                                                                                                \
+    const double wanted[3] = { a, b, c };                                                          \
+    vtkSkdTreeSetFinite(this, #name, wanted, 3, this->name);                                       \
+  }                                                                                                \
+  void Set##name(const double wanted[3])                                                           \
+  {                                                                                                \
+    this->Set##name(wanted[0], wanted[1], wanted[2]);                                              \
+  }
+
+#define vtkSkdTreeSetFinite6Macro(name)                                                            \
+  virtual void Set##name(double a, double b, double c, double d, double e, double f)               \
+  {                                                                                                \
+    const double wanted[6] = { a, b, c, d, e, f };                                                 \
+    vtkSkdTreeSetFinite(this, #name, wanted, 6, this->name);                                       \
+  }                                                                                                \
+  void Set##name(const double wanted[6])                                                           \
+  {                                                                                                \
+    this->Set##name(wanted[0], wanted[1], wanted[2], wanted[3], wanted[4], wanted[5]);             \
+  }
+///@}
+
+VTK_ABI_NAMESPACE_END
+#endif
