@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run what the README tells its readers to type.
+"""Run what the README and the user guide tell their readers to type.
 
 readme.py <repository> <work folder> <install prefix> <cmake> <python> <pvpython or nothing>
 Python is run as it stands, in the repository; CMake and C++ become a project in the work folder.
+Shell commands are checked: what they name is there, and other tests run it (recipes for pvpython of the
+guide are run by Testing/Python/TestGuide.py).
 """
 
+import glob
+import json
 import os
 import re
 import shutil
@@ -13,8 +17,14 @@ import subprocess
 import sys
 
 repository, work, prefix, cmake, python, pvpython = sys.argv[1:7]
-with open(os.path.join(repository, "README.md"), encoding="utf-8") as file:
-    snippets = re.findall(r"^```(\w+)\n(.*?)^```$", file.read(), re.MULTILINE | re.DOTALL)
+GUIDE = os.path.join(repository, "Plugin", "Documentation")
+SNIPPET = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+RUN_ALL = "import runpy, sys\nfor name in sys.argv[1:]:\n    runpy.run_path(name)\n"
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
 
 
 def run(*command, folder=repository):
@@ -29,24 +39,70 @@ def write(name, text):
     return path
 
 
+def run_python(interpreter, name, texts):
+    """All of them in one process: starting it takes longer than they do."""
+    assert texts, name
+    scripts = [write(f"{name}{number}.py", text) for number, text in enumerate(texts)]
+    run(interpreter, write(f"run_{name}.py", RUN_ALL), *scripts)
+
+
+def run_cpp(project, texts):
+    """A project as the README has it, with its program and one for each of the guide."""
+    program, file = re.search(r"add_executable\((\w+) (\S+)\)", project).groups()
+    names = [program] + [f"{program}{number}" for number in range(1, len(texts))]
+    for name, text in zip(names, texts):
+        write(file.replace(program, name), text)
+        if name != program:
+            project += (f"add_executable({name} {file.replace(program, name)})\n"
+                f"target_link_libraries({name} PRIVATE VTK::FiltersSkdTree)\n")
+    write("CMakeLists.txt", project)
+    build = os.path.join(work, "build")
+    run(cmake, "-S", work, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run(cmake, "--build", build, "--parallel", "2")
+    for name in names:
+        run(os.path.join(build, name))
+
+
+def check_command(line):
+    """That a command names what there is."""
+    words = line.split("#")[0].split()
+    if not words:
+        return
+    presets = json.loads(read(os.path.join(repository, "CMakePresets.json")))
+    options = read(os.path.join(repository, "CMakeLists.txt"))
+    known = {preset["name"] for preset in presets["configurePresets"]}
+    if words[0] == "bash":
+        assert os.path.exists(os.path.join(repository, words[1])), line
+    elif words[0] == ".":
+        assert words[1] == "build/setup.sh" and os.path.exists(
+            os.path.join(repository, "Filters", "CMake", "setup.sh.in")), line
+    elif words[0] == "cmake":
+        assert words[1] in ("--preset", "--build", "--install"), line
+        assert words[1] != "--preset" or words[2] in known, line
+    elif " ".join(words) != "cd build && cpack":
+        raise AssertionError("nothing runs: " + line)
+    for option in re.findall(r"-D(SKDTREE_\w+)=", line):
+        assert option in options, line
+
+
 shutil.rmtree(work, ignore_errors=True)
 os.makedirs(work)
-ran = set()
-for number, (language, text) in enumerate(snippets):
-    if language == "python":
-        needs_paraview = "paraview" in text
-        interpreter = pvpython if needs_paraview else python
-        if interpreter:
-            run(interpreter, write(f"snippet{number}.py", text))
-            ran.add("pvpython" if needs_paraview else "python")
-    elif language == "cmake":
-        write("CMakeLists.txt", text)
-        program = re.search(r"add_executable\((\w+) (\S+)\)", text)
-    elif language == "cpp":
-        write(program.group(2), text)
-        run(cmake, "-S", work, "-B", os.path.join(work, "build"), f"-DCMAKE_PREFIX_PATH={prefix}")
-        run(cmake, "--build", os.path.join(work, "build"))
-        run(os.path.join(work, "build", program.group(1)))
-        ran.add("cpp")
+readme = SNIPPET.findall(read(os.path.join(repository, "README.md")))
+guide = [snippet for page in sorted(glob.glob(os.path.join(GUIDE, "*.md")))
+    for snippet in SNIPPET.findall(read(page))]
+known_languages = {"bash", "python", "cmake", "cpp"}
+assert {language for language, _ in readme} == known_languages
+assert {language for language, _ in guide} <= known_languages
 
-assert ran == {"python", "cpp"} | ({"pvpython"} if pvpython else set()), ran
+for language, text in readme + guide:
+    if language == "bash":
+        for command in text.splitlines():
+            check_command(command)
+
+run_python(python, "python", [text for language, text in readme + guide
+    if language == "python" and "paraview" not in text])
+if pvpython:
+    run_python(pvpython, "pvpython", [text for language, text in readme
+        if language == "python" and "paraview" in text])
+run_cpp(*[text for language, text in readme if language == "cmake"],
+    [text for language, text in readme + guide if language == "cpp"])

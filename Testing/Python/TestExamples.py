@@ -107,6 +107,11 @@ def test_curve_intersection():
     check("CurveIntersection", [], {"the figure crosses itself 17 times": 1}, (0.5, 0.99))
 
 
+def test_representation():
+    words = {"level 9:  512 boxes": 1}
+    check("Representation", data("fly_brain_neuropil.vtp"), words, (0.3, 0.9))
+
+
 def test_picking():
     said = run("Picking.py")
     assert "of 1033920 cells" in said and "the same without" in said, said
