@@ -497,6 +497,7 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
   {
     this->SetDataSet(other->GetDataSet());
   }
+  const bool isNew = other->IsUpToDate() && this->IsOlderThanTreeOf(other);
   this->SetEpsilon(other->Epsilon);
   this->SetLazyBuild(other->LazyBuild);
   this->SetSplitRule(other->SplitRule);
@@ -506,9 +507,22 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
   this->SetUseExistingSearchStructure(other->UseExistingSearchStructure);
   this->Impl->Motion = other->Impl->Motion;
   this->Impl->Matrix->DeepCopy(other->Impl->Matrix);
-  this->Impl->BuildSeconds = other->Impl->BuildSeconds;
-  this->Impl->SetTree(other->Impl->ShareTree());
-  this->BuildTime.Modified();
+  this->FreeSearchStructure();
+  if (isNew)
+  {
+    this->Impl->BuildSeconds = other->Impl->BuildSeconds;
+    this->Impl->SetTree(other->Impl->ShareTree());
+    this->BuildTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether a tree that is up to date is so of our data set, too. As of VTK's own locators, whoever
+// wants the existing structure vouches for it.
+bool vtkSkdTreeCellLocator::IsOlderThanTreeOf(vtkSkdTreeCellLocator* other)
+{
+  return other->UseExistingSearchStructure || this->DataSet == other->DataSet ||
+    this->DataSet->GetMTime() < other->BuildTime;
 }
 
 //------------------------------------------------------------------------------

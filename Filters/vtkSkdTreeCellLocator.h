@@ -449,7 +449,9 @@ public:
 
   /**
    * Share the tree and copy the settings of another vtkSkdTreeCellLocator, in O(1). The data set is
-   * taken over only when this locator has none.
+   * taken over only when this locator has none. A tree that is outdated, or older than the last
+   * change of this locator's own data set, is not shared (it is built when it is asked for), unless
+   * UseExistingSearchStructure of the other is on.
    */
   void ShallowCopy(vtkAbstractCellLocator* locator) VTK_SKD_OVERRIDE_SINCE_92;
 
@@ -469,6 +471,7 @@ private:
   void operator=(const vtkSkdTreeCellLocator&) = delete;
 
   bool IsUpToDate();
+  bool IsOlderThanTreeOf(vtkSkdTreeCellLocator* other);
   void CacheBounds();
   const SkdCellTree& GetTree();
 

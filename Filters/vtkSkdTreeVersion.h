@@ -64,4 +64,17 @@
 #define VTK_SKD_AMR_TAKES_VECTOR 0
 #endif
 
+// 9.6 tells the types of a vtkUnstructuredGrid's cells in an array of any kind (nullptr where there
+// are none yet); vtkUnsignedCharArray* before. And it calls a vtkOverlappingAMR's data sets blocks,
+// which are images of any kind.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#define VTK_SKD_GET_CELL_TYPES GetCellTypes
+#define VTK_SKD_AMR_GET_NUMBER_OF_BLOCKS GetNumberOfBlocks
+#define VTK_SKD_AMR_GET_BLOCK GetDataSetAsImageData
+#else
+#define VTK_SKD_GET_CELL_TYPES GetCellTypesArray
+#define VTK_SKD_AMR_GET_NUMBER_OF_BLOCKS GetNumberOfDataSets
+#define VTK_SKD_AMR_GET_BLOCK GetDataSet
+#endif
+
 #endif

@@ -61,8 +61,7 @@ SkdCellReader::SkdCellReader(vtkDataSet* data)
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     this->AddRun(grid->GetCells(), 0);
-    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-    this->Types = types ? types->GetPointer(0) : nullptr;
+    this->ReadTypes(grid->VTK_SKD_GET_CELL_TYPES());
   }
   const bool areStored = std::all_of(
     this->Runs.begin(), this->Runs.end(), [](const Run& run) { return run.Cells.AreStored(); });
@@ -75,6 +74,20 @@ SkdCellReader::SkdCellReader(vtkDataSet* data)
     vtkNew<vtkIdList> list;
     data->GetCellPoints(0, list); // what is made at the first call must not be made by many threads
   }
+}
+
+//------------------------------------------------------------------------------
+// Since 9.6 VTK keeps one value for cells that are all of one type.
+void SkdCellReader::ReadTypes(vtkDataArray* types)
+{
+  auto* stored = vtkUnsignedCharArray::FastDownCast(types);
+  if (types && !stored)
+  {
+    this->OwnTypes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    this->OwnTypes->DeepCopy(types);
+    stored = this->OwnTypes;
+  }
+  this->Types = stored ? stored->GetPointer(0) : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,9 @@
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -92,14 +94,16 @@ private:
     return nullptr;
   }
 
+  void ReadTypes(vtkDataArray* types);
   void AddRunsOf(vtkPolyData* mesh);
   void AddRun(vtkCellArray* cells, int kind);
   bool HasTooSmallCells() const;
   int TypeBySize(vtkIdType cellId) const;
 
   vtkDataSet* Data;
-  vtkPolyData* Surface;                 // the data set, if it is one
-  const unsigned char* Types = nullptr; // of a vtkUnstructuredGrid
+  vtkPolyData* Surface;                           // the data set, if it is one
+  const unsigned char* Types = nullptr;           // of a vtkUnstructuredGrid
+  vtkSmartPointer<vtkUnsignedCharArray> OwnTypes; // of one that stores them otherwise
   bool HasTypes = true;
   std::vector<Run> Runs; // of all cells, or of none
 };

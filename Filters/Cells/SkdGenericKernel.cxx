@@ -126,8 +126,7 @@ std::optional<SkdLineHit> SkdGenericKernel::Intersect(
   {
     return SkdParametricKernel::Intersect(cell, segment, tolerance);
   }
-  const bool isPiecewise = SkdPiecewiseKernel::Knows(cell->GetCellType());
-  if (isPiecewise && cell->GetCellType() != VTK_CONVEX_POINT_SET)
+  if (SkdPiecewiseKernel::Knows(cell->GetCellType()))
   {
     return SkdPiecewiseKernel::Intersect(cell, segment, { tolerance, 0.0 });
   }

@@ -207,6 +207,81 @@ std::optional<SkdLineHit> HitPrism(
 }
 
 //------------------------------------------------------------------------------
+// Lines meet a convex point set's outer faces: those of only one of its tetrahedra.
+
+struct TetrahedronFace
+{
+  std::array<int, 3> Name; ///< its points in ascending order
+  int Tetrahedron;
+  int Opposite; ///< the corner that it does not have
+
+  bool operator<(const TetrahedronFace& other) const { return this->Name < other.Name; }
+};
+
+const std::vector<TetrahedronFace>& FacesOf(const Pieces& pieces)
+{
+  thread_local std::vector<TetrahedronFace> faces;
+  faces.clear();
+  for (std::size_t i = 0; i < pieces.List.size(); ++i)
+  {
+    const auto& p = pieces.List[i].Points;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      std::array<int, 3> name;
+      std::remove_copy(p.begin(), p.begin() + 4, name.begin(), p[static_cast<std::size_t>(corner)]);
+      std::sort(name.begin(), name.end());
+      faces.push_back({ name, static_cast<int>(i), corner });
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+void HitTetrahedron(const Pieces& pieces, const TetrahedronFace& face, const skd::SegmentView& view,
+  const SkdReach& reach, std::optional<SkdLineHit>& first)
+{
+  constexpr double ofCorners[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  skd::Vector3 corners[6];
+  pieces.Gather(pieces.List[static_cast<std::size_t>(face.Tetrahedron)], corners);
+  skd::Vector3 points[3];
+  skd::Vector3 pcoords[3];
+  for (int i = 0, corner = 0; corner < 4; ++corner)
+  {
+    if (corner != face.Opposite)
+    {
+      points[i] = corners[corner];
+      const double* p = ofCorners[corner];
+      pcoords[i++] = { { p[0], p[1], p[2] } };
+    }
+  }
+  std::optional<SkdLineHit> hit;
+  SkdHitFace(points, pcoords, 3, view, reach, hit);
+  if (hit && (!first || hit->T < first->T))
+  {
+    first = hit;
+    first->SubId = face.Tetrahedron;
+  }
+}
+
+std::optional<SkdLineHit> HitConvexPointSet(
+  vtkCell* cell, const skd::SegmentView& view, const SkdReach& reach)
+{
+  const Pieces& pieces = PiecesOf(cell);
+  const std::vector<TetrahedronFace>& faces = FacesOf(pieces);
+  std::optional<SkdLineHit> first;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const bool isShared = (i > 0 && faces[i - 1].Name == faces[i].Name) ||
+      (i + 1 < faces.size() && faces[i + 1].Name == faces[i].Name);
+    if (!isShared)
+    {
+      HitTetrahedron(pieces, faces[i], view, reach, first);
+    }
+  }
+  return first;
+}
+
+//------------------------------------------------------------------------------
 // Quadratic polygons: the corners come first, then what is between them.
 
 int PlaceInTurn(int i, int size)
@@ -268,9 +343,15 @@ std::optional<SkdLineHit> SkdPiecewiseKernel::Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, const SkdReach& reach)
 {
   const skd::SegmentView view(segment);
-  return cell->GetCellType() == VTK_QUADRATIC_POLYGON
-    ? SkdPolyKernels::Intersect(PointsInTurn(cell), view, reach)
-    : HitPrism(cell, view, reach);
+  switch (cell->GetCellType())
+  {
+    case VTK_QUADRATIC_POLYGON:
+      return SkdPolyKernels::Intersect(PointsInTurn(cell), view, reach);
+    case VTK_CONVEX_POINT_SET:
+      return HitConvexPointSet(cell, view, reach);
+    default:
+      return HitPrism(cell, view, reach);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,8 @@ bool Knows(int cellType);
 
 SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 
-/// Only of what is not a convex point set: lines meet that as VTK has it.
+/// Where the segment meets the outside of the cell first. Of a convex point set the subId is the
+/// tetrahedron's, as VTK has it. (VTK's own reads past its arrays since 9.3.)
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, const SkdReach& reach);
 

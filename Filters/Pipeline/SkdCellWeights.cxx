@@ -39,14 +39,22 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
 }
 
 // A polyhedron's functions take x itself; its EvaluatePosition is not to be trusted in a cell that
-// was another polyhedron before. That of cells that share memory must not be called by threads. A
-// cell that fails leaves its weights 0.
+// was another polyhedron before, nor that of a convex point set since VTK 9.3. That of cells that
+// share memory must not be called by threads. A cell that fails leaves its weights 0.
 void SkdCellWeights::EvaluateByCell(const Vector& x)
 {
   std::fill(this->PCoords, this->PCoords + 3, 0.0);
   if (this->Cell->GetCellType() == VTK_POLYHEDRON)
   {
     this->Cell->InterpolateFunctions(x.X, this->Weights.data());
+    return;
+  }
+  if (this->Cell->GetCellType() == VTK_CONVEX_POINT_SET)
+  {
+    vtkCell* cell = this->Cell->GetRepresentativeCell();
+    SkdCellPoint found = SkdGenericKernel::Closest(cell, x);
+    SkdGenericKernel::Locate(cell, found.Point, found.SubId, found.PCoords, this->Weights.data());
+    std::copy(found.PCoords.X, found.PCoords.X + 3, this->PCoords);
     return;
   }
   if (SkdCellFunctions::ShareMemory(this->Cell->GetCellType()))

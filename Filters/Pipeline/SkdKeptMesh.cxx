@@ -14,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSkdTreeVersion.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTimeStamp.h"
 #include "vtkUnstructuredGrid.h"
@@ -23,6 +24,14 @@
 
 namespace
 {
+/// Also of arrays that compute their values, as of cells that are all of one type.
+bool AreEqualOneByOne(vtkDataArray* a, vtkDataArray* b)
+{
+  const auto valuesA = vtk::DataArrayValueRange(a);
+  const auto valuesB = vtk::DataArrayValueRange(b);
+  return std::equal(valuesA.begin(), valuesA.end(), valuesB.begin(), valuesB.end());
+}
+
 struct EqualValues
 {
   bool Equal = false;
@@ -57,7 +66,9 @@ public:
       return false;
     }
     EqualValues equal;
-    return vtkArrayDispatch::Dispatch2SameValueType::Execute(kept, now, equal) && equal.Equal;
+    return vtkArrayDispatch::Dispatch2SameValueType::Execute(kept, now, equal)
+      ? equal.Equal
+      : AreEqualOneByOne(kept, now);
   }
 
   bool SamePoints(vtkPoints* kept, vtkPoints* now) const
@@ -102,6 +113,12 @@ private:
   vtkMTimeType Time;
 };
 
+bool HasPolyhedra(vtkDataArray* types)
+{
+  const auto values = vtk::DataArrayValueRange<1>(types);
+  return std::find(values.begin(), values.end(), VTK_POLYHEDRON) != values.end();
+}
+
 template <typename Grid>
 bool SameExtent(Grid* kept, Grid* now)
 {
@@ -112,16 +129,14 @@ bool SameExtent(Grid* kept, Grid* now)
 // with the cells, so the cells' own array vouches for them.
 bool Comparison::SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const
 {
-  vtkUnsignedCharArray* types = now->GetCellTypesArray();
+  vtkDataArray* types = now->VTK_SKD_GET_CELL_TYPES();
   if (!this->SamePoints(kept->GetPoints(), now->GetPoints()) ||
     !this->SameCells(kept->GetCells(), now->GetCells()) ||
-    !this->SameArrays(kept->GetCellTypesArray(), types))
+    !this->SameArrays(kept->VTK_SKD_GET_CELL_TYPES(), types))
   {
     return false;
   }
-  const auto values = vtk::DataArrayValueRange<1>(types);
-  return kept->GetCells() == now->GetCells() ||
-    std::find(values.begin(), values.end(), VTK_POLYHEDRON) == values.end();
+  return kept->GetCells() == now->GetCells() || !types || !HasPolyhedra(types);
 }
 
 bool Comparison::SameImage(vtkImageData* kept, vtkImageData* now) const

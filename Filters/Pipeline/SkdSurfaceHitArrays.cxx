@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSurfaceHitArrays.h"
 
+#include "Cells/SkdGenericKernel.h"
 #include "Pipeline/SkdCellWeights.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -69,10 +71,15 @@ skd::Vector3 PCoordsOf(const SkdSurfaceHitTable& table, const SkdSurfaceHit& hit
   }
   vtkDataSet* mesh = table.SurfaceLeaves[static_cast<std::size_t>(element.Leaf)].Mesh;
   vtkCell* cell = mesh->GetCell(element.CellId);
-  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
   skd::Vector3 nearest;
   skd::Vector3 pcoords{};
   int subId;
+  if (cell->GetCellType() == VTK_CONVEX_POINT_SET) // VTK's own reads past its arrays since 9.3
+  {
+    SkdGenericKernel::Locate(cell, hit.X, subId, pcoords, nullptr);
+    return pcoords;
+  }
+  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
   double dist2;
   cell->EvaluatePosition(hit.X.X, nearest.X, subId, pcoords.X, dist2, weights.data());
   return pcoords;

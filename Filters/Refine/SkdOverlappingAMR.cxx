@@ -9,6 +9,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkOverlappingAMR.h"
 #include "vtkSkdTreeVersion.h"
+#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -146,7 +147,9 @@ void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::PlaceBloc
 #else
   output->Initialize(static_cast<int>(blocks.size()), blocks.data());
 #endif
-  output->SetGridDescription(MakeMesh(ranges[0][0], grid.Lattice, 0)->GetGridDescription());
+  int dimensions[3];
+  MakeMesh(ranges[0][0], grid.Lattice, 0)->GetDimensions(dimensions);
+  output->SetGridDescription(vtkStructuredData::GetDataDescription(dimensions));
   const auto& branch = grid.Lattice.GetBranch();
   output->SetOrigin(grid.Lattice.PointOf(0, { 0, 0, 0 }).X);
   for (unsigned int level = 0; level < ranges.size(); ++level)

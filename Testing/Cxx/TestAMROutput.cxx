@@ -11,7 +11,7 @@
 #include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkUniformGrid.h"
+#include "vtkSkdTreeVersion.h"
 
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ void ExpectTreesToHave(const LeafValues& expected, vtkSkdTreeAMR* filter)
 }
 
 /// The cells of a block that are not marked as refined; all of them are of the block's level.
-void AppendLeaves(vtkUniformGrid* block, unsigned int level, LeafValues& read)
+void AppendLeaves(vtkImageData* block, unsigned int level, LeafValues& read)
 {
   for (vtkIdType i = 0; i < block->GetNumberOfCells(); ++i)
   {
@@ -151,9 +151,9 @@ void ExpectBlocksToHave(const LeafValues& expected, vtkSkdTreeAMR* filter)
   vtkIdType cells = 0;
   for (unsigned int level = 0; level < blocks->GetNumberOfLevels(); ++level)
   {
-    for (unsigned int i = 0; i < blocks->GetNumberOfDataSets(level); ++i)
+    for (unsigned int i = 0; i < blocks->VTK_SKD_AMR_GET_NUMBER_OF_BLOCKS(level); ++i)
     {
-      vtkUniformGrid* block = blocks->GetDataSet(level, i);
+      vtkImageData* block = blocks->VTK_SKD_AMR_GET_BLOCK(level, i);
       Bounds told;
       Bounds is;
       blocks->GetBounds(level, i, told.data());

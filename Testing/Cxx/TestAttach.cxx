@@ -7,7 +7,7 @@
 #include "Support/NamedMeshes.h"
 #include "Support/VolumeMeshes.h"
 
-#include "vtkCellLocatorStrategy.h"
+#include "vtkCellArray.h"
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkPointSet.h"
@@ -16,6 +16,11 @@
 #include "vtkStaticCellLocator.h"
 
 #include <gtest/gtest.h>
+
+#if __has_include("vtkCellLocatorStrategy.h")
+#include "vtkCellLocatorStrategy.h" // deprecated in VTK 9.7
+#define HAS_STRATEGY
+#endif
 
 using namespace skdtest;
 
@@ -86,6 +91,7 @@ TEST_P(AttachToMesh, PassesTheDataAndAnswersAsALocatorOfItsOwn)
   }
 }
 
+#ifdef HAS_STRATEGY
 TEST(Attach, TheStrategyOfStreamTracersAsksIt)
 {
   const GridPointer grid = MakeGrid(Polyhedra(3).Map(Bent));
@@ -106,6 +112,7 @@ TEST(Attach, TheStrategyOfStreamTracersAsksIt)
   }
   EXPECT_GT(found, 50);
 }
+#endif
 
 TEST(Attach, ImagesHaveNoLocatorAndPass)
 {
@@ -158,6 +165,29 @@ TEST(Attach, InATimeSeriesTheTreeIsKeptUntilPointsMove)
   EXPECT_EQ(attach->GetTreesBuilt(), 1);
   Point here = { 2.1, 2.1, 2.1 };
   EXPECT_LT(LocatorOf(OutputOf(attach))->FindCell(here.data()), 0);
+}
+
+// VTK 9.6 stores the types of such a grid otherwise than one by one.
+TEST(Attach, OfCellsOfOneTypeTheTreeIsKept)
+{
+  const auto make = []
+  {
+    const GridPointer mixed = MakeGrid(Tetrahedra(3));
+    GridPointer grid = GridPointer::New();
+    grid->SetPoints(mixed->GetPoints());
+    vtkNew<vtkCellArray> cells;
+    cells->DeepCopy(mixed->GetCells());
+    grid->SetCells(VTK_TETRA, cells);
+    return grid;
+  };
+  AttachPointer attach = MakeAttach(make());
+  vtkSkdTreeCellLocator* locator = LocatorOf(OutputOf(attach));
+  Point x = { 1.2, 1.3, 1.4 };
+  EXPECT_EQ(locator->GetNumberOfCellsInTree(), make()->GetNumberOfCells());
+  EXPECT_GE(locator->FindCell(x.data()), 0);
+  attach->SetInputDataObject(make());
+  attach->Update();
+  EXPECT_EQ(attach->GetTreesBuilt(), 0);
 }
 
 TEST(Attach, SettingsReachTheTreeAndBuildItAnew)

@@ -167,6 +167,49 @@ TEST_F(Lifecycle, ShallowCopyKeepsADataSetThatIsThere)
   EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), FindClosest(this->Locator, { 3, 1, 2 }));
 }
 
+/// What VTK's filters of time series do: a copy for the mesh of the next step.
+LocatorPointer CopyFor(vtkDataSet* data, vtkSkdTreeCellLocator* locator)
+{
+  auto copy = LocatorPointer::New();
+  copy->SetDataSet(data);
+  copy->ShallowCopy(locator);
+  return copy;
+}
+
+TEST_F(Lifecycle, ShallowCopyDoesNotPassAnOutdatedTreeOn)
+{
+  this->MoveData();
+  const auto copy = CopyFor(this->Data, this->Locator);
+  EXPECT_EQ(copy->GetNumberOfCellsInTree(), 0);
+  EXPECT_NEAR(FindClosest(copy, { 105, 0, 0 }).Dist2, 16, 0.1);
+}
+
+TEST_F(Lifecycle, ShallowCopyDoesNotPassATreeOnToWhatChangedLater)
+{
+  const auto moved = PolyDataPointer::New();
+  moved->DeepCopy(MakePolyData(Placed(SphereTriangles(8), 1.0, { 100, 0, 0 })));
+  EXPECT_NEAR(FindClosest(CopyFor(moved, this->Locator), { 105, 0, 0 }).Dist2, 16, 0.1);
+}
+
+TEST_F(Lifecycle, ShallowCopyPassesAnExistingStructureOnIfThatIsWanted)
+{
+  this->Locator->UseExistingSearchStructureOn();
+  const double built = this->Locator->GetBuildSeconds();
+  const auto copy = CopyFor(MakePolyData(SphereTriangles(8)), this->Locator);
+  copy->BuildLocator();
+  EXPECT_TRUE(copy->GetUseExistingSearchStructure());
+  EXPECT_EQ(copy->GetBuildSeconds(), built) << "nothing was built";
+  EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), FindClosest(this->Locator, { 3, 1, 2 }));
+}
+
+TEST_F(Lifecycle, ShallowCopyLeavesNoTreeOfBeforeBehind)
+{
+  const auto copy = MakeLocator(MakePolyData(CubeTriangles(2)));
+  this->Locator->FreeSearchStructure();
+  copy->ShallowCopy(this->Locator);
+  EXPECT_EQ(copy->GetNumberOfCellsInTree(), 0);
+}
+
 TEST_F(Lifecycle, ShallowCopyTakesTheMotionAndIsMovedByItself)
 {
   vtkNew<vtkMatrix4x4> motion;

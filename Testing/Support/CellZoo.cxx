@@ -198,7 +198,9 @@ int DimensionOf(int type)
 
 std::string NameOfType(int type)
 {
-  std::string name = vtkCellTypes::GetClassNameFromTypeId(type);
+  vtkSmartPointer<vtkCell> cell;
+  cell.TakeReference(vtkGenericCell::InstantiateCell(type));
+  const std::string name = cell ? cell->GetClassName() : "Unknown" + std::to_string(type);
   return name.compare(0, 3, "vtk") == 0 ? name.substr(3) : name;
 }
 
