@@ -101,7 +101,7 @@ def test_in_a_time_series_the_tree_is_kept():
         scaled = simple.Calculator(
             Input=flow(), ResultArrayName="V", Function="V*%d" % (step + 1))
         files.append(skdtesting.temporary("attach_%d.vtu" % step))
-        simple.SaveData(files[-1], proxy=scaled)
+        simple.SaveData(files[-1], proxy=scaled, DataMode="Binary")
     series = simple.XMLUnstructuredGridReader(FileName=files)
     attached = simple.SkdTreeAttach(Input=series)
     built, lengths = [], []

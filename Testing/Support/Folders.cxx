@@ -5,6 +5,16 @@
 namespace skdtest
 {
 
+std::string SourceFolder()
+{
+  return SKDTREE_SOURCE_DIR;
+}
+
+std::string TemporaryFolder()
+{
+  return SKDTREE_TEMPORARY_DIR;
+}
+
 std::string DataFolder()
 {
   return SKDTREE_DATA_DIR;

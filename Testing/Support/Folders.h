@@ -12,6 +12,12 @@
 namespace skdtest
 {
 
+/// The repository.
+std::string SourceFolder();
+
+/// A folder to write to, in the build tree.
+std::string TemporaryFolder();
+
 /// The repository's Data/.
 std::string DataFolder();
 

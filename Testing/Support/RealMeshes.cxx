@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/RealMeshes.h"
 
+#include "Support/Folders.h"
+
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
@@ -9,11 +11,41 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
 namespace skdtest
 {
 
 namespace
 {
+bool HasAppendedArrays(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  return text.find("<AppendedData") != std::string::npos;
+}
+
+/// The file, or what Plugin/inline_xml.py makes of it if VTK may be unable to read it.
+std::string ReadableVersion(const std::string& file)
+{
+  if (!HasAppendedArrays(file))
+  {
+    return file;
+  }
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(TemporaryFolder()) / "Inline";
+  fs::create_directories(folder);
+  const std::string made =
+    (folder / (std::to_string(std::hash<std::string>()(file)) + fs::path(file).filename().string()))
+      .string();
+  const std::string command =
+    "python3 '" + SourceFolder() + "/Plugin/inline_xml.py' '" + file + "' '" + made + "'";
+  const bool isThere = fs::exists(made) && fs::last_write_time(made) > fs::last_write_time(file);
+  return isThere || std::system(command.c_str()) == 0 ? made : file;
+}
+
 template <typename Reader>
 DataSetPointer ReadWith(const std::string& file)
 {
@@ -24,9 +56,10 @@ DataSetPointer ReadWith(const std::string& file)
 }
 }
 
-DataSetPointer ReadMesh(const std::string& file)
+DataSetPointer ReadMesh(const std::string& name)
 {
-  const std::string extension = std::filesystem::path(file).extension().string();
+  const std::string extension = std::filesystem::path(name).extension().string();
+  const std::string file = extension.rfind(".vt", 0) == 0 ? ReadableVersion(name) : name;
   return extension == ".vtp" ? ReadWith<vtkXMLPolyDataReader>(file)
     : extension == ".vtu"    ? ReadWith<vtkXMLUnstructuredGridReader>(file)
     : extension == ".vti"    ? ReadWith<vtkXMLImageDataReader>(file)
