@@ -1,17 +1,26 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What Plugin/demo.sh and Testing/run.sh share: sourced by them, for bash on Debian 12.
+# What Plugin/demo.sh and Testing/run.sh share: sourced by them, for bash on Debian 12 and later.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 with_display=$root/.ci/with_display.sh
 
-# What the build and its use need, and what only the tests need.
+# What the build and its use need, and what only the tests need. Packages that ParaView's own build
+# names, but its package does not depend on, are here, too; icons are drawn by Qt's SVG library.
 packages=(
   cmake ninja-build g++ paraview paraview-dev python3-paraview python3-dev
-  libopenmpi-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
-  libutfcpp-dev libdouble-conversion-dev xvfb)
+  libopenmpi-dev libutfcpp-dev libdouble-conversion-dev xvfb)
+qt5=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5)
+qt6=(
+  qt6-base-dev qt6-tools-dev qt6-5compat-dev qt6-declarative-dev qt6-svg-dev qt6-svg-plugins
+  xsltproc)
+case $(. /etc/os-release && echo "${VERSION_ID:-later}") in
+  12) packages+=("${qt5[@]}") ;;                                 # ParaView 5.11
+  13) packages+=("${qt6[@]}") ;;                                 # ParaView 5.13
+  *) packages+=("${qt6[@]}" libvtk9-dev python3-vtk9) ;;         # ParaView 6, on Debian's own VTK
+esac
 test_packages=(
   libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file
   valgrind)

@@ -2,14 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# On a fresh Debian 12, as root or with sudo: installs what is missing, builds into build/ and runs
-# all tests; then builds the C++ tests once more, with AddressSanitizer and
-# UndefinedBehaviorSanitizer, and runs these.
+# On a fresh Debian 12 or later, as root or with sudo: installs what is missing, builds into build/
+# and runs all tests; then builds the C++ tests once more, with AddressSanitizer and
+# UndefinedBehaviorSanitizer, and runs these, unless --no-sanitizers says not to.
 #
-# usage: bash Testing/run.sh [options of ctest]
+# usage: bash Testing/run.sh [--no-sanitizers] [options of ctest]
 
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/../.ci/prepare.sh"
+with_sanitizers=yes
+if [ "${1:-}" = --no-sanitizers ]; then
+  with_sanitizers=no
+  shift
+fi
 
 failed=()
 run_tests() {
@@ -22,8 +27,10 @@ run_tests() {
 install_missing "${packages[@]}" "${test_packages[@]}"
 configure_and_build default "$build"
 run_tests default "$@"
-configure_and_build asan-ubsan "$build/asan-ubsan"
-run_tests asan-ubsan "$@"
+if [ $with_sanitizers = yes ]; then
+  configure_and_build asan-ubsan "$build/asan-ubsan"
+  run_tests asan-ubsan "$@"
+fi
 
 if [ ${#failed[@]} != 0 ]; then
   say "FAILED: ${failed[*]}"

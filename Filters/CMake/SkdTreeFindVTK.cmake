@@ -6,6 +6,8 @@
 #   SKDTREE_VTK_PACKAGE, SKDTREE_VTK_PACKAGE_VERSION  what was found: ParaView or VTK
 #   SKDTREE_VTK_PREFIX                                the folder it is installed in
 
+include(SkdTreePythonModules)
+
 set(vtk_components
   CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem
   FiltersGeometry ParallelCore)
@@ -33,6 +35,9 @@ if (VTK_FOUND)
   set(SKDTREE_VTK_PACKAGE VTK)
   set(SKDTREE_VTK_PREFIX "${VTK_PREFIX_PATH}")
 else ()
+  # Where ParaView is: its version file is all that is read.
+  find_package(ParaView QUIET CONFIGS paraview-config-version.cmake)
+  skdtree_accept_python_modules("${ParaView_DIR}" "${ParaView_DIR}/vtk")
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingServerManager)
   find_package(VTK REQUIRED COMPONENTS ${vtk_components} ${python_components}
     PATHS "${VTK_DIR}" NO_DEFAULT_PATH)

@@ -12,10 +12,12 @@ configure_package_config_file(Filters/CMake/SkdTreeConfig.cmake.in "${package_fo
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${package_folder}/SkdTreeConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
+configure_file(Filters/CMake/SkdTreePythonModules.cmake "${package_folder}" COPYONLY)
 install(
   FILES
     "${package_folder}/SkdTreeConfig.cmake"
     "${package_folder}/SkdTreeConfigVersion.cmake"
+    "${package_folder}/SkdTreePythonModules.cmake"
   DESTINATION "${SKDTREE_CMAKE_DESTINATION}" COMPONENT development)
 
 # What a shell sources to use the build tree as it is.

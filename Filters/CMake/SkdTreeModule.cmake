@@ -5,17 +5,26 @@
 
 set(SKDTREE_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SkdTree")
 
+# A folder of the module's own. The repository's root is where a remote module's vtk.module has to be,
+# but taken from there our project would be a subdirectory of itself, and Qt 6 looks for targets in all
+# subdirectories of these.
+set(module_folder "${CMAKE_CURRENT_BINARY_DIR}/Module")
+configure_file(vtk.module "${module_folder}/vtk.module" COPYONLY)
+configure_file(LICENSE "${module_folder}/LICENSE" COPYONLY)
+file(CONFIGURE OUTPUT "${module_folder}/CMakeLists.txt" @ONLY
+  CONTENT "add_subdirectory([[@CMAKE_CURRENT_SOURCE_DIR@/Filters]] Filters)\n")
+
 vtk_module_scan(
-  MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  MODULE_FILES "${module_folder}/vtk.module"
   REQUEST_MODULES VTK::FiltersSkdTree
   PROVIDES_MODULES modules
   HIDE_MODULES_FROM_CACHE ON
   ENABLE_TESTS OFF)
 
-# vtk_module_build puts a module's binary folder at its path below CMAKE_SOURCE_DIR. For a module
-# that is the source folder itself this would be the build folder: look from one folder higher.
+# vtk_module_build puts a module's binary folder at its path below CMAKE_SOURCE_DIR: here this is the
+# folder itself.
 function (skdtree_build_module)
-  get_filename_component(CMAKE_SOURCE_DIR "${CMAKE_SOURCE_DIR}" DIRECTORY)
+  set(CMAKE_SOURCE_DIR "${CMAKE_CURRENT_BINARY_DIR}")
   vtk_module_build(
     MODULES ${modules}
     PACKAGE SkdTree
@@ -24,8 +33,7 @@ function (skdtree_build_module)
     INSTALL_EXPORT SkdTree
     CMAKE_DESTINATION "${SKDTREE_CMAKE_DESTINATION}"
     LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/skdtree"
-    ENABLE_WRAPPING ON)
+    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/skdtree")
 endfunction ()
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 skdtree_build_module()
