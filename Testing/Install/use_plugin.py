@@ -17,7 +17,7 @@ low, high = closest.PointData["SkdDistance"].GetRange()
 assert 0 <= low < high, (low, high)
 
 resampled = simple.ResampleWithDataset(SourceDataArrays=points, DestinationMesh=sphere)
-resampled.CellLocator = "skD-Tree Cell Locator"
+resampled.CellLocator = "SkdTreeCellLocator"
 resampled.UpdatePipeline()
 assert resampled.PointData["vtkValidPointMask"].GetRange() == (1, 1)
 print("SkdTree: distances from", low, "to", high)

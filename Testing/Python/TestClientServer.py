@@ -72,7 +72,7 @@ def resampled_mask():
 
     resampled = simple.ResampleWithDataset(
         SourceDataArrays=simple.Wavelet(), DestinationMesh=simple.Sphere(Radius=3))
-    resampled.CellLocator = "skD-Tree Cell Locator"
+    resampled.CellLocator = "SkdTreeCellLocator"
     return skdtesting.point_array(resampled, "vtkValidPointMask")
 
 
