@@ -81,8 +81,8 @@ int vtkSkdTreeAttach::RequestData(
     }
     internals.Update(tree, mesh, this);
     vtkNew<vtkSkdTreeCellLocator> locator;
-    locator->SetDataSet(mesh);
     locator->ShallowCopy(tree.Locator);
+    locator->SetDataSet(mesh); // the same as that which was kept: the existing structure is used
     mesh->SetCellLocator(locator);
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(leaves.size()));
   }

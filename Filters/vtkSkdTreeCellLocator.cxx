@@ -517,12 +517,11 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
 }
 
 //------------------------------------------------------------------------------
-// Whether a tree that is up to date is so of our data set, too. As of VTK's own locators, whoever
-// wants the existing structure vouches for it.
+// Whether a tree that is up to date is so of our data set, too. (VTK's own locators share what they
+// have in any case, but it is bins or boxes alone: cells are read from their own data set.)
 bool vtkSkdTreeCellLocator::IsOlderThanTreeOf(vtkSkdTreeCellLocator* other)
 {
-  return other->UseExistingSearchStructure || this->DataSet == other->DataSet ||
-    this->DataSet->GetMTime() < other->BuildTime;
+  return this->DataSet == other->DataSet || this->DataSet->GetMTime() < other->BuildTime;
 }
 
 //------------------------------------------------------------------------------

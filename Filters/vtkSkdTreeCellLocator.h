@@ -450,8 +450,8 @@ public:
   /**
    * Share the tree and copy the settings of another vtkSkdTreeCellLocator, in O(1). The data set is
    * taken over only when this locator has none. A tree that is outdated, or older than the last
-   * change of this locator's own data set, is not shared (it is built when it is asked for), unless
-   * UseExistingSearchStructure of the other is on.
+   * change of this locator's own data set, is not shared: one is built when it is asked for, for the
+   * answers are those of the own data set, as with VTK's own locators.
    */
   void ShallowCopy(vtkAbstractCellLocator* locator) VTK_SKD_OVERRIDE_SINCE_92;
 
