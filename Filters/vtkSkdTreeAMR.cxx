@@ -158,7 +158,7 @@ std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, co
 
 SkdRefineSettings MakeSettings(vtkSkdTreeAMR* self, const SkdRefineState& state)
 {
-  SkdRefineSettings settings{ state.MakeCriteria(self) };
+  SkdRefineSettings settings{ state.MakeCriteria() };
   settings.Balance = static_cast<skd::Contact>(self->GetBalance());
   settings.Layers = self->GetGrowingLayers();
   settings.CellLimit = static_cast<std::uint64_t>(self->GetCellLimit());
@@ -271,6 +271,7 @@ int vtkSkdTreeAMR::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   output->Initialize();
   SkdRefineState& state = *this->State;
+  this->PassOptions();
   SkdStopwatch watch;
   const std::optional<int> treesBuilt = UpdateTrees(
     this, state, vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[2]));

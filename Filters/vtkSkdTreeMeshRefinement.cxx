@@ -45,7 +45,7 @@ bool IsAnythingAsked(const SkdMeshSettings& settings)
 
 SkdMeshSettings MakeSettings(Filter* self, const SkdRefineState& state)
 {
-  SkdMeshSettings settings{ state.MakeCriteria(self) };
+  SkdMeshSettings settings{ state.MakeCriteria() };
   settings.MinimumLevel = self->GetMinimumLevel();
   settings.IsConforming = self->GetMethod() == Filter::BISECTION;
   settings.Balance = static_cast<skd::Contact>(self->GetBalance());
@@ -299,6 +299,7 @@ int vtkSkdTreeMeshRefinement::RequestData(
   const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
   SkdStopwatch watch;
   SkdReadMesh read;
+  this->PassOptions();
   const std::optional<int> treesBuilt =
     Read(this, *this->State, inputVector, processes.get(), read);
   if (!treesBuilt)

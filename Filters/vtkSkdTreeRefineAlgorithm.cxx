@@ -67,6 +67,22 @@ void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()
   this->Modified();
 }
 
+void vtkSkdTreeRefineAlgorithm::PassOptions()
+{
+  SkdRefineOptions& options = this->State->Options;
+  options.MaximumLevel = this->MaximumLevel;
+  options.Test = this->Test == EXACT ? SkdOverlapTest::Exact : SkdOverlapTest::Blind;
+  options.RefineByBend = this->RefineByBend;
+  options.BendAngle = this->BendAngle;
+  options.FlatLevel = this->FlatLevel;
+  options.InsideLevel = this->InsideLevel;
+  options.FieldTest = static_cast<SkdFieldTest>(this->FieldTest);
+  options.FieldThreshold = this->FieldThreshold;
+  std::copy_n(this->FieldRange, 2, options.FieldRange);
+  options.FieldLevel = this->FieldLevel;
+  options.Epsilon = this->Epsilon;
+}
+
 int vtkSkdTreeRefineAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   SkdAcceptMeshes(info);

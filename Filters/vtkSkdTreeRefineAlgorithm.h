@@ -227,6 +227,9 @@ protected:
   vtkIdType CellLimit = 20000000;
   double Epsilon = 1e-9;
 
+  /// Copies the settings into the State, which is to be updated with them.
+  void PassOptions();
+
   std::unique_ptr<SkdRefineState> State; // trees of parts and field, kept while they are the same
 
 private:

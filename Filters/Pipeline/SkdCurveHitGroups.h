@@ -3,7 +3,9 @@
 #ifndef SkdCurveHitGroups_h
 #define SkdCurveHitGroups_h
 
-#include "Pipeline/SkdCurveHits.h"
+#include "Pipeline/SkdCurveHit.h"
+
+#include <vector>
 
 /// Puts hits in order, and makes one of those that tell the same place of two curves: at joints of
 /// their pieces, or within what they may be off by. The ends of stretches that go on there go.

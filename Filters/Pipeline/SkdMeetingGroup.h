@@ -3,7 +3,10 @@
 #ifndef SkdMeetingGroup_h
 #define SkdMeetingGroup_h
 
-#include "Pipeline/SkdSurfaceHits.h"
+#include "Pipeline/SkdSurfaceHit.h"
+#include "Pipeline/SkdSurfaceSet.h"
+
+#include <vector>
 
 /// Puts together what is met in one place: hits on edges or vertices of the same part, or at the
 /// joints of a curve, whose parameters differ by no more than they may be off by.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdSplitEvents.h"
+#include "Pipeline/SkdSplitSegments.h"
 
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
@@ -160,19 +160,19 @@ std::vector<std::size_t> FindStarts(const Elements& elements)
 }
 }
 
-std::vector<SkdSplitEvent> SkdFindSplitEvents(const SkdSplitSegments& segments, int number)
+std::vector<SkdSplitEvent> SkdSplitSegments::FindEvents(int number) const
 {
-  const SkdSplitSegments::Side& side = segments.GetSide(number);
+  const Side& side = this->GetSide(number);
   const std::vector<std::size_t> starts = FindStarts(side.Elements);
   const auto isNew = [&](const SkdSplitElement& element)
-  { return segments.GetSegment(element.Segment).IsNew; };
+  { return this->GetSegment(element.Segment).IsNew; };
   const auto findIn = [&](std::size_t begin, std::size_t end, std::vector<SkdSplitEvent>& events)
   {
     const auto first = side.Elements.begin();
     if (end - begin > 1 && std::any_of(first + begin, first + end, isNew))
     {
       const std::uint32_t at = side.Elements[begin].Triangle;
-      Triangle triangle(segments, side.Set->Get(at).Axis, events);
+      Triangle triangle(*this, side.Set->Get(at).Axis, events);
       std::for_each(first + begin, first + end,
         [&](const SkdSplitElement& element) { triangle.Add(element.Segment); });
       triangle.Find();

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSplitSegments.h"
 
-#include "Pipeline/SkdSplitEvents.h"
-
 #include <algorithm>
 
 /// A segment of one pair: its ends with their places in the pair's contact.
@@ -34,8 +32,7 @@ SkdSplitSegments::SkdSplitSegments(const SkdPlacement& placement,
   this->AddElements(this->ListSegments());
   for (bool isChanged = true; isChanged;)
   {
-    const std::vector<SkdSplitEvent> events[2] = { SkdFindSplitEvents(*this, 0),
-      SkdFindSplitEvents(*this, 1) };
+    const std::vector<SkdSplitEvent> events[2] = { this->FindEvents(0), this->FindEvents(1) };
     for (SkdSplitSegment& segment : this->Segments)
     {
       segment.IsNew = false;

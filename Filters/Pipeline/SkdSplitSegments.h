@@ -112,6 +112,11 @@ private:
   std::vector<PairSegment> ListSegments() const;
   void AddElements(const std::vector<PairSegment>& list);
   void AddElementsOf(const PairSegment& of, std::uint32_t segment);
+
+  /// What happens where the new segments of a side's triangles meet others of the same triangle,
+  /// ascending, each once. In parallel; of a triangle with n segments O(n log n) plus what overlaps
+  /// along an axis. (SkdSplitEvents.cxx)
+  std::vector<SkdSplitEvent> FindEvents(int side) const;
   bool Apply(const std::vector<SkdSplitEvent>& events);
   void AddBetween(std::uint32_t segment, std::uint32_t point);
   void SortBetween(SkdSplitSegment& segment);

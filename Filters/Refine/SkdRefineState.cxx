@@ -3,13 +3,14 @@
 #include "Refine/SkdRefineState.h"
 
 #include "Pipeline/SkdReport.h"
+#include "vtkAlgorithm.h"
 #include "vtkMath.h"
 
 #include <algorithm>
 
 namespace
 {
-void WarnAbout(vtkSkdTreeRefineAlgorithm* self, const SkdSignedSource& boundary)
+void WarnAbout(vtkAlgorithm* self, const SkdSignedSource& boundary)
 {
   if (boundary.GetNumberOfFaces() == 0)
   {
@@ -25,28 +26,28 @@ void WarnAbout(vtkSkdTreeRefineAlgorithm* self, const SkdSignedSource& boundary)
 }
 }
 
-int SkdRefineState::Update(vtkSkdTreeRefineAlgorithm* self, const std::vector<SkdLeaf>& parts,
+int SkdRefineState::Update(vtkAlgorithm* self, const std::vector<SkdLeaf>& parts,
   vtkDataObject* field, bool needsEnclosure)
 {
-  int treesBuilt = this->Parts.Update(parts, self->GetEpsilon(), SkdComparable);
+  int treesBuilt = this->Parts.Update(parts, this->Options.Epsilon, SkdComparable);
   this->UpdateField(self, field);
-  this->HasEnclosure = needsEnclosure || self->GetInsideLevel() > 0;
+  this->HasEnclosure = needsEnclosure || this->Options.InsideLevel > 0;
   if (this->HasEnclosure)
   {
-    treesBuilt += this->Enclosure.Update(parts, self->GetEpsilon());
+    treesBuilt += this->Enclosure.Update(parts, this->Options.Epsilon);
     WarnAbout(self, this->Enclosure.GetBoundary());
   }
   return treesBuilt;
 }
 
-void SkdRefineState::UpdateField(vtkSkdTreeRefineAlgorithm* self, vtkDataObject* field)
+void SkdRefineState::UpdateField(vtkAlgorithm* self, vtkDataObject* field)
 {
   SkdFieldSettings settings;
   settings.Arrays = this->FieldArrays;
-  settings.Test = static_cast<SkdFieldTest>(self->GetFieldTest());
-  settings.Threshold = self->GetFieldThreshold();
-  std::copy_n(self->GetFieldRange(), 2, settings.Range);
-  this->Field.Update(SkdLeavesOf(field), settings, self->GetEpsilon());
+  settings.Test = this->Options.FieldTest;
+  settings.Threshold = this->Options.FieldThreshold;
+  std::copy_n(this->Options.FieldRange, 2, settings.Range);
+  this->Field.Update(SkdLeavesOf(field), settings, this->Options.Epsilon);
   for (const std::string& name : this->Field.GetMissing())
   {
     vtkWarningWithObjectMacro(
@@ -54,32 +55,31 @@ void SkdRefineState::UpdateField(vtkSkdTreeRefineAlgorithm* self, vtkDataObject*
   }
 }
 
-SkdCriteria SkdRefineState::MakeCriteria(vtkSkdTreeRefineAlgorithm* self) const
+SkdCriteria SkdRefineState::MakeCriteria() const
 {
   SkdCriteria criteria;
-  criteria.MaximumLevel = self->GetMaximumLevel();
+  criteria.MaximumLevel = this->Options.MaximumLevel;
   criteria.Bands = this->Bands;
-  criteria.Test = self->GetTest() == vtkSkdTreeRefineAlgorithm::EXACT ? SkdOverlapTest::Exact
-                                                                      : SkdOverlapTest::Blind;
+  criteria.Test = this->Options.Test;
   for (const int blockIndex : this->Parts.GetBlockIndices())
   {
     const auto level = this->PartLevels.find(blockIndex);
     criteria.PartLevels.push_back(
       level == this->PartLevels.end() ? criteria.MaximumLevel : level->second);
   }
-  if (self->GetRefineByBend())
+  if (this->Options.RefineByBend)
   {
-    criteria.BendAngle = vtkMath::RadiansFromDegrees(self->GetBendAngle());
-    criteria.FlatLevel = self->GetFlatLevel();
+    criteria.BendAngle = vtkMath::RadiansFromDegrees(this->Options.BendAngle);
+    criteria.FlatLevel = this->Options.FlatLevel;
   }
-  if (self->GetInsideLevel() > 0)
+  if (this->Options.InsideLevel > 0)
   {
-    criteria.InsideLevel = self->GetInsideLevel();
+    criteria.InsideLevel = this->Options.InsideLevel;
     criteria.IsInside = [this](const skd::Vector3& x) { return this->Enclosure.IsInside(x); };
   }
   if (!this->FieldArrays.empty())
   {
-    criteria.FieldLevel = self->GetFieldLevel();
+    criteria.FieldLevel = this->Options.FieldLevel;
     criteria.IsFieldWanted = [this](const SkdRegion& cell) { return this->Field.IsWanted(cell); };
   }
   return criteria;

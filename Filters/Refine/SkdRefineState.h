@@ -12,7 +12,6 @@
 #include "Refine/SkdCriteria.h"
 #include "Refine/SkdEnclosure.h"
 #include "Refine/SkdFieldCriterion.h"
-#include "vtkSkdTreeRefineAlgorithm.h"
 
 #include <map>
 #include <set>
@@ -20,12 +19,30 @@
 #include <vector>
 
 class SkdReport;
+class vtkAlgorithm;
+
+/// The settings of a filter that refines which are plain numbers: vtkSkdTreeRefineAlgorithm.h.
+struct SkdRefineOptions
+{
+  int MaximumLevel = 0;
+  SkdOverlapTest Test = SkdOverlapTest::Exact;
+  bool RefineByBend = false;
+  double BendAngle = 0.0; ///< degrees
+  int FlatLevel = 0;
+  int InsideLevel = 0;
+  SkdFieldTest FieldTest = SkdFieldTest::Difference;
+  double FieldThreshold = 0.0;
+  double FieldRange[2] = { 0.0, 0.0 };
+  int FieldLevel = 0;
+  double Epsilon = 0.0;
+};
 
 class SkdRefineState
 {
 public:
   ///@{
   /// Settings.
+  SkdRefineOptions Options;
   std::map<int, int> PartLevels; // by block index
   std::vector<SkdDistanceBand> Bands;
   std::set<std::string> FieldArrays;
@@ -37,17 +54,17 @@ public:
 
   /// Makes trees those of the parts and of the field, if that is asked, and warns of arrays that it
   /// does not have. Returns how many trees of parts were built. Throws as SkdParts::Update() does.
-  int Update(vtkSkdTreeRefineAlgorithm* self, const std::vector<SkdLeaf>& parts,
-    vtkDataObject* field, bool needsEnclosure);
+  int Update(vtkAlgorithm* self, const std::vector<SkdLeaf>& parts, vtkDataObject* field,
+    bool needsEnclosure);
 
-  /// What the filter's settings ask for. This must live.
-  SkdCriteria MakeCriteria(vtkSkdTreeRefineAlgorithm* self) const;
+  /// What the settings ask for. This must live.
+  SkdCriteria MakeCriteria() const;
 
   /// Tells of the parts.
   void Report(SkdReport& report) const;
 
 private:
-  void UpdateField(vtkSkdTreeRefineAlgorithm* self, vtkDataObject* field);
+  void UpdateField(vtkAlgorithm* self, vtkDataObject* field);
 
   bool HasEnclosure = false;
 };

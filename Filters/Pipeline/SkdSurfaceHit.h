@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSurfaceHit_h
+#define SkdSurfaceHit_h
+
+#include "Core/Curves/Meeting.h"
+#include "Core/Geometry/Vector.h"
+
+#include <cstddef>
+
+/// A place that a piece of a curve and an element have in common.
+struct SkdSurfaceHit
+{
+  std::size_t Curve;
+  std::size_t Piece;
+  double U; ///< number of the piece within its curve, and T: what hits are ordered by
+  double T; ///< on the piece
+  std::size_t Element;
+  double R;
+  double S;
+  skd::Vector3 X;
+  skd::Vector3 Tangent; ///< of the curve, of any length
+  skd::Vector3 Normal;  ///< of the surface, of any length
+  double Gap;
+  double Slack; ///< what U may be off by
+  double Reach; ///< and X
+  skd::MeetingKind Kind;
+  int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
+  int Direction; ///< 1 along the normal, -1 against it, 0 along the surface
+  bool IsExact;
+  bool Begins;
+  bool OnBoundary;
+};
+
+/// A place where a curve meets a surface, whatever number of pieces and elements meet there.
+struct SkdSurfaceMeeting
+{
+  SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (leaf, cell id)
+  int Sense;         ///< 1: the curve goes in, against the normal; -1: out; 0: neither
+};
+
+#endif
