@@ -1,0 +1,279 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks a source tree against plan.txt: python check_layout.py <root>
+
+Prints "file:line: what is wrong" and returns 1 where the tree departs from the plan:
+- an include that the table of rooms does not allow,
+- a circle of includes, a header and the sources of the same name being one,
+- a file or a function that is too long,
+- a word of the old glossary.
+
+Functions are found by a brace scanner: a function is a block in braces that opens in a file, a
+namespace or a class and has a parameter list before it. It is counted from the line on which its
+declaration begins to the line of its closing brace; lambdas and local classes count as part of the
+function that they are in.
+"""
+import fnmatch
+import pathlib
+import re
+import subprocess
+import sys
+
+INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
+PLAN = pathlib.Path(__file__).resolve().parent / "plan.txt"
+
+
+class Plan:
+    """The sections of plan.txt: [rooms], [limits], [words], [allowed]."""
+
+    def __init__(self, path):
+        self.rooms, self.limits, self.words, self.allowed = [], {}, [], []
+        section = None
+        for line in path.read_text(encoding="utf8").splitlines():
+            line = line.split(" # ")[0].strip()
+            if not line or line.startswith("#"):
+                continue
+            if line.startswith("["):
+                section = line.strip("[]")
+            elif section == "rooms":
+                room, _, may = line.partition("|")
+                self.rooms.append((room.strip(), may.split()))
+            elif section == "limits":
+                name, _, number = line.partition("|")
+                self.limits[name.strip()] = int(number)
+            elif section == "words":
+                word, _, instead = line.partition("|")
+                self.words.append((re.compile(word.strip()), instead.strip()))
+            elif section == "allowed":
+                name, _, text = line.partition("|")
+                self.allowed.append((name.strip(), text.strip()))
+            else:
+                raise ValueError("plan.txt: a line outside of the sections: " + line)
+
+    def room_of(self, path):
+        """The first row that a path below Filters matches, by its folder or by its own name."""
+        folder = path.rpartition("/")[0]
+        for room, may in self.rooms:
+            if room == folder or fnmatch.fnmatchcase(path, room):
+                return room, may
+        return None, None
+
+    def is_allowed(self, name, line):
+        return any(fnmatch.fnmatchcase(name, where) and text in line for where, text in self.allowed)
+
+
+def list_files(root):
+    """What git keeps below root, or, where it is no repository, what is there."""
+    if (root / ".git").exists():
+        names = subprocess.run(["git", "-C", str(root), "ls-files"], check=True,
+            capture_output=True, text=True).stdout.splitlines()
+    else:
+        names = [path.relative_to(root).as_posix() for path in root.rglob("*") if path.is_file()]
+    return sorted(name for name in names if (root / name).is_file())
+
+
+def resolve(name, included, headers):
+    """The file below Filters that an include is; None if it is none of ours."""
+    here = pathlib.PurePosixPath(name).parent
+    parts = []
+    for part in (here / included).parts:
+        if part == "..":
+            parts = parts[:-1]
+        else:
+            parts.append(part)
+    for candidate in ("/".join(parts), included):
+        if candidate in headers:
+            return candidate
+    return None
+
+
+def read_includes(root, headers):
+    """Of each file below Filters: (line, spelling, file or None)."""
+    includes = {}
+    for name in headers:
+        includes[name] = []
+        text = (root / "Filters" / name).read_text(encoding="utf8")
+        for number, line in enumerate(text.splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match:
+                found = resolve(name, match.group(2), headers)
+                includes[name].append((number, match.group(2), found))
+    return includes
+
+
+def may_include(room, may, name, spelling, target):
+    """Whether the plan lets a file of a room include this."""
+    if target is None:
+        return not spelling.startswith("vtk") or "VTK" in may
+    folder = target.rpartition("/")[0]
+    own = name.rpartition("/")[0]
+    if folder == own and folder:
+        return True
+    stem = name.rpartition(".")[0]
+    if target == stem + ".h":
+        return True
+    return any(folder == entry or fnmatch.fnmatchcase(target, entry) for entry in may)
+
+
+def check_rooms(plan, includes):
+    for name, lines in includes.items():
+        room, may = plan.room_of(name)
+        if room is None:
+            yield name, 1, "is in no room of Testing/Layout/plan.txt"
+            continue
+        for number, spelling, target in lines:
+            if not may_include(room, may, name, spelling, target):
+                yield name, number, "%s may not include %s" % (room, spelling)
+
+
+def check_circles(includes):
+    """Circles among units: a header and the sources of its name are one."""
+    edges, where = {}, {}
+    for name, lines in includes.items():
+        unit = name.rpartition(".")[0]
+        for number, _, target in lines:
+            other = target.rpartition(".")[0] if target else unit
+            if other != unit:
+                edges.setdefault(unit, set()).add(other)
+                where.setdefault((unit, other), (name, number))
+    state, path = {}, []
+
+    def visit(unit):
+        state[unit] = "open"
+        path.append(unit)
+        for other in sorted(edges.get(unit, ())):
+            if state.get(other) == "open":
+                circle = path[path.index(other):] + [other]
+                yield where[(unit, other)] + ("a circle of includes: " + " > ".join(circle),)
+            elif other not in state:
+                yield from visit(other)
+        path.pop()
+        state[unit] = "done"
+
+    for unit in sorted(edges):
+        if unit not in state:
+            yield from visit(unit)
+
+
+def blank_out(text):
+    """The text without comments, strings, characters and preprocessor lines, line by line."""
+    pattern = re.compile(
+        r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'
+        r"(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*",
+        re.S | re.M)
+    return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m.group(0)), text)
+
+
+def find_functions(text):
+    """(first line, last line, head) of each function."""
+    text = blank_out(text)
+    blocks = []  # kind of each open brace, where its head begins
+    begin, line, depth = 0, 1, 0
+    for at, char in enumerate(text):
+        if char == "\n":
+            line += 1
+        elif char in "([":
+            depth += 1
+        elif char in ")]":
+            depth -= 1
+        elif char == "{":
+            head = text[begin:at]
+            outer = blocks[-1][0] if blocks else "scope"
+            kind = outer
+            if outer == "scope" and depth == 0:
+                if re.search(r"\b(namespace|extern)\b[^()]*$", head):
+                    kind = "scope"
+                elif re.match(r"[^()=]*\b(class|struct|union|enum)\b", strip_template(head)):
+                    kind = "scope"
+                elif "(" in head and not re.search(r"(^|[^=!<>])=\s*$", head):
+                    kind = "function"
+                else:
+                    kind = "value"
+            elif outer == "scope":
+                kind = "value"
+            first = line - head.lstrip().count("\n")
+            blocks.append((kind, first, head.strip(), depth, outer))
+            depth = 0
+            if kind == "scope":
+                begin = at + 1
+        elif char == "}" and blocks:
+            kind, first, head, depth, outer = blocks.pop()
+            if kind == "function" and outer == "scope":
+                # a member's initialiser in braces is followed by the body
+                rest = text[at + 1:].lstrip()
+                if not (rest.startswith(("{", ",")) and re.search(r"\)\s*(noexcept\s*)?:", head)):
+                    yield first, line, head
+                    begin = at + 1
+            elif outer == "scope" and kind != "value":
+                begin = at + 1
+        elif char == ";" and depth == 0 and (not blocks or blocks[-1][0] == "scope"):
+            begin = at + 1
+
+
+def strip_template(head):
+    """The head without its template parameters, among which may be the word class."""
+    head = head.strip()
+    while head.startswith("template"):
+        depth, at = 0, head.find("<")
+        while at < len(head):
+            depth += {"<": 1, ">": -1}.get(head[at], 0)
+            at += 1
+            if depth == 0:
+                break
+        head = head[at:].strip()
+    return re.sub(r"^(public|protected|private)\s*:", "", head).strip()
+
+
+def check_lengths(plan, root, names):
+    for name in names:
+        if not name.endswith((".h", ".cxx", ".py")):
+            continue
+        text = (root / name).read_text(encoding="utf8")
+        count = text.count("\n")
+        if count > plan.limits["lines of a file"]:
+            yield name, count, "the file has %d lines" % count
+        if name.endswith(".py"):
+            continue
+        for first, last, head in find_functions(text):
+            length = last - first + 1
+            if length > plan.limits["lines of a function"]:
+                what = " ".join(head.split())[:60]
+                yield name, first, "a function of %d lines: %s" % (length, what)
+
+
+def check_words(plan, root, names):
+    for name in names:
+        if not name.endswith((".h", ".cxx", ".py", ".md", ".xml", ".txt", ".cmake", ".sh", ".in")):
+            continue
+        if name.startswith(("Testing/Layout/", "Data/")):
+            continue
+        text = (root / name).read_text(encoding="utf8")
+        for number, line in enumerate(text.splitlines(), 1):
+            for word, instead in plan.words:
+                match = word.search(line)
+                if match and not plan.is_allowed(name, line):
+                    yield name, number, "'%s': say %s" % (match.group(0), instead)
+
+
+def check(root, plan):
+    names = [name for name in list_files(root) if name.startswith(("Filters/", "Testing/", "Plugin/"))
+        or name.endswith(".md")]
+    headers = {name[len("Filters/"):] for name in names
+        if name.startswith("Filters/") and name.endswith((".h", ".cxx"))}
+    includes = read_includes(root, headers)
+    found = ["Filters/%s:%d: %s" % each for each in check_rooms(plan, includes)]
+    found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
+    found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
+    found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]
+    return found
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    found = check(root, Plan(PLAN))
+    print("\n".join(found) if found else "the house is as planned")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
