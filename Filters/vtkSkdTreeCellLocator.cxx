@@ -11,6 +11,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkTimerLog.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -309,6 +310,35 @@ vtkIdType vtkSkdTreeCellLocator::CountCrossings(const double p1[3], const double
     this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
   return static_cast<vtkIdType>(std::count_if(crossings.List.begin(), crossings.List.end(),
     [](const SkdCrossing& crossing) { return crossing.Passes; }));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindPasses(const double p1[3], const double p2[3],
+  vtkDoubleArray* parameters, vtkIdTypeArray* cellIds, vtkIdTypeArray* ways)
+{
+  const std::vector<SkdPass>& passes =
+    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  const auto number = static_cast<vtkIdType>(passes.size());
+  const auto at = [&](vtkIdType i) -> const SkdPass&
+  { return passes[static_cast<std::size_t>(i)]; };
+  FillColumn(parameters, number, [&](vtkIdType i) { return at(i).T; });
+  FillColumn(cellIds, number, [&](vtkIdType i) { return at(i).Id; });
+  FillColumn(ways, number, [&](vtkIdType i) { return at(i).Way; });
+  return number;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::CountPasses(
+  const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum)
+{
+  const std::vector<SkdPass>& passes =
+    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  sum = 0;
+  for (const SkdPass& pass : passes)
+  {
+    sum += turned && turned->GetValue(pass.Id) != 0 ? -pass.Way : pass.Way;
+  }
+  return static_cast<vtkIdType>(passes.size());
 }
 
 //------------------------------------------------------------------------------

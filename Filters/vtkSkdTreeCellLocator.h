@@ -82,6 +82,7 @@ class vtkDataArray;
 class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkMatrix4x4;
+class vtkUnsignedCharArray;
 
 class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCellLocator : public vtkAbstractCellLocator
 {
@@ -221,6 +222,23 @@ public:
    * FindCrossings), without collecting them: parity for an in/out test (section 6.3).
    */
   vtkIdType CountCrossings(const double p1[3], const double p2[3]);
+
+  /**
+   * All facets that the segment p1 p2 passes through, by ascending (parameter, cell id), those that
+   * meet at one point each for itself: the parameter, the cell, and in `ways` 1 where it leaves
+   * through the front (along the normal), -1 where it enters. Non-linear cells have the way 0. The
+   * sum of the ways over a closed surface whose cells are turned alike is, exactly, the winding
+   * number around p1 less that around p2. Any output may be nullptr. Returns the number of facets.
+   */
+  vtkIdType FindPasses(const double p1[3], const double p2[3], vtkDoubleArray* parameters,
+    vtkIdTypeArray* cellIds, vtkIdTypeArray* ways);
+
+  /**
+   * The number of facets of FindPasses, and the sum of their ways, those of cells turned around
+   * whose tuple in `turned` (or nullptr: none) is not 0.
+   */
+  vtkIdType CountPasses(
+    const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum);
 
   ///@{
   /**

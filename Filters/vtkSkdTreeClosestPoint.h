@@ -78,10 +78,11 @@ public:
    *
    * Points of equal coordinates are one, faces between two volume cells are no boundary, of
    * whatever blocks they are; cells that do not meet face to face (of two levels of an AMR data
-   * set, say) do have a boundary between them. Inside is decided by the parity of exact crossings,
-   * so orientation does not matter. A surface with open edges (edges that an odd number of its
-   * faces use) gives one warning that counts them; the sign is then a vote of seven directions. A
-   * Source without a surface gives a warning, and distances without a sign. Default off.
+   * set, say) do have a boundary between them. Inside is decided exactly, as by the method
+   * AUTOMATIC of vtkSkdTreePointInOut: orientation does not matter, and what bodies that overlap
+   * share is inside. A surface with open edges (edges that an odd number of its faces use) gives
+   * one warning that counts them; the sign is then a vote of seven directions. A Source without a
+   * surface gives a warning, and distances without a sign. Default off.
    */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);

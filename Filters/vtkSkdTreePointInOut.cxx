@@ -216,7 +216,7 @@ void vtkSkdTreePointInOut::UpdateParts()
 {
   Internals& internals = *this->Impl;
   internals.Rules = { static_cast<SkdInsideMethod>(this->Method), this->NumberOfRays,
-    static_cast<std::uint64_t>(this->Seed) };
+    static_cast<std::uint64_t>(this->Seed), this->WindingTolerance };
   internals.Band = this->BoundaryBand;
   internals.PartIds.clear();
   if (this->Model == BOUNDARIES)
@@ -368,6 +368,7 @@ void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "WindingTolerance: " << this->WindingTolerance << "\n";
   os << indent << "Ask: " << this->Ask << "\n";
   os << indent << "BoundaryBand: " << this->BoundaryBand << "\n";
   os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");

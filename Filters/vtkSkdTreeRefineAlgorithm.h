@@ -95,9 +95,10 @@ public:
 
   ///@{
   /**
-   * Refine all cells that come nearer to a part than a distance, to a level of their own, at most
-   * MaximumLevel. (Those whose centre is at most that distance and their radius away.) The level is
-   * a whole number; both are doubles for ParaView, whose lists have one type.
+   * Refine all cells that come as near to a part as a distance, to a level of their own, at most
+   * MaximumLevel: by the exact distance between a cell and the parts' cells, of curved ones that of
+   * 8 straight pieces along each of their parameters. The level is a whole number; both are doubles
+   * for ParaView, whose lists have one type.
    */
   void AddDistanceBand(double distance, double level);
   void RemoveAllDistanceBands();
@@ -106,9 +107,9 @@ public:
   ///@{
   /**
    * Refine cells whose middle is inside of the closed surface that the parts are or that bounds
-   * them to this level, at most MaximumLevel: by the parity of exact crossings, or, of a surface
-   * with open edges, which a warning counts, by its winding number. Default 0: the inside does not
-   * matter.
+   * them to this level, at most MaximumLevel: exactly, bodies that overlap included, or, of a
+   * surface with open edges, which a warning counts, by its winding number. Default 0: the inside
+   * does not matter.
    */
   vtkSetClampMacro(InsideLevel, int, 0, 30);
   vtkGetMacro(InsideLevel, int);

@@ -43,6 +43,9 @@ void SkdSignedSource::MakeBoundary(const std::vector<SkdLeaf>& leaves)
   this->Faces = SkdMakeLocator(this->Boundary.Faces);
   const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
   this->Walls = isOne ? this->Faces : SkdMakeLocator(this->Boundary.Walls);
+  this->Solid = this->Boundary.OpenEdges == 0
+    ? std::make_unique<SkdSolid>(this->Boundary.Walls, this->Walls)
+    : nullptr;
 }
 
 std::optional<SkdNearest> SkdSignedSource::FindNearest(
@@ -78,9 +81,9 @@ bool SkdSignedSource::IsInside(const double x[3]) const
     }
   }
   const std::array<SkdWayOut, 7> ways = SkdWaysOutAlongAxes(this->Bounds, x);
-  if (this->Boundary.OpenEdges == 0)
+  if (this->Solid)
   {
-    return this->HasOddCrossings(x, ways[0]);
+    return this->Solid->Ask(x, ways[0]).IsInside;
   }
   const auto votes = std::count_if(
     ways.begin(), ways.end(), [&](const SkdWayOut& way) { return this->HasOddCrossings(x, way); });

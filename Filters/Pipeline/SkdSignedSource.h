@@ -12,9 +12,10 @@
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdNearest.h"
-#include "Pipeline/SkdWaysOut.h"
+#include "Pipeline/SkdSolid.h"
 #include "vtkSkdTreeCellLocator.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -40,8 +41,8 @@ public:
   /// As SkdSourceTrees::FindNearest, on the boundary: the cell is the one that has the face.
   std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
 
-  /// Whether x is inside the boundary, by the parity of the crossings on a way out; of a boundary
-  /// that is open by a vote of seven ways. Of a point on the boundary either. Thread-safe.
+  /// Whether x is inside the boundary, see SkdSolid; of a boundary that is open by a vote of seven
+  /// ways. Of a point on the boundary either. Thread-safe.
   bool IsInside(const double x[3]) const;
 
   /// The mesh of a leaf: its structure alone.
@@ -57,7 +58,8 @@ private:
   std::vector<SkdKeptMesh> Meshes;
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Walls;           // often the same as Faces
+  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
+  std::unique_ptr<SkdSolid> Solid;              // of the walls, or nullptr of an open boundary
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the walls
 };
 

@@ -23,7 +23,7 @@ public:
   const SkdSignedSource& GetBoundary() const { return this->Boundary; }
   bool IsClosed() const { return this->Boundary.GetNumberOfOpenEdges() == 0; }
 
-  /// By the parity of exact crossings; where the boundary has open edges by its winding number, its
+  /// See SkdSolid; where the boundary has open edges by its winding number, its
   /// triangles turned so that they agree (SkdFindTurned). Thread-safe.
   bool IsInside(const skd::Vector3& x) const
   {
