@@ -36,6 +36,8 @@ struct SkdSurfaceHit
   skd::MeetingKind Kind;
   int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
   int Direction; ///< 1 along the normal, -1 against it, 0 along the surface
+  int Before;    ///< the side on which the curve comes, 1 where the normal points to, and on which
+  int After;     ///< it goes; 0 where its piece ends, or where exact signs tell
   bool IsExact;
   bool Begins;
   bool OnBoundary;
@@ -46,6 +48,8 @@ struct SkdSurfaceMeeting
 {
   SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (leaf, cell id)
   int Sense;         ///< 1: the curve goes in, against the normal; -1: out; 0: neither
+  int Before;        ///< as of the hit, of all that meet there; 0 also where they do not agree
+  int After;
 };
 
 class SkdSurfaceHitFinder
@@ -54,8 +58,13 @@ public:
   /// `delta`: the chord tolerance by which curves are cut, in world units.
   SkdSurfaceHitFinder(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta);
 
-  /// All places, by curve and then along it; at one place by part and cell id. In parallel.
+  /// All places, by curve and then along it; at one place by part and cell id. In parallel. Of
+  /// curves that go on as each other each tells what is in the joint: see UniteAtJoints().
   std::vector<SkdSurfaceMeeting> Find(SkdLoop& loop) const;
+
+  /// The same with what is in a joint told once, of the curve of the lowest number, as if both were
+  /// one curve. Ends of stretches stay.
+  std::vector<SkdSurfaceMeeting> UniteAtJoints(std::vector<SkdSurfaceMeeting> meetings) const;
 
   /// The parts that have a point inside, if they are closed, by ascending distance to where a line
   /// from there leaves them. Thread-safe.

@@ -221,3 +221,66 @@ TEST(CommonBend, SeparatesNoCurveFromAPatchThatItMeets)
     EXPECT_FALSE(CommonBend(curve.At(0.4)).Separates(curve, patch, 8e-16)) << round;
   }
 }
+
+namespace
+{
+
+/// (t, t / 2, (t - root)^degree + slope (t - root)): its control points are the blossom's values.
+BezierCurve Power(int degree, double root, double slope)
+{
+  BezierCurve curve;
+  curve.Degree = degree;
+  for (int i = 0; i <= degree; ++i)
+  {
+    const double x = static_cast<double>(i) / degree;
+    const double z = std::pow(1.0 - root, i) * std::pow(-root, degree - i) + slope * (x - root);
+    curve.Points[i] = Weighted({ { x, 0.5 * x, z } }, 1.0);
+  }
+  return curve;
+}
+
+/// A part of z = 0.
+BezierPatch Plane(bool isTriangle)
+{
+  BezierPatch plane;
+  plane.DegreeR = plane.DegreeS = 1;
+  plane.IsTriangle = isTriangle;
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int j = 0; j < 2; ++j)
+    {
+      plane.Point(i, j) = Weighted({ { 8.0 * i - 2.0, 8.0 * j - 2.0, 0.0 } }, 1.0);
+    }
+  }
+  return plane;
+}
+
+}
+
+TEST(CurvePatch, RootsOfAnyOrderAreOnePlace)
+{
+  CurvePatchSolver solver;
+  for (const int degree : { 2, 3, 4, 5, 6, 7, 8, 9 })
+  {
+    for (const double root : { 0.0, 0.125, 0.3, 0.5, 0.875, 1.0 })
+    {
+      for (const double slope : { 0.0, 1e-16, 1e-14, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6 })
+      {
+        const bool isOdd = degree % 2 == 1;
+        for (int turn = 0; turn < 4 && (isOdd || slope == 0.0); ++turn)
+        {
+          BezierCurve curve = Power(degree, root, slope);
+          for (int i = 0; i <= degree && turn % 2; ++i)
+          {
+            curve.Points[i][2] *= -1.0;
+          }
+          const auto& hits = solver.Solve(curve, Plane(turn > 1), 4e-15);
+          ASSERT_EQ(hits.size(), 1u) << degree << " at " << root << " with " << slope;
+          EXPECT_EQ(hits[0].Kind, isOdd ? MeetingKind::Crossing : MeetingKind::Touching) << degree;
+          EXPECT_EQ(hits[0].Passes, isOdd ? (turn % 2 ? -1 : 1) : 0) << degree << " at " << root;
+          EXPECT_NEAR(hits[0].T, root, std::pow(4e-15, 1.0 / degree)) << degree;
+        }
+      }
+    }
+  }
+}
