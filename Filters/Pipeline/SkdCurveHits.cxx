@@ -134,7 +134,7 @@ void SkdCurveHitFinder::Examine(std::size_t first, std::size_t second, Worker& w
   const SkdCurveSpan& other = this->Second.GetSpans()[second];
   const double radius =
     one.Deviation + other.Deviation + 4.0 * this->Rounding + this->Task.Clearance;
-  const skd::SegmentPair chords = skd::ClosestPoints(one.Chord, other.Chord);
+  const skd::SegmentPair chords = skd::ClosestPointsAtAnyAngle(one.Chord, other.Chord);
   if (!(chords.Dist2 <= radius * radius) || (this->IsSelf() && this->AreNeighbours(one, other)))
   {
     return;

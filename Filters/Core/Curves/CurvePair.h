@@ -162,12 +162,7 @@ struct CurvePair
     hit.SlackT = 8.0 * length;
     if (LeaveContact(before, -step, reach, gapAt) && LeaveContact(after, step, reach, gapAt))
     {
-      this->FindFoot(before, hit.Before);
-      this->FindFoot(after, hit.After);
-      const bool crosses = Dot(hit.Before, hit.After) < 0.0;
-      const Vector3 across = Norm2(hit.Before) > Norm2(hit.After) ? hit.Before : hit.After;
-      hit.T = this->Bisect(before, after, across, !crosses);
-      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      this->Locate(hit, before, after);
       hit.SlackT = ContactLength(hit, reach, gapAt);
     }
     return this->PlaceContact(hit) ? std::optional<CurvePairHit>(hit) : std::nullopt;
@@ -175,6 +170,11 @@ struct CurvePair
 
   /// Whether a place may be more than a simple root: the curves nearly run along each other there.
   static bool IsDoubtful(const CurvePairHit& hit) { return hit.SlackT > 1e-8 && !hit.IsResolved; }
+
+  static bool IsBefore(const CurvePairHit& a, const CurvePairHit& b)
+  {
+    return a.T != b.T ? a.T < b.T : a.S < b.S;
+  }
 
   static CurvePairContact ContactAt(const Interval& range, const CurvePairHit& hit)
   {
@@ -241,6 +241,53 @@ private:
       std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + 1e-12, 0.125); // not of NaN
     hit.Reach = hit.SlackT * speed + 8.0 * this->Tolerance;
     return this->Place(hit, 4.0 * this->Tolerance);
+  }
+
+  /// Where a contact is, and what, between places before and after it.
+  void Locate(CurvePairHit& hit, CurvePairHit before, CurvePairHit after) const
+  {
+    const double middle = hit.T;
+    Vector3 way;
+    for (int i = 0; i < 2; ++i)
+    {
+      this->FindFoot(before, hit.Before);
+      this->FindFoot(after, hit.After);
+      const bool crosses = Dot(hit.Before, hit.After) < 0.0;
+      const Vector3 across = Norm2(hit.Before) > Norm2(hit.After) ? hit.Before : hit.After;
+      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      hit.T = this->Bisect(before, after, across, !crosses);
+      this->FindFoot(hit, way);
+      if (crosses || Norm(way) <= 4.0 * this->Tolerance || Dot(way, hit.Before) >= 0.0)
+      {
+        break;
+      }
+      (middle < hit.T ? after : before) = hit; // it crosses twice, once on the contact's side
+    }
+    if (!(Norm(way) <= this->Tolerance)) // they pass by each other askew
+    {
+      hit.T = this->NearestWithin(before, after);
+    }
+  }
+
+  /// Where both are nearest, by thirds.
+  double NearestWithin(CurvePairHit low, CurvePairHit high) const
+  {
+    const auto gapAt = [&](double t)
+    {
+      CurvePairHit foot = low;
+      foot.T = t;
+      Vector3 way;
+      this->FindFoot(foot, way);
+      return Norm2(way);
+    };
+    for (int iteration = 0; iteration < 80; ++iteration)
+    {
+      const double first = low.T + (high.T - low.T) / 3.0;
+      const double second = high.T - (high.T - low.T) / 3.0;
+      const bool isAfter = gapAt(first) > gapAt(second);
+      (isAfter ? low.T : high.T) = isAfter ? first : second;
+    }
+    return 0.5 * (low.T + high.T);
   }
 
   /// Where what is between the curves, seen along `across`, changes its sign; or its slope does.

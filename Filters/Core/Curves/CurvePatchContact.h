@@ -182,20 +182,18 @@ struct CurvePatchPair
     {
       return this->ResolvePole(hit);
     }
-    hit.Before = this->SideOf(before);
-    hit.After = this->SideOf(after);
-    const bool crosses = hit.Before != hit.After;
-    hit.T = this->Bisect(before.T, after.T, hit, !crosses);
-    hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
-    hit.Passes = crosses ? hit.After : 0;
-    double height;
-    const bool isNear = this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance;
+    const bool isNear = this->Locate(hit, before, after);
     hit.Slack = ContactLength(hit, reach, gapAt);
     return isNear && this->PlaceContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
   /// Whether a place may be more than a simple root: the curve nearly runs along the patch there.
   static bool IsDoubtful(const CurvePatchHit& hit) { return hit.Slack > 1e-8 && !hit.IsResolved; }
+
+  static bool IsBefore(const CurvePatchHit& a, const CurvePatchHit& b)
+  {
+    return a.T != b.T ? a.T < b.T : (a.R != b.R ? a.R < b.R : a.S < b.S);
+  }
 
   static CurvePatchContact ContactAt(const Interval& range, const CurvePatchHit& hit)
   {
@@ -232,6 +230,34 @@ private:
     double height = 0.0;
     this->FindFoot(hit, height);
     return height > 0.0 ? 1 : -1;
+  }
+
+  /// Where a contact is, and what, between places before and after it; whether it is near enough.
+  bool Locate(CurvePatchHit& hit, CurvePatchHit before, CurvePatchHit after) const
+  {
+    const double middle = hit.T;
+    for (int i = 0; i < 2; ++i)
+    {
+      hit.Before = this->SideOf(before);
+      hit.After = this->SideOf(after);
+      const bool crosses = hit.Before != hit.After;
+      hit.T = this->Bisect(before.T, after.T, hit, !crosses);
+      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      hit.Passes = crosses ? hit.After : 0;
+      double height;
+      if (this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance)
+      {
+        return true;
+      }
+      if (crosses || this->SideOf(hit) == hit.Before)
+      {
+        break;
+      }
+      (middle < hit.T ? after : before) = hit; // it crosses twice, once on the contact's side
+    }
+    double height;
+    hit.T = middle;
+    return this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance;
   }
 
   static bool Snap(double& value, double slack, bool& isOnBoundary)

@@ -10,6 +10,19 @@
 namespace skd
 {
 
+/// The nearest points of segments that may cross at a small angle: the feet on each other of what
+/// ClosestPoints() tells. That may be off along both by rounding over the angle, which then counts
+/// by the angle only.
+inline SegmentPair ClosestPointsAtAnyAngle(const Segment<3>& first, const Segment<3>& second)
+{
+  SegmentPair nearest = ClosestPoints(first, second);
+  const SegmentPoint<3> there = ClosestPointOnSegment(second.A, second.B, first.At(nearest.T));
+  detail::KeepNearer(nearest, { nearest.T, there.R, there.Dist2 });
+  const SegmentPoint<3> here = ClosestPointOnSegment(first.A, first.B, second.At(nearest.R));
+  detail::KeepNearer(nearest, { here.R, nearest.R, here.Dist2 });
+  return nearest;
+}
+
 /// What two straight pieces have in common. Where they meet by exact signs, they do; others meet
 /// where they are within the tolerance of each other. Pieces that are so all along what both pass
 /// by have a stretch in common, however they cross there: rounding has made one line two.
@@ -79,7 +92,7 @@ private:
 
   void FindNearPoint(std::vector<CurvePairHit>& hits) const
   {
-    const SegmentPair nearest = ClosestPoints(this->First, this->Second);
+    const SegmentPair nearest = ClosestPointsAtAnyAngle(this->First, this->Second);
     if (nearest.Dist2 <= this->Pair.Tolerance * this->Pair.Tolerance)
     {
       CurvePairHit hit;

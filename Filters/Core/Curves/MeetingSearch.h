@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace skd
@@ -70,29 +71,15 @@ protected:
   template <class Pair>
   void Unite(const Pair& pair)
   {
-    std::sort(
-      this->Hits.begin(), this->Hits.end(), [](const Hit& a, const Hit& b) { return a.T < b.T; });
-    std::vector<Interval>& ranges = this->Ranges;
-    ranges.clear();
-    std::size_t kept = 0;
-    for (const Hit& hit : this->Hits)
+    this->MakeOneOfEqual(pair);
+    bool isMoved = false;
+    for (std::size_t i = 0; i < this->Hits.size(); ++i)
     {
-      std::size_t same = 0;
-      while (same < kept && !IsSame(pair, this->Hits[same], ranges[same], hit))
-      {
-        ++same;
-      }
-      if (same == kept)
-      {
-        this->Hits[kept++] = hit;
-        ranges.push_back({ hit.T, hit.T });
-      }
-      ranges[same].Max = hit.T;
+      isMoved = TellWhatItIs(pair, this->Ranges[i], this->Hits[i]) || isMoved;
     }
-    this->Hits.resize(kept);
-    for (std::size_t i = 0; i < kept; ++i)
+    if (isMoved)
     {
-      this->TellWhatItIs(pair, ranges[i], this->Hits[i]);
+      this->MakeOneOfEqual(pair);
     }
   }
 
@@ -115,17 +102,39 @@ private:
       (b.T - range.Max <= (isDoubtful ? longest : shortest) && pair.IsOneContact(a, b));
   }
 
+  /// Keeps the first of those that are the same, and what range they take.
   template <class Pair>
-  static void TellWhatItIs(const Pair& pair, const Interval& range, Hit& hit)
+  void MakeOneOfEqual(const Pair& pair)
   {
-    if (range.Max - range.Min <= 1e-12 && !pair.IsDoubtful(hit))
+    std::sort(this->Hits.begin(), this->Hits.end(), Pair::IsBefore);
+    this->Ranges.clear();
+    std::size_t kept = 0;
+    for (const Hit& hit : this->Hits)
     {
-      return;
+      std::size_t same = 0;
+      while (same < kept && !IsSame(pair, this->Hits[same], this->Ranges[same], hit))
+      {
+        ++same;
+      }
+      if (same == kept)
+      {
+        this->Hits[kept++] = hit;
+        this->Ranges.push_back({ hit.T, hit.T });
+      }
+      this->Ranges[same].Max = hit.T;
     }
-    if (const auto resolved = pair.Resolve(pair.ContactAt(range, hit)))
-    {
-      hit = *resolved;
-    }
+    this->Hits.resize(kept);
+  }
+
+  /// Whether it was anything but a simple root, and may have been moved.
+  template <class Pair>
+  static bool TellWhatItIs(const Pair& pair, const Interval& range, Hit& hit)
+  {
+    const bool isSimple = range.Max - range.Min <= 1e-12 && !pair.IsDoubtful(hit);
+    const auto resolved =
+      isSimple ? std::optional<Hit>() : pair.Resolve(pair.ContactAt(range, hit));
+    hit = resolved ? *resolved : hit;
+    return resolved.has_value();
   }
 
   /// The range that contacts from `first` to before `last` make up.
