@@ -223,7 +223,9 @@ void vtkSkdTreePointInOut::UpdateParts()
   {
     internals.Trees.Clear();
     internals.Built = internals.Parts.Update(internals.Leaves, static_cast<SkdPartsBy>(this->Parts),
-      this->PartArray, { this->Epsilon, internals.Rules.Method, this->RepairOrientation });
+      this->PartArray,
+      { this->Epsilon, internals.Rules.Method, this->RepairOrientation,
+        SkdChordalLength(internals.Leaves, this->ChordalDeviation) });
     return;
   }
   internals.Rules.Method = SkdInsideMethod::AxisRays;
@@ -355,6 +357,7 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
   const bool asksFaces = this->Model == BOUNDARIES && HasVolumes(this->Impl->Leaves);
   report.AddCount("OuterFaces", asksFaces ? 1 : 0);
   report.AddCount("TreesBuilt", this->Impl->Built);
+  report.AddMeasureOf("ChordalLength", this->Impl->Parts.GetChordalLength());
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);
 }
@@ -374,6 +377,7 @@ void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");
   os << indent << "RepairOrientation: " << (this->RepairOrientation ? "On\n" : "Off\n");
   os << indent << "Extract: " << this->Extract << "\n";
+  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -15,12 +15,12 @@
  * Each part has a tree of its own, so parts that touch do not hide each other, and nested ones give
  * a depth. A closed surface of triangles is decided exactly, by one ray whose crossings are
  * watertight, thin shells and rays through edges and vertices included, be it one body or several
- * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant,
- * and faces that are there repeatedly count once. Points within rounding of a surface may count as
- * either. Without a gap no orientation is needed by rays. The answer is the same whatever the
- * number of threads or processes (each asks for the whole Source). Trees are kept while the Source
- * is unchanged. On an image, and on a rectilinear grid, the filter is a voxeliser: one line along
- * each row tells all of it, of closed parts and by rays.
+ * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant, of
+ * curved cells facets within the ChordalDeviation, and faces that are there repeatedly count once.
+ * Points within rounding of a surface may count as either. Without a gap no orientation is needed by
+ * rays. The answer is the same whatever the number of threads or processes (each asks for the whole
+ * Source). Trees are kept while the Source is unchanged. On an image, and on a rectilinear grid, the
+ * filter is a voxeliser: one line along each row tells all of it, of closed parts and by rays.
  *
  * Output port 0: the input with these arrays, of points or of cells by what was asked (see SetAsk)
  * | name             | type   | meaning                                                 | none |
@@ -41,7 +41,8 @@
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
  * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 where volume
  * cells were taken for their outer faces), SkdReportTreesBuilt (0 when all were kept),
- * SkdReportBuildSeconds and SkdReportQuerySeconds.
+ * SkdReportBuildSeconds and SkdReportQuerySeconds; and SkdReportChordalLength where there are
+ * curved cells (see SetChordalDeviation).
  *
  * Bad input: a Source without cells, or without surfaces where they are needed, gives a warning and
  * nothing is inside. A PartArray that some block does not have, and volume cells with
@@ -254,6 +255,20 @@ public:
 
   ///@{
   /**
+   * How far facets may be from a curved face, relative to the diagonal of the bounds of the whole
+   * Source. Faces of quadratic, Lagrange and Bezier cells are cut into flat facets, and these are
+   * what the filter is exact about: as many as are needed for the deviation, which fit together
+   * without gaps, at most 128 along a side; a face that is straight within the deviation stays one
+   * polygon. Of linear cells nothing changes. The number of facets grows as the inverse of the
+   * deviation: about 10^4 of a sphere by default. SkdReportChordalLength tells the length that it
+   * is, where there are curved cells. Clamped to [1e-7, 1]. Default 1e-4.
+   */
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
@@ -279,6 +294,7 @@ protected:
   bool UseOuterFaces = true;
   bool RepairOrientation = false;
   int Extract = NOTHING;
+  double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
 private:

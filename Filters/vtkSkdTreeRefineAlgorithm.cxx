@@ -111,6 +111,7 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FieldRange: " << this->FieldRange[0] << " " << this->FieldRange[1] << "\n";
   os << indent << "FieldLevel: " << this->FieldLevel << "\n";
   os << indent << "CellLimit: " << this->CellLimit << "\n";
+  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

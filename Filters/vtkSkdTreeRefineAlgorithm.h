@@ -199,6 +199,16 @@ public:
 
   ///@{
   /**
+   * How far facets may be from a curved face of the parts, where inside is told from outside,
+   * relative to the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default
+   * 1e-4.
+   */
+  vtkSetClampMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
@@ -226,6 +236,7 @@ protected:
   double FieldRange[2] = { 0.0, 1.0 };
   int FieldLevel = 30;
   vtkIdType CellLimit = 20000000;
+  double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
   std::unique_ptr<SkdRefineState> State; // trees of parts and field, kept while they are the same

@@ -33,7 +33,7 @@ struct Face
 class FaceList
 {
 public:
-  explicit FaceList(const std::vector<SkdLeaf>& leaves);
+  FaceList(const std::vector<SkdLeaf>& leaves, double chordalLength);
 
   void KeepVolumesOrSurfaces();
   void SortByOrigin();
@@ -41,7 +41,7 @@ public:
   void FillBoundary(SkdBoundary& boundary) const;
 
 private:
-  void AddLeaf(int leaf, vtkDataSet* mesh);
+  void AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength);
   template <class Corner>
   void AddFace(Face face, const SkdLeafSurface& surface, vtkIdType size, const Corner* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
@@ -58,20 +58,20 @@ private:
   std::vector<vtkIdType> Corners;
 };
 
-FaceList::FaceList(const std::vector<SkdLeaf>& leaves)
+FaceList::FaceList(const std::vector<SkdLeaf>& leaves, double chordalLength)
 {
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     if (leaves[leaf].Mesh->GetNumberOfCells() > 0)
     {
-      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh);
+      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh, chordalLength);
     }
   }
 }
 
-void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
+void FaceList::AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength)
 {
-  SkdLeafSurface surface(mesh);
+  const SkdLeafSurface surface(mesh, chordalLength);
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners)
     {
@@ -267,9 +267,9 @@ void FaceList::FillBoundary(SkdBoundary& boundary) const
 }
 }
 
-SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves)
+SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves, double chordalLength)
 {
-  FaceList faces(leaves);
+  FaceList faces(leaves, chordalLength);
   faces.KeepVolumesOrSurfaces();
   faces.SortByOrigin();
   faces.CountCopies();

@@ -42,7 +42,7 @@ SkdSide Elect(int count, const Vote& vote)
 
 SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings)
   : Id(id)
-  , Boundary(SkdBoundaryOf(leaves))
+  , Boundary(SkdBoundaryOf(leaves, settings.ChordalLength))
   , Faces(SkdMakeLocator(this->Boundary.Faces))
 {
   this->Walls = this->Boundary.Walls == this->Boundary.Faces ? this->Faces

@@ -42,11 +42,12 @@ struct SkdPartSettings
   double Epsilon = 1e-9; // see vtkSkdTreeCellLocator::SetEpsilon
   SkdInsideMethod Method = SkdInsideMethod::Automatic;
   bool RepairsOrientation = false; // turn triangles whose normals point inward
+  double ChordalLength = 0.0;      // see SkdChordalLength
 
   bool operator==(const SkdPartSettings& other) const
   {
-    return this->Epsilon == other.Epsilon && this->Method == other.Method &&
-      this->RepairsOrientation == other.RepairsOrientation;
+    return this->Epsilon == other.Epsilon && this->ChordalLength == other.ChordalLength &&
+      this->Method == other.Method && this->RepairsOrientation == other.RepairsOrientation;
   }
 };
 

@@ -14,11 +14,14 @@ bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
       [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
 }
 
-int SkdSignedSource::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+int SkdSignedSource::Update(
+  const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation)
 {
-  const bool isSame = this->IsSameAs(leaves);
+  const double chordalLength = SkdChordalLength(leaves, chordalDeviation);
+  const bool isSame = this->ChordalLength == chordalLength && this->IsSameAs(leaves);
   if (!isSame)
   {
+    this->ChordalLength = chordalLength;
     this->MakeBoundary(leaves);
   }
   int built = SkdBuildLocator(this->Faces, epsilon, !isSame);
@@ -38,7 +41,7 @@ void SkdSignedSource::MakeBoundary(const std::vector<SkdLeaf>& leaves)
     this->Meshes[i].Keep(leaves[i].Mesh);
     structures[i].Mesh = this->Meshes[i].Get();
   }
-  this->Boundary = SkdBoundaryOf(structures);
+  this->Boundary = SkdBoundaryOf(structures, this->ChordalLength);
   this->Boundary.Walls->GetCellsBounds(this->Bounds);
   this->Faces = SkdMakeLocator(this->Boundary.Faces);
   const bool isOne = this->Boundary.Walls == this->Boundary.Faces;

@@ -22,9 +22,10 @@
 class SkdSignedSource
 {
 public:
-  /// Makes the boundary and the tree those of `leaves`. Returns how many trees were built: 0 when
-  /// all was kept.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+  /// Makes the boundary and the tree those of `leaves`, curved faces as facets within a chordal
+  /// deviation, a share of the diagonal of all. Returns how many trees were built: 0 when all was
+  /// kept.
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation);
 
   /// Forgets all.
   void Clear() { *this = SkdSignedSource(); }
@@ -34,6 +35,9 @@ public:
 
   /// See SkdBoundary.
   vtkPolyData* GetWalls() const { return this->Boundary.Walls; }
+
+  /// The deviation as a length; 0 where no cell is curved.
+  double GetChordalLength() const { return this->ChordalLength; }
 
   /// Edges at which the boundary is open.
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
@@ -56,6 +60,7 @@ private:
   bool HasOddCrossings(const double x[3], const SkdWayOut& way) const;
 
   std::vector<SkdKeptMesh> Meshes;
+  double ChordalLength = 0.0; // 0 where no cell is curved
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
   vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces

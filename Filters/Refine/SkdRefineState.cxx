@@ -33,7 +33,7 @@ int SkdRefineState::Update(vtkSkdTreeRefineAlgorithm* self, const std::vector<Sk
   this->HasEnclosure = needsEnclosure || self->GetInsideLevel() > 0;
   if (this->HasEnclosure)
   {
-    treesBuilt += this->Enclosure.Update(parts, self->GetEpsilon());
+    treesBuilt += this->Enclosure.Update(parts, self->GetEpsilon(), self->GetChordalDeviation());
     WarnAbout(self, this->Enclosure.GetBoundary());
   }
   return treesBuilt;
@@ -95,5 +95,6 @@ void SkdRefineState::Report(SkdReport& report) const
   if (this->HasEnclosure)
   {
     report.AddCount("OpenEdges", this->Enclosure.GetBoundary().GetNumberOfOpenEdges());
+    report.AddMeasureOf("ChordalLength", this->Enclosure.GetBoundary().GetChordalLength());
   }
 }
