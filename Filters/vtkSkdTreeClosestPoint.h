@@ -119,7 +119,7 @@ public:
    * How far facets may be from a curved face of a Source whose distances are signed, relative to
    * the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
-  vtkSetClampMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
   ///@}
 

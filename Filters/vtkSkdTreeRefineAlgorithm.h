@@ -203,7 +203,7 @@ public:
    * relative to the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default
    * 1e-4.
    */
-  vtkSetClampMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
   ///@}
 

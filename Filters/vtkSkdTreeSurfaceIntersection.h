@@ -164,7 +164,7 @@ public:
    * How far facets may be from a curved face, relative to the diagonal of the bounds of the surface
    * that it is of, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
-  vtkSetClampMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
   ///@}
 
