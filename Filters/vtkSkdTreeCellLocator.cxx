@@ -3,6 +3,7 @@
 #include "vtkSkdTreeCellLocator.h"
 
 #include "Cells/SkdLocatorState.h"
+#include "Cells/SkdMendedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -115,10 +116,11 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
   settings.SkipsGhosts = this->SkipGhostCells;
   this->FreeSearchStructure();
+  const SkdMendedMesh mended = this->DataSet ? SkdMend(this->DataSet) : SkdMendedMesh();
   std::shared_ptr<const SkdCellTree> tree;
   try
   {
-    tree = std::make_shared<const SkdCellTree>(this->DataSet, settings);
+    tree = std::make_shared<const SkdCellTree>(mended.Mesh, settings);
   }
   catch (const std::length_error& error)
   {
@@ -131,7 +133,14 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
     vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
                     << " cells are left out: " << SkdWhyCellsAreLeftOut());
   }
-  this->CacheBounds();
+  if (mended.Fault.empty())
+  {
+    this->CacheBounds();
+  }
+  else
+  {
+    vtkWarningMacro(<< mended.Fault); // their bounds must not be asked for
+  }
   this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;
   this->BuildTime.Modified();
   this->Impl->SetTree(tree); // last: from here on other threads use it

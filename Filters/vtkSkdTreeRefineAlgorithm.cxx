@@ -3,6 +3,7 @@
 #include "vtkSkdTreeRefineAlgorithm.h"
 
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdValidInput.h"
 #include "Refine/SkdRefineState.h"
 #include "vtkInformation.h"
 
@@ -65,6 +66,13 @@ void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()
 {
   this->State->Bands.clear();
   this->Modified();
+}
+
+vtkTypeBool vtkSkdTreeRefineAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const SkdValidInput valid(this, request, inputVector);
+  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
 }
 
 int vtkSkdTreeRefineAlgorithm::FillInputPortInformation(int port, vtkInformation* info)

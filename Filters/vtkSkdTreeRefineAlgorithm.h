@@ -215,6 +215,12 @@ public:
   vtkGetMacro(Epsilon, double);
   ///@}
 
+  /**
+   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkSkdTreeRefineAlgorithm();
   ~vtkSkdTreeRefineAlgorithm() override;
