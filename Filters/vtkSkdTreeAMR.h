@@ -164,9 +164,9 @@ public:
   ///@{
   /**
    * Tell by SkdInside which cells have their centre inside of the closed surface that Input is or
-   * that bounds it, by the parity of exact crossings; of a surface with open edges, which a warning
-   * counts, by the generalised winding number (its triangles turned so that they agree). Of a
-   * refined cell: whether more than half of its children are. Default off.
+   * that bounds it, exactly, bodies that overlap included; of a surface with open edges, which a
+   * warning counts, by the generalised winding number (its triangles turned so that they agree). Of
+   * a refined cell: whether more than half of its children are. Default off.
    */
   vtkSetMacro(ComputeInside, bool);
   vtkGetMacro(ComputeInside, bool);

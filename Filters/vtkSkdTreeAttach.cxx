@@ -7,6 +7,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdSourceTrees.h"
+#include "Pipeline/SkdValidInput.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 
@@ -37,6 +38,13 @@ vtkSkdTreeAttach::~vtkSkdTreeAttach() = default;
 int vtkSkdTreeAttach::GetTreesBuilt() const
 {
   return this->Impl->Built;
+}
+
+vtkTypeBool vtkSkdTreeAttach::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const SkdValidInput valid(this, request, inputVector);
+  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
 }
 
 int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)

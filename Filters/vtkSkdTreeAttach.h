@@ -77,6 +77,12 @@ public:
    */
   int GetTreesBuilt() const;
 
+  /**
+   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkSkdTreeAttach();
   ~vtkSkdTreeAttach() override;

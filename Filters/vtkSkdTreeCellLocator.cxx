@@ -3,6 +3,7 @@
 #include "vtkSkdTreeCellLocator.h"
 
 #include "Cells/SkdLocatorState.h"
+#include "Cells/SkdMendedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -11,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkTimerLog.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,10 +116,11 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
   settings.SkipsGhosts = this->SkipGhostCells;
   this->FreeSearchStructure();
+  const SkdMendedMesh mended = this->DataSet ? SkdMend(this->DataSet) : SkdMendedMesh();
   std::shared_ptr<const SkdCellTree> tree;
   try
   {
-    tree = std::make_shared<const SkdCellTree>(this->DataSet, settings);
+    tree = std::make_shared<const SkdCellTree>(mended.Mesh, settings);
   }
   catch (const std::length_error& error)
   {
@@ -130,7 +133,14 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
     vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
                     << " cells are left out: " << SkdWhyCellsAreLeftOut());
   }
-  this->CacheBounds();
+  if (mended.Fault.empty())
+  {
+    this->CacheBounds();
+  }
+  else
+  {
+    vtkWarningMacro(<< mended.Fault); // their bounds must not be asked for
+  }
   this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;
   this->BuildTime.Modified();
   this->Impl->SetTree(tree); // last: from here on other threads use it
@@ -309,6 +319,35 @@ vtkIdType vtkSkdTreeCellLocator::CountCrossings(const double p1[3], const double
     this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
   return static_cast<vtkIdType>(std::count_if(crossings.List.begin(), crossings.List.end(),
     [](const SkdCrossing& crossing) { return crossing.Passes; }));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindPasses(const double p1[3], const double p2[3],
+  vtkDoubleArray* parameters, vtkIdTypeArray* cellIds, vtkIdTypeArray* ways)
+{
+  const std::vector<SkdPass>& passes =
+    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  const auto number = static_cast<vtkIdType>(passes.size());
+  const auto at = [&](vtkIdType i) -> const SkdPass&
+  { return passes[static_cast<std::size_t>(i)]; };
+  FillColumn(parameters, number, [&](vtkIdType i) { return at(i).T; });
+  FillColumn(cellIds, number, [&](vtkIdType i) { return at(i).Id; });
+  FillColumn(ways, number, [&](vtkIdType i) { return at(i).Way; });
+  return number;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::CountPasses(
+  const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum)
+{
+  const std::vector<SkdPass>& passes =
+    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+  sum = 0;
+  for (const SkdPass& pass : passes)
+  {
+    sum += turned && turned->GetValue(pass.Id) != 0 ? -pass.Way : pass.Way;
+  }
+  return static_cast<vtkIdType>(passes.size());
 }
 
 //------------------------------------------------------------------------------

@@ -52,12 +52,18 @@
  * UseExistingSearchStructure. It does not utilize Automatic, MaxLevel, RetainCellLists and
  * Tolerance (each query has a tolerance of its own; Epsilon sizes the safety boxes).
  *
- * Bad input: no data set or no cells: every query finds nothing, with no error. Cells with points
- * that are missing, NaN, infinite or beyond 1e50 are left out of the tree, as are all cells of a
- * mesh whose largest coordinate, without its sign, is not 0 but less than 1e-50: products of these
- * are no numbers. One warning counts them. Empty cells and cells of unknown type are left out. NaN
- * or infinite query points find nothing; a NaN or negative radius finds nothing; a negative
- * tolerance counts as zero.
+ * Bad input: no data set or no cells: every query finds nothing, with no error. Broken cells are
+ * left out, with one warning that counts them and names the first and what is wrong with it. A cell
+ * is broken if it names a point that there is not, if its offsets decrease or end beyond the list of
+ * points, if it has too few points for its type (a line of 1, a polygon or strip of 2, a quad of 3, a
+ * quadratic tetrahedron of 9) or more than its type has, or if it is a polyhedron whose faces are
+ * not polygons of its points. The same holds for all filters: an input with broken cells is read,
+ * and passed on, as if these were empty; other cells keep their ids. All are looked at when the tree
+ * is built: at most 2 % of the build. Cells with points that are NaN, infinite or beyond 1e50 are
+ * left out of the tree, as are all cells of a mesh whose largest coordinate, without its sign, is not
+ * 0 but less than 1e-50: products of these are no numbers. One warning counts them. Empty cells and
+ * cells of unknown type are left out, without one. NaN or infinite query points find nothing; a NaN
+ * or negative radius finds nothing; a negative tolerance counts as zero.
  *
  * @sa
  * vtkAbstractCellLocator vtkStaticCellLocator vtkSkdTreeClosestPoint
@@ -82,6 +88,7 @@ class vtkDataArray;
 class vtkDoubleArray;
 class vtkIdTypeArray;
 class vtkMatrix4x4;
+class vtkUnsignedCharArray;
 
 class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCellLocator : public vtkAbstractCellLocator
 {
@@ -221,6 +228,23 @@ public:
    * FindCrossings), without collecting them: parity for an in/out test (section 6.3).
    */
   vtkIdType CountCrossings(const double p1[3], const double p2[3]);
+
+  /**
+   * All facets that the segment p1 p2 passes through, by ascending (parameter, cell id), those that
+   * meet at one point each for itself: the parameter, the cell, and in `ways` 1 where it leaves
+   * through the front (along the normal), -1 where it enters. Non-linear cells have the way 0. The
+   * sum of the ways over a closed surface whose cells are turned alike is, exactly, the winding
+   * number around p1 less that around p2. Any output may be nullptr. Returns the number of facets.
+   */
+  vtkIdType FindPasses(const double p1[3], const double p2[3], vtkDoubleArray* parameters,
+    vtkIdTypeArray* cellIds, vtkIdTypeArray* ways);
+
+  /**
+   * The number of facets of FindPasses, and the sum of their ways, those of cells turned around
+   * whose tuple in `turned` (or nullptr: none) is not 0.
+   */
+  vtkIdType CountPasses(
+    const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum);
 
   ///@{
   /**

@@ -131,6 +131,7 @@ void Report(vtkDataObject* output, const SkdSource& source, const std::vector<Sk
   report.AddCount("SourceCellsLeftOut", counts.CellsLeftOut);
   report.AddCount("TreesBuilt", source.GetTreesBuilt());
   report.AddMeasure("Epsilon", counts.Tolerance);
+  report.AddMeasureOf("ChordalLength", source.GetChordalLength());
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);
   if (source.HasSides())
@@ -157,7 +158,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   SkdStopwatch watch;
 
   SkdSource& source = this->Impl->Source;
-  source.Update(sourceData, this->SignedDistance, this->Epsilon);
+  source.Update(sourceData, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
   WarnAbout(this, source);
   const double buildSeconds = watch.Lap();
 
@@ -194,6 +195,7 @@ void vtkSkdTreeClosestPoint::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SignedDistance: " << (this->SignedDistance ? "On\n" : "Off\n");
   os << indent << "InterpolateSourceData: " << (this->InterpolateSourceData ? "On\n" : "Off\n");
   os << indent << "GenerateLines: " << (this->GenerateLines ? "On\n" : "Off\n");
+  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

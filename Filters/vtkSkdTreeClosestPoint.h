@@ -27,7 +27,8 @@
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (that have an
  * answer), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
  * SkdReportTreesBuilt (0 when all were kept), SkdReportEpsilon (the largest in use, in world
- * units), SkdReportBuildSeconds, SkdReportQuerySeconds; and SkdReportOpenEdges if signed.
+ * units), SkdReportBuildSeconds, SkdReportQuerySeconds; if signed SkdReportOpenEdges, and of curved
+ * cells SkdReportChordalLength (see SetChordalDeviation).
  *
  * Output port 1: by choice (see GenerateLines) vtkPolyData with a line from each point that has an
  * answer to its nearest point, with the point's arrays as cell data (of a composite Input those
@@ -78,10 +79,11 @@ public:
    *
    * Points of equal coordinates are one, faces between two volume cells are no boundary, of
    * whatever blocks they are; cells that do not meet face to face (of two levels of an AMR data
-   * set, say) do have a boundary between them. Inside is decided by the parity of exact crossings,
-   * so orientation does not matter. A surface with open edges (edges that an odd number of its
-   * faces use) gives one warning that counts them; the sign is then a vote of seven directions. A
-   * Source without a surface gives a warning, and distances without a sign. Default off.
+   * set, say) do have a boundary between them. Inside is decided exactly, as by the method
+   * AUTOMATIC of vtkSkdTreePointInOut: orientation does not matter, and what bodies that overlap
+   * share is inside. A surface with open edges (edges that an odd number of its faces use) gives
+   * one warning that counts them; the sign is then a vote of seven directions. A Source without a
+   * surface gives a warning, and distances without a sign. Default off.
    */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
@@ -114,6 +116,15 @@ public:
 
   ///@{
   /**
+   * How far facets may be from a curved face of a Source whose distances are signed, relative to
+   * the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   */
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
@@ -131,6 +142,7 @@ protected:
   bool SignedDistance = false;
   bool InterpolateSourceData = false;
   bool GenerateLines = false;
+  double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
 private:

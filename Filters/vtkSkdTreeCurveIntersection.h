@@ -19,11 +19,18 @@
  * ordinary case.
  *
  * How its answers are defined:
- * - Two curves meet where the distance between them is 0 to within rounding: 8 units in the last
- *   place of the largest coordinate. See SetClearance for curves that only come near.
- * - Each place of two curves is one point, also at the joints of a polyline.
+ * - Straight pieces, as polylines are made of, are decided by exact signs: those that meet in exact
+ *   arithmetic are told to, at whatever angle, in vertices or not; those of one line have a stretch
+ *   in common, or an end, or nothing.
+ * - Other pieces, and straight ones that do not meet exactly, meet where the distance between them
+ *   is 0 to within rounding: 8 units in the last place of the largest coordinate. Straight pieces
+ *   that are as near, or twice as far, all along where they pass by each other have that stretch in
+ *   common. See SetClearance for curves that only come near.
+ * - Each place of two curves is one point, also at the joints of a polyline or a spline, and of
+ *   cells that go on as each other (see SetIgnoreJoints), which tell it of the lowest numbers.
  * - All roots are found by bisection that excludes with certainty, simple ones to within rounding.
- *   A root of higher multiplicity is one point where the curves touch.
+ *   A root of higher order is one point, and so are roots between which curves stay within rounding
+ *   of each other: a crossing where the curves change sides, else a touch.
  * - Of curves that nearly run along each other, apart by less than about 1e-10 of their length,
  *   what 20000 halvings of two pieces have not decided is looked at in up to 256 places along it:
  *   there, two crossings between two of these may be missed.
@@ -148,8 +155,12 @@ public:
 
   ///@{
   /**
-   * Without a Source: leave out where one curve ends and another begins or ends. So lines that are
-   * cells each, but follow each other, meet nowhere. Default on.
+   * Take cells that go on as each other, the end of one being an end of the other to within
+   * rounding, as one curve: they do not meet there, and what another curve meets there is told once
+   * instead of once a cell. Where more than two end in a place, those go on as each other that turn
+   * least, by less than a right angle; without a Source the others that only end there do not meet
+   * each other, either. Ends of stretches are told of each cell. Off: each cell is a curve of its
+   * own. Default on.
    */
   vtkSetMacro(IgnoreJoints, bool);
   vtkGetMacro(IgnoreJoints, bool);

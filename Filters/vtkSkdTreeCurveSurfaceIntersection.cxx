@@ -155,6 +155,7 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
     SkdCutCurves({ curves, curveLeaves, surfaces.GetElements(), finder, IsComposite(input), delta },
       table.Meetings, vtkPolyData::GetData(outputVector, 1));
   }
+  table.Meetings = finder.UniteAtJoints(std::move(table.Meetings));
   CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
   Select(this, table);
   this->StoreHits(table, IsComposite(input), IsComposite(source), output);

@@ -17,14 +17,18 @@
  *
  * How its answers are defined:
  * - Each place is one point, however many cells meet there on an edge or a vertex; it bears the
- *   lowest of their ids. The same place of two parts of the Source (see Parts) is two.
+ *   lowest of their ids. The same place of two parts of the Source (see Parts) is two. Where cells
+ *   of the Input go on as each other (their ends are the same, to within rounding; of more than two,
+ *   those that turn least), what is in the joint is one point, too, of the cell that was read first;
+ *   its sense is along that cell. Ends of stretches are told of each cell.
  * - Straight curves and triangles (flat quads, polygons and strips, too) are decided by exact
  * signs: a closed polyline goes through a closed surface an even number of times, whatever edges
  * and vertices of it, and however far from the origin. A vertex of the curve on the surface counts
  * as moved by less than any number, the same for all that meets there.
  * - Elsewhere all roots are found by bisection that excludes with certainty, simple ones to within
- *   rounding. What misses an edge by no more than rounding may explain, meets it. A root of even
- *   multiplicity is one point where the curve touches.
+ *   rounding. What misses an edge by no more than rounding may explain, meets it. A root of higher
+ *   order is one point, and so are roots between which the curve stays within rounding of the
+ *   surface: a crossing where it changes sides, else a touch, also where pieces are joined.
  * - Of a curve that nearly runs within a surface, apart by less than about 1e-10 of its length,
  *   what 20000 halvings of two pieces have not decided is looked at in up to 256 places along it:
  *   there, two crossings between two of these may be missed.

@@ -306,7 +306,8 @@ int vtkSkdTreeMeshRefinement::RequestData(
   {
     return 1;
   }
-  this->Impl->Surface.Update(vtkDataObject::GetData(inputVector[3]), false, this->Epsilon);
+  this->Impl->Surface.Update(
+    vtkDataObject::GetData(inputVector[3]), false, this->Epsilon, this->ChordalDeviation);
   const auto shared =
     processes ? std::make_unique<skd::SharedCuts>(read.Mesh, *processes) : nullptr;
   SetPlacement(this, this->Impl->Surface, shared.get(), read.Mesh);

@@ -216,14 +216,16 @@ void vtkSkdTreePointInOut::UpdateParts()
 {
   Internals& internals = *this->Impl;
   internals.Rules = { static_cast<SkdInsideMethod>(this->Method), this->NumberOfRays,
-    static_cast<std::uint64_t>(this->Seed) };
+    static_cast<std::uint64_t>(this->Seed), this->WindingTolerance };
   internals.Band = this->BoundaryBand;
   internals.PartIds.clear();
   if (this->Model == BOUNDARIES)
   {
     internals.Trees.Clear();
     internals.Built = internals.Parts.Update(internals.Leaves, static_cast<SkdPartsBy>(this->Parts),
-      this->PartArray, { this->Epsilon, internals.Rules.Method, this->RepairOrientation });
+      this->PartArray,
+      { this->Epsilon, internals.Rules.Method, this->RepairOrientation,
+        SkdChordalLength(internals.Leaves, this->ChordalDeviation) });
     return;
   }
   internals.Rules.Method = SkdInsideMethod::AxisRays;
@@ -355,6 +357,7 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
   const bool asksFaces = this->Model == BOUNDARIES && HasVolumes(this->Impl->Leaves);
   report.AddCount("OuterFaces", asksFaces ? 1 : 0);
   report.AddCount("TreesBuilt", this->Impl->Built);
+  report.AddMeasureOf("ChordalLength", this->Impl->Parts.GetChordalLength());
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);
 }
@@ -368,11 +371,13 @@ void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "WindingTolerance: " << this->WindingTolerance << "\n";
   os << indent << "Ask: " << this->Ask << "\n";
   os << indent << "BoundaryBand: " << this->BoundaryBand << "\n";
   os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");
   os << indent << "RepairOrientation: " << (this->RepairOrientation ? "On\n" : "Off\n");
   os << indent << "Extract: " << this->Extract << "\n";
+  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

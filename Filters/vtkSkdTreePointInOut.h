@@ -14,12 +14,13 @@
  *
  * Each part has a tree of its own, so parts that touch do not hide each other, and nested ones give
  * a depth. A closed surface of triangles is decided exactly, by one ray whose crossings are
- * watertight, thin shells and rays through edges and vertices included; of larger polygons the
- * triangles that they are cut into are meant. Points within rounding of a surface may count as
- * either. Without a gap no orientation is needed by rays. The answer is the same whatever the
- * number of threads or processes (each asks for the whole Source). Trees are kept while the Source
- * is unchanged. On an image, and on a rectilinear grid, the filter is a voxeliser: one line along
- * each row tells all of it, of closed parts and by rays.
+ * watertight, thin shells and rays through edges and vertices included, be it one body or several
+ * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant, of
+ * curved cells facets within the ChordalDeviation, and faces that are there repeatedly count once.
+ * Points within rounding of a surface may count as either. Without a gap no orientation is needed by
+ * rays. The answer is the same whatever the number of threads or processes (each asks for the whole
+ * Source). Trees are kept while the Source is unchanged. On an image, and on a rectilinear grid, the
+ * filter is a voxeliser: one line along each row tells all of it, of closed parts and by rays.
  *
  * Output port 0: the input with these arrays, of points or of cells by what was asked (see SetAsk)
  * | name             | type   | meaning                                                 | none |
@@ -30,6 +31,7 @@
  * | SkdConfidence    | float  | 0.5 to 1, see SetMethod; the least of all parts         | 0    |
  * | SkdOnBoundary    | uchar  | 1 in the BoundaryBand                                   | 0    |
  * | SkdWindingNumber | double | the sum over the parts, with the method WINDING_NUMBER  | NaN  |
+ * | SkdWindingBound  | double | what that is off by at most, see SetWindingTolerance    | NaN  |
  * "None" is a point that is outside; of one that is not finite the confidence is 0, too. SkdInside
  * becomes the active scalars.
  *
@@ -39,7 +41,8 @@
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
  * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 where volume
  * cells were taken for their outer faces), SkdReportTreesBuilt (0 when all were kept),
- * SkdReportBuildSeconds and SkdReportQuerySeconds.
+ * SkdReportBuildSeconds and SkdReportQuerySeconds; and SkdReportChordalLength where there are
+ * curved cells (see SetChordalDeviation).
  *
  * Bad input: a Source without cells, or without surfaces where they are needed, gives a warning and
  * nothing is inside. A PartArray that some block does not have, and volume cells with
@@ -129,10 +132,19 @@ public:
   ///@{
   /**
    * How a surface tells inside from outside:
-   * - AUTOMATIC (default): AXIS_RAYS for a part without open edges, whatever the way its triangles
-   *   are turned; WINDING_NUMBER for one with gaps, as if RepairOrientation were on.
-   * - AXIS_RAYS: the parity of the crossings of a ray along an axis, the shortest way out. Of a
-   *   surface with gaps, a vote of up to six, and a seventh if they are divided.
+   * - AUTOMATIC (default): of a part without open edges the crossings of a ray along an axis, and
+   *   which way it goes through each. Closed shells of the part that lie within each other without
+   *   touching are by turns bodies and cavities, whatever the way their triangles are turned. Of
+   *   shells that touch or overlap, and of one that runs through itself, all is inside that their
+   *   winding number is not 0 of: the union, each turned outward, but cavities that are turned so.
+   *   Which touch is found when a point is within two for the first time, for about the cost of a
+   *   build. The confidence is 1, but 1/2 where the triangles as they are turned say otherwise (a
+   *   shell within another that is turned the same way, bodies that overlap and one of which is
+   *   inside out) or cannot be turned alike, and 3/4 where bodies overlap whose triangles are not
+   *   turned alike. A part with gaps goes by WINDING_NUMBER, as if RepairOrientation were on.
+   * - AXIS_RAYS: the parity of the crossings of a ray along an axis, the shortest way out: what two
+   *   bodies of a part share is outside. Of a surface with gaps, a vote of up to six, and a seventh
+   *   if they are divided.
    * - RANDOM_RAYS: the same in directions that are spread evenly over the sphere, of a surface with
    *   gaps a vote of up to NumberOfRays, and one more if they are divided. Voting ends once it is
    *   decided. The confidence is the share of the votes.
@@ -140,7 +152,10 @@ public:
    *   It bears gaps, intersections and double faces, and wants triangles that are mostly turned the
    *   same way. The confidence is 1/2 and the distance of the number to this limit, at most 1.
    * - NEAREST_FEATURE: the side of the nearest face, edge or corner by its normal; wants normals
-   * that point outward. The confidence is 1/2 where that is an open edge.
+   *   that point outward. The confidence is 1/2 where that is an open edge.
+   *
+   * Outside of a part's bounds nothing is inside: the confidence is 1 of closed parts and by rays,
+   * else that of the answer, 1/2 where the number or the normal would have it inside.
    */
   vtkSetClampMacro(Method, int, AXIS_RAYS, AUTOMATIC);
   vtkGetMacro(Method, int);
@@ -160,6 +175,18 @@ public:
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * What SkdWindingNumber, and the confidence by it, may be off by at most, times the number of
+   * parts. Range 0 (all triangles are summed: O(N) a point) to 1, default 0.25, at which sums take
+   * least: the bound is one for all surfaces, and the error mostly a hundredth of it.
+   * SkdWindingBound tells the bound of each point. Half as much takes about 1.6 times as long.
+   * Whether a number is beyond 1/2 is decided exactly at any tolerance, but for rounding.
+   */
+  vtkSkdTreeSetWithinMacro(WindingTolerance, double, 0.0, 1.0);
+  vtkGetMacro(WindingTolerance, double);
   ///@}
 
   enum AskType
@@ -228,6 +255,20 @@ public:
 
   ///@{
   /**
+   * How far facets may be from a curved face, relative to the diagonal of the bounds of the whole
+   * Source. Faces of quadratic, Lagrange and Bezier cells are cut into flat facets, and these are
+   * what the filter is exact about: as many as are needed for the deviation, which fit together
+   * without gaps, at most 128 along a side; a face that is straight within the deviation stays one
+   * polygon. Of linear cells nothing changes. The number of facets grows as the inverse of the
+   * deviation: about 10^4 of a sphere by default. SkdReportChordalLength tells the length that it
+   * is, where there are curved cells. Clamped to [1e-7, 1]. Default 1e-4.
+   */
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
@@ -247,11 +288,13 @@ protected:
   int Method = AUTOMATIC;
   int NumberOfRays = 10;
   int Seed = 0;
+  double WindingTolerance = 0.25;
   int Ask = POINTS;
   double BoundaryBand = 0.0;
   bool UseOuterFaces = true;
   bool RepairOrientation = false;
   int Extract = NOTHING;
+  double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
 private:

@@ -3,6 +3,7 @@
 #include "vtkSkdTreeRefineAlgorithm.h"
 
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdValidInput.h"
 #include "Refine/SkdRefineState.h"
 #include "vtkInformation.h"
 
@@ -67,6 +68,13 @@ void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()
   this->Modified();
 }
 
+vtkTypeBool vtkSkdTreeRefineAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const SkdValidInput valid(this, request, inputVector);
+  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+}
+
 void vtkSkdTreeRefineAlgorithm::PassOptions()
 {
   SkdRefineOptions& options = this->State->Options;
@@ -81,6 +89,7 @@ void vtkSkdTreeRefineAlgorithm::PassOptions()
   std::copy_n(this->FieldRange, 2, options.FieldRange);
   options.FieldLevel = this->FieldLevel;
   options.Epsilon = this->Epsilon;
+  options.ChordalDeviation = this->ChordalDeviation;
 }
 
 int vtkSkdTreeRefineAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -127,6 +136,7 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FieldRange: " << this->FieldRange[0] << " " << this->FieldRange[1] << "\n";
   os << indent << "FieldLevel: " << this->FieldLevel << "\n";
   os << indent << "CellLimit: " << this->CellLimit << "\n";
+  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
   os << indent << "Epsilon: " << this->Epsilon << "\n";
 }
 VTK_ABI_NAMESPACE_END

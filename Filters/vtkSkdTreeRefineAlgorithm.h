@@ -95,9 +95,10 @@ public:
 
   ///@{
   /**
-   * Refine all cells that come nearer to a part than a distance, to a level of their own, at most
-   * MaximumLevel. (Those whose centre is at most that distance and their radius away.) The level is
-   * a whole number; both are doubles for ParaView, whose lists have one type.
+   * Refine all cells that come as near to a part as a distance, to a level of their own, at most
+   * MaximumLevel: by the exact distance between a cell and the parts' cells, of curved ones that of
+   * 8 straight pieces along each of their parameters. The level is a whole number; both are doubles
+   * for ParaView, whose lists have one type.
    */
   void AddDistanceBand(double distance, double level);
   void RemoveAllDistanceBands();
@@ -106,9 +107,9 @@ public:
   ///@{
   /**
    * Refine cells whose middle is inside of the closed surface that the parts are or that bounds
-   * them to this level, at most MaximumLevel: by the parity of exact crossings, or, of a surface
-   * with open edges, which a warning counts, by its winding number. Default 0: the inside does not
-   * matter.
+   * them to this level, at most MaximumLevel: exactly, bodies that overlap included, or, of a
+   * surface with open edges, which a warning counts, by its winding number. Default 0: the inside
+   * does not matter.
    */
   vtkSetClampMacro(InsideLevel, int, 0, 30);
   vtkGetMacro(InsideLevel, int);
@@ -198,11 +199,27 @@ public:
 
   ///@{
   /**
+   * How far facets may be from a curved face of the parts, where inside is told from outside,
+   * relative to the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default
+   * 1e-4.
+   */
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
+  ///@}
+
+  ///@{
+  /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
+
+  /**
+   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 protected:
   vtkSkdTreeRefineAlgorithm();
@@ -225,6 +242,7 @@ protected:
   double FieldRange[2] = { 0.0, 1.0 };
   int FieldLevel = 30;
   vtkIdType CellLimit = 20000000;
+  double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
   /// Copies the settings into the State, which is to be updated with them.

@@ -5,6 +5,7 @@
 #include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdValidInput.h"
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -191,6 +192,13 @@ vtkSkdTreeRepresentation::vtkSkdTreeRepresentation()
 }
 
 vtkSkdTreeRepresentation::~vtkSkdTreeRepresentation() = default;
+
+vtkTypeBool vtkSkdTreeRepresentation::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const SkdValidInput valid(this, request, inputVector);
+  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+}
 
 int vtkSkdTreeRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {

@@ -58,6 +58,12 @@ public:
   vtkGetMacro(Epsilon, double);
   ///@}
 
+  /**
+   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkSkdTreeRepresentation();
   ~vtkSkdTreeRepresentation() override;

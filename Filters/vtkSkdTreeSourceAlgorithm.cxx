@@ -4,6 +4,7 @@
 
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdValidInput.h"
 #include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformationVector.h"
@@ -28,6 +29,13 @@ void vtkSkdTreeSourceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* algOutpu
 void vtkSkdTreeSourceAlgorithm::SetSourceData(vtkDataObject* source)
 {
   this->SetInputDataInternal(1, source);
+}
+
+vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const SkdValidInput valid(this, request, inputVector);
+  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
 }
 
 int vtkSkdTreeSourceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)

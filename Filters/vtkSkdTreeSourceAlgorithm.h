@@ -37,6 +37,12 @@ public:
   void SetSourceData(vtkDataObject* source);
   ///@}
 
+  /**
+   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   */
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   enum class SourceUse
   {

@@ -247,6 +247,11 @@ SkdQueryShape vtkSkdTreeSpatialQuery::Internals::MakeShape(vtkSkdTreeSpatialQuer
 bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
 {
   SkdQueryList& queries = this->Impl->Queries;
+  if (this->Relation == NEAREST && this->NumberOfNearestCells < 1)
+  {
+    vtkErrorMacro("NumberOfNearestCells is 0, it must be at least 1: nothing is found.");
+    return false;
+  }
   if (this->Shape == SOURCE_POINTS || this->Shape == SOURCE_CELLS)
   {
     if (!source)
@@ -333,6 +338,7 @@ void vtkSkdTreeSpatialQuery::FindPairs()
   rules.Tolerance = this->Tolerance;
   rules.IsExact = this->Exact;
   rules.Number = static_cast<std::size_t>(this->NumberOfNearestCells);
+  rules.HasTies = this->AllTies;
   this->Impl->FindPairs(rules, this);
 }
 
@@ -386,6 +392,7 @@ void vtkSkdTreeSpatialQuery::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shape: " << this->Shape << "\n";
   os << indent << "Exact: " << (this->Exact ? "On\n" : "Off\n");
   os << indent << "NumberOfNearestCells: " << this->NumberOfNearestCells << "\n";
+  os << indent << "AllTies: " << (this->AllTies ? "On\n" : "Off\n");
   os << indent << "SharedPart: " << this->SharedPart << "\n";
   print("BoxPosition", this->BoxPosition);
   print("BoxLength", this->BoxLength);

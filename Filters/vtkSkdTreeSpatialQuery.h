@@ -71,7 +71,8 @@
  * SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
  * SkdReportQuerySeconds.
  *
- * Bad input: a Shape that needs the Source, which is not there, is an error, and nothing is found.
+ * Bad input: a Shape that needs the Source, which is not there, and 0 nearest cells are errors, and
+ * nothing is found.
  * A shape that is not finite or reaches beyond 1e50 and a normal of length 0 give a warning, and
  * nothing is found. Points and cells that are so find nothing; cells of Input that are so, or of a
  * mesh of which all is within 1e-50 of the origin, are in no tree, with a warning if there are no
@@ -122,7 +123,8 @@ public:
    * without its ends.
    *
    * NEAREST: the NumberOfNearestCells cells that are nearest to the query, ties to the lowest
-   * (block, cell id). Of points and cells of the Source so many to each.
+   * (block, cell id), or all of them (see SetAllTies). Of points and cells of the Source so many to
+   * each.
    */
   vtkSetClampMacro(Relation, int, EXACT_MATCH, NEAREST);
   vtkGetMacro(Relation, int);
@@ -162,10 +164,22 @@ public:
 
   ///@{
   /**
-   * See NEAREST. Default 1; more than there are gives all, 0 none.
+   * See NEAREST. Default 1; more than there are gives all, to ask for 0 is an error.
    */
   vtkSetClampMacro(NumberOfNearestCells, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNearestCells, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether NEAREST tells all cells that are as near as the last of the NumberOfNearestCells, as
+   * section 3 has it: around a corner of a mesh these are all that have it. As near is what is
+   * farther by no more than Tolerance or rounding. Of boxes (see SetExact) the candidates have them
+   * anyway. Default off: the lowest are taken.
+   */
+  vtkSetMacro(AllTies, bool);
+  vtkGetMacro(AllTies, bool);
+  vtkBooleanMacro(AllTies, bool);
   ///@}
 
   enum SharedPartType
@@ -273,6 +287,7 @@ protected:
   int Shape = BOX;
   bool Exact = true;
   int NumberOfNearestCells = 1;
+  bool AllTies = false;
   int SharedPart = POINT;
   double BoxPosition[3] = { 0.0, 0.0, 0.0 };
   double BoxLength[3] = { 1.0, 1.0, 1.0 };

@@ -5,6 +5,7 @@
 #include "Pipeline/SkdContacts.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdShare.h"
 #include "Pipeline/SkdSplitSurface.h"
@@ -40,11 +41,13 @@ struct Surface
   SkdTriangleSet& Set;
   bool IsNew;
 
-  Surface(vtkDataObject* data, SkdTriangleSet& set)
+  /// With processes, each has a piece of it.
+  Surface(vtkDataObject* data, SkdTriangleSet& set, double chordalDeviation,
+    const skd::Processes* processes = nullptr)
     : Leaves(SkdLeavesOf(data))
     , IsComposite(vtkCompositeDataSet::SafeDownCast(data) != nullptr)
     , Set(set)
-    , IsNew(set.Update(this->Leaves))
+    , IsNew(set.Update(this->Leaves, chordalDeviation, processes))
   {
   }
 };
@@ -206,6 +209,9 @@ void ReportSurfaces(
     "FacesLeftOut", sum([](const Surface& s) { return s.Set.GetNumberOfFacesLeftOut(); }));
   report.AddCount("TrianglesWithoutArea", placement.CountWithoutArea());
   report.AddCount("TreesBuilt", sum([](const Surface& s) { return s.IsNew; }));
+  const double length = first.Set.GetChordalLength();
+  report.AddMeasureOf(
+    "ChordalLength", second ? std::max(length, second->Set.GetChordalLength()) : length);
 }
 }
 
@@ -270,9 +276,11 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   }
 
   SkdStopwatch watch;
-  const Surface first(vtkDataObject::GetData(inputVector[0]), this->Impl->First);
+  const auto processes = source ? SkdProcessesOf(outputVector->GetInformationObject(0)) : nullptr;
+  const Surface first(vtkDataObject::GetData(inputVector[0]), this->Impl->First,
+    this->ChordalDeviation, processes.get());
   this->UpdateProgress(0.2);
-  const Surface other(source, this->Impl->Second);
+  const Surface other(source, this->Impl->Second, this->ChordalDeviation);
   const Surface& second = source ? other : first;
   this->UpdateProgress(0.4);
   WarnOfNoFaces(this, first, source ? &other : nullptr);
@@ -306,6 +314,7 @@ void vtkSkdTreeSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "JoinCurves: " << (this->JoinCurves ? "On\n" : "Off\n");
   os << indent << "SplitSurfaces: " << (this->SplitSurfaces ? "On\n" : "Off\n");
   os << indent << "Clearance: " << this->Clearance << "\n";
+  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
   print("Translation", this->Translation);
   print("Rotation", this->Rotation);
   print("RotationCenter", this->RotationCenter);

@@ -68,7 +68,8 @@
  * finite, or with less than three different points), SkdReportTrianglesWithoutArea,
  * SkdReportInputTrianglesSplit and SkdReportSourceTrianglesSplit (with SplitSurfaces),
  * SkdReportTreesBuilt (surfaces whose tree was begun, 0 when all were kept), SkdReportBuildSeconds,
- * SkdReportQuerySeconds.
+ * SkdReportQuerySeconds; and SkdReportChordalLength, the larger of both surfaces' where there are
+ * curved cells (see SetChordalDeviation).
  *
  * The trees are kept while points and cells stay the same; moving the Source (Translation, Rotation
  * or SetTransform) builds none. A tree is built as far as it is asked: when two surfaces meet for
@@ -160,6 +161,15 @@ public:
 
   ///@{
   /**
+   * How far facets may be from a curved face, relative to the diagonal of the bounds of the surface
+   * that it is of, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   */
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
+  ///@}
+
+  ///@{
+  /**
    * Where the Source is looked at: turned about RotationCenter by Rotation (degrees about y, then
    * x, then z, as vtkProp3D's orientation) and shifted by Translation. Default 0: where it is.
    * Without a Source they do nothing.
@@ -195,6 +205,7 @@ protected:
   bool JoinCurves = true;
   bool SplitSurfaces = false;
   double Clearance = 0.0;
+  double ChordalDeviation = 1e-4;
   double Translation[3] = { 0.0, 0.0, 0.0 };
   double Rotation[3] = { 0.0, 0.0, 0.0 };
   double RotationCenter[3] = { 0.0, 0.0, 0.0 };

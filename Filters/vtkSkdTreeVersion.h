@@ -57,6 +57,14 @@
 #define VTK_SKD_HAS_CHECK_ABORT 0
 #endif
 
+// Since 9.4 a vtkUnstructuredGrid keeps the faces of its polyhedra in two vtkCellArray, not in a
+// stream.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define VTK_SKD_FACES_ARE_CELLS 1
+#else
+#define VTK_SKD_FACES_ARE_CELLS 0
+#endif
+
 // 9.6 tells a vtkOverlappingAMR its blocks a level in a std::vector.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define VTK_SKD_AMR_TAKES_VECTOR 1

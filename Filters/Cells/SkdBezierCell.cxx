@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdBezierCell.h"
 
-#include "Cells/SkdParametricCell.h"
-#include "Core/Curves/BernsteinBasis.h"
 #include "vtkBezierCurve.h"
 #include "vtkBezierQuadrilateral.h"
 #include "vtkBezierTriangle.h"
@@ -37,6 +35,12 @@ public:
     return skd::Weighted(PointOf(this->Cell, i) - this->Origin, this->Weight(i));
   }
 
+  skd::Node NodeAt(vtkIdType i) const
+  {
+    const skd::Vector3 x = PointOf(this->Cell, i);
+    return { { x[0], x[1], x[2], this->Weight(i) } };
+  }
+
   bool AreWeightsPositive() const
   {
     for (vtkIdType i = 0; this->Weights && i < this->Weights->GetNumberOfTuples(); ++i)
@@ -57,10 +61,15 @@ private:
   skd::Vector3 Origin;
 };
 
+/// The points of the quadratic triangle that has one more in its middle.
+constexpr vtkIdType BubbleTriangle = 7;
+
+/// 0 of a number of points that is none of a triangle's.
 int TriangleDegree(vtkIdType points)
 {
   const int degree = static_cast<int>((std::sqrt(8.0 * points + 1.0) - 3.0) / 2.0 + 1e-9);
-  return points == 7 ? 3 : degree; // the quadratic triangle with a seventh point in its middle
+  const bool isFull = (degree + 1) * (degree + 2) / 2 == points;
+  return isFull ? degree : (points == BubbleTriangle ? 2 : 0);
 }
 
 /// The degrees of a cell by its type; 0 where it is none of ours.
@@ -133,97 +142,65 @@ SkdBezierFault FaultOf(vtkCell* cell, const Degrees& degrees, int least)
   return SkdBezierFault::None;
 }
 
-skd::Homogeneous Sample(const SkdParametricCell& cell, double r, double s)
+bool IsBezier(vtkCell* cell)
 {
-  return skd::Weighted(cell.Value({ { r, s, 0.0 } }), 1.0);
+  return cell->GetCellType() >= VTK_BEZIER_CURVE && cell->GetCellType() <= VTK_BEZIER_PYRAMID;
 }
 
-double Power(double base, vtkIdType exponent)
-{
-  double power = 1.0;
-  for (vtkIdType i = 0; i < exponent; ++i)
-  {
-    power *= base;
-  }
-  return power;
-}
-
-/// n! / (a! b! c!), where n = a + b + c.
-double Trinomial(const vtkIdType (&index)[3])
-{
-  double value = 1.0;
-  vtkIdType n = 0;
-  for (const vtkIdType count : index)
-  {
-    for (vtkIdType i = 1; i <= count; ++i)
-    {
-      value *= static_cast<double>(++n) / static_cast<double>(i);
-    }
-  }
-  return value;
-}
-
-/// A Bezier triangle, without the division by its weights, at any (r, s): also beyond its long
-/// side, where that could fail.
-skd::Homogeneous SampleTriangle(
-  const Controls& controls, vtkIdType size, int degree, double r, double s)
-{
-  skd::Homogeneous sum{};
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    vtkIdType index[3] = {};
-    vtkHigherOrderTriangle::BarycentricIndex(i, index, degree);
-    const double weight =
-      Trinomial(index) * Power(r, index[0]) * Power(s, index[1]) * Power(1.0 - r - s, index[2]);
-    sum = sum + weight * controls.Get(i);
-  }
-  return sum;
-}
-
-template <class Evaluate>
-void FillBySamples(skd::BezierPatch& patch, const Evaluate& evaluate)
-{
-  for (int j = 0; j <= patch.DegreeS; ++j)
-  {
-    for (int i = 0; i <= patch.DegreeR; ++i)
-    {
-      patch.Point(i, j) =
-        evaluate(static_cast<double>(i) / patch.DegreeR, static_cast<double>(j) / patch.DegreeS);
-    }
-  }
-  skd::ConvertToBernstein(patch);
-}
-
-void FillFromBezier(skd::BezierPatch& patch, const Controls& controls, const int* order)
-{
-  for (int j = 0; j <= patch.DegreeS; ++j)
-  {
-    for (int i = 0; i <= patch.DegreeR; ++i)
-    {
-      patch.Point(i, j) = controls.Get(vtkHigherOrderQuadrilateral::PointIndexFromIJK(i, j, order));
-    }
-  }
-}
-
-SkdBezierFault FillPatch(vtkCell* cell, skd::BezierPatch& patch)
+vtkDoubleArray* WeightsOf(vtkCell* cell)
 {
   if (auto* triangle = vtkBezierTriangle::SafeDownCast(cell))
   {
-    const Controls controls(cell, triangle->GetRationalWeights());
-    FillBySamples(patch,
-      [&](double r, double s)
-      { return SampleTriangle(controls, cell->GetNumberOfPoints(), patch.DegreeR, r, s); });
-    return controls.AreWeightsPositive() ? SkdBezierFault::None : SkdBezierFault::Weight;
+    return triangle->GetRationalWeights();
   }
-  if (auto* quad = vtkBezierQuadrilateral::SafeDownCast(cell))
+  auto* quad = vtkBezierQuadrilateral::SafeDownCast(cell);
+  return quad ? quad->GetRationalWeights() : nullptr;
+}
+
+/// Calls visit(place among the cell's points, i, j). Corners come first, then the middles of sides.
+template <class Visit>
+void ForEachNode(vtkCell* cell, const skd::NodePatch& patch, const Visit& visit)
+{
+  if (patch.IsTriangle)
   {
-    const Controls controls(cell, quad->GetRationalWeights());
-    FillFromBezier(patch, controls, quad->GetOrder());
-    return controls.AreWeightsPositive() ? SkdBezierFault::None : SkdBezierFault::Weight;
+    const vtkIdType size = (patch.DegreeR + 1) * (patch.DegreeR + 2) / 2;
+    for (vtkIdType at = 0; at < size; ++at)
+    {
+      vtkIdType index[3] = {};
+      vtkHigherOrderTriangle::BarycentricIndex(at, index, patch.DegreeR);
+      visit(at, static_cast<int>(index[0]), static_cast<int>(index[1]));
+    }
+    return;
   }
-  const SkdParametricCell parametric(cell, PointOf(cell, 0));
-  FillBySamples(patch, [&](double r, double s) { return Sample(parametric, r, s); });
-  return SkdBezierFault::None;
+  constexpr int quadratic[9][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 }, { 1, 0 }, { 2, 1 },
+    { 1, 2 }, { 0, 1 }, { 1, 1 } };
+  constexpr int linear[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 }, { 1, 0 }, { 1, 1 } };
+  if (vtkHigherOrderQuadrilateral::SafeDownCast(cell))
+  {
+    const int order[2] = { patch.DegreeR, patch.DegreeS };
+    for (int j = 0; j <= patch.DegreeS; ++j)
+    {
+      for (int i = 0; i <= patch.DegreeR; ++i)
+      {
+        visit(vtkHigherOrderQuadrilateral::PointIndexFromIJK(i, j, order), i, j);
+      }
+    }
+    return;
+  }
+  const auto& places = patch.DegreeS == 1 ? linear : quadratic;
+  for (vtkIdType at = 0; at < cell->GetNumberOfPoints(); ++at)
+  {
+    visit(at, places[at][0], places[at][1]);
+  }
+}
+
+skd::NodeMeaning MeaningOf(vtkCell* cell)
+{
+  const vtkIdType size = cell->GetNumberOfPoints();
+  return IsBezier(cell)                                       ? skd::NodeMeaning::Controls
+    : cell->GetCellType() == VTK_QUADRATIC_QUAD               ? skd::NodeMeaning::Serendipity
+    : PatchDegrees(cell).IsTriangle && size == BubbleTriangle ? skd::NodeMeaning::Bubble
+                                                              : skd::NodeMeaning::Values;
 }
 
 /// Both ends come first among a cell's points.
@@ -268,17 +245,37 @@ SkdBezierCell<skd::BezierCurve> SkdReadBezierCurve(vtkCell* cell)
 }
 
 //------------------------------------------------------------------------------
-SkdBezierCell<skd::BezierPatch> SkdReadBezierPatch(vtkCell* cell)
+SkdBezierFault SkdReadNodePatch(vtkCell* cell, skd::NodePatch& nodes)
 {
   const Degrees degrees = PatchDegrees(cell);
-  SkdBezierCell<skd::BezierPatch> read{ {}, {}, FaultOf(cell, degrees, 1) };
+  const SkdBezierFault fault = FaultOf(cell, degrees, 1);
+  if (fault != SkdBezierFault::None)
+  {
+    return fault;
+  }
+  nodes.DegreeR = degrees.R;
+  nodes.DegreeS = degrees.S;
+  nodes.IsTriangle = degrees.IsTriangle;
+  nodes.Meaning = MeaningOf(cell);
+  const Controls controls(cell, WeightsOf(cell));
+  ForEachNode(
+    cell, nodes, [&](vtkIdType at, int i, int j) { nodes.At(i, j) = controls.NodeAt(at); });
+  if (nodes.Meaning == skd::NodeMeaning::Bubble)
+  {
+    nodes.Middle = controls.NodeAt(BubbleTriangle - 1);
+  }
+  return controls.AreWeightsPositive() ? SkdBezierFault::None : SkdBezierFault::Weight;
+}
+
+//------------------------------------------------------------------------------
+SkdBezierCell<skd::BezierPatch> SkdReadBezierPatch(vtkCell* cell)
+{
+  skd::NodePatch nodes;
+  SkdBezierCell<skd::BezierPatch> read{ {}, {}, SkdReadNodePatch(cell, nodes) };
   if (read.Fault == SkdBezierFault::None)
   {
     read.Origin = PointOf(cell, 0);
-    read.Form.DegreeR = degrees.R;
-    read.Form.DegreeS = degrees.S;
-    read.Form.IsTriangle = degrees.IsTriangle;
-    read.Fault = FillPatch(cell, read.Form);
+    read.Form = skd::ToBezier(nodes, read.Origin);
   }
   return read;
 }

@@ -8,7 +8,7 @@
 #ifndef SkdBezierCell_h
 #define SkdBezierCell_h
 
-#include "Core/Curves/BezierPatch.h"
+#include "Core/Curves/NodePatch.h"
 
 class vtkCell;
 
@@ -38,5 +38,8 @@ struct SkdBezierCell
 SkdBezierCell<skd::BezierCurve> SkdReadBezierCurve(vtkCell* cell);
 SkdBezierCell<skd::BezierPatch> SkdReadBezierPatch(vtkCell* cell);
 ///@}
+
+/// The points of such a triangle or quadrilateral, where they are on its lattice of parameters.
+SkdBezierFault SkdReadNodePatch(vtkCell* cell, skd::NodePatch& nodes);
 
 #endif

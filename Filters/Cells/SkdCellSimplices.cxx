@@ -186,31 +186,6 @@ public:
     }
   }
 
-  void AddHullOfTetrahedra()
-  {
-    std::map<std::array<int, 3>, int> uses;
-    for (vtkIdType i = 0; i + 3 < this->Points->GetNumberOfPoints(); i += 4)
-    {
-      for (int left = 0; left < 4; ++left)
-      {
-        std::array<int, 3> face;
-        for (int k = 0; k < 3; ++k)
-        {
-          face[static_cast<std::size_t>(k)] = this->NumberOf(i + (left + 1 + k) % 4);
-        }
-        std::sort(face.begin(), face.end());
-        ++uses[face];
-      }
-    }
-    for (const auto& [face, count] : uses)
-    {
-      if (count % 2 == 1)
-      {
-        this->Set.AddSimplex(face[0], face[1], face[2]);
-      }
-    }
-  }
-
 private:
   int NumberOf(vtkIdType i)
   {
@@ -225,7 +200,7 @@ private:
   vtkPoints* Points;
 };
 
-/// A cell that is straight between its points, taken apart by itself: prisms, convex point sets.
+/// A cell that is straight between its points, taken apart by itself: prisms.
 void ReadStraight(SimplexSet& set, vtkCell* cell, const SkdPolyCell& gathered)
 {
   vtkNew<vtkIdList> ids;
@@ -233,13 +208,7 @@ void ReadStraight(SimplexSet& set, vtkCell* cell, const SkdPolyCell& gathered)
   points->SetDataTypeToDouble();
   set.Clear(cell->GetCellDimension());
   AddPoints(set, gathered.Points, gathered.Size);
-  if (cell->GetCellType() == VTK_CONVEX_POINT_SET)
-  {
-    cell->Triangulate(0, ids, points);
-    Pieces(set, points).AddHullOfTetrahedra();
-    set.IsConvex = true;
-  }
-  else if (set.Dimension == 3)
+  if (set.Dimension == 3)
   {
     for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
     {

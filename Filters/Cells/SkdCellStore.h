@@ -25,12 +25,12 @@ class SkdCellStore
 public:
   struct LeftOutCounts
   {
-    vtkIdType NotFinite = 0; ///< cells with points that do not exist, are not finite, or too large
+    vtkIdType NotFinite = 0; ///< cells with points that are not finite, or too large
     vtkIdType Other = 0;     ///< ghost, blanked, empty, of unknown type
   };
 
-  /// `data` may be nullptr. Throws std::length_error when there are more cells or points than
-  /// 32-bit numbers tell apart.
+  /// `data` may be nullptr; it has no broken cells (SkdMendedMesh.h). Throws std::length_error when
+  /// there are more cells or points than 32-bit numbers tell apart.
   SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes);
 
   std::uint32_t NumberOfCells() const { return this->Count; }
@@ -124,7 +124,7 @@ private:
   bool ArePointsFinite();
   void ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool skipGhosts);
   template <class Id>
-  bool ArePoints(const Id* ids, std::size_t size, bool areAllFinite) const;
+  bool ArePointsFinite(const Id* ids, std::size_t size) const;
   void SizeFor(std::uint32_t cells, std::uint64_t pointIds, SkdShape least, SkdShape most);
   template <class Id>
   void Put(std::uint32_t cell, vtkIdType id, SkdShape shape, std::uint64_t first, const Id* ids,

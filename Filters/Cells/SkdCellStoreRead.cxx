@@ -261,7 +261,7 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
     {
       const int type = reader.TypeOf(id);
       SkdShape shape = type == usualType ? usual : SkdShapeOfCellType(type);
-      if (!this->ArePoints(ids, size, areFinite))
+      if (!areFinite && !this->ArePointsFinite(ids, size))
       {
         shape = NotFinite;
       }
@@ -298,17 +298,14 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
 }
 
 //------------------------------------------------------------------------------
-/// Whether these points exist and are finite, as SkdMagnitudes has it.
+/// Whether these points are finite, as SkdMagnitudes has it.
 template <class Id>
-bool SkdCellStore::ArePoints(const Id* ids, std::size_t size, bool areAllFinite) const
+bool SkdCellStore::ArePointsFinite(const Id* ids, std::size_t size) const
 {
   return std::all_of(ids, ids + size,
-    [&](Id id)
+    [this](Id id)
     {
-      const bool exists = id >= 0 && static_cast<vtkIdType>(id) < this->NumberOfPoints;
-      return exists &&
-        (areAllFinite ||
-          SkdIsWithin(this->Point(static_cast<std::uint32_t>(id)), this->Magnitudes.Largest));
+      return SkdIsWithin(this->Point(static_cast<std::uint32_t>(id)), this->Magnitudes.Largest);
     });
 }
 

@@ -55,6 +55,14 @@ struct SkdCrossing
   bool Passes;
 };
 
+/// A facet that a segment passes through, and which way: 1 along its normal, -1 against it.
+struct SkdPass
+{
+  double T;
+  vtkIdType Id;
+  int Way;
+};
+
 /// All crossings of a segment; the vectors are reused from call to call.
 struct SkdCrossings
 {
@@ -129,6 +137,9 @@ public:
   const std::vector<SkdHitCell>& FindBoundsHits(
     const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const;
   const SkdCrossings& FindCrossings(
+    const skd::Segment<3>& segment, const SkdCellSource& source) const;
+  /// By (T, Id); non-linear cells have no way (0).
+  const std::vector<SkdPass>& FindPasses(
     const skd::Segment<3>& segment, const SkdCellSource& source) const;
   ///@}
 
@@ -292,6 +303,9 @@ private:
   template <class ToFirst, class IsPair>
   std::vector<std::vector<CellPair>> FindPairs(
     const SkdCellTree& other, const ToFirst& toFirst, const IsPair& isPair, double excess) const;
+  template <class Take>
+  void ForEachFacet(
+    const skd::Segment<3>& segment, const SkdCellSource& source, const Take& take) const;
   /// Of quads, strips and triangles.
   template <class Visit>
   void ForEachTriangle(std::uint32_t cell, Visit visit) const;

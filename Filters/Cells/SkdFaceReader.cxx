@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdFaceReader.h"
 
+#include "Core/Geometry/ConvexHull.h"
+
+#include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkUnstructuredGrid.h"
@@ -10,9 +13,66 @@
 #include <numeric>
 #include <tuple>
 
+namespace
+{
+// VTK's cell is not asked: it would take itself apart for nothing.
+void ReadHull(vtkDataSet* data, vtkIdType cellId, vtkIdList* faces)
+{
+  data->GetCellPoints(cellId, faces);
+  const std::vector<vtkIdType> ids(faces->begin(), faces->end());
+  std::vector<skd::Vector3> points(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    data->GetPoint(ids[i], points[i].X);
+  }
+  const std::vector<std::uint32_t> stream = SkdFacesOfHull(points.data(), points.size());
+  faces->Reset();
+  faces->InsertNextId(0);
+  for (std::size_t at = 0; at < stream.size();)
+  {
+    const std::uint32_t size = stream[at++];
+    faces->SetId(0, faces->GetId(0) + 1);
+    faces->InsertNextId(size);
+    for (const std::size_t end = at + size; at < end; ++at)
+    {
+      faces->InsertNextId(ids[stream[at]]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdFacesOfHull(const skd::Vector3* points, std::size_t size)
+{
+  const skd::ConvexHull hull = skd::ConvexHullOf(points, size);
+  std::vector<std::uint32_t> stream;
+  for (const auto& triangle : hull.Triangles)
+  {
+    stream.insert(stream.end(), { 3, triangle[0], triangle[1], triangle[2] });
+  }
+  const auto& outline = hull.Outline;
+  if (hull.Dimension == 2)
+  {
+    stream.push_back(static_cast<std::uint32_t>(outline.size()));
+    stream.insert(stream.end(), outline.begin(), outline.end());
+    stream.push_back(static_cast<std::uint32_t>(outline.size()));
+    stream.insert(stream.end(), outline.rbegin(), outline.rend());
+  }
+  else if (hull.Dimension == 1)
+  {
+    stream = { 3, outline.front(), outline.back(), outline.back() };
+  }
+  return stream;
+}
+
 //------------------------------------------------------------------------------
 void SkdReadFaces(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell, vtkIdList* faces)
 {
+  if (data->GetCellType(cellId) == VTK_CONVEX_POINT_SET)
+  {
+    ReadHull(data, cellId, faces);
+    return;
+  }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     grid->GetFaceStream(cellId, faces);

@@ -3,6 +3,8 @@
 #ifndef SkdFaceReader_h
 #define SkdFaceReader_h
 
+#include "Core/Geometry/Vector.h"
+
 #include "vtkType.h"
 
 #include <cstdint>
@@ -13,8 +15,14 @@ class vtkDataSet;
 class vtkGenericCell;
 class vtkIdList;
 
+/// The faces of the convex hull of finite points, outward: of each the number of points, then their
+/// numbers. Triangles; of points in a plane their outline and its back; of points on a line the
+/// triangle that goes to its end and back; none of points that are all the same.
+std::vector<std::uint32_t> SkdFacesOfHull(const skd::Vector3* points, std::size_t size);
+
 /// The faces of a polyhedron as vtkUnstructuredGrid streams them: how many, then of each the number
-/// of points and their ids. The cell is for data sets that have no such stream.
+/// of points and their ids; of a convex point set those of its hull. The cell is for data sets that
+/// have no such stream.
 void SkdReadFaces(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell, vtkIdList* faces);
 
 /// Makes of VTK's faces those that the kernels read: of each face the number of points, then their

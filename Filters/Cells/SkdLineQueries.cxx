@@ -4,6 +4,7 @@
 
 #include "Cells/SkdMotion.h"
 #include "Core/Geometry/SegmentPolygon.h"
+#include "Core/Geometry/WayThrough.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/TriangleHits.h"
 
@@ -36,6 +37,26 @@ struct FacetHit
   bool OnEdge;
   bool Passes;
 };
+
+/// What ForEachFacet() tells of one.
+struct Facet
+{
+  double T;
+  bool OnEdge;
+  bool Passes;
+};
+
+/// As WayThrough(), of a polygon that is passed through.
+int WayAcross(const skd::Segment<3>& segment, const SkdPolyCell& polygon)
+{
+  skd::Vector3 area{ { 0.0, 0.0, 0.0 } };
+  for (int i = 1; i + 1 < polygon.Size; ++i)
+  {
+    const skd::Vector3& corner = polygon.Points[0];
+    area = area + skd::Cross(polygon.Points[i] - corner, polygon.Points[i + 1] - corner);
+  }
+  return skd::Dot(area, segment.B - segment.A) < 0.0 ? -1 : 1;
+}
 
 /// Facets met at the same point of their edges or vertices are one crossing: the parameter there is
 /// the same number for all of them (SegmentTriangle.h).
@@ -269,40 +290,34 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
 }
 
 //------------------------------------------------------------------------------
-const SkdCrossings& SkdCellTree::FindCrossings(
-  const skd::Segment<3>& segment, const SkdCellSource& source) const
+/// Calls take(cell, hit, way) for each facet of a surface that the segment hits: way() tells which
+/// way it passes through, see WayThrough().
+template <class Take>
+void SkdCellTree::ForEachFacet(
+  const skd::Segment<3>& segment, const SkdCellSource& source, const Take& take) const
 {
-  thread_local SkdCrossings crossings;
-  thread_local std::vector<FacetHit> facets;
-  crossings.List.clear();
-  crossings.Cells.clear();
-  facets.clear();
   auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
   {
-    facets.push_back({ hit.T, this->Store.IdOf(cell), hit.OnEdge, hit.Passes });
+    const auto point = [&](int i) { return this->Store.Point(this->Store.PointIdsOf(cell)[i]); };
+    take(cell, Facet{ hit.T, hit.OnEdge, hit.Passes },
+      [&] { return skd::WayThrough(skd::SegmentView(segment), point(0), point(1), point(2)); });
     return 1.0;
   };
   if (this->VisitTriangleHits<false>(segment, 0.0, takeTriangle))
   {
-    Merge(facets, crossings);
-    return crossings;
+    return;
   }
   const skd::SegmentView view(segment);
-  if (!view.IsValid())
-  {
-    return crossings;
-  }
   auto leaf = [&](std::uint32_t cell)
   {
-    const vtkIdType id = this->Store.IdOf(cell);
     if (this->Store.ShapeOf(cell) == SkdShape::Generic)
     {
-      vtkCell* loaded = source.Load(id);
+      vtkCell* loaded = source.Load(this->Store.IdOf(cell));
       const bool isSurface = loaded->GetCellDimension() == 2;
       const auto hit = isSurface ? SkdGenericKernel::Intersect(loaded, segment, 0.0) : std::nullopt;
       if (hit)
       {
-        facets.push_back({ hit->T, id, false, true });
+        take(cell, Facet{ hit->T, false, true }, [] { return 0; });
       }
       return 1.0;
     }
@@ -311,7 +326,8 @@ const SkdCrossings& SkdCellTree::FindCrossings(
       const SkdPolyCell polygon = this->Store.GatherPoly(cell);
       if (const auto hit = skd::Intersect(view, polygon.Points, polygon.Size))
       {
-        facets.push_back({ hit->T, id, hit->OnEdge, hit->Passes });
+        take(cell, Facet{ hit->T, hit->OnEdge, hit->Passes },
+          [&] { return hit->Passes ? WayAcross(segment, polygon) : 0; });
       }
       return 1.0;
     }
@@ -320,12 +336,50 @@ const SkdCrossings& SkdCellTree::FindCrossings(
       {
         if (const auto hit = skd::Intersect(view, a, b, c))
         {
-          facets.push_back({ hit->T, id, hit->OnEdge, hit->Passes });
+          take(cell, Facet{ hit->T, hit->OnEdge, hit->Passes },
+            [&] { return skd::WayThrough(view, a, b, c); });
         }
       });
     return 1.0;
   };
-  this->WalkAlong<false>(segment, 0.0, leaf);
+  if (view.IsValid())
+  {
+    this->WalkAlong<false>(segment, 0.0, leaf);
+  }
+}
+
+//------------------------------------------------------------------------------
+const SkdCrossings& SkdCellTree::FindCrossings(
+  const skd::Segment<3>& segment, const SkdCellSource& source) const
+{
+  thread_local SkdCrossings crossings;
+  thread_local std::vector<FacetHit> facets;
+  crossings.List.clear();
+  crossings.Cells.clear();
+  facets.clear();
+  this->ForEachFacet(segment, source,
+    [&](std::uint32_t cell, const Facet& hit, const auto&) {
+      facets.push_back({ hit.T, this->Store.IdOf(cell), hit.OnEdge, hit.Passes });
+    });
   Merge(facets, crossings);
   return crossings;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdPass>& SkdCellTree::FindPasses(
+  const skd::Segment<3>& segment, const SkdCellSource& source) const
+{
+  thread_local std::vector<SkdPass> passes;
+  passes.clear();
+  this->ForEachFacet(segment, source,
+    [&](std::uint32_t cell, const Facet& hit, const auto& way)
+    {
+      if (hit.Passes)
+      {
+        passes.push_back({ hit.T, this->Store.IdOf(cell), way() });
+      }
+    });
+  std::sort(passes.begin(), passes.end(),
+    [](const SkdPass& a, const SkdPass& b) { return std::tie(a.T, a.Id) < std::tie(b.T, b.Id); });
+  return passes;
 }

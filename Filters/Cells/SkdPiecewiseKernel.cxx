@@ -19,12 +19,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// A tetrahedron or wedge by its points' places in the cell.
-struct Piece
-{
-  int Size;
-  std::array<int, 6> Points;
-};
+/// A wedge by its points' places in the cell.
+using Piece = std::array<std::size_t, 6>;
 
 struct Pieces
 {
@@ -33,10 +29,8 @@ struct Pieces
 
   void Gather(const Piece& piece, skd::Vector3* points) const
   {
-    for (int i = 0; i < piece.Size; ++i)
-    {
-      points[i] = this->Points[static_cast<std::size_t>(piece.Points[static_cast<std::size_t>(i)])];
-    }
+    std::transform(
+      piece.begin(), piece.end(), points, [this](std::size_t i) { return this->Points[i]; });
   }
 };
 
@@ -56,47 +50,17 @@ Pieces& EmptyPieces(vtkCell* cell)
 /// Both ends cut into a fan of triangles.
 void AddWedges(Pieces& pieces)
 {
-  const int n = static_cast<int>(pieces.Points.size()) / 2;
-  for (int i = 1; i + 1 < n; ++i)
+  const std::size_t n = pieces.Points.size() / 2;
+  for (std::size_t i = 1; i + 1 < n; ++i)
   {
-    pieces.List.push_back({ 6, { 0, i, i + 1, n, n + i, n + i + 1 } });
-  }
-}
-
-/// VTK's own tetrahedra. Their points are told apart by where they are.
-void AddTetrahedra(vtkCell* cell, Pieces& pieces)
-{
-  vtkNew<vtkIdList> ids;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  cell->Triangulate(0, ids, points);
-  for (vtkIdType i = 0; i + 3 < points->GetNumberOfPoints(); i += 4)
-  {
-    Piece piece{ 4, {} };
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      skd::Vector3 x;
-      points->GetPoint(i + corner, x.X);
-      const auto found = std::find(pieces.Points.begin(), pieces.Points.end(), x);
-      const bool isPoint = found != pieces.Points.end();
-      piece.Points[static_cast<std::size_t>(corner)] =
-        isPoint ? static_cast<int>(found - pieces.Points.begin()) : 0;
-    }
-    pieces.List.push_back(piece);
+    pieces.List.push_back({ 0, i, i + 1, n, n + i, n + i + 1 });
   }
 }
 
 const Pieces& PiecesOf(vtkCell* cell)
 {
   Pieces& pieces = EmptyPieces(cell);
-  if (cell->GetCellType() == VTK_CONVEX_POINT_SET)
-  {
-    AddTetrahedra(cell, pieces);
-  }
-  else
-  {
-    AddWedges(pieces);
-  }
+  AddWedges(pieces);
   return pieces;
 }
 
@@ -116,9 +80,7 @@ PiecePoint FindNearest(const Pieces& pieces, const skd::Vector3& x)
     skd::Vector3 points[6];
     pieces.Gather(piece, points);
     const double limit2 = best.Nearest.Dist2;
-    const skd::VolumePoint found = piece.Size == 4
-      ? skd::ClosestPointInCell<skd::Tetrahedron>(points, x, limit2)
-      : skd::ClosestPointInCell<skd::Wedge>(points, x, limit2);
+    const skd::VolumePoint found = skd::ClosestPointInCell<skd::Wedge>(points, x, limit2);
     if (found.Dist2 < limit2)
     {
       best = { found, static_cast<int>(i) };
@@ -127,7 +89,7 @@ PiecePoint FindNearest(const Pieces& pieces, const skd::Vector3& x)
   return best;
 }
 
-/// A flat set of points has no tetrahedra: its points are what is certain.
+/// Where no piece can be looked at its points are what is certain.
 SkdCellPoint NearestPoint(const Pieces& pieces, const skd::Vector3& x)
 {
   const auto nearest = std::min_element(pieces.Points.begin(), pieces.Points.end(),
@@ -139,28 +101,16 @@ SkdCellPoint NearestPoint(const Pieces& pieces, const skd::Vector3& x)
 void WeighPiece(const Piece& piece, const skd::Vector3& pcoords, double* weights)
 {
   double local[6];
-  if (piece.Size == 4)
+  skd::Wedge::Weights(pcoords, local);
+  for (std::size_t i = 0; i < piece.size(); ++i)
   {
-    skd::Tetrahedron::Weights(pcoords, local);
-  }
-  else
-  {
-    skd::Wedge::Weights(pcoords, local);
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(piece.Size); ++i)
-  {
-    weights[piece.Points[i]] += local[i];
+    weights[piece[i]] += local[i];
   }
 }
 
-/// Of a convex point set those of the tetrahedron, as VTK has it; of a prism those that its points
-/// have, weighed as they are.
-skd::Vector3 PCoordsOf(vtkCell* cell, const skd::Vector3& inPiece, const double* weights)
+/// Those that its points have, weighed as they are.
+skd::Vector3 PCoordsOf(vtkCell* cell, const double* weights)
 {
-  if (cell->GetCellType() == VTK_CONVEX_POINT_SET)
-  {
-    return inPiece;
-  }
   const double* ofPoints = cell->GetParametricCoords();
   skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
   for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
@@ -207,81 +157,6 @@ std::optional<SkdLineHit> HitPrism(
 }
 
 //------------------------------------------------------------------------------
-// Lines meet a convex point set's outer faces: those of only one of its tetrahedra.
-
-struct TetrahedronFace
-{
-  std::array<int, 3> Name; ///< its points in ascending order
-  int Tetrahedron;
-  int Opposite; ///< the corner that it does not have
-
-  bool operator<(const TetrahedronFace& other) const { return this->Name < other.Name; }
-};
-
-const std::vector<TetrahedronFace>& FacesOf(const Pieces& pieces)
-{
-  thread_local std::vector<TetrahedronFace> faces;
-  faces.clear();
-  for (std::size_t i = 0; i < pieces.List.size(); ++i)
-  {
-    const auto& p = pieces.List[i].Points;
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      std::array<int, 3> name;
-      std::remove_copy(p.begin(), p.begin() + 4, name.begin(), p[static_cast<std::size_t>(corner)]);
-      std::sort(name.begin(), name.end());
-      faces.push_back({ name, static_cast<int>(i), corner });
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
-
-void HitTetrahedron(const Pieces& pieces, const TetrahedronFace& face, const skd::SegmentView& view,
-  const SkdReach& reach, std::optional<SkdLineHit>& first)
-{
-  constexpr double ofCorners[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  skd::Vector3 corners[6];
-  pieces.Gather(pieces.List[static_cast<std::size_t>(face.Tetrahedron)], corners);
-  skd::Vector3 points[3];
-  skd::Vector3 pcoords[3];
-  for (int i = 0, corner = 0; corner < 4; ++corner)
-  {
-    if (corner != face.Opposite)
-    {
-      points[i] = corners[corner];
-      const double* p = ofCorners[corner];
-      pcoords[i++] = { { p[0], p[1], p[2] } };
-    }
-  }
-  std::optional<SkdLineHit> hit;
-  SkdHitFace(points, pcoords, 3, view, reach, hit);
-  if (hit && (!first || hit->T < first->T))
-  {
-    first = hit;
-    first->SubId = face.Tetrahedron;
-  }
-}
-
-std::optional<SkdLineHit> HitConvexPointSet(
-  vtkCell* cell, const skd::SegmentView& view, const SkdReach& reach)
-{
-  const Pieces& pieces = PiecesOf(cell);
-  const std::vector<TetrahedronFace>& faces = FacesOf(pieces);
-  std::optional<SkdLineHit> first;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const bool isShared = (i > 0 && faces[i - 1].Name == faces[i].Name) ||
-      (i + 1 < faces.size() && faces[i + 1].Name == faces[i].Name);
-    if (!isShared)
-    {
-      HitTetrahedron(pieces, faces[i], view, reach, first);
-    }
-  }
-  return first;
-}
-
-//------------------------------------------------------------------------------
 // Quadratic polygons: the corners come first, then what is between them.
 
 int PlaceInTurn(int i, int size)
@@ -317,8 +192,8 @@ void LocateInTurn(vtkCell* cell, SkdCellPoint& found, double* weights)
 //------------------------------------------------------------------------------
 bool SkdPiecewiseKernel::Knows(int cellType)
 {
-  return cellType == VTK_CONVEX_POINT_SET || cellType == VTK_PENTAGONAL_PRISM ||
-    cellType == VTK_HEXAGONAL_PRISM || cellType == VTK_QUADRATIC_POLYGON;
+  return cellType == VTK_PENTAGONAL_PRISM || cellType == VTK_HEXAGONAL_PRISM ||
+    cellType == VTK_QUADRATIC_POLYGON;
 }
 
 //------------------------------------------------------------------------------
@@ -343,15 +218,9 @@ std::optional<SkdLineHit> SkdPiecewiseKernel::Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, const SkdReach& reach)
 {
   const skd::SegmentView view(segment);
-  switch (cell->GetCellType())
-  {
-    case VTK_QUADRATIC_POLYGON:
-      return SkdPolyKernels::Intersect(PointsInTurn(cell), view, reach);
-    case VTK_CONVEX_POINT_SET:
-      return HitConvexPointSet(cell, view, reach);
-    default:
-      return HitPrism(cell, view, reach);
-  }
+  return cell->GetCellType() == VTK_QUADRATIC_POLYGON
+    ? SkdPolyKernels::Intersect(PointsInTurn(cell), view, reach)
+    : HitPrism(cell, view, reach);
 }
 
 //------------------------------------------------------------------------------
@@ -373,6 +242,6 @@ void SkdPiecewiseKernel::Locate(vtkCell* cell, SkdCellPoint& found, double* weig
     return;
   }
   WeighPiece(pieces.List[static_cast<std::size_t>(best.Index)], best.Nearest.PCoords, target);
-  found.PCoords = PCoordsOf(cell, best.Nearest.PCoords, target);
-  found.SubId = cell->GetCellType() == VTK_CONVEX_POINT_SET ? best.Index : 0;
+  found.PCoords = PCoordsOf(cell, target);
+  found.SubId = 0;
 }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The exact tests of linear cells that are put together: a convex point set of its tetrahedra, a
-/// pentagonal or hexagonal prism of wedges, a quadratic polygon (straight between its points, as
-/// VTK has it) of its points in turn.
+/// The exact tests of linear cells that are put together: a pentagonal or hexagonal prism of wedges,
+/// a quadratic polygon (straight between its points, as VTK has it) of its points in turn.
 #ifndef SkdPiecewiseKernel_h
 #define SkdPiecewiseKernel_h
 
@@ -17,8 +16,6 @@ bool Knows(int cellType);
 
 SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 
-/// Where the segment meets the outside of the cell first. Of a convex point set the subId is the
-/// tetrahedron's, as VTK has it. (VTK's own reads past its arrays since 9.3.)
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, const SkdReach& reach);
 

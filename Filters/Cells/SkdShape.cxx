@@ -37,6 +37,7 @@ SkdShape FindShape(int cellType)
     case VTK_POLY_VERTEX:
       return SkdShape::PolyVertex;
     case VTK_POLYHEDRON:
+    case VTK_CONVEX_POINT_SET: // by its hull
       return SkdShape::Polyhedron;
     case VTK_PIXEL:
       return SkdShape::Pixel;

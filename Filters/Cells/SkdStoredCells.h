@@ -22,15 +22,22 @@ public:
   template <class Visit>
   void VisitEach(vtkIdType begin, vtkIdType end, const Visit& visit) const
   {
-    const auto each = [&](const auto* offsets, const auto* ids)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
+    this->VisitArrays(
+      [&](const auto* offsets, const auto* ids)
       {
-        const auto first = offsets[cell];
-        visit(cell, ids + first, static_cast<std::size_t>(offsets[cell + 1] - first));
-      }
-    };
-    this->Ids64 ? each(this->Offsets64, this->Ids64) : each(this->Offsets32, this->Ids32);
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          const auto first = offsets[cell];
+          visit(cell, ids + first, static_cast<std::size_t>(offsets[cell + 1] - first));
+        }
+      });
+  }
+
+  /// Calls visit(offsets, ids) once, with the arrays themselves.
+  template <class Visit>
+  void VisitArrays(const Visit& visit) const
+  {
+    this->Ids64 ? visit(this->Offsets64, this->Ids64) : visit(this->Offsets32, this->Ids32);
   }
 
 private:

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -25,13 +26,14 @@ struct Face
   SkdBoundary::Origin Origin;
   bool OfVolume;
   int Copies; // how many of it the boundary has; 0 of an inner face and of a repetition
+  int Net;    // how many of these are turned like it more than are turned against it
 };
 
 /// The faces of all leaves, and what becomes of them.
 class FaceList
 {
 public:
-  explicit FaceList(const std::vector<SkdLeaf>& leaves);
+  FaceList(const std::vector<SkdLeaf>& leaves, double chordalLength);
 
   void KeepVolumesOrSurfaces();
   void SortByOrigin();
@@ -39,41 +41,42 @@ public:
   void FillBoundary(SkdBoundary& boundary) const;
 
 private:
-  void AddLeaf(int leaf, vtkDataSet* mesh);
+  void AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength);
   template <class Corner>
   void AddFace(Face face, const SkdLeafSurface& surface, vtkIdType size, const Corner* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
+  bool AreTurnedAlike(const Face& a, const Face& b) const;
 
   template <typename Predicate>
   vtkIdType CountOddEdges(const Predicate& isWall) const;
-  template <typename Predicate>
+  template <typename Number>
   vtkSmartPointer<vtkPolyData> MakeSurface(
-    const Predicate& isIncluded, std::vector<SkdBoundary::Origin>* origins) const;
+    const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const;
 
   SkdWeld Weld;
   std::vector<Face> Faces;
   std::vector<vtkIdType> Corners;
 };
 
-FaceList::FaceList(const std::vector<SkdLeaf>& leaves)
+FaceList::FaceList(const std::vector<SkdLeaf>& leaves, double chordalLength)
 {
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     if (leaves[leaf].Mesh->GetNumberOfCells() > 0)
     {
-      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh);
+      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh, chordalLength);
     }
   }
 }
 
-void FaceList::AddLeaf(int leaf, vtkDataSet* mesh)
+void FaceList::AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength)
 {
-  SkdLeafSurface surface(mesh);
+  const SkdLeafSurface surface(mesh, chordalLength);
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners)
     {
       const SkdBoundary::Origin origin{ leaf, surface.GetCellId(cell) };
-      const Face like{ this->Corners.size(), 0, origin, surface.IsOfVolume(cell), 0 };
+      const Face like{ this->Corners.size(), 0, origin, surface.IsOfVolume(cell), 0, 0 };
       this->AddFace(like, surface, size, corners);
     });
 }
@@ -164,6 +167,25 @@ void FaceList::CountCopiesOfGroup(const std::vector<std::size_t>& group)
   const int copies = static_cast<int>(group.size());
   Face& first = this->Faces[group.front()];
   first.Copies = first.OfVolume ? copies % 2 : copies;
+  first.Net = first.Copies;
+  if (!first.OfVolume)
+  {
+    first.Net = 0;
+    for (const std::size_t face : group)
+    {
+      first.Net += this->AreTurnedAlike(first, this->Faces[face]) ? 1 : -1;
+    }
+  }
+}
+
+// Of faces that have the same corners.
+bool FaceList::AreTurnedAlike(const Face& a, const Face& b) const
+{
+  const vtkIdType* corners = this->Corners.data() + b.First;
+  const vtkIdType* end = corners + b.Size;
+  const vtkIdType* same = std::find(corners, end, this->Corners[a.First]);
+  const vtkIdType before = same == corners ? end[-1] : same[-1];
+  return before != this->Corners[a.First + 1];
 }
 
 template <typename Predicate>
@@ -190,22 +212,29 @@ vtkIdType FaceList::CountOddEdges(const Predicate& isWall) const
   return odd;
 }
 
-template <typename Predicate>
+// So many copies of each face, of a negative number turned around.
+template <typename Number>
 vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
-  const Predicate& isIncluded, std::vector<SkdBoundary::Origin>* origins) const
+  const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const
 {
   vtkNew<vtkCellArray> cells;
   SkdTriangulation triangulation(this->Weld.GetPoints());
   for (const Face& face : this->Faces)
   {
-    if (!isIncluded(face))
+    const int number = numberOf(face);
+    if (number == 0)
     {
       continue;
     }
     vtkIdList* triangles = triangulation.Cut(this->Corners.data() + face.First, face.Size);
     for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
     {
-      cells->InsertNextCell(3, triangles->GetPointer(i));
+      vtkIdType* corners = triangles->GetPointer(i);
+      number < 0 ? std::swap(corners[1], corners[2]) : void();
+      for (int copy = 0; copy < std::abs(number); ++copy)
+      {
+        cells->InsertNextCell(3, corners);
+      }
     }
     if (origins)
     {
@@ -220,25 +249,27 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
 
 // Equal faces are either a wall between two bodies that touch, and then must be left out, or the
 // same face written down repeatedly, and then must stay. Whichever closes the surface better it is.
+// Of bodies that touch and are written down repeatedly, too, what counts is how many more of a face
+// are turned one way than the other.
 void FaceList::FillBoundary(SkdBoundary& boundary) const
 {
   const auto isThere = [](const Face& face) { return face.Copies > 0; };
-  const auto isOdd = [](const Face& face) { return face.Copies % 2 == 1; };
+  const auto isOdd = [](const Face& face) { return face.Net % 2 != 0; };
   boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
   boundary.Walls = boundary.Faces;
   boundary.OpenEdges = this->CountOddEdges(isThere);
   const vtkIdType others = boundary.OpenEdges > 0 ? this->CountOddEdges(isOdd) : 0;
   if (others < boundary.OpenEdges)
   {
-    boundary.Walls = this->MakeSurface(isOdd, nullptr);
+    boundary.Walls = this->MakeSurface([](const Face& face) { return face.Net; }, nullptr);
     boundary.OpenEdges = others;
   }
 }
 }
 
-SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves)
+SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves, double chordalLength)
 {
-  FaceList faces(leaves);
+  FaceList faces(leaves, chordalLength);
   faces.KeepVolumesOrSurfaces();
   faces.SortByOrigin();
   faces.CountCopies();

@@ -16,6 +16,7 @@
 #define SkdBoundary_h
 
 #include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdOuterSurface.h"
 #include "vtkPolyData.h"
 
 #include <vector>
@@ -43,7 +44,8 @@ struct SkdBoundary
   vtkIdType OpenEdges = 0;
 };
 
-/// Cost: O(n log n) in the number of faces.
-SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves);
+/// Curved faces as facets no farther from them than a length (SkdChordalLength). Cost: O(n log n)
+/// in the number of faces.
+SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves, double chordalLength);
 
 #endif

@@ -4,7 +4,9 @@
 
 #include "Cells/SkdCellFunctions.h"
 #include "Cells/SkdCellReader.h"
+#include "Cells/SkdFaceReader.h"
 #include "Cells/SkdGenericKernel.h"
+#include "Cells/SkdPolyKernels.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -51,10 +53,7 @@ void SkdCellWeights::EvaluateByCell(const Vector& x)
   }
   if (this->Cell->GetCellType() == VTK_CONVEX_POINT_SET)
   {
-    vtkCell* cell = this->Cell->GetRepresentativeCell();
-    SkdCellPoint found = SkdGenericKernel::Closest(cell, x);
-    SkdGenericKernel::Locate(cell, found.Point, found.SubId, found.PCoords, this->Weights.data());
-    std::copy(found.PCoords.X, found.PCoords.X + 3, this->PCoords);
+    this->EvaluateInHull(x);
     return;
   }
   if (SkdCellFunctions::ShareMemory(this->Cell->GetCellType()))
@@ -65,13 +64,29 @@ void SkdCellWeights::EvaluateByCell(const Vector& x)
     return;
   }
   double nearest[3];
-  int subId;
-  double dist2;
+  int subId = 0; // a strip without area leaves it, and takes it for its nearest triangle
+  double dist2 = std::numeric_limits<double>::max();
   const int status =
     this->Cell->EvaluatePosition(x.X, nearest, subId, this->PCoords, dist2, this->Weights.data());
-  if (status == -1)
+  if (status == -1 || !(dist2 < std::numeric_limits<double>::max()))
   {
     std::fill(this->Weights.begin(), this->Weights.end(), 0.0);
+  }
+}
+
+// As the locator does: VTK's own function takes global ids for local ones since 9.3.
+void SkdCellWeights::EvaluateInHull(const Vector& x)
+{
+  const std::vector<std::uint32_t> faces =
+    SkdFacesOfHull(this->Corners.data(), this->Corners.size());
+  if (!faces.empty())
+  {
+    SkdCellPoint found;
+    found.Point = x;
+    SkdPolyKernels::Locate(
+      { SkdShape::Polyhedron, this->Corners.data(), static_cast<int>(this->Corners.size()),
+        faces.data(), faces.data() + faces.size() },
+      found, this->Weights.data());
   }
 }
 
@@ -190,7 +205,7 @@ bool SkdCellWeights::UseEdge(const Vector& x)
     vtkCell* edge = this->Cell->GetEdge(i);
     double nearest[3];
     double pcoords[3];
-    int subId;
+    int subId = 0;
     double dist2;
     this->Next.assign(edge->GetNumberOfPoints(), 0.0);
     const int status =

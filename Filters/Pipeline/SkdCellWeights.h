@@ -28,6 +28,7 @@ private:
   using Vector = skd::Vector3;
 
   void EvaluateByCell(const Vector& x);
+  void EvaluateInHull(const Vector& x);
   void Improve(const Vector& x);
   Vector GetResidual(const Vector& x, const std::vector<double>& weights) const;
   bool MakeStep(const Vector& residual);

@@ -13,11 +13,14 @@ struct SkdCurvePlace
 {
   std::size_t Curve;
   std::size_t Piece;
-  double T;     ///< on the piece
-  double U;     ///< number of the piece within its curve, and T
-  double Slack; ///< what U may be off by
+  double T;        ///< on the piece
+  double U;        ///< number of the piece within its curve, and T
+  double Slack;    ///< what U may be off by
+  double Rounding; ///< the same of a place that is known exactly
   skd::Vector3 X;
   skd::Vector3 Tangent; ///< of any length
+  bool IsAtEnd;         ///< of an open curve
+  std::size_t Joint;    ///< where another goes on there: see SkdCurveJoints
 };
 
 /// A place that two curves have in common, or where they are nearest.
@@ -28,7 +31,13 @@ struct SkdCurveHit
   double Gap;
   double Reach; ///< what the place may be off by
   skd::MeetingKind Kind;
-  bool Begins; ///< of an OverlapEnd
+  bool Begins;     ///< of an OverlapEnd
+  bool IsExact;    ///< of two straight pieces that have it in common by exact signs
+  bool IsResolved; ///< not simple
+  /// Of a place that is not simple: from the other curve to this before and after it; 0 where a
+  /// piece of either ends, or where that tells nothing.
+  skd::Vector3 Before;
+  skd::Vector3 After;
 };
 
 /// A stretch that two curves have in common, along the first.

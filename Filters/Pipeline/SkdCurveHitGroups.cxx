@@ -18,14 +18,20 @@ auto PlaceOf(const SkdCurveHit& hit)
     static_cast<int>(hit.Kind), hit.Begins, hit.First.Piece, hit.Second.Piece);
 }
 
-bool AreNear(const SkdCurvePlace& a, const SkdCurvePlace& b)
-{
-  return std::abs(a.U - b.U) <= std::max(a.Slack, b.Slack);
-}
-
+/// Places that are known exactly are the same only if they are equal to within a few units in the
+/// last place.
 bool IsSamePlace(const SkdCurveHit& a, const SkdCurveHit& b)
 {
-  return PairOf(a) == PairOf(b) && AreNear(a.First, b.First) && AreNear(a.Second, b.Second);
+  const double SkdCurvePlace::*slack =
+    a.IsExact && b.IsExact ? &SkdCurvePlace::Rounding : &SkdCurvePlace::Slack;
+  const auto areNear = [&](const SkdCurvePlace& one, const SkdCurvePlace& other)
+  { return std::abs(one.U - other.U) <= std::max(one.*slack, other.*slack); };
+  return PairOf(a) == PairOf(b) && areNear(a.First, b.First) && areNear(a.Second, b.Second);
+}
+
+bool IsKnown(const skd::Vector3& way)
+{
+  return skd::Norm2(way) > 0.0;
 }
 
 /// What meets in a place.
@@ -33,8 +39,12 @@ struct Group
 {
   SkdCurveHit Hit;
   bool Crosses = false;
+  bool CrossesSimply = false;
   bool Begins = false;
   bool Ends = false;
+
+  skd::Vector3 Before{};
+  skd::Vector3 After{};
 
   explicit Group(const SkdCurveHit& hit)
     : Hit(hit)
@@ -47,8 +57,13 @@ struct Group
     const bool isEnd = hit.Kind == skd::MeetingKind::OverlapEnd;
     this->Begins |= isEnd && hit.Begins;
     this->Ends |= isEnd && !hit.Begins;
-    this->Crosses |= hit.Kind == skd::MeetingKind::Crossing;
-    if (hit.Gap < this->Hit.Gap)
+    const bool crosses = hit.Kind == skd::MeetingKind::Crossing;
+    this->Crosses |= crosses;
+    this->CrossesSimply |= crosses && !hit.IsResolved;
+    this->Before = IsKnown(hit.Before) ? hit.Before : this->Before;
+    this->After = IsKnown(hit.After) ? hit.After : this->After;
+    const auto rank = [](const SkdCurveHit& one) { return std::tuple(!one.IsExact, one.Gap); };
+    if (rank(hit) < rank(this->Hit))
     {
       this->Hit = hit;
     }
@@ -62,8 +77,94 @@ struct Group
     {
       return skd::MeetingKind::OverlapEnd;
     }
-    return this->Crosses ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
+    const bool areSidesKnown = IsKnown(this->Before) && IsKnown(this->After);
+    const bool crosses = this->CrossesSimply ||
+      (areSidesKnown ? skd::Dot(this->Before, this->After) < 0.0 : this->Crosses);
+    return crosses ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
   }
+};
+
+/// Whether two places are one of curves that go on as each other there.
+bool IsSameAlong(const SkdCurvePlace& a, const SkdCurvePlace& b)
+{
+  return a.Joint != SkdCurveJoints::None
+    ? a.Joint == b.Joint
+    : a.Curve == b.Curve && std::abs(a.U - b.U) <= std::max(a.Slack, b.Slack);
+}
+
+/// Makes one of the hits at a joint: all that follow one and are the same go, but that it may be
+/// ends of stretches that stay. `order` tells which hits these are.
+class JointUnion
+{
+public:
+  JointUnion(std::vector<SkdCurveHit>& hits, bool isSelf)
+    : Hits(hits)
+    , IsSelf(isSelf)
+    , IsLeftOut(hits.size(), 0)
+  {
+  }
+
+  void Unite(const std::vector<std::size_t>& order)
+  {
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      SkdCurveHit& kept = this->Hits[order[i]];
+      for (std::size_t j = i + 1; j < order.size() && !this->IsLeftOut[order[i]]; ++j)
+      {
+        if (!this->IsLeftOut[order[j]] && this->IsSame(kept, this->Hits[order[j]]))
+        {
+          this->Merge(order[i], order[j]);
+        }
+      }
+    }
+  }
+
+  void LeaveOut()
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < this->Hits.size(); ++i)
+    {
+      if (!this->IsLeftOut[i])
+      {
+        this->Hits[kept++] = this->Hits[i];
+      }
+    }
+    this->Hits.erase(this->Hits.begin() + static_cast<std::ptrdiff_t>(kept), this->Hits.end());
+  }
+
+private:
+  bool IsSame(const SkdCurveHit& a, const SkdCurveHit& b) const
+  {
+    return (IsSameAlong(a.First, b.First) && IsSameAlong(a.Second, b.Second)) ||
+      (this->IsSelf && IsSameAlong(a.First, b.Second) && IsSameAlong(a.Second, b.First));
+  }
+
+  void Merge(std::size_t kept, std::size_t other)
+  {
+    SkdCurveHit& one = this->Hits[kept];
+    const SkdCurveHit& two = this->Hits[other];
+    const bool endsStretch[2] = { one.Kind == skd::MeetingKind::OverlapEnd,
+      two.Kind == skd::MeetingKind::OverlapEnd };
+    if (endsStretch[0] || endsStretch[1])
+    {
+      this->IsLeftOut[kept] |= !endsStretch[0];
+      this->IsLeftOut[other] |= !endsStretch[1];
+      return;
+    }
+    const auto side = [](const SkdCurveHit& hit)
+    { return IsKnown(hit.Before) ? hit.Before : hit.After; };
+    const bool areSidesKnown =
+      one.IsResolved && two.IsResolved && IsKnown(side(one)) && IsKnown(side(two));
+    const bool crosses = areSidesKnown
+      ? skd::Dot(side(one), side(two)) < 0.0
+      : one.Kind == skd::MeetingKind::Crossing || two.Kind == skd::MeetingKind::Crossing;
+    one.Kind = crosses ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
+    this->IsLeftOut[other] = 1;
+  }
+
+  std::vector<SkdCurveHit>& Hits;
+  bool IsSelf;
+  std::vector<char> IsLeftOut;
 };
 
 bool Follows(const SkdCurveStretch& next, const SkdCurveStretch& last)
@@ -100,9 +201,43 @@ std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits)
     {
       united.push_back(group.Hit);
       united.back().Kind = group.Kind();
+      united.back().Before = group.Before;
+      united.back().After = group.After;
     }
   }
   return united;
+}
+
+//------------------------------------------------------------------------------
+void SkdUniteAtJoints(std::vector<SkdCurveHit>& hits, bool isSelf)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> atJoints; // joint, hit
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    const std::size_t joints[2] = { hits[i].First.Joint, hits[i].Second.Joint };
+    for (int side = 0; side < 2; ++side)
+    {
+      if (joints[side] != SkdCurveJoints::None)
+      {
+        // joints of two sets have numbers of their own
+        atJoints.emplace_back(2 * joints[side] + (isSelf ? 0 : side), i);
+      }
+    }
+  }
+  std::sort(atJoints.begin(), atJoints.end());
+  JointUnion joined(hits, isSelf);
+  for (std::size_t first = 0; first < atJoints.size();)
+  {
+    std::vector<std::size_t> order;
+    std::size_t last = first;
+    for (; last < atJoints.size() && atJoints[last].first == atJoints[first].first; ++last)
+    {
+      order.push_back(atJoints[last].second);
+    }
+    joined.Unite(order);
+    first = last;
+  }
+  joined.LeaveOut();
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,10 @@
 /// their pieces, or within what they may be off by. The ends of stretches that go on there go.
 std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits);
 
+/// Makes one of those hits that tell one place of curves which go on as each other there: of the
+/// curves of the lowest numbers. Ends of stretches stay, and nothing else where there are any.
+void SkdUniteAtJoints(std::vector<SkdCurveHit>& hits, bool isSelf);
+
 /// Puts stretches in order and joins those of two curves that follow each other.
 std::vector<SkdCurveStretch> SkdJoinStretches(std::vector<SkdCurveStretch>& stretches);
 

@@ -9,6 +9,28 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+/// What continues a piece beyond its end is not where its curve goes on.
+void ForgetBeyondEnds(const SkdCurveSpan& first, const SkdCurveSpan& second,
+  const skd::CurvePairHit& hit, SkdCurveHit& found)
+{
+  const bool areAlong = skd::Dot(found.First.Tangent, found.Second.Tangent) > 0.0;
+  const bool startsFirst = hit.T == 0.0 && first.Range.Min == 0.0;
+  const bool endsFirst = hit.T == 1.0 && first.Range.Max == 1.0;
+  const bool startsSecond = hit.S == 0.0 && second.Range.Min == 0.0;
+  const bool endsSecond = hit.S == 1.0 && second.Range.Max == 1.0;
+  if (startsFirst || (areAlong ? startsSecond : endsSecond))
+  {
+    found.Before = {};
+  }
+  if (endsFirst || (areAlong ? endsSecond : startsSecond))
+  {
+    found.After = {};
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 SkdCurveHitFinder::SkdCurveHitFinder(
   const SkdCurveTree& first, const SkdCurveTree& second, const SkdCurveTask& task)
@@ -45,6 +67,10 @@ SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
   meetings.Hits = SkdUniteCurveHits(all.Hits);
   meetings.Stretches = SkdJoinStretches(all.Stretches);
   const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, meetings.Hits);
+  if (this->Task.IgnoresJoints)
+  {
+    SkdUniteAtJoints(meetings.Hits, this->IsSelf());
+  }
   meetings.Hits.insert(meetings.Hits.end(), near.begin(), near.end());
   std::stable_sort(meetings.Hits.begin(), meetings.Hits.end(),
     [](const SkdCurveHit& a, const SkdCurveHit& b)
@@ -108,12 +134,12 @@ void SkdCurveHitFinder::Examine(std::size_t first, std::size_t second, Worker& w
   const SkdCurveSpan& other = this->Second.GetSpans()[second];
   const double radius =
     one.Deviation + other.Deviation + 4.0 * this->Rounding + this->Task.Clearance;
-  const skd::SegmentPair chords = skd::ClosestPoints(one.Chord, other.Chord);
+  const skd::SegmentPair chords = skd::ClosestPointsAtAnyAngle(one.Chord, other.Chord);
   if (!(chords.Dist2 <= radius * radius) || (this->IsSelf() && this->AreNeighbours(one, other)))
   {
     return;
   }
-  const skd::Vector3 origin = one.Chord.A;
+  const skd::Vector3 origin = one.IsLine && other.IsLine ? skd::Vector3{} : one.Chord.A;
   const auto& hits = worker.Solver.Solve(
     this->First.GetForm(one, origin), this->Second.GetForm(other, origin), this->Rounding);
   int added = 0;
@@ -137,9 +163,11 @@ bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& se
   const skd::CurvePairHit& hit, Worker& worker) const
 {
   SkdCurveHit found{ this->PlaceOf(this->First, first, hit.T),
-    this->PlaceOf(this->Second, second, hit.S), hit.Gap, hit.Reach, hit.Kind, hit.Begins };
-  found.First.Slack = hit.SlackT * (first.Range.Max - first.Range.Min);
-  found.Second.Slack = hit.SlackS * (second.Range.Max - second.Range.Min);
+    this->PlaceOf(this->Second, second, hit.S), hit.Gap, hit.Reach, hit.Kind, hit.Begins,
+    hit.IsExact, hit.IsResolved, hit.Before, hit.After };
+  found.First.Slack += hit.SlackT * (first.Range.Max - first.Range.Min);
+  found.Second.Slack += hit.SlackS * (second.Range.Max - second.Range.Min);
+  ForgetBeyondEnds(first, second, hit, found);
   const bool isSameCurve = this->IsSelf() && found.First.Curve == found.Second.Curve;
   if (isSameCurve && found.Second.U < found.First.U)
   {
@@ -180,7 +208,7 @@ void SkdCurveHitFinder::FindNear(
   {
     worker.Near.push_back({ this->PlaceOf(this->First, first, nearest.T),
       this->PlaceOf(this->Second, second, nearest.S), nearest.Distance, 0.0, skd::MeetingKind::Near,
-      false });
+      false, false, false, {}, {} });
   }
 }
 
@@ -200,25 +228,21 @@ SkdCurvePlace SkdCurveHitFinder::PlaceOf(
     place.T = 0.0;
   }
   place.U = static_cast<double>(place.Piece - curve.FirstPiece) + place.T;
+  place.Rounding = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + place.U);
+  place.Slack = place.Rounding;
   const skd::Vector3 origin = curves.GetPiece(place.Piece, skd::Vector3{}).Start();
   const skd::CurvePoint point = curves.GetPiece(place.Piece, origin).At(place.T);
   place.X = origin + point.X;
   place.Tangent = point.D1;
+  place.Joint = SkdCurveJoints::None;
+  place.IsAtEnd = curves.IsAtEnd(place.Curve, place.U, 0.0, place.Joint);
   return place;
 }
 
 //------------------------------------------------------------------------------
-bool SkdCurveHitFinder::IsAtEnd(const SkdCurveTree& tree, const SkdCurvePlace& place) const
-{
-  const SkdCurve& curve = tree.GetCurves().GetCurves()[place.Curve];
-  const double last = static_cast<double>(curve.LastPiece - curve.FirstPiece);
-  return !curve.IsClosed && (place.U == 0.0 || place.U == last);
-}
-
-//------------------------------------------------------------------------------
-/// Whether two curves of a set only go on as each other.
+/// Whether two curves of a set only go on as each other; where a third meets them, that is told.
 bool SkdCurveHitFinder::IsJoint(const SkdCurveHit& hit) const
 {
   return this->Task.IgnoresJoints && this->IsSelf() && hit.Kind != skd::MeetingKind::OverlapEnd &&
-    this->IsAtEnd(this->First, hit.First) && this->IsAtEnd(this->Second, hit.Second);
+    hit.First.IsAtEnd && hit.Second.IsAtEnd && hit.First.Joint == hit.Second.Joint;
 }

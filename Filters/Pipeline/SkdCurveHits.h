@@ -40,7 +40,7 @@ struct SkdCurveMeetings
 struct SkdCurveTask
 {
   double Clearance = 0.0;    ///< tells pairs of curves that do not meet, but come as near
-  bool IgnoresJoints = true; ///< of a set against itself: curves that meet end to end
+  bool IgnoresJoints = true; ///< curves that go on as each other are one
   bool TellsCandidates = false;
 };
 
@@ -80,7 +80,6 @@ private:
   bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
   SkdCurvePlace PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
   bool IsJoint(const SkdCurveHit& hit) const;
-  bool IsAtEnd(const SkdCurveTree& tree, const SkdCurvePlace& place) const;
 
   const SkdCurveTree& First;
   const SkdCurveTree& Second;

@@ -144,6 +144,45 @@ void SkdCurveSet::Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm
       }
     }
   }
+  this->JoinEnds();
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::JoinEnds()
+{
+  std::vector<SkdCurveEnd> ends;
+  for (std::size_t number = 0; number < this->Curves.size(); ++number)
+  {
+    const SkdCurve& curve = this->Curves[number];
+    if (curve.IsClosed)
+    {
+      continue;
+    }
+    for (const bool atEnd : { false, true })
+    {
+      const std::size_t piece = atEnd ? curve.LastPiece - 1 : curve.FirstPiece;
+      const skd::Vector3& origin = this->Pieces[piece].Origin;
+      const skd::CurvePoint at = this->GetPiece(piece, origin).At(atEnd ? 1.0 : 0.0);
+      ends.push_back({ 2 * number + (atEnd ? 1 : 0), at.X + origin, atEnd ? at.D1 : -1.0 * at.D1 });
+    }
+  }
+  const double rounding =
+    8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
+  this->Joints = SkdCurveJoints(std::move(ends), this->Curves.size(), rounding);
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveSet::IsAtEnd(std::size_t number, double u, double slack, std::size_t& joint) const
+{
+  const SkdCurve& curve = this->Curves[number];
+  const double last = static_cast<double>(curve.LastPiece - curve.FirstPiece);
+  const bool atStart = u <= slack;
+  if (curve.IsClosed || (!atStart && u < last - slack))
+  {
+    return false;
+  }
+  joint = this->Joints.At(number, !atStart);
+  return true;
 }
 
 //------------------------------------------------------------------------------

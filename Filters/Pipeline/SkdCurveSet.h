@@ -9,6 +9,7 @@
 #define SkdCurveSet_h
 
 #include "Core/Curves/BezierCurve.h"
+#include "Pipeline/SkdCurveJoints.h"
 #include "Pipeline/SkdLeaves.h"
 
 #include <string>
@@ -80,6 +81,13 @@ public:
 
   const skd::Box3& GetBounds() const { return this->Bounds; }
 
+  /// Where cells go on as each other: their ends are the same to within rounding.
+  const SkdCurveJoints& GetJoints() const { return this->Joints; }
+
+  /// Whether a parameter, the number of a piece in its curve and T, is where an open curve starts
+  /// or ends, to within `slack`; the joint there.
+  bool IsAtEnd(std::size_t curve, double u, double slack, std::size_t& joint) const;
+
   /// What could not be read, one line each: "3 cells are no curves".
   std::vector<std::string> GetFaults() const;
 
@@ -101,12 +109,14 @@ private:
   bool AddPolyline(vtkCell* cell, SkdCurve& curve);
   bool AddNative(vtkCell* cell);
   void Close(SkdCurve& curve);
+  void JoinEnds();
 
   std::vector<SkdLeaf> Leaves;
   std::vector<SkdCurve> Curves;
   std::vector<Piece> Pieces;
   std::vector<skd::Homogeneous> Points;
   skd::Box3 Bounds;
+  SkdCurveJoints Joints;
   SkdPolylineForm Form;
   vtkIdType NotCurves = 0;
   vtkIdType NoLength = 0;

@@ -44,14 +44,15 @@ void SkdCurveTree::Cut(double delta)
 {
   for (std::size_t piece = 0; piece < this->Curves.GetNumberOfPieces(); ++piece)
   {
-    const skd::Vector3 origin = this->Curves.GetPiece(piece, skd::Vector3{}).Start();
+    const skd::BezierCurve whole = this->Curves.GetPiece(piece, skd::Vector3{});
+    const skd::Vector3 origin = whole.IsLine() ? skd::Vector3{} : whole.Start(); // as they are
     skd::VisitStraightSpans(this->Curves.GetPiece(piece, origin), delta,
       [&](const skd::BezierCurve& part, const skd::Interval& range)
       {
         const skd::Box3 bounds = part.Bounds();
         this->Boxes.push_back({ bounds.Min + origin, bounds.Max + origin });
         this->Spans.push_back({ piece, range, { part.Start() + origin, part.End() + origin },
-          skd::ChordDeviation(part) });
+          skd::ChordDeviation(part), part.IsLine() });
       });
   }
 }

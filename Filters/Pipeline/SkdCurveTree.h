@@ -23,6 +23,7 @@ struct SkdCurveSpan
   skd::Interval Range;
   skd::Segment<3> Chord;
   double Deviation;
+  bool IsLine; ///< the chord is the part itself, with the very coordinates of its ends
 };
 
 /// What curves are read as, and how finely they are cut: both relative to the curves' diagonal.

@@ -18,6 +18,7 @@ SkdInOuts::SkdInOuts(vtkIdType n, bool hasWinding)
   if (hasWinding)
   {
     this->Windings = SkdMakeArray<vtkDoubleArray>("SkdWindingNumber", 1, n, vtkMath::Nan());
+    this->WindingBounds = SkdMakeArray<vtkDoubleArray>("SkdWindingBound", 1, n, vtkMath::Nan());
   }
 }
 
@@ -31,6 +32,7 @@ void SkdInOuts::Set(vtkIdType i, const SkdInOut& answer)
   if (this->Windings)
   {
     this->Windings->SetValue(i, answer.WindingNumber);
+    this->WindingBounds->SetValue(i, answer.WindingBound);
   }
 }
 
@@ -50,6 +52,7 @@ void SkdInOuts::AddTo(vtkDataSetAttributes* data) const
   if (this->Windings)
   {
     data->AddArray(this->Windings);
+    data->AddArray(this->WindingBounds);
   }
   data->SetActiveScalars(InsideName);
 }

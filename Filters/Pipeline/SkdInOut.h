@@ -20,6 +20,7 @@ struct SkdInOut
   double Confidence = 0.0;
   bool IsOnBoundary = false;
   double WindingNumber = 0.0;
+  double WindingBound = 0.0; // what the number is off by at most
 };
 
 /// Arrays of a slot a point or cell, "none" at first.
@@ -46,7 +47,8 @@ private:
   vtkSmartPointer<vtkIntArray> Depths;
   vtkSmartPointer<vtkFloatArray> Confidences;
   vtkSmartPointer<vtkUnsignedCharArray> OnBoundary;
-  vtkSmartPointer<vtkDoubleArray> Windings; // or nullptr
+  vtkSmartPointer<vtkDoubleArray> Windings;      // or nullptr
+  vtkSmartPointer<vtkDoubleArray> WindingBounds; // as Windings
 };
 
 #endif

@@ -2,53 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdLeafSurface.h"
 
+#include "Cells/SkdCurvedFaces.h"
+#include "Pipeline/SkdOuterSurface.h"
+
 #include "vtkCellData.h"
-#include "vtkCellType.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
-#include "vtkExplicitStructuredGrid.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 namespace
 {
-// VTK's surface of an explicit structured grid has an original cell id that was never set.
-vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* explicitGrid)
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh, double chordalLength)
 {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(explicitGrid->GetPoints());
-  grid->SetCells(VTK_HEXAHEDRON, explicitGrid->GetCells());
-  grid->GetCellData()->AddArray(explicitGrid->GetCellGhostArray());
-  return grid;
+  auto* surface = vtkPolyData::SafeDownCast(mesh);
+  return surface ? vtkSmartPointer<vtkPolyData>(surface) : SkdOuterSurfaceOf(mesh, chordalLength);
+}
 }
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh)
-{
-  if (auto surface = vtkPolyData::SafeDownCast(mesh))
-  {
-    return surface;
-  }
-  auto explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(mesh);
-  vtkNew<vtkDataSetSurfaceFilter> filter;
-  filter->SetInputData(mesh);
-  if (explicitGrid)
-  {
-    filter->SetInputData(AsUnstructured(explicitGrid));
-  }
-  filter->PassThroughCellIdsOn();
-  filter->PassThroughPointIdsOn();
-  filter->Update();
-  return filter->GetOutput();
-}
-
-}
-
-SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh)
+SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh, double chordalLength)
   : Mesh(mesh)
-  , Surface(SurfaceOf(mesh))
+  , Surface(SurfaceOf(mesh, chordalLength))
 {
   if (mesh != this->Surface.Get())
   {
@@ -67,18 +41,10 @@ SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh)
   }
 }
 
-bool SkdLeafSurface::IsOfVolume(vtkIdType cell)
+bool SkdLeafSurface::IsOfVolume(vtkIdType cell) const
 {
-  if (!this->CellIds)
-  {
-    return false;
-  }
-  if (!this->Cell)
-  {
-    this->Cell = vtkSmartPointer<vtkGenericCell>::New();
-  }
-  this->Mesh->GetCell(this->CellIds->GetValue(cell), this->Cell);
-  return this->Cell->GetCellDimension() == 3;
+  return this->CellIds &&
+    SkdDimensionOfCellType(this->Mesh->GetCellType(this->CellIds->GetValue(cell))) == 3;
 }
 
 // VTK's surface of a structured grid has its points rounded to float: look at the original's.

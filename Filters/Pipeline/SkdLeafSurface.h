@@ -5,7 +5,6 @@
 
 #include "Cells/SkdStoredCells.h"
 #include "vtkCellArray.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
@@ -21,7 +20,8 @@
 class SkdLeafSurface
 {
 public:
-  explicit SkdLeafSurface(vtkDataSet* mesh);
+  /// Curved faces become flat facets, none farther from its face than a chordal length.
+  SkdLeafSurface(vtkDataSet* mesh, double chordalLength);
 
   vtkPolyData* Get() const { return this->Surface; }
 
@@ -30,7 +30,7 @@ public:
   {
     return this->CellIds ? this->CellIds->GetValue(cell) : cell;
   }
-  bool IsOfVolume(vtkIdType cell);
+  bool IsOfVolume(vtkIdType cell) const;
 
   /// The data set's point that a point of the surface is; -1 of one that it does not have.
   vtkIdType GetPointId(vtkIdType point) const
@@ -92,7 +92,6 @@ private:
   const float* Floats = nullptr;
   vtkIdTypeArray* CellIds = nullptr;
   vtkIdTypeArray* PointIds = nullptr;
-  vtkSmartPointer<vtkGenericCell> Cell; // made when it is first needed
 };
 
 /// Appends the corners of a face to `to`, each as idOf(corner), which is -1 of one that is not

@@ -5,6 +5,20 @@
 #include <algorithm>
 #include <tuple>
 
+namespace
+{
+unsigned BitOf(int side)
+{
+  return side > 0 ? 1u : (side < 0 ? 2u : 0u);
+}
+
+/// 0 where there is none, or where there are both.
+int OnlySideOf(unsigned bits)
+{
+  return bits == 1u ? 1 : (bits == 2u ? -1 : 0);
+}
+}
+
 //------------------------------------------------------------------------------
 void SkdMeetingGroups::Group::Add(
   const SkdSurfaceHit& hit, const std::vector<SkdSurfaceElement>& elements)
@@ -25,16 +39,35 @@ void SkdMeetingGroups::Group::Add(
   this->ExactSum += hit.Passes;
   this->GoesAlong |= hit.Direction > 0;
   this->GoesAgainst |= hit.Direction < 0;
+  this->SidesBefore |= BitOf(hit.Before);
+  this->SidesAfter |= BitOf(hit.After);
 }
 
 //------------------------------------------------------------------------------
-// Where all is exact, the parity tells. Elsewhere every element that meets there reports its own
-// direction: they differ where the curve comes and goes on one side.
+int SkdMeetingGroups::Group::Before() const
+{
+  return this->IsExact ? 0 : OnlySideOf(this->SidesBefore);
+}
+
+//------------------------------------------------------------------------------
+int SkdMeetingGroups::Group::After() const
+{
+  return this->IsExact ? 0 : OnlySideOf(this->SidesAfter);
+}
+
+//------------------------------------------------------------------------------
+// Where all is exact, the parity tells. Elsewhere the sides do on which the curve comes and goes;
+// or every element that meets there reports its own direction: they differ where the curve comes
+// and goes on one side.
 int SkdMeetingGroups::Group::Sense() const
 {
   if (this->IsExact)
   {
     return this->ExactPasses % 2 == 0 ? 0 : (this->ExactSum > 0 ? -1 : 1);
+  }
+  if (this->Before() != 0 && this->After() != 0)
+  {
+    return this->Before() == this->After() ? 0 : this->Before();
   }
   if (this->GoesAlong == this->GoesAgainst)
   {
@@ -101,7 +134,7 @@ std::vector<SkdSurfaceMeeting> SkdMeetingGroups::GetMeetings() const
     {
       continue;
     }
-    SkdSurfaceMeeting meeting{ group.Lowest, group.Sense() };
+    SkdSurfaceMeeting meeting{ group.Lowest, group.Sense(), group.Before(), group.After() };
     meeting.Hit.Kind = group.Kind();
     meeting.Hit.U = group.First.U;
     meetings.push_back(meeting);

@@ -37,11 +37,15 @@ private:
     bool IsExact = true;
     bool GoesAlong = false; ///< with the normal
     bool GoesAgainst = false;
+    unsigned SidesBefore = 0; ///< a bit for each side
+    unsigned SidesAfter = 0;
     int OverlapsBegun = 0;
     int OverlapsEnded = 0;
 
     void Add(const SkdSurfaceHit& hit, const std::vector<SkdSurfaceElement>& elements);
     int Sense() const;
+    int Before() const;
+    int After() const;
     bool IsWithinOverlap() const;
     skd::MeetingKind Kind() const;
   };

@@ -42,7 +42,7 @@ SkdSide Elect(int count, const Vote& vote)
 
 SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings)
   : Id(id)
-  , Boundary(SkdBoundaryOf(leaves))
+  , Boundary(SkdBoundaryOf(leaves, settings.ChordalLength))
   , Faces(SkdMakeLocator(this->Boundary.Faces))
 {
   this->Walls = this->Boundary.Walls == this->Boundary.Faces ? this->Faces
@@ -55,6 +55,10 @@ SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettin
   this->Boundary.Faces->GetCellsBounds(this->Bounds);
   const vtkBoundingBox box(this->Bounds);
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  if (this->Boundary.OpenEdges == 0)
+  {
+    this->Solid = std::make_unique<SkdSolid>(this->Boundary.Walls, this->Walls);
+  }
   const bool repairs = settings.RepairsOrientation || settings.Method == SkdInsideMethod::Automatic;
   const auto turnedOf = [&](vtkPolyData* surface)
   { return repairs ? this->FindTurned(surface) : std::vector<bool>(); };
@@ -75,7 +79,10 @@ std::vector<bool> SkdPart::FindTurned(vtkPolyData* surface) const
 {
   return SkdFindTurned(SkdPointsOf(surface), SkdTrianglesOf(surface),
     [this](const skd::Vector3& x)
-    { return this->BoundsHold(x.X) && this->VoteAlongAxes(x.X).IsInside; });
+    {
+      return this->BoundsHold(x.X) &&
+        (this->Solid ? this->AskSolid(x.X) : this->VoteAlongAxes(x.X)).IsInside;
+    });
 }
 
 bool SkdPart::BoundsHold(const double x[3]) const
@@ -86,18 +93,36 @@ bool SkdPart::BoundsHold(const double x[3]) const
 
 SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
 {
-  if (!this->BoundsHold(x))
+  if (this->BoundsHold(x))
   {
-    return SkdSide();
+    return this->AskWithin(x, rules, point);
   }
+  const SkdInsideMethod method = this->Resolved(rules.Method);
+  const bool isAsked = method == SkdInsideMethod::WindingNumber ||
+    (method == SkdInsideMethod::NearestFeature && !this->Solid);
+  if (!isAsked || this->GetNumberOfFaces() == 0)
+  {
+    return SkdSide(); // a ray that leads away from the bounds meets nothing
+  }
+  SkdSide side = this->AskWithin(x, rules, point);
+  side.Confidence = this->Solid ? 1.0 : side.IsInside ? 0.5 : side.Confidence;
+  side.IsInside = false;
+  return side;
+}
+
+SkdSide SkdPart::AskWithin(
+  const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
+{
   switch (this->Resolved(rules.Method))
   {
+    case SkdInsideMethod::Automatic:
+      return this->AskSolid(x);
     case SkdInsideMethod::AxisRays:
       return this->VoteAlongAxes(x);
     case SkdInsideMethod::RandomRays:
       return this->VoteAtRandom(x, rules, point);
     case SkdInsideMethod::WindingNumber:
-      return this->AskWinding(x);
+      return this->AskWinding(x, rules.WindingTolerance);
     default:
       return this->AskNearest(x);
   }
@@ -109,12 +134,9 @@ bool SkdPart::IsOdd(const double x[3], const SkdWayOut& way) const
   return this->Walls->CountCrossings(x, end) % 2 == 1;
 }
 
-void SkdPart::FindPasses(
-  const double from[3], const double along[3], double distance, std::vector<double>& passes) const
+void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
+  SkdInsideMethod method, std::vector<SkdPassAlong>& passes) const
 {
-  thread_local vtkNew<vtkDoubleArray> parameters;
-  thread_local vtkNew<vtkIdTypeArray> kinds;
-  double reach = distance;
   double start = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -126,19 +148,40 @@ void SkdPart::FindPasses(
     start = std::min(start, height);
   }
   start -= 0.01 * this->Diagonal; // both ends are outside, or beyond all that is wanted
-  reach += 0.01 * this->Diagonal;
+  const double reach = distance + 0.01 * this->Diagonal;
   double p1[3], p2[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     p1[axis] = from[axis] + start * along[axis];
     p2[axis] = from[axis] + reach * along[axis];
   }
+  if (method == SkdInsideMethod::Automatic)
+  {
+    this->Solid->FindPasses(p1, p2, reach - start, passes);
+  }
+  else
+  {
+    this->FindTurns(p1, p2, reach - start, passes);
+  }
+  for (SkdPassAlong& pass : passes)
+  {
+    pass.At += start;
+  }
+}
+
+// By parity.
+void SkdPart::FindTurns(
+  const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const
+{
+  thread_local vtkNew<vtkDoubleArray> parameters;
+  thread_local vtkNew<vtkIdTypeArray> kinds;
   const vtkIdType n = this->Walls->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
   for (vtkIdType i = 0; i < n; ++i)
   {
     if (kinds->GetValue(i) == 1)
     {
-      passes.push_back(start + parameters->GetValue(i) * (reach - start));
+      const int after = passes.size() % 2 == 0 ? 1 : 0;
+      passes.push_back({ parameters->GetValue(i) * length, after });
     }
   }
 }
@@ -159,15 +202,11 @@ SkdSide SkdPart::VoteAtRandom(
   return Elect(count, [&]() { return this->IsOdd(x, ways.Next()); });
 }
 
-double SkdPart::GetWindingNumber(const double x[3]) const
+SkdSide SkdPart::AskWinding(const double x[3], double tolerance) const
 {
-  return this->Winding ? this->Winding->At(x) : 0.0;
-}
-
-SkdSide SkdPart::AskWinding(const double x[3]) const
-{
-  const double beyond = std::abs(this->GetWindingNumber(x)) - 0.5;
-  return { beyond >= 0.0, 0.5 + std::min(0.5, std::abs(beyond)) };
+  const skd::WindingNumber::Sum sum = this->Winding->Ask(x, tolerance);
+  const double beyond = std::abs(sum.Number) - 0.5;
+  return { beyond >= 0.0, 0.5 + std::min(0.5, std::abs(beyond)), sum.Number, sum.Bound };
 }
 
 SkdSide SkdPart::AskNearest(const double x[3]) const

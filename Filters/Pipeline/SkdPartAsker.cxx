@@ -39,19 +39,27 @@ void SkdPartAsker::GoToRow(vtkIdType number)
     row.Passes[part].clear();
     if (this->HasRowOf(this->Parts[part]))
     {
-      this->Parts[part].FindPasses(row.From, row.Along, distance, row.Passes[part]);
+      this->Parts[part].FindPasses(
+        row.From, row.Along, distance, this->Rules.Method, row.Passes[part]);
     }
   }
 }
 
-bool SkdPartAsker::IsInsideByRow(std::size_t part, const double x[3]) const
+SkdSide SkdPartAsker::AskRow(std::size_t part, const double x[3], std::uint64_t question) const
 {
+  if (!this->Parts[part].BoundsHold(x))
+  {
+    return SkdSide();
+  }
   double away[3];
   vtkMath::Subtract(x, this->TheRow.From, away);
-  const std::vector<double>& passes = this->TheRow.Passes[part];
+  const std::vector<SkdPassAlong>& passes = this->TheRow.Passes[part];
   const auto next =
-    std::lower_bound(passes.begin(), passes.end(), vtkMath::Dot(away, this->TheRow.Along));
-  return (next - passes.begin()) % 2 == 1;
+    std::lower_bound(passes.begin(), passes.end(), vtkMath::Dot(away, this->TheRow.Along),
+      [](const SkdPassAlong& pass, double at) { return pass.At < at; });
+  const int around = next == passes.begin() ? 0 : std::prev(next)->After;
+  return std::abs(around) > 1 ? this->Parts[part].AskSide(x, this->Rules, question)
+                              : SkdSide{ around != 0, 1.0 };
 }
 
 SkdInOut SkdPartAsker::Ask(vtkIdType question)
@@ -62,6 +70,7 @@ SkdInOut SkdPartAsker::Ask(vtkIdType question)
   if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
   {
     answer.WindingNumber = vtkMath::Nan();
+    answer.WindingBound = vtkMath::Nan();
     return answer;
   }
   if (this->UsesRows && question / this->Questions.GetRowLength() != this->TheRow.Number)
@@ -73,12 +82,13 @@ SkdInOut SkdPartAsker::Ask(vtkIdType question)
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
     const SkdPart& part = this->Parts[i];
-    const SkdSide side = this->HasRowOf(part)
-      ? SkdSide{ part.BoundsHold(x) && this->IsInsideByRow(i, x), 1.0 }
-      : part.AskSide(x, this->Rules, static_cast<std::uint64_t>(question));
+    const auto number = static_cast<std::uint64_t>(question);
+    const SkdSide side =
+      this->HasRowOf(part) ? this->AskRow(i, x, number) : part.AskSide(x, this->Rules, number);
     answer.Confidence = std::min(answer.Confidence, side.Confidence);
     answer.IsOnBoundary = answer.IsOnBoundary || (this->Band > 0.0 && part.IsNear(x, this->Band));
-    answer.WindingNumber += part.GetWindingNumber(x);
+    answer.WindingNumber += side.WindingNumber;
+    answer.WindingBound += side.WindingBound;
     answer.IsInside = answer.IsInside || side.IsInside;
     answer.Depth += side.IsInside ? 1 : 0;
     if (side.IsInside && part.GetDiagonal() < smallest)

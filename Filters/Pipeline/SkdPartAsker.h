@@ -9,8 +9,9 @@
 /// Asks all parts for the questions of a mesh. One object a thread.
 ///
 /// Of questions that are in rows one line along each row answers all of it for a closed part:
-/// between two passes through the boundary the side stays the same. The answers are those of single
-/// points, but within rounding of the boundary, where either may be the answer.
+/// between two passes through the boundary the side stays the same. Where bodies of a part overlap
+/// points are asked one by one. The answers are those of single points, but within rounding of the
+/// boundary, where either may be the answer.
 class SkdPartAsker
 {
 public:
@@ -26,13 +27,13 @@ private:
   {
     vtkIdType Number = -1; // none yet
     double From[3];
-    double Along[3];                         // of length 1
-    std::vector<std::vector<double>> Passes; // by part: how far along the row, ascending
+    double Along[3];                               // of length 1
+    std::vector<std::vector<SkdPassAlong>> Passes; // by part, ascending
   };
 
   bool HasRowOf(const SkdPart& part) const;
   void GoToRow(vtkIdType number);
-  bool IsInsideByRow(std::size_t part, const double x[3]) const;
+  SkdSide AskRow(std::size_t part, const double x[3], std::uint64_t question) const;
 
   const std::vector<SkdPart>& Parts;
   const SkdInsideRules& Rules;

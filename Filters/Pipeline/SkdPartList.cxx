@@ -165,6 +165,7 @@ void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
     {
       SkdSubset subset(leaves[leaf].Mesh);
       subset.SetCells(ids);
+      subset.CopyShaping();
       parts.push_back({ subset.Get(), leaves[leaf].BlockIndex });
     }
     this->Parts.emplace_back(id, parts, this->Last.Settings);

@@ -40,6 +40,7 @@ public:
     const SkdPartSettings& settings);
 
   const std::vector<SkdPart>& Get() const { return this->Parts; }
+  double GetChordalLength() const { return this->Last.Settings.ChordalLength; }
 
 private:
   struct Key

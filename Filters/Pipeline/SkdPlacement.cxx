@@ -2,26 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdPlacement.h"
 
+#include "Pipeline/SkdExactScale.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
-
-namespace
-{
-/// A power of two that keeps products of three coordinates in range.
-double FindScale(double reach)
-{
-  constexpr double least = 1e-20;
-  constexpr double largest = 1e80;
-  int exponent = 0;
-  std::frexp(reach, &exponent);
-  const bool isInRange = reach == 0.0 || (reach >= least && reach <= largest);
-  return isInRange ? 1.0 : std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
-}
-}
 
 //------------------------------------------------------------------------------
 // A motion rounds each corner, by less than `rounding`. That takes the area of no triangle which is
@@ -79,7 +66,7 @@ SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
   const double scale =
-    FindScale(std::max({ first.GetReach(), other ? other->GetReach() : 0.0, shift }));
+    SkdExactScale(std::max({ first.GetReach(), other ? other->GetReach() : 0.0, shift }));
   std::optional<SkdPlacedTriangles> placed;
   if (other)
   {

@@ -31,6 +31,12 @@ public:
     this->Add<vtkDoubleArray>(what, measure);
   }
 
+  /// Of what there need not be; 0 means that there is none.
+  void AddMeasureOf(const std::string& what, double measure)
+  {
+    measure > 0.0 ? this->AddMeasure(what, measure) : void();
+  }
+
   /// A value a row, of level 0, 1, ..., say.
   void AddCounts(const std::string& what, const std::vector<vtkIdType>& counts)
   {

@@ -14,11 +14,14 @@ bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
       [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
 }
 
-int SkdSignedSource::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+int SkdSignedSource::Update(
+  const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation)
 {
-  const bool isSame = this->IsSameAs(leaves);
+  const double chordalLength = SkdChordalLength(leaves, chordalDeviation);
+  const bool isSame = this->ChordalLength == chordalLength && this->IsSameAs(leaves);
   if (!isSame)
   {
+    this->ChordalLength = chordalLength;
     this->MakeBoundary(leaves);
   }
   int built = SkdBuildLocator(this->Faces, epsilon, !isSame);
@@ -38,11 +41,14 @@ void SkdSignedSource::MakeBoundary(const std::vector<SkdLeaf>& leaves)
     this->Meshes[i].Keep(leaves[i].Mesh);
     structures[i].Mesh = this->Meshes[i].Get();
   }
-  this->Boundary = SkdBoundaryOf(structures);
+  this->Boundary = SkdBoundaryOf(structures, this->ChordalLength);
   this->Boundary.Walls->GetCellsBounds(this->Bounds);
   this->Faces = SkdMakeLocator(this->Boundary.Faces);
   const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
   this->Walls = isOne ? this->Faces : SkdMakeLocator(this->Boundary.Walls);
+  this->Solid = this->Boundary.OpenEdges == 0
+    ? std::make_unique<SkdSolid>(this->Boundary.Walls, this->Walls)
+    : nullptr;
 }
 
 std::optional<SkdNearest> SkdSignedSource::FindNearest(
@@ -78,9 +84,9 @@ bool SkdSignedSource::IsInside(const double x[3]) const
     }
   }
   const std::array<SkdWayOut, 7> ways = SkdWaysOutAlongAxes(this->Bounds, x);
-  if (this->Boundary.OpenEdges == 0)
+  if (this->Solid)
   {
-    return this->HasOddCrossings(x, ways[0]);
+    return this->Solid->Ask(x, ways[0]).IsInside;
   }
   const auto votes = std::count_if(
     ways.begin(), ways.end(), [&](const SkdWayOut& way) { return this->HasOddCrossings(x, way); });

@@ -12,18 +12,20 @@
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdNearest.h"
-#include "Pipeline/SkdWaysOut.h"
+#include "Pipeline/SkdSolid.h"
 #include "vtkSkdTreeCellLocator.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 class SkdSignedSource
 {
 public:
-  /// Makes the boundary and the tree those of `leaves`. Returns how many trees were built: 0 when
-  /// all was kept.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+  /// Makes the boundary and the tree those of `leaves`, curved faces as facets within a chordal
+  /// deviation, a share of the diagonal of all. Returns how many trees were built: 0 when all was
+  /// kept.
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation);
 
   /// Forgets all.
   void Clear() { *this = SkdSignedSource(); }
@@ -34,14 +36,17 @@ public:
   /// See SkdBoundary.
   vtkPolyData* GetWalls() const { return this->Boundary.Walls; }
 
+  /// The deviation as a length; 0 where no cell is curved.
+  double GetChordalLength() const { return this->ChordalLength; }
+
   /// Edges at which the boundary is open.
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
 
   /// As SkdSourceTrees::FindNearest, on the boundary: the cell is the one that has the face.
   std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
 
-  /// Whether x is inside the boundary, by the parity of the crossings on a way out; of a boundary
-  /// that is open by a vote of seven ways. Of a point on the boundary either. Thread-safe.
+  /// Whether x is inside the boundary, see SkdSolid; of a boundary that is open by a vote of seven
+  /// ways. Of a point on the boundary either. Thread-safe.
   bool IsInside(const double x[3]) const;
 
   /// The mesh of a leaf: its structure alone.
@@ -55,9 +60,11 @@ private:
   bool HasOddCrossings(const double x[3], const SkdWayOut& way) const;
 
   std::vector<SkdKeptMesh> Meshes;
+  double ChordalLength = 0.0; // 0 where no cell is curved
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Walls;           // often the same as Faces
+  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
+  std::unique_ptr<SkdSolid> Solid;              // of the walls, or nullptr of an open boundary
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the walls
 };
 

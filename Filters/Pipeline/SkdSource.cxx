@@ -4,23 +4,24 @@
 
 #include <algorithm>
 
-void SkdSource::Update(vtkDataObject* source, bool wantsSide, double epsilon)
+void SkdSource::Update(
+  vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation)
 {
   this->Leaves = SkdLeavesOf(source);
   this->Leaves.erase(std::remove_if(this->Leaves.begin(), this->Leaves.end(),
                        [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
     this->Leaves.end());
-  this->TreesBuilt = this->UpdateTrees(wantsSide, epsilon);
+  this->TreesBuilt = this->UpdateTrees(wantsSide, epsilon, chordalDeviation);
 }
 
 // Trees of the other kind are let go: whoever switches back pays for it, not everyone's memory.
-int SkdSource::UpdateTrees(bool wantsSide, double epsilon)
+int SkdSource::UpdateTrees(bool wantsSide, double epsilon, double chordalDeviation)
 {
   int built = 0;
   this->Sided = false;
   if (wantsSide)
   {
-    built = this->Boundary.Update(this->Leaves, epsilon);
+    built = this->Boundary.Update(this->Leaves, epsilon, chordalDeviation);
     this->Sided = this->Boundary.GetNumberOfFaces() > 0;
   }
   if (this->Sided)

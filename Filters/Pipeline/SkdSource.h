@@ -15,8 +15,8 @@ class SkdSource
 {
 public:
   /// Makes the trees those of `source`, building only what is not there yet. With `wantsSide` they
-  /// are of the boundary, if there is any, and tell inside from outside.
-  void Update(vtkDataObject* source, bool wantsSide, double epsilon);
+  /// are of the boundary, if there is any, and tell inside from outside (see SkdSignedSource).
+  void Update(vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation);
 
   /// Lets go of the Source's data. The trees stay.
   void Release() { this->Leaves.clear(); }
@@ -40,11 +40,12 @@ public:
   /// Of the last Update().
   SkdTreeCounts GetCounts() const;
   vtkIdType GetNumberOfOpenEdges() const;
+  double GetChordalLength() const { return this->Sided ? this->Boundary.GetChordalLength() : 0.0; }
   int GetTreesBuilt() const { return this->TreesBuilt; }
   ///@}
 
 private:
-  int UpdateTrees(bool wantsSide, double epsilon);
+  int UpdateTrees(bool wantsSide, double epsilon, double chordalDeviation);
 
   std::vector<SkdLeaf> Leaves;
   SkdSourceTrees Trees;

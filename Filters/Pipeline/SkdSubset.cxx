@@ -92,6 +92,27 @@ void SkdSubset::SetPoints(const std::vector<vtkIdType>& points)
   this->CopyPoints();
 }
 
+void SkdSubset::CopyShaping()
+{
+  const auto copy = [](vtkDataArray* from, const std::vector<vtkIdType>& ids)
+  {
+    const auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+    to->SetName(from->GetName());
+    to->SetNumberOfComponents(from->GetNumberOfComponents());
+    to->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
+    from->GetTuples(ListOf(ids), to);
+    return to;
+  };
+  if (vtkDataArray* weights = this->Mesh->GetPointData()->GetRationalWeights())
+  {
+    this->Grid->GetPointData()->SetRationalWeights(copy(weights, this->PointIds));
+  }
+  if (vtkDataArray* degrees = this->Mesh->GetCellData()->GetHigherOrderDegrees())
+  {
+    this->Grid->GetCellData()->SetHigherOrderDegrees(copy(degrees, this->CellIds));
+  }
+}
+
 void SkdSubset::CopyData()
 {
   CopyTuples(this->Mesh->GetPointData(), this->PointIds, this->Grid->GetPointData());

@@ -26,6 +26,9 @@ public:
   void SetPoints(const std::vector<vtkIdType>& points);
   ///@}
 
+  /// Gives the grid what shapes curved cells: the rational weights and the degrees, if any.
+  void CopyShaping();
+
   /// Gives the grid the mesh's point data, and cell data if it has cells of the mesh.
   void CopyData();
 

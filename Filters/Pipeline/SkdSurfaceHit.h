@@ -27,6 +27,8 @@ struct SkdSurfaceHit
   skd::MeetingKind Kind;
   int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
   int Direction; ///< 1 along the normal, -1 against it, 0 along the surface
+  int Before;    ///< the side on which the curve comes, 1 where the normal points to, and on which
+  int After;     ///< it goes; 0 where its piece ends, or where exact signs tell
   bool IsExact;
   bool Begins;
   bool OnBoundary;
@@ -37,6 +39,8 @@ struct SkdSurfaceMeeting
 {
   SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (leaf, cell id)
   int Sense;         ///< 1: the curve goes in, against the normal; -1: out; 0: neither
+  int Before;        ///< as of the hit, of all that meet there; 0 also where they do not agree
+  int After;
 };
 
 #endif

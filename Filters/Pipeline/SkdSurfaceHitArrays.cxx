@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSurfaceHitArrays.h"
 
-#include "Cells/SkdGenericKernel.h"
+#include "Cells/SkdPolyKernels.h"
 #include "Pipeline/SkdCellWeights.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdMakeArray.h"
@@ -73,13 +73,14 @@ skd::Vector3 PCoordsOf(const SkdSurfaceHitTable& table, const SkdSurfaceHit& hit
   vtkCell* cell = mesh->GetCell(element.CellId);
   skd::Vector3 nearest;
   skd::Vector3 pcoords{};
-  int subId;
-  if (cell->GetCellType() == VTK_CONVEX_POINT_SET) // VTK's own reads past its arrays since 9.3
+  if (cell->GetCellType() == VTK_CONVEX_POINT_SET) // as the locator has it: see SkdCellWeights
   {
-    SkdGenericKernel::Locate(cell, hit.X, subId, pcoords, nullptr);
-    return pcoords;
+    const double* box = cell->GetBounds();
+    return SkdPolyKernels::PCoordsInBounds(
+      { { { box[0], box[2], box[4] } }, { { box[1], box[3], box[5] } } }, hit.X);
   }
   std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  int subId = 0;
   double dist2;
   cell->EvaluatePosition(hit.X.X, nearest.X, subId, pcoords.X, dist2, weights.data());
   return pcoords;

@@ -6,6 +6,7 @@
 #include "Core/Geometry/SegmentFacet.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMeetingGroup.h"
+#include "Pipeline/SkdMeetingJoints.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <tuple>
@@ -171,6 +172,9 @@ void SkdSurfaceHitFinder::MeetPatch(const skd::BezierCurve& part, const skd::Vec
     base.Reach = hit.Reach;
     base.Kind = hit.Kind;
     base.Passes = base.Direction = hit.Passes;
+    // What continues the piece beyond its end is not where the curve goes on.
+    base.Before = base.T == 0.0 ? 0 : (hit.IsResolved ? hit.Before : -hit.Passes);
+    base.After = base.T == 1.0 ? 0 : (hit.IsResolved ? hit.After : hit.Passes);
     base.Begins = hit.Begins;
     base.OnBoundary = hit.OnBoundary;
     base.IsExact = false;
@@ -230,6 +234,14 @@ std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Unite(Hits& hits) const
     groups.Add(hit);
   }
   return groups.GetMeetings();
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::UniteAtJoints(
+  std::vector<SkdSurfaceMeeting> meetings) const
+{
+  SkdMeetingJoints joints(this->Curves, this->Surfaces.GetElements());
+  return joints.Unite(std::move(meetings));
 }
 
 //------------------------------------------------------------------------------

@@ -24,8 +24,13 @@ public:
   /// `delta`: the chord tolerance by which curves are cut, in world units.
   SkdSurfaceHitFinder(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta);
 
-  /// All places, by curve and then along it; at one place by part and cell id. In parallel.
+  /// All places, by curve and then along it; at one place by part and cell id. In parallel. Of
+  /// curves that go on as each other each tells what is in the joint: see UniteAtJoints().
   std::vector<SkdSurfaceMeeting> Find(SkdLoop& loop) const;
+
+  /// The same with what is in a joint told once, of the curve of the lowest number, as if both were
+  /// one curve. Ends of stretches stay.
+  std::vector<SkdSurfaceMeeting> UniteAtJoints(std::vector<SkdSurfaceMeeting> meetings) const;
 
   /// The parts that have a point inside, if they are closed, by ascending distance to where a line
   /// from there leaves them. Thread-safe.

@@ -105,9 +105,9 @@ inline void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Co
 }
 
 //------------------------------------------------------------------------------
-void SkdTriangleReader::Read(int leaf, vtkDataSet* mesh)
+void SkdTriangleReader::Read(int leaf, vtkDataSet* mesh, double chordalLength)
 {
-  const SkdLeafSurface surface(mesh);
+  const SkdLeafSurface surface(mesh, chordalLength);
   this->MarkPoints(surface);
   this->ReadPoints(leaf, surface);
   const std::uint32_t* const ids = this->Ids.data();

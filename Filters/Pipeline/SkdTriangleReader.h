@@ -65,7 +65,8 @@ public:
   SkdTriangleReader();
   ~SkdTriangleReader();
 
-  void Read(int leaf, vtkDataSet* mesh);
+  /// Curved faces as facets no farther from them than a length (SkdChordalLength).
+  void Read(int leaf, vtkDataSet* mesh, double chordalLength);
 
   /// What was read, in order.
   SkdReadTriangles Take();

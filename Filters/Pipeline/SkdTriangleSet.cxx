@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdTriangleSet.h"
 
+#include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkSMPTools.h"
 
@@ -65,9 +66,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-bool SkdTriangleSet::Update(const std::vector<SkdLeaf>& leaves)
+bool SkdTriangleSet::Update(
+  const std::vector<SkdLeaf>& leaves, double chordalDeviation, const skd::Processes* processes)
 {
-  const bool isSame = this->IsRead &&
+  const double chordalLength = SkdChordalLength(leaves, chordalDeviation, processes);
+  const bool isSame = this->IsRead && this->ChordalLength == chordalLength &&
     std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
       [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
   if (isSame)
@@ -75,12 +78,13 @@ bool SkdTriangleSet::Update(const std::vector<SkdLeaf>& leaves)
     return false;
   }
   *this = SkdTriangleSet();
+  this->ChordalLength = chordalLength;
   this->Meshes.resize(leaves.size());
   SkdTriangleReader reader;
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     this->Meshes[i].Keep(leaves[i].Mesh);
-    reader.Read(static_cast<int>(i), this->Meshes[i].Get());
+    reader.Read(static_cast<int>(i), this->Meshes[i].Get(), chordalLength);
   }
   this->Read = reader.Take();
   this->IsRead = true;

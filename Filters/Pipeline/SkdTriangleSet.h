@@ -9,6 +9,7 @@
 #define SkdTriangleSet_h
 
 #include "Core/Geometry/Vector.h"
+#include "Core/Mesh/Processes.h"
 #include "Core/Tree/LazyTree.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLeaves.h"
@@ -32,8 +33,14 @@ public:
   using PointList = skd::RawVector<skd::Vector3>;
   using TriangleList = skd::RawVector<Corners>;
 
-  /// Makes the set that of `leaves`. Returns whether it had to be read, or was the same.
-  bool Update(const std::vector<SkdLeaf>& leaves);
+  /// Makes the set that of `leaves`, curved faces as facets within a chordal deviation, a share of
+  /// the diagonal of all (see SkdChordalLength). Returns whether it had to be read, or was the
+  /// same.
+  bool Update(const std::vector<SkdLeaf>& leaves, double chordalDeviation,
+    const skd::Processes* processes = nullptr);
+
+  /// The deviation as a length; 0 where no cell is curved.
+  double GetChordalLength() const { return this->ChordalLength; }
 
   ///@{
   /// Makes equal points one and begins the tree, unless that was done. O(n).
@@ -91,6 +98,7 @@ private:
   void BuildTree();
 
   std::vector<SkdKeptMesh> Meshes;
+  double ChordalLength = 0.0;
   SkdReadTriangles Read;
   std::vector<std::uint32_t> PointOf; // of each point that was read, when complete
   bool IsRead = false;

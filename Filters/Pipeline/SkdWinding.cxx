@@ -7,6 +7,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -49,10 +50,16 @@ SkdWinding::SkdWinding(const std::vector<Triangle>& triangles)
 {
 }
 
-double SkdWinding::At(const double x[3]) const
+skd::WindingNumber::Sum SkdWinding::Ask(const double x[3], double tolerance) const
 {
   const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-  return isFinite ? this->Number.At({ { x[0], x[1], x[2] } }) : vtkMath::Nan();
+  return isFinite ? this->Number.Decide({ { x[0], x[1], x[2] } }, tolerance)
+                  : skd::WindingNumber::Sum{ vtkMath::Nan(), vtkMath::Nan(), false };
+}
+
+double SkdWinding::At(const double x[3]) const
+{
+  return this->Ask(x, std::numeric_limits<double>::infinity()).Number;
 }
 
 bool SkdWinding::IsInside(const double x[3]) const

@@ -29,7 +29,12 @@ public:
   void operator=(const SkdWinding&) = delete;
 
   /// 1 inside a closed surface whose normals point out, 0 outside, -1 inside one that is inside
-  /// out; between these near gaps. 0 without triangles, NaN of a point that is not finite.
+  /// out; between these near gaps. 0 without triangles, NaN of a point that is not finite. Off by
+  /// at most `tolerance`, and never on the wrong side of 1/2 or -1/2: see
+  /// skd::WindingNumber::Decide.
+  skd::WindingNumber::Sum Ask(const double x[3], double tolerance) const;
+
+  /// The number of Ask(), whatever tolerance is the fastest.
   double At(const double x[3]) const;
 
   /// Whether the number is at least 1/2, or at most -1/2: triangles that all point inward do no

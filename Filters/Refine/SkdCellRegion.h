@@ -21,6 +21,7 @@ class SkdCellRegion : public SkdRegion
 public:
   SkdCellRegion(const skd::RefinedMesh& mesh, std::uint32_t cell);
 
+  const skd::SimplexSet& GetSet(skd::SimplexSet&) const override { return this->Set; }
   int GetNumberOfSamples() const override { return static_cast<int>(this->Set.Points.size()) + 1; }
   skd::Vector3 GetSample(int i) const override
   {

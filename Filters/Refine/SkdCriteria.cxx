@@ -33,8 +33,11 @@ bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
   {
     return false;
   }
+  // The middle tells of most.
   const double limit = reach + region.GetRadius();
-  return parts.FindDistance(region.GetMiddle(), limit) <= limit;
+  const double distance = parts.FindDistance(region.GetMiddle(), limit);
+  thread_local skd::SimplexSet room;
+  return distance <= reach || (distance <= limit && parts.AreWithin(region.GetSet(room), reach));
 }
 }
 

@@ -4,9 +4,10 @@
 
 #include "Pipeline/SkdOrientation.h"
 
-int SkdEnclosure::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+int SkdEnclosure::Update(
+  const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation)
 {
-  const int built = this->Boundary.Update(leaves, epsilon);
+  const int built = this->Boundary.Update(leaves, epsilon, chordalDeviation);
   if (this->IsClosed())
   {
     this->Winding.reset();

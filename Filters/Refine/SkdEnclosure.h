@@ -16,14 +16,14 @@
 class SkdEnclosure
 {
 public:
-  /// Makes it that of the leaves. Returns how many trees of the boundary were built: 0 when all was
-  /// kept.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+  /// Makes it that of the leaves; see SkdSignedSource. Returns how many trees of the boundary were
+  /// built: 0 when all was kept.
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation);
 
   const SkdSignedSource& GetBoundary() const { return this->Boundary; }
   bool IsClosed() const { return this->Boundary.GetNumberOfOpenEdges() == 0; }
 
-  /// By the parity of exact crossings; where the boundary has open edges by its winding number, its
+  /// See SkdSolid; where the boundary has open edges by its winding number, its
   /// triangles turned so that they agree (SkdFindTurned). Thread-safe.
   bool IsInside(const skd::Vector3& x) const
   {

@@ -94,6 +94,29 @@ double SkdParts::FindDistance(const skd::Vector3& x, double limit) const
   return isFound ? std::sqrt(best2) : std::numeric_limits<double>::infinity();
 }
 
+bool SkdParts::AreWithin(const skd::SimplexSet& set, double reach) const
+{
+  thread_local skd::SimplexSet cellSet; // keeps its memory
+  const skd::ListedLanes all = skd::ListAll().front();
+  const double reach2 = reach * reach;
+  bool isFound = false;
+  for (std::uint32_t part = 0; part < this->GetNumberOfParts() && !isFound; ++part)
+  {
+    const SkdCellTree& tree = this->GetTree(part);
+    const SkdCellSource source = this->GetSource(part);
+    tree.VisitListed({ &all, &all + 1 }, set.Bounds.Inflated(reach),
+      [&](std::uint32_t cell)
+      {
+        if (!isFound && skd::MinDistance2(tree.SafetyBoxOf(cell), set.Bounds) <= reach2)
+        {
+          tree.GetSimplices(cell, source, cellSet);
+          isFound = skd::MinDistance2(cellSet, set, reach2) <= reach2;
+        }
+      });
+  }
+  return isFound;
+}
+
 SkdTreeCounts SkdParts::GetCounts() const
 {
   SkdTreeCounts counts;

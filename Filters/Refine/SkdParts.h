@@ -9,6 +9,7 @@
 #define SkdParts_h
 
 #include "Cells/SkdCellTree.h"
+#include "Core/Geometry/SimplexSet.h"
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdNearest.h"
@@ -44,6 +45,10 @@ public:
   /// The distance from a point to the nearest cell, infinity if none is within `limit`.
   /// Thread-safe.
   double FindDistance(const skd::Vector3& x, double limit) const;
+
+  /// Whether the distance between a set and some cell is at most `reach`: of curved cells what
+  /// SkdCellTree::GetSimplices makes of them. Thread-safe.
+  bool AreWithin(const skd::SimplexSet& set, double reach) const;
 
   SkdTreeCounts GetCounts() const;
 

@@ -34,7 +34,7 @@ int SkdRefineState::Update(vtkAlgorithm* self, const std::vector<SkdLeaf>& parts
   this->HasEnclosure = needsEnclosure || this->Options.InsideLevel > 0;
   if (this->HasEnclosure)
   {
-    treesBuilt += this->Enclosure.Update(parts, this->Options.Epsilon);
+    treesBuilt += this->Enclosure.Update(parts, this->Options.Epsilon, this->Options.ChordalDeviation);
     WarnAbout(self, this->Enclosure.GetBoundary());
   }
   return treesBuilt;
@@ -95,5 +95,6 @@ void SkdRefineState::Report(SkdReport& report) const
   if (this->HasEnclosure)
   {
     report.AddCount("OpenEdges", this->Enclosure.GetBoundary().GetNumberOfOpenEdges());
+    report.AddMeasureOf("ChordalLength", this->Enclosure.GetBoundary().GetChordalLength());
   }
 }

@@ -35,6 +35,7 @@ struct SkdRefineOptions
   double FieldRange[2] = { 0.0, 0.0 };
   int FieldLevel = 0;
   double Epsilon = 0.0;
+  double ChordalDeviation = 0.0;
 };
 
 class SkdRefineState

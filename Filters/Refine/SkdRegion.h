@@ -9,6 +9,7 @@
 #define SkdRegion_h
 
 #include "Cells/SkdCellTree.h"
+#include "Core/Geometry/SimplexSet.h"
 
 #include <limits>
 #include <vector>
@@ -26,6 +27,9 @@ public:
   const skd::Vector3& GetMiddle() const { return this->Middle; }
   double GetRadius() const { return this->Radius; }
   ///@}
+
+  /// The cell itself; `room` is where it may be put.
+  virtual const skd::SimplexSet& GetSet(skd::SimplexSet& room) const = 0;
 
   /// Where a field is looked up: the corners and the middle.
   virtual int GetNumberOfSamples() const = 0;
@@ -58,6 +62,11 @@ public:
     this->Radius = 0.5 * box.Diagonal();
   }
 
+  const skd::SimplexSet& GetSet(skd::SimplexSet& room) const override
+  {
+    room = skd::MakeBox(this->Box);
+    return room;
+  }
   int GetNumberOfSamples() const override { return 9; }
   skd::Vector3 GetSample(int i) const override
   {

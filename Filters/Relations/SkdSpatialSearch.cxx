@@ -232,6 +232,18 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(
 }
 
 //------------------------------------------------------------------------------
+// Up to what distance cells are told when the last that is wanted is at this one.
+double SkdSpatialSearch::FindLimit(const SkdQueryShape& shape, double distance) const
+{
+  double beyond = this->Rules.Tolerance;
+  for (std::uint32_t part = 0; part < this->Mesh.GetNumberOfParts(); ++part)
+  {
+    beyond = std::max(beyond, shape.Rounding(this->Mesh.GetTree(part)));
+  }
+  return this->Rules.HasTies ? distance + beyond : distance;
+}
+
+//------------------------------------------------------------------------------
 // In the order of what they may be at best, until none can be nearer than those at hand.
 SkdSpatialSearch::Cells SkdSpatialSearch::MeasureNearest(
   const SkdQueryShape& shape, std::vector<Candidate>& candidates) const
@@ -249,18 +261,29 @@ SkdSpatialSearch::Cells SkdSpatialSearch::MeasureNearest(
   }
   std::sort(
     inTurn.begin(), inTurn.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  Cells best;
+  Cells best; // Number of these, and by choice ties, are wanted
+  const std::size_t number = this->Rules.Number;
   for (const auto& [key, candidate] : inTurn)
   {
-    if (best.size() == this->Rules.Number &&
-      Key(best.back().OfCells.Min, best.back().Part, best.back().CellId) < key)
+    const bool isEnough = best.size() >= number;
+    const SkdRelatedCell* last = isEnough ? &best[number - 1] : nullptr;
+    if (isEnough &&
+      (this->Rules.HasTies ? this->FindLimit(shape, last->OfCells.Min) < std::get<0>(key)
+                           : Key(last->OfCells.Min, last->Part, last->CellId) < key))
     {
       break;
     }
     SkdRelatedCell related;
     this->Ask(shape, candidate, {}, related);
     best.insert(std::upper_bound(best.begin(), best.end(), related, IsNearer), related);
-    best.resize(std::min(best.size(), this->Rules.Number));
+    best.resize(this->Rules.HasTies ? best.size() : std::min(best.size(), number));
+  }
+  if (best.size() > number)
+  {
+    const double limit = this->FindLimit(shape, best[number - 1].OfCells.Min);
+    best.erase(std::find_if(best.begin() + static_cast<std::ptrdiff_t>(number), best.end(),
+                 [&](const SkdRelatedCell& cell) { return cell.OfCells.Min > limit; }),
+      best.end());
   }
   return best;
 }
@@ -276,7 +299,8 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindNearest(const SkdQueryShape& shape
     [&](std::vector<Candidate>& candidates, double& farthest)
     {
       Cells best = this->MeasureNearest(shape, candidates);
-      farthest = best.empty() ? 0.0 : best.back().OfCells.Min;
+      const std::size_t known = std::min(this->Rules.Number, best.size());
+      farthest = known > 0 ? this->FindLimit(shape, best[known - 1].OfCells.Min) : 0.0;
       return best;
     });
 }
@@ -294,7 +318,12 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindNearestToPoint(const SkdQueryShape
     const double zero = std::max(this->Rules.Tolerance, shape.Rounding(tree));
     std::vector<std::pair<double, vtkIdType>> found =
       tree.FindNearestCells(x, this->Rules.Number, std::numeric_limits<double>::infinity(), source);
-    if (!found.empty() && found.back().first <= zero * zero)
+    if (!found.empty() && this->Rules.HasTies)
+    {
+      const double limit = this->FindLimit(shape, std::sqrt(found.back().first)) + zero;
+      found = tree.FindNearestCells(x, tree.Cells().NumberOfCells(), limit * limit, source);
+    }
+    else if (!found.empty() && found.back().first <= zero * zero)
     {
       found = tree.FindNearestCells(x, tree.Cells().NumberOfCells(), zero * zero, source);
     }

@@ -19,6 +19,7 @@ struct SkdSearchRules : SkdRelationRules
 {
   bool IsExact = true;    ///< else the boxes decide: candidates
   std::size_t Number = 1; ///< of nearest cells
+  bool HasTies = false;   ///< and all others that are as near as the last of these
 };
 
 /// A cell that is related to a shape.
@@ -43,8 +44,9 @@ public:
   using MakeShape = std::function<SkdQueryShape(vtkIdType query)>;
 
   /// Of each of n shapes, one after the other, the related cells by (part, cell id), the nearest
-  /// first by distance. Nearest are `Number` cells of all parts together, ties to the lowest; if
-  /// boxes decide, all whose optimistic distance is not more than the Number-th least pessimistic
+  /// first by distance. Nearest are `Number` cells of all parts together, ties to the lowest, or
+  /// all of them: what is farther by no more than the tolerance or rounding is as near. If boxes
+  /// decide, all whose optimistic distance is not more than the Number-th least pessimistic
   /// one (Algorithm 5.1), among them those cells. In parallel; the same whatever the number of
   /// threads.
   SkdRelatedCells Find(vtkIdType n, const MakeShape& make, vtkAlgorithm* owner) const;
@@ -67,6 +69,7 @@ private:
   template <class Finder>
   std::vector<Candidate> FindInParts(const Finder& find) const;
   Cells MeasureNearest(const SkdQueryShape& shape, std::vector<Candidate>& candidates) const;
+  double FindLimit(const SkdQueryShape& shape, double distance) const;
   ///@{
   /// Whether a cell is related; then what there is to tell, put where it belongs: to move it costs
   /// as much as to find it.

@@ -252,3 +252,153 @@ TEST(CommonBend, OfALineIsNone)
   const BezierCurve line = BezierCurve::Line({ { 0, 0, 0 } }, { { 1, 0, 0 } });
   EXPECT_FALSE(CommonBend(line.At(0.5)).Separates(line, Quarter(9.0, 0), 0.0));
 }
+
+namespace
+{
+
+/// (t, (t - root)^degree + slope (t - root), 0): its control points are the blossom's values.
+BezierCurve Power(int degree, double root, double slope)
+{
+  BezierCurve curve;
+  curve.Degree = degree;
+  for (int i = 0; i <= degree; ++i)
+  {
+    const double x = static_cast<double>(i) / degree;
+    const double y = std::pow(1.0 - root, i) * std::pow(-root, degree - i) + slope * (x - root);
+    curve.Points[i] = Weighted({ { x, y, 0.0 } }, 1.0);
+  }
+  return curve;
+}
+
+const BezierCurve Axis = BezierCurve::Line({ { -1.25, 0, 0 } }, { { 2, 0, 0 } });
+
+/// What they have in common, whichever comes first.
+std::vector<CurvePairHit> SolveBothWays(const BezierCurve& a, const BezierCurve& b)
+{
+  const auto hits = Solve(a, b);
+  EXPECT_EQ(Solve(b, a).size(), hits.size());
+  return hits;
+}
+
+}
+
+TEST(CurvePair, RootsOfOddOrderAreOneCrossing)
+{
+  for (const int degree : { 3, 5, 7, 9 })
+  {
+    for (const double root : { 0.0, 0.125, 0.3, 0.5, 0.875, 1.0 })
+    {
+      for (const double slope : { 0.0, 1e-16, 1e-13, 1e-11, 1e-10, 1e-6 })
+      {
+        const auto hits = SolveBothWays(Power(degree, root, slope), Axis);
+        ASSERT_EQ(hits.size(), 1u) << degree << " at " << root << " with " << slope;
+        EXPECT_EQ(hits[0].Kind, MeetingKind::Crossing) << degree << " " << root << " " << slope;
+        EXPECT_NEAR(hits[0].T, root, std::pow(4e-15, 1.0 / degree)) << degree << " " << root;
+      }
+    }
+  }
+}
+
+TEST(CurvePair, RootsOfEvenOrderAreOneTouch)
+{
+  for (const int degree : { 2, 4, 6, 8 })
+  {
+    for (const double root : { 0.0, 0.125, 0.3, 0.5, 0.875, 1.0 })
+    {
+      const auto hits = SolveBothWays(Power(degree, root, 0.0), Axis);
+      ASSERT_EQ(hits.size(), 1u) << degree << " at " << root;
+      EXPECT_EQ(hits[0].Kind, MeetingKind::Touching) << degree << " at " << root;
+    }
+  }
+}
+
+TEST(CurvePair, CrossingsAtSmallAnglesAreFoundWhereverTheCurveIsCut)
+{
+  for (double slope = 0.1; slope > 1e-6; slope *= 0.3)
+  {
+    for (int k = 0; k <= 8; ++k)
+    {
+      const BezierCurve curve = Power(2, k / 8.0, slope); // also crosses at k / 8 - slope
+      const std::size_t expected = k / 8.0 > slope ? 2 : 1;
+      ASSERT_EQ(SolveBothWays(curve, Axis).size(), expected) << k << " with " << slope;
+      for (const double end : { 0.0, 1.0 }) // each part tells it
+      {
+        if (k / 8.0 != end)
+        {
+          const auto hits =
+            SolveBothWays(curve.Part(std::min(end, k / 8.0), std::max(end, k / 8.0)), Axis);
+          ASSERT_FALSE(hits.empty()) << k << " with " << slope;
+          EXPECT_EQ(end == 0.0 ? hits.back().T : hits.front().T, 1.0 - end) << k << " " << slope;
+        }
+      }
+    }
+  }
+}
+
+TEST(CurvePair, LinesOfRoundedCoordinatesRunAlongEachOther)
+{
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int round = 0; round < 1000; ++round)
+  {
+    const Vector3 a{ { any(engine), any(engine), any(engine) } };
+    const Vector3 b{ { any(engine), any(engine), any(engine) } };
+    const auto hits = SolveBothWays(BezierCurve::Line(a, b),
+      BezierCurve::Line(Lerp(a, b, 0.3), Lerp(a, b, 0.3 + 0.01 * any(engine))));
+    ASSERT_EQ(hits.size(), 2u) << round;
+    EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  }
+}
+
+// Two curves through a common point at a given angle, wherever on both; both ends and where curves
+// are halved among them.
+TEST(CurvePair, NoCrossingAtASmallAngleIsLost)
+{
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  constexpr double tolerance = 8e-15;
+  for (int round = 0; round < 1800; ++round)
+  {
+    BezierCurve curves[2];
+    double places[2];
+    for (int which = 0; which < 2; ++which)
+    {
+      BezierCurve& curve = curves[which];
+      curve.Degree = 1 + static_cast<int>(engine() % 4);
+      for (int i = 0; i <= curve.Degree; ++i)
+      {
+        const Vector3 x{ { any(engine), any(engine), round % 2 ? 0.0 : any(engine) } };
+        curve.Points[i] = Weighted(x, round % 5 ? 1.0 : 1.5 + any(engine));
+      }
+      const auto eighths = static_cast<double>(engine() % 9);
+      places[which] = engine() % 2 ? 0.125 * eighths : 0.5 + 0.5 * any(engine);
+    }
+    const CurvePoint at = curves[0].At(places[0]);
+    const CurvePoint from = curves[1].At(places[1]);
+    const double angle = std::pow(10.0, -(round % 9));
+    const Vector3 along = (1.0 / Norm(at.D1)) * at.D1;
+    Vector3 side = Cross({ { 0, 0, 1 } }, along);
+    side = (1.0 / Norm(side)) * side;
+    const Vector3 wanted = std::cos(angle) * along + std::sin(angle) * side;
+    const Vector3 axis = Cross((1.0 / Norm(from.D1)) * from.D1, wanted);
+    const double cosine = Dot(from.D1, wanted) / Norm(from.D1);
+    for (int i = 0; i <= curves[1].Degree; ++i)
+    {
+      const Vector3 x = curves[1].Control(i) - from.X;
+      const Vector3 turned =
+        cosine * x + Cross(axis, x) + (Dot(axis, x) / (1.0 + cosine)) * axis; // Rodrigues's
+      curves[1].Points[i] = Weighted(at.X + turned, curves[1].Points[i][3]);
+    }
+    for (int first = 0; first < 2; ++first)
+    {
+      CurvePairSolver solver;
+      const auto& hits = solver.Solve(curves[first], curves[1 - first], tolerance);
+      const auto isThere = [&](const CurvePairHit& hit)
+      {
+        return std::abs(hit.T - places[first]) <= 1e-9 + hit.SlackT &&
+          std::abs(hit.S - places[1 - first]) <= 1e-9 + hit.SlackS;
+      };
+      EXPECT_GE(std::count_if(hits.begin(), hits.end(), isThere), 1) << round << " at " << angle;
+    }
+  }
+}

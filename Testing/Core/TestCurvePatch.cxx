@@ -221,3 +221,123 @@ TEST(CommonBend, SeparatesNoCurveFromAPatchThatItMeets)
     EXPECT_FALSE(CommonBend(curve.At(0.4)).Separates(curve, patch, 8e-16)) << round;
   }
 }
+
+namespace
+{
+
+/// (t, t / 2, (t - root)^degree + slope (t - root)): its control points are the blossom's values.
+BezierCurve Power(int degree, double root, double slope)
+{
+  BezierCurve curve;
+  curve.Degree = degree;
+  for (int i = 0; i <= degree; ++i)
+  {
+    const double x = static_cast<double>(i) / degree;
+    const double z = std::pow(1.0 - root, i) * std::pow(-root, degree - i) + slope * (x - root);
+    curve.Points[i] = Weighted({ { x, 0.5 * x, z } }, 1.0);
+  }
+  return curve;
+}
+
+/// A part of z = 0.
+BezierPatch Plane(bool isTriangle)
+{
+  BezierPatch plane;
+  plane.DegreeR = plane.DegreeS = 1;
+  plane.IsTriangle = isTriangle;
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int j = 0; j < 2; ++j)
+    {
+      plane.Point(i, j) = Weighted({ { 8.0 * i - 2.0, 8.0 * j - 2.0, 0.0 } }, 1.0);
+    }
+  }
+  return plane;
+}
+
+}
+
+TEST(CurvePatch, RootsOfAnyOrderAreOnePlace)
+{
+  CurvePatchSolver solver;
+  for (const int degree : { 2, 3, 4, 5, 8, 9 })
+  {
+    for (const double root : { 0.0, 0.3, 0.5, 1.0 })
+    {
+      for (const double slope : { 0.0, 1e-14, 1e-11, 1e-6 })
+      {
+        const bool isOdd = degree % 2 == 1;
+        for (int turn = 0; turn < 4 && (isOdd || slope == 0.0); ++turn)
+        {
+          BezierCurve curve = Power(degree, root, slope);
+          for (int i = 0; i <= degree && turn % 2; ++i)
+          {
+            curve.Points[i][2] *= -1.0;
+          }
+          const auto& hits = solver.Solve(curve, Plane(turn > 1), 4e-15);
+          ASSERT_EQ(hits.size(), 1u) << degree << " at " << root << " with " << slope;
+          EXPECT_EQ(hits[0].Kind, isOdd ? MeetingKind::Crossing : MeetingKind::Touching) << degree;
+          EXPECT_EQ(hits[0].Passes, isOdd ? (turn % 2 ? -1 : 1) : 0) << degree << " at " << root;
+          EXPECT_NEAR(hits[0].T, root, std::pow(4e-15, 1.0 / degree)) << degree;
+        }
+      }
+    }
+  }
+}
+
+// A curve through a point of a patch at a given angle, wherever on both, is told to pass there.
+TEST(CurvePatch, NoCrossingAtASmallAngleIsLost)
+{
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto point = [&] { return Vector3{ { any(engine), any(engine), any(engine) } }; };
+  CurvePatchSolver solver;
+  for (int round = 0; round < 450; ++round)
+  {
+    const double spread = round % 5 ? 0.0 : 1.0; // of weights
+    BezierCurve curve;
+    BezierPatch patch;
+    curve.Degree = 1 + static_cast<int>(engine() % 4);
+    patch.DegreeR = 1 + static_cast<int>(engine() % 2);
+    patch.DegreeS = 1 + static_cast<int>(engine() % 2);
+    for (int i = 0; i <= patch.DegreeR; ++i)
+    {
+      for (int j = 0; j <= patch.DegreeS; ++j)
+      {
+        const Vector3 flat{ { 2.0 * i / patch.DegreeR, 2.0 * j / patch.DegreeS, 0.0 } };
+        patch.Point(i, j) = Weighted(flat + 0.3 * point(), 1.0 + 0.5 * spread * any(engine));
+      }
+    }
+    for (int i = 0; i <= curve.Degree; ++i)
+    {
+      curve.Points[i] = Weighted(point(), 1.0 + 0.5 * spread * any(engine));
+    }
+    const double t =
+      engine() % 2 ? 0.125 * static_cast<double>(engine() % 9) : 0.5 + 0.5 * any(engine);
+    const CurvePoint from = curve.At(t);
+    const SurfacePoint at =
+      patch.At(0.5 + 0.5 * any(engine), 0.125 * static_cast<double>(engine() % 9));
+    const double angle = std::pow(10.0, -(round % 9));
+    const Vector3 along = (1.0 / Norm(at.DR)) * at.DR;
+    const Vector3 wanted =
+      std::cos(angle) * along + (std::sin(angle) / Norm(at.Normal())) * at.Normal();
+    const Vector3 axis = Cross((1.0 / Norm(from.D1)) * from.D1, wanted);
+    const double cosine = Dot(from.D1, wanted) / Norm(from.D1);
+    for (int i = 0; i <= curve.Degree; ++i)
+    {
+      const Vector3 x = curve.Control(i) - from.X;
+      const Vector3 turned =
+        cosine * x + Cross(axis, x) + (Dot(axis, x) / (1.0 + cosine)) * axis; // Rodrigues's
+      curve.Points[i] = Weighted(at.X + turned, curve.Points[i][3]);
+    }
+    const auto& hits = solver.Solve(curve, patch, 8e-15);
+    const auto isThere = [&](const CurvePatchHit& hit)
+    {
+      const bool passes = hit.Passes == 1 || angle < 1e-5; // two may be as near as rounding
+      return std::abs(hit.T - t) <= 1e-9 + hit.Slack && passes;
+    };
+    const auto areWithin = !hits.empty() && hits[0].Kind == MeetingKind::OverlapEnd;
+    EXPECT_TRUE(areWithin || std::count_if(hits.begin(), hits.end(), isThere) >= 1)
+      << round << " at " << angle;
+  }
+}

@@ -163,6 +163,79 @@ TEST(WindingNumber, OfPartOfASurfaceItIsTheExactSumToo)
   }
 }
 
+TEST(WindingNumber, TheBoundHoldsAndIsWithinTheTolerance)
+{
+  Random random(616);
+  Triangles part;
+  for (const auto& t : Sphere(5))
+  {
+    if (t[0][2] < 0.7 && random.In(0.0, 1.0) < 0.9)
+    {
+      part.push_back(t);
+    }
+  }
+  const skd::Tree<3> tree = TreeOf(part);
+  const skd::WindingNumber winding(tree, part);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vector3 x = random.In(0.0, 1.5) * random.Direction<3>();
+    const double exact = SumOfAngles(part, x);
+    for (const double accuracy : { 1.0, 2.0, 4.0, 8.0 })
+    {
+      const auto sum = winding.Estimate(x, accuracy);
+      ASSERT_LE(std::abs(sum.Number - exact), sum.Bound + 1e-10) << accuracy;
+    }
+    for (const double tolerance : { 1.0, 0.1, 1e-2, 1e-3, 0.0 })
+    {
+      const auto sum = winding.Decide(x, tolerance);
+      ASSERT_LE(sum.Bound, tolerance);
+      ASSERT_LE(std::abs(sum.Number - exact), sum.Bound + 1e-10);
+    }
+  }
+}
+
+TEST(WindingNumber, WhetherItIsAtLeastOneHalfIsExact)
+{
+  // Through the opening of half a sphere, where the number passes through 1/2.
+  Random random(617);
+  Triangles half;
+  for (const auto& t : Sphere(5))
+  {
+    if (t[0][2] + t[1][2] + t[2][2] < 0.0)
+    {
+      half.push_back(t);
+    }
+  }
+  const skd::Tree<3> tree = TreeOf(half);
+  const skd::WindingNumber winding(tree, half);
+  int wouldBeWrong = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vector3 x{ { random.In(-0.5, 0.5), random.In(-0.5, 0.5), random.In(-0.01, 0.01) } };
+    const double exact = SumOfAngles(half, x);
+    if (std::abs(exact - 0.5) > 1e-9)
+    {
+      ASSERT_EQ(winding.Decide(x, 1.0).Number >= 0.5, exact >= 0.5) << exact;
+      wouldBeWrong += (winding.Estimate(x, 2.0).Number >= 0.5) != (exact >= 0.5);
+    }
+  }
+  EXPECT_GT(wouldBeWrong, 0);
+}
+
+TEST(WindingNumber, OnATriangleNothingIsRefined)
+{
+  const Triangles sphere = Sphere(6);
+  const skd::Tree<3> tree = TreeOf(sphere);
+  const skd::WindingNumber winding(tree, sphere);
+  for (std::size_t i = 0; i < sphere.size(); i += 97)
+  {
+    const auto& t = sphere[i];
+    ASSERT_TRUE(winding.Decide(t[0], 0.0).IsOn);
+    ASSERT_TRUE(winding.Decide(skd::Lerp(t[0], t[1], 0.3), 0.0).IsOn);
+    ASSERT_TRUE(winding.Decide(skd::Lerp(skd::Lerp(t[0], t[1], 0.3), t[2], 0.4), 0.0).IsOn);
+  }
+}
+
 TEST(WindingNumber, ItDoesNotDependOnPlaceOrSize)
 {
   Random random(614);

@@ -138,6 +138,48 @@ TEST(AMRCriteria, DistanceBandsCoverAllThatIsNearer)
   EXPECT_GT(far, 10);
 }
 
+/// Between two boxes, one of them maybe flat.
+double BoxDistance(const Bounds& a, const Bounds& b)
+{
+  Point apart;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    apart[axis] = std::max({ 0.0, a[2 * axis] - b[2 * axis + 1], b[2 * axis] - a[2 * axis + 1] });
+  }
+  return Length(apart);
+}
+
+TEST(AMRCriteria, DistanceBandsAreExact)
+{
+  const Bounds sheet{ 0, 2, 0, 2, 0, 0 };
+  const Bounds box{ -3.1, 4.9, -2.7, 5.3, -4.2, 3.8 };
+  constexpr double reach = 0.7;
+  AMRPointer filter = MakeAMRIn(MakePolyData(Sheet(2, VTK_QUAD)), 5, box);
+  filter->SetBalance(vtkSkdTreeAMR::NONE);
+  filter->AddDistanceBand(reach, 5);
+  int between = 0;
+  for (const Leaf& leaf : RunLeaves(filter))
+  {
+    Bounds parent = box;
+    double radius = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double size = std::ldexp(8.0, 1 - leaf.Level);
+      const double middle = 0.5 * (leaf.Box[2 * axis] + leaf.Box[2 * axis + 1]);
+      const double index = std::floor((middle - box[2 * axis]) / size);
+      parent[2 * axis] = box[2 * axis] + index * size;
+      parent[2 * axis + 1] = parent[2 * axis] + size;
+      radius = std::sqrt(3.0) * 0.5 * size;
+    }
+    EXPECT_TRUE(leaf.Level == 5 || BoxDistance(leaf.Box, sheet) > reach);
+    EXPECT_TRUE(leaf.Level == 0 || BoxDistance(parent, sheet) <= reach + 1e-12);
+    const Point middle = Center(leaf.Box);
+    const Bounds at{ middle[0], middle[0], middle[1], middle[1], middle[2], middle[2] };
+    between += leaf.Level < 5 && BoxDistance(at, sheet) < reach + 0.5 * radius;
+  }
+  EXPECT_GT(between, 50); // that a ball around them would have refined
+}
+
 TEST(AMRCriteria, LayersGrowAroundWhatIsRefined)
 {
   auto ball = MakeBall(0.5, { 0, 0, 0 });

@@ -201,3 +201,84 @@ TEST(CurveIntersectionKnown, CurvesThatNearlyCoincideCrossWhereTheyDo)
     EXPECT_NEAR(places[1], 2 * M_PI / 5, 1e-14 / amplitude);
   }
 }
+
+namespace
+{
+
+/// (t, (t - root)^degree + slope (t - root), 0), t from 0 to 1, as a Bezier curve.
+GridPointer Power(int degree, double root, double slope)
+{
+  std::vector<Point> points;
+  for (int i = 0; i <= degree; ++i)
+  {
+    const double x = static_cast<double>(i) / degree;
+    points.push_back(
+      { x, std::pow(1.0 - root, i) * std::pow(-root, degree - i) + slope * (x - root), 0.0 });
+  }
+  std::rotate(points.begin() + 1, points.end() - 1, points.end()); // ends first
+  return MakeGrid(OneCell(VTK_BEZIER_CURVE, points));
+}
+
+Numbers KindsBothWays(vtkDataObject* curves, vtkDataObject* others)
+{
+  const Numbers kinds = OutputArray(MakeFilter(curves, others), "SkdKind");
+  EXPECT_EQ(OutputArray(MakeFilter(others, curves), "SkdKind"), kinds);
+  return kinds;
+}
+
+}
+
+// They are cut at eighths, and where the chord tolerance asks for it.
+TEST(CurveIntersectionKnown, CrossingsAtSmallAnglesAreFoundWhereACurveIsCut)
+{
+  const PolyDataPointer axis = MakePolyline({ { -1.25, 0, 0 }, { 2, 0, 0 } });
+  for (double slope : { 0.1, 0.01, 1e-3, 1e-4, 1e-5 })
+  {
+    for (int k = 0; k <= 8; ++k)
+    {
+      const std::size_t expected = k / 8.0 > slope ? 2 : 1; // also at k / 8 - slope
+      EXPECT_EQ(KindsBothWays(Power(2, k / 8.0, slope), axis), Numbers(expected, 0.0))
+        << k << " " << slope;
+    }
+  }
+}
+
+TEST(CurveIntersectionKnown, ARootOfHigherOrderIsOnePlace)
+{
+  const PolyDataPointer axis = MakePolyline({ { -1.25, 0, 0 }, { 2, 0, 0 } });
+  for (const int degree : { 2, 3, 4, 5, 6, 7 })
+  {
+    for (const double root : { 0.125, 0.3, 0.5 })
+    {
+      const double kind = degree % 2 == 0 ? 1 : 0;
+      EXPECT_EQ(KindsBothWays(Power(degree, root, 0.0), axis), Numbers{ kind }) << degree << root;
+      if (degree % 2 == 1)
+      {
+        EXPECT_EQ(KindsBothWays(Power(degree, root, 1e-11), axis), Numbers{ 0 }) << degree << root;
+      }
+    }
+  }
+}
+
+TEST(CurveIntersectionKnown, SplinesCrossInTheirJoints)
+{
+  for (double slope : { 1.0, 0.1, 0.01, 1e-3, 1e-5, 1e-7 })
+  {
+    std::vector<Point> points;
+    for (int x = -3; x <= 3; ++x)
+    {
+      points.push_back({ double(x), slope * x + 0.125 * x * x * x, 0.0 });
+    }
+    const PolyDataPointer spline = MakePolyline(points);
+    for (const std::vector<Point>& other : { std::vector<Point>{ { -4, 0, 0 }, { 3.5, 0, 0 } },
+           std::vector<Point>{ { -4, 0, 0 }, { 0, 0, 0 }, { 3.5, 0, 0 } } })
+    {
+      for (int form : { 1, 2 })
+      {
+        const FilterPointer filter = MakeFilter(spline, MakePolyline(other));
+        filter->SetPolylineForm(form);
+        EXPECT_EQ(OutputArray(filter, "SkdCurveParameter"), Numbers{ 0.5 }) << slope << form;
+      }
+    }
+  }
+}

@@ -286,3 +286,37 @@ TEST(CurveSurfaceKnown, FarFromTheOriginAndTiny)
     EXPECT_EQ(OutputArray(filter, "SkdSense"), (std::vector<double>{ 1, -1 }));
   }
 }
+
+// (t, t / 2, (t - root)^degree) through z = 0.
+TEST(CurveSurfaceKnown, ARootOfHigherOrderIsOnePlace)
+{
+  Mesh plane;
+  for (double x = -1.0; x < 2.0; x += 0.5)
+  {
+    plane.Add(VTK_QUAD,
+      { plane.Add({ x, -2, 0 }), plane.Add({ x + 0.5, -2, 0 }), plane.Add({ x + 0.5, 2, 0 }),
+        plane.Add({ x, 2, 0 }) });
+  }
+  for (const int degree : { 2, 3, 4, 5, 6, 7 })
+  {
+    for (const double root : { 0.125, 0.3, 0.5 }) // the last on an edge
+    {
+      for (const double slope : { 0.0, 1e-13, 1e-10 })
+      {
+        std::vector<Point> points;
+        for (int i = 0; i <= degree; ++i)
+        {
+          const double x = static_cast<double>(i) / degree;
+          points.push_back({ x, 0.5 * x,
+            std::pow(1.0 - root, i) * std::pow(-root, degree - i) +
+              (degree % 2) * slope * (x - root) });
+        }
+        std::rotate(points.begin() + 1, points.end() - 1, points.end()); // ends first
+        const FilterPointer filter =
+          MakeFilter(MakeGrid(OneCell(VTK_BEZIER_CURVE, points)), MakePolyData(plane));
+        EXPECT_EQ(OutputArray(filter, "SkdSense"), (std::vector<double>{ degree % 2 ? -1.0 : 0.0 }))
+          << degree << " at " << root;
+      }
+    }
+  }
+}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreePointInOut: which part holds a point, by every method.
 
+#include "Pipeline/SkdWinding.h"
 #include "Support/EventCounter.h"
 #include "Support/InOutRun.h"
 
@@ -211,6 +212,64 @@ TEST(PointInOut, ARemovedCapIsToldAndWrongOnlyWithLowConfidence)
     }
     EXPECT_LE(wrong, 30) << method;
   }
+}
+
+TEST(PointInOut, OutsideOfTheBoundsOfAnOpenPartTheConfidenceIsThatOfTheNumber)
+{
+  // Half a sphere, asked just below its opening and farther off.
+  const Mesh half = Part(Outward(Sphere(20, 1.0)),
+    [sphere = Outward(Sphere(20, 1.0))](std::size_t cell)
+    {
+      const Ids& ids = sphere.Cells[cell].Points;
+      return sphere.Points[ids[0]][2] + sphere.Points[ids[1]][2] + sphere.Points[ids[2]][2] > 0.0;
+    });
+  const SkdWinding winding(MakePolyData(half));
+  std::vector<Point> points;
+  for (int i = 0; i < 200; ++i)
+  {
+    points.push_back({ 0.003 * (i - 100), 0.1, -0.002 - 0.01 * i });
+  }
+  for (int method : { InOut::WINDING_NUMBER, InOut::AUTOMATIC })
+  {
+    InOutPointer filter = MakeInOut(MakeQueries(points), MakePolyData(half), method);
+    const std::vector<double> inside = RunFor(filter, "SkdInside");
+    const std::vector<double> confidence = RunFor(filter, "SkdConfidence");
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const double number = std::abs(winding.Ask(points[i].data(), 0.25).Number);
+      EXPECT_EQ(inside[i], 0);
+      EXPECT_NEAR(confidence[i], number < 0.5 ? 1.0 - number : 0.5, 1e-6) << method << " " << i;
+    }
+    EXPECT_LT(confidence.front(), 0.6);
+    EXPECT_GT(confidence.back(), 0.9);
+  }
+}
+
+TEST(PointInOut, TheWindingNumbersBoundIsWithinTheTolerance)
+{
+  const Mesh sphere = Outward(Sphere(20, 1.0));
+  auto open = MakePolyData(Part(sphere, [](std::size_t cell) { return cell % 9 != 0; }));
+  const std::vector<Point> points = PointsAround(1.3, 500);
+  InOutPointer filter = MakeInOut(MakeQueries(points), open, InOut::WINDING_NUMBER);
+  EXPECT_EQ(filter->GetWindingTolerance(), 0.25);
+  filter->SetWindingTolerance(0.0);
+  const std::vector<double> exact = RunFor(filter, "SkdWindingNumber");
+  EXPECT_EQ(RunFor(filter, "SkdWindingBound"), std::vector<double>(points.size(), 0.0));
+  for (const double tolerance : { 0.25, 0.01 })
+  {
+    filter->SetWindingTolerance(tolerance);
+    const std::vector<double> numbers = RunFor(filter, "SkdWindingNumber");
+    const std::vector<double> bounds = RunFor(filter, "SkdWindingBound");
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      ASSERT_LE(bounds[i], tolerance);
+      ASSERT_LE(std::abs(numbers[i] - exact[i]), bounds[i] + 1e-12);
+    }
+  }
+  EventCounter events(filter);
+  filter->SetWindingTolerance(double(NAN));
+  EXPECT_EQ(filter->GetWindingTolerance(), 0.0);
+  EXPECT_EQ(events.Warnings, 1);
 }
 
 TEST(PointInOut, OrientationDoesNotMatterToRays)

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 using namespace skdtest;
 
 namespace
@@ -65,6 +67,7 @@ class SmallCells : public testing::TestWithParam<std::tuple<int, int>>
 {
 protected:
   int Size = std::get<1>(GetParam());
+  bool IsWhole = this->Size >= std::array<int, 4>{ 1, 2, 3, 3 }[std::get<0>(GetParam())];
   PolyDataPointer Mesh = MakeCells(std::get<0>(GetParam()), { 3, this->Size, 3 });
 };
 
@@ -78,8 +81,8 @@ TEST_P(SmallCells, DoNoHarm)
   EventCounter events(locator);
   locator->SetDataSet(this->Mesh);
   locator->BuildLocator();
-  EXPECT_EQ(locator->GetNumberOfCellsInTree(), this->Size == 0 ? 2 : 3);
-  EXPECT_EQ(locator->GetNumberOfCellsLeftOut(), this->Size == 0 ? 1 : 0);
+  EXPECT_EQ(locator->GetNumberOfCellsInTree(), this->IsWhole ? 3 : 2);
+  EXPECT_EQ(locator->GetNumberOfCellsLeftOut(), this->IsWhole ? 0 : 1);
   EXPECT_EQ(FindClosest(locator, { 0, 0, 1 }).Cell, 0);
   EXPECT_EQ(FindClosest(locator, { 2, 0, 1 }).Cell, 2);
   EXPECT_NEAR(FindClosest(locator, { 2, 0, 1 }).Dist2, 1.0, 1e-12);
@@ -89,7 +92,8 @@ TEST_P(SmallCells, DoNoHarm)
   EXPECT_EQ(FindWithinBounds(locator, { 1.9, 3, -1, 1, -1, 1 }), Ids{ 2 });
   FindCell(locator, { 1, 0, 0 }, 0.01);
   FindCrossings(locator, { 2.1, 0.05, 1 }, { 2.1, 0.05, -1 });
-  EXPECT_EQ(events.Errors + events.Warnings, 0) << events.Error << events.Warning;
+  EXPECT_EQ(events.Errors, 0) << events.Error;
+  EXPECT_EQ(events.Warnings, this->IsWhole || this->Size == 0 ? 0 : 1) << events.Warning;
   EXPECT_EQ(meshEvents.Errors, 0) << meshEvents.Error;
 }
 
@@ -108,9 +112,9 @@ TEST_P(SmallCells, LeaveTheOthersTheirPoints)
   EXPECT_EQ(first[0], 2.0);
 }
 
-TEST_P(SmallCells, OfPointsAreFound)
+TEST_P(SmallCells, AreFoundIfTheyAreWhole)
 {
-  if (this->Size == 0)
+  if (!this->IsWhole)
   {
     return;
   }

@@ -3,6 +3,7 @@
 // Numbers that a property cannot have are refused, by one rule for all properties of all classes.
 
 #include "Support/EventCounter.h"
+#include "Support/Folders.h"
 
 #include "vtkNew.h"
 #include "vtkSkdTreeAMR.h"
@@ -21,6 +22,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
 #include <sstream>
 
 using namespace skdtest;
@@ -274,6 +278,31 @@ TEST(Properties, ARayMustBeCast)
     refusal.Check(rays, 1000);
     EXPECT_EQ(filter->GetNumberOfRays(), before);
   }
+}
+
+/// VTK's own macros let NaN pass.
+TEST(Properties, OfDoublesAreAllSetByTheOneRule)
+{
+  const std::filesystem::path folder = std::filesystem::path(DataFolder()) / ".." / "Filters";
+  const std::regex setter(R"(vtkSet(?:Clamp|Vector\d|)Macro\((\w+), double|void Set(\w+)\(double)");
+  int headers = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("vtkSkdTree", 0) != 0 || entry.path().extension() != ".h" ||
+      name == "vtkSkdTreeSetWithin.h")
+    {
+      continue;
+    }
+    ++headers;
+    std::ifstream file(entry.path());
+    const std::string text{ std::istreambuf_iterator<char>(file), {} };
+    for (std::sregex_iterator at(text.begin(), text.end(), setter), end; at != end; ++at)
+    {
+      EXPECT_EQ((*at)[1], "FillValue") << name << ": any number may fill, NaN too";
+    }
+  }
+  EXPECT_GT(headers, 12);
 }
 
 }

@@ -538,7 +538,12 @@ TEST(SpatialQueryBadInput, NumbersOutOfRangeAreTakenForTheNearest)
 {
   QueryPointer query = MakeQuery(MakeBricks(), SpatialQuery::NEAREST);
   query->SetNumberOfNearestCells(-3);
-  EXPECT_TRUE(RunQuery(query).empty());
+  {
+    EventCounter events(query);
+    EXPECT_TRUE(RunQuery(query).empty());
+    EXPECT_EQ(events.Errors, 1);
+    EXPECT_NE(events.Error.find("NumberOfNearestCells"), std::string::npos);
+  }
   query->SetNumberOfNearestCells(VTK_INT_MAX);
   EXPECT_EQ(RunQuery(query).size(), 27u);
 }

@@ -248,6 +248,21 @@ protected:
       expected.push_back({ distance < 1e-9 ? 0.0 : distance, cell });
     }
     std::sort(expected.begin(), expected.end());
+    const double limit = expected[std::min<std::size_t>(expected.size(), number) - 1].first + 1e-9;
+    Ids asNear;
+    for (const auto& [distance, cell] : expected)
+    {
+      if (distance <= limit)
+      {
+        asNear.push_back(cell);
+      }
+    }
+    std::sort(asNear.begin(), asNear.end());
+    query->AllTiesOn();
+    Ids told = CellsFound(query);
+    std::sort(told.begin(), told.end());
+    ASSERT_EQ(told, asNear);
+    query->AllTiesOff();
     expected.resize(std::min<std::size_t>(expected.size(), number));
     const std::vector<PairRow> rows = RunQuery(query);
     ASSERT_EQ(rows.size(), expected.size());

@@ -447,4 +447,62 @@ INSTANTIATE_TEST_SUITE_P(Files, SplitReal,
   testing::Values("bones.vtp", "man.vtp", "mannequin-devil.vtp", "propellerTip.obj", "camel.vtp",
     "ChineseDragon-10kv.vtp", "pig_open.stl"));
 
+/// Rows of what a port gives, by value: corners of cells, and the ids beside them.
+std::vector<std::vector<double>> RowsOf(vtkSkdTreeSurfaceIntersection* filter, int port)
+{
+  std::vector<std::vector<double>> rows;
+  if (auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(port)))
+  {
+    for (vtkIdType i = 0; i < table->GetNumberOfRows(); ++i)
+    {
+      rows.push_back({ table->GetValueByName(i, "SkdFirstCellId").ToDouble(),
+        table->GetValueByName(i, "SkdSecondCellId").ToDouble() });
+    }
+    return rows;
+  }
+  auto* cells = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    std::vector<double> row;
+    vtkPoints* points = cells->GetCell(i)->GetPoints();
+    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+    {
+      row.insert(row.end(), points->GetPoint(k), points->GetPoint(k) + 3);
+    }
+    for (int array = 0; array < cells->GetCellData()->GetNumberOfArrays(); ++array)
+    {
+      row.push_back(cells->GetCellData()->GetArray(array)->GetComponent(i, 0));
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(SplitSurfaces, SharesOfSeveralProcessesAreWhatOneGives)
+{
+  const auto input = MakePolyData(SphereTriangles(8));
+  const auto source = MakePolyData(Placed(SphereTriangles(7), 1.0, { 0.9, 0.3, 0.2 }));
+  const auto alone = MakeSplit(input, source);
+  for (const int pieces : { 2, 3, 40 })
+  {
+    std::vector<std::vector<double>> together[6];
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      auto filter = MakeIntersection(input, source);
+      filter->SplitSurfacesOn();
+      filter->JoinCurvesOff();
+      filter->UpdatePiece(piece, pieces, 0);
+      for (int port = 0; port < 6; ++port)
+      {
+        const auto rows = RowsOf(filter, port);
+        together[port].insert(together[port].end(), rows.begin(), rows.end());
+      }
+    }
+    for (int port = 0; port < 6; ++port)
+    {
+      EXPECT_EQ(together[port], RowsOf(alone, port)) << pieces << " pieces, port " << port;
+    }
+  }
+}
+
 }

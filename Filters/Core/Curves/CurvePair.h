@@ -23,7 +23,11 @@ struct CurvePairHit
   double SlackS = 0.0;
   double Reach = 0.0; ///< and X
   MeetingKind Kind = MeetingKind::Crossing;
-  bool Begins = false; ///< of an OverlapEnd: the common stretch begins here
+  bool Begins = false;     ///< of an OverlapEnd: the common stretch begins here
+  Vector3 Before{};        ///< from the second to the first before a place that is not simple; or 0
+  Vector3 After{};         ///< the same after it
+  bool IsResolved = false; ///< not simple: what it is has been told by Resolve()
+  bool IsExact = false;    ///< T and S are right to a few units in the last place
 };
 
 /// A stretch of the first curve within the tolerance of the second near S.
@@ -62,27 +66,61 @@ struct CurvePair
     }
   }
 
-  /// Whether the place is a root of both, to within rounding. Fills in all that depends on it.
-  bool Accept(CurvePairHit& hit) const
+  /// What a root may be off by.
+  void SetSlacks(CurvePairHit& hit) const
   {
-    const CurvePoint a = this->First.At(hit.T);
-    const CurvePoint b = this->Second.At(hit.S);
-    const InverseRows inverse = Inverse(a.D1, b.D1);
+    const Vector3 along = this->First.At(hit.T).D1;
+    const InverseRows inverse = Inverse(along, this->Second.At(hit.S).D1);
     const auto slack = [&](int row)
     { return std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + 1e-14, 1e-5); };
     hit.SlackT = slack(0);
     hit.SlackS = slack(1);
-    hit.Reach = 8.0 * this->Tolerance + hit.SlackT * Norm(a.D1);
+    hit.Reach = 8.0 * this->Tolerance + hit.SlackT * Norm(along);
+  }
+
+  /// Fills in what depends on T and S.
+  void Measure(CurvePairHit& hit) const
+  {
+    hit.X = this->First.At(hit.T).X;
+    hit.Gap = std::sqrt(Distance2(hit.X, this->Second.At(hit.S).X));
+  }
+
+  /// Whether the place is a root of both, to within rounding. Fills in all that depends on it.
+  bool Accept(CurvePairHit& hit) const
+  {
+    this->SetSlacks(hit);
     return this->Place(hit, 2.0 * this->Tolerance);
   }
 
-  /// Puts the hit onto the ends that it is near, and says whether it is on both curves.
+  /// Puts the hit onto the ends that it is near, and says whether it is on both curves. An end is
+  /// where the hit is when the other curve comes as near to it: at the foot there, for where curves
+  /// cross at a small angle a root may be off by more than they are apart.
   bool Place(CurvePairHit& hit, double farthest) const
   {
-    const bool isInside = SnapToEnds(hit.T, hit.SlackT) && SnapToEnds(hit.S, hit.SlackS);
-    hit.X = this->First.At(hit.T).X;
-    hit.Gap = std::sqrt(Distance2(hit.X, this->Second.At(hit.S).X));
-    return isInside && hit.Gap <= farthest;
+    CurvePairHit placed = hit;
+    const bool isNearT = SnapToEnds(placed.T, placed.SlackT);
+    const bool isNearS = SnapToEnds(placed.S, placed.SlackS);
+    const double endT = placed.T;
+    const double endS = placed.S;
+    const bool hasEndT = isNearT && (endT == 0.0 || endT == 1.0);
+    const bool hasEndS = isNearS && (endS == 0.0 || endS == 1.0);
+    const auto isOn = [&](double t, double s)
+    {
+      placed.T = t;
+      placed.S = s;
+      this->Measure(placed);
+      return t >= 0.0 && t <= 1.0 && s >= 0.0 && s <= 1.0 && placed.Gap <= farthest;
+    };
+    const bool isPlaced = (hasEndT && hasEndS && isOn(endT, endS)) ||
+      (hasEndT && isOn(endT, Foot(this->Second, this->First.At(endT).X, hit.S))) ||
+      (hasEndS && isOn(Foot(this->First, this->Second.At(endS).X, hit.T), endS)) ||
+      isOn(hit.T, hit.S);
+    if (!isPlaced)
+    {
+      isOn(std::clamp(endT, 0.0, 1.0), std::clamp(endS, 0.0, 1.0));
+    }
+    hit = placed;
+    return isPlaced;
   }
 
   /// The place of the second curve nearest to the first's at T, found from where the hit is, also
@@ -90,18 +128,8 @@ struct CurvePair
   bool FindFoot(CurvePairHit& hit, Vector3& way) const
   {
     const Vector3 x = this->First.At(hit.T).X;
-    CurvePoint b = this->Second.At(hit.S);
-    for (int iteration = 0; iteration < 16; ++iteration)
-    {
-      const double speed2 = Norm2(b.D1);
-      const double step = speed2 > 0.0 ? Dot(x - b.X, b.D1) / speed2 : 0.0;
-      hit.S += step;
-      b = this->Second.At(hit.S);
-      if (std::abs(step) < 1e-15)
-      {
-        break;
-      }
-    }
+    hit.S = Foot(this->Second, x, hit.S);
+    const CurvePoint b = this->Second.At(hit.S);
     way = x - b.X;
     const double across2 = Norm2(way) - Dot(way, b.D1) * Dot(way, b.D1) / Norm2(b.D1);
     const double far = this->Second.Degree == 1 ? 1e3 : 2.0;
@@ -110,51 +138,87 @@ struct CurvePair
   }
 
   /// What a stretch within the tolerance of the other curve is: a touch, a crossing that is not
-  /// simple, or nothing that comes near enough.
+  /// simple, or nothing that comes near enough. The sides on which the first curve is tell, where
+  /// it comes out of the tolerance.
   std::optional<CurvePairHit> Resolve(const CurvePairContact& contact) const
   {
     const double length = contact.T.Max - contact.T.Min;
-    const double margin = std::max(2.0 * length, 1e-6);
-    CurvePairHit before;
-    CurvePairHit after;
-    before.T = contact.T.Min - margin;
-    after.T = contact.T.Max + margin;
-    before.S = after.S = contact.S;
-    Vector3 ways[2];
-    CurvePairHit hit;
-    hit.T = 0.5 * (contact.T.Min + contact.T.Max);
-    hit.S = contact.S;
-    if (this->FindFoot(before, ways[0]) && this->FindFoot(after, ways[1]))
+    const double step = std::max(2.0 * length, 1e-9);
+    const double reach = 8.0 * this->Tolerance;
+    const auto gapAt = [&](CurvePairHit& place)
     {
-      const bool crosses = Dot(ways[0], ways[1]) < 0.0;
-      const Vector3 across = Norm2(ways[0]) > Norm2(ways[1]) ? ways[0] : ways[1];
-      hit.T = this->Bisect(before, after, across, !crosses);
-    }
+      Vector3 way;
+      return this->FindFoot(place, way) ? Norm(way) : std::numeric_limits<double>::quiet_NaN();
+    };
+    CurvePairHit hit;
+    hit.S = contact.S;
+    CurvePairHit before = hit;
+    CurvePairHit after = hit;
+    hit.T = 0.5 * (contact.T.Min + contact.T.Max);
+    before.T = contact.T.Min;
+    after.T = contact.T.Max;
     hit.Kind = MeetingKind::Touching;
-    hit.SlackT = std::min(8.0 * length + 1e-12, 1e-5);
-    Vector3 way;
-    this->FindFoot(hit, way);
-    const double speeds = Norm(this->First.At(hit.T).D1) / Norm(this->Second.At(hit.S).D1);
-    hit.SlackS = std::min(hit.SlackT * speeds + 1e-12, 1e-5);
-    hit.Reach = hit.SlackT * Norm(this->First.At(hit.T).D1) + 8.0 * this->Tolerance;
-    return this->Place(hit, 4.0 * this->Tolerance) ? std::optional<CurvePairHit>(hit)
-                                                   : std::nullopt;
+    hit.IsResolved = true;
+    hit.SlackT = 8.0 * length;
+    if (LeaveContact(before, -step, reach, gapAt) && LeaveContact(after, step, reach, gapAt))
+    {
+      this->Locate(hit, before, after);
+      hit.SlackT = ContactLength(hit, reach, gapAt);
+    }
+    return this->PlaceContact(hit) ? std::optional<CurvePairHit>(hit) : std::nullopt;
   }
 
-  /// Whether the curves stay within the tolerance of each other from one touch to the next.
+  /// Whether a place may be more than a simple root: the curves nearly run along each other there.
+  static bool IsDoubtful(const CurvePairHit& hit) { return hit.SlackT > 1e-8 && !hit.IsResolved; }
+
+  static bool IsBefore(const CurvePairHit& a, const CurvePairHit& b)
+  {
+    return a.T != b.T ? a.T < b.T : a.S < b.S;
+  }
+
+  static CurvePairContact ContactAt(const Interval& range, const CurvePairHit& hit)
+  {
+    return { range, hit.S };
+  }
+
+  static bool IsOnePlace(const CurvePairHit& a, const CurvePairHit& b)
+  {
+    return std::abs(a.T - b.T) <= 1e-12 && std::abs(a.S - b.S) <= 1e-12;
+  }
+
+  /// Whether the curves stay within the tolerance of each other from one place to another.
   bool IsOneContact(const CurvePairHit& a, const CurvePairHit& b) const
   {
     CurvePairHit foot = a;
-    for (const double t : { 0.5 * (a.T + b.T), b.T })
+    for (const double part : { 0.25, 0.5, 0.75, 1.0 })
     {
-      foot.T = t;
+      foot.T = a.T + part * (b.T - a.T);
       Vector3 way;
       if (!this->FindFoot(foot, way) || Norm(way) > 4.0 * this->Tolerance)
       {
         return false;
       }
     }
-    return std::abs(foot.S - b.S) <= 1e-6; // not where the second curve comes by again
+    // not where the second curve comes by again
+    return std::abs(foot.S - b.S) <= std::max({ a.SlackS, b.SlackS, 1e-6 });
+  }
+
+  /// The place of a curve nearest to a point, found from `start`, also beyond its ends.
+  static double Foot(const BezierCurve& curve, const Vector3& x, double start)
+  {
+    double foot = start;
+    for (int iteration = 0; iteration < 16; ++iteration)
+    {
+      const CurvePoint at = curve.At(foot);
+      const double speed2 = Norm2(at.D1);
+      const double step = speed2 > 0.0 ? Dot(x - at.X, at.D1) / speed2 : 0.0;
+      foot += step;
+      if (std::abs(step) < 1e-15)
+      {
+        break;
+      }
+    }
+    return foot;
   }
 
   /// Takes a gap to the changes of T and S (less) that close it: the third direction is across
@@ -167,6 +231,65 @@ struct CurvePair
   }
 
 private:
+  bool PlaceContact(CurvePairHit& hit) const
+  {
+    Vector3 way;
+    this->FindFoot(hit, way);
+    const double speed = Norm(this->First.At(hit.T).D1);
+    hit.SlackT = std::min(hit.SlackT + 1e-12, 0.125);
+    hit.SlackS =
+      std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + 1e-12, 0.125); // not of NaN
+    hit.Reach = hit.SlackT * speed + 8.0 * this->Tolerance;
+    return this->Place(hit, 4.0 * this->Tolerance);
+  }
+
+  /// Where a contact is, and what, between places before and after it.
+  void Locate(CurvePairHit& hit, CurvePairHit before, CurvePairHit after) const
+  {
+    const double middle = hit.T;
+    Vector3 way;
+    for (int i = 0; i < 2; ++i)
+    {
+      this->FindFoot(before, hit.Before);
+      this->FindFoot(after, hit.After);
+      const bool crosses = Dot(hit.Before, hit.After) < 0.0;
+      const Vector3 across = Norm2(hit.Before) > Norm2(hit.After) ? hit.Before : hit.After;
+      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      hit.T = this->Bisect(before, after, across, !crosses);
+      this->FindFoot(hit, way);
+      if (crosses || Norm(way) <= 4.0 * this->Tolerance || Dot(way, hit.Before) >= 0.0)
+      {
+        break;
+      }
+      (middle < hit.T ? after : before) = hit; // it crosses twice, once on the contact's side
+    }
+    if (!(Norm(way) <= this->Tolerance)) // they pass by each other askew
+    {
+      hit.T = this->NearestWithin(before, after);
+    }
+  }
+
+  /// Where both are nearest, by thirds.
+  double NearestWithin(CurvePairHit low, CurvePairHit high) const
+  {
+    const auto gapAt = [&](double t)
+    {
+      CurvePairHit foot = low;
+      foot.T = t;
+      Vector3 way;
+      this->FindFoot(foot, way);
+      return Norm2(way);
+    };
+    for (int iteration = 0; iteration < 80; ++iteration)
+    {
+      const double first = low.T + (high.T - low.T) / 3.0;
+      const double second = high.T - (high.T - low.T) / 3.0;
+      const bool isAfter = gapAt(first) > gapAt(second);
+      (isAfter ? low.T : high.T) = isAfter ? first : second;
+    }
+    return 0.5 * (low.T + high.T);
+  }
+
   /// Where what is between the curves, seen along `across`, changes its sign; or its slope does.
   double Bisect(const CurvePairHit& before, const CurvePairHit& after, const Vector3& across,
     bool ofSlope) const

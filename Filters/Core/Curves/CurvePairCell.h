@@ -130,9 +130,9 @@ public:
   }
 
   /// Krawczyk's test of the cell, of the two directions that the inverse sees.
-  Contraction<2> ContractionOf(const CurvePairCell& cell) const
+  Contraction<2> ContractionOf(const CurvePairCell& cell, double tolerance) const
   {
-    Contraction<2> contraction;
+    Contraction<2> contraction{};
     if (!this->Rows.IsRegular)
     {
       contraction.Spread[0] = contraction.Spread[1] = std::numeric_limits<double>::infinity();
@@ -153,6 +153,9 @@ public:
     this->Step(cell, middle, contraction.Step);
     contraction.Spread[0] = most[0][0] + most[0][1];
     contraction.Spread[1] = most[1][0] + most[1][1];
+    const double weight = cell.First.WeightedAt(0.5)[3] * cell.Second.WeightedAt(0.5)[3];
+    contraction.Slack[0] = tolerance * weight * Norm(this->Rows.Rows[0]);
+    contraction.Slack[1] = tolerance * weight * Norm(this->Rows.Rows[1]);
     return contraction;
   }
 

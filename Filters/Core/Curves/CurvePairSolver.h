@@ -5,12 +5,13 @@
 ///
 /// As for a curve and a patch (CurvePatchSolver.h): both are halved until each part is certainly
 /// apart, by planes or, where both bend alike, by a cylinder (CommonBend.h), has at most one root,
-/// which is then found, or touches.
+/// which is then found, or touches. Two straight pieces are decided by exact signs (LinePair.h).
 #ifndef skd_Curves_CurvePairSolver_h
 #define skd_Curves_CurvePairSolver_h
 
 #include "CurvePairCell.h"
 #include "CurveWithinCurve.h"
+#include "LinePair.h"
 #include "MeetingSearch.h"
 
 namespace skd
@@ -21,12 +22,18 @@ class CurvePairSolver : private MeetingSearch<CurvePairCell, CurvePairHit, Curve
 {
 public:
   /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good
-  /// until the next call. Control points should be relative to an origin near by.
+  /// until the next call. Control points should be relative to an origin near by, but of two lines
+  /// they should be the very coordinates.
   const std::vector<CurvePairHit>& Solve(
     const BezierCurve& first, const BezierCurve& second, double tolerance)
   {
     this->Clear();
     const CurvePair pair{ first, second, tolerance };
+    if (first.IsLine() && second.IsLine())
+    {
+      LinePair(pair).Find(this->Hits);
+      return this->Hits;
+    }
     const CurvePairCell whole{ first, second };
     if (CurvePairHulls(whole).AreApart(tolerance) || CurveWithinCurve(pair).Find(this->Hits))
     {
@@ -35,7 +42,7 @@ public:
     this->ExamineAll(whole,
       [&](const CurvePairCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
     this->ResolveContacts(pair);
-    this->Unite();
+    this->Unite(pair);
     return this->Hits;
   }
 
@@ -50,7 +57,7 @@ private:
       return;
     }
     const PairInverse inverse(cell);
-    const Contraction<2> contraction = inverse.ContractionOf(cell);
+    const Contraction<2> contraction = inverse.ContractionOf(cell, pair.Tolerance);
     if (contraction.Excludes())
     {
       return;
@@ -92,7 +99,8 @@ private:
     hit.T = cell.T.Min + at[0] * (cell.T.Max - cell.T.Min);
     hit.S = cell.S.Min + at[1] * (cell.S.Max - cell.S.Min);
     pair.Polish(hit);
-    if (Holds(cell.T, hit.T) && Holds(cell.S, hit.S) && pair.Accept(hit))
+    pair.SetSlacks(hit);
+    if (Holds(cell.T, hit.T, hit.SlackT) && Holds(cell.S, hit.S, hit.SlackS) && pair.Accept(hit))
     {
       this->Hits.push_back(hit);
     }
@@ -117,29 +125,6 @@ private:
     }
     this->Stack.push_back(low);
     this->Stack.push_back(high);
-  }
-
-  /// A root on the border of cells was found from each of them.
-  void Unite()
-  {
-    const auto isBefore = [](const CurvePairHit& a, const CurvePairHit& b)
-    { return a.T != b.T ? a.T < b.T : a.S < b.S; };
-    std::sort(this->Hits.begin(), this->Hits.end(), isBefore);
-    std::size_t kept = 0;
-    for (const CurvePairHit& hit : this->Hits)
-    {
-      const auto isSame = [&](const CurvePairHit& other)
-      {
-        return std::abs(hit.T - other.T) <= std::max({ hit.SlackT, other.SlackT, 1e-12 }) &&
-          std::abs(hit.S - other.S) <= std::max({ hit.SlackS, other.SlackS, 1e-12 });
-      };
-      const auto end = this->Hits.begin() + static_cast<std::ptrdiff_t>(kept);
-      if (std::none_of(this->Hits.begin(), end, isSame))
-      {
-        this->Hits[kept++] = hit;
-      }
-    }
-    this->Hits.resize(kept);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "Meeting.h"
 #include "Preconditioner.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -23,8 +24,11 @@ struct CurvePatchHit
   double Slack = 0.0; ///< what T may be off by
   double Reach = 0.0; ///< and X
   MeetingKind Kind = MeetingKind::Crossing;
-  int Passes = 0;          ///< 1 along dX/dr x dX/ds, -1 against it, 0 not
-  bool Begins = false;     ///< of an OverlapEnd: the common stretch begins here
+  int Passes = 0;      ///< 1 along dX/dr x dX/ds, -1 against it, 0 not
+  bool Begins = false; ///< of an OverlapEnd: the common stretch begins here
+  int Before = 0; ///< the side of the patch on which the curve comes, 1 where its normal points to
+  int After = 0;  ///< and on which it goes; 0 where that is not known
+  bool IsResolved = false; ///< not simple: what it is has been told by Resolve()
   bool OnBoundary = false; ///< of the patch or at an end of the curve: neighbours may tell it, too
 };
 
@@ -71,26 +75,35 @@ struct CurvePatchPair
     return last <= this->Tolerance;
   }
 
+  /// What T, R and S of a root may be off by.
+  std::array<double, 3> SlacksOf(const CurvePatchHit& hit) const
+  {
+    const SurfacePoint s = this->Patch.At(hit.R, hit.S);
+    const InverseRows inverse(this->Curve.At(hit.T).D1, -1.0 * s.DR, -1.0 * s.DS);
+    std::array<double, 3> slacks;
+    for (int row = 0; row < 3; ++row)
+    {
+      slacks[row] = std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + 1e-14, 1e-5);
+    }
+    return slacks;
+  }
+
   /// Whether a root lies on both, to within rounding: what it may be off by counts as inside. Fills
   /// in all that depends on (T, R, S).
-  bool Accept(CurvePatchHit& hit) const
+  bool Accept(CurvePatchHit& hit, const std::array<double, 3>& slacks) const
   {
-    const CurvePoint c = this->Curve.At(hit.T);
-    const SurfacePoint s = this->Patch.At(hit.R, hit.S);
-    const InverseRows inverse(c.D1, -1.0 * s.DR, -1.0 * s.DS);
-    const auto slack = [&](int row)
-    { return std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + 1e-14, 1e-5); };
-    hit.Slack = slack(0);
-    hit.Reach = 8.0 * this->Tolerance + hit.Slack * Norm(c.D1);
-    hit.Passes = Dot(c.D1, s.Normal()) > 0.0 ? 1 : -1;
-    return this->Place(hit, slack(1), slack(2));
+    const Vector3 along = this->Curve.At(hit.T).D1;
+    hit.Slack = slacks[0];
+    hit.Reach = 8.0 * this->Tolerance + hit.Slack * Norm(along);
+    hit.Passes = Dot(along, this->Patch.At(hit.R, hit.S).Normal()) > 0.0 ? 1 : -1;
+    return this->Place(hit, slacks[1], slacks[2]);
   }
 
   /// Puts the hit onto the ends or the sides that it is near, and says whether it is beyond.
   bool Place(CurvePatchHit& hit, double slackR, double slackS) const
   {
-    const bool isInside = Snap(hit.T, hit.Slack, hit.OnBoundary) &&
-      Snap(hit.R, slackR, hit.OnBoundary) && Snap(hit.S, slackS, hit.OnBoundary);
+    const bool isInside = this->SnapToEnd(hit) && Snap(hit.R, slackR, hit.OnBoundary) &&
+      Snap(hit.S, slackS, hit.OnBoundary);
     if (this->Patch.IsTriangle)
     {
       double rest = 1.0 - hit.R - hit.S;
@@ -147,48 +160,106 @@ struct CurvePatchPair
   }
 
   /// What a stretch within the tolerance of the patch is: a crossing that is not simple, a touch,
-  /// or nothing that comes near enough.
+  /// or nothing that comes near enough. The sides on which the curve is tell, where it comes out of
+  /// the tolerance.
   std::optional<CurvePatchHit> Resolve(const CurvePatchContact& contact) const
   {
     const double length = contact.T.Max - contact.T.Min;
-    const double margin = std::max(2.0 * length, 1e-6);
-    CurvePatchHit before{ contact.T.Min - margin, contact.R, contact.S };
-    CurvePatchHit after{ contact.T.Max + margin, contact.R, contact.S };
-    double heights[2];
+    const double step = std::max(2.0 * length, 1e-9);
+    const double reach = 8.0 * this->Tolerance;
+    const auto gapAt = [&](CurvePatchHit& place)
+    {
+      double height;
+      return this->FindFoot(place, height) ? std::abs(height)
+                                           : std::numeric_limits<double>::quiet_NaN();
+    };
+    CurvePatchHit before{ contact.T.Min, contact.R, contact.S };
+    CurvePatchHit after{ contact.T.Max, contact.R, contact.S };
     CurvePatchHit hit{ 0.5 * (contact.T.Min + contact.T.Max), contact.R, contact.S };
-    hit.Slack = 8.0 * length + 1e-12;
-    const bool hasFeet = this->FindFoot(before, heights[0]) && this->FindFoot(after, heights[1]);
-    if (!hasFeet)
+    hit.IsResolved = true;
+    hit.Slack = 8.0 * length;
+    if (!LeaveContact(before, -step, reach, gapAt) || !LeaveContact(after, step, reach, gapAt))
     {
       return this->ResolvePole(hit);
     }
-    const bool crosses = heights[0] * heights[1] < 0.0;
-    hit.T = crosses ? this->Bisect(before.T, after.T, hit, false)
-                    : this->Bisect(before.T, after.T, hit, true);
-    hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
-    hit.Passes = crosses ? (heights[1] > 0.0 ? 1 : -1) : 0;
-    double height;
-    const bool isNear = this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance;
+    const bool isNear = this->Locate(hit, before, after);
+    hit.Slack = ContactLength(hit, reach, gapAt);
     return isNear && this->PlaceContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
-  /// Whether the curve stays within the tolerance of the patch from one touch to the next.
+  /// Whether a place may be more than a simple root: the curve nearly runs along the patch there.
+  static bool IsDoubtful(const CurvePatchHit& hit) { return hit.Slack > 1e-8 && !hit.IsResolved; }
+
+  static bool IsBefore(const CurvePatchHit& a, const CurvePatchHit& b)
+  {
+    return a.T != b.T ? a.T < b.T : (a.R != b.R ? a.R < b.R : a.S < b.S);
+  }
+
+  static CurvePatchContact ContactAt(const Interval& range, const CurvePatchHit& hit)
+  {
+    return { range, hit.R, hit.S };
+  }
+
+  /// Two roots of one place: what X may be off by tells where patches have a pole.
+  static bool IsOnePlace(const CurvePatchHit& a, const CurvePatchHit& b)
+  {
+    return std::abs(b.T - a.T) <= 1e-12 &&
+      Distance2(a.X, b.X) <= 4.0 * (a.Reach + b.Reach) * (a.Reach + b.Reach);
+  }
+
+  /// Whether the curve stays within the tolerance of the patch from one place to another.
   bool IsOneContact(const CurvePatchHit& a, const CurvePatchHit& b) const
   {
     CurvePatchHit foot = a;
-    for (const double t : { 0.5 * (a.T + b.T), b.T })
+    for (const double part : { 0.25, 0.5, 0.75, 1.0 })
     {
-      foot.T = t;
+      foot.T = a.T + part * (b.T - a.T);
       double height;
       if (!this->FindFoot(foot, height) || std::abs(height) > 4.0 * this->Tolerance)
       {
         return false;
       }
     }
-    return std::abs(foot.R - b.R) + std::abs(foot.S - b.S) <= 1e-6;
+    return Norm(this->Patch.At(foot.R, foot.S).X - this->Patch.At(b.R, b.S).X) <=
+      a.Reach + b.Reach + 1e-6 * Norm(this->Curve.At(b.T).D1);
   }
 
 private:
+  int SideOf(CurvePatchHit hit) const
+  {
+    double height = 0.0;
+    this->FindFoot(hit, height);
+    return height > 0.0 ? 1 : -1;
+  }
+
+  /// Where a contact is, and what, between places before and after it; whether it is near enough.
+  bool Locate(CurvePatchHit& hit, CurvePatchHit before, CurvePatchHit after) const
+  {
+    const double middle = hit.T;
+    for (int i = 0; i < 2; ++i)
+    {
+      hit.Before = this->SideOf(before);
+      hit.After = this->SideOf(after);
+      const bool crosses = hit.Before != hit.After;
+      hit.T = this->Bisect(before.T, after.T, hit, !crosses);
+      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      hit.Passes = crosses ? hit.After : 0;
+      double height;
+      if (this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance)
+      {
+        return true;
+      }
+      if (crosses || this->SideOf(hit) == hit.Before)
+      {
+        break;
+      }
+      (middle < hit.T ? after : before) = hit; // it crosses twice, once on the contact's side
+    }
+    double height;
+    hit.T = middle;
+    return this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance;
+  }
+
   static bool Snap(double& value, double slack, bool& isOnBoundary)
   {
     const bool isInside = SnapToEnds(value, slack);
@@ -196,15 +267,39 @@ private:
     return isInside;
   }
 
+  /// Puts a hit that is near an end of the curve there, and finds the foot again; but not one that
+  /// is on the curve when its end is farther from the patch than rounding explains.
+  bool SnapToEnd(CurvePatchHit& hit) const
+  {
+    CurvePatchHit end = hit;
+    if (!Snap(end.T, end.Slack, end.OnBoundary))
+    {
+      return false;
+    }
+    double height = 0.0;
+    const bool isMoved = end.T != hit.T && this->FindFoot(end, height);
+    const bool isOn = hit.T >= 0.0 && hit.T <= 1.0;
+    if (!isMoved)
+    {
+      end.R = hit.R;
+      end.S = hit.S;
+    }
+    if (!isMoved || !isOn || std::abs(height) <= 4.0 * this->Tolerance)
+    {
+      hit = end;
+    }
+    return true;
+  }
+
   bool PlaceContact(CurvePatchHit& hit) const
   {
     const CurvePoint c = this->Curve.At(hit.T);
     const SurfacePoint s = this->Patch.At(hit.R, hit.S);
+    hit.Slack = std::min(hit.Slack + 1e-12, 0.125);
     const double length = std::max(hit.Slack * Norm(c.D1), 8.0 * this->Tolerance);
     hit.Reach = length;
     const auto slack = [&](const Vector3& along)
     { return std::min(length / std::max(Norm(along), 1e-300), 1e-5); };
-    hit.Slack = std::min(hit.Slack, 1e-5);
     return this->Place(hit, slack(s.DR), slack(s.DS));
   }
 

@@ -89,11 +89,11 @@ inline InverseRows MeanInverse(const CurvePatchDerivatives& derivatives)
 }
 
 /// Krawczyk's test of a cell, in its own parameters.
-inline Contraction<3> ContractionOf(const CurvePatchCell& cell)
+inline Contraction<3> ContractionOf(const CurvePatchCell& cell, double tolerance)
 {
   const CurvePatchDerivatives derivatives(cell);
   const InverseRows inverse = MeanInverse(derivatives);
-  Contraction<3> contraction;
+  Contraction<3> contraction{};
   if (!inverse.IsRegular)
   {
     std::fill(contraction.Spread, contraction.Spread + 3, std::numeric_limits<double>::infinity());
@@ -116,6 +116,7 @@ inline Contraction<3> ContractionOf(const CurvePatchCell& cell)
   {
     contraction.Step[i] = -Dot(inverse.Rows[i], value);
     contraction.Spread[i] = most[i][0] + most[i][1] + most[i][2];
+    contraction.Slack[i] = tolerance * curve[3] * patch[3] * Norm(inverse.Rows[i]);
   }
   return contraction;
 }

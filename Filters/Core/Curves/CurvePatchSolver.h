@@ -44,7 +44,7 @@ public:
     this->ExamineAll(whole,
       [&](const CurvePatchCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
     this->ResolveContacts(pair);
-    this->Unite();
+    this->Unite(pair);
     return this->Hits;
   }
 
@@ -58,7 +58,7 @@ private:
     {
       return;
     }
-    const Contraction<3> contraction = ContractionOf(cell);
+    const Contraction<3> contraction = ContractionOf(cell, pair.Tolerance);
     if (contraction.Excludes() || this->Finds(cell, contraction, pair) ||
       hulls.AreApartAround(cell, pair.Tolerance))
     {
@@ -91,11 +91,13 @@ private:
       return false;
     }
     // Newton's method may have gone to another root: then the cell is not dealt with.
-    if (!Holds(cell.T, hit.T) || !Holds(cell.R, hit.R) || !Holds(cell.S, hit.S))
+    const std::array<double, 3> slacks = pair.SlacksOf(hit);
+    if (!Holds(cell.T, hit.T, slacks[0]) || !Holds(cell.R, hit.R, slacks[1]) ||
+      !Holds(cell.S, hit.S, slacks[2]))
     {
       return false;
     }
-    if (pair.Accept(hit))
+    if (pair.Accept(hit, slacks))
     {
       this->Hits.push_back(hit);
     }
@@ -125,20 +127,6 @@ private:
       low.S.Max = high.S.Min = cell.MiddleS();
       high.Patch = low.Patch.SplitOffS();
     }
-  }
-
-  /// A root on the border of cells was found from each of them.
-  void Unite()
-  {
-    std::sort(this->Hits.begin(), this->Hits.end(),
-      [](const CurvePatchHit& a, const CurvePatchHit& b) { return a.T < b.T; });
-    const auto isSame = [](const CurvePatchHit& a, const CurvePatchHit& b)
-    {
-      const double slack = std::max({ a.Slack, b.Slack, 1e-12 });
-      return b.T - a.T <= slack &&
-        Distance2(a.X, b.X) <= 4.0 * (a.Reach + b.Reach) * (a.Reach + b.Reach);
-    };
-    this->Hits.erase(std::unique(this->Hits.begin(), this->Hits.end(), isSame), this->Hits.end());
   }
 };
 

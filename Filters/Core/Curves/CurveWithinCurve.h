@@ -9,6 +9,40 @@
 namespace skd
 {
 
+/// Appends both ends of a stretch that two curves have in common. One that is as short as its ends
+/// may be off by is a touch, end to end, unless it is exact.
+inline void AppendStretch(
+  const CurvePair& pair, CurvePairHit begin, CurvePairHit end, std::vector<CurvePairHit>& hits)
+{
+  for (CurvePairHit* hit : { &begin, &end })
+  {
+    const double speed = Norm(pair.First.At(hit->T).D1);
+    const double other = Norm(pair.Second.At(hit->S).D1);
+    hit->Kind = MeetingKind::OverlapEnd;
+    hit->SlackT = 16.0 * pair.Tolerance / speed + 1e-13;
+    hit->SlackS = 16.0 * pair.Tolerance / other + 1e-13;
+    hit->Reach = 16.0 * pair.Tolerance + hit->SlackT * speed;
+    hit->Begins = hit == &begin;
+    if (hit->IsExact)
+    {
+      pair.Measure(*hit);
+    }
+    else
+    {
+      pair.Place(*hit, 4.0 * pair.Tolerance);
+    }
+  }
+  if (begin.IsExact || end.T - begin.T > begin.SlackT)
+  {
+    hits.push_back(begin);
+    hits.push_back(end);
+    return;
+  }
+  begin.Kind = MeetingKind::Touching;
+  begin.Begins = false;
+  hits.push_back(begin);
+}
+
 /// Whether a curve runs along what another continues to, and which stretches of it are on the other
 /// itself. Two curves that have more points in common than the product of their degrees have all
 /// (of one piece); so many places along the curve are tried.
@@ -41,30 +75,10 @@ private:
 
   static double Depth(const CurvePairHit& foot) { return std::min(foot.S, 1.0 - foot.S); }
 
-  void Append(CurvePairHit begin, CurvePairHit end, std::vector<CurvePairHit>& hits) const
+  void Append(
+    const CurvePairHit& begin, const CurvePairHit& end, std::vector<CurvePairHit>& hits) const
   {
-    for (CurvePairHit* hit : { &begin, &end })
-    {
-      const double speed = Norm(this->Pair.First.At(hit->T).D1);
-      const double other = Norm(this->Pair.Second.At(hit->S).D1);
-      hit->Kind = MeetingKind::OverlapEnd;
-      hit->SlackT = 16.0 * this->Pair.Tolerance / speed + 1e-13;
-      hit->SlackS = 16.0 * this->Pair.Tolerance / other + 1e-13;
-      hit->Reach = 16.0 * this->Pair.Tolerance + hit->SlackT * speed;
-      hit->Begins = hit == &begin;
-      this->Pair.Place(*hit, 4.0 * this->Pair.Tolerance);
-    }
-    if (end.T - begin.T > begin.SlackT)
-    {
-      hits.push_back(begin);
-      hits.push_back(end);
-    }
-    else // end to end
-    {
-      begin.Kind = MeetingKind::Touching;
-      begin.Begins = false;
-      hits.push_back(begin);
-    }
+    AppendStretch(this->Pair, begin, end, hits);
   }
 
   const CurvePair& Pair;

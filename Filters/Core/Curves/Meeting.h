@@ -30,6 +30,39 @@ inline bool SnapToEnds(double& value, double slack)
   return true;
 }
 
+/// From a place where two things are within `reach` of each other to one where they are not: in
+/// steps that double, the first of which is `step`. gapAt(hit) follows hit.T and tells what is
+/// between both; NaN, and this gives false, where nothing can be told.
+template <class Hit, class GapAt>
+bool LeaveContact(Hit& hit, double step, double reach, const GapAt& gapAt)
+{
+  const double start = hit.T;
+  for (double away = step; std::abs(away) <= 1.0; away *= 2.0)
+  {
+    hit.T = start + away;
+    const double gap = gapAt(hit);
+    if (!(gap <= reach))
+    {
+      return gap > reach;
+    }
+  }
+  return false;
+}
+
+/// How far a contact goes on from a place, to within a factor of 2, or an eighth.
+template <class Hit, class GapAt>
+double ContactLength(const Hit& hit, double reach, const GapAt& gapAt)
+{
+  double length = 0.0;
+  for (const double step : { -1e-12, 1e-12 })
+  {
+    Hit place = hit;
+    LeaveContact(place, step, reach, gapAt);
+    length = std::max(length, std::abs(place.T - hit.T));
+  }
+  return std::min(length, 0.125);
+}
+
 /// Where a function changes its sign between two places, by bisection; the middle if it does not.
 template <class Function>
 double SignChange(double low, double high, const Function& function)

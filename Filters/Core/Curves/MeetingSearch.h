@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace skd
@@ -64,14 +65,78 @@ protected:
     }
   }
 
-  /// Whether a root is of a cell, or rounding has pushed it out.
-  static bool Holds(const Interval& interval, double value)
+  /// Makes one of those that are one place: a root on the border of cells was found from each of
+  /// them, and one that is not simple may have been found as several. What these are together, the
+  /// pair tells.
+  template <class Pair>
+  void Unite(const Pair& pair)
   {
-    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9;
+    this->MakeOneOfEqual(pair);
+    bool isMoved = false;
+    for (std::size_t i = 0; i < this->Hits.size(); ++i)
+    {
+      isMoved = TellWhatItIs(pair, this->Ranges[i], this->Hits[i]) || isMoved;
+    }
+    if (isMoved)
+    {
+      this->MakeOneOfEqual(pair);
+    }
+  }
+
+  /// Whether a root is of a cell, or rounding, which it may be off by, has pushed it out.
+  static bool Holds(const Interval& interval, double value, double rounding)
+  {
+    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9 + rounding;
     return value >= interval.Min - slack && value <= interval.Max + slack;
   }
 
 private:
+  template <class Pair>
+  static bool IsSame(const Pair& pair, const Hit& a, const Interval& range, const Hit& b)
+  {
+    constexpr double longest = 1.0 / 16;
+    constexpr double shortest = 1e-6; // of what simple roots may be off by, and some more
+    const bool isDoubtful =
+      a.IsResolved || b.IsResolved || pair.IsDoubtful(a) || pair.IsDoubtful(b);
+    return pair.IsOnePlace(a, b) ||
+      (b.T - range.Max <= (isDoubtful ? longest : shortest) && pair.IsOneContact(a, b));
+  }
+
+  /// Keeps the first of those that are the same, and what range they take.
+  template <class Pair>
+  void MakeOneOfEqual(const Pair& pair)
+  {
+    std::sort(this->Hits.begin(), this->Hits.end(), Pair::IsBefore);
+    this->Ranges.clear();
+    std::size_t kept = 0;
+    for (const Hit& hit : this->Hits)
+    {
+      std::size_t same = 0;
+      while (same < kept && !IsSame(pair, this->Hits[same], this->Ranges[same], hit))
+      {
+        ++same;
+      }
+      if (same == kept)
+      {
+        this->Hits[kept++] = hit;
+        this->Ranges.push_back({ hit.T, hit.T });
+      }
+      this->Ranges[same].Max = hit.T;
+    }
+    this->Hits.resize(kept);
+  }
+
+  /// Whether it was anything but a simple root, and may have been moved.
+  template <class Pair>
+  static bool TellWhatItIs(const Pair& pair, const Interval& range, Hit& hit)
+  {
+    const bool isSimple = range.Max - range.Min <= 1e-12 && !pair.IsDoubtful(hit);
+    const auto resolved =
+      isSimple ? std::optional<Hit>() : pair.Resolve(pair.ContactAt(range, hit));
+    hit = resolved ? *resolved : hit;
+    return resolved.has_value();
+  }
+
   /// The range that contacts from `first` to before `last` make up.
   template <class Pair>
   void ResolveRange(const Pair& pair, const Interval& range, std::size_t first, std::size_t last)
@@ -109,7 +174,8 @@ protected:
   std::vector<Cell> Stack;
 
 private:
-  std::size_t Resolved = 0; ///< of the hits, how many were contacts
+  std::vector<Interval> Ranges; ///< of what is one of the hits
+  std::size_t Resolved = 0;     ///< of the hits, how many were contacts
 };
 
 }

@@ -18,6 +18,7 @@ struct Contraction
 {
   double Step[N];   ///< from the middle of the box
   double Spread[N]; ///< infinite where there is no inverse
+  double Slack[N];  ///< what the distance that is 0 to within rounding makes of a step
 
   double Worst() const { return *std::max_element(this->Spread, this->Spread + N); }
 
@@ -27,7 +28,8 @@ struct Contraction
     constexpr double rounding = 1e-9;
     for (int i = 0; i < N; ++i)
     {
-      if (this->Worst() < 1.0 && std::abs(this->Step[i]) > 0.5 * (1.0 + this->Spread[i]) + rounding)
+      if (this->Worst() < 1.0 &&
+        std::abs(this->Step[i]) > 0.5 * (1.0 + this->Spread[i]) + rounding + this->Slack[i])
       {
         return true;
       }

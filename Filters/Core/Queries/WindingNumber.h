@@ -9,6 +9,10 @@
 /// Every triangle matters, so this is no search but a sum over the tree: what is far below one box
 /// is taken together, by the first three terms of its expansion at the middle of its area (G.
 /// Barill, N. G. Dickson, R. Schmidt, D. I. W. Levin, A. Jacobson, ACM Trans. Graph. 37 (2018) 43).
+/// What the terms left out can add up to is known: the kernel's part of degree k in the place d of
+/// an area, seen from a centre at the distance r, is the gradient of a solid harmonic, which is at
+/// most sqrt(k (k + 1)) |d|^(k - 1) / r^(k + 1), for that of a Legendre polynomial is bounded by
+/// P^2 + (1 - t^2) P'^2 / (k (k + 1)) <= 1.
 #ifndef skd_Queries_WindingNumber_h
 #define skd_Queries_WindingNumber_h
 
@@ -22,20 +26,18 @@ namespace skd
 {
 
 /// Made once of a tree and its triangles, then constant: any number of threads may ask, and asking
-/// allocates nothing. Memory: 352 bytes a node and 72 a triangle. Cost: O(N) to make, about O(log
+/// allocates nothing. Memory: 368 bytes a node and 72 a triangle. Cost: O(N) to make, about O(log
 /// N) to ask. Lengths may range over 1e-50 to 1e50.
 class WindingNumber
 {
 public:
   using Triangle = std::array<Vector3, 3>;
 
-  /// The box of triangles[i] is that of the tree's element i. What is farther than `accuracy` times
-  /// its own radius is taken together: on a sphere 2 errs by 0.003, 4 by 0.0001; 0 or less sums
-  /// exactly.
+  /// The box of triangles[i] is that of the tree's element i. `accuracy` is At()'s, see Estimate().
   WindingNumber(const Tree<3>& tree, const std::vector<Triangle>& triangles, double accuracy = 2.0)
     : TheTree(tree)
     , Moments(tree.NumberOfNodes())
-    , Accuracy2(accuracy > 0.0 ? accuracy * accuracy : std::numeric_limits<double>::infinity())
+    , Accuracy(accuracy)
   {
     this->Triangles.reserve(tree.NumberOfElements());
     for (std::uint32_t i = 0; i < tree.NumberOfElements(); ++i)
@@ -49,13 +51,24 @@ public:
     }
   }
 
-  double At(const Vector3& x) const
+  struct Sum
   {
+    double Number = 0.0;
+    double Bound = 0.0; ///< what Number is off by at most, but for rounding
+    bool IsOn = false;  ///< x is on a triangle, as far as rounding tells: there is no number
+  };
+
+  /// What is farther than `accuracy` times its own radius is taken together: on a sphere 2 errs by
+  /// 0.003, 4 by 0.0001; 0 or less sums exactly. The cost grows as its square.
+  Sum Estimate(const Vector3& x, double accuracy) const
+  {
+    Sum sum;
     if (this->Moments.empty())
     {
-      return 0.0;
+      return sum;
     }
-    double angle = 0.0;
+    const double accuracy2 =
+      accuracy > 0.0 ? accuracy * accuracy : std::numeric_limits<double>::infinity();
     std::uint32_t stack[StackSize];
     int top = 0;
     stack[top++] = 0;
@@ -63,9 +76,9 @@ public:
     {
       const std::uint32_t index = stack[--top];
       const Moment& moment = this->Moments[index];
-      if (Distance2(x, moment.Centre) > this->Accuracy2 * moment.Radius2)
+      if (Distance2(x, moment.Centre) > accuracy2 * moment.Radius2)
       {
-        angle += moment.AngleFrom(x);
+        moment.AddTo(sum, x);
         continue;
       }
       const Node<3>& node = this->TheTree.Open(index);
@@ -74,7 +87,9 @@ public:
         if (node.IsBottom)
         {
           const Triangle& t = this->Triangles[i];
-          angle += SolidAngle(t[0], t[1], t[2], x);
+          const SeenAngle seen = SeeAngle(t[0], t[1], t[2], x);
+          sum.Number += seen.Angle;
+          sum.IsOn = sum.IsOn || seen.IsOn;
         }
         else
         {
@@ -83,7 +98,35 @@ public:
       }
     }
     constexpr double fourPi = 12.566370614359172954;
-    return angle / fourPi;
+    sum.Number /= fourPi;
+    sum.Bound /= fourPi;
+    return sum;
+  }
+
+  double At(const Vector3& x) const { return this->Estimate(x, this->Accuracy).Number; }
+
+  /// The number, off by at most `tolerance`, and not so that it is on the other side of 1/2 or
+  /// -1/2: as At(), and the more accurate the more that leaves to be desired. Where its magnitude
+  /// is 1/2 to within rounding all triangles are summed. On a triangle it is as At() has it.
+  Sum Decide(const Vector3& x, double tolerance) const
+  {
+    constexpr double most = 20.0; // what needs more is summed exactly
+    double accuracy = this->Accuracy;
+    Sum sum = this->Estimate(x, accuracy);
+    while (accuracy > 0.0 && !sum.IsOn)
+    {
+      const double gap = std::abs(std::abs(sum.Number) - 0.5);
+      if (sum.Bound <= tolerance && sum.Bound < gap)
+      {
+        break;
+      }
+      const double wanted = std::min(tolerance, 0.7 * gap); // the number moves, too
+      // The bound falls as the third power of the accuracy.
+      accuracy *= std::max(1.1, 1.1 * std::cbrt(sum.Bound / wanted));
+      accuracy = accuracy < most ? accuracy : 0.0; // also of an infinite one
+      sum = this->Estimate(x, accuracy);
+    }
+    return sum;
   }
 
 private:
@@ -94,17 +137,25 @@ private:
   {
     Vector3 Centre{ { 0.0, 0.0, 0.0 } };
     double Radius2 = 0.0; ///< of the ball around Centre that holds them
+    double Radius = 0.0;
+    double Reach3 = 0.0; ///< at least the sum of their areas times the distances from Centre cubed
     double Area = 0.0;
     Vector3 Dipole{ { 0.0, 0.0, 0.0 } }; ///< the sum of their area vectors
     double Second[3][3] = {};            ///< place i of each, seen from Centre, times its area j
     double Third[3][3][3] = {};          ///< places i and j times its area k
 
-    /// The expansion around the centre of n . r / |r|^3, in the places of the parts.
-    double AngleFrom(const Vector3& x) const
+    /// The expansion around the centre of n . r / |r|^3, in the places of the parts, and what it
+    /// may be off by: the sum of sqrt(k (k + 1)) d^(k - 1) / r^(k + 1), k from 4 on, where d is at
+    /// most Radius. All times 4 pi.
+    void AddTo(Sum& sum, const Vector3& x) const
     {
       const Vector3 r = this->Centre - x;
       const double inverse2 = 1.0 / Norm2(r);
-      const double inverse3 = inverse2 * std::sqrt(inverse2);
+      const double inverse = std::sqrt(inverse2);
+      const double inverse3 = inverse2 * inverse;
+      const double rest = 1.0 / (1.0 - this->Radius * inverse);
+      sum.Bound +=
+        this->Reach3 * inverse3 * inverse2 * (4.5 * rest + this->Radius * inverse * rest * rest);
       double second = 0.0;
       double third = 0.0;
       for (int i = 0; i < 3; ++i)
@@ -120,7 +171,7 @@ private:
           }
         }
       }
-      return inverse3 * (Dot(this->Dipole, r) + second + inverse2 * third);
+      sum.Number += inverse3 * (Dot(this->Dipole, r) + second + inverse2 * third);
     }
 
     /// Adds a part whose own moments are seen from `place`, itself seen from Centre.
@@ -189,7 +240,7 @@ private:
     this->SetCentre(node, moment);
     double radius = 0.0;
     this->ForEachPart(node,
-      [&](std::uint32_t i, const Vector3& middle, double)
+      [&](std::uint32_t i, const Vector3& middle, double area)
       {
         const Vector3 place = middle - moment.Centre;
         if (node.IsBottom)
@@ -197,14 +248,20 @@ private:
           moment.Add(MomentOf(this->Triangles[i]), place);
           for (const Vector3& corner : this->Triangles[i])
           {
-            radius = std::max(radius, Norm(corner - moment.Centre));
+            const double distance = Norm(corner - moment.Centre);
+            radius = std::max(radius, distance);
+            moment.Reach3 +=
+              area / 3.0 * distance * distance * distance; // convex: the mean is less
           }
           return;
         }
         moment.Add(this->Moments[i], place);
         radius = std::max(radius, Norm(place) + std::sqrt(this->Moments[i].Radius2));
+        const double root = std::cbrt(this->Moments[i].Reach3) + Norm(place) * std::cbrt(area);
+        moment.Reach3 += root * root * root; // Minkowski's inequality
       });
     moment.Radius2 = radius * radius;
+    moment.Radius = radius;
     return moment;
   }
 
@@ -232,7 +289,7 @@ private:
   const Tree<3>& TheTree;
   std::vector<Triangle> Triangles; // in the order of the tree
   std::vector<Moment> Moments;     // one a node
-  double Accuracy2;
+  double Accuracy;
 };
 
 }

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMendedMesh_h
+#define SkdMendedMesh_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+/// A data set as it may be read: itself, or, where cells are broken (SkdCellCheck.h), one of the
+/// same type, points and data in which these are empty. All cells keep their ids.
+struct SkdMendedMesh
+{
+  vtkSmartPointer<vtkDataSet> Mesh;
+  std::string Fault; ///< what is to be told of the broken cells: empty if there is none
+};
+
+/// `data` must not be nullptr. Copies connectivity where cells are broken, else nothing.
+SkdMendedMesh SkdMend(vtkDataSet* data);
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCurveJoints.h
+ * @brief Where cells that are curves go on as each other.
+ */
+
+#ifndef SkdCurveJoints_h
+#define SkdCurveJoints_h
+
+#include "Core/Geometry/Vector.h"
+
+#include <vector>
+
+/// An end of an open curve.
+struct SkdCurveEnd
+{
+  std::size_t Number; ///< 2 * curve, and 1 more where it ends
+  skd::Vector3 X;
+  skd::Vector3 Outward; ///< the direction in which the curve would go on, of any length
+};
+
+class SkdCurveJoints
+{
+public:
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  SkdCurveJoints() = default;
+
+  /// Joins ends that are no farther apart than `rounding`, two by two. Where more than two meet,
+  /// those that turn least, by less than a right angle; others are left. More than 64 in one place
+  /// are a hub, and not joined. O(n log n).
+  SkdCurveJoints(std::vector<SkdCurveEnd> ends, std::size_t numberOfCurves, double rounding);
+
+  /// The number of the joint at the start or the end of a curve; None where it is loose.
+  std::size_t At(std::size_t curve, bool atEnd) const
+  {
+    return this->Joints.empty() ? None : this->Joints[2 * curve + (atEnd ? 1 : 0)];
+  }
+
+private:
+  void Join(std::vector<SkdCurveEnd>& place);
+
+  std::vector<std::size_t> Joints;
+  std::size_t Count = 0;
+};
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdOuterSurface.h
+ * @brief The surface cells of a data set and the outer faces of its volume cells, as polygons.
+ *
+ * Linear cells give the polygons that they have. Curved ones (quadratic, Lagrange, Bezier) give
+ * flat facets no farther from the face than a chordal deviation (Core/Curves/PatchFacets.h): one
+ * polygon where the face is straight within it. Facets of neighbours fit together, be these of
+ * different data sets, and faces that two data sets share are cut the same.
+ */
+
+#ifndef SkdOuterSurface_h
+#define SkdOuterSurface_h
+
+#include "Core/Mesh/Processes.h"
+#include "Pipeline/SkdLeaves.h"
+#include "vtkPolyData.h"
+
+/// What a chordal deviation is when nobody says: a share of the diagonal of what is asked.
+constexpr double SkdDefaultChordalDeviation = 1e-4;
+
+/// The length that a share of the diagonal of all leaves is; 0 where none has curved cells. With
+/// processes, of which each has a piece, of the leaves of all: the same on each.
+double SkdChordalLength(
+  const std::vector<SkdLeaf>& leaves, double share, const skd::Processes* processes = nullptr);
+
+/// Of a data set that is no vtkPolyData. Its cells have "vtkOriginalCellIds", its points
+/// "vtkOriginalPointIds", -1 of those that are on curved faces. Faces that cannot be cut (a weight
+/// that is not positive, a point that is not finite) are there as polygons of two points.
+vtkSmartPointer<vtkPolyData> SkdOuterSurfaceOf(vtkDataSet* mesh, double chordalLength);
+
+#endif

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdSolid.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// What one shell says of a point.
+struct SkdSolid::Around
+{
+  int Shell;
+  int Raw = 0;     // its winding number, as it is turned
+  int Outward = 0; // the same when it is turned outward; parity of one that has one side
+  int Passes = 0;
+};
+
+SkdSolid::SkdSolid(vtkPolyData* walls, vtkSkdTreeCellLocator* locator)
+  : Walls(walls)
+  , Locator(locator)
+{
+  walls->GetCellsBounds(this->Bounds);
+}
+
+void SkdSolid::FindShells() const
+{
+  std::call_once(this->ShellsFlag,
+    [this]
+    {
+      this->Shells =
+        std::make_unique<SkdShells>(SkdPointsOf(this->Walls), SkdTrianglesOf(this->Walls));
+      this->HasOneSided = this->Shells->HasOneSided();
+      this->HasShells.store(true, std::memory_order_release);
+    });
+}
+
+SkdSide SkdSolid::Ask(const double x[3], const SkdWayOut& way) const
+{
+  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  const auto count = [&](vtkUnsignedCharArray* turned, vtkIdType& sum)
+  { return this->Locator->CountPasses(x, end, turned, sum); };
+  bool isKnown = this->HasShells.load(std::memory_order_acquire);
+  vtkIdType sum;
+  vtkIdType passes = count(isKnown ? this->Shells->GetTurned() : nullptr, sum);
+  if (passes < 2)
+  {
+    return { passes == 1, 1.0 };
+  }
+  if (!isKnown)
+  {
+    this->FindShells();
+    passes = this->Shells->GetTurned() ? count(this->Shells->GetTurned(), sum) : passes;
+  }
+  return this->HasOneSided || std::abs(sum) > 1 ? this->Weigh(x, end) : SkdSide{ sum != 0, 1.0 };
+}
+
+void SkdSolid::FindPasses(
+  const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const
+{
+  thread_local vtkNew<vtkDoubleArray> parameters;
+  thread_local vtkNew<vtkIdTypeArray> walls;
+  thread_local vtkNew<vtkIdTypeArray> ways;
+  this->FindShells();
+  vtkUnsignedCharArray* turned = this->Shells->GetTurned();
+  const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, walls, ways);
+  int around = 0;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const bool isTurned = turned && turned->GetValue(walls->GetValue(i)) != 0;
+    const int way = static_cast<int>(ways->GetValue(i));
+    around -= isTurned ? -way : way;
+    passes.push_back({ parameters->GetValue(i) * length, this->HasOneSided ? 2 : around });
+  }
+}
+
+// By ascending shell. In a vector of the calling thread.
+const std::vector<SkdSolid::Around>& SkdSolid::FindAround(
+  const double x[3], const double end[3]) const
+{
+  thread_local vtkNew<vtkIdTypeArray> walls;
+  thread_local vtkNew<vtkIdTypeArray> ways;
+  thread_local std::vector<Around> arounds;
+  arounds.clear();
+  vtkUnsignedCharArray* turned = this->Shells->GetTurned();
+  const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, walls, ways);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const vtkIdType wall = walls->GetValue(i);
+    const int way = static_cast<int>(ways->GetValue(i));
+    const int outward = turned && turned->GetValue(wall) != 0 ? -way : way;
+    arounds.push_back({ this->Shells->GetShellOf(wall), way, outward, 1 });
+  }
+  std::sort(arounds.begin(), arounds.end(),
+    [](const Around& a, const Around& b) { return a.Shell < b.Shell; });
+  std::size_t number = 0;
+  for (const Around& pass : arounds)
+  {
+    const bool isNew = number == 0 || arounds[number - 1].Shell != pass.Shell;
+    number += isNew ? 1 : 0;
+    Around& shell = arounds[number - 1];
+    shell = isNew
+      ? pass
+      : Around{ pass.Shell, shell.Raw + pass.Raw, shell.Outward + pass.Outward, shell.Passes + 1 };
+  }
+  arounds.resize(number);
+  for (Around& shell : arounds)
+  {
+    shell.Outward = this->Shells->Get()[shell.Shell].IsOneSided ? shell.Passes % 2 : shell.Outward;
+  }
+  return arounds;
+}
+
+SkdSide SkdSolid::Weigh(const double x[3], const double end[3]) const
+{
+  const std::vector<Around> arounds = this->FindAround(x, end);
+  bool isOneSided = false;
+  bool isCoherent = true;
+  int raw = 0;
+  int passes = 0;
+  for (const Around& around : arounds)
+  {
+    const SkdShells::Shell& shell = this->Shells->Get()[around.Shell];
+    isOneSided = isOneSided || (shell.IsOneSided && around.Passes > 1);
+    isCoherent = isCoherent && shell.IsCoherent;
+    raw += around.Raw;
+    passes += around.Passes;
+  }
+  const bool isInside = this->CountGroupsAround(arounds) % 2 == 1;
+  if (isOneSided)
+  {
+    return { isInside, 0.5 };
+  }
+  if (isCoherent)
+  {
+    return { isInside, isInside == (raw != 0) ? 1.0 : 0.5 };
+  }
+  return { isInside, isInside == (passes % 2 == 1) ? 1.0 : 0.75 };
+}
+
+// How many groups of shells hold the point.
+int SkdSolid::CountGroupsAround(const std::vector<Around>& arounds) const
+{
+  const auto isAround = [](const Around& around) { return around.Outward != 0; };
+  const auto those = std::count_if(arounds.begin(), arounds.end(), isAround);
+  if (those < 2)
+  {
+    return static_cast<int>(those);
+  }
+  this->FindGroups();
+  std::vector<std::pair<int, int>> sums; // of a group
+  for (const Around& around : arounds)
+  {
+    const int outward = this->Cavity[around.Shell] ? -around.Outward : around.Outward;
+    sums.emplace_back(this->Groups[around.Shell], outward);
+  }
+  std::sort(sums.begin(), sums.end());
+  int number = 0;
+  for (auto begin = sums.begin(); begin != sums.end();)
+  {
+    const auto end =
+      std::find_if(begin, sums.end(), [&](const auto& sum) { return sum.first != begin->first; });
+    int sum = 0;
+    std::for_each(begin, end, [&](const auto& one) { sum += one.second; });
+    number += sum != 0 ? 1 : 0;
+    begin = end;
+  }
+  return number;
+}
+
+void SkdSolid::FindGroups() const
+{
+  std::call_once(this->GroupsFlag,
+    [this]
+    {
+      std::vector<int> groups =
+        SkdFindShellGroups(SkdPointsOf(this->Walls), SkdTrianglesOf(this->Walls), *this->Shells);
+      this->JoinCavities(groups);
+      const std::vector<SkdShells::Shell>& shells = this->Shells->Get();
+      std::vector<int> largest(groups.size(), -1); // shell of a group
+      for (int i = 0; i < static_cast<int>(groups.size()); ++i)
+      {
+        int& other = largest[groups[i]];
+        const bool isLarger =
+          other < 0 || std::abs(shells[i].Volume) > std::abs(shells[other].Volume);
+        other = isLarger ? i : other;
+      }
+      this->Cavity.assign(groups.size(), 0);
+      for (int i = 0; i < static_cast<int>(groups.size()); ++i)
+      {
+        const bool isCavity = this->AreOpposite(i, largest[groups[i]]) && this->IsWithin(i, groups);
+        this->Cavity[i] = isCavity ? 1 : 0;
+      }
+      this->Groups = groups;
+    });
+}
+
+/// Whether two shells are turned against each other, as they are.
+bool SkdSolid::AreOpposite(int a, int b) const
+{
+  const SkdShells::Shell& one = this->Shells->Get()[a];
+  const SkdShells::Shell& other = this->Shells->Get()[b];
+  return one.IsCoherent && other.IsCoherent && one.GetSign() != other.GetSign();
+}
+
+/// A shell in another that is turned against it, touching it or not, belongs to its group: what
+/// crosses a cavity's wall crosses the body's.
+void SkdSolid::JoinCavities(std::vector<int>& groups) const
+{
+  const auto find = [&](int group)
+  {
+    while (groups[group] != group)
+    {
+      group = groups[group] = groups[groups[group]];
+    }
+    return group;
+  };
+  const auto sizeOf = [&](int shell) { return std::abs(this->Shells->Get()[shell].Volume); };
+  for (int i = 0; i < static_cast<int>(groups.size()); ++i)
+  {
+    int nearest = -1; // the smallest that holds it
+    for (const Around& around : this->FindAround(this->Shells->Get()[i].Extremes[0]))
+    {
+      const bool holds = around.Outward != 0 && find(around.Shell) != find(i);
+      const bool isNearer = nearest < 0 || sizeOf(around.Shell) < sizeOf(nearest);
+      nearest = holds && isNearer ? around.Shell : nearest;
+    }
+    if (nearest >= 0 && this->AreOpposite(i, nearest))
+    {
+      const int a = find(i), b = find(nearest);
+      groups[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (int i = 0; i < static_cast<int>(groups.size()); ++i)
+  {
+    groups[i] = find(i);
+  }
+}
+
+const std::vector<SkdSolid::Around>& SkdSolid::FindAround(const skd::Vector3& x) const
+{
+  const SkdWayOut way = SkdWaysOutAlongAxes(this->Bounds, x.X)[0];
+  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  return this->FindAround(x.X, end);
+}
+
+/// Whether most of a shell's outermost points are in others of its group.
+bool SkdSolid::IsWithin(int shell, const std::vector<int>& groups) const
+{
+  int within = 0;
+  for (const skd::Vector3& x : this->Shells->Get()[shell].Extremes)
+  {
+    const std::vector<Around>& arounds = this->FindAround(x);
+    within += std::any_of(arounds.begin(), arounds.end(),
+      [&](const Around& around) {
+        return around.Shell != shell && groups[around.Shell] == groups[shell] &&
+          around.Outward != 0;
+      });
+  }
+  return within > 3;
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdValidInput.h"
+
+#include "Cells/SkdMendedMesh.h"
+#include "Pipeline/SkdLeaves.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+
+#include <mutex>
+#include <sstream>
+#include <unordered_map>
+
+namespace
+{
+/// Meshes that were found whole, by when they were last modified: no two objects ever have the same
+/// time, so one that is at an address where another was is not taken for it.
+class WholeMeshes
+{
+public:
+  bool Has(vtkDataSet* mesh)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto found = this->Times.find(mesh);
+    return found != this->Times.end() && found->second == mesh->GetMTime();
+  }
+
+  void Add(vtkDataSet* mesh)
+  {
+    constexpr std::size_t most = 4096; // meshes come and go
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Times.size() >= most)
+    {
+      this->Times.clear();
+    }
+    this->Times[mesh] = mesh->GetMTime();
+  }
+
+private:
+  std::mutex Mutex;
+  std::unordered_map<const vtkDataSet*, vtkMTimeType> Times;
+};
+
+WholeMeshes& KnownWholeMeshes()
+{
+  static WholeMeshes meshes;
+  return meshes;
+}
+
+/// The mended meshes of a data object, in the order of its leaves.
+class MendedLeaves
+{
+public:
+  explicit MendedLeaves(vtkDataObject* object)
+  {
+    WholeMeshes& wholeMeshes = KnownWholeMeshes();
+    for (const SkdLeaf& leaf : SkdLeavesOf(object))
+    {
+      SkdMendedMesh mended{ leaf.Mesh, {} };
+      if (!wholeMeshes.Has(leaf.Mesh))
+      {
+        mended = SkdMend(leaf.Mesh);
+      }
+      if (mended.Fault.empty())
+      {
+        wholeMeshes.Add(leaf.Mesh);
+      }
+      else
+      {
+        this->Tell(leaf, mended.Fault);
+      }
+      this->Meshes.push_back(mended.Mesh);
+    }
+  }
+
+  /// What is wrong: empty if nothing is.
+  std::string GetFaults() const { return this->Faults.str(); }
+
+  vtkSmartPointer<vtkDataObject> PutInto(vtkDataObject* object) const;
+
+private:
+  void Tell(const SkdLeaf& leaf, const std::string& fault)
+  {
+    this->Faults << " ";
+    if (leaf.BlockIndex > 0)
+    {
+      this->Faults << "Block " << leaf.BlockIndex << ": ";
+    }
+    this->Faults << fault;
+  }
+
+  std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
+  std::ostringstream Faults;
+};
+
+vtkSmartPointer<vtkDataObject> MendedLeaves::PutInto(vtkDataObject* object) const
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+  if (!composite)
+  {
+    return this->Meshes.front();
+  }
+  const auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(composite->NewInstance());
+  copy->CopyStructure(composite);
+  copy->GetFieldData()->PassData(composite->GetFieldData());
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  std::size_t next = 0;
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* leaf = iterator->GetCurrentDataObject();
+    copy->SetDataSet(iterator, vtkDataSet::SafeDownCast(leaf) ? this->Meshes[next++].Get() : leaf);
+  }
+  return copy;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdValidInput::SkdValidInput(
+  vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs)
+  : Inputs(inputs)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return;
+  }
+  std::string faults;
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    this->Mended.push_back(vtkSmartPointer<vtkInformationVector>::New());
+    this->Mended.back()->Copy(inputs[port]);
+    this->MendedInputs.push_back(this->Mended.back());
+    const std::string fault = Mend(this->Mended.back());
+    faults += fault.empty() ? fault : " Input port " + std::to_string(port) + ":" + fault;
+  }
+  this->Inputs = this->MendedInputs.data();
+  if (!faults.empty())
+  {
+    vtkWarningWithObjectMacro(filter, "There are broken cells." << faults);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is to be told of it.
+std::string SkdValidInput::Mend(vtkInformationVector* to)
+{
+  std::string faults;
+  for (int i = 0; i < to->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkDataObject* object = vtkDataObject::GetData(to, i);
+    const MendedLeaves leaves(object);
+    faults += leaves.GetFaults();
+    if (!leaves.GetFaults().empty())
+    {
+      vtkNew<vtkInformation> mended;
+      mended->Copy(to->GetInformationObject(i));
+      mended->Set(vtkDataObject::DATA_OBJECT(), leaves.PutInto(object));
+      to->SetInformationObject(i, mended);
+    }
+  }
+  return faults;
+}

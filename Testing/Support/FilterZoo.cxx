@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Support/FilterZoo.h"
+
+#include "Support/FilterRun.h"
+#include "Support/LocatorCalls.h"
+#include "Support/SurfaceMeshes.h"
+#include "Support/VolumeMeshes.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkSkdTreeAMR.h"
+#include "vtkSkdTreeAttach.h"
+#include "vtkSkdTreeClosestPoint.h"
+#include "vtkSkdTreeCurveIntersection.h"
+#include "vtkSkdTreeCurveSurfaceIntersection.h"
+#include "vtkSkdTreeMeshRefinement.h"
+#include "vtkSkdTreePointInOut.h"
+#include "vtkSkdTreeProbe.h"
+#include "vtkSkdTreeRepresentation.h"
+#include "vtkSkdTreeSpatialQuery.h"
+#include "vtkSkdTreeSurfaceIntersection.h"
+#include "vtkTable.h"
+
+#include <cstring>
+
+namespace skdtest
+{
+
+namespace
+{
+using AlgorithmPointer = vtkSmartPointer<vtkAlgorithm>;
+
+const Bounds Around = { -0.3, 2.8, -0.3, 2.8, -0.3, 2.8 };
+
+PolyDataPointer SomePoints()
+{
+  Random random(7);
+  std::vector<Point> points;
+  for (int i = 0; i < 20; ++i)
+  {
+    points.push_back(random.InBox(Around));
+  }
+  return MakeQueries(points);
+}
+
+PolyDataPointer SomeLines()
+{
+  Mesh mesh;
+  Random random(8);
+  for (int line = 0; line < 3; ++line)
+  {
+    Ids ids;
+    for (int i = 0; i < 4; ++i)
+    {
+      ids.push_back(mesh.Add(random.InBox(Around)));
+    }
+    mesh.Add(VTK_POLY_LINE, ids);
+  }
+  return WithData(MakePolyData(mesh));
+}
+
+PolyDataPointer SomeSurface()
+{
+  return WithData(MakePolyData(Placed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 })));
+}
+
+GridPointer SomeVolumes()
+{
+  return WithData(MakeGrid(Placed(Hexahedra(2), 1.2, { 0.01, 0.02, 0.03 })));
+}
+
+/// A filter with an input and a Source.
+template <class Filter>
+vtkSmartPointer<Filter> MakeOf(vtkDataObject* input, vtkDataObject* source)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputDataObject(0, input);
+  if (source)
+  {
+    filter->SetInputDataObject(1, source);
+  }
+  return filter;
+}
+
+AlgorithmPointer MakeClosest(vtkDataObject* input, vtkDataObject* source, bool isSigned)
+{
+  const auto filter = MakeOf<vtkSkdTreeClosestPoint>(input, source);
+  filter->SetSignedDistance(isSigned);
+  filter->InterpolateSourceDataOn();
+  filter->GenerateLinesOn();
+  return filter;
+}
+
+AlgorithmPointer MakeInOutOf(vtkDataObject* input, vtkDataObject* source, int ask, int model)
+{
+  const auto filter = MakeOf<vtkSkdTreePointInOut>(input, source);
+  filter->SetAsk(ask);
+  filter->SetModel(model);
+  filter->SetExtract(vtkSkdTreePointInOut::INSIDE);
+  return filter;
+}
+
+AlgorithmPointer MakeProbeOf(vtkDataObject* input, vtkDataObject* source)
+{
+  const auto filter = MakeOf<vtkSkdTreeProbe>(input, source);
+  filter->ProbeLinesOn();
+  filter->AddGradientArray("Linear");
+  return filter;
+}
+
+AlgorithmPointer MakeQueryOf(vtkDataObject* input, vtkDataObject* source, int shape, int relation)
+{
+  const auto filter = MakeOf<vtkSkdTreeSpatialQuery>(input, source);
+  filter->SetShape(shape);
+  filter->SetRelation(relation);
+  filter->SetBoxPosition(0.4, 0.4, 0.4);
+  filter->SetBoxLength(1.5, 1.5, 1.5);
+  return filter;
+}
+
+AlgorithmPointer MakeIntersectionOf(vtkDataObject* input, vtkDataObject* source)
+{
+  const auto filter = MakeOf<vtkSkdTreeSurfaceIntersection>(input, source);
+  filter->SplitSurfacesOn();
+  return filter;
+}
+
+AlgorithmPointer MakeCurves(vtkDataObject* input, vtkDataObject* source)
+{
+  const auto filter = MakeOf<vtkSkdTreeCurveIntersection>(input, source);
+  filter->InterpolateDataOn();
+  return filter;
+}
+
+AlgorithmPointer MakeCurveSurface(vtkDataObject* input, vtkDataObject* source)
+{
+  const auto filter = MakeOf<vtkSkdTreeCurveSurfaceIntersection>(input, source);
+  filter->VolumeFacesOn();
+  filter->CutCurvesOn();
+  return filter;
+}
+
+AlgorithmPointer MakeAMROf(vtkDataObject* parts, int type)
+{
+  const auto filter = MakeOf<vtkSkdTreeAMR>(parts, nullptr);
+  filter->SetMaximumLevel(2);
+  filter->SetInsideLevel(1);
+  filter->AutomaticBoundsOff();
+  filter->SetBaseBounds(-0.31, 2.83, -0.37, 2.89, -0.33, 2.81);
+  filter->SetBaseDimensions(2, 2, 2);
+  filter->ComputeDistanceOn();
+  filter->ComputeInsideOn();
+  filter->SetOutputType(type);
+  return filter;
+}
+
+AlgorithmPointer MakeRefinementOf(vtkDataObject* mesh, vtkDataObject* parts, vtkDataObject* surface)
+{
+  const auto filter = MakeOf<vtkSkdTreeMeshRefinement>(mesh, parts);
+  filter->SetMaximumLevel(1);
+  if (surface)
+  {
+    filter->SetSurfaceData(surface);
+    filter->SetPointPlacement(vtkSkdTreeMeshRefinement::SURFACE);
+  }
+  return filter;
+}
+
+template <class Filter>
+AlgorithmPointer MakeAlone(vtkDataObject* input)
+{
+  return MakeOf<Filter>(input, nullptr);
+}
+
+std::vector<FilterSetup> MakeSetups()
+{
+  using InOut = vtkSkdTreePointInOut;
+  using Query = vtkSkdTreeSpatialQuery;
+  using Data = vtkDataObject;
+  return {
+    { "ClosestPointOn", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, false); } },
+    { "ClosestPointSigned", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, true); } },
+    { "ClosestPointFrom", [](Data* mesh) { return MakeClosest(mesh, SomeSurface(), true); } },
+    { "InOutOf",
+      [](Data* mesh)
+      { return MakeInOutOf(SomePoints(), mesh, InOut::POINTS, InOut::BOUNDARIES); } },
+    { "InOutOfCells",
+      [](Data* mesh)
+      { return MakeInOutOf(SomePoints(), mesh, InOut::POINTS, InOut::BODY_FITTED_MESH); } },
+    { "InOutForCorners",
+      [](Data* mesh)
+      { return MakeInOutOf(mesh, SomeSurface(), InOut::CELLS_ALL_POINTS, InOut::BOUNDARIES); } },
+    { "InOutForMiddles",
+      [](Data* mesh)
+      { return MakeInOutOf(mesh, SomeSurface(), InOut::CELL_CENTERS, InOut::BOUNDARIES); } },
+    { "ProbeOf", [](Data* mesh) { return MakeProbeOf(SomeLines(), mesh); } },
+    { "ProbeFor", [](Data* mesh) { return MakeProbeOf(mesh, SomeVolumes()); } },
+    { "QueryByBox",
+      [](Data* mesh) { return MakeQueryOf(mesh, nullptr, Query::BOX, Query::OVERLAP); } },
+    { "QueryBySphere",
+      [](Data* mesh) { return MakeQueryOf(mesh, nullptr, Query::SPHERE, Query::CONTAINMENT); } },
+    { "QueryNearest",
+      [](Data* mesh)
+      { return MakeQueryOf(mesh, SomePoints(), Query::SOURCE_POINTS, Query::NEAREST); } },
+    { "QueryByCells",
+      [](Data* mesh)
+      { return MakeQueryOf(SomeVolumes(), mesh, Query::SOURCE_CELLS, Query::OVERLAP); } },
+    { "QueryAdjacent",
+      [](Data* mesh) { return MakeQueryOf(mesh, mesh, Query::SOURCE_CELLS, Query::ADJACENCY); } },
+    { "SurfaceIntersection", [](Data* mesh) { return MakeIntersectionOf(mesh, SomeSurface()); } },
+    { "SurfaceWithItself", [](Data* mesh) { return MakeIntersectionOf(mesh, nullptr); } },
+    { "CurveIntersection", [](Data* mesh) { return MakeCurves(mesh, SomeLines()); } },
+    { "CurveOnSurface", [](Data* mesh) { return MakeCurveSurface(SomeLines(), mesh); } },
+    { "CurveThrough", [](Data* mesh) { return MakeCurveSurface(mesh, SomeSurface()); } },
+    { "AMRGrid", [](Data* mesh) { return MakeAMROf(mesh, vtkSkdTreeAMR::UNSTRUCTURED_GRID); } },
+    { "AMRTree", [](Data* mesh) { return MakeAMROf(mesh, vtkSkdTreeAMR::HYPER_TREE_GRID); } },
+    { "RefinementOf", [](Data* mesh) { return MakeRefinementOf(mesh, SomeSurface(), nullptr); } },
+    { "RefinementAt",
+      [](Data* mesh) { return MakeRefinementOf(SomeVolumes(), mesh, SomeSurface()); } },
+    { "RefinementOnto",
+      [](Data* mesh) { return MakeRefinementOf(SomeVolumes(), SomeSurface(), mesh); } },
+    { "Representation", MakeAlone<vtkSkdTreeRepresentation> },
+    { "Attach", MakeAlone<vtkSkdTreeAttach> },
+  };
+}
+
+void AddArrays(vtkFieldData* field, std::vector<double>& answers)
+{
+  for (int i = 0; i < field->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = field->GetArray(i);
+    const bool isTime = array && array->GetName() && std::strstr(array->GetName(), "Seconds");
+    for (vtkIdType k = 0; array && !isTime && k < array->GetNumberOfValues(); ++k)
+    {
+      answers.push_back(array->GetComponent(
+        k / array->GetNumberOfComponents(), static_cast<int>(k % array->GetNumberOfComponents())));
+    }
+  }
+}
+
+void AddMesh(vtkDataSet* mesh, std::vector<double>& answers)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* x = mesh->GetPoint(i);
+    answers.insert(answers.end(), x, x + 3);
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    answers.push_back(mesh->GetCellType(i));
+    mesh->GetCellPoints(i, ids);
+    answers.insert(answers.end(), ids->begin(), ids->end());
+  }
+  AddArrays(mesh->GetPointData(), answers);
+  AddArrays(mesh->GetCellData(), answers);
+}
+
+void AddData(vtkDataObject* data, std::vector<double>& answers)
+{
+  if (auto* mesh = vtkDataSet::SafeDownCast(data))
+  {
+    AddMesh(mesh, answers);
+  }
+  else if (auto* table = vtkTable::SafeDownCast(data))
+  {
+    AddArrays(table->GetRowData(), answers);
+  }
+  else if (auto* tree = vtkHyperTreeGrid::SafeDownCast(data))
+  {
+    AddArrays(tree->GetCellData(), answers);
+  }
+}
+}
+
+const std::vector<FilterSetup>& AllFilterSetups()
+{
+  static const std::vector<FilterSetup> setups = MakeSetups();
+  return setups;
+}
+
+std::vector<double> AnswersOf(vtkAlgorithm* filter)
+{
+  std::vector<double> answers;
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    AddData(filter->GetOutputDataObject(port), answers);
+    answers.push_back(-1.0 - port);
+  }
+  return answers;
+}
+
+std::vector<double> LocatorAnswers(vtkDataSet* mesh)
+{
+  const auto locator = LocatorPointer::New();
+  locator->SetDataSet(mesh);
+  locator->CacheCellBoundsOn();
+  locator->BuildLocator();
+  std::vector<double> answers;
+  const auto add = [&](const Ids& ids) { answers.insert(answers.end(), ids.begin(), ids.end()); };
+  Random random(9);
+  vtkNew<vtkGenericCell> cell;
+  for (int i = 0; i < 10; ++i)
+  {
+    Point a = random.InBox(Around);
+    const Point b = random.InBox(Around);
+    const Closest closest = FindClosest(locator, a);
+    answers.insert(answers.end(), { double(closest.Cell), closest.Dist2, closest.X[0] });
+    answers.push_back(double(FindFirstHit(locator, a, b).Cell));
+    answers.push_back(double(FindCell(locator, a, 0.1).Cell));
+    answers.push_back(FindClosestCells(locator, a, 3).Number);
+    answers.push_back(FindCrossings(locator, a, b).Number);
+    answers.push_back(locator->InsideCellBounds(a.data(), i % 8) ? 1 : 0);
+    FindAllHits(locator, a, b, 0.01, cell);
+    add(FindAlongLine(locator, a, b, 0.1));
+    add(FindAlongPlane(locator, a, b, 0.1));
+  }
+  add(FindWithinBounds(locator, { 0.4, 1.9, 0.4, 1.9, 0.4, 1.9 }));
+  return answers;
+}
+
+}
