@@ -30,7 +30,7 @@ class Plan:
         self.rooms, self.limits, self.words, self.allowed = [], {}, [], []
         section = None
         for line in path.read_text(encoding="utf8").splitlines():
-            line = line.split(" # ")[0].strip()
+            line = line.partition(" # ")[0].strip()
             if not line or line.startswith("#"):
                 continue
             if line.startswith("["):
@@ -42,10 +42,10 @@ class Plan:
                 name, _, number = line.partition("|")
                 self.limits[name.strip()] = int(number)
             elif section == "words":
-                word, _, instead = line.partition("|")
+                word, _, instead = line.partition("::")
                 self.words.append((re.compile(word.strip()), instead.strip()))
             elif section == "allowed":
-                name, _, text = line.partition("|")
+                name, _, text = line.partition("::")
                 self.allowed.append((name.strip(), text.strip()))
             else:
                 raise ValueError("plan.txt: a line outside of the sections: " + line)
