@@ -3,7 +3,9 @@
 #ifndef SkdMeetingJoints_h
 #define SkdMeetingJoints_h
 
-#include "Pipeline/SkdSurfaceHits.h"
+#include "Pipeline/SkdCurveSet.h"
+#include "Pipeline/SkdSurfaceHit.h"
+#include "Pipeline/SkdSurfaceSet.h"
 
 #include <tuple>
 
