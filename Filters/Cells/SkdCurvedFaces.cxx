@@ -3,16 +3,18 @@
 #include "Cells/SkdCurvedFaces.h"
 
 #include "Cells/SkdCellReader.h"
+#include "Core/Geometry/Vector.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGridBase.h"
 
 #include <algorithm>
 #include <array>
@@ -195,6 +197,35 @@ private:
   std::vector<Face> Faces;
 };
 
+skd::Vector3 PointOf(vtkCell* cell, vtkIdType i)
+{
+  skd::Vector3 point;
+  cell->GetPoints()->GetPoint(i, point.X);
+  return point;
+}
+
+skd::Vector3 MiddleOf(vtkCell* cell)
+{
+  skd::Vector3 sum{};
+  const vtkIdType size = cell->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    sum = sum + PointOf(cell, i);
+  }
+  return (1.0 / static_cast<double>(size)) * sum;
+}
+
+/// By the corners of the face, which come first, and where the cell's points are.
+bool IsInward(vtkCell* face, vtkCell* cell)
+{
+  const bool isTriangle = face->GetNumberOfEdges() == 3;
+  const skd::Vector3 a = PointOf(face, 0);
+  const skd::Vector3 b = PointOf(face, 1);
+  const skd::Vector3 c = PointOf(face, 2);
+  const skd::Vector3 normal = skd::Cross(c - a, isTriangle ? c - b : PointOf(face, 3) - b);
+  return skd::Dot(normal, MiddleOf(face) - MiddleOf(cell)) < 0.0;
+}
+
 bool IsBefore(const SkdCurvedFace& a, const SkdCurvedFace& b)
 {
   return a.CellId != b.CellId ? a.CellId < b.CellId : a.Face < b.Face;
@@ -215,13 +246,18 @@ bool SkdIsCurvedCellType(int cellType)
     (cellType >= VTK_LAGRANGE_CURVE && cellType <= VTK_BEZIER_PYRAMID);
 }
 
+// Not by vtkCellTypes: the ways to ask it differ between versions of VTK, and some print a warning.
 bool SkdHasCurvedCells(vtkDataSet* mesh)
 {
-  vtkNew<vtkCellTypes> types;
-  mesh->GetCellTypes(types);
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  if (!vtkUnstructuredGridBase::SafeDownCast(mesh))
   {
-    if (SkdIsCurvedCellType(types->GetCellType(i)))
+    return false;
+  }
+  const SkdCellReader reader(mesh);
+  const vtkIdType size = mesh->GetNumberOfCells();
+  for (vtkIdType id = 0; id < size; ++id)
+  {
+    if (SkdIsCurvedCellType(reader.TypeOf(id)))
     {
       return true;
     }
@@ -265,7 +301,7 @@ std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh)
 
 //------------------------------------------------------------------------------
 void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
-  const std::function<void(const SkdCurvedFace&, vtkCell*)>& visit)
+  const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit)
 {
   vtkNew<vtkGenericCell> scratch;
   vtkIdType loaded = -1;
@@ -276,6 +312,8 @@ void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
       SkdLoadCell(mesh, face.CellId, scratch);
       loaded = face.CellId;
     }
-    visit(face, face.Face < 0 ? scratch->GetRepresentativeCell() : scratch->GetFace(face.Face));
+    vtkCell* cell = scratch->GetRepresentativeCell();
+    vtkCell* part = face.Face < 0 ? cell : scratch->GetFace(face.Face);
+    visit(face, part, part != cell && IsInward(part, cell));
   }
 }

@@ -28,7 +28,7 @@ int SkdDimensionOfCellType(int cellType);
 /// Whether the type is one of VTK's nonlinear ones.
 bool SkdIsCurvedCellType(int cellType);
 
-/// Whether some cell of the data set is of such a type. O(n), of most data sets O(1).
+/// Whether some cell of the data set is of such a type. O(n) in a grid, else O(1).
 bool SkdHasCurvedCells(vtkDataSet* mesh);
 
 /// A face, or a cell.
@@ -41,9 +41,10 @@ struct SkdCurvedFace
 /// By ascending cell id and face. O(n log n).
 std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh);
 
-/// Calls visit(face, cell) for each, the cell being that face as VTK has it, its point ids those of
-/// the data set. Valid until the next one.
+/// Calls visit(face, cell, isInward) for each, the cell being that face as VTK has it, its point
+/// ids those of the data set. Valid until the next one. VTK's types do not agree on the sense in
+/// which faces turn, so it is told whether the face of a volume cell turns inward.
 void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
-  const std::function<void(const SkdCurvedFace&, vtkCell*)>& visit);
+  const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit);
 
 #endif

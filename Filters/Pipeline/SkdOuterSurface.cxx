@@ -107,7 +107,7 @@ public:
   }
 
   void AddLinear(const LinearPart& part, std::set<std::vector<vtkIdType>>& shared);
-  void AddFace(vtkIdType cellId, vtkCell* face);
+  void AddFace(vtkIdType cellId, vtkCell* face, bool isInward);
   vtkSmartPointer<vtkPolyData> Take() const;
 
 private:
@@ -137,7 +137,7 @@ private:
   }
 
   void AddQuadraticPolygon(vtkIdType cellId, vtkCell* cell);
-  void AddFacets(vtkIdType cellId, vtkCell* face);
+  void AddFacets(vtkIdType cellId, vtkCell* face, bool isInward);
 
   vtkDataSet* Mesh;
   double ChordalLength;
@@ -214,7 +214,7 @@ void Builder::AddQuadraticPolygon(vtkIdType cellId, vtkCell* cell)
   this->AddPolygon(cellId, this->Corners);
 }
 
-void Builder::AddFace(vtkIdType cellId, vtkCell* face)
+void Builder::AddFace(vtkIdType cellId, vtkCell* face, bool isInward)
 {
   if (face->GetCellType() == VTK_QUADRATIC_POLYGON)
   {
@@ -222,7 +222,7 @@ void Builder::AddFace(vtkIdType cellId, vtkCell* face)
   }
   else if (SkdReadNodePatch(face, this->Nodes) == SkdBezierFault::None)
   {
-    this->AddFacets(cellId, face);
+    this->AddFacets(cellId, face, isInward);
   }
   else
   {
@@ -231,7 +231,7 @@ void Builder::AddFace(vtkIdType cellId, vtkCell* face)
   }
 }
 
-void Builder::AddFacets(vtkIdType cellId, vtkCell* face)
+void Builder::AddFacets(vtkIdType cellId, vtkCell* face, bool isInward)
 {
   this->Facets.Cut(this->Nodes, this->ChordalLength);
   std::vector<vtkIdType> numbers(this->Facets.GetPoints().size(), -1);
@@ -252,7 +252,7 @@ void Builder::AddFacets(vtkIdType cellId, vtkCell* face)
   }
   const auto add = [&](std::vector<vtkIdType>& corners)
   {
-    if (this->Facets.IsTurnedOver())
+    if (this->Facets.IsTurnedOver() != isInward)
     {
       std::reverse(corners.begin(), corners.end());
     }
@@ -290,7 +290,7 @@ std::set<std::vector<vtkIdType>> StraightFaces(
 {
   std::set<std::vector<vtkIdType>> names;
   SkdVisitFaces(mesh, faces,
-    [&](const SkdCurvedFace& face, vtkCell* cell)
+    [&](const SkdCurvedFace& face, vtkCell* cell, bool)
     {
       vtkIdList* ids = cell->GetPointIds();
       if (face.Face >= 0 && ids->GetNumberOfIds() <= 4)
@@ -315,7 +315,7 @@ vtkSmartPointer<vtkPolyData> FacetedSurfaceOf(vtkPointSet* mesh, double chordalL
     builder.AddLinear(linear, shared);
   }
   SkdVisitFaces(mesh, faces,
-    [&](const SkdCurvedFace& face, vtkCell* cell)
+    [&](const SkdCurvedFace& face, vtkCell* cell, bool isInward)
     {
       vtkIdList* ids = cell->GetPointIds();
       std::vector<vtkIdType> name;
@@ -326,7 +326,7 @@ vtkSmartPointer<vtkPolyData> FacetedSurfaceOf(vtkPointSet* mesh, double chordalL
       }
       if (name.empty() || shared.count(name) == 0)
       {
-        builder.AddFace(face.CellId, cell);
+        builder.AddFace(face.CellId, cell, isInward);
       }
     });
   return builder.Take();

@@ -46,9 +46,13 @@ std::vector<std::vector<double>> StraightWeights(int type, int order)
   for (const Point& p : reference)
   {
     std::vector<double> weights(static_cast<std::size_t>(corners));
-    double nearest[3], pcoords[3], dist2;
+    double nearest[3], pcoords[3] = { p[0], p[1], p[2] }, dist2;
     int subId;
-    linear->EvaluatePosition(p.data(), nearest, subId, pcoords, dist2, weights.data());
+    if (type == VTK_TRIQUADRATIC_PYRAMID) // whose domain is a pyramid, not a cube drawn together
+    {
+      linear->EvaluatePosition(p.data(), nearest, subId, pcoords, dist2, weights.data());
+    }
+    linear->InterpolateFunctions(pcoords, weights.data());
     all.push_back(weights);
   }
   return all;
