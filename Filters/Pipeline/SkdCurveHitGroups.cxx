@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdCurveHitGroups.h"
 
+#include "Pipeline/SkdCurveJoints.h"
+
 #include <algorithm>
 #include <tuple>
 
