@@ -58,8 +58,8 @@
 #endif
 
 // Since 9.4 a vtkUnstructuredGrid keeps the faces of its polyhedra in two vtkCellArray, not in a
-// stream.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+// stream; ParaView 5.13's VTK of June 2024 does so, too.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617)
 #define VTK_SKD_FACES_ARE_CELLS 1
 #else
 #define VTK_SKD_FACES_ARE_CELLS 0

@@ -5,12 +5,14 @@
 #include "Cells/SkdCellSizes.h"
 #include "Cells/SkdFaceSource.h"
 #include "Cells/SkdRawCells.h"
+#include "Cells/SkdStoredTypes.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkPolyData.h"
+#include "vtkSkdTreeVersion.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -93,8 +95,8 @@ public:
     : Part(grid, grid->GetCells(), 0, VTK_EMPTY_CELL, false)
   {
     this->Grid = grid;
-    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-    this->Types = types ? types->GetPointer(0) : nullptr;
+    vtkDataArray* types = grid->VTK_SKD_GET_CELL_TYPES();
+    this->Types = SkdStoredTypes(types, this->OwnTypes);
     this->NumberOfTypes = types ? types->GetNumberOfValues() : this->Size();
     this->Degrees = grid->GetCellData()->GetHigherOrderDegrees();
     this->Faces = SkdFaceSource(grid);
@@ -128,6 +130,7 @@ private:
   bool MayBeEmpty;
   vtkUnstructuredGrid* Grid = nullptr;
   const unsigned char* Types = nullptr;
+  vtkSmartPointer<vtkUnsignedCharArray> OwnTypes; // of a grid that stores them otherwise
   vtkIdType NumberOfTypes = std::numeric_limits<vtkIdType>::max();
   vtkDataArray* Degrees = nullptr;
   SkdFaceSource Faces;

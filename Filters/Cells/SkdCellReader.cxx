@@ -3,6 +3,7 @@
 #include "Cells/SkdCellReader.h"
 
 #include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdStoredTypes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -77,17 +78,9 @@ SkdCellReader::SkdCellReader(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-// Since 9.6 VTK keeps one value for cells that are all of one type.
 void SkdCellReader::ReadTypes(vtkDataArray* types)
 {
-  auto* stored = vtkUnsignedCharArray::FastDownCast(types);
-  if (types && !stored)
-  {
-    this->OwnTypes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    this->OwnTypes->DeepCopy(types);
-    stored = this->OwnTypes;
-  }
-  this->Types = stored ? stored->GetPointer(0) : nullptr;
+  this->Types = SkdStoredTypes(types, this->OwnTypes);
 }
 
 //------------------------------------------------------------------------------
