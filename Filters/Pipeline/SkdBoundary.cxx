@@ -49,6 +49,7 @@ private:
 
   template <typename Predicate>
   vtkIdType CountOddEdges(const Predicate& isWall) const;
+  std::vector<int> FindRepeats() const;
   template <typename Number>
   vtkSmartPointer<vtkPolyData> MakeSurface(
     const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const;
@@ -247,6 +248,23 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
   return surface;
 }
 
+// One number a triangle of all faces that are there.
+std::vector<int> FaceList::FindRepeats() const
+{
+  std::vector<int> repeats;
+  bool isAny = false;
+  for (const Face& face : this->Faces)
+  {
+    if (face.Copies > 0)
+    {
+      const int number = face.Net != 0 ? face.Net : 1;
+      repeats.insert(repeats.end(), static_cast<std::size_t>(face.Size - 2), number);
+      isAny = isAny || number != 1;
+    }
+  }
+  return isAny ? repeats : std::vector<int>();
+}
+
 // Equal faces are either a wall between two bodies that touch, and then must be left out, or the
 // same face written down repeatedly, and then must stay. Whichever closes the surface better it is.
 // Of bodies that touch and are written down repeatedly, too, what counts is how many more of a face
@@ -257,11 +275,13 @@ void FaceList::FillBoundary(SkdBoundary& boundary) const
   const auto isOdd = [](const Face& face) { return face.Net % 2 != 0; };
   boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
   boundary.Walls = boundary.Faces;
+  boundary.Repeats = this->FindRepeats();
   boundary.OpenEdges = this->CountOddEdges(isThere);
   const vtkIdType others = boundary.OpenEdges > 0 ? this->CountOddEdges(isOdd) : 0;
   if (others < boundary.OpenEdges)
   {
     boundary.Walls = this->MakeSurface([](const Face& face) { return face.Net; }, nullptr);
+    boundary.Repeats.clear();
     boundary.OpenEdges = others;
   }
 }

@@ -39,6 +39,10 @@ struct SkdBoundary
   /// each other with equal faces. Such a wall is between two insides and is left out here.
   vtkSmartPointer<vtkPolyData> Walls;
 
+  /// Of each wall how many more faces there are that are turned like it than are turned against it,
+  /// or 1 if as many are. Empty if it is 1 of all.
+  std::vector<int> Repeats;
+
   /// The edges that an odd number of walls use. 0 exactly when the parity of the crossings is the
   /// same along any way out.
   vtkIdType OpenEdges = 0;

@@ -57,7 +57,7 @@ SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettin
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
   if (this->Boundary.OpenEdges == 0)
   {
-    this->Solid = std::make_unique<SkdSolid>(this->Boundary.Walls, this->Walls);
+    this->Solid = std::make_unique<SkdSolid>(this->Boundary, this->Walls);
   }
   const bool repairs = settings.RepairsOrientation || settings.Method == SkdInsideMethod::Automatic;
   const auto turnedOf = [&](vtkPolyData* surface)

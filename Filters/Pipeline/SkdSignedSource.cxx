@@ -47,7 +47,7 @@ void SkdSignedSource::MakeBoundary(const std::vector<SkdLeaf>& leaves)
   const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
   this->Walls = isOne ? this->Faces : SkdMakeLocator(this->Boundary.Walls);
   this->Solid = this->Boundary.OpenEdges == 0
-    ? std::make_unique<SkdSolid>(this->Boundary.Walls, this->Walls)
+    ? std::make_unique<SkdSolid>(this->Boundary, this->Walls)
     : nullptr;
 }
 

@@ -17,11 +17,12 @@ struct SkdSolid::Around
   int Passes = 0;
 };
 
-SkdSolid::SkdSolid(vtkPolyData* walls, vtkSkdTreeCellLocator* locator)
-  : Walls(walls)
+SkdSolid::SkdSolid(const SkdBoundary& boundary, vtkSkdTreeCellLocator* locator)
+  : Walls(boundary.Walls)
   , Locator(locator)
+  , Repeats(boundary.Repeats)
 {
-  walls->GetCellsBounds(this->Bounds);
+  this->Walls->GetCellsBounds(this->Bounds);
 }
 
 void SkdSolid::FindShells() const
@@ -53,7 +54,13 @@ SkdSide SkdSolid::Ask(const double x[3], const SkdWayOut& way) const
     this->FindShells();
     passes = this->Shells->GetTurned() ? count(this->Shells->GetTurned(), sum) : passes;
   }
-  return this->HasOneSided || std::abs(sum) > 1 ? this->Weigh(x, end) : SkdSide{ sum != 0, 1.0 };
+  return this->IsClear(sum) ? SkdSide{ sum != 0, 1.0 } : this->Weigh(x, end);
+}
+
+/// Whether a sum of ways, of shells turned outward, tells all.
+bool SkdSolid::IsClear(vtkIdType sum) const
+{
+  return !this->HasOneSided && (sum == 0 ? this->Repeats.empty() : std::abs(sum) == 1);
 }
 
 void SkdSolid::FindPasses(
@@ -71,7 +78,7 @@ void SkdSolid::FindPasses(
     const bool isTurned = turned && turned->GetValue(walls->GetValue(i)) != 0;
     const int way = static_cast<int>(ways->GetValue(i));
     around -= isTurned ? -way : way;
-    passes.push_back({ parameters->GetValue(i) * length, this->HasOneSided ? 2 : around });
+    passes.push_back({ parameters->GetValue(i) * length, this->IsClear(around) ? around : 2 });
   }
 }
 
@@ -90,7 +97,8 @@ const std::vector<SkdSolid::Around>& SkdSolid::FindAround(
     const vtkIdType wall = walls->GetValue(i);
     const int way = static_cast<int>(ways->GetValue(i));
     const int outward = turned && turned->GetValue(wall) != 0 ? -way : way;
-    arounds.push_back({ this->Shells->GetShellOf(wall), way, outward, 1 });
+    const int raw = this->Repeats.empty() ? way : way * this->Repeats[wall];
+    arounds.push_back({ this->Shells->GetShellOf(wall), raw, outward, 1 });
   }
   std::sort(arounds.begin(), arounds.end(),
     [](const Around& a, const Around& b) { return a.Shell < b.Shell; });

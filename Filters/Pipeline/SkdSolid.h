@@ -12,13 +12,15 @@
  *
  * The confidence is 1 unless the surface as it is turned says otherwise (of its winding number: of
  * a shell within another that is turned the same way, or of bodies that overlap and one of which is
- * inside out), then 1/2. Of shells whose triangles are not turned alike, which say nothing, it is
- * 3/4 where bodies overlap, and 1/2 in those that have one side only.
+ * inside out; faces that are there repeatedly count as often in it), then 1/2. Of shells whose
+ * triangles are not turned alike, which say nothing, it is 3/4 where bodies overlap, and 1/2 in
+ * those that have one side only.
  */
 
 #ifndef SkdSolid_h
 #define SkdSolid_h
 
+#include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdShells.h"
 #include "Pipeline/SkdWaysOut.h"
 #include "vtkPolyData.h"
@@ -51,8 +53,8 @@ struct SkdPassAlong
 class SkdSolid
 {
 public:
-  /// Triangles without open edges and a locator of them, both to be kept as they are.
-  SkdSolid(vtkPolyData* walls, vtkSkdTreeCellLocator* locator);
+  /// The walls, without open edges, and a locator of them, both to be kept as they are.
+  SkdSolid(const SkdBoundary& boundary, vtkSkdTreeCellLocator* locator);
 
   /// `way` leads from x to the outside. Cost: a ray; where it passes through more than one facet
   /// for the first time, shells are found, and where x is in several, those that touch each other.
@@ -67,6 +69,7 @@ public:
 private:
   struct Around;
 
+  bool IsClear(vtkIdType sum) const;
   void FindShells() const;
   void FindGroups() const;
   void JoinCavities(std::vector<int>& groups) const;
@@ -79,6 +82,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Walls;
   vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
+  std::vector<int> Repeats; // see SkdBoundary
   double Bounds[6];
 
   ///@{

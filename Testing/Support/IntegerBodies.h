@@ -31,12 +31,12 @@ inline std::optional<int> ExactWindingNumber(const Mesh& triangles, const Point&
         p[k][axis] = static_cast<Integer>(corner[axis]) - static_cast<Integer>(x[axis]);
       }
     }
-    if (std::equal(p[0], p[0] + 3, p[1]) && std::equal(p[0], p[0] + 3, p[2]))
-    {
-      continue; // a point
-    }
     const auto turn = [&](int a, int b) { return p[a][1] * p[b][2] - p[a][2] * p[b][1]; };
     const Integer turns[3] = { turn(1, 2), turn(2, 0), turn(0, 1) };
+    if (turns[0] + turns[1] + turns[2] == 0)
+    {
+      continue; // seen edge-on: where the ray meets it, it meets the edge of another
+    }
     const bool isAny = turns[0] > 0 || turns[1] > 0 || turns[2] > 0;
     const bool isAnyBelow = turns[0] < 0 || turns[1] < 0 || turns[2] < 0;
     if (isAny && isAnyBelow)
@@ -81,11 +81,12 @@ inline Mesh BoxTriangles(const Point& low, const Point& high)
   return box;
 }
 
-/// A convex body, or one that is seen whole from its middle, normals outward; rounded to integers.
+/// A convex body, or one that is seen whole from its middle, normals outward; then rounded to
+/// integers, so that a small one may run through itself.
 inline Mesh StarTriangles(Random& random, double size)
 {
   const bool isConvex = random.Index(3) == 0;
-  Mesh star = random.Index(2) ? Octahedron(1.0) : SphereTriangles(1 + random.Index(3));
+  Mesh star = Outward(random.Index(2) ? Octahedron(1.0) : SphereTriangles(1 + random.Index(3)));
   const Point stretch = { 0.5 + 0.5 * random.Index(3), 1.0, 0.5 + 0.25 * random.Index(4) };
   star.Map(
     [&](const Point& p)
@@ -94,7 +95,7 @@ inline Mesh StarTriangles(Random& random, double size)
       return Point{ std::round(stretch[0] * radius * p[0]), std::round(stretch[1] * radius * p[1]),
         std::round(stretch[2] * radius * p[2]) };
     });
-  return Outward(star);
+  return star;
 }
 
 }
