@@ -166,8 +166,8 @@ void SkdCurveSet::JoinEnds()
       ends.push_back({ 2 * number + (atEnd ? 1 : 0), at.X + origin, atEnd ? at.D1 : -1.0 * at.D1 });
     }
   }
-  const double rounding =
-    8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
+  const double rounding = // as far apart as contacts are told
+    32.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
   this->Joints = SkdCurveJoints(std::move(ends), this->Curves.size(), rounding);
 }
 

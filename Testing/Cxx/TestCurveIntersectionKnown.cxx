@@ -267,7 +267,7 @@ TEST(CurveIntersectionKnown, SplinesCrossInTheirJoints)
     std::vector<Point> points;
     for (int x = -3; x <= 3; ++x)
     {
-      points.push_back({ double(x), slope * x + 0.125 * x * x * x, 0.0 });
+      points.push_back({ double(x), slope * x * (1.0 + 0.1 * x * x), 0.0 });
     }
     const PolyDataPointer spline = MakePolyline(points);
     for (const std::vector<Point>& other : { std::vector<Point>{ { -4, 0, 0 }, { 3.5, 0, 0 } },
