@@ -268,8 +268,8 @@ TEST(PointInOut, TheWindingNumbersBoundIsWithinTheTolerance)
   }
   EventCounter events(filter);
   filter->SetWindingTolerance(double(NAN));
-  EXPECT_EQ(filter->GetWindingTolerance(), 0.0);
-  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_EQ(filter->GetWindingTolerance(), 0.01);
+  EXPECT_EQ(events.Errors, 1);
 }
 
 TEST(PointInOut, OrientationDoesNotMatterToRays)
