@@ -274,19 +274,27 @@ private:
     return std::vector<int>(row.rbegin(), row.rend());
   }
 
-  /// Bent along one parameter alone it is a single strip.
-  void CutQuad(int m, int n)
+  /// A face that is bent along one parameter alone, as a single strip. Returns whether it is one.
+  bool CutStrip(int m, int n)
   {
     for (int side = 0; side < 2; ++side)
     {
-      const bool isStrip = (side == 0 ? n : m) == 1 && this->Pieces(side + 1) == 1 &&
-        this->Pieces((side + 3) % 4) == 1;
-      if (isStrip)
+      if ((side == 0 ? n : m) == 1 && this->Pieces(side + 1) == 1 &&
+        this->Pieces((side + 3) % 4) == 1)
       {
         const std::vector<int> opposite = Backward(this->Sides[side + 2]);
         this->Stitch(this->Sides[side], opposite, 0.0, this->Pieces(side + 2));
-        return;
+        return true;
       }
+    }
+    return false;
+  }
+
+  void CutQuad(int m, int n)
+  {
+    if (this->CutStrip(m, n))
+    {
+      return;
     }
     m = std::max(m, 2);
     n = std::max(n, 2);
