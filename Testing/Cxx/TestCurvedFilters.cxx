@@ -107,7 +107,8 @@ TEST_P(CurvedCellsIn, MeshesAreRefinedAroundThemAsAroundLinearOnes)
 
 TEST_P(CurvedCellsIn, NeighboursAreThoseOfLinearCells)
 {
-  const Mesh linear = LinearBlock(LinearTypeOf(GetParam()), 2);
+  const bool isSlow = GetParam() == VTK_BEZIER_TETRAHEDRON; // to be evaluated by VTK
+  const Mesh linear = LinearBlock(LinearTypeOf(GetParam()), isSlow ? 1 : 2);
   std::vector<std::pair<vtkIdType, vtkIdType>> found[2];
   for (const bool isCurved : { false, true })
   {

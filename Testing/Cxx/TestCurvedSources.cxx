@@ -98,7 +98,9 @@ void ExpectWithin(const Mesh& mesh, double deviation)
   Bounds box;
   source->GetBounds(box.data());
   const double length = deviation * Diagonal(box);
-  const std::vector<Point> points = RandomQueries(source, 90);
+  // VTK evaluates Bezier tetrahedra some twenty times as slowly as others.
+  const bool isSlow = mesh.Cells[0].Type == VTK_BEZIER_TETRAHEDRON;
+  const std::vector<Point> points = RandomQueries(source, isSlow ? 24 : 90);
   FilterPointer facets = MakeSignedFilter(MakeQueries(points), source);
   const std::vector<double> found = RunDistances(facets);
   const std::vector<double> exact = RunDistances(MakeFilter(MakeQueries(points), source));
@@ -115,7 +117,7 @@ void ExpectWithin(const Mesh& mesh, double deviation)
     }
     ASSERT_NEAR(std::max(found[i], 0.0), exact[i], length) << i;
   }
-  EXPECT_GT(within, 9);
+  EXPECT_GT(within, isSlow ? 1 : 9);
 }
 
 TEST_P(CurvedVolume, BowedBlocksAreWithinTheChordalDeviation)
