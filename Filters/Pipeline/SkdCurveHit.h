@@ -17,10 +17,12 @@ struct SkdCurvePlace
   double U;        ///< number of the piece within its curve, and T
   double Slack;    ///< what U may be off by
   double Rounding; ///< the same of a place that is known exactly
+  double Period;   ///< of a closed curve the number of its pieces, or 0
   skd::Vector3 X;
   skd::Vector3 Tangent; ///< of any length
-  bool IsAtEnd;         ///< of an open curve
-  std::size_t Joint;    ///< where another goes on there: see SkdCurveJoints
+  bool IsAtEnd;         ///< of an open curve, to within `Slack`
+  bool IsExactlyAtEnd;  ///< the same to within `Rounding`
+  std::size_t Joint;    ///< where another curve goes on there: see SkdCurveJoints
 };
 
 /// A place that two curves have in common, or where they are nearest.

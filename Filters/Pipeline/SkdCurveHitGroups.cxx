@@ -20,6 +20,13 @@ auto PlaceOf(const SkdCurveHit& hit)
     static_cast<int>(hit.Kind), hit.Begins, hit.First.Piece, hit.Second.Piece);
 }
 
+/// Along the curve, of a closed one the shorter way around.
+double Apart(const SkdCurvePlace& a, const SkdCurvePlace& b)
+{
+  const double apart = std::abs(a.U - b.U);
+  return a.Period > 0.0 ? std::min(apart, a.Period - apart) : apart;
+}
+
 /// Places that are known exactly are the same only if they are equal to within a few units in the
 /// last place.
 bool IsSamePlace(const SkdCurveHit& a, const SkdCurveHit& b)
@@ -27,7 +34,7 @@ bool IsSamePlace(const SkdCurveHit& a, const SkdCurveHit& b)
   const double SkdCurvePlace::*slack =
     a.IsExact && b.IsExact ? &SkdCurvePlace::Rounding : &SkdCurvePlace::Slack;
   const auto areNear = [&](const SkdCurvePlace& one, const SkdCurvePlace& other)
-  { return std::abs(one.U - other.U) <= std::max(one.*slack, other.*slack); };
+  { return Apart(one, other) <= std::max(one.*slack, other.*slack); };
   return PairOf(a) == PairOf(b) && areNear(a.First, b.First) && areNear(a.Second, b.Second);
 }
 
@@ -71,6 +78,23 @@ struct Group
     }
   }
 
+  void Add(const Group& other)
+  {
+    const bool begins = this->Begins || other.Begins;
+    const bool ends = this->Ends || other.Ends;
+    const bool crosses = this->Crosses || other.Crosses;
+    const bool crossesSimply = this->CrossesSimply || other.CrossesSimply;
+    const skd::Vector3 before = IsKnown(this->Before) ? this->Before : other.Before;
+    const skd::Vector3 after = IsKnown(this->After) ? this->After : other.After;
+    this->Add(other.Hit);
+    this->Begins = begins;
+    this->Ends = ends;
+    this->Crosses = crosses;
+    this->CrossesSimply = crossesSimply;
+    this->Before = before;
+    this->After = after;
+  }
+
   bool IsWithinStretch() const { return this->Begins && this->Ends; }
 
   skd::MeetingKind Kind() const
@@ -86,12 +110,65 @@ struct Group
   }
 };
 
-/// Whether two places are one of curves that go on as each other there.
-bool IsSameAlong(const SkdCurvePlace& a, const SkdCurvePlace& b)
+/// Whether a place is where a closed curve ends and begins, seen from before.
+bool IsBeforeStart(const SkdCurvePlace& place)
 {
-  return a.Joint != SkdCurveJoints::None
-    ? a.Joint == b.Joint
-    : a.Curve == b.Curve && std::abs(a.U - b.U) <= std::max(a.Slack, b.Slack);
+  return place.Period > 0.0 && place.Period - place.U <= place.Slack;
+}
+
+/// Puts together what is at both ends of a closed curve: far apart by order. In one curve with
+/// itself the first place is the lower, which may be either.
+void UniteAround(std::vector<Group>& groups, bool isSelf)
+{
+  const auto turned = [](SkdCurveHit hit)
+  {
+    std::swap(hit.First, hit.Second);
+    return hit;
+  };
+  std::vector<char> isLeftOut(groups.size(), 0);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    const SkdCurveHit hit = groups[i].Hit;
+    if (!IsBeforeStart(hit.First) && !IsBeforeStart(hit.Second))
+    {
+      continue;
+    }
+    const auto range = std::equal_range(groups.begin(), groups.end(), groups[i],
+      [](const Group& a, const Group& b) { return PairOf(a.Hit) < PairOf(b.Hit); });
+    const bool mayTurn = isSelf && hit.First.Curve == hit.Second.Curve;
+    for (auto other = range.first; other != range.second && !isLeftOut[i]; ++other)
+    {
+      const auto number = static_cast<std::size_t>(other - groups.begin());
+      const bool isSame =
+        IsSamePlace(other->Hit, hit) || (mayTurn && IsSamePlace(other->Hit, turned(hit)));
+      if (number != i && !isLeftOut[number] && isSame)
+      {
+        other->Add(groups[i]);
+        isLeftOut[i] = 1;
+      }
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    if (!isLeftOut[i])
+    {
+      groups[kept++] = groups[i];
+    }
+  }
+  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(kept), groups.end());
+}
+
+/// Whether two places are one of curves that go on as each other there.
+bool IsSameAlong(const SkdCurvePlace& a, const SkdCurvePlace& b, bool areExact)
+{
+  const bool isJoint = a.Joint != SkdCurveJoints::None && a.Joint == b.Joint;
+  if (isJoint && (!areExact || (a.IsExactlyAtEnd && b.IsExactlyAtEnd)))
+  {
+    return true;
+  }
+  const double slack = areExact ? std::max(a.Rounding, b.Rounding) : std::max(a.Slack, b.Slack);
+  return a.Curve == b.Curve && Apart(a, b) <= slack;
 }
 
 /// Makes one of the hits at a joint: all that follow one and are the same go, but that it may be
@@ -137,8 +214,11 @@ public:
 private:
   bool IsSame(const SkdCurveHit& a, const SkdCurveHit& b) const
   {
-    return (IsSameAlong(a.First, b.First) && IsSameAlong(a.Second, b.Second)) ||
-      (this->IsSelf && IsSameAlong(a.First, b.Second) && IsSameAlong(a.Second, b.First));
+    const bool areExact = a.IsExact && b.IsExact;
+    const auto isSame = [&](const SkdCurvePlace& one, const SkdCurvePlace& other)
+    { return IsSameAlong(one, other, areExact); };
+    return (isSame(a.First, b.First) && isSame(a.Second, b.Second)) ||
+      (this->IsSelf && isSame(a.First, b.Second) && isSame(a.Second, b.First));
   }
 
   void Merge(std::size_t kept, std::size_t other)
@@ -176,7 +256,7 @@ bool Follows(const SkdCurveStretch& next, const SkdCurveStretch& last)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits)
+std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool isSelf)
 {
   std::sort(hits.begin(), hits.end(),
     [](const SkdCurveHit& a, const SkdCurveHit& b) { return PlaceOf(a) < PlaceOf(b); });
@@ -196,6 +276,7 @@ std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits)
       same->Add(hit);
     }
   }
+  UniteAround(groups, isSelf);
   std::vector<SkdCurveHit> united;
   for (const Group& group : groups)
   {

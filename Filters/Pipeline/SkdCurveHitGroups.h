@@ -9,7 +9,7 @@
 
 /// Puts hits in order, and makes one of those that tell the same place of two curves: at joints of
 /// their pieces, or within what they may be off by. The ends of stretches that go on there go.
-std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits);
+std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool isSelf);
 
 /// Makes one of those hits that tell one place of curves which go on as each other there: of the
 /// curves of the lowest numbers. Ends of stretches stay, and nothing else where there are any.

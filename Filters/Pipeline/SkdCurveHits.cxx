@@ -64,7 +64,7 @@ SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
   SkdCurveMeetings meetings;
   meetings.Candidates = std::move(all.Candidates);
   std::sort(meetings.Candidates.begin(), meetings.Candidates.end());
-  meetings.Hits = SkdUniteCurveHits(all.Hits);
+  meetings.Hits = SkdUniteCurveHits(all.Hits, this->IsSelf());
   meetings.Stretches = SkdJoinStretches(all.Stretches);
   const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, meetings.Hits);
   if (this->Task.IgnoresJoints)
@@ -167,6 +167,8 @@ bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& se
     hit.IsExact, hit.IsResolved, hit.Before, hit.After };
   found.First.Slack += hit.SlackT * (first.Range.Max - first.Range.Min);
   found.Second.Slack += hit.SlackS * (second.Range.Max - second.Range.Min);
+  FindEnd(this->First, found.First);
+  FindEnd(this->Second, found.Second);
   ForgetBeyondEnds(first, second, hit, found);
   const bool isSameCurve = this->IsSelf() && found.First.Curve == found.Second.Curve;
   if (isSameCurve && found.Second.U < found.First.U)
@@ -234,9 +236,17 @@ SkdCurvePlace SkdCurveHitFinder::PlaceOf(
   const skd::CurvePoint point = curves.GetPiece(place.Piece, origin).At(place.T);
   place.X = origin + point.X;
   place.Tangent = point.D1;
+  place.Period = curve.IsClosed ? static_cast<double>(curve.LastPiece - curve.FirstPiece) : 0.0;
   place.Joint = SkdCurveJoints::None;
-  place.IsAtEnd = curves.IsAtEnd(place.Curve, place.U, 0.0, place.Joint);
   return place;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurvePlace& place)
+{
+  const SkdCurveSet& curves = tree.GetCurves();
+  place.IsExactlyAtEnd = curves.IsAtEnd(place.Curve, place.U, place.Rounding, place.Joint);
+  place.IsAtEnd = curves.IsAtEnd(place.Curve, place.U, place.Slack, place.Joint);
 }
 
 //------------------------------------------------------------------------------

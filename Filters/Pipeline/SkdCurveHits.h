@@ -79,6 +79,7 @@ private:
   void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
   bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
   SkdCurvePlace PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
+  static void FindEnd(const SkdCurveTree& tree, SkdCurvePlace& place);
   bool IsJoint(const SkdCurveHit& hit) const;
 
   const SkdCurveTree& First;
