@@ -274,7 +274,8 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
   if (!shape.IsUsable())
   {
     vtkWarningMacro("The shape is not finite, reaches beyond "
-      << SkdMeasurable.Largest << ", or has no normal: nothing is found.");
+      << SkdMeasurable.Largest
+                      << ", or has a negative radius or no normal: nothing is found.");
   }
   queries.SetShape(shape);
   return true;

@@ -72,12 +72,12 @@
  * SkdReportQuerySeconds.
  *
  * Bad input: a Shape that needs the Source, which is not there, and 0 nearest cells are errors, and
- * nothing is found.
- * A shape that is not finite or reaches beyond 1e50 and a normal of length 0 give a warning, and
- * nothing is found. Points and cells that are so find nothing; cells of Input that are so, or of a
- * mesh of which all is within 1e-50 of the origin, are in no tree, with a warning if there are no
- * others. An Input without cells gives outputs without cells. An execution that is aborted finds
- * what it got to; VTK 9.3 and later then empties the output.
+ * nothing is found. A shape that is not finite or reaches beyond 1e50, a negative radius and a
+ * normal of length 0 give a warning, and nothing is found. Points and cells that are so find
+ * nothing; cells of Input that are so, or of a mesh of which all is within 1e-50 of the origin, are
+ * in no tree, with a warning if there are no others. An Input without cells gives outputs without
+ * cells. An execution that is aborted finds what it got to; VTK 9.3 and later then empties the
+ * output.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeProbe vtkExtractGeometry vtkExtractSelection
@@ -228,11 +228,12 @@ public:
 
   ///@{
   /**
-   * The sphere. Defaults (0, 0, 0) and 1.
+   * The sphere. Defaults (0, 0, 0) and 1. A negative radius, which ParaView sets as long as it does
+   * not know the bounds of Input, is taken, and finds nothing with a warning.
    */
   vtkSkdTreeSetFinite3Macro(SphereCenter);
   vtkGetVector3Macro(SphereCenter, double);
-  vtkSkdTreeSetWithinMacro(SphereRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(SphereRadius, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(SphereRadius, double);
   ///@}
 

@@ -188,7 +188,7 @@ TEST(Properties, OfFiltersThatAskAMeshRefuseWhatTheyCannotBe)
   {
     using Object = vtkSkdTreeSpatialQuery;
     ExpectRefused<Object>({ WITHIN(Epsilon, 0, 1), WITHIN(Tolerance, 0, VTK_DOUBLE_MAX),
-      WITHIN(SphereRadius, 0, VTK_DOUBLE_MAX) });
+      WITHIN(SphereRadius, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX) });
     ExpectRefused<Object>(std::vector<Numbers<Object>>{ FINITE(BoxPosition, 3),
       FINITE(BoxLength, 3), FINITE(BoxRotation, 3), FINITE(ReferenceBounds, 6),
       FINITE(SphereCenter, 3), FINITE(PlaneOrigin, 3), FINITE(PlaneNormal, 3),
