@@ -6,6 +6,7 @@
 #include "Cells/SkdCellReader.h"
 #include "Cells/SkdFaceReader.h"
 #include "Cells/SkdGenericKernel.h"
+#include "Cells/SkdMagnitudes.h"
 #include "Cells/SkdPolyKernels.h"
 
 #include "vtkCellType.h"
@@ -28,6 +29,14 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
     this->Cell->GetPoints()->GetPoint(static_cast<vtkIdType>(i), this->Corners[i].X);
   }
   this->Weights.assign(this->Corners.size(), 0.0);
+  const auto isMeasurable = [](const Vector& corner)
+  { return SkdIsWithin(corner, SkdMeasurable.Largest); };
+  if (!std::all_of(this->Corners.begin(), this->Corners.end(), isMeasurable))
+  {
+    this->UseCorner(
+      x); // a face of the cell was found; VTK asserts that nothing overflows or is NaN
+    return;
+  }
   this->EvaluateByCell(x);
   const double sum = std::accumulate(this->Weights.begin(), this->Weights.end(), 0.0);
   if (std::abs(sum - 1.0) < 0.5)
@@ -227,8 +236,10 @@ bool SkdCellWeights::UseEdge(const Vector& x)
 
 void SkdCellWeights::UseCorner(const Vector& x)
 {
+  const auto distance2 = [&x](const Vector& corner)
+  { return IsFinite(corner) ? Distance2(corner, x) : std::numeric_limits<double>::infinity(); };
   const auto nearest = std::min_element(this->Corners.begin(), this->Corners.end(),
-    [&](const Vector& a, const Vector& b) { return Distance2(a, x) < Distance2(b, x); });
+    [&](const Vector& a, const Vector& b) { return distance2(a) < distance2(b); });
   std::fill(this->Weights.begin(), this->Weights.end(), 0.0);
   this->Weights[nearest - this->Corners.begin()] = 1.0;
 }

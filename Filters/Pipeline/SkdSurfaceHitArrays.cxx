@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSurfaceHitArrays.h"
 
+#include "Cells/SkdMagnitudes.h"
 #include "Cells/SkdPolyKernels.h"
 #include "Pipeline/SkdCellWeights.h"
 #include "Pipeline/SkdLeafArrays.h"
@@ -16,6 +17,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -73,11 +75,15 @@ skd::Vector3 PCoordsOf(const SkdSurfaceHitTable& table, const SkdSurfaceHit& hit
   vtkCell* cell = mesh->GetCell(element.CellId);
   skd::Vector3 nearest;
   skd::Vector3 pcoords{};
+  const double* box = cell->GetBounds();
   if (cell->GetCellType() == VTK_CONVEX_POINT_SET) // as the locator has it: see SkdCellWeights
   {
-    const double* box = cell->GetBounds();
     return SkdPolyKernels::PCoordsInBounds(
       { { { box[0], box[2], box[4] } }, { { box[1], box[3], box[5] } } }, hit.X);
+  }
+  if (!std::all_of(box, box + 6, [](double x) { return std::abs(x) <= SkdMeasurable.Largest; }))
+  {
+    return pcoords; // VTK asserts that no product overflows
   }
   std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
   int subId = 0;

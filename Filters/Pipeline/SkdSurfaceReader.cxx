@@ -3,6 +3,7 @@
 #include "Pipeline/SkdSurfaceReader.h"
 
 #include "Cells/SkdBezierCell.h"
+#include "Core/Geometry/ConvexHull.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
@@ -12,6 +13,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace
@@ -54,6 +56,50 @@ bool IsFlat(const skd::Vector3 (&p)[4])
   const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
   return std::abs(skd::Dot(normal, p[1] - p[0])) <= rounding * skd::Norm(normal);
 }
+
+/// The faces of a convex point set: the triangles of its hull. VTK's cell has none at hand. A flat
+/// one has none, nor has one with points that are not finite, nor no cell.
+class HullOfCell
+{
+public:
+  explicit HullOfCell(vtkCell* cell)
+    : Cell(cell)
+  {
+    std::vector<skd::Vector3> points;
+    for (vtkIdType i = 0; cell && i < cell->GetNumberOfPoints(); ++i)
+    {
+      points.push_back(PointOf(cell, i));
+    }
+    if (cell && IsFiniteCell(cell))
+    {
+      this->Triangles = skd::ConvexHullOf(points.data(), points.size()).Triangles;
+    }
+  }
+
+  int GetNumberOfFaces() const { return static_cast<int>(this->Triangles.size()); }
+
+  std::vector<vtkIdType> NameOf(int face) const
+  {
+    std::vector<vtkIdType> name;
+    for (const std::uint32_t corner : this->Triangles[static_cast<std::size_t>(face)])
+    {
+      name.push_back(this->Cell->GetPointId(static_cast<int>(corner)));
+    }
+    std::sort(name.begin(), name.end());
+    return name;
+  }
+
+  std::array<skd::Vector3, 3> CornersOf(int face) const
+  {
+    const auto& corners = this->Triangles[static_cast<std::size_t>(face)];
+    return { PointOf(this->Cell, corners[0]), PointOf(this->Cell, corners[1]),
+      PointOf(this->Cell, corners[2]) };
+  }
+
+private:
+  vtkCell* Cell;
+  std::vector<skd::ConvexHull::Triangle> Triangles;
+};
 
 /// The points of a face in ascending order: what names it, whichever cell it is seen from.
 std::vector<vtkIdType> NameOf(vtkCell* face)
@@ -103,9 +149,13 @@ void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>&
   for (const vtkIdType cellId : volumes)
   {
     vtkCell* cell = mesh->GetCell(cellId);
-    for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+    const bool isHull = cell->GetCellType() == VTK_CONVEX_POINT_SET;
+    const HullOfCell hull(isHull ? cell : nullptr);
+    const int number = isHull ? hull.GetNumberOfFaces() : cell->GetNumberOfFaces();
+    for (int i = 0; i < number; ++i)
     {
-      const auto [entry, isNew] = open.emplace(NameOf(cell->GetFace(i)), std::pair(cellId, i));
+      const auto [entry, isNew] =
+        open.emplace(isHull ? hull.NameOf(i) : NameOf(cell->GetFace(i)), std::pair(cellId, i));
       if (!isNew)
       {
         open.erase(entry);
@@ -122,7 +172,16 @@ void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>&
   for (const auto& [cellId, face] : outer)
   {
     this->CellId = cellId;
-    this->AddCell(mesh->GetCell(cellId)->GetFace(face));
+    vtkCell* cell = mesh->GetCell(cellId);
+    if (cell->GetCellType() == VTK_CONVEX_POINT_SET)
+    {
+      const auto [a, b, c] = HullOfCell(cell).CornersOf(face);
+      this->AddTriangle(a, b, c);
+    }
+    else
+    {
+      this->AddCell(cell->GetFace(face));
+    }
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every type of cell in every filter and the locator, whole and harmed: no crash; cells that are
 // broken are named once, and the answers are those without them. SKDTREE_ALL_HARMS=all runs all
-// combinations, or those of one type by its number; by default each filter gets a sixteenth.
+// combinations, or those of one type by its number; by default each filter gets a part of 32.
 
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
@@ -90,7 +90,7 @@ bool IsDrawn(std::size_t filter, int type, int harm)
   }
   const std::size_t number =
     (filter * 97 + static_cast<std::size_t>(type)) * 31 + static_cast<std::size_t>(harm);
-  return (number * 2654435761u >> 7) % 16 == 0;
+  return (number * 2654435761u >> 7) % 32 == 0;
 }
 
 /// What a crash is in.

@@ -8,6 +8,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
+#include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkSkdTreeProbe.h"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,21 @@ TEST(ConvexPointSets, LinesMeetTheOutsideOnly)
     ASSERT_EQ(in.Cell, 0);
     EXPECT_LT(Distance(in.X, out.X), 1e-14);
   }
+}
+
+TEST(ConvexPointSets, CurvesMeetTheirFaces)
+{
+  vtkNew<vtkSkdTreeCurveSurfaceIntersection> filter;
+  const PolyDataPointer line = PolyDataPointer::New();
+  line->SetPoints(MakePoints({ { -1.0, 0.3, 0.6 }, { 2.0, 0.4, 0.7 } }));
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  line->SetLines(lines);
+  filter->SetInputDataObject(line);
+  filter->SetSourceData(Cube());
+  filter->VolumeFacesOn();
+  filter->Update();
+  EXPECT_EQ(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 2);
 }
 
 TEST(ConvexPointSets, LinearFieldsAreProbedExactly)

@@ -31,6 +31,8 @@ namespace
 {
 using AlgorithmPointer = vtkSmartPointer<vtkAlgorithm>;
 
+constexpr double Coarse = 0.03; // ChordalDeviation: few facets of curved cells will do
+
 const Bounds Around = { -0.3, 2.8, -0.3, 2.8, -0.3, 2.8 };
 
 PolyDataPointer SomePoints()
@@ -48,10 +50,10 @@ PolyDataPointer SomeLines()
 {
   Mesh mesh;
   Random random(8);
-  for (int line = 0; line < 3; ++line)
+  for (int line = 0; line < 2; ++line)
   {
     Ids ids;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 3; ++i)
     {
       ids.push_back(mesh.Add(random.InBox(Around)));
     }
@@ -87,6 +89,7 @@ AlgorithmPointer MakeClosest(vtkDataObject* input, vtkDataObject* source, bool i
 {
   const auto filter = MakeOf<vtkSkdTreeClosestPoint>(input, source);
   filter->SetSignedDistance(isSigned);
+  filter->SetChordalDeviation(Coarse);
   filter->InterpolateSourceDataOn();
   filter->GenerateLinesOn();
   return filter;
@@ -95,6 +98,7 @@ AlgorithmPointer MakeClosest(vtkDataObject* input, vtkDataObject* source, bool i
 AlgorithmPointer MakeInOutOf(vtkDataObject* input, vtkDataObject* source, int ask, int model)
 {
   const auto filter = MakeOf<vtkSkdTreePointInOut>(input, source);
+  filter->SetChordalDeviation(Coarse);
   filter->SetAsk(ask);
   filter->SetModel(model);
   filter->SetExtract(vtkSkdTreePointInOut::INSIDE);
@@ -122,6 +126,7 @@ AlgorithmPointer MakeQueryOf(vtkDataObject* input, vtkDataObject* source, int sh
 AlgorithmPointer MakeIntersectionOf(vtkDataObject* input, vtkDataObject* source)
 {
   const auto filter = MakeOf<vtkSkdTreeSurfaceIntersection>(input, source);
+  filter->SetChordalDeviation(Coarse);
   filter->SplitSurfacesOn();
   return filter;
 }
@@ -144,7 +149,8 @@ AlgorithmPointer MakeCurveSurface(vtkDataObject* input, vtkDataObject* source)
 AlgorithmPointer MakeAMROf(vtkDataObject* parts, int type)
 {
   const auto filter = MakeOf<vtkSkdTreeAMR>(parts, nullptr);
-  filter->SetMaximumLevel(2);
+  filter->SetChordalDeviation(Coarse);
+  filter->SetMaximumLevel(1);
   filter->SetInsideLevel(1);
   filter->AutomaticBoundsOff();
   filter->SetBaseBounds(-0.31, 2.83, -0.37, 2.89, -0.33, 2.81);
@@ -308,7 +314,7 @@ std::vector<double> LocatorAnswers(vtkDataSet* mesh)
     const Closest closest = FindClosest(locator, a);
     answers.insert(answers.end(), { double(closest.Cell), closest.Dist2, closest.X[0] });
     answers.push_back(double(FindFirstHit(locator, a, b).Cell));
-    answers.push_back(double(FindCell(locator, a, 0.1).Cell));
+    answers.push_back(double(locator->FindCell(a.data(), 0.01)));
     answers.push_back(FindClosestCells(locator, a, 3).Number);
     answers.push_back(FindCrossings(locator, a, b).Number);
     answers.push_back(locator->InsideCellBounds(a.data(), i % 8) ? 1 : 0);
