@@ -33,8 +33,7 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
   { return SkdIsWithin(corner, SkdMeasurable.Largest); };
   if (!std::all_of(this->Corners.begin(), this->Corners.end(), isMeasurable))
   {
-    this->UseCorner(
-      x); // a face of the cell was found; VTK asserts that nothing overflows or is NaN
+    this->UseCorner(x); // VTK asserts that nothing overflows or is NaN
     return;
   }
   this->EvaluateByCell(x);
