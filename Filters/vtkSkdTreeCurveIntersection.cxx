@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeCurveIntersection.h"
 
-#include "Pipeline/SkdCurveHitArrays.h"
+#include "Curves/SkdCurveHitArrays.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"

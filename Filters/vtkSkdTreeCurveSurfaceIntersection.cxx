@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
 
-#include "Pipeline/SkdCutCurves.h"
+#include "Curves/SkdCutCurves.h"
+#include "Curves/SkdSurfaceHitArrays.h"
+#include "InOut/SkdPartList.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
-#include "Pipeline/SkdPartList.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdSurfaceHitArrays.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreePointInOut.h"
 
+#include "InOut/SkdPartAsker.h"
 #include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
-#include "Pipeline/SkdPartAsker.h"
-#include "Pipeline/SkdPlaceFinder.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdSubset.h"
 #include "Pipeline/SkdTouchCells.h"
+#include "Probe/SkdPlaceFinder.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"

@@ -4,12 +4,12 @@
 
 #include "Cells/SkdLocatorState.h"
 #include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdParts.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdShare.h"
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdWholeInput.h"
-#include "Refine/SkdParts.h"
 #include "Relations/SkdRelationOutputs.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSurfaceIntersection.h"
 
-#include "Pipeline/SkdContacts.h"
 #include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdShare.h"
-#include "Pipeline/SkdSplitSurface.h"
 #include "Pipeline/SkdStopwatch.h"
+#include "Surfaces/SkdContacts.h"
+#include "Surfaces/SkdSplitSurface.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellTree.h"
 
-#include "Core/Geometry/PlanarPolygon.h"
+#include "Core/Geometry/Polygons/PlanarPolygon.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Where a segment may pass from one cell to another, and what one cell says of a point.
 #include "Cells/SkdCellTree.h"
 
-#include "Core/Geometry/SegmentPatch.h"
+#include "Core/Geometry/Intersection/SegmentPatch.h"
 #include "Core/Queries/AlongSegment.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "Cells/SkdCellTree.h"
 
 #include "Cells/SkdMotion.h"
-#include "Core/Geometry/Distance.h"
+#include "Core/Geometry/Distance/Distance.h"
 #include "Core/Queries/AlongPlane.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/Nearest.h"

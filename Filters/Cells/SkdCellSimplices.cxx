@@ -5,9 +5,9 @@
 #include "Cells/SkdCurvedSimplices.h"
 #include "Cells/SkdFaceTriangles.h"
 #include "Cells/SkdParametricCell.h"
-#include "Core/Geometry/BoxOverlap.h"
-#include "Core/Geometry/EarClipping.h"
-#include "Core/Geometry/SimplexContact.h"
+#include "Core/Geometry/Intersection/BoxOverlap.h"
+#include "Core/Geometry/Polygons/EarClipping.h"
+#include "Core/Geometry/Simplices/SimplexContact.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"

@@ -10,7 +10,7 @@
 #include "Cells/SkdWideWalks.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
-#include "Core/Geometry/SimplexSet.h"
+#include "Core/Geometry/Simplices/SimplexSet.h"
 #include "Core/Queries/HandDown.h"
 #include "Core/Tree/LazyTree.h"
 #include "Core/Tree/PaperTree.h"

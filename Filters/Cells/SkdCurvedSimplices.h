@@ -3,7 +3,7 @@
 #ifndef SkdCurvedSimplices_h
 #define SkdCurvedSimplices_h
 
-#include "Core/Geometry/SimplexSet.h"
+#include "Core/Geometry/Simplices/SimplexSet.h"
 
 class vtkCell;
 

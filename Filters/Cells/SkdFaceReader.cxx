@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdFaceReader.h"
 
-#include "Core/Geometry/ConvexHull.h"
+#include "Core/Geometry/Polygons/ConvexHull.h"
 
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"

@@ -3,7 +3,7 @@
 #include "Cells/SkdCellTree.h"
 
 #include "Cells/SkdFaceTriangles.h"
-#include "Core/Geometry/BoxOverlap.h"
+#include "Core/Geometry/Intersection/BoxOverlap.h"
 
 namespace
 {

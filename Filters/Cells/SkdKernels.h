@@ -12,14 +12,14 @@
 #define SkdKernels_h
 
 #include "Cells/SkdShape.h"
-#include "Core/Geometry/ClosestPointInCell.h"
-#include "Core/Geometry/ClosestSegments.h"
-#include "Core/Geometry/Hexahedron.h"
-#include "Core/Geometry/Pyramid.h"
-#include "Core/Geometry/SegmentNearTriangle.h"
-#include "Core/Geometry/Tetrahedron.h"
-#include "Core/Geometry/Voxel.h"
-#include "Core/Geometry/Wedge.h"
+#include "Core/Geometry/Cells/ClosestPointInCell.h"
+#include "Core/Geometry/Cells/Hexahedron.h"
+#include "Core/Geometry/Cells/Pyramid.h"
+#include "Core/Geometry/Cells/Tetrahedron.h"
+#include "Core/Geometry/Cells/Voxel.h"
+#include "Core/Geometry/Cells/Wedge.h"
+#include "Core/Geometry/Distance/ClosestSegments.h"
+#include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 
 /// The point of a cell nearest to a query point.
 struct SkdCellPoint

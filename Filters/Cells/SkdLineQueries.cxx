@@ -3,8 +3,8 @@
 #include "Cells/SkdCellTree.h"
 
 #include "Cells/SkdMotion.h"
-#include "Core/Geometry/SegmentPolygon.h"
-#include "Core/Geometry/WayThrough.h"
+#include "Core/Geometry/Intersection/SegmentPolygon.h"
+#include "Core/Geometry/Intersection/WayThrough.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/TriangleHits.h"
 

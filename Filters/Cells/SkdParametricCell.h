@@ -4,7 +4,7 @@
 #define SkdParametricCell_h
 
 #include "Cells/SkdKernels.h"
-#include "Core/Geometry/ParameterDomain.h"
+#include "Core/Geometry/Cells/ParameterDomain.h"
 
 class vtkCell;
 

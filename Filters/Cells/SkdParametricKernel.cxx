@@ -3,7 +3,7 @@
 #include "Cells/SkdParametricCell.h"
 
 #include "Core/Geometry/Box.h"
-#include "Core/Geometry/LeastResidual.h"
+#include "Core/Geometry/Cells/LeastResidual.h"
 
 #include "vtkCell.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdPieceRuns.h"
 
-#include "Core/Geometry/Distance.h"
+#include "Core/Geometry/Distance/Distance.h"
 
 #include <algorithm>
 

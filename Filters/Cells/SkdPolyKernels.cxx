@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdPolyKernels.h"
 
-#include "Core/Geometry/MeanValue.h"
-#include "Core/Geometry/SegmentPolygon.h"
+#include "Core/Geometry/Cells/MeanValue.h"
+#include "Core/Geometry/Intersection/SegmentPolygon.h"
 
 namespace
 {

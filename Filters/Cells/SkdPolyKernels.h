@@ -7,7 +7,7 @@
 #define SkdPolyKernels_h
 
 #include "Cells/SkdKernels.h"
-#include "Core/Geometry/Polyhedron.h"
+#include "Core/Geometry/Cells/Polyhedron.h"
 
 /// Such a cell, its points gathered. Faces and FacesEnd are those of PolyhedronView.
 struct SkdPolyCell

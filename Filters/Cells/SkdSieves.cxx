@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdSieves.h"
 
-#include "Core/Geometry/CellFaces.h"
+#include "Core/Geometry/Cells/CellFaces.h"
 
 #include "vtkSMPTools.h"
 

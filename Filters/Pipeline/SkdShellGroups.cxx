@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdShells.h"
 
-#include "Core/Geometry/TriangleContact.h"
+#include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Queries/OverlappingPairs.h"
 #include "Core/Tree/LazyTree.h"
 #include "Core/Tree/WalkPairs.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdCellRegion.h"
 
-#include "Core/Geometry/EarClipping.h"
-#include "Core/Geometry/Ears.h"
+#include "Core/Geometry/Polygons/EarClipping.h"
+#include "Core/Geometry/Polygons/Ears.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #ifndef SkdCriteria_h
 #define SkdCriteria_h
 
-#include "Refine/SkdParts.h"
+#include "Pipeline/SkdParts.h"
 #include "Refine/SkdRegion.h"
 
 #include <functional>

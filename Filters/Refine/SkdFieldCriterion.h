@@ -13,7 +13,7 @@
 #ifndef SkdFieldCriterion_h
 #define SkdFieldCriterion_h
 
-#include "Refine/SkdParts.h"
+#include "Pipeline/SkdParts.h"
 #include "Refine/SkdRegion.h"
 
 #include <set>

@@ -3,8 +3,8 @@
 #ifndef SkdGridDistances_h
 #define SkdGridDistances_h
 
+#include "Pipeline/SkdParts.h"
 #include "Refine/SkdGrid.h"
-#include "Refine/SkdParts.h"
 
 class vtkAlgorithm;
 

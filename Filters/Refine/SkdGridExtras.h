@@ -8,8 +8,8 @@
 #ifndef SkdGridExtras_h
 #define SkdGridExtras_h
 
+#include "Pipeline/SkdParts.h"
 #include "Refine/SkdGrid.h"
-#include "Refine/SkdParts.h"
 
 class SkdEnclosure;
 class vtkAlgorithm;

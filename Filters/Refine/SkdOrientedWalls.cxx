@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdOrientedWalls.h"
 
-#include "Core/Geometry/ClosestPoint.h"
-#include "Core/Geometry/MeasureInBox.h"
+#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Core/Geometry/Measures/MeasureInBox.h"
 #include "Pipeline/SkdSignedSource.h"
 #include "vtkIdList.h"
 #include "vtkSMPTools.h"

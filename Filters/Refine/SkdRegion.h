@@ -9,7 +9,7 @@
 #define SkdRegion_h
 
 #include "Cells/SkdCellTree.h"
-#include "Core/Geometry/SimplexSet.h"
+#include "Core/Geometry/Simplices/SimplexSet.h"
 
 #include <limits>
 #include <vector>

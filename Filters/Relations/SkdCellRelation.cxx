@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relations/SkdCellRelation.h"
 
-#include "Core/Geometry/SimplexCover.h"
-#include "Core/Geometry/SimplexInteriors.h"
+#include "Core/Geometry/Simplices/SimplexCover.h"
+#include "Core/Geometry/Simplices/SimplexInteriors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #define SkdQueryList_h
 
 #include "Pipeline/SkdLeaves.h"
-#include "Refine/SkdParts.h"
+#include "Pipeline/SkdParts.h"
 #include "Relations/SkdQueryShape.h"
 
 #include <optional>

@@ -13,7 +13,7 @@
 #define SkdQueryShape_h
 
 #include "Cells/SkdCellTree.h"
-#include "Core/Geometry/SimplexSet.h"
+#include "Core/Geometry/Simplices/SimplexSet.h"
 #include "Core/Geometry/Sphere.h"
 
 #include <memory>

@@ -10,7 +10,7 @@
 
 #include "Core/Tree/RawVector.h"
 #include "Pipeline/SkdLoop.h"
-#include "Refine/SkdParts.h"
+#include "Pipeline/SkdParts.h"
 #include "Relations/SkdCellRelation.h"
 
 #include <functional>

@@ -7,7 +7,7 @@
 
 #include "CoreScenes.h"
 
-#include "Core/Geometry/Polyhedron.h"
+#include "Core/Geometry/Cells/Polyhedron.h"
 
 #include <numeric>
 

@@ -8,7 +8,7 @@
 
 #include "CoreScenes.h"
 
-#include "Core/Geometry/Distance.h"
+#include "Core/Geometry/Distance/Distance.h"
 #include "Core/Tree/LazyTree.h"
 #include "Core/Tree/Tree.h"
 #include "Core/Tree/Walk.h"

@@ -6,7 +6,7 @@
 #ifndef coretest_GeometryReference_h
 #define coretest_GeometryReference_h
 
-#include "Core/Geometry/ClosestPointInCell.h"
+#include "Core/Geometry/Cells/ClosestPointInCell.h"
 
 #include <random>
 #include <vector>

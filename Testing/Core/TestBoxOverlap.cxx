@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/BoxOverlap.h"
+#include "Core/Geometry/Intersection/BoxOverlap.h"
 #include "CoreScenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hull of random points, many of them in planes and on lines: closed, convex, around all.
 
-#include "Core/Geometry/ConvexHull.h"
+#include "Core/Geometry/Polygons/ConvexHull.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/Distance.h"
+#include "Core/Geometry/Distance/Distance.h"
 #include "Core/Grid/Balance.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshScenes.h"
 
-#include "Core/Geometry/Ears.h"
+#include "Core/Geometry/Polygons/Ears.h"
 #include "Core/Mesh/Bisection.h"
 #include "Core/Mesh/HangingNodes.h"
 #include "Core/Mesh/RegularCuts.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What two segments have in common, against whole numbers.
 
-#include "Core/Geometry/SegmentContact.h"
+#include "Core/Geometry/Intersection/SegmentContact.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed polylines pass through closed meshes an even number of times, whatever they meet.
 
-#include "Core/Geometry/SegmentFacet.h"
+#include "Core/Geometry/Intersection/SegmentFacet.h"
 
 #include <gtest/gtest.h>
 

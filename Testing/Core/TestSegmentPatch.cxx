@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/BilinearPatch.h"
-#include "Core/Geometry/SegmentPatch.h"
+#include "Core/Geometry/Distance/BilinearPatch.h"
+#include "Core/Geometry/Intersection/SegmentPatch.h"
 #include "CoreSolids.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sieves leave nothing out that an exact test would take, whatever the triangles and cells are
 // like.
-#include "Core/Geometry/ClosestPointInCell.h"
-#include "Core/Geometry/SegmentTriangle.h"
+#include "Core/Geometry/Cells/ClosestPointInCell.h"
+#include "Core/Geometry/Intersection/SegmentTriangle.h"
 #include "Core/Sieves/PlaneRow.h"
 #include "Core/Sieves/TriangleCrossings.h"
 #include "Core/Sieves/TriangleDistances.h"

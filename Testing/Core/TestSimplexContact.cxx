@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/SimplexContact.h"
+#include "Core/Geometry/Simplices/SimplexContact.h"
 
 #include <gtest/gtest.h>
 

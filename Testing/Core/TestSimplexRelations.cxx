@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/SimplexCover.h"
-#include "Core/Geometry/SimplexInteriors.h"
+#include "Core/Geometry/Simplices/SimplexCover.h"
+#include "Core/Geometry/Simplices/SimplexInteriors.h"
 #include "CoreScenes.h"
 
 #include <gtest/gtest.h>

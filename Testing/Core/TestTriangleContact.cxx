@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Geometry/ContactPosition.h"
-#include "Core/Geometry/TriangleContact.h"
+#include "Core/Geometry/Intersection/ContactPosition.h"
+#include "Core/Geometry/Intersection/TriangleContact.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "Support/SurfaceIntersectionRun.h"
 
-#include "Core/Geometry/TriangleContact.h"
+#include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
 #include "Support/RealMeshes.h"

@@ -3,8 +3,8 @@
 #ifndef skd_Curves_LinePair_h
 #define skd_Curves_LinePair_h
 
-#include "../Geometry/ClosestSegments.h"
-#include "../Geometry/SegmentContact.h"
+#include "../Geometry/Distance/ClosestSegments.h"
+#include "../Geometry/Intersection/SegmentContact.h"
 #include "CurveWithinCurve.h"
 
 namespace skd

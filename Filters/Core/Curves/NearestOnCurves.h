@@ -3,7 +3,7 @@
 #ifndef skd_Curves_NearestOnCurves_h
 #define skd_Curves_NearestOnCurves_h
 
-#include "../Geometry/ClosestSegments.h"
+#include "../Geometry/Distance/ClosestSegments.h"
 #include "CurveSpans.h"
 
 #include <vector>

@@ -5,9 +5,9 @@
 #ifndef skd_Mesh_CellKind_h
 #define skd_Mesh_CellKind_h
 
-#include "../Geometry/Pyramid.h"
-#include "../Geometry/Tetrahedron.h"
-#include "../Geometry/Wedge.h"
+#include "../Geometry/Cells/Pyramid.h"
+#include "../Geometry/Cells/Tetrahedron.h"
+#include "../Geometry/Cells/Wedge.h"
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #ifndef skd_Mesh_StarShape_h
 #define skd_Mesh_StarShape_h
 
-#include "../Geometry/Ears.h"
+#include "../Geometry/Polygons/Ears.h"
 #include "RefinedMesh.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 #ifndef skd_Queries_TriangleHits_h
 #define skd_Queries_TriangleHits_h
 
-#include "../Geometry/SegmentNearTriangle.h"
+#include "../Geometry/Intersection/SegmentNearTriangle.h"
 #include "../Sieves/TriangleSieves.h"
 #include "../Tree/TreeView.h"
 #include "../Tree/Walk.h"

@@ -16,7 +16,7 @@
 #ifndef skd_Queries_WindingNumber_h
 #define skd_Queries_WindingNumber_h
 
-#include "../Geometry/SolidAngle.h"
+#include "../Geometry/Measures/SolidAngle.h"
 #include "../Tree/Tree.h"
 
 #include <array>

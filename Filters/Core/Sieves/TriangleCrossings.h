@@ -3,7 +3,7 @@
 #ifndef skd_Sieves_TriangleCrossings_h
 #define skd_Sieves_TriangleCrossings_h
 
-#include "../Geometry/SegmentTriangle.h"
+#include "../Geometry/Intersection/SegmentTriangle.h"
 #include "TrianglePack.h"
 
 namespace skd

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Geometry_Cells_InverseMap_h
+#define skd_Geometry_Cells_InverseMap_h
+
+#include "Hexahedron.h"
+#include "TrilinearRoot.h"
+
+namespace skd
+{
+
+/// The inverse of a shape's map at one point x. This is that of shapes whose map is trilinear;
+/// others have a specialisation.
+template <class Shape>
+class InverseMap
+{
+public:
+  /// What residual is taken for rounding, relative to the greatest of the coordinates seen from x.
+  static constexpr double Rounding = 3.6e-15;
+
+  InverseMap(const Vector3* points, const Vector3& x)
+  {
+    Vector3 corners[8];
+    Shape::CubeCorners(points, corners);
+    for (Vector3& corner : corners)
+    {
+      corner = corner - x;
+    }
+    this->Map = TrilinearMap(corners);
+  }
+
+  /// Parametric coordinates of x as far as the map is linear; in the domain or not, even NaN.
+  Vector3 Guess() const
+  {
+    const Vector3* c = this->Map.Term;
+    return FromCube(-1.0 * Matrix3{ { c[1], c[2], c[4] } }.Solve(c[0]));
+  }
+
+  /// Parametric coordinates that give x, and are in the domain, both to within rounding. None if x
+  /// is not in the cell.
+  std::optional<Vector3> Find(const Vector3& guess) const
+  {
+    const double tolerance = Rounding * this->Map.Size();
+    const auto isInCell = [&](const Vector3& u)
+    {
+      const Vector3 p = FromCube(u);
+      return Shape::InDomain(p) ||
+        MaxNorm(this->Map.At(ToCube(Shape::ClampToDomain(p)))) <= tolerance;
+    };
+    const auto meetsDomain = [](const ParameterBox& box)
+    { return Shape::InDomain(Hexahedron::ClampToDomain(FromCube(box.Lowest()))); };
+
+    std::optional<Vector3> root = NewtonRoot(this->Map, ToCube(guess), tolerance);
+    if (!root || !isInCell(*root))
+    {
+      root = SearchRoot(this->Map, tolerance, isInCell, meetsDomain);
+    }
+    return root ? FromCube(*root) : root;
+  }
+
+private:
+  static Vector3 FromCube(const Vector3& u)
+  {
+    return { { 0.5 + 0.5 * u[0], 0.5 + 0.5 * u[1], 0.5 + 0.5 * u[2] } };
+  }
+  static Vector3 ToCube(const Vector3& p)
+  {
+    return { { 2.0 * p[0] - 1.0, 2.0 * p[1] - 1.0, 2.0 * p[2] - 1.0 } };
+  }
+
+  TrilinearMap Map;
+};
+
+}
+
+#endif

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A polyhedron: which points it holds, and the nearest point of its faces.
+///
+/// A face is the fan of triangles around the mean of its points, so that the two cells of a warped
+/// face have the same; one of three points is that triangle. Only the distance to a flat face that
+/// is so concave that the fan folds over is taken from the polygon itself.
+#ifndef skd_Geometry_Cells_Polyhedron_h
+#define skd_Geometry_Cells_Polyhedron_h
+
+#include "../Box.h"
+#include "../Distance/Distance.h"
+#include "../Intersection/SegmentTriangle.h"
+#include "../Polygons/PlanarPolygon.h"
+
+#include <cstdint>
+
+namespace skd
+{
+
+/// A face: point i of the polyhedron's points is Points[Ids[i]].
+struct PolyhedronFace
+{
+  const Vector3* Points;
+  const std::uint32_t* Ids;
+  int Size;
+
+  const Vector3& operator[](int i) const { return this->Points[this->Ids[i]]; }
+};
+
+/// Faces is a stream: the number of points of a face, then their numbers; the next face.
+struct PolyhedronView
+{
+  const Vector3* Points;
+  int Size;
+  const std::uint32_t* Faces;
+  const std::uint32_t* End;
+
+  /// Calls visit(face).
+  template <class Visit>
+  void ForEachFace(Visit visit) const
+  {
+    for (const std::uint32_t* at = this->Faces; at < this->End; at += 1 + *at)
+    {
+      visit(PolyhedronFace{ this->Points, at + 1, static_cast<int>(*at) });
+    }
+  }
+
+  Box3 Bounds() const
+  {
+    Box3 bounds;
+    for (int i = 0; i < this->Size; ++i)
+    {
+      bounds.Add(this->Points[i]);
+    }
+    return bounds;
+  }
+};
+
+/// A triangle of a face: corners by their place in the face, Middle for the mean of its points.
+struct FaceTriangle
+{
+  static constexpr int Middle = -1;
+  Vector3 Points[3];
+  int Corners[3];
+};
+
+/// Calls visit(triangle), each the same whichever way around the face is, but for its own way.
+template <class Visit>
+void ForEachTriangle(const PolyhedronFace& face, Visit visit)
+{
+  if (face.Size == 3)
+  {
+    visit(FaceTriangle{ { face[0], face[1], face[2] }, { 0, 1, 2 } });
+    return;
+  }
+  const Vector3 middle = MeanOfPoints(face, face.Size);
+  for (int i = 0; i < face.Size; ++i)
+  {
+    const int next = i + 1 == face.Size ? 0 : i + 1;
+    visit(FaceTriangle{ { middle, face[i], face[next] }, { FaceTriangle::Middle, i, next } });
+  }
+}
+
+/// The same for both cells of the face: the last two corners in lexicographic order.
+inline FaceTriangle Ordered(FaceTriangle triangle)
+{
+  if (triangle.Points[2] < triangle.Points[1])
+  {
+    std::swap(triangle.Points[1], triangle.Points[2]);
+    std::swap(triangle.Corners[1], triangle.Corners[2]);
+  }
+  return triangle;
+}
+
+/// False when the face is aside of the segment altogether.
+inline bool MayCross(const SegmentView& view, const PolyhedronFace& face)
+{
+  int left = 0, right = 0, below = 0, above = 0;
+  for (int i = 0; i < face.Size; ++i)
+  {
+    const Sheared seen = view.See(face[i]);
+    left += seen.X < 0.0;
+    right += seen.X > 0.0;
+    below += seen.Y < 0.0;
+    above += seen.Y > 0.0;
+  }
+  return std::max({ left, right, below, above }) < face.Size;
+}
+
+namespace detail
+{
+
+/// From x out of the box to the nearest of its sides.
+inline Segment<3> WayOut(const Box3& box, const Vector3& x)
+{
+  Segment<3> way{ x, x };
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double down = x[axis] - box.Min[axis];
+    const double up = box.Max[axis] - x[axis];
+    if (std::min(down, up) < least)
+    {
+      least = std::min(down, up);
+      way.B = x;
+      way.B[axis] = down < up ? box.Min[axis] - box.Length(axis) : box.Max[axis] + box.Length(axis);
+    }
+  }
+  return way;
+}
+
+/// Whether some triangle of the fan is turned over against the others.
+inline bool IsFolded(const PolyhedronFace& face)
+{
+  const Vector3 normal = PolygonPlane(face, face.Size).Normal;
+  bool isFolded = false;
+  ForEachTriangle(face,
+    [&](const FaceTriangle& t)
+    {
+      const Vector3 across = Cross(t.Points[1] - t.Points[0], t.Points[2] - t.Points[0]);
+      isFolded |= Dot(across, normal) < 0.0;
+    });
+  return isFolded;
+}
+
+}
+
+/// Whether x is inside: by the parity of exact crossings, so faces may be turned either way. Points
+/// within rounding of a face may count as either.
+inline bool Contains(const PolyhedronView& cell, const Box3& bounds, const Vector3& x)
+{
+  if (!bounds.Contains(x))
+  {
+    return false;
+  }
+  const SegmentView view(detail::WayOut(bounds, x));
+  bool isInside = false;
+  cell.ForEachFace(
+    [&](const PolyhedronFace& face)
+    {
+      if (!view.IsValid() || !MayCross(view, face))
+      {
+        return;
+      }
+      ForEachTriangle(face,
+        [&](const FaceTriangle& t)
+        {
+          const auto hit = Intersect(view, t.Points[0], t.Points[1], t.Points[2]);
+          isInside ^= hit && hit->Passes;
+        });
+    });
+  return isInside;
+}
+
+/// The nearest of the faces' triangles.
+struct NearestTriangle
+{
+  TrianglePoint Nearest;
+  FaceTriangle Triangle;
+  PolyhedronFace Face;
+};
+
+inline void KeepNearer(NearestTriangle& nearest, const PolyhedronFace& face, const Vector3& x)
+{
+  ForEachTriangle(face,
+    [&](const FaceTriangle& triangle)
+    {
+      const FaceTriangle t = Ordered(triangle);
+      const TrianglePoint found = ClosestPointOnTriangle(t.Points[0], t.Points[1], t.Points[2], x);
+      if (found.Dist2 < nearest.Nearest.Dist2)
+      {
+        nearest = { found, t, face };
+      }
+    });
+}
+
+inline Box3 BoundsOf(const PolyhedronFace& face)
+{
+  Box3 bounds;
+  for (int i = 0; i < face.Size; ++i)
+  {
+    bounds.Add(face[i]);
+  }
+  return bounds;
+}
+
+/// Calls visit(face) for faces whose box is within the limit, that visit returns anew.
+template <class Visit>
+void ForEachFaceWithin(const PolyhedronView& cell, const Vector3& x, double limit2, Visit visit)
+{
+  cell.ForEachFace(
+    [&](const PolyhedronFace& face)
+    {
+      if (face.Size > 0 && MinDistance2(x, BoundsOf(face)) <= limit2)
+      {
+        limit2 = std::min(limit2, visit(face));
+      }
+    });
+}
+
+/// Dist2 is infinite when no triangle is within the limit.
+inline NearestTriangle FindNearestTriangle(
+  const PolyhedronView& cell, const Vector3& x, double limit2)
+{
+  NearestTriangle nearest{};
+  nearest.Nearest.Dist2 = std::numeric_limits<double>::infinity();
+  ForEachFaceWithin(cell, x, limit2,
+    [&](const PolyhedronFace& face)
+    {
+      KeepNearer(nearest, face, x);
+      return nearest.Nearest.Dist2;
+    });
+  return nearest;
+}
+
+/// The nearest point of the faces; Dist2 is infinite when none is within the limit.
+inline PolygonPoint ClosestPointOnFaces(const PolyhedronView& cell, const Vector3& x, double limit2)
+{
+  PolygonPoint nearest{ x, std::numeric_limits<double>::infinity(), 0, 0.0, false };
+  const auto keep = [&](const Vector3& point, double dist2)
+  {
+    if (dist2 < nearest.Dist2)
+    {
+      nearest.Point = point;
+      nearest.Dist2 = dist2;
+    }
+    return nearest.Dist2;
+  };
+  ForEachFaceWithin(cell, x, limit2,
+    [&](const PolyhedronFace& face)
+    {
+      if (face.Size > 3 && detail::IsFolded(face))
+      {
+        const PolygonPoint found = ClosestPointOnPolygon(face, face.Size, x);
+        return keep(found.Point, found.Dist2);
+      }
+      NearestTriangle found{};
+      found.Nearest.Dist2 = std::numeric_limits<double>::infinity();
+      KeepNearer(found, face, x);
+      return keep(found.Nearest.Point, found.Nearest.Dist2);
+    });
+  return nearest;
+}
+
+}
+
+#endif

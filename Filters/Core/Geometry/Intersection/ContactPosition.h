@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where edges cross, to a few units in the last place of the coordinates: the parameter comes from
+/// exact areas and volumes, so it is as good for slivers and grazing edges as for any other.
+#ifndef skd_Geometry_Intersection_ContactPosition_h
+#define skd_Geometry_Intersection_ContactPosition_h
+
+#include "../../Predicates/Orient3D.h"
+#include "../Segment.h"
+
+namespace skd
+{
+
+/// Where an edge that has its ends on different sides of the plane of a, b, c crosses it.
+inline Vector3 CrossingWithPlane(
+  const Segment<3>& edge, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const AccuratePlane plane(a, b, c);
+  const double start = plane.VolumeTo(edge.A);
+  const double end = plane.VolumeTo(edge.B);
+  return edge.At(start / (start - end));
+}
+
+/// Where an edge crosses another in a point that is inside of both, exactly.
+inline Vector3 CrossingWithEdge(const Segment<3>& edge, const Segment<3>& other)
+{
+  const Vector3 normal = Cross(edge.B - edge.A, other.B - other.A);
+  int first = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    first = std::abs(normal[axis]) > std::abs(normal[first]) ? axis : first;
+  }
+  for (const int axis : { first, (first + 1) % 3, (first + 2) % 3 })
+  {
+    const double start = AreaOf(other.A, other.B, edge.A, axis);
+    const double end = AreaOf(other.A, other.B, edge.B, axis);
+    if ((start > 0.0 && end < 0.0) || (start < 0.0 && end > 0.0)) // not seen edge-on
+    {
+      return edge.At(start / (start - end));
+    }
+  }
+  return edge.A;
+}
+
+}
+
+#endif

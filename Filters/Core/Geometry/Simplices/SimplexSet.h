@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Points, segments or triangles, or the solid that triangles enclose: what a cell, a box or a line
+/// is when it is asked how it lies to another one. Its distances are here; whether two sets meet is
+/// in SimplexContact.h, points that they share or do not are found in SimplexWitness.h, what covers
+/// what in SimplexCover.h, what insides share in SimplexInteriors.h.
+///
+/// Sets are closed: boundaries belong to them. A solid is told from its outside by the parity of
+/// exact crossings, so its triangles may be turned either way. Coordinates must be finite.
+#ifndef skd_Geometry_Simplices_SimplexSet_h
+#define skd_Geometry_Simplices_SimplexSet_h
+
+#include "../Cells/Polyhedron.h"
+#include "../Distance/ClosestTriangles.h"
+#include "../Distance/Distance.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace skd
+{
+
+struct SimplexSet
+{
+  /// The numbers of three points; a segment is { a, b, b }, a point { a, a, a }.
+  using Simplex = std::array<int, 3>;
+  using Edge = std::array<int, 2>;
+
+  int Dimension = 0;     ///< 0 points, 1 segments, 2 triangles, 3 what triangles enclose
+  bool IsConvex = false; ///< true only if known; makes some questions cheaper
+  std::vector<Vector3> Points;
+  std::vector<Simplex> Simplices;
+  std::vector<Edge> Rim; ///< where a surface ends, its edges; where a curve ends, points { a, a }
+  Box3 Bounds;           ///< of the points
+
+  /// Makes it empty; memory is kept.
+  void Clear(int dimension)
+  {
+    this->Dimension = dimension;
+    this->IsConvex = false;
+    this->Points.clear();
+    this->Simplices.clear();
+    this->Rim.clear();
+    this->Bounds = Box3();
+  }
+
+  /// Returns the number of the point.
+  int Add(const Vector3& x)
+  {
+    this->Points.push_back(x);
+    this->Bounds.Add(x);
+    return static_cast<int>(this->Points.size()) - 1;
+  }
+
+  void AddSimplex(int a, int b, int c) { this->Simplices.push_back({ a, b, c }); }
+
+  /// When all is there: the rim is what an odd number of simplices has. Not found until asked for.
+  void FindRim()
+  {
+    this->Rim.clear();
+    if (this->Dimension < 1 || this->Dimension > 2)
+    {
+      return;
+    }
+    std::map<Edge, int> uses;
+    for (const Simplex& simplex : this->Simplices)
+    {
+      if (this->Dimension == 1)
+      {
+        ++uses[{ simplex[0], simplex[0] }];
+        ++uses[{ simplex[1], simplex[1] }];
+        continue;
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        const int a = simplex[i];
+        const int b = simplex[(i + 1) % 3];
+        ++uses[{ std::min(a, b), std::max(a, b) }];
+      }
+    }
+    for (const auto& [edge, count] : uses)
+    {
+      if (count % 2 == 1)
+      {
+        this->Rim.push_back(edge);
+      }
+    }
+  }
+
+  std::array<Vector3, 3> Corners(const Simplex& simplex) const
+  {
+    return { this->Points[simplex[0]], this->Points[simplex[1]], this->Points[simplex[2]] };
+  }
+
+  /// The edges of a simplex, none of a point, of a segment one: visit(segment).
+  template <class Visit>
+  void ForEachEdge(const Simplex& simplex, Visit visit) const
+  {
+    const int edges = this->Dimension == 0 ? 0 : (this->Dimension == 1 ? 1 : 3);
+    for (int i = 0; i < edges; ++i)
+    {
+      visit(Segment<3>{ this->Points[simplex[i]], this->Points[simplex[(i + 1) % 3]] });
+    }
+  }
+};
+
+/// The box as a solid, with its corners moved by `place`; a flat one is a rectangle, a segment or a
+/// point. A box is convex, if `place` is affine.
+template <class Place>
+SimplexSet MakeBox(const Box3& box, const Place& place)
+{
+  SimplexSet set;
+  int axes[3];
+  int dimension = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (box.Max[axis] > box.Min[axis])
+    {
+      axes[dimension++] = axis;
+    }
+  }
+  set.Clear(dimension);
+  set.IsConvex = true;
+  for (int corner = 0; corner < 1 << dimension; ++corner)
+  {
+    Vector3 x = box.Min;
+    for (int i = 0; i < dimension; ++i)
+    {
+      x[axes[i]] = corner >> i & 1 ? box.Max[axes[i]] : box.Min[axes[i]];
+    }
+    set.Add(place(x));
+  }
+  const auto addRectangle = [&set](int a, int b, int c, int d)
+  {
+    set.AddSimplex(a, b, c);
+    set.AddSimplex(a, c, d);
+  };
+  if (dimension < 2)
+  {
+    set.AddSimplex(0, dimension, dimension);
+  }
+  else if (dimension == 2)
+  {
+    addRectangle(0, 1, 3, 2);
+  }
+  else
+  {
+    static constexpr int faces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 },
+      { 2, 6, 7, 3 }, { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+    for (const auto& face : faces)
+    {
+      addRectangle(face[0], face[1], face[2], face[3]);
+    }
+  }
+  set.FindRim();
+  return set;
+}
+
+inline SimplexSet MakeBox(const Box3& box)
+{
+  return MakeBox(box, [](const Vector3& x) { return x; });
+}
+
+inline SimplexSet MakeSegment(const Segment<3>& segment)
+{
+  SimplexSet set;
+  const bool isPoint = segment.A == segment.B;
+  set.Clear(isPoint ? 0 : 1);
+  set.IsConvex = true;
+  set.Add(segment.A);
+  set.AddSimplex(0, isPoint ? 0 : set.Add(segment.B), isPoint ? 0 : 1);
+  set.FindRim();
+  return set;
+}
+
+/// The distance to the simplices: of a solid to its boundary.
+inline double SimplexDistance2(const SimplexSet& set, const Vector3& x)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SimplexSet::Simplex& simplex : set.Simplices)
+  {
+    const Vector3* p = set.Points.data();
+    least =
+      std::min(least, ClosestPointOnTriangle(p[simplex[0]], p[simplex[1]], p[simplex[2]], x).Dist2);
+  }
+  return least;
+}
+
+inline double RimDistance2(const SimplexSet& set, const Vector3& x)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const SimplexSet::Edge& edge : set.Rim)
+  {
+    least =
+      std::min(least, ClosestPointOnSegment(set.Points[edge[0]], set.Points[edge[1]], x).Dist2);
+  }
+  return least;
+}
+
+/// Whether x is inside a solid or on a face of it. On its edges either may be the answer.
+inline bool Encloses(const SimplexSet& set, const Vector3& x)
+{
+  if (set.Dimension < 3 || !set.Bounds.Contains(x))
+  {
+    return false;
+  }
+  const SegmentView view(detail::WayOut(set.Bounds, x));
+  bool isInside = false;
+  for (const SimplexSet::Simplex& simplex : set.Simplices)
+  {
+    const Vector3* p = set.Points.data();
+    const auto hit =
+      view.IsValid() ? Intersect(view, p[simplex[0]], p[simplex[1]], p[simplex[2]]) : std::nullopt;
+    if (hit && hit->T == 0.0)
+    {
+      return true;
+    }
+    isInside ^= hit && hit->Passes;
+  }
+  return isInside;
+}
+
+inline double MinDistance2(const SimplexSet& set, const Vector3& x)
+{
+  return Encloses(set, x) ? 0.0 : SimplexDistance2(set, x);
+}
+
+inline double MaxDistance2(const SimplexSet& set, const Vector3& x)
+{
+  double most = 0.0;
+  for (const Vector3& point : set.Points)
+  {
+    most = std::max(most, Distance2(point, x));
+  }
+  return most;
+}
+
+/// Between the farthest points of two sets: of corners, whatever they are corners of.
+inline double MaxDistance2(const SimplexSet& a, const SimplexSet& b)
+{
+  double most = 0.0;
+  for (const Vector3& x : b.Points)
+  {
+    most = MaxDistance2(x, a.Bounds) > most ? std::max(most, MaxDistance2(a, x)) : most;
+  }
+  return most;
+}
+
+namespace detail
+{
+
+using Triangle3 = std::array<Vector3, 3>;
+
+inline Box3 BoundsOf(const Triangle3& corners)
+{
+  Box3 bounds(corners[0], corners[0]);
+  bounds.Add(corners[1]);
+  bounds.Add(corners[2]);
+  return bounds;
+}
+
+/// Whether an edge of the first goes through the second.
+inline bool Pierces(const Triangle3& first, const Triangle3& second)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const SegmentView view(Segment<3>{ first[i], first[(i + 1) % 3] });
+    if (view.IsValid() && Intersect(view, second[0], second[1], second[2]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+inline double SimplexDistance2(const Triangle3& a, const Triangle3& b)
+{
+  const bool mayCross = BoundsOf(a).Overlaps(BoundsOf(b));
+  if (mayCross && (Pierces(a, b) || Pierces(b, a)))
+  {
+    return 0.0;
+  }
+  return ClosestPoints(a, b).Dist2;
+}
+
+/// Of sets whose boundaries do not meet one is within the other if any point of it is; points alone
+/// may be here and there.
+inline bool HasPointWithin(const SimplexSet& solid, const SimplexSet& set)
+{
+  const std::size_t asked = set.Dimension == 0 ? set.Points.size() : 1;
+  for (std::size_t i = 0; i < std::min(asked, set.Points.size()); ++i)
+  {
+    if (Encloses(solid, set.Points[i]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+/// Between the nearest points of two sets, 0 when they have one in common. What is not more than
+/// `enough2` need not be least. O(simplices of a x simplices of b) at worst.
+inline double MinDistance2(const SimplexSet& a, const SimplexSet& b, double enough2 = 0.0)
+{
+  if (detail::HasPointWithin(a, b) || detail::HasPointWithin(b, a))
+  {
+    return 0.0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const SimplexSet::Simplex& one : a.Simplices)
+  {
+    const detail::Triangle3 first = a.Corners(one);
+    const Box3 bounds = detail::BoundsOf(first);
+    if (!(MinDistance2(bounds, b.Bounds) < least))
+    {
+      continue;
+    }
+    for (const SimplexSet::Simplex& other : b.Simplices)
+    {
+      const detail::Triangle3 second = b.Corners(other);
+      if (MinDistance2(bounds, detail::BoundsOf(second)) < least)
+      {
+        least = std::min(least, detail::SimplexDistance2(first, second));
+      }
+    }
+    if (least <= enough2)
+    {
+      return least;
+    }
+  }
+  return least;
+}
+
+}
+
+#endif

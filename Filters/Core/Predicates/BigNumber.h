@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Predicates_BigNumber_h
+#define skd_Predicates_BigNumber_h
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace skd
+{
+
+/// A number of as many binary digits as it takes: sums, differences and products are exact, and
+/// nothing over- or underflows. For the few signs that no filter decides and that are of too high
+/// a degree for an Expansion: some hundred times slower than a double.
+class BigNumber
+{
+public:
+  BigNumber() = default; ///< 0
+
+  /// A finite number.
+  explicit BigNumber(double value)
+  {
+    int exponent = 0;
+    const double mantissa = std::frexp(std::abs(value), &exponent);
+    auto digits = static_cast<std::uint64_t>(std::ldexp(mantissa, 53));
+    const int shift = exponent - 53;
+    this->Exponent = shift >= 0 ? shift / 32 : -((31 - shift) / 32);
+    const int rest = shift - 32 * this->Exponent; // 0 to 31
+    const std::uint64_t high = rest > 0 ? digits >> (64 - rest) : 0;
+    digits <<= rest;
+    this->Digits = { static_cast<std::uint32_t>(digits), static_cast<std::uint32_t>(digits >> 32),
+      static_cast<std::uint32_t>(high) };
+    this->IsNegative = value < 0.0;
+    this->Trim();
+  }
+
+  int Sign() const { return this->Digits.empty() ? 0 : (this->IsNegative ? -1 : 1); }
+
+  friend BigNumber operator-(BigNumber a)
+  {
+    a.IsNegative = !a.IsNegative;
+    return a;
+  }
+
+  friend BigNumber operator+(const BigNumber& a, const BigNumber& b)
+  {
+    if (a.Digits.empty() || b.Digits.empty())
+    {
+      return a.Digits.empty() ? b : a;
+    }
+    if (a.IsNegative == b.IsNegative)
+    {
+      return Combine(a, b, 1);
+    }
+    return CompareMagnitudes(a, b) >= 0 ? Combine(a, b, -1) : Combine(b, a, -1);
+  }
+
+  friend BigNumber operator-(const BigNumber& a, const BigNumber& b) { return a + -b; }
+
+  friend BigNumber operator*(const BigNumber& a, const BigNumber& b)
+  {
+    BigNumber product;
+    product.Digits.assign(a.Digits.size() + b.Digits.size(), 0);
+    for (std::size_t i = 0; i < a.Digits.size(); ++i)
+    {
+      std::uint64_t carry = 0;
+      for (std::size_t k = 0; k < b.Digits.size(); ++k)
+      {
+        carry += static_cast<std::uint64_t>(a.Digits[i]) * b.Digits[k] + product.Digits[i + k];
+        product.Digits[i + k] = static_cast<std::uint32_t>(carry);
+        carry >>= 32;
+      }
+      product.Digits[i + b.Digits.size()] = static_cast<std::uint32_t>(carry);
+    }
+    product.Exponent = a.Exponent + b.Exponent;
+    product.IsNegative = a.IsNegative != b.IsNegative;
+    product.Trim();
+    return product;
+  }
+
+  /// a / b, b != 0, to a few units in the last place.
+  static double Ratio(const BigNumber& a, const BigNumber& b)
+  {
+    if (a.Digits.empty())
+    {
+      return 0.0;
+    }
+    const double ratio = a.Leading() / b.Leading();
+    return std::ldexp(a.IsNegative != b.IsNegative ? -ratio : ratio, 32 * (a.Top() - b.Top()));
+  }
+
+private:
+  /// The place of the digit after the highest.
+  int Top() const { return this->Exponent + static_cast<int>(this->Digits.size()); }
+
+  std::uint32_t At(int place) const
+  {
+    const int i = place - this->Exponent;
+    return i >= 0 && i < static_cast<int>(this->Digits.size()) ? this->Digits[i] : 0;
+  }
+
+  /// The magnitude over 2^(32 Top).
+  double Leading() const
+  {
+    double leading = 0.0;
+    for (int i = 4; i > 0; --i) // the lowest first
+    {
+      leading = std::ldexp(leading + this->At(this->Top() - i), -32);
+    }
+    return leading;
+  }
+
+  static int CompareMagnitudes(const BigNumber& a, const BigNumber& b)
+  {
+    const int lowest = std::min(a.Exponent, b.Exponent);
+    for (int place = std::max(a.Top(), b.Top()) - 1; place >= lowest; --place)
+    {
+      if (a.At(place) != b.At(place))
+      {
+        return a.At(place) < b.At(place) ? -1 : 1;
+      }
+    }
+    return 0;
+  }
+
+  /// The magnitudes added, or the lower taken from the higher; the sign of a.
+  static BigNumber Combine(const BigNumber& a, const BigNumber& b, int sign)
+  {
+    BigNumber sum;
+    sum.Exponent = std::min(a.Exponent, b.Exponent);
+    sum.IsNegative = a.IsNegative;
+    const int top = std::max(a.Top(), b.Top()) + 1;
+    sum.Digits.reserve(static_cast<std::size_t>(top - sum.Exponent));
+    std::int64_t carry = 0;
+    for (int place = sum.Exponent; place < top; ++place)
+    {
+      carry +=
+        static_cast<std::int64_t>(a.At(place)) + sign * static_cast<std::int64_t>(b.At(place));
+      sum.Digits.push_back(static_cast<std::uint32_t>(carry & 0xffffffff));
+      carry = carry < 0 ? -1 : carry >> 32;
+    }
+    sum.Trim();
+    return sum;
+  }
+
+  void Trim()
+  {
+    while (!this->Digits.empty() && this->Digits.back() == 0)
+    {
+      this->Digits.pop_back();
+    }
+    const auto first = std::find_if(
+      this->Digits.begin(), this->Digits.end(), [](std::uint32_t d) { return d != 0; });
+    this->Exponent += static_cast<int>(first - this->Digits.begin());
+    this->Digits.erase(this->Digits.begin(), first);
+  }
+
+  std::vector<std::uint32_t> Digits; // the lowest first; neither end is 0
+  int Exponent = 0;                  // the place of the lowest, in digits of 32 bits
+  bool IsNegative = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCurveHitArrays_h
+#define SkdCurveHitArrays_h
+
+#include "Curves/SkdCurveHits.h"
+
+#include <set>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+/// The curves of one input.
+struct SkdCurveSide
+{
+  const SkdCurveTree& Tree;
+  const std::vector<SkdLeaf>& Leaves;
+  bool IsComposite;
+};
+
+/// Where curves meet, and whose they are.
+struct SkdCurveHitTable
+{
+  SkdCurveSide First;
+  SkdCurveSide Second;
+  SkdCurveMeetings Meetings;
+};
+
+/// Fills `output` with a vertex for each meeting and the arrays that vtkSkdTreeCurveIntersection
+/// describes.
+void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output);
+
+/// Adds the data of the first curves there, and of the second ones unless these are the same; names
+/// that are in use already are put down in `refused`.
+void SkdStoreDataOfCurves(
+  const SkdCurveHitTable& table, vtkPolyData* output, std::set<std::string>& refused);
+
+/// Fills `output` with the common stretches, to a chord tolerance in world units.
+void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData* output);
+
+/// Fills `output` with a box around the region that the safety cylinders of each two candidates
+/// have in common.
+void SkdStoreCandidates(const SkdCurveHitTable& table, vtkUnstructuredGrid* output);
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCurveHits.h
+ * @brief Where curves meet curves (section 6.1): each place once.
+ */
+
+#ifndef SkdCurveHits_h
+#define SkdCurveHits_h
+
+#include "Core/Curves/CurvePairSolver.h"
+#include "Core/Curves/NearestOnCurves.h"
+#include "Curves/SkdCurveHit.h"
+#include "Curves/SkdCurveTree.h"
+
+class SkdLoop;
+
+/// Two parts of curves whose safety cylinders overlap: within `Reach` of each other's chords.
+struct SkdCurveCandidate
+{
+  std::size_t First; ///< of the first set's spans
+  std::size_t Second;
+  double Reach;
+  int NumberOfHits;
+
+  bool operator<(const SkdCurveCandidate& other) const
+  {
+    return this->First != other.First ? this->First < other.First : this->Second < other.Second;
+  }
+};
+
+struct SkdCurveMeetings
+{
+  std::vector<SkdCurveHit> Hits;             ///< by both curves, then along both
+  std::vector<SkdCurveStretch> Stretches;    ///< likewise
+  std::vector<SkdCurveCandidate> Candidates; ///< ascending
+};
+
+/// What is looked for.
+struct SkdCurveTask
+{
+  double Clearance = 0.0;    ///< tells pairs of curves that do not meet, but come as near
+  bool IgnoresJoints = true; ///< curves that go on as each other are one
+  bool TellsCandidates = false;
+};
+
+class SkdCurveHitFinder
+{
+public:
+  /// Of one set against itself, `first` and `second` are the same. Then each pair is told once, and
+  /// no part is compared with its neighbours along the same curve.
+  SkdCurveHitFinder(
+    const SkdCurveTree& first, const SkdCurveTree& second, const SkdCurveTask& task);
+
+  /// In parallel over the parts of the first set.
+  SkdCurveMeetings Find(SkdLoop& loop) const;
+
+  /// The distance that is 0 to within rounding.
+  double GetRounding() const { return this->Rounding; }
+
+private:
+  struct Worker
+  {
+    skd::CurvePairSolver Solver;
+    skd::NearestOnCurves Nearest;
+    std::vector<SkdCurveHit> Hits;
+    std::vector<SkdCurveHit> Near;
+    std::vector<SkdCurveStretch> Stretches;
+    std::vector<SkdCurveCandidate> Candidates;
+
+    void TakeFrom(const Worker& other);
+  };
+
+  bool IsSelf() const { return &this->First == &this->Second; }
+  void FindOnSpan(std::size_t span, Worker& worker) const;
+  void Examine(std::size_t first, std::size_t second, Worker& worker) const;
+  bool AddHit(const SkdCurveSpan& first, const SkdCurveSpan& second, const skd::CurvePairHit& hit,
+    Worker& worker) const;
+  void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
+  bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
+  SkdCurvePlace PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
+  static void FindEnd(const SkdCurveTree& tree, SkdCurvePlace& place);
+  bool IsJoint(const SkdCurveHit& hit) const;
+
+  const SkdCurveTree& First;
+  const SkdCurveTree& Second;
+  SkdCurveTask Task;
+  double Rounding;
+};
+
+#endif

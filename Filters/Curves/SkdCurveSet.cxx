@@ -1,0 +1,422 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/SkdCurveSet.h"
+
+#include "Cells/SkdBezierCell.h"
+#include "Core/Curves/BernsteinBasis.h"
+#include "Core/Curves/CurveSpans.h"
+#include "vtkCardinalSpline.h"
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkKochanekSpline.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+
+namespace
+{
+constexpr double LeastLength = 1e-140; // of what has squares, and a largest length of its inverse
+
+bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
+{
+  constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  return ghosts && (ghosts->GetValue(cellId) & hidden);
+}
+
+std::vector<skd::Vector3> PointsOf(vtkCell* cell)
+{
+  std::vector<skd::Vector3> points(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    cell->GetPoints()->GetPoint(static_cast<vtkIdType>(i), points[i].X);
+  }
+  return points;
+}
+
+bool AreFinite(const std::vector<skd::Vector3>& points)
+{
+  for (const skd::Vector3& point : points)
+  {
+    if (!skd::IsFinite(point))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The chord lengths from the first of some points; points that follow an equal one have none.
+struct Knots
+{
+  std::vector<double> At{ 0.0 };
+  std::vector<std::size_t> Numbers{ 0 }; ///< of the points
+
+  explicit Knots(const std::vector<skd::Vector3>& points)
+  {
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      const double length = std::sqrt(skd::Distance2(points[i], points[this->Numbers.back()]));
+      if (length > 0.0)
+      {
+        this->At.push_back(this->At.back() + length);
+        this->Numbers.push_back(i);
+      }
+    }
+  }
+
+  /// With a coordinate of the points, seen from the first. A closed spline adds its end itself.
+  std::vector<double> PairsWith(
+    const std::vector<skd::Vector3>& points, int axis, bool isClosed) const
+  {
+    std::vector<double> pairs;
+    for (std::size_t i = 0; i < this->At.size() - (isClosed ? 1 : 0); ++i)
+    {
+      pairs.insert(pairs.end(), { this->At[i], points[this->Numbers[i]][axis] - points[0][axis] });
+    }
+    return pairs;
+  }
+};
+
+/// A spline that is filled at once: AddPoint() sorts all points each time.
+template <class Base>
+class FilledSpline : public Base
+{
+public:
+  static vtkSmartPointer<Base> Make(std::vector<double>& pairs)
+  {
+    auto* made = new FilledSpline;
+    made->InitializeObjectBase();
+    made->PiecewiseFunction->FillFromDataPointer(static_cast<int>(pairs.size() / 2), pairs.data());
+    return vtkSmartPointer<Base>::Take(made);
+  }
+};
+
+vtkSmartPointer<vtkSpline> MakeOpenSpline(const SkdPolylineForm& form, std::vector<double>& pairs)
+{
+  if (form.Kind == SkdPolylineForm::Cardinal)
+  {
+    return FilledSpline<vtkCardinalSpline>::Make(pairs);
+  }
+  const auto spline = FilledSpline<vtkKochanekSpline>::Make(pairs);
+  spline->SetDefaultTension(form.Tension);
+  spline->SetDefaultBias(form.Bias);
+  spline->SetDefaultContinuity(form.Continuity);
+  return spline;
+}
+
+/// The spline through (knot, value) pairs.
+vtkSmartPointer<vtkSpline> MakeSpline(
+  const SkdPolylineForm& form, bool isClosed, double length, std::vector<double>& pairs)
+{
+  vtkSmartPointer<vtkSpline> spline = MakeOpenSpline(form, pairs);
+  spline->SetClosed(isClosed);
+  spline->SetParametricRange(0.0, length);
+  return spline;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdPolylineForm SkdPolylineForm::Of(int kind, double tension, double bias, double continuity)
+{
+  const auto number = [](double value) { return std::isnan(value) ? 0.0 : value; };
+  return { static_cast<Kinds>(kind), number(tension), number(bias), number(continuity) };
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm& form)
+{
+  *this = SkdCurveSet();
+  this->Leaves = leaves;
+  this->Form = form;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    vtkDataSet* mesh = leaves[leaf].Mesh;
+    vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+    for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
+    {
+      if (!IsGhost(ghosts, cellId))
+      {
+        this->ReadCell(mesh, static_cast<int>(leaf), cellId);
+      }
+    }
+  }
+  this->JoinEnds();
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::JoinEnds()
+{
+  std::vector<SkdCurveEnd> ends;
+  for (std::size_t number = 0; number < this->Curves.size(); ++number)
+  {
+    const SkdCurve& curve = this->Curves[number];
+    if (curve.IsClosed)
+    {
+      continue;
+    }
+    for (const bool atEnd : { false, true })
+    {
+      const std::size_t piece = atEnd ? curve.LastPiece - 1 : curve.FirstPiece;
+      const skd::Vector3& origin = this->Pieces[piece].Origin;
+      const skd::CurvePoint at = this->GetPiece(piece, origin).At(atEnd ? 1.0 : 0.0);
+      ends.push_back({ 2 * number + (atEnd ? 1 : 0), at.X + origin, atEnd ? at.D1 : -1.0 * at.D1 });
+    }
+  }
+  const double rounding = // as far apart as contacts are told
+    32.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
+  this->Joints = SkdCurveJoints(std::move(ends), this->Curves.size(), rounding);
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveSet::IsAtEnd(std::size_t number, double u, double slack, std::size_t& joint) const
+{
+  const SkdCurve& curve = this->Curves[number];
+  const double last = static_cast<double>(curve.LastPiece - curve.FirstPiece);
+  const bool atStart = u <= slack;
+  if (curve.IsClosed || (!atStart && u < last - slack))
+  {
+    return false;
+  }
+  joint = this->Joints.At(number, !atStart);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::ReadCell(vtkDataSet* mesh, int leaf, vtkIdType cellId)
+{
+  const int type = mesh->GetCellType(cellId);
+  if (type == VTK_EMPTY_CELL)
+  {
+    return;
+  }
+  vtkCell* cell = mesh->GetCell(cellId);
+  if (cell->GetCellDimension() != 1)
+  {
+    ++this->NotCurves;
+    return;
+  }
+  SkdCurve curve{ leaf, cellId, this->Pieces.size(), 0, 1, false, 0.0 };
+  const bool isPolyline = type == VTK_LINE || type == VTK_POLY_LINE;
+  if (isPolyline ? this->AddPolyline(cell, curve) : this->AddNative(cell))
+  {
+    this->Close(curve);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveSet::AddPolyline(vtkCell* cell, SkdCurve& curve)
+{
+  const std::vector<skd::Vector3> points = PointsOf(cell);
+  if (!AreFinite(points))
+  {
+    ++this->NotFinite;
+    return false;
+  }
+  const bool isClosed = points.size() > 2 && points.front() == points.back();
+  curve.Intervals = std::max(static_cast<int>(points.size()) - 1, 1);
+  if (this->Form.Kind == SkdPolylineForm::Straight || points.size() < 3)
+  {
+    this->AddLines(points);
+  }
+  else
+  {
+    this->AddSplines(points, isClosed);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::AddLines(const std::vector<skd::Vector3>& points)
+{
+  const skd::Vector3 zero{};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    if (!(points[i] == points[i + 1]))
+    {
+      this->AddPiece(skd::BezierCurve::Line(points[i], points[i + 1]), zero, static_cast<int>(i));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's splines are cubic between their knots: four values there tell the piece.
+void SkdCurveSet::AddSplines(const std::vector<skd::Vector3>& points, bool isClosed)
+{
+  const Knots knots(points);
+  if (knots.At.size() < 3)
+  {
+    this->AddLines(points);
+    return;
+  }
+  vtkSmartPointer<vtkSpline> splines[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double> pairs = knots.PairsWith(points, axis, isClosed);
+    splines[axis] = MakeSpline(this->Form, isClosed, knots.At.back(), pairs);
+  }
+  for (std::size_t i = 0; i + 1 < knots.At.size(); ++i)
+  {
+    const skd::Vector3& start = points[knots.Numbers[i]];
+    skd::BezierCurve piece;
+    piece.Degree = 3;
+    piece.Points[0] = skd::Weighted(skd::Vector3{}, 1.0);
+    piece.Points[3] = skd::Weighted(points[knots.Numbers[i + 1]] - start, 1.0);
+    for (int k = 1; k < 3; ++k)
+    {
+      const double at = knots.At[i] + (knots.At[i + 1] - knots.At[i]) * k / 3.0;
+      const skd::Vector3 x{ { splines[0]->Evaluate(at), splines[1]->Evaluate(at),
+        splines[2]->Evaluate(at) } };
+      piece.Points[k] = skd::Weighted(x - (start - points[0]), 1.0);
+    }
+    skd::BernsteinBasisOf(3).Convert(piece.Points);
+    this->AddPiece(piece, start, static_cast<int>(knots.Numbers[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdCurveSet::AddNative(vtkCell* cell)
+{
+  const auto read = SkdReadBezierCurve(cell);
+  switch (read.Fault)
+  {
+    case SkdBezierFault::None:
+      break;
+    case SkdBezierFault::Weight:
+      ++this->BadWeights;
+      return false;
+    case SkdBezierFault::Coordinate:
+      ++this->NotFinite;
+      return false;
+    case SkdBezierFault::Degree:
+      ++this->TooHigh;
+      return false;
+    default:
+      ++this->NotCurves;
+      return false;
+  }
+  const skd::Box3 bounds = read.Form.Bounds();
+  if (bounds.Diagonal() > 0.0)
+  {
+    this->AddPiece(read.Form, read.Origin, 0);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::AddPiece(const skd::BezierCurve& form, const skd::Vector3& origin, int interval)
+{
+  this->Pieces.push_back(
+    { origin, 0.0, this->Points.size(), this->Curves.size(), form.Degree, interval });
+  this->Points.insert(this->Points.end(), form.Points, form.Points + form.Degree + 1);
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::Close(SkdCurve& curve)
+{
+  curve.LastPiece = this->Pieces.size();
+  if (curve.FirstPiece == curve.LastPiece)
+  {
+    ++this->NoLength;
+    return;
+  }
+  skd::Box3 bounds;
+  for (std::size_t piece = curve.FirstPiece; piece < curve.LastPiece; ++piece)
+  {
+    const skd::Vector3& origin = this->Pieces[piece].Origin;
+    const skd::BezierCurve form = this->GetPiece(piece, origin);
+    this->Pieces[piece].LengthBefore = curve.Length;
+    curve.Length += skd::ArcLength(form, 0.0, 1.0);
+    bounds.Add(form.Bounds().Min + origin);
+    bounds.Add(form.Bounds().Max + origin);
+  }
+  if (!(curve.Length >= LeastLength && curve.Length <= 1.0 / LeastLength))
+  {
+    ++this->NotMeasurable;
+    this->Points.resize(this->Pieces[curve.FirstPiece].FirstPoint);
+    this->Pieces.resize(curve.FirstPiece);
+    return;
+  }
+  const skd::Vector3& origin = this->Pieces[curve.FirstPiece].Origin;
+  curve.IsClosed = this->GetPiece(curve.FirstPiece, origin).Start() ==
+    this->GetPiece(curve.LastPiece - 1, origin).End();
+  this->Bounds.Add(bounds);
+  this->Curves.push_back(curve);
+}
+
+//------------------------------------------------------------------------------
+skd::BezierCurve SkdCurveSet::GetPiece(std::size_t piece, const skd::Vector3& origin) const
+{
+  const Piece& stored = this->Pieces[piece];
+  const skd::Vector3 shift = stored.Origin - origin;
+  skd::BezierCurve curve;
+  curve.Degree = stored.Degree;
+  for (int i = 0; i <= stored.Degree; ++i)
+  {
+    const std::size_t number = stored.FirstPoint + static_cast<std::size_t>(i);
+    curve.Points[i] = skd::Shifted(this->Points[number], shift);
+  }
+  return curve;
+}
+
+//------------------------------------------------------------------------------
+double SkdCurveSet::GetParameter(std::size_t piece, double t) const
+{
+  const Piece& stored = this->Pieces[piece];
+  return (stored.Interval + t) / this->Curves[stored.Curve].Intervals;
+}
+
+//------------------------------------------------------------------------------
+double SkdCurveSet::GetArcLength(std::size_t piece, double t) const
+{
+  const Piece& stored = this->Pieces[piece];
+  return stored.LengthBefore + skd::ArcLength(this->GetPiece(piece, stored.Origin), 0.0, t);
+}
+
+//------------------------------------------------------------------------------
+void SkdCurveSet::GetWeights(
+  std::size_t piece, double t, vtkIdList* ids, std::vector<double>& weights) const
+{
+  const Piece& stored = this->Pieces[piece];
+  const SkdCurve& curve = this->Curves[stored.Curve];
+  vtkDataSet* mesh = this->Leaves[static_cast<std::size_t>(curve.Leaf)].Mesh;
+  const int type = mesh->GetCellType(curve.CellId);
+  if (type == VTK_LINE || type == VTK_POLY_LINE)
+  {
+    mesh->GetCellPoints(curve.CellId, ids);
+    const vtkIdType ends[2] = { ids->GetId(stored.Interval), ids->GetId(stored.Interval + 1) };
+    ids->SetNumberOfIds(2);
+    ids->SetId(0, ends[0]);
+    ids->SetId(1, ends[1]);
+    weights = { 1.0 - t, t };
+    return;
+  }
+  vtkCell* cell = mesh->GetCell(curve.CellId);
+  ids->DeepCopy(cell->GetPointIds());
+  weights.resize(static_cast<std::size_t>(ids->GetNumberOfIds()));
+  const double at[3] = { type == VTK_CUBIC_LINE ? 2.0 * t - 1.0 : t, 0.0, 0.0 };
+  cell->InterpolateFunctions(at, weights.data());
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SkdCurveSet::GetFaults() const
+{
+  std::vector<std::string> faults;
+  const auto tell = [&](vtkIdType count, const char* what)
+  {
+    if (count > 0)
+    {
+      faults.push_back(std::to_string(count) + what);
+    }
+  };
+  tell(this->NotCurves, " cells are no curves");
+  tell(this->NoLength, " curves have no length");
+  tell(this->NotFinite, " curves have points that are not finite");
+  tell(this->BadWeights, " curves have a weight that is not positive");
+  tell(this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140");
+  tell(this->TooHigh, " curves are of a degree above 10");
+  return faults;
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCurveSet.h
+ * @brief The curve cells of some data sets as pieces in Bernstein form.
+ */
+
+#ifndef SkdCurveSet_h
+#define SkdCurveSet_h
+
+#include "Core/Curves/BezierCurve.h"
+#include "Curves/SkdCurveJoints.h"
+#include "Pipeline/SkdLeaves.h"
+
+#include <string>
+#include <vector>
+
+class vtkCell;
+class vtkIdList;
+
+/// How the points of a polyline are joined.
+struct SkdPolylineForm
+{
+  enum Kinds
+  {
+    Straight, ///< by straight lines
+    Cardinal, ///< by vtkCardinalSpline, over chord lengths
+    Kochanek  ///< by vtkKochanekSpline, over chord lengths
+  };
+  Kinds Kind = Straight;
+  double Tension = 0.0; ///< these of a Kochanek spline
+  double Bias = 0.0;
+  double Continuity = 0.0;
+
+  /// As filters have it. What is not a number counts as 0.
+  static SkdPolylineForm Of(int kind, double tension, double bias, double continuity);
+
+  bool operator==(const SkdPolylineForm& other) const
+  {
+    return this->Kind == other.Kind && this->Tension == other.Tension && this->Bias == other.Bias &&
+      this->Continuity == other.Continuity;
+  }
+};
+
+/// A cell that is a curve.
+struct SkdCurve
+{
+  int Leaf; ///< index in the list of leaves
+  vtkIdType CellId;
+  std::size_t FirstPiece;
+  std::size_t LastPiece; ///< one beyond
+  int Intervals;         ///< what its parameter counts: points of a polyline less one, or 1
+  bool IsClosed;
+  double Length;
+};
+
+class SkdCurveSet
+{
+public:
+  /// Reads lines, polylines, quadratic, cubic, Lagrange and Bezier curves. Parts of no length are
+  /// left out; so are curves of no length, ghosts, and what is told about in GetFaults().
+  void Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm& form);
+
+  const std::vector<SkdCurve>& GetCurves() const { return this->Curves; }
+  std::size_t GetNumberOfPieces() const { return this->Pieces.size(); }
+  std::size_t GetCurveOf(std::size_t piece) const { return this->Pieces[piece].Curve; }
+
+  /// The piece as seen from `origin`. With an origin of 0, lines have the very coordinates of their
+  /// points.
+  skd::BezierCurve GetPiece(std::size_t piece, const skd::Vector3& origin) const;
+
+  ///@{
+  /// A place on a piece as a parameter of its curve, 0 to 1 (of polylines by their points'
+  /// numbers), and as the length of arc from the start.
+  double GetParameter(std::size_t piece, double t) const;
+  double GetArcLength(std::size_t piece, double t) const;
+  ///@}
+
+  /// The points of the cell, and their weights, at a place: linear between points of a polyline.
+  void GetWeights(std::size_t piece, double t, vtkIdList* ids, std::vector<double>& weights) const;
+
+  const skd::Box3& GetBounds() const { return this->Bounds; }
+
+  /// Where cells go on as each other: their ends are the same to within rounding.
+  const SkdCurveJoints& GetJoints() const { return this->Joints; }
+
+  /// Whether a parameter, the number of a piece in its curve and T, is where an open curve starts
+  /// or ends, to within `slack`; the joint there.
+  bool IsAtEnd(std::size_t curve, double u, double slack, std::size_t& joint) const;
+
+  /// What could not be read, one line each: "3 cells are no curves".
+  std::vector<std::string> GetFaults() const;
+
+private:
+  struct Piece
+  {
+    skd::Vector3 Origin;
+    double LengthBefore;
+    std::size_t FirstPoint;
+    std::size_t Curve;
+    int Degree;
+    int Interval;
+  };
+
+  void ReadCell(vtkDataSet* mesh, int leaf, vtkIdType cellId);
+  void AddLines(const std::vector<skd::Vector3>& points);
+  void AddSplines(const std::vector<skd::Vector3>& points, bool isClosed);
+  void AddPiece(const skd::BezierCurve& form, const skd::Vector3& origin, int interval);
+  bool AddPolyline(vtkCell* cell, SkdCurve& curve);
+  bool AddNative(vtkCell* cell);
+  void Close(SkdCurve& curve);
+  void JoinEnds();
+
+  std::vector<SkdLeaf> Leaves;
+  std::vector<SkdCurve> Curves;
+  std::vector<Piece> Pieces;
+  std::vector<skd::Homogeneous> Points;
+  skd::Box3 Bounds;
+  SkdCurveJoints Joints;
+  SkdPolylineForm Form;
+  vtkIdType NotCurves = 0;
+  vtkIdType NoLength = 0;
+  vtkIdType NotFinite = 0;
+  vtkIdType NotMeasurable = 0;
+  vtkIdType BadWeights = 0;
+  vtkIdType TooHigh = 0;
+};
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdCurveTree.h
+ * @brief Curves cut into parts that are nearly straight, and the skD-tree of these (section 6.1);
+ * kept while the meshes are the same.
+ */
+
+#ifndef SkdCurveTree_h
+#define SkdCurveTree_h
+
+#include "Core/Geometry/Segment.h"
+#include "Core/Queries/WithinBox.h"
+#include "Core/Tree/Tree.h"
+#include "Core/Tree/Walk.h"
+#include "Curves/SkdCurveSet.h"
+#include "Pipeline/SkdKeptMesh.h"
+
+/// A part of a piece that is within `Deviation` of its chord, and turns by less than 45 degrees.
+struct SkdCurveSpan
+{
+  std::size_t Piece;
+  skd::Interval Range;
+  skd::Segment<3> Chord;
+  double Deviation;
+  bool IsLine; ///< the chord is the part itself, with the very coordinates of its ends
+};
+
+/// What curves are read as, and how finely they are cut: both relative to the curves' diagonal.
+struct SkdCurveSettings
+{
+  SkdPolylineForm Form;
+  double ChordTolerance;
+  double Epsilon;
+
+  bool operator==(const SkdCurveSettings& other) const
+  {
+    return this->Form == other.Form && this->ChordTolerance == other.ChordTolerance &&
+      this->Epsilon == other.Epsilon;
+  }
+};
+
+class SkdCurveTree
+{
+public:
+  /// Returns whether there was anything to do: false when all was kept.
+  bool Update(const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings);
+
+  const SkdCurveSet& GetCurves() const { return this->Curves; }
+  const SkdCurveSettings& GetSettings() const { return this->Settings; }
+  const std::vector<SkdCurveSpan>& GetSpans() const { return this->Spans; }
+
+  /// The part of the curve itself, seen from an origin.
+  skd::BezierCurve GetForm(const SkdCurveSpan& span, const skd::Vector3& origin) const;
+
+  /// The box of the span's control points.
+  const skd::Box3& GetBox(std::size_t span) const { return this->Boxes[span]; }
+
+  /// visit(number of span) for all whose safety boxes meet the box. Thread-safe.
+  template <class Visit>
+  void VisitWithin(const skd::Box3& box, Visit visit) const
+  {
+    auto leaf = [&](std::uint32_t span)
+    {
+      visit(static_cast<std::size_t>(span));
+      return true;
+    };
+    skd::WithinBox<3, decltype(leaf)> query(this->Tree.GetFrame(), box, leaf);
+    skd::Walk(this->Tree, query);
+  }
+
+  double GetAbsoluteEpsilon() const { return this->AbsoluteEpsilon; }
+
+private:
+  bool IsSameAs(const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings) const;
+  void Cut(double delta);
+  void Build(double epsilon);
+
+  std::vector<SkdKeptMesh> Meshes;
+  SkdCurveSettings Settings{ {}, -1.0, -1.0 };
+  SkdCurveSet Curves;
+  std::vector<SkdCurveSpan> Spans;
+  std::vector<skd::Box3> Boxes;
+  skd::Tree<3> Tree;
+  double AbsoluteEpsilon = 0.0;
+};
+
+#endif

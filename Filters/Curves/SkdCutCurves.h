@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCutCurves_h
+#define SkdCutCurves_h
+
+#include "Curves/SkdSurfaceHits.h"
+
+class vtkPolyData;
+
+/// What curves are cut by, and into what.
+struct SkdCutTask
+{
+  const SkdCurveSet& Curves;
+  const std::vector<SkdLeaf>& CurveLeaves;
+  const std::vector<SkdSurfaceElement>& Elements;
+  const SkdSurfaceHitFinder& Finder;
+  bool IsComposite; ///< the curves' data set
+  double Delta;     ///< chord tolerance of what becomes a polyline
+};
+
+/// Fills `output` with the curves cut at the meetings (by curve, and along it), each piece with the
+/// parts of the surfaces that hold it: see vtkSkdTreeCurveSurfaceIntersection::SetCutCurves.
+void SkdCutCurves(
+  const SkdCutTask& task, const std::vector<SkdSurfaceMeeting>& meetings, vtkPolyData* output);
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMeetingGroup_h
+#define SkdMeetingGroup_h
+
+#include "Curves/SkdSurfaceHit.h"
+#include "Curves/SkdSurfaceSet.h"
+
+#include <vector>
+
+/// Puts together what is met in one place: hits on edges or vertices of the same part, or at the
+/// joints of a curve, whose parameters differ by no more than they may be off by.
+class SkdMeetingGroups
+{
+public:
+  explicit SkdMeetingGroups(const std::vector<SkdSurfaceElement>& elements)
+    : Elements(elements)
+  {
+  }
+
+  /// Hits are to come by (curve, U).
+  void Add(const SkdSurfaceHit& hit);
+
+  /// In the order in which they came.
+  std::vector<SkdSurfaceMeeting> GetMeetings() const;
+
+  /// The parts that are passed through an odd number of times, by where that is last.
+  std::vector<int> GetPartsLeft() const;
+
+private:
+  struct Group
+  {
+    SkdSurfaceHit First;
+    SkdSurfaceHit Lowest;
+    int ExactPasses = 0;
+    int ExactSum = 0;
+    bool IsExact = true;
+    bool GoesAlong = false; ///< with the normal
+    bool GoesAgainst = false;
+    unsigned SidesBefore = 0; ///< a bit for each side
+    unsigned SidesAfter = 0;
+    int OverlapsBegun = 0;
+    int OverlapsEnded = 0;
+
+    void Add(const SkdSurfaceHit& hit, const std::vector<SkdSurfaceElement>& elements);
+    int Sense() const;
+    int Before() const;
+    int After() const;
+    bool IsWithinOverlap() const;
+    skd::MeetingKind Kind() const;
+  };
+
+  bool BelongsTo(const Group& group, const SkdSurfaceHit& hit) const;
+
+  const std::vector<SkdSurfaceElement>& Elements;
+  std::vector<Group> Groups;
+};
+
+#endif

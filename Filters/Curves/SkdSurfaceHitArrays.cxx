@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/SkdSurfaceHitArrays.h"
+
+#include "Cells/SkdMagnitudes.h"
+#include "Cells/SkdPolyKernels.h"
+#include "Pipeline/SkdCellWeights.h"
+#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// Adds an array of one value a meeting.
+template <class Array, class Value>
+void AddColumn(
+  const SkdSurfaceHitTable& table, vtkPolyData* output, const char* name, const Value& value)
+{
+  const auto n = static_cast<vtkIdType>(table.Meetings.size());
+  auto array = SkdMakeArray<Array>(name, 1, n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    array->SetValue(i, value(table.Meetings[static_cast<std::size_t>(i)]));
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+template <class Value>
+void AddVectors(
+  const SkdSurfaceHitTable& table, vtkPolyData* output, const char* name, const Value& value)
+{
+  const auto n = static_cast<vtkIdType>(table.Meetings.size());
+  auto array = SkdMakeArray<vtkDoubleArray>(name, 3, n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    array->SetTuple(i, value(table.Meetings[static_cast<std::size_t>(i)]).X);
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+skd::Vector3 Unit(const skd::Vector3& vector)
+{
+  const double length = skd::Norm(vector);
+  return length > 0.0 ? (1.0 / length) * vector : skd::Vector3{};
+}
+
+/// Of the curve against the surface, in degrees. Exact for small angles, too.
+double AngleOf(const SkdSurfaceHit& hit)
+{
+  const double across = std::abs(skd::Dot(hit.Tangent, hit.Normal));
+  const double along = skd::Norm(skd::Cross(hit.Tangent, hit.Normal));
+  return vtkMath::DegreesFromRadians(std::atan2(across, along));
+}
+
+/// The parameters in the cell; of a part of a cell as VTK has them.
+skd::Vector3 PCoordsOf(const SkdSurfaceHitTable& table, const SkdSurfaceHit& hit)
+{
+  const SkdSurfaceElement& element = table.Surfaces.GetElements()[hit.Element];
+  if (element.IsWhole)
+  {
+    return { { hit.R, hit.S, 0.0 } };
+  }
+  vtkDataSet* mesh = table.SurfaceLeaves[static_cast<std::size_t>(element.Leaf)].Mesh;
+  vtkCell* cell = mesh->GetCell(element.CellId);
+  skd::Vector3 nearest;
+  skd::Vector3 pcoords{};
+  const double* box = cell->GetBounds();
+  if (cell->GetCellType() == VTK_CONVEX_POINT_SET) // as the locator has it: see SkdCellWeights
+  {
+    return SkdPolyKernels::PCoordsInBounds(
+      { { { box[0], box[2], box[4] } }, { { box[1], box[3], box[5] } } }, hit.X);
+  }
+  if (!std::all_of(box, box + 6, [](double x) { return std::abs(x) <= SkdMeasurable.Largest; }))
+  {
+    return pcoords; // VTK asserts that no product overflows
+  }
+  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  int subId = 0;
+  double dist2;
+  cell->EvaluatePosition(hit.X.X, nearest.X, subId, pcoords.X, dist2, weights.data());
+  return pcoords;
+}
+
+void AddVertices(const SkdSurfaceHitTable& table, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  for (const SkdSurfaceMeeting& meeting : table.Meetings)
+  {
+    const vtkIdType id = points->InsertNextPoint(meeting.Hit.X.X);
+    vertices->InsertNextCell(1, &id);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+}
+
+int CurveLeafOf(const SkdSurfaceHitTable& table, const SkdSurfaceMeeting& meeting)
+{
+  return table.Curves.GetCurves()[meeting.Hit.Curve].Leaf;
+}
+
+const SkdSurfaceElement& ElementOf(
+  const SkdSurfaceHitTable& table, const SkdSurfaceMeeting& meeting)
+{
+  return table.Surfaces.GetElements()[meeting.Hit.Element];
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
+{
+  using Meeting = SkdSurfaceMeeting;
+  const auto& curves = table.Curves.GetCurves();
+  AddVertices(table, output);
+  AddColumn<vtkIdTypeArray>(table, output, "SkdCurveId",
+    [](const Meeting& one) { return static_cast<vtkIdType>(one.Hit.Curve); });
+  AddColumn<vtkIdTypeArray>(table, output, "SkdCurveCellId",
+    [&](const Meeting& one) { return curves[one.Hit.Curve].CellId; });
+  AddColumn<vtkDoubleArray>(table, output, "SkdCurveParameter",
+    [&](const Meeting& one) { return table.Curves.GetParameter(one.Hit.Piece, one.Hit.T); });
+  AddColumn<vtkDoubleArray>(table, output, "SkdArcLength",
+    [&](const Meeting& one) { return table.Curves.GetArcLength(one.Hit.Piece, one.Hit.T); });
+  AddColumn<vtkIdTypeArray>(table, output, "SkdHitNumber",
+    [&](const Meeting& one)
+    { return table.Numbers[static_cast<std::size_t>(&one - table.Meetings.data())]; });
+  AddColumn<vtkIdTypeArray>(
+    table, output, "SkdCellId", [&](const Meeting& one) { return ElementOf(table, one).CellId; });
+  AddColumn<vtkIntArray>(
+    table, output, "SkdPartId", [&](const Meeting& one) { return ElementOf(table, one).Part; });
+  AddVectors(
+    table, output, "SkdPCoords", [&](const Meeting& one) { return PCoordsOf(table, one.Hit); });
+  AddVectors(table, output, "SkdNormal", [](const Meeting& one) { return Unit(one.Hit.Normal); });
+  AddColumn<vtkDoubleArray>(
+    table, output, "SkdAngle", [](const Meeting& one) { return AngleOf(one.Hit); });
+  AddColumn<vtkIntArray>(table, output, "SkdSense", [](const Meeting& one) { return one.Sense; });
+  AddColumn<vtkIntArray>(
+    table, output, "SkdKind", [](const Meeting& one) { return static_cast<int>(one.Hit.Kind); });
+  AddColumn<vtkDoubleArray>(
+    table, output, "SkdGap", [](const Meeting& one) { return one.Hit.Gap; });
+  output->GetPointData()->SetActiveScalars("SkdSense");
+}
+
+//------------------------------------------------------------------------------
+void SkdStoreCurveBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
+{
+  AddColumn<vtkIntArray>(table, output, "SkdCurveBlockIndex",
+    [&](const SkdSurfaceMeeting& one)
+    { return table.CurveLeaves[static_cast<std::size_t>(CurveLeafOf(table, one))].BlockIndex; });
+}
+
+//------------------------------------------------------------------------------
+void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
+{
+  AddColumn<vtkIntArray>(table, output, "SkdBlockIndex",
+    [&](const SkdSurfaceMeeting& one) {
+      return table.SurfaceLeaves[static_cast<std::size_t>(ElementOf(table, one).Leaf)].BlockIndex;
+    });
+}
+
+//------------------------------------------------------------------------------
+void SkdStoreDataAtHits(
+  const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
+{
+  const auto n = static_cast<vtkIdType>(table.Meetings.size());
+  const auto gather = [&](const std::vector<SkdLeaf>& leaves, int type)
+  { return SkdGatherInto(output->GetPointData(), n, leaves, type, refused); };
+  SkdArrayGather curvePoints = gather(table.CurveLeaves, vtkDataObject::POINT);
+  SkdArrayGather curveCells = gather(table.CurveLeaves, vtkDataObject::CELL);
+  SkdArrayGather points = gather(table.SurfaceLeaves, vtkDataObject::POINT);
+  SkdArrayGather cells = gather(table.SurfaceLeaves, vtkDataObject::CELL);
+  vtkNew<vtkIdList> ids;
+  std::vector<double> alongCurve;
+  SkdCellWeights onSurface;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const SkdSurfaceMeeting& meeting = table.Meetings[static_cast<std::size_t>(i)];
+    const SkdSurfaceHit& hit = meeting.Hit;
+    const int curveLeaf = CurveLeafOf(table, meeting);
+    table.Curves.GetWeights(hit.Piece, hit.T, ids, alongCurve);
+    curvePoints.Interpolate(i, curveLeaf, ids, alongCurve.data());
+    curveCells.Take(i, curveLeaf, table.Curves.GetCurves()[hit.Curve].CellId);
+    const SkdSurfaceElement& element = ElementOf(table, meeting);
+    vtkDataSet* mesh = table.SurfaceLeaves[static_cast<std::size_t>(element.Leaf)].Mesh;
+    onSurface.Evaluate(mesh, element.CellId, hit.X.X);
+    points.Interpolate(i, element.Leaf, onSurface.GetPointIds(), onSurface.GetWeights());
+    cells.Take(i, element.Leaf, element.CellId);
+  }
+}

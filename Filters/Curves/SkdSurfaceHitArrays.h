@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSurfaceHitArrays_h
+#define SkdSurfaceHitArrays_h
+
+#include "Curves/SkdSurfaceHits.h"
+
+#include <set>
+
+class vtkPolyData;
+
+/// Where curves meet surfaces, and whose they are.
+struct SkdSurfaceHitTable
+{
+  const SkdCurveSet& Curves;
+  const std::vector<SkdLeaf>& CurveLeaves;
+  const SkdSurfaceSet& Surfaces;
+  const std::vector<SkdLeaf>& SurfaceLeaves;
+  std::vector<SkdSurfaceMeeting> Meetings;
+  std::vector<vtkIdType> Numbers; ///< of each meeting along its curve, from 1
+};
+
+/// Fills `output` with a vertex for each meeting and the arrays that
+/// vtkSkdTreeCurveSurfaceIntersection describes.
+void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output);
+
+///@{
+/// Adds the block indices of the curves' cells, and of the surfaces'.
+void SkdStoreCurveBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output);
+void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output);
+///@}
+
+/// Adds the data of both sides there; names that are in use already are put down in `refused`.
+void SkdStoreDataAtHits(
+  const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused);
+
+#endif

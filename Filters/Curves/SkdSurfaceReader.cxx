@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/SkdSurfaceReader.h"
+
+#include "Cells/SkdBezierCell.h"
+#include "Core/Geometry/Polygons/ConvexHull.h"
+#include "Pipeline/SkdTriangulation.h"
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace
+{
+bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
+{
+  constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+    vtkDataSetAttributes::REFINEDCELL;
+  return ghosts && (ghosts->GetValue(cellId) & hidden);
+}
+
+skd::Vector3 PointOf(vtkCell* cell, vtkIdType i)
+{
+  skd::Vector3 point;
+  cell->GetPoints()->GetPoint(i, point.X);
+  return point;
+}
+
+bool IsFiniteCell(vtkCell* cell)
+{
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    if (!skd::IsFinite(PointOf(cell, i)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Flat to within rounding: the fourth corner is in the plane of the others.
+bool IsFlat(const skd::Vector3 (&p)[4])
+{
+  const skd::Vector3 normal = skd::Cross(p[2] - p[0], p[3] - p[1]);
+  double largest = 0.0;
+  for (const skd::Vector3& point : p)
+  {
+    largest = std::max({ largest, std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) });
+  }
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * largest;
+  return std::abs(skd::Dot(normal, p[1] - p[0])) <= rounding * skd::Norm(normal);
+}
+
+/// The faces of a convex point set: the triangles of its hull. VTK's cell has none at hand. A flat
+/// one has none, nor has one with points that are not finite, nor no cell.
+class HullOfCell
+{
+public:
+  explicit HullOfCell(vtkCell* cell)
+    : Cell(cell)
+  {
+    std::vector<skd::Vector3> points;
+    for (vtkIdType i = 0; cell && i < cell->GetNumberOfPoints(); ++i)
+    {
+      points.push_back(PointOf(cell, i));
+    }
+    if (cell && IsFiniteCell(cell))
+    {
+      this->Triangles = skd::ConvexHullOf(points.data(), points.size()).Triangles;
+    }
+  }
+
+  int GetNumberOfFaces() const { return static_cast<int>(this->Triangles.size()); }
+
+  std::vector<vtkIdType> NameOf(int face) const
+  {
+    std::vector<vtkIdType> name;
+    for (const std::uint32_t corner : this->Triangles[static_cast<std::size_t>(face)])
+    {
+      name.push_back(this->Cell->GetPointId(static_cast<int>(corner)));
+    }
+    std::sort(name.begin(), name.end());
+    return name;
+  }
+
+  std::array<skd::Vector3, 3> CornersOf(int face) const
+  {
+    const auto& corners = this->Triangles[static_cast<std::size_t>(face)];
+    return { PointOf(this->Cell, corners[0]), PointOf(this->Cell, corners[1]),
+      PointOf(this->Cell, corners[2]) };
+  }
+
+private:
+  vtkCell* Cell;
+  std::vector<skd::ConvexHull::Triangle> Triangles;
+};
+
+/// The points of a face in ascending order: what names it, whichever cell it is seen from.
+std::vector<vtkIdType> NameOf(vtkCell* face)
+{
+  vtkIdList* ids = face->GetPointIds();
+  std::vector<vtkIdType> name(ids->begin(), ids->end());
+  std::sort(name.begin(), name.end());
+  return name;
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::Read(vtkDataSet* mesh, int leaf)
+{
+  this->Leaf = leaf;
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  std::vector<vtkIdType> volumes;
+  for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
+  {
+    if (IsGhost(ghosts, cellId) || mesh->GetCellType(cellId) == VTK_EMPTY_CELL)
+    {
+      continue;
+    }
+    vtkCell* cell = mesh->GetCell(cellId);
+    if (cell->GetCellDimension() == 3 && this->WithVolumes)
+    {
+      volumes.push_back(cellId);
+    }
+    else if (cell->GetCellDimension() != 2)
+    {
+      ++this->NotSurfaces;
+    }
+    else
+    {
+      this->CellId = cellId;
+      this->IsWhole = true;
+      this->AddCell(cell);
+    }
+  }
+  this->ReadFaces(mesh, volumes);
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes)
+{
+  std::map<std::vector<vtkIdType>, std::pair<vtkIdType, int>> open;
+  for (const vtkIdType cellId : volumes)
+  {
+    vtkCell* cell = mesh->GetCell(cellId);
+    const bool isHull = cell->GetCellType() == VTK_CONVEX_POINT_SET;
+    const HullOfCell hull(isHull ? cell : nullptr);
+    const int number = isHull ? hull.GetNumberOfFaces() : cell->GetNumberOfFaces();
+    for (int i = 0; i < number; ++i)
+    {
+      const auto [entry, isNew] =
+        open.emplace(isHull ? hull.NameOf(i) : NameOf(cell->GetFace(i)), std::pair(cellId, i));
+      if (!isNew)
+      {
+        open.erase(entry);
+      }
+    }
+  }
+  std::vector<std::pair<vtkIdType, int>> outer;
+  for (const auto& entry : open)
+  {
+    outer.push_back(entry.second);
+  }
+  std::sort(outer.begin(), outer.end());
+  this->IsWhole = false;
+  for (const auto& [cellId, face] : outer)
+  {
+    this->CellId = cellId;
+    vtkCell* cell = mesh->GetCell(cellId);
+    if (cell->GetCellType() == VTK_CONVEX_POINT_SET)
+    {
+      const auto [a, b, c] = HullOfCell(cell).CornersOf(face);
+      this->AddTriangle(a, b, c);
+    }
+    else
+    {
+      this->AddCell(cell->GetFace(face));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::AddCell(vtkCell* cell)
+{
+  if (!IsFiniteCell(cell))
+  {
+    ++this->NotFinite;
+    return;
+  }
+  switch (cell->GetCellType())
+  {
+    case VTK_TRIANGLE:
+      this->AddTriangle(PointOf(cell, 0), PointOf(cell, 1), PointOf(cell, 2));
+      return;
+    case VTK_QUAD:
+      this->AddQuad({ PointOf(cell, 0), PointOf(cell, 1), PointOf(cell, 2), PointOf(cell, 3) });
+      return;
+    case VTK_PIXEL:
+      this->AddQuad({ PointOf(cell, 0), PointOf(cell, 1), PointOf(cell, 3), PointOf(cell, 2) });
+      return;
+    case VTK_TRIANGLE_STRIP:
+      this->AddStrip(cell);
+      return;
+    case VTK_POLYGON:
+      this->AddPolygon(cell);
+      return;
+    default:
+      this->AddNative(cell);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::AddTriangle(
+  const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
+{
+  this->Elements.push_back(
+    { this->Corners.size(), this->CellId, this->Leaf, 1, 1, false, true, this->IsWhole });
+  this->Corners.insert(this->Corners.end(), { a, b, c });
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin)
+{
+  this->Elements.push_back(
+    { this->Controls.size(), this->CellId, this->Leaf, static_cast<std::uint8_t>(patch.DegreeR),
+      static_cast<std::uint8_t>(patch.DegreeS), true, patch.IsTriangle, this->IsWhole });
+  this->Controls.push_back(skd::Weighted(origin, 1.0));
+  this->Controls.insert(this->Controls.end(), patch.Points, patch.Points + patch.Size());
+}
+
+//------------------------------------------------------------------------------
+// Cut as a polygon is, when it is flat: the cut goes inside, also of one that is not convex.
+void SkdSurfaceReader::AddQuad(const skd::Vector3 (&corners)[4])
+{
+  if (!IsFlat(corners))
+  {
+    skd::BezierPatch patch;
+    for (int i = 0; i < 4; ++i)
+    {
+      const int order[4] = { 0, 1, 3, 2 };
+      patch.Points[order[i]] = skd::Weighted(corners[i], 1.0);
+    }
+    this->AddPatch(patch, skd::Vector3{}); // seen from 0: the very coordinates decide at its edges
+    return;
+  }
+  const bool wasWhole = std::exchange(this->IsWhole, false);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const skd::Vector3& corner : corners)
+  {
+    points->InsertNextPoint(corner.X);
+  }
+  const vtkIdType ids[4] = { 0, 1, 2, 3 };
+  SkdTriangulation triangulation(points);
+  vtkIdList* cut = triangulation.Cut(ids, 4);
+  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
+  {
+    this->AddTriangle(
+      corners[cut->GetId(i)], corners[cut->GetId(i + 1)], corners[cut->GetId(i + 2)]);
+  }
+  this->IsWhole = wasWhole;
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::AddStrip(vtkCell* cell)
+{
+  const bool wasWhole = std::exchange(this->IsWhole, false);
+  for (vtkIdType i = 0; i + 2 < cell->GetNumberOfPoints(); ++i)
+  {
+    this->AddTriangle(PointOf(cell, i), PointOf(cell, i + 1 + i % 2), PointOf(cell, i + 2 - i % 2));
+  }
+  this->IsWhole = wasWhole;
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::AddPolygon(vtkCell* cell)
+{
+  const bool wasWhole = std::exchange(this->IsWhole, false);
+  std::vector<vtkIdType> corners(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    corners[i] = static_cast<vtkIdType>(i);
+  }
+  SkdTriangulation triangulation(cell->GetPoints());
+  vtkIdList* cut = triangulation.Cut(corners.data(), static_cast<int>(corners.size()));
+  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
+  {
+    this->AddTriangle(PointOf(cell, cut->GetId(i)), PointOf(cell, cut->GetId(i + 1)),
+      PointOf(cell, cut->GetId(i + 2)));
+  }
+  this->IsWhole = wasWhole;
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceReader::AddNative(vtkCell* cell)
+{
+  const auto read = SkdReadBezierPatch(cell);
+  switch (read.Fault)
+  {
+    case SkdBezierFault::None:
+      this->AddPatch(read.Form, read.Origin);
+      return;
+    case SkdBezierFault::Weight:
+      ++this->BadWeights;
+      return;
+    case SkdBezierFault::Degree:
+      ++this->TooHigh;
+      return;
+    default:
+      ++this->NotSurfaces;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SkdSurfaceReader::GetFaults() const
+{
+  std::vector<std::string> faults;
+  const auto tell = [&](vtkIdType count, const char* what)
+  {
+    if (count > 0)
+    {
+      faults.push_back(std::to_string(count) + what);
+    }
+  };
+  tell(this->NotSurfaces, " cells are no surfaces");
+  tell(this->NotFinite, " surface cells have points that are not finite");
+  tell(this->BadWeights, " surface cells have a weight that is not positive");
+  tell(this->TooHigh, " surface cells are of a degree above 10");
+  return faults;
+}

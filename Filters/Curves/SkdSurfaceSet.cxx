@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curves/SkdSurfaceSet.h"
+
+#include "Curves/SkdSurfaceReader.h"
+#include "Pipeline/SkdParallelLoop.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+bool SkdSurfaceSet::IsSameAs(
+  const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon) const
+{
+  return this->WithVolumes == withVolumes && this->Epsilon == epsilon &&
+    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
+      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+}
+
+//------------------------------------------------------------------------------
+bool SkdSurfaceSet::Update(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon)
+{
+  if (this->IsSameAs(leaves, withVolumes, epsilon))
+  {
+    return false;
+  }
+  *this = SkdSurfaceSet();
+  this->Epsilon = epsilon;
+  this->WithVolumes = withVolumes;
+  this->Meshes.resize(leaves.size());
+  SkdSurfaceReader reader(withVolumes);
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    this->Meshes[i].Keep(leaves[i].Mesh);
+    reader.Read(this->Meshes[i].Get(), static_cast<int>(i));
+  }
+  this->Elements.swap(reader.Elements);
+  this->Corners.swap(reader.Corners);
+  this->Controls.swap(reader.Controls);
+  this->Faults = reader.GetFaults();
+  this->Build(epsilon);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceSet::Build(double epsilon)
+{
+  std::vector<skd::Box3> boxes(this->Elements.size());
+  SkdParallelLoop()(
+    boxes.size(), [&](std::size_t i) { boxes[i] = this->BoundsOf(this->Elements[i]); });
+  for (const skd::Box3& box : boxes)
+  {
+    this->Bounds.Add(box);
+  }
+  const double rounding =
+    8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
+  this->AbsoluteEpsilon = std::max(rounding, epsilon * this->Bounds.Diagonal()); // also of NaN
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdParallelLoop());
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceSet::GetTriangle(const SkdSurfaceElement& element, skd::Vector3 (&corners)[3]) const
+{
+  std::copy_n(this->Corners.begin() + static_cast<std::ptrdiff_t>(element.FirstPoint), 3, corners);
+}
+
+//------------------------------------------------------------------------------
+skd::BezierPatch SkdSurfaceSet::GetPatch(
+  const SkdSurfaceElement& element, const skd::Vector3& origin) const
+{
+  skd::BezierPatch patch;
+  if (!element.IsPatch)
+  {
+    skd::Vector3 p[3];
+    this->GetTriangle(element, p);
+    patch.IsTriangle = true;
+    patch.Point(0, 0) = skd::Weighted(p[0] - origin, 1.0);
+    patch.Point(1, 0) = skd::Weighted(p[1] - origin, 1.0);
+    patch.Point(0, 1) = skd::Weighted(p[2] - origin, 1.0);
+    patch.Point(1, 1) = skd::Weighted((p[1] - origin) + (p[2] - p[0]), 1.0);
+    return patch;
+  }
+  patch.DegreeR = element.DegreeR;
+  patch.DegreeS = element.DegreeS;
+  patch.IsTriangle = element.IsTriangle;
+  const skd::Homogeneous* stored = this->Controls.data() + element.FirstPoint;
+  const skd::Vector3 shift = skd::Space(stored[0]) - origin;
+  for (int i = 0; i < patch.Size(); ++i)
+  {
+    patch.Points[i] = skd::Shifted(stored[i + 1], shift);
+  }
+  return patch;
+}
+
+//------------------------------------------------------------------------------
+// A triangle's control points beyond its long side need not be near it: those of its three quarters
+// of the square that hold it are.
+skd::Box3 SkdSurfaceSet::BoundsOf(const SkdSurfaceElement& element) const
+{
+  skd::Box3 bounds;
+  if (!element.IsPatch)
+  {
+    skd::Vector3 corners[3];
+    this->GetTriangle(element, corners);
+    for (const skd::Vector3& corner : corners)
+    {
+      bounds.Add(corner);
+    }
+    return bounds;
+  }
+  const skd::Vector3 origin = skd::Space(this->Controls[element.FirstPoint]);
+  bounds = skd::BoundsOnDomain(this->GetPatch(element, origin));
+  return { bounds.Min + origin, bounds.Max + origin };
+}
+
+//------------------------------------------------------------------------------
+void SkdSurfaceSet::AssignParts(
+  const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<int>>& idsOfCells)
+{
+  for (SkdSurfaceElement& element : this->Elements)
+  {
+    const auto leaf = static_cast<std::size_t>(element.Leaf);
+    element.Part = idsOfCells.empty() ? leaves[leaf].BlockIndex
+                                      : idsOfCells[leaf][static_cast<std::size_t>(element.CellId)];
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSurfaceSet.h
+ * @brief The surfaces of some data sets as triangles and patches in Bernstein form, and their
+ * skD-tree; kept while the meshes are the same.
+ */
+
+#ifndef SkdSurfaceSet_h
+#define SkdSurfaceSet_h
+
+#include "Core/Curves/BezierPatch.h"
+#include "Core/Queries/AlongSegment.h"
+#include "Core/Queries/WithinBox.h"
+#include "Core/Tree/Tree.h"
+#include "Core/Tree/Walk.h"
+#include "Curves/SkdSurfaceReader.h"
+#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdLeaves.h"
+
+#include <string>
+#include <vector>
+
+class SkdSurfaceSet
+{
+public:
+  /// Reads all cells of surfaces: quads that are flat, polygons and strips as triangles, others as
+  /// what they are. With `withVolumes` also the faces of volume cells that no other cell of the
+  /// data set has. Ghosts and what is told about in GetFaults() are left out. Returns whether there
+  /// was anything to do: false when all was kept.
+  bool Update(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon);
+
+  /// Says which part each element is of, by a list of ids a leaf, one a cell; without lists by
+  /// their leaf's block. Parts that meet in one place are met each by itself.
+  void AssignParts(
+    const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<int>>& idsOfCells);
+
+  const std::vector<SkdSurfaceElement>& GetElements() const { return this->Elements; }
+
+  /// The corners of an element that is no patch, as they are.
+  void GetTriangle(const SkdSurfaceElement& element, skd::Vector3 (&corners)[3]) const;
+
+  /// An element as a patch seen from an origin.
+  skd::BezierPatch GetPatch(const SkdSurfaceElement& element, const skd::Vector3& origin) const;
+
+  ///@{
+  /// visit(number of element) for all whose safety boxes meet the segment, or the box. Thread-safe.
+  template <class Visit>
+  void VisitAlong(const skd::Segment<3>& segment, Visit visit) const
+  {
+    auto leaf = [&](std::uint32_t element)
+    {
+      visit(element);
+      return 1.0;
+    };
+    skd::AlongSegment<3, decltype(leaf)> query(this->Tree.GetFrame(), segment, 0.0, leaf);
+    skd::Walk(this->Tree, query);
+  }
+  template <class Visit>
+  void VisitWithin(const skd::Box3& box, Visit visit) const
+  {
+    auto leaf = [&](std::uint32_t element)
+    {
+      visit(element);
+      return true;
+    };
+    skd::WithinBox<3, decltype(leaf)> query(this->Tree.GetFrame(), box, leaf);
+    skd::Walk(this->Tree, query);
+  }
+  ///@}
+
+  const skd::Box3& GetBounds() const { return this->Bounds; }
+  double GetAbsoluteEpsilon() const { return this->AbsoluteEpsilon; }
+
+  /// What could not be read, one line each.
+  const std::vector<std::string>& GetFaults() const { return this->Faults; }
+
+private:
+  bool IsSameAs(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon) const;
+  void Build(double epsilon);
+  skd::Box3 BoundsOf(const SkdSurfaceElement& element) const;
+
+  std::vector<SkdKeptMesh> Meshes;
+  std::vector<SkdSurfaceElement> Elements;
+  std::vector<skd::Vector3> Corners;
+  std::vector<skd::Homogeneous> Controls; // of each patch its points, after a point: the origin
+  skd::Tree<3> Tree;
+  skd::Box3 Bounds;
+  double Epsilon = -1.0;
+  double AbsoluteEpsilon = 0.0;
+  bool WithVolumes = false;
+  std::vector<std::string> Faults;
+};
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InOut/SkdPartList.h"
+
+#include "Pipeline/SkdSubset.h"
+#include "Pipeline/SkdWeld.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace
+{
+/// Sets that are joined.
+class Union
+{
+public:
+  vtkIdType Find(vtkIdType i)
+  {
+    while (static_cast<std::size_t>(i) >= this->Parents.size())
+    {
+      this->Parents.push_back(static_cast<vtkIdType>(this->Parents.size()));
+    }
+    while (this->Parents[i] != i)
+    {
+      i = this->Parents[i] = this->Parents[this->Parents[i]];
+    }
+    return i;
+  }
+
+  void Join(vtkIdType a, vtkIdType b) { this->Parents[this->Find(a)] = this->Find(b); }
+
+private:
+  std::vector<vtkIdType> Parents;
+};
+
+}
+
+std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdLeaf>& leaves)
+{
+  SkdWeld weld;
+  Union pieces;
+  std::vector<std::vector<vtkIdType>> firstPoints(leaves.size());
+  vtkNew<vtkIdList> ids;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    vtkDataSet* mesh = leaves[leaf].Mesh;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      mesh->GetCellPoints(cell, ids);
+      vtkIdType first = -1;
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        double x[3];
+        mesh->GetPoint(ids->GetId(i), x);
+        const vtkIdType point = weld.GetId(x);
+        pieces.Find(point);
+        first < 0 ? void(first = point) : pieces.Join(point, first);
+      }
+      firstPoints[leaf].push_back(first);
+    }
+  }
+  std::unordered_map<vtkIdType, int> numbers;
+  std::vector<std::vector<int>> found(leaves.size());
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    for (const vtkIdType point : firstPoints[leaf])
+    {
+      const vtkIdType root = point < 0 ? -1 : pieces.Find(point);
+      found[leaf].push_back(numbers.emplace(root, static_cast<int>(numbers.size())).first->second);
+    }
+  }
+  return found;
+}
+
+bool SkdHavePartArray(const std::vector<SkdLeaf>& leaves, const std::string& array)
+{
+  return std::all_of(leaves.begin(), leaves.end(),
+    [&](const SkdLeaf& leaf)
+    { return leaf.Mesh->GetCellData()->GetArray(array.c_str()) != nullptr; });
+}
+
+std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array)
+{
+  std::vector<int> ids;
+  if (vtkDataArray* values = mesh->GetCellData()->GetArray(array.c_str()))
+  {
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      const double value = std::round(values->GetComponent(cell, 0));
+      const bool fits = value >= VTK_INT_MIN && value <= VTK_INT_MAX;
+      ids.push_back(fits ? static_cast<int>(value) : -1);
+    }
+  }
+  return ids;
+}
+
+bool SkdPartList::IsSameAs(const std::vector<SkdLeaf>& leaves) const
+{
+  return std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
+    [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+}
+
+int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const std::string& array,
+  const SkdPartSettings& settings)
+{
+  Key key{ by, settings, {} };
+  if (by == SkdPartsBy::CellArray)
+  {
+    for (const SkdLeaf& leaf : leaves)
+    {
+      key.Ids.push_back(SkdPartIdsOf(leaf.Mesh, array));
+    }
+  }
+  const bool isSameMesh = this->IsSameAs(leaves);
+  if (by == SkdPartsBy::ConnectedPieces)
+  {
+    key.Ids = isSameMesh && this->Last.By == by ? this->Last.Ids : SkdConnectedPiecesOf(leaves);
+  }
+  if (isSameMesh && key == this->Last)
+  {
+    return 0;
+  }
+  this->Last = key;
+  this->Parts.clear();
+  this->Meshes.resize(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    this->Meshes[i].Keep(leaves[i].Mesh);
+    if (by == SkdPartsBy::Blocks)
+    {
+      this->Parts.emplace_back(leaves[i].BlockIndex, std::vector<SkdLeaf>{ leaves[i] }, settings);
+    }
+  }
+  if (by != SkdPartsBy::Blocks)
+  {
+    this->MakeByIds(leaves);
+  }
+  return static_cast<int>(this->Parts.size());
+}
+
+void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
+{
+  std::map<int, std::map<std::size_t, std::vector<vtkIdType>>> cells; // by id, then leaf
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    vtkUnsignedCharArray* ghosts = leaves[leaf].Mesh->GetCellGhostArray();
+    for (std::size_t cell = 0; cell < this->Last.Ids[leaf].size(); ++cell)
+    {
+      const auto id = static_cast<vtkIdType>(cell);
+      if (!ghosts || !ghosts->GetValue(id))
+      {
+        cells[this->Last.Ids[leaf][cell]][leaf].push_back(id);
+      }
+    }
+  }
+  for (const auto& [id, some] : cells)
+  {
+    std::vector<SkdLeaf> parts;
+    for (const auto& [leaf, ids] : some)
+    {
+      SkdSubset subset(leaves[leaf].Mesh);
+      subset.SetCells(ids);
+      subset.CopyShaping();
+      parts.push_back({ subset.Get(), leaves[leaf].BlockIndex });
+    }
+    this->Parts.emplace_back(id, parts, this->Last.Settings);
+  }
+}

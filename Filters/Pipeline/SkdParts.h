@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdParts.h
+ * @brief The parts of a geometry, a data set each, with a tree each; kept while a part is the same.
+ */
+
+#ifndef SkdParts_h
+#define SkdParts_h
+
+#include "Cells/SkdCellTree.h"
+#include "Core/Geometry/Simplices/SimplexSet.h"
+#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdNearest.h"
+
+#include <memory>
+#include <vector>
+
+/// When a part gets its tree. To look through all cells once is a fraction of what that takes.
+enum class SkdTreeWanted
+{
+  AtOnce,
+  IfSeenBefore ///< until then the tree is bare
+};
+
+class SkdParts
+{
+public:
+  /// Makes the trees those of the leaves that have cells. Returns how many had to be built. Throws
+  /// std::length_error when a part has more cells or points than a tree can hold.
+  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, const SkdMagnitudes& magnitudes,
+    SkdTreeWanted wanted = SkdTreeWanted::AtOnce);
+
+  std::uint32_t GetNumberOfParts() const { return static_cast<std::uint32_t>(this->Parts.size()); }
+  std::vector<int> GetBlockIndices() const; // one a part
+  const SkdCellTree& GetTree(std::uint32_t part) const { return *this->Parts[part].Tree; }
+
+  /// What a query of the calling thread needs beside the tree.
+  SkdCellSource GetSource(std::uint32_t part) const;
+
+  /// Of all cells that are in the trees; empty if there are none.
+  skd::Box3 GetBounds() const;
+
+  /// The distance from a point to the nearest cell, infinity if none is within `limit`.
+  /// Thread-safe.
+  double FindDistance(const skd::Vector3& x, double limit) const;
+
+  /// Whether the distance between a set and some cell is at most `reach`: of curved cells what
+  /// SkdCellTree::GetSimplices makes of them. Thread-safe.
+  bool AreWithin(const skd::SimplexSet& set, double reach) const;
+
+  SkdTreeCounts GetCounts() const;
+
+private:
+  struct Part
+  {
+    int BlockIndex = 0;
+    double Epsilon = 0.0;
+    SkdKeptMesh Mesh;
+    std::shared_ptr<const SkdCellTree> Tree;
+
+    /// Whether a tree was built.
+    bool Update(const SkdLeaf& leaf, double epsilon, const SkdMagnitudes& magnitudes,
+      SkdTreeWanted wanted);
+  };
+  std::vector<Part> Parts;
+};
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdGradient.h
+ * @brief Gradients of point data within one cell.
+ */
+
+#ifndef SkdGradient_h
+#define SkdGradient_h
+
+#include "Core/Geometry/Vector.h"
+#include "Probe/SkdPlaceFinder.h"
+#include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+#include <set>
+#include <string>
+
+class vtkDataSetAttributes;
+
+/// The gradient of a cell's interpolation at a place, as vectors to multiply the values at its
+/// points with. Exact for linear fields. Along a curve or surface it is the part along it. Of
+/// polygons and polyhedra it is that of the linear field which fits the points' values best. One
+/// object a thread.
+class SkdGradient
+{
+public:
+  /// Sets the vectors, one a point of the cell, in the order of its points.
+  void Evaluate(vtkDataSet* mesh, const SkdPlace& place);
+  const std::vector<skd::Vector3>& GetVectors() const { return this->Vectors; }
+
+private:
+  bool FitPiece(const SkdPlace& place);
+  void Fit(std::size_t first, std::size_t size);
+  void Differentiate(const SkdPlace& place);
+
+  vtkNew<vtkGenericCell> Cell;
+  std::vector<skd::Vector3> Points;
+  std::vector<skd::Vector3> Vectors;
+  std::vector<double> Derivatives;
+};
+
+/// Arrays "<name>_Gradient" of point arrays, filled slot by slot; NaN at first. Of an array of k
+/// components 3 k: the derivatives by x, y and z of the first, then of the second ...
+class SkdGradientArrays
+{
+public:
+  /// Of those of `names` that all leaves have as numbers. The others are put down in `missing`.
+  SkdGradientArrays(const std::vector<SkdLeaf>& leaves, const std::set<std::string>& names,
+    vtkIdType n, std::set<std::string>& missing);
+
+  bool IsEmpty() const { return this->Arrays.empty(); }
+  void AddTo(vtkDataSetAttributes* attributes) const;
+
+  /// Fills slot i. Thread-safe for distinct slots.
+  void Set(vtkIdType i, int leaf, vtkIdList* ids, const std::vector<skd::Vector3>& vectors);
+
+private:
+  struct Array
+  {
+    std::vector<vtkDataArray*> Sources; // one a leaf
+    vtkSmartPointer<vtkDoubleArray> Result;
+  };
+  std::vector<Array> Arrays;
+};
+
+#endif

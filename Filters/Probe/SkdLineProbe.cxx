@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Probe/SkdLineProbe.h"
+
+#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "Probe/SkdPlaces.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+/// Cuts one piece after the other. One object a thread.
+class Cutter
+{
+public:
+  Cutter(const SkdPlaceSource& source, const SkdPlaceRules& rules)
+    : Source(source)
+    , Rules(rules)
+    , Finder(source, rules)
+  {
+  }
+
+  std::vector<SkdStretch> Cut(const std::vector<SkdLinePiece>& pieces, std::size_t index)
+  {
+    const SkdLinePiece& piece = pieces[index];
+    const double length = std::sqrt(skd::Distance2(piece.From, piece.To));
+    std::vector<SkdStretch> stretches;
+    this->FindBorders(piece, length);
+    double last = 0.0;
+    for (std::size_t i = 1; i < this->Borders.size(); ++i)
+    {
+      const double next = this->Borders[i];
+      const skd::Vector3 middle = skd::Lerp(piece.From, piece.To, 0.5 * (last + next));
+      if (this->FindHolder(middle))
+      {
+        const SkdPlace& place = this->Finder.GetPlace();
+        const SkdStretch stretch{ index, skd::Lerp(piece.From, piece.To, last),
+          skd::Lerp(piece.From, piece.To, next), piece.Start + last * length,
+          piece.Start + next * length, place.Leaf, place.CellId };
+        Append(stretch, stretches);
+      }
+      last = next;
+    }
+    return stretches;
+  }
+
+private:
+  static void Append(const SkdStretch& next, std::vector<SkdStretch>& stretches)
+  {
+    const bool isMore = !stretches.empty() && stretches.back().Leaf == next.Leaf &&
+      stretches.back().CellId == next.CellId && stretches.back().Exit == next.Entry;
+    if (isMore)
+    {
+      stretches.back().To = next.To;
+      stretches.back().Exit = next.Exit;
+    }
+    else
+    {
+      stretches.push_back(next);
+    }
+  }
+
+  // What is shorter than rounding is no stretch: the two cells of a face may differ on where it is.
+  void FindBorders(const SkdLinePiece& piece, double length)
+  {
+    std::vector<double> all{ 0.0, 1.0 };
+    for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
+    {
+      const double tolerance =
+        this->Source.GetLargestTolerance(this->Rules, static_cast<int>(leaf));
+      this->Source.Trees.GetLocator(static_cast<int>(leaf))
+        ->FindCellBorders(piece.From.X, piece.To.X, tolerance, this->Parameters);
+      const double* first = this->Parameters->GetPointer(0);
+      all.insert(all.end(), first, first + this->Parameters->GetNumberOfTuples());
+    }
+    std::sort(all.begin(), all.end());
+    double magnitude = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      magnitude = std::max({ magnitude, std::abs(piece.From[axis]), std::abs(piece.To[axis]) });
+    }
+    const double rounding =
+      32.0 * std::numeric_limits<double>::epsilon() * (1.0 + magnitude / length);
+    this->Borders.assign(1, 0.0);
+    for (double t : all)
+    {
+      if (t - this->Borders.back() > rounding)
+      {
+        this->Borders.push_back(t);
+      }
+    }
+    this->Borders.back() = this->Borders.size() > 1 && this->Borders.back() >= 1.0 - rounding
+      ? 1.0
+      : this->Borders.back();
+  }
+
+  bool FindHolder(const skd::Vector3& x)
+  {
+    return this->Finder.Find(x.X) &&
+      (this->Finder.GetPlace().Distance == 0.0 || !this->Finder.IsInVolume());
+  }
+
+  const SkdPlaceSource& Source;
+  SkdPlaceRules Rules;
+  SkdPlaceFinder Finder;
+  vtkNew<vtkDoubleArray> Parameters;
+  std::vector<double> Borders;
+};
+
+void AddPieces(
+  int input, vtkDataSet* mesh, vtkIdType line, vtkIdList* ids, std::vector<SkdLinePiece>& pieces)
+{
+  double length = 0.0;
+  for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+  {
+    skd::Vector3 from, to;
+    mesh->GetPoint(ids->GetId(i), from.X);
+    mesh->GetPoint(ids->GetId(i + 1), to.X);
+    const double more = std::sqrt(skd::Distance2(from, to));
+    if (more > 0.0 && std::isfinite(more))
+    {
+      pieces.push_back({ input, line, from, to, length });
+      length += more;
+    }
+  }
+}
+
+/// Calls visit(i, finder, pieces' stretch) in parallel, with a finder of the thread.
+template <class Visit>
+void ForEachStretch(const SkdLineOutput& output, const Visit& visit)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(output.Stretches.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      SkdPlaceFinder finder(output.Source, SkdPlaceRules());
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        visit(i, finder, output.Stretches[i]);
+      }
+    });
+}
+
+/// Interpolates at a point of the stretch, as its cell does.
+void InterpolateAt(SkdArrayGather& gather, vtkIdType to, SkdPlaceFinder& finder,
+  const SkdStretch& stretch, const skd::Vector3& x)
+{
+  if (finder.Evaluate(stretch.Leaf, stretch.CellId, x.X))
+  {
+    gather.Interpolate(to, stretch.Leaf, finder.GetPointIds(), finder.GetWeights());
+  }
+}
+
+void AddIds(const SkdLineOutput& output, vtkCellData* data)
+{
+  const auto n = static_cast<vtkIdType>(output.Stretches.size());
+  auto cells = SkdMakeArray<vtkIdTypeArray>(SkdPlaces::CellIdName, 1, n, -1);
+  auto blocks = SkdMakeArray<vtkIntArray>(SkdPlaces::BlockIndexName, 1, n, -1);
+  auto lines = SkdMakeArray<vtkIdTypeArray>("SkdInputCellId", 1, n, -1);
+  auto inputs = SkdMakeArray<vtkIntArray>("SkdInputBlockIndex", 1, n, -1);
+  auto entries = SkdMakeArray<vtkDoubleArray>("SkdEntry", 1, n, 0.0);
+  auto exits = SkdMakeArray<vtkDoubleArray>("SkdExit", 1, n, 0.0);
+  auto lengths = SkdMakeArray<vtkDoubleArray>("SkdLength", 1, n, 0.0);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const SkdStretch& stretch = output.Stretches[i];
+    const SkdLinePiece& piece = output.Pieces[stretch.Piece];
+    cells->SetValue(i, stretch.CellId);
+    blocks->SetValue(i, output.Source.Leaves[stretch.Leaf].BlockIndex);
+    lines->SetValue(i, piece.Line);
+    inputs->SetValue(i, output.Inputs[piece.Input].BlockIndex);
+    entries->SetValue(i, stretch.Entry);
+    exits->SetValue(i, stretch.Exit);
+    lengths->SetValue(i, stretch.Exit - stretch.Entry);
+  }
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(cells.Get()),
+         static_cast<vtkDataArray*>(lines.Get()), static_cast<vtkDataArray*>(entries.Get()),
+         static_cast<vtkDataArray*>(exits.Get()), static_cast<vtkDataArray*>(lengths.Get()) })
+  {
+    data->AddArray(array);
+  }
+  data->AddArray(output.IsSourceComposite ? blocks.Get() : nullptr);
+  data->AddArray(output.IsInputComposite ? inputs.Get() : nullptr);
+}
+}
+
+std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdLeaf>& inputs)
+{
+  std::vector<SkdLinePiece> pieces;
+  vtkNew<vtkIdList> ids;
+  for (std::size_t input = 0; input < inputs.size(); ++input)
+  {
+    vtkDataSet* mesh = inputs[input].Mesh;
+    vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      const int type = mesh->GetCellType(cell);
+      const bool isGhost = ghosts && ghosts->GetValue(cell) != 0;
+      if (!isGhost && (type == VTK_LINE || type == VTK_POLY_LINE))
+      {
+        mesh->GetCellPoints(cell, ids);
+        AddPieces(static_cast<int>(input), mesh, cell, ids, pieces);
+      }
+    }
+  }
+  return pieces;
+}
+
+std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
+  const SkdPlaceSource& source, const SkdPlaceRules& rules, SkdLoop& loop)
+{
+  std::vector<std::vector<SkdStretch>> parts(pieces.size());
+  loop.For(static_cast<vtkIdType>(pieces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Cutter cutter(source, rules);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        parts[i] = cutter.Cut(pieces, static_cast<std::size_t>(i));
+      }
+    });
+  std::vector<SkdStretch> stretches;
+  for (const std::vector<SkdStretch>& part : parts)
+  {
+    stretches.insert(stretches.end(), part.begin(), part.end());
+  }
+  return stretches;
+}
+
+void SkdFillStretches(
+  const SkdLineOutput& output, std::set<std::string>& refused, vtkPolyData* lines)
+{
+  const auto n = static_cast<vtkIdType>(output.Stretches.size());
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(2 * n);
+  auto lengths = SkdMakeArray<vtkDoubleArray>("SkdArcLength", 1, 2 * n, 0.0);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const SkdStretch& stretch = output.Stretches[i];
+    points->SetPoint(2 * i, stretch.From.X);
+    points->SetPoint(2 * i + 1, stretch.To.X);
+    cells->InsertNextCell({ 2 * i, 2 * i + 1 });
+    lengths->SetValue(2 * i, stretch.Entry);
+    lengths->SetValue(2 * i + 1, stretch.Exit);
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  lines->GetPointData()->AddArray(lengths);
+  AddIds(output, lines->GetCellData());
+
+  const std::vector<SkdLeaf>& leaves = output.Source.Leaves;
+  SkdArrayGather atEnds =
+    SkdGatherInto(lines->GetPointData(), 2 * n, leaves, vtkDataObject::POINT, refused);
+  SkdArrayGather ofCells =
+    SkdGatherInto(lines->GetCellData(), n, leaves, vtkDataObject::CELL, refused);
+  ForEachStretch(output,
+    [&](vtkIdType i, SkdPlaceFinder& finder, const SkdStretch& stretch)
+    {
+      InterpolateAt(atEnds, 2 * i, finder, stretch, stretch.From);
+      InterpolateAt(atEnds, 2 * i + 1, finder, stretch, stretch.To);
+      ofCells.Take(i, stretch.Leaf, stretch.CellId);
+    });
+}

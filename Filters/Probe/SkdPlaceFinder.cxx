@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Probe/SkdPlaceFinder.h"
+
+#include "Pipeline/SkdTouchCells.h"
+#include "vtkBoundingBox.h"
+#include "vtkGenericCell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+double DiagonalOf(vtkDataSet* mesh, vtkIdType cell)
+{
+  double bounds[6];
+  mesh->GetCellBounds(cell, bounds);
+  const vtkBoundingBox box(bounds);
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+double LargestDiagonal(vtkDataSet* mesh)
+{
+  double largest = 0.0;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const double diagonal = DiagonalOf(mesh, cell);
+    largest = std::isfinite(diagonal) ? std::max(largest, diagonal) : largest;
+  }
+  return largest;
+}
+}
+
+SkdPlaceSource::SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdLeaf>& leaves)
+  : Trees(trees)
+  , Leaves(leaves)
+{
+}
+
+void SkdPlaceSource::Update(int built)
+{
+  for (const SkdLeaf& leaf : this->Leaves)
+  {
+    SkdTouchCells(leaf.Mesh);
+  }
+  if (built == 0 && this->LargestCells.size() == this->Leaves.size())
+  {
+    return;
+  }
+  this->LargestCells.clear();
+  this->MaxCellSize = 0;
+  for (const SkdLeaf& leaf : this->Leaves)
+  {
+    this->LargestCells.push_back(std::make_unique<LargestCell>());
+    this->MaxCellSize = std::max(this->MaxCellSize, leaf.Mesh->GetMaxCellSize());
+  }
+}
+
+// By one thread while others wait: a parallel loop in here might take up work that waits for it.
+double SkdPlaceSource::GetLargestTolerance(const SkdPlaceRules& rules, int leaf) const
+{
+  if (!(rules.RelativeTolerance > 0.0))
+  {
+    return rules.AbsoluteTolerance;
+  }
+  LargestCell& largest = *this->LargestCells[leaf];
+  std::call_once(
+    largest.IsKnown, [&]() { largest.Diagonal = LargestDiagonal(this->Leaves[leaf].Mesh); });
+  return std::max(rules.AbsoluteTolerance, rules.RelativeTolerance * largest.Diagonal);
+}
+
+SkdPlaceFinder::SkdPlaceFinder(const SkdPlaceSource& source, const SkdPlaceRules& rules)
+  : Source(source)
+  , Rules(rules)
+  , Weights(std::max(source.MaxCellSize, 1))
+{
+}
+
+bool SkdPlaceFinder::Find(const double x[3])
+{
+  this->Place = SkdPlace();
+  return this->FindWithin(x) || this->FindByTolerance(x) || this->FindOutside(x);
+}
+
+// Without a hint, though along a line that would halve the search: the cell of the last point would
+// win over a lower one that holds this point, too, and so answers would depend on what was asked
+// before, and by which thread.
+bool SkdPlaceFinder::FindWithin(const double x[3])
+{
+  double asked[3] = { x[0], x[1], x[2] };
+  SkdPlace& place = this->Place;
+  for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
+  {
+    vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(static_cast<int>(leaf));
+    place.CellId =
+      locator->FindCell(asked, 0.0, nullptr, place.SubId, place.PCoords, this->Weights.data());
+    if (place.CellId >= 0)
+    {
+      place.Leaf = static_cast<int>(leaf);
+      return this->Finish();
+    }
+  }
+  return false;
+}
+
+bool SkdPlaceFinder::IsTolerated(int leaf, vtkIdType cell, double distance) const
+{
+  return distance <= this->Rules.AbsoluteTolerance ||
+    distance <= this->Rules.RelativeTolerance * DiagonalOf(this->Source.Leaves[leaf].Mesh, cell);
+}
+
+bool SkdPlaceFinder::FindByTolerance(const double x[3])
+{
+  SkdPlace best;
+  for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
+  {
+    this->FindTolerated(static_cast<int>(leaf), x, best);
+  }
+  return best.Leaf >= 0 && this->Evaluate(best.Leaf, best.CellId, x);
+}
+
+// The nearest cell may be too small for its tolerance to reach x where that of a larger one does.
+void SkdPlaceFinder::FindTolerated(int leaf, const double x[3], SkdPlace& best)
+{
+  double asked[3] = { x[0], x[1], x[2] };
+  const double reach = this->Source.GetLargestTolerance(this->Rules, leaf);
+  vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(leaf);
+  double point[3], dist2;
+  vtkIdType cell;
+  int subId;
+  if (!(reach > 0.0) ||
+    !locator->FindClosestPointWithinRadius(asked, reach, point, nullptr, cell, subId, dist2))
+  {
+    return;
+  }
+  const auto offer = [&](vtkIdType id, double distance)
+  {
+    if ((best.Leaf < 0 || distance < best.Distance) && this->IsTolerated(leaf, id, distance))
+    {
+      best.Leaf = leaf;
+      best.CellId = id;
+      best.Distance = distance;
+    }
+  };
+  if (this->IsTolerated(leaf, cell, std::sqrt(dist2)))
+  {
+    offer(cell, std::sqrt(dist2));
+    return;
+  }
+  locator->FindCellsWithinRadius(x, reach, this->Near, this->Distances);
+  for (vtkIdType i = 0; i < this->Near->GetNumberOfIds(); ++i)
+  {
+    offer(this->Near->GetId(i), this->Distances->GetValue(i));
+  }
+}
+
+bool SkdPlaceFinder::FindOutside(const double x[3])
+{
+  if (!(this->Rules.OutsideRadius >= 0.0))
+  {
+    return false;
+  }
+  const auto nearest = this->Source.Trees.FindNearest(x, this->Rules.OutsideRadius);
+  return nearest && this->Evaluate(nearest->Leaf, nearest->CellId, x);
+}
+
+bool SkdPlaceFinder::Evaluate(int leaf, vtkIdType cellId, const double x[3])
+{
+  double point[3], dist2;
+  SkdPlace place;
+  place.Leaf = leaf;
+  place.CellId = cellId;
+  if (!this->Source.Trees.GetLocator(leaf)->EvaluateCell(
+        cellId, x, point, place.SubId, place.PCoords, dist2, this->Weights.data()))
+  {
+    this->Place = SkdPlace();
+    return false;
+  }
+  place.Distance = std::sqrt(dist2);
+  this->Place = place;
+  return this->Finish();
+}
+
+bool SkdPlaceFinder::Finish()
+{
+  this->Source.Leaves[this->Place.Leaf].Mesh->GetCellPoints(this->Place.CellId, this->PointIds);
+  return true;
+}
+
+bool SkdPlaceFinder::IsInVolume() const
+{
+  thread_local vtkNew<vtkGenericCell> cell;
+  cell->SetCellType(this->Source.Leaves[this->Place.Leaf].Mesh->GetCellType(this->Place.CellId));
+  return cell->GetCellDimension() == 3;
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Probe/SkdPlaces.h"
+
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+
+SkdPlaces::SkdPlaces(vtkIdType n)
+  : Valid(SkdMakeArray<vtkUnsignedCharArray>(ValidName, 1, n, 0))
+  , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
+  , PCoords(SkdMakeArray<vtkDoubleArray>(PCoordsName, 3, n, vtkMath::Nan()))
+  , Distances(SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
+  , Leaves(n, -1)
+{
+}
+
+void SkdPlaces::Set(vtkIdType i, const SkdPlace& place)
+{
+  this->Valid->SetValue(i, 1);
+  this->CellIds->SetValue(i, place.CellId);
+  std::copy_n(place.PCoords, 3, this->PCoords->GetPointer(3 * i));
+  this->Distances->SetValue(i, place.Distance);
+  this->Leaves[i] = place.Leaf;
+}
+
+vtkIdType SkdPlaces::CountValid() const
+{
+  return std::count_if(
+    this->Leaves.begin(), this->Leaves.end(), [](int leaf) { return leaf >= 0; });
+}
+
+vtkIdType SkdPlaces::CountOutside() const
+{
+  const double* distances = this->Distances->GetPointer(0);
+  return std::count_if(distances, distances + this->GetNumberOfPoints(),
+    [](double distance) { return distance > 0.0; });
+}
+
+void SkdPlaces::AddTo(
+  vtkDataSetAttributes* data, const std::vector<SkdLeaf>& source, bool isComposite) const
+{
+  data->AddArray(this->Valid);
+  data->AddArray(this->CellIds);
+  if (isComposite)
+  {
+    auto blocks = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
+    for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
+    {
+      if (this->Leaves[i] >= 0)
+      {
+        blocks->SetValue(i, source[this->Leaves[i]].BlockIndex);
+      }
+    }
+    data->AddArray(blocks);
+  }
+  data->AddArray(this->PCoords);
+  data->AddArray(this->Distances);
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdPlaces_h
+#define SkdPlaces_h
+
+#include "Probe/SkdPlaceFinder.h"
+#include "vtkIdTypeArray.h"
+#include "vtkUnsignedCharArray.h"
+
+/// The places of the points of one data set: arrays of a slot a point, "none" at first.
+class SkdPlaces
+{
+public:
+  static constexpr const char* ValidName = "SkdValid";
+  static constexpr const char* CellIdName = "SkdSourceCellId";
+  static constexpr const char* BlockIndexName = "SkdSourceBlockIndex";
+  static constexpr const char* PCoordsName = "SkdParametricCoordinates";
+  static constexpr const char* DistanceName = "SkdDistance";
+
+  explicit SkdPlaces(vtkIdType n);
+
+  /// Fills a slot. Thread-safe for distinct slots.
+  void Set(vtkIdType i, const SkdPlace& place);
+
+  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Leaves.size()); }
+  vtkIdType CountValid() const;
+  vtkIdType CountOutside() const; // valid ones that no cell holds
+
+  /// Adds the arrays; block indices when there is one to tell, that is, the Source is composite.
+  void AddTo(
+    vtkDataSetAttributes* data, const std::vector<SkdLeaf>& source, bool isComposite) const;
+
+private:
+  vtkSmartPointer<vtkUnsignedCharArray> Valid;
+  vtkSmartPointer<vtkIdTypeArray> CellIds;
+  vtkSmartPointer<vtkDoubleArray> PCoords;
+  vtkSmartPointer<vtkDoubleArray> Distances;
+  std::vector<int> Leaves;
+};
+
+#endif

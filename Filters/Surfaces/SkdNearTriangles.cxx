@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces/SkdNearTriangles.h"
+
+#include "Core/Sieves/CoarseCells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Cells = skd::CoarseCells;
+
+std::uint32_t CountOf(const SkdPlacedTriangles& set)
+{
+  return static_cast<std::uint32_t>(set.GetSet().GetTriangles().size());
+}
+
+/// Where the set is placed, or around it.
+skd::Box3 BoundsOf(const SkdPlacement& placement, const SkdPlacedTriangles& set, bool isMoved)
+{
+  const skd::Box3& bounds = set.GetSet().GetBounds();
+  const double reach = set.GetSet().GetReach();
+  const skd::Box3 there = isMoved ? placement.Motion->Forward(bounds) : bounds;
+  const double shift = isMoved ? Norm(placement.Motion->Shift) : 0.0;
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (2.0 * reach + shift);
+  const skd::Box3 around = isMoved ? there.Inflated(rounding) : there;
+  return { placement.Scale * around.Min, placement.Scale * around.Max };
+}
+
+/// The mean of the longest sides of some triangles' boxes, spread over the set.
+double MeanSize(const SkdPlacedTriangles& set)
+{
+  constexpr std::uint32_t some = 64;
+  const std::uint32_t step = 1 + CountOf(set) / some;
+  double sum = 0.0;
+  int count = 0;
+  for (std::uint32_t i = 0; i < CountOf(set); i += step, ++count)
+  {
+    const skd::Box3 box = set.GetBox(i);
+    sum += std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
+  }
+  return sum / count;
+}
+
+/// The triangles of a set as cells see them.
+class SeenByCells
+{
+public:
+  SeenByCells(const SkdPlacedTriangles& set, const Cells& cells, double margin)
+    : Set(set)
+    , TheCells(cells)
+    , Lows(PlacesOf(set, cells, -margin))
+    , Highs(margin > 0.0 ? PlacesOf(set, cells, margin) : PlaceList())
+    , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
+  {
+  }
+
+  std::uint32_t Count() const { return CountOf(this->Set); }
+
+  Cells::Range RangeOf(std::uint32_t triangle) const
+  {
+    const auto [a, b, c] = this->Set.GetCorners(triangle);
+    return this->TheCells.RangeOf({ this->Lows[a], this->Lows[b], this->Lows[c] },
+      { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
+  }
+
+private:
+  using PlaceList = skd::RawVector<Cells::Place>;
+
+  static PlaceList PlacesOf(const SkdPlacedTriangles& set, const Cells& cells, double shift)
+  {
+    const SkdTriangleSet::PointList& points = set.GetPoints();
+    const skd::Vector3 shifts{ { shift, shift, shift } };
+    PlaceList places(points.size());
+    std::transform(points.begin(), points.end(), places.begin(),
+      [&](const skd::Vector3& x) { return cells.PlaceOf(x + shifts); });
+    return places;
+  }
+
+  const SkdPlacedTriangles& Set;
+  const Cells& TheCells;
+  PlaceList Lows;
+  PlaceList Highs; // empty where these are the lows
+  const Cells::Place* AtHighs;
+};
+
+/// Keeps the work bounded where sizes differ much: stops when triangles cover many cells.
+class Raster
+{
+public:
+  Raster(const Cells& cells, std::size_t triangles)
+    : Marked(cells)
+    , Other(cells)
+    , RowsLeft(16 * triangles + 4096)
+  {
+  }
+
+  /// Appends those within the region to `inside`.
+  bool MarkAll(const SeenByCells& set, std::vector<std::uint32_t>& inside)
+  {
+    for (std::uint32_t i = 0; i < set.Count(); ++i)
+    {
+      const Cells::Range range = set.RangeOf(i);
+      if (!range.IsEmpty)
+      {
+        if (!this->Affords(range))
+        {
+          return false;
+        }
+        this->Marked.Mark(range);
+        inside.push_back(i);
+      }
+    }
+    return true;
+  }
+
+  /// Those of the other set that are in marked cells; marks theirs.
+  bool FindMarked(const SeenByCells& set, std::vector<std::uint32_t>& found)
+  {
+    for (std::uint32_t i = 0; i < set.Count(); ++i)
+    {
+      const Cells::Range range = set.RangeOf(i);
+      if (!range.IsEmpty)
+      {
+        if (!this->Affords(range))
+        {
+          return false;
+        }
+        if (this->Marked.HasMarks(range))
+        {
+          this->Other.Mark(range);
+          found.push_back(i);
+        }
+      }
+    }
+    return true;
+  }
+
+  void KeepMarked(const SeenByCells& set, std::vector<std::uint32_t>& inside) const
+  {
+    const auto isAlone = [&](std::uint32_t i) { return !this->Other.HasMarks(set.RangeOf(i)); };
+    inside.erase(std::remove_if(inside.begin(), inside.end(), isAlone), inside.end());
+  }
+
+private:
+  bool Affords(const Cells::Range& range)
+  {
+    const std::size_t rows = range.CountRows();
+    this->RowsLeft -= std::min(rows, this->RowsLeft);
+    return this->RowsLeft > 0;
+  }
+
+  Cells Marked;
+  Cells Other;
+  std::size_t RowsLeft;
+};
+
+void AddBoxes(const SkdPlacedTriangles& set, double margin, SkdNearTriangles& near)
+{
+  near.Boxes.reserve(near.Triangles.size());
+  for (const std::uint32_t triangle : near.Triangles)
+  {
+    const skd::Box3 box = set.GetBox(triangle);
+    near.Boxes.push_back(margin > 0.0 ? box.Inflated(margin) : box);
+  }
+}
+
+/// Adds those whose boxes overlap the region.
+void AddWithin(
+  const SkdPlacedTriangles& set, const skd::Box3& region, double margin, SkdNearTriangles& near)
+{
+  for (std::uint32_t i = 0; i < CountOf(set); ++i)
+  {
+    const skd::Box3 box = set.GetBox(i);
+    const skd::Box3 around = margin > 0.0 ? box.Inflated(margin) : box;
+    if (region.Overlaps(around))
+    {
+      near.Triangles.push_back(i);
+      near.Boxes.push_back(around);
+    }
+  }
+}
+
+struct Meeting
+{
+  const SkdPlacement& Placement;
+  skd::Box3 Region; ///< that both are in, the second with a margin
+  double Margin;
+};
+
+/// False when those that are near are not much fewer than all.
+bool SieveByRaster(const Meeting& meeting, SkdNearSets& near)
+{
+  const SkdPlacedTriangles& first = meeting.Placement.First;
+  const SkdPlacedTriangles& second = meeting.Placement.GetSecond();
+  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
+  const double size = std::max(MeanSize(first), MeanSize(second)) + meeting.Margin;
+  const Cells cells(meeting.Region, size);
+  const SeenByCells seenFirst(first, cells, 0.0);
+  const SeenByCells seenSecond(second, cells, meeting.Margin);
+  Raster raster(cells, all);
+  if (!raster.MarkAll(seenFirst, near.First.Triangles) ||
+    !raster.FindMarked(seenSecond, near.Second.Triangles))
+  {
+    return false;
+  }
+  raster.KeepMarked(seenFirst, near.First.Triangles);
+  return 4 * (near.First.Triangles.size() + near.Second.Triangles.size()) <= 3 * all;
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance)
+{
+  const SkdPlacedTriangles& first = placement.First;
+  const SkdPlacedTriangles& second = placement.GetSecond();
+  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
+  SkdNearSets near;
+  if (CountOf(first) == 0 || CountOf(second) == 0)
+  {
+    return near;
+  }
+  skd::Box3 region = BoundsOf(placement, first, false);
+  skd::Box3 other = BoundsOf(placement, second, placement.Motion.has_value());
+  const double reach = std::max(skd::LargestCoordinate(region), skd::LargestCoordinate(other));
+  const double margin = clearance > 0.0 ? 1.000001 * clearance + 1e-10 * reach : 0.0; // generous
+  other = other.Inflated(margin);
+  region = { skd::Greatest(region.Min, other.Min), skd::Least(region.Max, other.Max) };
+  if (region.IsEmpty())
+  {
+    return near;
+  }
+  constexpr std::size_t few = 4096; // for a raster to pay
+  if (all < few)
+  {
+    AddWithin(first, region, 0.0, near.First);
+    AddWithin(second, region, margin, near.Second);
+    return near;
+  }
+  if (!SieveByRaster({ placement, region, margin }, near))
+  {
+    return std::nullopt;
+  }
+  AddBoxes(first, 0.0, near.First);
+  AddBoxes(second, margin, near.Second);
+  return near;
+}

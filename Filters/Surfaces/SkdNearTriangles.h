@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdNearTriangles.h
+ * @brief Two surfaces that meet once: the triangles of each that may meet any of the other.
+ */
+
+#ifndef SkdNearTriangles_h
+#define SkdNearTriangles_h
+
+#include "Surfaces/SkdPlacement.h"
+
+#include <optional>
+#include <vector>
+
+/// Some triangles of a placed set, ascending, and their boxes where they are placed.
+struct SkdNearTriangles
+{
+  std::vector<std::uint32_t> Triangles;
+  std::vector<skd::Box3> Boxes;
+};
+
+struct SkdNearSets
+{
+  SkdNearTriangles First;
+  SkdNearTriangles Second; ///< its boxes are larger by the clearance, and a little more
+};
+
+/// Of both sets of a placement those triangles that share a cell of a coarse raster with the other
+/// set, or may be within `clearance` (in the placement's scale) of it. Nothing when they are not
+/// much fewer than all. O(n), some ten nanoseconds a triangle.
+std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance);
+
+#endif

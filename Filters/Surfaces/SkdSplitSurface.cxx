@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces/SkdSplitSurface.h"
+
+#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace
+{
+class Output
+{
+public:
+  Output(const SkdPlacedTriangles& set, const SkdSplitResult& split,
+    const std::vector<SkdLeaf>& leaves, vtkPolyData* output)
+    : Set(set)
+    , Split(split)
+    , Leaves(leaves)
+    , To(output)
+  {
+  }
+
+  void FillShape(double scale) const
+  {
+    const auto old = static_cast<vtkIdType>(this->Set.GetPoints().size());
+    const double unscaled = 1.0 / scale;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(old + static_cast<vtkIdType>(this->Split.Points.size()));
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      const skd::Vector3& x =
+        i < old ? this->Set.GetPoints()[i] : this->Split.Points[i - old].Position;
+      points->SetPoint(i, (unscaled * x).X);
+    }
+    vtkNew<vtkCellArray> cells;
+    for (const SkdTriangleSet::Corners& triangle : this->Split.Triangles)
+    {
+      cells->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
+        static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
+    }
+    this->To->SetPoints(points);
+    this->To->SetPolys(cells);
+  }
+
+  void FillCellData(bool isComposite, std::set<std::string>& refused) const
+  {
+    const auto n = static_cast<vtkIdType>(this->Split.Triangles.size());
+    auto ids = SkdMakeArray<vtkIdTypeArray>(SkdSplitNames::Cell, 1, n);
+    auto blocks = SkdMakeArray<vtkIntArray>(SkdSplitNames::Block, 1, n);
+    auto regions = SkdMakeArray<vtkIdTypeArray>(SkdSplitNames::Region, 1, n);
+    const std::vector<std::uint32_t> found =
+      SkdFindSplitRegions(this->Split.Triangles, this->Split.Curves);
+    vtkCellData* data = this->To->GetCellData();
+    data->AddArray(ids);
+    data->AddArray(regions);
+    if (isComposite)
+    {
+      data->AddArray(blocks);
+    }
+    SkdArrayGather gather = SkdGatherInto(data, n, this->Leaves, vtkDataObject::CELL, refused);
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      const SkdTriangleSet::Cell& cell = this->CellOf(i);
+      ids->SetValue(i, cell.Id);
+      blocks->SetValue(i, this->Leaves[cell.Leaf].BlockIndex);
+      regions->SetValue(i, found[i]);
+      gather.Take(i, cell.Leaf, cell.Id);
+    }
+  }
+
+  void FillPointData(std::set<std::string>& refused) const
+  {
+    const auto n = this->To->GetNumberOfPoints();
+    SkdArrayGather gather =
+      SkdGatherInto(this->To->GetPointData(), n, this->Leaves, vtkDataObject::POINT, refused);
+    const std::vector<Origin> origins = this->Set.GetSet().FindOrigins();
+    for (auto at = origins.begin(); at != origins.end(); ++at)
+    {
+      if (at->Id >= 0 &&
+        (at == origins.begin() || (at - 1)->Point != at->Point || (at - 1)->Id < 0))
+      {
+        gather.Take(at->Point, at->Leaf, at->Id);
+      }
+    }
+    vtkIdType to = static_cast<vtkIdType>(this->Set.GetPoints().size());
+    for (const SkdSplitPoint& point : this->Split.Points)
+    {
+      this->Interpolate(point, to++, origins, gather);
+    }
+  }
+
+private:
+  using Origin = SkdTriangleSet::Origin;
+
+  const SkdTriangleSet::Cell& CellOf(vtkIdType triangle) const
+  {
+    const SkdTriangleSet& set = this->Set.GetSet();
+    return set.GetCells()[set.GetCellOf(this->Split.Parents[triangle])];
+  }
+
+  /// The corners as the data set has them that the point's own triangle is of.
+  void Interpolate(const SkdSplitPoint& point, vtkIdType to, const std::vector<Origin>& origins,
+    SkdArrayGather& gather) const
+  {
+    const SkdTriangleSet& set = this->Set.GetSet();
+    const int leaf = set.GetCells()[set.GetCellOf(point.Parent)].Leaf;
+    vtkNew<vtkIdList> ids;
+    double weights[3];
+    bool isKnown = true;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Origin least{ point.Corners[i], leaf, 0 };
+      const auto at = std::lower_bound(origins.begin(), origins.end(), least);
+      isKnown = isKnown && at != origins.end() && at->Point == point.Corners[i] && at->Leaf == leaf;
+      ids->InsertNextId(isKnown ? at->Id : -1);
+      weights[i] = point.Weights[i];
+    }
+    if (isKnown)
+    {
+      gather.Interpolate(to, leaf, ids, weights);
+    }
+  }
+
+  const SkdPlacedTriangles& Set;
+  const SkdSplitResult& Split;
+  const std::vector<SkdLeaf>& Leaves;
+  vtkPolyData* To;
+};
+}
+
+vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
+  const std::vector<SkdLeaf>& leaves, bool isComposite, double scale, vtkPolyData* output,
+  std::set<std::string>& refused)
+{
+  const SkdSplitResult split = SkdSplitTriangles(segments, side);
+  const Output to(*segments.GetSide(side).Set, split, leaves, output);
+  to.FillShape(scale);
+  if (!leaves.empty())
+  {
+    to.FillCellData(isComposite, refused);
+    to.FillPointData(refused);
+  }
+  return split.NumberSplit;
+}

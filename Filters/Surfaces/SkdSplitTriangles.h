@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSplitTriangles.h
+ * @brief The triangles of a set, split along segments.
+ */
+
+#ifndef SkdSplitTriangles_h
+#define SkdSplitTriangles_h
+
+#include "Surfaces/SkdSplitRegions.h"
+#include "Surfaces/SkdSplitSegments.h"
+
+/// A point that is none of a set's: where it is (with the placement's scale), and as a mean of
+/// three of the set's points.
+struct SkdSplitPoint
+{
+  skd::Vector3 Position;
+  SkdTriangleSet::Corners Corners;
+  std::array<double, 3> Weights;
+  std::uint32_t Parent; ///< the lowest triangle that it lies in
+};
+
+/// Pieces of triangles. Corners below the number of the set's points are these, further ones new.
+struct SkdSplitResult
+{
+  std::vector<SkdTriangleSet::Corners> Triangles;
+  std::vector<std::uint32_t> Parents; ///< of each, ascending
+  std::vector<SkdSplitPoint> Points;  ///< the new ones
+  std::vector<SkdSplitEdge> Curves;   ///< edges along curves and the borders of overlaps
+  vtkIdType NumberSplit = 0;          ///< triangles of the set that are in pieces
+};
+
+/// Splits a set along all segments: each triangle that has some, or points on an edge, becomes a
+/// constrained triangulation of these, oriented as it was; its neighbours have the same points on
+/// the edge that they share. Other triangles stay as they are, those without area too.
+SkdSplitResult SkdSplitTriangles(const SkdSplitSegments& segments, int side);
+
+#endif

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surfaces/SkdTrianglePairs.h"
+
+#include "Core/Geometry/Distance/ClosestTriangles.h"
+#include "Core/Queries/OverlappingPairs.h"
+#include "Core/Tree/BundledBoxes.h"
+#include "Core/Tree/WalkPairs.h"
+#include "Pipeline/SkdLoop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+//------------------------------------------------------------------------------
+/// A search on its way, shared by all its parts.
+class SkdTrianglePairs::Search
+{
+public:
+  Search(const SkdPlacement& placement, const SkdPairSearch& search)
+    : First(placement.First)
+    , Second(placement.GetSecond())
+    , IsOfOne(placement.IsOfOne())
+    , Wanted(search.Wanted)
+    , Clearance2(std::pow(search.Clearance * placement.Scale, 2))
+    , Lowest(std::numeric_limits<std::uint64_t>::max())
+  {
+  }
+
+  /// Looks at two triangles whose boxes overlap. False when no more is wanted.
+  bool Visit(std::uint32_t first, std::uint32_t second, std::vector<SkdTrianglePair>& found)
+  {
+    if (this->IsOfOne && second < first)
+    {
+      std::swap(first, second);
+    }
+    return this->Visit(first, this->First.GetInPlane(first), second, found);
+  }
+
+  /// The same of one triangle of the first set and several of the other.
+  bool VisitAll(std::uint32_t first, const std::vector<std::uint32_t>& others,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const skd::TriangleInPlane triangle = this->First.GetInPlane(first);
+    return std::all_of(others.begin(), others.end(),
+      [&](std::uint32_t second) { return this->Visit(first, triangle, second, found); });
+  }
+
+private:
+  bool Visit(std::uint32_t first, const skd::TriangleInPlane& triangle, std::uint32_t second,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const std::uint64_t key = (static_cast<std::uint64_t>(first) << 32) | second;
+    if (this->Wanted != SkdPairSearch::All && key >= this->Lowest)
+    {
+      return this->Wanted == SkdPairSearch::LowestOnly;
+    }
+    SkdTrianglePair pair{ first, second, {} };
+    if (this->IsPair(pair, triangle))
+    {
+      this->Keep(key, pair, found);
+    }
+    return true;
+  }
+
+  bool IsPair(SkdTrianglePair& pair, const skd::TriangleInPlane& first) const
+  {
+    const auto second = this->Second.GetCornerPoints(pair.Second);
+    skd::SharedCorners shared = skd::NoSharedCorners;
+    const int numberShared = this->IsOfOne ? this->FindShared(pair, shared) : 0;
+    pair.Contact = skd::FindContact(first, second, shared);
+    const int count = pair.Contact.Count;
+    return count > numberShared || (count == 3 && numberShared == 3) ||
+      (this->Clearance2 > 0.0 && numberShared == 0 &&
+        skd::ClosestPoints(first.Corners, second).Dist2 <= this->Clearance2 &&
+        this->First.HasArea(pair.First) && this->Second.HasArea(pair.Second));
+  }
+
+  int FindShared(const SkdTrianglePair& pair, skd::SharedCorners& shared) const
+  {
+    const SkdTriangleSet::Corners& first = this->First.GetCorners(pair.First);
+    const SkdTriangleSet::Corners& second = this->Second.GetCorners(pair.Second);
+    int count = 0;
+    for (std::int8_t i = 0; i < 3; ++i)
+    {
+      for (std::int8_t k = 0; k < 3; ++k)
+      {
+        if (first[i] == second[k])
+        {
+          shared[i] = k;
+          ++count;
+        }
+      }
+    }
+    return count;
+  }
+
+  void Keep(std::uint64_t key, const SkdTrianglePair& pair, std::vector<SkdTrianglePair>& found)
+  {
+    if (this->Wanted != SkdPairSearch::All)
+    {
+      found.clear();
+      std::uint64_t lowest = this->Lowest;
+      const std::uint64_t next = this->Wanted == SkdPairSearch::LowestOnly ? key : 0;
+      while (next < lowest && !this->Lowest.compare_exchange_weak(lowest, next))
+      {
+      }
+    }
+    found.push_back(pair);
+  }
+
+  const SkdPlacedTriangles& First;
+  const SkdPlacedTriangles& Second;
+  const bool IsOfOne;
+  const SkdPairSearch::Extent Wanted;
+  const double Clearance2;
+  std::atomic<std::uint64_t> Lowest; // 0 when any was wanted and one is there
+};
+
+/// A box of the second set as a box around where it is moved to, with a margin.
+struct SkdTrianglePairs::Moved
+{
+  const skd::RigidMotion& Motion;
+  double Margin;
+
+  skd::Box3 operator()(const skd::Box3& box) const
+  {
+    return this->Motion.Forward(box).Inflated(this->Margin);
+  }
+};
+
+/// What is walked; `near` is nullptr where trees are of all triangles.
+struct SkdTrianglePairs::Trees
+{
+  const skd::LazyTree<3>& First;
+  const skd::LazyTree<3>& Second;
+  const SkdNearSets* Near;
+};
+
+struct SkdTrianglePairs::Leaf
+{
+  Search& State;
+  const SkdNearSets* Near;
+  std::vector<SkdTrianglePair>& Found;
+
+  bool operator()(std::uint32_t a, std::uint32_t b) const
+  {
+    return this->Near ? this->State.Visit(this->Near->First.Triangles[a],
+                          this->Near->Second.Triangles[b], this->Found)
+                      : this->State.Visit(a, b, this->Found);
+  }
+};
+
+namespace
+{
+/// All that were found, or the lowest.
+std::vector<SkdTrianglePair> Gather(
+  const std::vector<std::vector<SkdTrianglePair>>& found, const SkdPairSearch& search)
+{
+  std::vector<SkdTrianglePair> all;
+  for (const std::vector<SkdTrianglePair>& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  vtkSMPTools::Sort(all.begin(), all.end(),
+    [](const SkdTrianglePair& a, const SkdTrianglePair& b)
+    { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+  all.resize(
+    search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
+  return all;
+}
+}
+
+//------------------------------------------------------------------------------
+// Boxes are moved with a margin for what rounding does to the points: the largest coordinate before
+// the motion and the shift bound all numbers on the way.
+std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
+  const SkdPairSearch& search, SkdLoop& loop) const
+{
+  const Trees trees{ this->Placement.First.GetSet().GetTree(),
+    this->Placement.GetSecond().GetSet().GetTree(), nullptr };
+  const auto& motion = this->Placement.Motion;
+  if (!motion)
+  {
+    return this->FindByTrees(trees, skd::SameWorld{ search.Clearance }, search, loop);
+  }
+  const double reach = 2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
+  return this->FindByTrees(trees, Moved{ *motion, search.Clearance + rounding }, search, loop);
+}
+
+//------------------------------------------------------------------------------
+template <class ToFirst>
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
+  const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  using Query = skd::OverlappingPairs<3, ToFirst, Leaf>;
+  using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
+  constexpr vtkIdType numberOfParts = 512;
+  const skd::LazyTree<3>& first = trees.First;
+  const skd::LazyTree<3>& second = trees.Second;
+  Search state(this->Placement, search);
+  const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
+  {
+    Leaf leaf{ state, trees.Near, found };
+    Query query(first.GetFrame(), second.GetFrame(), toFirst, leaf);
+    Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
+    body(walk);
+  };
+
+  std::vector<SkdTrianglePair> onTheWay;
+  std::vector<typename Walk::Pair> starts;
+  inWalk(onTheWay, [&](Walk& walk) { starts = walk.Split(numberOfParts); });
+  std::vector<std::vector<SkdTrianglePair>> found(starts.size());
+  loop.SetTotal(numberOfParts);
+  loop.For(static_cast<vtkIdType>(starts.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      inWalk(found[begin],
+        [&](Walk& walk)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            walk.RunFrom(starts[i]);
+          }
+        });
+    });
+  found.push_back(std::move(onTheWay));
+  return Gather(found, search);
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  if (auto pairs = this->FindByBundles(near, search, loop))
+  {
+    return *std::move(pairs);
+  }
+  const skd::LazyTree<3> first(skd::MakeTreeInput(near.First.Boxes, 0.0));
+  const skd::LazyTree<3> second(skd::MakeTreeInput(near.Second.Boxes, 0.0));
+  return this->FindByTrees({ first, second, &near }, skd::SameWorld{}, search, loop);
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByBundles(
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  constexpr std::size_t size = 16; // of a part, in triangles of the first set
+  const std::size_t count = near.First.Triangles.size();
+  const std::size_t most = 64 * (count + near.Second.Triangles.size()); // looks: more is for trees
+  const skd::BundledBoxes boxes(near.Second.Boxes);
+  Search state(this->Placement, search);
+  std::atomic<std::size_t> looks{ 0 };
+  std::vector<std::vector<SkdTrianglePair>> found((count + size - 1) / size);
+  const auto visitPart = [&](std::size_t part)
+  {
+    std::vector<std::uint32_t> others; // that a triangle's box overlaps
+    bool goesOn = true;
+    for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+    {
+      std::size_t some = 0;
+      others.clear();
+      boxes.ForEachOverlapping(near.First.Boxes[i],
+        [&](std::uint32_t k)
+        {
+          ++some;
+          if (near.First.Boxes[i].Overlaps(near.Second.Boxes[k]))
+          {
+            others.push_back(near.Second.Triangles[k]);
+          }
+        });
+      looks += some;
+      goesOn = looks <= most &&
+        (others.empty() || state.VisitAll(near.First.Triangles[i], others, found[part]));
+    }
+  };
+  const auto parts = static_cast<vtkIdType>(found.size());
+  loop.SetTotal(parts);
+  loop.For(parts,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType part = begin; part < end; ++part)
+      {
+        visitPart(static_cast<std::size_t>(part));
+      }
+    });
+  return looks > most ? std::nullopt : std::make_optional(Gather(found, search));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdTrianglesOf(
+  const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side)
+{
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(pairs.size());
+  for (const SkdTrianglePair& pair : pairs)
+  {
+    triangles.push_back(pair.*side);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdTrianglePairs.h
+ * @brief Which triangles of two sets, or of one, touch or come near: both trees walked together
+ * (Algorithm 5.4), or bundles of boxes searched, decided by exact signs.
+ */
+
+#ifndef SkdTrianglePairs_h
+#define SkdTrianglePairs_h
+
+#include "Surfaces/SkdNearTriangles.h"
+#include "Surfaces/SkdPlacement.h"
+
+class SkdLoop;
+
+/// Two triangles that touch; or, with a contact of no points, that are near.
+struct SkdTrianglePair
+{
+  std::uint32_t First;
+  std::uint32_t Second;
+  skd::TriangleContact Contact;
+};
+
+/// What is looked for.
+struct SkdPairSearch
+{
+  enum Extent
+  {
+    All,
+    LowestOnly, ///< the pair that is the first in the order of cells, then of triangles
+    WhetherOnly ///< any pair that touches or is near, not always the same
+  };
+  Extent Wanted = All;
+  double Clearance = 0.0; ///< before scaling; 0: those that touch, only
+};
+
+/// The pairs of a placement. Within one surface, of two triangles that share corners those that
+/// have more in common, and each pair once, First < Second.
+class SkdTrianglePairs
+{
+public:
+  explicit SkdTrianglePairs(const SkdPlacement& placement)
+    : Placement(placement)
+  {
+  }
+
+  /// Pairs by ascending (First, Second): the same whatever the number of threads. By the trees of
+  /// complete sets.
+  std::vector<SkdTrianglePair> Find(const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// The same among those triangles that may meet others, of two sets that are only read.
+  std::vector<SkdTrianglePair> FindNear(
+    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
+
+private:
+  static constexpr vtkIdType NumberOfParts = 512; // of a walk
+
+  class Search;
+  struct Moved;
+  struct Leaf;
+  struct Trees;
+
+  template <class ToFirst>
+  std::vector<SkdTrianglePair> FindByTrees(
+    const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// Nothing where sizes differ so much that trees are better.
+  std::optional<std::vector<SkdTrianglePair>> FindByBundles(
+    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
+
+  const SkdPlacement& Placement;
+};
+
+/// The triangles of one side of pairs, each once, ascending.
+std::vector<std::uint32_t> SkdTrianglesOf(
+  const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side);
+
+#endif
