@@ -171,7 +171,7 @@ std::optional<int> UpdateTrees(
 {
   try
   {
-    return state.Update(self, SkdLeavesOf(parts), field, AskedBy(self).NeedBoundary());
+    return state.Update(self, SkdBlocksOf(parts), field, AskedBy(self).NeedBoundary());
   }
   catch (const std::length_error& error)
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAttach.h"
 
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdSourceTrees.h"
@@ -22,7 +22,7 @@ public:
     SkdKeptMesh Mesh;
     vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
   };
-  std::vector<Tree> Trees; // one a leaf
+  std::vector<Tree> Trees; // one a block
   int Built = 0;
 
   void Update(Tree& tree, vtkPointSet* mesh, vtkSkdTreeAttach* self);
@@ -53,7 +53,7 @@ int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-// Builds a leaf's tree unless the kept one serves.
+// Builds a block's tree unless the kept one serves.
 void vtkSkdTreeAttach::Internals::Update(Tree& tree, vtkPointSet* mesh, vtkSkdTreeAttach* self)
 {
   const bool isSame = tree.Mesh.IsSameAs(mesh) &&
@@ -74,14 +74,14 @@ int vtkSkdTreeAttach::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals& internals = *this->Impl;
-  const std::vector<SkdLeaf> leaves =
+  const std::vector<SkdBlock> blocks =
     SkdMirror(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
   internals.Built = 0;
-  internals.Trees.resize(leaves.size());
-  for (std::size_t i = 0; i < leaves.size() && !SkdIsAskedToStop(this); ++i)
+  internals.Trees.resize(blocks.size());
+  for (std::size_t i = 0; i < blocks.size() && !SkdIsAskedToStop(this); ++i)
   {
     Internals::Tree& tree = internals.Trees[i];
-    vtkPointSet* mesh = vtkPointSet::SafeDownCast(leaves[i].Mesh);
+    vtkPointSet* mesh = vtkPointSet::SafeDownCast(blocks[i].Mesh);
     if (!mesh)
     {
       tree = Internals::Tree();
@@ -92,7 +92,7 @@ int vtkSkdTreeAttach::RequestData(
     locator->ShallowCopy(tree.Locator);
     locator->SetDataSet(mesh); // the same as that which was kept: the existing structure is used
     mesh->SetCellLocator(locator);
-    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(leaves.size()));
+    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(blocks.size()));
   }
   return 1;
 }

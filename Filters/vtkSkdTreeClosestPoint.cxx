@@ -3,9 +3,9 @@
 #include "vtkSkdTreeClosestPoint.h"
 
 #include "Pipeline/SkdAnswers.h"
+#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdCellWeights.h"
-#include "Pipeline/SkdLeafArrays.h"
-#include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
@@ -57,7 +57,7 @@ void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdAnswer
   const auto gather = [&](int type)
   {
     return SkdGatherInto(
-      output->GetPointData(), output->GetNumberOfPoints(), source.GetLeaves(), type, refused);
+      output->GetPointData(), output->GetNumberOfPoints(), source.GetBlocks(), type, refused);
   };
   SkdArrayGather points = gather(vtkDataObject::POINT);
   SkdArrayGather cells = gather(vtkDataObject::CELL);
@@ -67,24 +67,24 @@ void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdAnswer
       SkdCellWeights weights;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const int leaf = answers.GetLeaf(i);
-        if (leaf >= 0)
+        const int block = answers.GetBlock(i);
+        if (block >= 0)
         {
-          weights.Evaluate(source.GetMesh(leaf), answers.GetCellId(i), answers.GetPoint(i));
-          points.Interpolate(i, leaf, weights.GetPointIds(), weights.GetWeights());
-          cells.Take(i, leaf, answers.GetCellId(i));
+          weights.Evaluate(source.GetMesh(block), answers.GetCellId(i), answers.GetPoint(i));
+          points.Interpolate(i, block, weights.GetPointIds(), weights.GetWeights());
+          cells.Take(i, block, answers.GetCellId(i));
         }
       }
     });
 }
 
-void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdLeaf>& outputs,
+void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& outputs,
   const SkdSource& source, const std::vector<SkdAnswers>& answers)
 {
   vtkNew<vtkGenericCell> cell;
-  for (std::size_t leaf = 0; leaf < source.GetLeaves().size(); ++leaf)
+  for (std::size_t block = 0; block < source.GetBlocks().size(); ++block)
   {
-    source.GetMesh(static_cast<int>(leaf))->GetCell(0, cell); // makes GetCell thread-safe
+    source.GetMesh(static_cast<int>(block))->GetCell(0, cell); // makes GetCell thread-safe
   }
   std::set<std::string> refused;
   SkdLoop loop(self, SkdCountPoints(outputs), 0.7, 1.0);
@@ -154,7 +154,7 @@ int vtkSkdTreeClosestPoint::RequestData(
 {
   vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  const std::vector<SkdLeaf> leaves = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
+  const std::vector<SkdBlock> blocks = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
   SkdStopwatch watch;
 
   SkdSource& source = this->Impl->Source;
@@ -163,25 +163,25 @@ int vtkSkdTreeClosestPoint::RequestData(
   const double buildSeconds = watch.Lap();
 
   std::vector<SkdAnswers> answers;
-  SkdLoop loop(this, SkdCountPoints(leaves), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
-  for (const SkdLeaf& leaf : leaves)
+  SkdLoop loop(this, SkdCountPoints(blocks), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
+  for (const SkdBlock& block : blocks)
   {
-    answers.push_back(FindNearest(leaf.Mesh, source, this->MaximumDistance, loop));
+    answers.push_back(FindNearest(block.Mesh, source, this->MaximumDistance, loop));
   }
   const double querySeconds = watch.Lap();
 
   const bool isComposite = vtkCompositeDataSet::SafeDownCast(sourceData) != nullptr;
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    answers[i].AddTo(leaves[i].Mesh->GetPointData(), source.GetLeaves(), isComposite);
+    answers[i].AddTo(blocks[i].Mesh->GetPointData(), source.GetBlocks(), isComposite);
   }
   if (this->InterpolateSourceData)
   {
-    InterpolateSource(this, leaves, source, answers);
+    InterpolateSource(this, blocks, source, answers);
   }
   if (this->GenerateLines)
   {
-    SkdConnectAnswers(leaves, answers, vtkPolyData::GetData(outputVector, 1));
+    SkdConnectAnswers(blocks, answers, vtkPolyData::GetData(outputVector, 1));
   }
   Report(output, source, answers, buildSeconds, querySeconds);
   source.Release();

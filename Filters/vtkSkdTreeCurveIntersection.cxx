@@ -3,7 +3,7 @@
 #include "vtkSkdTreeCurveIntersection.h"
 
 #include "Curves/SkdCurveHitArrays.h"
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
@@ -63,15 +63,15 @@ int vtkSkdTreeCurveIntersection::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const std::vector<SkdLeaf> leaves = SkdLeavesOf(input);
-  const std::vector<SkdLeaf> otherLeaves = SkdLeavesOf(source ? source : input);
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(input);
+  const std::vector<SkdBlock> otherBlocks = SkdBlocksOf(source ? source : input);
   SkdStopwatch watch;
 
   const SkdCurveSettings settings = this->FindSettings();
   SkdCurveTree& first = this->Impl->First;
   SkdCurveTree& second = source ? this->Impl->Second : this->Impl->First;
-  int built = first.Update(leaves, settings) ? 1 : 0;
-  built += source && second.Update(otherLeaves, settings) ? 1 : 0;
+  int built = first.Update(blocks, settings) ? 1 : 0;
+  built += source && second.Update(otherBlocks, settings) ? 1 : 0;
   this->WarnAboutCurves("Input", first.GetCurves());
   if (source)
   {
@@ -82,8 +82,8 @@ int vtkSkdTreeCurveIntersection::RequestData(
   const SkdCurveHitFinder finder(
     first, second, { this->Clearance, this->IgnoreJoints, this->CandidateRegions });
   SkdLoop loop(this, static_cast<vtkIdType>(first.GetSpans().size()), 0.2, 0.9);
-  const SkdCurveHitTable table{ { first, leaves, IsComposite(input) },
-    { second, otherLeaves, IsComposite(source ? source : input) }, finder.Find(loop) };
+  const SkdCurveHitTable table{ { first, blocks, IsComposite(input) },
+    { second, otherBlocks, IsComposite(source ? source : input) }, finder.Find(loop) };
   const double querySeconds = watch.Lap();
 
   this->StoreMeetings(table, outputVector);

@@ -5,7 +5,7 @@
 #include "Curves/SkdCutCurves.h"
 #include "Curves/SkdSurfaceHitArrays.h"
 #include "InOut/SkdPartList.h"
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdReport.h"
@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkSkdTreeCurveSurfaceIntersection);
 class vtkSkdTreeCurveSurfaceIntersection::Internals
 {
 public:
-  std::vector<SkdLeaf> Leaves; // of the Source, while it is looked at
+  std::vector<SkdBlock> Blocks; // of the Source, while it is looked at
   SkdSurfaceSet Surfaces;
   std::vector<std::vector<int>> Pieces; // of the Source's cells, when they were asked for
 };
@@ -35,17 +35,17 @@ bool IsComposite(vtkDataObject* data)
   return vtkCompositeDataSet::SafeDownCast(data) != nullptr;
 }
 
-std::vector<SkdLeaf> LeavesWithCells(vtkDataObject* data)
+std::vector<SkdBlock> BlocksWithCells(vtkDataObject* data)
 {
-  std::vector<SkdLeaf> leaves;
-  for (const SkdLeaf& leaf : SkdLeavesOf(data))
+  std::vector<SkdBlock> blocks;
+  for (const SkdBlock& block : SkdBlocksOf(data))
   {
-    if (leaf.Mesh->GetNumberOfCells() > 0)
+    if (block.Mesh->GetNumberOfCells() > 0)
     {
-      leaves.push_back(leaf);
+      blocks.push_back(block);
     }
   }
-  return leaves;
+  return blocks;
 }
 
 void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::string>& faults)
@@ -81,21 +81,21 @@ void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
 void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObject* output)
 {
   std::vector<vtkSmartPointer<vtkIdTypeArray>> counts;
-  for (const SkdLeaf& leaf : table.CurveLeaves)
+  for (const SkdBlock& block : table.CurveBlocks)
   {
-    auto count = SkdMakeArray<vtkIdTypeArray>("SkdNumberOfHits", 1, leaf.Mesh->GetNumberOfCells());
+    auto count = SkdMakeArray<vtkIdTypeArray>("SkdNumberOfHits", 1, block.Mesh->GetNumberOfCells());
     count->FillValue(0);
     counts.push_back(count);
   }
   for (const SkdSurfaceMeeting& meeting : table.Meetings)
   {
     const SkdCurve& curve = table.Curves.GetCurves()[meeting.Hit.Curve];
-    vtkIdTypeArray* count = counts[static_cast<std::size_t>(curve.Leaf)];
+    vtkIdTypeArray* count = counts[static_cast<std::size_t>(curve.Block)];
     count->SetValue(curve.CellId, count->GetValue(curve.CellId) + 1);
   }
   SkdMirror(input, output);
   std::size_t next = 0;
-  for (const SkdLeaf& mirror : LeavesWithCells(output))
+  for (const SkdBlock& mirror : BlocksWithCells(output))
   {
     mirror.Mesh->GetCellData()->AddArray(counts[next++]);
     mirror.Mesh->GetCellData()->SetActiveScalars("SkdNumberOfHits");
@@ -131,14 +131,14 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const std::vector<SkdLeaf> curveLeaves = LeavesWithCells(input);
+  const std::vector<SkdBlock> curveBlocks = BlocksWithCells(input);
   SkdStopwatch watch;
 
   const bool wasBuilt = this->UpdateSurfaces(source);
   const SkdSurfaceSet& surfaces = this->Impl->Surfaces;
-  const std::vector<SkdLeaf>& surfaceLeaves = this->Impl->Leaves;
+  const std::vector<SkdBlock>& surfaceBlocks = this->Impl->Blocks;
   SkdCurveSet curves;
-  curves.Read(curveLeaves,
+  curves.Read(curveBlocks,
     SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity));
   this->WarnAboutInputs(curves, surfaces);
   const double buildSeconds = watch.Lap();
@@ -147,12 +147,12 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
     curves.GetBounds().Diagonal() * (this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3);
   const SkdSurfaceHitFinder finder(curves, surfaces, delta);
   SkdLoop loop(this, static_cast<vtkIdType>(curves.GetNumberOfPieces()), 0.2, 0.9);
-  SkdSurfaceHitTable table{ curves, curveLeaves, surfaces, surfaceLeaves, finder.Find(loop), {} };
+  SkdSurfaceHitTable table{ curves, curveBlocks, surfaces, surfaceBlocks, finder.Find(loop), {} };
   const double querySeconds = watch.Lap();
 
   if (this->CutCurves)
   {
-    SkdCutCurves({ curves, curveLeaves, surfaces.GetElements(), finder, IsComposite(input), delta },
+    SkdCutCurves({ curves, curveBlocks, surfaces.GetElements(), finder, IsComposite(input), delta },
       table.Meetings, vtkPolyData::GetData(outputVector, 1));
   }
   table.Meetings = finder.UniteAtJoints(std::move(table.Meetings));
@@ -164,7 +164,7 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   report.AddCount("TreesBuilt", wasBuilt ? 1 : 0);
   report.AddMeasure("BuildSeconds", buildSeconds);
   report.AddMeasure("QuerySeconds", querySeconds);
-  this->Impl->Leaves.clear();
+  this->Impl->Blocks.clear();
   return 1;
 }
 
@@ -184,28 +184,28 @@ void vtkSkdTreeCurveSurfaceIntersection::SetPartArray(const char* name)
 bool vtkSkdTreeCurveSurfaceIntersection::UpdateSurfaces(vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
-  internals.Leaves = LeavesWithCells(source);
+  internals.Blocks = BlocksWithCells(source);
   const bool wasBuilt =
-    internals.Surfaces.Update(internals.Leaves, this->VolumeFaces, this->Epsilon);
+    internals.Surfaces.Update(internals.Blocks, this->VolumeFaces, this->Epsilon);
   const bool lacksArray =
-    this->Parts == CELL_ARRAY && !SkdHavePartArray(internals.Leaves, this->PartArray);
+    this->Parts == CELL_ARRAY && !SkdHavePartArray(internals.Blocks, this->PartArray);
   std::vector<std::vector<int>> ids;
   if (lacksArray)
   {
     vtkErrorMacro("Source has no cell array of numbers named \""
       << this->PartArray << "\" in all its blocks: blocks are its parts.");
   }
-  for (std::size_t i = 0; this->Parts == CELL_ARRAY && !lacksArray && i < internals.Leaves.size();
+  for (std::size_t i = 0; this->Parts == CELL_ARRAY && !lacksArray && i < internals.Blocks.size();
        ++i)
   {
-    ids.push_back(SkdPartIdsOf(internals.Leaves[i].Mesh, this->PartArray));
+    ids.push_back(SkdPartIdsOf(internals.Blocks[i].Mesh, this->PartArray));
   }
   if (this->Parts == CONNECTED_PIECES)
   {
-    const bool isKnown = !wasBuilt && internals.Pieces.size() == internals.Leaves.size();
-    ids = isKnown ? std::move(internals.Pieces) : SkdConnectedPiecesOf(internals.Leaves);
+    const bool isKnown = !wasBuilt && internals.Pieces.size() == internals.Blocks.size();
+    ids = isKnown ? std::move(internals.Pieces) : SkdConnectedPiecesOf(internals.Blocks);
   }
-  internals.Surfaces.AssignParts(internals.Leaves, ids);
+  internals.Surfaces.AssignParts(internals.Blocks, ids);
   internals.Pieces = this->Parts == CONNECTED_PIECES ? std::move(ids) : decltype(ids)();
   return wasBuilt;
 }

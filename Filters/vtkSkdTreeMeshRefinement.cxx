@@ -130,9 +130,10 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdMeshOutco
   if (tally.CellsTooSmall > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "" << tally.CellsTooSmall
-         << " cells are about as small as the resolution of their coordinates, and are not refined: "
-            "there is no room for points between theirs.");
+      ""
+        << tally.CellsTooSmall
+        << " cells are about as small as the resolution of their coordinates, and are not refined: "
+           "there is no room for points between theirs.");
   }
   if (tally.CellsOddlyShaped > 0)
   {
@@ -153,7 +154,7 @@ vtkSmartPointer<vtkPointSet> MakeBlock(const SkdReadMesh& read, const SkdReadMes
   const skd::HangingNodes& hanging, Filter* self)
 {
   vtkSmartPointer<vtkDataObject> output;
-  output.TakeReference(vtkDataObjectTypes::NewDataObject(SkdRefinedTypeOf(block.Leaf.Mesh)));
+  output.TakeReference(vtkDataObjectTypes::NewDataObject(SkdRefinedTypeOf(block.Input.Mesh)));
   auto mesh = vtkPointSet::SafeDownCast(output);
   SkdWriteBlock(read, block, hanging, self->GetOutputPointsPrecision(), mesh);
   return mesh;
@@ -180,8 +181,8 @@ std::optional<int> Read(Filter* self, SkdRefineState& state, vtkInformationVecto
   try
   {
     treesBuilt = state.Update(
-      self, SkdLeavesOf(vtkDataObject::GetData(inputs[1])), field ? field : input, false);
-    SkdReadLeaves(SkdLeavesOf(input), processes == nullptr, read);
+      self, SkdBlocksOf(vtkDataObject::GetData(inputs[1])), field ? field : input, false);
+    SkdReadBlocks(SkdBlocksOf(input), processes == nullptr, read);
   }
   catch (const std::length_error& error)
   {
@@ -213,7 +214,7 @@ void PutBlocks(const std::vector<SkdReadMesh::Block>& blocks,
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
       const int place = static_cast<int>(iterator->GetCurrentFlatIndex());
-      if (next < blocks.size() && blocks[next].Leaf.BlockIndex == place)
+      if (next < blocks.size() && blocks[next].Input.BlockIndex == place)
       {
         to->SetDataSet(iterator, meshes[next++]);
       }

@@ -3,7 +3,7 @@
 #include "vtkSkdTreePointInOut.h"
 
 #include "InOut/SkdPartAsker.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
@@ -28,10 +28,10 @@ vtkStandardNewMacro(vtkSkdTreePointInOut);
 class vtkSkdTreePointInOut::Internals
 {
 public:
-  std::vector<SkdLeaf> Leaves; // of the source, those with cells
-  SkdPartList Parts;           // of the first model
-  SkdSourceTrees Trees;        // of the second
-  SkdPlaceSource Places{ Trees, Leaves };
+  std::vector<SkdBlock> Blocks; // of the source, those with cells
+  SkdPartList Parts;            // of the first model
+  SkdSourceTrees Trees;         // of the second
+  SkdPlaceSource Places{ Trees, Blocks };
   std::vector<std::vector<int>> PartIds; // of the second's cells, or none
   SkdInsideRules Rules;
   double Band = 0.0;
@@ -51,15 +51,15 @@ public:
 
 namespace
 {
-bool HasVolumes(const std::vector<SkdLeaf>& leaves)
+bool HasVolumes(const std::vector<SkdBlock>& blocks)
 {
   vtkNew<vtkGenericCell> cell;
-  return std::any_of(leaves.begin(), leaves.end(),
-    [&](const SkdLeaf& leaf)
+  return std::any_of(blocks.begin(), blocks.end(),
+    [&](const SkdBlock& block)
     {
-      for (vtkIdType i = 0; i < leaf.Mesh->GetNumberOfCells(); ++i)
+      for (vtkIdType i = 0; i < block.Mesh->GetNumberOfCells(); ++i)
       {
-        cell->SetCellType(leaf.Mesh->GetCellType(i));
+        cell->SetCellType(block.Mesh->GetCellType(i));
         if (cell->GetCellDimension() == 3)
         {
           return true;
@@ -122,8 +122,8 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
       const SkdPlace& place = finder->GetPlace();
       answer.IsInside = true;
       answer.Depth = 1;
-      answer.PartId = this->PartIds.empty() ? this->Leaves[place.Leaf].BlockIndex
-                                            : this->PartIds[place.Leaf][place.CellId];
+      answer.PartId = this->PartIds.empty() ? this->Blocks[place.Block].BlockIndex
+                                            : this->PartIds[place.Block][place.CellId];
     }
     return answer;
   };
@@ -196,14 +196,14 @@ void vtkSkdTreePointInOut::SetPartArray(const char* name)
 
 bool vtkSkdTreePointInOut::CheckSource()
 {
-  const std::vector<SkdLeaf>& leaves = this->Impl->Leaves;
-  if (this->Parts == CELL_ARRAY && !SkdHavePartArray(leaves, this->PartArray))
+  const std::vector<SkdBlock>& blocks = this->Impl->Blocks;
+  if (this->Parts == CELL_ARRAY && !SkdHavePartArray(blocks, this->PartArray))
   {
     vtkErrorMacro(
       "Source has no cell array of numbers named \"" << this->PartArray << "\" in all its blocks.");
     return false;
   }
-  if (this->Model == BOUNDARIES && !this->UseOuterFaces && HasVolumes(leaves))
+  if (this->Model == BOUNDARIES && !this->UseOuterFaces && HasVolumes(blocks))
   {
     vtkErrorMacro("Source has volume cells, but surfaces are needed: turn UseOuterFaces on, or set "
                   "Model to BODY_FITTED_MESH.");
@@ -222,19 +222,19 @@ void vtkSkdTreePointInOut::UpdateParts()
   if (this->Model == BOUNDARIES)
   {
     internals.Trees.Clear();
-    internals.Built = internals.Parts.Update(internals.Leaves, static_cast<SkdPartsBy>(this->Parts),
+    internals.Built = internals.Parts.Update(internals.Blocks, static_cast<SkdPartsBy>(this->Parts),
       this->PartArray,
       { this->Epsilon, internals.Rules.Method, this->RepairOrientation,
-        SkdChordalLength(internals.Leaves, this->ChordalDeviation) });
+        SkdChordalLength(internals.Blocks, this->ChordalDeviation) });
     return;
   }
   internals.Rules.Method = SkdInsideMethod::AxisRays;
   internals.Parts = SkdPartList();
-  internals.Built = internals.Trees.Update(internals.Leaves, this->Epsilon);
+  internals.Built = internals.Trees.Update(internals.Blocks, this->Epsilon);
   internals.Places.Update(internals.Built);
-  for (std::size_t i = 0; this->Parts == CELL_ARRAY && i < internals.Leaves.size(); ++i)
+  for (std::size_t i = 0; this->Parts == CELL_ARRAY && i < internals.Blocks.size(); ++i)
   {
-    internals.PartIds.push_back(SkdPartIdsOf(internals.Leaves[i].Mesh, this->PartArray));
+    internals.PartIds.push_back(SkdPartIdsOf(internals.Blocks[i].Mesh, this->PartArray));
   }
 }
 
@@ -270,10 +270,11 @@ int vtkSkdTreePointInOut::RequestData(
   Internals& internals = *this->Impl;
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   SkdStopwatch watch;
-  internals.Leaves = SkdLeavesOf(vtkDataObject::GetData(inputVector[1]));
-  internals.Leaves.erase(std::remove_if(internals.Leaves.begin(), internals.Leaves.end(),
-                           [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
-    internals.Leaves.end());
+  internals.Blocks = SkdBlocksOf(vtkDataObject::GetData(inputVector[1]));
+  internals.Blocks.erase(
+    std::remove_if(internals.Blocks.begin(), internals.Blocks.end(),
+      [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
+    internals.Blocks.end());
   if (!this->CheckSource())
   {
     return 1;
@@ -282,19 +283,19 @@ int vtkSkdTreePointInOut::RequestData(
   this->WarnAbout();
   const double buildSeconds = watch.Lap();
 
-  const std::vector<SkdLeaf> outputs = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
+  const std::vector<SkdBlock> outputs = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
   SkdLoop loop(this, this->CountQuestions(outputs), 0.2, 1.0);
   vtkIdType asked = 0;
   vtkIdType inside = 0;
-  for (const SkdLeaf& leaf : outputs)
+  for (const SkdBlock& block : outputs)
   {
-    const SkdInOuts answers = this->AskMesh(leaf.Mesh, loop);
-    this->ExtractFrom(leaf.Mesh, answers, outputVector);
+    const SkdInOuts answers = this->AskMesh(block.Mesh, loop);
+    this->ExtractFrom(block.Mesh, answers, outputVector);
     asked += answers.GetNumber();
     inside += answers.CountInside();
   }
   this->Report(output, asked, inside, buildSeconds, watch.Lap());
-  internals.Leaves.clear();
+  internals.Blocks.clear();
   return 1;
 }
 
@@ -326,14 +327,14 @@ void vtkSkdTreePointInOut::ExtractFrom(
   vtkUnstructuredGrid::GetData(outputVector, 1)->ShallowCopy(grid);
 }
 
-vtkIdType vtkSkdTreePointInOut::CountQuestions(const std::vector<SkdLeaf>& leaves) const
+vtkIdType vtkSkdTreePointInOut::CountQuestions(const std::vector<SkdBlock>& blocks) const
 {
   vtkIdType questions = 0;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
     const bool asksPoints = this->Ask != CELL_CENTERS;
-    questions += asksPoints ? leaf.Mesh->GetNumberOfPoints() : 0;
-    questions += this->Ask != POINTS ? leaf.Mesh->GetNumberOfCells() : 0;
+    questions += asksPoints ? block.Mesh->GetNumberOfPoints() : 0;
+    questions += this->Ask != POINTS ? block.Mesh->GetNumberOfCells() : 0;
   }
   return questions;
 }
@@ -354,7 +355,7 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
   report.AddCount("Parts", static_cast<vtkIdType>(this->Impl->Parts.Get().size()));
   report.AddCount("OpenParts", open);
   report.AddCount("OpenEdges", edges);
-  const bool asksFaces = this->Model == BOUNDARIES && HasVolumes(this->Impl->Leaves);
+  const bool asksFaces = this->Model == BOUNDARIES && HasVolumes(this->Impl->Blocks);
   report.AddCount("OuterFaces", asksFaces ? 1 : 0);
   report.AddCount("TreesBuilt", this->Impl->Built);
   report.AddMeasureOf("ChordalLength", this->Impl->Parts.GetChordalLength());

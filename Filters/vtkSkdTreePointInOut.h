@@ -15,12 +15,13 @@
  * Each part has a tree of its own, so parts that touch do not hide each other, and nested ones give
  * a depth. A closed surface of triangles is decided exactly, by one ray whose crossings are
  * watertight, thin shells and rays through edges and vertices included, be it one body or several
- * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant, of
- * curved cells facets within the ChordalDeviation, and faces that are there repeatedly count once.
- * Points within rounding of a surface may count as either. Without a gap no orientation is needed by
- * rays. The answer is the same whatever the number of threads or processes (each asks for the whole
- * Source). Trees are kept while the Source is unchanged. On an image, and on a rectilinear grid, the
- * filter is a voxeliser: one line along each row tells all of it, of closed parts and by rays.
+ * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant,
+ * of curved cells facets within the ChordalDeviation, and faces that are there repeatedly count
+ * once. Points within rounding of a surface may count as either. Without a gap no orientation is
+ * needed by rays. The answer is the same whatever the number of threads or processes (each asks for
+ * the whole Source). Trees are kept while the Source is unchanged. On an image, and on a
+ * rectilinear grid, the filter is a voxeliser: one line along each row tells all of it, of closed
+ * parts and by rays.
  *
  * Output port 0: the input with these arrays, of points or of cells by what was asked (see SetAsk)
  * | name             | type   | meaning                                                 | none |
@@ -68,7 +69,7 @@
 
 class SkdInOuts;
 class SkdLoop;
-struct SkdLeaf;
+struct SkdBlock;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -307,7 +308,7 @@ private:
   void WarnAbout();
   SkdInOuts AskMesh(vtkDataSet* mesh, SkdLoop& loop);
   void ExtractFrom(vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector);
-  vtkIdType CountQuestions(const std::vector<SkdLeaf>& leaves) const;
+  vtkIdType CountQuestions(const std::vector<SkdBlock>& blocks) const;
   void Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside, double buildSeconds,
     double querySeconds);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeProbe.h"
 
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPointOrder.h"
 #include "Pipeline/SkdReport.h"
@@ -29,20 +29,20 @@ vtkStandardNewMacro(vtkSkdTreeProbe);
 class vtkSkdTreeProbe::Internals
 {
 public:
-  std::vector<SkdLeaf> Leaves; // of the source, those with cells
+  std::vector<SkdBlock> Blocks; // of the source, those with cells
   SkdSourceTrees Trees;
-  SkdPlaceSource Source{ Trees, Leaves };
+  SkdPlaceSource Source{ Trees, Blocks };
   SkdPlaceRules Rules;
   SkdProbedNames Names;
 
   /// Returns how many trees were built.
   int Update(vtkDataObject* source, double epsilon)
   {
-    this->Leaves = SkdLeavesOf(source);
-    this->Leaves.erase(std::remove_if(this->Leaves.begin(), this->Leaves.end(),
-                         [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
-      this->Leaves.end());
-    const int built = this->Trees.Update(this->Leaves, epsilon);
+    this->Blocks = SkdBlocksOf(source);
+    this->Blocks.erase(std::remove_if(this->Blocks.begin(), this->Blocks.end(),
+                         [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
+      this->Blocks.end());
+    const int built = this->Trees.Update(this->Blocks, epsilon);
     this->Source.Update(built);
     this->Names.Refused.clear();
     this->Names.Missing.clear();
@@ -55,9 +55,9 @@ public:
 
 namespace
 {
-void DropData(const std::vector<SkdLeaf>& outputs)
+void DropData(const std::vector<SkdBlock>& outputs)
 {
-  for (const SkdLeaf& output : outputs)
+  for (const SkdBlock& output : outputs)
   {
     for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
     {
@@ -96,7 +96,7 @@ void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
 SkdPlaces vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fill, SkdLoop& loop)
 {
   const vtkIdType n = output->GetNumberOfPoints();
-  SkdProbedData data(output->GetPointData(), n, this->Leaves, this->Names, fill);
+  SkdProbedData data(output->GetPointData(), n, this->Blocks, this->Names, fill);
   SkdPlaces places(n);
   const SkdPointOrder order(output);
   loop.For(n,
@@ -175,7 +175,7 @@ int vtkSkdTreeProbe::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  const std::vector<SkdLeaf> outputs = SkdMirror(input, output);
+  const std::vector<SkdBlock> outputs = SkdMirror(input, output);
   if (!this->PassInputData)
   {
     DropData(outputs);
@@ -192,14 +192,14 @@ int vtkSkdTreeProbe::RequestData(
   std::vector<SkdPlaces> places;
   const double fill = this->UseFillValue ? this->FillValue : vtkMath::Nan();
   SkdLoop loop(this, SkdCountPoints(outputs), 0.2, this->ProbeLines ? 0.5 : 1.0);
-  for (const SkdLeaf& leaf : outputs)
+  for (const SkdBlock& block : outputs)
   {
-    places.push_back(internals.Probe(leaf.Mesh, fill, loop));
+    places.push_back(internals.Probe(block.Mesh, fill, loop));
   }
   const bool isComposite = vtkCompositeDataSet::SafeDownCast(source) != nullptr;
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
-    places[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Leaves, isComposite);
+    places[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Blocks, isComposite);
   }
   if (this->ProbeLines)
   {
@@ -207,7 +207,7 @@ int vtkSkdTreeProbe::RequestData(
   }
   internals.WarnAbout(this);
   Report(output, internals.Trees.GetCounts(), built, places, buildSeconds, watch.Lap());
-  internals.Leaves.clear();
+  internals.Blocks.clear();
   return 1;
 }
 
@@ -215,7 +215,7 @@ void vtkSkdTreeProbe::CutLines(
   vtkDataObject* input, bool isSourceComposite, vtkInformationVector* outputVector)
 {
   Internals& internals = *this->Impl;
-  const std::vector<SkdLeaf> inputs = SkdLeavesOf(input);
+  const std::vector<SkdBlock> inputs = SkdBlocksOf(input);
   const std::vector<SkdLinePiece> pieces = SkdPiecesOf(inputs);
   if (pieces.empty())
   {

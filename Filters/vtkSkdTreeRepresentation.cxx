@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeRepresentation.h"
 
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdValidInput.h"
@@ -216,24 +216,24 @@ int vtkSkdTreeRepresentation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  const std::vector<SkdLeaf> leaves = SkdLeavesOf(input);
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(input);
   Boxes boxes;
   int done = 0;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
     if (SkdIsAskedToStop(this))
     {
       break;
     }
     vtkNew<vtkSkdTreeCellLocator> locator;
-    locator->SetDataSet(leaf.Mesh);
+    locator->SetDataSet(block.Mesh);
     locator->SetEpsilon(this->Epsilon);
     locator->BuildLocator();
     vtkNew<vtkPolyData> level;
     locator->GenerateRepresentation(this->Level, level);
-    boxes.Add(level, leaf.BlockIndex);
-    AddRow(locator, leaf.BlockIndex, vtkTable::GetData(outputVector, 1));
-    this->UpdateProgress(static_cast<double>(++done) / static_cast<double>(leaves.size()));
+    boxes.Add(level, block.BlockIndex);
+    AddRow(locator, block.BlockIndex, vtkTable::GetData(outputVector, 1));
+    this->UpdateProgress(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   }
   boxes.Store(
     vtkPolyData::GetData(outputVector, 0), vtkCompositeDataSet::SafeDownCast(input) != nullptr);

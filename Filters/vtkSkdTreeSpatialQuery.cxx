@@ -3,7 +3,7 @@
 #include "vtkSkdTreeSpatialQuery.h"
 
 #include "Cells/SkdLocatorState.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdParts.h"
 #include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkSkdTreeSpatialQuery);
 class vtkSkdTreeSpatialQuery::Internals
 {
 public:
-  std::vector<SkdLeaf> Leaves; // of the input, those with cells
+  std::vector<SkdBlock> Blocks; // of the input, those with cells
   SkdParts Mesh;
   SkdParts SourceCells; // if they are the queries
   SkdQueryList Queries;
@@ -50,13 +50,13 @@ public:
 
 namespace
 {
-std::vector<SkdLeaf> LeavesWithCells(vtkDataObject* object)
+std::vector<SkdBlock> BlocksWithCells(vtkDataObject* object)
 {
-  std::vector<SkdLeaf> leaves = SkdLeavesOf(object);
-  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
-                 [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
-    leaves.end());
-  return leaves;
+  std::vector<SkdBlock> blocks = SkdBlocksOf(object);
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
+    blocks.end());
+  return blocks;
 }
 
 /// Bounds scaled, turned and moved, as vtkPVBox has it.
@@ -94,18 +94,18 @@ class Extraction
 {
 public:
   Extraction(
-    const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<SkdChosenCell>>& chosen)
-    : Leaves(leaves)
+    const std::vector<SkdBlock>& blocks, const std::vector<std::vector<SkdChosenCell>>& chosen)
+    : Blocks(blocks)
     , Chosen(chosen)
   {
   }
 
   void Extract(vtkDataSet* mesh, vtkUnstructuredGrid* output)
   {
-    const auto found = std::find_if(this->Leaves.begin(), this->Leaves.end(),
-      [mesh](const SkdLeaf& leaf) { return leaf.Mesh == mesh; });
-    const bool isPart = found != this->Leaves.end();
-    const auto part = static_cast<std::size_t>(found - this->Leaves.begin());
+    const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),
+      [mesh](const SkdBlock& block) { return block.Mesh == mesh; });
+    const bool isPart = found != this->Blocks.end();
+    const auto part = static_cast<std::size_t>(found - this->Blocks.begin());
     SkdExtractCells(mesh, isPart ? this->Chosen[part] : std::vector<SkdChosenCell>(), output);
   }
 
@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  const std::vector<SkdLeaf>& Leaves;
+  const std::vector<SkdBlock>& Blocks;
   const std::vector<std::vector<SkdChosenCell>>& Chosen;
 };
 
@@ -135,9 +135,9 @@ void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extracti
   if (!tree)
   {
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
-    for (const SkdLeaf& leaf : SkdLeavesOf(input))
+    for (const SkdBlock& block : SkdBlocksOf(input))
     {
-      blocks->SetBlock(blocks->GetNumberOfBlocks(), extraction.Extract(leaf.Mesh));
+      blocks->SetBlock(blocks->GetNumberOfBlocks(), extraction.Extract(block.Mesh));
     }
     return;
   }
@@ -200,15 +200,15 @@ int vtkSkdTreeSpatialQuery::RequestUpdateExtent(
 void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
-  internals.Leaves = LeavesWithCells(input);
+  internals.Blocks = BlocksWithCells(input);
   const bool isOfOne =
     this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
-  internals.Built = internals.Mesh.Update(internals.Leaves, this->Epsilon, SkdMeasurable,
+  internals.Built = internals.Mesh.Update(internals.Blocks, this->Epsilon, SkdMeasurable,
     isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
-  const std::vector<SkdLeaf> sourceLeaves =
-    needsCells ? LeavesWithCells(source) : std::vector<SkdLeaf>();
-  internals.Built += internals.SourceCells.Update(sourceLeaves, this->Epsilon, SkdMeasurable);
+  const std::vector<SkdBlock> sourceBlocks =
+    needsCells ? BlocksWithCells(source) : std::vector<SkdBlock>();
+  internals.Built += internals.SourceCells.Update(sourceBlocks, this->Epsilon, SkdMeasurable);
 }
 
 //------------------------------------------------------------------------------
@@ -262,7 +262,7 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
     }
     if (this->Shape == SOURCE_POINTS)
     {
-      queries.SetPoints(SkdLeavesOf(source));
+      queries.SetPoints(SkdBlocksOf(source));
     }
     else
     {
@@ -274,8 +274,7 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
   if (!shape.IsUsable())
   {
     vtkWarningMacro("The shape is not finite, reaches beyond "
-      << SkdMeasurable.Largest
-                      << ", or has a negative radius or no normal: nothing is found.");
+      << SkdMeasurable.Largest << ", or has a negative radius or no normal: nothing is found.");
   }
   queries.SetShape(shape);
   return true;
@@ -325,7 +324,7 @@ int vtkSkdTreeSpatialQuery::RequestData(
 
   this->FillOutputs(input, source, outputVector);
   this->Report(vtkDataObject::GetData(outputVector, 0), buildSeconds, querySeconds);
-  internals.Leaves.clear();
+  internals.Blocks.clear();
   internals.Queries = SkdQueryList();
   return 1;
 }
@@ -352,14 +351,14 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
     internals.Mesh.GetBlockIndices(), this->Exact,
     vtkCompositeDataSet::SafeDownCast(input) != nullptr,
     vtkCompositeDataSet::SafeDownCast(source) != nullptr };
-  const auto chosen = SkdChooseCells(internals.Pairs, internals.Leaves.size());
+  const auto chosen = SkdChooseCells(internals.Pairs, internals.Blocks.size());
   vtkIdType found = 0;
   for (const std::vector<SkdChosenCell>& cells : chosen)
   {
     found += static_cast<vtkIdType>(cells.size());
   }
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  Extraction extraction(internals.Leaves, chosen);
+  Extraction extraction(internals.Blocks, chosen);
   ExtractTo(output, input, extraction);
   SkdFillSelection(chosen, answers, PieceOf(outputVector->GetInformationObject(1)),
     vtkSelection::GetData(outputVector, 1));

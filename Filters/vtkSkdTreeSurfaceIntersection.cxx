@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSurfaceIntersection.h"
 
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
@@ -33,10 +33,10 @@ public:
 
 namespace
 {
-/// An input of the filter: its leaves, and its triangles with their tree.
+/// An input of the filter: its blocks, and its triangles with their tree.
 struct Surface
 {
-  std::vector<SkdLeaf> Leaves;
+  std::vector<SkdBlock> Blocks;
   bool IsComposite;
   SkdTriangleSet& Set;
   bool IsNew;
@@ -44,10 +44,10 @@ struct Surface
   /// With processes, each has a piece of it.
   Surface(vtkDataObject* data, SkdTriangleSet& set, double chordalDeviation,
     const skd::Processes* processes = nullptr)
-    : Leaves(SkdLeavesOf(data))
+    : Blocks(SkdBlocksOf(data))
     , IsComposite(vtkCompositeDataSet::SafeDownCast(data) != nullptr)
     , Set(set)
-    , IsNew(set.Update(this->Leaves, chordalDeviation, processes))
+    , IsNew(set.Update(this->Blocks, chordalDeviation, processes))
   {
   }
 };
@@ -192,7 +192,7 @@ struct SplitOutput
     }
     std::set<std::string> refused;
     const vtkIdType count = SkdFillSplitSurface(
-      this->Segments, side, surface->Leaves, surface->IsComposite, this->Scale, output, refused);
+      this->Segments, side, surface->Blocks, surface->IsComposite, this->Scale, output, refused);
     this->Report.AddCount(side == 0 ? "InputTrianglesSplit" : "SourceTrianglesSplit", count);
     SkdWarnAboutRefused(this->Self, refused);
   }
@@ -290,7 +290,7 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const auto [placement, pairs] = FindPairs(this, first, source ? &other : nullptr,
     source && !matrix->IsIdentity() ? motion : std::nullopt);
   const SkdContacts contacts(
-    { first.Leaves, first.IsComposite }, { second.Leaves, second.IsComposite }, placement, pairs);
+    { first.Blocks, first.IsComposite }, { second.Blocks, second.IsComposite }, placement, pairs);
   FillContacts(contacts, this->JoinCurves, outputVector, report);
   if (this->IsSplitting())
   {

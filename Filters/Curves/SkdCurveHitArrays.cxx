@@ -3,7 +3,7 @@
 #include "Curves/SkdCurveHitArrays.h"
 
 #include "Core/Curves/CurveSpans.h"
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -74,7 +74,7 @@ void AddSide(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
   {
     AddColumn<vtkIntArray>(to, hits, prefix + "CurveBlockIndex",
       [&](const Hit& hit)
-      { return side.Leaves[static_cast<std::size_t>(curveOf(hit).Leaf)].BlockIndex; });
+      { return side.Blocks[static_cast<std::size_t>(curveOf(hit).Block)].BlockIndex; });
   }
   AddColumn<vtkDoubleArray>(to, hits, prefix + "CurveParameter",
     [&, place](const Hit& hit) { return curves.GetParameter((hit.*place).Piece, (hit.*place).T); });
@@ -87,7 +87,7 @@ void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
 {
   const auto n = static_cast<vtkIdType>(hits.size());
   const auto gather = [&](int type)
-  { return SkdGatherInto(output->GetPointData(), n, side.Leaves, type, refused); };
+  { return SkdGatherInto(output->GetPointData(), n, side.Blocks, type, refused); };
   SkdArrayGather points = gather(vtkDataObject::POINT);
   SkdArrayGather cells = gather(vtkDataObject::CELL);
   const SkdCurveSet& curves = side.Tree.GetCurves();
@@ -98,8 +98,8 @@ void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
     const SkdCurvePlace& at = hits[static_cast<std::size_t>(i)].*place;
     const SkdCurve& curve = curves.GetCurves()[at.Curve];
     curves.GetWeights(at.Piece, at.T, ids, weights);
-    points.Interpolate(i, curve.Leaf, ids, weights.data());
-    cells.Take(i, curve.Leaf, curve.CellId);
+    points.Interpolate(i, curve.Block, ids, weights.data());
+    cells.Take(i, curve.Block, curve.CellId);
   }
 }
 

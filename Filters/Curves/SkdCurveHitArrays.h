@@ -14,7 +14,7 @@ class vtkUnstructuredGrid;
 struct SkdCurveSide
 {
   const SkdCurveTree& Tree;
-  const std::vector<SkdLeaf>& Leaves;
+  const std::vector<SkdBlock>& Blocks;
   bool IsComposite;
 };
 

@@ -127,20 +127,20 @@ SkdPolylineForm SkdPolylineForm::Of(int kind, double tension, double bias, doubl
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveSet::Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm& form)
+void SkdCurveSet::Read(const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form)
 {
   *this = SkdCurveSet();
-  this->Leaves = leaves;
+  this->Blocks = blocks;
   this->Form = form;
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    vtkDataSet* mesh = leaves[leaf].Mesh;
+    vtkDataSet* mesh = blocks[block].Mesh;
     vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
     for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
     {
       if (!IsGhost(ghosts, cellId))
       {
-        this->ReadCell(mesh, static_cast<int>(leaf), cellId);
+        this->ReadCell(mesh, static_cast<int>(block), cellId);
       }
     }
   }
@@ -186,7 +186,7 @@ bool SkdCurveSet::IsAtEnd(std::size_t number, double u, double slack, std::size_
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveSet::ReadCell(vtkDataSet* mesh, int leaf, vtkIdType cellId)
+void SkdCurveSet::ReadCell(vtkDataSet* mesh, int block, vtkIdType cellId)
 {
   const int type = mesh->GetCellType(cellId);
   if (type == VTK_EMPTY_CELL)
@@ -199,7 +199,7 @@ void SkdCurveSet::ReadCell(vtkDataSet* mesh, int leaf, vtkIdType cellId)
     ++this->NotCurves;
     return;
   }
-  SkdCurve curve{ leaf, cellId, this->Pieces.size(), 0, 1, false, 0.0 };
+  SkdCurve curve{ block, cellId, this->Pieces.size(), 0, 1, false, 0.0 };
   const bool isPolyline = type == VTK_LINE || type == VTK_POLY_LINE;
   if (isPolyline ? this->AddPolyline(cell, curve) : this->AddNative(cell))
   {
@@ -382,7 +382,7 @@ void SkdCurveSet::GetWeights(
 {
   const Piece& stored = this->Pieces[piece];
   const SkdCurve& curve = this->Curves[stored.Curve];
-  vtkDataSet* mesh = this->Leaves[static_cast<std::size_t>(curve.Leaf)].Mesh;
+  vtkDataSet* mesh = this->Blocks[static_cast<std::size_t>(curve.Block)].Mesh;
   const int type = mesh->GetCellType(curve.CellId);
   if (type == VTK_LINE || type == VTK_POLY_LINE)
   {

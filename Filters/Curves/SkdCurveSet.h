@@ -10,7 +10,7 @@
 
 #include "Core/Curves/BezierCurve.h"
 #include "Curves/SkdCurveJoints.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 
 #include <string>
 #include <vector>
@@ -45,7 +45,7 @@ struct SkdPolylineForm
 /// A cell that is a curve.
 struct SkdCurve
 {
-  int Leaf; ///< index in the list of leaves
+  int Block; ///< index in the list of blocks
   vtkIdType CellId;
   std::size_t FirstPiece;
   std::size_t LastPiece; ///< one beyond
@@ -59,7 +59,7 @@ class SkdCurveSet
 public:
   /// Reads lines, polylines, quadratic, cubic, Lagrange and Bezier curves. Parts of no length are
   /// left out; so are curves of no length, ghosts, and what is told about in GetFaults().
-  void Read(const std::vector<SkdLeaf>& leaves, const SkdPolylineForm& form);
+  void Read(const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form);
 
   const std::vector<SkdCurve>& GetCurves() const { return this->Curves; }
   std::size_t GetNumberOfPieces() const { return this->Pieces.size(); }
@@ -102,7 +102,7 @@ private:
     int Interval;
   };
 
-  void ReadCell(vtkDataSet* mesh, int leaf, vtkIdType cellId);
+  void ReadCell(vtkDataSet* mesh, int block, vtkIdType cellId);
   void AddLines(const std::vector<skd::Vector3>& points);
   void AddSplines(const std::vector<skd::Vector3>& points, bool isClosed);
   void AddPiece(const skd::BezierCurve& form, const skd::Vector3& origin, int interval);
@@ -111,7 +111,7 @@ private:
   void Close(SkdCurve& curve);
   void JoinEnds();
 
-  std::vector<SkdLeaf> Leaves;
+  std::vector<SkdBlock> Blocks;
   std::vector<SkdCurve> Curves;
   std::vector<Piece> Pieces;
   std::vector<skd::Homogeneous> Points;

@@ -10,27 +10,27 @@
 
 //------------------------------------------------------------------------------
 bool SkdCurveTree::IsSameAs(
-  const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings) const
+  const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings) const
 {
   return this->Settings == settings &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
-      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }
 
 //------------------------------------------------------------------------------
-bool SkdCurveTree::Update(const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings)
+bool SkdCurveTree::Update(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings)
 {
-  if (this->IsSameAs(leaves, settings))
+  if (this->IsSameAs(blocks, settings))
   {
     return false;
   }
   *this = SkdCurveTree();
   this->Settings = settings;
-  std::vector<SkdLeaf> structures = leaves;
-  this->Meshes.resize(leaves.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  std::vector<SkdBlock> structures = blocks;
+  this->Meshes.resize(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    this->Meshes[i].Keep(leaves[i].Mesh);
+    this->Meshes[i].Keep(blocks[i].Mesh);
     structures[i].Mesh = this->Meshes[i].Get();
   }
   this->Curves.Read(structures, settings.Form);

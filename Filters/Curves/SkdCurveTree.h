@@ -44,7 +44,7 @@ class SkdCurveTree
 {
 public:
   /// Returns whether there was anything to do: false when all was kept.
-  bool Update(const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings);
+  bool Update(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings);
 
   const SkdCurveSet& GetCurves() const { return this->Curves; }
   const SkdCurveSettings& GetSettings() const { return this->Settings; }
@@ -60,19 +60,19 @@ public:
   template <class Visit>
   void VisitWithin(const skd::Box3& box, Visit visit) const
   {
-    auto leaf = [&](std::uint32_t span)
+    auto visitor = [&](std::uint32_t span)
     {
       visit(static_cast<std::size_t>(span));
       return true;
     };
-    skd::WithinBox<3, decltype(leaf)> query(this->Tree.GetFrame(), box, leaf);
+    skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
     skd::Walk(this->Tree, query);
   }
 
   double GetAbsoluteEpsilon() const { return this->AbsoluteEpsilon; }
 
 private:
-  bool IsSameAs(const std::vector<SkdLeaf>& leaves, const SkdCurveSettings& settings) const;
+  bool IsSameAs(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings) const;
   void Cut(double delta);
   void Build(double epsilon);
 

@@ -149,7 +149,7 @@ private:
     this->CurveIds->InsertNextValue(static_cast<vtkIdType>(number));
     this->CellIds->InsertNextValue(curve.CellId);
     this->CurveBlocks->InsertNextValue(
-      this->Task.CurveLeaves[static_cast<std::size_t>(curve.Leaf)].BlockIndex);
+      this->Task.CurveBlocks[static_cast<std::size_t>(curve.Block)].BlockIndex);
     this->Numbers->InsertNextValue(this->Number++);
     this->PartsInside->InsertNextValue(parts.Count());
     this->PartIds->InsertNextValue(parts.Last());

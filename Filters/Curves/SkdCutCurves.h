@@ -11,7 +11,7 @@ class vtkPolyData;
 struct SkdCutTask
 {
   const SkdCurveSet& Curves;
-  const std::vector<SkdLeaf>& CurveLeaves;
+  const std::vector<SkdBlock>& CurveBlocks;
   const std::vector<SkdSurfaceElement>& Elements;
   const SkdSurfaceHitFinder& Finder;
   bool IsComposite; ///< the curves' data set

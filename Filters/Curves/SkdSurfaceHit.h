@@ -37,7 +37,7 @@ struct SkdSurfaceHit
 /// A place where a curve meets a surface, whatever number of pieces and elements meet there.
 struct SkdSurfaceMeeting
 {
-  SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (leaf, cell id)
+  SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (block, cell id)
   int Sense;         ///< 1: the curve goes in, against the normal; -1: out; 0: neither
   int Before;        ///< as of the hit, of all that meet there; 0 also where they do not agree
   int After;

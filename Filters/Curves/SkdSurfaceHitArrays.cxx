@@ -4,8 +4,8 @@
 
 #include "Cells/SkdMagnitudes.h"
 #include "Cells/SkdPolyKernels.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdCellWeights.h"
-#include "Pipeline/SkdLeafArrays.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -71,7 +71,7 @@ skd::Vector3 PCoordsOf(const SkdSurfaceHitTable& table, const SkdSurfaceHit& hit
   {
     return { { hit.R, hit.S, 0.0 } };
   }
-  vtkDataSet* mesh = table.SurfaceLeaves[static_cast<std::size_t>(element.Leaf)].Mesh;
+  vtkDataSet* mesh = table.SurfaceBlocks[static_cast<std::size_t>(element.Block)].Mesh;
   vtkCell* cell = mesh->GetCell(element.CellId);
   skd::Vector3 nearest;
   skd::Vector3 pcoords{};
@@ -106,9 +106,9 @@ void AddVertices(const SkdSurfaceHitTable& table, vtkPolyData* output)
   output->SetVerts(vertices);
 }
 
-int CurveLeafOf(const SkdSurfaceHitTable& table, const SkdSurfaceMeeting& meeting)
+int CurveBlockOf(const SkdSurfaceHitTable& table, const SkdSurfaceMeeting& meeting)
 {
-  return table.Curves.GetCurves()[meeting.Hit.Curve].Leaf;
+  return table.Curves.GetCurves()[meeting.Hit.Curve].Block;
 }
 
 const SkdSurfaceElement& ElementOf(
@@ -157,7 +157,7 @@ void SkdStoreCurveBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
   AddColumn<vtkIntArray>(table, output, "SkdCurveBlockIndex",
     [&](const SkdSurfaceMeeting& one)
-    { return table.CurveLeaves[static_cast<std::size_t>(CurveLeafOf(table, one))].BlockIndex; });
+    { return table.CurveBlocks[static_cast<std::size_t>(CurveBlockOf(table, one))].BlockIndex; });
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
   AddColumn<vtkIntArray>(table, output, "SkdBlockIndex",
     [&](const SkdSurfaceMeeting& one) {
-      return table.SurfaceLeaves[static_cast<std::size_t>(ElementOf(table, one).Leaf)].BlockIndex;
+      return table.SurfaceBlocks[static_cast<std::size_t>(ElementOf(table, one).Block)].BlockIndex;
     });
 }
 
@@ -174,12 +174,12 @@ void SkdStoreDataAtHits(
   const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
 {
   const auto n = static_cast<vtkIdType>(table.Meetings.size());
-  const auto gather = [&](const std::vector<SkdLeaf>& leaves, int type)
-  { return SkdGatherInto(output->GetPointData(), n, leaves, type, refused); };
-  SkdArrayGather curvePoints = gather(table.CurveLeaves, vtkDataObject::POINT);
-  SkdArrayGather curveCells = gather(table.CurveLeaves, vtkDataObject::CELL);
-  SkdArrayGather points = gather(table.SurfaceLeaves, vtkDataObject::POINT);
-  SkdArrayGather cells = gather(table.SurfaceLeaves, vtkDataObject::CELL);
+  const auto gather = [&](const std::vector<SkdBlock>& blocks, int type)
+  { return SkdGatherInto(output->GetPointData(), n, blocks, type, refused); };
+  SkdArrayGather curvePoints = gather(table.CurveBlocks, vtkDataObject::POINT);
+  SkdArrayGather curveCells = gather(table.CurveBlocks, vtkDataObject::CELL);
+  SkdArrayGather points = gather(table.SurfaceBlocks, vtkDataObject::POINT);
+  SkdArrayGather cells = gather(table.SurfaceBlocks, vtkDataObject::CELL);
   vtkNew<vtkIdList> ids;
   std::vector<double> alongCurve;
   SkdCellWeights onSurface;
@@ -187,14 +187,14 @@ void SkdStoreDataAtHits(
   {
     const SkdSurfaceMeeting& meeting = table.Meetings[static_cast<std::size_t>(i)];
     const SkdSurfaceHit& hit = meeting.Hit;
-    const int curveLeaf = CurveLeafOf(table, meeting);
+    const int curveBlock = CurveBlockOf(table, meeting);
     table.Curves.GetWeights(hit.Piece, hit.T, ids, alongCurve);
-    curvePoints.Interpolate(i, curveLeaf, ids, alongCurve.data());
-    curveCells.Take(i, curveLeaf, table.Curves.GetCurves()[hit.Curve].CellId);
+    curvePoints.Interpolate(i, curveBlock, ids, alongCurve.data());
+    curveCells.Take(i, curveBlock, table.Curves.GetCurves()[hit.Curve].CellId);
     const SkdSurfaceElement& element = ElementOf(table, meeting);
-    vtkDataSet* mesh = table.SurfaceLeaves[static_cast<std::size_t>(element.Leaf)].Mesh;
+    vtkDataSet* mesh = table.SurfaceBlocks[static_cast<std::size_t>(element.Block)].Mesh;
     onSurface.Evaluate(mesh, element.CellId, hit.X.X);
-    points.Interpolate(i, element.Leaf, onSurface.GetPointIds(), onSurface.GetWeights());
-    cells.Take(i, element.Leaf, element.CellId);
+    points.Interpolate(i, element.Block, onSurface.GetPointIds(), onSurface.GetWeights());
+    cells.Take(i, element.Block, element.CellId);
   }
 }

@@ -13,9 +13,9 @@ class vtkPolyData;
 struct SkdSurfaceHitTable
 {
   const SkdCurveSet& Curves;
-  const std::vector<SkdLeaf>& CurveLeaves;
+  const std::vector<SkdBlock>& CurveBlocks;
   const SkdSurfaceSet& Surfaces;
-  const std::vector<SkdLeaf>& SurfaceLeaves;
+  const std::vector<SkdBlock>& SurfaceBlocks;
   std::vector<SkdSurfaceMeeting> Meetings;
   std::vector<vtkIdType> Numbers; ///< of each meeting along its curve, from 1
 };

@@ -223,7 +223,7 @@ std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Unite(Hits& hits) const
   const auto key = [&](const SkdSurfaceHit& hit)
   {
     const SkdSurfaceElement& element = elements[hit.Element];
-    return std::tuple(hit.Curve, hit.U, element.Part, element.Leaf, element.CellId, hit.Element,
+    return std::tuple(hit.Curve, hit.U, element.Part, element.Block, element.CellId, hit.Element,
       hit.Begins, hit.Piece);
   };
   std::sort(hits.begin(), hits.end(),

@@ -112,9 +112,9 @@ std::vector<vtkIdType> NameOf(vtkCell* face)
 }
 
 //------------------------------------------------------------------------------
-void SkdSurfaceReader::Read(vtkDataSet* mesh, int leaf)
+void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
 {
-  this->Leaf = leaf;
+  this->Block = block;
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   std::vector<vtkIdType> volumes;
   for (vtkIdType cellId = 0; cellId < mesh->GetNumberOfCells(); ++cellId)
@@ -220,7 +220,7 @@ void SkdSurfaceReader::AddTriangle(
   const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
 {
   this->Elements.push_back(
-    { this->Corners.size(), this->CellId, this->Leaf, 1, 1, false, true, this->IsWhole });
+    { this->Corners.size(), this->CellId, this->Block, 1, 1, false, true, this->IsWhole });
   this->Corners.insert(this->Corners.end(), { a, b, c });
 }
 
@@ -228,7 +228,7 @@ void SkdSurfaceReader::AddTriangle(
 void SkdSurfaceReader::AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin)
 {
   this->Elements.push_back(
-    { this->Controls.size(), this->CellId, this->Leaf, static_cast<std::uint8_t>(patch.DegreeR),
+    { this->Controls.size(), this->CellId, this->Block, static_cast<std::uint8_t>(patch.DegreeR),
       static_cast<std::uint8_t>(patch.DegreeS), true, patch.IsTriangle, this->IsWhole });
   this->Controls.push_back(skd::Weighted(origin, 1.0));
   this->Controls.insert(this->Controls.end(), patch.Points, patch.Points + patch.Size());

@@ -19,7 +19,7 @@ struct SkdSurfaceElement
 {
   std::size_t FirstPoint; ///< of three corners, or of an origin and the control points after it
   vtkIdType CellId;
-  int Leaf; ///< index in the list of leaves
+  int Block; ///< index in the list of blocks
   std::uint8_t DegreeR;
   std::uint8_t DegreeS;
   bool IsPatch;
@@ -39,7 +39,7 @@ public:
   {
   }
 
-  void Read(vtkDataSet* mesh, int leaf);
+  void Read(vtkDataSet* mesh, int block);
 
   /// What could not be read, one line each.
   std::vector<std::string> GetFaults() const;
@@ -59,7 +59,7 @@ private:
   void AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin);
 
   bool WithVolumes;
-  int Leaf = 0;
+  int Block = 0;
   vtkIdType CellId = 0;
   bool IsWhole = false;
   vtkIdType NotSurfaces = 0;

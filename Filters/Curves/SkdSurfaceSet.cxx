@@ -10,28 +10,28 @@
 
 //------------------------------------------------------------------------------
 bool SkdSurfaceSet::IsSameAs(
-  const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon) const
+  const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon) const
 {
   return this->WithVolumes == withVolumes && this->Epsilon == epsilon &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
-      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }
 
 //------------------------------------------------------------------------------
-bool SkdSurfaceSet::Update(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon)
+bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon)
 {
-  if (this->IsSameAs(leaves, withVolumes, epsilon))
+  if (this->IsSameAs(blocks, withVolumes, epsilon))
   {
     return false;
   }
   *this = SkdSurfaceSet();
   this->Epsilon = epsilon;
   this->WithVolumes = withVolumes;
-  this->Meshes.resize(leaves.size());
+  this->Meshes.resize(blocks.size());
   SkdSurfaceReader reader(withVolumes);
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    this->Meshes[i].Keep(leaves[i].Mesh);
+    this->Meshes[i].Keep(blocks[i].Mesh);
     reader.Read(this->Meshes[i].Get(), static_cast<int>(i));
   }
   this->Elements.swap(reader.Elements);
@@ -115,12 +115,12 @@ skd::Box3 SkdSurfaceSet::BoundsOf(const SkdSurfaceElement& element) const
 
 //------------------------------------------------------------------------------
 void SkdSurfaceSet::AssignParts(
-  const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<int>>& idsOfCells)
+  const std::vector<SkdBlock>& blocks, const std::vector<std::vector<int>>& idsOfCells)
 {
   for (SkdSurfaceElement& element : this->Elements)
   {
-    const auto leaf = static_cast<std::size_t>(element.Leaf);
-    element.Part = idsOfCells.empty() ? leaves[leaf].BlockIndex
-                                      : idsOfCells[leaf][static_cast<std::size_t>(element.CellId)];
+    const auto block = static_cast<std::size_t>(element.Block);
+    element.Part = idsOfCells.empty() ? blocks[block].BlockIndex
+                                      : idsOfCells[block][static_cast<std::size_t>(element.CellId)];
   }
 }

@@ -15,8 +15,8 @@
 #include "Core/Tree/Tree.h"
 #include "Core/Tree/Walk.h"
 #include "Curves/SkdSurfaceReader.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdLeaves.h"
 
 #include <string>
 #include <vector>
@@ -28,12 +28,12 @@ public:
   /// what they are. With `withVolumes` also the faces of volume cells that no other cell of the
   /// data set has. Ghosts and what is told about in GetFaults() are left out. Returns whether there
   /// was anything to do: false when all was kept.
-  bool Update(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon);
+  bool Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon);
 
-  /// Says which part each element is of, by a list of ids a leaf, one a cell; without lists by
-  /// their leaf's block. Parts that meet in one place are met each by itself.
+  /// Says which part each element is of, by a list of ids a block, one a cell; without lists by
+  /// their block. Parts that meet in one place are met each by itself.
   void AssignParts(
-    const std::vector<SkdLeaf>& leaves, const std::vector<std::vector<int>>& idsOfCells);
+    const std::vector<SkdBlock>& blocks, const std::vector<std::vector<int>>& idsOfCells);
 
   const std::vector<SkdSurfaceElement>& GetElements() const { return this->Elements; }
 
@@ -48,23 +48,23 @@ public:
   template <class Visit>
   void VisitAlong(const skd::Segment<3>& segment, Visit visit) const
   {
-    auto leaf = [&](std::uint32_t element)
+    auto visitor = [&](std::uint32_t element)
     {
       visit(element);
       return 1.0;
     };
-    skd::AlongSegment<3, decltype(leaf)> query(this->Tree.GetFrame(), segment, 0.0, leaf);
+    skd::AlongSegment<3, decltype(visitor)> query(this->Tree.GetFrame(), segment, 0.0, visitor);
     skd::Walk(this->Tree, query);
   }
   template <class Visit>
   void VisitWithin(const skd::Box3& box, Visit visit) const
   {
-    auto leaf = [&](std::uint32_t element)
+    auto visitor = [&](std::uint32_t element)
     {
       visit(element);
       return true;
     };
-    skd::WithinBox<3, decltype(leaf)> query(this->Tree.GetFrame(), box, leaf);
+    skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
     skd::Walk(this->Tree, query);
   }
   ///@}
@@ -76,7 +76,7 @@ public:
   const std::vector<std::string>& GetFaults() const { return this->Faults; }
 
 private:
-  bool IsSameAs(const std::vector<SkdLeaf>& leaves, bool withVolumes, double epsilon) const;
+  bool IsSameAs(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon) const;
   void Build(double epsilon);
   skd::Box3 BoundsOf(const SkdSurfaceElement& element) const;
 

@@ -40,9 +40,9 @@ SkdSide Elect(int count, const Vote& vote)
 }
 }
 
-SkdPart::SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings)
+SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSettings& settings)
   : Id(id)
-  , Boundary(SkdBoundaryOf(leaves, settings.ChordalLength))
+  , Boundary(SkdBoundaryOf(blocks, settings.ChordalLength))
   , Faces(SkdMakeLocator(this->Boundary.Faces))
 {
   this->Walls = this->Boundary.Walls == this->Boundary.Faces ? this->Faces

@@ -54,9 +54,9 @@ struct SkdPartSettings
 class SkdPart
 {
 public:
-  /// The body that the leaves enclose together; `id` is what it is called. Triangles, their trees,
+  /// The body that the blocks enclose together; `id` is what it is called. Triangles, their trees,
   /// and what the method needs besides.
-  SkdPart(int id, const std::vector<SkdLeaf>& leaves, const SkdPartSettings& settings);
+  SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSettings& settings);
 
   int GetId() const { return this->Id; }
   vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }

@@ -40,15 +40,15 @@ private:
 
 }
 
-std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdLeaf>& leaves)
+std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& blocks)
 {
   SkdWeld weld;
   Union pieces;
-  std::vector<std::vector<vtkIdType>> firstPoints(leaves.size());
+  std::vector<std::vector<vtkIdType>> firstPoints(blocks.size());
   vtkNew<vtkIdList> ids;
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    vtkDataSet* mesh = leaves[leaf].Mesh;
+    vtkDataSet* mesh = blocks[block].Mesh;
     for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
     {
       mesh->GetCellPoints(cell, ids);
@@ -61,27 +61,27 @@ std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdLeaf>& l
         pieces.Find(point);
         first < 0 ? void(first = point) : pieces.Join(point, first);
       }
-      firstPoints[leaf].push_back(first);
+      firstPoints[block].push_back(first);
     }
   }
   std::unordered_map<vtkIdType, int> numbers;
-  std::vector<std::vector<int>> found(leaves.size());
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  std::vector<std::vector<int>> found(blocks.size());
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    for (const vtkIdType point : firstPoints[leaf])
+    for (const vtkIdType point : firstPoints[block])
     {
       const vtkIdType root = point < 0 ? -1 : pieces.Find(point);
-      found[leaf].push_back(numbers.emplace(root, static_cast<int>(numbers.size())).first->second);
+      found[block].push_back(numbers.emplace(root, static_cast<int>(numbers.size())).first->second);
     }
   }
   return found;
 }
 
-bool SkdHavePartArray(const std::vector<SkdLeaf>& leaves, const std::string& array)
+bool SkdHavePartArray(const std::vector<SkdBlock>& blocks, const std::string& array)
 {
-  return std::all_of(leaves.begin(), leaves.end(),
-    [&](const SkdLeaf& leaf)
-    { return leaf.Mesh->GetCellData()->GetArray(array.c_str()) != nullptr; });
+  return std::all_of(blocks.begin(), blocks.end(),
+    [&](const SkdBlock& block)
+    { return block.Mesh->GetCellData()->GetArray(array.c_str()) != nullptr; });
 }
 
 std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array)
@@ -99,27 +99,27 @@ std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array)
   return ids;
 }
 
-bool SkdPartList::IsSameAs(const std::vector<SkdLeaf>& leaves) const
+bool SkdPartList::IsSameAs(const std::vector<SkdBlock>& blocks) const
 {
-  return std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
-    [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+  return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+    [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }
 
-int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const std::string& array,
-  const SkdPartSettings& settings)
+int SkdPartList::Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by,
+  const std::string& array, const SkdPartSettings& settings)
 {
   Key key{ by, settings, {} };
   if (by == SkdPartsBy::CellArray)
   {
-    for (const SkdLeaf& leaf : leaves)
+    for (const SkdBlock& block : blocks)
     {
-      key.Ids.push_back(SkdPartIdsOf(leaf.Mesh, array));
+      key.Ids.push_back(SkdPartIdsOf(block.Mesh, array));
     }
   }
-  const bool isSameMesh = this->IsSameAs(leaves);
+  const bool isSameMesh = this->IsSameAs(blocks);
   if (by == SkdPartsBy::ConnectedPieces)
   {
-    key.Ids = isSameMesh && this->Last.By == by ? this->Last.Ids : SkdConnectedPiecesOf(leaves);
+    key.Ids = isSameMesh && this->Last.By == by ? this->Last.Ids : SkdConnectedPiecesOf(blocks);
   }
   if (isSameMesh && key == this->Last)
   {
@@ -127,46 +127,46 @@ int SkdPartList::Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const
   }
   this->Last = key;
   this->Parts.clear();
-  this->Meshes.resize(leaves.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  this->Meshes.resize(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    this->Meshes[i].Keep(leaves[i].Mesh);
+    this->Meshes[i].Keep(blocks[i].Mesh);
     if (by == SkdPartsBy::Blocks)
     {
-      this->Parts.emplace_back(leaves[i].BlockIndex, std::vector<SkdLeaf>{ leaves[i] }, settings);
+      this->Parts.emplace_back(blocks[i].BlockIndex, std::vector<SkdBlock>{ blocks[i] }, settings);
     }
   }
   if (by != SkdPartsBy::Blocks)
   {
-    this->MakeByIds(leaves);
+    this->MakeByIds(blocks);
   }
   return static_cast<int>(this->Parts.size());
 }
 
-void SkdPartList::MakeByIds(const std::vector<SkdLeaf>& leaves)
+void SkdPartList::MakeByIds(const std::vector<SkdBlock>& blocks)
 {
-  std::map<int, std::map<std::size_t, std::vector<vtkIdType>>> cells; // by id, then leaf
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  std::map<int, std::map<std::size_t, std::vector<vtkIdType>>> cells; // by id, then block
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    vtkUnsignedCharArray* ghosts = leaves[leaf].Mesh->GetCellGhostArray();
-    for (std::size_t cell = 0; cell < this->Last.Ids[leaf].size(); ++cell)
+    vtkUnsignedCharArray* ghosts = blocks[block].Mesh->GetCellGhostArray();
+    for (std::size_t cell = 0; cell < this->Last.Ids[block].size(); ++cell)
     {
       const auto id = static_cast<vtkIdType>(cell);
       if (!ghosts || !ghosts->GetValue(id))
       {
-        cells[this->Last.Ids[leaf][cell]][leaf].push_back(id);
+        cells[this->Last.Ids[block][cell]][block].push_back(id);
       }
     }
   }
   for (const auto& [id, some] : cells)
   {
-    std::vector<SkdLeaf> parts;
-    for (const auto& [leaf, ids] : some)
+    std::vector<SkdBlock> parts;
+    for (const auto& [block, ids] : some)
     {
-      SkdSubset subset(leaves[leaf].Mesh);
+      SkdSubset subset(blocks[block].Mesh);
       subset.SetCells(ids);
       subset.CopyShaping();
-      parts.push_back({ subset.Get(), leaves[leaf].BlockIndex });
+      parts.push_back({ subset.Get(), blocks[block].BlockIndex });
     }
     this->Parts.emplace_back(id, parts, this->Last.Settings);
   }

@@ -25,18 +25,18 @@ enum class SkdPartsBy
 std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array);
 
 /// Whether all data sets have a cell array of numbers of that name.
-bool SkdHavePartArray(const std::vector<SkdLeaf>& leaves, const std::string& array);
+bool SkdHavePartArray(const std::vector<SkdBlock>& blocks, const std::string& array);
 
-/// The connected piece of each cell, one list a leaf: cells that share a point, of whatever leaf,
+/// The connected piece of each cell, one list a block: cells that share a point, of whatever block,
 /// are of one. Numbered by their first cells.
-std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdLeaf>& leaves);
+std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& blocks);
 
 class SkdPartList
 {
 public:
-  /// Makes the parts those of the leaves, by what is said. Returns how many were made: 0 when all
-  /// were kept. The array must be in all leaves.
-  int Update(const std::vector<SkdLeaf>& leaves, SkdPartsBy by, const std::string& array,
+  /// Makes the parts those of the blocks, by what is said. Returns how many were made: 0 when all
+  /// were kept. The array must be in all blocks.
+  int Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by, const std::string& array,
     const SkdPartSettings& settings);
 
   const std::vector<SkdPart>& Get() const { return this->Parts; }
@@ -47,7 +47,7 @@ private:
   {
     SkdPartsBy By;
     SkdPartSettings Settings;
-    std::vector<std::vector<int>> Ids; // of cells, one list a leaf, unless by blocks
+    std::vector<std::vector<int>> Ids; // of cells, one list a block, unless by blocks
 
     bool operator==(const Key& other) const
     {
@@ -55,8 +55,8 @@ private:
     }
   };
 
-  bool IsSameAs(const std::vector<SkdLeaf>& leaves) const;
-  void MakeByIds(const std::vector<SkdLeaf>& leaves);
+  bool IsSameAs(const std::vector<SkdBlock>& blocks) const;
+  void MakeByIds(const std::vector<SkdBlock>& blocks);
 
   std::vector<SkdKeptMesh> Meshes;
   Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };

@@ -26,7 +26,7 @@ SkdAnswers::SkdAnswers(vtkIdType n)
   : Points(SkdMakeArray<vtkDoubleArray>(ClosestPointName, 3, n, vtkMath::Nan()))
   , Distances(SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
   , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
-  , Leaves(n, -1)
+  , Blocks(n, -1)
 {
 }
 
@@ -36,17 +36,17 @@ void SkdAnswers::Set(vtkIdType i, const SkdNearest& nearest, bool isInside)
   std::copy_n(nearest.Point, 3, this->Points->GetPointer(3 * i));
   this->Distances->SetValue(i, isInside ? -distance : distance);
   this->CellIds->SetValue(i, nearest.CellId);
-  this->Leaves[i] = nearest.Leaf;
+  this->Blocks[i] = nearest.Block;
 }
 
 vtkIdType SkdAnswers::CountFound() const
 {
   return std::count_if(
-    this->Leaves.begin(), this->Leaves.end(), [](int leaf) { return leaf >= 0; });
+    this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
 }
 
 void SkdAnswers::AddTo(
-  vtkPointData* pointData, const std::vector<SkdLeaf>& source, bool isComposite) const
+  vtkPointData* pointData, const std::vector<SkdBlock>& source, bool isComposite) const
 {
   pointData->AddArray(this->Points);
   pointData->AddArray(this->Distances);
@@ -54,20 +54,20 @@ void SkdAnswers::AddTo(
   pointData->SetActiveScalars(DistanceName);
   if (isComposite)
   {
-    auto blocks = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
+    auto blockIndices = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
     for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
     {
-      if (this->Leaves[i] >= 0)
+      if (this->Blocks[i] >= 0)
       {
-        blocks->SetValue(i, source[this->Leaves[i]].BlockIndex);
+        blockIndices->SetValue(i, source[this->Blocks[i]].BlockIndex);
       }
     }
-    pointData->AddArray(blocks);
+    pointData->AddArray(blockIndices);
   }
 }
 
 void SkdConnectAnswers(
-  const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines)
+  const std::vector<SkdBlock>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines)
 {
   struct Start
   {
@@ -84,7 +84,7 @@ void SkdConnectAnswers(
     data.push_back(meshes[mesh].Mesh->GetPointData());
     for (vtkIdType i = 0; i < answers[mesh].GetNumberOfPoints(); ++i)
     {
-      if (answers[mesh].GetLeaf(i) >= 0)
+      if (answers[mesh].GetBlock(i) >= 0)
       {
         double x[3];
         meshes[mesh].Mesh->GetPoint(i, x);

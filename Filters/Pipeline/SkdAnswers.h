@@ -3,7 +3,7 @@
 #ifndef SkdAnswers_h
 #define SkdAnswers_h
 
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdNearest.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -33,29 +33,29 @@ public:
   void Set(vtkIdType i, const SkdNearest& nearest, bool isInside);
 
   ///@{
-  /// What a slot holds. The leaf is -1 where there is no answer.
-  int GetLeaf(vtkIdType i) const { return this->Leaves[i]; }
+  /// What a slot holds. The block is -1 where there is no answer.
+  int GetBlock(vtkIdType i) const { return this->Blocks[i]; }
   vtkIdType GetCellId(vtkIdType i) const { return this->CellIds->GetValue(i); }
   const double* GetPoint(vtkIdType i) const { return this->Points->GetPointer(3 * i); }
   ///@}
 
-  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Leaves.size()); }
+  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
   vtkIdType CountFound() const;
 
   /// Adds the arrays, and makes the distance the active scalars. Block indices of `source` are
   /// added when there is one to tell, that is, it came from a composite data set.
-  void AddTo(vtkPointData* pointData, const std::vector<SkdLeaf>& source, bool isComposite) const;
+  void AddTo(vtkPointData* pointData, const std::vector<SkdBlock>& source, bool isComposite) const;
 
 private:
   vtkSmartPointer<vtkDoubleArray> Points;
   vtkSmartPointer<vtkDoubleArray> Distances;
   vtkSmartPointer<vtkIdTypeArray> CellIds;
-  std::vector<int> Leaves;
+  std::vector<int> Blocks;
 };
 
 /// Fills `lines` with a line from each point of `meshes` that has an answer to where it is. Cell
 /// data are the point arrays that all meshes have in common, ghost marks left out.
 void SkdConnectAnswers(
-  const std::vector<SkdLeaf>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines);
+  const std::vector<SkdBlock>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBoundary.h"
 
-#include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdBlockSurface.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellArray.h"
@@ -29,11 +29,11 @@ struct Face
   int Net;    // how many of these are turned like it more than are turned against it
 };
 
-/// The faces of all leaves, and what becomes of them.
+/// The faces of all blocks, and what becomes of them.
 class FaceList
 {
 public:
-  FaceList(const std::vector<SkdLeaf>& leaves, double chordalLength);
+  FaceList(const std::vector<SkdBlock>& blocks, double chordalLength);
 
   void KeepVolumesOrSurfaces();
   void SortByOrigin();
@@ -41,9 +41,9 @@ public:
   void FillBoundary(SkdBoundary& boundary) const;
 
 private:
-  void AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength);
+  void AddBlock(int block, vtkDataSet* mesh, double chordalLength);
   template <class Corner>
-  void AddFace(Face face, const SkdLeafSurface& surface, vtkIdType size, const Corner* corners);
+  void AddFace(Face face, const SkdBlockSurface& surface, vtkIdType size, const Corner* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
   bool AreTurnedAlike(const Face& a, const Face& b) const;
 
@@ -59,24 +59,24 @@ private:
   std::vector<vtkIdType> Corners;
 };
 
-FaceList::FaceList(const std::vector<SkdLeaf>& leaves, double chordalLength)
+FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
 {
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  for (std::size_t block = 0; block < blocks.size(); ++block)
   {
-    if (leaves[leaf].Mesh->GetNumberOfCells() > 0)
+    if (blocks[block].Mesh->GetNumberOfCells() > 0)
     {
-      this->AddLeaf(static_cast<int>(leaf), leaves[leaf].Mesh, chordalLength);
+      this->AddBlock(static_cast<int>(block), blocks[block].Mesh, chordalLength);
     }
   }
 }
 
-void FaceList::AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength)
+void FaceList::AddBlock(int block, vtkDataSet* mesh, double chordalLength)
 {
-  const SkdLeafSurface surface(mesh, chordalLength);
+  const SkdBlockSurface surface(mesh, chordalLength);
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners)
     {
-      const SkdBoundary::Origin origin{ leaf, surface.GetCellId(cell) };
+      const SkdBoundary::Origin origin{ block, surface.GetCellId(cell) };
       const Face like{ this->Corners.size(), 0, origin, surface.IsOfVolume(cell), 0, 0 };
       this->AddFace(like, surface, size, corners);
     });
@@ -84,7 +84,7 @@ void FaceList::AddLeaf(int leaf, vtkDataSet* mesh, double chordalLength)
 
 template <class Corner>
 void FaceList::AddFace(
-  Face face, const SkdLeafSurface& surface, vtkIdType size, const Corner* corners)
+  Face face, const SkdBlockSurface& surface, vtkIdType size, const Corner* corners)
 {
   const auto idOf = [&](vtkIdType corner) -> vtkIdType
   {
@@ -116,8 +116,8 @@ void FaceList::SortByOrigin()
   std::stable_sort(this->Faces.begin(), this->Faces.end(),
     [](const Face& a, const Face& b)
     {
-      return a.Origin.Leaf != b.Origin.Leaf ? a.Origin.Leaf < b.Origin.Leaf
-                                            : a.Origin.CellId < b.Origin.CellId;
+      return a.Origin.Block != b.Origin.Block ? a.Origin.Block < b.Origin.Block
+                                              : a.Origin.CellId < b.Origin.CellId;
     });
 }
 
@@ -287,9 +287,9 @@ void FaceList::FillBoundary(SkdBoundary& boundary) const
 }
 }
 
-SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves, double chordalLength)
+SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength)
 {
-  FaceList faces(leaves, chordalLength);
+  FaceList faces(blocks, chordalLength);
   faces.KeepVolumesOrSurfaces();
   faces.SortByOrigin();
   faces.CountCopies();

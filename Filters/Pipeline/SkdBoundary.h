@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdBoundary.h
- * @brief The one surface that bounds what all leaves of a Source enclose together.
+ * @brief The one surface that bounds what all blocks of a Source enclose together.
  *
  * The boundary is that of the Source's volume cells; of a Source without any, it is its surface
- * cells. Points are one point when their coordinates are equal, so that leaves, and triangles that
+ * cells. Points are one point when their coordinates are equal, so that blocks, and triangles that
  * were written point by point, join. Then
- * - a face between two volume cells, be they of different leaves, is no boundary;
+ * - a face between two volume cells, be they of different blocks, is no boundary;
  * - a face that occurs more than once is there once.
  * Ghost cells and faces with points that are not finite are left out.
  */
@@ -15,7 +15,7 @@
 #ifndef SkdBoundary_h
 #define SkdBoundary_h
 
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdOuterSurface.h"
 #include "vtkPolyData.h"
 
@@ -23,14 +23,14 @@
 
 struct SkdBoundary
 {
-  /// Where a face comes from: an index in the list of leaves, and a cell there.
+  /// Where a face comes from: an index in the list of blocks, and a cell there.
   struct Origin
   {
-    int Leaf;
+    int Block;
     vtkIdType CellId;
   };
 
-  /// Triangles, by ascending (leaf, cell id). Larger faces are cut: a warped quad has no crossings
+  /// Triangles, by ascending (block, cell id). Larger faces are cut: a warped quad has no crossings
   /// that are exact and fit its distances, two triangles have.
   vtkSmartPointer<vtkPolyData> Faces;
   std::vector<Origin> Origins; // one a face
@@ -50,6 +50,6 @@ struct SkdBoundary
 
 /// Curved faces as facets no farther from them than a length (SkdChordalLength). Cost: O(n log n)
 /// in the number of faces.
-SkdBoundary SkdBoundaryOf(const std::vector<SkdLeaf>& leaves, double chordalLength);
+SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength);
 
 #endif

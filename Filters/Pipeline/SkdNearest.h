@@ -10,8 +10,8 @@ struct SkdNearest
 {
   double Point[3];
   double Distance2; // squared
-  int Leaf;         // index in the list of the Source's leaves
-  vtkIdType CellId; // in that leaf
+  int Block;        // index in the list of the Source's blocks
+  vtkIdType CellId; // in that block
 };
 
 /// Numbers of a search structure, for reports.

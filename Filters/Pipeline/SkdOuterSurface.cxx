@@ -351,18 +351,18 @@ skd::Box3 FiniteBounds(vtkDataSet* mesh)
 
 //------------------------------------------------------------------------------
 double SkdChordalLength(
-  const std::vector<SkdLeaf>& leaves, double share, const skd::Processes* processes)
+  const std::vector<SkdBlock>& blocks, double share, const skd::Processes* processes)
 {
-  const bool isHere = std::any_of(
-    leaves.begin(), leaves.end(), [](const SkdLeaf& leaf) { return SkdHasCurvedCells(leaf.Mesh); });
+  const bool isHere = std::any_of(blocks.begin(), blocks.end(),
+    [](const SkdBlock& block) { return SkdHasCurvedCells(block.Mesh); });
   if (!(processes ? processes->IsAny(isHere) : isHere))
   {
     return 0.0;
   }
   skd::Box3 box;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
-    box.Add(FiniteBounds(leaf.Mesh));
+    box.Add(FiniteBounds(block.Mesh));
   }
   if (processes)
   {

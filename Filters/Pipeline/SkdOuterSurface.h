@@ -14,16 +14,16 @@
 #define SkdOuterSurface_h
 
 #include "Core/Mesh/Processes.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "vtkPolyData.h"
 
 /// What a chordal deviation is when nobody says: a share of the diagonal of what is asked.
 constexpr double SkdDefaultChordalDeviation = 1e-4;
 
-/// The length that a share of the diagonal of all leaves is; 0 where none has curved cells. With
-/// processes, of which each has a piece, of the leaves of all: the same on each.
+/// The length that a share of the diagonal of all blocks is; 0 where none has curved cells. With
+/// processes, of which each has a piece, of the blocks of all: the same on each.
 double SkdChordalLength(
-  const std::vector<SkdLeaf>& leaves, double share, const skd::Processes* processes = nullptr);
+  const std::vector<SkdBlock>& blocks, double share, const skd::Processes* processes = nullptr);
 
 /// Of a data set that is no vtkPolyData. Its cells have "vtkOriginalCellIds", its points
 /// "vtkOriginalPointIds", -1 of those that are on curved faces. Faces that cannot be cut (a weight

@@ -8,37 +8,37 @@
 #include <cmath>
 
 bool SkdParts::Part::Update(
-  const SkdLeaf& leaf, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
+  const SkdBlock& block, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
-  this->BlockIndex = leaf.BlockIndex;
-  const bool isSame = this->Tree && this->Epsilon == epsilon && this->Mesh.IsSameAs(leaf.Mesh);
+  this->BlockIndex = block.BlockIndex;
+  const bool isSame = this->Tree && this->Epsilon == epsilon && this->Mesh.IsSameAs(block.Mesh);
   if (isSame && !this->Tree->IsBare())
   {
     return false;
   }
-  this->Mesh.Keep(leaf.Mesh);
+  this->Mesh.Keep(block.Mesh);
   this->Epsilon = epsilon;
   SkdTreeSettings settings;
   settings.Epsilon = epsilon;
   settings.Magnitudes = magnitudes;
   settings.IsBare = !isSame && wanted == SkdTreeWanted::IfSeenBefore;
   this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
-  if (leaf.Mesh->GetNumberOfCells() > 0)
+  if (block.Mesh->GetNumberOfCells() > 0)
   {
     this->Mesh.Get()->GetCell(0, SkdScratchCell()); // makes GetCell thread-safe
   }
   return !settings.IsBare;
 }
 
-int SkdParts::Update(const std::vector<SkdLeaf>& leaves, double epsilon,
+int SkdParts::Update(const std::vector<SkdBlock>& blocks, double epsilon,
   const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
-  std::vector<const SkdLeaf*> filled;
-  for (const SkdLeaf& leaf : leaves)
+  std::vector<const SkdBlock*> filled;
+  for (const SkdBlock& block : blocks)
   {
-    if (leaf.Mesh->GetNumberOfCells() > 0)
+    if (block.Mesh->GetNumberOfCells() > 0)
     {
-      filled.push_back(&leaf);
+      filled.push_back(&block);
     }
   }
   this->Parts.resize(filled.size());

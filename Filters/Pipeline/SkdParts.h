@@ -10,8 +10,8 @@
 
 #include "Cells/SkdCellTree.h"
 #include "Core/Geometry/Simplices/SimplexSet.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdNearest.h"
 
 #include <memory>
@@ -27,9 +27,9 @@ enum class SkdTreeWanted
 class SkdParts
 {
 public:
-  /// Makes the trees those of the leaves that have cells. Returns how many had to be built. Throws
+  /// Makes the trees those of the blocks that have cells. Returns how many had to be built. Throws
   /// std::length_error when a part has more cells or points than a tree can hold.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, const SkdMagnitudes& magnitudes,
+  int Update(const std::vector<SkdBlock>& blocks, double epsilon, const SkdMagnitudes& magnitudes,
     SkdTreeWanted wanted = SkdTreeWanted::AtOnce);
 
   std::uint32_t GetNumberOfParts() const { return static_cast<std::uint32_t>(this->Parts.size()); }
@@ -61,8 +61,8 @@ private:
     std::shared_ptr<const SkdCellTree> Tree;
 
     /// Whether a tree was built.
-    bool Update(const SkdLeaf& leaf, double epsilon, const SkdMagnitudes& magnitudes,
-      SkdTreeWanted wanted);
+    bool Update(
+      const SkdBlock& block, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted);
   };
   std::vector<Part> Parts;
 };

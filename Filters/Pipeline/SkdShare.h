@@ -28,7 +28,7 @@ public:
   vtkIdType LastOf(vtkIdType n) const { return n * (this->Piece + 1) / this->Pieces; }
 
   ///@{
-  /// Leaves a share of the cells, with the points that they use, or of the rows. O(size).
+  /// Blocks a share of the cells, with the points that they use, or of the rows. O(size).
   void Keep(vtkPolyData* cells) const;
   void Keep(vtkTable* rows) const;
   ///@}

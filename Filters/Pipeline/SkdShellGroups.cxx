@@ -42,18 +42,18 @@ public:
   bool Touch(std::uint32_t a, std::uint32_t b)
   {
     bool isFound = false;
-    auto leaf = [&](std::uint32_t first, std::uint32_t second)
+    auto block = [&](std::uint32_t first, std::uint32_t second)
     {
       const skd::TriangleInPlane triangle(this->CornersOf(this->Lists[a][first]));
       const auto other = this->CornersOf(this->Lists[b][second]);
       isFound = skd::FindContact(triangle, other).Count > 0;
       return !isFound;
     };
-    using Query = skd::OverlappingPairs<3, skd::SameWorld, decltype(leaf)>;
+    using Query = skd::OverlappingPairs<3, skd::SameWorld, decltype(block)>;
     const Tree& first = this->GetTree(a);
     const Tree& second = this->GetTree(b);
     const skd::SameWorld world;
-    Query query(first.GetFrame(), second.GetFrame(), world, leaf);
+    Query query(first.GetFrame(), second.GetFrame(), world, block);
     skd::PairWalk<Tree, Tree, Query>(first, second, query).Run();
     return isFound;
   }

@@ -7,22 +7,22 @@
 #include <algorithm>
 #include <cstddef>
 
-bool SkdSignedSource::IsSameAs(const std::vector<SkdLeaf>& leaves) const
+bool SkdSignedSource::IsSameAs(const std::vector<SkdBlock>& blocks) const
 {
   return this->Faces &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
-      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }
 
 int SkdSignedSource::Update(
-  const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation)
+  const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation)
 {
-  const double chordalLength = SkdChordalLength(leaves, chordalDeviation);
-  const bool isSame = this->ChordalLength == chordalLength && this->IsSameAs(leaves);
+  const double chordalLength = SkdChordalLength(blocks, chordalDeviation);
+  const bool isSame = this->ChordalLength == chordalLength && this->IsSameAs(blocks);
   if (!isSame)
   {
     this->ChordalLength = chordalLength;
-    this->MakeBoundary(leaves);
+    this->MakeBoundary(blocks);
   }
   int built = SkdBuildLocator(this->Faces, epsilon, !isSame);
   if (this->Walls != this->Faces)
@@ -32,13 +32,13 @@ int SkdSignedSource::Update(
   return built;
 }
 
-void SkdSignedSource::MakeBoundary(const std::vector<SkdLeaf>& leaves)
+void SkdSignedSource::MakeBoundary(const std::vector<SkdBlock>& blocks)
 {
-  this->Meshes.resize(leaves.size());
-  std::vector<SkdLeaf> structures = leaves;
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  this->Meshes.resize(blocks.size());
+  std::vector<SkdBlock> structures = blocks;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    this->Meshes[i].Keep(leaves[i].Mesh);
+    this->Meshes[i].Keep(blocks[i].Mesh);
     structures[i].Mesh = this->Meshes[i].Get();
   }
   this->Boundary = SkdBoundaryOf(structures, this->ChordalLength);
@@ -63,7 +63,7 @@ std::optional<SkdNearest> SkdSignedSource::FindNearest(
   {
     return std::nullopt;
   }
-  nearest.Leaf = this->Boundary.Origins[face].Leaf;
+  nearest.Block = this->Boundary.Origins[face].Block;
   nearest.CellId = this->Boundary.Origins[face].CellId;
   return nearest;
 }

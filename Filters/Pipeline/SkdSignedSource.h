@@ -22,10 +22,10 @@
 class SkdSignedSource
 {
 public:
-  /// Makes the boundary and the tree those of `leaves`, curved faces as facets within a chordal
+  /// Makes the boundary and the tree those of `blocks`, curved faces as facets within a chordal
   /// deviation, a share of the diagonal of all. Returns how many trees were built: 0 when all was
   /// kept.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation);
+  int Update(const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation);
 
   /// Forgets all.
   void Clear() { *this = SkdSignedSource(); }
@@ -49,14 +49,14 @@ public:
   /// ways. Of a point on the boundary either. Thread-safe.
   bool IsInside(const double x[3]) const;
 
-  /// The mesh of a leaf: its structure alone.
-  vtkDataSet* GetMesh(int leaf) const { return this->Meshes[leaf].Get(); }
+  /// The mesh of a block: its structure alone.
+  vtkDataSet* GetMesh(int block) const { return this->Meshes[block].Get(); }
 
   SkdTreeCounts GetCounts() const;
 
 private:
-  bool IsSameAs(const std::vector<SkdLeaf>& leaves) const;
-  void MakeBoundary(const std::vector<SkdLeaf>& leaves);
+  bool IsSameAs(const std::vector<SkdBlock>& blocks) const;
+  void MakeBoundary(const std::vector<SkdBlock>& blocks);
   bool HasOddCrossings(const double x[3], const SkdWayOut& way) const;
 
   std::vector<SkdKeptMesh> Meshes;

@@ -7,10 +7,10 @@
 void SkdSource::Update(
   vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation)
 {
-  this->Leaves = SkdLeavesOf(source);
-  this->Leaves.erase(std::remove_if(this->Leaves.begin(), this->Leaves.end(),
-                       [](const SkdLeaf& leaf) { return leaf.Mesh->GetNumberOfCells() == 0; }),
-    this->Leaves.end());
+  this->Blocks = SkdBlocksOf(source);
+  this->Blocks.erase(std::remove_if(this->Blocks.begin(), this->Blocks.end(),
+                       [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
+    this->Blocks.end());
   this->TreesBuilt = this->UpdateTrees(wantsSide, epsilon, chordalDeviation);
 }
 
@@ -21,7 +21,7 @@ int SkdSource::UpdateTrees(bool wantsSide, double epsilon, double chordalDeviati
   this->Sided = false;
   if (wantsSide)
   {
-    built = this->Boundary.Update(this->Leaves, epsilon, chordalDeviation);
+    built = this->Boundary.Update(this->Blocks, epsilon, chordalDeviation);
     this->Sided = this->Boundary.GetNumberOfFaces() > 0;
   }
   if (this->Sided)
@@ -30,12 +30,12 @@ int SkdSource::UpdateTrees(bool wantsSide, double epsilon, double chordalDeviati
     return built;
   }
   this->Boundary.Clear();
-  return this->Trees.Update(this->Leaves, epsilon);
+  return this->Trees.Update(this->Blocks, epsilon);
 }
 
-vtkDataSet* SkdSource::GetMesh(int leaf) const
+vtkDataSet* SkdSource::GetMesh(int block) const
 {
-  return this->Sided ? this->Boundary.GetMesh(leaf) : this->Trees.GetMesh(leaf);
+  return this->Sided ? this->Boundary.GetMesh(block) : this->Trees.GetMesh(block);
 }
 
 std::optional<SkdNearest> SkdSource::FindNearest(const double x[3], double maximumDistance) const

@@ -19,13 +19,13 @@ public:
   void Update(vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation);
 
   /// Lets go of the Source's data. The trees stay.
-  void Release() { this->Leaves.clear(); }
+  void Release() { this->Blocks.clear(); }
 
-  /// The leaves that have cells.
-  const std::vector<SkdLeaf>& GetLeaves() const { return this->Leaves; }
+  /// The blocks that have cells.
+  const std::vector<SkdBlock>& GetBlocks() const { return this->Blocks; }
 
-  /// The mesh of a leaf: its structure alone.
-  vtkDataSet* GetMesh(int leaf) const;
+  /// The mesh of a block: its structure alone.
+  vtkDataSet* GetMesh(int block) const;
 
   /// Whether there is a boundary that was wanted.
   bool HasSides() const { return this->Sided; }
@@ -47,7 +47,7 @@ public:
 private:
   int UpdateTrees(bool wantsSide, double epsilon, double chordalDeviation);
 
-  std::vector<SkdLeaf> Leaves;
+  std::vector<SkdBlock> Blocks;
   SkdSourceTrees Trees;
   SkdSignedSource Boundary;
   bool Sided = false;

@@ -36,13 +36,13 @@ bool SkdSourceTrees::Tree::Update(vtkDataSet* mesh, double epsilon)
   return SkdBuildLocator(this->Locator, epsilon, !isSame);
 }
 
-int SkdSourceTrees::Update(const std::vector<SkdLeaf>& leaves, double epsilon)
+int SkdSourceTrees::Update(const std::vector<SkdBlock>& blocks, double epsilon)
 {
-  this->Trees.resize(leaves.size());
+  this->Trees.resize(blocks.size());
   int built = 0;
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    built += this->Trees[i].Update(leaves[i].Mesh, epsilon);
+    built += this->Trees[i].Update(blocks[i].Mesh, epsilon);
   }
   return built;
 }
@@ -53,15 +53,15 @@ std::optional<SkdNearest> SkdSourceTrees::FindNearest(
   double asked[3] = { x[0], x[1], x[2] };
   double radius = maximumDistance;
   std::optional<SkdNearest> best;
-  for (std::size_t leaf = 0; leaf < this->Trees.size(); ++leaf)
+  for (std::size_t block = 0; block < this->Trees.size(); ++block)
   {
     SkdNearest next;
     int subId;
-    const bool found = this->Trees[leaf].Locator->FindClosestPointWithinRadius(
+    const bool found = this->Trees[block].Locator->FindClosestPointWithinRadius(
       asked, radius, next.Point, nullptr, next.CellId, subId, next.Distance2);
     if (found && (!best || next.Distance2 < best->Distance2))
     {
-      next.Leaf = static_cast<int>(leaf);
+      next.Block = static_cast<int>(block);
       best = next;
       // Rounded up: the square of the root may be less than what it was the root of.
       radius = std::min(

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSourceTrees.h
- * @brief A tree for each leaf of a Source, kept while the leaf's mesh is the same.
+ * @brief A tree for each block of a Source, kept while the block's mesh is the same.
  */
 
 #ifndef SkdSourceTrees_h
 #define SkdSourceTrees_h
 
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdLeaves.h"
 #include "Pipeline/SkdNearest.h"
 #include "vtkSkdTreeCellLocator.h"
 
@@ -25,20 +25,20 @@ bool SkdBuildLocator(vtkSkdTreeCellLocator* locator, double epsilon, bool isNew)
 class SkdSourceTrees
 {
 public:
-  /// Makes the trees those of `leaves`. Returns how many had to be built; the others were kept.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon);
+  /// Makes the trees those of `blocks`. Returns how many had to be built; the others were kept.
+  int Update(const std::vector<SkdBlock>& blocks, double epsilon);
 
   /// Forgets all.
   void Clear() { this->Trees.clear(); }
 
   /// The nearest point at a distance of at most `maximumDistance`, ties to the lowest
-  /// (leaf, cell id). None of a point that is not finite. Thread-safe.
+  /// (block, cell id). None of a point that is not finite. Thread-safe.
   std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
 
   ///@{
-  /// The mesh of a leaf, its structure alone, and the locator that has it as its data set.
-  vtkDataSet* GetMesh(int leaf) const { return this->Trees[leaf].Mesh.Get(); }
-  vtkSkdTreeCellLocator* GetLocator(int leaf) const { return this->Trees[leaf].Locator; }
+  /// The mesh of a block, its structure alone, and the locator that has it as its data set.
+  vtkDataSet* GetMesh(int block) const { return this->Trees[block].Mesh.Get(); }
+  vtkSkdTreeCellLocator* GetLocator(int block) const { return this->Trees[block].Locator; }
   ///@}
 
   SkdTreeCounts GetCounts() const;

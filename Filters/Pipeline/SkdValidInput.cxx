@@ -3,7 +3,7 @@
 #include "Pipeline/SkdValidInput.h"
 
 #include "Cells/SkdMendedMesh.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
@@ -52,27 +52,27 @@ WholeMeshes& KnownWholeMeshes()
   return meshes;
 }
 
-/// The mended meshes of a data object, in the order of its leaves.
-class MendedLeaves
+/// The mended meshes of a data object, in the order of its blocks.
+class MendedBlocks
 {
 public:
-  explicit MendedLeaves(vtkDataObject* object)
+  explicit MendedBlocks(vtkDataObject* object)
   {
     WholeMeshes& wholeMeshes = KnownWholeMeshes();
-    for (const SkdLeaf& leaf : SkdLeavesOf(object))
+    for (const SkdBlock& block : SkdBlocksOf(object))
     {
-      SkdMendedMesh mended{ leaf.Mesh, {} };
-      if (!wholeMeshes.Has(leaf.Mesh))
+      SkdMendedMesh mended{ block.Mesh, {} };
+      if (!wholeMeshes.Has(block.Mesh))
       {
-        mended = SkdMend(leaf.Mesh);
+        mended = SkdMend(block.Mesh);
       }
       if (mended.Fault.empty())
       {
-        wholeMeshes.Add(leaf.Mesh);
+        wholeMeshes.Add(block.Mesh);
       }
       else
       {
-        this->Tell(leaf, mended.Fault);
+        this->Tell(block, mended.Fault);
       }
       this->Meshes.push_back(mended.Mesh);
     }
@@ -84,12 +84,12 @@ public:
   vtkSmartPointer<vtkDataObject> PutInto(vtkDataObject* object) const;
 
 private:
-  void Tell(const SkdLeaf& leaf, const std::string& fault)
+  void Tell(const SkdBlock& block, const std::string& fault)
   {
     this->Faults << " ";
-    if (leaf.BlockIndex > 0)
+    if (block.BlockIndex > 0)
     {
-      this->Faults << "Block " << leaf.BlockIndex << ": ";
+      this->Faults << "Block " << block.BlockIndex << ": ";
     }
     this->Faults << fault;
   }
@@ -98,7 +98,7 @@ private:
   std::ostringstream Faults;
 };
 
-vtkSmartPointer<vtkDataObject> MendedLeaves::PutInto(vtkDataObject* object) const
+vtkSmartPointer<vtkDataObject> MendedBlocks::PutInto(vtkDataObject* object) const
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(object);
   if (!composite)
@@ -112,8 +112,9 @@ vtkSmartPointer<vtkDataObject> MendedLeaves::PutInto(vtkDataObject* object) cons
   std::size_t next = 0;
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    vtkDataObject* leaf = iterator->GetCurrentDataObject();
-    copy->SetDataSet(iterator, vtkDataSet::SafeDownCast(leaf) ? this->Meshes[next++].Get() : leaf);
+    vtkDataObject* block = iterator->GetCurrentDataObject();
+    copy->SetDataSet(
+      iterator, vtkDataSet::SafeDownCast(block) ? this->Meshes[next++].Get() : block);
   }
   return copy;
 }
@@ -152,13 +153,13 @@ std::string SkdValidInput::Mend(vtkInformationVector* to)
   for (int i = 0; i < to->GetNumberOfInformationObjects(); ++i)
   {
     vtkDataObject* object = vtkDataObject::GetData(to, i);
-    const MendedLeaves leaves(object);
-    faults += leaves.GetFaults();
-    if (!leaves.GetFaults().empty())
+    const MendedBlocks blocks(object);
+    faults += blocks.GetFaults();
+    if (!blocks.GetFaults().empty())
     {
       vtkNew<vtkInformation> mended;
       mended->Copy(to->GetInformationObject(i));
-      mended->Set(vtkDataObject::DATA_OBJECT(), leaves.PutInto(object));
+      mended->Set(vtkDataObject::DATA_OBJECT(), blocks.PutInto(object));
       to->SetInformationObject(i, mended);
     }
   }

@@ -157,15 +157,15 @@ void SkdGradient::Differentiate(const SkdPlace& place)
   }
 }
 
-SkdGradientArrays::SkdGradientArrays(const std::vector<SkdLeaf>& leaves,
+SkdGradientArrays::SkdGradientArrays(const std::vector<SkdBlock>& blocks,
   const std::set<std::string>& names, vtkIdType n, std::set<std::string>& missing)
 {
   for (const std::string& name : names)
   {
     Array array;
-    for (const SkdLeaf& leaf : leaves)
+    for (const SkdBlock& block : blocks)
     {
-      vtkDataArray* source = leaf.Mesh->GetPointData()->GetArray(name.c_str());
+      vtkDataArray* source = block.Mesh->GetPointData()->GetArray(name.c_str());
       const bool isAlike = source &&
         (array.Sources.empty() ||
           array.Sources[0]->GetNumberOfComponents() == source->GetNumberOfComponents());
@@ -174,7 +174,7 @@ SkdGradientArrays::SkdGradientArrays(const std::vector<SkdLeaf>& leaves,
         array.Sources.push_back(source);
       }
     }
-    if (array.Sources.empty() || array.Sources.size() != leaves.size())
+    if (array.Sources.empty() || array.Sources.size() != blocks.size())
     {
       missing.insert(name);
       continue;
@@ -197,11 +197,11 @@ void SkdGradientArrays::AddTo(vtkDataSetAttributes* attributes) const
 }
 
 void SkdGradientArrays::Set(
-  vtkIdType i, int leaf, vtkIdList* ids, const std::vector<skd::Vector3>& vectors)
+  vtkIdType i, int block, vtkIdList* ids, const std::vector<skd::Vector3>& vectors)
 {
   for (Array& array : this->Arrays)
   {
-    vtkDataArray* source = array.Sources[leaf];
+    vtkDataArray* source = array.Sources[block];
     for (int c = 0; c < source->GetNumberOfComponents(); ++c)
     {
       skd::Vector3 gradient{ { 0.0, 0.0, 0.0 } };

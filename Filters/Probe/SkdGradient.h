@@ -46,20 +46,20 @@ private:
 class SkdGradientArrays
 {
 public:
-  /// Of those of `names` that all leaves have as numbers. The others are put down in `missing`.
-  SkdGradientArrays(const std::vector<SkdLeaf>& leaves, const std::set<std::string>& names,
+  /// Of those of `names` that all blocks have as numbers. The others are put down in `missing`.
+  SkdGradientArrays(const std::vector<SkdBlock>& blocks, const std::set<std::string>& names,
     vtkIdType n, std::set<std::string>& missing);
 
   bool IsEmpty() const { return this->Arrays.empty(); }
   void AddTo(vtkDataSetAttributes* attributes) const;
 
   /// Fills slot i. Thread-safe for distinct slots.
-  void Set(vtkIdType i, int leaf, vtkIdList* ids, const std::vector<skd::Vector3>& vectors);
+  void Set(vtkIdType i, int block, vtkIdList* ids, const std::vector<skd::Vector3>& vectors);
 
 private:
   struct Array
   {
-    std::vector<vtkDataArray*> Sources; // one a leaf
+    std::vector<vtkDataArray*> Sources; // one a block
     vtkSmartPointer<vtkDoubleArray> Result;
   };
   std::vector<Array> Arrays;

@@ -43,12 +43,12 @@ bool IsIntegrable(vtkAbstractArray* array)
   return array->IsNumeric() && name != vtkDataSetAttributes::GhostArrayName();
 }
 
-std::vector<vtkDataSetAttributes*> AttributesOf(const std::vector<SkdLeaf>& leaves, int type)
+std::vector<vtkDataSetAttributes*> AttributesOf(const std::vector<SkdBlock>& blocks, int type)
 {
   std::vector<vtkDataSetAttributes*> sets;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
-    sets.push_back(leaf.Mesh->GetAttributes(type));
+    sets.push_back(block.Mesh->GetAttributes(type));
   }
   return sets;
 }
@@ -78,7 +78,7 @@ void AddPointIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* 
 {
   const auto n = static_cast<vtkIdType>(output.Stretches.size());
   const double gauss = 0.5 / std::sqrt(3.0);
-  SkdArrayGather gather(AttributesOf(output.Source.Leaves, vtkDataObject::POINT), IsIntegrable);
+  SkdArrayGather gather(AttributesOf(output.Source.Blocks, vtkDataObject::POINT), IsIntegrable);
   gather.Allocate(2 * n, 0.0, true);
   vtkSMPTools::For(0, n,
     [&](vtkIdType begin, vtkIdType end)
@@ -89,9 +89,9 @@ void AddPointIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* 
         const SkdStretch& stretch = output.Stretches[i / 2];
         const skd::Vector3 x =
           skd::Lerp(stretch.From, stretch.To, i % 2 == 0 ? 0.5 - gauss : 0.5 + gauss);
-        if (finder.Evaluate(stretch.Leaf, stretch.CellId, x.X))
+        if (finder.Evaluate(stretch.Block, stretch.CellId, x.X))
         {
-          gather.Interpolate(i, stretch.Leaf, finder.GetPointIds(), finder.GetWeights());
+          gather.Interpolate(i, stretch.Block, finder.GetPointIds(), finder.GetWeights());
         }
       }
     });
@@ -107,13 +107,13 @@ void AddPointIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* 
 void AddCellIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* table)
 {
   const SkdArrayGather gather(
-    AttributesOf(output.Source.Leaves, vtkDataObject::CELL), IsIntegrable);
+    AttributesOf(output.Source.Blocks, vtkDataObject::CELL), IsIntegrable);
   for (int k = 0; k < gather.GetNumberOfArrays(); ++k)
   {
     const auto value = [&](std::size_t i, int c)
     {
       const SkdStretch& stretch = output.Stretches[i];
-      auto* source = static_cast<vtkDataArray*>(gather.GetSource(k, stretch.Leaf));
+      auto* source = static_cast<vtkDataArray*>(gather.GetSource(k, stretch.Block));
       return source->GetComponent(stretch.CellId, c);
     };
     AddSums(output, rows, gather.GetSource(k, 0), value, table);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Probe/SkdLineProbe.h"
 
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Probe/SkdPlaces.h"
 #include "vtkCellArray.h"
@@ -48,7 +48,7 @@ public:
         const SkdPlace& place = this->Finder.GetPlace();
         const SkdStretch stretch{ index, skd::Lerp(piece.From, piece.To, last),
           skd::Lerp(piece.From, piece.To, next), piece.Start + last * length,
-          piece.Start + next * length, place.Leaf, place.CellId };
+          piece.Start + next * length, place.Block, place.CellId };
         Append(stretch, stretches);
       }
       last = next;
@@ -59,7 +59,7 @@ public:
 private:
   static void Append(const SkdStretch& next, std::vector<SkdStretch>& stretches)
   {
-    const bool isMore = !stretches.empty() && stretches.back().Leaf == next.Leaf &&
+    const bool isMore = !stretches.empty() && stretches.back().Block == next.Block &&
       stretches.back().CellId == next.CellId && stretches.back().Exit == next.Entry;
     if (isMore)
     {
@@ -76,11 +76,11 @@ private:
   void FindBorders(const SkdLinePiece& piece, double length)
   {
     std::vector<double> all{ 0.0, 1.0 };
-    for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
+    for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
     {
       const double tolerance =
-        this->Source.GetLargestTolerance(this->Rules, static_cast<int>(leaf));
-      this->Source.Trees.GetLocator(static_cast<int>(leaf))
+        this->Source.GetLargestTolerance(this->Rules, static_cast<int>(block));
+      this->Source.Trees.GetLocator(static_cast<int>(block))
         ->FindCellBorders(piece.From.X, piece.To.X, tolerance, this->Parameters);
       const double* first = this->Parameters->GetPointer(0);
       all.insert(all.end(), first, first + this->Parameters->GetNumberOfTuples());
@@ -156,9 +156,9 @@ void ForEachStretch(const SkdLineOutput& output, const Visit& visit)
 void InterpolateAt(SkdArrayGather& gather, vtkIdType to, SkdPlaceFinder& finder,
   const SkdStretch& stretch, const skd::Vector3& x)
 {
-  if (finder.Evaluate(stretch.Leaf, stretch.CellId, x.X))
+  if (finder.Evaluate(stretch.Block, stretch.CellId, x.X))
   {
-    gather.Interpolate(to, stretch.Leaf, finder.GetPointIds(), finder.GetWeights());
+    gather.Interpolate(to, stretch.Block, finder.GetPointIds(), finder.GetWeights());
   }
 }
 
@@ -166,7 +166,7 @@ void AddIds(const SkdLineOutput& output, vtkCellData* data)
 {
   const auto n = static_cast<vtkIdType>(output.Stretches.size());
   auto cells = SkdMakeArray<vtkIdTypeArray>(SkdPlaces::CellIdName, 1, n, -1);
-  auto blocks = SkdMakeArray<vtkIntArray>(SkdPlaces::BlockIndexName, 1, n, -1);
+  auto blockIndices = SkdMakeArray<vtkIntArray>(SkdPlaces::BlockIndexName, 1, n, -1);
   auto lines = SkdMakeArray<vtkIdTypeArray>("SkdInputCellId", 1, n, -1);
   auto inputs = SkdMakeArray<vtkIntArray>("SkdInputBlockIndex", 1, n, -1);
   auto entries = SkdMakeArray<vtkDoubleArray>("SkdEntry", 1, n, 0.0);
@@ -177,7 +177,7 @@ void AddIds(const SkdLineOutput& output, vtkCellData* data)
     const SkdStretch& stretch = output.Stretches[i];
     const SkdLinePiece& piece = output.Pieces[stretch.Piece];
     cells->SetValue(i, stretch.CellId);
-    blocks->SetValue(i, output.Source.Leaves[stretch.Leaf].BlockIndex);
+    blockIndices->SetValue(i, output.Source.Blocks[stretch.Block].BlockIndex);
     lines->SetValue(i, piece.Line);
     inputs->SetValue(i, output.Inputs[piece.Input].BlockIndex);
     entries->SetValue(i, stretch.Entry);
@@ -190,12 +190,12 @@ void AddIds(const SkdLineOutput& output, vtkCellData* data)
   {
     data->AddArray(array);
   }
-  data->AddArray(output.IsSourceComposite ? blocks.Get() : nullptr);
+  data->AddArray(output.IsSourceComposite ? blockIndices.Get() : nullptr);
   data->AddArray(output.IsInputComposite ? inputs.Get() : nullptr);
 }
 }
 
-std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdLeaf>& inputs)
+std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs)
 {
   std::vector<SkdLinePiece> pieces;
   vtkNew<vtkIdList> ids;
@@ -261,16 +261,16 @@ void SkdFillStretches(
   lines->GetPointData()->AddArray(lengths);
   AddIds(output, lines->GetCellData());
 
-  const std::vector<SkdLeaf>& leaves = output.Source.Leaves;
+  const std::vector<SkdBlock>& blocks = output.Source.Blocks;
   SkdArrayGather atEnds =
-    SkdGatherInto(lines->GetPointData(), 2 * n, leaves, vtkDataObject::POINT, refused);
+    SkdGatherInto(lines->GetPointData(), 2 * n, blocks, vtkDataObject::POINT, refused);
   SkdArrayGather ofCells =
-    SkdGatherInto(lines->GetCellData(), n, leaves, vtkDataObject::CELL, refused);
+    SkdGatherInto(lines->GetCellData(), n, blocks, vtkDataObject::CELL, refused);
   ForEachStretch(output,
     [&](vtkIdType i, SkdPlaceFinder& finder, const SkdStretch& stretch)
     {
       InterpolateAt(atEnds, 2 * i, finder, stretch, stretch.From);
       InterpolateAt(atEnds, 2 * i + 1, finder, stretch, stretch.To);
-      ofCells.Take(i, stretch.Leaf, stretch.CellId);
+      ofCells.Take(i, stretch.Block, stretch.CellId);
     });
 }

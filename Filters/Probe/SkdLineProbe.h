@@ -21,7 +21,7 @@ class vtkTable;
 /// A straight piece of an input's line.
 struct SkdLinePiece
 {
-  int Input; // index in the list of input leaves
+  int Input; // index in the list of input blocks
   vtkIdType Line;
   skd::Vector3 From;
   skd::Vector3 To;
@@ -36,24 +36,24 @@ struct SkdStretch
   skd::Vector3 To;
   double Entry; // lengths along the line
   double Exit;
-  int Leaf;
+  int Block;
   vtkIdType CellId;
 };
 
 /// The pieces of all cells of type VTK_LINE and VTK_POLY_LINE that are no ghosts, those of no
 /// length and with points that are not finite left out.
-std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdLeaf>& inputs);
+std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs);
 
 /// The stretches of all pieces, in the order of the lines. Each point of a line that is in the
-/// Source belongs to one stretch: of the lowest (leaf, cell) that holds it. A surface holds what is
-/// within the rules' tolerance of it, a volume only what is in it. In parallel.
+/// Source belongs to one stretch: of the lowest (block, cell) that holds it. A surface holds what
+/// is within the rules' tolerance of it, a volume only what is in it. In parallel.
 std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
   const SkdPlaceSource& source, const SkdPlaceRules& rules, SkdLoop& loop);
 
 /// What the lines' outputs are made from.
 struct SkdLineOutput
 {
-  const std::vector<SkdLeaf>& Inputs;
+  const std::vector<SkdBlock>& Inputs;
   const SkdPlaceSource& Source;
   const std::vector<SkdLinePiece>& Pieces;
   const std::vector<SkdStretch>& Stretches;

@@ -31,41 +31,41 @@ double LargestDiagonal(vtkDataSet* mesh)
 }
 }
 
-SkdPlaceSource::SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdLeaf>& leaves)
+SkdPlaceSource::SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks)
   : Trees(trees)
-  , Leaves(leaves)
+  , Blocks(blocks)
 {
 }
 
 void SkdPlaceSource::Update(int built)
 {
-  for (const SkdLeaf& leaf : this->Leaves)
+  for (const SkdBlock& block : this->Blocks)
   {
-    SkdTouchCells(leaf.Mesh);
+    SkdTouchCells(block.Mesh);
   }
-  if (built == 0 && this->LargestCells.size() == this->Leaves.size())
+  if (built == 0 && this->LargestCells.size() == this->Blocks.size())
   {
     return;
   }
   this->LargestCells.clear();
   this->MaxCellSize = 0;
-  for (const SkdLeaf& leaf : this->Leaves)
+  for (const SkdBlock& block : this->Blocks)
   {
     this->LargestCells.push_back(std::make_unique<LargestCell>());
-    this->MaxCellSize = std::max(this->MaxCellSize, leaf.Mesh->GetMaxCellSize());
+    this->MaxCellSize = std::max(this->MaxCellSize, block.Mesh->GetMaxCellSize());
   }
 }
 
 // By one thread while others wait: a parallel loop in here might take up work that waits for it.
-double SkdPlaceSource::GetLargestTolerance(const SkdPlaceRules& rules, int leaf) const
+double SkdPlaceSource::GetLargestTolerance(const SkdPlaceRules& rules, int block) const
 {
   if (!(rules.RelativeTolerance > 0.0))
   {
     return rules.AbsoluteTolerance;
   }
-  LargestCell& largest = *this->LargestCells[leaf];
+  LargestCell& largest = *this->LargestCells[block];
   std::call_once(
-    largest.IsKnown, [&]() { largest.Diagonal = LargestDiagonal(this->Leaves[leaf].Mesh); });
+    largest.IsKnown, [&]() { largest.Diagonal = LargestDiagonal(this->Blocks[block].Mesh); });
   return std::max(rules.AbsoluteTolerance, rules.RelativeTolerance * largest.Diagonal);
 }
 
@@ -89,42 +89,42 @@ bool SkdPlaceFinder::FindWithin(const double x[3])
 {
   double asked[3] = { x[0], x[1], x[2] };
   SkdPlace& place = this->Place;
-  for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
+  for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
-    vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(static_cast<int>(leaf));
+    vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(static_cast<int>(block));
     place.CellId =
       locator->FindCell(asked, 0.0, nullptr, place.SubId, place.PCoords, this->Weights.data());
     if (place.CellId >= 0)
     {
-      place.Leaf = static_cast<int>(leaf);
+      place.Block = static_cast<int>(block);
       return this->Finish();
     }
   }
   return false;
 }
 
-bool SkdPlaceFinder::IsTolerated(int leaf, vtkIdType cell, double distance) const
+bool SkdPlaceFinder::IsTolerated(int block, vtkIdType cell, double distance) const
 {
   return distance <= this->Rules.AbsoluteTolerance ||
-    distance <= this->Rules.RelativeTolerance * DiagonalOf(this->Source.Leaves[leaf].Mesh, cell);
+    distance <= this->Rules.RelativeTolerance * DiagonalOf(this->Source.Blocks[block].Mesh, cell);
 }
 
 bool SkdPlaceFinder::FindByTolerance(const double x[3])
 {
   SkdPlace best;
-  for (std::size_t leaf = 0; leaf < this->Source.Leaves.size(); ++leaf)
+  for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
-    this->FindTolerated(static_cast<int>(leaf), x, best);
+    this->FindTolerated(static_cast<int>(block), x, best);
   }
-  return best.Leaf >= 0 && this->Evaluate(best.Leaf, best.CellId, x);
+  return best.Block >= 0 && this->Evaluate(best.Block, best.CellId, x);
 }
 
 // The nearest cell may be too small for its tolerance to reach x where that of a larger one does.
-void SkdPlaceFinder::FindTolerated(int leaf, const double x[3], SkdPlace& best)
+void SkdPlaceFinder::FindTolerated(int block, const double x[3], SkdPlace& best)
 {
   double asked[3] = { x[0], x[1], x[2] };
-  const double reach = this->Source.GetLargestTolerance(this->Rules, leaf);
-  vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(leaf);
+  const double reach = this->Source.GetLargestTolerance(this->Rules, block);
+  vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(block);
   double point[3], dist2;
   vtkIdType cell;
   int subId;
@@ -135,14 +135,14 @@ void SkdPlaceFinder::FindTolerated(int leaf, const double x[3], SkdPlace& best)
   }
   const auto offer = [&](vtkIdType id, double distance)
   {
-    if ((best.Leaf < 0 || distance < best.Distance) && this->IsTolerated(leaf, id, distance))
+    if ((best.Block < 0 || distance < best.Distance) && this->IsTolerated(block, id, distance))
     {
-      best.Leaf = leaf;
+      best.Block = block;
       best.CellId = id;
       best.Distance = distance;
     }
   };
-  if (this->IsTolerated(leaf, cell, std::sqrt(dist2)))
+  if (this->IsTolerated(block, cell, std::sqrt(dist2)))
   {
     offer(cell, std::sqrt(dist2));
     return;
@@ -161,16 +161,16 @@ bool SkdPlaceFinder::FindOutside(const double x[3])
     return false;
   }
   const auto nearest = this->Source.Trees.FindNearest(x, this->Rules.OutsideRadius);
-  return nearest && this->Evaluate(nearest->Leaf, nearest->CellId, x);
+  return nearest && this->Evaluate(nearest->Block, nearest->CellId, x);
 }
 
-bool SkdPlaceFinder::Evaluate(int leaf, vtkIdType cellId, const double x[3])
+bool SkdPlaceFinder::Evaluate(int block, vtkIdType cellId, const double x[3])
 {
   double point[3], dist2;
   SkdPlace place;
-  place.Leaf = leaf;
+  place.Block = block;
   place.CellId = cellId;
-  if (!this->Source.Trees.GetLocator(leaf)->EvaluateCell(
+  if (!this->Source.Trees.GetLocator(block)->EvaluateCell(
         cellId, x, point, place.SubId, place.PCoords, dist2, this->Weights.data()))
   {
     this->Place = SkdPlace();
@@ -183,13 +183,13 @@ bool SkdPlaceFinder::Evaluate(int leaf, vtkIdType cellId, const double x[3])
 
 bool SkdPlaceFinder::Finish()
 {
-  this->Source.Leaves[this->Place.Leaf].Mesh->GetCellPoints(this->Place.CellId, this->PointIds);
+  this->Source.Blocks[this->Place.Block].Mesh->GetCellPoints(this->Place.CellId, this->PointIds);
   return true;
 }
 
 bool SkdPlaceFinder::IsInVolume() const
 {
   thread_local vtkNew<vtkGenericCell> cell;
-  cell->SetCellType(this->Source.Leaves[this->Place.Leaf].Mesh->GetCellType(this->Place.CellId));
+  cell->SetCellType(this->Source.Blocks[this->Place.Block].Mesh->GetCellType(this->Place.CellId));
   return cell->GetCellDimension() == 3;
 }

@@ -20,7 +20,7 @@
 /// A place in a Source: a cell, and where in it.
 struct SkdPlace
 {
-  int Leaf = -1; // index in the list of leaves; -1: no place
+  int Block = -1; // index in the list of blocks; -1: no place
   vtkIdType CellId = -1;
   int SubId = 0;
   double PCoords[3] = { 0.0, 0.0, 0.0 };
@@ -35,22 +35,22 @@ struct SkdPlaceRules
   double OutsideRadius = -1.0; // whatever the cell; negative: never
 };
 
-/// The trees of a Source's leaves, and the numbers that finders want of them.
+/// The trees of a Source's blocks, and the numbers that finders want of them.
 class SkdPlaceSource
 {
 public:
-  SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdLeaf>& leaves);
+  SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks);
 
-  /// To be called once the trees are those of the leaves, which may be other data sets each time
+  /// To be called once the trees are those of the blocks, which may be other data sets each time
   /// though trees were kept: `built` of them were not.
   void Update(int built);
 
-  /// The largest tolerance that a cell of the leaf has. Who asks first looks at all cells, if they
+  /// The largest tolerance that a cell of the block has. Who asks first looks at all cells, if they
   /// matter: nobody does where every point is within a cell. Thread-safe.
-  double GetLargestTolerance(const SkdPlaceRules& rules, int leaf) const;
+  double GetLargestTolerance(const SkdPlaceRules& rules, int block) const;
 
   const SkdSourceTrees& Trees;
-  const std::vector<SkdLeaf>& Leaves;
+  const std::vector<SkdBlock>& Blocks;
   int MaxCellSize = 0; // points of a cell
 
 private:
@@ -59,13 +59,13 @@ private:
     std::once_flag IsKnown;
     double Diagonal = 0.0;
   };
-  std::vector<std::unique_ptr<LargestCell>> LargestCells; // one a leaf
+  std::vector<std::unique_ptr<LargestCell>> LargestCells; // one a block
 };
 
 /// Finds places. One object a thread.
 ///
-/// A place within a cell goes before any other: of the lowest leaf, and there of the lowest cell.
-/// Else it is the nearest cell that the rules allow, ties to the lowest (leaf, cell).
+/// A place within a cell goes before any other: of the lowest block, and there of the lowest cell.
+/// Else it is the nearest cell that the rules allow, ties to the lowest (block, cell).
 class SkdPlaceFinder
 {
 public:
@@ -75,7 +75,7 @@ public:
   bool Find(const double x[3]);
 
   /// Makes the place the point nearest to x of a cell that is known.
-  bool Evaluate(int leaf, vtkIdType cellId, const double x[3]);
+  bool Evaluate(int block, vtkIdType cellId, const double x[3]);
 
   const SkdPlace& GetPlace() const { return this->Place; }
 
@@ -93,8 +93,8 @@ private:
   bool FindWithin(const double x[3]);
   bool FindByTolerance(const double x[3]);
   bool FindOutside(const double x[3]);
-  void FindTolerated(int leaf, const double x[3], SkdPlace& best);
-  bool IsTolerated(int leaf, vtkIdType cell, double distance) const;
+  void FindTolerated(int block, const double x[3], SkdPlace& best);
+  bool IsTolerated(int block, vtkIdType cell, double distance) const;
   bool Finish();
 
   const SkdPlaceSource& Source;

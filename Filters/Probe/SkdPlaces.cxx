@@ -14,7 +14,7 @@ SkdPlaces::SkdPlaces(vtkIdType n)
   , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
   , PCoords(SkdMakeArray<vtkDoubleArray>(PCoordsName, 3, n, vtkMath::Nan()))
   , Distances(SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
-  , Leaves(n, -1)
+  , Blocks(n, -1)
 {
 }
 
@@ -24,13 +24,13 @@ void SkdPlaces::Set(vtkIdType i, const SkdPlace& place)
   this->CellIds->SetValue(i, place.CellId);
   std::copy_n(place.PCoords, 3, this->PCoords->GetPointer(3 * i));
   this->Distances->SetValue(i, place.Distance);
-  this->Leaves[i] = place.Leaf;
+  this->Blocks[i] = place.Block;
 }
 
 vtkIdType SkdPlaces::CountValid() const
 {
   return std::count_if(
-    this->Leaves.begin(), this->Leaves.end(), [](int leaf) { return leaf >= 0; });
+    this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
 }
 
 vtkIdType SkdPlaces::CountOutside() const
@@ -41,21 +41,21 @@ vtkIdType SkdPlaces::CountOutside() const
 }
 
 void SkdPlaces::AddTo(
-  vtkDataSetAttributes* data, const std::vector<SkdLeaf>& source, bool isComposite) const
+  vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const
 {
   data->AddArray(this->Valid);
   data->AddArray(this->CellIds);
   if (isComposite)
   {
-    auto blocks = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
+    auto blockIndices = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
     for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
     {
-      if (this->Leaves[i] >= 0)
+      if (this->Blocks[i] >= 0)
       {
-        blocks->SetValue(i, source[this->Leaves[i]].BlockIndex);
+        blockIndices->SetValue(i, source[this->Blocks[i]].BlockIndex);
       }
     }
-    data->AddArray(blocks);
+    data->AddArray(blockIndices);
   }
   data->AddArray(this->PCoords);
   data->AddArray(this->Distances);

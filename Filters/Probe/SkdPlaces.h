@@ -22,20 +22,20 @@ public:
   /// Fills a slot. Thread-safe for distinct slots.
   void Set(vtkIdType i, const SkdPlace& place);
 
-  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Leaves.size()); }
+  vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
   vtkIdType CountValid() const;
   vtkIdType CountOutside() const; // valid ones that no cell holds
 
   /// Adds the arrays; block indices when there is one to tell, that is, the Source is composite.
   void AddTo(
-    vtkDataSetAttributes* data, const std::vector<SkdLeaf>& source, bool isComposite) const;
+    vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const;
 
 private:
   vtkSmartPointer<vtkUnsignedCharArray> Valid;
   vtkSmartPointer<vtkIdTypeArray> CellIds;
   vtkSmartPointer<vtkDoubleArray> PCoords;
   vtkSmartPointer<vtkDoubleArray> Distances;
-  std::vector<int> Leaves;
+  std::vector<int> Blocks;
 };
 
 #endif

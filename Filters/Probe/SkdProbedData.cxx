@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Probe/SkdProbedData.h"
 
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 
@@ -30,29 +30,29 @@ vtkIdType NearestPoint(vtkDataSet* mesh, vtkIdList* ids, const double x[3])
 }
 
 SkdArrayGather GatherPointArrays(vtkDataSetAttributes* into, vtkIdType n,
-  const std::vector<SkdLeaf>& leaves, SkdProbedNames& names, double fill, bool areLabels)
+  const std::vector<SkdBlock>& blocks, SkdProbedNames& names, double fill, bool areLabels)
 {
-  return SkdGatherInto(into, n, leaves, vtkDataObject::POINT, names.Refused, fill,
+  return SkdGatherInto(into, n, blocks, vtkDataObject::POINT, names.Refused, fill,
     [&](const std::string& name) { return (names.Categorical.count(name) > 0) == areLabels; });
 }
 }
 
 SkdProbedData::SkdProbedData(vtkDataSetAttributes* into, vtkIdType n,
-  const std::vector<SkdLeaf>& leaves, SkdProbedNames& names, double fill)
-  : Leaves(leaves)
-  , Quantities(GatherPointArrays(into, n, leaves, names, fill, false))
-  , Labels(GatherPointArrays(into, n, leaves, names, fill, true))
-  , OfCells(SkdGatherInto(into, n, leaves, vtkDataObject::CELL, names.Refused, fill,
+  const std::vector<SkdBlock>& blocks, SkdProbedNames& names, double fill)
+  : Blocks(blocks)
+  , Quantities(GatherPointArrays(into, n, blocks, names, fill, false))
+  , Labels(GatherPointArrays(into, n, blocks, names, fill, true))
+  , OfCells(SkdGatherInto(into, n, blocks, vtkDataObject::CELL, names.Refused, fill,
       [](const std::string&) { return true; }))
-  , Gradients(leaves, names.Gradients, n, names.Missing)
+  , Gradients(blocks, names.Gradients, n, names.Missing)
 {
   this->Gradients.AddTo(into);
   this->Activate(into);
   for (const std::string& name : names.Categorical)
   {
-    const auto has = [&](const SkdLeaf& leaf)
-    { return leaf.Mesh->GetPointData()->HasArray(name.c_str()) != 0; };
-    if (!std::all_of(leaves.begin(), leaves.end(), has))
+    const auto has = [&](const SkdBlock& block)
+    { return block.Mesh->GetPointData()->HasArray(name.c_str()) != 0; };
+    if (!std::all_of(blocks.begin(), blocks.end(), has))
     {
       names.Missing.insert(name);
     }
@@ -61,9 +61,9 @@ SkdProbedData::SkdProbedData(vtkDataSetAttributes* into, vtkIdType n,
 
 void SkdProbedData::Activate(vtkDataSetAttributes* into) const
 {
-  vtkDataArray* own = this->Leaves.empty()
+  vtkDataArray* own = this->Blocks.empty()
     ? nullptr
-    : vtkDataArray::SafeDownCast(this->Leaves.front().Mesh->GetPointData()->GetScalars());
+    : vtkDataArray::SafeDownCast(this->Blocks.front().Mesh->GetPointData()->GetScalars());
   const std::string preferred = own && own->GetName() ? own->GetName() : "";
   const char* chosen = nullptr;
   for (const SkdArrayGather* gather : { &this->Quantities, &this->Labels, &this->OfCells })
@@ -85,16 +85,16 @@ void SkdProbedData::Set(
   vtkIdType i, const double x[3], SkdPlaceFinder& finder, SkdGradient& gradient)
 {
   const SkdPlace& place = finder.GetPlace();
-  vtkDataSet* mesh = this->Leaves[place.Leaf].Mesh;
-  this->Quantities.Interpolate(i, place.Leaf, finder.GetPointIds(), finder.GetWeights());
-  this->OfCells.Take(i, place.Leaf, place.CellId);
+  vtkDataSet* mesh = this->Blocks[place.Block].Mesh;
+  this->Quantities.Interpolate(i, place.Block, finder.GetPointIds(), finder.GetWeights());
+  this->OfCells.Take(i, place.Block, place.CellId);
   if (this->Labels.GetNumberOfArrays() > 0)
   {
-    this->Labels.Take(i, place.Leaf, NearestPoint(mesh, finder.GetPointIds(), x));
+    this->Labels.Take(i, place.Block, NearestPoint(mesh, finder.GetPointIds(), x));
   }
   if (!this->Gradients.IsEmpty())
   {
     gradient.Evaluate(mesh, place);
-    this->Gradients.Set(i, place.Leaf, finder.GetPointIds(), gradient.GetVectors());
+    this->Gradients.Set(i, place.Block, finder.GetPointIds(), gradient.GetVectors());
   }
 }

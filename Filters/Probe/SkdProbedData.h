@@ -26,7 +26,7 @@ public:
   /// Adds the arrays to `into`, of n tuples, at first `fill` (see SkdArrayGather::Allocate). The
   /// active scalars become the Source's, or else its first array of numbers. Puts down names that
   /// are refused or missing.
-  SkdProbedData(vtkDataSetAttributes* into, vtkIdType n, const std::vector<SkdLeaf>& leaves,
+  SkdProbedData(vtkDataSetAttributes* into, vtkIdType n, const std::vector<SkdBlock>& blocks,
     SkdProbedNames& names, double fill);
 
   /// Fills tuple i from where the finder is, having been asked for x. Thread-safe for distinct
@@ -36,7 +36,7 @@ public:
 private:
   void Activate(vtkDataSetAttributes* into) const;
 
-  const std::vector<SkdLeaf>& Leaves;
+  const std::vector<SkdBlock>& Blocks;
   SkdArrayGather Quantities;
   SkdArrayGather Labels;
   SkdArrayGather OfCells;

@@ -5,9 +5,9 @@
 #include "Pipeline/SkdOrientation.h"
 
 int SkdEnclosure::Update(
-  const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation)
+  const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation)
 {
-  const int built = this->Boundary.Update(leaves, epsilon, chordalDeviation);
+  const int built = this->Boundary.Update(blocks, epsilon, chordalDeviation);
   if (this->IsClosed())
   {
     this->Winding.reset();

@@ -16,9 +16,9 @@
 class SkdEnclosure
 {
 public:
-  /// Makes it that of the leaves; see SkdSignedSource. Returns how many trees of the boundary were
+  /// Makes it that of the blocks; see SkdSignedSource. Returns how many trees of the boundary were
   /// built: 0 when all was kept.
-  int Update(const std::vector<SkdLeaf>& leaves, double epsilon, double chordalDeviation);
+  int Update(const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation);
 
   const SkdSignedSource& GetBoundary() const { return this->Boundary; }
   bool IsClosed() const { return this->Boundary.GetNumberOfOpenEdges() == 0; }

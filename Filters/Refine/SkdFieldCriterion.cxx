@@ -120,20 +120,20 @@ std::vector<double> SkdFieldCriterion::FindGradients(
 
 //------------------------------------------------------------------------------
 void SkdFieldCriterion::Update(
-  const std::vector<SkdLeaf>& leaves, const SkdFieldSettings& settings, double epsilon)
+  const std::vector<SkdBlock>& blocks, const SkdFieldSettings& settings, double epsilon)
 {
   this->Settings = settings;
   this->Missing = settings.Arrays;
   this->Columns.clear();
-  this->Meshes.Update(leaves, epsilon, SkdComparable);
+  this->Meshes.Update(blocks, epsilon, SkdComparable);
   std::uint32_t part = 0;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
-    if (leaf.Mesh->GetNumberOfCells() > 0)
+    if (block.Mesh->GetNumberOfCells() > 0)
     {
       for (const std::string& name : settings.Arrays)
       {
-        this->TakeArray(part, leaf.Mesh, name);
+        this->TakeArray(part, block.Mesh, name);
       }
       ++part;
     }

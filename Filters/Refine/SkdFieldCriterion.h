@@ -38,18 +38,19 @@ struct SkdFieldSettings
 class SkdFieldCriterion
 {
 public:
-  /// Takes the arrays of the leaves, point data before cell data. Trees are kept while the meshes
+  /// Takes the arrays of the blocks, point data before cell data. Trees are kept while the meshes
   /// are the same. Throws as SkdParts::Update() does.
-  void Update(const std::vector<SkdLeaf>& leaves, const SkdFieldSettings& settings, double epsilon);
+  void Update(
+    const std::vector<SkdBlock>& blocks, const SkdFieldSettings& settings, double epsilon);
 
-  /// The names that no leaf has, of the data that the test needs.
+  /// The names that no block has, of the data that the test needs.
   std::set<std::string> GetMissing() const { return this->Missing; }
 
   /// Whether one of the arrays passes the test. Thread-safe.
   bool IsWanted(const SkdRegion& region) const;
 
 private:
-  /// The values of one array of one leaf.
+  /// The values of one array of one block.
   struct Column
   {
     std::uint32_t Part;

@@ -3,7 +3,7 @@
 #include "Refine/SkdMeshOutput.h"
 
 #include "Cells/SkdCellReader.h"
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Refine/SkdBlockPoints.h"
 #include "vtkAlgorithm.h"
@@ -85,8 +85,8 @@ public:
   BlockWriter(const SkdReadMesh& read, const SkdReadMesh::Block& block)
     : Read(read)
     , Block(block)
-    , Input(block.Leaf.Mesh)
-    , Reader(block.Leaf.Mesh)
+    , Input(block.Input.Mesh)
+    , Reader(block.Input.Mesh)
     , Points(read, block)
   {
     for (std::uint32_t cell = block.FirstCell; cell < block.LastCell; ++cell)
@@ -256,7 +256,7 @@ void BlockWriter::WritePointData(const skd::HangingNodes& hanging, vtkPointData*
   const vtkIdType old = this->Points.GetNumberOfOldPoints();
   std::set<std::string> refused;
   SkdArrayGather gather =
-    SkdGatherInto(target, n, { this->Block.Leaf }, vtkDataObject::POINT, refused);
+    SkdGatherInto(target, n, { this->Block.Input }, vtkDataObject::POINT, refused);
   auto marks = SkdMakeArray<vtkUnsignedCharArray>(SkdMeshArrays::HangingName, 1, n, 0.0);
   vtkPointData* source = this->Input->GetPointData();
   auto ghosts = MakeGhosts(source, n);
@@ -297,7 +297,7 @@ void BlockWriter::WriteCellData(vtkCellData* target) const
   const auto n = static_cast<vtkIdType>(this->Parts.size());
   std::set<std::string> refused;
   SkdArrayGather gather =
-    SkdGatherInto(target, n, { this->Block.Leaf }, vtkDataObject::CELL, refused);
+    SkdGatherInto(target, n, { this->Block.Input }, vtkDataObject::CELL, refused);
   auto parents = SkdMakeArray<vtkIdTypeArray>(SkdMeshArrays::ParentName, 1, n);
   auto levels = SkdMakeArray<vtkUnsignedCharArray>(SkdMeshArrays::LevelName, 1, n);
   vtkCellData* source = this->Input->GetCellData();
@@ -349,5 +349,5 @@ void SkdWriteBlock(const SkdReadMesh& read, const SkdReadMesh::Block& block,
   writer.WritePoints(precision, output);
   writer.WritePointData(hanging, output->GetPointData());
   writer.WriteCellData(output->GetCellData());
-  output->GetFieldData()->PassData(block.Leaf.Mesh->GetFieldData());
+  output->GetFieldData()->PassData(block.Input.Mesh->GetFieldData());
 }

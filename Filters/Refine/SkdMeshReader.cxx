@@ -76,7 +76,7 @@ public:
   CellAdder(SkdReadMesh& read, const SkdReadMesh::Block& block)
     : Read(read)
     , Block(block)
-    , Reader(block.Leaf.Mesh)
+    , Reader(block.Input.Mesh)
   {
   }
 
@@ -208,15 +208,15 @@ private:
   std::vector<std::uint32_t> Nodes;
 };
 
-void CheckSizes(const std::vector<SkdLeaf>& leaves)
+void CheckSizes(const std::vector<SkdBlock>& inputs)
 {
   constexpr vtkIdType most = 0x7fffffff;
   vtkIdType cells = 0;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& input : inputs)
   {
-    cells += leaf.Mesh->GetNumberOfCells();
+    cells += input.Mesh->GetNumberOfCells();
   }
-  if (cells > most || SkdCountPoints(leaves) > most)
+  if (cells > most || SkdCountPoints(inputs) > most)
   {
     throw std::length_error("there are more cells or points than 2^31");
   }
@@ -224,22 +224,22 @@ void CheckSizes(const std::vector<SkdLeaf>& leaves)
 }
 
 //------------------------------------------------------------------------------
-void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, bool withDuplicates, SkdReadMesh& read)
+void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, SkdReadMesh& read)
 {
-  CheckSizes(leaves);
+  CheckSizes(inputs);
   SkdWeld weld;
-  std::uint32_t inputs = 0;
-  for (const SkdLeaf& leaf : leaves)
+  std::uint32_t cellsBefore = 0;
+  for (const SkdBlock& input : inputs)
   {
     SkdReadMesh::Block block;
-    block.Leaf = leaf;
-    block.FirstInput = inputs;
-    inputs += static_cast<std::uint32_t>(leaf.Mesh->GetNumberOfCells());
-    block.NodeOfPoint.resize(static_cast<std::size_t>(leaf.Mesh->GetNumberOfPoints()));
+    block.Input = input;
+    block.FirstInput = cellsBefore;
+    cellsBefore += static_cast<std::uint32_t>(input.Mesh->GetNumberOfCells());
+    block.NodeOfPoint.resize(static_cast<std::size_t>(input.Mesh->GetNumberOfPoints()));
     for (std::size_t i = 0; i < block.NodeOfPoint.size(); ++i)
     {
       double x[3];
-      leaf.Mesh->GetPoint(static_cast<vtkIdType>(i), x);
+      input.Mesh->GetPoint(static_cast<vtkIdType>(i), x);
       block.NodeOfPoint[i] = static_cast<std::uint32_t>(weld.GetId(x));
       if (block.NodeOfPoint[i] == read.Mesh.NumberOfNodes())
       {
@@ -253,8 +253,8 @@ void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, bool withDuplicates, SkdR
   {
     block.FirstCell = read.Mesh.NumberOfCells();
     CellAdder adder(read, block);
-    vtkUnsignedCharArray* ghosts = withDuplicates ? nullptr : block.Leaf.Mesh->GetCellGhostArray();
-    for (vtkIdType cell = 0; cell < block.Leaf.Mesh->GetNumberOfCells(); ++cell)
+    vtkUnsignedCharArray* ghosts = withDuplicates ? nullptr : block.Input.Mesh->GetCellGhostArray();
+    for (vtkIdType cell = 0; cell < block.Input.Mesh->GetNumberOfCells(); ++cell)
     {
       const bool isDuplicate =
         ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;

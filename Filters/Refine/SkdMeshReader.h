@@ -9,19 +9,19 @@
 #define SkdMeshReader_h
 
 #include "Core/Mesh/RefinedMesh.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 
 #include <cstdint>
 #include <vector>
 
-/// All cells of all leaves. Points of equal coordinates are one node, be they of different leaves:
+/// All cells of all blocks. Points of equal coordinates are one node, be they of different blocks:
 /// so what is refined fits together across seams and blocks.
 struct SkdReadMesh
 {
   struct Block
   {
-    SkdLeaf Leaf;
-    std::uint32_t FirstInput = 0; ///< cell c of the leaf is input cell FirstInput + c
+    SkdBlock Input;
+    std::uint32_t FirstInput = 0; ///< cell c of the block is input cell FirstInput + c
     std::uint32_t FirstCell = 0;  ///< its cells in the refined mesh, as it was
     std::uint32_t LastCell = 0;   ///< one beyond
     std::vector<std::uint32_t> NodeOfPoint;
@@ -39,6 +39,6 @@ struct SkdReadMesh
 /// Polygons lose corners that repeat the one before. Without duplicates, ghost cells that are those
 /// of other processes are left out. Throws std::length_error where there are more cells or points
 /// than 32-bit numbers tell apart.
-void SkdReadLeaves(const std::vector<SkdLeaf>& leaves, bool withDuplicates, SkdReadMesh& read);
+void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, SkdReadMesh& read);
 
 #endif

@@ -26,15 +26,16 @@ void WarnAbout(vtkAlgorithm* self, const SkdSignedSource& boundary)
 }
 }
 
-int SkdRefineState::Update(vtkAlgorithm* self, const std::vector<SkdLeaf>& parts,
-  vtkDataObject* field, bool needsEnclosure)
+int SkdRefineState::Update(
+  vtkAlgorithm* self, const std::vector<SkdBlock>& parts, vtkDataObject* field, bool needsEnclosure)
 {
   int treesBuilt = this->Parts.Update(parts, this->Options.Epsilon, SkdComparable);
   this->UpdateField(self, field);
   this->HasEnclosure = needsEnclosure || this->Options.InsideLevel > 0;
   if (this->HasEnclosure)
   {
-    treesBuilt += this->Enclosure.Update(parts, this->Options.Epsilon, this->Options.ChordalDeviation);
+    treesBuilt +=
+      this->Enclosure.Update(parts, this->Options.Epsilon, this->Options.ChordalDeviation);
     WarnAbout(self, this->Enclosure.GetBoundary());
   }
   return treesBuilt;
@@ -47,7 +48,7 @@ void SkdRefineState::UpdateField(vtkAlgorithm* self, vtkDataObject* field)
   settings.Test = this->Options.FieldTest;
   settings.Threshold = this->Options.FieldThreshold;
   std::copy_n(this->Options.FieldRange, 2, settings.Range);
-  this->Field.Update(SkdLeavesOf(field), settings, this->Options.Epsilon);
+  this->Field.Update(SkdBlocksOf(field), settings, this->Options.Epsilon);
   for (const std::string& name : this->Field.GetMissing())
   {
     vtkWarningWithObjectMacro(

@@ -55,7 +55,7 @@ public:
 
   /// Makes trees those of the parts and of the field, if that is asked, and warns of arrays that it
   /// does not have. Returns how many trees of parts were built. Throws as SkdParts::Update() does.
-  int Update(vtkAlgorithm* self, const std::vector<SkdLeaf>& parts, vtkDataObject* field,
+  int Update(vtkAlgorithm* self, const std::vector<SkdBlock>& parts, vtkDataObject* field,
     bool needsEnclosure);
 
   /// What the settings ask for. This must live.

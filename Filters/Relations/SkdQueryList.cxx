@@ -28,13 +28,13 @@ void SkdQueryList::SetShape(const SkdQueryShape& shape)
 }
 
 //------------------------------------------------------------------------------
-void SkdQueryList::SetPoints(const std::vector<SkdLeaf>& leaves)
+void SkdQueryList::SetPoints(const std::vector<SkdBlock>& blocks)
 {
   this->Clear();
-  this->Points = leaves;
-  for (const SkdLeaf& leaf : leaves)
+  this->Points = blocks;
+  for (const SkdBlock& block : blocks)
   {
-    this->AddBlock(leaf.BlockIndex, leaf.Mesh->GetNumberOfPoints());
+    this->AddBlock(block.BlockIndex, block.Mesh->GetNumberOfPoints());
   }
 }
 

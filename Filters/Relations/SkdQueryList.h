@@ -8,7 +8,7 @@
 #ifndef SkdQueryList_h
 #define SkdQueryList_h
 
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdParts.h"
 #include "Relations/SkdQueryShape.h"
 
@@ -18,7 +18,7 @@ class SkdQueryList
 {
 public:
   void SetShape(const SkdQueryShape& shape);
-  void SetPoints(const std::vector<SkdLeaf>& leaves);
+  void SetPoints(const std::vector<SkdBlock>& blocks);
   /// Those that are in the parts' trees, which must outlive the list.
   void SetCells(const SkdParts& parts, bool wantsOutlines);
 
@@ -40,7 +40,7 @@ private:
   std::pair<std::size_t, vtkIdType> Find(vtkIdType query) const;
 
   std::optional<SkdQueryShape> Shape;
-  std::vector<SkdLeaf> Points;
+  std::vector<SkdBlock> Points;
   const SkdParts* Parts = nullptr;
   bool WantsOutlines = false;
   std::vector<int> BlockIndices;

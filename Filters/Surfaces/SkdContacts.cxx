@@ -135,19 +135,19 @@ void SkdContacts::AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData*
     const auto cellOf = [&](vtkIdType i)
     { return set.GetCells()[set.GetCellOf(this->Pairs[pairs[i]].*triangle)]; };
     auto ids = SkdMakeArray<vtkIdTypeArray>(cellName, 1, n);
-    auto blocks = SkdMakeArray<vtkIntArray>(blockName, 1, side.IsComposite ? n : 0);
+    auto blockIndices = SkdMakeArray<vtkIntArray>(blockName, 1, side.IsComposite ? n : 0);
     for (vtkIdType i = 0; i < n; ++i)
     {
       ids->SetValue(i, cellOf(i).Id);
     }
     to->AddArray(ids);
-    for (vtkIdType i = 0; i < blocks->GetNumberOfTuples(); ++i)
+    for (vtkIdType i = 0; i < blockIndices->GetNumberOfTuples(); ++i)
     {
-      blocks->SetValue(i, side.Leaves[cellOf(i).Leaf].BlockIndex);
+      blockIndices->SetValue(i, side.Blocks[cellOf(i).Block].BlockIndex);
     }
     if (side.IsComposite)
     {
-      to->AddArray(blocks);
+      to->AddArray(blockIndices);
     }
   };
   add(this->First, this->Placement.First.GetSet(), &SkdTrianglePair::First, FirstCellName,

@@ -47,7 +47,7 @@ public:
   /// What a surface was made of. Block indices are told of composite data.
   struct Side
   {
-    const std::vector<SkdLeaf>& Leaves;
+    const std::vector<SkdBlock>& Blocks;
     bool IsComposite;
   };
 

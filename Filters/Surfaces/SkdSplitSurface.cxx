@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitSurface.h"
 
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,10 +22,10 @@ class Output
 {
 public:
   Output(const SkdPlacedTriangles& set, const SkdSplitResult& split,
-    const std::vector<SkdLeaf>& leaves, vtkPolyData* output)
+    const std::vector<SkdBlock>& blocks, vtkPolyData* output)
     : Set(set)
     , Split(split)
-    , Leaves(leaves)
+    , Blocks(blocks)
     , To(output)
   {
   }
@@ -57,7 +57,7 @@ public:
   {
     const auto n = static_cast<vtkIdType>(this->Split.Triangles.size());
     auto ids = SkdMakeArray<vtkIdTypeArray>(SkdSplitNames::Cell, 1, n);
-    auto blocks = SkdMakeArray<vtkIntArray>(SkdSplitNames::Block, 1, n);
+    auto blockIndices = SkdMakeArray<vtkIntArray>(SkdSplitNames::Block, 1, n);
     auto regions = SkdMakeArray<vtkIdTypeArray>(SkdSplitNames::Region, 1, n);
     const std::vector<std::uint32_t> found =
       SkdFindSplitRegions(this->Split.Triangles, this->Split.Curves);
@@ -66,16 +66,16 @@ public:
     data->AddArray(regions);
     if (isComposite)
     {
-      data->AddArray(blocks);
+      data->AddArray(blockIndices);
     }
-    SkdArrayGather gather = SkdGatherInto(data, n, this->Leaves, vtkDataObject::CELL, refused);
+    SkdArrayGather gather = SkdGatherInto(data, n, this->Blocks, vtkDataObject::CELL, refused);
     for (vtkIdType i = 0; i < n; ++i)
     {
       const SkdTriangleSet::Cell& cell = this->CellOf(i);
       ids->SetValue(i, cell.Id);
-      blocks->SetValue(i, this->Leaves[cell.Leaf].BlockIndex);
+      blockIndices->SetValue(i, this->Blocks[cell.Block].BlockIndex);
       regions->SetValue(i, found[i]);
-      gather.Take(i, cell.Leaf, cell.Id);
+      gather.Take(i, cell.Block, cell.Id);
     }
   }
 
@@ -83,14 +83,14 @@ public:
   {
     const auto n = this->To->GetNumberOfPoints();
     SkdArrayGather gather =
-      SkdGatherInto(this->To->GetPointData(), n, this->Leaves, vtkDataObject::POINT, refused);
+      SkdGatherInto(this->To->GetPointData(), n, this->Blocks, vtkDataObject::POINT, refused);
     const std::vector<Origin> origins = this->Set.GetSet().FindOrigins();
     for (auto at = origins.begin(); at != origins.end(); ++at)
     {
       if (at->Id >= 0 &&
         (at == origins.begin() || (at - 1)->Point != at->Point || (at - 1)->Id < 0))
       {
-        gather.Take(at->Point, at->Leaf, at->Id);
+        gather.Take(at->Point, at->Block, at->Id);
       }
     }
     vtkIdType to = static_cast<vtkIdType>(this->Set.GetPoints().size());
@@ -114,39 +114,40 @@ private:
     SkdArrayGather& gather) const
   {
     const SkdTriangleSet& set = this->Set.GetSet();
-    const int leaf = set.GetCells()[set.GetCellOf(point.Parent)].Leaf;
+    const int block = set.GetCells()[set.GetCellOf(point.Parent)].Block;
     vtkNew<vtkIdList> ids;
     double weights[3];
     bool isKnown = true;
     for (int i = 0; i < 3; ++i)
     {
-      const Origin least{ point.Corners[i], leaf, 0 };
+      const Origin least{ point.Corners[i], block, 0 };
       const auto at = std::lower_bound(origins.begin(), origins.end(), least);
-      isKnown = isKnown && at != origins.end() && at->Point == point.Corners[i] && at->Leaf == leaf;
+      isKnown =
+        isKnown && at != origins.end() && at->Point == point.Corners[i] && at->Block == block;
       ids->InsertNextId(isKnown ? at->Id : -1);
       weights[i] = point.Weights[i];
     }
     if (isKnown)
     {
-      gather.Interpolate(to, leaf, ids, weights);
+      gather.Interpolate(to, block, ids, weights);
     }
   }
 
   const SkdPlacedTriangles& Set;
   const SkdSplitResult& Split;
-  const std::vector<SkdLeaf>& Leaves;
+  const std::vector<SkdBlock>& Blocks;
   vtkPolyData* To;
 };
 }
 
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
-  const std::vector<SkdLeaf>& leaves, bool isComposite, double scale, vtkPolyData* output,
+  const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
   std::set<std::string>& refused)
 {
   const SkdSplitResult split = SkdSplitTriangles(segments, side);
-  const Output to(*segments.GetSide(side).Set, split, leaves, output);
+  const Output to(*segments.GetSide(side).Set, split, blocks, output);
   to.FillShape(scale);
-  if (!leaves.empty())
+  if (!blocks.empty())
   {
     to.FillCellData(isComposite, refused);
     to.FillPointData(refused);

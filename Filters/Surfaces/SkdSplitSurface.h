@@ -24,7 +24,7 @@ struct SkdSplitNames
 /// data of their cell. Arrays whose names are taken are put down in `refused`. Returns how many
 /// triangles are in pieces.
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
-  const std::vector<SkdLeaf>& leaves, bool isComposite, double scale, vtkPolyData* output,
+  const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
   std::set<std::string>& refused);
 
 #endif

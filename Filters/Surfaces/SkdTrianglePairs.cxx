@@ -138,7 +138,7 @@ struct SkdTrianglePairs::Trees
   const SkdNearSets* Near;
 };
 
-struct SkdTrianglePairs::Leaf
+struct SkdTrianglePairs::Block
 {
   Search& State;
   const SkdNearSets* Near;
@@ -195,7 +195,7 @@ template <class ToFirst>
 std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
-  using Query = skd::OverlappingPairs<3, ToFirst, Leaf>;
+  using Query = skd::OverlappingPairs<3, ToFirst, Block>;
   using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
   constexpr vtkIdType numberOfParts = 512;
   const skd::LazyTree<3>& first = trees.First;
@@ -203,8 +203,8 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   Search state(this->Placement, search);
   const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
   {
-    Leaf leaf{ state, trees.Near, found };
-    Query query(first.GetFrame(), second.GetFrame(), toFirst, leaf);
+    Block block{ state, trees.Near, found };
+    Query query(first.GetFrame(), second.GetFrame(), toFirst, block);
     Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
     body(walk);
   };

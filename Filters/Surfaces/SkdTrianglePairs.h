@@ -58,7 +58,7 @@ private:
 
   class Search;
   struct Moved;
-  struct Leaf;
+  struct Block;
   struct Trees;
 
   template <class ToFirst>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdTriangleReader.h"
 
-#include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdBlockSurface.h"
 #include "Pipeline/SkdTriangulation.h"
 
 #include <algorithm>
@@ -105,16 +105,16 @@ inline void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Co
 }
 
 //------------------------------------------------------------------------------
-void SkdTriangleReader::Read(int leaf, vtkDataSet* mesh, double chordalLength)
+void SkdTriangleReader::Read(int block, vtkDataSet* mesh, double chordalLength)
 {
-  const SkdLeafSurface surface(mesh, chordalLength);
+  const SkdBlockSurface surface(mesh, chordalLength);
   this->MarkPoints(surface);
-  this->ReadPoints(leaf, surface);
+  this->ReadPoints(block, surface);
   const std::uint32_t* const ids = this->Ids.data();
   surface.ForEachFace(
     [&](vtkIdType face, vtkIdType size, const auto* corners)
     {
-      const SkdTriangleCell cell{ leaf, surface.GetCellId(face) };
+      const SkdTriangleCell cell{ block, surface.GetCellId(face) };
       if (size == 3)
       {
         this->AddTriangle(cell, { ids[corners[0]], ids[corners[1]], ids[corners[2]] });
@@ -129,7 +129,7 @@ void SkdTriangleReader::Read(int leaf, vtkDataSet* mesh, double chordalLength)
 
 //------------------------------------------------------------------------------
 // Makes room for all faces, too.
-void SkdTriangleReader::MarkPoints(const SkdLeafSurface& surface)
+void SkdTriangleReader::MarkPoints(const SkdBlockSurface& surface)
 {
   this->Ids.assign(static_cast<std::size_t>(surface.Get()->GetNumberOfPoints()), Unused);
   std::uint32_t* const ids = this->Ids.data();
@@ -156,7 +156,7 @@ void SkdTriangleReader::MarkPoints(const SkdLeafSurface& surface)
 }
 
 //------------------------------------------------------------------------------
-void SkdTriangleReader::ReadPoints(int leaf, const SkdLeafSurface& surface)
+void SkdTriangleReader::ReadPoints(int block, const SkdBlockSurface& surface)
 {
   std::uint32_t* const ids = this->Ids.data();
   const auto size = static_cast<vtkIdType>(this->Ids.size());
@@ -176,7 +176,7 @@ void SkdTriangleReader::ReadPoints(int leaf, const SkdLeafSurface& surface)
         ids[i] = static_cast<std::uint32_t>(count);
         bounds.Add(x);
         this->To.Points[count] = x;
-        this->To.Origins[count] = { leaf, surface.GetPointId(i) };
+        this->To.Origins[count] = { block, surface.GetPointId(i) };
         ++count;
       }
     }

@@ -18,25 +18,25 @@
 #include <memory>
 #include <vector>
 
-class SkdLeafSurface;
+class SkdBlockSurface;
 class vtkDataSet;
 
-/// A cell that triangles come from: an index in the list of leaves, and a cell there.
+/// A cell that triangles come from: an index in the list of blocks, and a cell there.
 struct SkdTriangleCell
 {
-  int Leaf;
+  int Block;
   vtkIdType Id;
 
   bool operator<(const SkdTriangleCell& other) const
   {
-    return this->Leaf != other.Leaf ? this->Leaf < other.Leaf : this->Id < other.Id;
+    return this->Block != other.Block ? this->Block < other.Block : this->Id < other.Id;
   }
 };
 
 /// A point of a data set, -1 of one that its surface has added.
 struct SkdTrianglePoint
 {
-  int Leaf;
+  int Block;
   vtkIdType Id;
 };
 
@@ -66,7 +66,7 @@ public:
   ~SkdTriangleReader();
 
   /// Curved faces as facets no farther from them than a length (SkdChordalLength).
-  void Read(int leaf, vtkDataSet* mesh, double chordalLength);
+  void Read(int block, vtkDataSet* mesh, double chordalLength);
 
   /// What was read, in order.
   SkdReadTriangles Take();
@@ -78,8 +78,8 @@ private:
   static constexpr std::uint32_t NotFinite = 0xfffffffeu;
   static constexpr std::uint32_t Used = 0xfffffffdu; // and to be numbered
 
-  void MarkPoints(const SkdLeafSurface& surface);
-  void ReadPoints(int leaf, const SkdLeafSurface& surface);
+  void MarkPoints(const SkdBlockSurface& surface);
+  void ReadPoints(int block, const SkdBlockSurface& surface);
   bool AreSame(std::uint32_t a, std::uint32_t b) const;
   bool HasEqualCorners(const Corners& corners) const;
   void AddTriangle(const SkdTriangleCell& cell, const Corners& corners);
@@ -93,7 +93,7 @@ private:
   std::size_t NumberOfTriangles = 0;
   std::size_t NumberOfCells = 0;
   bool IsSorted = true;
-  std::vector<std::uint32_t> Ids; // of the points of the leaf that is read
+  std::vector<std::uint32_t> Ids; // of the points of the block that is read
   std::vector<vtkIdType> Polygon; // the corners of the face that is read
   std::unique_ptr<Cutter> Cut;    // made when it is first needed
 };

@@ -67,23 +67,23 @@ private:
 
 //------------------------------------------------------------------------------
 bool SkdTriangleSet::Update(
-  const std::vector<SkdLeaf>& leaves, double chordalDeviation, const skd::Processes* processes)
+  const std::vector<SkdBlock>& blocks, double chordalDeviation, const skd::Processes* processes)
 {
-  const double chordalLength = SkdChordalLength(leaves, chordalDeviation, processes);
+  const double chordalLength = SkdChordalLength(blocks, chordalDeviation, processes);
   const bool isSame = this->IsRead && this->ChordalLength == chordalLength &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), leaves.begin(), leaves.end(),
-      [](const SkdKeptMesh& kept, const SkdLeaf& leaf) { return kept.IsSameAs(leaf.Mesh); });
+    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
   if (isSame)
   {
     return false;
   }
   *this = SkdTriangleSet();
   this->ChordalLength = chordalLength;
-  this->Meshes.resize(leaves.size());
+  this->Meshes.resize(blocks.size());
   SkdTriangleReader reader;
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    this->Meshes[i].Keep(leaves[i].Mesh);
+    this->Meshes[i].Keep(blocks[i].Mesh);
     reader.Read(static_cast<int>(i), this->Meshes[i].Get(), chordalLength);
   }
   this->Read = reader.Take();
@@ -170,7 +170,7 @@ std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
   origins.reserve(this->PointOf.size());
   for (std::size_t i = 0; i < this->PointOf.size(); ++i)
   {
-    origins.push_back({ this->PointOf[i], this->Read.Origins[i].Leaf, this->Read.Origins[i].Id });
+    origins.push_back({ this->PointOf[i], this->Read.Origins[i].Block, this->Read.Origins[i].Id });
   }
   vtkSMPTools::Sort(origins.begin(), origins.end());
   return origins;

@@ -11,20 +11,20 @@
 #include "Core/Geometry/Vector.h"
 #include "Core/Mesh/Processes.h"
 #include "Core/Tree/LazyTree.h"
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdLeaves.h"
 #include "Surfaces/SkdTriangleReader.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-/// The surface cells of all leaves and the outer faces of their volume cells, cut into triangles
+/// The surface cells of all blocks and the outer faces of their volume cells, cut into triangles
 /// without new points (polygons by SkdTriangulation, so that neighbours keep meeting). Ghost cells
 /// are left out.
 ///
 /// A set is read first and, where that pays, completed: only then it has a tree, and points of
-/// equal coordinates, be they of different leaves, are one.
+/// equal coordinates, be they of different blocks, are one.
 class SkdTriangleSet
 {
 public:
@@ -33,10 +33,10 @@ public:
   using PointList = skd::RawVector<skd::Vector3>;
   using TriangleList = skd::RawVector<Corners>;
 
-  /// Makes the set that of `leaves`, curved faces as facets within a chordal deviation, a share of
+  /// Makes the set that of `blocks`, curved faces as facets within a chordal deviation, a share of
   /// the diagonal of all (see SkdChordalLength). Returns whether it had to be read, or was the
   /// same.
-  bool Update(const std::vector<SkdLeaf>& leaves, double chordalDeviation,
+  bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
     const skd::Processes* processes = nullptr);
 
   /// The deviation as a length; 0 where no cell is curved.
@@ -59,24 +59,24 @@ public:
   const skd::LazyTree<3>& GetTree() const { return this->Tree; }
 
   ///@{
-  /// The cells that have triangles, by ascending (leaf, id), and of each triangle its place there.
+  /// The cells that have triangles, by ascending (block, id), and of each triangle its place there.
   /// Triangles are in the order of their cells.
   const skd::RawVector<Cell>& GetCells() const { return this->Read.Cells; }
   std::uint32_t GetCellOf(std::uint32_t triangle) const { return this->Read.CellOf[triangle]; }
   ///@}
 
-  /// A point of a leaf that is a point of the set; -1 of one that its surface has added.
+  /// A point of a block that is a point of the set; -1 of one that its surface has added.
   struct Origin
   {
     std::uint32_t Point;
-    int Leaf;
+    int Block;
     vtkIdType Id;
 
     bool operator<(const Origin& o) const
     {
       return this->Point != o.Point
         ? this->Point < o.Point
-        : (this->Leaf != o.Leaf ? this->Leaf < o.Leaf : this->Id < o.Id);
+        : (this->Block != o.Block ? this->Block < o.Block : this->Id < o.Id);
     }
   };
 

@@ -99,12 +99,12 @@ PolyDataPointer LineAlongX(double from = -1, double to = 4)
   return MakePolyline({ { from, .5, .75 }, { to, .5, .75 } });
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> Blocks(const std::vector<vtkDataSet*>& leaves)
+vtkSmartPointer<vtkMultiBlockDataSet> Blocks(const std::vector<vtkDataSet*>& meshes)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    blocks->SetBlock(static_cast<unsigned int>(i), leaves[i]);
+    blocks->SetBlock(static_cast<unsigned int>(i), meshes[i]);
   }
   return blocks;
 }

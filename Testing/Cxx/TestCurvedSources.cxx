@@ -128,7 +128,7 @@ TEST_P(CurvedVolume, BowedBlocksAreWithinTheChordalDeviation)
 /// Surfaces by their facets, of a data object of one mesh or several.
 SkdBoundary BoundaryOf(const std::vector<Mesh>& meshes, double deviation)
 {
-  std::vector<SkdLeaf> leaves;
+  std::vector<SkdBlock> leaves;
   for (const Mesh& mesh : meshes)
   {
     leaves.push_back({ MakeGrid(mesh), static_cast<int>(leaves.size()) + 1 });

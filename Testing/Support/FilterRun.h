@@ -67,13 +67,13 @@ inline double Reported(vtkAlgorithm* filter, const std::string& what)
   return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
 }
 
-inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkDataObject*>& leaves)
+inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkDataObject*>& meshes)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  blocks->SetNumberOfBlocks(static_cast<unsigned int>(leaves.size()));
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  blocks->SetNumberOfBlocks(static_cast<unsigned int>(meshes.size()));
+  for (std::size_t i = 0; i < meshes.size(); ++i)
   {
-    blocks->SetBlock(static_cast<unsigned int>(i), leaves[i]);
+    blocks->SetBlock(static_cast<unsigned int>(i), meshes[i]);
   }
   return blocks;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdLeafSurface.h"
+#include "Pipeline/SkdBlockSurface.h"
 
 #include "Cells/SkdCurvedFaces.h"
 #include "Pipeline/SkdOuterSurface.h"
@@ -20,7 +20,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh, double chordalLength)
 }
 }
 
-SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh, double chordalLength)
+SkdBlockSurface::SkdBlockSurface(vtkDataSet* mesh, double chordalLength)
   : Mesh(mesh)
   , Surface(SurfaceOf(mesh, chordalLength))
 {
@@ -41,14 +41,14 @@ SkdLeafSurface::SkdLeafSurface(vtkDataSet* mesh, double chordalLength)
   }
 }
 
-bool SkdLeafSurface::IsOfVolume(vtkIdType cell) const
+bool SkdBlockSurface::IsOfVolume(vtkIdType cell) const
 {
   return this->CellIds &&
     SkdDimensionOfCellType(this->Mesh->GetCellType(this->CellIds->GetValue(cell))) == 3;
 }
 
 // VTK's surface of a structured grid has its points rounded to float: look at the original's.
-void SkdLeafSurface::FindPoint(vtkIdType point, double x[3]) const
+void SkdBlockSurface::FindPoint(vtkIdType point, double x[3]) const
 {
   const vtkIdType original = this->PointIds ? this->PointIds->GetValue(point) : -1;
   vtkDataSet* from = original >= 0 ? this->Mesh : this->Surface.Get();

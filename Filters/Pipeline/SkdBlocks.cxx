@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -22,21 +22,21 @@ void MirrorComposite(vtkCompositeDataSet* input, vtkCompositeDataSet* output)
   auto iterator = IteratorOf(input);
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    vtkDataObject* leaf = iterator->GetCurrentDataObject();
+    vtkDataObject* block = iterator->GetCurrentDataObject();
     vtkSmartPointer<vtkDataObject> copy;
-    copy.TakeReference(leaf->NewInstance());
-    copy->ShallowCopy(leaf);
+    copy.TakeReference(block->NewInstance());
+    copy->ShallowCopy(block);
     output->SetDataSet(iterator, copy);
   }
 }
 }
 
-std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object)
+std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
 {
-  std::vector<SkdLeaf> leaves;
+  std::vector<SkdBlock> blocks;
   if (vtkDataSet* mesh = vtkDataSet::SafeDownCast(object))
   {
-    leaves.push_back({ mesh, 0 });
+    blocks.push_back({ mesh, 0 });
   }
   if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(object))
   {
@@ -45,14 +45,14 @@ std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object)
     {
       if (vtkDataSet* mesh = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()))
       {
-        leaves.push_back({ mesh, static_cast<int>(iterator->GetCurrentFlatIndex()) });
+        blocks.push_back({ mesh, static_cast<int>(iterator->GetCurrentFlatIndex()) });
       }
     }
   }
-  return leaves;
+  return blocks;
 }
 
-std::vector<SkdLeaf> SkdMirror(vtkDataObject* input, vtkDataObject* output)
+std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output)
 {
   vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (composite)
@@ -63,15 +63,15 @@ std::vector<SkdLeaf> SkdMirror(vtkDataObject* input, vtkDataObject* output)
   {
     output->ShallowCopy(input);
   }
-  return SkdLeavesOf(output);
+  return SkdBlocksOf(output);
 }
 
-vtkIdType SkdCountPoints(const std::vector<SkdLeaf>& leaves)
+vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)
 {
   vtkIdType points = 0;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
-    points += leaf.Mesh->GetNumberOfPoints();
+    points += block.Mesh->GetNumberOfPoints();
   }
   return points;
 }

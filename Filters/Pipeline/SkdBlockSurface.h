@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdLeafSurface_h
-#define SkdLeafSurface_h
+#ifndef SkdBlockSurface_h
+#define SkdBlockSurface_h
 
 #include "Cells/SkdStoredCells.h"
 #include "vtkCellArray.h"
@@ -17,11 +17,11 @@
 
 /// The outer faces of one data set, its surface cells among them, and where its cells and points
 /// come from. Polydata are their own surface.
-class SkdLeafSurface
+class SkdBlockSurface
 {
 public:
   /// Curved faces become flat facets, none farther from its face than a chordal length.
-  SkdLeafSurface(vtkDataSet* mesh, double chordalLength);
+  SkdBlockSurface(vtkDataSet* mesh, double chordalLength);
 
   vtkPolyData* Get() const { return this->Surface; }
 

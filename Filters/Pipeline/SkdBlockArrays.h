@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdLeafArrays_h
-#define SkdLeafArrays_h
+#ifndef SkdBlockArrays_h
+#define SkdBlockArrays_h
 
 #include "Pipeline/SkdArrayGather.h"
-#include "Pipeline/SkdLeaves.h"
+#include "Pipeline/SkdBlocks.h"
 
 #include <functional>
 #include <set>
@@ -12,15 +12,15 @@
 
 class vtkAlgorithm;
 
-/// The arrays (of points or cells, vtkDataObject's type) that all leaves have, made for `n` tuples
+/// The arrays (of points or cells, vtkDataObject's type) that all blocks have, made for `n` tuples
 /// of "none" and added to `target`: all but ghost marks, and points' ids and rational weights. What
 /// cannot be added because its name is in use is put down in `refused`.
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
-  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused);
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused);
 
 /// The same of those of whose name `isWanted` tells true; "none" is `fill`, see SkdArrayGather.
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
-  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused, double fill,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused, double fill,
   const std::function<bool(const std::string&)>& isWanted);
 
 /// Warns about the arrays that were refused.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdLeafArrays.h"
+#include "Pipeline/SkdBlockArrays.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -8,20 +8,20 @@
 #include "vtkDataSetAttributes.h"
 
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
-  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused)
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused)
 {
   return SkdGatherInto(
-    target, n, leaves, type, refused, vtkMath::Nan(), [](const std::string&) { return true; });
+    target, n, blocks, type, refused, vtkMath::Nan(), [](const std::string&) { return true; });
 }
 
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
-  const std::vector<SkdLeaf>& leaves, int type, std::set<std::string>& refused, double fill,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused, double fill,
   const std::function<bool(const std::string&)>& isNamed)
 {
   std::vector<vtkDataSetAttributes*> sets;
-  for (const SkdLeaf& leaf : leaves)
+  for (const SkdBlock& block : blocks)
   {
-    sets.push_back(leaf.Mesh->GetAttributes(type));
+    sets.push_back(block.Mesh->GetAttributes(type));
   }
   const auto isWanted = [&](vtkAbstractArray* array)
   {

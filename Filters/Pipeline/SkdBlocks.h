@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SkdLeaves.h
+ * @file SkdBlocks.h
  * @brief The data sets that a data object is made of, whether it is composite or not.
  */
 
-#ifndef SkdLeaves_h
-#define SkdLeaves_h
+#ifndef SkdBlocks_h
+#define SkdBlocks_h
 
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
@@ -14,21 +14,21 @@
 #include <vector>
 
 /// A data set and its place: the flat index in its composite data set, 0 where there is none.
-struct SkdLeaf
+struct SkdBlock
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   int BlockIndex;
 };
 
-/// The data sets in `object`, by ascending flat index. Empty places and leaves that are no
+/// The data sets in `object`, by ascending flat index. Empty places and blocks that are no
 /// vtkDataSet (tables, say) are left out. None of a nullptr.
-std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object);
+std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object);
 
 /// Gives `output` the structure and all the data of `input`, which is of the same type, without
 /// copying arrays. Returns the data sets of the output: arrays can be added to them.
-std::vector<SkdLeaf> SkdMirror(vtkDataObject* input, vtkDataObject* output);
+std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 
 /// The points of all of them.
-vtkIdType SkdCountPoints(const std::vector<SkdLeaf>& leaves);
+vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks);
 
 #endif
