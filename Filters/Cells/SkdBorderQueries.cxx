@@ -206,7 +206,7 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
   }
   const double reach = tolerance > this->TheRounding ? tolerance : this->TheRounding;
   Borders borders(view, reach, parameters);
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     const SkdShape shape = this->Store.ShapeOf(cell);
     const auto add = [&](auto kernel)
@@ -222,7 +222,7 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(this->GetFrame(), segment, reach, leaf);
+  skd::AlongSegment<3, decltype(visitor)> query(this->GetFrame(), segment, reach, visitor);
   this->Walk(query);
 }
 

@@ -61,7 +61,7 @@ void SkdCellTree::FindWithinBounds(
   {
     return;
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (this->WorldBoundsOf(cell, motion).Overlaps(box))
     {
@@ -71,7 +71,7 @@ void SkdCellTree::FindWithinBounds(
   };
   if (motion)
   {
-    this->ForEachNear(box, *motion, leaf);
+    this->ForEachNear(box, *motion, visitor);
     return;
   }
   // Safety boxes of curved cells are wider than those of their points: of these nothing is sure.
@@ -79,13 +79,13 @@ void SkdCellTree::FindWithinBounds(
   {
     if (this->Store.ShapeOf(cell) == SkdShape::Generic)
     {
-      return leaf(cell);
+      return visitor(cell);
     }
     ids->InsertNextId(this->Store.IdOf(cell));
     return true;
   };
-  skd::OverlappingBox<3, decltype(leaf), decltype(sure)> query(
-    this->GetFrame(), box, 2.0 * this->TheEpsilon, leaf, sure);
+  skd::OverlappingBox<3, decltype(visitor), decltype(sure)> query(
+    this->GetFrame(), box, 2.0 * this->TheEpsilon, visitor, sure);
   this->Walk(query);
 }
 
@@ -99,7 +99,7 @@ void SkdCellTree::FindAlongPlane(const skd::Plane<3>& plane, double tolerance,
     return;
   }
   const double reach = std::max(tolerance, 0.0);
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (skd::Overlaps(plane, this->WorldBoundsOf(cell, motion), reach))
     {
@@ -110,7 +110,7 @@ void SkdCellTree::FindAlongPlane(const skd::Plane<3>& plane, double tolerance,
   const skd::Frame<3>& frame = this->GetFrame();
   const skd::Slab<3> slab =
     motion ? SkdSlabBeforeMotion(frame, plane, reach, *motion) : skd::Slab<3>(frame, plane, reach);
-  skd::WithinSlabs<3, 1, decltype(leaf)> query({ slab }, leaf);
+  skd::WithinSlabs<3, 1, decltype(visitor)> query({ slab }, visitor);
   this->Walk(query);
 }
 
@@ -139,12 +139,12 @@ void SkdCellTree::FindNearestCandidates(
   }
   thread_local std::vector<std::uint32_t> reached;
   reached.clear();
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     reached.push_back(cell);
     known2 = std::min(known2, skd::MaxDistance2(x, this->SafetyBoxOf(cell)));
   };
-  skd::NearestCandidates<3, decltype(leaf)> query(this->GetFrame(), x, known2, leaf);
+  skd::NearestCandidates<3, decltype(visitor)> query(this->GetFrame(), x, known2, visitor);
   this->Walk(query);
   for (const std::uint32_t cell : reached)
   {
@@ -159,7 +159,7 @@ void SkdCellTree::FindNearestCandidates(
 void SkdCellTree::FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList* ids) const
 {
   ids->Reset();
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (skd::Clip(segment, this->SafetyBoxOf(cell)))
     {
@@ -167,7 +167,7 @@ void SkdCellTree::FindSafetyBoxesAlong(const skd::Segment<3>& segment, vtkIdList
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(leaf)> query(this->GetFrame(), segment, 0.0, leaf);
+  skd::AlongSegment<3, decltype(visitor)> query(this->GetFrame(), segment, 0.0, visitor);
   this->Walk(query);
 }
 
@@ -179,7 +179,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) co
   {
     return;
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (this->SafetyBoxOf(cell).Overlaps(box))
     {
@@ -187,7 +187,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) co
     }
     return true;
   };
-  skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), box, leaf);
+  skd::WithinBox<3, decltype(visitor)> query(this->GetFrame(), box, visitor);
   this->Walk(query);
 }
 
@@ -200,7 +200,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vt
     return;
   }
   const double radius2 = radius * radius;
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (skd::MinDistance2(x, this->SafetyBoxOf(cell)) <= radius2)
     {
@@ -208,7 +208,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vt
     }
     return radius2;
   };
-  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, radius2, leaf);
+  skd::Nearest<3, decltype(visitor)> query(this->GetFrame(), x, radius2, visitor);
   this->Walk(query);
 }
 
@@ -221,7 +221,7 @@ void SkdCellTree::FindSafetyBoxesAlong(
   {
     return;
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (skd::Overlaps(plane, this->SafetyBoxOf(cell), tolerance))
     {
@@ -229,7 +229,7 @@ void SkdCellTree::FindSafetyBoxesAlong(
     }
     return true;
   };
-  skd::AlongPlane<3, decltype(leaf)> query(this->GetFrame(), plane, tolerance, leaf);
+  skd::AlongPlane<3, decltype(visitor)> query(this->GetFrame(), plane, tolerance, visitor);
   this->Walk(query);
 }
 
@@ -240,12 +240,12 @@ void SkdCellTree::FindMaybeWithin(const skd::Box3& box, std::vector<std::uint32_
   {
     return;
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     cells.push_back(cell);
     return true;
   };
-  skd::WithinBox<3, decltype(leaf)> query(this->GetFrame(), box, leaf);
+  skd::WithinBox<3, decltype(visitor)> query(this->GetFrame(), box, visitor);
   this->Walk(query);
 }
 
@@ -258,11 +258,11 @@ void SkdCellTree::FindMaybeWithin(
     return;
   }
   const double radius2 = radius * radius;
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     cells.push_back(cell);
     return radius2;
   };
-  skd::Nearest<3, decltype(leaf)> query(this->GetFrame(), x, radius2, leaf);
+  skd::Nearest<3, decltype(visitor)> query(this->GetFrame(), x, radius2, visitor);
   this->Walk(query);
 }

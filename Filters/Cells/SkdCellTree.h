@@ -26,11 +26,11 @@ class vtkIdList;
 struct SkdTreeSettings
 {
   double Epsilon = 1e-9; ///< relative to the diagonal
-  int Capacity = 8;      ///< cells a bottom node
+  int Capacity = 8;      ///< cells a leaf
   bool IsLazy = false;
   bool IsBare = false; ///< there is no tree: its cells can be asked about one by one, no more
   bool SkipsGhosts = true;
-  SkdMagnitudes Magnitudes = SkdMeasurable; ///< of coordinates; others count as not finite
+  SkdMagnitudes Magnitudes = SkdMeasurable;        ///< of coordinates; others count as not finite
   skd::SplitRule Rule = skd::SplitRule::Automatic; ///< of trees that are built whole
 };
 
@@ -271,13 +271,13 @@ private:
     return true;
   }
   /// skd::Nearest and skd::AlongSegment, as fast as it goes here.
-  template <bool OnlyNearest, class Leaf>
-  void WalkNearest(const skd::Vector3& x, double limit2, Leaf& leaf) const;
-  template <bool InOrder, class Leaf>
-  void WalkAlong(const skd::Segment<3>& segment, double margin, Leaf& leaf) const;
+  template <bool OnlyNearest, class Visitor>
+  void WalkNearest(const skd::Vector3& x, double limit2, Visitor& visitor) const;
+  template <bool InOrder, class Visitor>
+  void WalkAlong(const skd::Segment<3>& segment, double margin, Visitor& visitor) const;
   /// skd::VisitTriangleHits, if all cells are triangles whose corners are at hand. False if not.
-  template <bool InOrder, class Leaf>
-  bool VisitTriangleHits(const skd::Segment<3>& segment, double tolerance, Leaf& leaf) const;
+  template <bool InOrder, class Visitor>
+  bool VisitTriangleHits(const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const;
 
   const skd::Frame<3>& GetFrame() const
   {

@@ -149,27 +149,27 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
 }
 
 //------------------------------------------------------------------------------
-template <bool InOrder, class Leaf>
-void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Leaf& leaf) const
+template <bool InOrder, class Visitor>
+void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Visitor& visitor) const
 {
   const auto wide = [&](const SkdWideTree& tree)
   {
     SkdWideWalks::AlongSegment(
-      tree, segment.A.X, segment.B.X, margin, InOrder, SkdWideLeaf::Of(leaf));
+      tree, segment.A.X, segment.B.X, margin, InOrder, SkdWideVisitor::Of(visitor));
   };
   if (!this->WalkWide(wide))
   {
     using Sieve = skd::LineSieve;
-    skd::AlongSegment<3, Leaf, Sieve, InOrder> query(this->GetFrame(), segment, margin, leaf,
+    skd::AlongSegment<3, Visitor, Sieve, InOrder> query(this->GetFrame(), segment, margin, visitor,
       Sieve(this->Sieves.Packs(), skd::Shear(segment.B - segment.A)));
     this->Walk(query);
   }
 }
 
 //------------------------------------------------------------------------------
-template <bool InOrder, class Leaf>
+template <bool InOrder, class Visitor>
 bool SkdCellTree::VisitTriangleHits(
-  const skd::Segment<3>& segment, double tolerance, Leaf& leaf) const
+  const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const
 {
   const skd::TrianglePacks packs = this->Sieves.Packs();
   if (!packs.HavePoints())
@@ -178,12 +178,12 @@ bool SkdCellTree::VisitTriangleHits(
   }
   const auto wide = [&](const SkdWideTree& tree)
   {
-    SkdWideWalks::VisitTriangleHits(
-      tree, segment.A.X, segment.B.X, tolerance, InOrder, SkdWideHits::Of<skd::TriangleHit>(leaf));
+    SkdWideWalks::VisitTriangleHits(tree, segment.A.X, segment.B.X, tolerance, InOrder,
+      SkdWideHits::Of<skd::TriangleHit>(visitor));
   };
   if (!this->WalkWide(wide))
   {
-    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packs, segment, tolerance, leaf);
+    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packs, segment, tolerance, visitor);
   }
   return true;
 }
@@ -214,12 +214,12 @@ SkdHitCell SkdCellTree::FindFirstHit(
   {
     return first;
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     const auto hit = this->Hit(cell, view, reach, source);
     return hit ? take(cell, *hit) : (first.Id < 0 ? 1.0 : first.T);
   };
-  this->WalkAlong<true>(segment, reach, leaf);
+  this->WalkAlong<true>(segment, reach, visitor);
   return first;
 }
 
@@ -236,7 +236,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
     return 1.0;
   };
   const skd::SegmentView view(segment);
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (const auto hit = this->Hit(cell, view, reach, source))
     {
@@ -246,7 +246,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
   };
   if (!this->VisitTriangleHits<false>(segment, reach, takeTriangle) && view.IsValid())
   {
-    this->WalkAlong<false>(segment, reach, leaf);
+    this->WalkAlong<false>(segment, reach, visitor);
   }
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
@@ -276,13 +276,13 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
   }
   else
   {
-    auto leaf = [&](std::uint32_t cell)
+    auto visitor = [&](std::uint32_t cell)
     {
       clip(cell);
       return 1.0;
     };
-    skd::AlongSegment<3, decltype(leaf), skd::NoSieve, false> query(
-      this->GetFrame(), segment, reach, leaf);
+    skd::AlongSegment<3, decltype(visitor), skd::NoSieve, false> query(
+      this->GetFrame(), segment, reach, visitor);
     this->Walk(query);
   }
   std::sort(hits.begin(), hits.end(), IsBefore);
@@ -308,7 +308,7 @@ void SkdCellTree::ForEachFacet(
     return;
   }
   const skd::SegmentView view(segment);
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     if (this->Store.ShapeOf(cell) == SkdShape::Generic)
     {
@@ -344,7 +344,7 @@ void SkdCellTree::ForEachFacet(
   };
   if (view.IsValid())
   {
-    this->WalkAlong<false>(segment, 0.0, leaf);
+    this->WalkAlong<false>(segment, 0.0, visitor);
   }
 }
 

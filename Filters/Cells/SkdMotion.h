@@ -46,13 +46,13 @@ template <class Visit>
 void SkdCellTree::ForEachNear(
   const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const
 {
-  auto leaf = [&visit](std::uint32_t cell)
+  auto visitor = [&visit](std::uint32_t cell)
   {
     visit(cell);
     return true;
   };
-  skd::WithinSlabs<3, 3, decltype(leaf)> query(
-    SkdSlabsBeforeMotion(this->GetFrame(), box, motion), leaf);
+  skd::WithinSlabs<3, 3, decltype(visitor)> query(
+    SkdSlabsBeforeMotion(this->GetFrame(), box, motion), visitor);
   this->Walk(query);
 }
 

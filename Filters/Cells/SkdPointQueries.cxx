@@ -67,16 +67,16 @@ SkdCellPoint SkdCellTree::Measure(
 }
 
 //------------------------------------------------------------------------------
-template <bool OnlyNearest, class Leaf>
-void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Leaf& leaf) const
+template <bool OnlyNearest, class Visitor>
+void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Visitor& visitor) const
 {
   const auto wide = [&](const SkdWideTree& tree)
-  { SkdWideWalks::Nearest(tree, x.X, limit2, OnlyNearest, SkdWideLeaf::Of(leaf)); };
+  { SkdWideWalks::Nearest(tree, x.X, limit2, OnlyNearest, SkdWideVisitor::Of(visitor)); };
   if (!this->WalkWide(wide))
   {
     using Sieve = skd::DistanceSieve<OnlyNearest>;
-    skd::Nearest<3, Leaf, Sieve> query(
-      this->GetFrame(), x, limit2, leaf, Sieve(this->Sieves.Packs(), this->GetFrame().Local(x)));
+    skd::Nearest<3, Visitor, Sieve> query(
+      this->GetFrame(), x, limit2, visitor, Sieve(this->Sieves.Packs(), this->GetFrame().Local(x)));
     this->Walk(query);
   }
 }
@@ -90,7 +90,7 @@ SkdFoundCell SkdCellTree::FindNearest(
   {
     return best.Found;
   }
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     const vtkIdType id = this->Store.IdOf(cell);
     if (best.CouldTake(id))
@@ -99,7 +99,7 @@ SkdFoundCell SkdCellTree::FindNearest(
     }
     return best.Limit2;
   };
-  this->WalkNearest<true>(x, limit2, leaf);
+  this->WalkNearest<true>(x, limit2, visitor);
   return best.Found;
 }
 
@@ -140,11 +140,11 @@ SkdFoundCell SkdCellTree::FindContaining(
   if (best.Limit2 <= rounding2)
   {
     // Only boxes that hold x matter, in any order; safety boxes are wider than rounding.
-    auto leaf = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
+    auto visitor = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
     const skd::Vector3 local = this->GetFrame().Local(x);
     using Sieve = SkdSieves::Point;
-    skd::WithinBox<3, decltype(leaf), Sieve> query(
-      this->GetFrame(), skd::Box3(x, x), leaf, Sieve(this->Sieves, local));
+    skd::WithinBox<3, decltype(visitor), Sieve> query(
+      this->GetFrame(), skd::Box3(x, x), visitor, Sieve(this->Sieves, local));
     this->Walk(query);
     return best.Found;
   }
@@ -164,7 +164,7 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
     return heap;
   }
   const auto limit = [&]() { return heap.size() < number ? limit2 : heap.front().first; };
-  auto leaf = [&](std::uint32_t cell)
+  auto visitor = [&](std::uint32_t cell)
   {
     const double dist2 = this->Measure(cell, x, limit(), source).Dist2;
     const std::pair<double, vtkIdType> candidate(dist2, this->Store.IdOf(cell));
@@ -181,7 +181,7 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
     std::push_heap(heap.begin(), heap.end());
     return limit();
   };
-  this->WalkNearest<false>(x, limit2, leaf);
+  this->WalkNearest<false>(x, limit2, visitor);
   std::sort_heap(heap.begin(), heap.end());
   return heap;
 }

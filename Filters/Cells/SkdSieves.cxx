@@ -16,12 +16,12 @@ namespace
 {
 using Node = skd::Node<3>;
 
-skd::Raster RasterOf(const Node& bottom)
+skd::Raster RasterOf(const Node& leaf)
 {
-  skd::FloatBox<3> box = bottom.Boxes.Get(0);
-  for (int lane = 1; lane < bottom.Count; ++lane)
+  skd::FloatBox<3> box = leaf.Boxes.Get(0);
+  for (int lane = 1; lane < leaf.Count; ++lane)
   {
-    skd::Enclose(box, bottom.Boxes.Get(lane));
+    skd::Enclose(box, leaf.Boxes.Get(lane));
   }
   return skd::Raster(box);
 }
@@ -85,7 +85,7 @@ void ForEachPiece(std::uint64_t count, const Body& body)
     });
 }
 
-/// The points of a bottom node's triangles, each once.
+/// The points of a leaf's triangles, each once.
 struct SharedIds
 {
   std::uint32_t Ids[3 * skd::TrianglePack::Width];
@@ -103,7 +103,7 @@ struct SharedIds
   }
 };
 
-/// One bottom node's part of the rows, and where its cells are on its raster.
+/// One leaf's part of the rows, and where its cells are on its raster.
 struct PlaneFiller
 {
   const SkdCellStore& Store;
@@ -222,7 +222,7 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
       for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
       {
         const Node& node = tree.Open(i);
-        if (node.IsBottom && skd::TrianglePacks::Has(node))
+        if (node.IsLeaf && skd::TrianglePacks::Has(node))
         {
           if (isInOrder)
           {
@@ -230,14 +230,14 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
           }
           this->FillTriangles(store, tree, node);
         }
-        else if (node.IsBottom && HasPlanes(node))
+        else if (node.IsLeaf && HasPlanes(node))
         {
           this->FillPlanes(store, tree, node, rounding);
         }
-        else if (!node.IsBottom && isInOrder)
+        else if (!node.IsLeaf && isInOrder)
         {
           tree.SetTag(i, this->Blocks.empty() ? skd::TrianglePacks::TagOf(0) : TagOfBlock(0));
-          tree.SetNote(i, tree.BottomsBelow(node));
+          tree.SetNote(i, tree.LeavesBelow(node));
         }
       }
     });
@@ -264,7 +264,7 @@ SkdSieves::Counts SkdSieves::Census(const SkdCellStore& store, skd::Tree<3>& tre
   Counts all;
   for (const Counts& counts : pieces)
   {
-    all.Bottoms += counts.Bottoms;
+    all.Leaves += counts.Leaves;
     all.Packs += counts.Packs;
     all.Blocks += counts.Blocks;
   }
@@ -276,7 +276,7 @@ void SkdSieves::CountIn(
   const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts)
 {
   const Node& node = tree.Open(index);
-  if (!node.IsBottom)
+  if (!node.IsLeaf)
   {
     return;
   }
@@ -291,7 +291,7 @@ void SkdSieves::CountIn(
     most = std::max(most, planes);
     triangles += store.ShapeOf(cell) == SkdShape::Triangle ? 1 : 0;
   }
-  ++counts.Bottoms;
+  ++counts.Leaves;
   const bool haveRowsNumbers = tree.NumberOfNodes() < Node::NoTag / 2 / MostPlanes;
   if (triangles == node.Count)
   {
@@ -308,7 +308,7 @@ void SkdSieves::CountIn(
 //------------------------------------------------------------------------------
 bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
 {
-  const bool isInOrder = counts.Packs == counts.Bottoms || counts.Blocks == counts.Bottoms;
+  const bool isInOrder = counts.Packs == counts.Leaves || counts.Blocks == counts.Leaves;
   this->Triangles.resize(counts.Packs);
   this->Blocks.resize(counts.Blocks);
   if (isInOrder && counts.Blocks == 0)
@@ -320,7 +320,7 @@ bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
   for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
   {
     const Node& node = tree.Open(i);
-    if (!node.IsBottom)
+    if (!node.IsLeaf)
     {
       continue;
     }
@@ -354,17 +354,16 @@ void SkdSieves::NumberRows()
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::FillTriangles(
-  const SkdCellStore& store, const skd::Tree<3>& tree, const Node& bottom)
+void SkdSieves::FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf)
 {
-  skd::TrianglePack& pack = this->Triangles[bottom.Tag >> 1];
+  skd::TrianglePack& pack = this->Triangles[leaf.Tag >> 1];
   pack = {};
-  pack.Raster = RasterOf(bottom);
+  pack.Raster = RasterOf(leaf);
   SharedIds shared;
-  for (int lane = 0; lane < bottom.Count; ++lane)
+  for (int lane = 0; lane < leaf.Count; ++lane)
   {
     const std::uint32_t* ids =
-      store.PointIdsOf(tree.Element(bottom.First + static_cast<std::uint32_t>(lane)));
+      store.PointIdsOf(tree.Element(leaf.First + static_cast<std::uint32_t>(lane)));
     for (int corner = 0; corner < 3; ++corner)
     {
       const skd::Vector3 world = store.Point(ids[corner]);
@@ -438,28 +437,28 @@ void SkdSieves::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
       for (std::uint32_t number = first; number < last; ++number)
       {
         next += std::exchange(this->Triangles[number].FirstPoint, next);
-        copy(this->Triangles[number], tree.BottomAt(number));
+        copy(this->Triangles[number], tree.LeafAt(number));
       }
     });
 }
 
 //------------------------------------------------------------------------------
 void SkdSieves::FillPlanes(
-  const SkdCellStore& store, const skd::Tree<3>& tree, const Node& bottom, double rounding)
+  const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf, double rounding)
 {
-  PlaneBlock& block = this->Blocks[bottom.Tag >> 1];
-  block.Raster = RasterOf(bottom);
+  PlaneBlock& block = this->Blocks[leaf.Tag >> 1];
+  block.Raster = RasterOf(leaf);
   skd::PlaneRow* rows = this->Rows.data() + block.FirstRow;
   std::fill_n(rows, block.Count, skd::PlaneRow());
   const skd::Frame<3>& frame = tree.GetFrame();
   const double margin = rounding * frame.Scale / block.Raster.Unit + skd::PlaneRow::Rounding;
   const PlaneFiller filler{ store, frame, block.Raster, margin, rows };
   std::uint32_t cells[Node::Width];
-  for (int lane = 0; lane < bottom.Count; ++lane)
+  for (int lane = 0; lane < leaf.Count; ++lane)
   {
-    cells[lane] = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+    cells[lane] = tree.Element(leaf.First + static_cast<std::uint32_t>(lane));
   }
-  for (unsigned left = bottom.Occupied(); left != 0;)
+  for (unsigned left = leaf.Occupied(); left != 0;)
   {
     left &= ~filler.SetLike(skd::LowestBit(left), cells, left);
   }

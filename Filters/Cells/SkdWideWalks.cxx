@@ -40,51 +40,51 @@ skd::Vector3 PointAt(const double x[3])
 
 template <bool OnlyNearest>
 void WalkNearest(
-  const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideLeaf& leaf)
+  const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideVisitor& visitor)
 {
   using Sieve = skd::DistanceSieve<OnlyNearest>;
   const skd::TreeView<3>& view = ViewOf(tree);
-  skd::Nearest<3, const SkdWideLeaf, Sieve> query(
-    view.GetFrame(), x, limit2, leaf, Sieve(PacksOf(tree), view.GetFrame().Local(x)));
+  skd::Nearest<3, const SkdWideVisitor, Sieve> query(
+    view.GetFrame(), x, limit2, visitor, Sieve(PacksOf(tree), view.GetFrame().Local(x)));
   skd::Walk(view, query);
 }
 
 template <bool InOrder>
-void WalkAlong(
-  const SkdWideTree& tree, const skd::Segment<3>& segment, double margin, const SkdWideLeaf& leaf)
+void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double margin,
+  const SkdWideVisitor& visitor)
 {
   using Sieve = skd::LineSieve;
   const skd::TreeView<3>& view = ViewOf(tree);
-  skd::AlongSegment<3, const SkdWideLeaf, Sieve, InOrder> query(view.GetFrame(), segment, margin,
-    leaf, Sieve(PacksOf(tree), skd::Shear(segment.B - segment.A)));
+  skd::AlongSegment<3, const SkdWideVisitor, Sieve, InOrder> query(view.GetFrame(), segment, margin,
+    visitor, Sieve(PacksOf(tree), skd::Shear(segment.B - segment.A)));
   skd::Walk(view, query);
 }
 }
 
 //------------------------------------------------------------------------------
 void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double limit2,
-  bool onlyNearest, const SkdWideLeaf& leaf)
+  bool onlyNearest, const SkdWideVisitor& visitor)
 {
-  onlyNearest ? WalkNearest<true>(tree, PointAt(x), limit2, leaf)
-              : WalkNearest<false>(tree, PointAt(x), limit2, leaf);
+  onlyNearest ? WalkNearest<true>(tree, PointAt(x), limit2, visitor)
+              : WalkNearest<false>(tree, PointAt(x), limit2, visitor);
 }
 
 //------------------------------------------------------------------------------
 void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
-  double margin, bool inOrder, const SkdWideLeaf& leaf)
+  double margin, bool inOrder, const SkdWideVisitor& visitor)
 {
   const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
-  inOrder ? WalkAlong<true>(tree, segment, margin, leaf)
-          : WalkAlong<false>(tree, segment, margin, leaf);
+  inOrder ? WalkAlong<true>(tree, segment, margin, visitor)
+          : WalkAlong<false>(tree, segment, margin, visitor);
 }
 
 //------------------------------------------------------------------------------
 void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const double from[3],
-  const double to[3], double tolerance, bool inOrder, const SkdWideHits& leaf)
+  const double to[3], double tolerance, bool inOrder, const SkdWideHits& visitor)
 {
   const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
-  auto take = [&leaf](std::uint32_t cell, const skd::TriangleHit& hit)
-  { return leaf.Call(leaf.Self, cell, &hit); };
+  auto take = [&visitor](std::uint32_t cell, const skd::TriangleHit& hit)
+  { return visitor.Call(visitor.Self, cell, &hit); };
   inOrder ? skd::VisitTriangleHits<true>(ViewOf(tree), PacksOf(tree), segment, tolerance, take)
           : skd::VisitTriangleHits<false>(ViewOf(tree), PacksOf(tree), segment, tolerance, take);
 }

@@ -14,7 +14,7 @@
 
 #include <cstdint>
 
-/// A tree of cells and the packs of its bottom nodes.
+/// A tree of cells and the packs of its leaves.
 struct SkdWideTree
 {
   const void* View;  ///< skd::TreeView<3>
@@ -22,14 +22,14 @@ struct SkdWideTree
 };
 
 /// Measures a cell, and returns beyond what nothing is wanted any more.
-struct SkdWideLeaf
+struct SkdWideVisitor
 {
-  template <class Leaf>
-  static SkdWideLeaf Of(Leaf& leaf)
+  template <class Visitor>
+  static SkdWideVisitor Of(Visitor& visitor)
   {
     return { [](void* self, std::uint32_t cell) -> double
-      { return (*static_cast<Leaf*>(self))(cell); },
-      &leaf };
+      { return (*static_cast<Visitor*>(self))(cell); },
+      &visitor };
   }
 
   double operator()(std::uint32_t cell) const { return this->Call(this->Self, cell); }
@@ -41,12 +41,12 @@ struct SkdWideLeaf
 /// Takes a triangle that is hit, and returns beyond what nothing is wanted any more.
 struct SkdWideHits
 {
-  template <class Hit, class Leaf>
-  static SkdWideHits Of(Leaf& leaf)
+  template <class Hit, class Visitor>
+  static SkdWideHits Of(Visitor& visitor)
   {
     return { [](void* self, std::uint32_t cell, const void* hit) -> double
-      { return (*static_cast<Leaf*>(self))(cell, *static_cast<const Hit*>(hit)); },
-      &leaf };
+      { return (*static_cast<Visitor*>(self))(cell, *static_cast<const Hit*>(hit)); },
+      &visitor };
   }
 
   /// `hit`: skd::TriangleHit
@@ -66,11 +66,11 @@ public:
   static void TurnOn(bool on);
 
   static void Nearest(const SkdWideTree& tree, const double x[3], double limit2, bool onlyNearest,
-    const SkdWideLeaf& leaf);
+    const SkdWideVisitor& visitor);
   static void AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
-    double margin, bool inOrder, const SkdWideLeaf& leaf);
+    double margin, bool inOrder, const SkdWideVisitor& visitor);
   static void VisitTriangleHits(const SkdWideTree& tree, const double from[3], const double to[3],
-    double tolerance, bool inOrder, const SkdWideHits& leaf);
+    double tolerance, bool inOrder, const SkdWideHits& visitor);
 };
 
 #endif

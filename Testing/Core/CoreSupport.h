@@ -176,18 +176,18 @@ inline void ExpectReached(const Ids& reached, const Ids& must, const Ids& may)
                                 << " reached needlessly, one of them: " << needless.front();
 }
 
-/// Elements that a query reaches. `make(leaf)` gives the query; the leaf answers every element with
-/// `answer`: go on, or the limit.
+/// Elements that a query reaches. `make(visitor)` gives the query; the visitor answers every
+/// element with `answer`: go on, or the limit.
 template <class Answer, class Tree, class Make>
 Ids Reached(const Tree& tree, Answer answer, Make make)
 {
   Ids reached;
-  auto leaf = [&](std::uint32_t element)
+  auto visitor = [&](std::uint32_t element)
   {
     reached.push_back(element);
     return answer;
   };
-  auto query = make(leaf);
+  auto query = make(visitor);
   skd::Walk(tree, query);
   return reached;
 }

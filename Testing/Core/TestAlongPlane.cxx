@@ -18,10 +18,10 @@ template <int D, class Tree>
 Ids ReachedAlong(const Tree& tree, const skd::Plane<D>& plane, double tolerance)
 {
   return Reached(tree, true,
-    [&](auto& leaf)
+    [&](auto& visitor)
     {
-      return skd::AlongPlane<D, std::decay_t<decltype(leaf)>>(
-        tree.GetFrame(), plane, tolerance, leaf);
+      return skd::AlongPlane<D, std::decay_t<decltype(visitor)>>(
+        tree.GetFrame(), plane, tolerance, visitor);
     });
 }
 
@@ -127,14 +127,14 @@ TYPED_TEST(AlongPlaneTest, ReachesNothingWithNaN)
   EXPECT_TRUE(ReachedAlong(tree, skd::Plane<D>{ up, up }, bad[0]).empty());
 }
 
-TYPED_TEST(AlongPlaneTest, EndsWhenTheLeafSaysSo)
+TYPED_TEST(AlongPlaneTest, EndsWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
   const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8));
   int reached = 0;
-  auto leaf = [&reached](std::uint32_t) { return ++reached < 3; };
+  auto visitor = [&reached](std::uint32_t) { return ++reached < 3; };
   const skd::Plane<D> plane{ Filled<D>(0.25), Along<D>(0, 1.0) };
-  skd::AlongPlane<D, decltype(leaf)> query(tree.GetFrame(), plane, 0.0, leaf);
+  skd::AlongPlane<D, decltype(visitor)> query(tree.GetFrame(), plane, 0.0, visitor);
   skd::Walk(tree, query);
   EXPECT_EQ(reached, 3);
 }

@@ -18,10 +18,10 @@ template <int D, class Tree>
 Ids AllAlong(const Tree& tree, const skd::Segment<D>& segment, double margin = 0.0)
 {
   return Reached(tree, 1.0,
-    [&](auto& leaf)
+    [&](auto& visitor)
     {
-      return skd::AlongSegment<D, std::decay_t<decltype(leaf)>>(
-        tree.GetFrame(), segment, margin, leaf);
+      return skd::AlongSegment<D, std::decay_t<decltype(visitor)>>(
+        tree.GetFrame(), segment, margin, visitor);
     });
 }
 
@@ -30,13 +30,13 @@ template <int D, class Tree>
 double FirstAlong(const Tree& tree, const Boxes<D>& boxes, const skd::Segment<D>& segment)
 {
   double first = 2.0;
-  auto leaf = [&](std::uint32_t element)
+  auto visitor = [&](std::uint32_t element)
   {
     const auto inside = skd::Clip(segment, boxes[element]);
     first = inside ? std::min(first, inside->Min) : first;
     return std::min(first, 1.0);
   };
-  skd::AlongSegment<D, decltype(leaf)> query(tree.GetFrame(), segment, 0.0, leaf);
+  skd::AlongSegment<D, decltype(visitor)> query(tree.GetFrame(), segment, 0.0, visitor);
   skd::Walk(tree, query);
   return first;
 }
@@ -295,10 +295,10 @@ TYPED_TEST(AlongSegmentTest, ReachesAllThatShareTheFirstHit)
     const double first = skd::Clip(segment, EqualBoxes<D>(1)[0])->Min;
     const double early = std::nextafter(std::nextafter(first, 0.0), 0.0);
     const Ids reached = Reached(tree, early,
-      [&](auto& leaf)
+      [&](auto& visitor)
       {
-        return skd::AlongSegment<D, std::decay_t<decltype(leaf)>>(
-          tree.GetFrame(), segment, 0.0, leaf);
+        return skd::AlongSegment<D, std::decay_t<decltype(visitor)>>(
+          tree.GetFrame(), segment, 0.0, visitor);
       });
     EXPECT_EQ(reached.size(), 65u) << far;
   }

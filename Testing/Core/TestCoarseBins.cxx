@@ -51,27 +51,27 @@ skd::ReadInput<D> ReadInputOf(const Boxes<D>& boxes, int capacity, std::size_t f
 }
 
 template <class Tree, int D>
-Ids ElementsOf(const Tree& tree, const skd::Node<D>& bottom)
+Ids ElementsOf(const Tree& tree, const skd::Node<D>& leaf)
 {
   Ids ids;
-  for (std::uint32_t lane = 0; lane < bottom.Count; ++lane)
+  for (std::uint32_t lane = 0; lane < leaf.Count; ++lane)
   {
-    ids.push_back(tree.Element(bottom.First + lane));
+    ids.push_back(tree.Element(leaf.First + lane));
   }
   return ids;
 }
 
-/// The same nodes with the same boxes and elements, but for the order in bottom nodes.
+/// The same nodes with the same boxes and elements, but for the order in leaves.
 template <int D, class First, class Second>
 bool AreSame(const First& first, const Second& second, std::uint32_t a = 0, std::uint32_t b = 0)
 {
   const skd::Node<D>& one = first.Open(a);
   const skd::Node<D>& other = second.Open(b);
-  if (one.Count != other.Count || one.IsBottom != other.IsBottom)
+  if (one.Count != other.Count || one.IsLeaf != other.IsLeaf)
   {
     return false;
   }
-  if (one.IsBottom)
+  if (one.IsLeaf)
   {
     return Sorted(ElementsOf(first, one)) == Sorted(ElementsOf(second, other));
   }
@@ -106,8 +106,9 @@ Ids NearTo(const Tree& tree, const skd::Vector<D>& q)
 {
   const double limit2 = 0.01 / tree.GetFrame().Scale / tree.GetFrame().Scale;
   return Sorted(Reached(tree, limit2,
-    [&](auto& leaf)
-    { return skd::Nearest<D, std::decay_t<decltype(leaf)>>(tree.GetFrame(), q, limit2, leaf); }));
+    [&](auto& visitor) {
+      return skd::Nearest<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), q, limit2, visitor);
+    }));
 }
 
 TYPED_TEST(CoarseBinsTest, MakeTheTreeThatIsBuiltWhole)

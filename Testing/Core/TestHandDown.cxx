@@ -135,8 +135,8 @@ TYPED_TEST(HandDownTest, AFamilyCostsLessThanSearchesFromTheRoot)
     List next;
     const auto meets = [&](std::uint32_t element) { return boxes[element].Overlaps(box); };
     EXPECT_TRUE(skd::HandDown(counted, list.data(), list.data() + list.size(), box, meets, next));
-    auto leaf = [](std::uint32_t) { return true; };
-    skd::WithinBox<D, decltype(leaf)> query(tree.GetFrame(), box, leaf);
+    auto visitor = [](std::uint32_t) { return true; };
+    skd::WithinBox<D, decltype(visitor)> query(tree.GetFrame(), box, visitor);
     skd::Walk(searched, query);
     list.swap(next);
     box = Part(box, static_cast<unsigned>(level % 2 ? 0 : (1 << D) - 1));

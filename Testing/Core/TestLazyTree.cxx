@@ -49,18 +49,19 @@ Ids NearestWalk(const Tree& tree, const skd::Vector<D>& q)
 {
   const double limit2 = 0.1 / tree.GetFrame().Scale / tree.GetFrame().Scale;
   return Reached(tree, limit2,
-    [&](auto& leaf)
-    { return skd::Nearest<D, std::decay_t<decltype(leaf)>>(tree.GetFrame(), q, limit2, leaf); });
+    [&](auto& visitor) {
+      return skd::Nearest<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), q, limit2, visitor);
+    });
 }
 
 template <int D, class Tree>
 Ids SegmentWalk(const Tree& tree, const skd::Vector<D>& a, const skd::Vector<D>& b)
 {
   return Reached(tree, 1.0,
-    [&](auto& leaf)
+    [&](auto& visitor)
     {
-      return skd::AlongSegment<D, std::decay_t<decltype(leaf)>>(
-        tree.GetFrame(), skd::Segment<D>{ a, b }, 0.0, leaf);
+      return skd::AlongSegment<D, std::decay_t<decltype(visitor)>>(
+        tree.GetFrame(), skd::Segment<D>{ a, b }, 0.0, visitor);
     });
 }
 
@@ -69,8 +70,8 @@ Ids BoxWalk(const Tree& tree, const skd::Vector<D>& corner)
 {
   const skd::Box<D> box(corner, corner + Filled<D>(0.25));
   return Reached(tree, true,
-    [&](auto& leaf)
-    { return skd::WithinBox<D, std::decay_t<decltype(leaf)>>(tree.GetFrame(), box, leaf); });
+    [&](auto& visitor)
+    { return skd::WithinBox<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), box, visitor); });
 }
 
 /// All that a thread does: queries of every kind, one after the other.

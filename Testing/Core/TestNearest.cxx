@@ -34,7 +34,7 @@ std::vector<double> LeastDistances2(const Tree& tree, const Boxes<D>& boxes,
   const skd::Vector<D>& q, std::size_t count, double limit2 = Infinity)
 {
   std::vector<double> best(count, limit2);
-  auto leaf = [&](std::uint32_t element)
+  auto visitor = [&](std::uint32_t element)
   {
     const double distance2 = skd::MinDistance2(q, boxes[element]);
     if (distance2 < best.back())
@@ -44,7 +44,7 @@ std::vector<double> LeastDistances2(const Tree& tree, const Boxes<D>& boxes,
     }
     return best.back();
   };
-  skd::Nearest<D, decltype(leaf)> query(tree.GetFrame(), q, limit2, leaf);
+  skd::Nearest<D, decltype(visitor)> query(tree.GetFrame(), q, limit2, visitor);
   skd::Walk(tree, query);
   return best;
 }
@@ -54,8 +54,9 @@ template <int D, class Tree>
 Ids ReachedWithin(const Tree& tree, const skd::Vector<D>& q, double limit2)
 {
   return Reached(tree, limit2,
-    [&](auto& leaf)
-    { return skd::Nearest<D, std::decay_t<decltype(leaf)>>(tree.GetFrame(), q, limit2, leaf); });
+    [&](auto& visitor) {
+      return skd::Nearest<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), q, limit2, visitor);
+    });
 }
 
 TYPED_TEST(NearestTest, FindsTheLeastDistance)

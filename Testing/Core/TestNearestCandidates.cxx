@@ -22,8 +22,8 @@ Ids Candidates(
   const Tree& tree, const Boxes<D>& boxes, const skd::Vector<D>& q, double limit2 = Infinity)
 {
   Ids reached;
-  auto leaf = [&](std::uint32_t element) { reached.push_back(element); };
-  skd::NearestCandidates<D, decltype(leaf)> query(tree.GetFrame(), q, limit2, leaf);
+  auto visitor = [&](std::uint32_t element) { reached.push_back(element); };
+  skd::NearestCandidates<D, decltype(visitor)> query(tree.GetFrame(), q, limit2, visitor);
   skd::Walk(tree, query);
   const double scale = tree.GetFrame().Scale;
   const auto isTooFar = [&](std::uint32_t element)

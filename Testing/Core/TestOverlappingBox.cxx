@@ -55,7 +55,7 @@ protected:
   {
     std::set<std::uint32_t> found;
     doubtful = 0;
-    auto leaf = [&](std::uint32_t element)
+    auto visitor = [&](std::uint32_t element)
     {
       ++doubtful;
       if (boxes[element].Overlaps(query))
@@ -70,8 +70,8 @@ protected:
       EXPECT_TRUE(found.insert(element).second);
       return true;
     };
-    skd::OverlappingBox<D, decltype(leaf), decltype(sure)> overlapping(
-      tree.GetFrame(), query, 2.0 * Epsilon, leaf, sure);
+    skd::OverlappingBox<D, decltype(visitor), decltype(sure)> overlapping(
+      tree.GetFrame(), query, 2.0 * Epsilon, visitor, sure);
     skd::Walk(tree, overlapping);
     return found;
   }

@@ -69,13 +69,13 @@ Ids ReachedPairs(const First& first, const Second& second, const ToFirst& toFirs
 {
   constexpr int D = std::extent_v<decltype(first.GetFrame().Centre.X)>;
   Ids reached;
-  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
     reached.push_back(Pair(a, b));
     return true;
   };
-  skd::OverlappingPairs<D, ToFirst, decltype(leaf)> query(
-    first.GetFrame(), second.GetFrame(), toFirst, leaf);
+  skd::OverlappingPairs<D, ToFirst, decltype(visitor)> query(
+    first.GetFrame(), second.GetFrame(), toFirst, visitor);
   skd::WalkPairs(first, second, query);
   return reached;
 }
@@ -230,15 +230,15 @@ TYPED_TEST(OverlappingPairsTest, OfSetsApartAreNone)
   EXPECT_TRUE(ReachedPairs(here, there, Unmoved()).empty());
 }
 
-TYPED_TEST(OverlappingPairsTest, EndWhenTheLeafSaysSo)
+TYPED_TEST(OverlappingPairsTest, EndWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
   const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8));
   int reached = 0;
-  auto leaf = [&reached](std::uint32_t, std::uint32_t) { return ++reached < 3; };
+  auto visitor = [&reached](std::uint32_t, std::uint32_t) { return ++reached < 3; };
   const Unmoved unmoved;
-  skd::OverlappingPairs<D, Unmoved, decltype(leaf)> query(
-    tree.GetFrame(), tree.GetFrame(), unmoved, leaf);
+  skd::OverlappingPairs<D, Unmoved, decltype(visitor)> query(
+    tree.GetFrame(), tree.GetFrame(), unmoved, visitor);
   skd::WalkPairs(tree, tree, query);
   EXPECT_EQ(reached, 3);
 }
@@ -250,10 +250,10 @@ TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
   const Boxes<D> boxes = LineOfBoxes<D>(4096);
   const skd::Tree<D> tree(InputOf(boxes, 8));
   int reached = 0;
-  auto leaf = [&reached](std::uint32_t, std::uint32_t) { return ++reached > 0; };
+  auto visitor = [&reached](std::uint32_t, std::uint32_t) { return ++reached > 0; };
   const Unmoved unmoved;
-  skd::OverlappingPairs<D, Unmoved, decltype(leaf)> query(
-    tree.GetFrame(), tree.GetFrame(), unmoved, leaf);
+  skd::OverlappingPairs<D, Unmoved, decltype(visitor)> query(
+    tree.GetFrame(), tree.GetFrame(), unmoved, visitor);
   const CountedTree first(tree);
   skd::WalkPairs(first, tree, query);
   EXPECT_EQ(reached, 3 * 4096 - 2);
@@ -265,14 +265,14 @@ template <int D>
 Ids PairsWithin(const skd::Tree<D>& tree, std::size_t parts)
 {
   Ids reached;
-  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
     reached.push_back(Pair(std::min(a, b), std::max(a, b)));
     return true;
   };
   const Unmoved unmoved;
-  using Query = skd::OverlappingPairs<D, Unmoved, decltype(leaf)>;
-  Query query(tree.GetFrame(), tree.GetFrame(), unmoved, leaf);
+  using Query = skd::OverlappingPairs<D, Unmoved, decltype(visitor)>;
+  Query query(tree.GetFrame(), tree.GetFrame(), unmoved, visitor);
   skd::PairWalk<skd::Tree<D>, skd::Tree<D>, Query> walk(tree, query);
   for (const auto& start : walk.Split(parts))
   {
@@ -309,14 +309,14 @@ TYPED_TEST(OverlappingPairsTest, OfTwoTreesAreTheSameInParts)
   const skd::Tree<D> first(InputOf(RandomBoxes<D>(513), 8));
   const skd::Tree<D> second(InputOf(RandomBoxes<D>(65, 9), 3));
   Ids reached;
-  auto leaf = [&](std::uint32_t a, std::uint32_t b)
+  auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
     reached.push_back(Pair(a, b));
     return true;
   };
   const Unmoved unmoved;
-  using Query = skd::OverlappingPairs<D, Unmoved, decltype(leaf)>;
-  Query query(first.GetFrame(), second.GetFrame(), unmoved, leaf);
+  using Query = skd::OverlappingPairs<D, Unmoved, decltype(visitor)>;
+  Query query(first.GetFrame(), second.GetFrame(), unmoved, visitor);
   skd::PairWalk<skd::Tree<D>, skd::Tree<D>, Query> walk(first, second, query);
   const auto starts = walk.Split(50);
   EXPECT_GE(starts.size(), 50u);

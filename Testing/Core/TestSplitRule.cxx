@@ -78,11 +78,11 @@ std::size_t CountOpened(const Boxes<3>& boxes, Rule rule)
 {
   const skd::Tree<3> tree(InputOf(boxes, 8, rule));
   const CountedTree<skd::Tree<3>> counted(tree);
-  auto leaf = [](std::uint32_t) { return true; };
+  auto visitor = [](std::uint32_t) { return true; };
   for (const skd::Box3& box : boxes)
   {
     const skd::Vector3 x = box.Centroid();
-    skd::WithinBox<3, decltype(leaf)> query(tree.GetFrame(), skd::Box3(x, x), leaf);
+    skd::WithinBox<3, decltype(visitor)> query(tree.GetFrame(), skd::Box3(x, x), visitor);
     skd::Walk(counted, query);
   }
   return counted.Opened;
@@ -179,11 +179,11 @@ TEST(AreaSplit, HalvesWhatIsAllInOnePlaceAcrossTheLongestAxis)
   for (const std::size_t count : { 16, 5000 })
   {
     const auto input = InputOf(Boxes<3>(count, skd::Box3(middle, middle).Inflated(0.5)), 8);
-    const auto bottoms = static_cast<std::uint64_t>((count + 7) / 8);
+    const auto leaves = static_cast<std::uint64_t>((count + 7) / 8);
     const skd::AreaSplit<3> split(input.Elements.data(), input.Elements.data() + count, 8);
-    const auto place = split.Best({ bottoms, 1, bottoms - 1 }, 2);
+    const auto place = split.Best({ leaves, 1, leaves - 1 }, 2);
     EXPECT_EQ(place.Axis, 2);
-    EXPECT_EQ(place.Left, bottoms / 2);
+    EXPECT_EQ(place.Left, leaves / 2);
   }
 }
 

@@ -53,7 +53,7 @@ void ForEachNode(const Tree& tree, Visitor visit, std::uint32_t node = 0, int le
   }
   visit(node, level);
   const auto& opened = tree.Open(node);
-  for (int lane = 0; lane < opened.Count && !opened.IsBottom; ++lane)
+  for (int lane = 0; lane < opened.Count && !opened.IsLeaf; ++lane)
   {
     ForEachNode(tree, visit, opened.First + static_cast<std::uint32_t>(lane), level + 1);
   }
@@ -68,13 +68,13 @@ std::vector<double> ContentOf(const Tree& tree)
     [&](std::uint32_t index, int level)
     {
       const auto& node = tree.Open(index);
-      content.insert(content.end(), { double(level), double(node.Count), double(node.IsBottom) });
+      content.insert(content.end(), { double(level), double(node.Count), double(node.IsLeaf) });
       for (int lane = 0; lane < node.Count; ++lane)
       {
         const auto box = node.Boxes.Get(lane);
         content.insert(content.end(), std::begin(box.Min), std::end(box.Min));
         content.insert(content.end(), std::begin(box.Max), std::end(box.Max));
-        if (node.IsBottom)
+        if (node.IsLeaf)
         {
           content.push_back(tree.Element(node.First + static_cast<std::uint32_t>(lane)));
         }
@@ -121,7 +121,7 @@ TYPED_TEST(TreeTest, HoldsEachElementOnceWithItsBox)
         [&](std::uint32_t index, int)
         {
           const auto& node = tree.Open(index);
-          for (int lane = 0; lane < node.Count && node.IsBottom; ++lane)
+          for (int lane = 0; lane < node.Count && node.IsLeaf; ++lane)
           {
             found.push_back(tree.Element(node.First + static_cast<std::uint32_t>(lane)));
             EXPECT_TRUE(
@@ -141,7 +141,7 @@ TYPED_TEST(TreeTest, BoxesOfInnerNodesAreTheUnionsOfTheirChildren)
         [&](std::uint32_t index, int)
         {
           const auto& node = tree.Open(index);
-          for (int lane = 0; lane < node.Count && !node.IsBottom; ++lane)
+          for (int lane = 0; lane < node.Count && !node.IsLeaf; ++lane)
           {
             const auto& child = tree.Open(node.First + static_cast<std::uint32_t>(lane));
             EXPECT_TRUE(AreEqual(node.Boxes.Get(lane), UnionOf(child)));
@@ -168,7 +168,7 @@ TYPED_TEST(TreeTest, LanesWithoutAChildAreEmpty)
     });
 }
 
-TYPED_TEST(TreeTest, FillsAllBottomNodesButOne)
+TYPED_TEST(TreeTest, FillsAllLeavesButOne)
 {
   ForEachCapacity<TypeParam::Value>(
     [](const auto&, const auto& tree, int capacity)
@@ -179,8 +179,8 @@ TYPED_TEST(TreeTest, FillsAllBottomNodesButOne)
         {
           const auto& node = tree.Open(index);
           EXPECT_GE(node.Count, 1);
-          EXPECT_LE(node.Count, node.IsBottom ? capacity : 8);
-          partlyFull += node.IsBottom && node.Count < capacity;
+          EXPECT_LE(node.Count, node.IsLeaf ? capacity : 8);
+          partlyFull += node.IsLeaf && node.Count < capacity;
         });
       EXPECT_LE(partlyFull, 1);
     });
@@ -277,7 +277,7 @@ TYPED_TEST(TreeTest, KeepsWhatItsOwnerNotesInANode)
   EXPECT_EQ(ContentOf(tree), before);
 }
 
-TYPED_TEST(TreeTest, NumbersOfBottomNodesTellTheirElements)
+TYPED_TEST(TreeTest, NumbersOfLeavesTellTheirElements)
 {
   constexpr int D = TypeParam::Value;
   for (const std::size_t count : Counts())
@@ -290,20 +290,20 @@ TYPED_TEST(TreeTest, NumbersOfBottomNodesTellTheirElements)
         for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
         {
           const skd::Node<D>& node = tree.Open(i);
-          if (node.IsBottom)
+          if (node.IsLeaf)
           {
-            const skd::ElementRange elements = tree.BottomAt(tree.NumberOf(node));
+            const skd::ElementRange elements = tree.LeafAt(tree.NumberOf(node));
             ASSERT_EQ(elements.First, node.First);
             ASSERT_EQ(elements.Count, node.Count);
             continue;
           }
-          const skd::KnownBottoms known = tree.BottomsBelow(node);
+          const skd::KnownLeaves known = tree.LeavesBelow(node);
           for (int lane = 0; lane < 8; ++lane)
           {
             const bool isChild = lane < node.Count;
             const auto& child = tree.Open(node.First + (isChild ? lane : 0));
             const bool isKnown = (known.Lanes >> lane & 1) != 0;
-            ASSERT_EQ(isKnown, isChild && child.IsBottom);
+            ASSERT_EQ(isKnown, isChild && child.IsLeaf);
             ASSERT_TRUE(!isKnown || known.NumberOf(lane) == tree.NumberOf(child));
           }
         }
@@ -331,7 +331,7 @@ template <int D>
 void CollectBelow(const skd::Tree<D>& tree, const skd::Node<D>& node, int lane,
   std::vector<skd::FloatBox<D>>& boxes)
 {
-  if (node.IsBottom)
+  if (node.IsLeaf)
   {
     boxes.push_back(node.Boxes.Get(lane));
     return;
@@ -414,12 +414,12 @@ TYPED_TEST(TreeTest, MediansAlongTheLongestAxesDivideTheCentroids)
       [&](std::uint32_t index, int)
       {
         const skd::Node<D>& node = tree.Open(index);
-        ExpectMedians(tree, node, 0, node.IsBottom ? 0 : node.Count);
+        ExpectMedians(tree, node, 0, node.IsLeaf ? 0 : node.Count);
       });
   }
 }
 
-/// Of equal boxes in a row the bottom nodes are runs of neighbours.
+/// Of equal boxes in a row the leaves are runs of neighbours.
 TYPED_TEST(TreeTest, SplitsALineIntoRuns)
 {
   constexpr int D = TypeParam::Value;
@@ -429,7 +429,7 @@ TYPED_TEST(TreeTest, SplitsALineIntoRuns)
     [&](std::uint32_t index, int)
     {
       const auto& node = tree.Open(index);
-      if (node.IsBottom)
+      if (node.IsLeaf)
       {
         Ids run;
         for (int lane = 0; lane < node.Count; ++lane)

@@ -70,7 +70,7 @@ public:
     for (std::uint32_t i = 0; i < this->TheTree.NumberOfNodes(); ++i)
     {
       const skd::Node<3>& node = this->TheTree.Open(i);
-      if (node.IsBottom)
+      if (node.IsLeaf)
       {
         this->Pack(mesh, node);
         this->TheTree.SetTag(i, skd::TrianglePacks::TagOf(this->TheTree.NumberOf(node)));
@@ -78,13 +78,13 @@ public:
       else
       {
         this->TheTree.SetTag(i, skd::TrianglePacks::TagOf(0));
-        this->TheTree.SetNote(i, this->TheTree.BottomsBelow(node));
+        this->TheTree.SetNote(i, this->TheTree.LeavesBelow(node));
       }
     }
   }
 
-  template <bool InOrder, class Leaf>
-  void Visit(const Segment<3>& segment, double tolerance, Leaf leaf) const
+  template <bool InOrder, class Visitor>
+  void Visit(const Segment<3>& segment, double tolerance, Visitor visitor) const
   {
     skd::PackPoints points;
     if constexpr (std::is_same_v<Real, float>)
@@ -96,7 +96,7 @@ public:
       points.Doubles = this->Points.data();
     }
     const skd::TrianglePacks packs(this->Packs.data(), points);
-    skd::VisitTriangleHits<InOrder>(this->TheTree.View(), packs, segment, tolerance, leaf);
+    skd::VisitTriangleHits<InOrder>(this->TheTree.View(), packs, segment, tolerance, visitor);
   }
 
 private:
@@ -115,23 +115,23 @@ private:
     return input;
   }
 
-  void Pack(const Mesh& mesh, const skd::Node<3>& bottom)
+  void Pack(const Mesh& mesh, const skd::Node<3>& leaf)
   {
-    const std::uint32_t number = this->TheTree.NumberOf(bottom);
+    const std::uint32_t number = this->TheTree.NumberOf(leaf);
     this->Packs.resize(std::max<std::size_t>(this->Packs.size(), number + 1));
     skd::TrianglePack& pack = this->Packs[number];
     skd::FloatBox<3> box = skd::NoBox<3>();
-    for (int lane = 0; lane < bottom.Count; ++lane)
+    for (int lane = 0; lane < leaf.Count; ++lane)
     {
-      skd::Enclose(box, bottom.Boxes.Get(lane));
+      skd::Enclose(box, leaf.Boxes.Get(lane));
     }
     pack.Raster = skd::Raster(box);
     pack.FirstPoint = static_cast<std::uint32_t>(this->Points.size() / 3);
     std::map<std::uint32_t, std::uint8_t> places;
-    for (int lane = 0; lane < bottom.Count; ++lane)
+    for (int lane = 0; lane < leaf.Count; ++lane)
     {
       const std::uint32_t triangle =
-        this->TheTree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+        this->TheTree.Element(leaf.First + static_cast<std::uint32_t>(lane));
       for (int corner = 0; corner < 3; ++corner)
       {
         const Vector3& x = mesh.Corner(triangle, corner);

@@ -104,18 +104,18 @@ TEST(Walk, WithANaNLimitVisitsNothing)
   EXPECT_TRUE(query.Visited.empty());
 }
 
-/// Keeps the boxes of bottom nodes beside the tree, by the numbers of the nodes.
+/// Keeps the boxes of leaves beside the tree, by the numbers of the nodes.
 template <bool IsOrdered>
-struct KnowsBottoms : LowerEnds<IsOrdered>
+struct KnowsLeaves : LowerEnds<IsOrdered>
 {
-  static constexpr bool SkipsBottoms = true;
+  static constexpr bool SkipsLeaves = true;
 
-  explicit KnowsBottoms(skd::Tree<1>& tree)
+  explicit KnowsLeaves(skd::Tree<1>& tree)
   {
     for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
     {
       const skd::Node<1>& node = tree.Open(i);
-      if (node.IsBottom)
+      if (node.IsLeaf)
       {
         const std::size_t number = tree.NumberOf(node);
         this->Boxes.resize(std::max(this->Boxes.size(), number + 1));
@@ -124,16 +124,16 @@ struct KnowsBottoms : LowerEnds<IsOrdered>
       else if (i % 3 != 2) // some are opened
       {
         tree.SetTag(i, 0);
-        tree.SetNote(i, tree.BottomsBelow(node));
+        tree.SetNote(i, tree.LeavesBelow(node));
       }
     }
   }
 
   bool Knows(const skd::Node<1>& node) const { return node.Tag == 0; }
-  unsigned ReachElements(const skd::Node<1>& bottom, float* keys)
+  unsigned ReachElements(const skd::Node<1>& leaf, float* keys)
   {
     ++this->Opened;
-    return this->Reach(bottom.Boxes, keys);
+    return this->Reach(leaf.Boxes, keys);
   }
   unsigned ReachKnown(std::uint32_t number, std::uint32_t count, float* keys)
   {
@@ -147,25 +147,25 @@ struct KnowsBottoms : LowerEnds<IsOrdered>
   int Known = 0;
 };
 
-TEST(Walk, OfKnownBottomNodesVisitsTheSame)
+TEST(Walk, OfKnownLeavesVisitsTheSame)
 {
   ShuffledLine line(513);
-  KnowsBottoms<true> inOrder(line.Tree);
+  KnowsLeaves<true> inOrder(line.Tree);
   inOrder.TheLimit = line.Tree.GetFrame().Down(300.0, 0);
   skd::Walk(line.Tree, inOrder);
   EXPECT_EQ(inOrder.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 301));
   EXPECT_GT(inOrder.Opened, 0);
   EXPECT_GT(inOrder.Known, inOrder.Opened);
 
-  KnowsBottoms<false> inAnyOrder(line.Tree);
+  KnowsLeaves<false> inAnyOrder(line.Tree);
   skd::Walk(line.Tree, inAnyOrder);
   EXPECT_EQ(Sorted(inAnyOrder.Visited), Sorted(line.IndexAt));
 }
 
-TEST(Walk, OfKnownBottomNodesEndsWhenVisitSaysSo)
+TEST(Walk, OfKnownLeavesEndsWhenVisitSaysSo)
 {
   ShuffledLine line(65);
-  KnowsBottoms<true> query(line.Tree);
+  KnowsLeaves<true> query(line.Tree);
   query.Most = 7;
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 7));
@@ -225,7 +225,7 @@ public:
       skd::Node<1>& node = this->Nodes[level];
       node.Boxes.Clear();
       node.Count = 8;
-      node.IsBottom = level == Levels;
+      node.IsLeaf = level == Levels;
       for (int lane = 0; lane < 8; ++lane)
       {
         node.Boxes.Set(lane, { { 0.0f }, { 1.0f } });

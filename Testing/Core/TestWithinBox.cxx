@@ -18,8 +18,8 @@ template <int D, class Tree>
 Ids ReachedIn(const Tree& tree, const skd::Box<D>& box)
 {
   return Reached(tree, true,
-    [&](auto& leaf)
-    { return skd::WithinBox<D, std::decay_t<decltype(leaf)>>(tree.GetFrame(), box, leaf); });
+    [&](auto& visitor)
+    { return skd::WithinBox<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), box, visitor); });
 }
 
 template <int D>
@@ -143,8 +143,8 @@ TYPED_TEST(WithinBoxTest, ReachesNothingBesideTheBounds)
     beside.Min[axis] = beside.Max[axis] + 1e-5;
     beside.Max[axis] = 1e300;
     const CountedTree counted(tree);
-    auto leaf = [](std::uint32_t) { return true; };
-    skd::WithinBox<D, decltype(leaf)> query(tree.GetFrame(), beside, leaf);
+    auto visitor = [](std::uint32_t) { return true; };
+    skd::WithinBox<D, decltype(visitor)> query(tree.GetFrame(), beside, visitor);
     skd::Walk(counted, query);
     EXPECT_EQ(counted.Opened, 1u);
   }
@@ -171,13 +171,13 @@ TYPED_TEST(WithinBoxTest, ReachesAllInABoxWithoutEnds)
   EXPECT_EQ(ReachedIn(tree, skd::Box<D>(Filled<D>(-infinity), Filled<D>(infinity))).size(), 513u);
 }
 
-TYPED_TEST(WithinBoxTest, EndsWhenTheLeafSaysSo)
+TYPED_TEST(WithinBoxTest, EndsWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
   const skd::Tree<D> tree(InputOf(RandomBoxes<D>(513), 8));
   int reached = 0;
-  auto leaf = [&reached](std::uint32_t) { return ++reached < 3; };
-  skd::WithinBox<D, decltype(leaf)> query(tree.GetFrame(), tree.GetBounds(), leaf);
+  auto visitor = [&reached](std::uint32_t) { return ++reached < 3; };
+  skd::WithinBox<D, decltype(visitor)> query(tree.GetFrame(), tree.GetBounds(), visitor);
   skd::Walk(tree, query);
   EXPECT_EQ(reached, 3);
 }

@@ -317,7 +317,7 @@ TEST_F(Lifecycle, StatisticsDescribeTheTree)
 }
 
 /// What the header says of the corners that trees of triangles keep for lines: 30 bytes each, and a
-/// few more where bottom nodes share less.
+/// few more where leaves share less.
 constexpr int BytesOfCorners = 32;
 
 TEST_F(Lifecycle, TreesOfManyTrianglesKeepAtMost80BytesForEachBesideTheirCorners)

@@ -8,14 +8,14 @@
 namespace skd
 {
 
-/// Elements whose boxes come within a distance of a plane. `leaf(element)` returns false to end
+/// Elements whose boxes come within a distance of a plane. `visitor(element)` returns false to end
 /// the search.
-template <int D, class Leaf>
-class AlongPlane : public WithinSlabs<D, 1, Leaf>
+template <int D, class Visitor>
+class AlongPlane : public WithinSlabs<D, 1, Visitor>
 {
 public:
-  AlongPlane(const Frame<D>& frame, const Plane<D>& plane, double tolerance, Leaf& leaf)
-    : WithinSlabs<D, 1, Leaf>({ Slab<D>(frame, plane, tolerance) }, leaf)
+  AlongPlane(const Frame<D>& frame, const Plane<D>& plane, double tolerance, Visitor& visitor)
+    : WithinSlabs<D, 1, Visitor>({ Slab<D>(frame, plane, tolerance) }, visitor)
   {
   }
 };

@@ -11,24 +11,24 @@ namespace skd
 
 /// Elements along a segment (Algorithm 5.2), by the parameter at which it enters their boxes.
 ///
-/// `leaf(element)` intersects an element and returns the parameter (0..1 along the segment) beyond
-/// which nothing is wanted any more: the first hit so far, or 1 for all hits.
+/// `visitor(element)` intersects an element and returns the parameter (0..1 along the segment)
+/// beyond which nothing is wanted any more: the first hit so far, or 1 for all hits.
 ///
 /// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
 /// cube of the tree's frame and as much room again: no new end comes near a box. `margin` (world
 /// units) widens every box, for searches with a tolerance. Of a short query much is what is done
 /// once a segment: there is a division for each axis, and one for what the clipping leaves.
 /// `InOrder`: whether the nearest comes first. Where all is wanted, any order will do.
-template <int D, class Leaf, class Sieve = NoSieve, bool InOrder = true>
+template <int D, class Visitor, class Sieve = NoSieve, bool InOrder = true>
 class AlongSegment
 {
 public:
   static constexpr bool Ordered = InOrder;
-  static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
+  static constexpr bool SkipsLeaves = Sieve::SkipsLeaves;
 
   SKD_APART AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
-    Leaf& leaf, const Sieve& sieve = Sieve())
-    : TheLeaf(leaf)
+    Visitor& visitor, const Sieve& sieve = Sieve())
+    : TheVisitor(visitor)
     , TheSieve(sieve)
   {
     const Line line(frame.Local(segment.A), frame.Scale * (segment.B - segment.A));
@@ -63,24 +63,24 @@ public:
     return LessEqual(enter, Min(leave + Lanes<W>(Slack), Lanes<W>(this->TheLimit)));
   }
 
-  unsigned ReachElements(const Node<D>& bottom, float* keys) const
+  unsigned ReachElements(const Node<D>& leaf, float* keys) const
   {
-    return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys)
-                                        : this->Reach(bottom.Boxes, keys);
+    return this->TheSieve.Knows(leaf) ? this->TheSieve.Pass(leaf, keys)
+                                      : this->Reach(leaf.Boxes, keys);
   }
 
   bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
-  unsigned ReachKnown(std::uint32_t bottom, std::uint32_t count, float* keys) const
+  unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
   {
-    return this->TheSieve.Pass(bottom, count, keys);
+    return this->TheSieve.Pass(leaf, count, keys);
   }
-  void FetchKnown(std::uint32_t bottom) const { this->TheSieve.Fetch(bottom); }
+  void FetchKnown(std::uint32_t leaf) const { this->TheSieve.Fetch(leaf); }
 
   float Limit() const { return this->TheLimit; }
 
   bool Visit(std::uint32_t element)
   {
-    const double parameter = this->TheLeaf(element);
+    const double parameter = this->TheVisitor(element);
     const double local = (parameter - this->Begin) * this->PerLength;
     if (local < 1.0)
     {
@@ -186,7 +186,7 @@ private:
   Spread FarOrigin[D];
   Spread Inverse[D];
   float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
   Sieve TheSieve;
 };
 

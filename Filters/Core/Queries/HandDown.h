@@ -13,7 +13,7 @@
 namespace skd
 {
 
-/// Some children of a node, a bit each. They are elements if the node is a bottom node; else nodes,
+/// Some children of a node, a bit each. They are elements if the node is a leaf; else nodes,
 /// which stand for all that is below them.
 struct ListedLanes
 {
@@ -115,7 +115,7 @@ public:
     {
       this->IsMet = (this->TheBox.Holding(node.Boxes) & wanted) != 0;
     }
-    (node.IsBottom ? this->Elements : this->Nodes).push_back({ lanes.Node, wanted });
+    (node.IsLeaf ? this->Elements : this->Nodes).push_back({ lanes.Node, wanted });
   }
 
   bool Settle()

@@ -12,24 +12,24 @@ namespace skd
 /// Nearest element to a point (sections 4.1 and 5), with exact distances: boxes are visited by
 /// their least distance (4.1) and left alone once farther than what is known.
 ///
-/// `leaf(element)` measures an element and returns the squared distance (in the world) beyond
-/// which nothing is wanted any more. So one class serves: the nearest (leaf returns the best so
+/// `visitor(element)` measures an element and returns the squared distance (in the world) beyond
+/// which nothing is wanted any more. So one class serves: the nearest (visitor returns the best so
 /// far), the k nearest (the k-th best), all within a sphere (section 4.2: always the radius).
 /// A bound known beforehand is the first limit: infinity, a radius, or the distance to a reference
 /// point. Elements at exactly the limit are visited, so ties can go to the lowest index.
-template <int D, class Leaf, class Sieve = NoSieve>
+template <int D, class Visitor, class Sieve = NoSieve>
 class Nearest
 {
 public:
   static constexpr bool Ordered = true;
-  static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
+  static constexpr bool SkipsLeaves = Sieve::SkipsLeaves;
 
-  Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf,
+  Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Visitor& visitor,
     const Sieve& sieve = Sieve())
     : TheFrame(frame)
     , Point(frame, point)
     , TheLimit(frame.UpperBound2(limit2))
-    , TheLeaf(leaf)
+    , TheVisitor(visitor)
     , TheSieve(sieve)
   {
   }
@@ -42,24 +42,24 @@ public:
     return LessEqual(nearest, Lanes<W>(this->TheLimit));
   }
 
-  unsigned ReachElements(const Node<D>& bottom, float* keys)
+  unsigned ReachElements(const Node<D>& leaf, float* keys)
   {
-    return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys, this->TheLimit)
-                                        : this->Reach(bottom.Boxes, keys);
+    return this->TheSieve.Knows(leaf) ? this->TheSieve.Pass(leaf, keys, this->TheLimit)
+                                      : this->Reach(leaf.Boxes, keys);
   }
 
   bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
-  unsigned ReachKnown(std::uint32_t bottom, std::uint32_t count, float* keys)
+  unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys)
   {
-    return this->TheSieve.Pass(bottom, count, keys, this->TheLimit);
+    return this->TheSieve.Pass(leaf, count, keys, this->TheLimit);
   }
-  void FetchKnown(std::uint32_t bottom) const { this->TheSieve.Fetch(bottom); }
+  void FetchKnown(std::uint32_t leaf) const { this->TheSieve.Fetch(leaf); }
 
   float Limit() const { return this->TheLimit; }
 
   bool Visit(std::uint32_t element)
   {
-    this->TheLimit = this->TheFrame.UpperBound2(this->TheLeaf(element));
+    this->TheLimit = this->TheFrame.UpperBound2(this->TheVisitor(element));
     return true;
   }
 
@@ -67,24 +67,24 @@ private:
   const Frame<D>& TheFrame;
   PointKeys<D> Point;
   float TheLimit;
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
   Sieve TheSieve;
 };
 
-/// Algorithm 5.1 without the exact test: calls `leaf(element)` for every element whose box may hold
-/// the nearest point. The pessimistic distance falls as boxes are met: every node holds an element,
-/// so the farthest point of its box bounds the nearest. Elements reached early may be farther than
-/// what is known in the end: the caller drops those ("compress the list").
-template <int D, class Leaf>
+/// Algorithm 5.1 without the exact test: calls `visitor(element)` for every element whose box may
+/// hold the nearest point. The pessimistic distance falls as boxes are met: every node holds an
+/// element, so the farthest point of its box bounds the nearest. Elements reached early may be
+/// farther than what is known in the end: the caller drops those ("compress the list").
+template <int D, class Visitor>
 class NearestCandidates
 {
 public:
   static constexpr bool Ordered = true;
 
-  NearestCandidates(const Frame<D>& frame, const Vector<D>& point, double limit2, Leaf& leaf)
+  NearestCandidates(const Frame<D>& frame, const Vector<D>& point, double limit2, Visitor& visitor)
     : Point(frame, point)
     , TheLimit(frame.UpperBound2(limit2))
-    , TheLeaf(leaf)
+    , TheVisitor(visitor)
   {
   }
 
@@ -110,14 +110,14 @@ public:
 
   bool Visit(std::uint32_t element)
   {
-    this->TheLeaf(element);
+    this->TheVisitor(element);
     return true;
   }
 
 private:
   PointKeys<D> Point;
   float TheLimit;
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
 };
 
 }

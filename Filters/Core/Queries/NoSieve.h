@@ -8,18 +8,18 @@
 namespace skd
 {
 
-/// A sieve looks at the elements of a bottom node more closely than their boxes do, all at once,
+/// A sieve looks at the elements of a leaf more closely than their boxes do, all at once,
 /// and says which are worth a visit: it may leave out what is proven to be no answer. It gives
 ///   bool Knows(const Node&)                 whether it can, of this node
 ///   unsigned Pass(const Node&, float* keys) as Reach() of a query (Walk.h)
-///   static constexpr bool SkipsBottoms      whether a bottom node's number, and how many elements
-///                                           it has, is enough (KnownBottoms); if so it gives
+///   static constexpr bool SkipsLeaves      whether a leaf's number, and how many elements
+///                                           it has, is enough (KnownLeaves); if so it gives
 ///   unsigned Pass(number, count, float* keys), void Fetch(number)
 /// Nearest hands it the limit, too, by reference; AlongSegment first calls Aim(point, margin), in
 /// the frame: where the segment begins, clipped to where the tree is. This one knows nothing.
 struct NoSieve
 {
-  static constexpr bool SkipsBottoms = false;
+  static constexpr bool SkipsLeaves = false;
 
   template <class Point>
   void Aim(const Point&, double)
@@ -31,9 +31,9 @@ struct NoSieve
     return false;
   }
   template <class Node, class... Limit>
-  unsigned Pass(const Node& bottom, float*, Limit&...) const
+  unsigned Pass(const Node& leaf, float*, Limit&...) const
   {
-    return bottom.Occupied();
+    return leaf.Occupied();
   }
 };
 

@@ -12,17 +12,18 @@ namespace skd
 ///
 /// A tree has safety boxes, wider than the elements' own by at most `excess` (world units) on each
 /// side. What is inside the query box, whole subtrees, or overlaps it even without that excess, is
-/// `sure(element)`; of the rest, in a thin layer about the query box's faces, `leaf(element)` has
-/// to find out.
-template <int D, class Leaf, class Sure>
+/// `sure(element)`; of the rest, in a thin layer about the query box's faces, `visitor(element)`
+/// has to find out.
+template <int D, class Visitor, class Sure>
 class OverlappingBox
 {
 public:
   static constexpr bool Ordered = false;
 
-  OverlappingBox(const Frame<D>& frame, const Box<D>& box, double excess, Leaf& leaf, Sure& sure)
+  OverlappingBox(
+    const Frame<D>& frame, const Box<D>& box, double excess, Visitor& visitor, Sure& sure)
     : Excess(Frame<D>::RoundUp(excess * frame.Scale + Rounding))
-    , TheLeaf(leaf)
+    , TheVisitor(visitor)
     , TheSure(sure)
   {
     for (int axis = 0; axis < D; ++axis)
@@ -50,12 +51,12 @@ public:
   /// Bit i: all that is below lane i is an answer.
   SKD_IN_ONE_PIECE unsigned SureOf(const Node<D>& node) const
   {
-    return node.IsBottom ? this->Inside(node.Boxes) | this->Overlapping(node.Boxes)
-                         : this->Inside(node.Boxes);
+    return node.IsLeaf ? this->Inside(node.Boxes) | this->Overlapping(node.Boxes)
+                       : this->Inside(node.Boxes);
   }
 
   float Limit() const { return 0.0f; }
-  bool Visit(std::uint32_t element) { return this->TheLeaf(element); }
+  bool Visit(std::uint32_t element) { return this->TheVisitor(element); }
   bool VisitSure(std::uint32_t element) { return this->TheSure(element); }
 
 private:
@@ -94,7 +95,7 @@ private:
   Spread InnerMin[D];
   Spread InnerMax[D];
   float Excess;
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
   Sure& TheSure;
 };
 

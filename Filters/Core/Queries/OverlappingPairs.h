@@ -27,12 +27,13 @@ struct SameWorld
 /// Pairs of elements of two trees whose boxes overlap (Algorithm 5.4).
 ///
 /// `toFirst(Box<D>)` gives a box of the second tree's world as a box of the first's, bounds of the
-/// moved box: SameWorld, fastest, or a rigid motion. `leaf(a, b)` returns false to end the search.
+/// moved box: SameWorld, fastest, or a rigid motion. `visitor(a, b)` returns false to end the
+/// search.
 ///
-/// Pairs of elements whose own boxes overlap, not only those of the trees: a leaf that is called as
-/// leaf(a, b, isSure) has to find that out only where it is not sure. The trees' boxes are wider
-/// than these by at most `excess` (world units) on each side, both trees' together.
-template <int D, class ToFirstWorld, class Leaf>
+/// Pairs of elements whose own boxes overlap, not only those of the trees: a visitor that is called
+/// as visitor(a, b, isSure) has to find that out only where it is not sure. The trees' boxes are
+/// wider than these by at most `excess` (world units) on each side, both trees' together.
+template <int D, class ToFirstWorld, class Visitor>
 class OverlappingPairs
 {
 public:
@@ -40,11 +41,11 @@ public:
   static constexpr int Width = Node<D>::Width;
 
   OverlappingPairs(const Frame<D>& first, const Frame<D>& second, const ToFirstWorld& toFirst,
-    Leaf& leaf, double excess = std::numeric_limits<double>::infinity())
+    Visitor& visitor, double excess = std::numeric_limits<double>::infinity())
     : First(first)
     , Second(second)
     , TheMotion(toFirst)
-    , TheLeaf(leaf)
+    , TheVisitor(visitor)
   {
     if constexpr (std::is_same_v<ToFirstWorld, SameWorld>)
     {
@@ -118,16 +119,17 @@ public:
   {
     if constexpr (TellsSure)
     {
-      return this->TheLeaf(a, b, isSure);
+      return this->TheVisitor(a, b, isSure);
     }
     else
     {
-      return this->TheLeaf(a, b);
+      return this->TheVisitor(a, b);
     }
   }
 
 private:
-  static constexpr bool TellsSure = std::is_invocable_v<Leaf&, std::uint32_t, std::uint32_t, bool>;
+  static constexpr bool TellsSure =
+    std::is_invocable_v<Visitor&, std::uint32_t, std::uint32_t, bool>;
 
   /// From frame to frame of one world in single precision: a power of two and a shift, and a margin
   /// for what rounding does to them. Fit for frames of much the same size that are near each other.
@@ -178,7 +180,7 @@ private:
   const Frame<D>& First;
   const Frame<D>& Second;
   const ToFirstWorld& TheMotion;
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
   FrameMap Map;
   float Excess = std::numeric_limits<float>::infinity();
 };

@@ -14,7 +14,7 @@ namespace skd
 namespace detail
 {
 
-/// A tree to queries that find elements by the number of their bottom node and their lane in it:
+/// A tree to queries that find elements by the number of their leaf and their lane in it:
 /// the Element() of a position is Width times that number and the lane.
 class LanesView
 {
@@ -29,16 +29,16 @@ public:
   bool IsEmpty() const { return this->View.IsEmpty(); }
   const Node<3>& Open(std::uint32_t node) const { return this->View.Open(node); }
   void Fetch(std::uint32_t node) const { this->View.Fetch(node); }
-  ElementRange BottomAt(std::uint32_t number) const
+  ElementRange LeafAt(std::uint32_t number) const
   {
-    return { number * Width, this->View.BottomAt(number).Count };
+    return { number * Width, this->View.LeafAt(number).Count };
   }
   std::uint32_t Element(std::uint32_t laneOfAll) const { return laneOfAll; }
   void FetchElements(std::uint32_t) const {}
   /// The element itself.
   std::uint32_t ElementAt(std::uint32_t number, std::uint32_t lane) const
   {
-    return this->View.Element(this->View.BottomAt(number).First + lane);
+    return this->View.Element(this->View.LeafAt(number).First + lane);
   }
 
 private:
@@ -50,12 +50,12 @@ private:
 /// Where a segment hits the triangles of a tree whose packs have points: what its exact tests need
 /// lies beside the packs, and which element a triangle is, is asked of those that are hit only.
 ///
-/// `leaf(element, hit)` returns the parameter beyond which nothing is wanted any more, as that of
-/// AlongSegment. `tolerance`: by how much triangles may be missed. A segment of no length, or one
-/// that is not finite, hits nothing.
-template <bool InOrder, class Leaf>
+/// `visitor(element, hit)` returns the parameter beyond which nothing is wanted any more, as that
+/// of AlongSegment. `tolerance`: by how much triangles may be missed. A segment of no length, or
+/// one that is not finite, hits nothing.
+template <bool InOrder, class Visitor>
 SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacks& packs,
-  const Segment<3>& segment, double tolerance, Leaf& leaf)
+  const Segment<3>& segment, double tolerance, Visitor& visitor)
 {
   const SegmentView view(segment);
   if (!view.IsValid())
@@ -71,7 +71,7 @@ SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TriangleP
     const auto corner = [&](int i) { return packs.Corner(number, lane, i); };
     if (const auto hit = IntersectWithin(view, corner(0), corner(1), corner(2), tolerance))
     {
-      limit = leaf(lanes.ElementAt(number, lane), *hit);
+      limit = visitor(lanes.ElementAt(number, lane), *hit);
     }
     return limit;
   };

@@ -84,7 +84,7 @@ public:
       const Node<3>& node = this->TheTree.Open(index);
       for (std::uint32_t i = node.First; i < node.First + node.Count; ++i)
       {
-        if (node.IsBottom)
+        if (node.IsLeaf)
         {
           const Triangle& t = this->Triangles[i];
           const SeenAngle seen = SeeAngle(t[0], t[1], t[2], x);
@@ -223,7 +223,7 @@ private:
   {
     for (std::uint32_t i = node.First; i < node.First + node.Count; ++i)
     {
-      if (node.IsBottom)
+      if (node.IsLeaf)
       {
         visit(i, MiddleOf(this->Triangles[i]), Norm(AreaOf(this->Triangles[i])));
       }
@@ -243,7 +243,7 @@ private:
       [&](std::uint32_t i, const Vector3& middle, double area)
       {
         const Vector3 place = middle - moment.Centre;
-        if (node.IsBottom)
+        if (node.IsLeaf)
         {
           moment.Add(MomentOf(this->Triangles[i]), place);
           for (const Vector3& corner : this->Triangles[i])

@@ -9,16 +9,17 @@ namespace skd
 {
 
 /// Elements whose boxes overlap a box (Algorithm 5.3). A point is a box, too.
-/// `leaf(element)` returns false to end the search.
-template <int D, class Leaf, class Sieve = NoSieve>
+/// `visitor(element)` returns false to end the search.
+template <int D, class Visitor, class Sieve = NoSieve>
 class WithinBox
 {
 public:
   static constexpr bool Ordered = false;
-  static constexpr bool SkipsBottoms = Sieve::SkipsBottoms;
+  static constexpr bool SkipsLeaves = Sieve::SkipsLeaves;
 
-  WithinBox(const Frame<D>& frame, const Box<D>& box, Leaf& leaf, const Sieve& sieve = Sieve())
-    : TheLeaf(leaf)
+  WithinBox(
+    const Frame<D>& frame, const Box<D>& box, Visitor& visitor, const Sieve& sieve = Sieve())
+    : TheVisitor(visitor)
     , TheSieve(sieve)
   {
     for (int axis = 0; axis < D; ++axis)
@@ -41,26 +42,26 @@ public:
     return overlapping;
   }
 
-  unsigned ReachElements(const Node<D>& bottom, float* keys) const
+  unsigned ReachElements(const Node<D>& leaf, float* keys) const
   {
-    return this->TheSieve.Knows(bottom) ? this->TheSieve.Pass(bottom, keys)
-                                        : this->Reach(bottom.Boxes, keys);
+    return this->TheSieve.Knows(leaf) ? this->TheSieve.Pass(leaf, keys)
+                                      : this->Reach(leaf.Boxes, keys);
   }
 
   bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
-  unsigned ReachKnown(std::uint32_t bottom, std::uint32_t count, float* keys) const
+  unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
   {
-    return this->TheSieve.Pass(bottom, count, keys);
+    return this->TheSieve.Pass(leaf, count, keys);
   }
-  void FetchKnown(std::uint32_t bottom) const { this->TheSieve.Fetch(bottom); }
+  void FetchKnown(std::uint32_t leaf) const { this->TheSieve.Fetch(leaf); }
 
   float Limit() const { return 0.0f; }
-  bool Visit(std::uint32_t element) { return this->TheLeaf(element); }
+  bool Visit(std::uint32_t element) { return this->TheVisitor(element); }
 
 private:
   Spread Min[D];
   Spread Max[D];
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
   Sieve TheSieve;
 };
 

@@ -11,16 +11,16 @@ namespace skd
 {
 
 /// Elements whose boxes overlap each of N slabs: one for a plane, three for a turned box.
-/// `leaf(element)` returns false to end the search.
-template <int D, int N, class Leaf>
+/// `visitor(element)` returns false to end the search.
+template <int D, int N, class Visitor>
 class WithinSlabs
 {
 public:
   static constexpr bool Ordered = false;
 
-  WithinSlabs(const std::array<Slab<D>, N>& slabs, Leaf& leaf)
+  WithinSlabs(const std::array<Slab<D>, N>& slabs, Visitor& visitor)
     : Slabs(slabs)
-    , TheLeaf(leaf)
+    , TheVisitor(visitor)
   {
   }
 
@@ -36,11 +36,11 @@ public:
   }
 
   float Limit() const { return 0.0f; }
-  bool Visit(std::uint32_t element) { return this->TheLeaf(element); }
+  bool Visit(std::uint32_t element) { return this->TheVisitor(element); }
 
 private:
   std::array<Slab<D>, N> Slabs;
-  Leaf& TheLeaf;
+  Visitor& TheVisitor;
 };
 
 }

@@ -10,7 +10,7 @@
 namespace skd
 {
 
-/// A raster of whole numbers of 16 bits that is laid over a bottom node, in space: what is in the
+/// A raster of whole numbers of 16 bits that is laid over a leaf, in space: what is in the
 /// node's box has coordinates of at most Reach. So cells much smaller than the data set are seen as
 /// sharply as large ones, in a quarter of the memory of doubles.
 ///

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sieves (NoSieve.h) that look at the packs of triangles kept for bottom nodes: an even tag is
+/// Sieves (NoSieve.h) that look at the packs of triangles kept for leaves: an even tag is
 /// twice the number of a node's pack.
 #ifndef skd_Sieves_TriangleSieves_h
 #define skd_Sieves_TriangleSieves_h
@@ -43,7 +43,7 @@ struct PackPoints
   }
 };
 
-/// The packs of a tree's bottom nodes.
+/// The packs of a tree's leaves.
 class TrianglePacks
 {
 public:
@@ -55,11 +55,11 @@ public:
 
   static bool Has(const Node<3>& node) { return (node.Tag & 1u) == 0; }
   static std::uint32_t TagOf(std::uint32_t pack) { return 2 * pack; }
-  static std::uint32_t NumberOf(const Node<3>& bottom) { return bottom.Tag >> 1; }
+  static std::uint32_t NumberOf(const Node<3>& leaf) { return leaf.Tag >> 1; }
   const TrianglePack& Of(std::uint32_t number) const { return this->First[number]; }
   void Fetch(std::uint32_t number) const { FetchLines<sizeof(TrianglePack)>(this->First + number); }
 
-  /// Whether there are points: the packs are then those of all bottom nodes, by number.
+  /// Whether there are points: the packs are then those of all leaves, by number.
   bool HavePoints() const { return this->Points.Floats || this->Points.Doubles; }
   void FetchPoints(std::uint32_t number) const
   {
@@ -81,7 +81,7 @@ template <bool OnlyNearest>
 class DistanceSieve
 {
 public:
-  static constexpr bool SkipsBottoms = true;
+  static constexpr bool SkipsLeaves = true;
 
   /// `local`: the point in the tree's frame.
   DistanceSieve(const TrianglePacks& packs, const Vector3& local)
@@ -92,9 +92,9 @@ public:
 
   bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
 
-  unsigned Pass(const Node<3>& bottom, float* keys, float& limit) const
+  unsigned Pass(const Node<3>& leaf, float* keys, float& limit) const
   {
-    return this->Pass(TrianglePacks::NumberOf(bottom), bottom.Count, keys, limit);
+    return this->Pass(TrianglePacks::NumberOf(leaf), leaf.Count, keys, limit);
   }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const
   {
@@ -117,7 +117,7 @@ private:
 class LineSieve
 {
 public:
-  static constexpr bool SkipsBottoms = true;
+  static constexpr bool SkipsLeaves = true;
 
   /// `shear`: that of the line's direction.
   LineSieve(const TrianglePacks& packs, const Shear& shear)
@@ -130,9 +130,9 @@ public:
 
   bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
 
-  unsigned Pass(const Node<3>& bottom, float* keys) const
+  unsigned Pass(const Node<3>& leaf, float* keys) const
   {
-    return this->Pass(TrianglePacks::NumberOf(bottom), bottom.Count, keys);
+    return this->Pass(TrianglePacks::NumberOf(leaf), leaf.Count, keys);
   }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const
   {

@@ -11,13 +11,13 @@
 namespace skd
 {
 
-/// The split whose two boxes are least, each times the number of bottom nodes in it: how often a
+/// The split whose two boxes are least, each times the number of leaves in it: how often a
 /// query that comes from anywhere looks into these (surface area heuristic; J. D. MacDonald, K. S.
 /// Booth, "Heuristics for ray tracing using space subdivision", Visual Computer 6 (1990) 153-166).
 ///
 ///   centroids in 16 bins along each axis      [:. |..:|.  | : ]
 ///   a cut between two bins, rounded to        <- box ->|<- box ->
-///   whole bottom nodes
+///   whole leaves
 ///
 /// Of large ranges a sample is looked at. O(1) for these, O(n) for others; no allocation.
 template <int D>
@@ -27,13 +27,13 @@ public:
   struct Place
   {
     int Axis;
-    std::uint64_t Left; ///< bottom nodes before the cut
+    std::uint64_t Left; ///< leaves before the cut
   };
 
-  /// How many bottom nodes there are, and how many of them may be before the cut.
+  /// How many leaves there are, and how many of them may be before the cut.
   struct Bounds
   {
-    std::uint64_t Bottoms;
+    std::uint64_t Leaves;
     std::uint64_t Least;
     std::uint64_t Most;
   };
@@ -60,7 +60,7 @@ public:
   Place Best(const Bounds& bounds, int longestAxis) const
   {
     Candidate best{ std::numeric_limits<double>::infinity(),
-      { longestAxis, std::clamp(bounds.Bottoms / 2, bounds.Least, bounds.Most) } };
+      { longestAxis, std::clamp(bounds.Leaves / 2, bounds.Least, bounds.Most) } };
     for (int i = 0; i < D; ++i)
     {
       this->TryAxis((longestAxis + i) % D, bounds, best);
@@ -153,7 +153,7 @@ private:
     const auto nearest = static_cast<std::uint64_t>(before / this->Capacity + 0.5);
     const std::uint64_t left = std::clamp(nearest, bounds.Least, bounds.Most);
     const double moved = std::abs(double(left) * this->Capacity - before) / this->Number;
-    const double work = areaBefore * double(left) + areaAfter * double(bounds.Bottoms - left);
+    const double work = areaBefore * double(left) + areaAfter * double(bounds.Leaves - left);
     const double cost = work * (1.0 + moved);
     if (cost < best.Cost)
     {

@@ -20,11 +20,11 @@ namespace skd
 
 /// The splitting of Algorithms 3.1 and 3.2, carried to eight children a node: the range of a node
 /// is halved at the median of the centroids along the longest axis of its box, each half again,
-/// and again. Medians are rounded to whole bottom nodes, so that these are full; N alone decides
+/// and again. Medians are rounded to whole leaves, so that these are full; N alone decides
 /// the shape of the tree. Centroids that are equal are told apart by index: the same tree always,
 /// and the same depth however many are equal.
 ///
-/// By SplitRule::SurfaceArea ranges are divided elsewhere (AreaSplit), at whole bottom nodes, too.
+/// By SplitRule::SurfaceArea ranges are divided elsewhere (AreaSplit), at whole leaves, too.
 /// Then the elements decide the shape, and the tree is one level higher at most.
 ///
 ///   Begin(node)            Step              Step               Step -> a box in each lane
@@ -72,18 +72,18 @@ public:
   Range All() const
   {
     const auto last = static_cast<std::uint32_t>(this->Elements.size());
-    const std::uint32_t height = HeightFor(this->CountBottoms(last));
+    const std::uint32_t height = HeightFor(this->CountLeaves(last));
     return this->Bins ? Range{ 0, last, this->Bins->Box(), height, true }
                       : Range{ 0, last, this->Union(0, last), height, false };
   }
 
-  /// Make `node` the node of a range: a bottom node at once, an inner one by a task to be pushed.
+  /// Make `node` the node of a range: a leaf at once, an inner one by a task to be pushed.
   template <class Push>
   void Begin(std::uint32_t node, Range range, Push push)
   {
     const std::uint32_t size = range.Last - range.First;
-    const std::uint64_t bottoms = this->CountBottoms(size);
-    if (range.IsInBins && (bottoms <= 1 || this->Bins->IsDone(range.First, size)))
+    const std::uint64_t leaves = this->CountLeaves(size);
+    if (range.IsInBins && (leaves <= 1 || this->Bins->IsDone(range.First, size)))
     {
       this->Bins->Take(range.First, this->Elements.data() + range.First);
       range.IsInBins = false;
@@ -91,14 +91,14 @@ public:
     Node<D>& made = this->Nodes[node];
     made.Boxes.Clear();
     made.Tag = Node<D>::NoTag;
-    made.IsBottom = bottoms <= 1;
-    if (made.IsBottom)
+    made.IsLeaf = leaves <= 1;
+    if (made.IsLeaf)
     {
-      this->FillBottom(made, range);
+      this->FillLeaf(made, range);
       return;
     }
-    made.Count = static_cast<std::uint16_t>(
-      this->IsByArea ? std::min(Width, bottoms) : CountChildren(bottoms));
+    made.Count =
+      static_cast<std::uint16_t>(this->IsByArea ? std::min(Width, leaves) : CountChildren(leaves));
     made.First = this->Next.fetch_add(made.Count);
     push(Task{ node, 0, made.Count, range });
   }
@@ -142,30 +142,30 @@ public:
 private:
   static constexpr std::uint64_t Width = Node<D>::Width;
 
-  std::uint64_t CountBottoms(std::uint64_t elements) const
+  std::uint64_t CountLeaves(std::uint64_t elements) const
   {
     return (elements + this->Capacity - 1) / this->Capacity;
   }
 
   /// As few children as keep the height least.
-  static std::uint64_t CountChildren(std::uint64_t bottoms)
+  static std::uint64_t CountChildren(std::uint64_t leaves)
   {
     std::uint64_t below = 1;
-    while (below * Width < bottoms)
+    while (below * Width < leaves)
     {
       below *= Width;
     }
-    return (bottoms + below - 1) / below;
+    return (leaves + below - 1) / below;
   }
 
-  /// Level by level: how many nodes there are for each number of bottoms below a node.
-  static std::size_t CountNodes(std::uint64_t bottoms)
+  /// Level by level: how many nodes there are for each number of leaves below a node.
+  static std::size_t CountNodes(std::uint64_t leaves)
   {
     std::size_t total = 0;
     std::map<std::uint64_t, std::uint64_t> level;
-    if (bottoms > 0)
+    if (leaves > 0)
     {
-      level[bottoms] = 1;
+      level[leaves] = 1;
     }
     while (!level.empty())
     {
@@ -181,54 +181,54 @@ private:
   }
 
   static void AddChildren(
-    std::uint64_t bottoms, std::uint64_t number, std::map<std::uint64_t, std::uint64_t>& below)
+    std::uint64_t leaves, std::uint64_t number, std::map<std::uint64_t, std::uint64_t>& below)
   {
-    if (bottoms <= 1)
+    if (leaves <= 1)
     {
       return;
     }
-    AddParts(bottoms, static_cast<int>(CountChildren(bottoms)), number, below);
+    AddParts(leaves, static_cast<int>(CountChildren(leaves)), number, below);
   }
 
-  static void AddParts(std::uint64_t bottoms, int parts, std::uint64_t number,
+  static void AddParts(std::uint64_t leaves, int parts, std::uint64_t number,
     std::map<std::uint64_t, std::uint64_t>& below)
   {
     if (parts == 1)
     {
-      below[bottoms] += number;
+      below[leaves] += number;
       return;
     }
     const int leftParts = (parts + 1) / 2;
-    const std::uint64_t left = LeftBottoms(bottoms, leftParts, parts);
+    const std::uint64_t left = LeavesLeft(leaves, leftParts, parts);
     AddParts(left, leftParts, number, below);
-    AddParts(bottoms - left, parts - leftParts, number, below);
+    AddParts(leaves - left, parts - leftParts, number, below);
   }
 
-  static std::uint64_t LeftBottoms(std::uint64_t bottoms, int leftParts, int parts)
+  static std::uint64_t LeavesLeft(std::uint64_t leaves, int leftParts, int parts)
   {
-    return bottoms * static_cast<std::uint64_t>(leftParts) / static_cast<std::uint64_t>(parts);
+    return leaves * static_cast<std::uint64_t>(leftParts) / static_cast<std::uint64_t>(parts);
   }
 
   /// Splits by area leave some lanes with more below them than others: one level more than needed
   /// gives room for eight times as many. A walk has no room for more than eleven.
-  static std::uint32_t HeightFor(std::uint64_t bottoms)
+  static std::uint32_t HeightFor(std::uint64_t leaves)
   {
-    std::uint32_t height = bottoms > 1 ? 1 : 0;
-    while (height > 0 && height < 11 && RoomOf(height) < Width * bottoms)
+    std::uint32_t height = leaves > 1 ? 1 : 0;
+    while (height > 0 && height < 11 && RoomOf(height) < Width * leaves)
     {
       ++height;
     }
     return height;
   }
 
-  /// How many bottom nodes there can be so many levels below a node.
+  /// How many leaves there can be so many levels below a node.
   static std::uint64_t RoomOf(std::uint32_t height) { return std::uint64_t(1) << (3 * height); }
 
   /// Where N alone decides, as many as there are. Memory that is never written costs nothing.
   std::size_t MostNodes() const
   {
-    const std::size_t bottoms = this->CountBottoms(this->Elements.size());
-    return this->IsByArea ? 2 * bottoms : CountNodes(bottoms);
+    const std::size_t leaves = this->CountLeaves(this->Elements.size());
+    return this->IsByArea ? 2 * leaves : CountNodes(leaves);
   }
 
   FloatBox<D> Union(std::uint32_t first, std::uint32_t last) const
@@ -241,13 +241,13 @@ private:
     return box;
   }
 
-  void FillBottom(Node<D>& bottom, const Range& range)
+  void FillLeaf(Node<D>& leaf, const Range& range)
   {
-    bottom.First = range.First;
-    bottom.Count = static_cast<std::uint16_t>(range.Last - range.First);
-    for (int lane = 0; lane < bottom.Count; ++lane)
+    leaf.First = range.First;
+    leaf.Count = static_cast<std::uint16_t>(range.Last - range.First);
+    for (int lane = 0; lane < leaf.Count; ++lane)
     {
-      bottom.Boxes.Set(lane, this->Elements[range.First + static_cast<std::uint32_t>(lane)].Box);
+      leaf.Boxes.Set(lane, this->Elements[range.First + static_cast<std::uint32_t>(lane)].Box);
     }
   }
 
@@ -299,23 +299,23 @@ private:
 
   Place Middle(const Task& task, int leftParts) const
   {
-    const std::uint64_t bottoms = this->CountBottoms(task.Elements.Last - task.Elements.First);
-    return { LongestAxis(task.Elements.Box), LeftBottoms(bottoms, leftParts, task.Parts) };
+    const std::uint64_t leaves = this->CountLeaves(task.Elements.Last - task.Elements.First);
+    return { LongestAxis(task.Elements.Box), LeavesLeft(leaves, leftParts, task.Parts) };
   }
 
-  /// Every lane gets a bottom node at least, and no more than it has room for.
+  /// Every lane gets a leaf at least, and no more than it has room for.
   Place BestPlace(const Task& task, int leftParts) const
   {
     const Range& range = task.Elements;
-    const std::uint64_t bottoms = this->CountBottoms(range.Last - range.First);
+    const std::uint64_t leaves = this->CountLeaves(range.Last - range.First);
     const std::uint64_t laneRoom = RoomOf(range.Height - 1);
     const auto left = static_cast<std::uint64_t>(leftParts);
     const auto right = static_cast<std::uint64_t>(task.Parts - leftParts);
-    const std::uint64_t most = std::min(left * laneRoom, bottoms - right);
-    const std::uint64_t least = bottoms - std::min(right * laneRoom, bottoms - left);
+    const std::uint64_t most = std::min(left * laneRoom, leaves - right);
+    const std::uint64_t least = leaves - std::min(right * laneRoom, leaves - left);
     const Element<D>* const elements = this->Elements.data();
     const AreaSplit<D> split(elements + range.First, elements + range.Last, this->Capacity);
-    return split.Best({ bottoms, least, most }, LongestAxis(range.Box));
+    return split.Best({ leaves, least, most }, LongestAxis(range.Box));
   }
 
   std::unique_ptr<CoarseBins<D>> Bins; // of those that are not yet in place; else none

@@ -59,7 +59,7 @@ public:
     return this->Growing->Grower.GetNode(node);
   }
 
-  /// Only of positions in bottom nodes that were opened: others may still move.
+  /// Only of positions in leaves that were opened: others may still move.
   std::uint32_t Element(std::uint32_t position) const
   {
     return this->Growing->Grower.ElementAt(position);

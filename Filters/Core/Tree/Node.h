@@ -72,7 +72,7 @@ struct Bundle
 };
 
 /// A node: the boxes of its children, three levels of the paper's binary tree in one. The children
-/// of an inner node are the nodes First .. First + Count - 1, those of a bottom node the elements
+/// of an inner node are the nodes First .. First + Count - 1, those of a leaf the elements
 /// at these positions.
 template <int D>
 struct alignas(32) Node
@@ -82,7 +82,7 @@ struct alignas(32) Node
   Bundle<D, Width> Boxes;
   std::uint32_t First = 0;
   std::uint16_t Count = 0;
-  bool IsBottom = false;
+  bool IsLeaf = false;
   std::uint32_t Tag = NoTag; ///< what the tree's owner keeps of the elements below
   std::uint32_t Note[5]; ///< the owner's, too, in what would be padding; not set until it sets it
 
@@ -106,14 +106,14 @@ struct alignas(32) Node
   }
 };
 
-/// The note of an inner node some of whose children are bottom nodes that a walk need not open:
-/// their elements are known by the number of the bottom node, in the order of the elements
-/// (Tree::BottomAt). Whoever writes it gives the node a tag, too.
-struct KnownBottoms
+/// The note of an inner node some of whose children are leaves that a walk need not open:
+/// their elements are known by the number of the leaf, in the order of the elements
+/// (Tree::LeafAt). Whoever writes it gives the node a tag, too.
+struct KnownLeaves
 {
-  std::uint32_t Number;    ///< of the first child's first bottom node
+  std::uint32_t Number;    ///< of the first child's first leaf
   std::uint16_t Beyond[7]; ///< how much greater that of each further child is
-  std::uint8_t Lanes;      ///< a bit for each child that is a bottom node, so known
+  std::uint8_t Lanes;      ///< a bit for each child that is a leaf, so known
 
   std::uint32_t NumberOf(int lane) const
   {
@@ -152,7 +152,7 @@ template <int D>
 Reference Child(const Node<D>& node, int lane)
 {
   const std::uint32_t index = node.First + static_cast<std::uint32_t>(lane);
-  return node.IsBottom ? Reference::ToElement(index) : Reference::ToNode(index);
+  return node.IsLeaf ? Reference::ToElement(index) : Reference::ToNode(index);
 }
 
 }

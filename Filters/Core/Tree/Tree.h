@@ -17,7 +17,7 @@ struct TreeInput
   skd::Frame<D> Frame;
   Box<D> Bounds; ///< the safety box of all, in the world
   RawVector<Element<D>> Elements;
-  int Capacity = Node<D>::Width;      ///< elements a bottom node, clamped to 1 .. Node<D>::Width
+  int Capacity = Node<D>::Width;      ///< elements a leaf, clamped to 1 .. Node<D>::Width
   SplitRule Rule = SplitRule::Median; ///< LazyTree knows the median only
 };
 
@@ -130,21 +130,18 @@ public:
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
 
   ///@{
-  /// The number of a bottom node, in the order of the elements; its elements.
-  std::uint32_t NumberOf(const Node<D>& bottom) const
+  /// The number of a leaf, in the order of the elements; its elements.
+  std::uint32_t NumberOf(const Node<D>& leaf) const { return leaf.First / this->Leaves.Capacity; }
+  ElementRange LeafAt(std::uint32_t number) const { return this->Leaves.At(number); }
+  /// See KnownLeaves. Of a node high above, only the first children are told.
+  KnownLeaves LeavesBelow(const Node<D>& inner) const
   {
-    return bottom.First / this->Bottoms.Capacity;
-  }
-  ElementRange BottomAt(std::uint32_t number) const { return this->Bottoms.At(number); }
-  /// See KnownBottoms. Of a node high above, only the first children are told.
-  KnownBottoms BottomsBelow(const Node<D>& inner) const
-  {
-    KnownBottoms known{ this->FirstBottom(inner.First), {}, 0 };
+    KnownLeaves known{ this->FirstLeaf(inner.First), {}, 0 };
     for (std::uint32_t lane = 0; lane < inner.Count; ++lane)
     {
-      const std::uint32_t beyond = this->FirstBottom(inner.First + lane) - known.Number;
+      const std::uint32_t beyond = this->FirstLeaf(inner.First + lane) - known.Number;
       if (beyond <= std::numeric_limits<std::uint16_t>::max() &&
-        this->Nodes[inner.First + lane].IsBottom)
+        this->Nodes[inner.First + lane].IsLeaf)
       {
         known.Lanes |= static_cast<std::uint8_t>(1u << lane);
         known.Beyond[lane > 0 ? lane - 1 : 0] = static_cast<std::uint16_t>(beyond);
@@ -161,7 +158,7 @@ public:
   TreeView<D> View() const
   {
     return { this->TheFrame, this->TheBounds, this->IsEmpty() ? nullptr : this->Nodes.data(),
-      this->Elements.data(), this->Bottoms };
+      this->Elements.data(), this->Leaves };
   }
 
   const Frame<D>& GetFrame() const { return this->TheFrame; }
@@ -197,7 +194,7 @@ private:
   void Grow(skd::Grower<D>&& grower, Loop& loop)
   {
     this->TheRule = grower.Rule();
-    this->Bottoms = { static_cast<std::uint32_t>(grower.GetCapacity()),
+    this->Leaves = { static_cast<std::uint32_t>(grower.GetCapacity()),
       static_cast<std::uint32_t>(grower.NumberOfElements()) };
     GrowAll(grower, loop);
     this->CopyElements(grower, loop);
@@ -258,9 +255,9 @@ private:
       });
   }
 
-  std::uint32_t FirstBottom(std::uint32_t index) const
+  std::uint32_t FirstLeaf(std::uint32_t index) const
   {
-    while (!this->Nodes[index].IsBottom)
+    while (!this->Nodes[index].IsLeaf)
     {
       index = this->Nodes[index].First;
     }
@@ -271,7 +268,7 @@ private:
   {
     const Node<D>& node = this->Nodes[index];
     int below = 0;
-    for (std::uint32_t lane = 0; lane < node.Count && !node.IsBottom; ++lane)
+    for (std::uint32_t lane = 0; lane < node.Count && !node.IsLeaf; ++lane)
     {
       below = std::max(below, this->DepthFrom(node.First + lane));
     }
@@ -281,7 +278,7 @@ private:
   Frame<D> TheFrame{};
   Box<D> TheBounds;
   SplitRule TheRule = SplitRule::Median;
-  BottomNumbers Bottoms{ 1, 0 };
+  LeafNumbers Leaves{ 1, 0 };
   RawVector<Node<D>> Nodes;
   RawVector<std::uint32_t> Elements;
 };

@@ -15,8 +15,8 @@ struct ElementRange
   std::uint32_t Count;
 };
 
-/// All bottom nodes are full but for the last: their numbers tell their elements.
-struct BottomNumbers
+/// All leaves are full but for the last: their numbers tell their elements.
+struct LeafNumbers
 {
   std::uint32_t Capacity;
   std::uint32_t NumberOfElements;
@@ -34,12 +34,12 @@ class TreeView
 {
 public:
   TreeView(const Frame<D>& frame, const Box<D>& bounds, const Node<D>* nodes,
-    const std::uint32_t* elements, const BottomNumbers& bottoms)
+    const std::uint32_t* elements, const LeafNumbers& leaves)
     : TheFrame(frame)
     , TheBounds(bounds)
     , Nodes(nodes)
     , Elements(elements)
-    , Bottoms(bottoms)
+    , Leaves(leaves)
   {
   }
 
@@ -47,7 +47,7 @@ public:
   const Node<D>& Open(std::uint32_t node) const { return this->Nodes[node]; }
   void Fetch(std::uint32_t node) const { FetchLines<sizeof(Node<D>)>(this->Nodes + node); }
   std::uint32_t Element(std::uint32_t position) const { return this->Elements[position]; }
-  ElementRange BottomAt(std::uint32_t number) const { return this->Bottoms.At(number); }
+  ElementRange LeafAt(std::uint32_t number) const { return this->Leaves.At(number); }
   void FetchElements(std::uint32_t position) const { FetchLines<1>(this->Elements + position); }
   const Frame<D>& GetFrame() const { return this->TheFrame; }
   const Box<D>& GetBounds() const { return this->TheBounds; }
@@ -57,7 +57,7 @@ private:
   Box<D> TheBounds;
   const Node<D>* Nodes;
   const std::uint32_t* Elements;
-  BottomNumbers Bottoms;
+  LeafNumbers Leaves;
 };
 
 }

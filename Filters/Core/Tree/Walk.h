@@ -10,7 +10,7 @@
 namespace skd
 {
 
-/// How deep a tree may be. 2^31 elements make 12 levels, one to a bottom node, and splits by area
+/// How deep a tree may be. 2^31 elements make 12 levels, one to a leaf, and splits by area
 /// one more.
 constexpr int MostLevels = 16;
 
@@ -29,29 +29,29 @@ void Fetch(const Tree&, std::uint32_t, long)
 {
 }
 
-/// Whether a walk may leave bottom nodes unopened: the tree finds their elements by number, and the
+/// Whether a walk may leave leaves unopened: the tree finds their elements by number, and the
 /// query looks at these in a way of its own.
 template <class Tree, class Query, class = void>
-struct SkipsBottoms : std::false_type
+struct SkipsLeaves : std::false_type
 {
 };
 template <class Tree, class Query>
-struct SkipsBottoms<Tree, Query,
-  std::void_t<decltype(&Tree::BottomAt), std::enable_if_t<Query::SkipsBottoms>>> : std::true_type
+struct SkipsLeaves<Tree, Query,
+  std::void_t<decltype(&Tree::LeafAt), std::enable_if_t<Query::SkipsLeaves>>> : std::true_type
 {
 };
 
 /// The wanted lanes of a node. A query may look at elements in a way of its own.
 template <class Query, int D>
-auto ReachElements(Query& query, const Node<D>& bottom, float* keys, int)
-  -> decltype(query.ReachElements(bottom, keys))
+auto ReachElements(Query& query, const Node<D>& leaf, float* keys, int)
+  -> decltype(query.ReachElements(leaf, keys))
 {
-  return query.ReachElements(bottom, keys);
+  return query.ReachElements(leaf, keys);
 }
 template <class Query, int D>
-unsigned ReachElements(Query& query, const Node<D>& bottom, float* keys, long)
+unsigned ReachElements(Query& query, const Node<D>& leaf, float* keys, long)
 {
-  return query.Reach(bottom.Boxes, keys);
+  return query.Reach(leaf.Boxes, keys);
 }
 
 /// Whether a query knows of subtrees that all of them are answers.
@@ -73,14 +73,14 @@ struct Level
   std::uint32_t First;
   unsigned Wanted;
   unsigned Sure;
-  // Of a walk that skips bottom nodes:
-  unsigned Known;     ///< the children that are bottom nodes which need not be opened
+  // Of a walk that skips leaves:
+  unsigned Known;     ///< the children that are leaves which need not be opened
   const Node* Opened; ///< whose note then says which these are
 
   bool IsKnown(int lane) const { return (this->Known >> lane & 1u) != 0; }
   std::uint32_t NumberOf(int lane) const
   {
-    return this->Opened->template Read<KnownBottoms>().NumberOf(lane);
+    return this->Opened->template Read<KnownLeaves>().NumberOf(lane);
   }
 };
 
@@ -95,7 +95,7 @@ void Open(Query& query, const Node& node, bool isSure, Level<Node>& level)
     return;
   }
   const unsigned reached =
-    node.IsBottom ? ReachElements(query, node, level.Keys, 0) : query.Reach(node.Boxes, level.Keys);
+    node.IsLeaf ? ReachElements(query, node, level.Keys, 0) : query.Reach(node.Boxes, level.Keys);
   level.Wanted = reached & node.Occupied();
   if constexpr (KnowsSure<Query>::value)
   {
@@ -134,29 +134,29 @@ bool HasNext(const Query& query, Level<Node>& level)
   return level.Wanted != 0;
 }
 
-/// The elements of a bottom node that is not opened.
+/// The elements of a leaf that is not opened.
 template <class Tree, class Query, class Node>
 void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<Node>& level)
 {
-  const auto elements = tree.BottomAt(number);
+  const auto elements = tree.LeafAt(number);
   tree.FetchElements(elements.First);
   level.First = elements.First;
   level.Wanted = query.ReachKnown(number, elements.Count, level.Keys);
 }
 
-/// The node to open next, and whether all that is below is an answer. Or a known bottom node.
+/// The node to open next, and whether all that is below is an answer. Or a known leaf.
 struct Turn
 {
-  std::uint32_t Index; ///< of the node, or the number of a bottom node
+  std::uint32_t Index; ///< of the node, or the number of a leaf
   bool IsSure;
   bool IsKnown;
 };
 
-/// Opens what comes next. Whether it is a bottom node.
+/// Opens what comes next. Whether it is a leaf.
 template <class Tree, class Query, class Node>
 bool Take(const Tree& tree, Query& query, const Turn& turn, Level<Node>& level)
 {
-  if constexpr (SkipsBottoms<Tree, Query>::value)
+  if constexpr (SkipsLeaves<Tree, Query>::value)
   {
     if (turn.IsKnown)
     {
@@ -166,12 +166,12 @@ bool Take(const Tree& tree, Query& query, const Turn& turn, Level<Node>& level)
   }
   const auto& node = tree.Open(turn.Index);
   Open(query, node, turn.IsSure, level);
-  if constexpr (SkipsBottoms<Tree, Query>::value)
+  if constexpr (SkipsLeaves<Tree, Query>::value)
   {
     level.Opened = &node;
-    level.Known = query.Knows(node) ? node.template Read<KnownBottoms>().Lanes : 0u;
+    level.Known = query.Knows(node) ? node.template Read<KnownLeaves>().Lanes : 0u;
   }
-  return node.IsBottom;
+  return node.IsLeaf;
 }
 
 /// The open nodes on the way from the root that have children which wait, and room for one more.
@@ -200,7 +200,7 @@ public:
     Level<Node>& last = this->Stack[this->Count - 1];
     const int lane = detail::TakeNext<Query>(last);
     this->Count -= last.Wanted == 0 ? 1 : 0;
-    if constexpr (SkipsBottoms<Tree, Query>::value)
+    if constexpr (SkipsLeaves<Tree, Query>::value)
     {
       if (last.IsKnown(lane))
       {
@@ -218,12 +218,12 @@ private:
 
 /// False ends the walk.
 template <class Tree, class Query, class Node>
-bool VisitElement(const Tree& tree, Query& query, const Level<Node>& bottom, int lane)
+bool VisitElement(const Tree& tree, Query& query, const Level<Node>& leaf, int lane)
 {
-  const std::uint32_t element = tree.Element(bottom.First + static_cast<std::uint32_t>(lane));
+  const std::uint32_t element = tree.Element(leaf.First + static_cast<std::uint32_t>(lane));
   if constexpr (KnowsSure<Query>::value)
   {
-    return (bottom.Sure >> lane & 1u) != 0 ? query.VisitSure(element) : query.Visit(element);
+    return (leaf.Sure >> lane & 1u) != 0 ? query.VisitSure(element) : query.Visit(element);
   }
   else
   {
@@ -231,25 +231,25 @@ bool VisitElement(const Tree& tree, Query& query, const Level<Node>& bottom, int
   }
 }
 
-/// Visit the wanted elements of a bottom node. False ends the walk.
+/// Visit the wanted elements of a leaf. False ends the walk.
 template <class Tree, class Query, class Node>
-bool VisitElements(const Tree& tree, Query& query, Level<Node>& bottom)
+bool VisitElements(const Tree& tree, Query& query, Level<Node>& leaf)
 {
   if constexpr (!Query::Ordered)
   {
-    for (unsigned wanted = bottom.Wanted; wanted != 0; wanted &= wanted - 1)
+    for (unsigned wanted = leaf.Wanted; wanted != 0; wanted &= wanted - 1)
     {
-      if (!VisitElement(tree, query, bottom, LowestBit(wanted)))
+      if (!VisitElement(tree, query, leaf, LowestBit(wanted)))
       {
         return false;
       }
     }
     return true;
   }
-  while (HasNext(query, bottom))
+  while (HasNext(query, leaf))
   {
-    const int lane = TakeNext<Query>(bottom);
-    if (!VisitElement(tree, query, bottom, lane))
+    const int lane = TakeNext<Query>(leaf);
+    if (!VisitElement(tree, query, leaf, lane))
     {
       return false;
     }
@@ -263,7 +263,7 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
   ForEachLane(level.Wanted,
     [&](int lane)
     {
-      if constexpr (SkipsBottoms<Tree, Query>::value)
+      if constexpr (SkipsLeaves<Tree, Query>::value)
       {
         if (level.IsKnown(lane))
         {
@@ -286,12 +286,12 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
 ///                                        bit i: lane i is wanted; if Ordered, its key, a lower
 ///                                        bound of what is sought below that box, is within Limit()
 ///   unsigned ReachElements(const Node&, float* keys)
-///                                        if there: the same for a bottom node and its elements
-///   static constexpr bool SkipsBottoms   if there and true, it gives
+///                                        if there: the same for a leaf and its elements
+///   static constexpr bool SkipsLeaves   if there and true, it gives
 ///   bool Knows(const Node&)              whether the node's note, if it is an inner one, is
-///                                        KnownBottoms: these need not be opened
+///                                        KnownLeaves: these need not be opened
 ///   unsigned ReachKnown(number, count, float* keys), void FetchKnown(number)
-///                                        what ReachElements() does, by a bottom node's number, and
+///                                        what ReachElements() does, by a leaf's number, and
 ///                                        that it is going to be asked that
 ///   unsigned SureOf(const Node&), bool VisitSure(element index)
 ///                                        if there, and not Ordered: the lanes below which all is
@@ -312,13 +312,13 @@ void Walk(const Tree& tree, Query& query)
   while (true)
   {
     auto& opened = levels.Room();
-    const bool isBottom = detail::Take(tree, query, turn, opened);
-    if (!isBottom && opened.Wanted != 0)
+    const bool isLeaf = detail::Take(tree, query, turn, opened);
+    if (!isLeaf && opened.Wanted != 0)
     {
       detail::FetchChildren(tree, query, opened);
       levels.Keep();
     }
-    else if ((isBottom && !detail::VisitElements(tree, query, opened)) || !levels.HaveNext(query))
+    else if ((isLeaf && !detail::VisitElements(tree, query, opened)) || !levels.HaveNext(query))
     {
       return;
     }

@@ -166,7 +166,7 @@ private:
   bool OpenFirst(const Node<D>& node, const Side& b)
   {
     const unsigned lanes = this->TheQuery.Overlapping(node.Boxes, b.Box) & node.Occupied();
-    const bool areElements = node.IsBottom && b.What.IsElement();
+    const bool areElements = node.IsLeaf && b.What.IsElement();
     const unsigned sure = areElements ? this->TheQuery.SureOf(node.Boxes, b.Box) : 0;
     return ForEachLane(lanes,
       [&](int lane)
@@ -177,7 +177,7 @@ private:
   {
     const auto boxes = this->TheQuery.ToFirst(node.Boxes);
     const unsigned lanes = this->TheQuery.Overlapping(boxes, a.Box) & node.Occupied();
-    const bool areElements = node.IsBottom && a.What.IsElement();
+    const bool areElements = node.IsLeaf && a.What.IsElement();
     const unsigned sure = areElements ? this->TheQuery.SureOf(boxes, a.Box) : 0;
     return ForEachLane(lanes,
       [&](int lane)
