@@ -73,7 +73,7 @@
  *
  * The trees are kept while points and cells stay the same; moving the Source (Translation, Rotation
  * or SetTransform) builds none. A tree is built as far as it is asked: when two surfaces meet for
- * the first time, of those triangles only that share a cell of a coarse raster with the other
+ * the first time, of those triangles only that share a cell of a coarse grid with the other
  * surface, and of the others when a surface is asked again. The answer is the same whatever the
  * number of threads. Of several processes each answers for its piece of Input and asks for the
  * whole Source; without a Source the first process answers.

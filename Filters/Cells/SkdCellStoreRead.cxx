@@ -23,10 +23,10 @@
 namespace
 {
 /// Tells which cells of a data set belong in the tree. Constant: threads may share it.
-class CellSieve
+class CellSelection
 {
 public:
-  CellSieve(vtkDataSet* data, bool skipGhosts)
+  CellSelection(vtkDataSet* data, bool skipGhosts)
     : CellGhosts(data->GetCellGhostArray())
     , PointGhosts(IsStructured(data) ? data->GetPointGhostArray() : nullptr)
     , Unwanted(vtkDataSetAttributes::HIDDENCELL)
@@ -247,7 +247,7 @@ bool SkdCellStore::ArePointsFinite()
 // mesh of one shape, all of whose cells are kept, that is known at once.
 void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool skipGhosts)
 {
-  const CellSieve sieve(data, skipGhosts);
+  const CellSelection selection(data, skipGhosts);
   const bool areFinite = this->ArePointsFinite();
   const vtkIdType numberOfCells = data->GetNumberOfCells();
   const int usualType = reader.TypeOf(0);
@@ -265,7 +265,7 @@ void SkdCellStore::ReadCells(const SkdCellReader& reader, vtkDataSet* data, bool
       {
         shape = NotFinite;
       }
-      else if (!IsWhole(shape, size) || !sieve.Keeps(id, ids, size))
+      else if (!IsWhole(shape, size) || !selection.Keeps(id, ids, size))
       {
         shape = SkdShape::None;
       }
@@ -304,9 +304,7 @@ bool SkdCellStore::ArePointsFinite(const Id* ids, std::size_t size) const
 {
   return std::all_of(ids, ids + size,
     [this](Id id)
-    {
-      return SkdIsWithin(this->Point(static_cast<std::uint32_t>(id)), this->Magnitudes.Largest);
-    });
+    { return SkdIsWithin(this->Point(static_cast<std::uint32_t>(id)), this->Magnitudes.Largest); });
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,7 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
     return;
   }
   this->Eager = EagerTree(input, parallelLoop);
-  this->Sieves = SkdSieves(this->Store, this->Eager, this->TheRounding);
+  this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +115,6 @@ skd::SplitRule SkdCellTree::Rule() const
 //------------------------------------------------------------------------------
 std::size_t SkdCellTree::MemorySize() const
 {
-  return sizeof(*this) + this->Store.MemorySize() + this->Sieves.MemorySize() +
-    this->Runs.MemorySize() +
-    (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
+  return sizeof(*this) + this->Store.MemorySize() + this->LeafFilters.MemorySize() +
+    this->Runs.MemorySize() + (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
 }

@@ -5,8 +5,8 @@
 
 #include "Cells/SkdCellStore.h"
 #include "Cells/SkdGenericKernel.h"
+#include "Cells/SkdLeafFilters.h"
 #include "Cells/SkdPieceRuns.h"
-#include "Cells/SkdSieves.h"
 #include "Cells/SkdWideWalks.h"
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
@@ -266,8 +266,8 @@ private:
       return false;
     }
     const skd::TreeView<3> view = this->Eager.View();
-    const skd::TrianglePacks packs = this->Sieves.Packs();
-    wide(SkdWideTree{ &view, &packs });
+    const skd::TrianglePackets packets = this->LeafFilters.Packets();
+    wide(SkdWideTree{ &view, &packets });
     return true;
   }
   /// skd::Nearest and skd::AlongSegment, as fast as it goes here.
@@ -316,7 +316,7 @@ private:
   double TheRounding = 0.0;
   double TheEpsilon = 0.0;
   EagerTree Eager;
-  SkdSieves Sieves;                       // of Eager
+  SkdLeafFilters LeafFilters;             // of Eager
   std::unique_ptr<skd::LazyTree<3>> Lazy; // instead of Eager
 };
 

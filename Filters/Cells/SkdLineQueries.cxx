@@ -159,9 +159,9 @@ void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Visit
   };
   if (!this->WalkWide(wide))
   {
-    using Sieve = skd::LineSieve;
-    skd::AlongSegment<3, Visitor, Sieve, InOrder> query(this->GetFrame(), segment, margin, visitor,
-      Sieve(this->Sieves.Packs(), skd::Shear(segment.B - segment.A)));
+    using LeafFilter = skd::LineLeafFilter;
+    skd::AlongSegment<3, Visitor, LeafFilter, InOrder> query(this->GetFrame(), segment, margin,
+      visitor, LeafFilter(this->LeafFilters.Packets(), skd::Shear(segment.B - segment.A)));
     this->Walk(query);
   }
 }
@@ -171,8 +171,8 @@ template <bool InOrder, class Visitor>
 bool SkdCellTree::VisitTriangleHits(
   const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const
 {
-  const skd::TrianglePacks packs = this->Sieves.Packs();
-  if (!packs.HavePoints())
+  const skd::TrianglePackets packets = this->LeafFilters.Packets();
+  if (!packets.HavePoints())
   {
     return false;
   }
@@ -183,7 +183,7 @@ bool SkdCellTree::VisitTriangleHits(
   };
   if (!this->WalkWide(wide))
   {
-    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packs, segment, tolerance, visitor);
+    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packets, segment, tolerance, visitor);
   }
   return true;
 }
@@ -281,7 +281,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
       clip(cell);
       return 1.0;
     };
-    skd::AlongSegment<3, decltype(visitor), skd::NoSieve, false> query(
+    skd::AlongSegment<3, decltype(visitor), skd::NoLeafFilter, false> query(
       this->GetFrame(), segment, reach, visitor);
     this->Walk(query);
   }

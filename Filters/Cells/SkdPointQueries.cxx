@@ -74,9 +74,9 @@ void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Visitor& vis
   { SkdWideWalks::Nearest(tree, x.X, limit2, OnlyNearest, SkdWideVisitor::Of(visitor)); };
   if (!this->WalkWide(wide))
   {
-    using Sieve = skd::DistanceSieve<OnlyNearest>;
-    skd::Nearest<3, Visitor, Sieve> query(
-      this->GetFrame(), x, limit2, visitor, Sieve(this->Sieves.Packs(), this->GetFrame().Local(x)));
+    using LeafFilter = skd::DistanceLeafFilter<OnlyNearest>;
+    skd::Nearest<3, Visitor, LeafFilter> query(this->GetFrame(), x, limit2, visitor,
+      LeafFilter(this->LeafFilters.Packets(), this->GetFrame().Local(x)));
     this->Walk(query);
   }
 }
@@ -142,9 +142,9 @@ SkdFoundCell SkdCellTree::FindContaining(
     // Only boxes that hold x matter, in any order; safety boxes are wider than rounding.
     auto visitor = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
     const skd::Vector3 local = this->GetFrame().Local(x);
-    using Sieve = SkdSieves::Point;
-    skd::WithinBox<3, decltype(visitor), Sieve> query(
-      this->GetFrame(), skd::Box3(x, x), visitor, Sieve(this->Sieves, local));
+    using LeafFilter = SkdLeafFilters::Point;
+    skd::WithinBox<3, decltype(visitor), LeafFilter> query(
+      this->GetFrame(), skd::Box3(x, x), visitor, LeafFilter(this->LeafFilters, local));
     this->Walk(query);
     return best.Found;
   }

@@ -14,10 +14,10 @@
 // The core under another name: see SkdWideWalks.h. Nothing but the core is included below.
 #define skd skd_wide
 
+#include "Core/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/Nearest.h"
 #include "Core/Queries/TriangleHits.h"
-#include "Core/Sieves/TriangleSieves.h"
 #include "Core/Tree/TreeView.h"
 #include "Core/Tree/Walk.h"
 
@@ -28,9 +28,9 @@ const skd::TreeView<3>& ViewOf(const SkdWideTree& tree)
   return *static_cast<const skd::TreeView<3>*>(tree.View);
 }
 
-const skd::TrianglePacks& PacksOf(const SkdWideTree& tree)
+const skd::TrianglePackets& PacketsOf(const SkdWideTree& tree)
 {
-  return *static_cast<const skd::TrianglePacks*>(tree.Packs);
+  return *static_cast<const skd::TrianglePackets*>(tree.Packets);
 }
 
 skd::Vector3 PointAt(const double x[3])
@@ -42,10 +42,10 @@ template <bool OnlyNearest>
 void WalkNearest(
   const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideVisitor& visitor)
 {
-  using Sieve = skd::DistanceSieve<OnlyNearest>;
+  using LeafFilter = skd::DistanceLeafFilter<OnlyNearest>;
   const skd::TreeView<3>& view = ViewOf(tree);
-  skd::Nearest<3, const SkdWideVisitor, Sieve> query(
-    view.GetFrame(), x, limit2, visitor, Sieve(PacksOf(tree), view.GetFrame().Local(x)));
+  skd::Nearest<3, const SkdWideVisitor, LeafFilter> query(
+    view.GetFrame(), x, limit2, visitor, LeafFilter(PacketsOf(tree), view.GetFrame().Local(x)));
   skd::Walk(view, query);
 }
 
@@ -53,10 +53,10 @@ template <bool InOrder>
 void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double margin,
   const SkdWideVisitor& visitor)
 {
-  using Sieve = skd::LineSieve;
+  using LeafFilter = skd::LineLeafFilter;
   const skd::TreeView<3>& view = ViewOf(tree);
-  skd::AlongSegment<3, const SkdWideVisitor, Sieve, InOrder> query(view.GetFrame(), segment, margin,
-    visitor, Sieve(PacksOf(tree), skd::Shear(segment.B - segment.A)));
+  skd::AlongSegment<3, const SkdWideVisitor, LeafFilter, InOrder> query(view.GetFrame(), segment,
+    margin, visitor, LeafFilter(PacketsOf(tree), skd::Shear(segment.B - segment.A)));
   skd::Walk(view, query);
 }
 }
@@ -85,6 +85,6 @@ void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const double from[
   const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
   auto take = [&visitor](std::uint32_t cell, const skd::TriangleHit& hit)
   { return visitor.Call(visitor.Self, cell, &hit); };
-  inOrder ? skd::VisitTriangleHits<true>(ViewOf(tree), PacksOf(tree), segment, tolerance, take)
-          : skd::VisitTriangleHits<false>(ViewOf(tree), PacksOf(tree), segment, tolerance, take);
+  inOrder ? skd::VisitTriangleHits<true>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take)
+          : skd::VisitTriangleHits<false>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
 }

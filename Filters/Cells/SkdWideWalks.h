@@ -7,18 +7,18 @@
 ///
 /// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in a namespace of its own,
 /// so that no inline function compiled for AVX2 ever takes the place of one that must run anywhere.
-/// So its face speaks of no type of the core: what `View` and `Packs` point to has the same bytes
+/// So its face speaks of no type of the core: what `View` and `Packets` point to has the same bytes
 /// under both names.
 #ifndef SkdWideWalks_h
 #define SkdWideWalks_h
 
 #include <cstdint>
 
-/// A tree of cells and the packs of its leaves.
+/// A tree of cells and the packets of its leaves.
 struct SkdWideTree
 {
-  const void* View;  ///< skd::TreeView<3>
-  const void* Packs; ///< skd::TrianglePacks
+  const void* View;    ///< skd::TreeView<3>
+  const void* Packets; ///< skd::TrianglePackets
 };
 
 /// Measures a cell, and returns beyond what nothing is wanted any more.
@@ -54,8 +54,8 @@ struct SkdWideHits
   void* Self;
 };
 
-/// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the sieves of
-/// Core/Sieves/TriangleSieves.h.
+/// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the leaf filters of
+/// Core/LeafFilters/TriangleLeafFilters.h.
 class SkdWideWalks
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdNearTriangles.h"
 
-#include "Core/Sieves/CoarseCells.h"
+#include "Core/LeafFilters/CoarseCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,10 +86,10 @@ private:
 };
 
 /// Keeps the work bounded where sizes differ much: stops when triangles cover many cells.
-class Raster
+class CoarseGrid
 {
 public:
-  Raster(const Cells& cells, std::size_t triangles)
+  CoarseGrid(const Cells& cells, std::size_t triangles)
     : Marked(cells)
     , Other(cells)
     , RowsLeft(16 * triangles + 4096)
@@ -190,7 +190,7 @@ struct Meeting
 };
 
 /// False when those that are near are not much fewer than all.
-bool SieveByRaster(const Meeting& meeting, SkdNearSets& near)
+bool FilterByCoarseGrid(const Meeting& meeting, SkdNearSets& near)
 {
   const SkdPlacedTriangles& first = meeting.Placement.First;
   const SkdPlacedTriangles& second = meeting.Placement.GetSecond();
@@ -199,13 +199,13 @@ bool SieveByRaster(const Meeting& meeting, SkdNearSets& near)
   const Cells cells(meeting.Region, size);
   const SeenByCells seenFirst(first, cells, 0.0);
   const SeenByCells seenSecond(second, cells, meeting.Margin);
-  Raster raster(cells, all);
-  if (!raster.MarkAll(seenFirst, near.First.Triangles) ||
-    !raster.FindMarked(seenSecond, near.Second.Triangles))
+  CoarseGrid grid(cells, all);
+  if (!grid.MarkAll(seenFirst, near.First.Triangles) ||
+    !grid.FindMarked(seenSecond, near.Second.Triangles))
   {
     return false;
   }
-  raster.KeepMarked(seenFirst, near.First.Triangles);
+  grid.KeepMarked(seenFirst, near.First.Triangles);
   return 4 * (near.First.Triangles.size() + near.Second.Triangles.size()) <= 3 * all;
 }
 }
@@ -231,14 +231,14 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   {
     return near;
   }
-  constexpr std::size_t few = 4096; // for a raster to pay
+  constexpr std::size_t few = 4096; // for a coarse grid to pay
   if (all < few)
   {
     AddWithin(first, region, 0.0, near.First);
     AddWithin(second, region, margin, near.Second);
     return near;
   }
-  if (!SieveByRaster({ placement, region, margin }, near))
+  if (!FilterByCoarseGrid({ placement, region, margin }, near))
   {
     return std::nullopt;
   }

@@ -26,7 +26,7 @@ struct SkdNearSets
   SkdNearTriangles Second; ///< its boxes are larger by the clearance, and a little more
 };
 
-/// Of both sets of a placement those triangles that share a cell of a coarse raster with the other
+/// Of both sets of a placement those triangles that share a cell of a coarse grid with the other
 /// set, or may be within `clearance` (in the placement's scale) of it. Nothing when they are not
 /// much fewer than all. O(n), some ten nanoseconds a triangle.
 std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles whose corners lie beside the packs of a tree are hit as each of them is by itself.
+// Triangles whose corners lie beside the packets of a tree are hit as each of them is by itself.
 #include "Core/Queries/TriangleHits.h"
 #include "Core/Tree/Tree.h"
 #include "CoreScenes.h"
@@ -59,7 +59,7 @@ Mesh MakeMesh(Random& random, std::size_t count, bool isWhole, const Vector3& of
   return mesh;
 }
 
-/// A tree of triangles with packs that have points.
+/// A tree of triangles with packets that have points.
 template <class Real>
 class Packed
 {
@@ -72,12 +72,12 @@ public:
       const skd::Node<3>& node = this->TheTree.Open(i);
       if (node.IsLeaf)
       {
-        this->Pack(mesh, node);
-        this->TheTree.SetTag(i, skd::TrianglePacks::TagOf(this->TheTree.NumberOf(node)));
+        this->Packet(mesh, node);
+        this->TheTree.SetTag(i, skd::TrianglePackets::TagOf(this->TheTree.NumberOf(node)));
       }
       else
       {
-        this->TheTree.SetTag(i, skd::TrianglePacks::TagOf(0));
+        this->TheTree.SetTag(i, skd::TrianglePackets::TagOf(0));
         this->TheTree.SetNote(i, this->TheTree.LeavesBelow(node));
       }
     }
@@ -86,7 +86,7 @@ public:
   template <bool InOrder, class Visitor>
   void Visit(const Segment<3>& segment, double tolerance, Visitor visitor) const
   {
-    skd::PackPoints points;
+    skd::PacketPoints points;
     if constexpr (std::is_same_v<Real, float>)
     {
       points.Floats = this->Points.data();
@@ -95,8 +95,8 @@ public:
     {
       points.Doubles = this->Points.data();
     }
-    const skd::TrianglePacks packs(this->Packs.data(), points);
-    skd::VisitTriangleHits<InOrder>(this->TheTree.View(), packs, segment, tolerance, visitor);
+    const skd::TrianglePackets packets(this->Packets.data(), points);
+    skd::VisitTriangleHits<InOrder>(this->TheTree.View(), packets, segment, tolerance, visitor);
   }
 
 private:
@@ -115,18 +115,18 @@ private:
     return input;
   }
 
-  void Pack(const Mesh& mesh, const skd::Node<3>& leaf)
+  void Packet(const Mesh& mesh, const skd::Node<3>& leaf)
   {
     const std::uint32_t number = this->TheTree.NumberOf(leaf);
-    this->Packs.resize(std::max<std::size_t>(this->Packs.size(), number + 1));
-    skd::TrianglePack& pack = this->Packs[number];
+    this->Packets.resize(std::max<std::size_t>(this->Packets.size(), number + 1));
+    skd::TrianglePacket& packet = this->Packets[number];
     skd::FloatBox<3> box = skd::NoBox<3>();
     for (int lane = 0; lane < leaf.Count; ++lane)
     {
       skd::Enclose(box, leaf.Boxes.Get(lane));
     }
-    pack.Raster = skd::Raster(box);
-    pack.FirstPoint = static_cast<std::uint32_t>(this->Points.size() / 3);
+    packet.Grid = skd::QuantizationGrid(box);
+    packet.FirstPoint = static_cast<std::uint32_t>(this->Points.size() / 3);
     std::map<std::uint32_t, std::uint8_t> places;
     for (int lane = 0; lane < leaf.Count; ++lane)
     {
@@ -135,10 +135,10 @@ private:
       for (int corner = 0; corner < 3; ++corner)
       {
         const Vector3& x = mesh.Corner(triangle, corner);
-        pack.Set(corner, lane, this->TheTree.GetFrame().Local(x));
+        packet.Set(corner, lane, this->TheTree.GetFrame().Local(x));
         const std::uint32_t id = mesh.Triangles[triangle][static_cast<std::size_t>(corner)];
         const auto place = places.emplace(id, static_cast<std::uint8_t>(places.size()));
-        pack.PointOf[lane][corner] = place.first->second;
+        packet.PointOf[lane][corner] = place.first->second;
         if (place.second)
         {
           std::copy(x.X, x.X + 3, std::back_inserter(this->Points));
@@ -148,7 +148,7 @@ private:
   }
 
   skd::Tree<3> TheTree;
-  std::vector<skd::TrianglePack> Packs;
+  std::vector<skd::TrianglePacket> Packets;
   std::vector<Real> Points;
 };
 

@@ -4,7 +4,7 @@
 #define skd_Queries_AlongSegment_h
 
 #include "../Geometry/Segment.h"
-#include "NoSieve.h"
+#include "NoLeafFilter.h"
 
 namespace skd
 {
@@ -19,17 +19,17 @@ namespace skd
 /// units) widens every box, for searches with a tolerance. Of a short query much is what is done
 /// once a segment: there is a division for each axis, and one for what the clipping leaves.
 /// `InOrder`: whether the nearest comes first. Where all is wanted, any order will do.
-template <int D, class Visitor, class Sieve = NoSieve, bool InOrder = true>
+template <int D, class Visitor, class LeafFilter = NoLeafFilter, bool InOrder = true>
 class AlongSegment
 {
 public:
   static constexpr bool Ordered = InOrder;
-  static constexpr bool SkipsLeaves = Sieve::SkipsLeaves;
+  static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
 
   SKD_APART AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
-    Visitor& visitor, const Sieve& sieve = Sieve())
+    Visitor& visitor, const LeafFilter& leafFilter = LeafFilter())
     : TheVisitor(visitor)
-    , TheSieve(sieve)
+    , TheLeafFilter(leafFilter)
   {
     const Line line(frame.Local(segment.A), frame.Scale * (segment.B - segment.A));
     const double rounding = line.Rounding();
@@ -38,7 +38,7 @@ public:
     this->Begin = inside.Min;
     this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
     this->SetLocal(line, std::min(reach, Most));
-    this->TheSieve.Aim(line.At(this->Begin), reach);
+    this->TheLeafFilter.Aim(line.At(this->Begin), reach);
     if (inside.Min <= inside.Max && margin >= 0.0 && std::isfinite(rounding))
     {
       this->TheLimit = 1.0f + Slack;
@@ -65,16 +65,16 @@ public:
 
   unsigned ReachElements(const Node<D>& leaf, float* keys) const
   {
-    return this->TheSieve.Knows(leaf) ? this->TheSieve.Pass(leaf, keys)
-                                      : this->Reach(leaf.Boxes, keys);
+    return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys)
+                                           : this->Reach(leaf.Boxes, keys);
   }
 
-  bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
+  bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
   unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
   {
-    return this->TheSieve.Pass(leaf, count, keys);
+    return this->TheLeafFilter.Pass(leaf, count, keys);
   }
-  void FetchKnown(std::uint32_t leaf) const { this->TheSieve.Fetch(leaf); }
+  void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
 
   float Limit() const { return this->TheLimit; }
 
@@ -187,7 +187,7 @@ private:
   Spread Inverse[D];
   float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
   Visitor& TheVisitor;
-  Sieve TheSieve;
+  LeafFilter TheLeafFilter;
 };
 
 }

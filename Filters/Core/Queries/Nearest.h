@@ -3,7 +3,7 @@
 #ifndef skd_Queries_Nearest_h
 #define skd_Queries_Nearest_h
 
-#include "NoSieve.h"
+#include "NoLeafFilter.h"
 #include "PointKeys.h"
 
 namespace skd
@@ -17,20 +17,20 @@ namespace skd
 /// far), the k nearest (the k-th best), all within a sphere (section 4.2: always the radius).
 /// A bound known beforehand is the first limit: infinity, a radius, or the distance to a reference
 /// point. Elements at exactly the limit are visited, so ties can go to the lowest index.
-template <int D, class Visitor, class Sieve = NoSieve>
+template <int D, class Visitor, class LeafFilter = NoLeafFilter>
 class Nearest
 {
 public:
   static constexpr bool Ordered = true;
-  static constexpr bool SkipsLeaves = Sieve::SkipsLeaves;
+  static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
 
   Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Visitor& visitor,
-    const Sieve& sieve = Sieve())
+    const LeafFilter& leafFilter = LeafFilter())
     : TheFrame(frame)
     , Point(frame, point)
     , TheLimit(frame.UpperBound2(limit2))
     , TheVisitor(visitor)
-    , TheSieve(sieve)
+    , TheLeafFilter(leafFilter)
   {
   }
 
@@ -44,16 +44,16 @@ public:
 
   unsigned ReachElements(const Node<D>& leaf, float* keys)
   {
-    return this->TheSieve.Knows(leaf) ? this->TheSieve.Pass(leaf, keys, this->TheLimit)
-                                      : this->Reach(leaf.Boxes, keys);
+    return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys, this->TheLimit)
+                                           : this->Reach(leaf.Boxes, keys);
   }
 
-  bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
+  bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
   unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys)
   {
-    return this->TheSieve.Pass(leaf, count, keys, this->TheLimit);
+    return this->TheLeafFilter.Pass(leaf, count, keys, this->TheLimit);
   }
-  void FetchKnown(std::uint32_t leaf) const { this->TheSieve.Fetch(leaf); }
+  void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
 
   float Limit() const { return this->TheLimit; }
 
@@ -68,7 +68,7 @@ private:
   PointKeys<D> Point;
   float TheLimit;
   Visitor& TheVisitor;
-  Sieve TheSieve;
+  LeafFilter TheLeafFilter;
 };
 
 /// Algorithm 5.1 without the exact test: calls `visitor(element)` for every element whose box may

@@ -4,7 +4,7 @@
 #define skd_Queries_TriangleHits_h
 
 #include "../Geometry/Intersection/SegmentNearTriangle.h"
-#include "../Sieves/TriangleSieves.h"
+#include "../LeafFilters/TriangleLeafFilters.h"
 #include "../Tree/TreeView.h"
 #include "../Tree/Walk.h"
 #include "AlongSegment.h"
@@ -19,7 +19,7 @@ namespace detail
 class LanesView
 {
 public:
-  static constexpr std::uint32_t Width = TrianglePack::Width;
+  static constexpr std::uint32_t Width = TrianglePacket::Width;
 
   explicit LanesView(const TreeView<3>& view)
     : View(view)
@@ -47,14 +47,15 @@ private:
 
 }
 
-/// Where a segment hits the triangles of a tree whose packs have points: what its exact tests need
-/// lies beside the packs, and which element a triangle is, is asked of those that are hit only.
+/// Where a segment hits the triangles of a tree whose packets have points: what its exact tests
+/// need lies beside the packets, and which element a triangle is, is asked of those that are hit
+/// only.
 ///
 /// `visitor(element, hit)` returns the parameter beyond which nothing is wanted any more, as that
 /// of AlongSegment. `tolerance`: by how much triangles may be missed. A segment of no length, or
 /// one that is not finite, hits nothing.
 template <bool InOrder, class Visitor>
-SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacks& packs,
+SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TrianglePackets& packets,
   const Segment<3>& segment, double tolerance, Visitor& visitor)
 {
   const SegmentView view(segment);
@@ -68,15 +69,15 @@ SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TriangleP
   {
     const std::uint32_t number = laneOfAll / lanes.Width;
     const std::uint32_t lane = laneOfAll % lanes.Width;
-    const auto corner = [&](int i) { return packs.Corner(number, lane, i); };
+    const auto corner = [&](int i) { return packets.Corner(number, lane, i); };
     if (const auto hit = IntersectWithin(view, corner(0), corner(1), corner(2), tolerance))
     {
       limit = visitor(lanes.ElementAt(number, lane), *hit);
     }
     return limit;
   };
-  AlongSegment<3, decltype(test), LineSieve, InOrder> query(
-    tree.GetFrame(), segment, tolerance, test, LineSieve(packs, view.GetShear()));
+  AlongSegment<3, decltype(test), LineLeafFilter, InOrder> query(
+    tree.GetFrame(), segment, tolerance, test, LineLeafFilter(packets, view.GetShear()));
   Walk(lanes, query);
 }
 

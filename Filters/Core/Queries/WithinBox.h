@@ -3,24 +3,24 @@
 #ifndef skd_Queries_WithinBox_h
 #define skd_Queries_WithinBox_h
 
-#include "NoSieve.h"
+#include "NoLeafFilter.h"
 
 namespace skd
 {
 
 /// Elements whose boxes overlap a box (Algorithm 5.3). A point is a box, too.
 /// `visitor(element)` returns false to end the search.
-template <int D, class Visitor, class Sieve = NoSieve>
+template <int D, class Visitor, class LeafFilter = NoLeafFilter>
 class WithinBox
 {
 public:
   static constexpr bool Ordered = false;
-  static constexpr bool SkipsLeaves = Sieve::SkipsLeaves;
+  static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
 
-  WithinBox(
-    const Frame<D>& frame, const Box<D>& box, Visitor& visitor, const Sieve& sieve = Sieve())
+  WithinBox(const Frame<D>& frame, const Box<D>& box, Visitor& visitor,
+    const LeafFilter& leafFilter = LeafFilter())
     : TheVisitor(visitor)
-    , TheSieve(sieve)
+    , TheLeafFilter(leafFilter)
   {
     for (int axis = 0; axis < D; ++axis)
     {
@@ -44,16 +44,16 @@ public:
 
   unsigned ReachElements(const Node<D>& leaf, float* keys) const
   {
-    return this->TheSieve.Knows(leaf) ? this->TheSieve.Pass(leaf, keys)
-                                      : this->Reach(leaf.Boxes, keys);
+    return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys)
+                                           : this->Reach(leaf.Boxes, keys);
   }
 
-  bool Knows(const Node<D>& inner) const { return this->TheSieve.Knows(inner); }
+  bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
   unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
   {
-    return this->TheSieve.Pass(leaf, count, keys);
+    return this->TheLeafFilter.Pass(leaf, count, keys);
   }
-  void FetchKnown(std::uint32_t leaf) const { this->TheSieve.Fetch(leaf); }
+  void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
 
   float Limit() const { return 0.0f; }
   bool Visit(std::uint32_t element) { return this->TheVisitor(element); }
@@ -62,7 +62,7 @@ private:
   Spread Min[D];
   Spread Max[D];
   Visitor& TheVisitor;
-  Sieve TheSieve;
+  LeafFilter TheLeafFilter;
 };
 
 }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sieves leave nothing out that an exact test would take, whatever the triangles and cells are
-// like.
+// Leaf filters leave nothing out that an exact test would take, whatever the triangles and cells
+// are like.
 #include "Core/Geometry/Cells/ClosestPointInCell.h"
 #include "Core/Geometry/Intersection/SegmentTriangle.h"
-#include "Core/Sieves/PlaneRow.h"
-#include "Core/Sieves/TriangleCrossings.h"
-#include "Core/Sieves/TriangleDistances.h"
+#include "Core/LeafFilters/PlaneRow.h"
+#include "Core/LeafFilters/TriangleCrossings.h"
+#include "Core/LeafFilters/TriangleDistances.h"
 #include "GeometryReference.h"
 
 #include <gtest/gtest.h>
@@ -19,17 +19,17 @@ namespace
 using coretest::Dice;
 using skd::Box3;
 using skd::Frame;
-using skd::Raster;
+using skd::QuantizationGrid;
 using skd::Vector3;
 
-constexpr int Width = skd::TrianglePack::Width;
+constexpr int Width = skd::TrianglePacket::Width;
 
-/// Eight triangles of a data set, in the world and as a sieve keeps them.
+/// Eight triangles of a data set, in the world and as a leaf filter keeps them.
 struct Packed
 {
   Vector3 Corners[Width][3];
   Frame<3> TheFrame;
-  skd::TrianglePack Pack;
+  skd::TrianglePacket Packet;
 
   /// The data set spans `bounds`, in which all triangles are.
   void Fill(const Box3& bounds)
@@ -43,21 +43,21 @@ struct Packed
       }
     }
     this->TheFrame = Frame<3>::Of(bounds);
-    this->Pack.Raster = Raster(this->TheFrame.Outward(box));
+    this->Packet.Grid = QuantizationGrid(this->TheFrame.Outward(box));
     for (int lane = 0; lane < Width; ++lane)
     {
       for (int corner = 0; corner < 3; ++corner)
       {
-        this->Pack.Set(corner, lane, this->TheFrame.Local(this->Corners[lane][corner]));
+        this->Packet.Set(corner, lane, this->TheFrame.Local(this->Corners[lane][corner]));
       }
     }
   }
 
-  double UnitInWorld() const { return this->Pack.Raster.Unit / this->TheFrame.Scale; }
+  double UnitInWorld() const { return this->Packet.Grid.Unit / this->TheFrame.Scale; }
 };
 
 /// Triangles of all kinds about a place, `size` large.
-Packed RandomPack(Dice& dice, const Vector3& place, double size, const Box3& bounds)
+Packed RandomPacket(Dice& dice, const Vector3& place, double size, const Box3& bounds)
 {
   Packed packed;
   for (auto& triangle : packed.Corners)
@@ -97,7 +97,7 @@ struct Setting
   double Smallness;
 };
 
-class Sieves : public ::testing::TestWithParam<Setting>
+class LeafFilters : public ::testing::TestWithParam<Setting>
 {
 protected:
   Dice Random{ 21 };
@@ -114,7 +114,7 @@ protected:
   Packed Make()
   {
     const Vector3 place = GetParam().Offset + this->Random.Point(0.5 * GetParam().Scale);
-    return RandomPack(this->Random, place, this->Size(), this->Bounds());
+    return RandomPacket(this->Random, place, this->Size(), this->Bounds());
   }
 
   /// Near the triangles, on one of them, or anywhere.
@@ -134,12 +134,12 @@ protected:
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Everywhere, Sieves,
+INSTANTIATE_TEST_SUITE_P(Everywhere, LeafFilters,
   ::testing::Values(Setting{ { { 0, 0, 0 } }, 1.0, 0.5 }, Setting{ { { 0, 0, 0 } }, 1.0, 1e-4 },
     Setting{ { { 0, 0, 0 } }, 1.0, 1e-12 }, Setting{ { { 1e6, -1e6, 3e5 } }, 1.0, 1e-2 },
     Setting{ { { 0, 0, 0 } }, 1e-20, 1e-3 }, Setting{ { { 0, 0, 0 } }, 1e20, 1e-3 }));
 
-TEST_P(Sieves, DistancesAreWithinTheirBounds)
+TEST_P(LeafFilters, DistancesAreWithinTheirBounds)
 {
   int tight = 0;
   for (int i = 0; i < 2000; ++i)
@@ -147,7 +147,7 @@ TEST_P(Sieves, DistancesAreWithinTheirBounds)
     const Packed packed = this->Make();
     const Vector3 x = this->PointFor(packed);
     const skd::TriangleDistances bounds(
-      packed.Pack, packed.Pack.Raster.Of(packed.TheFrame.Local(x)));
+      packed.Packet, packed.Packet.Grid.Of(packed.TheFrame.Local(x)));
     for (int lane = 0; lane < Width; ++lane)
     {
       const Vector3* p = packed.Corners[lane];
@@ -161,15 +161,15 @@ TEST_P(Sieves, DistancesAreWithinTheirBounds)
   EXPECT_GT(tight, 2000 * Width * 3 / 4);
 }
 
-TEST_P(Sieves, WithinTheLimitAreThoseThatMayBeNearEnough)
+TEST_P(LeafFilters, WithinTheLimitAreThoseThatMayBeNearEnough)
 {
   for (int i = 0; i < 300; ++i)
   {
     const Packed packed = this->Make();
     const Vector3 x = this->PointFor(packed);
-    const float unit = packed.Pack.Raster.Unit;
+    const float unit = packed.Packet.Grid.Unit;
     const skd::TriangleDistances bounds(
-      packed.Pack, packed.Pack.Raster.Of(packed.TheFrame.Local(x)));
+      packed.Packet, packed.Packet.Grid.Of(packed.TheFrame.Local(x)));
     double nearest2 = std::numeric_limits<double>::infinity();
     for (const auto& p : packed.Corners)
     {
@@ -193,7 +193,7 @@ TEST_P(Sieves, WithinTheLimitAreThoseThatMayBeNearEnough)
   }
 }
 
-TEST_P(Sieves, NoHitIsMissed)
+TEST_P(LeafFilters, NoHitIsMissed)
 {
   int hits = 0;
   int passed = 0;
@@ -210,7 +210,7 @@ TEST_P(Sieves, NoHitIsMissed)
     const skd::SegmentView view(segment);
     skd::TriangleCrossings crossings(view.GetShear());
     crossings.Aim(packed.TheFrame.Local(segment.A), 1e-15);
-    const unsigned met = crossings.MayMeet(packed.Pack);
+    const unsigned met = crossings.MayMeet(packed.Packet);
     for (int lane = 0; lane < Width; ++lane)
     {
       const Vector3* p = packed.Corners[lane];
@@ -223,14 +223,14 @@ TEST_P(Sieves, NoHitIsMissed)
     }
   }
   EXPECT_GT(hits, 500);
-  if (GetParam().Smallness > 1e-9) // else they are about as small as the raster can tell apart
+  if (GetParam().Smallness > 1e-9) // else they are about as small as the grid can tell apart
   {
     EXPECT_LT(passed, 3000 * Width * 3 / 4);
   }
 }
 
 // A line that runs past a triangle by the margin still passes.
-TEST_P(Sieves, AMarginWidensTriangles)
+TEST_P(LeafFilters, AMarginWidensTriangles)
 {
   const double margin = 0.1 * this->Size() / GetParam().Scale;
   for (int i = 0; i < 500; ++i)
@@ -242,46 +242,46 @@ TEST_P(Sieves, AMarginWidensTriangles)
     const Vector3 through = aim[0] + aside;
     skd::TriangleCrossings crossings{ skd::Shear(reach) };
     crossings.Aim(packed.TheFrame.Local(through - reach), margin);
-    const unsigned met = crossings.MayMeet(packed.Pack);
+    const unsigned met = crossings.MayMeet(packed.Packet);
     ASSERT_TRUE(met >> (&aim - packed.Corners) & 1u);
   }
 }
 
 /// Volume cells of one shape, eight a row of planes.
 template <class Shape>
-class CellSieves : public ::testing::Test
+class CellLeafFilters : public ::testing::Test
 {
 };
 
 using Shapes = ::testing::Types<skd::Tetrahedron, skd::Hexahedron, skd::Wedge, skd::Pyramid>;
-TYPED_TEST_SUITE(CellSieves, Shapes);
+TYPED_TEST_SUITE(CellLeafFilters, Shapes);
 
 /// The planes of a cell's faces in one of the lanes.
 template <class Shape>
 struct CellPlanes
 {
-  Raster TheRaster;
+  QuantizationGrid TheGrid;
   skd::PlaneRow Rows[Shape::NumberOfFaces];
 
   CellPlanes(const std::vector<Vector3>& points, int lane)
-    : TheRaster(skd::FloatBox<3>{ { -3, -3, -3 }, { 3, 3, 3 } })
+    : TheGrid(skd::FloatBox<3>{ { -3, -3, -3 }, { 3, 3, 3 } })
   {
-    std::vector<Vector3> onRaster;
+    std::vector<Vector3> onGrid;
     for (const Vector3& point : points)
     {
-      onRaster.push_back(this->TheRaster.Of(point));
+      onGrid.push_back(this->TheGrid.Of(point));
     }
     for (int face = 0; face < Shape::NumberOfFaces; ++face)
     {
-      const Vector3 across = skd::FaceNormal<Shape>(onRaster.data(), face);
+      const Vector3 across = skd::FaceNormal<Shape>(onGrid.data(), face);
       this->Rows[face].SetAlongFace(lane, (face + lane) % 2 == 0 ? across : -1.0 * across,
-        onRaster[Shape::Faces[face][0]], onRaster.data(), Shape::Size, skd::PlaneRow::Rounding);
+        onGrid[Shape::Faces[face][0]], onGrid.data(), Shape::Size, skd::PlaneRow::Rounding);
     }
   }
 
   unsigned MayHold(const Vector3& x) const
   {
-    const Vector3 local = this->TheRaster.Of(x);
+    const Vector3 local = this->TheGrid.Of(x);
     const float place[3] = { float(local[0]), float(local[1]), float(local[2]) };
     unsigned held = 0xffu;
     for (const skd::PlaneRow& row : this->Rows)
@@ -292,7 +292,7 @@ struct CellPlanes
   }
 };
 
-TYPED_TEST(CellSieves, NoPointOfACellIsOutsideOfItsPlanes)
+TYPED_TEST(CellLeafFilters, NoPointOfACellIsOutsideOfItsPlanes)
 {
   Dice dice(22);
   const int count = 3000;
@@ -319,7 +319,7 @@ TYPED_TEST(CellSieves, NoPointOfACellIsOutsideOfItsPlanes)
 
 // Cells of a shape beside each other have the planes that each has alone, in the lanes that are
 // asked for.
-TYPED_TEST(CellSieves, SeveralCellsAtOnceHaveThePlanesOfEach)
+TYPED_TEST(CellLeafFilters, SeveralCellsAtOnceHaveThePlanesOfEach)
 {
   constexpr int size = TypeParam::Size;
   Dice dice(23);

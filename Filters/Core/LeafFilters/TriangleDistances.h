@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Sieves_TriangleDistances_h
-#define skd_Sieves_TriangleDistances_h
+#ifndef skd_LeafFilters_TriangleDistances_h
+#define skd_LeafFilters_TriangleDistances_h
 
-#include "TrianglePack.h"
+#include "TrianglePacket.h"
 
 #include <algorithm>
 
 namespace skd
 {
 
-/// How near to a point the triangles of a pack may come, and how far they are at most.
+/// How near to a point the triangles of a packet may come, and how far they are at most.
 ///
 /// A place of each triangle near to the point is found in single precision. It bounds the distance
 /// from above; from below the corners do, as seen along the line to that place, whatever rounding
@@ -19,22 +19,22 @@ namespace skd
 class TriangleDistances
 {
 public:
-  static constexpr int Width = TrianglePack::Width;
+  static constexpr int Width = TrianglePacket::Width;
 
   float Least[Width]; ///< in units, never above the true distance
   float Most[Width];  ///< never below it
 
-  /// x in units of the raster.
-  SKD_IN_ONE_PIECE TriangleDistances(const TrianglePack& pack, const Vector3& x)
+  /// x in units of the grid.
+  SKD_IN_ONE_PIECE TriangleDistances(const TrianglePacket& packet, const Vector3& x)
   {
-    // What rounding may do to corners (Raster) and to sums of products relative to |x|.
+    // What rounding may do to corners (QuantizationGrid) and to sums of products relative to |x|.
     const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
-    const float error = static_cast<float>(Raster::CornerDistance + 0.3 + 4e-6 * size);
+    const float error = static_cast<float>(QuantizationGrid::CornerDistance + 0.3 + 4e-6 * size);
     const float point[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
       static_cast<float>(x[2]) };
     for (int first = 0; first < Width; first += NativeWidth)
     {
-      this->Set<NativeWidth>(pack, point, error, first);
+      this->Set<NativeWidth>(packet, point, error, first);
     }
   }
 
@@ -65,13 +65,13 @@ private:
   };
 
   template <int W>
-  void Set(const TrianglePack& pack, const float* x, float error, int first)
+  void Set(const TrianglePacket& packet, const float* x, float error, int first)
   {
     using L = Lanes<W>;
     const L zero(0.0f);
-    const LanePoint<W> a = CornersOf<W>(pack, 0, first);
-    const LanePoint<W> u = CornersOf<W>(pack, 1, first) - a;
-    const LanePoint<W> v = CornersOf<W>(pack, 2, first) - a;
+    const LanePoint<W> a = CornersOf<W>(packet, 0, first);
+    const LanePoint<W> u = CornersOf<W>(packet, 1, first) - a;
+    const LanePoint<W> v = CornersOf<W>(packet, 2, first) - a;
     const LanePoint<W> f = LanePoint<W>{ L(x[0]), L(x[1]), L(x[2]) } - a;
     const Place<W> place = Nearest(u, v, f);
 

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Queries_NoSieve_h
-#define skd_Queries_NoSieve_h
+#ifndef skd_Queries_NoLeafFilter_h
+#define skd_Queries_NoLeafFilter_h
 
 #include "../Tree/Node.h"
 
 namespace skd
 {
 
-/// A sieve looks at the elements of a leaf more closely than their boxes do, all at once,
-/// and says which are worth a visit: it may leave out what is proven to be no answer. It gives
+/// A leaf filter, quantized or not, looks at the elements of a leaf more closely than their boxes
+/// do, all at once, and says which are worth a visit: it may leave out what is proven to be no
+/// answer. It gives
 ///   bool Knows(const Node&)                 whether it can, of this node
 ///   unsigned Pass(const Node&, float* keys) as Reach() of a query (Walk.h)
 ///   static constexpr bool SkipsLeaves      whether a leaf's number, and how many elements
@@ -17,7 +18,7 @@ namespace skd
 ///   unsigned Pass(number, count, float* keys), void Fetch(number)
 /// Nearest hands it the limit, too, by reference; AlongSegment first calls Aim(point, margin), in
 /// the frame: where the segment begins, clipped to where the tree is. This one knows nothing.
-struct NoSieve
+struct NoLeafFilter
 {
   static constexpr bool SkipsLeaves = false;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Sieves_CoarseCells_h
-#define skd_Sieves_CoarseCells_h
+#ifndef skd_LeafFilters_CoarseCells_h
+#define skd_LeafFilters_CoarseCells_h
 
 #include "../Geometry/Box.h"
 #include "../Tree/ShortLanes.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Sieves_Raster_h
-#define skd_Sieves_Raster_h
+#ifndef skd_LeafFilters_QuantizationGrid_h
+#define skd_LeafFilters_QuantizationGrid_h
 
 #include "../Tree/Frame.h"
 
@@ -10,13 +10,13 @@
 namespace skd
 {
 
-/// A raster of whole numbers of 16 bits that is laid over a leaf, in space: what is in the
+/// A grid of whole numbers of 16 bits that is laid over a leaf, in space: what is in the
 /// node's box has coordinates of at most Reach. So cells much smaller than the data set are seen as
 /// sharply as large ones, in a quarter of the memory of doubles.
 ///
 /// The unit is never below 2^-46 of the tree's frame, where double precision ends: there a place is
 /// off by less than Slack besides the half unit that rounding costs.
-class Raster
+class QuantizationGrid
 {
 public:
   static constexpr int Reach = 32767;
@@ -26,9 +26,9 @@ public:
   static constexpr double CornerError = 0.5 + Slack;
   static constexpr double CornerDistance = 0.9;
 
-  Raster() = default;
+  QuantizationGrid() = default;
 
-  explicit Raster(const FloatBox<3>& box)
+  explicit QuantizationGrid(const FloatBox<3>& box)
   {
     double half = 0.0;
     for (int axis = 0; axis < 3; ++axis)

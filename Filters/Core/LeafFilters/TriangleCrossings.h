@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Sieves_TriangleCrossings_h
-#define skd_Sieves_TriangleCrossings_h
+#ifndef skd_LeafFilters_TriangleCrossings_h
+#define skd_LeafFilters_TriangleCrossings_h
 
 #include "../Geometry/Intersection/SegmentTriangle.h"
-#include "TrianglePack.h"
+#include "TrianglePacket.h"
 
 namespace skd
 {
 
-/// A line as packs see it: sheared to run along an axis, as in SegmentTriangle.h, in the tree's
+/// A line as packets see it: sheared to run along an axis, as in SegmentTriangle.h, in the tree's
 /// frame.
 class TriangleCrossings
 {
@@ -21,7 +21,7 @@ public:
   {
   }
 
-  /// `local`: a point of the line, in the frame, that is not much farther from the packs than the
+  /// `local`: a point of the line, in the frame, that is not much farther from the packets than the
   /// tree is wide, or rounding counts for too little. `margin`: by how much triangles may be
   /// missed.
   void Aim(const Vector3& local, double margin)
@@ -33,23 +33,24 @@ public:
   }
 
   /// Bit i: the line may meet the triangle of lane i.
-  SKD_IN_ONE_PIECE unsigned MayMeet(const TrianglePack& pack) const
+  SKD_IN_ONE_PIECE unsigned MayMeet(const TrianglePacket& packet) const
   {
     const Shear& shear = this->TheShear;
-    const float* centre = pack.Raster.Centre;
+    const float* centre = packet.Grid.Centre;
     const double z = centre[shear.Z];
-    const float perUnit = 1.0f / pack.Raster.Unit;
+    const float perUnit = 1.0f / packet.Grid.Unit;
     const float x = perUnit * static_cast<float>(this->X - (centre[shear.X] - shear.SlopeX * z));
     const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
     // A corner's error in the plane across the line, and what that does to products of two corners.
-    const float reach = 2.0f * Raster::Reach + std::max(std::abs(x), std::abs(y));
+    const float reach = 2.0f * QuantizationGrid::Reach + std::max(std::abs(x), std::abs(y));
     const float error =
-      2.0f * (static_cast<float>(Raster::CornerError) + this->Margin * perUnit) + 1e-6f * reach;
+      2.0f * (static_cast<float>(QuantizationGrid::CornerError) + this->Margin * perUnit) +
+      1e-6f * reach;
     const float slack = 4.0f * error * reach + 2.0f * error * error + 1e-6f * reach * reach;
     unsigned met = 0;
-    for (int first = 0; first < TrianglePack::Width; first += NativeWidth)
+    for (int first = 0; first < TrianglePacket::Width; first += NativeWidth)
     {
-      met |= this->Test<NativeWidth>(pack, x, y, slack, first) << first;
+      met |= this->Test<NativeWidth>(packet, x, y, slack, first) << first;
     }
     return met;
   }
@@ -63,21 +64,21 @@ private:
   };
 
   template <int W>
-  Across<W> See(const TrianglePack& pack, int corner, float x, float y, int first) const
+  Across<W> See(const TrianglePacket& packet, int corner, float x, float y, int first) const
   {
     using L = Lanes<W>;
-    const L z = pack.Load<W>(corner, this->TheShear.Z, first);
-    return { pack.Load<W>(corner, this->TheShear.X, first) - L(this->SlopeX) * z - L(x),
-      pack.Load<W>(corner, this->TheShear.Y, first) - L(this->SlopeY) * z - L(y) };
+    const L z = packet.Load<W>(corner, this->TheShear.Z, first);
+    return { packet.Load<W>(corner, this->TheShear.X, first) - L(this->SlopeX) * z - L(x),
+      packet.Load<W>(corner, this->TheShear.Y, first) - L(this->SlopeY) * z - L(y) };
   }
 
   template <int W>
-  unsigned Test(const TrianglePack& pack, float x, float y, float slack, int first) const
+  unsigned Test(const TrianglePacket& packet, float x, float y, float slack, int first) const
   {
     using L = Lanes<W>;
-    const Across<W> a = this->See<W>(pack, 0, x, y, first);
-    const Across<W> b = this->See<W>(pack, 1, x, y, first);
-    const Across<W> c = this->See<W>(pack, 2, x, y, first);
+    const Across<W> a = this->See<W>(packet, 0, x, y, first);
+    const Across<W> b = this->See<W>(packet, 1, x, y, first);
+    const Across<W> c = this->See<W>(packet, 2, x, y, first);
     const L u = b.X * c.Y - b.Y * c.X;
     const L v = c.X * a.Y - c.Y * a.X;
     const L w = a.X * b.Y - a.Y * b.X;

@@ -1,32 +1,32 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Sieves_TrianglePack_h
-#define skd_Sieves_TrianglePack_h
+#ifndef skd_LeafFilters_TrianglePacket_h
+#define skd_LeafFilters_TrianglePacket_h
 
 #include "../Tree/Lanes.h"
-#include "Raster.h"
+#include "QuantizationGrid.h"
 
 namespace skd
 {
 
-/// Up to eight triangles on their raster, and where their corners as they are can be found: three
+/// Up to eight triangles on their grid, and where their corners as they are can be found: three
 /// cache lines.
-struct alignas(64) TrianglePack
+struct alignas(64) TrianglePacket
 {
   static constexpr int Width = 8;
 
-  skd::Raster Raster{};
+  QuantizationGrid Grid{};
   std::int16_t Corners[3][3][Width] = {}; ///< by corner, axis, lane
-  std::uint32_t FirstPoint = 0;           ///< of those that the triangles share (TrianglePacks)
+  std::uint32_t FirstPoint = 0;           ///< of those that the triangles share (TrianglePackets)
   std::uint8_t PointOf[Width][3] = {};    ///< how much farther that of each corner is
 
   /// `place` in the tree's frame.
   void Set(int corner, int lane, const Vector3& place)
   {
-    const Vector3 rounded = this->Raster.Of(place);
+    const Vector3 rounded = this->Grid.Of(place);
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Corners[corner][axis][lane] = skd::Raster::Round(rounded[axis]);
+      this->Corners[corner][axis][lane] = QuantizationGrid::Round(rounded[axis]);
     }
   }
 
@@ -60,10 +60,10 @@ struct LanePoint
 };
 
 template <int W>
-LanePoint<W> CornersOf(const TrianglePack& pack, int corner, int first)
+LanePoint<W> CornersOf(const TrianglePacket& packet, int corner, int first)
 {
-  return { pack.Load<W>(corner, 0, first), pack.Load<W>(corner, 1, first),
-    pack.Load<W>(corner, 2, first) };
+  return { packet.Load<W>(corner, 0, first), packet.Load<W>(corner, 1, first),
+    packet.Load<W>(corner, 2, first) };
 }
 
 }

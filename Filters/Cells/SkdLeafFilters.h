@@ -1,33 +1,33 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdSieves_h
-#define SkdSieves_h
+#ifndef SkdLeafFilters_h
+#define SkdLeafFilters_h
 
 #include "Cells/SkdCellStore.h"
-#include "Core/Sieves/PlaneRow.h"
-#include "Core/Sieves/TriangleSieves.h"
+#include "Core/LeafFilters/PlaneRow.h"
+#include "Core/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Tree/Tree.h"
 
 #include <vector>
 
-/// What the cells of leaves look like on 16-bit rasters, eight at once: enough to see of
-/// most candidates of a query that they need no exact test. Sieves never change an answer: what
-/// they leave out is proven to be no answer, rounding included.
+/// What the cells of leaves look like on 16-bit grids, eight at once: enough to see of
+/// most candidates of a query that they need no exact test. Leaf filters never change an answer:
+/// what they leave out is proven to be no answer, rounding included.
 ///
 /// Triangles are kept as they are, 24 bytes each; volume cells as the planes along their faces, 8
 /// bytes a plane. Where all cells are triangles, their corners lie beside, too, each once a leaf:
 /// 15 bytes a triangle of points in single precision, 30 of others. What a line needs of a
 /// leaf is then at hand at once. Constant once built: any number of threads may use it.
-class SkdSieves
+class SkdLeafFilters
 {
 public:
-  SkdSieves() = default;
+  SkdLeafFilters() = default;
   /// `rounding`: at what distance from a cell a point still counts as inside. Tags the leaves
-  /// that can be sieved: those with nothing but triangles, or nothing but such volume cells.
-  SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
+  /// that can be filtered: those with nothing but triangles, or nothing but such volume cells.
+  SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
 
-  /// For the sieves of Core/Sieves/TriangleSieves.h.
-  skd::TrianglePacks Packs() const
+  /// For the leaf filters of Core/LeafFilters/TriangleLeafFilters.h.
+  skd::TrianglePackets Packets() const
   {
     return { this->Triangles.data(),
       { this->FloatPoints.empty() ? nullptr : this->FloatPoints.data(),
@@ -40,8 +40,8 @@ public:
   public:
     static constexpr bool SkipsLeaves = true;
 
-    Point(const SkdSieves& sieves, const skd::Vector3& local)
-      : Sieves(sieves)
+    Point(const SkdLeafFilters& leafFilters, const skd::Vector3& local)
+      : LeafFilters(leafFilters)
       , Local(local)
     {
     }
@@ -54,74 +54,74 @@ public:
     void Fetch(std::uint32_t number) const;
 
   private:
-    const SkdSieves& Sieves;
+    const SkdLeafFilters& LeafFilters;
     const skd::Vector3& Local;
   };
 
   std::size_t MemorySize() const;
 
 private:
-  /// The planes of a leaf's cells: where they begin, and the raster that they are on.
-  struct PlaneBlock
+  /// The planes of a leaf's cells: where they begin, and the grid that they are on.
+  struct PlanePacket
   {
-    skd::Raster Raster;
+    skd::QuantizationGrid Grid;
     std::uint32_t FirstRow;
     std::uint32_t Count; ///< of rows
   };
 
-  // A tag is twice the number of a pack of triangles, or of a block of planes and 1 more. If all
-  // leaves have packs, or all blocks, these have the numbers of the nodes, and inner nodes
-  // have a note about those of their children.
+  // A tag is twice the number of a packet of triangles, or of a packet of planes and 1 more. If all
+  // leaves have packets, or all packets of planes, these have the numbers of the nodes, and inner
+  // nodes have a note about those of their children.
   static bool HasPlanes(const skd::Node<3>& node)
   {
     return (node.Tag & 1u) != 0 && node.Tag != skd::Node<3>::NoTag;
   }
 
-  static std::uint32_t TagOfBlock(std::uint32_t block) { return 2 * block + 1; }
+  static std::uint32_t TagOfPlanes(std::uint32_t packet) { return 2 * packet + 1; }
 
-  /// Of leaves, and of those that have a pack or a block.
+  /// Of leaves, and of those that have a packet of either kind.
   struct Counts
   {
     std::uint32_t Leaves = 0;
-    std::uint32_t Packs = 0;
-    std::uint32_t Blocks = 0;
+    std::uint32_t Packets = 0;
+    std::uint32_t PlanePackets = 0;
   };
 
-  /// Tags leaves for a pack, or with the number of rows that they need.
+  /// Tags leaves for a packet, or with the number of rows that they need.
   static Counts Census(const SkdCellStore& store, skd::Tree<3>& tree);
   static void CountIn(
     const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts);
-  /// Gives packs and blocks their numbers, but packs of all leaves, which take theirs when
+  /// Gives packets their numbers, but packets of all leaves, which take theirs when
   /// they are filled. Whether the numbers are those of the leaves.
   bool Number(skd::Tree<3>& tree, const Counts& counts);
   void NumberRows();
   void FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf);
   void FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree);
-  /// `firsts`: where the points of each piece of the packs begin.
+  /// `firsts`: where the points of each piece of the packets begin.
   template <class Real>
   void CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
     const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points);
   void FillPlanes(
     const SkdCellStore& store, const skd::Tree<3>& tree, const skd::Node<3>& leaf, double rounding);
 
-  skd::RawVector<skd::TrianglePack> Triangles;
-  skd::RawVector<float> FloatPoints; // of the packs, in turn, if all leaves have one: in
+  skd::RawVector<skd::TrianglePacket> Triangles;
+  skd::RawVector<float> FloatPoints; // of the packets, in turn, if all leaves have one: in
   skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
-  skd::RawVector<PlaneBlock> Blocks;
-  skd::RawVector<skd::PlaneRow> Rows; // those of a block in turn
-  std::uint32_t CommonRows = 0;       // of each block, or 0
+  skd::RawVector<PlanePacket> PlanePackets;
+  skd::RawVector<skd::PlaneRow> Rows; // those of a packet in turn
+  std::uint32_t CommonRows = 0;       // of each packet, or 0
 };
 
 //------------------------------------------------------------------------------
-inline unsigned SkdSieves::Point::Pass(std::uint32_t number, std::uint32_t count, float*) const
+inline unsigned SkdLeafFilters::Point::Pass(std::uint32_t number, std::uint32_t count, float*) const
 {
-  const PlaneBlock& block = this->Sieves.Blocks[number];
-  const skd::PlaneRow* row = this->Sieves.Rows.data() + block.FirstRow;
-  const skd::Vector3 x = block.Raster.Of(this->Local);
+  const PlanePacket& packet = this->LeafFilters.PlanePackets[number];
+  const skd::PlaneRow* row = this->LeafFilters.Rows.data() + packet.FirstRow;
+  const skd::Vector3 x = packet.Grid.Of(this->Local);
   const float place[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
     static_cast<float>(x[2]) };
   unsigned passed = skd::LowBits(count);
-  for (std::uint32_t i = 0; i < block.Count && passed != 0; ++i)
+  for (std::uint32_t i = 0; i < packet.Count && passed != 0; ++i)
   {
     passed &= row[i].MayHold(place);
   }
@@ -129,13 +129,14 @@ inline unsigned SkdSieves::Point::Pass(std::uint32_t number, std::uint32_t count
 }
 
 //------------------------------------------------------------------------------
-inline void SkdSieves::Point::Fetch(std::uint32_t number) const
+inline void SkdLeafFilters::Point::Fetch(std::uint32_t number) const
 {
-  skd::FetchLines<sizeof(PlaneBlock)>(&this->Sieves.Blocks[number]);
-  const std::uint32_t rows = this->Sieves.CommonRows;
+  skd::FetchLines<sizeof(PlanePacket)>(&this->LeafFilters.PlanePackets[number]);
+  const std::uint32_t rows = this->LeafFilters.CommonRows;
   for (std::uint32_t i = 0; i < rows; ++i)
   {
-    skd::FetchLines<sizeof(skd::PlaneRow)>(&this->Sieves.Rows[number * std::uint64_t(rows) + i]);
+    skd::FetchLines<sizeof(skd::PlaneRow)>(
+      &this->LeafFilters.Rows[number * std::uint64_t(rows) + i]);
   }
 }
 

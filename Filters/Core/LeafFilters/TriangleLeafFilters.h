@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sieves (NoSieve.h) that look at the packs of triangles kept for leaves: an even tag is
-/// twice the number of a node's pack.
-#ifndef skd_Sieves_TriangleSieves_h
-#define skd_Sieves_TriangleSieves_h
+/// Leaf filters (NoLeafFilter.h) that look at the packets of triangles kept for leaves: an even tag
+/// is twice the number of a node's packet.
+#ifndef skd_LeafFilters_TriangleLeafFilters_h
+#define skd_LeafFilters_TriangleLeafFilters_h
 
 #include "../Tree/Node.h"
 #include "TriangleCrossings.h"
@@ -13,9 +13,9 @@
 namespace skd
 {
 
-/// The corners that packs name, each once a pack, as the data set has them: in single precision
+/// The corners that packets name, each once a packet, as the data set has them: in single precision
 /// where it has no more.
-struct PackPoints
+struct PacketPoints
 {
   const float* Floats = nullptr; ///< one of the two
   const double* Doubles = nullptr;
@@ -28,7 +28,7 @@ struct PackPoints
       : Vector3{ { this->Doubles[at], this->Doubles[at + 1], this->Doubles[at + 2] } };
   }
 
-  /// As many as packs have usually.
+  /// As many as packets have usually.
   void Fetch(std::uint32_t first) const
   {
     const std::size_t at = 3 * std::size_t(first);
@@ -43,23 +43,26 @@ struct PackPoints
   }
 };
 
-/// The packs of a tree's leaves.
-class TrianglePacks
+/// The packets of a tree's leaves.
+class TrianglePackets
 {
 public:
-  TrianglePacks(const TrianglePack* first, const PackPoints& points)
+  TrianglePackets(const TrianglePacket* first, const PacketPoints& points)
     : First(first)
     , Points(points)
   {
   }
 
   static bool Has(const Node<3>& node) { return (node.Tag & 1u) == 0; }
-  static std::uint32_t TagOf(std::uint32_t pack) { return 2 * pack; }
+  static std::uint32_t TagOf(std::uint32_t packet) { return 2 * packet; }
   static std::uint32_t NumberOf(const Node<3>& leaf) { return leaf.Tag >> 1; }
-  const TrianglePack& Of(std::uint32_t number) const { return this->First[number]; }
-  void Fetch(std::uint32_t number) const { FetchLines<sizeof(TrianglePack)>(this->First + number); }
+  const TrianglePacket& Of(std::uint32_t number) const { return this->First[number]; }
+  void Fetch(std::uint32_t number) const
+  {
+    FetchLines<sizeof(TrianglePacket)>(this->First + number);
+  }
 
-  /// Whether there are points: the packs are then those of all leaves, by number.
+  /// Whether there are points: the packets are then those of all leaves, by number.
   bool HavePoints() const { return this->Points.Floats || this->Points.Doubles; }
   void FetchPoints(std::uint32_t number) const
   {
@@ -67,86 +70,86 @@ public:
   }
   Vector3 Corner(std::uint32_t number, std::uint32_t lane, int corner) const
   {
-    const TrianglePack& pack = this->First[number];
-    return this->Points.At(pack.FirstPoint + pack.PointOf[lane][corner]);
+    const TrianglePacket& packet = this->First[number];
+    return this->Points.At(packet.FirstPoint + packet.PointOf[lane][corner]);
   }
 
 private:
-  const TrianglePack* First;
-  PackPoints Points;
+  const TrianglePacket* First;
+  PacketPoints Points;
 };
 
 /// Lower bounds of distances. With `OnlyNearest` also upper ones: these limit the search.
 template <bool OnlyNearest>
-class DistanceSieve
+class DistanceLeafFilter
 {
 public:
   static constexpr bool SkipsLeaves = true;
 
   /// `local`: the point in the tree's frame.
-  DistanceSieve(const TrianglePacks& packs, const Vector3& local)
-    : Packs(packs)
+  DistanceLeafFilter(const TrianglePackets& packets, const Vector3& local)
+    : Packets(packets)
     , Local(local)
   {
   }
 
-  bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
+  bool Knows(const Node<3>& node) const { return TrianglePackets::Has(node); }
 
   unsigned Pass(const Node<3>& leaf, float* keys, float& limit) const
   {
-    return this->Pass(TrianglePacks::NumberOf(leaf), leaf.Count, keys, limit);
+    return this->Pass(TrianglePackets::NumberOf(leaf), leaf.Count, keys, limit);
   }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const
   {
-    const TrianglePack& pack = this->Packs.Of(number);
-    const TriangleDistances distances(pack, pack.Raster.Of(this->Local));
+    const TrianglePacket& packet = this->Packets.Of(number);
+    const TriangleDistances distances(packet, packet.Grid.Of(this->Local));
     if constexpr (OnlyNearest)
     {
-      limit = std::min(limit, distances.LeastMost2(static_cast<int>(count), pack.Raster.Unit));
+      limit = std::min(limit, distances.LeastMost2(static_cast<int>(count), packet.Grid.Unit));
     }
-    return distances.Within(limit, pack.Raster.Unit, keys) & LowBits(count);
+    return distances.Within(limit, packet.Grid.Unit, keys) & LowBits(count);
   }
-  void Fetch(std::uint32_t number) const { this->Packs.Fetch(number); }
+  void Fetch(std::uint32_t number) const { this->Packets.Fetch(number); }
 
 private:
-  TrianglePacks Packs;
+  TrianglePackets Packets;
   Vector3 Local;
 };
 
 /// Which triangles a line may meet.
-class LineSieve
+class LineLeafFilter
 {
 public:
   static constexpr bool SkipsLeaves = true;
 
   /// `shear`: that of the line's direction.
-  LineSieve(const TrianglePacks& packs, const Shear& shear)
-    : Packs(packs)
+  LineLeafFilter(const TrianglePackets& packets, const Shear& shear)
+    : Packets(packets)
     , Crossings(shear)
   {
   }
 
   void Aim(const Vector3& local, double margin) { this->Crossings.Aim(local, margin); }
 
-  bool Knows(const Node<3>& node) const { return TrianglePacks::Has(node); }
+  bool Knows(const Node<3>& node) const { return TrianglePackets::Has(node); }
 
   unsigned Pass(const Node<3>& leaf, float* keys) const
   {
-    return this->Pass(TrianglePacks::NumberOf(leaf), leaf.Count, keys);
+    return this->Pass(TrianglePackets::NumberOf(leaf), leaf.Count, keys);
   }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const
   {
-    if (this->Packs.HavePoints())
+    if (this->Packets.HavePoints())
     {
-      this->Packs.FetchPoints(number);
+      this->Packets.FetchPoints(number);
     }
     std::fill(keys, keys + Node<3>::Width, 0.0f);
-    return this->Crossings.MayMeet(this->Packs.Of(number)) & LowBits(count);
+    return this->Crossings.MayMeet(this->Packets.Of(number)) & LowBits(count);
   }
-  void Fetch(std::uint32_t number) const { this->Packs.Fetch(number); }
+  void Fetch(std::uint32_t number) const { this->Packets.Fetch(number); }
 
 private:
-  TrianglePacks Packs;
+  TrianglePackets Packets;
   TriangleCrossings Crossings;
 };
 

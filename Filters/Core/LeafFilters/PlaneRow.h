@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Sieves_PlaneRow_h
-#define skd_Sieves_PlaneRow_h
+#ifndef skd_LeafFilters_PlaneRow_h
+#define skd_LeafFilters_PlaneRow_h
 
 #include "../Tree/Lanes.h"
-#include "Raster.h"
+#include "QuantizationGrid.h"
 
 namespace skd
 {
 
-/// The corners of eight cells of one shape, on the raster: by corner, axis and cell. Those that are
+/// The corners of eight cells of one shape, on the grid: by corner, axis and cell. Those that are
 /// not set are in the middle.
 template <class Shape>
 class CornerLanes
@@ -34,19 +34,19 @@ private:
 };
 
 /// A plane for each of eight cells that has the whole cell on one side: Normal . x is at most
-/// Offset * OffsetUnit there, on the raster. Normals are whole numbers, and no error: with each
+/// Offset * OffsetUnit there, on the grid. Normals are whole numbers, and no error: with each
 /// goes the offset that it needs.
 struct alignas(64) PlaneRow
 {
   static constexpr int Width = 8;
-  static constexpr double OffsetUnit = 4.0 * Raster::Reach; ///< no product is greater
+  static constexpr double OffsetUnit = 4.0 * QuantizationGrid::Reach; ///< no product is greater
   /// A margin, in units, above what rounding does to corners, to a point and in MayHold().
   static constexpr double Rounding = 0.25;
 
   std::int16_t Normal[3][Width] = {};
   std::int16_t Offset[Width] = {}; // 0 . x <= 0: until it is set, a plane excludes nothing
 
-  /// The plane along a face of what the points (on the raster) span, beside them all and `margin`
+  /// The plane along a face of what the points (on the grid) span, beside them all and `margin`
   /// away from them, given a direction across it, either way, and a point of it: outward is where
   /// the points reach less far from there. A direction without length excludes nothing.
   void SetAlongFace(int lane, const Vector3& across, const Vector3& onFace, const Vector3* points,
@@ -81,7 +81,7 @@ struct alignas(64) PlaneRow
     }
   }
 
-  /// Bit i: x, which is within the raster's reach, may be in the cell of lane i.
+  /// Bit i: x, which is within the grid's reach, may be in the cell of lane i.
   SKD_IN_ONE_PIECE unsigned MayHold(const float* x) const
   {
     unsigned held = 0;
@@ -151,7 +151,7 @@ private:
     const auto isDirection = (largest > none) & (sum <= most);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Number whole = NearestWhole(across[axis] / largest * double(Raster::Reach));
+      const Number whole = NearestWhole(across[axis] / largest * double(QuantizationGrid::Reach));
       normal[axis] = isDirection ? whole : none;
     }
   }
@@ -164,11 +164,11 @@ private:
     return (value + large) - large;
   }
 
-  /// Within the raster's reach.
+  /// Within the grid's reach.
   template <class Number>
   static Number LeastWholeAbove(const Number& value)
   {
-    const Number most = Number{} + double(Raster::Reach);
+    const Number most = Number{} + double(QuantizationGrid::Reach);
     const Number above = value > -most ? value : -most;
     const Number within = above < most ? above : most;
     const Number nearest = NearestWhole(within);

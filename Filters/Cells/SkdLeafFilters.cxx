@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cells/SkdSieves.h"
+#include "Cells/SkdLeafFilters.h"
 
 #include "Core/Geometry/Cells/CellFaces.h"
 
@@ -16,14 +16,14 @@ namespace
 {
 using Node = skd::Node<3>;
 
-skd::Raster RasterOf(const Node& leaf)
+skd::QuantizationGrid QuantizationGridOf(const Node& leaf)
 {
   skd::FloatBox<3> box = leaf.Boxes.Get(0);
   for (int lane = 1; lane < leaf.Count; ++lane)
   {
     skd::Enclose(box, leaf.Boxes.Get(lane));
   }
-  return skd::Raster(box);
+  return skd::QuantizationGrid(box);
 }
 
 /// Calls visit(shape) with a linear volume cell that may be turned; a voxel's box says it all.
@@ -88,7 +88,7 @@ void ForEachPiece(std::uint64_t count, const Body& body)
 /// The points of a leaf's triangles, each once.
 struct SharedIds
 {
-  std::uint32_t Ids[3 * skd::TrianglePack::Width];
+  std::uint32_t Ids[3 * skd::TrianglePacket::Width];
   std::uint32_t Count = 0;
 
   std::uint8_t PlaceOf(std::uint32_t id)
@@ -103,12 +103,12 @@ struct SharedIds
   }
 };
 
-/// One leaf's part of the rows, and where its cells are on its raster.
+/// One leaf's part of the rows, and where its cells are on its grid.
 struct PlaneFiller
 {
   const SkdCellStore& Store;
   const skd::Frame<3>& Frame;
-  skd::Raster Raster;
+  skd::QuantizationGrid Grid;
   double Margin;
   skd::PlaneRow* Rows;
 
@@ -189,11 +189,11 @@ private:
   void Gather(std::uint32_t cell, int count, const Visit& visit) const
   {
     const std::uint32_t* ids = this->Store.PointIdsOf(cell);
-    const skd::Raster raster = this->Raster; // of our own: its inverse is made once
+    const skd::QuantizationGrid grid = this->Grid; // of our own: its inverse is made once
     for (int i = 0; i < count; ++i)
     {
       const skd::Vector3 world = this->Store.Point(ids[i]);
-      visit(i, raster.Of(this->Frame.Local(world)));
+      visit(i, grid.Of(this->Frame.Local(world)));
     }
   }
 
@@ -213,7 +213,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
+SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
 {
   const bool isInOrder = this->Number(tree, Census(store, tree));
   vtkSMPTools::For(0, static_cast<vtkIdType>(tree.NumberOfNodes()),
@@ -222,11 +222,11 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
       for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
       {
         const Node& node = tree.Open(i);
-        if (node.IsLeaf && skd::TrianglePacks::Has(node))
+        if (node.IsLeaf && skd::TrianglePackets::Has(node))
         {
           if (isInOrder)
           {
-            tree.SetTag(i, skd::TrianglePacks::TagOf(tree.NumberOf(node)));
+            tree.SetTag(i, skd::TrianglePackets::TagOf(tree.NumberOf(node)));
           }
           this->FillTriangles(store, tree, node);
         }
@@ -236,7 +236,8 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
         }
         else if (!node.IsLeaf && isInOrder)
         {
-          tree.SetTag(i, this->Blocks.empty() ? skd::TrianglePacks::TagOf(0) : TagOfBlock(0));
+          tree.SetTag(
+            i, this->PlanePackets.empty() ? skd::TrianglePackets::TagOf(0) : TagOfPlanes(0));
           tree.SetNote(i, tree.LeavesBelow(node));
         }
       }
@@ -248,7 +249,7 @@ SkdSieves::SkdSieves(const SkdCellStore& store, skd::Tree<3>& tree, double round
 }
 
 //------------------------------------------------------------------------------
-SkdSieves::Counts SkdSieves::Census(const SkdCellStore& store, skd::Tree<3>& tree)
+SkdLeafFilters::Counts SkdLeafFilters::Census(const SkdCellStore& store, skd::Tree<3>& tree)
 {
   std::array<Counts, NumberOfPieces> pieces;
   ForEachPiece(tree.NumberOfNodes(),
@@ -265,14 +266,14 @@ SkdSieves::Counts SkdSieves::Census(const SkdCellStore& store, skd::Tree<3>& tre
   for (const Counts& counts : pieces)
   {
     all.Leaves += counts.Leaves;
-    all.Packs += counts.Packs;
-    all.Blocks += counts.Blocks;
+    all.Packets += counts.Packets;
+    all.PlanePackets += counts.PlanePackets;
   }
   return all;
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::CountIn(
+void SkdLeafFilters::CountIn(
   const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts)
 {
   const Node& node = tree.Open(index);
@@ -295,28 +296,28 @@ void SkdSieves::CountIn(
   const bool haveRowsNumbers = tree.NumberOfNodes() < Node::NoTag / 2 / MostPlanes;
   if (triangles == node.Count)
   {
-    tree.SetTag(index, skd::TrianglePacks::TagOf(0));
-    ++counts.Packs;
+    tree.SetTag(index, skd::TrianglePackets::TagOf(0));
+    ++counts.Packets;
   }
   else if (most > 0 && least > 0 && haveRowsNumbers)
   {
-    tree.SetTag(index, TagOfBlock(static_cast<std::uint32_t>(most)));
-    ++counts.Blocks;
+    tree.SetTag(index, TagOfPlanes(static_cast<std::uint32_t>(most)));
+    ++counts.PlanePackets;
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
+bool SkdLeafFilters::Number(skd::Tree<3>& tree, const Counts& counts)
 {
-  const bool isInOrder = counts.Packs == counts.Leaves || counts.Blocks == counts.Leaves;
-  this->Triangles.resize(counts.Packs);
-  this->Blocks.resize(counts.Blocks);
-  if (isInOrder && counts.Blocks == 0)
+  const bool isInOrder = counts.Packets == counts.Leaves || counts.PlanePackets == counts.Leaves;
+  this->Triangles.resize(counts.Packets);
+  this->PlanePackets.resize(counts.PlanePackets);
+  if (isInOrder && counts.PlanePackets == 0)
   {
-    return true; // packs are numbered as they are filled
+    return true; // packets are numbered as they are filled
   }
-  std::uint32_t packs = 0;
-  std::uint32_t blocks = 0;
+  std::uint32_t packets = 0;
+  std::uint32_t planePackets = 0;
   for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
   {
     const Node& node = tree.Open(i);
@@ -324,15 +325,15 @@ bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
     {
       continue;
     }
-    if (skd::TrianglePacks::Has(node))
+    if (skd::TrianglePackets::Has(node))
     {
-      tree.SetTag(i, skd::TrianglePacks::TagOf(packs++));
+      tree.SetTag(i, skd::TrianglePackets::TagOf(packets++));
     }
     else if (HasPlanes(node))
     {
-      const std::uint32_t number = isInOrder ? tree.NumberOf(node) : blocks++;
-      this->Blocks[number].Count = node.Tag >> 1;
-      tree.SetTag(i, TagOfBlock(number));
+      const std::uint32_t number = isInOrder ? tree.NumberOf(node) : planePackets++;
+      this->PlanePackets[number].Count = node.Tag >> 1;
+      tree.SetTag(i, TagOfPlanes(number));
     }
   }
   this->NumberRows();
@@ -340,25 +341,26 @@ bool SkdSieves::Number(skd::Tree<3>& tree, const Counts& counts)
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::NumberRows()
+void SkdLeafFilters::NumberRows()
 {
   std::uint32_t rows = 0;
-  this->CommonRows = this->Blocks.empty() ? 0 : this->Blocks.front().Count;
-  for (PlaneBlock& block : this->Blocks)
+  this->CommonRows = this->PlanePackets.empty() ? 0 : this->PlanePackets.front().Count;
+  for (PlanePacket& packet : this->PlanePackets)
   {
-    block.FirstRow = rows;
-    rows += block.Count;
-    this->CommonRows = block.Count == this->CommonRows ? this->CommonRows : 0;
+    packet.FirstRow = rows;
+    rows += packet.Count;
+    this->CommonRows = packet.Count == this->CommonRows ? this->CommonRows : 0;
   }
   this->Rows.resize(rows);
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf)
+void SkdLeafFilters::FillTriangles(
+  const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf)
 {
-  skd::TrianglePack& pack = this->Triangles[leaf.Tag >> 1];
-  pack = {};
-  pack.Raster = RasterOf(leaf);
+  skd::TrianglePacket& packet = this->Triangles[leaf.Tag >> 1];
+  packet = {};
+  packet.Grid = QuantizationGridOf(leaf);
   SharedIds shared;
   for (int lane = 0; lane < leaf.Count; ++lane)
   {
@@ -367,16 +369,16 @@ void SkdSieves::FillTriangles(const SkdCellStore& store, const skd::Tree<3>& tre
     for (int corner = 0; corner < 3; ++corner)
     {
       const skd::Vector3 world = store.Point(ids[corner]);
-      pack.Set(corner, lane, tree.GetFrame().Local(world));
-      pack.PointOf[lane][corner] = shared.PlaceOf(ids[corner]);
+      packet.Set(corner, lane, tree.GetFrame().Local(world));
+      packet.PointOf[lane][corner] = shared.PlaceOf(ids[corner]);
     }
   }
-  pack.FirstPoint = shared.Count;
+  packet.FirstPoint = shared.Count;
 }
 
 //------------------------------------------------------------------------------
-// So far, packs have said how many points they have.
-void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
+// So far, packets have said how many points they have.
+void SkdLeafFilters::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
 {
   std::vector<std::uint64_t> firsts(NumberOfPieces);
   ForEachPiece(this->Triangles.size(),
@@ -392,7 +394,7 @@ void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
   {
     points += std::exchange(first, points);
   }
-  const std::uint64_t lanes = std::uint64_t(skd::TrianglePack::Width) * this->Triangles.size();
+  const std::uint64_t lanes = std::uint64_t(skd::TrianglePacket::Width) * this->Triangles.size();
   if (std::max(points, lanes) > std::numeric_limits<std::uint32_t>::max())
   {
     return; // lines then ask the store
@@ -411,10 +413,10 @@ void SkdSieves::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
 
 //------------------------------------------------------------------------------
 template <class Real>
-void SkdSieves::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
+void SkdLeafFilters::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
   const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points)
 {
-  const auto copy = [&](const skd::TrianglePack& pack, const skd::ElementRange& elements)
+  const auto copy = [&](const skd::TrianglePacket& packet, const skd::ElementRange& elements)
   {
     for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
     {
@@ -422,7 +424,7 @@ void SkdSieves::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
       for (int corner = 0; corner < 3; ++corner)
       {
         const skd::Vector3 x = store.Point(ids[corner]);
-        const std::size_t point = std::size_t(pack.FirstPoint) + pack.PointOf[lane][corner];
+        const std::size_t point = std::size_t(packet.FirstPoint) + packet.PointOf[lane][corner];
         Real* const at = points.data() + 3 * point;
         at[0] = static_cast<Real>(x[0]);
         at[1] = static_cast<Real>(x[1]);
@@ -443,16 +445,16 @@ void SkdSieves::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
 }
 
 //------------------------------------------------------------------------------
-void SkdSieves::FillPlanes(
+void SkdLeafFilters::FillPlanes(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf, double rounding)
 {
-  PlaneBlock& block = this->Blocks[leaf.Tag >> 1];
-  block.Raster = RasterOf(leaf);
-  skd::PlaneRow* rows = this->Rows.data() + block.FirstRow;
-  std::fill_n(rows, block.Count, skd::PlaneRow());
+  PlanePacket& packet = this->PlanePackets[leaf.Tag >> 1];
+  packet.Grid = QuantizationGridOf(leaf);
+  skd::PlaneRow* rows = this->Rows.data() + packet.FirstRow;
+  std::fill_n(rows, packet.Count, skd::PlaneRow());
   const skd::Frame<3>& frame = tree.GetFrame();
-  const double margin = rounding * frame.Scale / block.Raster.Unit + skd::PlaneRow::Rounding;
-  const PlaneFiller filler{ store, frame, block.Raster, margin, rows };
+  const double margin = rounding * frame.Scale / packet.Grid.Unit + skd::PlaneRow::Rounding;
+  const PlaneFiller filler{ store, frame, packet.Grid, margin, rows };
   std::uint32_t cells[Node::Width];
   for (int lane = 0; lane < leaf.Count; ++lane)
   {
@@ -465,9 +467,10 @@ void SkdSieves::FillPlanes(
 }
 
 //------------------------------------------------------------------------------
-std::size_t SkdSieves::MemorySize() const
+std::size_t SkdLeafFilters::MemorySize() const
 {
-  return this->Triangles.capacity() * sizeof(skd::TrianglePack) +
+  return this->Triangles.capacity() * sizeof(skd::TrianglePacket) +
     this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
-    this->Blocks.capacity() * sizeof(PlaneBlock) + this->Rows.capacity() * sizeof(skd::PlaneRow);
+    this->PlanePackets.capacity() * sizeof(PlanePacket) +
+    this->Rows.capacity() * sizeof(skd::PlaneRow);
 }
