@@ -4,7 +4,7 @@
 
 #include "Core/Geometry/Distance/ClosestTriangles.h"
 #include "Core/Queries/OverlappingPairs.h"
-#include "Core/Tree/BundledBoxes.h"
+#include "Core/Tree/PackedRTree.h"
 #include "Core/Tree/WalkPairs.h"
 #include "Pipeline/SkdLoop.h"
 
@@ -234,7 +234,7 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
 std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
   const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
 {
-  if (auto pairs = this->FindByBundles(near, search, loop))
+  if (auto pairs = this->FindByPackedRTree(near, search, loop))
   {
     return *std::move(pairs);
   }
@@ -244,13 +244,13 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByBundles(
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
   const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
 {
   constexpr std::size_t size = 16; // of a part, in triangles of the first set
   const std::size_t count = near.First.Triangles.size();
   const std::size_t most = 64 * (count + near.Second.Triangles.size()); // looks: more is for trees
-  const skd::BundledBoxes boxes(near.Second.Boxes);
+  const skd::PackedRTree boxes(near.Second.Boxes);
   Search state(this->Placement, search);
   std::atomic<std::size_t> looks{ 0 };
   std::vector<std::vector<SkdTrianglePair>> found((count + size - 1) / size);

@@ -3,7 +3,7 @@
 /**
  * @file SkdTrianglePairs.h
  * @brief Which triangles of two sets, or of one, touch or come near: both trees walked together
- * (Algorithm 5.4), or bundles of boxes searched, decided by exact signs.
+ * (Algorithm 5.4), or a packed R-tree searched, decided by exact signs.
  */
 
 #ifndef SkdTrianglePairs_h
@@ -66,7 +66,7 @@ private:
     const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
 
   /// Nothing where sizes differ so much that trees are better.
-  std::optional<std::vector<SkdTrianglePair>> FindByBundles(
+  std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
     const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
   const SkdPlacement& Placement;

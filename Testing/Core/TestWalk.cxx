@@ -14,7 +14,7 @@ struct LowerEnds
   static constexpr bool Ordered = IsOrdered;
 
   template <int W>
-  unsigned Reach(const skd::Bundle<1, W>& boxes, float* keys) const
+  unsigned Reach(const skd::BoxPacket<1, W>& boxes, float* keys) const
   {
     boxes.Mins(0).Store(keys);
     return LessEqual(boxes.Mins(0), skd::Lanes<W>(this->TheLimit));
@@ -142,7 +142,7 @@ struct KnowsLeaves : LowerEnds<IsOrdered>
   }
   void FetchKnown(std::uint32_t number) const { EXPECT_LT(number, this->Boxes.size()); }
 
-  std::vector<skd::Bundle<1, 8>> Boxes;
+  std::vector<skd::BoxPacket<1, 8>> Boxes;
   int Opened = 0;
   int Known = 0;
 };
@@ -175,7 +175,7 @@ TEST(Walk, OfKnownLeavesEndsWhenVisitSaysSo)
 struct WantsAll : LowerEnds<false>
 {
   template <int W>
-  unsigned Reach(const skd::Bundle<1, W>&, float*) const
+  unsigned Reach(const skd::BoxPacket<1, W>&, float*) const
   {
     return ~0u;
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces that meet for the first time are looked at otherwise than those with trees: by a coarse
-// grid and bundles of what is near, or trees of it. The answers are the same, to the last bit and
-// in their order.
+// grid and a packed R-tree of what is near, or trees of it. The answers are the same, to the last
+// bit and in their order.
 
 #include "Support/SurfaceIntersectionRun.h"
 

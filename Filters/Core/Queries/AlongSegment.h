@@ -46,7 +46,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float* keys) const
+  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float* keys) const
   {
     Lanes<W> enter(0.0f);
     Lanes<W> leave(1.0f);
@@ -165,8 +165,8 @@ private:
         const double inverse = std::min(line.Inverse[axis] * this->PerLength, Most);
         this->Inverse[axis] = Spread(static_cast<float>(sign * inverse));
         const bool isForward = sign > 0.0;
-        this->NearSide[axis] = Bundle<D, Node<D>::Width>::SideAt(axis, !isForward);
-        this->FarSide[axis] = Bundle<D, Node<D>::Width>::SideAt(axis, isForward);
+        this->NearSide[axis] = BoxPacket<D, Node<D>::Width>::SideAt(axis, !isForward);
+        this->FarSide[axis] = BoxPacket<D, Node<D>::Width>::SideAt(axis, isForward);
       });
   }
 

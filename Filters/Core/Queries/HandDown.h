@@ -44,7 +44,7 @@ public:
 
   /// Bit i is set where the box of lane i overlaps.
   template <int W>
-  unsigned Overlapping(const Bundle<D, W>& boxes) const
+  unsigned Overlapping(const BoxPacket<D, W>& boxes) const
   {
     unsigned overlapping = ~0u;
     for (int axis = 0; axis < D; ++axis)
@@ -57,7 +57,7 @@ public:
 
   /// Bit i is set where the box of lane i, and so all in it, is for certain within this one.
   template <int W>
-  unsigned Holding(const Bundle<D, W>& boxes) const
+  unsigned Holding(const BoxPacket<D, W>& boxes) const
   {
     unsigned within = ~0u;
     for (int axis = 0; axis < D; ++axis)

@@ -35,7 +35,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float* keys) const
+  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float* keys) const
   {
     const Lanes<W> nearest = this->Point.MinDistances2(boxes);
     nearest.Store(keys);
@@ -89,7 +89,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float* keys)
+  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float* keys)
   {
     float farthest[W];
     this->Point.MaxDistances2(boxes).Store(farthest);

@@ -36,7 +36,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float*) const
+  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(
@@ -64,7 +64,7 @@ private:
   static constexpr double Rounding = 1e-6;
 
   template <int W>
-  unsigned Inside(const Bundle<D, W>& boxes) const
+  unsigned Inside(const BoxPacket<D, W>& boxes) const
   {
     unsigned inside = ~0u;
     ForEachAxis<D>(
@@ -77,7 +77,7 @@ private:
   }
 
   template <int W>
-  unsigned Overlapping(const Bundle<D, W>& boxes) const
+  unsigned Overlapping(const BoxPacket<D, W>& boxes) const
   {
     const Lanes<W> excess(this->Excess);
     unsigned overlapping = ~0u;

@@ -71,13 +71,13 @@ public:
     return this->First.Outward(this->TheMotion(world));
   }
 
-  Bundle<D, Width> ToFirst(const Bundle<D, Width>& boxes) const
+  BoxPacket<D, Width> ToFirst(const BoxPacket<D, Width>& boxes) const
   {
     if (this->Map.IsFit)
     {
       return this->Map(boxes);
     }
-    Bundle<D, Width> seen;
+    BoxPacket<D, Width> seen;
     for (int lane = 0; lane < Width; ++lane)
     {
       const FloatBox<D> box = boxes.Get(lane);
@@ -86,7 +86,7 @@ public:
     return seen;
   }
 
-  unsigned Overlapping(const Bundle<D, Width>& boxes, const FloatBox<D>& box) const
+  unsigned Overlapping(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(
@@ -99,7 +99,7 @@ public:
   }
 
   /// Of boxes seen by ToFirst and a box of the first tree, or the other way round.
-  unsigned SureOf(const Bundle<D, Width>& boxes, const FloatBox<D>& box) const
+  unsigned SureOf(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
     unsigned sure = 0;
     if constexpr (TellsSure)
@@ -160,9 +160,9 @@ private:
       this->IsFit = this->IsFit && reach < most && factor > 1.0 / most && this->Margin < most;
     }
 
-    Bundle<D, Width> operator()(const Bundle<D, Width>& boxes) const
+    BoxPacket<D, Width> operator()(const BoxPacket<D, Width>& boxes) const
     {
-      Bundle<D, Width> seen;
+      BoxPacket<D, Width> seen;
       ForEachAxis<D>(
         [&](int axis)
         {

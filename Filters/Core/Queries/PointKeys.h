@@ -8,7 +8,7 @@
 namespace skd
 {
 
-/// A point as the boxes of a tree see it: its distances to a bundle of boxes (section 4.1), in the
+/// A point as the boxes of a tree see it: its distances to a packet of boxes (section 4.1), in the
 /// frame, squared. In single precision the point itself is a small box: that keeps least distances
 /// on the low side and greatest ones on the high side. The few roundings of the sum are covered by
 /// the slack of Frame::UpperBound2.
@@ -26,7 +26,7 @@ public:
   }
 
   template <int W>
-  Lanes<W> MinDistances2(const Bundle<D, W>& boxes) const
+  Lanes<W> MinDistances2(const BoxPacket<D, W>& boxes) const
   {
     Lanes<W> sum(0.0f);
     ForEachAxis<D>(
@@ -41,7 +41,7 @@ public:
   }
 
   template <int W>
-  Lanes<W> MaxDistances2(const Bundle<D, W>& boxes) const
+  Lanes<W> MaxDistances2(const BoxPacket<D, W>& boxes) const
   {
     Lanes<W> sum(0.0f);
     ForEachAxis<D>(

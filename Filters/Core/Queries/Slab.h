@@ -42,7 +42,7 @@ public:
 
   /// Bit i is set where the box of lane i comes near enough.
   template <int W>
-  unsigned Overlapping(const Bundle<D, W>& boxes) const
+  unsigned Overlapping(const BoxPacket<D, W>& boxes) const
   {
     Lanes<W> distance(-this->Offset);
     Lanes<W> reach(this->HalfWidth);

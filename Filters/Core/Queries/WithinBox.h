@@ -30,7 +30,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const Bundle<D, W>& boxes, float*) const
+  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(

@@ -16,7 +16,7 @@ namespace skd
 
 /// Up to W boxes side by side, a box a lane, so that one pass of arithmetic tests them all.
 template <int D, int W>
-struct Bundle
+struct BoxPacket
 {
   static constexpr int Width = W;
 
@@ -26,10 +26,10 @@ struct Bundle
   Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
   Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
 
-  /// Where in a bundle a side of the boxes is, to be looked up in many.
+  /// Where in a packet a side of the boxes is, to be looked up in many.
   static std::size_t SideAt(int axis, bool isMax)
   {
-    return (isMax ? offsetof(Bundle, Max) : offsetof(Bundle, Min)) +
+    return (isMax ? offsetof(BoxPacket, Max) : offsetof(BoxPacket, Min)) +
       static_cast<std::size_t>(axis) * sizeof(float[W]);
   }
   Lanes<W> Side(std::size_t at) const
@@ -79,7 +79,7 @@ struct alignas(32) Node
 {
   static constexpr int Width = 8;
 
-  Bundle<D, Width> Boxes;
+  BoxPacket<D, Width> Boxes;
   std::uint32_t First = 0;
   std::uint16_t Count = 0;
   bool IsLeaf = false;

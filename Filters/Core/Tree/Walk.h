@@ -282,7 +282,7 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
 /// A Tree gives IsEmpty(), Open(node index) -> const Node<D>&, Element(position) -> element index.
 /// A Query is a small value that gives
 ///   static constexpr bool Ordered        visit the least key first?
-///   unsigned Reach(const Bundle&, float* keys)
+///   unsigned Reach(const BoxPacket&, float* keys)
 ///                                        bit i: lane i is wanted; if Ordered, its key, a lower
 ///                                        bound of what is sought below that box, is within Limit()
 ///   unsigned ReachElements(const Node&, float* keys)

@@ -13,9 +13,10 @@ namespace skd
 /// The one walk over a pair of trees (Algorithm 5.4).
 ///
 /// A Query gives
-///   ToFirst(boxes)                 a FloatBox or a Bundle of the second tree, seen in the first's
+///   ToFirst(boxes)                 a FloatBox or a BoxPacket of the second tree, seen in the
+///   first's
 ///                                  frame
-///   Overlapping(boxes, box)        a bit for each lane of a Bundle that may hold a pair with a
+///   Overlapping(boxes, box)        a bit for each lane of a BoxPacket that may hold a pair with a
 ///                                  FloatBox, both seen in the first's frame
 ///   SureOf(boxes, box)             a bit for each of these lanes whose element is a pair for sure
 ///   Visit(first, second, isSure)   a pair of elements was reached; false ends the walk

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Tree/BundledBoxes.h"
+#include "Core/Tree/PackedRTree.h"
 
 #include <gtest/gtest.h>
 
@@ -43,11 +43,11 @@ BoxList MakeBoxes(const Scene& scene, unsigned seed)
 /// What overlaps is visited, nothing twice, and nothing that is farther away than `excess`.
 void ExpectRight(const BoxList& boxes, const BoxList& asked, double excess)
 {
-  const skd::BundledBoxes bundled(boxes);
+  const skd::PackedRTree tree(boxes);
   for (const Box3& box : asked)
   {
     std::vector<int> visits(boxes.size(), 0);
-    bundled.ForEachOverlapping(box, [&](std::uint32_t i) { ++visits.at(i); });
+    tree.ForEachOverlapping(box, [&](std::uint32_t i) { ++visits.at(i); });
     const Box3 around = box.Inflated(excess);
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
@@ -67,7 +67,7 @@ void ExpectRight(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-TEST(BundledBoxes, AllThatOverlapAreVisitedOnce)
+TEST(PackedRTree, AllThatOverlapAreVisitedOnce)
 {
   for (const int count : { 1, 7, 8, 9, 64, 65, 700, 5000 })
   {
@@ -78,7 +78,7 @@ TEST(BundledBoxes, AllThatOverlapAreVisitedOnce)
 }
 
 //------------------------------------------------------------------------------
-TEST(BundledBoxes, FlatFarTinyAndHugeOnesAreToo)
+TEST(PackedRTree, FlatFarTinyAndHugeOnesAreToo)
 {
   ExpectRight({ 500, 0.05, 0.0, 1.0, true });
   ExpectRight({ 500, 0.05, 1e6 });
@@ -88,7 +88,7 @@ TEST(BundledBoxes, FlatFarTinyAndHugeOnesAreToo)
 }
 
 //------------------------------------------------------------------------------
-TEST(BundledBoxes, BoxesThatTouchOverlap)
+TEST(PackedRTree, BoxesThatTouchOverlap)
 {
   BoxList boxes;
   for (int i = 0; i < 100; ++i)
@@ -99,7 +99,7 @@ TEST(BundledBoxes, BoxesThatTouchOverlap)
 }
 
 //------------------------------------------------------------------------------
-TEST(BundledBoxes, EqualOnesAreAllVisited)
+TEST(PackedRTree, EqualOnesAreAllVisited)
 {
   const Box3 box({ { 1.0, 2.0, 3.0 } }, { { 1.5, 2.0, 3.0 } });
   ExpectRight(BoxList(77, box), { box }, 0.0);
@@ -108,20 +108,20 @@ TEST(BundledBoxes, EqualOnesAreAllVisited)
 }
 
 //------------------------------------------------------------------------------
-TEST(BundledBoxes, WhatIsFarAwayVisitsNone)
+TEST(PackedRTree, WhatIsFarAwayVisitsNone)
 {
-  const skd::BundledBoxes bundled(MakeBoxes({ 300, 0.05 }, 3));
+  const skd::PackedRTree tree(MakeBoxes({ 300, 0.05 }, 3));
   for (const double x : { -1e300, -1e30, -3.0, 3.0, 1e30, 1e300 })
   {
     const Box3 far({ { x, x, x } }, { { x, x, x } });
-    bundled.ForEachOverlapping(far, [](std::uint32_t) { FAIL(); });
+    tree.ForEachOverlapping(far, [](std::uint32_t) { FAIL(); });
   }
 }
 
 //------------------------------------------------------------------------------
-TEST(BundledBoxes, OfNoneThereIsNone)
+TEST(PackedRTree, OfNoneThereIsNone)
 {
-  const skd::BundledBoxes bundled{ BoxList() };
-  bundled.ForEachOverlapping(
+  const skd::PackedRTree tree{ BoxList() };
+  tree.ForEachOverlapping(
     { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } } }, [](std::uint32_t) { FAIL(); });
 }

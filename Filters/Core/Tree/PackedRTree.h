@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Tree_BundledBoxes_h
-#define skd_Tree_BundledBoxes_h
+#ifndef skd_Tree_PackedRTree_h
+#define skd_Tree_PackedRTree_h
 
 #include "Frame.h"
 #include "Lanes.h"
@@ -16,25 +16,25 @@
 namespace skd
 {
 
-/// Boxes for a few questions: rounded to a lattice of 2^15 steps over all of them, eight side by
-/// side that follow each other along Morton's curve, eight of these, and so on. Made in O(n log n),
-/// in less than half of the time of a tree; good where boxes are small, but not as small as the
-/// lattice's steps.
-class BundledBoxes
+/// A packed R-tree with 16-bit boxes, for a few queries: boxes are rounded to a lattice of 2^15
+/// steps over all of them; eight that follow each other along Morton's curve are a packet, eight
+/// packets the next level's, and so on. Made in O(n log n), in less than half of the time of a
+/// tree; good where boxes are small, but not as small as the lattice's steps.
+class PackedRTree
 {
 public:
-  explicit BundledBoxes(const std::vector<Box3>& boxes)
+  explicit PackedRTree(const std::vector<Box3>& boxes)
     : TheFrame(Frame<3>::Of(BoundsOf(boxes)))
   {
     std::vector<ShortBox> level = this->SortAlongCurve(boxes);
     while (!level.empty())
     {
       this->AddLevel(level);
-      const std::vector<Bundle>& bundles = this->Levels.back();
-      level.resize(bundles.size() > 1 ? bundles.size() : 0);
+      const std::vector<Packet>& packets = this->Levels.back();
+      level.resize(packets.size() > 1 ? packets.size() : 0);
       for (std::size_t i = 0; i < level.size(); ++i)
       {
-        level[i] = bundles[i].GetEnclosure();
+        level[i] = packets[i].GetEnclosure();
       }
     }
   }
@@ -51,10 +51,10 @@ public:
     const WantedBox wanted(this->Rounded(box));
     struct Open
     {
-      std::size_t Bundle;
+      std::size_t Packet;
       unsigned Lanes; // that are left
     };
-    std::array<Open, MostLevels> open; // one bundle a level
+    std::array<Open, MostLevels> open; // one packet a level
     std::size_t level = this->Levels.size() - 1;
     open[level] = { 0, this->Levels[level][0].Overlapping(wanted) };
     while (level < this->Levels.size())
@@ -66,7 +66,7 @@ public:
         continue;
       }
       const std::size_t at =
-        open[level].Bundle * Width + static_cast<std::size_t>(LowestBit(lanes));
+        open[level].Packet * Width + static_cast<std::size_t>(LowestBit(lanes));
       lanes &= lanes - 1;
       if (level > 0)
       {
@@ -107,7 +107,7 @@ private:
     }
   };
 
-  struct Bundle
+  struct Packet
   {
     std::int16_t Min[3][Width];
     std::int16_t Max[3][Width];
@@ -220,17 +220,17 @@ private:
   {
     constexpr std::int16_t beyond = 0x7fff;
     constexpr ShortBox none{ { beyond, beyond, beyond }, { -beyond, -beyond, -beyond } };
-    std::vector<Bundle> bundles((boxes.size() + Width - 1) / Width);
-    for (std::size_t i = 0; i < Width * bundles.size(); ++i)
+    std::vector<Packet> packets((boxes.size() + Width - 1) / Width);
+    for (std::size_t i = 0; i < Width * packets.size(); ++i)
     {
-      bundles[i / Width].Set(i % Width, i < boxes.size() ? boxes[i] : none);
+      packets[i / Width].Set(i % Width, i < boxes.size() ? boxes[i] : none);
     }
-    this->Levels.push_back(std::move(bundles));
+    this->Levels.push_back(std::move(packets));
   }
 
   Frame<3> TheFrame;
   std::vector<std::uint32_t> Order;
-  std::vector<std::vector<Bundle>> Levels; // the first of the boxes themselves
+  std::vector<std::vector<Packet>> Levels; // the first of the boxes themselves
 };
 
 }
