@@ -8,7 +8,7 @@
  * several parts, with cells of any type), as section 6.5 of Khamayseh and Hansen, Commun. Comput.
  * Phys. 2 (2007) 545-576 has it: the cells of a base grid that a part meets are refined, and those
  * of their children that a part meets, until the maximum level is reached. One walk of the parts'
- * skD-trees serves a whole family of cells: what may meet a cell is handed down to its children,
+ * skD-trees serves a whole family of cells: what may meet a cell is passed on to its children,
  * and none is searched from the root again.
  *
  * Cells are closed: a part that touches a cell meets it, so a plane on the faces of cells cuts

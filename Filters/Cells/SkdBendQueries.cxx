@@ -98,12 +98,12 @@ void VisitNormals(const SkdCellStore& store, std::uint32_t cell, Visit visit)
 //------------------------------------------------------------------------------
 template <class Test>
 double SkdCellTree::BendOf(
-  const SkdListedRange& above, const skd::Box3& box, const Test& isMet) const
+  const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const
 {
   thread_local std::vector<skd::Vector3> memory; // asked of every box of a grid
   Bend bend(memory);
   bool isSurface = true;
-  this->VisitListed(above, box,
+  this->VisitCandidates(above, box,
     [&](std::uint32_t cell)
     {
       if (!isSurface || !isMet(cell))
@@ -120,7 +120,7 @@ double SkdCellTree::BendOf(
 }
 
 double SkdCellTree::FindBend(
-  const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const
+  const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const
 {
   return this->BendOf(above, box, [&](std::uint32_t cell) { return this->IsMet(cell, box, test); });
 }
@@ -128,6 +128,6 @@ double SkdCellTree::FindBend(
 double SkdCellTree::FindBend(
   const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const
 {
-  const skd::ListedLanes all = skd::ListAll().front();
+  const skd::CandidateLanes all = skd::AllCandidates().front();
   return this->BendOf({ &all, &all + 1 }, box, isMet);
 }

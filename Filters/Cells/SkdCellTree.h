@@ -11,7 +11,7 @@
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Core/Geometry/Simplices/SimplexSet.h"
-#include "Core/Queries/HandDown.h"
+#include "Core/Queries/CandidateLists.h"
 #include "Core/Tree/LazyTree.h"
 #include "Core/Tree/PaperTree.h"
 #include "Core/Tree/Walk.h"
@@ -77,11 +77,11 @@ enum class SkdOverlapTest
   Blind
 };
 
-/// What may meet a box, as HandDown left it.
-struct SkdListedRange
+/// What may meet a box, as NarrowCandidates left it.
+struct SkdCandidateRange
 {
-  const skd::ListedLanes* First;
-  const skd::ListedLanes* Last;
+  const skd::CandidateLanes* First;
+  const skd::CandidateLanes* Last;
 };
 
 /// The bridge: the cells of a data set, their skD-tree, and every query that a face asks. Constant
@@ -185,35 +185,35 @@ public:
   ///@}
 
   ///@{
-  /// SkdFamilyQueries.cxx: boxes that are parts of boxes (section 6.5, Core/Queries/HandDown.h).
-  /// Whether the cell and the closed box have a point in common. A quad is two triangles, and a
-  /// polygon flat, as they are for segments; a volume cell is what its faces enclose, so taken;
-  /// cells of shape Generic are taken for their boxes.
+  /// SkdFamilyQueries.cxx: boxes that are parts of boxes (section 6.5,
+  /// Core/Queries/CandidateLists.h). Whether the cell and the closed box have a point in common. A
+  /// quad is two triangles, and a polygon flat, as they are for segments; a volume cell is what its
+  /// faces enclose, so taken; cells of shape Generic are taken for their boxes.
   bool Overlaps(std::uint32_t cell, const skd::Box3& box) const;
   bool IsMet(std::uint32_t cell, const skd::Box3& box, SkdOverlapTest test) const;
   /// Whether a cell meets the box; what is left for its parts is appended to `below`.
-  bool HandDown(const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test,
-    std::vector<skd::ListedLanes>& below) const;
+  bool NarrowCandidates(const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test,
+    std::vector<skd::CandidateLanes>& below) const;
   /// How many cells meet the box.
   std::uint32_t CountListed(
-    const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const;
+    const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
   /// SkdBendQueries.cxx: by how much, in radians, the normal of a surface that meets the box is off
   /// the mean of them all; a half turn where something that is no surface of flat cells meets it,
   /// or where they have no mean. Normals are as the order of the cells' points has them.
-  double FindBend(const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const;
+  double FindBend(const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
   /// The same of whatever `isMet(cell)` says of the cells that may meet the box.
   double FindBend(const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const;
   /// Calls visit(cell) for the listed cells that may meet the box.
   template <class Visit>
-  void VisitListed(const SkdListedRange& above, const skd::Box3& box, Visit visit) const
+  void VisitCandidates(const SkdCandidateRange& above, const skd::Box3& box, Visit visit) const
   {
     if (this->Lazy)
     {
-      skd::VisitListed(*this->Lazy, above.First, above.Last, box, visit);
+      skd::VisitCandidates(*this->Lazy, above.First, above.Last, box, visit);
     }
     else
     {
-      skd::VisitListed(this->Eager, above.First, above.Last, box, visit);
+      skd::VisitCandidates(this->Eager, above.First, above.Last, box, visit);
     }
   }
   ///@}
@@ -295,7 +295,7 @@ private:
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
   template <class Test>
-  double BendOf(const SkdListedRange& above, const skd::Box3& box, const Test& isMet) const;
+  double BendOf(const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const;
   void AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
     const SkdCellSource& source, std::vector<double>& parameters) const;
   template <class Visit>

@@ -165,19 +165,21 @@ bool SkdCellTree::IsMet(std::uint32_t cell, const skd::Box3& box, SkdOverlapTest
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellTree::HandDown(const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test,
-  std::vector<skd::ListedLanes>& below) const
+bool SkdCellTree::NarrowCandidates(const SkdCandidateRange& above, const skd::Box3& box,
+  SkdOverlapTest test, std::vector<skd::CandidateLanes>& below) const
 {
   const auto isMet = [&](std::uint32_t cell) { return this->IsMet(cell, box, test); };
-  return this->Lazy ? skd::HandDown(*this->Lazy, above.First, above.Last, box, isMet, below)
-                    : skd::HandDown(this->Eager, above.First, above.Last, box, isMet, below);
+  return this->Lazy
+    ? skd::NarrowCandidates(*this->Lazy, above.First, above.Last, box, isMet, below)
+    : skd::NarrowCandidates(this->Eager, above.First, above.Last, box, isMet, below);
 }
 
 //------------------------------------------------------------------------------
 std::uint32_t SkdCellTree::CountListed(
-  const SkdListedRange& above, const skd::Box3& box, SkdOverlapTest test) const
+  const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const
 {
   std::uint32_t count = 0;
-  this->VisitListed(above, box, [&](std::uint32_t cell) { count += this->IsMet(cell, box, test); });
+  this->VisitCandidates(
+    above, box, [&](std::uint32_t cell) { count += this->IsMet(cell, box, test); });
   return count;
 }

@@ -97,14 +97,14 @@ double SkdParts::FindDistance(const skd::Vector3& x, double limit) const
 bool SkdParts::AreWithin(const skd::SimplexSet& set, double reach) const
 {
   thread_local skd::SimplexSet cellSet; // keeps its memory
-  const skd::ListedLanes all = skd::ListAll().front();
+  const skd::CandidateLanes all = skd::AllCandidates().front();
   const double reach2 = reach * reach;
   bool isFound = false;
   for (std::uint32_t part = 0; part < this->GetNumberOfParts() && !isFound; ++part)
   {
     const SkdCellTree& tree = this->GetTree(part);
     const SkdCellSource source = this->GetSource(part);
-    tree.VisitListed({ &all, &all + 1 }, set.Bounds.Inflated(reach),
+    tree.VisitCandidates({ &all, &all + 1 }, set.Bounds.Inflated(reach),
       [&](std::uint32_t cell)
       {
         if (!isFound && skd::MinDistance2(tree.SafetyBoxOf(cell), set.Bounds) <= reach2)

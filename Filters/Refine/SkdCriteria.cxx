@@ -8,9 +8,9 @@ namespace
 {
 bool IsMetBy(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest test)
 {
-  const skd::ListedLanes all = skd::ListAll().front();
+  const skd::CandidateLanes all = skd::AllCandidates().front();
   bool isMet = false;
-  tree.VisitListed({ &all, &all + 1 }, region.GetBox(),
+  tree.VisitCandidates({ &all, &all + 1 }, region.GetBox(),
     [&](std::uint32_t cell) { isMet = isMet || region.Meets(tree, cell, test); });
   return isMet;
 }

@@ -146,8 +146,8 @@ void SkdFieldCriterion::AddListed(const Column& column, const SkdRegion& region,
 {
   const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
   const SkdCellStore& cells = tree.Cells();
-  const skd::ListedLanes all = skd::ListAll().front();
-  tree.VisitListed({ &all, &all + 1 }, region.GetBox(),
+  const skd::CandidateLanes all = skd::AllCandidates().front();
+  tree.VisitCandidates({ &all, &all + 1 }, region.GetBox(),
     [&](std::uint32_t cell)
     {
       if (look.Passes)

@@ -125,15 +125,15 @@ bool SkdGridRefiner::ForCells(int level, double share, const Body& body)
 }
 
 //------------------------------------------------------------------------------
-SkdGridRefiner::Finding SkdGridRefiner::Examine(
-  const skd::Box3& box, const SkdShortlists& above, std::size_t place, SkdShortlists& below) const
+SkdGridRefiner::Finding SkdGridRefiner::Examine(const skd::Box3& box,
+  const SkdCandidateLists& above, std::size_t place, SkdCandidateLists& below) const
 {
   Finding finding;
-  for (const SkdShortlists::Span& span : above.Of(place))
+  for (const SkdCandidateLists::Span& span : above.Of(place))
   {
-    const SkdListedRange range{ above.GetLanes() + span.First, above.GetLanes() + span.Last };
+    const SkdCandidateRange range{ above.GetLanes() + span.First, above.GetLanes() + span.Last };
     const std::size_t first = below.GetSize();
-    if (this->Parts.GetTree(span.Part).HandDown(
+    if (this->Parts.GetTree(span.Part).NarrowCandidates(
           range, box, this->Settings.Test, below.GetOpenSpan()))
     {
       below.EndSpan(span.Part, first);
@@ -146,12 +146,12 @@ SkdGridRefiner::Finding SkdGridRefiner::Examine(
 }
 
 std::int32_t SkdGridRefiner::Count(
-  const skd::Box3& box, const SkdShortlists& lists, std::size_t place) const
+  const skd::Box3& box, const SkdCandidateLists& lists, std::size_t place) const
 {
   std::uint32_t count = 0;
-  for (const SkdShortlists::Span& span : lists.Of(place))
+  for (const SkdCandidateLists::Span& span : lists.Of(place))
   {
-    const SkdListedRange range{ lists.GetLanes() + span.First, lists.GetLanes() + span.Last };
+    const SkdCandidateRange range{ lists.GetLanes() + span.First, lists.GetLanes() + span.Last };
     count += this->Parts.GetTree(span.Part).CountListed(range, box, this->Settings.Test);
   }
   return static_cast<std::int32_t>(count);
@@ -161,8 +161,8 @@ std::int32_t SkdGridRefiner::Count(
 bool SkdGridRefiner::ExamineLevel(int level)
 {
   const skd::Forest& forest = this->Grid.Forest;
-  const SkdShortlists above =
-    level == 0 ? SkdShortlists::OfAll(this->Parts.GetNumberOfParts()) : std::move(this->Lists);
+  const SkdCandidateLists above =
+    level == 0 ? SkdCandidateLists::OfAll(this->Parts.GetNumberOfParts()) : std::move(this->Lists);
   std::vector<Batch> batches((forest.NumberOfCells(level) + BatchSize - 1) / BatchSize);
   const bool isDone = this->ForCells(level, 0.5,
     [&](std::uint32_t begin, std::uint32_t end)
@@ -181,7 +181,7 @@ bool SkdGridRefiner::ExamineLevel(int level)
 
 void SkdGridRefiner::KeepFindings(int level, const std::vector<Batch>& batches)
 {
-  this->Lists = SkdShortlists();
+  this->Lists = SkdCandidateLists();
   this->Findings.clear();
   for (const Batch& batch : batches)
   {
@@ -227,9 +227,9 @@ bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::B
   }
   const auto spans = this->Lists.Of(cell);
   return std::any_of(spans.begin(), spans.end(),
-    [&](const SkdShortlists::Span& span)
+    [&](const SkdCandidateLists::Span& span)
     {
-      const SkdListedRange range{ this->Lists.GetLanes() + span.First,
+      const SkdCandidateRange range{ this->Lists.GetLanes() + span.First,
         this->Lists.GetLanes() + span.Last };
       return this->Settings.PartLevels[span.Part] > level &&
         this->Parts.GetTree(span.Part).FindBend(range, box, this->Settings.Test) >
@@ -361,14 +361,14 @@ bool SkdGridRefiner::RefineForBalance(int level, std::uint32_t cell)
   children.Resize(forest.NumberOfCells(level + 1));
   this->Grid.Levels[level].Candidates[cell] = -1;
   const std::uint32_t first = forest.FirstChild(level, cell);
-  const SkdShortlists all = SkdShortlists::OfAll(this->Parts.GetNumberOfParts());
+  const SkdCandidateLists all = SkdCandidateLists::OfAll(this->Parts.GetNumberOfParts());
   for (std::uint32_t child = first; child < first + forest.FamilySize(); ++child)
   {
     children.Candidates[child] = 0;
     if (this->Grid.Levels[level].Cut[cell])
     {
       const skd::Box3 box = this->Grid.BoxOf(level + 1, child);
-      SkdShortlists lists;
+      SkdCandidateLists lists;
       const Finding finding = this->Examine(box, all, 0, lists);
       children.Part[child] = finding.Part;
       children.Cut[child] = finding.Part >= 0;

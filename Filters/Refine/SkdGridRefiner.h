@@ -4,7 +4,7 @@
  * @file SkdGridRefiner.h
  * @brief The five steps of section 6.5: base cells, their refinement where parts meet them, and on.
  *
- * Level by level. A cell's list of what may meet it is handed down to its children, so all cells
+ * Level by level. A cell's list of what may meet it is passed on to its children, so all cells
  * together are one walk of the parts' trees. Then growing layers, and at the end the 2:1 balance.
  */
 
@@ -13,9 +13,9 @@
 
 #include "Core/Grid/Balance.h"
 #include "Core/Mesh/Processes.h"
+#include "Refine/SkdCandidateLists.h"
 #include "Refine/SkdCriteria.h"
 #include "Refine/SkdGrid.h"
-#include "Refine/SkdShortlists.h"
 
 class vtkAlgorithm;
 
@@ -57,13 +57,13 @@ private:
   };
   struct Batch
   {
-    SkdShortlists Lists;
+    SkdCandidateLists Lists;
     std::vector<Finding> Findings;
   };
 
-  Finding Examine(const skd::Box3& box, const SkdShortlists& above, std::size_t place,
-    SkdShortlists& below) const;
-  std::int32_t Count(const skd::Box3& box, const SkdShortlists& lists, std::size_t place) const;
+  Finding Examine(const skd::Box3& box, const SkdCandidateLists& above, std::size_t place,
+    SkdCandidateLists& below) const;
+  std::int32_t Count(const skd::Box3& box, const SkdCandidateLists& lists, std::size_t place) const;
   bool ExamineLevel(int level);
   void KeepFindings(int level, const std::vector<Batch>& batches);
   bool MarkLevel(int level, std::vector<char>& marks);
@@ -87,7 +87,7 @@ private:
   SkdGrid& Grid;
   const SkdParts& Parts;
   const SkdRefineSettings& Settings;
-  SkdShortlists Lists; // of the cells of the level that was examined last
+  SkdCandidateLists Lists; // of the cells of the level that was examined last
   std::vector<Finding> Findings;
   std::vector<char> IsNear;      // of base cells: within reach of own ones; empty if all are
   std::uint64_t OwnFamilies = 0; // that were made so far

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdShortlists_h
-#define SkdShortlists_h
+#ifndef SkdCandidateLists_h
+#define SkdCandidateLists_h
 
-#include "Core/Queries/HandDown.h"
+#include "Core/Queries/CandidateLists.h"
 
 #include <vector>
 
 /// For each of a row of boxes, what may meet it of each part.
-class SkdShortlists
+class SkdCandidateLists
 {
 public:
   /// What may meet a box of one part.
@@ -28,12 +28,12 @@ public:
   };
 
   /// One box: all of so many parts.
-  static SkdShortlists OfAll(std::uint32_t parts)
+  static SkdCandidateLists OfAll(std::uint32_t parts)
   {
-    SkdShortlists all;
+    SkdCandidateLists all;
     for (std::uint32_t part = 0; part < parts; ++part)
     {
-      all.Lanes.push_back(skd::ListAll().front());
+      all.Lanes.push_back(skd::AllCandidates().front());
       all.EndSpan(part, part);
     }
     all.EndBox();
@@ -46,11 +46,11 @@ public:
     const Span* spans = this->Spans.data();
     return { spans + this->Boxes[box], spans + this->Boxes[box + 1] };
   }
-  const skd::ListedLanes* GetLanes() const { return this->Lanes.data(); }
+  const skd::CandidateLanes* GetLanes() const { return this->Lanes.data(); }
 
   ///@{
   /// A box at the end: append the lanes of each part and end its span, then end the box.
-  std::vector<skd::ListedLanes>& GetOpenSpan() { return this->Lanes; }
+  std::vector<skd::CandidateLanes>& GetOpenSpan() { return this->Lanes; }
   std::size_t GetSize() const { return this->Lanes.size(); }
   void EndSpan(std::uint32_t part, std::size_t first)
   {
@@ -60,7 +60,7 @@ public:
   ///@}
 
   /// The boxes of another row after those of this.
-  void Append(const SkdShortlists& other)
+  void Append(const SkdCandidateLists& other)
   {
     const std::size_t lanes = this->Lanes.size();
     const std::size_t spans = this->Spans.size();
@@ -78,7 +78,7 @@ public:
 private:
   std::vector<std::size_t> Boxes{ 0 }; // a box has the spans from its entry to the next
   std::vector<Span> Spans;
-  std::vector<skd::ListedLanes> Lanes;
+  std::vector<skd::CandidateLanes> Lanes;
 };
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/HandDown.h"
+#include "Core/Queries/CandidateLists.h"
 #include "Core/Queries/WithinBox.h"
 #include "CoreSupport.h"
 
@@ -12,12 +12,12 @@ namespace
 {
 
 template <class Type>
-class HandDownTest : public ::testing::Test
+class CandidateListsTest : public ::testing::Test
 {
 };
-TYPED_TEST_SUITE(HandDownTest, Dimensions, DimensionNames);
+TYPED_TEST_SUITE(CandidateListsTest, Dimensions, DimensionNames);
 
-using List = std::vector<skd::ListedLanes>;
+using List = std::vector<skd::CandidateLanes>;
 
 template <int D>
 skd::Box<D> Part(const skd::Box<D>& box, unsigned child)
@@ -45,7 +45,7 @@ public:
   void Follow(const skd::Box<D>& box, const List& above, int levels)
   {
     List list;
-    const bool isMet = skd::HandDown(
+    const bool isMet = skd::NarrowCandidates(
       this->TheTree, above.data(), above.data() + above.size(), box,
       [&](std::uint32_t element) { return this->TheBoxes[element].Overlaps(box); }, list);
     const Ids expected =
@@ -53,7 +53,7 @@ public:
     ASSERT_EQ(isMet, !expected.empty());
     ASSERT_EQ(isMet, !list.empty());
     Ids reached;
-    skd::VisitListed(this->TheTree, list.data(), list.data() + list.size(), box,
+    skd::VisitCandidates(this->TheTree, list.data(), list.data() + list.size(), box,
       [&](std::uint32_t element) { reached.push_back(element); });
     const Ids got = Sorted(reached);
     ASSERT_TRUE(std::adjacent_find(got.begin(), got.end()) == got.end());
@@ -71,7 +71,7 @@ private:
   Random Rand{ 5 };
 };
 
-TYPED_TEST(HandDownTest, EachBoxOfAFamilyHasAllThatMeetsIt)
+TYPED_TEST(CandidateListsTest, EachBoxOfAFamilyHasAllThatMeetsIt)
 {
   ForEachTree<TypeParam::Value>(true,
     [](const auto& scene, const auto& tree)
@@ -79,11 +79,11 @@ TYPED_TEST(HandDownTest, EachBoxOfAFamilyHasAllThatMeetsIt)
       constexpr int D = TypeParam::Value;
       Family<D, std::decay_t<decltype(tree)>> family(tree, scene.Boxes);
       const int levels = scene.Boxes.size() > 1000 ? 3 : 4;
-      family.Follow(Around(scene.Boxes), skd::ListAll(), levels);
+      family.Follow(Around(scene.Boxes), skd::AllCandidates(), levels);
     });
 }
 
-TYPED_TEST(HandDownTest, WhatFailsTheTestIsNotHandedDown)
+TYPED_TEST(CandidateListsTest, WhatFailsTheTestIsNoCandidate)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
@@ -91,10 +91,10 @@ TYPED_TEST(HandDownTest, WhatFailsTheTestIsNotHandedDown)
   // The tree cannot tell a thin box from what its node holds: cut across a box of the set.
   skd::Box<D> thin = tree.GetBounds();
   thin.Min = thin.Max = boxes[17].Centroid();
-  const List all = skd::ListAll();
+  const List all = skd::AllCandidates();
   List list;
   int asked = 0;
-  EXPECT_FALSE(skd::HandDown(
+  EXPECT_FALSE(skd::NarrowCandidates(
     tree, all.data(), all.data() + all.size(), thin,
     [&](std::uint32_t)
     {
@@ -106,22 +106,22 @@ TYPED_TEST(HandDownTest, WhatFailsTheTestIsNotHandedDown)
   EXPECT_TRUE(list.empty());
 }
 
-TYPED_TEST(HandDownTest, ABoxAroundAllAsksNothingAndOpensOneNode)
+TYPED_TEST(CandidateListsTest, ABoxAroundAllAsksNothingAndOpensOneNode)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(5000);
   const skd::Tree<D> tree(InputOf(boxes, 8));
   const CountedTree counted(tree);
-  const List all = skd::ListAll();
+  const List all = skd::AllCandidates();
   List list;
-  EXPECT_TRUE(skd::HandDown(
+  EXPECT_TRUE(skd::NarrowCandidates(
     counted, all.data(), all.data() + all.size(), tree.GetBounds().Inflated(1.0),
     [](std::uint32_t) -> bool { throw std::logic_error("asked"); }, list));
   EXPECT_EQ(counted.Opened, 1u);
   EXPECT_EQ(list.size(), 1u);
 }
 
-TYPED_TEST(HandDownTest, AFamilyCostsLessThanSearchesFromTheRoot)
+TYPED_TEST(CandidateListsTest, AFamilyCostsLessThanSearchesFromTheRoot)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LatticeBoxes<D>(4096);
@@ -129,12 +129,13 @@ TYPED_TEST(HandDownTest, AFamilyCostsLessThanSearchesFromTheRoot)
   const CountedTree counted(tree);
   const CountedTree searched(tree);
   skd::Box<D> box = tree.GetBounds();
-  List list = skd::ListAll();
+  List list = skd::AllCandidates();
   for (int level = 0; level < 12; ++level)
   {
     List next;
     const auto meets = [&](std::uint32_t element) { return boxes[element].Overlaps(box); };
-    EXPECT_TRUE(skd::HandDown(counted, list.data(), list.data() + list.size(), box, meets, next));
+    EXPECT_TRUE(
+      skd::NarrowCandidates(counted, list.data(), list.data() + list.size(), box, meets, next));
     auto visitor = [](std::uint32_t) { return true; };
     skd::WithinBox<D, decltype(visitor)> query(tree.GetFrame(), box, visitor);
     skd::Walk(searched, query);
@@ -144,20 +145,21 @@ TYPED_TEST(HandDownTest, AFamilyCostsLessThanSearchesFromTheRoot)
   EXPECT_LT(2 * counted.Opened, searched.Opened);
 }
 
-TYPED_TEST(HandDownTest, AnEmptyTreeOrListOrBoxMeetsNothing)
+TYPED_TEST(CandidateListsTest, AnEmptyTreeOrListOrBoxMeetsNothing)
 {
   constexpr int D = TypeParam::Value;
   const skd::Tree<D> empty(InputOf(Boxes<D>{}, 8));
   const skd::Tree<D> tree(InputOf(RandomBoxes<D>(100), 8));
-  const List all = skd::ListAll();
+  const List all = skd::AllCandidates();
   List list;
   const auto yes = [](std::uint32_t) { return true; };
-  EXPECT_FALSE(skd::HandDown(empty, all.data(), all.data() + 1, tree.GetBounds(), yes, list));
-  EXPECT_FALSE(skd::HandDown(tree, all.data(), all.data(), tree.GetBounds(), yes, list));
-  EXPECT_FALSE(skd::HandDown(tree, all.data(), all.data() + 1, skd::Box<D>(), yes, list));
+  EXPECT_FALSE(
+    skd::NarrowCandidates(empty, all.data(), all.data() + 1, tree.GetBounds(), yes, list));
+  EXPECT_FALSE(skd::NarrowCandidates(tree, all.data(), all.data(), tree.GetBounds(), yes, list));
+  EXPECT_FALSE(skd::NarrowCandidates(tree, all.data(), all.data() + 1, skd::Box<D>(), yes, list));
   skd::Box<D> nowhere = tree.GetBounds();
   nowhere.Max[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(skd::HandDown(tree, all.data(), all.data() + 1, nowhere, yes, list));
+  EXPECT_FALSE(skd::NarrowCandidates(tree, all.data(), all.data() + 1, nowhere, yes, list));
   EXPECT_TRUE(list.empty());
 }
 

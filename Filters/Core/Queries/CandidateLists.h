@@ -3,8 +3,8 @@
 /// @file
 /// A family of boxes against a tree in one walk (section 6.5): each box gets the list of what may
 /// meet it from the box that it is a part of, and none is searched from the root again.
-#ifndef skd_Queries_HandDown_h
-#define skd_Queries_HandDown_h
+#ifndef skd_Queries_CandidateLists_h
+#define skd_Queries_CandidateLists_h
 
 #include "../Tree/Walk.h"
 
@@ -15,14 +15,14 @@ namespace skd
 
 /// Some children of a node, a bit each. They are elements if the node is a leaf; else nodes,
 /// which stand for all that is below them.
-struct ListedLanes
+struct CandidateLanes
 {
   std::uint32_t Node;
   std::uint32_t Lanes;
 };
 
 /// What a box that is not a part of another begins with: all of the tree.
-inline std::vector<ListedLanes> ListAll()
+inline std::vector<CandidateLanes> AllCandidates()
 {
   return { { 0u, ~0u } };
 }
@@ -79,8 +79,8 @@ namespace detail
 /// Lists that one box's turn needs, kept from box to box: no allocation in the long run.
 struct NarrowingLists
 {
-  std::vector<ListedLanes> Elements;
-  std::vector<ListedLanes> Nodes;
+  std::vector<CandidateLanes> Elements;
+  std::vector<CandidateLanes> Nodes;
 };
 
 /// One box's turn of the walk. First what costs least and may settle it: a node within the box
@@ -90,7 +90,7 @@ template <class Tree, int D, class Test>
 class Narrowing
 {
 public:
-  Narrowing(const Tree& tree, const Box<D>& box, Test& test, std::vector<ListedLanes>& list)
+  Narrowing(const Tree& tree, const Box<D>& box, Test& test, std::vector<CandidateLanes>& list)
     : TheTree(tree)
     , TheBox(tree.GetFrame(), box)
     , TheTest(test)
@@ -102,7 +102,7 @@ public:
     this->Nodes.clear();
   }
 
-  void Take(const ListedLanes& lanes)
+  void Take(const CandidateLanes& lanes)
   {
     const auto& node = this->TheTree.Open(lanes.Node);
     const unsigned occupied = (1u << node.Count) - 1u;
@@ -123,7 +123,7 @@ public:
     this->TestElements();
     while (!this->IsMet && !this->Nodes.empty())
     {
-      const ListedLanes lanes = this->Nodes.back();
+      const CandidateLanes lanes = this->Nodes.back();
       this->Nodes.pop_back();
       const auto& node = this->TheTree.Open(lanes.Node);
       ForEachLane(lanes.Lanes, [&](int lane) { this->Take({ Child(node, lane).Index(), ~0u }); });
@@ -146,7 +146,7 @@ private:
   /// Elements that turn out to be aside are dropped; those not looked at stay.
   void TestElements()
   {
-    for (const ListedLanes& lanes : this->Elements)
+    for (const CandidateLanes& lanes : this->Elements)
     {
       unsigned kept = lanes.Lanes;
       if (!this->IsMet)
@@ -171,9 +171,9 @@ private:
   const Tree& TheTree;
   const FamilyBox<D> TheBox;
   Test& TheTest;
-  std::vector<ListedLanes>& List;
-  std::vector<ListedLanes>& Elements;
-  std::vector<ListedLanes>& Nodes;
+  std::vector<CandidateLanes>& List;
+  std::vector<CandidateLanes>& Elements;
+  std::vector<CandidateLanes>& Nodes;
   bool IsMet = false;
 };
 
@@ -184,10 +184,10 @@ private:
 /// it. `test(element)` decides: exactly, or always true, which takes the safety box for the element
 /// ("blind" refinement); it is asked only of elements whose boxes overlap `box`, and only as long
 /// as it says no. The answer does not depend on the order of the list. Thread-safe; `test` must not
-/// hand down itself.
+/// narrow candidates itself.
 template <class Tree, int D, class Test>
-bool HandDown(const Tree& tree, const ListedLanes* first, const ListedLanes* last,
-  const Box<D>& box, Test test, std::vector<ListedLanes>& list)
+bool NarrowCandidates(const Tree& tree, const CandidateLanes* first, const CandidateLanes* last,
+  const Box<D>& box, Test test, std::vector<CandidateLanes>& list)
 {
   if (tree.IsEmpty())
   {
@@ -203,15 +203,15 @@ bool HandDown(const Tree& tree, const ListedLanes* first, const ListedLanes* las
 
 /// Calls `visit(element)` for every element on a list whose box overlaps `box`.
 template <class Tree, int D, class Visit>
-void VisitListed(const Tree& tree, const ListedLanes* first, const ListedLanes* last,
+void VisitCandidates(const Tree& tree, const CandidateLanes* first, const CandidateLanes* last,
   const Box<D>& box, Visit visit)
 {
   const FamilyBox<D> seen(tree.GetFrame(), box);
-  thread_local std::vector<ListedLanes> stack;
+  thread_local std::vector<CandidateLanes> stack;
   stack.assign(first, last);
   while (!tree.IsEmpty() && !stack.empty())
   {
-    const ListedLanes lanes = stack.back();
+    const CandidateLanes lanes = stack.back();
     stack.pop_back();
     const auto& node = tree.Open(lanes.Node);
     const unsigned occupied = (1u << node.Count) - 1u;
