@@ -79,10 +79,10 @@ void vtkSkdTreeRefineAlgorithm::PassOptions()
 {
   SkdRefineOptions& options = this->State->Options;
   options.MaximumLevel = this->MaximumLevel;
-  options.Test = this->Test == EXACT ? SkdOverlapTest::Exact : SkdOverlapTest::Blind;
-  options.RefineByBend = this->RefineByBend;
-  options.BendAngle = this->BendAngle;
-  options.FlatLevel = this->FlatLevel;
+  options.Test = this->OverlapTest == EXACT ? SkdOverlapTest::Exact : SkdOverlapTest::Blind;
+  options.RefineByNormalDeviation = this->RefineByNormalDeviation;
+  options.NormalDeviation = this->NormalDeviation;
+  options.MinimumSurfaceLevel = this->MinimumSurfaceLevel;
   options.InsideLevel = this->InsideLevel;
   options.FieldTest = static_cast<SkdFieldTest>(this->FieldTest);
   options.FieldThreshold = this->FieldThreshold;
@@ -112,7 +112,7 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
-  os << indent << "Test: " << (this->Test == EXACT ? "Exact\n" : "Blind\n");
+  os << indent << "OverlapTest: " << (this->OverlapTest == EXACT ? "Exact\n" : "Blind\n");
   os << indent << "Balance: " << this->Balance << "\n";
   for (const auto& [blockIndex, level] : this->State->PartLevels)
   {
@@ -124,9 +124,9 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "InsideLevel: " << this->InsideLevel << "\n";
   os << indent << "GrowingLayers: " << this->GrowingLayers << "\n";
-  os << indent << "RefineByBend: " << (this->RefineByBend ? "On\n" : "Off\n");
-  os << indent << "BendAngle: " << this->BendAngle << "\n";
-  os << indent << "FlatLevel: " << this->FlatLevel << "\n";
+  os << indent << "RefineByNormalDeviation: " << (this->RefineByNormalDeviation ? "On\n" : "Off\n");
+  os << indent << "NormalDeviation: " << this->NormalDeviation << "\n";
+  os << indent << "MinimumSurfaceLevel: " << this->MinimumSurfaceLevel << "\n";
   for (const std::string& name : this->State->FieldArrays)
   {
     os << indent << "FieldArray: " << name << "\n";

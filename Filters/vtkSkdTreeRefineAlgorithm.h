@@ -28,7 +28,7 @@ public:
   vtkAbstractTypeMacro(vtkSkdTreeRefineAlgorithm, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Tests
+  enum OverlapTests
   {
     EXACT = 0,
     BLIND = 1
@@ -71,8 +71,8 @@ public:
    * part's cells, which makes more cells: about as many where those are small beside the leaves,
    * several times as many where they are large and oblique.
    */
-  vtkSetClampMacro(Test, int, EXACT, BLIND);
-  vtkGetMacro(Test, int);
+  vtkSetClampMacro(OverlapTest, int, EXACT, BLIND);
+  vtkGetMacro(OverlapTest, int);
   ///@}
 
   ///@{
@@ -126,20 +126,20 @@ public:
 
   ///@{
   /**
-   * Where the surface is nearly flat, stop at FlatLevel: from there on refine only cells in which
-   * the normal of a part's cell is more than BendAngle (degrees, 0 to 180) off the mean of that
-   * part's normals in the cell. So edges, strong curvature and narrow gaps within a part get the
-   * maximum level, flat stretches do not. Normals are as the order of the cells' points has them;
-   * where a part has cells that are not flat surfaces it counts as bent. Default off, 15 degrees,
-   * level 3.
+   * Where the surface is nearly flat, stop at MinimumSurfaceLevel: from there on refine only cells
+   * in which the normal of a part's cell is more than NormalDeviation (degrees, 0 to 180) off the
+   * mean of that part's normals in the cell. So edges, strong curvature and narrow gaps within a
+   * part get the maximum level, flat stretches do not. Normals are as the order of the cells'
+   * points has them; where a part has cells that are not flat surfaces it counts as bent. Default
+   * off, 15 degrees, level 3.
    */
-  vtkSetMacro(RefineByBend, bool);
-  vtkGetMacro(RefineByBend, bool);
-  vtkBooleanMacro(RefineByBend, bool);
-  vtkSkdTreeSetWithinMacro(BendAngle, double, 0.0, 180.0);
-  vtkGetMacro(BendAngle, double);
-  vtkSetClampMacro(FlatLevel, int, 0, 30);
-  vtkGetMacro(FlatLevel, int);
+  vtkSetMacro(RefineByNormalDeviation, bool);
+  vtkGetMacro(RefineByNormalDeviation, bool);
+  vtkBooleanMacro(RefineByNormalDeviation, bool);
+  vtkSkdTreeSetWithinMacro(NormalDeviation, double, 0.0, 180.0);
+  vtkGetMacro(NormalDeviation, double);
+  vtkSetClampMacro(MinimumSurfaceLevel, int, 0, 30);
+  vtkGetMacro(MinimumSurfaceLevel, int);
   ///@}
 
   ///@{
@@ -230,13 +230,13 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
   int MaximumLevel = 5;
-  int Test = EXACT;
+  int OverlapTest = EXACT;
   int Balance = NONE;
   int InsideLevel = 0;
   int GrowingLayers = 0;
-  bool RefineByBend = false;
-  double BendAngle = 15.0;
-  int FlatLevel = 3;
+  bool RefineByNormalDeviation = false;
+  double NormalDeviation = 15.0;
+  int MinimumSurfaceLevel = 3;
   int FieldTest = DIFFERENCE;
   double FieldThreshold = 0.0;
   double FieldRange[2] = { 0.0, 1.0 };

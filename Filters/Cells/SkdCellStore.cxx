@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellStore.h"
 
-#include "Cells/SkdBulge.h"
 #include "Cells/SkdCellReader.h"
+#include "Cells/SkdChordalDeviation.h"
 #include "Cells/SkdFaceReader.h"
 
 #include "vtkDataSet.h"
@@ -87,8 +87,7 @@ skd::Box3 Enclose(std::size_t count, const BoxOf& boxOf)
 }
 
 //------------------------------------------------------------------------------
-SkdCellStore::SkdCellStore(
-  vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes)
+SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes)
   : Magnitudes(magnitudes)
 {
   if (!data || data->GetNumberOfCells() == 0 || data->GetNumberOfPoints() == 0)
@@ -157,7 +156,7 @@ void SkdCellStore::ReadReaches(vtkDataSet* data)
   {
     return;
   }
-  SkdBulge bulge(data);
+  SkdChordalDeviation deviation(data);
   for (std::uint32_t cell = 0; cell < this->Count; ++cell)
   {
     if (!isGeneric(this->ShapeOf(cell)))
@@ -166,7 +165,8 @@ void SkdCellStore::ReadReaches(vtkDataSet* data)
     }
     const vtkIdType id = this->IdOf(cell);
     const SkdPolyCell gathered = this->GatherPoly(cell);
-    const double reach = bulge.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
+    const double reach =
+      deviation.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
     if (reach > 1.0)
     {
       this->Reaches.resize(this->Count, 1.0f);

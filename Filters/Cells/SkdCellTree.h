@@ -197,12 +197,14 @@ public:
   /// How many cells meet the box.
   std::uint32_t CountListed(
     const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
-  /// SkdBendQueries.cxx: by how much, in radians, the normal of a surface that meets the box is off
-  /// the mean of them all; a half turn where something that is no surface of flat cells meets it,
-  /// or where they have no mean. Normals are as the order of the cells' points has them.
-  double FindBend(const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
+  /// SkdNormalDeviation.cxx: by how much, in radians, the normal of a surface that meets the box is
+  /// off the mean of them all; a half turn where something that is no surface of flat cells meets
+  /// it, or where they have no mean. Normals are as the order of the cells' points has them.
+  double FindNormalDeviation(
+    const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
   /// The same of whatever `isMet(cell)` says of the cells that may meet the box.
-  double FindBend(const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const;
+  double FindNormalDeviation(
+    const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const;
   /// Calls visit(cell) for the listed cells that may meet the box.
   template <class Visit>
   void VisitCandidates(const SkdCandidateRange& above, const skd::Box3& box, Visit visit) const
@@ -295,7 +297,8 @@ private:
   std::optional<SkdLineHit> Hit(std::uint32_t cell, const skd::SegmentView& view, double tolerance,
     const SkdCellSource& source) const;
   template <class Test>
-  double BendOf(const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const;
+  double NormalDeviationOf(
+    const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const;
   void AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
     const SkdCellSource& source, std::vector<double>& parameters) const;
   template <class Visit>

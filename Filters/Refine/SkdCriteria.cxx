@@ -15,9 +15,9 @@ bool IsMetBy(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest te
   return isMet;
 }
 
-double BendIn(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest test)
+double NormalDeviationIn(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest test)
 {
-  return tree.FindBend(
+  return tree.FindNormalDeviation(
     region.GetBox(), [&](std::uint32_t cell) { return region.Meets(tree, cell, test); });
 }
 
@@ -43,12 +43,12 @@ bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
 
 bool SkdCriteria::IsWantedByParts(int level, const SkdRegion& region, const SkdParts& parts) const
 {
-  const bool isAnyBend = !(this->BendAngle >= 0.0) || level < this->FlatLevel;
+  const bool isAnyDeviation = !(this->NormalDeviation >= 0.0) || level < this->MinimumSurfaceLevel;
   for (std::uint32_t part = 0; part < parts.GetNumberOfParts(); ++part)
   {
     const SkdCellTree& tree = parts.GetTree(part);
     if (level < this->PartLevels[part] && IsMetBy(tree, region, this->Test) &&
-      (isAnyBend || BendIn(tree, region, this->Test) > this->BendAngle))
+      (isAnyDeviation || NormalDeviationIn(tree, region, this->Test) > this->NormalDeviation))
     {
       return true;
     }

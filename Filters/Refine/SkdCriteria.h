@@ -27,10 +27,10 @@ struct SkdCriteria
   int MaximumLevel = 5;
   std::vector<int> PartLevels; ///< one a part: where it meets cells they are refined to that level
   ///@{
-  /// From FlatLevel on, only where a part's normals are farther than this off their mean. In
-  /// radians; negative: everywhere.
-  double BendAngle = -1.0;
-  int FlatLevel = 0;
+  /// From MinimumSurfaceLevel on, only where a part's normals are farther than this off their mean.
+  /// In radians; negative: everywhere.
+  double NormalDeviation = -1.0;
+  int MinimumSurfaceLevel = 0;
   ///@}
   std::vector<SkdDistanceBand> Bands;
   SkdOverlapTest Test = SkdOverlapTest::Exact;

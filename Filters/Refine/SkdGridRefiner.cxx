@@ -221,7 +221,7 @@ bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::B
   {
     return false;
   }
-  if (!(this->Settings.BendAngle >= 0.0) || level < this->Settings.FlatLevel)
+  if (!(this->Settings.NormalDeviation >= 0.0) || level < this->Settings.MinimumSurfaceLevel)
   {
     return true;
   }
@@ -232,8 +232,8 @@ bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::B
       const SkdCandidateRange range{ this->Lists.GetLanes() + span.First,
         this->Lists.GetLanes() + span.Last };
       return this->Settings.PartLevels[span.Part] > level &&
-        this->Parts.GetTree(span.Part).FindBend(range, box, this->Settings.Test) >
-        this->Settings.BendAngle;
+        this->Parts.GetTree(span.Part).FindNormalDeviation(range, box, this->Settings.Test) >
+        this->Settings.NormalDeviation;
     });
 }
 

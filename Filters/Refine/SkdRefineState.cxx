@@ -68,10 +68,10 @@ SkdCriteria SkdRefineState::MakeCriteria() const
     criteria.PartLevels.push_back(
       level == this->PartLevels.end() ? criteria.MaximumLevel : level->second);
   }
-  if (this->Options.RefineByBend)
+  if (this->Options.RefineByNormalDeviation)
   {
-    criteria.BendAngle = vtkMath::RadiansFromDegrees(this->Options.BendAngle);
-    criteria.FlatLevel = this->Options.FlatLevel;
+    criteria.NormalDeviation = vtkMath::RadiansFromDegrees(this->Options.NormalDeviation);
+    criteria.MinimumSurfaceLevel = this->Options.MinimumSurfaceLevel;
   }
   if (this->Options.InsideLevel > 0)
   {

@@ -26,9 +26,9 @@ struct SkdRefineOptions
 {
   int MaximumLevel = 0;
   SkdOverlapTest Test = SkdOverlapTest::Exact;
-  bool RefineByBend = false;
-  double BendAngle = 0.0; ///< degrees
-  int FlatLevel = 0;
+  bool RefineByNormalDeviation = false;
+  double NormalDeviation = 0.0; ///< degrees
+  int MinimumSurfaceLevel = 0;
   int InsideLevel = 0;
   SkdFieldTest FieldTest = SkdFieldTest::Difference;
   double FieldThreshold = 0.0;

@@ -205,8 +205,8 @@ TEST(CurvePair, NearMissesAreNoHits)
   EXPECT_GT(crossings, 200);
 }
 
-// A bend of any curve, not only of one of the two.
-TEST(CommonBend, SeparatesNoCurvesThatMeet)
+// A quadric of any curve, not only of one of the two.
+TEST(SeparatingQuadric, SeparatesNoCurvesThatMeet)
 {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -230,27 +230,28 @@ TEST(CommonBend, SeparatesNoCurvesThatMeet)
     }
     for (const BezierCurve& bent : curves)
     {
-      EXPECT_FALSE(CommonBend(bent.At(0.5)).Separates(curves[0], curves[1], 8e-16)) << round;
+      EXPECT_FALSE(SeparatingQuadric(bent.At(0.5)).Separates(curves[0], curves[1], 8e-16)) << round;
     }
   }
 }
 
-TEST(CommonBend, SeparatesCirclesAboutOneCentre)
+TEST(SeparatingQuadric, SeparatesCirclesAboutOneCentre)
 {
   const BezierCurve circle = Quarter(1.0, 0);
   for (double gap : { 1e-3, 1e-9, 1e-13, -1e-13, -1e-9 })
   {
     const BezierCurve other = Quarter(1.0 + gap, 0);
-    EXPECT_TRUE(CommonBend(circle.At(0.5)).Separates(other, circle, 4e-15)) << gap;
-    EXPECT_FALSE(CommonBend(circle.At(0.5)).Separates(other, circle, 2.0 * std::abs(gap))) << gap;
+    EXPECT_TRUE(SeparatingQuadric(circle.At(0.5)).Separates(other, circle, 4e-15)) << gap;
+    EXPECT_FALSE(SeparatingQuadric(circle.At(0.5)).Separates(other, circle, 2.0 * std::abs(gap)))
+      << gap;
     EXPECT_TRUE(Solve(other, circle).empty()) << gap;
   }
 }
 
-TEST(CommonBend, OfALineIsNone)
+TEST(SeparatingQuadric, OfALineIsNone)
 {
   const BezierCurve line = BezierCurve::Line({ { 0, 0, 0 } }, { { 1, 0, 0 } });
-  EXPECT_FALSE(CommonBend(line.At(0.5)).Separates(line, Quarter(9.0, 0), 0.0));
+  EXPECT_FALSE(SeparatingQuadric(line.At(0.5)).Separates(line, Quarter(9.0, 0), 0.0));
 }
 
 namespace

@@ -188,7 +188,7 @@ TEST(CurvePatch, RandomLinesCrossTheTorusEvenly)
   }
 }
 
-TEST(CommonBend, SeparatesNoCurveFromAPatchThatItMeets)
+TEST(SeparatingQuadric, SeparatesNoCurveFromAPatchThatItMeets)
 {
   std::mt19937 engine(9);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -217,8 +217,8 @@ TEST(CommonBend, SeparatesNoCurveFromAPatchThatItMeets)
     {
       curve.Points[i] = Weighted(curve.Control(i) + shift, curve.Points[i][3]);
     }
-    EXPECT_FALSE(CommonBend(patch).Separates(curve, patch, 8e-16)) << round;
-    EXPECT_FALSE(CommonBend(curve.At(0.4)).Separates(curve, patch, 8e-16)) << round;
+    EXPECT_FALSE(SeparatingQuadric(patch).Separates(curve, patch, 8e-16)) << round;
+    EXPECT_FALSE(SeparatingQuadric(curve.At(0.4)).Separates(curve, patch, 8e-16)) << round;
   }
 }
 

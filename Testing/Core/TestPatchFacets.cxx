@@ -31,16 +31,16 @@ constexpr Kind Kinds[] = { { 1, 1, false, NodeMeaning::Values },
   { 10, 10, true, NodeMeaning::Values }, { 10, 10, false, NodeMeaning::Values } };
 
 /// What random nodes may be off by: equidistant nodes of a high degree make much of little.
-double BendOf(const Kind& kind)
+double CurvingOf(const Kind& kind)
 {
   return kind.DegreeR > 5 ? 1e-5 : (kind.DegreeS > 3 ? 0.01 : 0.1);
 }
 
 /// A face of about a given size, its nodes off a plane's lattice by a share of it.
-NodePatch RandomFace(const Kind& kind, double bend, double size, std::mt19937& random)
+NodePatch RandomFace(const Kind& kind, double curving, double size, std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto any = [&]() { return bend * uniform(random); };
+  const auto any = [&]() { return curving * uniform(random); };
   const auto node = [&](double r, double s)
   {
     const double weight = kind.Meaning == NodeMeaning::Controls ? 1.0 + 0.4 * uniform(random) : 1.0;
@@ -88,7 +88,7 @@ TEST(PatchFacets, AreNoFartherThanTheDeviation)
   {
     for (const double size : { 1.0, 1e-150, 1e150 })
     {
-      const NodePatch face = RandomFace(kind, BendOf(kind), size, random);
+      const NodePatch face = RandomFace(kind, CurvingOf(kind), size, random);
       const double deviation = 1e-3 * size;
       facets.Cut(face, deviation);
       EXPECT_TRUE(facets.IsKept());
@@ -141,9 +141,9 @@ TEST(PatchFacets, AreBoundedByTheirSidesAlone)
   PatchFacets facets;
   for (const Kind& kind : Kinds)
   {
-    for (const double bend : { 0.0, 0.1, 1.0, 4.0 })
+    for (const double curving : { 0.0, 0.1, 1.0, 4.0 })
     {
-      const NodePatch face = RandomFace(kind, bend * BendOf(kind), 1.0, random);
+      const NodePatch face = RandomFace(kind, curving * CurvingOf(kind), 1.0, random);
       facets.Cut(face, 1e-2);
       std::size_t border = 0;
       for (const auto& [edge, uses] : EdgesOf(facets))
@@ -169,7 +169,7 @@ TEST(PatchFacets, AreTheSameFromBothSides)
   std::mt19937 random(13);
   for (const Kind& kind : Kinds)
   {
-    const NodePatch face = RandomFace(kind, 0.5 * BendOf(kind), 1.0, random);
+    const NodePatch face = RandomFace(kind, 0.5 * CurvingOf(kind), 1.0, random);
     PatchFacets facets;
     facets.Cut(face, 1e-3);
     for (int way = 0; way < (face.IsTriangle ? 6 : 8); ++way)

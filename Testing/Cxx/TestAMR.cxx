@@ -44,7 +44,7 @@ TEST_P(AMROnMesh, BlindRefinesAllThatExactDoes)
   DataSetPointer parts = GetParam().Make();
   AMRPointer exact = MakeAMRIn(parts, 4, OddBounds(parts));
   AMRPointer blind = MakeAMRIn(parts, 4, OddBounds(parts));
-  blind->SetTest(vtkSkdTreeAMR::BLIND);
+  blind->SetOverlapTest(vtkSkdTreeAMR::BLIND);
   const std::vector<Leaf> coarse = RunLeaves(exact);
   const std::vector<Leaf> fine = RunLeaves(blind);
   EXPECT_GE(fine.size(), coarse.size());

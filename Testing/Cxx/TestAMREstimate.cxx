@@ -32,7 +32,7 @@ TEST(AMREstimate, OfCellsIsRightToATenth)
     {
       AMRPointer filter = MakeAMR(part, 6);
       filter->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
-      filter->SetTest(test);
+      filter->SetOverlapTest(test);
       EXPECT_NEAR(EstimateToCells(filter), 1.0, 0.1) << Reported(filter, "AllCells");
     }
   }
@@ -41,9 +41,9 @@ TEST(AMREstimate, OfCellsIsRightToATenth)
 TEST(AMREstimate, CountsWhatAllCriteriaAskFor)
 {
   AMRPointer filter = MakeAMR(MakeTorus(), 6);
-  filter->RefineByBendOn();
+  filter->RefineByNormalDeviationOn();
   EXPECT_NEAR(EstimateToCells(filter), 1.0, 0.1);
-  filter->RefineByBendOff();
+  filter->RefineByNormalDeviationOff();
   filter->AddDistanceBand(0.1, 5);
   EXPECT_NEAR(EstimateToCells(filter), 1.0, 0.1);
   filter->RemoveAllDistanceBands();

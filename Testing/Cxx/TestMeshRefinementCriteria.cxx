@@ -122,7 +122,7 @@ TEST(MeshRefinementCriteria, BlindRefinesMore)
       one.Add(Point{ 0.37, 0.91, 0.29 }) });
   RefinementPointer filter = MakeRefinement(MakeSheet(6), MakePolyData(one), 4);
   const vtkIdType exact = RunRefinement(filter)->GetNumberOfCells();
-  filter->SetTest(vtkSkdTreeMeshRefinement::BLIND);
+  filter->SetOverlapTest(vtkSkdTreeMeshRefinement::BLIND);
   EXPECT_GT(RunRefinement(filter)->GetNumberOfCells(), exact);
 }
 
@@ -216,7 +216,7 @@ bool Holds(vtkCell* cell, const Point& x)
 }
 
 /// The sheet cuts an upright box in a square: bent are its corners.
-TEST(MeshRefinementCriteria, WhereAPartIsFlatTheFlatLevelIsEnough)
+TEST(MeshRefinementCriteria, WhereAPartIsFlatTheMinimumSurfaceLevelIsEnough)
 {
   auto box = MakePolyData(Placed(CubeTriangles(2), 0.26, { 0.21, 0.19, -0.3 }));
   const Point corners[] = { { 0.21, 0.19, 0 }, { 0.73, 0.19, 0 }, { 0.73, 0.71, 0 },
@@ -225,9 +225,9 @@ TEST(MeshRefinementCriteria, WhereAPartIsFlatTheFlatLevelIsEnough)
   {
     RefinementPointer filter = MakeRefinement(MakeSheet(4), box, 6, method);
     const vtkIdType all = RunRefinement(filter)->GetNumberOfCells();
-    filter->RefineByBendOn();
-    filter->SetBendAngle(20.0);
-    filter->SetFlatLevel(2);
+    filter->RefineByNormalDeviationOn();
+    filter->SetNormalDeviation(20.0);
+    filter->SetMinimumSurfaceLevel(2);
     vtkDataSet* refined = RunRefinement(filter);
     EXPECT_LT(3 * refined->GetNumberOfCells(), all);
     int seen[2] = { 0, 0 };

@@ -242,7 +242,7 @@ TEST(Properties, OfFiltersThatRefineRefuseWhatTheyCannotBe)
       }
     };
     check(Number<Object> WITHIN(Epsilon, 0, 1));
-    check(Number<Object> WITHIN(BendAngle, 0, 180));
+    check(Number<Object> WITHIN(NormalDeviation, 0, 180));
     check(Number<Object> WITHIN(FieldThreshold, 0, VTK_DOUBLE_MAX));
     vtkNew<vtkSkdTreeAMR> amr;
     const Refusal refusal(amr, "FieldRange");

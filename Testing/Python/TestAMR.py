@@ -72,7 +72,7 @@ def test_balance_layers_bands_and_blind_refinement_add_cells():
     plain.UpdatePipeline()
     cells = skdtesting.report(plain, "Cells")
     for more in (dict(Balance="Corner"), dict(GrowingLayers=1), dict(DistanceBands=[0.1, 4]),
-                 dict(Test="Blind")):
+                 dict(OverlapTest="Blind")):
         amr = scene(**more)
         amr.UpdatePipeline()
         assert skdtesting.report(amr, "Cells") > cells, more

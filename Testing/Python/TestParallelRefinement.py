@@ -102,7 +102,7 @@ def refined_by_criteria():
     asked = [
         {"Parts": cone, "DistanceBands": [0.4, 1]},
         {"Parts": cone, "InsideLevel": 2, "PartLevels": [0, 0]},
-        {"Parts": cone, "RefineByBend": 1, "FlatLevel": 1, "BendAngle": 20},
+        {"Parts": cone, "RefineByNormalDeviation": 1, "MinimumSurfaceLevel": 1, "NormalDeviation": 20},
         {"FieldTest": "Difference", "FieldThreshold": 40, **field},
         {"FieldTest": "Gradient", "FieldThreshold": 25, **field},
         {"FieldTest": "Value", "FieldRange": [200, 220], **field},
@@ -125,7 +125,7 @@ def grids():
     asked += [
         {"DistanceBands": [0.5, 2]},
         {"InsideLevel": 3, "PartLevels": [0, 1], "Balance": "Corner"},
-        {"RefineByBend": 1, "FlatLevel": 1, "BendAngle": 20},
+        {"RefineByNormalDeviation": 1, "MinimumSurfaceLevel": 1, "NormalDeviation": 20},
         {"FieldTest": "Difference", "FieldThreshold": 40, **field},
         {"FieldTest": "Gradient", "FieldThreshold": 25, **field},
         {"FieldTest": "Value", "FieldRange": [200, 220], **field},

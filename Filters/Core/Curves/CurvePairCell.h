@@ -3,8 +3,8 @@
 #ifndef skd_Curves_CurvePairCell_h
 #define skd_Curves_CurvePairCell_h
 
-#include "CommonBend.h"
 #include "CurvePair.h"
+#include "SeparatingQuadric.h"
 
 namespace skd
 {
@@ -50,11 +50,11 @@ public:
         [&](const Vector3& direction) { return this->AreApartAlong(direction, tolerance); });
   }
 
-  /// The same of curves that bend alike. Dearer.
+  /// The same of curves that are curved alike. Dearer.
   bool AreApartAround(const CurvePairCell& cell, double tolerance) const
   {
     return this->IsBounded &&
-      CommonBend(cell.Second.At(0.5)).Separates(cell.First, cell.Second, tolerance);
+      SeparatingQuadric(cell.Second.At(0.5)).Separates(cell.First, cell.Second, tolerance);
   }
 
   /// Whether both lie in one tube of that width along the first.

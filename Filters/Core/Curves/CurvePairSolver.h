@@ -4,8 +4,9 @@
 /// All points that two pieces of curves have in common (section 6.1), on their native form.
 ///
 /// As for a curve and a patch (CurvePatchSolver.h): both are halved until each part is certainly
-/// apart, by planes or, where both bend alike, by a cylinder (CommonBend.h), has at most one root,
-/// which is then found, or touches. Two straight pieces are decided by exact signs (LinePair.h).
+/// apart, by planes or, where both are curved alike, by a cylinder (SeparatingQuadric.h), has at
+/// most one root, which is then found, or touches. Two straight pieces are decided by exact signs
+/// (LinePair.h).
 #ifndef skd_Curves_CurvePairSolver_h
 #define skd_Curves_CurvePairSolver_h
 

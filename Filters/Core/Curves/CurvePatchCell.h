@@ -3,7 +3,7 @@
 #ifndef skd_Curves_CurvePatchCell_h
 #define skd_Curves_CurvePatchCell_h
 
-#include "CommonBend.h"
+#include "SeparatingQuadric.h"
 
 namespace skd
 {
@@ -78,13 +78,13 @@ public:
       this->AreApartAlong(Cross(this->Along, this->AlongS), tolerance);
   }
 
-  /// The same of a curve that bends with the patch. Dearer, and not tried on patches of high
+  /// The same of a curve that is curved as the patch is. Dearer, and not tried on patches of high
   /// degree.
   bool AreApartAround(const CurvePatchCell& cell, double tolerance) const
   {
     constexpr int largest = 36;
     return this->IsBounded && this->PatchSize <= largest &&
-      CommonBend(cell.Patch).Separates(cell.Curve, cell.Patch, tolerance);
+      SeparatingQuadric(cell.Patch).Separates(cell.Curve, cell.Patch, tolerance);
   }
 
   /// Whether both lie between two planes along the patch that are not farther apart than that. A
@@ -139,7 +139,7 @@ private:
     return length;
   }
 
-  /// The patch's length along one of its edges; where that has none, what it bulges.
+  /// The patch's length along one of its edges; where that has none, its chordal deviation.
   double PatchSpread(const Vector3& along, const Vector3& other) const
   {
     const double length = Norm(along);

@@ -5,11 +5,11 @@
 /// form.
 ///
 /// Both are halved until each part of them is certainly apart (the hulls of control points are, or
-/// a quadric is in between: CommonBend.h), has one certain root (Krawczyk's test, then Newton's
-/// method), or touches: curve and patch are then within the tolerance of each other without a
-/// simple root. Parts that touch are put together and examined for where exactly, and whether the
-/// curve passes. A curve that runs within the patch is found first, by more points than two
-/// different ones can share.
+/// a quadric is in between: SeparatingQuadric.h), has one certain root (Krawczyk's test, then
+/// Newton's method), or touches: curve and patch are then within the tolerance of each other
+/// without a simple root. Parts that touch are put together and examined for where exactly, and
+/// whether the curve passes. A curve that runs within the patch is found first, by more points than
+/// two different ones can share.
 #ifndef skd_Curves_CurvePatchSolver_h
 #define skd_Curves_CurvePatchSolver_h
 

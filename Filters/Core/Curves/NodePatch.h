@@ -206,8 +206,8 @@ inline Homogeneous TriangleValue(const NodePatch& patch, double r, double s)
 /// The triangle whose seventh point bends a quadratic one, as a cubic one.
 inline Homogeneous BubbleValue(const NodePatch& patch, double r, double s)
 {
-  const Homogeneous bend = patch.Middle - TriangleValue(patch, 1.0 / 3.0, 1.0 / 3.0);
-  return TriangleValue(patch, r, s) + (27.0 * r * s * (1.0 - r - s)) * bend;
+  const Homogeneous bubble = patch.Middle - TriangleValue(patch, 1.0 / 3.0, 1.0 / 3.0);
+  return TriangleValue(patch, r, s) + (27.0 * r * s * (1.0 - r - s)) * bubble;
 }
 
 /// The point that a quadratic quadrilateral of 8 points has in its middle.

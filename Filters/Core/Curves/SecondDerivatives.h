@@ -19,9 +19,9 @@ struct DerivativeBounds
 {
   double Reach = 0.0;
   double Slope = 0.0;
-  double Bend = 0.0;
+  double Second = 0.0;
   double WeightSlope = 0.0;
-  double WeightBend = 0.0;
+  double WeightSecond = 0.0;
   double LeastWeight = std::numeric_limits<double>::infinity();
 
   void AddRow(const Homogeneous* points, int degree, int stride)
@@ -42,8 +42,8 @@ struct DerivativeBounds
         const Homogeneous before = points[(i - 1) * stride] - points[(i - 2) * stride];
         const Homogeneous d =
           double(degree * (degree - 1)) * ((at - points[(i - 1) * stride]) - before);
-        this->Bend = std::max(this->Bend, Norm(Space(d)));
-        this->WeightBend = std::max(this->WeightBend, std::abs(d[3]));
+        this->Second = std::max(this->Second, Norm(Space(d)));
+        this->WeightSecond = std::max(this->WeightSecond, std::abs(d[3]));
       }
     }
   }
@@ -55,8 +55,8 @@ struct DerivativeBounds
   }
   double SecondOfX() const
   {
-    return (this->Bend + 2.0 * this->WeightSlope * this->FirstOfX() +
-             this->WeightBend * this->Reach) /
+    return (this->Second + 2.0 * this->WeightSlope * this->FirstOfX() +
+             this->WeightSecond * this->Reach) /
       this->LeastWeight;
   }
 };

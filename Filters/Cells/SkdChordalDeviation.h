@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdBulge_h
-#define SkdBulge_h
+#ifndef SkdChordalDeviation_h
+#define SkdChordalDeviation_h
 
 #include "Core/Geometry/Vector.h"
 
@@ -16,17 +16,18 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkGenericCell;
 
-/// How far the curved cells of a data set reach beyond the boxes of their points. One thread's.
+/// The chordal deviation of a data set's curved cells: how far they go beyond the boxes of their
+/// points. One thread's.
 ///
 /// A cell is what its corners span, plus the displacements of its other points from where a
 /// straight cell has them, each times its weight. So nothing of it is farther from the corners' box
 /// than the largest displacement times the largest sum of these weights' magnitudes: nothing for a
 /// straight cell. The sum is found once for each kind of cell.
-class SkdBulge
+class SkdChordalDeviation
 {
 public:
-  explicit SkdBulge(vtkDataSet* data);
-  ~SkdBulge();
+  explicit SkdChordalDeviation(vtkDataSet* data);
+  ~SkdChordalDeviation();
 
   /// The factor, at least 1, by which the half lengths of the box of the cell's points grow so that
   /// the box holds the cell. 1 for cells that are not curved, and for Bezier cells, which are

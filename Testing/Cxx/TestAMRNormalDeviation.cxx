@@ -16,7 +16,7 @@ namespace
 {
 
 /// By how many degrees a normal of the shapes' triangles is off the mean of them all.
-double BendOf(const ReferenceOctree::Met& shapes)
+double NormalDeviationOf(const ReferenceOctree::Met& shapes)
 {
   std::vector<Point> normals;
   Point sum = { 0, 0, 0 };
@@ -29,13 +29,13 @@ double BendOf(const ReferenceOctree::Met& shapes)
       sum = sum + normals.back();
     }
   }
-  double bend = 0.0;
+  double deviation = 0.0;
   for (const Point& normal : normals)
   {
     const double cosine = Dot(normal, sum) / std::sqrt(Dot(sum, sum));
-    bend = std::max(bend, std::acos(std::min(1.0, std::max(-1.0, cosine))));
+    deviation = std::max(deviation, std::acos(std::min(1.0, std::max(-1.0, cosine))));
   }
-  return bend * 180.0 / 3.14159265358979323846;
+  return deviation * 180.0 / 3.14159265358979323846;
 }
 
 /// The row without the zeros at its end: levels that no cell reached.
@@ -48,16 +48,16 @@ std::vector<double> Trimmed(std::vector<double> row)
   return row;
 }
 
-AMRPointer MakeBent(vtkDataSet* part, int levels, double angle, int flatLevel)
+AMRPointer MakeBent(vtkDataSet* part, int levels, double angle, int minimumSurfaceLevel)
 {
   AMRPointer filter = MakeAMRIn(part, levels, OddBounds(part));
-  filter->RefineByBendOn();
-  filter->SetBendAngle(angle);
-  filter->SetFlatLevel(flatLevel);
+  filter->RefineByNormalDeviationOn();
+  filter->SetNormalDeviation(angle);
+  filter->SetMinimumSurfaceLevel(minimumSurfaceLevel);
   return filter;
 }
 
-TEST(AMRBend, CellsAreThoseOfRecursionWithAllNormals)
+TEST(AMRNormalDeviation, CellsAreThoseOfRecursionWithAllNormals)
 {
   for (const Mesh& mesh :
     { CubeTriangles(3), CubeQuads(2), SphereTriangles(10), TorusTriangles(24, 12) })
@@ -66,12 +66,12 @@ TEST(AMRBend, CellsAreThoseOfRecursionWithAllNormals)
     const std::vector<CellShape> shapes = ShapesOf(part);
     for (const double angle : { 0.5, 12.3, 40.0 })
     {
-      const int flatLevel = 2;
+      const int minimumSurfaceLevel = 2;
       ReferenceOctree reference(shapes, 5,
         [&](int level, const ReferenceOctree::Met& met)
-        { return level < flatLevel || BendOf(met) > angle; });
+        { return level < minimumSurfaceLevel || NormalDeviationOf(met) > angle; });
       reference.Refine(OddBounds(part), 0);
-      AMRPointer filter = MakeBent(part, 5, angle, flatLevel);
+      AMRPointer filter = MakeBent(part, 5, angle, minimumSurfaceLevel);
       filter->Update();
       EXPECT_EQ(Trimmed(ReportedRow(filter, "CutAtLevel")), Trimmed(reference.Cut));
       EXPECT_EQ(Trimmed(ReportedRow(filter, "LeavesAtLevel")), Trimmed(reference.Leaves));
@@ -79,7 +79,7 @@ TEST(AMRBend, CellsAreThoseOfRecursionWithAllNormals)
   }
 }
 
-TEST(AMRBend, ACubeIsRefinedAlongItsEdgesOnly)
+TEST(AMRNormalDeviation, ACubeIsRefinedAlongItsEdgesOnly)
 {
   auto cube = MakePolyData(CubeTriangles(1));
   AMRPointer filter = MakeBent(cube, 6, 20.0, 2);
@@ -102,7 +102,7 @@ TEST(AMRBend, ACubeIsRefinedAlongItsEdgesOnly)
   EXPECT_LT(5.0 * static_cast<double>(finest), Reported(everywhere, "CutCells"));
 }
 
-TEST(AMRBend, TurnedCellsAndWhatIsNoSurfaceAreBent)
+TEST(AMRNormalDeviation, TurnedCellsAndWhatIsNoSurfaceCountAsDeviating)
 {
   Mesh plane;
   plane.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.1 }, { 0, 1, 0.1 } };
@@ -112,7 +112,7 @@ TEST(AMRBend, TurnedCellsAndWhatIsNoSurfaceAreBent)
   const auto cutCells = [&](const Mesh& mesh)
   {
     AMRPointer filter = MakeAMRIn(MakePolyData(mesh), 5, box);
-    filter->RefineByBendOn();
+    filter->RefineByNormalDeviationOn();
     filter->Update();
     return Reported(filter, "CutCells");
   };

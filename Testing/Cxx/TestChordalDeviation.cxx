@@ -45,7 +45,7 @@ void PrintTo(const Kind& kind, std::ostream* os)
   *os << NameOfType(kind.Type);
 }
 
-class Bulge : public testing::TestWithParam<Kind>
+class ChordalDeviation : public testing::TestWithParam<Kind>
 {
 protected:
   /// The points of the pyramid of 13 points are where its parametric coordinates are, those of a
@@ -62,7 +62,7 @@ protected:
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Bulge, testing::ValuesIn(Kinds()), NameOfKind);
+INSTANTIATE_TEST_SUITE_P(All, ChordalDeviation, testing::ValuesIn(Kinds()), NameOfKind);
 
 Bounds SafetyBoxOf(vtkSkdTreeCellLocator* locator)
 {
@@ -85,7 +85,7 @@ Point PointIn(Random& random, const ParametricCell& cell)
   return p;
 }
 
-TEST_P(Bulge, StaysInTheSafetyBox)
+TEST_P(ChordalDeviation, StaysInTheSafetyBox)
 {
   Random random(140);
   for (int shape = 0; shape < 10; ++shape)
@@ -110,7 +110,7 @@ TEST_P(Bulge, StaysInTheSafetyBox)
   }
 }
 
-TEST_P(Bulge, OfAStraightCellIsNothingButRounding)
+TEST_P(ChordalDeviation, OfAStraightCellIsNothingButRounding)
 {
   const auto grid = MakeGrid(StraightCell().Map(Turned));
   const auto locator = MakeLocator(grid);

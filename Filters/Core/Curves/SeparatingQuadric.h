@@ -1,42 +1,42 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Curves_CommonBend_h
-#define skd_Curves_CommonBend_h
+#ifndef skd_Curves_SeparatingQuadric_h
+#define skd_Curves_SeparatingQuadric_h
 
 #include "Preconditioner.h"
 
 namespace skd
 {
 
-/// Tells curves, and a curve and a surface, apart that bend alike, side by side, which no plane
-/// between them does unless they are cut into very short parts: by a quadric in between.
+/// Tells curves, and a curve and a surface, apart that are curved alike, side by side, which no
+/// plane between them does unless they are cut into very short parts: by a quadric in between.
 ///
 /// g(x) = z - (L u^2 + 2 M u v + N v^2 + K z^2) / 2, (u, v, z) being x as seen from a place of one
-/// of them, z along the normal and L, M, N how it bends there, is 0 on it but for terms of third
-/// order; with K, the greater bend, on circles, cylinders and spheres altogether. Where the ranges
-/// that g takes on two things are apart, so are these. On a piece in Bernstein form g is a quotient
-/// of such, of twice the degrees: its range is within that of the means, over i + j = k, of g(x_i,
-/// x_j) with weights c_ij w_i w_j, g(x, y) being symmetric, linear in both, and g(x, x) = g(x).
-/// (c_ij: binomial coefficients of i and j.)
-class CommonBend
+/// of them, z along the normal and L, M, N its curvature there, is 0 on it but for terms of third
+/// order; with K, the greater curvature, on circles, cylinders and spheres altogether. Where the
+/// ranges that g takes on two things are apart, so are these. On a piece in Bernstein form g is a
+/// quotient of such, of twice the degrees: its range is within that of the means, over i + j = k,
+/// of g(x_i, x_j) with weights c_ij w_i w_j, g(x, y) being symmetric, linear in both, and g(x, x) =
+/// g(x). (c_ij: binomial coefficients of i and j.)
+class SeparatingQuadric
 {
 public:
   /// Of a curve at a place.
-  explicit CommonBend(const CurvePoint& at)
+  explicit SeparatingQuadric(const CurvePoint& at)
     : Origin(at.X)
   {
     const double speed2 = Norm2(at.D1);
-    const Vector3 bend = at.D2 - (Dot(at.D2, at.D1) / speed2) * at.D1;
-    const double size = Norm(bend);
+    const Vector3 curvature = at.D2 - (Dot(at.D2, at.D1) / speed2) * at.D1;
+    const double size = Norm(curvature);
     this->Rows[0] = (1.0 / std::sqrt(speed2)) * at.D1;
     this->Rows[1] = Vector3{};
-    this->Rows[2] = (1.0 / size) * bend;
+    this->Rows[2] = (1.0 / size) * curvature;
     this->L = this->K = this->Steepness = size / speed2;
     this->IsKnown = this->K > 0.0 && std::isfinite(this->K);
   }
 
   /// Of a patch in its middle, as differences across it tell.
-  explicit CommonBend(const BezierPatch& patch)
+  explicit SeparatingQuadric(const BezierPatch& patch)
     : Origin(patch.At(0.5, 0.5).X)
   {
     const SurfacePoint at = patch.At(0.5, 0.5);
@@ -48,7 +48,8 @@ public:
     this->L = 4.0 * (height(0.0, 0.5) + height(1.0, 0.5));
     this->N = 4.0 * (height(0.5, 0.0) + height(0.5, 1.0));
     this->M = height(1.0, 1.0) - height(1.0, 0.0) - height(0.0, 1.0) + height(0.0, 0.0);
-    // In space the bends are those of the form L a a + M (a b + b a) + N b b, a and b being rows.
+    // In space the curvatures are those of the form L a a + M (a b + b a) + N b b, a and b being
+    // rows.
     const double aa = Norm2(this->Rows[0]);
     const double bb = Norm2(this->Rows[1]);
     const double ab = Dot(this->Rows[0], this->Rows[1]);
@@ -152,7 +153,7 @@ private:
   double M = 0.0;
   double N = 0.0;
   double K = 0.0;
-  double Steepness = 0.0; ///< the greatest bend
+  double Steepness = 0.0; ///< the greatest curvature
   bool IsKnown = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cells/SkdBulge.h"
+#include "Cells/SkdChordalDeviation.h"
 
 #include "Cells/SkdCellFunctions.h"
 #include "Cells/SkdParametricCell.h"
@@ -126,17 +126,17 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SkdBulge::SkdBulge(vtkDataSet* data)
+SkdChordalDeviation::SkdChordalDeviation(vtkDataSet* data)
   : Data(data)
   , Degrees(data->GetCellData()->GetHigherOrderDegrees())
 {
 }
 
 //------------------------------------------------------------------------------
-SkdBulge::~SkdBulge() = default;
+SkdChordalDeviation::~SkdChordalDeviation() = default;
 
 //------------------------------------------------------------------------------
-SkdBulge::Kind SkdBulge::MakeKind(vtkCell* cell)
+SkdChordalDeviation::Kind SkdChordalDeviation::MakeKind(vtkCell* cell)
 {
   const SkdParametricCell map(cell, { { 0.0, 0.0, 0.0 } });
   const bool isPyramid = IsPyramid(cell->GetCellType());
@@ -153,7 +153,8 @@ SkdBulge::Kind SkdBulge::MakeKind(vtkCell* cell)
 }
 
 //------------------------------------------------------------------------------
-const SkdBulge::Kind& SkdBulge::KindOf(vtkIdType cellId, int cellType, int size)
+const SkdChordalDeviation::Kind& SkdChordalDeviation::KindOf(
+  vtkIdType cellId, int cellType, int size)
 {
   std::vector<int> key = { cellType, size };
   for (int i = 0; this->Degrees && i < this->Degrees->GetNumberOfComponents(); ++i)
@@ -170,7 +171,7 @@ const SkdBulge::Kind& SkdBulge::KindOf(vtkIdType cellId, int cellType, int size)
 }
 
 //------------------------------------------------------------------------------
-double SkdBulge::FactorOf(const Kind& kind, const skd::Vector3* points, int size)
+double SkdChordalDeviation::FactorOf(const Kind& kind, const skd::Vector3* points, int size)
 {
   skd::Vector3 largest{ { 0.0, 0.0, 0.0 } };
   skd::Box3 corners;
@@ -207,7 +208,8 @@ double SkdBulge::FactorOf(const Kind& kind, const skd::Vector3* points, int size
 }
 
 //------------------------------------------------------------------------------
-double SkdBulge::FactorOf(vtkIdType cellId, int cellType, const skd::Vector3* points, int size)
+double SkdChordalDeviation::FactorOf(
+  vtkIdType cellId, int cellType, const skd::Vector3* points, int size)
 {
   const bool isBezier = cellType >= VTK_BEZIER_CURVE && cellType <= VTK_BEZIER_PYRAMID;
   if (isBezier || !SkdParametricCell::DomainOf(cellType))

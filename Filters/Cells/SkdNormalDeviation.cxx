@@ -13,10 +13,10 @@ namespace
 constexpr double HalfTurn = 3.14159265358979323846;
 
 /// The unit normals of a bent surface, and how far they turn from their mean.
-class Bend
+class NormalDeviation
 {
 public:
-  explicit Bend(std::vector<skd::Vector3>& memory)
+  explicit NormalDeviation(std::vector<skd::Vector3>& memory)
     : Normals(memory)
   {
     memory.clear();
@@ -97,11 +97,11 @@ void VisitNormals(const SkdCellStore& store, std::uint32_t cell, Visit visit)
 
 //------------------------------------------------------------------------------
 template <class Test>
-double SkdCellTree::BendOf(
+double SkdCellTree::NormalDeviationOf(
   const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const
 {
   thread_local std::vector<skd::Vector3> memory; // asked of every box of a grid
-  Bend bend(memory);
+  NormalDeviation deviation(memory);
   bool isSurface = true;
   this->VisitCandidates(above, box,
     [&](std::uint32_t cell)
@@ -113,21 +113,22 @@ double SkdCellTree::BendOf(
       isSurface = IsFlatSurface(this->Store.ShapeOf(cell));
       if (isSurface)
       {
-        VisitNormals(this->Store, cell, [&](const skd::Vector3& normal) { bend.Add(normal); });
+        VisitNormals(this->Store, cell, [&](const skd::Vector3& normal) { deviation.Add(normal); });
       }
     });
-  return isSurface ? bend.Angle() : HalfTurn;
+  return isSurface ? deviation.Angle() : HalfTurn;
 }
 
-double SkdCellTree::FindBend(
+double SkdCellTree::FindNormalDeviation(
   const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const
 {
-  return this->BendOf(above, box, [&](std::uint32_t cell) { return this->IsMet(cell, box, test); });
+  return this->NormalDeviationOf(
+    above, box, [&](std::uint32_t cell) { return this->IsMet(cell, box, test); });
 }
 
-double SkdCellTree::FindBend(
+double SkdCellTree::FindNormalDeviation(
   const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const
 {
   const skd::CandidateLanes all = skd::AllCandidates().front();
-  return this->BendOf({ &all, &all + 1 }, box, isMet);
+  return this->NormalDeviationOf({ &all, &all + 1 }, box, isMet);
 }
