@@ -45,19 +45,20 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
   , Boundary(SkdBoundaryOf(blocks, settings.ChordalLength))
   , Faces(SkdMakeLocator(this->Boundary.Faces))
 {
-  this->Walls = this->Boundary.Walls == this->Boundary.Faces ? this->Faces
-                                                             : SkdMakeLocator(this->Boundary.Walls);
+  this->Surface = this->Boundary.Surface == this->Boundary.Faces
+    ? this->Faces
+    : SkdMakeLocator(this->Boundary.Surface);
   SkdBuildLocator(this->Faces, settings.Epsilon, true);
-  if (this->Walls != this->Faces)
+  if (this->Surface != this->Faces)
   {
-    SkdBuildLocator(this->Walls, settings.Epsilon, true);
+    SkdBuildLocator(this->Surface, settings.Epsilon, true);
   }
   this->Boundary.Faces->GetCellsBounds(this->Bounds);
   const vtkBoundingBox box(this->Bounds);
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
   if (this->Boundary.OpenEdges == 0)
   {
-    this->Solid = std::make_unique<SkdSolid>(this->Boundary, this->Walls);
+    this->Solid = std::make_unique<SkdSolid>(this->Boundary, this->Surface);
   }
   const bool repairs = settings.RepairsOrientation || settings.Method == SkdInsideMethod::Automatic;
   const auto turnedOf = [&](vtkPolyData* surface)
@@ -65,8 +66,8 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
   const SkdInsideMethod method = this->Resolved(settings.Method);
   if (method == SkdInsideMethod::WindingNumber)
   {
-    vtkPolyData* walls = this->Boundary.Walls;
-    this->Winding = std::make_unique<SkdWinding>(walls, turnedOf(walls));
+    vtkPolyData* surface = this->Boundary.Surface;
+    this->Winding = std::make_unique<SkdWinding>(surface, turnedOf(surface));
   }
   if (method == SkdInsideMethod::NearestFeature)
   {
@@ -131,7 +132,7 @@ SkdSide SkdPart::AskWithin(
 bool SkdPart::IsOdd(const double x[3], const SkdWayOut& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
-  return this->Walls->CountCrossings(x, end) % 2 == 1;
+  return this->Surface->CountCrossings(x, end) % 2 == 1;
 }
 
 void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
@@ -175,7 +176,7 @@ void SkdPart::FindTurns(
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
   thread_local vtkNew<vtkIdTypeArray> kinds;
-  const vtkIdType n = this->Walls->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
+  const vtkIdType n = this->Surface->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
   for (vtkIdType i = 0; i < n; ++i)
   {
     if (kinds->GetValue(i) == 1)

@@ -107,11 +107,11 @@ private:
   int Id;
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
+  vtkSmartPointer<vtkSkdTreeCellLocator> Surface; // often the same as Faces
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Diagonal = 0.0;
-  std::unique_ptr<SkdSolid> Solid;            // of Walls, or nullptr of an open boundary
-  std::unique_ptr<SkdWinding> Winding;        // of Walls, or nullptr
+  std::unique_ptr<SkdSolid> Solid;            // of Surface, or nullptr of an open boundary
+  std::unique_ptr<SkdWinding> Winding;        // of Surface, or nullptr
   std::unique_ptr<SkdFeatureNormals> Normals; // of Faces, or nullptr
 };
 

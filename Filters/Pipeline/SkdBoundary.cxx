@@ -48,7 +48,7 @@ private:
   bool AreTurnedAlike(const Face& a, const Face& b) const;
 
   template <typename Predicate>
-  vtkIdType CountOddEdges(const Predicate& isWall) const;
+  vtkIdType CountOddEdges(const Predicate& isOfSurface) const;
   std::vector<int> FindRepeats() const;
   template <typename Number>
   vtkSmartPointer<vtkPolyData> MakeSurface(
@@ -190,12 +190,12 @@ bool FaceList::AreTurnedAlike(const Face& a, const Face& b) const
 }
 
 template <typename Predicate>
-vtkIdType FaceList::CountOddEdges(const Predicate& isWall) const
+vtkIdType FaceList::CountOddEdges(const Predicate& isOfSurface) const
 {
   std::vector<std::pair<vtkIdType, vtkIdType>> edges;
   for (const Face& face : this->Faces)
   {
-    for (int i = 0; isWall(face) && i < face.Size; ++i)
+    for (int i = 0; isOfSurface(face) && i < face.Size; ++i)
     {
       const vtkIdType a = this->Corners[face.First + i];
       const vtkIdType b = this->Corners[face.First + (i + 1) % face.Size];
@@ -265,7 +265,7 @@ std::vector<int> FaceList::FindRepeats() const
   return isAny ? repeats : std::vector<int>();
 }
 
-// Equal faces are either a wall between two bodies that touch, and then must be left out, or the
+// Equal faces are either a face between two bodies that touch, and then must be left out, or the
 // same face written down repeatedly, and then must stay. Whichever closes the surface better it is.
 // Of bodies that touch and are written down repeatedly, too, what counts is how many more of a face
 // are turned one way than the other.
@@ -274,13 +274,13 @@ void FaceList::FillBoundary(SkdBoundary& boundary) const
   const auto isThere = [](const Face& face) { return face.Copies > 0; };
   const auto isOdd = [](const Face& face) { return face.Net % 2 != 0; };
   boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
-  boundary.Walls = boundary.Faces;
+  boundary.Surface = boundary.Faces;
   boundary.Repeats = this->FindRepeats();
   boundary.OpenEdges = this->CountOddEdges(isThere);
   const vtkIdType others = boundary.OpenEdges > 0 ? this->CountOddEdges(isOdd) : 0;
   if (others < boundary.OpenEdges)
   {
-    boundary.Walls = this->MakeSurface([](const Face& face) { return face.Net; }, nullptr);
+    boundary.Surface = this->MakeSurface([](const Face& face) { return face.Net; }, nullptr);
     boundary.Repeats.clear();
     boundary.OpenEdges = others;
   }

@@ -36,15 +36,15 @@ struct SkdBoundary
   std::vector<Origin> Origins; // one a face
 
   /// The faces whose crossings tell inside from outside: `Faces` itself, or less when bodies touch
-  /// each other with equal faces. Such a wall is between two insides and is left out here.
-  vtkSmartPointer<vtkPolyData> Walls;
+  /// each other with equal faces. Such a face is between two insides and is left out here.
+  vtkSmartPointer<vtkPolyData> Surface;
 
-  /// Of each wall how many more faces there are that are turned like it than are turned against it,
-  /// or 1 if as many are. Empty if it is 1 of all.
+  /// Of each triangle how many more faces there are that are turned like it than are turned against
+  /// it, or 1 if as many are. Empty if it is 1 of all.
   std::vector<int> Repeats;
 
-  /// The edges that an odd number of walls use. 0 exactly when the parity of the crossings is the
-  /// same along any way out.
+  /// The edges that an odd number of its triangles use. 0 exactly when the parity of the crossings
+  /// is the same along any way out.
   vtkIdType OpenEdges = 0;
 };
 

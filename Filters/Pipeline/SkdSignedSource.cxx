@@ -25,9 +25,9 @@ int SkdSignedSource::Update(
     this->MakeBoundary(blocks);
   }
   int built = SkdBuildLocator(this->Faces, epsilon, !isSame);
-  if (this->Walls != this->Faces)
+  if (this->Surface != this->Faces)
   {
-    built += SkdBuildLocator(this->Walls, epsilon, !isSame);
+    built += SkdBuildLocator(this->Surface, epsilon, !isSame);
   }
   return built;
 }
@@ -42,12 +42,12 @@ void SkdSignedSource::MakeBoundary(const std::vector<SkdBlock>& blocks)
     structures[i].Mesh = this->Meshes[i].Get();
   }
   this->Boundary = SkdBoundaryOf(structures, this->ChordalLength);
-  this->Boundary.Walls->GetCellsBounds(this->Bounds);
+  this->Boundary.Surface->GetCellsBounds(this->Bounds);
   this->Faces = SkdMakeLocator(this->Boundary.Faces);
-  const bool isOne = this->Boundary.Walls == this->Boundary.Faces;
-  this->Walls = isOne ? this->Faces : SkdMakeLocator(this->Boundary.Walls);
+  const bool isOne = this->Boundary.Surface == this->Boundary.Faces;
+  this->Surface = isOne ? this->Faces : SkdMakeLocator(this->Boundary.Surface);
   this->Solid = this->Boundary.OpenEdges == 0
-    ? std::make_unique<SkdSolid>(this->Boundary, this->Walls)
+    ? std::make_unique<SkdSolid>(this->Boundary, this->Surface)
     : nullptr;
 }
 
@@ -71,7 +71,7 @@ std::optional<SkdNearest> SkdSignedSource::FindNearest(
 bool SkdSignedSource::HasOddCrossings(const double x[3], const SkdWayOut& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
-  return this->Walls->CountCrossings(x, end) % 2 == 1;
+  return this->Surface->CountCrossings(x, end) % 2 == 1;
 }
 
 bool SkdSignedSource::IsInside(const double x[3]) const

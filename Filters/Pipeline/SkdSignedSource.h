@@ -34,7 +34,7 @@ public:
   vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
 
   /// See SkdBoundary.
-  vtkPolyData* GetWalls() const { return this->Boundary.Walls; }
+  vtkPolyData* GetSurface() const { return this->Boundary.Surface; }
 
   /// The deviation as a length; 0 where no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
@@ -63,9 +63,9 @@ private:
   double ChordalLength = 0.0; // 0 where no cell is curved
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Walls; // often the same as Faces
-  std::unique_ptr<SkdSolid> Solid;              // of the walls, or nullptr of an open boundary
-  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the walls
+  vtkSmartPointer<vtkSkdTreeCellLocator> Surface; // often the same as Faces
+  std::unique_ptr<SkdSolid> Solid;                // of the surface, or nullptr of an open boundary
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the surface
 };
 
 #endif

@@ -18,11 +18,11 @@ struct SkdSolid::Around
 };
 
 SkdSolid::SkdSolid(const SkdBoundary& boundary, vtkSkdTreeCellLocator* locator)
-  : Walls(boundary.Walls)
+  : Surface(boundary.Surface)
   , Locator(locator)
   , Repeats(boundary.Repeats)
 {
-  this->Walls->GetCellsBounds(this->Bounds);
+  this->Surface->GetCellsBounds(this->Bounds);
 }
 
 void SkdSolid::FindShells() const
@@ -31,7 +31,7 @@ void SkdSolid::FindShells() const
     [this]
     {
       this->Shells =
-        std::make_unique<SkdShells>(SkdPointsOf(this->Walls), SkdTrianglesOf(this->Walls));
+        std::make_unique<SkdShells>(SkdPointsOf(this->Surface), SkdTrianglesOf(this->Surface));
       this->HasOneSided = this->Shells->HasOneSided();
       this->HasShells.store(true, std::memory_order_release);
     });
@@ -67,15 +67,15 @@ void SkdSolid::FindPasses(
   const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
-  thread_local vtkNew<vtkIdTypeArray> walls;
+  thread_local vtkNew<vtkIdTypeArray> triangles;
   thread_local vtkNew<vtkIdTypeArray> ways;
   this->FindShells();
   vtkUnsignedCharArray* turned = this->Shells->GetTurned();
-  const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, walls, ways);
+  const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, triangles, ways);
   int around = 0;
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const bool isTurned = turned && turned->GetValue(walls->GetValue(i)) != 0;
+    const bool isTurned = turned && turned->GetValue(triangles->GetValue(i)) != 0;
     const int way = static_cast<int>(ways->GetValue(i));
     around -= isTurned ? -way : way;
     passes.push_back({ parameters->GetValue(i) * length, this->IsClear(around) ? around : 2 });
@@ -86,19 +86,19 @@ void SkdSolid::FindPasses(
 const std::vector<SkdSolid::Around>& SkdSolid::FindAround(
   const double x[3], const double end[3]) const
 {
-  thread_local vtkNew<vtkIdTypeArray> walls;
+  thread_local vtkNew<vtkIdTypeArray> triangles;
   thread_local vtkNew<vtkIdTypeArray> ways;
   thread_local std::vector<Around> arounds;
   arounds.clear();
   vtkUnsignedCharArray* turned = this->Shells->GetTurned();
-  const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, walls, ways);
+  const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, triangles, ways);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const vtkIdType wall = walls->GetValue(i);
+    const vtkIdType triangle = triangles->GetValue(i);
     const int way = static_cast<int>(ways->GetValue(i));
-    const int outward = turned && turned->GetValue(wall) != 0 ? -way : way;
-    const int raw = this->Repeats.empty() ? way : way * this->Repeats[wall];
-    arounds.push_back({ this->Shells->GetShellOf(wall), raw, outward, 1 });
+    const int outward = turned && turned->GetValue(triangle) != 0 ? -way : way;
+    const int raw = this->Repeats.empty() ? way : way * this->Repeats[triangle];
+    arounds.push_back({ this->Shells->GetShellOf(triangle), raw, outward, 1 });
   }
   std::sort(arounds.begin(), arounds.end(),
     [](const Around& a, const Around& b) { return a.Shell < b.Shell; });
@@ -182,8 +182,8 @@ void SkdSolid::FindGroups() const
   std::call_once(this->GroupsFlag,
     [this]
     {
-      std::vector<int> groups =
-        SkdFindShellGroups(SkdPointsOf(this->Walls), SkdTrianglesOf(this->Walls), *this->Shells);
+      std::vector<int> groups = SkdFindShellGroups(
+        SkdPointsOf(this->Surface), SkdTrianglesOf(this->Surface), *this->Shells);
       this->JoinCavities(groups);
       const std::vector<SkdShells::Shell>& shells = this->Shells->Get();
       std::vector<int> largest(groups.size(), -1); // shell of a group
@@ -213,7 +213,7 @@ bool SkdSolid::AreOpposite(int a, int b) const
 }
 
 /// A shell in another that is turned against it, touching it or not, belongs to its group: what
-/// crosses a cavity's wall crosses the body's.
+/// crosses a cavity's surface crosses the body's.
 void SkdSolid::JoinCavities(std::vector<int>& groups) const
 {
   const auto find = [&](int group)

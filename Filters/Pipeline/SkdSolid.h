@@ -53,7 +53,7 @@ struct SkdPassAlong
 class SkdSolid
 {
 public:
-  /// The walls, without open edges, and a locator of them, both to be kept as they are.
+  /// The triangles, without open edges, and a locator of them, both to be kept as they are.
   SkdSolid(const SkdBoundary& boundary, vtkSkdTreeCellLocator* locator);
 
   /// `way` leads from x to the outside. Cost: a ray; where it passes through more than one facet
@@ -80,7 +80,7 @@ private:
   SkdSide Weigh(const double x[3], const double end[3]) const;
   int CountGroupsAround(const std::vector<Around>& arounds) const;
 
-  vtkSmartPointer<vtkPolyData> Walls;
+  vtkSmartPointer<vtkPolyData> Surface;
   vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
   std::vector<int> Repeats; // see SkdBoundary
   double Bounds[6];

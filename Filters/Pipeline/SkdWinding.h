@@ -20,9 +20,9 @@ class vtkPolyData;
 class SkdWinding
 {
 public:
-  /// Of triangles: of bodies that touch, SkdBoundary's walls, whose equal faces are left out (their
-  /// solid angles cancel only if they are turned against each other). `isTurned` tells which are
-  /// to be turned around, one value a triangle (see SkdFindTurned), or is empty: none is.
+  /// Of triangles: of bodies that touch, SkdBoundary's surface, whose equal faces are left out
+  /// (their solid angles cancel only if they are turned against each other). `isTurned` tells which
+  /// are to be turned around, one value a triangle (see SkdFindTurned), or is empty: none is.
   explicit SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isTurned = {});
 
   SkdWinding(const SkdWinding&) = delete;

@@ -14,10 +14,10 @@ int SkdEnclosure::Update(
   }
   else if (built > 0 || !this->Winding)
   {
-    vtkPolyData* walls = this->Boundary.GetWalls();
-    const std::vector<bool> isTurned = SkdFindTurned(SkdPointsOf(walls), SkdTrianglesOf(walls),
+    vtkPolyData* surface = this->Boundary.GetSurface();
+    const std::vector<bool> isTurned = SkdFindTurned(SkdPointsOf(surface), SkdTrianglesOf(surface),
       [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); });
-    this->Winding = std::make_unique<SkdWinding>(walls, isTurned);
+    this->Winding = std::make_unique<SkdWinding>(surface, isTurned);
   }
   return built;
 }

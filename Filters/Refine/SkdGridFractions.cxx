@@ -4,7 +4,7 @@
 
 #include "Pipeline/SkdLoop.h"
 #include "Refine/SkdEnclosure.h"
-#include "Refine/SkdOrientedWalls.h"
+#include "Refine/SkdOrientedBoundary.h"
 
 #include <numeric>
 #include <optional>
@@ -55,10 +55,10 @@ std::vector<std::vector<double>> SkdFindFractions(const SkdGrid& grid,
   const SkdEnclosure& enclosure, const std::vector<std::vector<unsigned char>>& inside,
   double epsilon, vtkAlgorithm* algorithm, double first, double last)
 {
-  std::optional<SkdOrientedWalls> walls;
+  std::optional<SkdOrientedBoundary> surface;
   if (enclosure.IsClosed())
   {
-    walls.emplace(enclosure.GetBoundary(), epsilon);
+    surface.emplace(enclosure.GetBoundary(), epsilon);
   }
   std::vector<std::vector<double>> fractions;
   SkdLoop loop(algorithm, static_cast<vtkIdType>(grid.Forest.NumberOfCells()), first, last);
@@ -73,7 +73,7 @@ std::vector<std::vector<double>> SkdFindFractions(const SkdGrid& grid,
           if (grid.Forest.IsLeaf(level, cell) && grid.Levels[level].Cut[cell])
           {
             const skd::Box3 box = grid.BoxOf(level, cell);
-            row[cell] = walls ? walls->GetFraction(box) : SampledFraction(box, enclosure);
+            row[cell] = surface ? surface->GetFraction(box) : SampledFraction(box, enclosure);
           }
         }
       });

@@ -48,16 +48,16 @@ std::uint32_t FindFirst(std::vector<std::uint32_t>& same, std::uint32_t i)
 }
 
 std::vector<std::uint32_t> SkdFindSplitRegions(
-  const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> walls)
+  const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders)
 {
   std::vector<std::uint32_t> same(triangles.size());
   std::iota(same.begin(), same.end(), 0u);
-  vtkSMPTools::Sort(walls.begin(), walls.end());
+  vtkSMPTools::Sort(borders.begin(), borders.end());
   const std::vector<EdgeOf> edges = ListEdges(triangles);
   for (std::size_t i = 1; i < edges.size(); ++i)
   {
     if (edges[i].Edge == edges[i - 1].Edge &&
-      !std::binary_search(walls.begin(), walls.end(), edges[i].Edge))
+      !std::binary_search(borders.begin(), borders.end(), edges[i].Edge))
     {
       const std::uint32_t a = FindFirst(same, edges[i - 1].Triangle);
       const std::uint32_t b = FindFirst(same, edges[i].Triangle);

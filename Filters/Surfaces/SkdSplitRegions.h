@@ -18,8 +18,8 @@ inline SkdSplitEdge SkdMakeSplitEdge(std::uint32_t a, std::uint32_t b)
 }
 
 /// Of each triangle the region that it belongs to: triangles that share an edge are of one, unless
-/// the edge is among `walls`. Regions are numbered 0, 1, ... by their first triangle. O(n log n).
+/// the edge is among `borders`. Regions are numbered 0, 1, ... by their first triangle. O(n log n).
 std::vector<std::uint32_t> SkdFindSplitRegions(
-  const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> walls);
+  const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders);
 
 #endif

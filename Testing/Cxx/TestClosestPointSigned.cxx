@@ -316,7 +316,7 @@ TEST(ClosestPointSigned, FacesWrittenRepeatedlyCountOnce)
   ExpectBoxDistances(MakePolyData(Joined(cube, some)), { 2, 2, 2 });
 }
 
-TEST(ClosestPointSigned, AWallBetweenTouchingBodiesHasInsideOnBothSides)
+TEST(ClosestPointSigned, AFaceBetweenTouchingBodiesHasInsideOnBothSides)
 {
   const Mesh left = CubeQuads(2);
   const Mesh right = Placed(CubeQuads(2), 1.0, { 2, 0, 0 });
@@ -328,7 +328,7 @@ TEST(ClosestPointSigned, AWallBetweenTouchingBodiesHasInsideOnBothSides)
   const std::vector<double> expected = { 1.9 - 2, -0.25, 1, 0, 0.5 };
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
-    EXPECT_NEAR(distances[i], expected[i], 1e-15) << i; // the wall itself stays searched
+    EXPECT_NEAR(distances[i], expected[i], 1e-15) << i; // the face itself stays searched
   }
   EXPECT_EQ(events.Warnings, 0) << events.Warning;
 }

@@ -169,7 +169,7 @@ TEST_P(CurvedSurface, AFacetIsOfTheCellThatItIsOn)
   EXPECT_EQ(static_cast<vtkIdType>(cells.size()), source->GetNumberOfCells());
 }
 
-// Blocks of a data object whose faces meet: what is between them is inside, not a wall.
+// Blocks of a data object whose faces meet: what is between them is inside, no boundary.
 TEST_P(CurvedVolume, BlocksThatTouchAreOneBody)
 {
   Mesh left = CurvedBlock(GetParam(), 1);
@@ -179,7 +179,7 @@ TEST_P(CurvedVolume, BlocksThatTouchAreOneBody)
   right.Map(Bowed);
   const SkdBoundary both = BoundaryOf({ left, right }, 1e-3);
   EXPECT_EQ(both.OpenEdges, 0);
-  EXPECT_EQ(both.Walls, both.Faces);
+  EXPECT_EQ(both.Surface, both.Faces);
   auto source = MakeBlocks({ MakeGrid(left), MakeGrid(right) });
   const Point middle = Bowed({ 1.0, 0.5, 0.5 });
   const std::vector<double> found = RunDistances(MakeSignedFilter(MakeQueries({ middle }), source));

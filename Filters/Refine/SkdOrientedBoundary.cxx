@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Refine/SkdOrientedWalls.h"
+#include "Refine/SkdOrientedBoundary.h"
 
 #include "Core/Geometry/Distance/ClosestPoint.h"
 #include "Core/Geometry/Measures/MeasureInBox.h"
@@ -13,53 +13,53 @@
 
 namespace
 {
-/// An edge as one of its walls has it.
-struct WallEdge
+/// An edge as one of its triangles has it.
+struct TriangleEdge
 {
   vtkIdType Low;
   vtkIdType High;
-  vtkIdType Wall;
+  vtkIdType Triangle;
   bool IsUpward; // from Low to High
 
-  bool IsSameAs(const WallEdge& other) const
+  bool IsSameAs(const TriangleEdge& other) const
   {
     return this->Low == other.Low && this->High == other.High;
   }
 };
 
-std::vector<WallEdge> SortedEdges(vtkPolyData* walls)
+std::vector<TriangleEdge> SortedEdges(vtkPolyData* surface)
 {
-  std::vector<WallEdge> edges;
+  std::vector<TriangleEdge> edges;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType wall = 0; wall < walls->GetNumberOfCells(); ++wall)
+  for (vtkIdType triangle = 0; triangle < surface->GetNumberOfCells(); ++triangle)
   {
-    walls->GetCellPoints(wall, ids);
+    surface->GetCellPoints(triangle, ids);
     for (int i = 0; i < 3; ++i)
     {
       const vtkIdType a = ids->GetId(i);
       const vtkIdType b = ids->GetId((i + 1) % 3);
-      edges.push_back({ std::min(a, b), std::max(a, b), wall, a < b });
+      edges.push_back({ std::min(a, b), std::max(a, b), triangle, a < b });
     }
   }
   std::sort(edges.begin(), edges.end(),
-    [](const WallEdge& a, const WallEdge& b)
+    [](const TriangleEdge& a, const TriangleEdge& b)
     { return a.Low != b.Low ? a.Low < b.Low : a.High < b.High; });
   return edges;
 }
 
-/// A wall beside another.
+/// A triangle beside another.
 struct Neighbour
 {
-  vtkIdType Wall;
+  vtkIdType Triangle;
   bool IsAlike; // their normals point to the same side
 };
 
-/// Over each of a wall's edges, if there is exactly one.
-std::vector<std::vector<Neighbour>> FindNeighbours(vtkPolyData* walls)
+/// Over each of a triangle's edges, if there is exactly one.
+std::vector<std::vector<Neighbour>> FindNeighbours(vtkPolyData* surface)
 {
   std::vector<std::vector<Neighbour>> neighbours(
-    static_cast<std::size_t>(walls->GetNumberOfCells()));
-  const std::vector<WallEdge> edges = SortedEdges(walls);
+    static_cast<std::size_t>(surface->GetNumberOfCells()));
+  const std::vector<TriangleEdge> edges = SortedEdges(surface);
   for (std::size_t first = 0, last; first < edges.size(); first = last)
   {
     last = first + 1;
@@ -69,11 +69,11 @@ std::vector<std::vector<Neighbour>> FindNeighbours(vtkPolyData* walls)
     }
     if (last - first == 2)
     {
-      const WallEdge& a = edges[first];
-      const WallEdge& b = edges[first + 1];
+      const TriangleEdge& a = edges[first];
+      const TriangleEdge& b = edges[first + 1];
       const bool isAlike = a.IsUpward != b.IsUpward;
-      neighbours[static_cast<std::size_t>(a.Wall)].push_back({ b.Wall, isAlike });
-      neighbours[static_cast<std::size_t>(b.Wall)].push_back({ a.Wall, isAlike });
+      neighbours[static_cast<std::size_t>(a.Triangle)].push_back({ b.Triangle, isAlike });
+      neighbours[static_cast<std::size_t>(b.Triangle)].push_back({ a.Triangle, isAlike });
     }
   }
   return neighbours;
@@ -81,41 +81,41 @@ std::vector<std::vector<Neighbour>> FindNeighbours(vtkPolyData* walls)
 }
 
 //------------------------------------------------------------------------------
-SkdOrientedWalls::SkdOrientedWalls(const SkdSignedSource& boundary, double epsilon)
+SkdOrientedBoundary::SkdOrientedBoundary(const SkdSignedSource& boundary, double epsilon)
   : Boundary(boundary)
-  , Walls(boundary.GetWalls())
-  , Tree(this->Walls,
+  , Surface(boundary.GetSurface())
+  , Tree(this->Surface,
       [epsilon]
       {
         SkdTreeSettings settings;
         settings.Epsilon = epsilon;
         return settings;
       }())
-  , Turned(static_cast<std::size_t>(this->Walls->GetNumberOfCells()), 0)
+  , Turned(static_cast<std::size_t>(this->Surface->GetNumberOfCells()), 0)
 {
   if (!this->Turned.empty())
   {
-    this->Walls->BuildCells();
+    this->Surface->BuildCells();
     this->TurnAlike();
   }
 }
 
-std::array<skd::Vector3, 3> SkdOrientedWalls::GetWall(vtkIdType wall) const
+std::array<skd::Vector3, 3> SkdOrientedBoundary::GetTriangle(vtkIdType triangle) const
 {
   vtkIdType size;
   const vtkIdType* ids;
-  this->Walls->GetCellPoints(wall, size, ids);
+  this->Surface->GetCellPoints(triangle, size, ids);
   std::array<skd::Vector3, 3> corners;
   for (int i = 0; i < 3; ++i)
   {
-    this->Walls->GetPoint(ids[i], corners[static_cast<std::size_t>(i)].X);
+    this->Surface->GetPoint(ids[i], corners[static_cast<std::size_t>(i)].X);
   }
   return corners;
 }
 
-void SkdOrientedWalls::TurnAlike()
+void SkdOrientedBoundary::TurnAlike()
 {
-  const std::vector<std::vector<Neighbour>> neighbours = FindNeighbours(this->Walls);
+  const std::vector<std::vector<Neighbour>> neighbours = FindNeighbours(this->Surface);
   std::vector<char> isKnown(this->Turned.size(), 0);
   for (std::size_t seed = 0; seed < isKnown.size(); ++seed)
   {
@@ -127,39 +127,39 @@ void SkdOrientedWalls::TurnAlike()
     isKnown[seed] = 1;
     for (std::size_t i = 0; i < piece.size(); ++i)
     {
-      const auto wall = static_cast<std::size_t>(piece[i]);
-      for (const Neighbour& next : neighbours[wall])
+      const auto triangle = static_cast<std::size_t>(piece[i]);
+      for (const Neighbour& next : neighbours[triangle])
       {
-        const auto there = static_cast<std::size_t>(next.Wall);
+        const auto there = static_cast<std::size_t>(next.Triangle);
         if (!isKnown[there])
         {
           isKnown[there] = 1;
-          this->Turned[there] = this->Turned[wall] != (next.IsAlike ? 0 : 1);
-          piece.push_back(next.Wall);
+          this->Turned[there] = this->Turned[triangle] != (next.IsAlike ? 0 : 1);
+          piece.push_back(next.Triangle);
         }
       }
     }
     if (this->IsInward(piece))
     {
-      for (const vtkIdType wall : piece)
+      for (const vtkIdType triangle : piece)
       {
-        this->Turned[static_cast<std::size_t>(wall)] ^= 1;
+        this->Turned[static_cast<std::size_t>(triangle)] ^= 1;
       }
     }
   }
 }
 
-/// Asks on both sides of the largest wall's middle, from near to nearer.
-bool SkdOrientedWalls::IsInward(const std::vector<vtkIdType>& piece) const
+/// Asks on both sides of the largest triangle's middle, from near to nearer.
+bool SkdOrientedBoundary::IsInward(const std::vector<vtkIdType>& piece) const
 {
   double largest2 = -1.0;
   skd::Vector3 middle{};
   skd::Vector3 normal{};
-  for (const vtkIdType wall : piece)
+  for (const vtkIdType triangle : piece)
   {
-    const auto p = this->GetWall(wall);
+    const auto p = this->GetTriangle(triangle);
     skd::Vector3 across = skd::Cross(p[1] - p[0], p[2] - p[0]);
-    across = (this->Turned[static_cast<std::size_t>(wall)] ? -1.0 : 1.0) * across;
+    across = (this->Turned[static_cast<std::size_t>(triangle)] ? -1.0 : 1.0) * across;
     if (skd::Norm2(across) > largest2)
     {
       largest2 = skd::Norm2(across);
@@ -182,9 +182,10 @@ bool SkdOrientedWalls::IsInward(const std::vector<vtkIdType>& piece) const
 }
 
 //------------------------------------------------------------------------------
-/// Finds a corner of the box that is not on a wall, or is farthest from them; false if even that is
-/// within rounding of one.
-bool SkdOrientedWalls::PutCornerAway(const skd::Box3& box, vtkIdList* walls, unsigned& corner) const
+/// Finds a corner of the box that is not on a triangle, or is farthest from them; false if even
+/// that is within rounding of one.
+bool SkdOrientedBoundary::PutCornerAway(
+  const skd::Box3& box, vtkIdList* triangles, unsigned& corner) const
 {
   const double enough = 1e-6 * box.Diagonal();
   double farthest2 = -1.0;
@@ -193,9 +194,9 @@ bool SkdOrientedWalls::PutCornerAway(const skd::Box3& box, vtkIdList* walls, uns
     const skd::Vector3 at{ { i & 1u ? box.Max[0] : box.Min[0], i & 2u ? box.Max[1] : box.Min[1],
       i & 4u ? box.Max[2] : box.Min[2] } };
     double nearest2 = std::numeric_limits<double>::max();
-    for (vtkIdType k = 0; k < walls->GetNumberOfIds(); ++k)
+    for (vtkIdType k = 0; k < triangles->GetNumberOfIds(); ++k)
     {
-      const auto p = this->GetWall(walls->GetId(k));
+      const auto p = this->GetTriangle(triangles->GetId(k));
       nearest2 = std::min(nearest2, skd::ClosestPointOnTriangle(p[0], p[1], p[2], at).Dist2);
     }
     if (nearest2 > farthest2)
@@ -207,21 +208,21 @@ bool SkdOrientedWalls::PutCornerAway(const skd::Box3& box, vtkIdList* walls, uns
   return farthest2 > 0.0;
 }
 
-double SkdOrientedWalls::GetFraction(const skd::Box3& box) const
+double SkdOrientedBoundary::GetFraction(const skd::Box3& box) const
 {
-  thread_local vtkNew<vtkIdList> walls;
-  this->Tree.FindSafetyBoxesWithin(box, walls);
+  thread_local vtkNew<vtkIdList> triangles;
+  this->Tree.FindSafetyBoxesWithin(box, triangles);
   unsigned corner = 0;
-  if (walls->GetNumberOfIds() == 0 || !this->PutCornerAway(box, walls, corner))
+  if (triangles->GetNumberOfIds() == 0 || !this->PutCornerAway(box, triangles, corner))
   {
     return this->Boundary.IsInside(box.Centroid().X) ? 1.0 : 0.0;
   }
   skd::MeasureInBox measure(box, corner);
-  for (vtkIdType k = 0; k < walls->GetNumberOfIds(); ++k)
+  for (vtkIdType k = 0; k < triangles->GetNumberOfIds(); ++k)
   {
-    const vtkIdType wall = walls->GetId(k);
-    const auto p = this->GetWall(wall);
-    const bool isTurned = this->Turned[static_cast<std::size_t>(wall)] != 0;
+    const vtkIdType triangle = triangles->GetId(k);
+    const auto p = this->GetTriangle(triangle);
+    const bool isTurned = this->Turned[static_cast<std::size_t>(triangle)] != 0;
     measure.Add(p[0], isTurned ? p[2] : p[1], isTurned ? p[1] : p[2]);
   }
   const skd::Vector3 at{ { corner & 1u ? box.Max[0] : box.Min[0],
