@@ -38,7 +38,7 @@ void Report(const SkdCurveHitTable& table, double rounding, vtkPolyData* output)
   report.AddCount("Curves", count(table.First.Tree.GetCurves().GetCurves()));
   report.AddCount("OtherCurves", count(table.Second.Tree.GetCurves().GetCurves()));
   report.AddCount("Parts", count(table.First.Tree.GetSpans()));
-  report.AddCount("Hits", count(table.Meetings.Hits));
+  report.AddCount("Hits", count(table.Intersections.Hits));
   report.AddMeasure("Epsilon", table.Second.Tree.GetAbsoluteEpsilon());
   report.AddMeasure("Rounding", rounding);
 }
@@ -86,7 +86,7 @@ int vtkSkdTreeCurveIntersection::RequestData(
     { second, otherBlocks, IsComposite(source ? source : input) }, finder.Find(loop) };
   const double querySeconds = watch.Lap();
 
-  this->StoreMeetings(table, outputVector);
+  this->StoreIntersections(table, outputVector);
   Report(table, finder.GetRounding(), output);
   SkdReport report(output);
   report.AddCount("TreesBuilt", built);
@@ -108,7 +108,7 @@ SkdCurveSettings vtkSkdTreeCurveIntersection::FindSettings()
 }
 
 //------------------------------------------------------------------------------
-void vtkSkdTreeCurveIntersection::StoreMeetings(
+void vtkSkdTreeCurveIntersection::StoreIntersections(
   const SkdCurveHitTable& table, vtkInformationVector* outputs)
 {
   vtkPolyData* points = vtkPolyData::GetData(outputs, 0);

@@ -229,7 +229,7 @@ private:
   void operator=(const vtkSkdTreeCurveIntersection&) = delete;
 
   SkdCurveSettings FindSettings();
-  void StoreMeetings(const SkdCurveHitTable& table, vtkInformationVector* outputs);
+  void StoreIntersections(const SkdCurveHitTable& table, vtkInformationVector* outputs);
   void WarnAboutCurves(const char* port, const SkdCurveSet& curves);
 
   class Internals;

@@ -56,14 +56,14 @@ void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::stri
   }
 }
 
-/// The numbers of the meetings along their curves; what is not wanted is taken out.
+/// The numbers of the intersections along their curves; what is not wanted is taken out.
 void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
 {
   const bool wantsAll = self->GetHitSelection() == vtkSkdTreeCurveSurfaceIntersection::ALL_HITS;
   const bool wantsFirst = self->GetHitSelection() == vtkSkdTreeCurveSurfaceIntersection::FIRST_HIT;
   const vtkIdType wanted = wantsFirst ? 1 : self->GetHitNumber();
-  std::vector<SkdSurfaceMeeting> all;
-  all.swap(table.Meetings);
+  std::vector<SkdSurfaceIntersection> all;
+  all.swap(table.Intersections);
   vtkIdType number = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -71,7 +71,7 @@ void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
     number = isNext ? number + 1 : 1;
     if (wantsAll || number == wanted)
     {
-      table.Meetings.push_back(all[i]);
+      table.Intersections.push_back(all[i]);
       table.Numbers.push_back(number);
     }
   }
@@ -87,9 +87,9 @@ void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObj
     count->FillValue(0);
     counts.push_back(count);
   }
-  for (const SkdSurfaceMeeting& meeting : table.Meetings)
+  for (const SkdSurfaceIntersection& intersection : table.Intersections)
   {
-    const SkdCurve& curve = table.Curves.GetCurves()[meeting.Hit.Curve];
+    const SkdCurve& curve = table.Curves.GetCurves()[intersection.Hit.Curve];
     vtkIdTypeArray* count = counts[static_cast<std::size_t>(curve.Block)];
     count->SetValue(curve.CellId, count->GetValue(curve.CellId) + 1);
   }
@@ -108,7 +108,7 @@ void Report(const SkdSurfaceHitTable& table, double rounding, vtkPolyData* outpu
   report.AddCount("Curves", static_cast<vtkIdType>(table.Curves.GetCurves().size()));
   report.AddCount("CurvePieces", static_cast<vtkIdType>(table.Curves.GetNumberOfPieces()));
   report.AddCount("SurfaceElements", static_cast<vtkIdType>(table.Surfaces.GetElements().size()));
-  report.AddCount("Hits", static_cast<vtkIdType>(table.Meetings.size()));
+  report.AddCount("Hits", static_cast<vtkIdType>(table.Intersections.size()));
   report.AddMeasure("Epsilon", table.Surfaces.GetAbsoluteEpsilon());
   report.AddMeasure("Rounding", rounding);
 }
@@ -153,9 +153,9 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   if (this->CutCurves)
   {
     SkdCutCurves({ curves, curveBlocks, surfaces.GetElements(), finder, IsComposite(input), delta },
-      table.Meetings, vtkPolyData::GetData(outputVector, 1));
+      table.Intersections, vtkPolyData::GetData(outputVector, 1));
   }
-  table.Meetings = finder.UniteAtJoints(std::move(table.Meetings));
+  table.Intersections = finder.UniteAtJoints(std::move(table.Intersections));
   CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
   Select(this, table);
   this->StoreHits(table, IsComposite(input), IsComposite(source), output);

@@ -135,14 +135,14 @@ void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
 }
 
 /// What meets, and where the surfaces are.
-struct Meeting
+struct Contacts
 {
   SkdPlacement Placement;
   std::vector<SkdTrianglePair> Pairs;
 };
 
 /// `second` is nullptr when there is but one.
-Meeting FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second,
+Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, const Surface* second,
   const std::optional<skd::RigidMotion>& motion)
 {
   SkdLoop loop(self, 0, 0.4, 0.8, 8);
@@ -150,18 +150,18 @@ Meeting FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, con
   const SkdPairSearch search{ static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance };
   if (second && !self->GetSplitSurfaces() && !CompleteWhatPays(first, *second))
   {
-    Meeting meeting{ SkdPlace(first.Set, &second->Set, motion), {} };
-    if (const auto near = SkdFindNear(meeting.Placement, clearance * meeting.Placement.Scale))
+    Contacts contacts{ SkdPlace(first.Set, &second->Set, motion), {} };
+    if (const auto near = SkdFindNear(contacts.Placement, clearance * contacts.Placement.Scale))
     {
-      meeting.Pairs = SkdTrianglePairs(meeting.Placement).FindNear(*near, search, loop);
-      first.Set.MakeCornersOne(SkdTrianglesOf(meeting.Pairs, &SkdTrianglePair::First));
-      second->Set.MakeCornersOne(SkdTrianglesOf(meeting.Pairs, &SkdTrianglePair::Second));
-      return meeting;
+      contacts.Pairs = SkdTrianglePairs(contacts.Placement).FindNear(*near, search, loop);
+      first.Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::First));
+      second->Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::Second));
+      return contacts;
     }
   }
-  Meeting meeting{ Complete(first, second, motion), {} };
-  meeting.Pairs = SkdTrianglePairs(meeting.Placement).Find(search, loop);
-  return meeting;
+  Contacts contacts{ Complete(first, second, motion), {} };
+  contacts.Pairs = SkdTrianglePairs(contacts.Placement).Find(search, loop);
+  return contacts;
 }
 
 /// Ports 0 to 3.

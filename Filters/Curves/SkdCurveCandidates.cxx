@@ -87,7 +87,7 @@ void AddSide(const std::vector<SkdCurveCandidate>& candidates, const SkdCurveSid
 
 void SkdStoreCandidates(const SkdCurveHitTable& table, vtkUnstructuredGrid* output)
 {
-  const std::vector<SkdCurveCandidate>& candidates = table.Meetings.Candidates;
+  const std::vector<SkdCurveCandidate>& candidates = table.Intersections.Candidates;
   const auto n = static_cast<vtkIdType>(candidates.size());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

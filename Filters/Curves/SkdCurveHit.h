@@ -3,7 +3,7 @@
 #ifndef SkdCurveHit_h
 #define SkdCurveHit_h
 
-#include "Core/Curves/Meeting.h"
+#include "Core/Curves/IntersectionKind.h"
 #include "Core/Geometry/Vector.h"
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct SkdCurveHit
   SkdCurvePlace Second;
   double Gap;
   double Reach; ///< what the place may be off by
-  skd::MeetingKind Kind;
+  skd::IntersectionKind Kind;
   bool Begins;     ///< of an OverlapEnd
   bool IsExact;    ///< of two straight pieces that have it in common by exact signs
   bool IsResolved; ///< not simple

@@ -167,7 +167,7 @@ private:
 void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output)
 {
   using Hit = SkdCurveHit;
-  const std::vector<Hit>& hits = table.Meetings.Hits;
+  const std::vector<Hit>& hits = table.Intersections.Hits;
   vtkPointData* to = output->GetPointData();
   AddVertices(hits, output);
   AddSide(hits, table.First, &Hit::First, "Skd", to);
@@ -183,10 +183,10 @@ void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output)
 void SkdStoreDataOfCurves(
   const SkdCurveHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
 {
-  AddDataOf(table.Meetings.Hits, table.First, &SkdCurveHit::First, output, refused);
+  AddDataOf(table.Intersections.Hits, table.First, &SkdCurveHit::First, output, refused);
   if (&table.First.Tree != &table.Second.Tree)
   {
-    AddDataOf(table.Meetings.Hits, table.Second, &SkdCurveHit::Second, output, refused);
+    AddDataOf(table.Intersections.Hits, table.Second, &SkdCurveHit::Second, output, refused);
   }
 }
 
@@ -194,7 +194,7 @@ void SkdStoreDataOfCurves(
 void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData* output)
 {
   using Stretch = SkdCurveStretch;
-  const std::vector<Stretch>& stretches = table.Meetings.Stretches;
+  const std::vector<Stretch>& stretches = table.Intersections.Stretches;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;

@@ -23,11 +23,11 @@ struct SkdCurveHitTable
 {
   SkdCurveSide First;
   SkdCurveSide Second;
-  SkdCurveMeetings Meetings;
+  SkdCurveIntersections Intersections;
 };
 
-/// Fills `output` with a vertex for each meeting and the arrays that vtkSkdTreeCurveIntersection
-/// describes.
+/// Fills `output` with a vertex for each intersection and the arrays that
+/// vtkSkdTreeCurveIntersection describes.
 void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output);
 
 /// Adds the data of the first curves there, and of the second ones unless these are the same; names

@@ -63,10 +63,10 @@ struct Group
 
   void Add(const SkdCurveHit& hit)
   {
-    const bool isEnd = hit.Kind == skd::MeetingKind::OverlapEnd;
+    const bool isEnd = hit.Kind == skd::IntersectionKind::OverlapEnd;
     this->Begins |= isEnd && hit.Begins;
     this->Ends |= isEnd && !hit.Begins;
-    const bool crosses = hit.Kind == skd::MeetingKind::Crossing;
+    const bool crosses = hit.Kind == skd::IntersectionKind::Crossing;
     this->Crosses |= crosses;
     this->CrossesSimply |= crosses && !hit.IsResolved;
     this->Before = IsKnown(hit.Before) ? hit.Before : this->Before;
@@ -97,16 +97,16 @@ struct Group
 
   bool IsWithinStretch() const { return this->Begins && this->Ends; }
 
-  skd::MeetingKind Kind() const
+  skd::IntersectionKind Kind() const
   {
     if (this->Begins || this->Ends)
     {
-      return skd::MeetingKind::OverlapEnd;
+      return skd::IntersectionKind::OverlapEnd;
     }
     const bool areSidesKnown = IsKnown(this->Before) && IsKnown(this->After);
     const bool crosses = this->CrossesSimply ||
       (areSidesKnown ? skd::Dot(this->Before, this->After) < 0.0 : this->Crosses);
-    return crosses ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
+    return crosses ? skd::IntersectionKind::Crossing : skd::IntersectionKind::Touching;
   }
 };
 
@@ -225,8 +225,8 @@ private:
   {
     SkdCurveHit& one = this->Hits[kept];
     const SkdCurveHit& two = this->Hits[other];
-    const bool endsStretch[2] = { one.Kind == skd::MeetingKind::OverlapEnd,
-      two.Kind == skd::MeetingKind::OverlapEnd };
+    const bool endsStretch[2] = { one.Kind == skd::IntersectionKind::OverlapEnd,
+      two.Kind == skd::IntersectionKind::OverlapEnd };
     if (endsStretch[0] || endsStretch[1])
     {
       this->IsLeftOut[kept] |= !endsStretch[0];
@@ -239,8 +239,8 @@ private:
       one.IsResolved && two.IsResolved && IsKnown(side(one)) && IsKnown(side(two));
     const bool crosses = areSidesKnown
       ? skd::Dot(side(one), side(two)) < 0.0
-      : one.Kind == skd::MeetingKind::Crossing || two.Kind == skd::MeetingKind::Crossing;
-    one.Kind = crosses ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
+      : one.Kind == skd::IntersectionKind::Crossing || two.Kind == skd::IntersectionKind::Crossing;
+    one.Kind = crosses ? skd::IntersectionKind::Crossing : skd::IntersectionKind::Touching;
     this->IsLeftOut[other] = 1;
   }
 

@@ -44,7 +44,7 @@ SkdCurveHitFinder::SkdCurveHitFinder(
 }
 
 //------------------------------------------------------------------------------
-SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
+SkdCurveIntersections SkdCurveHitFinder::Find(SkdLoop& loop) const
 {
   vtkSMPThreadLocal<Worker> workers;
   loop.For(static_cast<vtkIdType>(this->First.GetSpans().size()),
@@ -61,24 +61,24 @@ SkdCurveMeetings SkdCurveHitFinder::Find(SkdLoop& loop) const
   {
     all.TakeFrom(worker);
   }
-  SkdCurveMeetings meetings;
-  meetings.Candidates = std::move(all.Candidates);
-  std::sort(meetings.Candidates.begin(), meetings.Candidates.end());
-  meetings.Hits = SkdUniteCurveHits(all.Hits, this->IsSelf());
-  meetings.Stretches = SkdJoinStretches(all.Stretches);
-  const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, meetings.Hits);
+  SkdCurveIntersections intersections;
+  intersections.Candidates = std::move(all.Candidates);
+  std::sort(intersections.Candidates.begin(), intersections.Candidates.end());
+  intersections.Hits = SkdUniteCurveHits(all.Hits, this->IsSelf());
+  intersections.Stretches = SkdJoinStretches(all.Stretches);
+  const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, intersections.Hits);
   if (this->Task.IgnoresJoints)
   {
-    SkdUniteAtJoints(meetings.Hits, this->IsSelf());
+    SkdUniteAtJoints(intersections.Hits, this->IsSelf());
   }
-  meetings.Hits.insert(meetings.Hits.end(), near.begin(), near.end());
-  std::stable_sort(meetings.Hits.begin(), meetings.Hits.end(),
+  intersections.Hits.insert(intersections.Hits.end(), near.begin(), near.end());
+  std::stable_sort(intersections.Hits.begin(), intersections.Hits.end(),
     [](const SkdCurveHit& a, const SkdCurveHit& b)
     {
       return std::tuple(a.First.Curve, a.Second.Curve, a.First.U, a.Second.U) <
         std::tuple(b.First.Curve, b.Second.Curve, b.First.U, b.Second.U);
     });
-  return meetings;
+  return intersections;
 }
 
 //------------------------------------------------------------------------------
@@ -182,7 +182,7 @@ bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& se
     return false;
   }
   worker.Hits.push_back(found);
-  const bool endsStretch = hit.Kind == skd::MeetingKind::OverlapEnd && !hit.Begins;
+  const bool endsStretch = hit.Kind == skd::IntersectionKind::OverlapEnd && !hit.Begins;
   if (endsStretch && worker.Hits.size() > 1)
   {
     worker.Stretches.push_back({ worker.Hits[worker.Hits.size() - 2], found });
@@ -209,8 +209,8 @@ void SkdCurveHitFinder::FindNear(
   if (nearest.Distance < limit.Distance)
   {
     worker.Near.push_back({ this->PlaceOf(this->First, first, nearest.T),
-      this->PlaceOf(this->Second, second, nearest.S), nearest.Distance, 0.0, skd::MeetingKind::Near,
-      false, false, false, {}, {} });
+      this->PlaceOf(this->Second, second, nearest.S), nearest.Distance, 0.0,
+      skd::IntersectionKind::Near, false, false, false, {}, {} });
   }
 }
 
@@ -253,6 +253,7 @@ void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurvePlace& place)
 /// Whether two curves of a set only go on as each other; where a third meets them, that is told.
 bool SkdCurveHitFinder::IsJoint(const SkdCurveHit& hit) const
 {
-  return this->Task.IgnoresJoints && this->IsSelf() && hit.Kind != skd::MeetingKind::OverlapEnd &&
-    hit.First.IsAtEnd && hit.Second.IsAtEnd && hit.First.Joint == hit.Second.Joint;
+  return this->Task.IgnoresJoints && this->IsSelf() &&
+    hit.Kind != skd::IntersectionKind::OverlapEnd && hit.First.IsAtEnd && hit.Second.IsAtEnd &&
+    hit.First.Joint == hit.Second.Joint;
 }

@@ -29,7 +29,7 @@ struct SkdCurveCandidate
   }
 };
 
-struct SkdCurveMeetings
+struct SkdCurveIntersections
 {
   std::vector<SkdCurveHit> Hits;             ///< by both curves, then along both
   std::vector<SkdCurveStretch> Stretches;    ///< likewise
@@ -53,7 +53,7 @@ public:
     const SkdCurveTree& first, const SkdCurveTree& second, const SkdCurveTask& task);
 
   /// In parallel over the parts of the first set.
-  SkdCurveMeetings Find(SkdLoop& loop) const;
+  SkdCurveIntersections Find(SkdLoop& loop) const;
 
   /// The distance that is 0 to within rounding.
   double GetRounding() const { return this->Rounding; }

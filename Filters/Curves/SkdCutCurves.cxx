@@ -58,7 +58,8 @@ public:
     this->Points->SetDataTypeToDouble();
   }
 
-  void CutCurve(std::size_t number, const SkdSurfaceMeeting* first, const SkdSurfaceMeeting* last)
+  void CutCurve(
+    std::size_t number, const SkdSurfaceIntersection* first, const SkdSurfaceIntersection* last)
   {
     const SkdCurve& curve = this->Task.Curves.GetCurves()[number];
     const skd::Vector3 start = this->Task.Curves.GetPiece(curve.FirstPiece, {}).Start();
@@ -173,15 +174,15 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void SkdCutCurves(
-  const SkdCutTask& task, const std::vector<SkdSurfaceMeeting>& meetings, vtkPolyData* output)
+void SkdCutCurves(const SkdCutTask& task, const std::vector<SkdSurfaceIntersection>& intersections,
+  vtkPolyData* output)
 {
   Cutter cutter(task, output);
-  const SkdSurfaceMeeting* next = meetings.data();
-  const SkdSurfaceMeeting* end = next + meetings.size();
+  const SkdSurfaceIntersection* next = intersections.data();
+  const SkdSurfaceIntersection* end = next + intersections.size();
   for (std::size_t curve = 0; curve < task.Curves.GetCurves().size(); ++curve)
   {
-    const SkdSurfaceMeeting* first = next;
+    const SkdSurfaceIntersection* first = next;
     while (next != end && next->Hit.Curve == curve)
     {
       ++next;

@@ -18,9 +18,10 @@ struct SkdCutTask
   double Delta;     ///< chord tolerance of what becomes a polyline
 };
 
-/// Fills `output` with the curves cut at the meetings (by curve, and along it), each piece with the
-/// parts of the surfaces that hold it: see vtkSkdTreeCurveSurfaceIntersection::SetCutCurves.
-void SkdCutCurves(
-  const SkdCutTask& task, const std::vector<SkdSurfaceMeeting>& meetings, vtkPolyData* output);
+/// Fills `output` with the curves cut at the intersections (by curve, and along it), each piece
+/// with the parts of the surfaces that hold it: see
+/// vtkSkdTreeCurveSurfaceIntersection::SetCutCurves.
+void SkdCutCurves(const SkdCutTask& task, const std::vector<SkdSurfaceIntersection>& intersections,
+  vtkPolyData* output);
 
 #endif

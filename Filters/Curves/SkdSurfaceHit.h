@@ -3,7 +3,7 @@
 #ifndef SkdSurfaceHit_h
 #define SkdSurfaceHit_h
 
-#include "Core/Curves/Meeting.h"
+#include "Core/Curves/IntersectionKind.h"
 #include "Core/Geometry/Vector.h"
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct SkdSurfaceHit
   double Gap;
   double Slack; ///< what U may be off by
   double Reach; ///< and X
-  skd::MeetingKind Kind;
+  skd::IntersectionKind Kind;
   int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
   int Direction; ///< 1 along the normal, -1 against it, 0 along the surface
   int Before;    ///< the side on which the curve comes, 1 where the normal points to, and on which
@@ -35,7 +35,7 @@ struct SkdSurfaceHit
 };
 
 /// A place where a curve meets a surface, whatever number of pieces and elements meet there.
-struct SkdSurfaceMeeting
+struct SkdSurfaceIntersection
 {
   SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (block, cell id)
   int Sense;         ///< 1: the curve goes in, against the normal; -1: out; 0: neither

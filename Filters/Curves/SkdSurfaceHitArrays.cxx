@@ -22,16 +22,16 @@
 
 namespace
 {
-/// Adds an array of one value a meeting.
+/// Adds an array of one value an intersection.
 template <class Array, class Value>
 void AddColumn(
   const SkdSurfaceHitTable& table, vtkPolyData* output, const char* name, const Value& value)
 {
-  const auto n = static_cast<vtkIdType>(table.Meetings.size());
+  const auto n = static_cast<vtkIdType>(table.Intersections.size());
   auto array = SkdMakeArray<Array>(name, 1, n);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    array->SetValue(i, value(table.Meetings[static_cast<std::size_t>(i)]));
+    array->SetValue(i, value(table.Intersections[static_cast<std::size_t>(i)]));
   }
   output->GetPointData()->AddArray(array);
 }
@@ -40,11 +40,11 @@ template <class Value>
 void AddVectors(
   const SkdSurfaceHitTable& table, vtkPolyData* output, const char* name, const Value& value)
 {
-  const auto n = static_cast<vtkIdType>(table.Meetings.size());
+  const auto n = static_cast<vtkIdType>(table.Intersections.size());
   auto array = SkdMakeArray<vtkDoubleArray>(name, 3, n);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    array->SetTuple(i, value(table.Meetings[static_cast<std::size_t>(i)]).X);
+    array->SetTuple(i, value(table.Intersections[static_cast<std::size_t>(i)]).X);
   }
   output->GetPointData()->AddArray(array);
 }
@@ -97,58 +97,60 @@ void AddVertices(const SkdSurfaceHitTable& table, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  for (const SkdSurfaceMeeting& meeting : table.Meetings)
+  for (const SkdSurfaceIntersection& intersection : table.Intersections)
   {
-    const vtkIdType id = points->InsertNextPoint(meeting.Hit.X.X);
+    const vtkIdType id = points->InsertNextPoint(intersection.Hit.X.X);
     vertices->InsertNextCell(1, &id);
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
 }
 
-int CurveBlockOf(const SkdSurfaceHitTable& table, const SkdSurfaceMeeting& meeting)
+int CurveBlockOf(const SkdSurfaceHitTable& table, const SkdSurfaceIntersection& intersection)
 {
-  return table.Curves.GetCurves()[meeting.Hit.Curve].Block;
+  return table.Curves.GetCurves()[intersection.Hit.Curve].Block;
 }
 
 const SkdSurfaceElement& ElementOf(
-  const SkdSurfaceHitTable& table, const SkdSurfaceMeeting& meeting)
+  const SkdSurfaceHitTable& table, const SkdSurfaceIntersection& intersection)
 {
-  return table.Surfaces.GetElements()[meeting.Hit.Element];
+  return table.Surfaces.GetElements()[intersection.Hit.Element];
 }
 }
 
 //------------------------------------------------------------------------------
 void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
-  using Meeting = SkdSurfaceMeeting;
+  using Intersection = SkdSurfaceIntersection;
   const auto& curves = table.Curves.GetCurves();
   AddVertices(table, output);
   AddColumn<vtkIdTypeArray>(table, output, "SkdCurveId",
-    [](const Meeting& one) { return static_cast<vtkIdType>(one.Hit.Curve); });
+    [](const Intersection& one) { return static_cast<vtkIdType>(one.Hit.Curve); });
   AddColumn<vtkIdTypeArray>(table, output, "SkdCurveCellId",
-    [&](const Meeting& one) { return curves[one.Hit.Curve].CellId; });
+    [&](const Intersection& one) { return curves[one.Hit.Curve].CellId; });
   AddColumn<vtkDoubleArray>(table, output, "SkdCurveParameter",
-    [&](const Meeting& one) { return table.Curves.GetParameter(one.Hit.Piece, one.Hit.T); });
+    [&](const Intersection& one) { return table.Curves.GetParameter(one.Hit.Piece, one.Hit.T); });
   AddColumn<vtkDoubleArray>(table, output, "SkdArcLength",
-    [&](const Meeting& one) { return table.Curves.GetArcLength(one.Hit.Piece, one.Hit.T); });
+    [&](const Intersection& one) { return table.Curves.GetArcLength(one.Hit.Piece, one.Hit.T); });
   AddColumn<vtkIdTypeArray>(table, output, "SkdHitNumber",
-    [&](const Meeting& one)
-    { return table.Numbers[static_cast<std::size_t>(&one - table.Meetings.data())]; });
-  AddColumn<vtkIdTypeArray>(
-    table, output, "SkdCellId", [&](const Meeting& one) { return ElementOf(table, one).CellId; });
-  AddColumn<vtkIntArray>(
-    table, output, "SkdPartId", [&](const Meeting& one) { return ElementOf(table, one).Part; });
+    [&](const Intersection& one)
+    { return table.Numbers[static_cast<std::size_t>(&one - table.Intersections.data())]; });
+  AddColumn<vtkIdTypeArray>(table, output, "SkdCellId",
+    [&](const Intersection& one) { return ElementOf(table, one).CellId; });
+  AddColumn<vtkIntArray>(table, output, "SkdPartId",
+    [&](const Intersection& one) { return ElementOf(table, one).Part; });
+  AddVectors(table, output, "SkdPCoords",
+    [&](const Intersection& one) { return PCoordsOf(table, one.Hit); });
   AddVectors(
-    table, output, "SkdPCoords", [&](const Meeting& one) { return PCoordsOf(table, one.Hit); });
-  AddVectors(table, output, "SkdNormal", [](const Meeting& one) { return Unit(one.Hit.Normal); });
+    table, output, "SkdNormal", [](const Intersection& one) { return Unit(one.Hit.Normal); });
   AddColumn<vtkDoubleArray>(
-    table, output, "SkdAngle", [](const Meeting& one) { return AngleOf(one.Hit); });
-  AddColumn<vtkIntArray>(table, output, "SkdSense", [](const Meeting& one) { return one.Sense; });
+    table, output, "SkdAngle", [](const Intersection& one) { return AngleOf(one.Hit); });
   AddColumn<vtkIntArray>(
-    table, output, "SkdKind", [](const Meeting& one) { return static_cast<int>(one.Hit.Kind); });
+    table, output, "SkdSense", [](const Intersection& one) { return one.Sense; });
+  AddColumn<vtkIntArray>(table, output, "SkdKind",
+    [](const Intersection& one) { return static_cast<int>(one.Hit.Kind); });
   AddColumn<vtkDoubleArray>(
-    table, output, "SkdGap", [](const Meeting& one) { return one.Hit.Gap; });
+    table, output, "SkdGap", [](const Intersection& one) { return one.Hit.Gap; });
   output->GetPointData()->SetActiveScalars("SkdSense");
 }
 
@@ -156,7 +158,7 @@ void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
 void SkdStoreCurveBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
   AddColumn<vtkIntArray>(table, output, "SkdCurveBlockIndex",
-    [&](const SkdSurfaceMeeting& one)
+    [&](const SkdSurfaceIntersection& one)
     { return table.CurveBlocks[static_cast<std::size_t>(CurveBlockOf(table, one))].BlockIndex; });
 }
 
@@ -164,7 +166,7 @@ void SkdStoreCurveBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
   AddColumn<vtkIntArray>(table, output, "SkdBlockIndex",
-    [&](const SkdSurfaceMeeting& one) {
+    [&](const SkdSurfaceIntersection& one) {
       return table.SurfaceBlocks[static_cast<std::size_t>(ElementOf(table, one).Block)].BlockIndex;
     });
 }
@@ -173,7 +175,7 @@ void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 void SkdStoreDataAtHits(
   const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
 {
-  const auto n = static_cast<vtkIdType>(table.Meetings.size());
+  const auto n = static_cast<vtkIdType>(table.Intersections.size());
   const auto gather = [&](const std::vector<SkdBlock>& blocks, int type)
   { return SkdGatherInto(output->GetPointData(), n, blocks, type, refused); };
   SkdArrayGather curvePoints = gather(table.CurveBlocks, vtkDataObject::POINT);
@@ -185,13 +187,13 @@ void SkdStoreDataAtHits(
   SkdCellWeights onSurface;
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const SkdSurfaceMeeting& meeting = table.Meetings[static_cast<std::size_t>(i)];
-    const SkdSurfaceHit& hit = meeting.Hit;
-    const int curveBlock = CurveBlockOf(table, meeting);
+    const SkdSurfaceIntersection& intersection = table.Intersections[static_cast<std::size_t>(i)];
+    const SkdSurfaceHit& hit = intersection.Hit;
+    const int curveBlock = CurveBlockOf(table, intersection);
     table.Curves.GetWeights(hit.Piece, hit.T, ids, alongCurve);
     curvePoints.Interpolate(i, curveBlock, ids, alongCurve.data());
     curveCells.Take(i, curveBlock, table.Curves.GetCurves()[hit.Curve].CellId);
-    const SkdSurfaceElement& element = ElementOf(table, meeting);
+    const SkdSurfaceElement& element = ElementOf(table, intersection);
     vtkDataSet* mesh = table.SurfaceBlocks[static_cast<std::size_t>(element.Block)].Mesh;
     onSurface.Evaluate(mesh, element.CellId, hit.X.X);
     points.Interpolate(i, element.Block, onSurface.GetPointIds(), onSurface.GetWeights());

@@ -16,11 +16,11 @@ struct SkdSurfaceHitTable
   const std::vector<SkdBlock>& CurveBlocks;
   const SkdSurfaceSet& Surfaces;
   const std::vector<SkdBlock>& SurfaceBlocks;
-  std::vector<SkdSurfaceMeeting> Meetings;
-  std::vector<vtkIdType> Numbers; ///< of each meeting along its curve, from 1
+  std::vector<SkdSurfaceIntersection> Intersections;
+  std::vector<vtkIdType> Numbers; ///< of each intersection along its curve, from 1
 };
 
-/// Fills `output` with a vertex for each meeting and the arrays that
+/// Fills `output` with a vertex for each intersection and the arrays that
 /// vtkSkdTreeCurveSurfaceIntersection describes.
 void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output);
 

@@ -4,8 +4,8 @@
 
 #include "Core/Curves/CurveSpans.h"
 #include "Core/Geometry/Intersection/SegmentFacet.h"
-#include "Curves/SkdMeetingGroup.h"
-#include "Curves/SkdMeetingJoints.h"
+#include "Curves/SkdIntersectionGroups.h"
+#include "Curves/SkdIntersectionJoints.h"
 #include "Pipeline/SkdLoop.h"
 #include "vtkSMPThreadLocal.h"
 
@@ -33,7 +33,7 @@ SkdSurfaceHit SkdSurfaceHitFinder::BaseOf(std::size_t piece) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Find(SkdLoop& loop) const
+std::vector<SkdSurfaceIntersection> SkdSurfaceHitFinder::Find(SkdLoop& loop) const
 {
   struct Worker
   {
@@ -135,11 +135,11 @@ void SkdSurfaceHitFinder::MeetTriangle(
     base.Direction = hit->Direction;
     base.OnBoundary = hit->OnBoundary;
     put(hit->T);
-    hits.back().Kind = skd::MeetingKind::Crossing;
+    hits.back().Kind = skd::IntersectionKind::Crossing;
   }
   else if (const auto within = skd::WithinFacet(segment, corners))
   {
-    base.Kind = skd::MeetingKind::OverlapEnd;
+    base.Kind = skd::IntersectionKind::OverlapEnd;
     base.OnBoundary = true;
     base.Slack = 8.0 * this->Rounding / skd::Norm(base.Tangent);
     base.Reach = 16.0 * this->Rounding;
@@ -193,7 +193,7 @@ void SkdSurfaceHitFinder::DecideAtSides(
     patch.Corner(0, 1) };
   const bool isOnSide[4] = { hit.S == 0.0, hit.R == 1.0, hit.S == 1.0, hit.R == 0.0 };
   const bool isAtEnd = hit.T == 0.0 || hit.T == 1.0;
-  if (hit.Kind != skd::MeetingKind::Crossing || isAtEnd)
+  if (hit.Kind != skd::IntersectionKind::Crossing || isAtEnd)
   {
     return;
   }
@@ -207,7 +207,7 @@ void SkdSurfaceHitFinder::DecideAtSides(
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Unite(Hits& hits) const
+std::vector<SkdSurfaceIntersection> SkdSurfaceHitFinder::Unite(Hits& hits) const
 {
   const auto& elements = this->Surfaces.GetElements();
   for (SkdSurfaceHit& hit : hits)
@@ -228,20 +228,20 @@ std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::Unite(Hits& hits) const
   };
   std::sort(hits.begin(), hits.end(),
     [&](const SkdSurfaceHit& a, const SkdSurfaceHit& b) { return key(a) < key(b); });
-  SkdMeetingGroups groups(elements);
+  SkdIntersectionGroups groups(elements);
   for (const SkdSurfaceHit& hit : hits)
   {
     groups.Add(hit);
   }
-  return groups.GetMeetings();
+  return groups.GetIntersections();
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdSurfaceMeeting> SkdSurfaceHitFinder::UniteAtJoints(
-  std::vector<SkdSurfaceMeeting> meetings) const
+std::vector<SkdSurfaceIntersection> SkdSurfaceHitFinder::UniteAtJoints(
+  std::vector<SkdSurfaceIntersection> intersections) const
 {
-  SkdMeetingJoints joints(this->Curves, this->Surfaces.GetElements());
-  return joints.Unite(std::move(meetings));
+  SkdIntersectionJoints joints(this->Curves, this->Surfaces.GetElements());
+  return joints.Unite(std::move(intersections));
 }
 
 //------------------------------------------------------------------------------
@@ -267,7 +267,7 @@ std::vector<int> SkdSurfaceHitFinder::FindPartsAround(const skd::Vector3& x) con
   std::sort(hits.begin(), hits.end(),
     [](const SkdSurfaceHit& a, const SkdSurfaceHit& b)
     { return std::tie(a.U, a.Element) < std::tie(b.U, b.Element); });
-  SkdMeetingGroups groups(this->Surfaces.GetElements());
+  SkdIntersectionGroups groups(this->Surfaces.GetElements());
   for (const SkdSurfaceHit& hit : hits)
   {
     groups.Add(hit);

@@ -26,11 +26,12 @@ public:
 
   /// All places, by curve and then along it; at one place by part and cell id. In parallel. Of
   /// curves that go on as each other each tells what is in the joint: see UniteAtJoints().
-  std::vector<SkdSurfaceMeeting> Find(SkdLoop& loop) const;
+  std::vector<SkdSurfaceIntersection> Find(SkdLoop& loop) const;
 
   /// The same with what is in a joint told once, of the curve of the lowest number, as if both were
   /// one curve. Ends of stretches stay.
-  std::vector<SkdSurfaceMeeting> UniteAtJoints(std::vector<SkdSurfaceMeeting> meetings) const;
+  std::vector<SkdSurfaceIntersection> UniteAtJoints(
+    std::vector<SkdSurfaceIntersection> intersections) const;
 
   /// The parts that have a point inside, if they are closed, by ascending distance to where a line
   /// from there leaves them. Thread-safe.
@@ -51,7 +52,7 @@ private:
     const skd::Interval& range, std::size_t element, SkdSurfaceHit base,
     skd::CurvePatchSolver& solver, Hits& hits) const;
   void DecideAtSides(const skd::Segment<3>& segment, std::size_t element, SkdSurfaceHit& hit) const;
-  std::vector<SkdSurfaceMeeting> Unite(Hits& hits) const;
+  std::vector<SkdSurfaceIntersection> Unite(Hits& hits) const;
   SkdSurfaceHit BaseOf(std::size_t piece) const;
 
   const SkdCurveSet& Curves;

@@ -182,7 +182,7 @@ void AddWithin(
   }
 }
 
-struct Meeting
+struct SetPair
 {
   const SkdPlacement& Placement;
   skd::Box3 Region; ///< that both are in, the second with a margin
@@ -190,15 +190,15 @@ struct Meeting
 };
 
 /// False when those that are near are not much fewer than all.
-bool FilterByCoarseGrid(const Meeting& meeting, SkdNearSets& near)
+bool FilterByCoarseGrid(const SetPair& pair, SkdNearSets& near)
 {
-  const SkdPlacedTriangles& first = meeting.Placement.First;
-  const SkdPlacedTriangles& second = meeting.Placement.GetSecond();
+  const SkdPlacedTriangles& first = pair.Placement.First;
+  const SkdPlacedTriangles& second = pair.Placement.GetSecond();
   const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
-  const double size = std::max(MeanSize(first), MeanSize(second)) + meeting.Margin;
-  const Cells cells(meeting.Region, size);
+  const double size = std::max(MeanSize(first), MeanSize(second)) + pair.Margin;
+  const Cells cells(pair.Region, size);
   const SeenByCells seenFirst(first, cells, 0.0);
-  const SeenByCells seenSecond(second, cells, meeting.Margin);
+  const SeenByCells seenSecond(second, cells, pair.Margin);
   CoarseGrid grid(cells, all);
   if (!grid.MarkAll(seenFirst, near.First.Triangles) ||
     !grid.FindMarked(seenSecond, near.Second.Triangles))

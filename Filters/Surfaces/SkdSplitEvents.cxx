@@ -19,7 +19,7 @@ struct Piece
   double Max[2];
 };
 
-/// The meetings of the segments of one triangle.
+/// The intersections of the segments of one triangle.
 class Triangle
 {
 public:

@@ -18,11 +18,11 @@ picture_file = sys.argv[1]
 ball = simple.Sphere(Radius=1, ThetaResolution=48, PhiResolution=32)
 pipe = simple.Transform(Input=simple.Cylinder(Radius=0.45, Height=4, Resolution=40, Capping=0))
 pipe.Transform.Rotate = [25, 0, 35]
-meeting = simple.SkdTreeSurfaceIntersection(Input=ball, Source=pipe, SplitSurfaces=1)
-meeting.UpdatePipeline()
+intersection = simple.SkdTreeSurfaceIntersection(Input=ball, Source=pipe, SplitSurfaces=1)
+intersection.UpdatePipeline()
 
 for port, name in ((4, "ball"), (5, "pipe")):
-    split = servermanager.Fetch(meeting, idx=port)
+    split = servermanager.Fetch(intersection, idx=port)
     regions = split.GetCellData().GetArray("SkdRegionId").GetRange()[1] + 1
     print("%s: %d triangles in %d regions" % (name, split.GetNumberOfCells(), regions))
 
@@ -44,7 +44,7 @@ def show(proxy, colors):
 
 def regions(port, last):
     """Of one of the surfaces the regions 0 to `last`."""
-    threshold = simple.Threshold(Input=simple.OutputPort(meeting, port))
+    threshold = simple.Threshold(Input=simple.OutputPort(intersection, port))
     threshold.Scalars = ["CELLS", "SkdRegionId"]
     threshold.LowerThreshold, threshold.UpperThreshold = 0, last
     return threshold

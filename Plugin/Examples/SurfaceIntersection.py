@@ -18,7 +18,7 @@ STEPS, SHOWN, SHIFT = 9, 5, -9000.0
 
 brain = simple.OpenDataFile(brain_file)
 region = simple.OpenDataFile(region_file)
-meeting = simple.SkdTreeSurfaceIntersection(Input=brain, Source=region)
+intersection = simple.SkdTreeSurfaceIntersection(Input=brain, Source=region)
 
 view = simple.CreateRenderView(ViewSize=[900, 700], OrientationAxesVisibility=0,
     UseColorPaletteForBackground=0, Background=[1, 1, 1])
@@ -44,18 +44,18 @@ view.CameraViewUp = [0, -1, 0]
 simple.ResetCamera(view)
 simple.GetActiveCamera().Zoom(0.6)
 show(brain, Opacity=0.45, DiffuseColor=[0.55, 0.65, 0.8])
-show(meeting, DiffuseColor=[0.8, 0.1, 0.1], LineWidth=5, RenderLinesAsTubes=1)
-animate(meeting, "Translation", 1, 0.0, SHIFT)
+show(intersection, DiffuseColor=[0.8, 0.1, 0.1], LineWidth=5, RenderLinesAsTubes=1)
+animate(intersection, "Translation", 1, 0.0, SHIFT)
 animate(moved.Transform, "Position", 1, 0.0, SHIFT)
 
 scene = simple.GetAnimationScene()
 scene.StartTime, scene.EndTime = 0.0, 1.0
 for step in range(STEPS):
     scene.AnimationTime = step / (STEPS - 1)
-    meeting.UpdatePipeline()
-    report = {name: meeting.FieldData["SkdReport" + name].GetRange()[0]
+    intersection.UpdatePipeline()
+    report = {name: intersection.FieldData["SkdReport" + name].GetRange()[0]
         for name in ("Pairs", "Curves", "TreesBuilt")}
     print("shifted by %6.0f: %4d pairs of cells in %2d curves, %d trees built"
-        % (meeting.Translation[1], report["Pairs"], report["Curves"], report["TreesBuilt"]))
+        % (intersection.Translation[1], report["Pairs"], report["Curves"], report["TreesBuilt"]))
     if step == SHOWN:
         simple.SaveScreenshot(picture_file, view)

@@ -79,19 +79,19 @@ public:
     const std::vector<Kernel::Triangle_3> there = CgalTrianglesOf(second);
     std::vector<CellBox> boxesHere = BoxesOf(first);
     std::vector<CellBox> boxesThere = BoxesOf(second);
-    this->Meeting.clear();
+    this->Contacts.clear();
     Run(boxesHere, boxesThere,
       [&](const CellBox& a, const CellBox& b)
       {
         if (CGAL::do_intersect(here[a.Cell], there[b.Cell]))
         {
-          this->Meeting.emplace_back(a.Cell, b.Cell);
+          this->Contacts.emplace_back(a.Cell, b.Cell);
         }
       });
     return true;
   }
 
-  PairList TrianglePairs() const override { return this->Meeting; }
+  PairList TrianglePairs() const override { return this->Contacts; }
 
 private:
   template <class Take>
@@ -103,7 +103,7 @@ private:
   std::vector<CellBox> First;
   std::vector<CellBox> Second;
   PairList Boxes;
-  PairList Meeting;
+  PairList Contacts;
 };
 
 }

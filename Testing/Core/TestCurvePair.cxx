@@ -55,11 +55,11 @@ TEST(CurvePair, LinesCross)
   const auto hits = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 4, 4, 4 } }),
     BezierCurve::Line({ { 0, 4, 1 } }, { { 4, 0, 1 } }));
   EXPECT_TRUE(hits.empty()); // one above the other
-  const auto meeting = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 4, 4, 4 } }),
+  const auto intersection = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 4, 4, 4 } }),
     BezierCurve::Line({ { 0, 2, 1 } }, { { 2, 0, 1 } }));
-  ASSERT_EQ(meeting.size(), 1u);
-  EXPECT_NEAR(meeting[0].T, 0.25, 1e-15);
-  EXPECT_NEAR(meeting[0].S, 0.5, 1e-15);
+  ASSERT_EQ(intersection.size(), 1u);
+  EXPECT_NEAR(intersection[0].T, 0.25, 1e-15);
+  EXPECT_NEAR(intersection[0].S, 0.5, 1e-15);
 }
 
 TEST(CurvePair, LinesThatMeetInAnEnd)
@@ -76,7 +76,7 @@ TEST(CurvePair, LinesThatOverlap)
   const auto hits = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 3, 3, 3 } }),
     BezierCurve::Line({ { 2, 2, 2 } }, { { 6, 6, 6 } }));
   ASSERT_EQ(hits.size(), 2u);
-  EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  EXPECT_EQ(hits[0].Kind, IntersectionKind::OverlapEnd);
   EXPECT_NEAR(hits[0].T, 2.0 / 3.0, 1e-14);
   EXPECT_EQ(hits[0].S, 0.0);
   EXPECT_EQ(hits[1].T, 1.0);
@@ -88,7 +88,7 @@ TEST(CurvePair, LinesThatOverlap)
   const auto touching = Solve(BezierCurve::Line({ { 0, 0, 0 } }, { { 2, 2, 2 } }),
     BezierCurve::Line({ { 2, 2, 2 } }, { { 6, 6, 6 } }));
   ASSERT_EQ(touching.size(), 1u);
-  EXPECT_EQ(touching[0].Kind, MeetingKind::Touching);
+  EXPECT_EQ(touching[0].Kind, IntersectionKind::Touching);
 }
 
 TEST(CurvePair, CirclesCross)
@@ -113,7 +113,7 @@ TEST(CurvePair, CirclesTouch)
   const Vector3 centre{ { 0.5 * std::sqrt(0.75), 0.25, 0 } };
   const auto hits = Solve(Quarter(1.0, 0), Quarter(0.5, 0, centre));
   ASSERT_EQ(hits.size(), 1u);
-  EXPECT_EQ(hits[0].Kind, MeetingKind::Touching);
+  EXPECT_EQ(hits[0].Kind, IntersectionKind::Touching);
   EXPECT_NEAR(hits[0].X[0], std::sqrt(0.75), 1e-11);
   EXPECT_NEAR(hits[0].X[1], 0.5, 1e-11);
   const Vector3 apart{ { 0.5 * std::sqrt(0.75) - 1e-9, 0.25, 0 } };
@@ -124,7 +124,7 @@ TEST(CurvePair, EqualCirclesOverlap)
 {
   const auto hits = Solve(Quarter(1.0, 0), Quarter(1.0, 0));
   ASSERT_EQ(hits.size(), 2u);
-  EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  EXPECT_EQ(hits[0].Kind, IntersectionKind::OverlapEnd);
   EXPECT_EQ(hits[0].T, 0.0);
   EXPECT_EQ(hits[1].T, 1.0);
   // The same arc from the middle on, made anew.
@@ -147,7 +147,7 @@ TEST(CurvePair, CubicsCrossNineTimes)
   for (const CurvePairHit& hit : hits)
   {
     EXPECT_LE(hit.Gap, 8e-15);
-    EXPECT_EQ(hit.Kind, MeetingKind::Crossing);
+    EXPECT_EQ(hit.Kind, IntersectionKind::Crossing);
   }
 }
 
@@ -157,7 +157,7 @@ TEST(CurvePair, ADoubleAndATripleRoot)
   // y = (x - 1/2)^2, and y = (x - 1/2)^3
   const auto twice = Solve(Graph({ 0.25, -1.0 / 12, -1.0 / 12, 0.25 }), line);
   ASSERT_EQ(twice.size(), 1u);
-  EXPECT_EQ(twice[0].Kind, MeetingKind::Touching);
+  EXPECT_EQ(twice[0].Kind, IntersectionKind::Touching);
   EXPECT_NEAR(twice[0].T, 0.5, 1e-12);
   const auto thrice = Solve(Graph({ -0.125, 0.125, -0.125, 0.125 }), line);
   ASSERT_EQ(thrice.size(), 1u);
@@ -293,7 +293,8 @@ TEST(CurvePair, RootsOfOddOrderAreOneCrossing)
       {
         const auto hits = SolveBothWays(Power(degree, root, slope), Axis);
         ASSERT_EQ(hits.size(), 1u) << degree << " at " << root << " with " << slope;
-        EXPECT_EQ(hits[0].Kind, MeetingKind::Crossing) << degree << " " << root << " " << slope;
+        EXPECT_EQ(hits[0].Kind, IntersectionKind::Crossing)
+          << degree << " " << root << " " << slope;
         EXPECT_NEAR(hits[0].T, root, std::pow(4e-15, 1.0 / degree)) << degree << " " << root;
       }
     }
@@ -308,7 +309,7 @@ TEST(CurvePair, RootsOfEvenOrderAreOneTouch)
     {
       const auto hits = SolveBothWays(Power(degree, root, 0.0), Axis);
       ASSERT_EQ(hits.size(), 1u) << degree << " at " << root;
-      EXPECT_EQ(hits[0].Kind, MeetingKind::Touching) << degree << " at " << root;
+      EXPECT_EQ(hits[0].Kind, IntersectionKind::Touching) << degree << " at " << root;
     }
   }
 }
@@ -347,7 +348,7 @@ TEST(CurvePair, LinesOfRoundedCoordinatesRunAlongEachOther)
     const auto hits = SolveBothWays(BezierCurve::Line(a, b),
       BezierCurve::Line(Lerp(a, b, 0.3), Lerp(a, b, 0.3 + 0.01 * any(engine))));
     ASSERT_EQ(hits.size(), 2u) << round;
-    EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+    EXPECT_EQ(hits[0].Kind, IntersectionKind::OverlapEnd);
   }
 }
 

@@ -49,7 +49,7 @@ BezierPatch TorusPatch(double R, double r, int phi, int theta)
 struct Found
 {
   std::vector<double> T;
-  std::vector<MeetingKind> Kinds;
+  std::vector<IntersectionKind> Kinds;
   int Sum = 0;
 };
 
@@ -94,7 +94,7 @@ TEST(CurvePatch, ALineCrossesATorusFourTimes)
   for (int i = 0; i < 4; ++i)
   {
     EXPECT_NEAR(4.0 * found.T[i], expected[i], 1e-12 * expected[i]);
-    EXPECT_EQ(found.Kinds[i], MeetingKind::Crossing);
+    EXPECT_EQ(found.Kinds[i], IntersectionKind::Crossing);
   }
   EXPECT_EQ(found.Sum, 0);
 }
@@ -104,7 +104,7 @@ TEST(CurvePatch, ALineTouchesATorus)
   const Found found = OnTorus(LineFrom({ { -2, 1.25, 0 } }, { { 1, 0, 0 } }, 4.3));
   ASSERT_EQ(found.T.size(), 1u);
   EXPECT_NEAR(4.3 * found.T[0], 2.0, 1e-12);
-  EXPECT_EQ(found.Kinds[0], MeetingKind::Touching);
+  EXPECT_EQ(found.Kinds[0], IntersectionKind::Touching);
 }
 
 TEST(CurvePatch, ALineCutsATorusCloseByTwice)
@@ -125,7 +125,7 @@ TEST(CurvePatch, ALineMeetsATorusInAFourfoldRoot)
   const Found found = OnTorus(LineFrom({ { -2, 1, .25 } }, { { 1, 0, 0 } }, 4.3));
   ASSERT_EQ(found.T.size(), 1u);
   EXPECT_NEAR(4.3 * found.T[0], 2.0, 1e-5); // the fourth root of rounding is what it can be told to
-  EXPECT_EQ(found.Kinds[0], MeetingKind::Touching);
+  EXPECT_EQ(found.Kinds[0], IntersectionKind::Touching);
 }
 
 TEST(CurvePatch, ACircleOfATorusRunsWithinIt)
@@ -141,7 +141,7 @@ TEST(CurvePatch, ACircleOfATorusRunsWithinIt)
   CurvePatchSolver solver;
   const auto& hits = solver.Solve(circle, TorusPatch(1.0, 0.25, 0, 0), 4e-15);
   ASSERT_EQ(hits.size(), 2u);
-  EXPECT_EQ(hits[0].Kind, MeetingKind::OverlapEnd);
+  EXPECT_EQ(hits[0].Kind, IntersectionKind::OverlapEnd);
   EXPECT_TRUE(hits[0].Begins);
   EXPECT_NEAR(hits[0].T, 0.0, 1e-9);
   EXPECT_NEAR(hits[1].T, 1.0, 1e-9);
@@ -276,7 +276,8 @@ TEST(CurvePatch, RootsOfAnyOrderAreOnePlace)
           }
           const auto& hits = solver.Solve(curve, Plane(turn > 1), 4e-15);
           ASSERT_EQ(hits.size(), 1u) << degree << " at " << root << " with " << slope;
-          EXPECT_EQ(hits[0].Kind, isOdd ? MeetingKind::Crossing : MeetingKind::Touching) << degree;
+          EXPECT_EQ(hits[0].Kind, isOdd ? IntersectionKind::Crossing : IntersectionKind::Touching)
+            << degree;
           EXPECT_EQ(hits[0].Passes, isOdd ? (turn % 2 ? -1 : 1) : 0) << degree << " at " << root;
           EXPECT_NEAR(hits[0].T, root, std::pow(4e-15, 1.0 / degree)) << degree;
         }
@@ -336,7 +337,7 @@ TEST(CurvePatch, NoCrossingAtASmallAngleIsLost)
       const bool passes = hit.Passes == 1 || angle < 1e-5; // two may be as near as rounding
       return std::abs(hit.T - t) <= 1e-9 + hit.Slack && passes;
     };
-    const auto areWithin = !hits.empty() && hits[0].Kind == MeetingKind::OverlapEnd;
+    const auto areWithin = !hits.empty() && hits[0].Kind == IntersectionKind::OverlapEnd;
     EXPECT_TRUE(areWithin || std::count_if(hits.begin(), hits.end(), isThere) >= 1)
       << round << " at " << angle;
   }

@@ -22,10 +22,10 @@ using skd::Vector3;
 using Shapes = std::multiset<std::set<Vector3>>;
 
 /// Where threads wait for each other, and leave numbers.
-class Meeting
+class Rendezvous
 {
 public:
-  explicit Meeting(int count)
+  explicit Rendezvous(int count)
     : Left(count)
     , Count(count)
   {
@@ -66,8 +66,8 @@ private:
 class Threads : public skd::Processes
 {
 public:
-  Threads(Meeting& meeting, int id)
-    : With(meeting)
+  Threads(Rendezvous& rendezvous, int id)
+    : With(rendezvous)
     , Id(id)
   {
   }
@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  Meeting& With;
+  Rendezvous& With;
   int Id;
 };
 
@@ -236,7 +236,7 @@ Result ResultOf(RefinedMesh mesh, const Task& task)
 /// What all have together that are refined side by side.
 Result ResultOf(std::vector<RefinedMesh> pieces, const Task& task)
 {
-  Meeting meeting(static_cast<int>(pieces.size()));
+  Rendezvous rendezvous(static_cast<int>(pieces.size()));
   std::vector<char> fits(pieces.size());
   std::vector<std::optional<skd::HangingNodes>> hanging(pieces.size());
   std::vector<std::thread> threads;
@@ -245,7 +245,7 @@ Result ResultOf(std::vector<RefinedMesh> pieces, const Task& task)
     threads.emplace_back(
       [&, i]
       {
-        const Threads processes(meeting, static_cast<int>(i));
+        const Threads processes(rendezvous, static_cast<int>(i));
         bool fit = false;
         hanging[i].emplace(Refine(pieces[i], task, &processes, fit));
         fits[i] = fit;

@@ -80,7 +80,7 @@ TEST(CurveCandidates, AreNoneUnlessAskedFor)
   EXPECT_EQ(RegionsOf(filter)->GetNumberOfCells(), 0);
 }
 
-TEST(CurveCandidates, EachMeetingIsInARegionThatCountsIt)
+TEST(CurveCandidates, EachIntersectionIsInARegionThatCountsIt)
 {
   auto filter = Crossing(Wave(0, 0), Wave(1.3, 0));
   vtkUnstructuredGrid* regions = RegionsOf(filter);

@@ -17,7 +17,7 @@ using namespace skdtest;
 namespace
 {
 
-enum class Meeting
+enum class Intersection
 {
   No,
   Yes,
@@ -35,7 +35,7 @@ int SignOf(const Point& a, const Point& b, const Point& c)
 using Triangle = std::array<Point, 3>;
 
 /// A line from `start` along `way` and a triangle; where, from 0 to 1.
-Meeting Meet(const Point& start, const Point& way, const Triangle& triangle, double& at)
+Intersection Meet(const Point& start, const Point& way, const Triangle& triangle, double& at)
 {
   const Point a = triangle[0] - start;
   const Point b = triangle[1] - start;
@@ -44,12 +44,12 @@ Meeting Meet(const Point& start, const Point& way, const Triangle& triangle, dou
   const auto [least, most] = std::minmax_element(sides, sides + 3);
   if (*least < 0 && *most > 0)
   {
-    return Meeting::No;
+    return Intersection::No;
   }
   const Point normal = Cross(b - a, c - a);
   at = Dot(normal, a) / Dot(normal, way);
   const bool isWithin = at > 1e-9 && at < 1.0 - 1e-9; // both ends are beyond the surface's box
-  return *least * *most == 1 && isWithin ? Meeting::Yes : Meeting::Unsure;
+  return *least * *most == 1 && isWithin ? Intersection::Yes : Intersection::Unsure;
 }
 
 PolyDataPointer ReadTriangles(const std::string& file)
@@ -116,7 +116,7 @@ void ExpectAllMet(
   {
     double at = 0.0;
     const auto isThere = [&](double place) { return std::abs(place - at) < 1e-9; };
-    if (Meet(line.Start, line.Way, triangles[i], at) == Meeting::Yes)
+    if (Meet(line.Start, line.Way, triangles[i], at) == Intersection::Yes)
     {
       ASSERT_TRUE(std::any_of(places.begin(), places.end(), isThere))
         << "cell " << i << " is met at " << at;
@@ -165,7 +165,7 @@ TEST_P(CurveSurfaceReal, HitsAreThoseOfALookAtAllTriangles)
     for (; told < curves.size() && curves[told] == static_cast<double>(line); ++told)
     {
       const Triangle& hit = triangles[static_cast<std::size_t>(cells[told])];
-      EXPECT_NE(Meet(lines[line].Start, lines[line].Way, hit, at), Meeting::No)
+      EXPECT_NE(Meet(lines[line].Start, lines[line].Way, hit, at), Intersection::No)
         << "line " << line << " misses cell " << cells[told];
     }
     ExpectAllMet(lines[line], triangles, { places.begin() + first, places.begin() + told });

@@ -57,7 +57,7 @@ def hits():
         Input=figure(), Source=sphere(0.1, 0.2, 0), InterpolateData=0)))
 
 
-def meeting(source):
+def intersection(source):
     """Of the Input's piece: how many pairs of cells, and what length of curves."""
     from paraview import simple
 
@@ -105,8 +105,8 @@ def all_answers():
         **split(),
         "crossings": crossings(),
         "hits": hits(),
-        "meeting": meeting(sphere(0.9, 0.3, 0.2)),
-        "itself": meeting(None)
+        "intersection": intersection(sphere(0.9, 0.3, 0.2)),
+        "itself": intersection(None)
     }
 
 
@@ -121,9 +121,9 @@ def check(alone, parts):
     together = numpy.vstack([part["hits"] for part in parts])
     assert len(alone["hits"]) > 2
     numpy.testing.assert_array_equal(sorted_rows(together), sorted_rows(alone["hits"]))
-    total = sum(part["meeting"] for part in parts)
-    assert all(part["meeting"][0] > 0 for part in parts)
-    numpy.testing.assert_allclose(total, alone["meeting"], rtol=1e-6)
+    total = sum(part["intersection"] for part in parts)
+    assert all(part["intersection"][0] > 0 for part in parts)
+    numpy.testing.assert_allclose(total, alone["intersection"], rtol=1e-6)
     for part in parts + [alone]:
         assert (part["itself"] == 0).all()
     for name in (name for name in alone if name.startswith("split")):

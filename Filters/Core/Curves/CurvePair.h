@@ -3,7 +3,7 @@
 #ifndef skd_Curves_CurvePair_h
 #define skd_Curves_CurvePair_h
 
-#include "Meeting.h"
+#include "IntersectionKind.h"
 #include "Preconditioner.h"
 
 #include <optional>
@@ -22,7 +22,7 @@ struct CurvePairHit
   double SlackT = 0.0; ///< what T may be off by
   double SlackS = 0.0;
   double Reach = 0.0; ///< and X
-  MeetingKind Kind = MeetingKind::Crossing;
+  IntersectionKind Kind = IntersectionKind::Crossing;
   bool Begins = false;     ///< of an OverlapEnd: the common stretch begins here
   Vector3 Before{};        ///< from the second to the first before a place that is not simple; or 0
   Vector3 After{};         ///< the same after it
@@ -157,7 +157,7 @@ struct CurvePair
     hit.T = 0.5 * (contact.T.Min + contact.T.Max);
     before.T = contact.T.Min;
     after.T = contact.T.Max;
-    hit.Kind = MeetingKind::Touching;
+    hit.Kind = IntersectionKind::Touching;
     hit.IsResolved = true;
     hit.SlackT = 8.0 * length;
     if (LeaveContact(before, -step, reach, gapAt) && LeaveContact(after, step, reach, gapAt))
@@ -254,7 +254,7 @@ private:
       this->FindFoot(after, hit.After);
       const bool crosses = Dot(hit.Before, hit.After) < 0.0;
       const Vector3 across = Norm2(hit.Before) > Norm2(hit.After) ? hit.Before : hit.After;
-      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      hit.Kind = crosses ? IntersectionKind::Crossing : IntersectionKind::Touching;
       hit.T = this->Bisect(before, after, across, !crosses);
       this->FindFoot(hit, way);
       if (crosses || Norm(way) <= 4.0 * this->Tolerance || Dot(way, hit.Before) >= 0.0)

@@ -12,14 +12,14 @@
 
 #include "CurvePairCell.h"
 #include "CurveWithinCurve.h"
+#include "IntersectionSearch.h"
 #include "LinePair.h"
-#include "MeetingSearch.h"
 
 namespace skd
 {
 
 /// One a thread: it keeps its memory.
-class CurvePairSolver : private MeetingSearch<CurvePairCell, CurvePairHit, CurvePairContact>
+class CurvePairSolver : private IntersectionSearch<CurvePairCell, CurvePairHit, CurvePairContact>
 {
 public:
   /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good

@@ -3,7 +3,7 @@
 #ifndef skd_Curves_CurvePatchContact_h
 #define skd_Curves_CurvePatchContact_h
 
-#include "Meeting.h"
+#include "IntersectionKind.h"
 #include "Preconditioner.h"
 
 #include <array>
@@ -23,7 +23,7 @@ struct CurvePatchHit
   double Gap = 0.0;   ///< what is left between both
   double Slack = 0.0; ///< what T may be off by
   double Reach = 0.0; ///< and X
-  MeetingKind Kind = MeetingKind::Crossing;
+  IntersectionKind Kind = IntersectionKind::Crossing;
   int Passes = 0;      ///< 1 along dX/dr x dX/ds, -1 against it, 0 not
   bool Begins = false; ///< of an OverlapEnd: the common stretch begins here
   int Before = 0; ///< the side of the patch on which the curve comes, 1 where its normal points to
@@ -242,7 +242,7 @@ private:
       hit.After = this->SideOf(after);
       const bool crosses = hit.Before != hit.After;
       hit.T = this->Bisect(before.T, after.T, hit, !crosses);
-      hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+      hit.Kind = crosses ? IntersectionKind::Crossing : IntersectionKind::Touching;
       hit.Passes = crosses ? hit.After : 0;
       double height;
       if (this->FindFoot(hit, height) && std::abs(height) <= 4.0 * this->Tolerance)
@@ -311,7 +311,7 @@ private:
     const Vector3 normal = s.Normal();
     const double slope = Dot(c.D1, normal) / (Norm(normal) * Norm(c.D1));
     const bool crosses = std::abs(slope) > 1e-3;
-    hit.Kind = crosses ? MeetingKind::Crossing : MeetingKind::Touching;
+    hit.Kind = crosses ? IntersectionKind::Crossing : IntersectionKind::Touching;
     hit.Passes = crosses ? (slope > 0.0 ? 1 : -1) : 0;
     const double gap2 = Distance2(c.X, this->Patch.At(hit.R, hit.S).X);
     const bool isNear = gap2 <= 64.0 * this->Tolerance * this->Tolerance;

@@ -15,7 +15,7 @@
 
 #include "CurvePatchContraction.h"
 #include "CurveWithinPatch.h"
-#include "MeetingSearch.h"
+#include "IntersectionSearch.h"
 
 #include <vector>
 
@@ -24,7 +24,8 @@ namespace skd
 
 /// One a thread: it keeps its memory. A solution costs some dozens of cells for a simple root, some
 /// hundreds for a contact.
-class CurvePatchSolver : private MeetingSearch<CurvePatchCell, CurvePatchHit, CurvePatchContact>
+class CurvePatchSolver
+  : private IntersectionSearch<CurvePatchCell, CurvePatchHit, CurvePatchContact>
 {
 public:
   /// `tolerance`: the distance that is 0 to within rounding. The result is by ascending T and good

@@ -18,7 +18,7 @@ inline void AppendStretch(
   {
     const double speed = Norm(pair.First.At(hit->T).D1);
     const double other = Norm(pair.Second.At(hit->S).D1);
-    hit->Kind = MeetingKind::OverlapEnd;
+    hit->Kind = IntersectionKind::OverlapEnd;
     hit->SlackT = 16.0 * pair.Tolerance / speed + 1e-13;
     hit->SlackS = 16.0 * pair.Tolerance / other + 1e-13;
     hit->Reach = 16.0 * pair.Tolerance + hit->SlackT * speed;
@@ -38,7 +38,7 @@ inline void AppendStretch(
     hits.push_back(end);
     return;
   }
-  begin.Kind = MeetingKind::Touching;
+  begin.Kind = IntersectionKind::Touching;
   begin.Begins = false;
   hits.push_back(begin);
 }

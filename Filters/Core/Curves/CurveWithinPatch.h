@@ -51,7 +51,7 @@ private:
     bool isPlaced = true;
     for (CurvePatchHit* hit : { &begin, &end })
     {
-      hit->Kind = MeetingKind::OverlapEnd;
+      hit->Kind = IntersectionKind::OverlapEnd;
       hit->Begins = hit == &begin;
       hit->Slack = 1e-9;
       hit->Reach = 1e-9 * Norm(this->Pair.Curve.At(hit->T).D1) + 8.0 * this->Pair.Tolerance;
@@ -66,7 +66,7 @@ private:
     }
     else if (isPlaced) // with an end on the side of the patch
     {
-      begin.Kind = MeetingKind::Touching;
+      begin.Kind = IntersectionKind::Touching;
       begin.Begins = false;
       hits.push_back(begin);
     }

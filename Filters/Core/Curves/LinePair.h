@@ -85,7 +85,7 @@ private:
       !CurvePair::Inverse(this->First.B - this->First.A, this->Second.B - this->Second.A).IsRegular;
     if (isInLine && IsEnd(hit.T) && IsEnd(hit.S))
     {
-      hit.Kind = MeetingKind::Touching;
+      hit.Kind = IntersectionKind::Touching;
     }
     hits.push_back(hit);
   }

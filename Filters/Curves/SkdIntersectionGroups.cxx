@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Curves/SkdMeetingGroup.h"
+#include "Curves/SkdIntersectionGroups.h"
 
 #include <algorithm>
 #include <tuple>
@@ -20,7 +20,7 @@ int OnlySideOf(unsigned bits)
 }
 
 //------------------------------------------------------------------------------
-void SkdMeetingGroups::Group::Add(
+void SkdIntersectionGroups::Group::Add(
   const SkdSurfaceHit& hit, const std::vector<SkdSurfaceElement>& elements)
 {
   const auto idOf = [&](const SkdSurfaceHit& one)
@@ -29,7 +29,7 @@ void SkdMeetingGroups::Group::Add(
   {
     this->Lowest = hit;
   }
-  if (hit.Kind == skd::MeetingKind::OverlapEnd)
+  if (hit.Kind == skd::IntersectionKind::OverlapEnd)
   {
     ++(hit.Begins ? this->OverlapsBegun : this->OverlapsEnded);
     return;
@@ -44,13 +44,13 @@ void SkdMeetingGroups::Group::Add(
 }
 
 //------------------------------------------------------------------------------
-int SkdMeetingGroups::Group::Before() const
+int SkdIntersectionGroups::Group::Before() const
 {
   return this->IsExact ? 0 : OnlySideOf(this->SidesBefore);
 }
 
 //------------------------------------------------------------------------------
-int SkdMeetingGroups::Group::After() const
+int SkdIntersectionGroups::Group::After() const
 {
   return this->IsExact ? 0 : OnlySideOf(this->SidesAfter);
 }
@@ -59,7 +59,7 @@ int SkdMeetingGroups::Group::After() const
 // Where all is exact, the parity tells. Elsewhere the sides do on which the curve comes and goes;
 // or every element that meets there reports its own direction: they differ where the curve comes
 // and goes on one side.
-int SkdMeetingGroups::Group::Sense() const
+int SkdIntersectionGroups::Group::Sense() const
 {
   if (this->IsExact)
   {
@@ -78,23 +78,23 @@ int SkdMeetingGroups::Group::Sense() const
 
 //------------------------------------------------------------------------------
 // Where one element's common stretch ends and another's begins, it goes on.
-bool SkdMeetingGroups::Group::IsWithinOverlap() const
+bool SkdIntersectionGroups::Group::IsWithinOverlap() const
 {
   return this->OverlapsBegun > 0 && this->OverlapsEnded > 0;
 }
 
 //------------------------------------------------------------------------------
-skd::MeetingKind SkdMeetingGroups::Group::Kind() const
+skd::IntersectionKind SkdIntersectionGroups::Group::Kind() const
 {
   if (this->OverlapsBegun + this->OverlapsEnded > 0 && !this->IsWithinOverlap())
   {
-    return skd::MeetingKind::OverlapEnd;
+    return skd::IntersectionKind::OverlapEnd;
   }
-  return this->Sense() != 0 ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
+  return this->Sense() != 0 ? skd::IntersectionKind::Crossing : skd::IntersectionKind::Touching;
 }
 
 //------------------------------------------------------------------------------
-bool SkdMeetingGroups::BelongsTo(const Group& group, const SkdSurfaceHit& hit) const
+bool SkdIntersectionGroups::BelongsTo(const Group& group, const SkdSurfaceHit& hit) const
 {
   const SkdSurfaceHit& first = group.First;
   const double slack = std::max(hit.Slack, first.Slack);
@@ -105,7 +105,7 @@ bool SkdMeetingGroups::BelongsTo(const Group& group, const SkdSurfaceHit& hit) c
 }
 
 //------------------------------------------------------------------------------
-void SkdMeetingGroups::Add(const SkdSurfaceHit& hit)
+void SkdIntersectionGroups::Add(const SkdSurfaceHit& hit)
 {
   constexpr std::size_t window = 16; // as many parts may be met in one place
   const std::size_t count = this->Groups.size();
@@ -125,25 +125,26 @@ void SkdMeetingGroups::Add(const SkdSurfaceHit& hit)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdSurfaceMeeting> SkdMeetingGroups::GetMeetings() const
+std::vector<SkdSurfaceIntersection> SkdIntersectionGroups::GetIntersections() const
 {
-  std::vector<SkdSurfaceMeeting> meetings;
+  std::vector<SkdSurfaceIntersection> intersections;
   for (const Group& group : this->Groups)
   {
     if (group.IsWithinOverlap() && group.Sense() == 0)
     {
       continue;
     }
-    SkdSurfaceMeeting meeting{ group.Lowest, group.Sense(), group.Before(), group.After() };
-    meeting.Hit.Kind = group.Kind();
-    meeting.Hit.U = group.First.U;
-    meetings.push_back(meeting);
+    SkdSurfaceIntersection intersection{ group.Lowest, group.Sense(), group.Before(),
+      group.After() };
+    intersection.Hit.Kind = group.Kind();
+    intersection.Hit.U = group.First.U;
+    intersections.push_back(intersection);
   }
-  return meetings;
+  return intersections;
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> SkdMeetingGroups::GetPartsLeft() const
+std::vector<int> SkdIntersectionGroups::GetPartsLeft() const
 {
   std::vector<int> parts;
   for (const Group& group : this->Groups)

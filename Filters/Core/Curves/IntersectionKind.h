@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Curves_Meeting_h
-#define skd_Curves_Meeting_h
+#ifndef skd_Curves_IntersectionKind_h
+#define skd_Curves_IntersectionKind_h
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace skd
 {
 
-/// How two things meet.
-enum class MeetingKind
+/// How two things intersect.
+enum class IntersectionKind
 {
   Crossing,   ///< from one side to the other, or through each other
   Touching,   ///< along each other

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Curves/SkdMeetingJoints.h"
+#include "Curves/SkdIntersectionJoints.h"
 
 #include <algorithm>
 #include <limits>
 
 //------------------------------------------------------------------------------
-std::vector<SkdMeetingJoints::AtJoint> SkdMeetingJoints::Find(
-  const std::vector<SkdSurfaceMeeting>& meetings) const
+std::vector<SkdIntersectionJoints::AtJoint> SkdIntersectionJoints::Find(
+  const std::vector<SkdSurfaceIntersection>& intersections) const
 {
   std::vector<AtJoint> found;
-  for (std::size_t i = 0; i < meetings.size(); ++i)
+  for (std::size_t i = 0; i < intersections.size(); ++i)
   {
-    const SkdSurfaceHit& hit = meetings[i].Hit;
+    const SkdSurfaceHit& hit = intersections[i].Hit;
     const double slack = hit.IsExact ? 0.0 : hit.Slack;
     std::size_t joint = SkdCurveJoints::None;
     if (this->Curves.IsAtEnd(hit.Curve, hit.U, slack, joint) && joint != SkdCurveJoints::None)
@@ -27,8 +27,8 @@ std::vector<SkdMeetingJoints::AtJoint> SkdMeetingJoints::Find(
 
 //------------------------------------------------------------------------------
 // Along the first of the two: what the other tells is turned if it runs against it.
-void SkdMeetingJoints::Add(
-  SkdSurfaceMeeting& to, bool toAtEnd, const SkdSurfaceMeeting& other, bool atEnd)
+void SkdIntersectionJoints::Add(
+  SkdSurfaceIntersection& to, bool toAtEnd, const SkdSurfaceIntersection& other, bool atEnd)
 {
   const int sum = to.Sense + (toAtEnd != atEnd ? other.Sense : -other.Sense);
   const int coming = toAtEnd ? to.Before : to.After;
@@ -38,15 +38,15 @@ void SkdMeetingJoints::Add(
   {
     to.Sense = coming == going ? 0 : (toAtEnd ? coming : going);
   }
-  to.Hit.Kind = to.Sense != 0 ? skd::MeetingKind::Crossing : skd::MeetingKind::Touching;
+  to.Hit.Kind = to.Sense != 0 ? skd::IntersectionKind::Crossing : skd::IntersectionKind::Touching;
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdSurfaceMeeting> SkdMeetingJoints::Unite(
-  std::vector<SkdSurfaceMeeting> meetings) const
+std::vector<SkdSurfaceIntersection> SkdIntersectionJoints::Unite(
+  std::vector<SkdSurfaceIntersection> intersections) const
 {
-  const std::vector<AtJoint> found = this->Find(meetings);
-  std::vector<char> isLeftOut(meetings.size(), 0);
+  const std::vector<AtJoint> found = this->Find(intersections);
+  std::vector<char> isLeftOut(intersections.size(), 0);
   for (std::size_t i = 0; i + 1 < found.size(); ++i)
   {
     const AtJoint& one = found[i];
@@ -55,29 +55,29 @@ std::vector<SkdSurfaceMeeting> SkdMeetingJoints::Unite(
     {
       continue;
     }
-    SkdSurfaceMeeting& first = meetings[one.Meeting];
-    const SkdSurfaceMeeting& second = meetings[other.Meeting];
-    const bool endsStretch = first.Hit.Kind == skd::MeetingKind::OverlapEnd;
-    if (!endsStretch && second.Hit.Kind != skd::MeetingKind::OverlapEnd)
+    SkdSurfaceIntersection& first = intersections[one.Intersection];
+    const SkdSurfaceIntersection& second = intersections[other.Intersection];
+    const bool endsStretch = first.Hit.Kind == skd::IntersectionKind::OverlapEnd;
+    if (!endsStretch && second.Hit.Kind != skd::IntersectionKind::OverlapEnd)
     {
       Add(first, one.AtEnd, second, other.AtEnd);
     }
-    if (second.Hit.Kind != skd::MeetingKind::OverlapEnd)
+    if (second.Hit.Kind != skd::IntersectionKind::OverlapEnd)
     {
-      isLeftOut[other.Meeting] = 1;
+      isLeftOut[other.Intersection] = 1;
     }
     else if (!endsStretch)
     {
-      isLeftOut[one.Meeting] = 1;
+      isLeftOut[one.Intersection] = 1;
     }
     ++i; // no more than two curves share a joint
   }
-  std::vector<SkdSurfaceMeeting> left;
-  for (std::size_t i = 0; i < meetings.size(); ++i)
+  std::vector<SkdSurfaceIntersection> left;
+  for (std::size_t i = 0; i < intersections.size(); ++i)
   {
     if (!isLeftOut[i])
     {
-      left.push_back(meetings[i]);
+      left.push_back(intersections[i]);
     }
   }
   return left;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Curves_MeetingSearch_h
-#define skd_Curves_MeetingSearch_h
+#ifndef skd_Curves_IntersectionSearch_h
+#define skd_Curves_IntersectionSearch_h
 
 #include "../Geometry/Segment.h"
 
@@ -18,7 +18,7 @@ namespace skd
 /// and examined again until none is left, and what is put down on the way. One a thread: it keeps
 /// its memory.
 template <class Cell, class Hit, class Contact>
-class MeetingSearch
+class IntersectionSearch
 {
 protected:
   static constexpr int CellBudget = 20000; ///< what is left then may touch: see ResolveContacts

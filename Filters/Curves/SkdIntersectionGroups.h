@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdMeetingGroup_h
-#define SkdMeetingGroup_h
+#ifndef SkdIntersectionGroups_h
+#define SkdIntersectionGroups_h
 
 #include "Curves/SkdSurfaceHit.h"
 #include "Curves/SkdSurfaceSet.h"
@@ -10,10 +10,10 @@
 
 /// Puts together what is met in one place: hits on edges or vertices of the same part, or at the
 /// joints of a curve, whose parameters differ by no more than they may be off by.
-class SkdMeetingGroups
+class SkdIntersectionGroups
 {
 public:
-  explicit SkdMeetingGroups(const std::vector<SkdSurfaceElement>& elements)
+  explicit SkdIntersectionGroups(const std::vector<SkdSurfaceElement>& elements)
     : Elements(elements)
   {
   }
@@ -22,7 +22,7 @@ public:
   void Add(const SkdSurfaceHit& hit);
 
   /// In the order in which they came.
-  std::vector<SkdSurfaceMeeting> GetMeetings() const;
+  std::vector<SkdSurfaceIntersection> GetIntersections() const;
 
   /// The parts that are passed through an odd number of times, by where that is last.
   std::vector<int> GetPartsLeft() const;
@@ -47,7 +47,7 @@ private:
     int Before() const;
     int After() const;
     bool IsWithinOverlap() const;
-    skd::MeetingKind Kind() const;
+    skd::IntersectionKind Kind() const;
   };
 
   bool BelongsTo(const Group& group, const SkdSurfaceHit& hit) const;

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdIntersectionJoints_h
+#define SkdIntersectionJoints_h
+
+#include "Curves/SkdCurveSet.h"
+#include "Curves/SkdSurfaceHit.h"
+#include "Curves/SkdSurfaceSet.h"
+
+#include <tuple>
+
+/// Where curves that go on as each other meet a surface in the joint, it is one place.
+class SkdIntersectionJoints
+{
+public:
+  SkdIntersectionJoints(const SkdCurveSet& curves, const std::vector<SkdSurfaceElement>& elements)
+    : Curves(curves)
+    , Elements(elements)
+  {
+  }
+
+  /// The intersections with those at joints told once a part, of the curve of the lowest number.
+  std::vector<SkdSurfaceIntersection> Unite(
+    std::vector<SkdSurfaceIntersection> intersections) const;
+
+private:
+  struct AtJoint
+  {
+    std::size_t Joint;
+    int Part;
+    std::size_t Intersection;
+    bool AtEnd; ///< of its curve
+
+    bool operator<(const AtJoint& other) const
+    {
+      return std::tie(this->Joint, this->Part, this->Intersection) <
+        std::tie(other.Joint, other.Part, other.Intersection);
+    }
+  };
+
+  std::vector<AtJoint> Find(const std::vector<SkdSurfaceIntersection>& intersections) const;
+  static void Add(
+    SkdSurfaceIntersection& to, bool toAtEnd, const SkdSurfaceIntersection& other, bool atEnd);
+
+  const SkdCurveSet& Curves;
+  const std::vector<SkdSurfaceElement>& Elements;
+};
+
+#endif
