@@ -113,14 +113,14 @@ void WarnAbout(
   }
 }
 
-SkdGridQuestions AskedBy(vtkSkdTreeAMR* self)
+SkdGridRequests AskedBy(vtkSkdTreeAMR* self)
 {
-  SkdGridQuestions questions;
-  questions.Inside = self->GetComputeInside();
-  questions.Fractions = self->GetComputeVolumeFraction();
-  questions.Distances = self->GetComputeDistance();
-  questions.Epsilon = self->GetEpsilon();
-  return questions;
+  SkdGridRequests requests;
+  requests.Inside = self->GetComputeInside();
+  requests.Fractions = self->GetComputeVolumeFraction();
+  requests.Distances = self->GetComputeDistance();
+  requests.Epsilon = self->GetEpsilon();
+  return requests;
 }
 
 std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const SkdParts& parts)
@@ -191,7 +191,7 @@ SkdGridEstimate Refine(
   if (isOnItsOwn)
   {
     // What hangs on a cell, neighbours decide.
-    settings.Reach = self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
+    settings.LayersKept = self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
     settings.Processes = processes;
   }
   const SkdGridEstimate estimate = SkdEstimateGrid(

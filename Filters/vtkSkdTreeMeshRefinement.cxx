@@ -65,11 +65,11 @@ void SetPlacement(
   const double* centre = self->GetSphereCenter();
   if (self->GetPointPlacement() == Filter::SPHERE)
   {
-    mesh.SetPlacement(SkdPlaceOnSphere({ { centre[0], centre[1], centre[2] } }));
+    mesh.SetPlacement(SkdPutOnSphere({ { centre[0], centre[1], centre[2] } }));
   }
   else if (self->GetPointPlacement() == Filter::SURFACE && surface.GetCounts().Cells > 0)
   {
-    mesh.SetPlacement(SkdPlaceOnSurface(surface),
+    mesh.SetPlacement(SkdPutOnSurface(surface),
       shared ? shared->FindBorder() : skd::MakeBorder(mesh, skd::OuterFaces(mesh)));
   }
   else if (self->GetPointPlacement() == Filter::SURFACE)

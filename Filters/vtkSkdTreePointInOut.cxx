@@ -9,7 +9,7 @@
 #include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdSubset.h"
 #include "Pipeline/SkdTouchCells.h"
-#include "Probe/SkdPlaceFinder.h"
+#include "Probe/SkdCellFinder.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
@@ -31,21 +31,21 @@ public:
   std::vector<SkdBlock> Blocks; // of the source, those with cells
   SkdPartList Parts;            // of the first model
   SkdSourceTrees Trees;         // of the second
-  SkdPlaceSource Places{ Trees, Blocks };
+  SkdCellFinderSource Places{ Trees, Blocks };
   std::vector<std::vector<int>> PartIds; // of the second's cells, or none
   SkdInsideRules Rules;
   double Band = 0.0;
   int Built = 0;
 
-  /// Answers questions one by one. For use by one thread.
-  using Answer = std::function<SkdInOut(vtkIdType question)>;
-  Answer MakeAnswer(int model, const SkdQuestions& questions) const;
+  /// Answers query points one by one. For use by one thread.
+  using Answer = std::function<SkdInOut(vtkIdType queryPoint)>;
+  Answer MakeAnswer(int model, const SkdQueryPoints& queryPoints) const;
 
-  /// Calls set(question, answer) for all questions.
+  /// Calls set(query point, answer) for all query points.
   template <class Set>
-  void Ask(const SkdQuestions& questions, int model, SkdLoop& loop, const Set& set) const;
+  void Ask(const SkdQueryPoints& queryPoints, int model, SkdLoop& loop, const Set& set) const;
 
-  SkdInOuts AskFor(const SkdQuestions& questions, int model, SkdLoop& loop) const;
+  SkdInOuts AskFor(const SkdQueryPoints& queryPoints, int model, SkdLoop& loop) const;
   SkdInOuts AskCorners(vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const;
 };
 
@@ -102,24 +102,24 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
 }
 
 vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAnswer(
-  int model, const SkdQuestions& questions) const
+  int model, const SkdQueryPoints& queryPoints) const
 {
   if (model == BOUNDARIES)
   {
     auto asker =
-      std::make_shared<SkdPartAsker>(this->Parts.Get(), this->Rules, this->Band, questions);
-    return [asker](vtkIdType question) { return asker->Ask(question); };
+      std::make_shared<SkdPartAsker>(this->Parts.Get(), this->Rules, this->Band, queryPoints);
+    return [asker](vtkIdType queryPoint) { return asker->Ask(queryPoint); };
   }
-  auto finder = std::make_shared<SkdPlaceFinder>(this->Places, SkdPlaceRules());
-  return [this, finder, &questions](vtkIdType question)
+  auto finder = std::make_shared<SkdCellFinder>(this->Places, SkdCellFinderRules());
+  return [this, finder, &queryPoints](vtkIdType queryPoint)
   {
     SkdInOut answer;
     double x[3];
-    questions.GetPoint(question, x);
+    queryPoints.GetPoint(queryPoint, x);
     answer.Confidence = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]) ? 1 : 0;
     if (finder->Find(x))
     {
-      const SkdPlace& place = finder->GetPlace();
+      const SkdCellLocation& place = finder->GetPlace();
       answer.IsInside = true;
       answer.Depth = 1;
       answer.PartId = this->PartIds.empty() ? this->Blocks[place.Block].BlockIndex
@@ -131,26 +131,26 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
 
 template <class Set>
 void vtkSkdTreePointInOut::Internals::Ask(
-  const SkdQuestions& questions, int model, SkdLoop& loop, const Set& set) const
+  const SkdQueryPoints& queryPoints, int model, SkdLoop& loop, const Set& set) const
 {
-  loop.For(questions.GetNumber(),
+  loop.For(queryPoints.GetNumber(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      const Answer answer = this->MakeAnswer(model, questions);
+      const Answer answer = this->MakeAnswer(model, queryPoints);
       for (vtkIdType place = begin; place < end; ++place)
       {
-        const vtkIdType question = questions.GetQuestion(place);
-        set(question, answer(question));
+        const vtkIdType queryPoint = queryPoints.GetQueryPoint(place);
+        set(queryPoint, answer(queryPoint));
       }
     });
 }
 
 SkdInOuts vtkSkdTreePointInOut::Internals::AskFor(
-  const SkdQuestions& questions, int model, SkdLoop& loop) const
+  const SkdQueryPoints& queryPoints, int model, SkdLoop& loop) const
 {
-  SkdInOuts answers(questions.GetNumber(), this->Rules.Method == SkdInsideMethod::WindingNumber);
-  this->Ask(questions, model, loop,
-    [&](vtkIdType question, const SkdInOut& answer) { answers.Set(question, answer); });
+  SkdInOuts answers(queryPoints.GetNumber(), this->Rules.Method == SkdInsideMethod::WindingNumber);
+  this->Ask(queryPoints, model, loop,
+    [&](vtkIdType queryPoint, const SkdInOut& answer) { answers.Set(queryPoint, answer); });
   return answers;
 }
 
@@ -159,7 +159,7 @@ SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
   vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const
 {
   std::vector<SkdInOut> corners(mesh->GetNumberOfPoints());
-  this->Ask(SkdQuestions(mesh, SkdQuestions::At::Points), model, loop,
+  this->Ask(SkdQueryPoints(mesh, SkdQueryPoints::At::Points), model, loop,
     [&](vtkIdType point, const SkdInOut& answer) { corners[point] = answer; });
   SkdTouchCells(mesh);
   SkdInOuts answers(mesh->GetNumberOfCells(), this->Rules.Method == SkdInsideMethod::WindingNumber);
@@ -284,7 +284,7 @@ int vtkSkdTreePointInOut::RequestData(
   const double buildSeconds = watch.Lap();
 
   const std::vector<SkdBlock> outputs = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
-  SkdLoop loop(this, this->CountQuestions(outputs), 0.2, 1.0);
+  SkdLoop loop(this, this->CountQueryPoints(outputs), 0.2, 1.0);
   vtkIdType asked = 0;
   vtkIdType inside = 0;
   for (const SkdBlock& block : outputs)
@@ -303,10 +303,10 @@ SkdInOuts vtkSkdTreePointInOut::AskMesh(vtkDataSet* mesh, SkdLoop& loop)
 {
   const Internals& internals = *this->Impl;
   const bool asksCorners = this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT;
-  const auto at = this->Ask == POINTS ? SkdQuestions::At::Points : SkdQuestions::At::Middles;
+  const auto at = this->Ask == POINTS ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles;
   const SkdInOuts answers = asksCorners
     ? internals.AskCorners(mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop)
-    : internals.AskFor(SkdQuestions(mesh, at), this->Model, loop);
+    : internals.AskFor(SkdQueryPoints(mesh, at), this->Model, loop);
   answers.AddTo(
     mesh->GetAttributes(this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL));
   return answers;
@@ -327,16 +327,16 @@ void vtkSkdTreePointInOut::ExtractFrom(
   vtkUnstructuredGrid::GetData(outputVector, 1)->ShallowCopy(grid);
 }
 
-vtkIdType vtkSkdTreePointInOut::CountQuestions(const std::vector<SkdBlock>& blocks) const
+vtkIdType vtkSkdTreePointInOut::CountQueryPoints(const std::vector<SkdBlock>& blocks) const
 {
-  vtkIdType questions = 0;
+  vtkIdType queryPoints = 0;
   for (const SkdBlock& block : blocks)
   {
     const bool asksPoints = this->Ask != CELL_CENTERS;
-    questions += asksPoints ? block.Mesh->GetNumberOfPoints() : 0;
-    questions += this->Ask != POINTS ? block.Mesh->GetNumberOfCells() : 0;
+    queryPoints += asksPoints ? block.Mesh->GetNumberOfPoints() : 0;
+    queryPoints += this->Ask != POINTS ? block.Mesh->GetNumberOfCells() : 0;
   }
-  return questions;
+  return queryPoints;
 }
 
 void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside,

@@ -308,7 +308,7 @@ private:
   void WarnAbout();
   SkdInOuts AskMesh(vtkDataSet* mesh, SkdLoop& loop);
   void ExtractFrom(vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector);
-  vtkIdType CountQuestions(const std::vector<SkdBlock>& blocks) const;
+  vtkIdType CountQueryPoints(const std::vector<SkdBlock>& blocks) const;
   void Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside, double buildSeconds,
     double querySeconds);
 

@@ -7,9 +7,9 @@
 #include "Pipeline/SkdPointOrder.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdStopwatch.h"
+#include "Probe/SkdCellFinder.h"
+#include "Probe/SkdCellLocations.h"
 #include "Probe/SkdLineProbe.h"
-#include "Probe/SkdPlaceFinder.h"
-#include "Probe/SkdPlaces.h"
 #include "Probe/SkdProbedData.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -31,8 +31,8 @@ class vtkSkdTreeProbe::Internals
 public:
   std::vector<SkdBlock> Blocks; // of the source, those with cells
   SkdSourceTrees Trees;
-  SkdPlaceSource Source{ Trees, Blocks };
-  SkdPlaceRules Rules;
+  SkdCellFinderSource Source{ Trees, Blocks };
+  SkdCellFinderRules Rules;
   SkdProbedNames Names;
 
   /// Returns how many trees were built.
@@ -49,7 +49,7 @@ public:
     return built;
   }
 
-  SkdPlaces Probe(vtkDataSet* output, double fill, SkdLoop& loop);
+  SkdCellLocations Probe(vtkDataSet* output, double fill, SkdLoop& loop);
   void WarnAbout(vtkSkdTreeProbe* self) const;
 };
 
@@ -70,10 +70,10 @@ void DropData(const std::vector<SkdBlock>& outputs)
 }
 
 void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
-  const std::vector<SkdPlaces>& places, double buildSeconds, double querySeconds)
+  const std::vector<SkdCellLocations>& places, double buildSeconds, double querySeconds)
 {
   vtkIdType asked = 0, found = 0, outside = 0;
-  for (const SkdPlaces& some : places)
+  for (const SkdCellLocations& some : places)
   {
     asked += some.GetNumberOfPoints();
     found += some.CountValid();
@@ -93,16 +93,16 @@ void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
 }
 
 // Finds the place of each point and gathers the source's data there, in one go.
-SkdPlaces vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fill, SkdLoop& loop)
+SkdCellLocations vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fill, SkdLoop& loop)
 {
   const vtkIdType n = output->GetNumberOfPoints();
   SkdProbedData data(output->GetPointData(), n, this->Blocks, this->Names, fill);
-  SkdPlaces places(n);
+  SkdCellLocations places(n);
   const SkdPointOrder order(output);
   loop.For(n,
     [&](vtkIdType begin, vtkIdType end)
     {
-      SkdPlaceFinder finder(this->Source, this->Rules);
+      SkdCellFinder finder(this->Source, this->Rules);
       SkdGradient gradient;
       for (vtkIdType at = begin; at < end; ++at)
       {
@@ -189,7 +189,7 @@ int vtkSkdTreeProbe::RequestData(
   const int built = internals.Update(source, this->Epsilon);
   const double buildSeconds = watch.Lap();
 
-  std::vector<SkdPlaces> places;
+  std::vector<SkdCellLocations> places;
   const double fill = this->UseFillValue ? this->FillValue : vtkMath::Nan();
   SkdLoop loop(this, SkdCountPoints(outputs), 0.2, this->ProbeLines ? 0.5 : 1.0);
   for (const SkdBlock& block : outputs)
@@ -222,7 +222,7 @@ void vtkSkdTreeProbe::CutLines(
     vtkWarningMacro("Input has no lines to probe along.");
   }
   SkdLoop loop(this, static_cast<vtkIdType>(pieces.size()), 0.5, 1.0);
-  SkdPlaceRules rules = internals.Rules;
+  SkdCellFinderRules rules = internals.Rules;
   rules.OutsideRadius = -1.0;
   const std::vector<SkdStretch> stretches = SkdCutLines(pieces, internals.Source, rules, loop);
   const SkdLineOutput made{ inputs, internals.Source, pieces, stretches,

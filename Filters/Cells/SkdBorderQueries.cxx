@@ -166,7 +166,7 @@ void SkdCellTree::AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, d
   const SkdCellSource& source, std::vector<double>& parameters) const
 {
   constexpr int Samples = 32;
-  const auto inside = skd::Clip(segment, this->Store.ReachOf(cell).Inflated(reach));
+  const auto inside = skd::Clip(segment, this->Store.ExtentOf(cell).Inflated(reach));
   if (!inside)
   {
     return;

@@ -281,7 +281,7 @@ void SkdCellTree::GetSimplices(
 //------------------------------------------------------------------------------
 bool SkdCellTree::Meets(std::uint32_t cell, const skd::SimplexSet& set) const
 {
-  const skd::Box3 bounds = this->Store.ReachOf(cell);
+  const skd::Box3 bounds = this->Store.ExtentOf(cell);
   if (!bounds.Inflated(this->TheRounding).Overlaps(set.Bounds))
   {
     return false;

@@ -101,7 +101,7 @@ SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitude
   this->ReadCells(reader, data, skipGhosts);
   this->ReadFaces(data);
   this->Compact();
-  this->ReadReaches(data);
+  this->ReadCurvedExtents(data);
   if (this->Count > 0)
   {
     this->FindBounds();
@@ -148,7 +148,7 @@ void SkdCellStore::ReadFaces(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-void SkdCellStore::ReadReaches(vtkDataSet* data)
+void SkdCellStore::ReadCurvedExtents(vtkDataSet* data)
 {
   const auto isGeneric = [](SkdShape shape) { return shape == SkdShape::Generic; };
   if (!isGeneric(this->CommonShape) &&
@@ -169,8 +169,8 @@ void SkdCellStore::ReadReaches(vtkDataSet* data)
       deviation.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
     if (reach > 1.0)
     {
-      this->Reaches.resize(this->Count, 1.0f);
-      this->Reaches[cell] =
+      this->CurvedExtents.resize(this->Count, 1.0f);
+      this->CurvedExtents[cell] =
         std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::max());
     }
   }
@@ -204,10 +204,10 @@ void SkdCellStore::FindBounds()
     });
   this->Largest = skd::LargestCoordinate(box);
   this->Bounds = box;
-  if (this->HasReaches())
+  if (this->HasCurvedExtents())
   {
     this->Bounds.Add(Enclose(this->Count,
-      [this](std::size_t cell) { return this->ReachOf(static_cast<std::uint32_t>(cell)); }));
+      [this](std::size_t cell) { return this->ExtentOf(static_cast<std::uint32_t>(cell)); }));
   }
 }
 
@@ -246,10 +246,10 @@ SkdPolyCell SkdCellStore::GatherPoly(std::uint32_t cell) const
 }
 
 //------------------------------------------------------------------------------
-skd::Box3 SkdCellStore::CurvedReachOf(std::uint32_t cell) const
+skd::Box3 SkdCellStore::CurvedExtentOf(std::uint32_t cell) const
 {
   const skd::Box3 bounds = this->BoundsOf(cell);
-  const double factor = this->Reaches[cell];
+  const double factor = this->CurvedExtents[cell];
   const skd::Vector3 centre = bounds.Centroid();
   return { centre + factor * (bounds.Min - centre), centre + factor * (bounds.Max - centre) };
 }
@@ -261,6 +261,6 @@ std::size_t SkdCellStore::MemorySize() const
     this->Offsets.capacity() * sizeof(std::uint64_t) +
     this->PointIds.capacity() * sizeof(std::uint32_t) +
     this->FaceOffsets.capacity() * sizeof(std::uint64_t) +
-    this->FaceStream.capacity() * sizeof(std::uint32_t) + this->Reaches.capacity() * sizeof(float) +
-    this->OwnPoints.capacity() * sizeof(double);
+    this->FaceStream.capacity() * sizeof(std::uint32_t) +
+    this->CurvedExtents.capacity() * sizeof(float) + this->OwnPoints.capacity() * sizeof(double);
 }

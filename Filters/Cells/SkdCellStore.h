@@ -102,11 +102,11 @@ public:
   }
 
   /// The box that holds all of the cell: curved cells reach beyond that of their points.
-  skd::Box3 ReachOf(std::uint32_t cell) const
+  skd::Box3 ExtentOf(std::uint32_t cell) const
   {
-    return this->Reaches.empty() ? this->BoundsOf(cell) : this->CurvedReachOf(cell);
+    return this->CurvedExtents.empty() ? this->BoundsOf(cell) : this->CurvedExtentOf(cell);
   }
-  bool HasReaches() const { return !this->Reaches.empty(); }
+  bool HasCurvedExtents() const { return !this->CurvedExtents.empty(); }
 
   /// The box that holds all of all cells.
   const skd::Box3& GetBounds() const { return this->Bounds; }
@@ -134,10 +134,10 @@ private:
   ///@}
 
   void ReadFaces(vtkDataSet* data);
-  void ReadReaches(vtkDataSet* data);
+  void ReadCurvedExtents(vtkDataSet* data);
   void Compact();
   void FindBounds();
-  skd::Box3 CurvedReachOf(std::uint32_t cell) const;
+  skd::Box3 CurvedExtentOf(std::uint32_t cell) const;
 
   SkdMagnitudes Magnitudes;
   std::uint32_t Count = 0;
@@ -148,7 +148,7 @@ private:
   skd::RawVector<std::uint32_t> PointIds;
   std::vector<std::uint64_t> FaceOffsets; // empty when no cell is a polyhedron, as FaceStream
   std::vector<std::uint32_t> FaceStream;
-  std::vector<float> Reaches; // empty when no cell is curved
+  std::vector<float> CurvedExtents; // empty when no cell is curved
   SkdShape CommonShape = SkdShape::None;
   std::uint32_t CommonSize = 0;
   double Largest = 0.0;

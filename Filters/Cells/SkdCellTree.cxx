@@ -68,7 +68,7 @@ skd::ReadInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
     const double margin = 2.0 * this->TheEpsilon;
     std::transform(cells, cells + count, to,
       [&](std::uint32_t cell) {
-        return skd::Element<3>{ frame.OutwardWithin(this->Store.ReachOf(cell), margin), cell };
+        return skd::Element<3>{ frame.OutwardWithin(this->Store.ExtentOf(cell), margin), cell };
       });
   };
   return input;

@@ -238,7 +238,7 @@ public:
 
   skd::Box3 SafetyBoxOf(std::uint32_t cell) const
   {
-    return this->Store.ReachOf(cell).Inflated(2.0 * this->TheEpsilon);
+    return this->Store.ExtentOf(cell).Inflated(2.0 * this->TheEpsilon);
   }
 
 private:

@@ -142,7 +142,7 @@ bool OverlapsSurface(const skd::Box3& box, const SkdPolyCell& cell)
 bool SkdCellTree::Overlaps(std::uint32_t cell, const skd::Box3& box) const
 {
   const SkdShape shape = this->Store.ShapeOf(cell);
-  const skd::Box3 bounds = this->Store.ReachOf(cell);
+  const skd::Box3 bounds = this->Store.ExtentOf(cell);
   if (!bounds.Overlaps(box) || shape == SkdShape::Generic)
   {
     return bounds.Overlaps(box);

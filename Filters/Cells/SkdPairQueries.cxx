@@ -80,7 +80,7 @@ std::vector<CellPairs> SkdCellTree::FindPairs(
 //------------------------------------------------------------------------------
 std::vector<CellPairs> SkdCellTree::FindBoundsPairs(const SkdCellTree& other) const
 {
-  const bool isWide = this->Store.HasReaches() || other.Store.HasReaches();
+  const bool isWide = this->Store.HasCurvedExtents() || other.Store.HasCurvedExtents();
   const double excess =
     isWide ? std::numeric_limits<double>::infinity() : 2.0 * (this->TheEpsilon + other.TheEpsilon);
   return this->FindPairs(

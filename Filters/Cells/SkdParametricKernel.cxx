@@ -227,10 +227,10 @@ private:
 class FirstHit
 {
 public:
-  FirstHit(const SkdParametricCell& cell, const Stretch& stretch, double reach)
+  FirstHit(const SkdParametricCell& cell, const Stretch& stretch, double margin)
     : Cell(cell)
     , TheStretch(stretch)
-    , Reach(reach)
+    , Margin(margin)
     , Steps(cell.NumberOfPoints() <= 27 ? 4 : MostSteps)
   {
   }
@@ -299,7 +299,7 @@ private:
         skd::Distance2(middle, corners[2]) }));
     const auto nearest =
       skd::ClosestPointOnSegment(this->TheStretch.At(0.0), this->TheStretch.At(1.0), middle);
-    const double near = radius + this->Reach;
+    const double near = radius + this->Margin;
     const double length = skd::Norm(this->TheStretch.Direction);
     const bool isLate = this->Best && (nearest.R - this->BestT) * length > 2.0 * near;
     if (nearest.Dist2 <= near * near && !isLate)
@@ -316,7 +316,7 @@ private:
     const auto found =
       search.Find(gap.Join(r, s, t), enough * enough, [](const skd::Vector3&) { return false; });
     const double at = gap.T(found.Parameters);
-    if (found.Norm2 <= this->Reach * this->Reach && (!this->Best || at < this->BestT))
+    if (found.Norm2 <= this->Margin * this->Margin && (!this->Best || at < this->BestT))
     {
       this->BestT = at;
       this->Best =
@@ -326,7 +326,7 @@ private:
 
   const SkdParametricCell& Cell;
   const Stretch& TheStretch;
-  double Reach;
+  double Margin;
   int Steps;
   skd::Vector3 Samples[MostSteps + 1][MostSteps + 1];
   double BestT = 0.0;

@@ -9,7 +9,7 @@
 #include <cstddef>
 
 /// A place on a curve.
-struct SkdCurvePlace
+struct SkdCurveLocation
 {
   std::size_t Curve;
   std::size_t Piece;
@@ -28,10 +28,10 @@ struct SkdCurvePlace
 /// A place that two curves have in common, or where they are nearest.
 struct SkdCurveHit
 {
-  SkdCurvePlace First;
-  SkdCurvePlace Second;
+  SkdCurveLocation First;
+  SkdCurveLocation Second;
   double Gap;
-  double Reach; ///< what the place may be off by
+  double Error; ///< what the position may be off by
   skd::IntersectionKind Kind;
   bool Begins;     ///< of an OverlapEnd
   bool IsExact;    ///< of two straight pieces that have it in common by exact signs

@@ -60,7 +60,7 @@ void AddVertices(const std::vector<SkdCurveHit>& hits, vtkPolyData* output)
 
 /// The arrays of one side: "SkdCurve..." of the first, "SkdOtherCurve..." of the other.
 void AddSide(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
-  SkdCurvePlace SkdCurveHit::*place, const std::string& prefix, vtkDataSetAttributes* to)
+  SkdCurveLocation SkdCurveHit::*place, const std::string& prefix, vtkDataSetAttributes* to)
 {
   using Hit = SkdCurveHit;
   const SkdCurveSet& curves = side.Tree.GetCurves();
@@ -83,7 +83,7 @@ void AddSide(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
 }
 
 void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
-  SkdCurvePlace SkdCurveHit::*place, vtkPolyData* output, std::set<std::string>& refused)
+  SkdCurveLocation SkdCurveHit::*place, vtkPolyData* output, std::set<std::string>& refused)
 {
   const auto n = static_cast<vtkIdType>(hits.size());
   const auto gather = [&](int type)
@@ -95,7 +95,7 @@ void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
   std::vector<double> weights;
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const SkdCurvePlace& at = hits[static_cast<std::size_t>(i)].*place;
+    const SkdCurveLocation& at = hits[static_cast<std::size_t>(i)].*place;
     const SkdCurve& curve = curves.GetCurves()[at.Curve];
     curves.GetWeights(at.Piece, at.T, ids, weights);
     points.Interpolate(i, curve.Block, ids, weights.data());
@@ -117,8 +117,8 @@ public:
   /// A stretch that ends before it begins goes on around a closed curve.
   void Insert(const SkdCurveStretch& stretch, vtkCellArray* lines)
   {
-    const SkdCurvePlace& begin = stretch.Begin.First;
-    const SkdCurvePlace& end = stretch.End.First;
+    const SkdCurveLocation& begin = stretch.Begin.First;
+    const SkdCurveLocation& end = stretch.End.First;
     const SkdCurve& curve = this->Curves.GetCurves()[begin.Curve];
     this->Ids = { this->Points->InsertNextPoint(begin.X.X) };
     std::size_t piece = begin.Piece;
@@ -151,7 +151,7 @@ private:
     {
       return;
     }
-    skd::VisitSpans(this->Curves.GetPiece(piece, skd::Vector3{}).Part(from, to), this->Delta,
+    skd::VisitSpans(this->Curves.GetPiece(piece, skd::Vector3{}).Restricted(from, to), this->Delta,
       [&](const skd::BezierCurve& part, const skd::Interval&)
       { this->Ids.push_back(this->Points->InsertNextPoint(part.End().X)); });
   }
@@ -206,7 +206,7 @@ void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData*
   output->SetPoints(points);
   output->SetLines(lines);
   const auto addIds =
-    [&](const SkdCurveSide& side, SkdCurvePlace SkdCurveHit::*place, const std::string& prefix)
+    [&](const SkdCurveSide& side, SkdCurveLocation SkdCurveHit::*place, const std::string& prefix)
   {
     vtkCellData* to = output->GetCellData();
     AddColumn<vtkIdTypeArray>(to, stretches, prefix + "CurveId",

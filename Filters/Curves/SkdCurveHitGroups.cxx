@@ -21,7 +21,7 @@ auto PlaceOf(const SkdCurveHit& hit)
 }
 
 /// Along the curve, of a closed one the shorter way around.
-double Apart(const SkdCurvePlace& a, const SkdCurvePlace& b)
+double Apart(const SkdCurveLocation& a, const SkdCurveLocation& b)
 {
   const double apart = std::abs(a.U - b.U);
   return a.Period > 0.0 ? std::min(apart, a.Period - apart) : apart;
@@ -31,9 +31,9 @@ double Apart(const SkdCurvePlace& a, const SkdCurvePlace& b)
 /// last place.
 bool IsSamePlace(const SkdCurveHit& a, const SkdCurveHit& b)
 {
-  const double SkdCurvePlace::*slack =
-    a.IsExact && b.IsExact ? &SkdCurvePlace::Rounding : &SkdCurvePlace::Slack;
-  const auto areNear = [&](const SkdCurvePlace& one, const SkdCurvePlace& other)
+  const double SkdCurveLocation::*slack =
+    a.IsExact && b.IsExact ? &SkdCurveLocation::Rounding : &SkdCurveLocation::Slack;
+  const auto areNear = [&](const SkdCurveLocation& one, const SkdCurveLocation& other)
   { return Apart(one, other) <= std::max(one.*slack, other.*slack); };
   return PairOf(a) == PairOf(b) && areNear(a.First, b.First) && areNear(a.Second, b.Second);
 }
@@ -111,7 +111,7 @@ struct Group
 };
 
 /// Whether a place is where a closed curve ends and begins, seen from before.
-bool IsBeforeStart(const SkdCurvePlace& place)
+bool IsBeforeStart(const SkdCurveLocation& place)
 {
   return place.Period > 0.0 && place.Period - place.U <= place.Slack;
 }
@@ -160,7 +160,7 @@ void UniteAround(std::vector<Group>& groups, bool isSelf)
 }
 
 /// Whether two places are one of curves that go on as each other there.
-bool IsSameAlong(const SkdCurvePlace& a, const SkdCurvePlace& b, bool areExact)
+bool IsSameAlong(const SkdCurveLocation& a, const SkdCurveLocation& b, bool areExact)
 {
   const bool isJoint = a.Joint != SkdCurveJoints::None && a.Joint == b.Joint;
   if (isJoint && (!areExact || (a.IsExactlyAtEnd && b.IsExactlyAtEnd)))
@@ -215,7 +215,7 @@ private:
   bool IsSame(const SkdCurveHit& a, const SkdCurveHit& b) const
   {
     const bool areExact = a.IsExact && b.IsExact;
-    const auto isSame = [&](const SkdCurvePlace& one, const SkdCurvePlace& other)
+    const auto isSame = [&](const SkdCurveLocation& one, const SkdCurveLocation& other)
     { return IsSameAlong(one, other, areExact); };
     return (isSame(a.First, b.First) && isSame(a.Second, b.Second)) ||
       (this->IsSelf && isSame(a.First, b.Second) && isSame(a.Second, b.First));

@@ -163,7 +163,7 @@ bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& se
   const skd::CurvePairHit& hit, Worker& worker) const
 {
   SkdCurveHit found{ this->PlaceOf(this->First, first, hit.T),
-    this->PlaceOf(this->Second, second, hit.S), hit.Gap, hit.Reach, hit.Kind, hit.Begins,
+    this->PlaceOf(this->Second, second, hit.S), hit.Gap, hit.Error, hit.Kind, hit.Begins,
     hit.IsExact, hit.IsResolved, hit.Before, hit.After };
   found.First.Slack += hit.SlackT * (first.Range.Max - first.Range.Min);
   found.Second.Slack += hit.SlackS * (second.Range.Max - second.Range.Min);
@@ -215,11 +215,11 @@ void SkdCurveHitFinder::FindNear(
 }
 
 //------------------------------------------------------------------------------
-SkdCurvePlace SkdCurveHitFinder::PlaceOf(
+SkdCurveLocation SkdCurveHitFinder::PlaceOf(
   const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const
 {
   const SkdCurveSet& curves = tree.GetCurves();
-  SkdCurvePlace place{};
+  SkdCurveLocation place{};
   place.Curve = curves.GetCurveOf(span.Piece);
   place.Piece = span.Piece;
   place.T = t < 1.0 ? span.Range.Min + t * (span.Range.Max - span.Range.Min) : span.Range.Max;
@@ -242,7 +242,7 @@ SkdCurvePlace SkdCurveHitFinder::PlaceOf(
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurvePlace& place)
+void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurveLocation& place)
 {
   const SkdCurveSet& curves = tree.GetCurves();
   place.IsExactlyAtEnd = curves.IsAtEnd(place.Curve, place.U, place.Rounding, place.Joint);

@@ -78,8 +78,8 @@ private:
     Worker& worker) const;
   void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
   bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
-  SkdCurvePlace PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
-  static void FindEnd(const SkdCurveTree& tree, SkdCurvePlace& place);
+  SkdCurveLocation PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
+  static void FindEnd(const SkdCurveTree& tree, SkdCurveLocation& place);
   bool IsJoint(const SkdCurveHit& hit) const;
 
   const SkdCurveTree& First;

@@ -71,5 +71,5 @@ void SkdCurveTree::Build(double epsilon)
 //------------------------------------------------------------------------------
 skd::BezierCurve SkdCurveTree::GetForm(const SkdCurveSpan& span, const skd::Vector3& origin) const
 {
-  return this->Curves.GetPiece(span.Piece, origin).Part(span.Range.Min, span.Range.Max);
+  return this->Curves.GetPiece(span.Piece, origin).Restricted(span.Range.Min, span.Range.Max);
 }

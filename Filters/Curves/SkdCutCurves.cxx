@@ -133,7 +133,7 @@ private:
       return;
     }
     const skd::BezierCurve whole = this->Task.Curves.GetPiece(piece, {});
-    skd::VisitSpans(whole.Part(from, to), this->Task.Delta,
+    skd::VisitSpans(whole.Restricted(from, to), this->Task.Delta,
       [&](const skd::BezierCurve& part, const skd::Interval& range)
       { this->AddPoint(piece, from + range.Max * (to - from), part.End()); });
   }

@@ -23,7 +23,7 @@ struct SkdSurfaceHit
   skd::Vector3 Normal;  ///< of the surface, of any length
   double Gap;
   double Slack; ///< what U may be off by
-  double Reach; ///< and X
+  double Error; ///< and X
   skd::IntersectionKind Kind;
   int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
   int Direction; ///< 1 along the normal, -1 against it, 0 along the surface

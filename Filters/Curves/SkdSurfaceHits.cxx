@@ -142,7 +142,7 @@ void SkdSurfaceHitFinder::MeetTriangle(
     base.Kind = skd::IntersectionKind::OverlapEnd;
     base.OnBoundary = true;
     base.Slack = 8.0 * this->Rounding / skd::Norm(base.Tangent);
-    base.Reach = 16.0 * this->Rounding;
+    base.Error = 16.0 * this->Rounding;
     base.Begins = true;
     put(within->Min);
     base.Begins = false;
@@ -169,7 +169,7 @@ void SkdSurfaceHitFinder::MeetPatch(const skd::BezierCurve& part, const skd::Vec
     base.Normal = patch.At(hit.R, hit.S).Normal();
     base.Gap = hit.Gap;
     base.Slack = hit.Slack * length;
-    base.Reach = hit.Reach;
+    base.Error = hit.Error;
     base.Kind = hit.Kind;
     base.Passes = base.Direction = hit.Passes;
     // What continues the piece beyond its end is not where the curve goes on.

@@ -8,12 +8,12 @@
 #include <cmath>
 
 SkdPartAsker::SkdPartAsker(const std::vector<SkdPart>& parts, const SkdInsideRules& rules,
-  double band, const SkdQuestions& questions)
+  double band, const SkdQueryPoints& queryPoints)
   : Parts(parts)
   , Rules(rules)
   , Band(band)
-  , Questions(questions)
-  , UsesRows(questions.GetRowLength() > 0 && rules.Method != SkdInsideMethod::WindingNumber &&
+  , QueryPoints(queryPoints)
+  , UsesRows(queryPoints.GetRowLength() > 0 && rules.Method != SkdInsideMethod::WindingNumber &&
       rules.Method != SkdInsideMethod::NearestFeature)
 {
   this->TheRow.Passes.resize(this->UsesRows ? parts.size() : 0);
@@ -27,11 +27,11 @@ bool SkdPartAsker::HasRowOf(const SkdPart& part) const
 void SkdPartAsker::GoToRow(vtkIdType number)
 {
   Row& row = this->TheRow;
-  const vtkIdType length = this->Questions.GetRowLength();
+  const vtkIdType length = this->QueryPoints.GetRowLength();
   double last[3];
   row.Number = number;
-  this->Questions.GetPoint(number * length, row.From);
-  this->Questions.GetPoint(number * length + length - 1, last);
+  this->QueryPoints.GetPoint(number * length, row.From);
+  this->QueryPoints.GetPoint(number * length + length - 1, last);
   vtkMath::Subtract(last, row.From, row.Along);
   const double distance = vtkMath::Normalize(row.Along);
   for (std::size_t part = 0; part < this->Parts.size(); ++part)
@@ -45,7 +45,7 @@ void SkdPartAsker::GoToRow(vtkIdType number)
   }
 }
 
-SkdSide SkdPartAsker::AskRow(std::size_t part, const double x[3], std::uint64_t question) const
+SkdSide SkdPartAsker::AskRow(std::size_t part, const double x[3], std::uint64_t queryPoint) const
 {
   if (!this->Parts[part].BoundsHold(x))
   {
@@ -58,31 +58,31 @@ SkdSide SkdPartAsker::AskRow(std::size_t part, const double x[3], std::uint64_t 
     std::lower_bound(passes.begin(), passes.end(), vtkMath::Dot(away, this->TheRow.Along),
       [](const SkdPassAlong& pass, double at) { return pass.At < at; });
   const int around = next == passes.begin() ? 0 : std::prev(next)->After;
-  return std::abs(around) > 1 ? this->Parts[part].AskSide(x, this->Rules, question)
+  return std::abs(around) > 1 ? this->Parts[part].AskSide(x, this->Rules, queryPoint)
                               : SkdSide{ around != 0, 1.0 };
 }
 
-SkdInOut SkdPartAsker::Ask(vtkIdType question)
+SkdInOut SkdPartAsker::Ask(vtkIdType queryPoint)
 {
   SkdInOut answer;
   double x[3];
-  this->Questions.GetPoint(question, x);
+  this->QueryPoints.GetPoint(queryPoint, x);
   if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
   {
     answer.WindingNumber = vtkMath::Nan();
     answer.WindingBound = vtkMath::Nan();
     return answer;
   }
-  if (this->UsesRows && question / this->Questions.GetRowLength() != this->TheRow.Number)
+  if (this->UsesRows && queryPoint / this->QueryPoints.GetRowLength() != this->TheRow.Number)
   {
-    this->GoToRow(question / this->Questions.GetRowLength());
+    this->GoToRow(queryPoint / this->QueryPoints.GetRowLength());
   }
   answer.Confidence = 1.0;
   double smallest = VTK_DOUBLE_MAX;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
     const SkdPart& part = this->Parts[i];
-    const auto number = static_cast<std::uint64_t>(question);
+    const auto number = static_cast<std::uint64_t>(queryPoint);
     const SkdSide side =
       this->HasRowOf(part) ? this->AskRow(i, x, number) : part.AskSide(x, this->Rules, number);
     answer.Confidence = std::min(answer.Confidence, side.Confidence);

@@ -72,7 +72,7 @@ skd::Box3 SkdParts::GetBounds() const
   {
     for (std::uint32_t cell = 0; cell < part.Tree->Cells().NumberOfCells(); ++cell)
     {
-      bounds.Add(part.Tree->Cells().ReachOf(cell));
+      bounds.Add(part.Tree->Cells().ExtentOf(cell));
     }
   }
   return bounds;

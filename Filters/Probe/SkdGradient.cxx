@@ -71,7 +71,7 @@ bool IsPyramid(int type)
 }
 }
 
-void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdPlace& place)
+void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdCellLocation& place)
 {
   SkdLoadCell(mesh, place.CellId, this->Cell);
   const auto size = static_cast<std::size_t>(this->Cell->GetNumberOfPoints());
@@ -88,7 +88,7 @@ void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdPlace& place)
 }
 
 // A piece of a strip or a polyline, or all of a polygon or a polyhedron.
-bool SkdGradient::FitPiece(const SkdPlace& place)
+bool SkdGradient::FitPiece(const SkdCellLocation& place)
 {
   const int type = this->Cell->GetCellType();
   const auto first = static_cast<std::size_t>(std::max(place.SubId, 0));
@@ -125,7 +125,7 @@ void SkdGradient::Fit(std::size_t first, std::size_t size)
 }
 
 // With the tangents t_k of the cell, the derivatives by its parameters are t_k . gradient.
-void SkdGradient::Differentiate(const SkdPlace& place)
+void SkdGradient::Differentiate(const SkdCellLocation& place)
 {
   const int dimension = this->Cell->GetCellDimension();
   const std::size_t size = this->Points.size();

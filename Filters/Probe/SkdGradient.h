@@ -9,7 +9,7 @@
 #define SkdGradient_h
 
 #include "Core/Geometry/Vector.h"
-#include "Probe/SkdPlaceFinder.h"
+#include "Probe/SkdCellFinder.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkSmartPointer.h"
@@ -27,13 +27,13 @@ class SkdGradient
 {
 public:
   /// Sets the vectors, one a point of the cell, in the order of its points.
-  void Evaluate(vtkDataSet* mesh, const SkdPlace& place);
+  void Evaluate(vtkDataSet* mesh, const SkdCellLocation& place);
   const std::vector<skd::Vector3>& GetVectors() const { return this->Vectors; }
 
 private:
-  bool FitPiece(const SkdPlace& place);
+  bool FitPiece(const SkdCellLocation& place);
   void Fit(std::size_t first, std::size_t size);
-  void Differentiate(const SkdPlace& place);
+  void Differentiate(const SkdCellLocation& place);
 
   vtkNew<vtkGenericCell> Cell;
   std::vector<skd::Vector3> Points;

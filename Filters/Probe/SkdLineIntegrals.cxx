@@ -83,7 +83,7 @@ void AddPointIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* 
   vtkSMPTools::For(0, n,
     [&](vtkIdType begin, vtkIdType end)
     {
-      SkdPlaceFinder finder(output.Source, SkdPlaceRules());
+      SkdCellFinder finder(output.Source, SkdCellFinderRules());
       for (vtkIdType i = 2 * begin; i < 2 * end; ++i)
       {
         const SkdStretch& stretch = output.Stretches[i / 2];

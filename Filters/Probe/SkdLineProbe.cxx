@@ -4,7 +4,7 @@
 
 #include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdMakeArray.h"
-#include "Probe/SkdPlaces.h"
+#include "Probe/SkdCellLocations.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -25,7 +25,7 @@ namespace
 class Cutter
 {
 public:
-  Cutter(const SkdPlaceSource& source, const SkdPlaceRules& rules)
+  Cutter(const SkdCellFinderSource& source, const SkdCellFinderRules& rules)
     : Source(source)
     , Rules(rules)
     , Finder(source, rules)
@@ -45,7 +45,7 @@ public:
       const skd::Vector3 middle = skd::Lerp(piece.From, piece.To, 0.5 * (last + next));
       if (this->FindHolder(middle))
       {
-        const SkdPlace& place = this->Finder.GetPlace();
+        const SkdCellLocation& place = this->Finder.GetPlace();
         const SkdStretch stretch{ index, skd::Lerp(piece.From, piece.To, last),
           skd::Lerp(piece.From, piece.To, next), piece.Start + last * length,
           piece.Start + next * length, place.Block, place.CellId };
@@ -112,9 +112,9 @@ private:
       (this->Finder.GetPlace().Distance == 0.0 || !this->Finder.IsInVolume());
   }
 
-  const SkdPlaceSource& Source;
-  SkdPlaceRules Rules;
-  SkdPlaceFinder Finder;
+  const SkdCellFinderSource& Source;
+  SkdCellFinderRules Rules;
+  SkdCellFinder Finder;
   vtkNew<vtkDoubleArray> Parameters;
   std::vector<double> Borders;
 };
@@ -144,7 +144,7 @@ void ForEachStretch(const SkdLineOutput& output, const Visit& visit)
   vtkSMPTools::For(0, static_cast<vtkIdType>(output.Stretches.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      SkdPlaceFinder finder(output.Source, SkdPlaceRules());
+      SkdCellFinder finder(output.Source, SkdCellFinderRules());
       for (vtkIdType i = begin; i < end; ++i)
       {
         visit(i, finder, output.Stretches[i]);
@@ -153,7 +153,7 @@ void ForEachStretch(const SkdLineOutput& output, const Visit& visit)
 }
 
 /// Interpolates at a point of the stretch, as its cell does.
-void InterpolateAt(SkdArrayGather& gather, vtkIdType to, SkdPlaceFinder& finder,
+void InterpolateAt(SkdArrayGather& gather, vtkIdType to, SkdCellFinder& finder,
   const SkdStretch& stretch, const skd::Vector3& x)
 {
   if (finder.Evaluate(stretch.Block, stretch.CellId, x.X))
@@ -165,8 +165,8 @@ void InterpolateAt(SkdArrayGather& gather, vtkIdType to, SkdPlaceFinder& finder,
 void AddIds(const SkdLineOutput& output, vtkCellData* data)
 {
   const auto n = static_cast<vtkIdType>(output.Stretches.size());
-  auto cells = SkdMakeArray<vtkIdTypeArray>(SkdPlaces::CellIdName, 1, n, -1);
-  auto blockIndices = SkdMakeArray<vtkIntArray>(SkdPlaces::BlockIndexName, 1, n, -1);
+  auto cells = SkdMakeArray<vtkIdTypeArray>(SkdCellLocations::CellIdName, 1, n, -1);
+  auto blockIndices = SkdMakeArray<vtkIntArray>(SkdCellLocations::BlockIndexName, 1, n, -1);
   auto lines = SkdMakeArray<vtkIdTypeArray>("SkdInputCellId", 1, n, -1);
   auto inputs = SkdMakeArray<vtkIntArray>("SkdInputBlockIndex", 1, n, -1);
   auto entries = SkdMakeArray<vtkDoubleArray>("SkdEntry", 1, n, 0.0);
@@ -218,7 +218,7 @@ std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs)
 }
 
 std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
-  const SkdPlaceSource& source, const SkdPlaceRules& rules, SkdLoop& loop)
+  const SkdCellFinderSource& source, const SkdCellFinderRules& rules, SkdLoop& loop)
 {
   std::vector<std::vector<SkdStretch>> parts(pieces.size());
   loop.For(static_cast<vtkIdType>(pieces.size()),
@@ -267,7 +267,7 @@ void SkdFillStretches(
   SkdArrayGather ofCells =
     SkdGatherInto(lines->GetCellData(), n, blocks, vtkDataObject::CELL, refused);
   ForEachStretch(output,
-    [&](vtkIdType i, SkdPlaceFinder& finder, const SkdStretch& stretch)
+    [&](vtkIdType i, SkdCellFinder& finder, const SkdStretch& stretch)
     {
       InterpolateAt(atEnds, 2 * i, finder, stretch, stretch.From);
       InterpolateAt(atEnds, 2 * i + 1, finder, stretch, stretch.To);

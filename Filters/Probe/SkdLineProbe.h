@@ -10,7 +10,7 @@
 
 #include "Core/Geometry/Vector.h"
 #include "Pipeline/SkdLoop.h"
-#include "Probe/SkdPlaceFinder.h"
+#include "Probe/SkdCellFinder.h"
 
 #include <set>
 #include <string>
@@ -48,13 +48,13 @@ std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs);
 /// Source belongs to one stretch: of the lowest (block, cell) that holds it. A surface holds what
 /// is within the rules' tolerance of it, a volume only what is in it. In parallel.
 std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
-  const SkdPlaceSource& source, const SkdPlaceRules& rules, SkdLoop& loop);
+  const SkdCellFinderSource& source, const SkdCellFinderRules& rules, SkdLoop& loop);
 
 /// What the lines' outputs are made from.
 struct SkdLineOutput
 {
   const std::vector<SkdBlock>& Inputs;
-  const SkdPlaceSource& Source;
+  const SkdCellFinderSource& Source;
   const std::vector<SkdLinePiece>& Pieces;
   const std::vector<SkdStretch>& Stretches;
   bool IsInputComposite;

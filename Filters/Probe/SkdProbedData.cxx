@@ -82,9 +82,9 @@ void SkdProbedData::Activate(vtkDataSetAttributes* into) const
 }
 
 void SkdProbedData::Set(
-  vtkIdType i, const double x[3], SkdPlaceFinder& finder, SkdGradient& gradient)
+  vtkIdType i, const double x[3], SkdCellFinder& finder, SkdGradient& gradient)
 {
-  const SkdPlace& place = finder.GetPlace();
+  const SkdCellLocation& place = finder.GetPlace();
   vtkDataSet* mesh = this->Blocks[place.Block].Mesh;
   this->Quantities.Interpolate(i, place.Block, finder.GetPointIds(), finder.GetWeights());
   this->OfCells.Take(i, place.Block, place.CellId);

@@ -31,7 +31,7 @@ public:
 
   /// Fills tuple i from where the finder is, having been asked for x. Thread-safe for distinct
   /// tuples, each thread with a finder and a `gradient` of its own.
-  void Set(vtkIdType i, const double x[3], SkdPlaceFinder& finder, SkdGradient& gradient);
+  void Set(vtkIdType i, const double x[3], SkdCellFinder& finder, SkdGradient& gradient);
 
 private:
   void Activate(vtkDataSetAttributes* into) const;

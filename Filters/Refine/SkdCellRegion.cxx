@@ -25,8 +25,8 @@ SkdCellRegion::SkdCellRegion(const skd::RefinedMesh& mesh, std::uint32_t cell)
   {
     this->Radius = std::max(this->Radius, skd::Norm(point - this->Middle));
   }
-  this->SampleReach = this->IsVolume ? 0.0 : 0.5 * this->Radius;
-  this->Box = this->Set.Bounds.Inflated(this->SampleReach);
+  this->SampleRadius = this->IsVolume ? 0.0 : 0.5 * this->Radius;
+  this->Box = this->Set.Bounds.Inflated(this->SampleRadius);
   this->IsVolume ? this->AddFaces(mesh[cell].Kind) : this->AddSelf();
 }
 
@@ -72,12 +72,12 @@ bool SkdCellRegion::IsBeside(const skd::Vector3& x, const skd::SimplexSet::Simpl
   {
     const auto nearest = skd::ClosestPointOnSegment(p[0], p[1], x);
     return nearest.Dist2 == 0.0 ||
-      (nearest.Dist2 <= this->SampleReach * this->SampleReach && nearest.R > 0.0 &&
+      (nearest.Dist2 <= this->SampleRadius * this->SampleRadius && nearest.R > 0.0 &&
         nearest.R < 1.0);
   }
   const skd::Vector3 normal = skd::DirectionAcross(p.data(), 3);
   const double height = skd::Dot(normal, x - p[0]);
-  bool isAbove = height * height <= this->SampleReach * this->SampleReach * skd::Norm2(normal);
+  bool isAbove = height * height <= this->SampleRadius * this->SampleRadius * skd::Norm2(normal);
   for (int i = 0; i < 3; ++i)
   {
     const skd::Vector3& from = p[i];

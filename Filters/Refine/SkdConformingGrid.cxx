@@ -23,14 +23,14 @@ public:
 
   std::vector<vtkIdType> Of(const SkdGridCell& leaf) const
   {
-    const skd::Place place = this->Grid.Forest.PlaceOf(leaf.Level, leaf.Index);
+    const skd::LatticePoint place = this->Grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
     const unsigned u = 1u << this->U;
     const unsigned v = 1u << this->V;
     const unsigned corners[5] = { 0, u, u | v, v, 0 };
     std::vector<vtkIdType> outline;
     for (int side = 0; side < 4; ++side)
     {
-      const skd::Place from = this->Points.CornerOf(leaf.Level, place, corners[side]);
+      const skd::LatticePoint from = this->Points.CornerOf(leaf.Level, place, corners[side]);
       outline.push_back(this->Points.FindId(from));
       this->AddBetween(from, this->Points.CornerOf(leaf.Level, place, corners[side + 1]), outline);
     }
@@ -40,19 +40,19 @@ public:
 private:
   /// Where a neighbour is finer it has points at the places where a refined cell is cut, and
   /// perhaps between these.
-  void AddBetween(
-    const skd::Place& from, const skd::Place& to, std::vector<vtkIdType>& outline) const
+  void AddBetween(const skd::LatticePoint& from, const skd::LatticePoint& to,
+    std::vector<vtkIdType>& outline) const
   {
     const int axis = from[this->U] != to[this->U] ? this->U : this->V;
     const std::int64_t parts = this->Grid.Lattice.GetBranch()[axis];
     const std::int64_t step = (to[axis] - from[axis]) / parts;
-    skd::Place cut = from;
+    skd::LatticePoint cut = from;
     cut[axis] += step;
     if (step == 0 || this->Points.FindId(cut) < 0)
     {
       return;
     }
-    skd::Place last = from;
+    skd::LatticePoint last = from;
     for (std::int64_t part = 1; part <= parts; ++part, cut[axis] += step)
     {
       this->AddBetween(last, cut, outline);
@@ -75,7 +75,7 @@ void AddCorners(const SkdGrid& grid, const std::vector<SkdGridCell>& leaves, Skd
   const std::vector<unsigned> corners = points.Corners();
   for (const SkdGridCell& leaf : leaves)
   {
-    const skd::Place place = grid.Forest.PlaceOf(leaf.Level, leaf.Index);
+    const skd::LatticePoint place = grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
     for (const unsigned corner : corners)
     {
       points.IdOf(points.CornerOf(leaf.Level, place, corner));

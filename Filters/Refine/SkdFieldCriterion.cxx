@@ -189,7 +189,7 @@ void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region
   const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
   for (int sample = 0; sample < region.GetNumberOfSamples() && !look.Passes; ++sample)
   {
-    SkdFoundCell found = this->FindAt(column, region.GetSample(sample), region.GetSampleReach());
+    SkdFoundCell found = this->FindAt(column, region.GetSample(sample), region.GetSampleRadius());
     if (found.Id < 0)
     {
       continue;
@@ -219,7 +219,7 @@ bool SkdFieldCriterion::IsWanted(const SkdRegion& region) const
     [&](const Column& column)
     {
       Look look(this->Settings);
-      if (column.IsOfPoints || region.GetSampleReach() > 0.0)
+      if (column.IsOfPoints || region.GetSampleRadius() > 0.0)
       {
         this->AddSamples(column, region, look);
       }

@@ -49,7 +49,7 @@ struct SkdGrid
 
   skd::Box3 BoxOf(int level, std::uint32_t cell) const
   {
-    return this->Lattice.BoxOf(level, this->Forest.PlaceOf(level, cell));
+    return this->Lattice.BoxOf(level, this->Forest.LatticePointOf(level, cell));
   }
 
   ///@{

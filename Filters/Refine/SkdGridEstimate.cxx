@@ -16,7 +16,7 @@ double CountCells(
   // By how much the 2:1 balance over faces, edges and corners adds cells around a sphere.
   const double more[4] = { 1.0, 1.16, 1.27, 1.31 };
   const double base =
-    settings.Reach >= 0 ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);
+    settings.LayersKept >= 0 ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);
   double ofLevel = base;
   double below = 0.0;
   for (const double families : wanted)
@@ -28,10 +28,10 @@ double CountCells(
 }
 
 /// The forest, the arrays of its cells and again in the output, and what the output is made of.
-double BytesPerCell(const SkdGridQuestions& questions, int outputType, int corners)
+double BytesPerCell(const SkdGridRequests& requests, int outputType, int corners)
 {
-  const double extras = (questions.NeedBoundary() ? 2 : 0) + (questions.Fractions ? 16 : 0) +
-    (questions.Distances ? 16 : 0);
+  const double extras = (requests.NeedBoundary() ? 2 : 0) + (requests.Fractions ? 16 : 0) +
+    (requests.Distances ? 16 : 0);
   const double ofGrid = 12 + 9 + 10 + extras;
   // A leaf's connectivity, offset and type, and about one point, its mark and its number
   const double ofLeaf = 8.0 * corners + 8 + 1 + 24 + 1 + 8;
@@ -40,7 +40,7 @@ double BytesPerCell(const SkdGridQuestions& questions, int outputType, int corne
 }
 
 SkdGridEstimate SkdEstimateGrid(const SkdGrid& grid, const SkdParts& parts,
-  const SkdRefineSettings& settings, const SkdGridQuestions& questions, int outputType,
+  const SkdRefineSettings& settings, const SkdGridRequests& requests, int outputType,
   vtkAlgorithm* algorithm, double progress)
 {
   SkdStopwatch watch;
@@ -53,7 +53,7 @@ SkdGridEstimate SkdEstimateGrid(const SkdGrid& grid, const SkdParts& parts,
   SkdGridEstimate estimate;
   estimate.Cells = CountCells(grid, settings, wanted);
   estimate.Bytes =
-    BytesPerCell(questions, outputType, 1 << grid.Lattice.Dimension()) * estimate.Cells;
+    BytesPerCell(requests, outputType, 1 << grid.Lattice.Dimension()) * estimate.Cells;
   estimate.Seconds =
     watch.Lap() * estimate.Cells / static_cast<double>(sample.Forest.NumberOfCells());
   return estimate;

@@ -22,7 +22,7 @@ struct SkdGridEstimate
 /// (VTK_UNSTRUCTURED_GRID, ...). O(base cells + 512 levels). The algorithm is told to be at
 /// `progress`, and asked whether to stop.
 SkdGridEstimate SkdEstimateGrid(const SkdGrid& grid, const SkdParts& parts,
-  const SkdRefineSettings& settings, const SkdGridQuestions& questions, int outputType,
+  const SkdRefineSettings& settings, const SkdGridRequests& requests, int outputType,
   vtkAlgorithm* algorithm, double progress);
 
 #endif

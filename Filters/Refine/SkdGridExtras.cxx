@@ -6,29 +6,29 @@
 #include "Refine/SkdGridFractions.h"
 #include "Refine/SkdGridInside.h"
 
-SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridQuestions& questions,
+SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridRequests& requests,
   const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last)
 {
   const double third = (last - first) / 3.0;
   SkdGridExtras extras;
-  if (questions.NeedBoundary())
+  if (requests.NeedBoundary())
   {
     extras.Inside = SkdFindInside(grid, enclosure, algorithm, first, first + third);
   }
-  if (questions.Fractions)
+  if (requests.Fractions)
   {
-    extras.Fractions = SkdFindFractions(grid, enclosure, extras.Inside, questions.Epsilon,
-      algorithm, first + third, first + 2.0 * third);
+    extras.Fractions = SkdFindFractions(grid, enclosure, extras.Inside, requests.Epsilon, algorithm,
+      first + third, first + 2.0 * third);
   }
-  if (!questions.Inside)
+  if (!requests.Inside)
   {
     extras.Inside.clear(); // was for the fractions only
   }
-  if (questions.Distances)
+  if (requests.Distances)
   {
     extras.Distances = SkdFindDistances(grid, parts, algorithm, first + 2.0 * third, last);
-    if (questions.Inside)
+    if (requests.Inside)
     {
       SkdSignDistances(extras.Distances, extras.Inside);
     }

@@ -22,7 +22,7 @@ struct SkdGridExtras
   std::vector<std::vector<double>> Fractions;
 };
 
-struct SkdGridQuestions
+struct SkdGridRequests
 {
   bool Inside = false;
   bool Fractions = false;
@@ -34,7 +34,7 @@ struct SkdGridQuestions
 
 /// The algorithm is told the progress, from `first` to `last`. `enclosure` is looked at only where
 /// a question needs it.
-SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridQuestions& questions,
+SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridRequests& requests,
   const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last);
 

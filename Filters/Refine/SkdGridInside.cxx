@@ -81,8 +81,8 @@ Unions JoinFreeLeaves(const SkdGrid& grid, const Row& row)
     {
       continue;
     }
-    skd::ForEachNeighbour(grid.Forest.PlaceOf(at.Level, at.Index), skd::Contact::Face,
-      [&](const skd::Place& place)
+    skd::ForEachNeighbour(grid.Forest.LatticePointOf(at.Level, at.Index), skd::Contact::Face,
+      [&](const skd::LatticePoint& place)
       {
         const skd::Forest::Node there = grid.Forest.Find(at.Level, place);
         if (there.Level >= 0 && row.IsFree(there.Level, there.Index))

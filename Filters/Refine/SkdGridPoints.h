@@ -22,7 +22,7 @@ public:
     this->Ids.reserve(grid.Forest.NumberOfLeaves() * 5 / 4);
   }
 
-  vtkIdType IdOf(const skd::Place& place)
+  vtkIdType IdOf(const skd::LatticePoint& place)
   {
     const auto [entry, isNew] =
       this->Ids.emplace(place, static_cast<vtkIdType>(this->Places.size()));
@@ -34,7 +34,7 @@ public:
   }
 
   /// -1 if no leaf that was asked for has a corner there.
-  vtkIdType FindId(const skd::Place& place) const
+  vtkIdType FindId(const skd::LatticePoint& place) const
   {
     const auto entry = this->Ids.find(place);
     return entry == this->Ids.end() ? -1 : entry->second;
@@ -59,9 +59,9 @@ public:
   }
 
   /// A corner of a cell: bit i of `corner` tells the side along axis i.
-  skd::Place CornerOf(int level, const skd::Place& cell, unsigned corner) const
+  skd::LatticePoint CornerOf(int level, const skd::LatticePoint& cell, unsigned corner) const
   {
-    skd::Place place;
+    skd::LatticePoint place;
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto& lattice = this->Grid.Lattice;
@@ -76,7 +76,7 @@ public:
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(static_cast<vtkIdType>(this->Places.size()));
-    this->ForEach([&](vtkIdType i, const skd::Place& place)
+    this->ForEach([&](vtkIdType i, const skd::LatticePoint& place)
       { points->SetPoint(i, this->Grid.Lattice.PointOf(this->Finest, place).X); });
     return points;
   }
@@ -86,15 +86,15 @@ public:
     auto hanging = vtkSmartPointer<vtkUnsignedCharArray>::New();
     hanging->SetName(SkdGridArrays::HangingName);
     hanging->SetNumberOfTuples(static_cast<vtkIdType>(this->Places.size()));
-    this->ForEach(
-      [&](vtkIdType i, const skd::Place& place) { hanging->SetValue(i, this->IsHanging(place)); });
+    this->ForEach([&](vtkIdType i, const skd::LatticePoint& place)
+      { hanging->SetValue(i, this->IsHanging(place)); });
     return hanging;
   }
 
 private:
   struct Hash
   {
-    std::size_t operator()(const skd::Place& place) const
+    std::size_t operator()(const skd::LatticePoint& place) const
     {
       std::size_t hash = 0;
       for (const std::int64_t along : place)
@@ -120,11 +120,11 @@ private:
   }
 
   /// Whether a leaf around the point does not have it as a corner.
-  bool IsHanging(const skd::Place& point) const
+  bool IsHanging(const skd::LatticePoint& point) const
   {
     for (unsigned around = 0; around < 8; ++around)
     {
-      const skd::Place place{ point[0] - (around & 1u), point[1] - (around >> 1 & 1u),
+      const skd::LatticePoint place{ point[0] - (around & 1u), point[1] - (around >> 1 & 1u),
         point[2] - (around >> 2 & 1u) };
       const skd::Forest::Node leaf = this->Grid.Forest.Find(this->Finest, place);
       for (int axis = 0; leaf.Level >= 0 && axis < 3; ++axis)
@@ -141,8 +141,8 @@ private:
 
   const SkdGrid& Grid;
   const int Finest;
-  std::unordered_map<skd::Place, vtkIdType, Hash> Ids;
-  std::vector<skd::Place> Places;
+  std::unordered_map<skd::LatticePoint, vtkIdType, Hash> Ids;
+  std::vector<skd::LatticePoint> Places;
 };
 
 #endif

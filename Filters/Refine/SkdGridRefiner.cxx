@@ -35,11 +35,11 @@ SkdGridRefiner::SkdGridRefiner(vtkAlgorithm* algorithm, double first, double las
   , Parts(parts)
   , Settings(settings)
 {
-  if (settings.Reach >= 0)
+  if (settings.LayersKept >= 0)
   {
     std::vector<char> own(grid.Forest.NumberOfCells(0), 0);
     std::fill(own.begin() + grid.FirstOwn, own.begin() + grid.LastOwn, 1);
-    this->IsNear = skd::Grown(grid.Forest, 0, own, settings.Reach);
+    this->IsNear = skd::Grown(grid.Forest, 0, own, settings.LayersKept);
   }
 }
 

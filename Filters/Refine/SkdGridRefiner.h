@@ -27,7 +27,7 @@ struct SkdRefineSettings : SkdCriteria
   ///@{
   /// Leave base cells alone that are farther than so many from own ones; -1: none. The own cells of
   /// all of these processes count together then.
-  int Reach = -1;
+  int LayersKept = -1;
   const skd::Processes* Processes = nullptr;
   ///@}
 };

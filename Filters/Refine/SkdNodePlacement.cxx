@@ -6,7 +6,7 @@
 
 #include <limits>
 
-skd::RefinedMesh::Placement SkdPlaceOnSphere(const skd::Vector3& centre)
+skd::RefinedMesh::Placement SkdPutOnSphere(const skd::Vector3& centre)
 {
   return
     [centre](const skd::Vector3& mean, const skd::RefinedMesh& mesh, skd::RefinedMesh::Nodes makers)
@@ -22,7 +22,7 @@ skd::RefinedMesh::Placement SkdPlaceOnSphere(const skd::Vector3& centre)
   };
 }
 
-skd::RefinedMesh::Placement SkdPlaceOnSurface(const SkdSource& surface)
+skd::RefinedMesh::Placement SkdPutOnSurface(const SkdSource& surface)
 {
   return [&surface](const skd::Vector3& mean, const skd::RefinedMesh&,
            skd::RefinedMesh::Nodes) -> skd::Vector3

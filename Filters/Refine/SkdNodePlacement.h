@@ -9,10 +9,10 @@ class SkdSource;
 
 /// New nodes at the mean distance from a centre of those that they are made of, in the direction of
 /// their mean: on the sphere if those are, on a shell between if they are on two.
-skd::RefinedMesh::Placement SkdPlaceOnSphere(const skd::Vector3& centre);
+skd::RefinedMesh::Placement SkdPutOnSphere(const skd::Vector3& centre);
 
 /// New nodes of lines, surfaces and of the border of volumes at the point of the surface that is
 /// nearest to the mean. The source must live.
-skd::RefinedMesh::Placement SkdPlaceOnSurface(const SkdSource& surface);
+skd::RefinedMesh::Placement SkdPutOnSurface(const SkdSource& surface);
 
 #endif

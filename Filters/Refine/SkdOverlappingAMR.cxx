@@ -47,10 +47,10 @@ std::vector<skd::PlaceBlock> BlocksOf(const SkdGrid& grid, int level)
         lattice.NumberOfBaseCells(2) } } };
   }
   const std::uint32_t family = grid.Forest.FamilySize();
-  std::vector<skd::Place> parents;
+  std::vector<skd::LatticePoint> parents;
   for (std::uint32_t cell = 0; cell < grid.Forest.NumberOfCells(level); cell += family)
   {
-    parents.push_back(grid.Forest.PlaceOf(level - 1, grid.Forest.Parent(level, cell)));
+    parents.push_back(grid.Forest.LatticePointOf(level - 1, grid.Forest.Parent(level, cell)));
   }
   std::vector<skd::PlaceBlock> ranges = skd::JoinPlaces(parents);
   for (skd::PlaceBlock& range : ranges)
@@ -80,7 +80,7 @@ std::vector<SkdGridCell> CellsOf(const skd::PlaceBlock& range, const SkdGrid& gr
 {
   std::vector<SkdGridCell> cells;
   cells.reserve(static_cast<std::size_t>(range.NumberOfPlaces()));
-  skd::Place place;
+  skd::LatticePoint place;
   for (place[2] = range.Low[2]; place[2] < range.High[2]; ++place[2])
   {
     for (place[1] = range.Low[1]; place[1] < range.High[1]; ++place[1])

@@ -36,7 +36,7 @@ public:
   virtual skd::Vector3 GetSample(int i) const = 0;
 
   /// By how far a field's cell may be beside a sample to have it.
-  double GetSampleReach() const { return this->SampleReach; }
+  double GetSampleRadius() const { return this->SampleRadius; }
 
   /// Whether a field's point counts.
   virtual bool Contains(const skd::Vector3& x) const = 0;
@@ -48,7 +48,7 @@ protected:
   skd::Box3 Box;
   skd::Vector3 Middle;
   double Radius = 0.0;
-  double SampleReach = 0.0;
+  double SampleRadius = 0.0;
 };
 
 /// A closed box. A box without length along an axis is a rectangle, a line or a point.

@@ -20,7 +20,7 @@ std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstruc
   vtkIdType* id = connectivity->GetPointer(0);
   for (const SkdGridCell& leaf : leaves)
   {
-    const skd::Place place = grid.Forest.PlaceOf(leaf.Level, leaf.Index);
+    const skd::LatticePoint place = grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
     for (const unsigned corner : corners)
     {
       *id++ = points.IdOf(points.CornerOf(leaf.Level, place, corner));

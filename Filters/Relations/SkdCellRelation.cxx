@@ -68,7 +68,7 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
   {
     return std::nullopt;
   }
-  const bool isSure = this->Shape.IsSureToHold(tree.Cells().ReachOf(cell));
+  const bool isSure = this->Shape.IsSureToHold(tree.Cells().ExtentOf(cell));
   const double distance = isSure ? 0.0 : this->MinDistance(asked);
   return SkdDistances{ asked.IsZero(distance) ? 0.0 : distance, this->MaxDistance(asked) };
 }
@@ -139,7 +139,7 @@ bool SkdCellRelation::IsRelated(const Asked& asked) const
     case SkdRelation::Adjacency:
       return this->Touches(asked);
     default:
-      return this->Shape.IsSureToHold(asked.Tree.Cells().ReachOf(asked.Cell)) ||
+      return this->Shape.IsSureToHold(asked.Tree.Cells().ExtentOf(asked.Cell)) ||
         asked.IsZero(this->MinDistance(asked));
   }
 }
@@ -147,7 +147,7 @@ bool SkdCellRelation::IsRelated(const Asked& asked) const
 //------------------------------------------------------------------------------
 bool SkdCellRelation::IsContained(const Asked& asked) const
 {
-  if (this->Shape.IsSureToHold(asked.Tree.Cells().ReachOf(asked.Cell)))
+  if (this->Shape.IsSureToHold(asked.Tree.Cells().ExtentOf(asked.Cell)))
   {
     return true;
   }

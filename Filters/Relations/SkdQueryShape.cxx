@@ -131,7 +131,7 @@ SkdQueryShape SkdQueryShape::MakeCell(const SkdCellTree& tree, std::uint32_t cel
   skd::SimplexSet set;
   tree.GetSimplices(cell, source, set);
   SkdQueryShape shape = MakeSet(Kind::Cell, std::move(set));
-  shape.Bounds = tree.Cells().ReachOf(cell);
+  shape.Bounds = tree.Cells().ExtentOf(cell);
   shape.SafetyMargin = 2.0 * tree.AbsoluteEpsilon();
   shape.Outline = std::move(outline);
   return shape;
@@ -328,7 +328,8 @@ std::optional<SkdQueryShape::Corners> SkdQueryShape::LookAtCorners(
   const SkdCellTree& tree, std::uint32_t cell, const Corner* known) const
 {
   const SkdCellStore& cells = tree.Cells();
-  if (!this->LooksAtCorners() || cells.HasReaches() || cells.ShapeOf(cell) == SkdShape::Generic)
+  if (!this->LooksAtCorners() || cells.HasCurvedExtents() ||
+    cells.ShapeOf(cell) == SkdShape::Generic)
   {
     return std::nullopt;
   }

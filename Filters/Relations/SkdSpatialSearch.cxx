@@ -366,7 +366,7 @@ skd::RawVector<std::uint32_t> SkdSpatialSearch::LookThrough(
   const SkdCellTree& tree, const SkdQueryShape& shape, vtkAlgorithm* owner) const
 {
   const SkdCellStore& cells = tree.Cells();
-  const bool hasSides = shape.GetKind() != SkdQueryShape::Kind::Plane && !cells.HasReaches();
+  const bool hasSides = shape.GetKind() != SkdQueryShape::Kind::Plane && !cells.HasCurvedExtents();
   // Safety boxes are wider than cells, and what they are compared with is rounded.
   const double reach =
     this->Rules.Tolerance + 3.0 * tree.AbsoluteEpsilon() + 2.0 * shape.Rounding(tree);

@@ -60,28 +60,29 @@ std::vector<SkdContactPoints::Key> SkdContactPoints::MakeKeys(
   return keys;
 }
 
-SkdContactPoints::Part SkdContactPoints::MakePart(
-  bool isOfSecond, std::uint32_t triangle, skd::TrianglePart part) const
+SkdContactPoints::Feature SkdContactPoints::MakeFeature(
+  bool isOfSecond, std::uint32_t triangle, skd::TriangleFeature feature) const
 {
   const bool isCountedOn = isOfSecond && this->Second;
   const SkdPlacedTriangles& set = isCountedOn ? *this->Second : this->First;
-  if (part == skd::TriangleInside)
+  if (feature == skd::TriangleInside)
   {
     const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
     return { triangle + (isCountedOn ? before : 0), Inside };
   }
   const auto before = isCountedOn ? static_cast<std::uint32_t>(this->First.GetPoints().size()) : 0u;
   const SkdTriangleSet::Corners& corners = set.GetCorners(triangle);
-  const std::uint32_t a = before + corners[part % 3];
-  const std::uint32_t b = before + (skd::IsCorner(part) ? corners[part] : corners[(part + 1) % 3]);
+  const std::uint32_t a = before + corners[feature % 3];
+  const std::uint32_t b =
+    before + (skd::IsCorner(feature) ? corners[feature] : corners[(feature + 1) % 3]);
   return { std::min(a, b), std::max(a, b) };
 }
 
 SkdContactPoints::Key SkdContactPoints::MakeKey(
   const SkdTrianglePair& pair, const skd::ContactPoint& point) const
 {
-  const Part first = this->MakePart(false, pair.First, point.First);
-  const Part second = this->MakePart(true, pair.Second, point.Second);
+  const Feature first = this->MakeFeature(false, pair.First, point.First);
+  const Feature second = this->MakeFeature(true, pair.Second, point.Second);
   if (first.IsCorner())
   {
     return { first, first };
@@ -107,8 +108,8 @@ void SkdContactPoints::MakeCornersOne(
       const skd::ContactPoint& point = pair.Contact.Points[i];
       if (skd::IsCorner(point.First) && skd::IsCorner(point.Second))
       {
-        same.emplace_back(this->MakePart(true, pair.Second, point.Second).A,
-          this->MakePart(false, pair.First, point.First).A);
+        same.emplace_back(this->MakeFeature(true, pair.Second, point.Second).A,
+          this->MakeFeature(false, pair.First, point.First).A);
       }
     }
   }
@@ -121,7 +122,7 @@ void SkdContactPoints::MakeCornersOne(
       const auto at = std::lower_bound(same.begin(), same.end(), from);
       if (key.first.IsCorner() && at != same.end() && at->first == key.first.A)
       {
-        const Part corner{ at->second, at->second };
+        const Feature corner{ at->second, at->second };
         key = { corner, corner };
       }
     });
@@ -134,7 +135,7 @@ const skd::Vector3& SkdContactPoints::CornerAt(std::uint32_t corner) const
                          : this->Second->GetPoints()[corner - before];
 }
 
-skd::Segment<3> SkdContactPoints::EdgeAt(const Part& edge) const
+skd::Segment<3> SkdContactPoints::EdgeAt(const Feature& edge) const
 {
   return { this->CornerAt(edge.A), this->CornerAt(edge.B) };
 }

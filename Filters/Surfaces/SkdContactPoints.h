@@ -39,15 +39,15 @@ private:
   /// Two parts, each a corner (c, c), an edge (lower corner, higher corner) or the inside of a
   /// triangle (t, Inside); twice the same corner of a point that is one. The second set's corners
   /// and triangles are counted on from the first's.
-  struct Part
+  struct Feature
   {
     std::uint32_t A;
     std::uint32_t B;
 
-    bool operator==(const Part& other) const { return this->A == other.A && this->B == other.B; }
+    bool operator==(const Feature& other) const { return this->A == other.A && this->B == other.B; }
     /// Insides last: numbers of triangles are not compared with those of corners, of which there
     /// are more as long as equal points are several.
-    bool operator<(const Part& other) const
+    bool operator<(const Feature& other) const
     {
       if (this->IsInside() != other.IsInside())
       {
@@ -58,16 +58,16 @@ private:
     bool IsCorner() const { return this->A == this->B; }
     bool IsInside() const { return this->B == Inside; }
   };
-  using Key = std::pair<Part, Part>;
+  using Key = std::pair<Feature, Feature>;
   static constexpr std::uint32_t Inside = 0xffffffffu;
 
-  Part MakePart(bool isOfSecond, std::uint32_t triangle, skd::TrianglePart part) const;
+  Feature MakeFeature(bool isOfSecond, std::uint32_t triangle, skd::TriangleFeature feature) const;
   Key MakeKey(const SkdTrianglePair& pair, const skd::ContactPoint& point) const;
   std::vector<Key> MakeKeys(const std::vector<SkdTrianglePair>& pairs);
   void MakeCornersOne(const std::vector<SkdTrianglePair>& pairs, std::vector<Key>& keys) const;
   skd::Vector3 FindPosition(const Key& key) const;
   const skd::Vector3& CornerAt(std::uint32_t corner) const;
-  skd::Segment<3> EdgeAt(const Part& edge) const;
+  skd::Segment<3> EdgeAt(const Feature& edge) const;
   std::array<skd::Vector3, 3> TriangleAt(std::uint32_t triangle) const;
 
   const SkdPlacedTriangles& First;

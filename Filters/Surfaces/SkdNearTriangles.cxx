@@ -20,7 +20,7 @@ std::uint32_t CountOf(const SkdPlacedTriangles& set)
 skd::Box3 BoundsOf(const SkdPlacement& placement, const SkdPlacedTriangles& set, bool isMoved)
 {
   const skd::Box3& bounds = set.GetSet().GetBounds();
-  const double reach = set.GetSet().GetReach();
+  const double reach = set.GetSet().GetLargestCoordinate();
   const skd::Box3 there = isMoved ? placement.Motion->Forward(bounds) : bounds;
   const double shift = isMoved ? Norm(placement.Motion->Shift) : 0.0;
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (2.0 * reach + shift);
@@ -51,7 +51,7 @@ public:
     : Set(set)
     , TheCells(cells)
     , Lows(PlacesOf(set, cells, -margin))
-    , Highs(margin > 0.0 ? PlacesOf(set, cells, margin) : PlaceList())
+    , Highs(margin > 0.0 ? PlacesOf(set, cells, margin) : CellPositionList())
     , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
   {
   }
@@ -66,23 +66,23 @@ public:
   }
 
 private:
-  using PlaceList = skd::RawVector<Cells::Place>;
+  using CellPositionList = skd::RawVector<Cells::CellPosition>;
 
-  static PlaceList PlacesOf(const SkdPlacedTriangles& set, const Cells& cells, double shift)
+  static CellPositionList PlacesOf(const SkdPlacedTriangles& set, const Cells& cells, double shift)
   {
     const SkdTriangleSet::PointList& points = set.GetPoints();
     const skd::Vector3 shifts{ { shift, shift, shift } };
-    PlaceList places(points.size());
+    CellPositionList places(points.size());
     std::transform(points.begin(), points.end(), places.begin(),
-      [&](const skd::Vector3& x) { return cells.PlaceOf(x + shifts); });
+      [&](const skd::Vector3& x) { return cells.CellPositionOf(x + shifts); });
     return places;
   }
 
   const SkdPlacedTriangles& Set;
   const Cells& TheCells;
-  PlaceList Lows;
-  PlaceList Highs; // empty where these are the lows
-  const Cells::Place* AtHighs;
+  CellPositionList Lows;
+  CellPositionList Highs; // empty where these are the lows
+  const Cells::CellPosition* AtHighs;
 };
 
 /// Keeps the work bounded where sizes differ much: stops when triangles cover many cells.

@@ -19,7 +19,7 @@ SkdPlacedTriangles::SkdPlacedTriangles(
   , IsElsewhere(motion || scale != 1.0)
   , Points(this->IsElsewhere ? set.GetPoints().size() : 0)
 {
-  const double reach = set.GetReach() + (motion ? Norm(motion->Shift) : 0.0);
+  const double reach = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
   this->HaveAllArea = scale == 1.0 && set.GetLeastWidth() > 64.0 * rounding;
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
@@ -65,8 +65,8 @@ SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
-  const double scale =
-    SkdExactScale(std::max({ first.GetReach(), other ? other->GetReach() : 0.0, shift }));
+  const double scale = SkdExactScale(
+    std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift }));
   std::optional<SkdPlacedTriangles> placed;
   if (other)
   {

@@ -10,7 +10,7 @@
 
 namespace
 {
-double ReachOf(const SkdTriangleSet::PointList& points)
+double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
 {
   double reach = 0.0;
   for (const skd::Vector3& x : points)
@@ -27,8 +27,8 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
   , Exact(contacts.GetNumberOfPoints())
   , Same(contacts.GetNumberOfPoints())
 {
-  const double reach =
-    std::max(ReachOf(placement.First.GetPoints()), ReachOf(placement.GetSecond().GetPoints()));
+  const double reach = std::max(LargestCoordinateOf(placement.First.GetPoints()),
+    LargestCoordinateOf(placement.GetSecond().GetPoints()));
   this->Error = 16.0 * std::numeric_limits<double>::epsilon() * reach;
   for (std::uint32_t point = 0; point < contacts.GetNumberOfPoints(); ++point)
   {

@@ -110,17 +110,18 @@ void SkdSplitSegments::AddElementsOf(const PairSegment& of, std::uint32_t segmen
   const SkdTrianglePair& pair = this->Pairs[of.Pair];
   const skd::ContactPoint& a = pair.Contact.Points[of.PlaceOfA];
   const skd::ContactPoint& b = pair.Contact.Points[of.PlaceOfB];
-  const auto add =
-    [&](int side, std::uint32_t triangle, skd::TrianglePart partOfA, skd::TrianglePart partOfB)
+  const auto add = [&](int side, std::uint32_t triangle, skd::TriangleFeature featureOfA,
+                     skd::TriangleFeature featureOfB)
   {
     Side& to = this->Sides[side];
-    to.Elements.push_back({ triangle, segment, partOfA, partOfB });
+    to.Elements.push_back({ triangle, segment, featureOfA, featureOfB });
     const SkdTriangleSet::Corners& corners = to.Set->GetCorners(triangle);
-    for (const auto& [point, part] : { std::pair(of.A, partOfA), std::pair(of.B, partOfB) })
+    for (const auto& [point, feature] :
+      { std::pair(of.A, featureOfA), std::pair(of.B, featureOfB) })
     {
-      if (skd::IsCorner(part))
+      if (skd::IsCorner(feature))
       {
-        to.CornerOf[point] = corners[part];
+        to.CornerOf[point] = corners[feature];
       }
     }
   };
@@ -253,15 +254,15 @@ void SkdSplitSegments::CollectEdgePoints(Side& side) const
   {
     const SkdTriangleSet::Corners& corners = side.Set->GetCorners(element.Triangle);
     const SkdSplitSegment& segment = this->Segments[element.Segment];
-    const auto addEnd = [&](std::uint32_t point, skd::TrianglePart part)
+    const auto addEnd = [&](std::uint32_t point, skd::TriangleFeature feature)
     {
-      if (skd::IsEdge(part))
+      if (skd::IsEdge(feature))
       {
-        side.EdgePoints.push_back(OnEdge(corners, part - 3, this->Points.Find(point)));
+        side.EdgePoints.push_back(OnEdge(corners, feature - 3, this->Points.Find(point)));
       }
     };
-    addEnd(segment.A, element.PartOfA);
-    addEnd(segment.B, element.PartOfB);
+    addEnd(segment.A, element.FeatureOfA);
+    addEnd(segment.B, element.FeatureOfB);
     if (element.GetEdges() != 0 && segment.A != segment.B)
     {
       for (const std::uint32_t point : segment.Between)

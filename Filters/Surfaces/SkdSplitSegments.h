@@ -34,13 +34,13 @@ struct SkdSplitElement
 {
   std::uint32_t Triangle;
   std::uint32_t Segment;
-  skd::TrianglePart PartOfA; ///< of the triangle
-  skd::TrianglePart PartOfB;
+  skd::TriangleFeature FeatureOfA; ///< of the triangle
+  skd::TriangleFeature FeatureOfB;
 
   /// The edges of the triangle that it lies on, a bit each.
   unsigned GetEdges() const
   {
-    return skd::detail::EdgesAt(this->PartOfA) & skd::detail::EdgesAt(this->PartOfB);
+    return skd::detail::EdgesAt(this->FeatureOfA) & skd::detail::EdgesAt(this->FeatureOfB);
   }
   bool operator<(const SkdSplitElement& other) const
   {

@@ -185,7 +185,8 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
   {
     return this->FindByTrees(trees, skd::SameWorld{ search.Clearance }, search, loop);
   }
-  const double reach = 2.0 * this->Placement.GetSecond().GetSet().GetReach() + Norm(motion->Shift);
+  const double reach =
+    2.0 * this->Placement.GetSecond().GetSet().GetLargestCoordinate() + Norm(motion->Shift);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
   return this->FindByTrees(trees, Moved{ *motion, search.Clearance + rounding }, search, loop);
 }

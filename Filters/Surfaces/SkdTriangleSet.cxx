@@ -177,7 +177,7 @@ std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
 }
 
 //------------------------------------------------------------------------------
-double SkdTriangleSet::GetReach() const
+double SkdTriangleSet::GetLargestCoordinate() const
 {
   const skd::Box3& bounds = this->Read.Bounds;
   return bounds.IsEmpty() ? 0.0 : skd::LargestCoordinate(bounds);

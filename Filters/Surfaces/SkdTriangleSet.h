@@ -89,7 +89,7 @@ public:
   const skd::Box3& GetBounds() const { return this->Read.Bounds; }
 
   /// The largest magnitude of a coordinate.
-  double GetReach() const;
+  double GetLargestCoordinate() const;
 
   /// No triangle is less than about this wide; less than most are where triangles are small.
   double GetLeastWidth() const;

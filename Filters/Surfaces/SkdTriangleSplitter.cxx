@@ -135,7 +135,7 @@ void SkdTriangleSplitter::CollectCorners(const SkdSplitElement* first, const Skd
   {
     const SkdSplitSegment& segment = this->Segments.GetSegment(first->Segment);
     for (const auto& [point, part] :
-      { std::pair(segment.A, first->PartOfA), std::pair(segment.B, first->PartOfB) })
+      { std::pair(segment.A, first->FeatureOfA), std::pair(segment.B, first->FeatureOfB) })
     {
       if (skd::IsCorner(part))
       {

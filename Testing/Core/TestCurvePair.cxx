@@ -128,7 +128,7 @@ TEST(CurvePair, EqualCirclesOverlap)
   EXPECT_EQ(hits[0].T, 0.0);
   EXPECT_EQ(hits[1].T, 1.0);
   // The same arc from the middle on, made anew.
-  const auto half = Solve(Quarter(1.0, 0), Quarter(1.0, 0).Part(0.5, 1.0));
+  const auto half = Solve(Quarter(1.0, 0), Quarter(1.0, 0).Restricted(0.5, 1.0));
   ASSERT_EQ(half.size(), 2u);
   EXPECT_NEAR(half[0].T, 0.5, 1e-13);
 }
@@ -328,7 +328,7 @@ TEST(CurvePair, CrossingsAtSmallAnglesAreFoundWhereverTheCurveIsCut)
         if (k / 8.0 != end)
         {
           const auto hits =
-            SolveBothWays(curve.Part(std::min(end, k / 8.0), std::max(end, k / 8.0)), Axis);
+            SolveBothWays(curve.Restricted(std::min(end, k / 8.0), std::max(end, k / 8.0)), Axis);
           ASSERT_FALSE(hits.empty()) << k << " with " << slope;
           EXPECT_EQ(end == 0.0 ? hits.back().T : hits.front().T, 1.0 - end) << k << " " << slope;
         }

@@ -47,7 +47,7 @@ std::vector<std::uint64_t> RefineAround(
     cut.push_back(0);
     for (std::uint32_t cell = 0; cell < forest.NumberOfCells(level); ++cell)
     {
-      if (isCut(lattice.BoxOf(level, forest.PlaceOf(level, cell))))
+      if (isCut(lattice.BoxOf(level, forest.LatticePointOf(level, cell))))
       {
         ++cut.back();
         if (level < levels)
@@ -141,14 +141,15 @@ TEST(Forest, PlacesParentsAndChildrenAgree)
       {
         for (std::uint32_t cell = 0; cell < forest.NumberOfCells(level); ++cell)
         {
-          const skd::Place place = forest.PlaceOf(level, cell);
+          const skd::LatticePoint place = forest.LatticePointOf(level, cell);
           const Forest::Node there = forest.Find(level, place);
           EXPECT_TRUE(there.Level == level && there.Index == cell);
           const skd::Box3 box = lattice.BoxOf(level, place);
           if (level > 0)
           {
             const std::uint32_t parent = forest.Parent(level, cell);
-            const skd::Box3 outer = lattice.BoxOf(level - 1, forest.PlaceOf(level - 1, parent));
+            const skd::Box3 outer =
+              lattice.BoxOf(level - 1, forest.LatticePointOf(level - 1, parent));
             EXPECT_TRUE(outer.Contains(box));
             const std::uint32_t first = forest.FirstChild(level - 1, parent);
             EXPECT_TRUE(cell >= first && cell < first + forest.FamilySize());
@@ -242,7 +243,7 @@ TEST(Forest, BalancedLeavesThatTouchDifferByOneLevel)
       {
         if (forest.IsLeaf(level, cell))
         {
-          leaves.emplace_back(level, lattice.BoxOf(level, forest.PlaceOf(level, cell)));
+          leaves.emplace_back(level, lattice.BoxOf(level, forest.LatticePointOf(level, cell)));
         }
       }
     }
@@ -276,7 +277,7 @@ TEST(Forest, LayersReachThatManyCellsAndNoFarther)
     const std::vector<char> grown = skd::Grown(forest, 4, marks, layers);
     for (std::uint32_t cell = 0; cell < marks.size(); ++cell)
     {
-      const skd::Place place = forest.PlaceOf(4, cell);
+      const skd::LatticePoint place = forest.LatticePointOf(4, cell);
       const bool isNear = std::abs(place[0] - 5) <= layers && std::abs(place[1] - 8) <= layers &&
         std::abs(place[2] - 15) <= layers;
       EXPECT_EQ(grown[cell] != 0, isNear);

@@ -10,12 +10,12 @@
 namespace
 {
 
-using skd::Place;
+using skd::LatticePoint;
 using skd::PlaceBlock;
 
-std::multiset<Place> PlacesOf(const std::vector<PlaceBlock>& blocks)
+std::multiset<LatticePoint> PlacesOf(const std::vector<PlaceBlock>& blocks)
 {
-  std::multiset<Place> places;
+  std::multiset<LatticePoint> places;
   for (const PlaceBlock& block : blocks)
   {
     for (std::int64_t x = block.Low[0]; x < block.High[0]; ++x)
@@ -32,10 +32,10 @@ std::multiset<Place> PlacesOf(const std::vector<PlaceBlock>& blocks)
   return places;
 }
 
-std::vector<Place> Block(const Place& size)
+std::vector<LatticePoint> Block(const LatticePoint& size)
 {
   const auto all = PlacesOf({ { { -2, 3, 7 }, { size[0] - 2, size[1] + 3, size[2] + 7 } } });
-  return std::vector<Place>(all.begin(), all.end());
+  return std::vector<LatticePoint>(all.begin(), all.end());
 }
 
 TEST(PlaceBlocks, OfNoPlaceThereAreNone)
@@ -45,8 +45,8 @@ TEST(PlaceBlocks, OfNoPlaceThereAreNone)
 
 TEST(PlaceBlocks, ACuboidIsOneBlock)
 {
-  for (const Place& size :
-    { Place{ 1, 1, 1 }, Place{ 5, 1, 1 }, Place{ 1, 1, 4 }, Place{ 3, 4, 5 } })
+  for (const LatticePoint& size : { LatticePoint{ 1, 1, 1 }, LatticePoint{ 5, 1, 1 },
+         LatticePoint{ 1, 1, 4 }, LatticePoint{ 3, 4, 5 } })
   {
     const std::vector<PlaceBlock> blocks = skd::JoinPlaces(Block(size));
     ASSERT_EQ(blocks.size(), 1u);
@@ -64,8 +64,8 @@ TEST(PlaceBlocks, CoverRandomPlacesOnceInWhateverOrder)
   std::mt19937 random(5);
   for (int density = 1; density <= 9; ++density)
   {
-    std::vector<Place> places;
-    for (const Place& place : Block({ 7, 8, 9 }))
+    std::vector<LatticePoint> places;
+    for (const LatticePoint& place : Block({ 7, 8, 9 }))
     {
       if (static_cast<int>(random() % 10) < density)
       {
@@ -73,7 +73,7 @@ TEST(PlaceBlocks, CoverRandomPlacesOnceInWhateverOrder)
       }
     }
     const std::vector<PlaceBlock> blocks = skd::JoinPlaces(places);
-    EXPECT_EQ(PlacesOf(blocks), std::multiset<Place>(places.begin(), places.end()));
+    EXPECT_EQ(PlacesOf(blocks), std::multiset<LatticePoint>(places.begin(), places.end()));
     EXPECT_LT(blocks.size(), places.size());
     std::shuffle(places.begin(), places.end(), random);
     const std::vector<PlaceBlock> again = skd::JoinPlaces(places);

@@ -54,7 +54,7 @@ bool Touch(const Corners& a, const Corners& b)
 
 Vector3 PositionOf(const skd::ContactPoint& point, const Corners& a, const Corners& b)
 {
-  const auto edge = [](const Corners& t, skd::TrianglePart part) {
+  const auto edge = [](const Corners& t, skd::TriangleFeature part) {
     return skd::Segment<3>{ t[part - 3], t[(part - 2) % 3] };
   };
   if (skd::IsCorner(point.First))
@@ -74,7 +74,7 @@ Vector3 PositionOf(const skd::ContactPoint& point, const Corners& a, const Corne
 }
 
 /// How far x is from the part of a triangle.
-double Miss(const Vector3& x, skd::TrianglePart part, const Corners& t)
+double Miss(const Vector3& x, skd::TriangleFeature part, const Corners& t)
 {
   const Vector3 normal = Cross(t[1] - t[0], t[2] - t[0]);
   double miss = std::abs(Dot(normal, x - t[0])) / Norm(normal);

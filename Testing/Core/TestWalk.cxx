@@ -14,7 +14,7 @@ struct LowerEnds
   static constexpr bool Ordered = IsOrdered;
 
   template <int W>
-  unsigned Reach(const skd::BoxPacket<1, W>& boxes, float* keys) const
+  unsigned TestBoxes(const skd::BoxPacket<1, W>& boxes, float* keys) const
   {
     boxes.Mins(0).Store(keys);
     return LessEqual(boxes.Mins(0), skd::Lanes<W>(this->TheLimit));
@@ -130,15 +130,15 @@ struct KnowsLeaves : LowerEnds<IsOrdered>
   }
 
   bool Knows(const skd::Node<1>& node) const { return node.Tag == 0; }
-  unsigned ReachElements(const skd::Node<1>& leaf, float* keys)
+  unsigned TestElements(const skd::Node<1>& leaf, float* keys)
   {
     ++this->Opened;
-    return this->Reach(leaf.Boxes, keys);
+    return this->TestBoxes(leaf.Boxes, keys);
   }
-  unsigned ReachKnown(std::uint32_t number, std::uint32_t count, float* keys)
+  unsigned TestKnown(std::uint32_t number, std::uint32_t count, float* keys)
   {
     ++this->Known;
-    return this->Reach(this->Boxes[number], keys) & skd::LowBits(count);
+    return this->TestBoxes(this->Boxes[number], keys) & skd::LowBits(count);
   }
   void FetchKnown(std::uint32_t number) const { EXPECT_LT(number, this->Boxes.size()); }
 
@@ -175,7 +175,7 @@ TEST(Walk, OfKnownLeavesEndsWhenVisitSaysSo)
 struct WantsAll : LowerEnds<false>
 {
   template <int W>
-  unsigned Reach(const skd::BoxPacket<1, W>&, float*) const
+  unsigned TestBoxes(const skd::BoxPacket<1, W>&, float*) const
   {
     return ~0u;
   }

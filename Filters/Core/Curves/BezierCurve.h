@@ -116,7 +116,7 @@ struct BezierCurve
   }
 
   /// The piece on [from, to], with parameters of its own.
-  BezierCurve Part(double from, double to) const
+  BezierCurve Restricted(double from, double to) const
   {
     BezierCurve part = *this;
     if (to != 1.0)

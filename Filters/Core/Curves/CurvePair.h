@@ -21,7 +21,7 @@ struct CurvePairHit
   double Gap = 0.0;    ///< what is left between both
   double SlackT = 0.0; ///< what T may be off by
   double SlackS = 0.0;
-  double Reach = 0.0; ///< and X
+  double Error = 0.0; ///< and X
   IntersectionKind Kind = IntersectionKind::Crossing;
   bool Begins = false;     ///< of an OverlapEnd: the common stretch begins here
   Vector3 Before{};        ///< from the second to the first before a place that is not simple; or 0
@@ -75,7 +75,7 @@ struct CurvePair
     { return std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + 1e-14, 1e-5); };
     hit.SlackT = slack(0);
     hit.SlackS = slack(1);
-    hit.Reach = 8.0 * this->Tolerance + hit.SlackT * Norm(along);
+    hit.Error = 8.0 * this->Tolerance + hit.SlackT * Norm(along);
   }
 
   /// Fills in what depends on T and S.
@@ -239,7 +239,7 @@ private:
     hit.SlackT = std::min(hit.SlackT + 1e-12, 0.125);
     hit.SlackS =
       std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + 1e-12, 0.125); // not of NaN
-    hit.Reach = hit.SlackT * speed + 8.0 * this->Tolerance;
+    hit.Error = hit.SlackT * speed + 8.0 * this->Tolerance;
     return this->Place(hit, 4.0 * this->Tolerance);
   }
 

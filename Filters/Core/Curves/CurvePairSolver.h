@@ -115,14 +115,14 @@ private:
     if (first)
     {
       low.T.Max = high.T.Min = 0.5 * (cell.T.Min + cell.T.Max);
-      low.First = cell.First.Part(0.0, 0.5);
-      high.First = cell.First.Part(0.5, 1.0);
+      low.First = cell.First.Restricted(0.0, 0.5);
+      high.First = cell.First.Restricted(0.5, 1.0);
     }
     else
     {
       low.S.Max = high.S.Min = 0.5 * (cell.S.Min + cell.S.Max);
-      low.Second = cell.Second.Part(0.0, 0.5);
-      high.Second = cell.Second.Part(0.5, 1.0);
+      low.Second = cell.Second.Restricted(0.0, 0.5);
+      high.Second = cell.Second.Restricted(0.5, 1.0);
     }
     this->Stack.push_back(low);
     this->Stack.push_back(high);

@@ -22,7 +22,7 @@ struct CurvePatchHit
   Vector3 X{};
   double Gap = 0.0;   ///< what is left between both
   double Slack = 0.0; ///< what T may be off by
-  double Reach = 0.0; ///< and X
+  double Error = 0.0; ///< and X
   IntersectionKind Kind = IntersectionKind::Crossing;
   int Passes = 0;      ///< 1 along dX/dr x dX/ds, -1 against it, 0 not
   bool Begins = false; ///< of an OverlapEnd: the common stretch begins here
@@ -94,7 +94,7 @@ struct CurvePatchPair
   {
     const Vector3 along = this->Curve.At(hit.T).D1;
     hit.Slack = slacks[0];
-    hit.Reach = 8.0 * this->Tolerance + hit.Slack * Norm(along);
+    hit.Error = 8.0 * this->Tolerance + hit.Slack * Norm(along);
     hit.Passes = Dot(along, this->Patch.At(hit.R, hit.S).Normal()) > 0.0 ? 1 : -1;
     return this->Place(hit, slacks[1], slacks[2]);
   }
@@ -204,7 +204,7 @@ struct CurvePatchPair
   static bool IsOnePlace(const CurvePatchHit& a, const CurvePatchHit& b)
   {
     return std::abs(b.T - a.T) <= 1e-12 &&
-      Distance2(a.X, b.X) <= 4.0 * (a.Reach + b.Reach) * (a.Reach + b.Reach);
+      Distance2(a.X, b.X) <= 4.0 * (a.Error + b.Error) * (a.Error + b.Error);
   }
 
   /// Whether the curve stays within the tolerance of the patch from one place to another.
@@ -221,7 +221,7 @@ struct CurvePatchPair
       }
     }
     return Norm(this->Patch.At(foot.R, foot.S).X - this->Patch.At(b.R, b.S).X) <=
-      a.Reach + b.Reach + 1e-6 * Norm(this->Curve.At(b.T).D1);
+      a.Error + b.Error + 1e-6 * Norm(this->Curve.At(b.T).D1);
   }
 
 private:
@@ -297,7 +297,7 @@ private:
     const SurfacePoint s = this->Patch.At(hit.R, hit.S);
     hit.Slack = std::min(hit.Slack + 1e-12, 0.125);
     const double length = std::max(hit.Slack * Norm(c.D1), 8.0 * this->Tolerance);
-    hit.Reach = length;
+    hit.Error = length;
     const auto slack = [&](const Vector3& along)
     { return std::min(length / std::max(Norm(along), 1e-300), 1e-5); };
     return this->Place(hit, slack(s.DR), slack(s.DS));

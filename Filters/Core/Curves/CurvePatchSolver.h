@@ -115,8 +115,8 @@ private:
     if (axis == 0)
     {
       low.T.Max = high.T.Min = cell.MiddleT();
-      low.Curve = cell.Curve.Part(0.0, 0.5);
-      high.Curve = cell.Curve.Part(0.5, 1.0);
+      low.Curve = cell.Curve.Restricted(0.0, 0.5);
+      high.Curve = cell.Curve.Restricted(0.5, 1.0);
     }
     else if (axis == 1)
     {

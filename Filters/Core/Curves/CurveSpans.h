@@ -53,8 +53,8 @@ void VisitSpansOf(
     return;
   }
   const double middle = 0.5 * (range.Min + range.Max);
-  VisitSpansOf(curve.Part(0.0, 0.5), { range.Min, middle }, isFine, depth + 1, visit);
-  VisitSpansOf(curve.Part(0.5, 1.0), { middle, range.Max }, isFine, depth + 1, visit);
+  VisitSpansOf(curve.Restricted(0.0, 0.5), { range.Min, middle }, isFine, depth + 1, visit);
+  VisitSpansOf(curve.Restricted(0.5, 1.0), { middle, range.Max }, isFine, depth + 1, visit);
 }
 
 /// Gauss's quadrature of the speed, seven places.

@@ -21,7 +21,7 @@ inline void AppendStretch(
     hit->Kind = IntersectionKind::OverlapEnd;
     hit->SlackT = 16.0 * pair.Tolerance / speed + 1e-13;
     hit->SlackS = 16.0 * pair.Tolerance / other + 1e-13;
-    hit->Reach = 16.0 * pair.Tolerance + hit->SlackT * speed;
+    hit->Error = 16.0 * pair.Tolerance + hit->SlackT * speed;
     hit->Begins = hit == &begin;
     if (hit->IsExact)
     {

@@ -54,7 +54,7 @@ private:
       hit->Kind = IntersectionKind::OverlapEnd;
       hit->Begins = hit == &begin;
       hit->Slack = 1e-9;
-      hit->Reach = 1e-9 * Norm(this->Pair.Curve.At(hit->T).D1) + 8.0 * this->Pair.Tolerance;
+      hit->Error = 1e-9 * Norm(this->Pair.Curve.At(hit->T).D1) + 8.0 * this->Pair.Tolerance;
       isPlaced = this->Pair.Place(*hit, 1e-8, 1e-8) && isPlaced;
       hit->OnBoundary = true;
     }

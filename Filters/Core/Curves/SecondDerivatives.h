@@ -17,7 +17,7 @@ namespace skd
 /// and their second differences are, in space and as weights.
 struct DerivativeBounds
 {
-  double Reach = 0.0;
+  double Size = 0.0;
   double Slope = 0.0;
   double Second = 0.0;
   double WeightSlope = 0.0;
@@ -30,7 +30,7 @@ struct DerivativeBounds
     {
       const Homogeneous& at = points[i * stride];
       this->LeastWeight = std::min(this->LeastWeight, at[3]);
-      this->Reach = std::max(this->Reach, Norm(Projected(at)));
+      this->Size = std::max(this->Size, Norm(Projected(at)));
       if (i > 0)
       {
         const Homogeneous d = double(degree) * (at - points[(i - 1) * stride]);
@@ -51,12 +51,12 @@ struct DerivativeBounds
   /// Of x = P / w: x' = (P' - w' x) / w, and x'' = (P'' - 2 w' x' - w'' x) / w.
   double FirstOfX() const
   {
-    return (this->Slope + this->WeightSlope * this->Reach) / this->LeastWeight;
+    return (this->Slope + this->WeightSlope * this->Size) / this->LeastWeight;
   }
   double SecondOfX() const
   {
     return (this->Second + 2.0 * this->WeightSlope * this->FirstOfX() +
-             this->WeightSecond * this->Reach) /
+             this->WeightSecond * this->Size) /
       this->LeastWeight;
   }
 };
@@ -75,8 +75,8 @@ inline double SecondDerivative(const BezierCurve& curve, int halvings = 3)
   if (halvings > 0 && AreBoundsLoose(curve.Degree, curve.IsRational()))
   {
     return 4.0 *
-      std::max(SecondDerivative(curve.Part(0.0, 0.5), halvings - 1),
-        SecondDerivative(curve.Part(0.5, 1.0), halvings - 1));
+      std::max(SecondDerivative(curve.Restricted(0.0, 0.5), halvings - 1),
+        SecondDerivative(curve.Restricted(0.5, 1.0), halvings - 1));
   }
   DerivativeBounds bounds;
   bounds.AddRow(curve.Points, curve.Degree, 1);
@@ -118,7 +118,7 @@ inline PatchDerivatives SecondDerivativesOfWhole(const BezierPatch& patch)
     }
   }
   const double mixed = (twist + alongR.WeightSlope * alongS.FirstOfX() +
-                         alongS.WeightSlope * alongR.FirstOfX() + weightTwist * alongR.Reach) /
+                         alongS.WeightSlope * alongR.FirstOfX() + weightTwist * alongR.Size) /
     alongR.LeastWeight;
   return { alongR.SecondOfX(), alongS.SecondOfX(), mixed };
 }

@@ -82,13 +82,13 @@ private:
   struct Range
   {
     Extent Values;
-    double Reach; ///< how far the control points are from the place
+    double Size; ///< how far the control points are from the place
   };
 
   bool AreApart(const Range& a, const Range& b, double tolerance) const
   {
     constexpr double rounding = 1e-14; // of sums of some ten terms
-    const double reach = std::max(a.Reach, b.Reach);
+    const double reach = std::max(a.Size, b.Size);
     const double steepest = 1.0 + 2.0 * this->Steepness * reach; // of g, within reach
     return a.Values.IsApart(b.Values, (tolerance + rounding * reach) * steepest);
   }
@@ -126,7 +126,7 @@ private:
       const Vector3 x = Projected(points[i]) - this->Origin;
       seen[i] = { { Dot(this->Rows[0], x), Dot(this->Rows[1], x), Dot(this->Rows[2], x) } };
       weights[i] = chooseP[i % (p + 1)] * chooseQ[i / (p + 1)] * points[i][3];
-      range.Reach = std::max(range.Reach, Norm(x));
+      range.Size = std::max(range.Size, Norm(x));
     }
     constexpr int twice = 2 * MaximumDegree + 1;
     double sums[twice * twice] = {};

@@ -60,20 +60,20 @@ struct RigidMotion
   /// The bounds of the moved box, and of the box moved back.
   Box3 Forward(const Box3& box) const
   {
-    return Around(this->Forward(box.Centroid()), this->Reach(box, &RigidMotion::Turn));
+    return Around(this->Forward(box.Centroid()), this->HalfExtent(box, &RigidMotion::Turn));
   }
   Box3 Back(const Box3& box) const
   {
-    return Around(this->Back(box.Centroid()), this->Reach(box, &RigidMotion::TurnBack));
+    return Around(this->Back(box.Centroid()), this->HalfExtent(box, &RigidMotion::TurnBack));
   }
 
 private:
   using Turning = Vector3 (RigidMotion::*)(const Vector3&) const;
 
   /// Half lengths of the turned box: the magnitudes of the turned half edges, added up.
-  Vector3 Reach(const Box3& box, Turning turning) const
+  Vector3 HalfExtent(const Box3& box, Turning turning) const
   {
-    Vector3 reach{ { 0.0, 0.0, 0.0 } };
+    Vector3 half{ { 0.0, 0.0, 0.0 } };
     for (int axis = 0; axis < 3; ++axis)
     {
       Vector3 edge{ { 0.0, 0.0, 0.0 } };
@@ -81,15 +81,15 @@ private:
       const Vector3 turned = (this->*turning)(edge);
       for (int i = 0; i < 3; ++i)
       {
-        reach[i] += std::abs(turned[i]);
+        half[i] += std::abs(turned[i]);
       }
     }
-    return reach;
+    return half;
   }
 
-  static Box3 Around(const Vector3& centre, const Vector3& reach)
+  static Box3 Around(const Vector3& centre, const Vector3& half)
   {
-    return { centre - reach, centre + reach };
+    return { centre - half, centre + half };
   }
 };
 

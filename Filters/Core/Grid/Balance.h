@@ -20,7 +20,7 @@ enum class Contact : int
 
 /// Calls visit(place) for the places of all neighbours over such contacts.
 template <class Visit>
-void ForEachNeighbour(const Place& place, Contact contact, Visit visit)
+void ForEachNeighbour(const LatticePoint& place, Contact contact, Visit visit)
 {
   for (int direction = 0; direction < 27; ++direction)
   {
@@ -28,7 +28,7 @@ void ForEachNeighbour(const Place& place, Contact contact, Visit visit)
     const int apart = std::abs(steps[0]) + std::abs(steps[1]) + std::abs(steps[2]);
     if (apart >= 1 && apart <= static_cast<int>(contact))
     {
-      visit(Place{ place[0] + steps[0], place[1] + steps[1], place[2] + steps[2] });
+      visit(LatticePoint{ place[0] + steps[0], place[1] + steps[1], place[2] + steps[2] });
     }
   }
 }
@@ -45,8 +45,8 @@ inline bool IsBalanced(const Forest& forest, Contact contact)
       {
         continue;
       }
-      ForEachNeighbour(forest.PlaceOf(level, cell), contact,
-        [&](const Place& place)
+      ForEachNeighbour(forest.LatticePointOf(level, cell), contact,
+        [&](const LatticePoint& place)
         {
           const Forest::Node there = forest.Find(level, place);
           isBalanced &= there.Level < 0 || there.Level == level;
@@ -64,7 +64,7 @@ template <class Refine>
 bool MakeBalanced(const Forest& forest, Contact contact, Refine refine)
 {
   bool goesOn = true;
-  const auto makeThere = [&](int level, const Place& place)
+  const auto makeThere = [&](int level, const LatticePoint& place)
   {
     for (Forest::Node there = forest.Find(level, place);
          goesOn && there.Level >= 0 && there.Level < level; there = forest.Find(level, place))
@@ -78,8 +78,8 @@ bool MakeBalanced(const Forest& forest, Contact contact, Refine refine)
     {
       if (!forest.IsLeaf(level, cell))
       {
-        ForEachNeighbour(forest.PlaceOf(level, cell), contact,
-          [&](const Place& place) { makeThere(level, place); });
+        ForEachNeighbour(forest.LatticePointOf(level, cell), contact,
+          [&](const LatticePoint& place) { makeThere(level, place); });
       }
     }
   }
@@ -92,7 +92,7 @@ inline std::vector<char> Grown(
   const Forest& forest, int level, const std::vector<char>& marks, int layers)
 {
   std::vector<char> grown = marks;
-  const auto mark = [&](const Place& place)
+  const auto mark = [&](const LatticePoint& place)
   {
     const Forest::Node there = forest.Find(level, place);
     if (there.Level == level)
@@ -102,7 +102,7 @@ inline std::vector<char> Grown(
   };
   for (std::uint32_t cell = 0; layers > 0 && cell < marks.size(); ++cell)
   {
-    const Place place = marks[cell] ? forest.PlaceOf(level, cell) : Place{};
+    const LatticePoint place = marks[cell] ? forest.LatticePointOf(level, cell) : LatticePoint{};
     const std::int64_t reach = marks[cell] ? layers : -1;
     for (std::int64_t i = -reach; i <= reach; ++i)
     {

@@ -87,14 +87,14 @@ public:
     return this->Levels[level].Parents[cell / this->FamilySize()];
   }
 
-  Place PlaceOf(int level, std::uint32_t cell) const
+  LatticePoint LatticePointOf(int level, std::uint32_t cell) const
   {
     if (level == 0)
     {
       return this->Unfold(cell, this->BaseCells);
     }
     const std::uint32_t family = cell / this->FamilySize();
-    Place place = this->Unfold(
+    LatticePoint place = this->Unfold(
       cell % this->FamilySize(), { this->Branch[0], this->Branch[1], this->Branch[2] });
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -111,7 +111,7 @@ public:
     {
       this->Levels.emplace_back();
     }
-    Place first = this->PlaceOf(level, cell);
+    LatticePoint first = this->LatticePointOf(level, cell);
     for (int axis = 0; axis < 3; ++axis)
     {
       first[axis] *= this->Branch[axis];
@@ -124,7 +124,7 @@ public:
   }
 
   /// The cell at a place of a level, or the leaf of a lower level that covers it. O(level).
-  Node Find(int level, const Place& place) const
+  Node Find(int level, const LatticePoint& place) const
   {
     std::array<std::int64_t, 3> across{ 1, 1, 1 };
     for (int i = 0; i < level; ++i)
@@ -149,15 +149,15 @@ private:
   {
     std::vector<std::uint32_t> Children; // the number of the cell's family, or None
     std::vector<std::uint32_t> Parents;  // of the families
-    std::vector<Place> Places;           // of the families' first cells
+    std::vector<LatticePoint> Places;    // of the families' first cells
   };
 
-  static Place Unfold(std::int64_t number, const std::array<std::int64_t, 3>& counts)
+  static LatticePoint Unfold(std::int64_t number, const std::array<std::int64_t, 3>& counts)
   {
     return { number % counts[0], number / counts[0] % counts[1], number / (counts[0] * counts[1]) };
   }
 
-  Node Descend(int level, const Place& place, std::array<std::int64_t, 3> across) const
+  Node Descend(int level, const LatticePoint& place, std::array<std::int64_t, 3> across) const
   {
     const auto& n = this->BaseCells;
     Node at{ 0,

@@ -14,7 +14,7 @@ namespace skd
 {
 
 /// Where a cell is among those of its level: cells before it along each axis.
-using Place = std::array<std::int64_t, 3>;
+using LatticePoint = std::array<std::int64_t, 3>;
 
 /// The cells of a rectilinear base grid, and of all its refinements: a cell of level l is cut into
 /// Branch[axis] equal ones of level l + 1 along each axis. An axis along which the grid is flat has
@@ -52,7 +52,7 @@ public:
     return this->NumberOfBaseCells(0) * this->NumberOfBaseCells(1) * this->NumberOfBaseCells(2);
   }
 
-  Box3 BoxOf(int level, const Place& place) const
+  Box3 BoxOf(int level, const LatticePoint& place) const
   {
     Box3 box;
     for (int axis = 0; axis < 3; ++axis)
@@ -65,7 +65,7 @@ public:
   }
 
   /// A corner of cells of a level, by the number of cells before it along each axis.
-  Vector3 PointOf(int level, const Place& place) const
+  Vector3 PointOf(int level, const LatticePoint& place) const
   {
     Vector3 point;
     for (int axis = 0; axis < 3; ++axis)

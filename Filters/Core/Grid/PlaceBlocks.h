@@ -14,8 +14,8 @@ namespace skd
 /// The places from Low up to, not including, High along each axis.
 struct PlaceBlock
 {
-  Place Low;
-  Place High;
+  LatticePoint Low;
+  LatticePoint High;
 
   std::int64_t NumberOfPlaces() const
   {
@@ -60,11 +60,11 @@ inline void JoinAlong(int axis, std::vector<PlaceBlock>& blocks)
 /// Blocks that cover each of the places once, and nothing else: rows along x, joined along y, and
 /// these along z. Not the fewest there could be. The same whatever the order of the places, no two
 /// of which are equal. O(n log n).
-inline std::vector<PlaceBlock> JoinPlaces(const std::vector<Place>& places)
+inline std::vector<PlaceBlock> JoinPlaces(const std::vector<LatticePoint>& places)
 {
   std::vector<PlaceBlock> blocks;
   blocks.reserve(places.size());
-  for (const Place& place : places)
+  for (const LatticePoint& place : places)
   {
     blocks.push_back({ place, { place[0] + 1, place[1] + 1, place[2] + 1 } });
   }

@@ -25,8 +25,8 @@ class CoarseCells
 {
 public:
   /// Where a point is along each axis: in a cell from 1 on, 0 below the region, Counts + 1 above.
-  using Place = FourBytes;
-  using Places = std::array<Place, 3>;
+  using CellPosition = FourBytes;
+  using CellPositions = std::array<CellPosition, 3>;
 
   /// The cells that a box is in: none when it is beyond the region.
   struct Range
@@ -62,9 +62,9 @@ public:
   }
 
   /// A coordinate that is NaN counts as below.
-  Place PlaceOf(const Vector3& x) const
+  CellPosition CellPositionOf(const Vector3& x) const
   {
-    Place place{ { 0, 0, 0, 1 } };
+    CellPosition place{ { 0, 0, 0, 1 } };
     for (int axis = 0; axis < 3; ++axis)
     {
       const double cell = (x[axis] - this->Region.Min[axis]) * this->Factors[axis] + 1.0;
@@ -76,21 +76,21 @@ public:
 
   Range RangeOf(const Box3& box) const
   {
-    const Place low = this->PlaceOf(box.Min);
-    const Place high = this->PlaceOf(box.Max);
+    const CellPosition low = this->CellPositionOf(box.Min);
+    const CellPosition high = this->CellPositionOf(box.Max);
     return this->RangeOf({ low, low, low }, { high, high, high });
   }
 
   /// That of the box of a triangle: `lows` are where its corners are, or how far down they reach,
   /// `highs` how far up.
-  Range RangeOf(const Places& lows, const Places& highs) const
+  Range RangeOf(const CellPositions& lows, const CellPositions& highs) const
   {
-    const Place low = Least(Least(lows[0], lows[1]), lows[2]);
-    const Place high = Greatest(Greatest(highs[0], highs[1]), highs[2]);
-    const Place above{ { static_cast<std::uint8_t>(this->Counts[0] + 1),
+    const CellPosition low = Least(Least(lows[0], lows[1]), lows[2]);
+    const CellPosition high = Greatest(Greatest(highs[0], highs[1]), highs[2]);
+    const CellPosition above{ { static_cast<std::uint8_t>(this->Counts[0] + 1),
       static_cast<std::uint8_t>(this->Counts[1] + 1),
       static_cast<std::uint8_t>(this->Counts[2] + 1), 0 } };
-    Range range{ {}, {}, HaveEqual(low, above) || HaveEqual(high, Place{ { 0, 0, 0, 0 } }) };
+    Range range{ {}, {}, HaveEqual(low, above) || HaveEqual(high, CellPosition{ { 0, 0, 0, 0 } }) };
     for (int axis = 0; axis < 3 && !range.IsEmpty; ++axis)
     {
       range.First[axis] = std::max<std::uint8_t>(low.At[axis], 1) - 1;

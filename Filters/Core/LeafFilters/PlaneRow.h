@@ -39,7 +39,7 @@ private:
 struct alignas(64) PlaneRow
 {
   static constexpr int Width = 8;
-  static constexpr double OffsetUnit = 4.0 * QuantizationGrid::Reach; ///< no product is greater
+  static constexpr double OffsetUnit = 4.0 * QuantizationGrid::Largest; ///< no product is greater
   /// A margin, in units, above what rounding does to corners, to a point and in MayHold().
   static constexpr double Rounding = 0.25;
 
@@ -151,7 +151,7 @@ private:
     const auto isDirection = (largest > none) & (sum <= most);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Number whole = NearestWhole(across[axis] / largest * double(QuantizationGrid::Reach));
+      const Number whole = NearestWhole(across[axis] / largest * double(QuantizationGrid::Largest));
       normal[axis] = isDirection ? whole : none;
     }
   }
@@ -168,7 +168,7 @@ private:
   template <class Number>
   static Number LeastWholeAbove(const Number& value)
   {
-    const Number most = Number{} + double(QuantizationGrid::Reach);
+    const Number most = Number{} + double(QuantizationGrid::Largest);
     const Number above = value > -most ? value : -most;
     const Number within = above < most ? above : most;
     const Number nearest = NearestWhole(within);

@@ -11,15 +11,15 @@ namespace skd
 {
 
 /// A grid of whole numbers of 16 bits that is laid over a leaf, in space: what is in the
-/// node's box has coordinates of at most Reach. So cells much smaller than the data set are seen as
-/// sharply as large ones, in a quarter of the memory of doubles.
+/// node's box has coordinates of at most Largest. So cells much smaller than the data set are seen
+/// as sharply as large ones, in a quarter of the memory of doubles.
 ///
 /// The unit is never below 2^-46 of the tree's frame, where double precision ends: there a place is
 /// off by less than Slack besides the half unit that rounding costs.
 class QuantizationGrid
 {
 public:
-  static constexpr int Reach = 32767;
+  static constexpr int Largest = 32767;
   static constexpr double Slack = 1.0 / 64.0;
   /// A corner, once rounded, is at most so far from its place, in each coordinate; in all, that is
   /// with sqrt(3).
@@ -38,7 +38,7 @@ public:
         double(this->Centre[axis]) - box.Min[axis] });
     }
     constexpr double least = 1.0 / (std::uint64_t(1) << 46);
-    this->Unit = static_cast<float>(std::max(least, half / (Reach - 1)));
+    this->Unit = static_cast<float>(std::max(least, half / (Largest - 1)));
   }
 
   /// In units, of a place in the tree's frame.
@@ -52,7 +52,7 @@ public:
   static std::int16_t Round(double coordinate)
   {
     return static_cast<std::int16_t>(
-      std::lrint(std::clamp(coordinate, -double(Reach), double(Reach))));
+      std::lrint(std::clamp(coordinate, -double(Largest), double(Largest))));
   }
 
   float Centre[3];

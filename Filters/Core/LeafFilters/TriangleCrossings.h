@@ -42,7 +42,7 @@ public:
     const float x = perUnit * static_cast<float>(this->X - (centre[shear.X] - shear.SlopeX * z));
     const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
     // A corner's error in the plane across the line, and what that does to products of two corners.
-    const float reach = 2.0f * QuantizationGrid::Reach + std::max(std::abs(x), std::abs(y));
+    const float reach = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
     const float error =
       2.0f * (static_cast<float>(QuantizationGrid::CornerError) + this->Margin * perUnit) +
       1e-6f * reach;

@@ -58,7 +58,7 @@ public:
 private:
   /// A place in each triangle: r u + s v from its corner a.
   template <int W>
-  struct Place
+  struct Barycentric
   {
     Lanes<W> R;
     Lanes<W> S;
@@ -73,7 +73,7 @@ private:
     const LanePoint<W> u = CornersOf<W>(packet, 1, first) - a;
     const LanePoint<W> v = CornersOf<W>(packet, 2, first) - a;
     const LanePoint<W> f = LanePoint<W>{ L(x[0]), L(x[1]), L(x[2]) } - a;
-    const Place<W> place = Nearest(u, v, f);
+    const Barycentric<W> place = Nearest(u, v, f);
 
     const LanePoint<W> toX = f - place.R * u - place.S * v;
     const L least(1e-30f); // a root of 0 would not divide
@@ -85,7 +85,7 @@ private:
 
   /// The place nearest to a + f, as well as single precision finds it, but always in the triangle.
   template <int W>
-  static Place<W> Nearest(const LanePoint<W>& u, const LanePoint<W>& v, const LanePoint<W>& f)
+  static Barycentric<W> Nearest(const LanePoint<W>& u, const LanePoint<W>& v, const LanePoint<W>& f)
   {
     using L = Lanes<W>;
     const L zero(0.0f);
@@ -95,7 +95,7 @@ private:
     const L uv = Dot(u, v);
     const L fu = Dot(f, u);
     const L fv = Dot(f, v);
-    const Place<W> onEdge = NearestOnEdges(uu, vv, uv, fu, fv);
+    const Barycentric<W> onEdge = NearestOnEdges(uu, vv, uv, fu, fv);
     const L scale = one / (uu * vv - uv * uv);
     const L r = (vv * fu - uv * fv) * scale;
     const L s = (uu * fv - uv * fu) * scale;
@@ -105,7 +105,7 @@ private:
 
   /// On that of the three edges which is nearest: costs are squared distances less that of a.
   template <int W>
-  static Place<W> NearestOnEdges(const Lanes<W>& uu, const Lanes<W>& vv, const Lanes<W>& uv,
+  static Barycentric<W> NearestOnEdges(const Lanes<W>& uu, const Lanes<W>& vv, const Lanes<W>& uv,
     const Lanes<W>& fu, const Lanes<W>& fv)
   {
     using L = Lanes<W>;

@@ -46,7 +46,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float* keys) const
+  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
   {
     Lanes<W> enter(0.0f);
     Lanes<W> leave(1.0f);
@@ -63,14 +63,14 @@ public:
     return LessEqual(enter, Min(leave + Lanes<W>(Slack), Lanes<W>(this->TheLimit)));
   }
 
-  unsigned ReachElements(const Node<D>& leaf, float* keys) const
+  unsigned TestElements(const Node<D>& leaf, float* keys) const
   {
     return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys)
-                                           : this->Reach(leaf.Boxes, keys);
+                                           : this->TestBoxes(leaf.Boxes, keys);
   }
 
   bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
-  unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
+  unsigned TestKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
   {
     return this->TheLeafFilter.Pass(leaf, count, keys);
   }

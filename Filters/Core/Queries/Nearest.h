@@ -35,21 +35,21 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float* keys) const
+  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
   {
     const Lanes<W> nearest = this->Point.MinDistances2(boxes);
     nearest.Store(keys);
     return LessEqual(nearest, Lanes<W>(this->TheLimit));
   }
 
-  unsigned ReachElements(const Node<D>& leaf, float* keys)
+  unsigned TestElements(const Node<D>& leaf, float* keys)
   {
     return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys, this->TheLimit)
-                                           : this->Reach(leaf.Boxes, keys);
+                                           : this->TestBoxes(leaf.Boxes, keys);
   }
 
   bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
-  unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys)
+  unsigned TestKnown(std::uint32_t leaf, std::uint32_t count, float* keys)
   {
     return this->TheLeafFilter.Pass(leaf, count, keys, this->TheLimit);
   }
@@ -89,7 +89,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float* keys)
+  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys)
   {
     float farthest[W];
     this->Point.MaxDistances2(boxes).Store(farthest);

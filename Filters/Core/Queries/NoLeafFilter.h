@@ -12,7 +12,7 @@ namespace skd
 /// do, all at once, and says which are worth a visit: it may leave out what is proven to be no
 /// answer. It gives
 ///   bool Knows(const Node&)                 whether it can, of this node
-///   unsigned Pass(const Node&, float* keys) as Reach() of a query (Walk.h)
+///   unsigned Pass(const Node&, float* keys) as TestBoxes() of a query (Walk.h)
 ///   static constexpr bool SkipsLeaves      whether a leaf's number, and how many elements
 ///                                           it has, is enough (KnownLeaves); if so it gives
 ///   unsigned Pass(number, count, float* keys), void Fetch(number)

@@ -36,7 +36,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float*) const
+  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(

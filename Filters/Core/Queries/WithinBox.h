@@ -30,7 +30,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned Reach(const BoxPacket<D, W>& boxes, float*) const
+  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     ForEachAxis<D>(
@@ -42,14 +42,14 @@ public:
     return overlapping;
   }
 
-  unsigned ReachElements(const Node<D>& leaf, float* keys) const
+  unsigned TestElements(const Node<D>& leaf, float* keys) const
   {
     return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys)
-                                           : this->Reach(leaf.Boxes, keys);
+                                           : this->TestBoxes(leaf.Boxes, keys);
   }
 
   bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
-  unsigned ReachKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
+  unsigned TestKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
   {
     return this->TheLeafFilter.Pass(leaf, count, keys);
   }

@@ -25,7 +25,7 @@ public:
   }
 
   template <int W>
-  unsigned Reach(const BoxPacket<D, W>& boxes, float*) const
+  unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
     unsigned overlapping = ~0u;
     for (const Slab<D>& slab : this->Slabs)

@@ -24,7 +24,7 @@ template <int D>
 class AreaSplit
 {
 public:
-  struct Place
+  struct Cut
   {
     int Axis;
     std::uint64_t Left; ///< leaves before the cut
@@ -57,7 +57,7 @@ public:
   }
 
   /// Where all cuts are as good, the one in the middle.
-  Place Best(const Bounds& bounds, int longestAxis) const
+  Cut Best(const Bounds& bounds, int longestAxis) const
   {
     Candidate best{ std::numeric_limits<double>::infinity(),
       { longestAxis, std::clamp(bounds.Leaves / 2, bounds.Least, bounds.Most) } };
@@ -81,7 +81,7 @@ private:
   struct Candidate
   {
     double Cost;
-    Place Where;
+    Cut Where;
   };
 
   static Corner Spread(float value)

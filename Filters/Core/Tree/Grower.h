@@ -50,7 +50,7 @@ public:
   {
     std::uint32_t Node;
     int Lane;
-    int Parts;
+    int Shares;
     Range Elements;
   };
 
@@ -108,7 +108,7 @@ public:
   template <class Push, class Descend>
   void Step(const Task& task, Push push, Descend descend)
   {
-    if (task.Parts == 1)
+    if (task.Shares == 1)
     {
       Node<D>& parent = this->Nodes[task.Node];
       parent.Boxes.Set(task.Lane, task.Elements.Box);
@@ -117,10 +117,10 @@ public:
       descend(parent.First + static_cast<std::uint32_t>(task.Lane), below);
       return;
     }
-    const int leftParts = (task.Parts + 1) / 2;
-    const Halves halves = this->Split(task, leftParts);
-    push(Task{ task.Node, task.Lane, leftParts, halves.Left });
-    push(Task{ task.Node, task.Lane + leftParts, task.Parts - leftParts, halves.Right });
+    const int leftShares = (task.Shares + 1) / 2;
+    const Halves halves = this->Split(task, leftShares);
+    push(Task{ task.Node, task.Lane, leftShares, halves.Left });
+    push(Task{ task.Node, task.Lane + leftShares, task.Shares - leftShares, halves.Right });
   }
 
   const Node<D>& GetNode(std::uint32_t node) const { return this->Nodes[node]; }
@@ -187,26 +187,26 @@ private:
     {
       return;
     }
-    AddParts(leaves, static_cast<int>(CountChildren(leaves)), number, below);
+    AddShares(leaves, static_cast<int>(CountChildren(leaves)), number, below);
   }
 
-  static void AddParts(std::uint64_t leaves, int parts, std::uint64_t number,
+  static void AddShares(std::uint64_t leaves, int shares, std::uint64_t number,
     std::map<std::uint64_t, std::uint64_t>& below)
   {
-    if (parts == 1)
+    if (shares == 1)
     {
       below[leaves] += number;
       return;
     }
-    const int leftParts = (parts + 1) / 2;
-    const std::uint64_t left = LeavesLeft(leaves, leftParts, parts);
-    AddParts(left, leftParts, number, below);
-    AddParts(leaves - left, parts - leftParts, number, below);
+    const int leftShares = (shares + 1) / 2;
+    const std::uint64_t left = LeavesLeft(leaves, leftShares, shares);
+    AddShares(left, leftShares, number, below);
+    AddShares(leaves - left, shares - leftShares, number, below);
   }
 
-  static std::uint64_t LeavesLeft(std::uint64_t leaves, int leftParts, int parts)
+  static std::uint64_t LeavesLeft(std::uint64_t leaves, int leftShares, int shares)
   {
-    return leaves * static_cast<std::uint64_t>(leftParts) / static_cast<std::uint64_t>(parts);
+    return leaves * static_cast<std::uint64_t>(leftShares) / static_cast<std::uint64_t>(shares);
   }
 
   /// Splits by area leave some lanes with more below them than others: one level more than needed
@@ -271,11 +271,11 @@ private:
   };
 
   /// Divides the elements of a task.
-  Halves Split(const Task& task, int leftParts)
+  Halves Split(const Task& task, int leftShares)
   {
     const Range& range = task.Elements;
     const auto where =
-      this->IsByArea ? this->BestPlace(task, leftParts) : this->Middle(task, leftParts);
+      this->IsByArea ? this->BestCut(task, leftShares) : this->Middle(task, leftShares);
     const std::uint32_t middle =
       range.First + static_cast<std::uint32_t>(where.Left) * this->Capacity;
     Halves halves{ range, range };
@@ -295,22 +295,22 @@ private:
     return halves;
   }
 
-  using Place = typename AreaSplit<D>::Place;
+  using Cut = typename AreaSplit<D>::Cut;
 
-  Place Middle(const Task& task, int leftParts) const
+  Cut Middle(const Task& task, int leftShares) const
   {
     const std::uint64_t leaves = this->CountLeaves(task.Elements.Last - task.Elements.First);
-    return { LongestAxis(task.Elements.Box), LeavesLeft(leaves, leftParts, task.Parts) };
+    return { LongestAxis(task.Elements.Box), LeavesLeft(leaves, leftShares, task.Shares) };
   }
 
   /// Every lane gets a leaf at least, and no more than it has room for.
-  Place BestPlace(const Task& task, int leftParts) const
+  Cut BestCut(const Task& task, int leftShares) const
   {
     const Range& range = task.Elements;
     const std::uint64_t leaves = this->CountLeaves(range.Last - range.First);
     const std::uint64_t laneRoom = RoomOf(range.Height - 1);
-    const auto left = static_cast<std::uint64_t>(leftParts);
-    const auto right = static_cast<std::uint64_t>(task.Parts - leftParts);
+    const auto left = static_cast<std::uint64_t>(leftShares);
+    const auto right = static_cast<std::uint64_t>(task.Shares - leftShares);
     const std::uint64_t most = std::min(left * laneRoom, leaves - right);
     const std::uint64_t least = leaves - std::min(right * laneRoom, leaves - left);
     const Element<D>* const elements = this->Elements.data();

@@ -245,26 +245,26 @@ public:
   Lanes() = default;
   explicit Lanes(float value)
   {
-    for (detail::FloatVector& part : this->Parts)
+    for (detail::FloatVector& some : this->Registers)
     {
-      part = detail::Same(value);
+      some = detail::Same(value);
     }
   }
 
   explicit Lanes(const Spread& value)
   {
-    for (detail::FloatVector& part : this->Parts)
+    for (detail::FloatVector& some : this->Registers)
     {
-      part = value.Values;
+      some = value.Values;
     }
   }
 
   static Lanes Load(const float* values)
   {
     Lanes lanes;
-    for (detail::FloatVector& part : lanes.Parts)
+    for (detail::FloatVector& some : lanes.Registers)
     {
-      part = *reinterpret_cast<const detail::FloatsInMemory*>(values);
+      some = *reinterpret_cast<const detail::FloatsInMemory*>(values);
       values += detail::VectorWidth;
     }
     return lanes;
@@ -272,20 +272,20 @@ public:
   static Lanes LoadShorts(const std::int16_t* values)
   {
     Lanes lanes;
-    for (detail::FloatVector& part : lanes.Parts)
+    for (detail::FloatVector& some : lanes.Registers)
     {
       detail::ShortVector shorts;
       std::memcpy(&shorts, values, sizeof(shorts));
-      part = detail::ToFloats(shorts);
+      some = detail::ToFloats(shorts);
       values += detail::VectorWidth;
     }
     return lanes;
   }
   void Store(float* values) const
   {
-    for (const detail::FloatVector& part : this->Parts)
+    for (const detail::FloatVector& some : this->Registers)
     {
-      *reinterpret_cast<detail::FloatsInMemory*>(values) = part;
+      *reinterpret_cast<detail::FloatsInMemory*>(values) = some;
       values += detail::VectorWidth;
     }
   }
@@ -326,7 +326,7 @@ public:
     unsigned bits = 0;
     for (int i = 0; i < Count; ++i)
     {
-      bits |= detail::Bits(a.Parts[i] <= b.Parts[i]) << (i * detail::VectorWidth);
+      bits |= detail::Bits(a.Registers[i] <= b.Registers[i]) << (i * detail::VectorWidth);
     }
     return bits;
   }
@@ -337,7 +337,7 @@ public:
     Lanes result;
     for (int i = 0; i < Count; ++i)
     {
-      result.Parts[i] = a.Parts[i] <= b.Parts[i] ? yes.Parts[i] : no.Parts[i];
+      result.Registers[i] = a.Registers[i] <= b.Registers[i] ? yes.Registers[i] : no.Registers[i];
     }
     return result;
   }
@@ -351,12 +351,12 @@ private:
     Lanes result;
     for (int i = 0; i < Count; ++i)
     {
-      result.Parts[i] = function(a.Parts[i], b.Parts[i]);
+      result.Registers[i] = function(a.Registers[i], b.Registers[i]);
     }
     return result;
   }
 
-  detail::FloatVector Parts[Count];
+  detail::FloatVector Registers[Count];
 };
 
 }

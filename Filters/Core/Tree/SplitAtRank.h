@@ -57,14 +57,14 @@ public:
         return;
       }
       const Bracket bracket = split.Sample(first, middle, last);
-      Element<D>* const low = split.Part(first, last, bracket.Low);
-      Element<D>* const high = middle < low ? low : split.Part(low, last, bracket.High);
+      Element<D>* const low = split.Partition(first, last, bracket.Low);
+      Element<D>* const high = middle < low ? low : split.Partition(low, last, bracket.High);
       first = middle < low ? first : middle < high ? low : high;
       last = middle < low ? low : middle < high ? high : last;
     }
     if (first < middle && middle < last)
     {
-      split.Part(first, last, split.KeyOfRank(first, middle, last));
+      split.Partition(first, last, split.KeyOfRank(first, middle, last));
     }
   }
 
@@ -82,7 +82,7 @@ private:
 
   /// Elements below a key to the front; returns the first of the others. Every element is moved,
   /// whatever it is compared to: cheaper than to guess.
-  Element<D>* Part(Element<D>* first, Element<D>* last, Key key) const
+  Element<D>* Partition(Element<D>* first, Element<D>* last, Key key) const
   {
     Element<D>* next = first;
     for (Element<D>* at = first; at != last; ++at)

@@ -43,15 +43,15 @@ struct SkipsLeaves<Tree, Query,
 
 /// The wanted lanes of a node. A query may look at elements in a way of its own.
 template <class Query, int D>
-auto ReachElements(Query& query, const Node<D>& leaf, float* keys, int)
-  -> decltype(query.ReachElements(leaf, keys))
+auto TestElements(Query& query, const Node<D>& leaf, float* keys, int)
+  -> decltype(query.TestElements(leaf, keys))
 {
-  return query.ReachElements(leaf, keys);
+  return query.TestElements(leaf, keys);
 }
 template <class Query, int D>
-unsigned ReachElements(Query& query, const Node<D>& leaf, float* keys, long)
+unsigned TestElements(Query& query, const Node<D>& leaf, float* keys, long)
 {
-  return query.Reach(leaf.Boxes, keys);
+  return query.TestBoxes(leaf.Boxes, keys);
 }
 
 /// Whether a query knows of subtrees that all of them are answers.
@@ -94,8 +94,8 @@ void Open(Query& query, const Node& node, bool isSure, Level<Node>& level)
     level.Wanted = level.Sure = node.Occupied();
     return;
   }
-  const unsigned reached =
-    node.IsLeaf ? ReachElements(query, node, level.Keys, 0) : query.Reach(node.Boxes, level.Keys);
+  const unsigned reached = node.IsLeaf ? TestElements(query, node, level.Keys, 0)
+                                       : query.TestBoxes(node.Boxes, level.Keys);
   level.Wanted = reached & node.Occupied();
   if constexpr (KnowsSure<Query>::value)
   {
@@ -141,7 +141,7 @@ void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<Node>
   const auto elements = tree.LeafAt(number);
   tree.FetchElements(elements.First);
   level.First = elements.First;
-  level.Wanted = query.ReachKnown(number, elements.Count, level.Keys);
+  level.Wanted = query.TestKnown(number, elements.Count, level.Keys);
 }
 
 /// The node to open next, and whether all that is below is an answer. Or a known leaf.
@@ -282,16 +282,16 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
 /// A Tree gives IsEmpty(), Open(node index) -> const Node<D>&, Element(position) -> element index.
 /// A Query is a small value that gives
 ///   static constexpr bool Ordered        visit the least key first?
-///   unsigned Reach(const BoxPacket&, float* keys)
+///   unsigned TestBoxes(const BoxPacket&, float* keys)
 ///                                        bit i: lane i is wanted; if Ordered, its key, a lower
 ///                                        bound of what is sought below that box, is within Limit()
-///   unsigned ReachElements(const Node&, float* keys)
+///   unsigned TestElements(const Node&, float* keys)
 ///                                        if there: the same for a leaf and its elements
 ///   static constexpr bool SkipsLeaves   if there and true, it gives
 ///   bool Knows(const Node&)              whether the node's note, if it is an inner one, is
 ///                                        KnownLeaves: these need not be opened
-///   unsigned ReachKnown(number, count, float* keys), void FetchKnown(number)
-///                                        what ReachElements() does, by a leaf's number, and
+///   unsigned TestKnown(number, count, float* keys), void FetchKnown(number)
+///                                        what TestElements() does, by a leaf's number, and
 ///                                        that it is going to be asked that
 ///   unsigned SureOf(const Node&), bool VisitSure(element index)
 ///                                        if there, and not Ordered: the lanes below which all is

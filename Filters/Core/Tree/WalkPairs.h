@@ -171,7 +171,7 @@ private:
     const unsigned sure = areElements ? this->TheQuery.SureOf(node.Boxes, b.Box) : 0;
     return ForEachLane(lanes,
       [&](int lane)
-      { return this->Reach(SideOf(node, node.Boxes, lane), b, (sure >> lane & 1u) != 0); });
+      { return this->Consider(SideOf(node, node.Boxes, lane), b, (sure >> lane & 1u) != 0); });
   }
 
   bool OpenSecond(const Side& a, const Node<D>& node)
@@ -182,7 +182,7 @@ private:
     const unsigned sure = areElements ? this->TheQuery.SureOf(boxes, a.Box) : 0;
     return ForEachLane(lanes,
       [&](int lane)
-      { return this->Reach(a, SideOf(node, boxes, lane), (sure >> lane & 1u) != 0); });
+      { return this->Consider(a, SideOf(node, boxes, lane), (sure >> lane & 1u) != 0); });
   }
 
   bool OpenEach(const Node<D>& first, const Node<D>& second, const FloatBox<D>& firstBox)
@@ -208,7 +208,7 @@ private:
       const unsigned others =
         this->TheQuery.Overlapping(boxes, side.Box) & node.Occupied() & (~0u << lane);
       if (!ForEachLane(others,
-            [&](int other) { return this->Reach(side, SideOf(node, boxes, other), false); }))
+            [&](int other) { return this->Consider(side, SideOf(node, boxes, other), false); }))
       {
         return false;
       }
@@ -236,7 +236,7 @@ private:
   }
 
   /// Elements are visited at once, unless the walk is being split.
-  bool Reach(const Side& a, const Side& b, bool isSure)
+  bool Consider(const Side& a, const Side& b, bool isSure)
   {
     const bool areElements = a.What.IsElement() && b.What.IsElement();
     if (this->IsSplitting || !areElements)

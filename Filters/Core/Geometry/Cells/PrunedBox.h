@@ -55,7 +55,7 @@ struct PrunedBox
   PrunedBox(const TrilinearMap& map, const ParameterBox& box, double rounding)
     : Rest(box)
   {
-    const TrilinearMap part = map.Part(box.Centre, box.Half);
+    const TrilinearMap part = map.Restricted(box.Centre, box.Half);
     const Vector3* c = part.Term;
     this->IsZero = MaxNorm(c[0]) <= rounding;
     this->IsEmpty = part.IsApartFromZero(rounding);

@@ -70,7 +70,7 @@ struct TrilinearMap
   }
 
   /// This map on the part of the cube with the given centre and half lengths.
-  TrilinearMap Part(const Vector3& u, const Vector3& half) const
+  TrilinearMap Restricted(const Vector3& u, const Vector3& half) const
   {
     const Vector3* c = this->Term;
     const Matrix3 jacobian = this->Jacobian(u);
@@ -90,13 +90,13 @@ struct TrilinearMap
   bool IsApartFromZero(double rounding) const
   {
     const Vector3 middle = Abs(this->Term[0]);
-    const Vector3 reach = this->Reach();
-    return middle[0] > reach[0] + rounding || middle[1] > reach[1] + rounding ||
-      middle[2] > reach[2] + rounding;
+    const Vector3 half = this->HalfExtent();
+    return middle[0] > half[0] + rounding || middle[1] > half[1] + rounding ||
+      middle[2] > half[2] + rounding;
   }
 
   /// No image of the cube has a greater coordinate.
-  double Size() const { return MaxNorm(Abs(this->Term[0]) + this->Reach()); }
+  double Size() const { return MaxNorm(Abs(this->Term[0]) + this->HalfExtent()); }
 
 private:
   void SetHalves(
@@ -113,7 +113,7 @@ private:
   }
 
   /// How far, by coordinate, images may be from that of the middle.
-  Vector3 Reach() const
+  Vector3 HalfExtent() const
   {
     const Vector3* c = this->Term;
     return ((Abs(c[1]) + Abs(c[2])) + (Abs(c[4]) + Abs(c[3]))) +

@@ -45,7 +45,7 @@ inline std::optional<Vector3> NewtonRoot(const TrilinearMap& map, Vector3 start,
 /// map is linear in the box.
 inline int AxisToSplit(const TrilinearMap& map, const ParameterBox& box)
 {
-  const TrilinearMap part = map.Part(box.Centre, box.Half);
+  const TrilinearMap part = map.Restricted(box.Centre, box.Half);
   int longest = -1;
   double length = 0.0;
   for (int axis = 0; axis < 3; ++axis)

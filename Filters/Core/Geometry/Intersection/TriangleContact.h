@@ -14,16 +14,16 @@ namespace skd
 {
 
 /// A part of a triangle: corner 0 to 2, edge 3 + i from corner i to the next, or its inside.
-using TrianglePart = std::int8_t;
-constexpr TrianglePart TriangleInside = 6;
+using TriangleFeature = std::int8_t;
+constexpr TriangleFeature TriangleInside = 6;
 
-inline bool IsCorner(TrianglePart part)
+inline bool IsCorner(TriangleFeature feature)
 {
-  return part < 3;
+  return feature < 3;
 }
-inline bool IsEdge(TrianglePart part)
+inline bool IsEdge(TriangleFeature feature)
 {
-  return part >= 3 && part < TriangleInside;
+  return feature >= 3 && feature < TriangleInside;
 }
 
 /// A triangle to be asked for contacts: corners, and how it is seen along an axis.
@@ -81,8 +81,8 @@ struct TriangleInPlane
 /// A point where two triangles touch: the least part of each that it lies on.
 struct ContactPoint
 {
-  TrianglePart First;
-  TrianglePart Second;
+  TriangleFeature First;
+  TriangleFeature Second;
 };
 
 /// What two triangles have in common: nothing, a point, a segment, or when they lie in one plane a
@@ -93,7 +93,7 @@ struct TriangleContact
   int Count = 0;
   bool IsFlat = false; ///< both lie in one plane
 
-  void Add(TrianglePart first, TrianglePart second)
+  void Add(TriangleFeature first, TriangleFeature second)
   {
     for (int i = 0; i < this->Count; ++i)
     {
@@ -119,7 +119,7 @@ inline int NextCorner(int corner)
 }
 
 /// Where a point or line is that has the edges 0 to 2 of a triangle on these sides: -1 outside.
-inline TrianglePart PartOf(const std::array<int, 3>& sides)
+inline TriangleFeature FeatureOf(const std::array<int, 3>& sides)
 {
   bool isLeft = false;
   bool isRight = false;
@@ -138,19 +138,19 @@ inline TrianglePart PartOf(const std::array<int, 3>& sides)
   }
   if (zeros == 2)
   {
-    return static_cast<TrianglePart>(sum == 1 ? 1 : (sum == 2 ? 0 : 2)); // edges 0 1, 0 2, 1 2
+    return static_cast<TriangleFeature>(sum == 1 ? 1 : (sum == 2 ? 0 : 2)); // edges 0 1, 0 2, 1 2
   }
-  return static_cast<TrianglePart>(zeros == 1 ? 3 + sum : TriangleInside);
+  return static_cast<TriangleFeature>(zeros == 1 ? 3 + sum : TriangleInside);
 }
 
 /// The edges of a triangle that a part of it lies on, a bit each.
-inline unsigned EdgesAt(TrianglePart part)
+inline unsigned EdgesAt(TriangleFeature feature)
 {
-  if (IsCorner(part))
+  if (IsCorner(feature))
   {
-    return (1u << part) | (1u << (part == 0 ? 2 : part - 1));
+    return (1u << feature) | (1u << (feature == 0 ? 2 : feature - 1));
   }
-  return IsEdge(part) ? 1u << (part - 3) : 0u;
+  return IsEdge(feature) ? 1u << (feature - 3) : 0u;
 }
 
 using Sides = std::array<int, 3>;
@@ -215,7 +215,7 @@ private:
   {
     if (first >= 0 && second >= 0)
     {
-      contact.Add(static_cast<TrianglePart>(first), static_cast<TrianglePart>(second));
+      contact.Add(static_cast<TriangleFeature>(first), static_cast<TriangleFeature>(second));
     }
   }
 
@@ -311,7 +311,7 @@ private:
       {
         Add(contact, i,
           this->SharedOfA[i] >= 0 ? this->SharedOfA[i]
-                                  : PartOf(SidesInPlane(this->A[i], this->B, this->AxisOfB)));
+                                  : FeatureOf(SidesInPlane(this->A[i], this->B, this->AxisOfB)));
       }
     }
   }
@@ -324,7 +324,7 @@ private:
       {
         Add(contact,
           this->SharedOfB[i] >= 0 ? this->SharedOfB[i]
-                                  : PartOf(SidesInPlane(this->B[i], this->A, this->AxisOfA)),
+                                  : FeatureOf(SidesInPlane(this->B[i], this->A, this->AxisOfA)),
           i);
       }
     }
@@ -355,7 +355,7 @@ private:
       if (this->SidesOfA[edge] * this->SidesOfA[NextCorner(edge)] < 0)
       {
         const Sides turns = { this->Turn(edge, 0), this->Turn(edge, 1), this->Turn(edge, 2) };
-        Add(contact, 3 + edge, PartOf(turns));
+        Add(contact, 3 + edge, FeatureOf(turns));
       }
     }
     for (int edge = 0; edge < 3; ++edge)
@@ -363,7 +363,7 @@ private:
       if (this->SidesOfB[edge] * this->SidesOfB[NextCorner(edge)] < 0)
       {
         const Sides turns = { this->Turn(0, edge), this->Turn(1, edge), this->Turn(2, edge) };
-        Add(contact, PartOf(turns), 3 + edge);
+        Add(contact, FeatureOf(turns), 3 + edge);
       }
     }
   }
@@ -376,11 +376,11 @@ private:
     {
       ofA[i] = SidesInPlane(this->A[i], this->B, this->AxisOfB);
       ofB[i] = SidesInPlane(this->B[i], this->A, this->AxisOfB);
-      Add(contact, i, PartOf(ofA[i]));
+      Add(contact, i, FeatureOf(ofA[i]));
     }
     for (int i = 0; i < 3; ++i)
     {
-      Add(contact, PartOf(ofB[i]), i);
+      Add(contact, FeatureOf(ofB[i]), i);
     }
     for (int edgeA = 0; edgeA < 3; ++edgeA)
     {

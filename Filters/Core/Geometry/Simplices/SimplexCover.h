@@ -108,26 +108,26 @@ class CoverTest
 public:
   CoverTest(const SimplexSet& whole, const SimplexSet& part, double tolerance)
     : Whole(whole)
-    , Part(part)
+    , Other(part)
     , Tolerance(tolerance)
   {
   }
 
   bool Run() const
   {
-    if (!this->Whole.Bounds.Inflated(this->Tolerance).Contains(this->Part.Bounds) ||
-      !std::all_of(this->Part.Points.begin(), this->Part.Points.end(),
+    if (!this->Whole.Bounds.Inflated(this->Tolerance).Contains(this->Other.Bounds) ||
+      !std::all_of(this->Other.Points.begin(), this->Other.Points.end(),
         [this](const Vector3& x) { return this->Holds(x, this->Tolerance); }))
     {
       return false;
     }
-    if (this->Whole.IsConvex || this->Part.Dimension == 0)
+    if (this->Whole.IsConvex || this->Other.Dimension == 0)
     {
       return true;
     }
-    return this->Part.Dimension <= this->Whole.Dimension && this->HoldsEdges() &&
-      (this->Part.Dimension < 2 || this->HoldsTriangles()) &&
-      (this->Part.Dimension < 3 || !this->HasHollow());
+    return this->Other.Dimension <= this->Whole.Dimension && this->HoldsEdges() &&
+      (this->Other.Dimension < 2 || this->HoldsTriangles()) &&
+      (this->Other.Dimension < 3 || !this->HasHollow());
   }
 
 private:
@@ -157,9 +157,9 @@ private:
         isHeld = this->HoldsWitness(edge.At(0.5 * (turns[i - 1] + turns[i])));
       }
     };
-    for (const SimplexSet::Simplex& simplex : this->Part.Simplices)
+    for (const SimplexSet::Simplex& simplex : this->Other.Simplices)
     {
-      this->Part.ForEachEdge(simplex, ask);
+      this->Other.ForEachEdge(simplex, ask);
     }
     return isHeld;
   }
@@ -167,9 +167,9 @@ private:
   /// What of a triangle is out is bounded by cuts; so some point beside a cut is out.
   bool HoldsTriangles() const
   {
-    for (const SimplexSet::Simplex& simplex : this->Part.Simplices)
+    for (const SimplexSet::Simplex& simplex : this->Other.Simplices)
     {
-      const PlaneTriangle triangle(this->Part.Corners(simplex));
+      const PlaneTriangle triangle(this->Other.Corners(simplex));
       const Triangle3& p = triangle.Corners;
       if (!this->HoldsWitness((1.0 / 3.0) * (p[0] + p[1] + p[2])))
       {
@@ -229,11 +229,11 @@ private:
   {
     return std::any_of(this->Whole.Points.begin(), this->Whole.Points.end(),
       [&](const Vector3& x)
-      { return !IsNear(this->Part, x, 4.0 * this->Tolerance) && Encloses(this->Part, x); });
+      { return !IsNear(this->Other, x, 4.0 * this->Tolerance) && Encloses(this->Other, x); });
   }
 
   const SimplexSet& Whole;
-  const SimplexSet& Part;
+  const SimplexSet& Other;
   double Tolerance;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InOut/SkdQuestions.h"
+#include "InOut/SkdQueryPoints.h"
 
 #include "Pipeline/SkdTouchCells.h"
 #include "vtkImageData.h"
@@ -28,7 +28,7 @@ void MeanOf(vtkDataSet* mesh, vtkIdList* ids, double x[3])
 }
 }
 
-SkdQuestions::SkdQuestions(vtkDataSet* mesh, At at)
+SkdQueryPoints::SkdQueryPoints(vtkDataSet* mesh, At at)
   : Mesh(mesh)
   , Where(at)
 {
@@ -43,7 +43,7 @@ SkdQuestions::SkdQuestions(vtkDataSet* mesh, At at)
   this->FindRows();
 }
 
-void SkdQuestions::FindRows()
+void SkdQueryPoints::FindRows()
 {
   int dimensions[3] = { 0, 0, 0 };
   if (auto* image = vtkImageData::SafeDownCast(this->Mesh))
@@ -58,13 +58,13 @@ void SkdQuestions::FindRows()
   this->RowLength = length > 1 ? length : 0;
 }
 
-vtkIdType SkdQuestions::GetNumber() const
+vtkIdType SkdQueryPoints::GetNumber() const
 {
   return this->Where == At::Points ? this->Mesh->GetNumberOfPoints()
                                    : this->Mesh->GetNumberOfCells();
 }
 
-void SkdQuestions::GetPoint(vtkIdType i, double x[3]) const
+void SkdQueryPoints::GetPoint(vtkIdType i, double x[3]) const
 {
   if (this->Where == At::Points)
   {

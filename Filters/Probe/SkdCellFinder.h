@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SkdPlaceFinder.h
+ * @file SkdCellFinder.h
  * @brief Which cell of a Source holds a point, or serves for one that no cell holds.
  */
 
-#ifndef SkdPlaceFinder_h
-#define SkdPlaceFinder_h
+#ifndef SkdCellFinder_h
+#define SkdCellFinder_h
 
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkDoubleArray.h"
@@ -18,7 +18,7 @@
 #include <vector>
 
 /// A place in a Source: a cell, and where in it.
-struct SkdPlace
+struct SkdCellLocation
 {
   int Block = -1; // index in the list of blocks; -1: no place
   vtkIdType CellId = -1;
@@ -28,7 +28,7 @@ struct SkdPlace
 };
 
 /// When a point that no cell holds is taken for a point of the nearest one.
-struct SkdPlaceRules
+struct SkdCellFinderRules
 {
   double RelativeTolerance = 0.0; // of the diagonal of that cell's bounds
   double AbsoluteTolerance = 0.0;
@@ -36,10 +36,10 @@ struct SkdPlaceRules
 };
 
 /// The trees of a Source's blocks, and the numbers that finders want of them.
-class SkdPlaceSource
+class SkdCellFinderSource
 {
 public:
-  SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks);
+  SkdCellFinderSource(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks);
 
   /// To be called once the trees are those of the blocks, which may be other data sets each time
   /// though trees were kept: `built` of them were not.
@@ -47,7 +47,7 @@ public:
 
   /// The largest tolerance that a cell of the block has. Who asks first looks at all cells, if they
   /// matter: nobody does where every point is within a cell. Thread-safe.
-  double GetLargestTolerance(const SkdPlaceRules& rules, int block) const;
+  double GetLargestTolerance(const SkdCellFinderRules& rules, int block) const;
 
   const SkdSourceTrees& Trees;
   const std::vector<SkdBlock>& Blocks;
@@ -66,10 +66,10 @@ private:
 ///
 /// A place within a cell goes before any other: of the lowest block, and there of the lowest cell.
 /// Else it is the nearest cell that the rules allow, ties to the lowest (block, cell).
-class SkdPlaceFinder
+class SkdCellFinder
 {
 public:
-  SkdPlaceFinder(const SkdPlaceSource& source, const SkdPlaceRules& rules);
+  SkdCellFinder(const SkdCellFinderSource& source, const SkdCellFinderRules& rules);
 
   /// Whether there is a place for x, then kept until the next call. None of a point not finite.
   bool Find(const double x[3]);
@@ -77,7 +77,7 @@ public:
   /// Makes the place the point nearest to x of a cell that is known.
   bool Evaluate(int block, vtkIdType cellId, const double x[3]);
 
-  const SkdPlace& GetPlace() const { return this->Place; }
+  const SkdCellLocation& GetPlace() const { return this->Place; }
 
   /// Whether the cell of the place fills a volume.
   bool IsInVolume() const;
@@ -93,13 +93,13 @@ private:
   bool FindWithin(const double x[3]);
   bool FindByTolerance(const double x[3]);
   bool FindOutside(const double x[3]);
-  void FindTolerated(int block, const double x[3], SkdPlace& best);
+  void FindTolerated(int block, const double x[3], SkdCellLocation& best);
   bool IsTolerated(int block, vtkIdType cell, double distance) const;
   bool Finish();
 
-  const SkdPlaceSource& Source;
-  SkdPlaceRules Rules;
-  SkdPlace Place;
+  const SkdCellFinderSource& Source;
+  SkdCellFinderRules Rules;
+  SkdCellLocation Place;
   std::vector<double> Weights;
   vtkNew<vtkIdList> PointIds;
   vtkNew<vtkIdList> Near;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Probe/SkdPlaces.h"
+#include "Probe/SkdCellLocations.h"
 
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkDataSetAttributes.h"
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-SkdPlaces::SkdPlaces(vtkIdType n)
+SkdCellLocations::SkdCellLocations(vtkIdType n)
   : Valid(SkdMakeArray<vtkUnsignedCharArray>(ValidName, 1, n, 0))
   , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
   , PCoords(SkdMakeArray<vtkDoubleArray>(PCoordsName, 3, n, vtkMath::Nan()))
@@ -18,7 +18,7 @@ SkdPlaces::SkdPlaces(vtkIdType n)
 {
 }
 
-void SkdPlaces::Set(vtkIdType i, const SkdPlace& place)
+void SkdCellLocations::Set(vtkIdType i, const SkdCellLocation& place)
 {
   this->Valid->SetValue(i, 1);
   this->CellIds->SetValue(i, place.CellId);
@@ -27,20 +27,20 @@ void SkdPlaces::Set(vtkIdType i, const SkdPlace& place)
   this->Blocks[i] = place.Block;
 }
 
-vtkIdType SkdPlaces::CountValid() const
+vtkIdType SkdCellLocations::CountValid() const
 {
   return std::count_if(
     this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
 }
 
-vtkIdType SkdPlaces::CountOutside() const
+vtkIdType SkdCellLocations::CountOutside() const
 {
   const double* distances = this->Distances->GetPointer(0);
   return std::count_if(distances, distances + this->GetNumberOfPoints(),
     [](double distance) { return distance > 0.0; });
 }
 
-void SkdPlaces::AddTo(
+void SkdCellLocations::AddTo(
   vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const
 {
   data->AddArray(this->Valid);

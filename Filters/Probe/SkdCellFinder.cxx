@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Probe/SkdPlaceFinder.h"
+#include "Probe/SkdCellFinder.h"
 
 #include "Pipeline/SkdTouchCells.h"
 #include "vtkBoundingBox.h"
@@ -31,13 +31,14 @@ double LargestDiagonal(vtkDataSet* mesh)
 }
 }
 
-SkdPlaceSource::SkdPlaceSource(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks)
+SkdCellFinderSource::SkdCellFinderSource(
+  const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks)
   : Trees(trees)
   , Blocks(blocks)
 {
 }
 
-void SkdPlaceSource::Update(int built)
+void SkdCellFinderSource::Update(int built)
 {
   for (const SkdBlock& block : this->Blocks)
   {
@@ -57,7 +58,7 @@ void SkdPlaceSource::Update(int built)
 }
 
 // By one thread while others wait: a parallel loop in here might take up work that waits for it.
-double SkdPlaceSource::GetLargestTolerance(const SkdPlaceRules& rules, int block) const
+double SkdCellFinderSource::GetLargestTolerance(const SkdCellFinderRules& rules, int block) const
 {
   if (!(rules.RelativeTolerance > 0.0))
   {
@@ -69,26 +70,26 @@ double SkdPlaceSource::GetLargestTolerance(const SkdPlaceRules& rules, int block
   return std::max(rules.AbsoluteTolerance, rules.RelativeTolerance * largest.Diagonal);
 }
 
-SkdPlaceFinder::SkdPlaceFinder(const SkdPlaceSource& source, const SkdPlaceRules& rules)
+SkdCellFinder::SkdCellFinder(const SkdCellFinderSource& source, const SkdCellFinderRules& rules)
   : Source(source)
   , Rules(rules)
   , Weights(std::max(source.MaxCellSize, 1))
 {
 }
 
-bool SkdPlaceFinder::Find(const double x[3])
+bool SkdCellFinder::Find(const double x[3])
 {
-  this->Place = SkdPlace();
+  this->Place = SkdCellLocation();
   return this->FindWithin(x) || this->FindByTolerance(x) || this->FindOutside(x);
 }
 
 // Without a hint, though along a line that would halve the search: the cell of the last point would
 // win over a lower one that holds this point, too, and so answers would depend on what was asked
 // before, and by which thread.
-bool SkdPlaceFinder::FindWithin(const double x[3])
+bool SkdCellFinder::FindWithin(const double x[3])
 {
   double asked[3] = { x[0], x[1], x[2] };
-  SkdPlace& place = this->Place;
+  SkdCellLocation& place = this->Place;
   for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
     vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(static_cast<int>(block));
@@ -103,15 +104,15 @@ bool SkdPlaceFinder::FindWithin(const double x[3])
   return false;
 }
 
-bool SkdPlaceFinder::IsTolerated(int block, vtkIdType cell, double distance) const
+bool SkdCellFinder::IsTolerated(int block, vtkIdType cell, double distance) const
 {
   return distance <= this->Rules.AbsoluteTolerance ||
     distance <= this->Rules.RelativeTolerance * DiagonalOf(this->Source.Blocks[block].Mesh, cell);
 }
 
-bool SkdPlaceFinder::FindByTolerance(const double x[3])
+bool SkdCellFinder::FindByTolerance(const double x[3])
 {
-  SkdPlace best;
+  SkdCellLocation best;
   for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
     this->FindTolerated(static_cast<int>(block), x, best);
@@ -120,7 +121,7 @@ bool SkdPlaceFinder::FindByTolerance(const double x[3])
 }
 
 // The nearest cell may be too small for its tolerance to reach x where that of a larger one does.
-void SkdPlaceFinder::FindTolerated(int block, const double x[3], SkdPlace& best)
+void SkdCellFinder::FindTolerated(int block, const double x[3], SkdCellLocation& best)
 {
   double asked[3] = { x[0], x[1], x[2] };
   const double reach = this->Source.GetLargestTolerance(this->Rules, block);
@@ -154,7 +155,7 @@ void SkdPlaceFinder::FindTolerated(int block, const double x[3], SkdPlace& best)
   }
 }
 
-bool SkdPlaceFinder::FindOutside(const double x[3])
+bool SkdCellFinder::FindOutside(const double x[3])
 {
   if (!(this->Rules.OutsideRadius >= 0.0))
   {
@@ -164,16 +165,16 @@ bool SkdPlaceFinder::FindOutside(const double x[3])
   return nearest && this->Evaluate(nearest->Block, nearest->CellId, x);
 }
 
-bool SkdPlaceFinder::Evaluate(int block, vtkIdType cellId, const double x[3])
+bool SkdCellFinder::Evaluate(int block, vtkIdType cellId, const double x[3])
 {
   double point[3], dist2;
-  SkdPlace place;
+  SkdCellLocation place;
   place.Block = block;
   place.CellId = cellId;
   if (!this->Source.Trees.GetLocator(block)->EvaluateCell(
         cellId, x, point, place.SubId, place.PCoords, dist2, this->Weights.data()))
   {
-    this->Place = SkdPlace();
+    this->Place = SkdCellLocation();
     return false;
   }
   place.Distance = std::sqrt(dist2);
@@ -181,13 +182,13 @@ bool SkdPlaceFinder::Evaluate(int block, vtkIdType cellId, const double x[3])
   return this->Finish();
 }
 
-bool SkdPlaceFinder::Finish()
+bool SkdCellFinder::Finish()
 {
   this->Source.Blocks[this->Place.Block].Mesh->GetCellPoints(this->Place.CellId, this->PointIds);
   return true;
 }
 
-bool SkdPlaceFinder::IsInVolume() const
+bool SkdCellFinder::IsInVolume() const
 {
   thread_local vtkNew<vtkGenericCell> cell;
   cell->SetCellType(this->Source.Blocks[this->Place.Block].Mesh->GetCellType(this->Place.CellId));

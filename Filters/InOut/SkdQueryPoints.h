@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdQuestions_h
-#define SkdQuestions_h
+#ifndef SkdQueryPoints_h
+#define SkdQueryPoints_h
 
 #include "Pipeline/SkdPointOrder.h"
 
 /// Where a mesh asks: at its points, or at the middles of its cells (the mean of their points).
-class SkdQuestions
+class SkdQueryPoints
 {
 public:
   enum class At
@@ -15,20 +15,20 @@ public:
     Middles
   };
 
-  SkdQuestions(vtkDataSet* mesh, At at);
+  SkdQueryPoints(vtkDataSet* mesh, At at);
 
   vtkIdType GetNumber() const;
 
-  /// The question at a place of an order that is good to ask in, see SkdPointOrder. Thread-safe.
-  vtkIdType GetQuestion(vtkIdType place) const
+  /// The query point at a place of an order that is good to ask in, see SkdPointOrder. Thread-safe.
+  vtkIdType GetQueryPoint(vtkIdType place) const
   {
     return this->Order ? this->Order->GetPoint(place) : place;
   }
 
-  /// Where question i is; NaN for a cell without points. Thread-safe.
+  /// Where query point i is; NaN for a cell without points. Thread-safe.
   void GetPoint(vtkIdType i, double x[3]) const;
 
-  /// So many questions, from number 0 on and again and again, are on a straight line, in their
+  /// So many query points, from number 0 on and again and again, are on a straight line, in their
   /// order: the rows of images and of rectilinear grids. 0: there are no rows.
   vtkIdType GetRowLength() const { return this->RowLength; }
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdPlaces_h
-#define SkdPlaces_h
+#ifndef SkdCellLocations_h
+#define SkdCellLocations_h
 
-#include "Probe/SkdPlaceFinder.h"
+#include "Probe/SkdCellFinder.h"
 #include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 
 /// The places of the points of one data set: arrays of a slot a point, "none" at first.
-class SkdPlaces
+class SkdCellLocations
 {
 public:
   static constexpr const char* ValidName = "SkdValid";
@@ -17,10 +17,10 @@ public:
   static constexpr const char* PCoordsName = "SkdParametricCoordinates";
   static constexpr const char* DistanceName = "SkdDistance";
 
-  explicit SkdPlaces(vtkIdType n);
+  explicit SkdCellLocations(vtkIdType n);
 
   /// Fills a slot. Thread-safe for distinct slots.
-  void Set(vtkIdType i, const SkdPlace& place);
+  void Set(vtkIdType i, const SkdCellLocation& place);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
   vtkIdType CountValid() const;
