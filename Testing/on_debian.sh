@@ -12,7 +12,7 @@
 # The repository is seen there as /skdtree, as it is; its build/ is the system's own. Nothing stays
 # mounted. These variables may be set:
 #   SKDTREE_DEBIAN_DIR      where systems are made, one folder a release (build/debian)
-#   SKDTREE_DEBIAN_MIRROR   where packages come from (http://deb.debian.org/debian)
+#   SKDTREE_DEBIAN_MIRROR   where packages come from (debootstrap's own default)
 #   SKDTREE_EXTRA_DATA_DIR  more real meshes for the tests (../shared/data)
 
 set -euo pipefail
@@ -22,14 +22,13 @@ set -euo pipefail
 release=$1
 shift
 system=$(realpath -m "${SKDTREE_DEBIAN_DIR:-$build/debian}")/$release
-mirror=${SKDTREE_DEBIAN_MIRROR:-http://deb.debian.org/debian}
 data=${SKDTREE_EXTRA_DATA_DIR:-$root/../shared/data}
 
 if ! [ -e "$system/etc/apt/apt.conf.d/90skdtree" ]; then
   install_missing debootstrap
   say "Making a bare $release in $system"
   mkdir -p "$system"
-  debootstrap --variant=minbase "$release" "$system" "$mirror"
+  debootstrap --variant=minbase "$release" "$system" ${SKDTREE_DEBIAN_MIRROR:+"$SKDTREE_DEBIAN_MIRROR"}
   # A mirror may be some days behind.
   echo 'Acquire::Check-Valid-Until "false";' >"$system/etc/apt/apt.conf.d/90skdtree"
 fi
