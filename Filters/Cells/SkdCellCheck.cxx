@@ -12,8 +12,8 @@
 #include "vtkDataArray.h"
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkPolyData.h"
-#include "vtkSkdTreeVersion.h"
 #include "vtkSMPTools.h"
+#include "vtkSkdTreeVersion.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -25,23 +25,39 @@
 
 namespace
 {
-/// The numbers of points that make a second look at a cell needless, for each type.
+/// Numbers of points for each type.
 using SizeTable = std::array<SkdCellSizes, 256>;
 
+/// Whether more than the number of its points and their ids tells if a cell is whole.
+bool HasMoreRules(int cellType)
+{
+  return cellType == VTK_POLYHEDRON || cellType == VTK_QUADRATIC_POLYGON ||
+    cellType >= VTK_LAGRANGE_CURVE;
+}
+
+SizeTable MakeSizes(bool lookAgain)
+{
+  constexpr SkdCellSizes none{ std::numeric_limits<vtkIdType>::max(), 0 };
+  SizeTable sizes;
+  for (int type = 0; type < static_cast<int>(sizes.size()); ++type)
+  {
+    sizes[static_cast<std::size_t>(type)] =
+      lookAgain && HasMoreRules(type) ? none : SkdSizesOfCellType(type);
+  }
+  return sizes;
+}
+
+/// With those that make a second look at a cell needless, so none for types that have more rules.
+const SizeTable& SizesThatSuffice()
+{
+  static const SizeTable table = MakeSizes(true);
+  return table;
+}
+
+/// With those that all types may have.
 const SizeTable& SizesOfTypes()
 {
-  static const SizeTable table = []
-  {
-    constexpr SkdCellSizes lookAgain{ std::numeric_limits<vtkIdType>::max(), 0 };
-    SizeTable sizes;
-    for (int type = 0; type < static_cast<int>(sizes.size()); ++type)
-    {
-      const bool hasMoreRules =
-        type == VTK_POLYHEDRON || type == VTK_QUADRATIC_POLYGON || type >= VTK_LAGRANGE_CURVE;
-      sizes[static_cast<std::size_t>(type)] = hasMoreRules ? lookAgain : SkdSizesOfCellType(type);
-    }
-    return sizes;
-  }();
+  static const SizeTable table = MakeSizes(false);
   return table;
 }
 
@@ -119,7 +135,7 @@ private:
       : this->Types    ? this->Types[cell]
                        : this->Grid->GetCellType(cell);
   }
-  bool AreCertainlyWhole(vtkIdType begin, vtkIdType end) const;
+  bool AreCertainlyWhole(vtkIdType begin, vtkIdType end, const SizeTable& table) const;
   bool IsBroken(vtkIdType cell, SkdIdMarks& marks) const;
   bool HasItsPoints(vtkIdType cell, vtkIdType size) const;
 
@@ -136,7 +152,7 @@ private:
   SkdFaceSource Faces;
 };
 
-bool Part::AreCertainlyWhole(vtkIdType begin, vtkIdType end) const
+bool Part::AreCertainlyWhole(vtkIdType begin, vtkIdType end, const SizeTable& table) const
 {
   bool areWhole = false;
   this->Cells.VisitArrays(
@@ -147,7 +163,6 @@ bool Part::AreCertainlyWhole(vtkIdType begin, vtkIdType end) const
         areWhole = ::AreCertainlyWhole(
           offsets, ids, begin, end, this->Cells.NumberOfIds(), this->NumberOfPoints, sizesOf);
       };
-      const SizeTable& table = SizesOfTypes();
       const SkdCellSizes common = table[static_cast<std::size_t>(this->CommonType)];
       this->Types ? look([&](vtkIdType cell) { return table[this->Types[cell]]; })
                   : look([&](vtkIdType) { return common; });
@@ -158,14 +173,16 @@ bool Part::AreCertainlyWhole(vtkIdType begin, vtkIdType end) const
 void Part::FindBroken(vtkIdType begin, vtkIdType end, std::vector<vtkIdType>& broken) const
 {
   const bool canBeSure = !this->Grid || (this->Types && end <= this->NumberOfTypes);
-  if (canBeSure && this->AreCertainlyWhole(begin, end))
+  if (canBeSure && this->AreCertainlyWhole(begin, end, SizesThatSuffice()))
   {
     return;
   }
+  const bool areSimpleOnesWhole = canBeSure && this->AreCertainlyWhole(begin, end, SizesOfTypes());
   SkdIdMarks marks;
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
-    if (this->IsBroken(cell, marks))
+    const bool isWhole = areSimpleOnesWhole && !HasMoreRules(this->TypeOf(cell));
+    if (!isWhole && this->IsBroken(cell, marks))
     {
       broken.push_back(this->First + cell);
     }
