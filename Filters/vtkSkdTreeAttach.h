@@ -6,13 +6,13 @@
  *
  * Passes its input (any vtkDataSet, or composite of them) and sets a vtkSkdTreeCellLocator on each
  * vtkPointSet in it (vtkPointSet::SetCellLocator). Filters that use the cell locator of their input
- * then search with the skD-tree: up to VTK 9.6 ParaView's Stream Tracer with *Interpolator with Cell
- * Locator* and whatever else uses vtkCellLocatorStrategy, since VTK 9.7 vtkProbeFilter and
+ * then search with the skD-tree: up to VTK 9.6 ParaView's Stream Tracer with *Interpolator with
+ * Cell Locator* and whatever else uses vtkCellLocatorStrategy, since VTK 9.7 vtkProbeFilter and
  * vtkPointSet::FindCell.
  *
- * @warning It does not reach the Stream Tracer of VTK 9.7, nor what traces particles there: these put
- * a locator of their own class in the place of the attached one. Their own property *Cell Locator*
- * (SetCellLocator) takes a vtkSkdTreeCellLocator.
+ * @warning It does not reach the Stream Tracer of VTK 9.7, nor what traces particles there: these
+ * put a locator of their own class in the place of the attached one. Their own property *Cell
+ * Locator* (SetCellLocator) takes a vtkSkdTreeCellLocator.
  *
  * A locator goes to the very next filter only: no data set passes it on in a copy of itself. Images
  * and rectilinear grids have no locator and are passed as they are.

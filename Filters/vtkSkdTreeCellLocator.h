@@ -54,16 +54,16 @@
  *
  * Bad input: no data set or no cells: every query finds nothing, with no error. Broken cells are
  * left out, with one warning that counts them and names the first and what is wrong with it. A cell
- * is broken if it names a point that there is not, if its offsets decrease or end beyond the list of
- * points, if it has too few points for its type (a line of 1, a polygon or strip of 2, a quad of 3, a
- * quadratic tetrahedron of 9) or more than its type has, or if it is a polyhedron whose faces are
- * not polygons of its points. The same holds for all filters: an input with broken cells is read,
- * and passed on, as if these were empty; other cells keep their ids. All are looked at when the tree
- * is built: at most 2 % of the build. Cells with points that are NaN, infinite or beyond 1e50 are
- * left out of the tree, as are all cells of a mesh whose largest coordinate, without its sign, is not
- * 0 but less than 1e-50: products of these are no numbers. One warning counts them. Empty cells and
- * cells of unknown type are left out, without one. NaN or infinite query points find nothing; a NaN
- * or negative radius finds nothing; a negative tolerance counts as zero.
+ * is broken if it names a point that there is not, if its offsets decrease or end beyond the list
+ * of points, if it has too few points for its type (a line of 1, a polygon or strip of 2, a quad of
+ * 3, a quadratic tetrahedron of 9) or more than its type has, or if it is a polyhedron whose faces
+ * are not polygons of its points. The same holds for all filters: an input with broken cells is
+ * read, and passed on, as if these were empty; other cells keep their ids. All are looked at when
+ * the tree is built: at most 2 % of the build. Cells with points that are NaN, infinite or beyond
+ * 1e50 are left out of the tree, as are all cells of a mesh whose largest coordinate, without its
+ * sign, is not 0 but less than 1e-50: products of these are no numbers. One warning counts them.
+ * Empty cells and cells of unknown type are left out, without one. NaN or infinite query points
+ * find nothing; a NaN or negative radius finds nothing; a negative tolerance counts as zero.
  *
  * @sa
  * vtkAbstractCellLocator vtkStaticCellLocator vtkSkdTreeClosestPoint
@@ -474,8 +474,8 @@ public:
   /**
    * Share the tree and copy the settings of another vtkSkdTreeCellLocator, in O(1). The data set is
    * taken over only when this locator has none. A tree that is outdated, or older than the last
-   * change of this locator's own data set, is not shared: one is built when it is asked for, for the
-   * answers are those of the own data set, as with VTK's own locators.
+   * change of this locator's own data set, is not shared: one is built when it is asked for, for
+   * the answers are those of the own data set, as with VTK's own locators.
    */
   void ShallowCopy(vtkAbstractCellLocator* locator) VTK_SKD_OVERRIDE_SINCE_92;
 

@@ -18,9 +18,9 @@
  * How its answers are defined:
  * - Each place is one point, however many cells meet there on an edge or a vertex; it bears the
  *   lowest of their ids. The same place of two parts of the Source (see Parts) is two. Where cells
- *   of the Input go on as each other (their ends are the same, to within rounding; of more than two,
- *   those that turn least), what is in the joint is one point, too, of the cell that was read first;
- *   its sense is along that cell. Ends of stretches are told of each cell.
+ *   of the Input go on as each other (their ends are the same, to within rounding; of more than
+ *   two, those that turn least), what is in the joint is one point, too, of the cell that was read
+ *   first; its sense is along that cell. Ends of stretches are told of each cell.
  * - Straight curves and triangles (flat quads, polygons and strips, too) are decided by exact
  * signs: a closed polyline goes through a closed surface an even number of times, whatever edges
  * and vertices of it, and however far from the origin. A vertex of the curve on the surface counts

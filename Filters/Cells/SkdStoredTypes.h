@@ -7,8 +7,8 @@
 #include "vtkUnsignedCharArray.h"
 
 /// The types of a grid's cells one by one: where they are stored, or in a copy, which is made of an
-/// array of another kind (since 9.6 VTK keeps one value for cells that are all of one type). nullptr
-/// without an array.
+/// array of another kind (since 9.6 VTK keeps one value for cells that are all of one type).
+/// nullptr without an array.
 inline const unsigned char* SkdStoredTypes(
   vtkDataArray* types, vtkSmartPointer<vtkUnsignedCharArray>& copy)
 {

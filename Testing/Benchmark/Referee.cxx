@@ -199,8 +199,8 @@ bool Referee::MayBeListed(Question question, const Query& query, vtkIdType cell)
                                           : this->IsHit(query, cell, 10 * this->LineTolerance);
 }
 
-// A cell of its own each time: a generic cell gives its polyhedron again, and one of VTK 9.1 that is
-// used again may find no nearest point.
+// A cell of its own each time: a generic cell gives its polyhedron again, and one of VTK 9.1 that
+// is used again may find no nearest point.
 void Referee::LookAt(vtkIdType cell)
 {
   this->Cell = vtkSmartPointer<vtkGenericCell>::New();

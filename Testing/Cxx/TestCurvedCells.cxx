@@ -37,8 +37,8 @@ GridPointer QuarterCircle()
   return WithRationalWeights(mesh, { 1, 1, std::sqrt(0.5) });
 }
 
-/// A quarter of a cylinder of radius 1 around the z axis, of height 1. Corners, the middles of edges
-/// 01, 12, 32, 03, then the middle.
+/// A quarter of a cylinder of radius 1 around the z axis, of height 1. Corners, the middles of
+/// edges 01, 12, 32, 03, then the middle.
 GridPointer QuarterCylinder()
 {
   Mesh mesh;
