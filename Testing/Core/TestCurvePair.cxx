@@ -4,6 +4,8 @@
 
 #include "Core/Curves/CurvePairSolver.h"
 
+#include "CurveScenes.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -257,20 +259,6 @@ TEST(SeparatingQuadric, OfALineIsNone)
 namespace
 {
 
-/// (t, (t - root)^degree + slope (t - root), 0): its control points are the blossom's values.
-BezierCurve Power(int degree, double root, double slope)
-{
-  BezierCurve curve;
-  curve.Degree = degree;
-  for (int i = 0; i <= degree; ++i)
-  {
-    const double x = static_cast<double>(i) / degree;
-    const double y = std::pow(1.0 - root, i) * std::pow(-root, degree - i) + slope * (x - root);
-    curve.Points[i] = Weighted({ { x, y, 0.0 } }, 1.0);
-  }
-  return curve;
-}
-
 const BezierCurve Axis = BezierCurve::Line({ { -1.25, 0, 0 } }, { { 2, 0, 0 } });
 
 /// What they have in common, whichever comes first.
@@ -291,7 +279,7 @@ TEST(CurvePair, RootsOfOddOrderAreOneCrossing)
     {
       for (const double slope : { 0.0, 1e-16, 1e-13, 1e-11, 1e-10, 1e-6 })
       {
-        const auto hits = SolveBothWays(Power(degree, root, slope), Axis);
+        const auto hits = SolveBothWays(coretest::Power(degree, root, slope, 0.0, 1), Axis);
         ASSERT_EQ(hits.size(), 1u) << degree << " at " << root << " with " << slope;
         EXPECT_EQ(hits[0].Kind, IntersectionKind::Crossing)
           << degree << " " << root << " " << slope;
@@ -307,7 +295,7 @@ TEST(CurvePair, RootsOfEvenOrderAreOneTouch)
   {
     for (const double root : { 0.0, 0.125, 0.3, 0.5, 0.875, 1.0 })
     {
-      const auto hits = SolveBothWays(Power(degree, root, 0.0), Axis);
+      const auto hits = SolveBothWays(coretest::Power(degree, root, 0.0, 0.0, 1), Axis);
       ASSERT_EQ(hits.size(), 1u) << degree << " at " << root;
       EXPECT_EQ(hits[0].Kind, IntersectionKind::Touching) << degree << " at " << root;
     }
@@ -320,7 +308,8 @@ TEST(CurvePair, CrossingsAtSmallAnglesAreFoundWhereverTheCurveIsCut)
   {
     for (int k = 0; k <= 8; ++k)
     {
-      const BezierCurve curve = Power(2, k / 8.0, slope); // also crosses at k / 8 - slope
+      const BezierCurve curve =
+        coretest::Power(2, k / 8.0, slope, 0.0, 1); // also crosses at k / 8 - slope
       const std::size_t expected = k / 8.0 > slope ? 2 : 1;
       ASSERT_EQ(SolveBothWays(curve, Axis).size(), expected) << k << " with " << slope;
       for (const double end : { 0.0, 1.0 }) // each part tells it

@@ -4,6 +4,8 @@
 
 #include "Core/Curves/CurvePatchSolver.h"
 
+#include "CurveScenes.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -225,20 +227,6 @@ TEST(SeparatingQuadric, SeparatesNoCurveFromAPatchThatItMeets)
 namespace
 {
 
-/// (t, t / 2, (t - root)^degree + slope (t - root)): its control points are the blossom's values.
-BezierCurve Power(int degree, double root, double slope)
-{
-  BezierCurve curve;
-  curve.Degree = degree;
-  for (int i = 0; i <= degree; ++i)
-  {
-    const double x = static_cast<double>(i) / degree;
-    const double z = std::pow(1.0 - root, i) * std::pow(-root, degree - i) + slope * (x - root);
-    curve.Points[i] = Weighted({ { x, 0.5 * x, z } }, 1.0);
-  }
-  return curve;
-}
-
 /// A part of z = 0.
 BezierPatch Plane(bool isTriangle)
 {
@@ -269,7 +257,7 @@ TEST(CurvePatch, RootsOfAnyOrderAreOnePlace)
         const bool isOdd = degree % 2 == 1;
         for (int turn = 0; turn < 4 && (isOdd || slope == 0.0); ++turn)
         {
-          BezierCurve curve = Power(degree, root, slope);
+          BezierCurve curve = coretest::Power(degree, root, slope, 0.5, 2);
           for (int i = 0; i <= degree && turn % 2; ++i)
           {
             curve.Points[i][2] *= -1.0;
