@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdOverlapWeights.h
+ * @brief How much each cell of one mesh has in common with each of another: the weights of
+ * conservative remapping, by exact intersection of the pairs that two trees walked together find.
+ */
+
+#ifndef SkdOverlapWeights_h
+#define SkdOverlapWeights_h
+
+#include "Core/Geometry/Vector.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+/// What the cells of both meshes are pieces of. Cells of another dimension are left out.
+enum class SkdOverlapSpace
+{
+  Line,   ///< lines and polylines that lie on each other, straight piece by straight piece: lengths
+  Plane,  ///< polygons in one plane, anywhere in space: areas
+  Sphere, ///< polygons on a sphere about the origin: areas on it
+  Volume  ///< polyhedra: volumes
+};
+
+struct SkdOverlapSettings
+{
+  SkdOverlapSpace Space = SkdOverlapSpace::Volume;
+
+  ///@{
+  /// Of the sphere: cells of that mesh whose corners are on two meridians and two parallels are
+  /// bounded by these; edges are arcs of great circles otherwise.
+  bool DonorIsLonLat = false;
+  bool TargetIsLonLat = false;
+  ///@}
+
+  /// Of the sphere; of both meshes only directions from the origin are taken. 0: the mean distance
+  /// of the donor's points from the origin.
+  double Radius = 0.0;
+
+  bool SkipsGhosts = true; ///< cells that vtkGhostType marks have no overlap and no measure
+};
+
+/// One mesh as it was measured.
+struct SkdOverlapCells
+{
+  std::vector<double> Measures;        ///< of each cell by its id; 0 of cells left out
+  std::vector<skd::Vector3> Centroids; ///< Cartesian; on a sphere within it. Zero of cells left out
+  std::vector<double> Covered;         ///< the sum of a cell's overlaps
+  vtkIdType LeftOut = 0;               ///< not finite, empty, ghosts, of another dimension
+};
+
+/// Rows of target cells, columns of donor cells (CSR): of row i the entries Rows[i] .. Rows[i + 1],
+/// by ascending donor id. Overlaps that are nothing but rounding are left out.
+struct SkdOverlapTable
+{
+  std::vector<std::size_t> Rows;  ///< one more than there are target cells
+  std::vector<vtkIdType> Columns; ///< ids of donor cells
+  std::vector<double> Measures;   ///< of the overlap: length, area or volume
+  /// The integral of x - (centroid of the donor cell) over the overlap. A field that is
+  /// f + g . (x - centroid) in the donor cell has the integral f * measure + g . moment.
+  std::vector<skd::Vector3> Moments;
+};
+
+/// Rows of target cells, columns of donor points: the integral over the target cell of the function
+/// that is 1 at the point, 0 at all others, and linear on the simplices that the donor's cells are
+/// cut into (by SkdOverlapWeights; triangles and tetrahedra are their own).
+struct SkdOverlapPointTable
+{
+  std::vector<std::size_t> Rows;
+  std::vector<vtkIdType> Columns;
+  std::vector<double> Weights;
+};
+
+/// All overlaps of two meshes. Results do not depend on the number of threads. About a microsecond
+/// a pair of cells that meet; 10^6 cells take some hundred MB a mesh.
+class SkdOverlapWeights
+{
+public:
+  /// Finds them all. Reports progress from `first` to `last`. False if the algorithm was aborted,
+  /// or if GetProblem() says what is wrong. Broken cells must have been mended (SkdValidInput).
+  bool Compute(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
+    vtkAlgorithm* algorithm, double first = 0.0, double last = 1.0);
+
+  /// Why nothing was computed, a sentence with what to do; empty if nothing is wrong.
+  const std::string& GetProblem() const { return this->Problem; }
+
+  const SkdOverlapTable& GetTable() const { return this->Table; }
+  const SkdOverlapCells& GetDonor() const { return this->Donor; }
+  const SkdOverlapCells& GetTarget() const { return this->Target; }
+
+  /// The radius that was taken; 1 of what is no sphere.
+  double GetRadius() const { return this->Radius; }
+
+  /// The normal of the plane; zero of what is no plane.
+  const skd::Vector3& GetNormal() const { return this->Normal; }
+
+private:
+  SkdOverlapTable Table;
+  SkdOverlapCells Donor;
+  SkdOverlapCells Target;
+  double Radius = 1.0;
+  skd::Vector3 Normal{ { 0.0, 0.0, 0.0 } };
+  std::string Problem;
+};
+
+/// The weights of point fields, by the same rules; both meshes are those of the weights. False if
+/// the algorithm was aborted.
+bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
+  SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first = 0.0, double last = 1.0);
+
+/// The overlaps themselves: segments, polygons or polyhedra, with the cell arrays "TargetCell",
+/// "DonorCell" (ids) and "Measure". Concave cells give several pieces. Edges on a sphere
+/// are between the corners.
+vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
+  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm);
+
+#endif
