@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdSampleTree.h"
+
+#include "Cells/SkdMagnitudes.h"
+#include "Pipeline/SkdParallelLoop.h"
+
+#include <utility>
+
+namespace
+{
+/// Elements keep the indices of the points, of which some are left out.
+skd::TreeInput<3> InputOf(const std::vector<skd::Vector3>& points, const SkdSampleTree& tree)
+{
+  skd::TreeInput<3> input;
+  for (const skd::Vector3& point : points)
+  {
+    const skd::Vector3 place = tree.PlaceOf(point);
+    if (SkdIsWithin(place, SkdMeasurable.Largest))
+    {
+      input.Bounds.Add(place);
+    }
+  }
+  input.Frame = skd::Frame<3>::Of(input.Bounds);
+  input.Elements.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const skd::Vector3 place = tree.PlaceOf(points[i]);
+    if (SkdIsWithin(place, SkdMeasurable.Largest))
+    {
+      input.Elements.push_back(
+        { input.Frame.Outward(skd::Box3(place, place)), static_cast<std::uint32_t>(i) });
+    }
+  }
+  return input;
+}
+}
+
+SkdSampleTree::SkdSampleTree(std::vector<skd::Vector3> points, bool isOnSphere)
+  : Points(std::move(points))
+  , OnSphere(isOnSphere)
+  , Tree(InputOf(this->Points, *this), SkdParallelLoop())
+{
+}

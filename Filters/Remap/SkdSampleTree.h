@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSampleTree.h
+ * @brief Points of a donor in a tree, built once: which are in a box, and which is nearest.
+ */
+
+#ifndef SkdSampleTree_h
+#define SkdSampleTree_h
+
+#include "Core/Queries/Nearest.h"
+#include "Core/Queries/WithinBox.h"
+#include "Core/Tree/Tree.h"
+#include "Core/Tree/Walk.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+class SkdSampleTree
+{
+public:
+  /// On a sphere about the origin points are known by their directions: boxes and distances are
+  /// those of the unit sphere. Points that are not finite, and there the origin, are never found.
+  /// O(N log N), in parallel.
+  SkdSampleTree(std::vector<skd::Vector3> points, bool isOnSphere);
+
+  std::size_t GetNumberOfPoints() const { return this->Points.size(); }
+  const skd::Vector3& GetPoint(std::uint32_t i) const { return this->Points[i]; }
+  bool IsOnSphere() const { return this->OnSphere; }
+
+  /// Of the points that can be found, where they count as.
+  const skd::Box3& GetBounds() const { return this->Tree.GetBounds(); }
+
+  /// Where a point counts as: on the unit sphere, if that is where points are.
+  skd::Vector3 PlaceOf(const skd::Vector3& x) const
+  {
+    return this->OnSphere ? (1.0 / skd::Norm(x)) * x : x;
+  }
+
+  /// Calls visit(i), in any order, for all points in the box, and some that are near. Thread-safe.
+  template <class Visit>
+  void ForEachWithin(const skd::Box3& box, const Visit& visit) const
+  {
+    auto visitor = [&visit](std::uint32_t i)
+    {
+      visit(i);
+      return true;
+    };
+    skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
+    skd::Walk(this->Tree, query);
+  }
+
+  /// The point nearest to x for which isWanted(i), ties to the lowest; -1 if none. Thread-safe.
+  template <class Wanted>
+  std::int64_t FindNearest(const skd::Vector3& x, const Wanted& isWanted) const
+  {
+    const skd::Vector3 place = this->PlaceOf(x);
+    double best2 = std::numeric_limits<double>::infinity();
+    std::int64_t best = -1;
+    auto visitor = [&](std::uint32_t i)
+    {
+      const double dist2 = skd::Distance2(this->PlaceOf(this->Points[i]), place);
+      if (isWanted(i) && (dist2 < best2 || (dist2 == best2 && i < best)))
+      {
+        best2 = dist2;
+        best = i;
+      }
+      return best2;
+    };
+    if (skd::IsFinite(place))
+    {
+      skd::Nearest<3, decltype(visitor)> query(this->Tree.GetFrame(), place, best2, visitor);
+      skd::Walk(this->Tree, query);
+    }
+    return best;
+  }
+
+private:
+  std::vector<skd::Vector3> Points;
+  bool OnSphere;
+  skd::Tree<3> Tree;
+};
+
+#endif

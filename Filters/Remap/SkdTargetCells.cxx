@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdTargetCells.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+bool IsFlat(int type)
+{
+  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
+}
+}
+
+SkdTargetCells::SkdTargetCells(vtkDataSet* mesh, bool isOnSphere, double tolerance)
+  : Mesh(mesh)
+  , OnSphere(isOnSphere)
+  , Tolerance(tolerance)
+  , Reader(mesh)
+  , Ghosts(mesh->GetCellGhostArray())
+{
+  if (!isOnSphere)
+  {
+    SkdTreeSettings settings;
+    settings.IsBare = true;
+    this->InSpace = std::make_unique<SkdCellTree>(mesh, settings);
+    this->Tolerance = std::max(tolerance, this->InSpace->Rounding());
+  }
+  if (mesh->GetNumberOfCells() > 0)
+  {
+    const auto cell = vtkSmartPointer<vtkGenericCell>::New();
+    SkdLoadCell(mesh, 0, cell); // from now on it is thread-safe
+  }
+}
+
+SkdTargetCells::Cell::Cell(const SkdTargetCells& cells)
+  : Cells(cells)
+  , Scratch(vtkSmartPointer<vtkGenericCell>::New())
+  , List(vtkSmartPointer<vtkIdList>::New())
+{
+}
+
+bool SkdTargetCells::Cell::Load(vtkIdType id)
+{
+  constexpr int notOurs = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL |
+    vtkDataSetAttributes::HIDDENCELL;
+  this->Id = id;
+  if (this->Cells.Ghosts && (this->Cells.Ghosts->GetValue(id) & notOurs) != 0)
+  {
+    return false;
+  }
+  return this->Cells.OnSphere ? this->LoadOnSphere(id) : this->LoadInSpace(id);
+}
+
+void SkdTargetCells::Cell::ReadCorners(vtkIdType id)
+{
+  this->Corners.clear();
+  this->Cells.Reader.VisitPoints(id, this->List,
+    [this](const auto* ids, std::size_t size)
+    {
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        skd::Vector3 x;
+        this->Cells.Mesh->GetPoint(ids[i], x.X);
+        this->Corners.push_back(x);
+      }
+    });
+  this->Centre = { { 0.0, 0.0, 0.0 } };
+  for (const skd::Vector3& corner : this->Corners)
+  {
+    const double length = this->Cells.OnSphere ? skd::Norm(corner) : 1.0;
+    this->Centre = this->Centre + (1.0 / (length * this->Corners.size())) * corner;
+  }
+}
+
+bool SkdTargetCells::Cell::LoadOnSphere(vtkIdType id)
+{
+  const int type = this->Cells.Reader.TypeOf(id);
+  if (!IsFlat(type))
+  {
+    return false;
+  }
+  this->ReadCorners(id);
+  if (type == VTK_PIXEL && this->Corners.size() == 4)
+  {
+    std::swap(this->Corners[2], this->Corners[3]);
+  }
+  const bool isCell = this->Sphere.Set(this->Corners);
+  this->Box = this->Sphere.GetBox();
+  return isCell;
+}
+
+bool SkdTargetCells::Cell::LoadInSpace(vtkIdType id)
+{
+  const SkdCellTree& cells = *this->Cells.InSpace;
+  const std::int64_t at = cells.Cells().CellOfId(id);
+  if (at < 0)
+  {
+    return false;
+  }
+  this->ReadCorners(id);
+  this->Box = cells.SafetyBoxOf(static_cast<std::uint32_t>(at)).Inflated(this->Cells.Tolerance);
+  return true;
+}
+
+bool SkdTargetCells::Cell::Contains(const skd::Vector3& x) const
+{
+  if (this->Cells.OnSphere)
+  {
+    return this->Sphere.Contains(x);
+  }
+  const SkdFoundCell found =
+    this->Cells.InSpace->Evaluate(this->Id, x, { this->Cells.Mesh, this->Scratch });
+  return found.Id >= 0 && found.Dist2 <= this->Cells.Tolerance * this->Cells.Tolerance;
+}
