@@ -35,7 +35,7 @@ public:
     return skd::Weighted(PointOf(this->Cell, i) - this->Origin, this->Weight(i));
   }
 
-  skd::Node NodeAt(vtkIdType i) const
+  skd::PatchNode NodeAt(vtkIdType i) const
   {
     const skd::Vector3 x = PointOf(this->Cell, i);
     return { { x[0], x[1], x[2], this->Weight(i) } };

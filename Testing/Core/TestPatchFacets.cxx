@@ -44,7 +44,8 @@ NodePatch RandomFace(const Kind& kind, double curving, double size, std::mt19937
   const auto node = [&](double r, double s)
   {
     const double weight = kind.Meaning == NodeMeaning::Controls ? 1.0 + 0.4 * uniform(random) : 1.0;
-    return Node{ { size * (r + any() + 3.0), size * (s + any()), size * (any() - 2.0), weight } };
+    return PatchNode{ { size * (r + any() + 3.0), size * (s + any()), size * (any() - 2.0),
+      weight } };
   };
   NodePatch face;
   face.DegreeR = kind.DegreeR;

@@ -55,8 +55,8 @@ private:
   void Examine(const Cell& cell, const BezierCurve& first, const BezierCurve& second, double enough)
   {
     const double deviations[2] = { ChordDeviation(cell.First), ChordDeviation(cell.Second) };
-    const SegmentPair chords = ClosestPoints(
-      { cell.First.Start(), cell.First.End() }, { cell.Second.Start(), cell.Second.End() });
+    const SegmentPair chords = ClosestPoints(Segment<3>{ cell.First.Start(), cell.First.End() },
+      Segment<3>{ cell.Second.Start(), cell.Second.End() });
     const double deviation = deviations[0] + deviations[1];
     if (!(std::sqrt(chords.Dist2) - deviation < this->Best.Distance))
     {

@@ -20,10 +20,10 @@ enum class NodeMeaning
 };
 
 /// A node: (x, y, z) as they are, and a weight.
-using Node = Vector<4>;
+using PatchNode = Vector<4>;
 
 /// As curves and patches want it.
-inline Homogeneous SeenFrom(const Node& node, const Vector3& origin)
+inline Homogeneous SeenFrom(const PatchNode& node, const Vector3& origin)
 {
   return Weighted(Vector3{ { node[0], node[1], node[2] } } - origin, node[3]);
 }
@@ -36,11 +36,11 @@ struct NodePatch
   int DegreeS = 1;
   bool IsTriangle = false;
   NodeMeaning Meaning = NodeMeaning::Values;
-  Node Middle{};                                           ///< of Bubble
-  Node Nodes[(MaximumDegree + 1) * (MaximumDegree + 1)]{}; ///< r runs first
+  PatchNode Middle{};                                           ///< of Bubble
+  PatchNode Nodes[(MaximumDegree + 1) * (MaximumDegree + 1)]{}; ///< r runs first
 
-  Node& At(int i, int j) { return this->Nodes[i + j * (this->DegreeR + 1)]; }
-  const Node& At(int i, int j) const { return this->Nodes[i + j * (this->DegreeR + 1)]; }
+  PatchNode& At(int i, int j) { return this->Nodes[i + j * (this->DegreeR + 1)]; }
+  const PatchNode& At(int i, int j) const { return this->Nodes[i + j * (this->DegreeR + 1)]; }
   int Last(int j) const { return this->IsTriangle ? this->DegreeR - j : this->DegreeR; }
   int NumberOfSides() const { return this->IsTriangle ? 3 : 4; }
 
@@ -50,7 +50,7 @@ struct NodePatch
   }
 
   /// The nodes of a side, in the sense in which the sides run around the face; returns its degree.
-  int CopySide(int side, Node (&nodes)[MaximumDegree + 1]) const
+  int CopySide(int side, PatchNode (&nodes)[MaximumDegree + 1]) const
   {
     const int degree = side % 2 == 0 || this->IsTriangle ? this->DegreeR : this->DegreeS;
     for (int k = 0; k <= degree; ++k)
@@ -68,7 +68,7 @@ struct NodePatch
   /// Where a side begins.
   Vector3 Corner(int side) const
   {
-    Node nodes[MaximumDegree + 1];
+    PatchNode nodes[MaximumDegree + 1];
     this->CopySide(side, nodes);
     return Space(nodes[0]);
   }
@@ -84,14 +84,14 @@ struct CommonSide
 
   CommonSide(const NodePatch& face, int side)
   {
-    Node nodes[MaximumDegree + 1];
+    PatchNode nodes[MaximumDegree + 1];
     this->Curve.Degree = face.CopySide(side, nodes);
-    Node* const end = nodes + this->Curve.Degree + 1;
-    Node turned[MaximumDegree + 1];
+    PatchNode* const end = nodes + this->Curve.Degree + 1;
+    PatchNode turned[MaximumDegree + 1];
     std::reverse_copy(nodes, end, turned);
     this->IsTurned =
       std::lexicographical_compare(turned, turned + this->Curve.Degree + 1, nodes, end);
-    const Node* const from = this->IsTurned ? turned : nodes;
+    const PatchNode* const from = this->IsTurned ? turned : nodes;
     this->Origin = Space(from[0]);
     for (int i = 0; i <= this->Curve.Degree; ++i)
     {
