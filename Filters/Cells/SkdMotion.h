@@ -9,7 +9,7 @@
 #include "Cells/SkdCellTree.h"
 #include "Core/Queries/WithinSlabs.h"
 
-inline skd::Vector3 SkdMagnitudes(const skd::Vector3& row)
+inline skd::Vector3 SkdAbsolutesOf(const skd::Vector3& row)
 {
   return { { std::abs(row[0]), std::abs(row[1]), std::abs(row[2]) } };
 }
@@ -21,7 +21,7 @@ inline skd::Slab<3> SkdSlabBeforeMotion(const skd::Frame<3>& frame, const skd::P
   skd::Vector3 weights{ { 0.0, 0.0, 0.0 } };
   for (int i = 0; i < 3; ++i)
   {
-    weights = weights + std::abs(plane.Normal[i]) * SkdMagnitudes(motion.Rows[i]);
+    weights = weights + std::abs(plane.Normal[i]) * SkdAbsolutesOf(motion.Rows[i]);
   }
   const skd::Plane<3> before{ motion.Back(plane.Origin), motion.TurnBack(plane.Normal) };
   return skd::Slab<3>(frame, before, halfWidth, weights);
