@@ -45,7 +45,7 @@ SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const S
     settings.Bounds = skd::Box3({ { b[0], b[2], b[4] } }, { { b[1], b[3], b[5] } });
     if (settings.Bounds.IsEmpty())
     {
-      return { std::nullopt, "the bounds of the base mesh are empty" };
+      return { std::nullopt, "its bounds are empty" };
     }
   }
   return SkdMakeBaseLattice(settings, parts.GetBounds(), self->GetBranchFactor());
@@ -82,34 +82,38 @@ void WarnAbout(
 {
   if (parts.GetNumberOfParts() == 0)
   {
-    vtkWarningWithObjectMacro(self, "Input has no cells: nothing is refined.");
+    vtkWarningWithObjectMacro(self, "Input has no cells; the base mesh is not refined.");
   }
   else if (!IsAnyCut(grid))
   {
     vtkWarningWithObjectMacro(self,
-      "The base mesh misses the parts: they meet none of its cells." << WhyThereAreNoParts(parts));
+      "The parts do not intersect the base mesh; nothing is refined. Correct BaseBounds or "
+      "BaseMesh."
+        << WhyThereAreNoParts(parts));
   }
   if (self->GetConforming() &&
     (grid.Lattice.Dimension() == 3 || self->GetOutputType() != vtkSkdTreeAMR::UNSTRUCTURED_GRID))
   {
     vtkWarningWithObjectMacro(
-      self, "Conforming is for unstructured grids of two dimensions: points hang here.");
+      self, "Conforming is ignored: it needs OutputType UNSTRUCTURED_GRID and two dimensions.");
   }
   if (grid.ResolvedLevel >= 0)
   {
     vtkWarningWithObjectMacro(self,
-      "Cells of level " << grid.ResolvedLevel
-                        << " are about as small as the resolution of their coordinates, and are "
-                           "not refined: there is no room for points between theirs.");
+      "Cells of level "
+        << grid.ResolvedLevel
+        << " are not refined: they are about as small as the resolution of "
+           "their coordinates. Move the geometry closer to the origin or lower MaximumLevel.");
   }
   if (grid.IsStopped)
   {
     vtkWarningWithObjectMacro(self,
       "Stopped at level " << grid.StoppedAtLevel << " of " << self->GetMaximumLevel()
                           << ": the grid has " << grid.Forest.NumberOfCells()
-                          << " cells, refining on would make them " << grid.CellsWanted
-                          << ", more than CellLimit (" << self->GetCellLimit() << "), and about "
-                          << estimate.Cells << " at the maximum level.");
+                          << " cells, the next level would have " << grid.CellsWanted
+                          << ", more than CellLimit (" << self->GetCellLimit()
+                          << "), and the maximum level about " << estimate.Cells
+                          << ". Raise CellLimit or lower MaximumLevel.");
   }
 }
 
@@ -129,27 +133,29 @@ std::optional<SkdGrid> MakeGrid(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, co
   if (!base.Lattice)
   {
     vtkErrorWithObjectMacro(
-      self, "There is no base mesh: " << base.Complaint << "." << WhyThereAreNoParts(parts));
+      self, "The base mesh cannot be made: " << base.Complaint << "." << WhyThereAreNoParts(parts));
     return std::nullopt;
   }
   if (!(base.Lattice->NumberOfBaseCells() <= self->GetCellLimit()))
   {
     vtkErrorWithObjectMacro(self,
-      "There is no base mesh: it would have " << base.Lattice->NumberOfBaseCells()
-                                              << " cells, more than CellLimit.");
+      "The base mesh cannot be made: it would have "
+        << base.Lattice->NumberOfBaseCells()
+        << " cells, more than CellLimit. Reduce BaseDimensions or raise CellLimit.");
     return std::nullopt;
   }
   if (self->GetOutputType() == vtkSkdTreeAMR::HYPER_TREE_GRID && base.Lattice->Dimension() == 0)
   {
     vtkErrorWithObjectMacro(self,
-      "There is no base mesh: its bounds are a single point, in which a hyper tree grid has no "
-      "cell. Give BaseBounds an extent, or choose another OutputType.");
+      "The base mesh cannot be made: a hyper tree grid needs bounds that are more than a single "
+      "point. Set BaseBounds or choose another OutputType.");
     return std::nullopt;
   }
   if (self->GetOutputType() == vtkSkdTreeAMR::OVERLAPPING_AMR && !SkdIsUniform(*base.Lattice))
   {
     vtkErrorWithObjectMacro(self,
-      "An overlapping AMR data set needs base cells of one size, along two axes or three: choose "
+      "An overlapping AMR data set needs base cells of equal size in two or three dimensions. "
+      "Choose "
       "another OutputType.");
     return std::nullopt;
   }

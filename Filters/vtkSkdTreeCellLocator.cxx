@@ -124,14 +124,14 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   }
   catch (const std::length_error& error)
   {
-    vtkErrorMacro("No tree was built: " << error.what() << ".");
+    vtkErrorMacro("The tree cannot be built: " << error.what() << ".");
     tree = std::make_shared<const SkdCellTree>(nullptr, settings);
   }
   const vtkIdType notFinite = tree->Cells().LeftOut().NotFinite;
   if (notFinite > 0)
   {
     vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
-                    << " cells are left out: " << SkdWhyCellsAreLeftOut());
+                    << " cells are ignored: " << SkdWhyCellsAreLeftOut());
   }
   if (mended.Fault.empty())
   {
@@ -186,8 +186,8 @@ void vtkSkdTreeCellLocator::SetTransform(vtkMatrix4x4* motion)
   const auto rigid = skd::RigidMotion::FromMatrix(&motion->Element[0][0]);
   if (!rigid)
   {
-    vtkErrorMacro("The transform does not keep distances (only turns, reflections and shifts do): "
-                  "it is not taken.");
+    vtkErrorMacro("The transform is not rigid and is ignored. "
+                  "Use rotations, reflections and translations only.");
     return;
   }
   this->Impl->Motion = rigid;

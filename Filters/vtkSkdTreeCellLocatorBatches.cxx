@@ -38,15 +38,15 @@ std::string ReasonAgainst(vtkDataArray* queries, SkdBatchOf kind, const Outputs&
 {
   if (!queries)
   {
-    return "there is no array of queries";
+    return "the array of queries is missing";
   }
   const int components = SkdNumberOfComponents(kind);
   if (queries->GetNumberOfComponents() != components)
   {
     return "the queries have " + std::to_string(queries->GetNumberOfComponents()) +
-      " components, not " + std::to_string(components);
+      " components instead of " + std::to_string(components);
   }
-  return HaveDoubles(queries, outputs) ? "an array is handed in twice" : "";
+  return HaveDoubles(queries, outputs) ? "the same array is passed twice" : "";
 }
 
 /// A batch that cannot be asked is refused with an error.
@@ -349,8 +349,8 @@ vtkIdType vtkSkdTreeCellLocator::FindPairs(
 {
   if (!other || (offsets && offsets == otherCellIds))
   {
-    vtkErrorMacro(
-      "FindPairs: " << (other ? "an array is handed in twice." : "there is no other locator."));
+    vtkErrorMacro("FindPairs: " << (other ? "the same array is passed twice."
+                                          : "the other locator is missing."));
     return -1;
   }
   const SkdCellTree& tree = this->GetTree();

@@ -99,17 +99,18 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
 {
   if (source.GetCounts().Cells == 0)
   {
-    vtkWarningWithObjectMacro(self, "Source has no cells to search: no point gets an answer.");
+    vtkWarningWithObjectMacro(self, "Source has no cells to search; no closest point is found.");
   }
   else if (self->GetSignedDistance() && !source.HasSides())
   {
-    vtkWarningWithObjectMacro(self, "Source has no surface: distances get no sign.");
+    vtkWarningWithObjectMacro(self, "Source has no surface; distances are unsigned.");
   }
   else if (source.GetNumberOfOpenEdges() > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "Source is not closed, it has " << source.GetNumberOfOpenEdges()
-                                      << " open edges: the sign of distances goes by vote.");
+      "Source is not closed: it has "
+        << source.GetNumberOfOpenEdges()
+        << " open edges. Signs are decided by a vote of several rays and may be wrong near gaps.");
   }
 }
 

@@ -100,8 +100,9 @@ SkdCurveSettings vtkSkdTreeCurveIntersection::FindSettings()
 {
   if (!(this->ChordTolerance > 0.0))
   {
-    vtkWarningMacro("ChordTolerance is " << this->ChordTolerance
-                                         << ": curves are cut to 0.001 of their bounds instead.");
+    vtkWarningMacro("ChordTolerance is "
+      << this->ChordTolerance
+      << " and is ignored; curves are approximated within 0.001 of the diagonal of their bounds.");
   }
   return { SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity),
     this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3, this->Epsilon };
@@ -134,11 +135,11 @@ void vtkSkdTreeCurveIntersection::WarnAboutCurves(const char* port, const SkdCur
 {
   for (const std::string& fault : curves.GetFaults())
   {
-    vtkWarningMacro(<< port << ": " << fault << "; they are left out.");
+    vtkWarningMacro(<< port << ": " << fault << "; they are ignored.");
   }
   if (curves.GetCurves().empty())
   {
-    vtkWarningMacro(<< port << " has no curves: nothing is crossed.");
+    vtkWarningMacro(<< port << " has no curves; there are no intersections.");
   }
 }
 

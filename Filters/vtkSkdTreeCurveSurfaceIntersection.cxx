@@ -52,7 +52,7 @@ void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::stri
 {
   for (const std::string& fault : faults)
   {
-    vtkWarningWithObjectMacro(self, << port << ": " << fault << "; they are left out.");
+    vtkWarningWithObjectMacro(self, << port << ": " << fault << "; they are ignored.");
   }
 }
 
@@ -193,7 +193,7 @@ bool vtkSkdTreeCurveSurfaceIntersection::UpdateSurfaces(vtkDataObject* source)
   if (lacksArray)
   {
     vtkErrorMacro("Source has no cell array of numbers named \""
-      << this->PartArray << "\" in all its blocks: blocks are its parts.");
+      << this->PartArray << "\" in all its blocks; each block is a part instead.");
   }
   for (std::size_t i = 0; this->Parts == CELL_ARRAY && !lacksArray && i < internals.Blocks.size();
        ++i)
@@ -218,16 +218,17 @@ void vtkSkdTreeCurveSurfaceIntersection::WarnAboutInputs(
   WarnAbout(this, "Source", surfaces.GetFaults());
   if (curves.GetCurves().empty())
   {
-    vtkWarningMacro("Input has no curves: nothing is crossed.");
+    vtkWarningMacro("Input has no curves; there are no intersections.");
   }
   if (surfaces.GetElements().empty())
   {
-    vtkWarningMacro("Source has no surfaces: nothing is crossed.");
+    vtkWarningMacro("Source has no surfaces; there are no intersections.");
   }
   if (!(this->ChordTolerance > 0.0))
   {
-    vtkWarningMacro("ChordTolerance is " << this->ChordTolerance
-                                         << ": curves are cut to 0.001 of their bounds instead.");
+    vtkWarningMacro("ChordTolerance is "
+      << this->ChordTolerance
+      << " and is ignored; curves are approximated within 0.001 of the diagonal of their bounds.");
   }
 }
 

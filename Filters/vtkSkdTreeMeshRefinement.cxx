@@ -74,7 +74,8 @@ void SetPlacement(
   }
   else if (self->GetPointPlacement() == Filter::SURFACE)
   {
-    vtkWarningWithObjectMacro(self, "There is no surface to put points on: they stay flat.");
+    vtkWarningWithObjectMacro(self,
+      "There is no surface to project new points to; they stay in the middle of edges and faces.");
   }
 }
 
@@ -84,18 +85,19 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   const bool hasCells = read.Mesh.NumberOfCells() > 0;
   if (!(shared ? shared->GetProcesses().IsAny(hasCells) : hasCells))
   {
-    vtkWarningWithObjectMacro(self, "Input has no cells: there is nothing to refine.");
+    vtkWarningWithObjectMacro(self, "Input has no cells; the output is empty.");
   }
   else if (!IsAnythingAsked(settings))
   {
     vtkWarningWithObjectMacro(
-      self, "The parts have no cells, and nothing else asks for any: nothing is refined.");
+      self, "Nothing is refined: the parts have no cells and no other criterion is set.");
   }
   if (read.CellsNotRefinable > 0)
   {
     vtkWarningWithObjectMacro(self,
       "" << read.CellsNotRefinable
-         << " cells cannot be refined, by their type or points, and stay as they are.");
+         << " cells cannot be refined because of their type or their points, and are kept as they "
+            "are.");
   }
 }
 
@@ -116,30 +118,33 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdMeshOutco
   if (tally.CellsBefore > 0 && DoPartsMiss(settings, outcome))
   {
     vtkWarningWithObjectMacro(self,
-      "The parts meet no cell that can be refined: nothing is. (To refine cells that parts come "
-      "near to, add distance bands.)");
+      "Nothing is refined: the parts intersect no cell that can be refined. Check their position, "
+      "or "
+      "add distance bands to refine cells near them.");
   }
   if (outcome.IsStopped)
   {
     vtkWarningWithObjectMacro(self,
       "Stopped at level " << outcome.StoppedAtLevel << " of " << self->GetMaximumLevel()
-                          << ": the mesh has " << tally.Cells << " cells, refining on would make "
-                          << "more than CellLimit (" << self->GetCellLimit() << "), about "
-                          << outcome.CellsEstimated << " in the end.");
+                          << ": the mesh has " << tally.Cells
+                          << " cells, the next level would have "
+                          << "more than CellLimit (" << self->GetCellLimit()
+                          << "), and the maximum level about " << outcome.CellsEstimated
+                          << ". Raise CellLimit or lower MaximumLevel.");
   }
   if (tally.CellsTooSmall > 0)
   {
     vtkWarningWithObjectMacro(self,
-      ""
-        << tally.CellsTooSmall
-        << " cells are about as small as the resolution of their coordinates, and are not refined: "
-           "there is no room for points between theirs.");
+      "" << tally.CellsTooSmall
+         << " cells are not refined: they are about as small as the resolution of their "
+            "coordinates. "
+            "Move the mesh closer to the origin or store its points in double precision.");
   }
   if (tally.CellsOddlyShaped > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "" << tally.CellsOddlyShaped << " cells cannot be cut, their middle does not see all of "
-         << "their border, and stay as they are.");
+      "" << tally.CellsOddlyShaped << " cells cannot be cut because they are not star-shaped "
+         << "about their centre, and are kept as they are.");
   }
 }
 

@@ -199,14 +199,15 @@ bool vtkSkdTreePointInOut::CheckSource()
   const std::vector<SkdBlock>& blocks = this->Impl->Blocks;
   if (this->Parts == CELL_ARRAY && !SkdHavePartArray(blocks, this->PartArray))
   {
-    vtkErrorMacro(
-      "Source has no cell array of numbers named \"" << this->PartArray << "\" in all its blocks.");
+    vtkErrorMacro("Source has no cell array of numbers named \""
+      << this->PartArray << "\" in all its blocks. Choose another PartArray.");
     return false;
   }
   if (this->Model == BOUNDARIES && !this->UseOuterFaces && HasVolumes(blocks))
   {
-    vtkErrorMacro("Source has volume cells, but surfaces are needed: turn UseOuterFaces on, or set "
-                  "Model to BODY_FITTED_MESH.");
+    vtkErrorMacro(
+      "Source has volume cells where surfaces are needed. Turn UseOuterFaces on, or set "
+      "Model to BODY_FITTED_MESH.");
     return false;
   }
   return true;
@@ -246,7 +247,7 @@ void vtkSkdTreePointInOut::WarnAbout()
   if (this->Model == BOUNDARIES ? !hasFaces : this->Impl->Trees.GetCounts().Cells == 0)
   {
     vtkWarningMacro("Source has no " << (this->Model == BOUNDARIES ? "surface" : "cells")
-                                     << ": nothing is inside.");
+                                     << "; everything is outside.");
     return;
   }
   vtkIdType edges = 0;
@@ -259,8 +260,8 @@ void vtkSkdTreePointInOut::WarnAbout()
   if (open > 0)
   {
     vtkWarningMacro(
-      << open << " of " << parts.size() << " parts are not closed, they have " << edges
-      << " open edges: points near these may be on the wrong side, see SkdConfidence.");
+      << open << " of " << parts.size() << " parts are not closed: they have " << edges
+      << " open edges. Points near these may be classified wrongly; see SkdConfidence.");
   }
 }
 
@@ -304,7 +305,7 @@ SkdInOuts vtkSkdTreePointInOut::AskMesh(vtkDataSet* mesh, SkdLoop& loop)
   const Internals& internals = *this->Impl;
   const bool asksCorners = this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT;
   const auto at = this->Ask == POINTS ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles;
-  const SkdInOuts answers = asksCorners
+  SkdInOuts answers = asksCorners
     ? internals.AskCorners(mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop)
     : internals.AskFor(SkdQueryPoints(mesh, at), this->Model, loop);
   answers.AddTo(

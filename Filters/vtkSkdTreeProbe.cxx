@@ -122,14 +122,14 @@ void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
 {
   if (this->Trees.GetCounts().Cells == 0)
   {
-    vtkWarningWithObjectMacro(self, "Source has no cells to search: no point gets an answer.");
+    vtkWarningWithObjectMacro(self, "Source has no cells to search; all points are outside.");
     return;
   }
   SkdWarnAboutRefused(self, this->Names.Refused);
   for (const std::string& name : this->Names.Missing)
   {
-    vtkWarningWithObjectMacro(
-      self, "Source has no point array " << name << " of numbers in all its blocks.");
+    vtkWarningWithObjectMacro(self,
+      "Source has no point array " << name << " of numbers in all its blocks; it is ignored.");
   }
 }
 
@@ -219,7 +219,7 @@ void vtkSkdTreeProbe::CutLines(
   const std::vector<SkdLinePiece> pieces = SkdPiecesOf(inputs);
   if (pieces.empty())
   {
-    vtkWarningMacro("Input has no lines to probe along.");
+    vtkWarningMacro("Input has no lines to probe along. Switch ProbeLines off to probe points.");
   }
   SkdLoop loop(this, static_cast<vtkIdType>(pieces.size()), 0.5, 1.0);
   SkdCellFinderRules rules = internals.Rules;

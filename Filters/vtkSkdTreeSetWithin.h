@@ -33,7 +33,7 @@ bool vtkSkdTreeIsWithin(
     {
       vtkErrorWithObjectMacro(self, << name << " cannot be " << wanted[i]
                                     << ": it must be a number from " << least << " to " << most
-                                    << ". It stays as it was.");
+                                    << ". The previous value is kept.");
       return false;
     }
   }

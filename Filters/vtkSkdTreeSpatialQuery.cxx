@@ -220,7 +220,7 @@ void vtkSkdTreeSpatialQuery::WarnAboutCells()
     const SkdTreeCounts counts = parts->GetCounts();
     if (counts.Cells == 0 && counts.CellsLeftOut > 0)
     {
-      vtkWarningMacro(<< name << " has no cell that can be searched: " << SkdWhyCellsAreLeftOut());
+      vtkWarningMacro(<< name << " has no valid cells: " << SkdWhyCellsAreLeftOut());
     }
   }
 }
@@ -249,14 +249,14 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
   SkdQueryList& queries = this->Impl->Queries;
   if (this->Relation == NEAREST && this->NumberOfNearestCells < 1)
   {
-    vtkErrorMacro("NumberOfNearestCells is 0, it must be at least 1: nothing is found.");
+    vtkErrorMacro("NumberOfNearestCells is 0 but must be at least 1; nothing is found.");
     return false;
   }
   if (this->Shape == SOURCE_POINTS || this->Shape == SOURCE_CELLS)
   {
     if (!source)
     {
-      vtkErrorMacro("There is no Source, but Shape asks for its "
+      vtkErrorMacro("Source is not set, but Shape needs its "
         << (this->Shape == SOURCE_POINTS ? "points." : "cells."));
       return false;
     }
@@ -273,8 +273,8 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
   const SkdQueryShape shape = Internals::MakeShape(this);
   if (!shape.IsUsable())
   {
-    vtkWarningMacro("The shape is not finite, reaches beyond "
-      << SkdMeasurable.Largest << ", or has a negative radius or no normal: nothing is found.");
+    vtkWarningMacro("The shape is invalid: it is not finite, extends beyond "
+      << SkdMeasurable.Largest << ", has a negative radius or no normal. Nothing is found.");
   }
   queries.SetShape(shape);
   return true;

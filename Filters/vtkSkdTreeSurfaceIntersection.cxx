@@ -127,7 +127,7 @@ void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   {
     if (surface.Set.GetTriangles().empty())
     {
-      vtkWarningWithObjectMacro(self, << name << " has no faces: nothing meets there.");
+      vtkWarningWithObjectMacro(self, << name << " has no faces; there are no intersections.");
     }
   };
   warn(first, "Input");
@@ -228,8 +228,8 @@ void vtkSkdTreeSurfaceIntersection::SetTransform(vtkMatrix4x4* motion)
 {
   if (motion && !skd::RigidMotion::FromMatrix(&motion->Element[0][0]))
   {
-    vtkErrorMacro("The transform does not keep distances (only turns, reflections and shifts do): "
-                  "it is not taken.");
+    vtkErrorMacro("The transform is not rigid and is ignored. "
+                  "Use rotations, reflections and translations only.");
     return;
   }
   this->Impl->Matrix = nullptr;
@@ -271,7 +271,7 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const auto motion = skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
   if (source && !motion)
   {
-    vtkErrorMacro("Translation, Rotation and RotationCenter must be finite: nothing is looked at.");
+    vtkErrorMacro("Translation, Rotation and RotationCenter must be finite; there is no output.");
     return 1;
   }
 

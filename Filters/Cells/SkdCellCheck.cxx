@@ -227,7 +227,7 @@ std::string Part::FaultOf(vtkIdType id) const
 {
   const vtkIdType cell = id - this->First;
   std::ostringstream fault;
-  fault << "has points beyond the end of the list of all cells' points, or in no order";
+  fault << "has offsets that decrease or exceed the connectivity array";
   this->Cells.VisitCell(cell,
     [&](const auto* ids, vtkIdType size)
     {
@@ -240,7 +240,7 @@ std::string Part::FaultOf(vtkIdType id) const
       }
       else if (bad != ids + size)
       {
-        fault << "names point " << *bad << " of " << this->NumberOfPoints;
+        fault << "uses point " << *bad << " of " << this->NumberOfPoints;
       }
       else if (!this->HasItsPoints(cell, size))
       {
@@ -327,8 +327,8 @@ std::string SkdBrokenCells::Tell(vtkDataSet* data) const
 {
   std::ostringstream text;
   text << this->Ids.size() << " of " << data->GetNumberOfCells()
-       << (this->Ids.size() == 1 ? " cells is broken and left out; it is cell "
-                                 : " cells are broken and left out; the first, cell ")
+       << (this->Ids.size() == 1 ? " cells is broken and ignored; it is cell "
+                                 : " cells are broken and ignored; the first is cell ")
        << this->Ids.front() << (this->Ids.size() == 1 ? ", which " : ", ") << this->Fault << ".";
   return text.str();
 }

@@ -35,7 +35,7 @@ constexpr SkdMagnitudes SkdComparable{ 1e-152, 1e152 };
 inline std::string SkdWhyCellsAreLeftOut(const SkdMagnitudes& magnitudes = SkdMeasurable)
 {
   std::ostringstream why;
-  why << "points are NaN, infinite or beyond " << magnitudes.Largest
+  why << "their points are NaN, infinite or beyond " << magnitudes.Largest
       << ", or all of them are within " << magnitudes.Least << " of the origin.";
   return why.str();
 }

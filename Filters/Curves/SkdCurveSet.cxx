@@ -412,11 +412,11 @@ std::vector<std::string> SkdCurveSet::GetFaults() const
       faults.push_back(std::to_string(count) + what);
     }
   };
-  tell(this->NotCurves, " cells are no curves");
-  tell(this->NoLength, " curves have no length");
+  tell(this->NotCurves, " cells are not curves");
+  tell(this->NoLength, " curves have zero length");
   tell(this->NotFinite, " curves have points that are not finite");
   tell(this->BadWeights, " curves have a weight that is not positive");
   tell(this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140");
-  tell(this->TooHigh, " curves are of a degree above 10");
+  tell(this->TooHigh, " curves have a degree above 10");
   return faults;
 }

@@ -328,9 +328,9 @@ std::vector<std::string> SkdSurfaceReader::GetFaults() const
       faults.push_back(std::to_string(count) + what);
     }
   };
-  tell(this->NotSurfaces, " cells are no surfaces");
+  tell(this->NotSurfaces, " cells are not surfaces");
   tell(this->NotFinite, " surface cells have points that are not finite");
   tell(this->BadWeights, " surface cells have a weight that is not positive");
-  tell(this->TooHigh, " surface cells are of a degree above 10");
+  tell(this->TooHigh, " surface cells have a degree above 10");
   return faults;
 }

@@ -51,7 +51,9 @@ void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refuse
 {
   for (const std::string& name : refused)
   {
-    vtkWarningWithObjectMacro(
-      self, "The array " << name << " is left out: the output has an array of that name.");
+    vtkWarningWithObjectMacro(self,
+      "The array "
+        << name
+        << " is not passed on: the output already has an array of that name. Rename one of them.");
   }
 }

@@ -141,7 +141,7 @@ SkdValidInput::SkdValidInput(
   this->Inputs = this->MendedInputs.data();
   if (!faults.empty())
   {
-    vtkWarningWithObjectMacro(filter, "There are broken cells." << faults);
+    vtkWarningWithObjectMacro(filter, "Broken cells are ignored; repair the mesh." << faults);
   }
 }
 

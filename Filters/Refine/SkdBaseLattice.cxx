@@ -82,7 +82,7 @@ std::string ComplaintAbout(const Planes& planes)
     {
       if (!std::isfinite(along[i]) || (i > 0 && !(along[i - 1] < along[i])))
       {
-        return "the coordinates of the base mesh are not finite and ascending";
+        return "its coordinates are not finite and ascending";
       }
     }
   }
@@ -103,7 +103,7 @@ SkdBaseLattice Checked(const Planes& planes, int branch)
   }
   if (!(cells < 4e9))
   {
-    return { std::nullopt, "the base mesh has more than 4e9 cells" };
+    return { std::nullopt, "it has more than 4e9 cells" };
   }
   return { skd::Lattice(planes, branch), "" };
 }
@@ -137,12 +137,12 @@ SkdBaseLattice SkdMakeBaseLattice(
   const bool isGiven = !settings.Bounds.IsEmpty();
   if (!isGiven && parts.IsEmpty())
   {
-    return { std::nullopt, "there are neither parts nor bounds to put a base mesh around" };
+    return { std::nullopt, "there are no parts to take its bounds from; set BaseBounds" };
   }
   const skd::Box3 box = isGiven ? settings.Bounds : WithMargin(parts, settings.Margin);
   if (!skd::IsFinite(box.Max - box.Min))
   {
-    return { std::nullopt, "the bounds of the base mesh are not finite" };
+    return { std::nullopt, "its bounds are not finite" };
   }
   const double size = settings.CellSize > 0.0 ? settings.CellSize : SizeOfCubes(box);
   Planes planes;
@@ -160,7 +160,7 @@ SkdBaseLattice SkdMakeBaseLattice(
     }
     else if (asked > 0 || length / size > MostCells)
     {
-      return { std::nullopt, "the base mesh has more than 2^20 cells along an axis" };
+      return { std::nullopt, "it has more than 2^20 cells along an axis" };
     }
     else
     {
@@ -178,7 +178,8 @@ SkdBaseLattice SkdTakeBaseLattice(vtkDataObject* grid, int branch)
   {
     if (!image->GetDirectionMatrix()->IsIdentity())
     {
-      return { std::nullopt, "the base mesh is an image that is turned" };
+      return { std::nullopt,
+        "BaseMesh is an image with a direction matrix, which is not supported" };
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -193,7 +194,7 @@ SkdBaseLattice SkdTakeBaseLattice(vtkDataObject* grid, int branch)
   }
   if (planes[0].empty() || planes[1].empty() || planes[2].empty())
   {
-    return { std::nullopt, "the base mesh is no image or rectilinear grid with points" };
+    return { std::nullopt, "BaseMesh must be an image or rectilinear grid with points" };
   }
   return Checked(planes, branch);
 }

@@ -14,14 +14,15 @@ void WarnAbout(vtkAlgorithm* self, const SkdSignedSource& boundary)
 {
   if (boundary.GetNumberOfFaces() == 0)
   {
-    vtkWarningWithObjectMacro(self, "The parts have no surface: nothing is inside.");
+    vtkWarningWithObjectMacro(self,
+      "The parts have no surface, so no cell is inside. Give closed surfaces or volume cells.");
   }
   else if (boundary.GetNumberOfOpenEdges() > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "The parts are not closed, they have "
+      "The parts are not closed: they have "
         << boundary.GetNumberOfOpenEdges()
-        << " open edges: what is inside goes by winding number.");
+        << " open edges. The winding number decides what is inside; it may be wrong near gaps.");
   }
 }
 }
@@ -52,7 +53,7 @@ void SkdRefineState::UpdateField(vtkAlgorithm* self, vtkDataObject* field)
   for (const std::string& name : this->Field.GetMissing())
   {
     vtkWarningWithObjectMacro(
-      self, "The field has no array " << name << " that FieldTest can use.");
+      self, "The field has no array " << name << " that FieldTest can use; it is ignored.");
   }
 }
 

@@ -193,9 +193,9 @@ TEST(BrokenCells, AreNamedOnceByTheLocatorWithWhatIsWrong)
     Harm Done;
     const char* Fault;
   } cases[] = { { VTK_QUAD, Harm::TooFewPoints, "has 3 points, which its type (9) does not have" },
-    { VTK_TETRA, Harm::IdTooLarge, "names point 1000000032 of 32" },
-    { VTK_TETRA, Harm::IdNegative, "names point -1000000000 of 32" },
-    { VTK_TRIANGLE, Harm::OffsetTooLarge, "beyond the end of the list" },
+    { VTK_TETRA, Harm::IdTooLarge, "uses point 1000000032 of 32" },
+    { VTK_TETRA, Harm::IdNegative, "uses point -1000000000 of 32" },
+    { VTK_TRIANGLE, Harm::OffsetTooLarge, "exceed the connectivity array" },
     { VTK_POLYHEDRON, Harm::FacesOfOthers, "has faces that are not polygons of its points" } };
   for (const auto& one : cases)
   {
@@ -274,7 +274,7 @@ TEST(BrokenCells, OfAMeshThatIsModifiedAreFound)
   mesh->Modified();
   filter->Update();
   EXPECT_EQ(counter.Messages, 1);
-  EXPECT_NE(counter.Last.find("cell 2, which names point 77 of 32"), std::string::npos)
+  EXPECT_NE(counter.Last.find("cell 2, which uses point 77 of 32"), std::string::npos)
     << counter.Last;
 }
 

@@ -569,20 +569,21 @@ TEST_F(SmallBatch, ThatIsRefusedSaysWhyOnceAndTouchesNothing)
   };
   vtkSkdTreeCellLocator* locator = this->Locator;
   vtkIdTypeArray* ids = this->Ids1;
-  expectError("no array of queries",
+  expectError("array of queries is missing",
     [&] { return locator->FindClosestPoints(nullptr, ids, nullptr, nullptr); });
-  expectError("6 components, not 3", [&] { return locator->FindCells(lines, ids, nullptr); });
-  expectError("3 components, not 6",
+  expectError("6 components instead of 3", [&] { return locator->FindCells(lines, ids, nullptr); });
+  expectError("3 components instead of 6",
     [&] { return locator->IntersectWithLines(points, ids, nullptr, nullptr); });
-  expectError("3 components, not 6",
+  expectError("3 components instead of 6",
     [&] { return locator->FindAllHits(points, ids, nullptr, nullptr, nullptr); });
+  expectError("3 components instead of 6",
+    [&] { return locator->FindCellsWithinBoxes(points, ids, nullptr); });
+  expectError("passed twice", [&] { return locator->FindCellsWithinBoxes(lines, ids, ids); });
   expectError(
-    "3 components, not 6", [&] { return locator->FindCellsWithinBoxes(points, ids, nullptr); });
-  expectError("handed in twice", [&] { return locator->FindCellsWithinBoxes(lines, ids, ids); });
+    "passed twice", [&] { return locator->FindClosestPoints(points, ids, points, nullptr); });
+  expectError("passed twice", [&] { return locator->FindPairs(locator, ids, ids); });
   expectError(
-    "handed in twice", [&] { return locator->FindClosestPoints(points, ids, points, nullptr); });
-  expectError("handed in twice", [&] { return locator->FindPairs(locator, ids, ids); });
-  expectError("no other locator", [&] { return locator->FindPairs(nullptr, ids, nullptr); });
+    "other locator is missing", [&] { return locator->FindPairs(nullptr, ids, nullptr); });
 }
 
 }

@@ -75,7 +75,7 @@ TEST(MeshRefinementBadInput, PartsThatMissTheMeshPassItOn)
   EventCounter events(filter);
   EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
   EXPECT_EQ(events.Warnings, 1);
-  EXPECT_NE(events.Warning.find("meet no cell"), std::string::npos) << events.Warning;
+  EXPECT_NE(events.Warning.find("intersect no cell"), std::string::npos) << events.Warning;
   // With anything else that asks, or nothing to do, that is as it may be.
   filter->SetMaximumLevel(0);
   filter->Update();
