@@ -23,7 +23,7 @@ case $(. /etc/os-release && echo "${VERSION_ID:-later}") in
 esac
 test_packages=(
   libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file
-  clang-format valgrind)
+  clang-format clang-tidy valgrind)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -96,7 +96,7 @@ void SkdSubset::CopyShaping()
 {
   const auto copy = [](vtkDataArray* from, const std::vector<vtkIdType>& ids)
   {
-    const auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+    auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
     to->SetName(from->GetName());
     to->SetNumberOfComponents(from->GetNumberOfComponents());
     to->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));

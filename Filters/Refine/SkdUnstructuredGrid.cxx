@@ -12,7 +12,7 @@
 std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstructuredGrid* output)
 {
   constexpr int types[4] = { VTK_VERTEX, VTK_LINE, VTK_PIXEL, VTK_VOXEL };
-  const std::vector<SkdGridCell> leaves = grid.Leaves();
+  std::vector<SkdGridCell> leaves = grid.Leaves();
   SkdGridPoints points(grid);
   const std::vector<unsigned> corners = points.Corners();
   vtkNew<vtkIdTypeArray> connectivity;

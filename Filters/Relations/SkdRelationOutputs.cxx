@@ -40,8 +40,7 @@ void AddColumn(vtkTable* table, const char* name, vtkIdType n, const Value& valu
 
 vtkSmartPointer<vtkIdTypeArray> IdsOf(const std::vector<SkdChosenCell>& chosen)
 {
-  const auto ids =
-    SkdMakeArray<vtkIdTypeArray>("SkdCellId", 1, static_cast<vtkIdType>(chosen.size()));
+  auto ids = SkdMakeArray<vtkIdTypeArray>("SkdCellId", 1, static_cast<vtkIdType>(chosen.size()));
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     ids->SetValue(static_cast<vtkIdType>(i), chosen[i].CellId);

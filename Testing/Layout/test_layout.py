@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plants a violation of each kind in a copy of the sources: each must be found, with its place.
 
-python test_layout.py <root>"""
+    python test_layout.py <root> [<clang-tidy>]
+
+With clang-tidy, lint.py is tested in the same way, on a few sources of its own."""
+import json
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 
@@ -52,8 +56,61 @@ def plant(plan):
         "A %s.\n" % first_word(plan), "'%s'" % first_word(plan)
 
 
+LINT_SOURCES = {
+    "Good.cxx": '#include "Good.h"\nnamespace\n{\nint Shared(int i)\n{\n  return i;\n}\n}\n'
+        "int Good() { return Shared(1); }\n",
+    # The same name for a function of its own: both cannot be in one group.
+    "Other.cxx": "namespace\n{\nint Shared(int i)\n{\n  return i + 1;\n}\n}\n"
+        "int Other() { return Shared(1); }\n",
+    # The same name, where lint.py does not expect it: the group is halved.
+    "Third.cxx": "static int Fixed() { return 1; }\nint Third() { return Fixed(); }\n",
+    "Fourth.cxx": "static int Fixed() { return 2; }\nint Fourth() { return Fixed(); }\n",
+    "Good.h": "int Good();\n"}
+LINT_VIOLATIONS = {
+    "Other.cxx": ("int* Nothing() { return 0; }\n", "[modernize-use-nullptr]"),
+    "Good.h": ("inline int Unused(int i) { return 1; }\n", "[misc-unused-parameters]"),
+    "Fourth.cxx": ("int Broken() { return missing; }\n", "[clang-diagnostic-error]")}
+
+
+def run_lint(root, clang_tidy):
+    run = subprocess.run([sys.executable, str(pathlib.Path(__file__).resolve().parent / "lint.py"),
+        str(root), str(root / "build"), clang_tidy], capture_output=True, text=True)
+    return run.returncode, run.stdout + run.stderr
+
+
+def test_lint(root, clang_tidy, house):
+    """What lint.py gets wrong: it must pass sources, find what is planted, and pass them again."""
+    (house / "Filters").mkdir(parents=True)
+    (house / "build").mkdir()
+    shutil.copy(root / ".clang-tidy", house)
+    for name, text in LINT_SOURCES.items():
+        (house / "Filters" / name).write_text(text, encoding="utf8")
+    entries = [{"directory": str(house / "build"), "file": str(house / "Filters" / name),
+        "command": "c++ -std=c++17 -O2 -c %s" % name} for name in LINT_SOURCES if name[-1] == "x"]
+    (house / "build" / "compile_commands.json").write_text(json.dumps(entries), encoding="utf8")
+    code, told = run_lint(house, clang_tidy)
+    wrong = ["sources without a fault: " + told] if code != 0 else []
+    for name, (text, check) in LINT_VIOLATIONS.items():
+        path = house / "Filters" / name
+        path.write_text(LINT_SOURCES[name] + text, encoding="utf8")
+        for _ in range(2):  # what was found is found again
+            code, told = run_lint(house, clang_tidy)
+            if code != 1 or not any(line.startswith("Filters/%s:" % name) and check in line
+                    for line in told.splitlines()):
+                wrong.append("%s not found in %s: %s" % (check, name, told))
+        path.write_text(LINT_SOURCES[name], encoding="utf8")
+    code, told = run_lint(house, clang_tidy)
+    return wrong + (["the same sources again: " + told] if code != 0 else [])
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
+    if len(sys.argv) > 2:
+        with tempfile.TemporaryDirectory() as folder:
+            wrong = test_lint(root, sys.argv[2], pathlib.Path(folder).resolve() / "house")
+        print("\n".join(wrong) if wrong else "clang-tidy finds all")
+        if wrong:
+            return 1
     plan = check_layout.Plan(check_layout.PLAN)
     missed = 0
     with tempfile.TemporaryDirectory() as folder:

@@ -30,7 +30,8 @@ struct BezierPatch
 
   BezierPatch() = default;
   BezierPatch(const BezierPatch& other) { *this = other; }
-  BezierPatch& operator=(const BezierPatch& other) // only what is in use
+  // Copies only the points in use. NOLINTNEXTLINE(bugprone-unhandled-self-assignment)
+  BezierPatch& operator=(const BezierPatch& other)
   {
     this->DegreeR = other.DegreeR;
     this->DegreeS = other.DegreeS;
@@ -181,7 +182,7 @@ inline Box3 BoundsOnDomain(
   for (int i = 0; i < 4; ++i)
   {
     box.Add(
-      BoundsOnDomain(parts[i], r + 0.5 * size * (i % 2), s + 0.5 * size * (i / 2), 0.5 * size));
+      BoundsOnDomain(parts[i], r + 0.5 * size * (i & 1), s + 0.5 * size * (i >> 1), 0.5 * size));
   }
   return box;
 }

@@ -146,7 +146,7 @@ inline PatchDerivatives SecondDerivatives(
   {
     const double half = 0.5 * size;
     const PatchDerivatives part =
-      SecondDerivatives(parts[i], halvings - 1, r + half * (i % 2), s + half * (i / 2), half);
+      SecondDerivatives(parts[i], halvings - 1, r + half * (i & 1), s + half * (i >> 1), half);
     most = { std::max(most.RR, 4.0 * part.RR), std::max(most.SS, 4.0 * part.SS),
       std::max(most.RS, 4.0 * part.RS) };
   }

@@ -98,7 +98,7 @@ inline ExactPoint ExactCrossing(
 inline ExactPoint ExactCrossingOfEdges(
   const Vector3& p, const Vector3& q, const Vector3& r, const Vector3& s)
 {
-  const ExactPoint start(p);
+  ExactPoint start(p);
   const ExactPoint end(q);
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -150,6 +150,7 @@ private:
   void Try(int axis, double before, double areaBefore, double areaAfter, const Bounds& bounds,
     Candidate& best) const
   {
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative
     const auto nearest = static_cast<std::uint64_t>(before / this->Capacity + 0.5);
     const std::uint64_t left = std::clamp(nearest, bounds.Least, bounds.Most);
     const double moved = std::abs(double(left) * this->Capacity - before) / this->Number;

@@ -63,6 +63,7 @@ private:
   static std::size_t StepOf(const Element<D>& element, int axis)
   {
     const float twice = element.Box.Min[axis] + element.Box.Max[axis];
+    // NOLINTNEXTLINE(bugprone-integer-division): a multiple of 4
     const float step = (twice + 2.0f) * (NumberOfSteps / 4);
     return step > 0.0f ? static_cast<std::size_t>(std::min(step, NumberOfSteps - 1.0f)) : 0;
   }
