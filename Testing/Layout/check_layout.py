@@ -3,10 +3,10 @@
 """Checks a source tree against plan.txt: python check_layout.py <root>
 
 Prints "file:line: what is wrong" and returns 1 where the tree departs from the plan:
-- an include that the table of rooms does not allow,
-- a circle of includes, a header and the sources of the same name being one,
+- an include that the table of folders does not allow,
+- a circle of includes (a header and the sources of the same name count as one),
 - a file or a function that is too long,
-- a word of the old glossary.
+- a word that is no longer used.
 
 Functions are found by a brace scanner: a function is a block in braces that opens in a file, a
 namespace or a class and has a parameter list before it. It is counted from the line on which its
@@ -24,10 +24,10 @@ PLAN = pathlib.Path(__file__).resolve().parent / "plan.txt"
 
 
 class Plan:
-    """The sections of plan.txt: [rooms], [limits], [words], [allowed]."""
+    """The sections of plan.txt: [folders], [limits], [words], [allowed]."""
 
     def __init__(self, path):
-        self.rooms, self.limits, self.words, self.allowed = [], {}, [], []
+        self.folders, self.limits, self.words, self.allowed = [], {}, [], []
         section = None
         for line in path.read_text(encoding="utf8").splitlines():
             line = line.partition(" # ")[0].strip()
@@ -35,9 +35,9 @@ class Plan:
                 continue
             if line.startswith("["):
                 section = line.strip("[]")
-            elif section == "rooms":
-                room, _, may = line.partition("|")
-                self.rooms.append((room.strip(), may.split()))
+            elif section == "folders":
+                row, _, may = line.partition("|")
+                self.folders.append((row.strip(), may.split()))
             elif section == "limits":
                 name, _, number = line.partition("|")
                 self.limits[name.strip()] = int(number)
@@ -50,12 +50,12 @@ class Plan:
             else:
                 raise ValueError("plan.txt: a line outside of the sections: " + line)
 
-    def room_of(self, path):
+    def folder_of(self, path):
         """The first row that a path below Filters matches, by its folder or by its own name."""
         folder = path.rpartition("/")[0]
-        for room, may in self.rooms:
-            if room == folder or fnmatch.fnmatchcase(path, room):
-                return room, may
+        for row, may in self.folders:
+            if row == folder or fnmatch.fnmatchcase(path, row):
+                return row, may
         return None, None
 
     def is_allowed(self, name, line):
@@ -63,7 +63,7 @@ class Plan:
 
 
 def list_files(root):
-    """What git keeps below root, or, where it is no repository, what is there."""
+    """The files that git tracks below root or, outside a repository, all files."""
     if (root / ".git").exists():
         names = subprocess.run(["git", "-C", str(root), "ls-files"], check=True,
             capture_output=True, text=True).stdout.splitlines()
@@ -73,7 +73,7 @@ def list_files(root):
 
 
 def resolve(name, included, headers):
-    """The file below Filters that an include is; None if it is none of ours."""
+    """The file below Filters that an include refers to, or None."""
     here = pathlib.PurePosixPath(name).parent
     parts = []
     for part in (here / included).parts:
@@ -101,8 +101,8 @@ def read_includes(root, headers):
     return includes
 
 
-def may_include(room, may, name, spelling, target):
-    """Whether the plan lets a file of a room include this."""
+def may_include(row, may, name, spelling, target):
+    """Whether the plan lets a file of a row include this."""
     if target is None:
         return not spelling.startswith("vtk") or "VTK" in may
     folder = target.rpartition("/")[0]
@@ -115,19 +115,19 @@ def may_include(room, may, name, spelling, target):
     return any(folder == entry or fnmatch.fnmatchcase(target, entry) for entry in may)
 
 
-def check_rooms(plan, includes):
+def check_folders(plan, includes):
     for name, lines in includes.items():
-        room, may = plan.room_of(name)
-        if room is None:
-            yield name, 1, "is in no room of Testing/Layout/plan.txt"
+        row, may = plan.folder_of(name)
+        if row is None:
+            yield name, 1, "is in no folder of Testing/Layout/plan.txt"
             continue
         for number, spelling, target in lines:
-            if not may_include(room, may, name, spelling, target):
-                yield name, number, "%s may not include %s" % (room, spelling)
+            if not may_include(row, may, name, spelling, target):
+                yield name, number, "%s may not include %s" % (row, spelling)
 
 
 def check_circles(includes):
-    """Circles among units: a header and the sources of its name are one."""
+    """Cycles of includes; a header and sources of its name count as one."""
     edges, where = {}, {}
     for name, lines in includes.items():
         unit = name.rpartition(".")[0]
@@ -261,7 +261,7 @@ def check(root, plan):
     headers = {name[len("Filters/"):] for name in names
         if name.startswith("Filters/") and name.endswith((".h", ".cxx"))}
     includes = read_includes(root, headers)
-    found = ["Filters/%s:%d: %s" % each for each in check_rooms(plan, includes)]
+    found = ["Filters/%s:%d: %s" % each for each in check_folders(plan, includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
     found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
     found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]
@@ -271,7 +271,7 @@ def check(root, plan):
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     found = check(root, Plan(PLAN))
-    print("\n".join(found) if found else "the house is as planned")
+    print("\n".join(found) if found else "the sources follow the plan")
     return 1 if found else 0
 
 

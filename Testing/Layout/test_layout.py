@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plants a violation of each kind in a copy of the sources: each must be found, with its place.
+"""Plants a violation of each kind in a copy of the sources; each must be reported with its location.
 
     python test_layout.py <root> [<clang-tidy>]
 
@@ -33,16 +33,16 @@ def plant(plan):
     """(what, file, text to append, what must be told)."""
     yield "the core includes VTK", "Filters/Core/Tree/Tree.h", '#include "vtkObject.h"\n', \
         "may not include vtkObject.h"
-    yield "the core includes the bridge", "Filters/Core/Tree/Node.h", \
+    yield "the core includes Cells", "Filters/Core/Tree/Node.h", \
         '#include "Cells/SkdCellTree.h"\n', "may not include Cells/SkdCellTree.h"
-    yield "a room includes another", "Filters/Relations/SkdQueryList.h", \
+    yield "a feature includes another", "Filters/Relations/SkdQueryList.h", \
         '#include "Refine/SkdCriteria.h"\n', "may not include Refine/SkdCriteria.h"
-    yield "what is shared includes a face", "Filters/Pipeline/SkdReport.h", \
+    yield "a shared file includes a public class", "Filters/Pipeline/SkdReport.h", \
         '#include "vtkSkdTreeProbe.h"\n', "may not include vtkSkdTreeProbe.h"
-    yield "a public header includes the inside", "Filters/vtkSkdTreeProbe.h", \
+    yield "a public header includes a private one", "Filters/vtkSkdTreeProbe.h", \
         '#include "Pipeline/SkdReport.h"\n', "may not include Pipeline/SkdReport.h"
     yield "a circle", "Filters/Core/Geometry/ForEachAxis.h", '#include "Box.h"\n', "a circle of includes"
-    yield "a new room", "Filters/Attic/SkdOld.h", "\n", "is in no room"
+    yield "a new folder", "Filters/Attic/SkdOld.h", "\n", "is in no folder"
     yield "a long file", "Filters/Cells/SkdShape.h", 600 * "\n", "the file has"
     yield "a long function", "Filters/Cells/SkdShape.cxx", \
         "namespace\n{\ntemplate <class T>\nvoid Long(T t)\n{\n%s}\n}\n" % (60 * "  ++t;\n"), \
@@ -78,28 +78,28 @@ def run_lint(root, clang_tidy):
     return run.returncode, run.stdout + run.stderr
 
 
-def test_lint(root, clang_tidy, house):
-    """What lint.py gets wrong: it must pass sources, find what is planted, and pass them again."""
-    (house / "Filters").mkdir(parents=True)
-    (house / "build").mkdir()
-    shutil.copy(root / ".clang-tidy", house)
+def test_lint(root, clang_tidy, copied):
+    """The failures of lint.py: it must accept the sources, find planted faults, and accept them again."""
+    (copied / "Filters").mkdir(parents=True)
+    (copied / "build").mkdir()
+    shutil.copy(root / ".clang-tidy", copied)
     for name, text in LINT_SOURCES.items():
-        (house / "Filters" / name).write_text(text, encoding="utf8")
-    entries = [{"directory": str(house / "build"), "file": str(house / "Filters" / name),
+        (copied / "Filters" / name).write_text(text, encoding="utf8")
+    entries = [{"directory": str(copied / "build"), "file": str(copied / "Filters" / name),
         "command": "c++ -std=c++17 -O2 -c %s" % name} for name in LINT_SOURCES if name[-1] == "x"]
-    (house / "build" / "compile_commands.json").write_text(json.dumps(entries), encoding="utf8")
-    code, told = run_lint(house, clang_tidy)
+    (copied / "build" / "compile_commands.json").write_text(json.dumps(entries), encoding="utf8")
+    code, told = run_lint(copied, clang_tidy)
     wrong = ["sources without a fault: " + told] if code != 0 else []
     for name, (text, check) in LINT_VIOLATIONS.items():
-        path = house / "Filters" / name
+        path = copied / "Filters" / name
         path.write_text(LINT_SOURCES[name] + text, encoding="utf8")
         for _ in range(2):  # what was found is found again
-            code, told = run_lint(house, clang_tidy)
+            code, told = run_lint(copied, clang_tidy)
             if code != 1 or not any(line.startswith("Filters/%s:" % name) and check in line
                     for line in told.splitlines()):
                 wrong.append("%s not found in %s: %s" % (check, name, told))
         path.write_text(LINT_SOURCES[name], encoding="utf8")
-    code, told = run_lint(house, clang_tidy)
+    code, told = run_lint(copied, clang_tidy)
     return wrong + (["the same sources again: " + told] if code != 0 else [])
 
 
@@ -107,22 +107,22 @@ def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     if len(sys.argv) > 2:
         with tempfile.TemporaryDirectory() as folder:
-            wrong = test_lint(root, sys.argv[2], pathlib.Path(folder).resolve() / "house")
+            wrong = test_lint(root, sys.argv[2], pathlib.Path(folder).resolve() / "sources")
         print("\n".join(wrong) if wrong else "clang-tidy finds all")
         if wrong:
             return 1
     plan = check_layout.Plan(check_layout.PLAN)
     missed = 0
     with tempfile.TemporaryDirectory() as folder:
-        house = pathlib.Path(folder)
-        copy(root, house)
-        before = set(check_layout.check(house, plan))
+        copied = pathlib.Path(folder)
+        copy(root, copied)
+        before = set(check_layout.check(copied, plan))
         for _, name, text, _ in plant(plan):
-            path = house / name
+            path = copied / name
             path.parent.mkdir(parents=True, exist_ok=True)
             with path.open("a", encoding="utf8") as file:
                 file.write(text)
-        new = [line for line in check_layout.check(house, plan) if line not in before]
+        new = [line for line in check_layout.check(copied, plan) if line not in before]
     for what, name, _, told in plant(plan):
         if not any(line.startswith(name + ":") and told in line for line in new):
             print("not found: %s" % what)
