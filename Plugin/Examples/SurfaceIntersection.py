@@ -44,7 +44,7 @@ view.CameraViewUp = [0, -1, 0]
 simple.ResetCamera(view)
 simple.GetActiveCamera().Zoom(0.6)
 show(brain, Opacity=0.45, DiffuseColor=[0.55, 0.65, 0.8])
-show(intersection, DiffuseColor=[0.8, 0.1, 0.1], LineWidth=5, RenderLinesAsTubes=1)
+show(intersection, DiffuseColor=[0.8, 0.1, 0.1], LineWidth=5)
 animate(intersection, "Translation", 1, 0.0, SHIFT)
 animate(moved.Transform, "Position", 1, 0.0, SHIFT)
 
