@@ -3,6 +3,7 @@
 // Every cell type that VTK has, straight and bent, through every kind of query.
 
 #include "Support/BruteForce.h"
+#include "Support/FetchCell.h"
 #include "Support/LocatorCalls.h"
 #include "Support/ParametricReference.h"
 
@@ -89,7 +90,7 @@ protected:
   Point PointOf(vtkIdType id, const double* at = nullptr)
   {
     vtkNew<vtkGenericCell> cell; // a new one each time: polyhedra remember the cell before
-    this->Data->GetCell(id, cell);
+    FetchCell(this->Data, id, cell);
     if (GetParam().Type == VTK_CONVEX_POINT_SET)
     {
       return Middle(ToVector(cell->GetPoints())); // VTK takes a place outside of its first piece
@@ -128,7 +129,7 @@ protected:
       return this->Reference.DistanceTo(id, x);
     }
     vtkNew<vtkGenericCell> cell;
-    this->Data->GetCell(id, cell);
+    FetchCell(this->Data, id, cell);
     return ParametricCell(cell->GetRepresentativeCell()).DistanceTo(x);
   }
 
@@ -232,7 +233,7 @@ TEST_P(CellTypes, TheMiddleOfAVolumeIsFoundInIt)
     const Found f = FindCell(this->Locator, x);
     ASSERT_EQ(f.Cell, id);
     Point sum = { 0, 0, 0 };
-    this->Data->GetCell(id, cell);
+    FetchCell(this->Data, id, cell);
     const auto points = ToVector(cell->GetPoints());
     for (std::size_t i = 0; i < points.size(); ++i)
     {

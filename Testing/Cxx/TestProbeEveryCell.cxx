@@ -3,6 +3,7 @@
 // vtkSkdTreeProbe at random points of every cell of real meshes and made ones, inverted and warped
 // cells among them: each is found in a cell that holds it by the cell's own evaluation.
 
+#include "Support/FetchCell.h"
 #include "Support/Folders.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
@@ -152,7 +153,7 @@ std::vector<Point> PointsOfEveryCell(vtkDataSet* mesh, int each)
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
   {
-    mesh->GetCell(id, cell);
+    FetchCell(mesh, id, cell);
     if (IsTried(cell))
     {
       const std::vector<Point> some = PointsOf(cell->GetRepresentativeCell(), each, random);
@@ -287,7 +288,7 @@ private:
   /// polyhedron, which has its bounds' instead, none.
   double DistanceByVtk(vtkIdType id, Point pcoords, const Point& x)
   {
-    this->Mesh->GetCell(id, this->Cell);
+    FetchCell(this->Mesh, id, this->Cell);
     if (this->Cell->GetCellType() == VTK_POLYHEDRON)
     {
       return 0.0;

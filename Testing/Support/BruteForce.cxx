@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/BruteForce.h"
 
+#include "Support/FetchCell.h"
+
 #include <algorithm>
 
 namespace skdtest
@@ -13,7 +15,7 @@ BruteForce::BruteForce(vtkDataSet* data, const std::function<bool(vtkIdType)>& k
 {
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
-    data->GetCell(cell, this->Cell);
+    FetchCell(data, cell, this->Cell);
     this->Shapes.push_back(MakeShape(this->Cell));
     if (keep(cell) && this->Shapes.back().Type != VTK_EMPTY_CELL)
     {
@@ -128,7 +130,7 @@ int BruteForce::Evaluate(
   vtkIdType cell, const Point& x, Point& closest, Point& pcoords, double& dist2)
 {
   int subId = 0;
-  this->Data->GetCell(cell, this->Cell);
+  FetchCell(this->Data, cell, this->Cell);
   this->Weights.resize(this->Cell->GetNumberOfPoints() + 1);
   return this->Cell->EvaluatePosition(
     x.data(), closest.data(), subId, pcoords.data(), dist2, this->Weights.data());

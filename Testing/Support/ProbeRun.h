@@ -7,6 +7,7 @@
 #ifndef skdtest_ProbeRun_h
 #define skdtest_ProbeRun_h
 
+#include "Support/FetchCell.h"
 #include "Support/FilterRun.h"
 
 #include "vtkGenericCell.h"
@@ -48,7 +49,7 @@ inline PointsInCells MakePointsInCells(vtkDataSet* mesh, int count, int seed = 9
   for (int i = 0; i < count; ++i)
   {
     const vtkIdType id = random.Index(static_cast<int>(mesh->GetNumberOfCells()));
-    mesh->GetCell(id, cell);
+    FetchCell(mesh, id, cell);
     // A mean of the points with random shares of at least a hundredth: within every convex cell.
     Point x = { 0, 0, 0 };
     double sum = 0.0;
