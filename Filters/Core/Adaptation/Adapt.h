@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Adaptation_Adapt_h
+#define skd_Adaptation_Adapt_h
+
+#include "Equidistribution.h"
+#include "MeshMotion.h"
+#include "Monitor.h"
+
+namespace skd
+{
+
+struct AdaptRules
+{
+  MonitorRules Monitor;
+  FreedomRules Freedom;
+  int Iterations = 30;         ///< at most
+  double Tolerance = 0.01;     ///< of the measure of equidistribution
+  double Relaxation = 1.0;     ///< which part of Newton's step is made
+  double LeastQuality = 0.1;   ///< that a cell may come to, see MeshMotion
+  bool AreSharesEqual = false; ///< of all cells, not by their areas at first
+};
+
+/// Where an iteration begins: its mesh has been looked at, and not yet moved.
+struct AdaptRow
+{
+  double Measure = 0.0; ///< see Equidistribution
+  double SmallestQuality = 0.0;
+  MeshMotion::Outcome Motion; ///< that led here; of the first row nothing
+};
+
+enum class AdaptEnd
+{
+  Reached,    ///< the measure is within the tolerance
+  Stalled,    ///< it does not fall any more
+  Iterations, ///< as many as were allowed
+  Stopped,    ///< by whoever looked on
+  NoMonitor   ///< no cell has a field, or none is greater than 0
+};
+
+struct AdaptOutcome
+{
+  AdaptEnd End = AdaptEnd::Iterations;
+  std::vector<AdaptRow> Rows;
+  std::size_t Best = 0; ///< the row with the smallest measure: the mesh is left as it was there
+  std::vector<double> Monitor; ///< of the cells, there
+  std::vector<double> Areas;
+  std::size_t InvalidCells = 0; ///< at first; they do not move
+  std::size_t CellsWithoutField = 0;
+  std::size_t CellsNotPositive = 0;
+};
+
+/// Moves the points of a mesh so that its cells follow a monitor: steps 2 to 5 of the algorithm of
+/// section 6.6. find(mesh, field) tells the field's mean in each cell, where the mesh is now;
+/// look(mesh, row) is called in each iteration, and stops it all by returning false. The mesh has
+/// its edges, and is on the shape. Each iteration takes O(N sqrt(N)) beside what find does.
+class Adaptation
+{
+public:
+  Adaptation(SurfaceMesh& mesh, const SurfaceShape& shape, const AdaptRules& rules)
+    : Mesh(mesh)
+    , Shape(shape)
+    , Rules(rules)
+    , Curves(mesh, shape, rules.Freedom)
+    , Motion(mesh, shape, this->Curves, rules.LeastQuality)
+    , Function(rules.Monitor)
+    , Shares(mesh, shape, this->Curves, MakeWeights(mesh, shape, rules.AreSharesEqual))
+    , Relaxation(rules.Relaxation)
+  {
+    this->Outcome.InvalidCells = this->Motion.GetNumberOfInvalidCells();
+  }
+
+  template <class Find, class Look>
+  AdaptOutcome Run(const Find& find, const Look& look)
+  {
+    MeshMotion::Outcome step;
+    for (int iteration = 0;; ++iteration)
+    {
+      if (!this->Measure(find, step))
+      {
+        this->Outcome.End = AdaptEnd::NoMonitor;
+        break;
+      }
+      if (!look(this->Mesh, this->Outcome.Rows.back()))
+      {
+        this->Outcome.End = AdaptEnd::Stopped;
+        break;
+      }
+      if (this->IsAtEnd(iteration))
+      {
+        break;
+      }
+      std::vector<Vector3> places;
+      const double part =
+        this->Shares.Step(this->Mesh, this->Curves, this->Values, this->Relaxation, places);
+      step = this->Motion.Move(this->Mesh, places);
+      step.Step = part;
+    }
+    if (!this->Best.empty())
+    {
+      this->Mesh.Points = this->Best;
+    }
+    return this->Outcome;
+  }
+
+private:
+  /// Cells without area have hardly any weight, but some.
+  static std::vector<double> MakeWeights(
+    const SurfaceMesh& mesh, const SurfaceShape& shape, bool areEqual)
+  {
+    std::vector<double> weights(mesh.Cells.size(), 1.0);
+    double largest = 0.0;
+    for (std::uint32_t cell = 0; cell < weights.size() && !areEqual; ++cell)
+    {
+      weights[cell] = CellArea(mesh, shape, cell);
+      largest = std::max(largest, weights[cell]);
+    }
+    for (double& weight : weights)
+    {
+      weight = std::max(weight, largest > 0.0 ? 1e-12 * largest : 1.0);
+    }
+    return weights;
+  }
+
+  template <class Find>
+  bool Measure(const Find& find, const MeshMotion::Outcome& step)
+  {
+    std::vector<double> field(this->Mesh.Cells.size());
+    find(this->Mesh, field);
+    if (!this->Function.Make(this->Mesh, this->Shape, std::move(field), this->Values))
+    {
+      return false;
+    }
+    this->Shares.Update(this->Mesh, this->Values);
+    std::vector<AdaptRow>& rows = this->Outcome.Rows;
+    rows.push_back(
+      { this->Shares.GetMeasure(), this->Motion.FindSmallestQuality(this->Mesh), step });
+    if (rows.size() == 1 || rows.back().Measure < rows[this->Outcome.Best].Measure)
+    {
+      this->Outcome.Best = rows.size() - 1;
+      this->Outcome.Monitor = this->Values;
+      this->Outcome.Areas = this->Shares.GetAreas();
+      this->Outcome.CellsWithoutField = this->Function.GetCellsWithoutField();
+      this->Outcome.CellsNotPositive = this->Function.GetCellsNotPositive();
+      this->Best = this->Mesh.Points;
+    }
+    return true;
+  }
+
+  /// A measure that rises asks for smaller steps: the field of cells that move changes in jumps.
+  bool IsAtEnd(int iteration)
+  {
+    constexpr std::size_t patience = 8;
+    const std::vector<AdaptRow>& rows = this->Outcome.Rows;
+    if (rows.back().Measure <= this->Rules.Tolerance)
+    {
+      this->Outcome.End = AdaptEnd::Reached;
+      return true;
+    }
+    if (rows.size() > this->Outcome.Best + patience)
+    {
+      this->Outcome.End = AdaptEnd::Stalled;
+      return true;
+    }
+    if (this->Shares.IsAllTheWay() && rows.size() > 1 &&
+      rows.back().Measure > rows[rows.size() - 2].Measure)
+    {
+      this->Relaxation = std::max(0.7 * this->Relaxation, 0.1 * this->Rules.Relaxation);
+    }
+    return iteration >= this->Rules.Iterations;
+  }
+
+  SurfaceMesh& Mesh;
+  const SurfaceShape& Shape;
+  AdaptRules Rules;
+  FeatureCurves Curves;
+  MeshMotion Motion;
+  Monitor Function;
+  Equidistribution Shares;
+  AdaptOutcome Outcome;
+  std::vector<double> Values;
+  std::vector<Vector3> Best;
+  double Relaxation;
+};
+
+}
+
+#endif

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Adaptation_MeshMotion_h
+#define skd_Adaptation_MeshMotion_h
+
+#include "CellValidity.h"
+#include "FeatureCurves.h"
+
+#include <numeric>
+
+namespace skd
+{
+
+/// Moves points as far as no cell is spoilt.
+class MeshMotion
+{
+public:
+  struct Outcome
+  {
+    double Step = 0.0; ///< which part of a whole step was meant, see Equidistribution::Step
+    double LargestDisplacement = 0.0;
+    std::size_t PointsCutBack = 0; ///< those that went elsewhere, for the sake of cells
+  };
+
+  /// A cell may not get worse than this quality (CellValidity), or than it is if it is worse.
+  /// Points of cells that are not valid at first become fixed; they are counted.
+  MeshMotion(
+    SurfaceMesh& mesh, const SurfaceShape& shape, FeatureCurves& curves, double leastQuality);
+
+  std::size_t GetNumberOfInvalidCells() const { return this->InvalidCells; }
+  double FindSmallestQuality(const SurfaceMesh& mesh) const;
+
+  /// Moves points towards places. Where cells would not be valid their points go along with their
+  /// neighbours instead; where this does not help half as far, then not at all.
+  Outcome Move(SurfaceMesh& mesh, const std::vector<Vector3>& places);
+
+private:
+  static constexpr Vector3 None{ { 0.0, 0.0, 0.0 } };
+
+  void Place(SurfaceMesh& mesh, std::uint32_t point);
+  Vector3 WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const;
+  std::vector<std::uint32_t> FindSpoilt(
+    const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells) const;
+  void Mend(SurfaceMesh& mesh);
+  std::vector<std::uint32_t> CellsAround(
+    const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const;
+
+  const SurfaceShape& Shape;
+  FeatureCurves& Curves;
+  double LeastQuality;
+  std::vector<CellValidity> Cells;
+  std::vector<double> Qualities; // before the step
+  std::vector<Vector3> Before;
+  std::vector<bool> Mended;
+  std::vector<Vector3> Ways; // how each point moves
+  std::size_t InvalidCells = 0;
+};
+
+inline MeshMotion::MeshMotion(
+  SurfaceMesh& mesh, const SurfaceShape& shape, FeatureCurves& curves, double leastQuality)
+  : Shape(shape)
+  , Curves(curves)
+  , LeastQuality(leastQuality)
+{
+  for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    this->Cells.emplace_back(mesh, shape, cell);
+    if (!this->Cells.back().IsValid(mesh, cell))
+    {
+      ++this->InvalidCells;
+      for (const std::uint32_t corner : mesh.Cells[cell])
+      {
+        mesh.Freedom[corner] = PointFreedom::Fixed;
+      }
+    }
+  }
+}
+
+inline double MeshMotion::FindSmallestQuality(const SurfaceMesh& mesh) const
+{
+  double least = 1.0;
+  for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    least = std::min(least, this->Cells[cell].QualityOf(mesh, cell));
+  }
+  return least;
+}
+
+inline void MeshMotion::Place(SurfaceMesh& mesh, std::uint32_t point)
+{
+  if (this->Ways[point] == None)
+  {
+    mesh.Points[point] = this->Before[point];
+    return;
+  }
+  Vector3 x = this->Before[point] + this->Ways[point];
+  if (mesh.Freedom[point] == PointFreedom::AlongCurve)
+  {
+    x = this->Curves.Slide(point, x);
+  }
+  mesh.Points[point] = this->Shape.Put(x);
+}
+
+inline Vector3 MeshMotion::WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const
+{
+  Vector3 sum = None;
+  double count = 0.0;
+  for (const std::uint32_t cell : mesh.CellsOfPoint[point])
+  {
+    for (const std::uint32_t corner : mesh.Cells[cell])
+    {
+      sum = corner == point ? sum : sum + this->Ways[corner];
+      count += corner != point;
+    }
+  }
+  return (1.0 / count) * sum;
+}
+
+inline std::vector<std::uint32_t> MeshMotion::FindSpoilt(
+  const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells) const
+{
+  std::vector<std::uint32_t> spoilt;
+  for (const std::uint32_t cell : cells)
+  {
+    const IndexRows::Row corners = mesh.Cells[cell];
+    const bool isMoved = std::any_of(corners.begin(), corners.end(),
+      [this](std::uint32_t corner) { return !(this->Ways[corner] == None); });
+    const double least = std::min(this->LeastQuality, this->Qualities[cell]);
+    if (isMoved &&
+      !(this->Cells[cell].IsValid(mesh, cell) && this->Cells[cell].QualityOf(mesh, cell) >= least))
+    {
+      spoilt.push_back(cell);
+    }
+  }
+  return spoilt;
+}
+
+inline std::vector<std::uint32_t> MeshMotion::CellsAround(
+  const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const
+{
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t point : points)
+  {
+    cells.insert(cells.end(), mesh.CellsOfPoint[point].begin(), mesh.CellsOfPoint[point].end());
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+// Points that do not move at all stay so, and where nothing has moved cells are as they were: this
+// comes to an end.
+inline void MeshMotion::Mend(SurfaceMesh& mesh)
+{
+  constexpr int smoothings = 20;
+  constexpr int halvings = 6;
+  std::vector<std::uint32_t> cells(mesh.Cells.size());
+  std::iota(cells.begin(), cells.end(), 0u);
+  for (int round = 0; !(cells = this->FindSpoilt(mesh, cells)).empty(); ++round)
+  {
+    std::vector<std::uint32_t> points;
+    for (const std::uint32_t cell : cells)
+    {
+      points.insert(points.end(), mesh.Cells[cell].begin(), mesh.Cells[cell].end());
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<Vector3> ways;
+    for (const std::uint32_t point : points)
+    {
+      const double part = round < smoothings + halvings ? 0.5 : 0.0;
+      const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
+      ways.push_back(isFixed   ? None
+          : round < smoothings ? this->WayOfNeighbours(mesh, point)
+                               : part * this->Ways[point]);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->Ways[points[i]] = ways[i];
+      this->Mended[points[i]] = true;
+      this->Place(mesh, points[i]);
+    }
+    cells = this->CellsAround(mesh, points);
+  }
+}
+
+inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+{
+  this->Before = mesh.Points;
+  this->Ways.resize(mesh.Points.size());
+  this->Mended.assign(mesh.Points.size(), false);
+  this->Qualities.resize(mesh.Cells.size());
+  for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    if (this->Shape.What == SurfaceShape::Kind::Other)
+    {
+      this->Cells[cell] = CellValidity(mesh, this->Shape, cell);
+    }
+    this->Qualities[cell] = this->Cells[cell].QualityOf(mesh, cell);
+  }
+  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
+    this->Ways[point] = isFixed ? None : places[point] - mesh.Points[point];
+    this->Place(mesh, point);
+  }
+  this->Mend(mesh);
+  Outcome outcome;
+  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    outcome.PointsCutBack += this->Mended[point];
+    outcome.LargestDisplacement =
+      std::max(outcome.LargestDisplacement, Norm(mesh.Points[point] - this->Before[point]));
+  }
+  return outcome;
+}
+
+}
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Adaptation_PointGradients_h
+#define skd_Adaptation_PointGradients_h
+
+#include "SurfaceShape.h"
+
+namespace skd
+{
+
+namespace detail
+{
+
+/// Two directions of length 1 across a normal and each other.
+inline void MakeTangents(const Vector3& normal, Vector3& u, Vector3& v)
+{
+  int least = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    least = std::abs(normal[axis]) < std::abs(normal[least]) ? axis : least;
+  }
+  Vector3 axis{ { 0.0, 0.0, 0.0 } };
+  axis[least] = 1.0;
+  u = Cross(axis, normal);
+  u = (1.0 / Norm(u)) * u;
+  v = Cross(normal, u);
+}
+
+/// Places in a plane, and the least-squares slope of values there as a sum of weights times values;
+/// of all slopes that fit equally the least.
+class SlopeFit
+{
+public:
+  void Add(double x, double y)
+  {
+    const double distance = std::max(std::hypot(x, y), 1e-4);
+    this->Places.push_back({ x, y, 1.0 / (distance * distance * distance) });
+  }
+
+  /// What each place's value adds to the slopes.
+  std::vector<std::array<double, 2>> FindWeights() const;
+
+private:
+  struct Place
+  {
+    double X;
+    double Y;
+    double Weight;
+  };
+  std::vector<Place> Places;
+};
+
+inline std::vector<std::array<double, 2>> SlopeFit::FindWeights() const
+{
+  double total = 0.0, meanX = 0.0, meanY = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  for (const Place& place : this->Places)
+  {
+    total += place.Weight;
+    meanX += place.Weight * place.X;
+    meanY += place.Weight * place.Y;
+  }
+  meanX /= total;
+  meanY /= total;
+  for (const Place& place : this->Places)
+  {
+    xx += place.Weight * (place.X - meanX) * (place.X - meanX);
+    xy += place.Weight * (place.X - meanX) * (place.Y - meanY);
+    yy += place.Weight * (place.Y - meanY) * (place.Y - meanY);
+  }
+  const double middle = 0.5 * (xx + yy);
+  const double spread = std::hypot(0.5 * (xx - yy), xy);
+  const double angle = 0.5 * std::atan2(xy, 0.5 * (xx - yy));
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  const bool isPoint = !(middle + spread > 1e-12 * total);
+  const bool isLine = !(middle - spread > 1e-3 * (middle + spread));
+  const double long2 = isPoint ? 0.0 : 1.0 / (middle + spread);
+  const double short2 = isPoint || isLine ? 0.0 : 1.0 / (middle - spread);
+  std::vector<std::array<double, 2>> weights;
+  for (const Place& place : this->Places)
+  {
+    const double x = place.X - meanX;
+    const double y = place.Y - meanY;
+    const double along = place.Weight * (cosine * x + sine * y) * long2;
+    const double across = place.Weight * (cosine * y - sine * x) * short2;
+    weights.push_back({ along * cosine - across * sine, along * sine + across * cosine });
+  }
+  return weights;
+}
+
+}
+
+/// The gradients at points, along the surface, of what cells have at their middles: by least
+/// squares over the cells around each point, exact for linear values in a plane, and for quadratic
+/// ones where the mesh is regular. For that weights fall with the third power of the distance, and
+/// a point of only three cells (hexagons, say) takes those of its neighbours, too: a triangle and
+/// the one turned about that is twice as large. Where all these say nothing of a direction (at a
+/// corner, say) the gradient has no part in it.
+class PointGradients
+{
+public:
+  /// For a mesh as it is now. O(N).
+  void Build(const SurfaceMesh& mesh, const SurfaceShape& shape);
+
+  Vector3 At(const std::vector<double>& values, std::uint32_t point) const
+  {
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (std::size_t i = this->Offsets[point]; i < this->Offsets[point + 1]; ++i)
+    {
+      sum = sum + values[this->Cells[i]] * this->Weights[i];
+    }
+    return sum;
+  }
+
+  const Vector3& GetMiddle(std::uint32_t cell) const { return this->Middles[cell]; }
+
+private:
+  static std::vector<std::uint32_t> CellsNear(const SurfaceMesh& mesh, std::uint32_t point);
+  void Add(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point);
+
+  std::vector<Vector3> Middles;
+  std::vector<std::size_t> Offsets; // of each point, where its cells begin
+  std::vector<std::uint32_t> Cells;
+  std::vector<Vector3> Weights;
+};
+
+inline void PointGradients::Build(const SurfaceMesh& mesh, const SurfaceShape& shape)
+{
+  this->Middles.resize(mesh.Cells.size());
+  for (std::uint32_t cell = 0; cell < this->Middles.size(); ++cell)
+  {
+    this->Middles[cell] = shape.Put(CornerMean(mesh, cell));
+  }
+  this->Cells.clear();
+  this->Weights.clear();
+  this->Offsets.assign(1, 0);
+  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    this->Add(mesh, shape, point);
+    this->Offsets.push_back(this->Weights.size());
+  }
+}
+
+inline std::vector<std::uint32_t> PointGradients::CellsNear(
+  const SurfaceMesh& mesh, std::uint32_t point)
+{
+  const IndexRows::Row around = mesh.CellsOfPoint[point];
+  const bool isFree = mesh.Freedom[point] == PointFreedom::Free;
+  const bool takesMore = around.size() == 1 || (around.size() == 3 && isFree);
+  std::vector<std::uint32_t> cells(around.begin(), around.end());
+  for (std::size_t k = 0; k < around.size() && takesMore; ++k)
+  {
+    const IndexRows::Row corners = mesh.Cells[around[k]];
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const bool isNext = corners[(i + 1) % corners.size()] == point;
+      if (isNext || corners[(i + corners.size() - 1) % corners.size()] == point)
+      {
+        const IndexRows::Row more = mesh.CellsOfPoint[corners[i]];
+        cells.insert(cells.end(), more.begin(), more.end());
+      }
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+inline void PointGradients::Add(
+  const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point)
+{
+  const Vector3 normal = NormalAt(mesh, shape, point);
+  const std::vector<std::uint32_t> cells = CellsNear(mesh, point);
+  double scale = 0.0;
+  for (const std::uint32_t cell : cells)
+  {
+    scale = std::max(scale, Norm(this->Middles[cell] - mesh.Points[point]));
+  }
+  if (cells.size() < 2 || !(Norm2(normal) > 0.0) || !(scale > 0.0))
+  {
+    return;
+  }
+  Vector3 u, v;
+  detail::MakeTangents(normal, u, v);
+  detail::SlopeFit fit;
+  for (const std::uint32_t cell : cells)
+  {
+    const Vector3 to = (1.0 / scale) * (this->Middles[cell] - mesh.Points[point]);
+    fit.Add(Dot(u, to), Dot(v, to));
+  }
+  this->Cells.insert(this->Cells.end(), cells.begin(), cells.end());
+  for (const std::array<double, 2>& weight : fit.FindWeights())
+  {
+    this->Weights.push_back((weight[0] / scale) * u + (weight[1] / scale) * v);
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AdaptationScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace
+{
+
+using namespace adaptation;
+using skd::AdaptOutcome;
+using skd::AdaptRules;
+using skd::SurfaceShape;
+
+constexpr double Degree = Pi / 180.0;
+
+struct Moved
+{
+  SurfaceMesh Before;
+  SurfaceMesh Mesh;
+  SurfaceShape Shape;
+  AdaptOutcome Outcome;
+};
+
+AdaptRules Given()
+{
+  AdaptRules rules;
+  rules.Monitor.Kind = skd::MonitorKind::Value;
+  rules.Monitor.Smoothings = 0;
+  rules.Iterations = 40;
+  rules.Tolerance = 1e-3;
+  return rules;
+}
+
+/// With a field that is known everywhere, taken at the middles of cells.
+Moved Adapt(const SurfaceMesh& mesh, const std::function<double(const Vector3&)>& field,
+  const AdaptRules& rules = Given())
+{
+  Moved moved{ mesh, mesh, {}, {} };
+  EXPECT_TRUE(skd::FitPlane(mesh.Points, 1e-9, moved.Shape) ||
+    skd::FitSphere(mesh.Points, 1e-9, moved.Shape));
+  skd::Adaptation adaptation(moved.Mesh, moved.Shape, rules);
+  const std::vector<skd::CellValidity> cells = [&]
+  {
+    std::vector<skd::CellValidity> made;
+    for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
+    {
+      made.emplace_back(mesh, moved.Shape, cell);
+    }
+    return made;
+  }();
+  const auto find = [&](const SurfaceMesh& now, std::vector<double>& values)
+  {
+    for (std::uint32_t cell = 0; cell < values.size(); ++cell)
+    {
+      values[cell] = field(skd::CornerMean(now, cell));
+      EXPECT_TRUE(cells[cell].IsValid(now, cell));
+    }
+  };
+  moved.Outcome =
+    adaptation.Run(find, [](const SurfaceMesh&, const skd::AdaptRow&) { return true; });
+  return moved;
+}
+
+double OnSphere(const Vector3& x)
+{
+  return Monitor(std::acos(x[2] / skd::Norm(x)));
+}
+
+double Colatitude(const Vector3& x)
+{
+  return std::acos(std::min(std::max(x[2] / skd::Norm(x), -1.0), 1.0));
+}
+
+/// How far points are from where they belong, in degrees: the root mean square.
+double ErrorOf(const Moved& moved)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < moved.Mesh.Points.size(); ++i)
+  {
+    const double error =
+      Colatitude(moved.Mesh.Points[i]) - ExactColatitude(Colatitude(moved.Before.Points[i]));
+    sum += error * error;
+  }
+  return std::sqrt(sum / static_cast<double>(moved.Mesh.Points.size())) / Degree;
+}
+
+TEST(Adaptation, TheExactMapIsTheKnownOne)
+{
+  const double known[4] = { 11.59020049, 22.78980005, 35.33687972, 77.46495058 };
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(ExactColatitude(30.0 * (i + 1) * Degree) / Degree, known[i], 1e-5);
+  }
+}
+
+TEST(Adaptation, PolygonsOfASphereGoWhereTheyShouldAndConverge)
+{
+  const Moved coarse = Adapt(MakePolygons(3), OnSphere);
+  const Moved fine = Adapt(MakePolygons(4), OnSphere);
+  EXPECT_EQ(fine.Outcome.End, skd::AdaptEnd::Reached);
+  EXPECT_LT(ErrorOf(coarse), 0.3);
+  EXPECT_LT(ErrorOf(fine), 0.07);
+  EXPECT_GT(ErrorOf(coarse), 3.0 * ErrorOf(fine));
+  EXPECT_GT(fine.Outcome.Rows.back().SmallestQuality, 0.4);
+}
+
+TEST(Adaptation, QuadsOfASphereGoWhereTheyShould)
+{
+  const Moved moved = Adapt(MakeQuads(16), OnSphere);
+  EXPECT_EQ(moved.Outcome.End, skd::AdaptEnd::Reached);
+  EXPECT_LT(ErrorOf(moved), 0.2);
+  for (const Vector3& x : moved.Mesh.Points)
+  {
+    EXPECT_NEAR(skd::Norm(x), 1.0, 1e-14);
+  }
+}
+
+TEST(Adaptation, TrianglesOfASphereGoWhereTheyShould)
+{
+  const Moved moved = Adapt(MakeTriangles(3), OnSphere);
+  EXPECT_LT(ErrorOf(moved), 0.4);
+  EXPECT_LT(moved.Outcome.Rows[moved.Outcome.Best].Measure, 0.03);
+}
+
+// A monitor of x alone: columns stay columns, and where they go is known.
+TEST(Adaptation, OfASquareBordersSlide)
+{
+  const Moved moved = Adapt(MakeSquare(20), [](const Vector3& x) { return 1.0 + 4.0 * x[0]; });
+  EXPECT_EQ(moved.Outcome.End, skd::AdaptEnd::Reached);
+  for (std::size_t i = 0; i < moved.Mesh.Points.size(); ++i)
+  {
+    const Vector3& was = moved.Before.Points[i];
+    const Vector3& is = moved.Mesh.Points[i];
+    const double exact = (std::sqrt(1.0 + 24.0 * was[0]) - 1.0) / 4.0; // x + 2 x^2 = 3 X
+    EXPECT_NEAR(is[0], exact, 1e-3);
+    EXPECT_NEAR(is[1], was[1], 1e-4);
+    EXPECT_EQ(is[2], 0.0);
+  }
+}
+
+TEST(Adaptation, FixedBordersStay)
+{
+  AdaptRules rules = Given();
+  rules.Freedom.DoBordersSlide = false;
+  const auto bump = [](const Vector3& x) {
+    return 1.0 + 10.0 * std::exp(-50.0 * skd::Distance2(x, Vector3{ { 0.4, 0.6, 0.0 } }));
+  };
+  const Moved moved = Adapt(MakeSquare(16), bump, rules);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < moved.Mesh.Points.size(); ++i)
+  {
+    const Vector3& was = moved.Before.Points[i];
+    const bool isBorder = was[0] == 0.0 || was[0] == 1.0 || was[1] == 0.0 || was[1] == 1.0;
+    const double distance = skd::Norm(moved.Mesh.Points[i] - was);
+    EXPECT_TRUE(!isBorder || distance == 0.0);
+    farthest = std::max(farthest, distance);
+  }
+  EXPECT_GT(farthest, 0.05);
+  const AdaptOutcome& outcome = moved.Outcome;
+  EXPECT_LT(outcome.Rows[outcome.Best].Measure, outcome.Rows[0].Measure / 5.0);
+}
+
+// Noise asks for what no mesh can do: it must stay valid (Adapt looks), and the best is kept.
+TEST(Adaptation, NoiseSpoilsNoCell)
+{
+  std::mt19937 random(7);
+  const Moved moved = Adapt(MakeSquare(16), [&](const Vector3&) { return 1.0 + random() % 100; });
+  const AdaptOutcome& outcome = moved.Outcome;
+  for (const skd::AdaptRow& row : outcome.Rows)
+  {
+    EXPECT_GE(row.Measure, outcome.Rows[outcome.Best].Measure);
+    EXPECT_GT(row.SmallestQuality, 0.0);
+  }
+}
+
+TEST(Adaptation, AMonitorThatIsNoneMovesNothing)
+{
+  const auto nothing = [](const Vector3&) { return std::nan(""); };
+  for (const auto& field : std::vector<std::function<double(const Vector3&)>>{ nothing,
+         [](const Vector3&) { return -1.0; } })
+  {
+    const Moved moved = Adapt(MakeSquare(4), field);
+    EXPECT_EQ(moved.Outcome.End, skd::AdaptEnd::NoMonitor);
+    EXPECT_EQ(moved.Mesh.Points, moved.Before.Points);
+  }
+  EXPECT_EQ(Adapt(MakeSquare(1), [](const Vector3& x) { return x[0]; }).Outcome.Rows.size(), 1u);
+}
+
+TEST(Adaptation, GradientsMakeMonitorsInAnyUnit)
+{
+  AdaptRules rules = Given();
+  rules.Monitor.Kind = skd::MonitorKind::ArcLength;
+  rules.Iterations = 5;
+  const auto step = [](const Vector3& x) { return std::tanh(20.0 * (x[0] - 0.3)); };
+  const Moved a = Adapt(MakeSquare(12), step, rules);
+  const Moved b = Adapt(
+    MakeSquare(12), [&](const Vector3& x) { return 1024.0 * step(x); }, rules);
+  EXPECT_EQ(a.Mesh.Points, b.Mesh.Points);
+  EXPECT_LT(a.Outcome.Rows[a.Outcome.Best].Measure, 0.5 * a.Outcome.Rows[0].Measure);
+}
+
+SurfaceMesh OneCell(const std::vector<Vector3>& points)
+{
+  SurfaceMesh mesh;
+  mesh.Points = points;
+  std::vector<std::uint32_t> ids(points.size());
+  std::iota(ids.begin(), ids.end(), 0u);
+  mesh.Cells.Add(ids.begin(), ids.end());
+  mesh.FindEdges();
+  return mesh;
+}
+
+Vector3 At(double turn)
+{
+  return { { std::cos(turn * Pi / 180.0), std::sin(turn * Pi / 180.0), 0.0 } };
+}
+
+TEST(CellValidity, KnowsFlippedAndCrossedCells)
+{
+  SurfaceShape plane;
+  plane.What = SurfaceShape::Kind::Plane;
+  SurfaceMesh mesh = OneCell({ At(0), At(72), At(144), At(216), At(288) });
+  const skd::CellValidity cell(mesh, plane, 0);
+  EXPECT_TRUE(cell.IsValid(mesh, 0));
+  EXPECT_NEAR(cell.QualityOf(mesh, 0), 1.0, 1e-14);
+  mesh.Points = { At(0), At(144), At(288), At(72), At(216) }; // a star: each corner turns left
+  EXPECT_FALSE(cell.IsValid(mesh, 0));
+  mesh.Points = { At(288), At(216), At(144), At(72), At(0) };
+  EXPECT_FALSE(cell.IsValid(mesh, 0));
+  EXPECT_LT(cell.QualityOf(mesh, 0), 0.0);
+  mesh.Points = { At(0), At(72), At(144), At(216), 0.5 * (At(0) + At(216)) }; // flat, by rounding
+  EXPECT_LT(cell.QualityOf(mesh, 0), 1e-12);
+}
+
+TEST(CellValidity, ConcaveCellsStaySimple)
+{
+  SurfaceShape plane;
+  plane.What = SurfaceShape::Kind::Plane;
+  SurfaceMesh mesh = OneCell({ At(0), { { 0.1, 0.1, 0.0 } }, At(90), At(225) });
+  const skd::CellValidity cell(mesh, plane, 0);
+  EXPECT_TRUE(cell.IsValid(mesh, 0));
+  mesh.Points[1] = { { -0.9, -0.9, 0.0 } };
+  EXPECT_FALSE(cell.IsValid(mesh, 0));
+}
+
+TEST(EdgeLaplacian, GainsAreSolvedFor)
+{
+  const SurfaceMesh mesh = MakeTriangles(2);
+  skd::EdgeLaplacian matrix;
+  matrix.NumberOfCells = mesh.Cells.size();
+  std::mt19937 random(3);
+  for (const skd::MeshEdge& edge : mesh.Edges)
+  {
+    matrix.Flows.push_back({ { edge.Cells[0], edge.Cells[1] }, 1.0 + random() % 9 });
+  }
+  std::vector<double> exact(mesh.Cells.size()), losses, found(mesh.Cells.size(), 0.0);
+  for (double& value : exact)
+  {
+    value = random() % 1000;
+  }
+  matrix.Apply(exact, losses);
+  skd::detail::Scale(losses, -1.0);
+  skd::SolveForGains(matrix, losses, 1e-13, found);
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    EXPECT_NEAR(found[i] - found[0], exact[i] - exact[0], 1e-8);
+  }
+}
+
+TEST(FitShape, PlanesAndSpheresAreFound)
+{
+  SurfaceShape shape;
+  SurfaceMesh mesh = MakeTriangles(1);
+  EXPECT_FALSE(skd::FitPlane(mesh.Points, 1e-6, shape));
+  for (Vector3& x : mesh.Points)
+  {
+    x = 3.0 * x + Vector3{ { 100.0, 20.0, -7.0 } };
+  }
+  ASSERT_TRUE(skd::FitSphere(mesh.Points, 1e-9, shape));
+  EXPECT_NEAR(shape.Radius, 3.0, 1e-11);
+  EXPECT_NEAR(shape.Centre[0], 100.0, 1e-11);
+  mesh.Points[3] = 1.001 * mesh.Points[3];
+  EXPECT_FALSE(skd::FitSphere(mesh.Points, 1e-6, shape));
+  ASSERT_TRUE(skd::FitPlane(MakeSquare(3).Points, 1e-9, shape));
+  EXPECT_EQ(shape.Normal[2], 1.0);
+  EXPECT_FALSE(skd::FitSphere(MakeSquare(3).Points, 1e-9, shape));
+}
+
+}
