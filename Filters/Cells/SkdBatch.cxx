@@ -3,6 +3,7 @@
 #include "Cells/SkdBatch.h"
 
 #include "Core/Geometry/Box.h"
+#include "Core/Geometry/MortonCode.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkSMPThreadLocal.h"
@@ -68,15 +69,6 @@ private:
   vtkSMPThreadLocal<skd::Box3> Partial;
 };
 
-/// The bits of a number, at most ten of them, two places apart from each other.
-std::uint32_t Spread(std::uint32_t bits)
-{
-  bits = (bits | (bits << 16)) & 0x030000ffu;
-  bits = (bits | (bits << 8)) & 0x0300f00fu;
-  bits = (bits | (bits << 4)) & 0x030c30c3u;
-  return (bits | (bits << 2)) & 0x09249249u;
-}
-
 /// Where a point is along the Morton curve that fills a box with cubes.
 class MortonCurve
 {
@@ -101,16 +93,9 @@ public:
   /// The number of cubes for a point that is not finite.
   std::uint32_t KeyOf(const skd::Vector3& x) const
   {
-    if (!skd::IsFinite(x))
-    {
-      return this->NumberOfCubes();
-    }
-    std::uint32_t key = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      key |= Spread(this->CubeAlong(axis, x[axis])) << axis;
-    }
-    return key;
+    return skd::IsFinite(x) ? skd::MortonCode({ this->CubeAlong(0, x[0]), this->CubeAlong(1, x[1]),
+                                this->CubeAlong(2, x[2]) })
+                            : this->NumberOfCubes();
   }
 
 private:

@@ -46,11 +46,11 @@ public:
     {
     }
     bool Knows(const skd::Node<3>& node) const { return HasPlanes(node); }
-    unsigned Pass(const skd::Node<3>& leaf, float* keys) const
+    unsigned Pass(const skd::Node<3>& leaf, float* keys, float& limit) const
     {
-      return this->Pass(leaf.Tag >> 1, leaf.Count, keys);
+      return this->Pass(leaf.Tag >> 1, leaf.Count, keys, limit);
     }
-    unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const;
+    unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const;
     void Fetch(std::uint32_t number) const;
 
   private:
@@ -113,7 +113,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-inline unsigned SkdLeafFilters::Point::Pass(std::uint32_t number, std::uint32_t count, float*) const
+inline unsigned SkdLeafFilters::Point::Pass(
+  std::uint32_t number, std::uint32_t count, float*, float&) const
 {
   const PlanePacket& packet = this->LeafFilters.PlanePackets[number];
   const skd::PlaneRow* row = this->LeafFilters.Rows.data() + packet.FirstRow;

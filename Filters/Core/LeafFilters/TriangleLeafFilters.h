@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Leaf filters (NoLeafFilter.h) that look at the packets of triangles kept for leaves: an even tag
-/// is twice the number of a node's packet.
+/// Leaf filters (Queries/LeafFilter.h) that look at the packets of triangles kept for leaves: an
+/// even tag is twice the number of a node's packet.
 #ifndef skd_LeafFilters_TriangleLeafFilters_h
 #define skd_LeafFilters_TriangleLeafFilters_h
 
@@ -133,11 +133,11 @@ public:
 
   bool Knows(const Node<3>& node) const { return TrianglePackets::Has(node); }
 
-  unsigned Pass(const Node<3>& leaf, float* keys) const
+  unsigned Pass(const Node<3>& leaf, float* keys, float& limit) const
   {
-    return this->Pass(TrianglePackets::NumberOf(leaf), leaf.Count, keys);
+    return this->Pass(TrianglePackets::NumberOf(leaf), leaf.Count, keys, limit);
   }
-  unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys) const
+  unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float&) const
   {
     if (this->Packets.HavePoints())
     {

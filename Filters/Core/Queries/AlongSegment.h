@@ -4,7 +4,8 @@
 #define skd_Queries_AlongSegment_h
 
 #include "../Geometry/Segment.h"
-#include "NoLeafFilter.h"
+#include "../Tree/Node.h"
+#include "LeafFilter.h"
 
 namespace skd
 {
@@ -20,16 +21,15 @@ namespace skd
 /// once a segment: there is a division for each axis, and one for what the clipping leaves.
 /// `InOrder`: whether the nearest comes first. Where all is wanted, any order will do.
 template <int D, class Visitor, class LeafFilter = NoLeafFilter, bool InOrder = true>
-class AlongSegment
+class AlongSegment : public FilteredQuery<AlongSegment<D, Visitor, LeafFilter, InOrder>, LeafFilter>
 {
 public:
   static constexpr bool Ordered = InOrder;
-  static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
 
   SKD_APART AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
     Visitor& visitor, const LeafFilter& leafFilter = LeafFilter())
-    : TheVisitor(visitor)
-    , TheLeafFilter(leafFilter)
+    : FilteredQuery<AlongSegment, LeafFilter>(leafFilter, -1.0f) // less than every key
+    , TheVisitor(visitor)
   {
     const Line line(frame.Local(segment.A), frame.Scale * (segment.B - segment.A));
     const double rounding = line.Rounding();
@@ -39,7 +39,7 @@ public:
     this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
     this->SetLocal(line, std::min(reach, Most));
     this->TheLeafFilter.Aim(line.At(this->Begin), reach);
-    if (inside.Min <= inside.Max && margin >= 0.0 && std::isfinite(rounding))
+    if (inside.Min <= inside.Max && margin >= 0.0 && std::isfinite(rounding)) // may meet the tree
     {
       this->TheLimit = 1.0f + Slack;
     }
@@ -62,21 +62,6 @@ public:
     enter.Store(keys);
     return LessEqual(enter, Min(leave + Lanes<W>(Slack), Lanes<W>(this->TheLimit)));
   }
-
-  unsigned TestElements(const Node<D>& leaf, float* keys) const
-  {
-    return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys)
-                                           : this->TestBoxes(leaf.Boxes, keys);
-  }
-
-  bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
-  unsigned TestKnown(std::uint32_t leaf, std::uint32_t count, float* keys) const
-  {
-    return this->TheLeafFilter.Pass(leaf, count, keys);
-  }
-  void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
-
-  float Limit() const { return this->TheLimit; }
 
   bool Visit(std::uint32_t element)
   {
@@ -185,9 +170,7 @@ private:
   Spread NearOrigin[D];
   Spread FarOrigin[D];
   Spread Inverse[D];
-  float TheLimit = -1.0f; // less than every key: a segment that misses the tree reaches nothing
   Visitor& TheVisitor;
-  LeafFilter TheLeafFilter;
 };
 
 }

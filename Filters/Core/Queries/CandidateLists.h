@@ -7,6 +7,7 @@
 #define skd_Queries_CandidateLists_h
 
 #include "../Tree/Walk.h"
+#include "QueryBox.h"
 
 #include <vector>
 
@@ -27,52 +28,6 @@ inline std::vector<CandidateLanes> AllCandidates()
   return { { 0u, ~0u } };
 }
 
-/// A box of the family as the boxes of a tree see it, from without and from within.
-template <int D>
-class FamilyBox
-{
-public:
-  FamilyBox(const Frame<D>& frame, const Box<D>& box)
-    : Outer(frame.Outward(box))
-  {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      this->Inner.Min[axis] = frame.Up(box.Min[axis], axis);
-      this->Inner.Max[axis] = frame.Down(box.Max[axis], axis);
-    }
-  }
-
-  /// Bit i is set where the box of lane i overlaps.
-  template <int W>
-  unsigned Overlapping(const BoxPacket<D, W>& boxes) const
-  {
-    unsigned overlapping = ~0u;
-    for (int axis = 0; axis < D; ++axis)
-    {
-      overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Outer.Max[axis]));
-      overlapping &= LessEqual(Lanes<W>(this->Outer.Min[axis]), boxes.Maxs(axis));
-    }
-    return overlapping;
-  }
-
-  /// Bit i is set where the box of lane i, and so all in it, is for certain within this one.
-  template <int W>
-  unsigned Holding(const BoxPacket<D, W>& boxes) const
-  {
-    unsigned within = ~0u;
-    for (int axis = 0; axis < D; ++axis)
-    {
-      within &= LessEqual(Lanes<W>(this->Inner.Min[axis]), boxes.Mins(axis));
-      within &= LessEqual(boxes.Maxs(axis), Lanes<W>(this->Inner.Max[axis]));
-    }
-    return within;
-  }
-
-private:
-  FloatBox<D> Outer;
-  FloatBox<D> Inner;
-};
-
 namespace detail
 {
 
@@ -92,7 +47,8 @@ class Narrowing
 public:
   Narrowing(const Tree& tree, const Box<D>& box, Test& test, std::vector<CandidateLanes>& list)
     : TheTree(tree)
-    , TheBox(tree.GetFrame(), box)
+    , Outer(tree.GetFrame().Outward(box))
+    , Inner(tree.GetFrame().Inward(box))
     , TheTest(test)
     , List(list)
     , Elements(ThreadsLists().Elements)
@@ -105,15 +61,14 @@ public:
   void Take(const CandidateLanes& lanes)
   {
     const auto& node = this->TheTree.Open(lanes.Node);
-    const unsigned occupied = (1u << node.Count) - 1u;
-    const unsigned wanted = this->TheBox.Overlapping(node.Boxes) & lanes.Lanes & occupied;
+    const unsigned wanted = this->Outer.Overlapping(node.Boxes) & lanes.Lanes & node.Occupied();
     if (wanted == 0)
     {
       return;
     }
     if (!this->IsMet)
     {
-      this->IsMet = (this->TheBox.Holding(node.Boxes) & wanted) != 0;
+      this->IsMet = (this->Inner.Holding(node.Boxes) & wanted) != 0;
     }
     (node.IsLeaf ? this->Elements : this->Nodes).push_back({ lanes.Node, wanted });
   }
@@ -169,7 +124,8 @@ private:
   }
 
   const Tree& TheTree;
-  const FamilyBox<D> TheBox;
+  const QueryBox<D> Outer;
+  const QueryBox<D> Inner; ///< what it holds is for certain within the box
   Test& TheTest;
   std::vector<CandidateLanes>& List;
   std::vector<CandidateLanes>& Elements;
@@ -206,7 +162,7 @@ template <class Tree, int D, class Visit>
 void VisitCandidates(const Tree& tree, const CandidateLanes* first, const CandidateLanes* last,
   const Box<D>& box, Visit visit)
 {
-  const FamilyBox<D> seen(tree.GetFrame(), box);
+  const QueryBox<D> seen(tree.GetFrame().Outward(box));
   thread_local std::vector<CandidateLanes> stack;
   stack.assign(first, last);
   while (!tree.IsEmpty() && !stack.empty())
@@ -214,8 +170,7 @@ void VisitCandidates(const Tree& tree, const CandidateLanes* first, const Candid
     const CandidateLanes lanes = stack.back();
     stack.pop_back();
     const auto& node = tree.Open(lanes.Node);
-    const unsigned occupied = (1u << node.Count) - 1u;
-    ForEachLane(seen.Overlapping(node.Boxes) & lanes.Lanes & occupied,
+    ForEachLane(seen.Overlapping(node.Boxes) & lanes.Lanes & node.Occupied(),
       [&](int lane)
       {
         const Reference child = Child(node, lane);

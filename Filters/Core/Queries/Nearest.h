@@ -3,7 +3,7 @@
 #ifndef skd_Queries_Nearest_h
 #define skd_Queries_Nearest_h
 
-#include "NoLeafFilter.h"
+#include "LeafFilter.h"
 #include "PointKeys.h"
 
 namespace skd
@@ -18,19 +18,17 @@ namespace skd
 /// A bound known beforehand is the first limit: infinity, a radius, or the distance to a reference
 /// point. Elements at exactly the limit are visited, so ties can go to the lowest index.
 template <int D, class Visitor, class LeafFilter = NoLeafFilter>
-class Nearest
+class Nearest : public FilteredQuery<Nearest<D, Visitor, LeafFilter>, LeafFilter>
 {
 public:
   static constexpr bool Ordered = true;
-  static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
 
   Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Visitor& visitor,
     const LeafFilter& leafFilter = LeafFilter())
-    : TheFrame(frame)
+    : FilteredQuery<Nearest, LeafFilter>(leafFilter, frame.UpperBound2(limit2))
+    , TheFrame(frame)
     , Point(frame, point)
-    , TheLimit(frame.UpperBound2(limit2))
     , TheVisitor(visitor)
-    , TheLeafFilter(leafFilter)
   {
   }
 
@@ -42,21 +40,6 @@ public:
     return LessEqual(nearest, Lanes<W>(this->TheLimit));
   }
 
-  unsigned TestElements(const Node<D>& leaf, float* keys)
-  {
-    return this->TheLeafFilter.Knows(leaf) ? this->TheLeafFilter.Pass(leaf, keys, this->TheLimit)
-                                           : this->TestBoxes(leaf.Boxes, keys);
-  }
-
-  bool Knows(const Node<D>& inner) const { return this->TheLeafFilter.Knows(inner); }
-  unsigned TestKnown(std::uint32_t leaf, std::uint32_t count, float* keys)
-  {
-    return this->TheLeafFilter.Pass(leaf, count, keys, this->TheLimit);
-  }
-  void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
-
-  float Limit() const { return this->TheLimit; }
-
   bool Visit(std::uint32_t element)
   {
     this->TheLimit = this->TheFrame.UpperBound2(this->TheVisitor(element));
@@ -66,9 +49,7 @@ public:
 private:
   const Frame<D>& TheFrame;
   PointKeys<D> Point;
-  float TheLimit;
   Visitor& TheVisitor;
-  LeafFilter TheLeafFilter;
 };
 
 /// Algorithm 5.1 without the exact test: calls `visitor(element)` for every element whose box may

@@ -3,7 +3,7 @@
 #ifndef skd_Queries_OverlappingBox_h
 #define skd_Queries_OverlappingBox_h
 
-#include "../Tree/Node.h"
+#include "QueryBox.h"
 
 namespace skd
 {
@@ -22,37 +22,25 @@ public:
 
   OverlappingBox(
     const Frame<D>& frame, const Box<D>& box, double excess, Visitor& visitor, Sure& sure)
-    : Excess(Frame<D>::RoundUp(excess * frame.Scale + Rounding))
+    : Outer(frame.Outward(box))
+    , Inner(frame.Inward(box))
+    , Inmost(frame.Inward(box), Frame<D>::RoundUp(excess * frame.Scale + Rounding))
     , TheVisitor(visitor)
     , TheSure(sure)
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      this->Min[axis] = Spread(frame.Down(box.Min[axis], axis));
-      this->Max[axis] = Spread(frame.Up(box.Max[axis], axis));
-      this->InnerMin[axis] = Spread(frame.Up(box.Min[axis], axis));
-      this->InnerMax[axis] = Spread(frame.Down(box.Max[axis], axis));
-    }
   }
 
   template <int W>
   SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
-    unsigned overlapping = ~0u;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Max[axis])) &
-          LessEqual(Lanes<W>(this->Min[axis]), boxes.Maxs(axis));
-      });
-    return overlapping;
+    return this->Outer.Overlapping(boxes);
   }
 
   /// Bit i: all that is below lane i is an answer.
   SKD_IN_ONE_PIECE unsigned SureOf(const Node<D>& node) const
   {
-    return node.IsLeaf ? this->Inside(node.Boxes) | this->Overlapping(node.Boxes)
-                       : this->Inside(node.Boxes);
+    const unsigned inside = this->Inner.Holding(node.Boxes);
+    return node.IsLeaf ? inside | this->Inmost.Overlapping(node.Boxes) : inside;
   }
 
   float Limit() const { return 0.0f; }
@@ -63,38 +51,9 @@ private:
   /// More than rounding outward and a sum add to coordinates of at most 1.
   static constexpr double Rounding = 1e-6;
 
-  template <int W>
-  unsigned Inside(const BoxPacket<D, W>& boxes) const
-  {
-    unsigned inside = ~0u;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        inside &= LessEqual(Lanes<W>(this->InnerMin[axis]), boxes.Mins(axis)) &
-          LessEqual(boxes.Maxs(axis), Lanes<W>(this->InnerMax[axis]));
-      });
-    return inside;
-  }
-
-  template <int W>
-  unsigned Overlapping(const BoxPacket<D, W>& boxes) const
-  {
-    const Lanes<W> excess(this->Excess);
-    unsigned overlapping = ~0u;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        overlapping &= LessEqual(boxes.Mins(axis) + excess, Lanes<W>(this->InnerMax[axis])) &
-          LessEqual(Lanes<W>(this->InnerMin[axis]), boxes.Maxs(axis) - excess);
-      });
-    return overlapping;
-  }
-
-  Spread Min[D];
-  Spread Max[D];
-  Spread InnerMin[D];
-  Spread InnerMax[D];
-  float Excess;
+  QueryBox<D> Outer;
+  QueryBox<D> Inner;
+  QueryBox<D> Inmost; ///< what overlaps it does so without its excess, too
   Visitor& TheVisitor;
   Sure& TheSure;
 };

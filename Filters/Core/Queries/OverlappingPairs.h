@@ -3,7 +3,7 @@
 #ifndef skd_Queries_OverlappingPairs_h
 #define skd_Queries_OverlappingPairs_h
 
-#include "../Tree/Node.h"
+#include "QueryBox.h"
 
 #include <cfloat>
 #include <limits>
@@ -88,31 +88,13 @@ public:
 
   unsigned Overlapping(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
-    unsigned overlapping = ~0u;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        overlapping &= LessEqual(boxes.Mins(axis), Lanes<Width>(box.Max[axis])) &
-          LessEqual(Lanes<Width>(box.Min[axis]), boxes.Maxs(axis));
-      });
-    return overlapping;
+    return QueryBox<D>(box).Overlapping(boxes);
   }
 
   /// Of boxes seen by ToFirst and a box of the first tree, or the other way round.
   unsigned SureOf(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
-    unsigned sure = 0;
-    if constexpr (TellsSure)
-    {
-      sure = this->Map.IsFit ? ~0u : 0u;
-      ForEachAxis<D>(
-        [&](int axis)
-        {
-          sure &= LessEqual(boxes.Mins(axis), Lanes<Width>(box.Max[axis] - this->Excess)) &
-            LessEqual(Lanes<Width>(box.Min[axis] + this->Excess), boxes.Maxs(axis));
-        });
-    }
-    return sure;
+    return TellsSure && this->Map.IsFit ? QueryBox<D>(box, this->Excess).Overlapping(boxes) : 0u;
   }
 
   bool Visit(std::uint32_t a, std::uint32_t b, bool isSure)

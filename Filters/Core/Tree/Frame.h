@@ -114,8 +114,21 @@ struct Frame
     return rounded;
   }
 
-  /// The same of the finite box grown by `margin`, which lies within the bounds that the frame is
-  /// of.
+  /// The same rounded inward: what holds a box here does so in the world. Min may be above Max.
+  FloatBox<D> Inward(const Box<D>& box) const
+  {
+    FloatBox<D> rounded;
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        rounded.Min[axis] = this->Up(box.Min[axis], axis);
+        rounded.Max[axis] = this->Down(box.Max[axis], axis);
+      });
+    return rounded;
+  }
+
+  /// As Outward(), of the finite box grown by `margin`, which lies within the bounds that the frame
+  /// is of.
   FloatBox<D> OutwardWithin(const Box<D>& box, double margin) const
   {
     FloatBox<D> rounded;

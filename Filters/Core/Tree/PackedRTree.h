@@ -3,6 +3,7 @@
 #ifndef skd_Tree_PackedRTree_h
 #define skd_Tree_PackedRTree_h
 
+#include "../Geometry/MortonCode.h"
 #include "Frame.h"
 #include "Lanes.h"
 #include "ShortLanes.h"
@@ -196,23 +197,13 @@ private:
 
   static std::uint64_t PlaceOnCurve(const ShortBox& box)
   {
-    std::uint32_t place = 0;
+    std::array<std::uint32_t, 3> cube;
     for (int axis = 0; axis < 3; ++axis)
     {
       const int middle = (box.Min[axis] + box.Max[axis]) / 2 + (1 << 14); // of 15 bits, or nearly
-      const auto bits = static_cast<std::uint32_t>(std::min(std::max(0, middle), 0x7fff));
-      place |= Spread(bits >> 5) << axis;
+      cube[axis] = static_cast<std::uint32_t>(std::min(std::max(0, middle), 0x7fff)) >> 5;
     }
-    return place;
-  }
-
-  /// Ten bits with two zeros after each.
-  static std::uint32_t Spread(std::uint32_t bits)
-  {
-    bits = (bits | bits << 16) & 0x030000ffu;
-    bits = (bits | bits << 8) & 0x0300f00fu;
-    bits = (bits | bits << 4) & 0x030c30c3u;
-    return (bits | bits << 2) & 0x09249249u;
+    return MortonCode(cube);
   }
 
   /// Lanes that are left over are empty: above all that is asked.
