@@ -71,8 +71,14 @@ public:
     for (int i = 0; i < Shape::NumberOfFaces; ++i)
     {
       const skd::CellFace<Shape> face(points, i);
-      face.Size == 4 ? this->AddPatch(face.Points)
-                     : this->AddTriangle(face.Points[0], face.Points[1], face.Points[2]);
+      if (face.Size == 4)
+      {
+        this->AddPatch(face.Points);
+      }
+      else
+      {
+        this->AddTriangle(face.Points[0], face.Points[1], face.Points[2]);
+      }
     }
   }
 
@@ -217,8 +223,14 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
     };
     if (!SkdVisitKernel(shape, add))
     {
-      shape == SkdShape::Generic ? this->AddTurns(cell, segment, reach, source, parameters)
-                                 : borders.AddPoly(this->Store.GatherPoly(cell));
+      if (shape == SkdShape::Generic)
+      {
+        this->AddTurns(cell, segment, reach, source, parameters);
+      }
+      else
+      {
+        borders.AddPoly(this->Store.GatherPoly(cell));
+      }
     }
     return 1.0;
   };

@@ -164,8 +164,14 @@ bool Part::AreCertainlyWhole(vtkIdType begin, vtkIdType end, const SizeTable& ta
           offsets, ids, begin, end, this->Cells.NumberOfIds(), this->NumberOfPoints, sizesOf);
       };
       const SkdCellSizes common = table[static_cast<std::size_t>(this->CommonType)];
-      this->Types ? look([&](vtkIdType cell) { return table[this->Types[cell]]; })
-                  : look([&](vtkIdType) { return common; });
+      if (this->Types)
+      {
+        look([&](vtkIdType cell) { return table[this->Types[cell]]; });
+      }
+      else
+      {
+        look([&](vtkIdType) { return common; });
+      }
     });
   return areWhole;
 }

@@ -50,7 +50,14 @@ public:
     {
       const Run* run = this->RunOf(begin);
       const vtkIdType last = run ? std::min(end, run->Last) : end;
-      run ? VisitStored(*run, begin, last, visit) : this->VisitOthers(begin, last, list, visit);
+      if (run)
+      {
+        VisitStored(*run, begin, last, visit);
+      }
+      else
+      {
+        this->VisitOthers(begin, last, list, visit);
+      }
       begin = last;
     }
   }

@@ -128,8 +128,14 @@ struct PlaneFiller
     VisitVolume(shape,
       [&](auto kind)
       {
-        areFew ? this->SetEach<decltype(kind)>(cells, alike)
-               : this->SetTogether<decltype(kind)>(cells, alike);
+        if (areFew)
+        {
+          this->SetEach<decltype(kind)>(cells, alike);
+        }
+        else
+        {
+          this->SetTogether<decltype(kind)>(cells, alike);
+        }
       });
     return alike;
   }

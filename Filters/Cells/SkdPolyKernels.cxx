@@ -308,7 +308,13 @@ void SkdPolyKernels::Locate(const SkdPolyCell& cell, SkdCellPoint& found, double
                             : PCoordsInBounds(cell.AsPolyhedron().Bounds(), found.Point);
   if (weights)
   {
-    isPolygon ? WeighPolygon(cell, found.Point, weights)
-              : WeighPolyhedron(cell, found.Point, weights);
+    if (isPolygon)
+    {
+      WeighPolygon(cell, found.Point, weights);
+    }
+    else
+    {
+      WeighPolyhedron(cell, found.Point, weights);
+    }
   }
 }

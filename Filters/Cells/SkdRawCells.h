@@ -20,8 +20,14 @@ public:
   template <class Visit>
   void VisitArrays(const Visit& visit) const
   {
-    this->Stored.AreStored() ? this->Stored.VisitArrays(visit)
-                             : visit(this->Offsets.data(), this->Ids.data());
+    if (this->Stored.AreStored())
+    {
+      this->Stored.VisitArrays(visit);
+    }
+    else
+    {
+      visit(this->Offsets.data(), this->Ids.data());
+    }
   }
 
   /// Calls visit(ids, size) if the cell's ids are all in the array.

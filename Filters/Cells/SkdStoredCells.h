@@ -37,7 +37,14 @@ public:
   template <class Visit>
   void VisitArrays(const Visit& visit) const
   {
-    this->Ids64 ? visit(this->Offsets64, this->Ids64) : visit(this->Offsets32, this->Ids32);
+    if (this->Ids64)
+    {
+      visit(this->Offsets64, this->Ids64);
+    }
+    else
+    {
+      visit(this->Offsets32, this->Ids32);
+    }
   }
 
 private:

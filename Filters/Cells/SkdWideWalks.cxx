@@ -65,8 +65,14 @@ void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double m
 void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double limit2,
   bool onlyNearest, const SkdWideVisitor& visitor)
 {
-  onlyNearest ? WalkNearest<true>(tree, PointAt(x), limit2, visitor)
-              : WalkNearest<false>(tree, PointAt(x), limit2, visitor);
+  if (onlyNearest)
+  {
+    WalkNearest<true>(tree, PointAt(x), limit2, visitor);
+  }
+  else
+  {
+    WalkNearest<false>(tree, PointAt(x), limit2, visitor);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -74,8 +80,14 @@ void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const double from[3], c
   double margin, bool inOrder, const SkdWideVisitor& visitor)
 {
   const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
-  inOrder ? WalkAlong<true>(tree, segment, margin, visitor)
-          : WalkAlong<false>(tree, segment, margin, visitor);
+  if (inOrder)
+  {
+    WalkAlong<true>(tree, segment, margin, visitor);
+  }
+  else
+  {
+    WalkAlong<false>(tree, segment, margin, visitor);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -85,6 +97,12 @@ void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const double from[
   const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
   auto take = [&visitor](std::uint32_t cell, const skd::TriangleHit& hit)
   { return visitor.Call(visitor.Self, cell, &hit); };
-  inOrder ? skd::VisitTriangleHits<true>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take)
-          : skd::VisitTriangleHits<false>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+  if (inOrder)
+  {
+    skd::VisitTriangleHits<true>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+  }
+  else
+  {
+    skd::VisitTriangleHits<false>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+  }
 }

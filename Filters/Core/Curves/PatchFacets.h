@@ -193,7 +193,14 @@ private:
       this->Points.resize(static_cast<std::size_t>(this->NumberOnSides));
       this->At.resize(static_cast<std::size_t>(this->NumberOnSides));
       this->Triangles.clear();
-      this->Face->IsTriangle ? this->CutTriangle(std::max(m[0], m[1])) : this->CutQuad(m[0], m[1]);
+      if (this->Face->IsTriangle)
+      {
+        this->CutTriangle(std::max(m[0], m[1]));
+      }
+      else
+      {
+        this->CutQuad(m[0], m[1]);
+      }
       const bool isFine = this->IsWithinDeviation();
       if (isFine || (m[0] == MostPieces && m[1] == MostPieces))
       {

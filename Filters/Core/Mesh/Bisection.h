@@ -147,9 +147,18 @@ private:
     {
       std::copy_n(this->Mesh.NodesOf(cell).First, size, nodes);
       *std::find(nodes, nodes + size, edge[end]) = middle;
-      size == 2     ? this->Add(cell, kind, { nodes[0], nodes[1] }, 1)
-        : size == 3 ? this->Add(cell, kind, { nodes[0], nodes[1], nodes[2] }, 1)
-                    : this->Add(cell, kind, { nodes[0], nodes[1], nodes[2], nodes[3] }, 1);
+      if (size == 2)
+      {
+        this->Add(cell, kind, { nodes[0], nodes[1] }, 1);
+      }
+      else if (size == 3)
+      {
+        this->Add(cell, kind, { nodes[0], nodes[1], nodes[2] }, 1);
+      }
+      else
+      {
+        this->Add(cell, kind, { nodes[0], nodes[1], nodes[2], nodes[3] }, 1);
+      }
     }
     this->Mesh.EndCut(cell);
   }
@@ -264,8 +273,14 @@ private:
     this->Mesh.BeginCut(cell);
     for (const FaceNodes& f : faces)
     {
-      f[3] == None ? this->Add(cell, CellKind::Tetrahedron, { f[0], f[1], f[2], middle }, 3)
-                   : this->Add(cell, CellKind::Pyramid, { f[0], f[1], f[2], f[3], middle }, 3);
+      if (f[3] == None)
+      {
+        this->Add(cell, CellKind::Tetrahedron, { f[0], f[1], f[2], middle }, 3);
+      }
+      else
+      {
+        this->Add(cell, CellKind::Pyramid, { f[0], f[1], f[2], f[3], middle }, 3);
+      }
     }
     this->Mesh.EndCut(cell);
   }

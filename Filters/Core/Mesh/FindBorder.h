@@ -22,7 +22,14 @@ public:
         [this](const FaceNodes& face)
         {
           const bool isNew = this->Numbers.FindOrAdd(face) == this->Faces.size();
-          isNew ? this->Faces.push_back({ face, true }) : this->LeaveOut(face);
+          if (isNew)
+          {
+            this->Faces.push_back({ face, true });
+          }
+          else
+          {
+            this->LeaveOut(face);
+          }
         });
     }
   }
@@ -43,7 +50,10 @@ public:
   {
     for (const Face& face : this->Faces)
     {
-      face.IsOuter ? visit(face.Nodes) : void();
+      if (face.IsOuter)
+      {
+        visit(face.Nodes);
+      }
     }
   }
 

@@ -47,7 +47,16 @@ private:
       [this](std::uint32_t a, std::uint32_t b) { this->MarkOnEdge(a, b); });
     ForEachFace(kind, nodes.First,
       [this](const FaceNodes& f)
-      { f[3] == None ? this->MarkOnTriangle(f[0], f[1], f[2]) : this->MarkOnQuad(f); });
+      {
+        if (f[3] == None)
+        {
+          this->MarkOnTriangle(f[0], f[1], f[2]);
+        }
+        else
+        {
+          this->MarkOnQuad(f);
+        }
+      });
   }
 
   void MarkOnEdge(std::uint32_t a, std::uint32_t b)

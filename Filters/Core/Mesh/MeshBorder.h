@@ -54,8 +54,14 @@ public:
   /// Edges, the last nodes None, and faces, each for itself, the nodes of a face in any order.
   void AddSide(const FaceNodes& side)
   {
-    side[2] == TupleNumbers<4>::None ? this->Edges.FindOrAdd({ side[0], side[1] })
-                                     : this->Faces.FindOrAdd(side);
+    if (side[2] == TupleNumbers<4>::None)
+    {
+      this->Edges.FindOrAdd({ side[0], side[1] });
+    }
+    else
+    {
+      this->Faces.FindOrAdd(side);
+    }
   }
   template <class Visit>
   void ForEachSide(const Visit& visit) const

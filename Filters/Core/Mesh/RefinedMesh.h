@@ -150,7 +150,10 @@ public:
       const bool isOfBorder = this->Border.HasEdge(a, b);
       middle = this->MakeNode({ a, b }, isOfBorder);
       this->Edges.SetMiddle({ a, b }, middle);
-      isOfBorder ? this->Border.AddHalves(a, middle, b) : void();
+      if (isOfBorder)
+      {
+        this->Border.AddHalves(a, middle, b);
+      }
     }
     return middle;
   }
@@ -208,14 +211,12 @@ public:
   template <class Visit>
   void ForEachLeafAt(std::uint32_t a, std::uint32_t b, const Visit& visit) const
   {
-    this->Edges.ForEachCellAt(
-      { a, b }, [&](std::uint32_t cell) { this->Cells[cell].IsLeaf() ? visit(cell) : void(); });
+    this->Edges.ForEachCellAt({ a, b }, this->IfLeaf(visit));
   }
   template <class Visit>
   void ForEachLeafAt(const FaceNodes& face, const Visit& visit) const
   {
-    this->Faces.ForEachCellAt(
-      face, [&](std::uint32_t cell) { this->Cells[cell].IsLeaf() ? visit(cell) : void(); });
+    this->Faces.ForEachCellAt(face, this->IfLeaf(visit));
   }
   ///@}
 
@@ -246,6 +247,18 @@ public:
   }
 
 private:
+  template <class Visit>
+  auto IfLeaf(const Visit& visit) const
+  {
+    return [this, &visit](std::uint32_t cell)
+    {
+      if (this->Cells[cell].IsLeaf())
+      {
+        visit(cell);
+      }
+    };
+  }
+
   /// Puts a new leaf down at its edges, and at its faces of four nodes.
   void Register(std::uint32_t cell)
   {

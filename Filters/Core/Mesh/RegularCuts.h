@@ -49,8 +49,14 @@ public:
         return false;
       }
       wanted = MeshBalance(this->Mesh, this->Balance)
-                 .FindUnbalanced([this](std::vector<int>& levels)
-                   { this->Shared ? this->Shared->ShareLevels(levels) : void(); });
+                 .FindUnbalanced(
+                   [this](std::vector<int>& levels)
+                   {
+                     if (this->Shared)
+                     {
+                       this->Shared->ShareLevels(levels);
+                     }
+                   });
     } while (this->Shared ? this->Shared->GetProcesses().IsAny(!wanted.empty()) : !wanted.empty());
     return true;
   }
@@ -65,7 +71,14 @@ private:
     {
       if (this->Mesh[cell].IsLeaf() && !this->Mesh[cell].IsFixed)
       {
-        IsDivisible(this->Mesh, cell) ? this->Cut(cell) : this->Mesh.Fix(cell);
+        if (IsDivisible(this->Mesh, cell))
+        {
+          this->Cut(cell);
+        }
+        else
+        {
+          this->Mesh.Fix(cell);
+        }
       }
       if (this->Mesh.NumberOfLeaves() > this->Limit)
       {

@@ -155,7 +155,10 @@ inline std::vector<double> SharedCuts::TellMiddles() const
   }
   for (const FaceNodes& face : this->Mesh.GetCutFaces(this->FacesTold))
   {
-    face[3] == None ? this->Append(told, face) : void();
+    if (face[3] == None)
+    {
+      this->Append(told, face);
+    }
   }
   return told;
 }
@@ -216,7 +219,10 @@ inline void SharedCuts::AgreeOnFacesOfVolumes()
     this->ForEachToldHere(told,
       [&](const FaceNodes& side)
       {
-        this->Mesh.IsFaceOfVolume(side) ? this->Append(answers, side) : void();
+        if (this->Mesh.IsFaceOfVolume(side))
+        {
+          this->Append(answers, side);
+        }
         return true;
       });
   }

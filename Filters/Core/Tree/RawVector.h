@@ -40,7 +40,14 @@ struct RawAllocator : std::allocator<T>
   }
   void deallocate(T* first, std::size_t count)
   {
-    IsLarge(count) ? LargePages::Free(first) : std::allocator<T>::deallocate(first, count);
+    if (IsLarge(count))
+    {
+      LargePages::Free(first);
+    }
+    else
+    {
+      std::allocator<T>::deallocate(first, count);
+    }
   }
 
   template <class U>
