@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdBezierCell.h"
+#include "Cells/SkdTolerances.h"
 
 #include "vtkBezierCurve.h"
 #include "vtkBezierQuadrilateral.h"
@@ -67,7 +68,8 @@ constexpr vtkIdType BubbleTriangle = 7;
 /// 0 of a number of points that is none of a triangle's.
 int TriangleDegree(vtkIdType points)
 {
-  const int degree = static_cast<int>((std::sqrt(8.0 * points + 1.0) - 3.0) / 2.0 + 1e-9);
+  const int degree =
+    static_cast<int>((std::sqrt(8.0 * points + 1.0) - 3.0) / 2.0 + SkdTolerances::Degree);
   const bool isFull = (degree + 1) * (degree + 2) / 2 == points;
   return isFull ? degree : (points == BubbleTriangle ? 2 : 0);
 }

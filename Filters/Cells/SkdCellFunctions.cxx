@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdTolerances.h"
 
 #include "vtkBezierCurve.h"
 #include "vtkBezierHexahedron.h"
@@ -116,7 +117,7 @@ bool HasDerivatives(int cellType)
 
 void DeriveByDifferences(vtkCell* cell, const double pcoords[3], double* derivatives)
 {
-  constexpr double h = 1e-5;
+  constexpr double h = SkdTolerances::FirstDifference;
   const auto size = static_cast<std::size_t>(cell->GetNumberOfPoints());
   std::vector<double> before(size);
   for (int axis = 0; axis < cell->GetCellDimension(); ++axis)

@@ -4,6 +4,7 @@
 
 #include "Cells/SkdCellFunctions.h"
 #include "Cells/SkdParametricCell.h"
+#include "Cells/SkdTolerances.h"
 #include "Core/Geometry/Box.h"
 
 #include "vtkCell.h"
@@ -73,7 +74,7 @@ public:
     const bool isQuadratic = this->Cell.NumberOfPoints() <= 27;
     const int n = (isQuadratic ? coarse : fine)[this->Cell.Domain().Dimension];
     this->Look({ { 0.5, 0.5, 0.5 } }, 0.5 / n, n);
-    for (double step = 0.5 / n; step > 1e-4; step *= 0.5)
+    for (double step = 0.5 / n; step > SkdTolerances::DeviationStep; step *= 0.5)
     {
       this->Look(this->Where, step, 1);
     }

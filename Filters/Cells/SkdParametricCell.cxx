@@ -3,6 +3,7 @@
 #include "Cells/SkdParametricCell.h"
 
 #include "Cells/SkdCellFunctions.h"
+#include "Cells/SkdTolerances.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
@@ -176,7 +177,7 @@ void SkdParametricCell::Tangents(const skd::Vector3& p, skd::Vector3 (&tangents)
     }
     return;
   }
-  constexpr double h = 1e-5;
+  constexpr double h = SkdTolerances::FirstDifference;
   for (int axis = 0; axis < this->TheDomain->Dimension; ++axis)
   {
     skd::Vector3 before = p;

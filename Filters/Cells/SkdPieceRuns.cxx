@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdPieceRuns.h"
+#include "Cells/SkdTolerances.h"
 
 #include "Core/Geometry/Distance/Distance.h"
 
@@ -102,7 +103,8 @@ public:
     for (std::size_t i = 0; i < count; ++i)
     {
       // Less than what rounding makes of the distance of any piece in it.
-      keys[i] = (1.0 - 1e-14) * skd::MinDistance2(this->X, this->Boxes[first + i]);
+      keys[i] =
+        (1.0 - SkdTolerances::PieceDistance2) * skd::MinDistance2(this->X, this->Boxes[first + i]);
     }
     for (std::size_t turn = 0; turn < count; ++turn)
     {

@@ -4,6 +4,7 @@
 #define skd_Curves_BezierPatch_h
 
 #include "BezierCurve.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -170,7 +171,7 @@ inline Box3 BoundsOnDomain(
     return patch.Bounds();
   }
   Box3 box;
-  if (r + s >= 1.0 || size < 1e-6)
+  if (r + s >= 1.0 || size < tolerances::LeastPart)
   {
     return box;
   }

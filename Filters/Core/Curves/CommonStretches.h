@@ -3,6 +3,8 @@
 #ifndef skd_Curves_CommonStretches_h
 #define skd_Curves_CommonStretches_h
 
+#include "Tolerances.h"
+
 #include <vector>
 
 namespace skd
@@ -65,7 +67,7 @@ private:
     bool isOn = false;
     for (int i = 0; i <= this->Size; ++i)
     {
-      const bool isNext = this->What.Depth(this->Feet[i]) >= -1e-9;
+      const bool isNext = this->What.Depth(this->Feet[i]) >= -tolerances::OnStretch;
       if (isNext && !isOn)
       {
         begin = i == 0 ? this->Feet[0] : this->Border(this->Feet[i], this->Feet[i - 1]);

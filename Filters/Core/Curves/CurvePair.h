@@ -5,6 +5,7 @@
 
 #include "IntersectionKind.h"
 #include "Preconditioner.h"
+#include "Tolerances.h"
 
 #include <optional>
 #include <vector>
@@ -72,7 +73,10 @@ struct CurvePair
     const Vector3 along = this->First.At(hit.T).D1;
     const InverseRows inverse = Inverse(along, this->Second.At(hit.S).D1);
     const auto slack = [&](int row)
-    { return std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + 1e-14, 1e-5); };
+    {
+      return std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + tolerances::RootRounding,
+        tolerances::MostSlack);
+    };
     hit.SlackT = slack(0);
     hit.SlackS = slack(1);
     hit.Error = 8.0 * this->Tolerance + hit.SlackT * Norm(along);
@@ -143,7 +147,7 @@ struct CurvePair
   std::optional<CurvePairHit> Resolve(const CurvePairContact& contact) const
   {
     const double length = contact.T.Max - contact.T.Min;
-    const double step = std::max(2.0 * length, 1e-9);
+    const double step = std::max(2.0 * length, tolerances::ContactStep);
     const double reach = 8.0 * this->Tolerance;
     const auto gapAt = [&](CurvePairHit& place)
     {
@@ -169,7 +173,10 @@ struct CurvePair
   }
 
   /// Whether a place may be more than a simple root: the curves nearly run along each other there.
-  static bool IsDoubtful(const CurvePairHit& hit) { return hit.SlackT > 1e-8 && !hit.IsResolved; }
+  static bool IsDoubtful(const CurvePairHit& hit)
+  {
+    return hit.SlackT > tolerances::Doubtful && !hit.IsResolved;
+  }
 
   static bool IsBefore(const CurvePairHit& a, const CurvePairHit& b)
   {
@@ -183,7 +190,8 @@ struct CurvePair
 
   static bool IsOnePlace(const CurvePairHit& a, const CurvePairHit& b)
   {
-    return std::abs(a.T - b.T) <= 1e-12 && std::abs(a.S - b.S) <= 1e-12;
+    return std::abs(a.T - b.T) <= tolerances::SamePlace &&
+      std::abs(a.S - b.S) <= tolerances::SamePlace;
   }
 
   /// Whether the curves stay within the tolerance of each other from one place to another.
@@ -200,7 +208,7 @@ struct CurvePair
       }
     }
     // not where the second curve comes by again
-    return std::abs(foot.S - b.S) <= std::max({ a.SlackS, b.SlackS, 1e-6 });
+    return std::abs(foot.S - b.S) <= std::max({ a.SlackS, b.SlackS, tolerances::SameContact });
   }
 
   /// The place of a curve nearest to a point, found from `start`, also beyond its ends.
@@ -213,7 +221,7 @@ struct CurvePair
       const double speed2 = Norm2(at.D1);
       const double step = speed2 > 0.0 ? Dot(x - at.X, at.D1) / speed2 : 0.0;
       foot += step;
-      if (std::abs(step) < 1e-15)
+      if (std::abs(step) < tolerances::FootStep)
       {
         break;
       }
@@ -236,9 +244,10 @@ private:
     Vector3 way;
     this->FindFoot(hit, way);
     const double speed = Norm(this->First.At(hit.T).D1);
-    hit.SlackT = std::min(hit.SlackT + 1e-12, 0.125);
+    hit.SlackT = std::min(hit.SlackT + tolerances::SamePlace, 0.125);
     hit.SlackS =
-      std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + 1e-12, 0.125); // not of NaN
+      std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + tolerances::SamePlace,
+        0.125); // not of NaN
     hit.Error = hit.SlackT * speed + 8.0 * this->Tolerance;
     return this->Place(hit, 4.0 * this->Tolerance);
   }

@@ -14,6 +14,7 @@
 #include "CurveWithinCurve.h"
 #include "IntersectionSearch.h"
 #include "LinePair.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -91,7 +92,7 @@ private:
       inverse.Step(cell, at, step);
       at[0] = std::clamp(at[0] + step[0], 0.0, 1.0); // a root of the cell is only come nearer to
       at[1] = std::clamp(at[1] + step[1], 0.0, 1.0);
-      if (std::abs(step[0]) + std::abs(step[1]) < 1e-15)
+      if (std::abs(step[0]) + std::abs(step[1]) < tolerances::FootStep)
       {
         break;
       }

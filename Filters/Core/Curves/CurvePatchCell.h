@@ -4,6 +4,7 @@
 #define skd_Curves_CurvePatchCell_h
 
 #include "SeparatingQuadric.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -26,7 +27,7 @@ struct CurvePatchCell
   /// Whether it lies beyond the long side of a triangle.
   bool IsOutside() const
   {
-    return this->Patch.IsTriangle && this->R.Min + this->S.Min > 1.0 + 1e-6;
+    return this->Patch.IsTriangle && this->R.Min + this->S.Min > 1.0 + tolerances::BeyondLongSide;
   }
 };
 
@@ -94,7 +95,7 @@ public:
   {
     const Vector3 normal = Cross(this->AlongR, this->AlongS);
     const double size = Norm(this->AlongR) * Norm(this->AlongS);
-    if (!this->IsBounded || !(Norm(normal) > 1e-6 * size))
+    if (!this->IsBounded || !(Norm(normal) > tolerances::FlatNormal * size))
     {
       return this->IsBounded && SpreadOf(this->Curve, this->CurveSize) <= tolerance &&
         SpreadOf(this->Patch, this->PatchSize) <= tolerance;
@@ -143,7 +144,7 @@ private:
   double PatchSpread(const Vector3& along, const Vector3& other) const
   {
     const double length = Norm(along);
-    return length > 1e-3 * Norm(other)
+    return length > tolerances::LeastSide * Norm(other)
       ? length
       : 0.5 * SpreadOf(this->Patch, this->PatchSize) / this->PatchSize;
   }

@@ -5,6 +5,7 @@
 
 #include "IntersectionKind.h"
 #include "Preconditioner.h"
+#include "Tolerances.h"
 
 #include <array>
 #include <optional>
@@ -83,7 +84,9 @@ struct CurvePatchPair
     std::array<double, 3> slacks;
     for (int row = 0; row < 3; ++row)
     {
-      slacks[row] = std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + 1e-14, 1e-5);
+      slacks[row] =
+        std::min(8.0 * this->Tolerance * Norm(inverse.Rows[row]) + tolerances::RootRounding,
+          tolerances::MostSlack);
     }
     return slacks;
   }
@@ -135,7 +138,7 @@ struct CurvePatchPair
       hit.R += stepR;
       hit.S += stepS;
       s = this->Patch.At(hit.R, hit.S);
-      if (std::abs(stepR) + std::abs(stepS) < 1e-15)
+      if (std::abs(stepR) + std::abs(stepS) < tolerances::FootStep)
       {
         break;
       }
@@ -165,7 +168,7 @@ struct CurvePatchPair
   std::optional<CurvePatchHit> Resolve(const CurvePatchContact& contact) const
   {
     const double length = contact.T.Max - contact.T.Min;
-    const double step = std::max(2.0 * length, 1e-9);
+    const double step = std::max(2.0 * length, tolerances::ContactStep);
     const double reach = 8.0 * this->Tolerance;
     const auto gapAt = [&](CurvePatchHit& place)
     {
@@ -188,7 +191,10 @@ struct CurvePatchPair
   }
 
   /// Whether a place may be more than a simple root: the curve nearly runs along the patch there.
-  static bool IsDoubtful(const CurvePatchHit& hit) { return hit.Slack > 1e-8 && !hit.IsResolved; }
+  static bool IsDoubtful(const CurvePatchHit& hit)
+  {
+    return hit.Slack > tolerances::Doubtful && !hit.IsResolved;
+  }
 
   static bool IsBefore(const CurvePatchHit& a, const CurvePatchHit& b)
   {
@@ -203,7 +209,7 @@ struct CurvePatchPair
   /// Two roots of one place: what X may be off by tells where patches have a pole.
   static bool IsOnePlace(const CurvePatchHit& a, const CurvePatchHit& b)
   {
-    return std::abs(b.T - a.T) <= 1e-12 &&
+    return std::abs(b.T - a.T) <= tolerances::SamePlace &&
       Distance2(a.X, b.X) <= 4.0 * (a.Error + b.Error) * (a.Error + b.Error);
   }
 
@@ -221,7 +227,7 @@ struct CurvePatchPair
       }
     }
     return Norm(this->Patch.At(foot.R, foot.S).X - this->Patch.At(b.R, b.S).X) <=
-      a.Error + b.Error + 1e-6 * Norm(this->Curve.At(b.T).D1);
+      a.Error + b.Error + tolerances::SameContact * Norm(this->Curve.At(b.T).D1);
   }
 
 private:
@@ -295,11 +301,14 @@ private:
   {
     const CurvePoint c = this->Curve.At(hit.T);
     const SurfacePoint s = this->Patch.At(hit.R, hit.S);
-    hit.Slack = std::min(hit.Slack + 1e-12, 0.125);
+    hit.Slack = std::min(hit.Slack + tolerances::SamePlace, 0.125);
     const double length = std::max(hit.Slack * Norm(c.D1), 8.0 * this->Tolerance);
     hit.Error = length;
     const auto slack = [&](const Vector3& along)
-    { return std::min(length / std::max(Norm(along), 1e-300), 1e-5); };
+    {
+      return std::min(
+        length / std::max(Norm(along), tolerances::LeastDivisor), tolerances::MostSlack);
+    };
     return this->Place(hit, slack(s.DR), slack(s.DS));
   }
 
@@ -310,7 +319,7 @@ private:
     const SurfacePoint s = this->Patch.At(0.5 + 0.999 * (hit.R - 0.5), 0.5 + 0.999 * (hit.S - 0.5));
     const Vector3 normal = s.Normal();
     const double slope = Dot(c.D1, normal) / (Norm(normal) * Norm(c.D1));
-    const bool crosses = std::abs(slope) > 1e-3;
+    const bool crosses = std::abs(slope) > tolerances::PoleSlope;
     hit.Kind = crosses ? IntersectionKind::Crossing : IntersectionKind::Touching;
     hit.Passes = crosses ? (slope > 0.0 ? 1 : -1) : 0;
     const double gap2 = Distance2(c.X, this->Patch.At(hit.R, hit.S).X);

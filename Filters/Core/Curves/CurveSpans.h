@@ -5,6 +5,7 @@
 
 #include "../Geometry/Distance/ClosestPoint.h"
 #include "BezierCurve.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -81,7 +82,7 @@ inline double LengthByHalves(
   const double middle = 0.5 * (from + to);
   const double low = GaussLength(curve, from, middle);
   const double high = GaussLength(curve, middle, to);
-  if (depth == 0 || std::abs(low + high - whole) <= 1e-13 * whole)
+  if (depth == 0 || std::abs(low + high - whole) <= tolerances::ArcLength * whole)
   {
     return low + high;
   }

@@ -5,6 +5,7 @@
 
 #include "CommonStretches.h"
 #include "CurvePair.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -19,8 +20,8 @@ inline void AppendStretch(
     const double speed = Norm(pair.First.At(hit->T).D1);
     const double other = Norm(pair.Second.At(hit->S).D1);
     hit->Kind = IntersectionKind::OverlapEnd;
-    hit->SlackT = 16.0 * pair.Tolerance / speed + 1e-13;
-    hit->SlackS = 16.0 * pair.Tolerance / other + 1e-13;
+    hit->SlackT = 16.0 * pair.Tolerance / speed + tolerances::OverlapRounding;
+    hit->SlackS = 16.0 * pair.Tolerance / other + tolerances::OverlapRounding;
     hit->Error = 16.0 * pair.Tolerance + hit->SlackT * speed;
     hit->Begins = hit == &begin;
     if (hit->IsExact)

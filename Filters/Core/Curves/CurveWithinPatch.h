@@ -5,6 +5,7 @@
 
 #include "CommonStretches.h"
 #include "CurvePatchContact.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -53,9 +54,11 @@ private:
     {
       hit->Kind = IntersectionKind::OverlapEnd;
       hit->Begins = hit == &begin;
-      hit->Slack = 1e-9;
-      hit->Error = 1e-9 * Norm(this->Pair.Curve.At(hit->T).D1) + 8.0 * this->Pair.Tolerance;
-      isPlaced = this->Pair.Place(*hit, 1e-8, 1e-8) && isPlaced;
+      hit->Slack = tolerances::PatchOverlap;
+      hit->Error = hit->Slack * Norm(this->Pair.Curve.At(hit->T).D1) + 8.0 * this->Pair.Tolerance;
+      isPlaced =
+        this->Pair.Place(*hit, tolerances::PatchOverlapSide, tolerances::PatchOverlapSide) &&
+        isPlaced;
       hit->OnBoundary = true;
     }
     const bool isStretch = end.T - begin.T > 2.0 * begin.Slack;

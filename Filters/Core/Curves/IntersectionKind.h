@@ -3,6 +3,8 @@
 #ifndef skd_Curves_IntersectionKind_h
 #define skd_Curves_IntersectionKind_h
 
+#include "Tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +56,7 @@ template <class Hit, class GapAt>
 double ContactLength(const Hit& hit, double reach, const GapAt& gapAt)
 {
   double length = 0.0;
-  for (const double step : { -1e-12, 1e-12 })
+  for (const double step : { -tolerances::SamePlace, tolerances::SamePlace })
   {
     Hit place = hit;
     LeaveContact(place, step, reach, gapAt);
@@ -72,7 +74,7 @@ double SignChange(double low, double high, const Function& function)
   {
     return 0.5 * (low + high);
   }
-  for (int iteration = 0; iteration < 60 && high - low > 1e-16; ++iteration)
+  for (int iteration = 0; iteration < 60 && high - low > tolerances::SignChange; ++iteration)
   {
     const double middle = 0.5 * (low + high);
     const double atMiddle = function(middle);

@@ -4,6 +4,7 @@
 #define skd_Curves_IntersectionSearch_h
 
 #include "../Geometry/Segment.h"
+#include "Tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,8 @@ protected:
     {
       Interval range = this->Contacts[first].T;
       std::size_t last = first + 1;
-      while (last < this->Contacts.size() && this->Contacts[last].T.Min <= range.Max + 1e-9)
+      while (last < this->Contacts.size() &&
+        this->Contacts[last].T.Min <= range.Max + tolerances::ContactStep)
       {
         range.Max = std::max(range.Max, this->Contacts[last++].T.Max);
       }
@@ -86,7 +88,8 @@ protected:
   /// Whether a root is of a cell, or rounding, which it may be off by, has pushed it out.
   static bool Holds(const Interval& interval, double value, double rounding)
   {
-    const double slack = 1e-6 * (interval.Max - interval.Min) + 1e-9 + rounding;
+    const double slack =
+      tolerances::CellShare * (interval.Max - interval.Min) + tolerances::ContactStep + rounding;
     return value >= interval.Min - slack && value <= interval.Max + slack;
   }
 
@@ -95,11 +98,11 @@ private:
   static bool IsSame(const Pair& pair, const Hit& a, const Interval& range, const Hit& b)
   {
     constexpr double longest = 1.0 / 16;
-    constexpr double shortest = 1e-6; // of what simple roots may be off by, and some more
     const bool isDoubtful =
       a.IsResolved || b.IsResolved || pair.IsDoubtful(a) || pair.IsDoubtful(b);
     return pair.IsOnePlace(a, b) ||
-      (b.T - range.Max <= (isDoubtful ? longest : shortest) && pair.IsOneContact(a, b));
+      (b.T - range.Max <= (isDoubtful ? longest : tolerances::SimpleGap) &&
+        pair.IsOneContact(a, b));
   }
 
   /// Keeps the first of those that are the same, and what range they take.
@@ -130,7 +133,7 @@ private:
   template <class Pair>
   static bool TellWhatItIs(const Pair& pair, const Interval& range, Hit& hit)
   {
-    const bool isSimple = range.Max - range.Min <= 1e-12 && !pair.IsDoubtful(hit);
+    const bool isSimple = range.Max - range.Min <= tolerances::SamePlace && !pair.IsDoubtful(hit);
     const auto resolved =
       isSimple ? std::optional<Hit>() : pair.Resolve(pair.ContactAt(range, hit));
     hit = resolved ? *resolved : hit;

@@ -5,6 +5,7 @@
 
 #include "../Geometry/Distance/ClosestSegments.h"
 #include "CurveSpans.h"
+#include "Tolerances.h"
 
 #include <vector>
 
@@ -32,7 +33,8 @@ public:
     this->Best = known;
     this->Stack.clear();
     this->Stack.push_back({ first, second, { 0.0, 1.0 }, { 0.0, 1.0 } });
-    const double enough = 1e-10 * (first.Bounds().Diagonal() + second.Bounds().Diagonal());
+    const double enough =
+      tolerances::Nearest * (first.Bounds().Diagonal() + second.Bounds().Diagonal());
     for (int budget = 20000; !this->Stack.empty() && budget > 0; --budget)
     {
       const Cell cell = this->Stack.back();

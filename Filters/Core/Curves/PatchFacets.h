@@ -16,6 +16,7 @@
 #include "../Geometry/Distance/ClosestPoint.h"
 #include "NodePatch.h"
 #include "SecondDerivatives.h"
+#include "Tolerances.h"
 
 #include <array>
 #include <vector>
@@ -35,7 +36,7 @@ public:
     const NodePatch common = InCommonOrder(face, isOver);
     this->Face = &common;
     this->Origin = common.Corner(0);
-    this->Deviation = std::max(deviation, 1e-300);
+    this->Deviation = std::max(deviation, tolerances::LeastDivisor);
     this->Patch = ToBezier(common, this->Origin);
     Scale(this->Patch.Points, this->Patch.Size(), 1.0 / this->Deviation);
     this->ReadSides();

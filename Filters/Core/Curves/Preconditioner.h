@@ -4,6 +4,7 @@
 #define skd_Curves_Preconditioner_h
 
 #include "BezierPatch.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -25,11 +26,11 @@ struct Contraction
   /// Certainly no root in the box.
   bool Excludes() const
   {
-    constexpr double rounding = 1e-9;
     for (int i = 0; i < N; ++i)
     {
       if (this->Worst() < 1.0 &&
-        std::abs(this->Step[i]) > 0.5 * (1.0 + this->Spread[i]) + rounding + this->Slack[i])
+        std::abs(this->Step[i]) >
+          0.5 * (1.0 + this->Spread[i]) + tolerances::Preconditioned + this->Slack[i])
       {
         return true;
       }
@@ -49,7 +50,7 @@ struct InverseRows
   {
     const double determinant = Dot(a, Cross(b, c));
     const double size = Norm(a) * Norm(b) * Norm(c);
-    this->IsRegular = std::abs(determinant) > 1e-12 * size;
+    this->IsRegular = std::abs(determinant) > tolerances::Regular * size;
     const double scale = this->IsRegular ? 1.0 / determinant : 0.0;
     this->Rows[0] = scale * Cross(b, c);
     this->Rows[1] = scale * Cross(c, a);

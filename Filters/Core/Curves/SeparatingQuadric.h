@@ -4,6 +4,7 @@
 #define skd_Curves_SeparatingQuadric_h
 
 #include "Preconditioner.h"
+#include "Tolerances.h"
 
 namespace skd
 {
@@ -87,10 +88,9 @@ private:
 
   bool AreApart(const Range& a, const Range& b, double tolerance) const
   {
-    constexpr double rounding = 1e-14; // of sums of some ten terms
     const double reach = std::max(a.Size, b.Size);
     const double steepest = 1.0 + 2.0 * this->Steepness * reach; // of g, within reach
-    return a.Values.IsApart(b.Values, (tolerance + rounding * reach) * steepest);
+    return a.Values.IsApart(b.Values, (tolerance + tolerances::SumOfTen * reach) * steepest);
   }
 
   static void Choose(int degree, double* choose)

@@ -4,6 +4,7 @@
 #define skd_Geometry_RigidMotion_h
 
 #include "Box.h"
+#include "Tolerances.h"
 
 #include <optional>
 
@@ -26,7 +27,7 @@ struct RigidMotion
       motion.Rows[i] = { { matrix[4 * i], matrix[4 * i + 1], matrix[4 * i + 2] } };
       motion.Shift[i] = matrix[4 * i + 3];
     }
-    constexpr double tolerance = 1e-9;
+    constexpr double tolerance = tolerances::Orthonormal;
     const bool isAffine = matrix[12] == 0.0 && matrix[13] == 0.0 && matrix[14] == 0.0 &&
       matrix[15] == 1.0 && IsFinite(motion.Shift);
     for (int i = 0; i < 3; ++i)

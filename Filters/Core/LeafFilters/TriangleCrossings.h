@@ -4,6 +4,7 @@
 #define skd_LeafFilters_TriangleCrossings_h
 
 #include "../Geometry/Intersection/SegmentTriangle.h"
+#include "../Tree/Tolerances.h"
 #include "TrianglePacket.h"
 
 namespace skd
@@ -45,8 +46,9 @@ public:
     const float reach = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
     const float error =
       2.0f * (static_cast<float>(QuantizationGrid::CornerError) + this->Margin * perUnit) +
-      1e-6f * reach;
-    const float slack = 4.0f * error * reach + 2.0f * error * error + 1e-6f * reach * reach;
+      tolerances::CrossingSum * reach;
+    const float slack =
+      4.0f * error * reach + 2.0f * error * error + tolerances::CrossingSum * reach * reach;
     unsigned met = 0;
     for (int first = 0; first < TrianglePacket::Width; first += NativeWidth)
     {

@@ -3,6 +3,7 @@
 #ifndef skd_LeafFilters_TriangleDistances_h
 #define skd_LeafFilters_TriangleDistances_h
 
+#include "../Tree/Tolerances.h"
 #include "TrianglePacket.h"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ public:
   {
     // What rounding may do to corners (QuantizationGrid) and to sums of products relative to |x|.
     const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
-    const float error = static_cast<float>(QuantizationGrid::CornerDistance + 0.3 + 4e-6 * size);
+    const float error =
+      static_cast<float>(QuantizationGrid::CornerDistance + 0.3 + tolerances::DistanceSum * size);
     const float point[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
       static_cast<float>(x[2]) };
     for (int first = 0; first < Width; first += NativeWidth)
@@ -76,7 +78,7 @@ private:
     const Barycentric<W> place = Nearest(u, v, f);
 
     const LanePoint<W> toX = f - place.R * u - place.S * v;
-    const L least(1e-30f); // a root of 0 would not divide
+    const L least(tolerances::LeastLength2); // a root of 0 would not divide
     const L length = Sqrt(Max(Dot(toX, toX), least));
     const L height = Dot(toX, f) - Max(Max(Dot(toX, u), Dot(toX, v)), zero);
     Max(height / length - L(error), zero).Store(this->Least + first);

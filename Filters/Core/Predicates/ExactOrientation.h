@@ -6,6 +6,7 @@
 #ifndef skd_Predicates_ExactOrientation_h
 #define skd_Predicates_ExactOrientation_h
 
+#include "../Geometry/Tolerances.h"
 #include "Orient3D.h"
 
 namespace skd
@@ -25,8 +26,7 @@ inline int SignOfCross(
   const int k = (axis + 2) % 3;
   const double left = (b[j] - a[j]) * (d[k] - c[k]);
   const double right = (b[k] - a[k]) * (d[j] - c[j]);
-  constexpr double enough = 1e-15;
-  if (std::abs(left - right) > enough * (std::abs(left) + std::abs(right)))
+  if (std::abs(left - right) > tolerances::CrossProduct * (std::abs(left) + std::abs(right)))
   {
     return left > right ? 1 : -1;
   }

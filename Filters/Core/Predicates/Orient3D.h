@@ -8,6 +8,7 @@
 #ifndef skd_Predicates_Orient3D_h
 #define skd_Predicates_Orient3D_h
 
+#include "../Geometry/Tolerances.h"
 #include "Expansion.h"
 
 #include <array>
@@ -185,10 +186,10 @@ public:
     // Each step is right to about 2^-100 of what it adds up, and the sum of an exact expansion's
     // parts to less: where both roundings of so much more and so much less agree, they are the
     // expansion's.
-    constexpr double least = 1e-200; // the low parts of less may be lost
     constexpr double relative = 0x1p-94;
     const double error = relative * magnitude;
-    const bool isTold = magnitude > least && volume.High + (volume.Low + error) == volume.High &&
+    const bool isTold = magnitude > tolerances::LeastProduct &&
+      volume.High + (volume.Low + error) == volume.High &&
       volume.High + (volume.Low - error) == volume.High;
     return isTold ? volume.High : std::numeric_limits<double>::quiet_NaN();
   }

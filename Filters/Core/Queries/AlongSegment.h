@@ -5,6 +5,7 @@
 
 #include "../Geometry/Segment.h"
 #include "../Tree/Node.h"
+#include "../Tree/Tolerances.h"
 #include "LeafFilter.h"
 
 namespace skd
@@ -75,11 +76,10 @@ public:
   }
 
 private:
-  /// Above the rounding of a parameter in [0, 1]: a handful of operations of 2^-24 each.
-  static constexpr float Slack = 4e-6f;
+  static constexpr float Slack = tolerances::SegmentParameter;
 
-  /// "Insure width of L in each coordinate direction": no division by zero, no infinity below.
-  static constexpr double Least = 1e-30;
+  /// "Insure width of L in each coordinate direction".
+  static constexpr double Least = tolerances::LeastAlong;
   /// What is beyond so much is as good there.
   static constexpr double Most = 1.0 / Least;
 

@@ -3,6 +3,7 @@
 #ifndef skd_Queries_OverlappingBox_h
 #define skd_Queries_OverlappingBox_h
 
+#include "../Tree/Tolerances.h"
 #include "QueryBox.h"
 
 namespace skd
@@ -24,7 +25,7 @@ public:
     const Frame<D>& frame, const Box<D>& box, double excess, Visitor& visitor, Sure& sure)
     : Outer(frame.Outward(box))
     , Inner(frame.Inward(box))
-    , Inmost(frame.Inward(box), Frame<D>::RoundUp(excess * frame.Scale + Rounding))
+    , Inmost(frame.Inward(box), Frame<D>::RoundUp(excess * frame.Scale + tolerances::BoxExcess))
     , TheVisitor(visitor)
     , TheSure(sure)
   {
@@ -48,9 +49,6 @@ public:
   bool VisitSure(std::uint32_t element) { return this->TheSure(element); }
 
 private:
-  /// More than rounding outward and a sum add to coordinates of at most 1.
-  static constexpr double Rounding = 1e-6;
-
   QueryBox<D> Outer;
   QueryBox<D> Inner;
   QueryBox<D> Inmost; ///< what overlaps it does so without its excess, too

@@ -3,6 +3,7 @@
 #ifndef skd_Queries_OverlappingPairs_h
 #define skd_Queries_OverlappingPairs_h
 
+#include "../Tree/Tolerances.h"
 #include "QueryBox.h"
 
 #include <cfloat>
@@ -50,7 +51,8 @@ public:
     if constexpr (std::is_same_v<ToFirstWorld, SameWorld>)
     {
       this->Map = FrameMap(first, second, toFirst.Margin);
-      const double rounding = 2e-6 * (1.0 + this->Map.Factor) + 4.0 * this->Map.Margin;
+      const double rounding =
+        tolerances::BoxPairExcess * (1.0 + this->Map.Factor) + 4.0 * this->Map.Margin;
       this->Excess = Frame<D>::RoundUp(excess * first.Scale + rounding);
     }
   }

@@ -4,6 +4,7 @@
 #define skd_Queries_PointKeys_h
 
 #include "../Tree/Node.h"
+#include "../Tree/Tolerances.h"
 
 namespace skd
 {
@@ -53,7 +54,7 @@ public:
         sum = sum + reach * reach;
       });
     constexpr float slack = 1.0f + 1.0f / (1 << 19);
-    constexpr float denormals = 1e-44f;
+    constexpr auto denormals = static_cast<float>(tolerances::Denormal2);
     return sum * Lanes<W>(slack) + Lanes<W>(denormals);
   }
 

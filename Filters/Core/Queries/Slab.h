@@ -5,6 +5,7 @@
 
 #include "../Geometry/Plane.h"
 #include "../Tree/Node.h"
+#include "../Tree/Tolerances.h"
 
 namespace skd
 {
@@ -24,10 +25,11 @@ public:
   {
     const Vector<D> origin = frame.Local(plane.Origin);
     const double offset = Dot(plane.Normal, origin);
-    const double rounding = 1e-15 * Dot(Magnitudes(plane.Normal), Magnitudes(origin));
+    const double rounding =
+      tolerances::PlaneOffset * Dot(Magnitudes(plane.Normal), Magnitudes(origin));
     this->Offset = Frame<D>::RoundDown(offset); // the slack covers it
-    this->HalfWidth =
-      Frame<D>::RoundUp(halfWidth * frame.Scale + Slack * (1.0 + std::abs(offset)) + rounding);
+    this->HalfWidth = Frame<D>::RoundUp(
+      halfWidth * frame.Scale + tolerances::PlaneSum * (1.0 + std::abs(offset)) + rounding);
     for (int axis = 0; axis < D; ++axis)
     {
       this->Normal[axis] = static_cast<float>(0.5 * plane.Normal[axis]);
@@ -57,9 +59,6 @@ public:
   }
 
 private:
-  /// Above the rounding of a sum of a few products of numbers of at most 2 in single precision.
-  static constexpr double Slack = 1e-5;
-
   static Vector<D> Magnitudes(Vector<D> normal)
   {
     for (int axis = 0; axis < D; ++axis)

@@ -4,6 +4,7 @@
 #define skd_Tree_Frame_h
 
 #include "../Geometry/Box.h"
+#include "Tolerances.h"
 
 #include <cmath>
 #include <cstdint>
@@ -149,8 +150,7 @@ struct Frame
   float UpperBound2(double distance2) const
   {
     constexpr double slack = 1.0 + 1.0 / (1 << 20);
-    constexpr double denormals = 1e-44;
-    return RoundUp(distance2 * this->Scale * this->Scale * slack + denormals);
+    return RoundUp(distance2 * this->Scale * this->Scale * slack + tolerances::Denormal2);
   }
 
   /// Always a step outward from the nearest float: no comparison that a compiler could fold away.

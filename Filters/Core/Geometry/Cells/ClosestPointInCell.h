@@ -10,6 +10,7 @@
 #ifndef skd_Geometry_Cells_ClosestPointInCell_h
 #define skd_Geometry_Cells_ClosestPointInCell_h
 
+#include "../Tolerances.h"
 #include "Brick.h"
 #include "CellFaces.h"
 #include "InvertMap.h"
@@ -37,7 +38,7 @@ double GapAlong(const Vector3* points, const Vector3& x, const Vector3& directio
     size2 = std::max(size2, Norm2(fromX));
   }
   const double gap = std::max(least, -most);
-  const double gap2 = gap * gap / Norm2(direction) - 4e-15 * size2;
+  const double gap2 = gap * gap / Norm2(direction) - tolerances::CellGap2 * size2;
   return gap > 0.0 && gap2 > 0.0 ? gap2 : 0.0;
 }
 

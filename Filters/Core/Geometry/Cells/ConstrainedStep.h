@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Cells_ConstrainedStep_h
 #define skd_Geometry_Cells_ConstrainedStep_h
 
+#include "../Tolerances.h"
 #include "Core/Geometry/Cells/ParameterDomain.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ inline bool SolvePositive(int size, double (&a)[3][3], double (&x)[3])
 {
   for (int i = 0; i < size; ++i)
   {
-    const double least = 1e-13 * a[i][i];
+    const double least = tolerances::Pivot * a[i][i];
     for (int j = 0; j < i; ++j)
     {
       a[i][i] -= a[i][j] * a[i][j] / a[j][j];
@@ -207,7 +208,7 @@ private:
       return false;
     }
     const double* least = std::min_element(forces + this->Fixed, forces + this->Count);
-    if (!(*least < -1e-14 * Norm(this->Model.Gradient)))
+    if (!(*least < -tolerances::Force * Norm(this->Model.Gradient)))
     {
       return false;
     }

@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Cells_InverseMap_h
 #define skd_Geometry_Cells_InverseMap_h
 
+#include "../Tolerances.h"
 #include "Hexahedron.h"
 #include "TrilinearRoot.h"
 
@@ -15,9 +16,6 @@ template <class Shape>
 class InverseMap
 {
 public:
-  /// What residual is taken for rounding, relative to the greatest of the coordinates seen from x.
-  static constexpr double Rounding = 3.6e-15;
-
   InverseMap(const Vector3* points, const Vector3& x)
   {
     Vector3 corners[8];
@@ -40,7 +38,7 @@ public:
   /// is not in the cell.
   std::optional<Vector3> Find(const Vector3& guess) const
   {
-    const double tolerance = Rounding * this->Map.Size();
+    const double tolerance = tolerances::Residual * this->Map.Size();
     const auto isInCell = [&](const Vector3& u)
     {
       const Vector3 p = FromCube(u);

@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Cells_LeastResidual_h
 #define skd_Geometry_Cells_LeastResidual_h
 
+#include "../Tolerances.h"
 #include "Core/Geometry/Cells/ConstrainedStep.h"
 
 #include <limits>
@@ -77,7 +78,7 @@ private:
       const QuadraticModel damped = this->Damped(model);
       const auto step = ConstrainedStep(this->Domain, this->Best.Parameters, damped).Find();
       const double gain = step ? -damped(*step) : 0.0;
-      const bool isLast = step && !(gain > 1e-15 * this->Best.Norm2);
+      const bool isLast = step && !(gain > tolerances::LeastGain * this->Best.Norm2);
       if ((step && this->Try(*step, gain)) || isLast)
       {
         return !isLast;
@@ -89,7 +90,7 @@ private:
     return false;
   }
 
-  double MoreDamping() const { return std::max(1e-3, 10.0 * this->Damping); }
+  double MoreDamping() const { return std::max(tolerances::FirstDamping, 10.0 * this->Damping); }
 
   /// Goes there if enough of the gain comes true.
   bool Try(const Vector3& step, double gain)
@@ -97,13 +98,14 @@ private:
     const Vector3 p = Clamped(this->Domain, this->Best.Parameters + step);
     const Vector3 value = this->TheMap.Value(p);
     const double gained = this->Best.Norm2 - skd::Norm2(value);
-    if (!(gained > 0.0 && gained >= 1e-4 * gain))
+    if (!(gained > 0.0 && gained >= tolerances::GainShare * gain))
     {
       return false;
     }
-    this->Damping = gained > 0.5 * gain && this->Damping > 1e-7 ? 0.1 * this->Damping
-      : gained > 0.5 * gain                                     ? 0.0
-                                                                : this->Damping;
+    this->Damping = gained > 0.5 * gain && this->Damping > tolerances::LastDamping
+      ? 0.1 * this->Damping
+      : gained > 0.5 * gain ? 0.0
+                            : this->Damping;
     this->IsBent = this->IsBent || gain > 0.05 * this->LastGain;
     this->LastGain = gain;
     this->MoveTo(p, value);
@@ -132,7 +134,7 @@ private:
     for (int axis = 0; axis < this->Domain.Dimension; ++axis)
     {
       Vector3 p = this->Best.Parameters;
-      const double h = p[axis] > 0.5 ? -1e-4 : 1e-4;
+      const double h = (p[axis] > 0.5 ? -1.0 : 1.0) * tolerances::SecondDifference;
       p[axis] += h;
       Vector3 there[3] = {};
       this->TheMap.Tangents(p, there);
@@ -156,7 +158,8 @@ private:
       std::max({ model.Hessian[0][0], model.Hessian[1][1], model.Hessian[2][2] });
     for (int i = 0; i < 3 && this->Damping > 0.0; ++i)
     {
-      model.Hessian[i][i] += this->Damping * std::max(model.Hessian[i][i], 1e-3 * largest);
+      model.Hessian[i][i] +=
+        this->Damping * std::max(model.Hessian[i][i], tolerances::LeastCurvature * largest);
     }
     return model;
   }

@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Cells_PyramidInverse_h
 #define skd_Geometry_Cells_PyramidInverse_h
 
+#include "../Tolerances.h"
 #include "InverseMap.h"
 #include "Pyramid.h"
 
@@ -35,7 +36,7 @@ public:
 
   std::optional<Vector3> Find(const Vector3& guess) const
   {
-    const double tolerance = InverseMap<Hexahedron>::Rounding *
+    const double tolerance = tolerances::Residual *
       (MaxNorm(this->Y) + MaxNorm(this->E) + MaxNorm(this->U) + MaxNorm(this->V) +
         MaxNorm(this->W));
     for (Vector3 p : { guess, this->Places[0], this->Places[1] })

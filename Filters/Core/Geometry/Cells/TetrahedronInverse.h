@@ -4,6 +4,7 @@
 #define skd_Geometry_Cells_TetrahedronInverse_h
 
 #include "../../Predicates/TripleProduct.h"
+#include "../Tolerances.h"
 #include "InverseMap.h"
 #include "Tetrahedron.h"
 
@@ -36,16 +37,16 @@ public:
     const double size = std::max(
       std::max(MaxNorm(this->A), MaxNorm(this->B)), std::max(MaxNorm(this->C), MaxNorm(this->D)));
     const double cube = size * size * size;
-    const double rounding = 5e-15 * cube;
+    const double rounding = tolerances::Volume * cube;
     const bool isCertain = this->Volumes.Least() > rounding || this->Volumes.Most() < -rounding;
     if (isCertain &&
       (std::abs(this->Volumes.Sum()) > 0.01 * cube ||
-        MaxNorm(this->PointAt(guess)) <= InverseMap<Hexahedron>::Rounding * size))
+        MaxNorm(this->PointAt(guess)) <= tolerances::Residual * size))
     {
       return guess;
     }
     const FourVolumes volumes = this->AccurateVolumes();
-    const double zero = 1e-28 * cube;
+    const double zero = tolerances::AccurateVolume * cube;
     const bool isInside = (volumes.Least() >= -zero && volumes.Most() > 4.0 * zero) ||
       (volumes.Most() <= zero && volumes.Least() < -4.0 * zero);
     return isInside ? std::optional<Vector3>(volumes.PCoords()) : std::nullopt;

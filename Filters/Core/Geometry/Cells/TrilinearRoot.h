@@ -5,6 +5,7 @@
 #ifndef skd_Geometry_Cells_TrilinearRoot_h
 #define skd_Geometry_Cells_TrilinearRoot_h
 
+#include "../Tolerances.h"
 #include "PrunedBox.h"
 
 #include <optional>
@@ -102,7 +103,7 @@ std::optional<Vector3> SearchRoot(
     {
       stack[size++] = pruned.Rest.SplitOffUpper(axis);
     }
-    if (MaxNorm(pruned.Rest.Half) > 1e-14)
+    if (MaxNorm(pruned.Rest.Half) > tolerances::LeastBox)
     {
       stack[size++] = pruned.Rest;
     }

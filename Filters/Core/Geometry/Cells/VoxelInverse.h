@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Cells_VoxelInverse_h
 #define skd_Geometry_Cells_VoxelInverse_h
 
+#include "../Tolerances.h"
 #include "InverseMap.h"
 #include "Voxel.h"
 
@@ -25,7 +26,7 @@ public:
   std::optional<Vector3> Find(const Vector3& guess) const
   {
     const Vector3* edges = this->Edges.Columns;
-    const double tolerance = InverseMap<Hexahedron>::Rounding *
+    const double tolerance = tolerances::Residual *
       (MaxNorm(edges[0]) + MaxNorm(edges[1]) + MaxNorm(edges[2]) + MaxNorm(this->FromOrigin));
     const Vector3 refined = guess + this->Edges.Solve(this->Residual(guess));
     for (const Vector3& p : { guess, refined })

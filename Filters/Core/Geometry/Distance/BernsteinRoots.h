@@ -8,6 +8,8 @@
 #ifndef skd_Geometry_Distance_BernsteinRoots_h
 #define skd_Geometry_Distance_BernsteinRoots_h
 
+#include "../Tolerances.h"
+
 #include <cmath>
 
 namespace skd
@@ -88,7 +90,7 @@ struct BernsteinPolynomial
       double slope;
       this->Evaluate(share, value, slope);
       const double newton = share - value / slope;
-      if (value == 0.0 || std::abs(newton - share) <= 1e-15)
+      if (value == 0.0 || std::abs(newton - share) <= tolerances::PolynomialRoot)
       {
         break;
       }

@@ -10,6 +10,7 @@
 #ifndef skd_Geometry_Distance_BilinearPatch_h
 #define skd_Geometry_Distance_BilinearPatch_h
 
+#include "../Tolerances.h"
 #include "ConvexPatchMinimum.h"
 #include "PatchStationaryPoints.h"
 
@@ -95,7 +96,7 @@ inline PatchPoint ClosestPointOnPatch(
   if (products.IsConvex())
   {
     PatchParameters at = products.ConvexMinimum();
-    if (Norm2(view.At(at)) < 1e-24 * (products.UU + products.VV))
+    if (Norm2(view.At(at)) < tolerances::OnPatch2 * (products.UU + products.VV))
     {
       at = view.Polished(at); // x is on the patch: to the last digits
     }

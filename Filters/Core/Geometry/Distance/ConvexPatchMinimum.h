@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Distance_ConvexPatchMinimum_h
 #define skd_Geometry_Distance_ConvexPatchMinimum_h
 
+#include "../Tolerances.h"
 #include "PatchView.h"
 
 namespace skd
@@ -74,7 +75,7 @@ struct PatchProducts
       const double slope = this->SlopeS(r, s);
       const double mixed = r == free ? this->Mixed(r, s) : 0.0;
       const double newton = s - slope / (this->AlongS(r) - mixed * mixed / alongR);
-      if (!(std::abs(newton - s) > 1e-9)) // the next step would be of the order of its square
+      if (!(std::abs(newton - s) > tolerances::ConvexStep))
       {
         s = PatchView::Clamped(newton);
         break;

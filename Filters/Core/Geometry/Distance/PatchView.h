@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Distance_PatchView_h
 #define skd_Geometry_Distance_PatchView_h
 
+#include "../Tolerances.h"
 #include "ClosestPoint.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ struct PatchView
     const double both = r + s + Dot(toMiddle, this->W);
     const double gap = first + std::min(std::min(0.0, r), std::min(s, both));
     const double size2 = Norm2(this->F) + Norm2(this->U) + Norm2(this->V) + Norm2(this->W);
-    return gap > 0.0 && gap * gap > (limit2 + 1e-14 * size2) * Norm2(toMiddle);
+    return gap > 0.0 && gap * gap > (limit2 + tolerances::PlaneGap2 * size2) * Norm2(toMiddle);
   }
 
   /// Steps inside the patch, as long as they lead nearer. They repair what a solution from squared

@@ -15,6 +15,7 @@
 #include "../Box.h"
 #include "../Polygons/PlanarPolygon.h"
 #include "../Segment.h"
+#include "../Tolerances.h"
 
 namespace skd
 {
@@ -38,7 +39,8 @@ struct SeenBox
     {
       size = std::max({ size, std::abs(this->Min[axis]), std::abs(this->Max[axis]) });
     }
-    if (!(size > 1e-75 && size < 1e75) && size > 0.0 && std::isfinite(size))
+    if (!(size > tolerances::LeastFactor && size < tolerances::LargestFactor) && size > 0.0 &&
+      std::isfinite(size))
     {
       int exponent;
       std::frexp(size, &exponent);

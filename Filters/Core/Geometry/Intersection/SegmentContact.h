@@ -8,6 +8,7 @@
 
 #include "../../Predicates/ExactOrientation.h"
 #include "../Segment.h"
+#include "../Tolerances.h"
 
 #include <algorithm>
 
@@ -164,7 +165,7 @@ inline SegmentContact Meet(const Segment<3>& first, const Segment<3>& second)
     largest =
       std::max({ largest, std::abs((*point)[0]), std::abs((*point)[1]), std::abs((*point)[2]) });
   }
-  if (largest > 1e-40 && largest < 1e90)
+  if (largest > tolerances::LeastCoordinate && largest < tolerances::LargestCoordinate)
   {
     return detail::MeetInRange(first, second);
   }

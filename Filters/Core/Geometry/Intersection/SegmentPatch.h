@@ -7,6 +7,7 @@
 #ifndef skd_Geometry_Intersection_SegmentPatch_h
 #define skd_Geometry_Intersection_SegmentPatch_h
 
+#include "../Tolerances.h"
 #include "SegmentTriangle.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ struct ShearedPatch
     const double determinant = xr * ys - xs * yr;
     const double stepR = (x * ys - y * xs) / determinant;
     const double stepS = (y * xr - x * yr) / determinant;
-    if (std::abs(stepR) < 1e-3 && std::abs(stepS) < 1e-3)
+    if (std::abs(stepR) < tolerances::PolishStep && std::abs(stepS) < tolerances::PolishStep)
     {
       r -= stepR;
       s -= stepS;
@@ -89,7 +90,7 @@ struct QuadraticRoots
   QuadraticRoots(double a, double b, double c)
   {
     const double discriminant = b * b - 4.0 * a * c;
-    const bool isDouble = discriminant < 0.0 && discriminant >= -1e-14 * b * b;
+    const bool isDouble = discriminant < 0.0 && discriminant >= -tolerances::DoubleRoot * b * b;
     const double root = isDouble ? 0.0 : std::sqrt(discriminant); // NaN when there are none
     const double q = -0.5 * (b + std::copysign(root, b));
     this->X[0] = q / a;
@@ -103,7 +104,7 @@ struct QuadraticRoots
 /// beyond them. A patch that the segment runs within is not hit.
 inline PatchHits IntersectPatch(const SegmentView& view, const Vector3* points)
 {
-  constexpr double Slack = 1e-9;
+  constexpr double Slack = tolerances::BesidePatch;
   const detail::ShearedPatch patch(view, points);
   const double *p = patch.P, *u = patch.U, *v = patch.V, *w = patch.W;
   const detail::QuadraticRoots roots(v[0] * w[1] - v[1] * w[0],

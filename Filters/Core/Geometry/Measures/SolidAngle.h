@@ -3,6 +3,7 @@
 #ifndef skd_Geometry_Measures_SolidAngle_h
 #define skd_Geometry_Measures_SolidAngle_h
 
+#include "../Tolerances.h"
 #include "../Vector.h"
 
 #include <cmath>
@@ -33,7 +34,7 @@ inline SeenAngle SeeAngle(const Vector3& p0, const Vector3& p1, const Vector3& p
   const double cosine =
     lengthA * lengthB * lengthC + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB;
   const double length = lengthA + lengthB + lengthC;
-  const double rounding = 1e-14 * length * length * length;
+  const double rounding = tolerances::TripleProduct * length * length * length;
   return { volume == 0.0 ? 0.0 : 2.0 * std::atan2(volume, cosine),
     std::abs(volume) <= rounding && cosine <= rounding };
 }

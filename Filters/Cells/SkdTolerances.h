@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The thresholds of cells, each with what it is relative to. The range of coordinates is in
+/// SkdMagnitudes.h.
+#ifndef SkdTolerances_h
+#define SkdTolerances_h
+
+namespace SkdTolerances
+{
+
+/// The step of differences for first derivatives, in a cell's parameters.
+constexpr double FirstDifference = 1e-5;
+/// The last step of the search for where a cell is farthest from its chord, in its parameters.
+constexpr double DeviationStep = 1e-4;
+/// Of the squared distance of a piece of a cell, relative to it.
+constexpr double PieceDistance2 = 1e-14;
+/// Of the degree that a number of points makes, a whole number.
+constexpr double Degree = 1e-9;
+
+}
+
+#endif
