@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdOverlapGround.h
+ * @brief Where two meshes overlap: a line, a plane with its axes, a sphere with its radius, space.
+ */
+
+#ifndef SkdOverlapGround_h
+#define SkdOverlapGround_h
+
+#include "Core/Geometry/Vector.h"
+#include "Remap/SkdOverlapWeights.h"
+
+#include <string>
+
+/// Overlaps are found in coordinates of their own: (x, y, 0) in a plane, points of the unit sphere,
+/// and else as they are.
+class SkdOverlapGround
+{
+public:
+  /// What is wrong with the meshes, if anything, is in GetProblem().
+  SkdOverlapGround(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings);
+
+  SkdOverlapSpace GetSpace() const { return this->Space; }
+  double GetRadius() const { return this->Radius; }
+  const skd::Vector3& GetNormal() const { return this->Normal; }
+  const std::string& GetProblem() const { return this->Problem; }
+
+  /// NaN of a point that is on no sphere.
+  skd::Vector3 Seen(const skd::Vector3& x) const;
+
+  ///@{
+  /// Back: places, measures, and integrals of differences of places.
+  skd::Vector3 Place(const skd::Vector3& seen) const;
+  double Measure(double seen) const { return this->MeasureScale * seen; }
+  skd::Vector3 Moment(const skd::Vector3& seen) const;
+  ///@}
+
+private:
+  void FindPlane(vtkDataSet* donor, vtkDataSet* target);
+  void SetAxes(const skd::Vector3& normal);
+  void FindRadius(vtkDataSet* donor, double wanted);
+
+  SkdOverlapSpace Space;
+  skd::Vector3 Origin{ { 0.0, 0.0, 0.0 } };
+  skd::Vector3 Axes[2];
+  skd::Vector3 Normal{ { 0.0, 0.0, 0.0 } };
+  double Radius = 1.0;
+  double MeasureScale = 1.0;
+  std::string Problem;
+};
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdOverlapPieces.h"
+
+#include "Core/Geometry/Overlap/LonLatCell.h"
+#include "Pipeline/SkdLoop.h"
+#include "Remap/SkdOverlapReader.h"
+
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+SkdOverlapPiece& SkdOverlapReader::Add(const Corner* corners, std::size_t size)
+{
+  SkdOverlapBlock& block = this->Block;
+  block.Pieces.push_back({ static_cast<std::uint32_t>(block.Corners.size()),
+    static_cast<std::uint16_t>(size), 1, false, nullptr, {}, 0.0, {} });
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    block.Corners.push_back(corners[i].X);
+    if (this->Reading.IntoSimplices)
+    {
+      block.PointIds.push_back(corners[i].Id);
+    }
+  }
+  return block.Pieces.back();
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::Gather(std::uint32_t cell)
+{
+  const SkdCellStore& store = this->Tree.Cells();
+  const std::uint32_t* ids = store.PointIdsOf(cell);
+  this->Seen.clear();
+  for (std::uint32_t i = 0; i < store.SizeOf(cell); ++i)
+  {
+    this->Seen.push_back(
+      { this->Ground.Seen(store.Point(ids[i])), static_cast<vtkIdType>(ids[i]) });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::Read(std::uint32_t cell)
+{
+  const SkdShape shape = this->Tree.Cells().ShapeOf(cell);
+  const SkdOverlapSpace space = this->Ground.GetSpace();
+  const bool isSurface = space == SkdOverlapSpace::Plane || space == SkdOverlapSpace::Sphere;
+  this->Gather(cell);
+  switch (shape)
+  {
+    case SkdShape::Line:
+    case SkdShape::PolyLine:
+      for (std::size_t i = 1; i < this->Seen.size() && space == SkdOverlapSpace::Line; ++i)
+      {
+        this->AddSegment(this->Seen[i - 1], this->Seen[i]);
+      }
+      return;
+    case SkdShape::Pixel:
+      std::swap(this->Seen[2], this->Seen[3]);
+      [[fallthrough]];
+    case SkdShape::Triangle:
+    case SkdShape::Quad:
+    case SkdShape::Polygon:
+      if (isSurface)
+      {
+        this->AddPolygon(this->Seen);
+      }
+      return;
+    case SkdShape::Tetrahedron:
+    case SkdShape::Voxel:
+    case SkdShape::Hexahedron:
+    case SkdShape::Wedge:
+    case SkdShape::Pyramid:
+      if (space == SkdOverlapSpace::Volume)
+      {
+        this->AddFixed(shape);
+      }
+      return;
+    case SkdShape::Polyhedron:
+      if (space == SkdOverlapSpace::Volume)
+      {
+        this->AddPolyhedron(this->Tree.Cells().GatherPoly(cell));
+      }
+      return;
+    case SkdShape::Strip:
+    case SkdShape::Generic:
+      this->ReadSimplices(cell);
+      return;
+    default:
+      return;
+  }
+}
+
+namespace
+{
+/// Of the corners, and of what bulges out between them on a sphere: not farther than a corner's
+/// squared distance from the reference, halved.
+void AddBounds(
+  const SkdOverlapBlock& block, const SkdOverlapPiece& piece, bool isSphere, skd::Box3& box)
+{
+  const skd::Vector3* corners = block.Corners.data() + piece.FirstCorner;
+  if (piece.IsLonLat)
+  {
+    const skd::LonLatCell cell{ corners[0][0], corners[0][1], corners[1][0], corners[1][1] };
+    box.Add(cell.Bounds().Inflated(1e-15));
+    return;
+  }
+  skd::Box3 own;
+  for (int i = 0; i < piece.Size; ++i)
+  {
+    own.Add(corners[i]);
+  }
+  box.Add(isSphere ? own.Inflated(0.5 * piece.Reach * piece.Reach) : own);
+}
+}
+
+//------------------------------------------------------------------------------
+bool SkdOverlapPieces::Read(
+  vtkDataSet* data, const SkdOverlapGround& ground, const SkdOverlapReading& reading, SkdLoop& loop)
+{
+  SkdTreeSettings settings;
+  settings.IsBare = true;
+  settings.SkipsGhosts = reading.SkipsGhosts;
+  const SkdCellTree tree(data, settings);
+  const std::uint32_t count = tree.Cells().NumberOfCells();
+  const bool isSphere = ground.GetSpace() == SkdOverlapSpace::Sphere;
+  this->NumberOfAllCells = data->GetNumberOfCells();
+  this->Ids.resize(count);
+  this->Bounds.resize(count);
+  this->Blocks.resize((count + BlockSize - 1) / BlockSize);
+  const auto readBlock = [&](std::uint32_t number, const SkdCellSource& source)
+  {
+    SkdOverlapBlock& block = this->Blocks[number];
+    SkdOverlapReader reader(tree, source, ground, reading, block);
+    const std::uint32_t last = std::min(count, (number + 1) * BlockSize);
+    block.FirstPiece.push_back(0);
+    for (std::uint32_t cell = number * BlockSize; cell < last; ++cell)
+    {
+      reader.Read(cell);
+      this->Ids[cell] = tree.Cells().IdOf(cell);
+      for (std::size_t i = block.FirstPiece.back(); i < block.Pieces.size(); ++i)
+      {
+        AddBounds(block, block.Pieces[i], isSphere, this->Bounds[cell]);
+      }
+      block.FirstPiece.push_back(static_cast<std::uint32_t>(block.Pieces.size()));
+    }
+  };
+  const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
+  loop.SetTotal(blocks);
+  return loop.For(blocks,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkGenericCell> scratch;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        readBlock(static_cast<std::uint32_t>(i), { data, scratch });
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+skd::Moments SkdOverlapPieces::MomentsOf(std::uint32_t cell, const skd::Vector3& reference) const
+{
+  skd::Moments sum;
+  const Range range = this->PiecesOf(cell);
+  const std::vector<SkdOverlapPiece>& pieces = this->BlockOf(cell).Pieces;
+  for (std::uint32_t i = range.First; i < range.Last; ++i)
+  {
+    sum.Add(pieces[i].Own.Moved(reference - pieces[i].Reference), pieces[i].Sign);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapPieces::Measure(const SkdOverlapGround& ground, SkdOverlapCells& cells)
+{
+  const auto number = static_cast<std::size_t>(this->NumberOfAllCells);
+  cells.Measures.assign(number, 0.0);
+  cells.Centroids.assign(number, { { 0.0, 0.0, 0.0 } });
+  cells.Covered.assign(number, 0.0);
+  cells.LeftOut = this->NumberOfAllCells;
+  this->Measures.assign(this->Ids.size(), 0.0);
+  this->Centres.assign(this->Ids.size(), { { 0.0, 0.0, 0.0 } });
+  for (std::uint32_t cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    const Range range = this->PiecesOf(cell);
+    if (range.First == range.Last)
+    {
+      continue;
+    }
+    const skd::Vector3& reference = this->BlockOf(cell).Pieces[range.First].Reference;
+    const skd::Moments moments = this->MomentsOf(cell, reference);
+    if (moments.Measure > 0.0)
+    {
+      const auto id = static_cast<std::size_t>(this->Ids[cell]);
+      this->Measures[cell] = moments.Measure;
+      this->Centres[cell] = reference + (1.0 / moments.Measure) * moments.First;
+      cells.Measures[id] = ground.Measure(moments.Measure);
+      cells.Centroids[id] = ground.Place(this->Centres[cell]);
+      --cells.LeftOut;
+    }
+  }
+}

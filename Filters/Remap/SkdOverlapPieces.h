@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdOverlapPieces.h
+ * @brief The cells of a mesh as the convex pieces that overlaps are found of.
+ */
+
+#ifndef SkdOverlapPieces_h
+#define SkdOverlapPieces_h
+
+#include "Core/Geometry/Box.h"
+#include "Core/Geometry/Overlap/Moments.h"
+#include "Core/Geometry/Overlap/SolidTopology.h"
+#include "Remap/SkdOverlapGround.h"
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+class SkdCellTree;
+class SkdLoop;
+
+/// A convex piece of a cell: a segment, a polygon, a cell between meridians and parallels (corners
+/// are then West, East and South, North), or a polyhedron. A cell is the sum of its pieces, which
+/// count negative where cells are concave.
+struct SkdOverlapPiece
+{
+  std::uint32_t FirstCorner;
+  std::uint16_t Size; ///< corners
+  std::int8_t Sign;
+  bool IsLonLat;
+  const skd::SolidTopology* Topology; ///< of a polyhedron
+  skd::Vector3 Reference;             ///< a point of it
+  double Reach;                       ///< how far from there it goes
+  skd::Moments Own;                   ///< about the reference, without the sign
+};
+
+/// Some cells that follow each other.
+struct SkdOverlapBlock
+{
+  std::vector<std::uint32_t> FirstPiece; ///< of each cell, and one more
+  std::vector<SkdOverlapPiece> Pieces;
+  std::vector<skd::Vector3> Corners;
+  std::vector<vtkIdType> PointIds;           ///< of the corners, if asked for
+  std::deque<skd::SolidTopology> Topologies; ///< of polyhedra that are no tetrahedra and so on
+};
+
+/// What is to be read of a mesh.
+struct SkdOverlapReading
+{
+  bool IsLonLat = false;
+  bool SkipsGhosts = true;
+  bool IntoSimplices = false; ///< triangles and tetrahedra of the cells' own points, with their ids
+};
+
+class SkdOverlapPieces
+{
+public:
+  /// Reads all cells in parallel. False if stopped.
+  bool Read(vtkDataSet* data, const SkdOverlapGround& ground, const SkdOverlapReading& reading,
+    SkdLoop& loop);
+
+  /// Cells that are not left out, in the order of their ids.
+  std::uint32_t GetNumberOfCells() const { return static_cast<std::uint32_t>(this->Ids.size()); }
+  vtkIdType IdOf(std::uint32_t cell) const { return this->Ids[cell]; }
+  const skd::Box3& BoundsOf(std::uint32_t cell) const { return this->Bounds[cell]; }
+
+  const SkdOverlapBlock& BlockOf(std::uint32_t cell) const
+  {
+    return this->Blocks[cell / BlockSize];
+  }
+  /// The pieces First .. Last - 1 of its block.
+  struct Range
+  {
+    std::uint32_t First;
+    std::uint32_t Last;
+  };
+  Range PiecesOf(std::uint32_t cell) const
+  {
+    const auto& first = this->BlockOf(cell).FirstPiece;
+    return { first[cell % BlockSize], first[cell % BlockSize + 1] };
+  }
+
+  ///@{
+  /// Of whole cells, on the ground, when they are measured.
+  double MeasureOf(std::uint32_t cell) const { return this->Measures[cell]; }
+  const skd::Vector3& CentreOf(std::uint32_t cell) const { return this->Centres[cell]; }
+  ///@}
+
+  /// Finds measures and centroids; `cells` gets them as the world has them. O(n).
+  void Measure(const SkdOverlapGround& ground, SkdOverlapCells& cells);
+
+private:
+  static constexpr std::uint32_t BlockSize = 1024;
+
+  vtkIdType NumberOfAllCells = 0;
+  std::vector<vtkIdType> Ids;
+  std::vector<skd::Box3> Bounds;
+  /// Of a whole cell, about a point.
+  skd::Moments MomentsOf(std::uint32_t cell, const skd::Vector3& reference) const;
+
+  std::vector<SkdOverlapBlock> Blocks;
+  std::vector<double> Measures;
+  std::vector<skd::Vector3> Centres;
+};
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdOverlapReader.h
+ * @brief Cuts cells into convex pieces.
+ */
+
+#ifndef SkdOverlapReader_h
+#define SkdOverlapReader_h
+
+#include "Cells/SkdCellTree.h"
+#include "Core/Geometry/Overlap/LonLatCell.h"
+#include "Remap/SkdOverlapPieces.h"
+
+/// Reads cells into a block, one after the other; one a thread.
+class SkdOverlapReader
+{
+public:
+  SkdOverlapReader(const SkdCellTree& tree, const SkdCellSource& source,
+    const SkdOverlapGround& ground, const SkdOverlapReading& reading, SkdOverlapBlock& block)
+    : Tree(tree)
+    , Source(source)
+    , Ground(ground)
+    , Reading(reading)
+    , Block(block)
+  {
+  }
+
+  /// Adds the pieces of a cell: none of one that has no extent, or another dimension.
+  void Read(std::uint32_t cell);
+
+private:
+  struct Corner
+  {
+    skd::Vector3 X;
+    vtkIdType Id; ///< -1 of one that is no point of the mesh
+  };
+  using Corners = std::vector<Corner>;
+
+  void Gather(std::uint32_t cell);
+  void ReadSimplices(std::uint32_t cell);
+
+  ///@{
+  /// SkdOverlapPolygons.cxx
+  void AddSegment(const Corner& a, const Corner& b);
+  void AddPolygon(Corners& corners);
+  bool AddLonLat(const Corners& corners);
+  void AddLonLatPieces(const skd::LonLatCell& whole);
+  void AddFan(const Corners& corners, const skd::Vector3& middle);
+  void AddConvex(const Corners& corners);
+  template <class Frame>
+  void AddPiece(const Corners& corners, std::int8_t sign);
+  template <class Frame>
+  void AddSeen(const Frame& frame, Corners& corners);
+  ///@}
+
+  ///@{
+  /// SkdOverlapSolids.cxx
+  void AddFixed(SkdShape shape);
+  void AddSolid(const skd::SolidTopology& topology, bool isOwn);
+  void AddPolyhedron(const SkdPolyCell& cell);
+  void AddHull(std::vector<std::vector<int>> faces);
+  void AddTetrahedra(const std::vector<std::vector<int>>& faces);
+  void AddTetrahedron(const Corner (&corners)[4], std::int8_t sign);
+  ///@}
+
+  SkdOverlapPiece& Add(const Corner* corners, std::size_t size);
+
+  const SkdCellTree& Tree;
+  const SkdCellSource& Source;
+  const SkdOverlapGround& Ground;
+  const SkdOverlapReading& Reading;
+  SkdOverlapBlock& Block;
+  Corners Seen; ///< the cell's points, on the ground
+  skd::SimplexSet Simplices;
+};
+
+#endif

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdOverlapReader.h"
+
+#include "Core/Geometry/Cells/Hexahedron.h"
+#include "Core/Geometry/Overlap/SolidOverlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace
+{
+using skd::Vector3;
+using Faces = std::vector<std::vector<int>>;
+
+double SixfoldVolume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  return Dot(b - a, Cross(c - a, d - a));
+}
+
+template <class Corners>
+double SixfoldVolume(const Corners& corners, const Faces& faces)
+{
+  double sum = 0.0;
+  for (const std::vector<int>& face : faces)
+  {
+    for (std::size_t i = 2; i < face.size(); ++i)
+    {
+      sum +=
+        SixfoldVolume(corners[0].X, corners[face[0]].X, corners[face[i - 1]].X, corners[face[i]].X);
+    }
+  }
+  return sum;
+}
+
+/// Whether all corners are on the inner side of the planes of all faces, and those of a face on it.
+template <class Corners>
+bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
+{
+  double extent = 0.0;
+  for (const auto& corner : corners)
+  {
+    extent = std::max(extent, Norm(corner.X - corners[0].X));
+  }
+  std::vector<Vector3> seen;
+  for (const auto& corner : corners)
+  {
+    seen.push_back(corner.X - corners[0].X);
+  }
+  for (const std::vector<int>& face : faces)
+  {
+    const skd::HalfSpace inside =
+      skd::InsideOf([&](int i) -> const Vector3& { return seen[face[i]]; },
+        static_cast<int>(face.size()), extent);
+    const double tolerance = 16.0 * inside.Tolerance;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+    {
+      const double side = Dot(inside.Normal, seen[i]) + inside.Offset;
+      const bool isOfFace = std::find(face.begin(), face.end(), static_cast<int>(i)) != face.end();
+      if (!(side >= -tolerance) || (isOfFace && !(side <= tolerance)) || !(inside.Tolerance > 0.0))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Turns triangles so that neighbours go along their edge in opposite directions.
+void TurnAlike(Faces& triangles)
+{
+  std::map<std::pair<int, int>, std::vector<std::size_t>> users;
+  const auto edgeOf = [&](std::size_t i, int k)
+  { return std::make_pair(triangles[i][k], triangles[i][(k + 1) % 3]); };
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto edge = edgeOf(i, k);
+      users[std::minmax(edge.first, edge.second)].push_back(i);
+    }
+  }
+  std::vector<bool> isDone(triangles.size());
+  for (std::size_t first = 0; first < triangles.size(); ++first)
+  {
+    std::vector<std::size_t> open{ first };
+    isDone[first] = true;
+    while (!open.empty())
+    {
+      const std::size_t at = open.back();
+      open.pop_back();
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto edge = edgeOf(at, k);
+        for (const std::size_t other : users[std::minmax(edge.first, edge.second)])
+        {
+          if (isDone[other])
+          {
+            continue;
+          }
+          for (int m = 0; m < 3; ++m)
+          {
+            if (edgeOf(other, m) == edge)
+            {
+              std::swap(triangles[other][0], triangles[other][1]);
+              break;
+            }
+          }
+          isDone[other] = true;
+          open.push_back(other);
+        }
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// All in the order that SolidTopology has them, with a positive volume.
+void SkdOverlapReader::AddFixed(SkdShape shape)
+{
+  Corners& corners = this->Seen;
+  if (shape == SkdShape::Tetrahedron)
+  {
+    const double volume = SixfoldVolume(corners[0].X, corners[1].X, corners[2].X, corners[3].X);
+    if (volume < 0.0)
+    {
+      std::swap(corners[2], corners[3]);
+    }
+    this->AddTetrahedron({ corners[0], corners[1], corners[2], corners[3] }, 1);
+    return;
+  }
+  if (shape == SkdShape::Pyramid)
+  {
+    this->AddHull({ { 0, 3, 2, 1 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } });
+    return;
+  }
+  if (shape == SkdShape::Voxel)
+  {
+    std::swap(corners[2], corners[3]);
+    std::swap(corners[6], corners[7]);
+  }
+  const skd::SolidTopology& topology =
+    shape == SkdShape::Wedge ? skd::SolidTopology::Wedge() : skd::SolidTopology::Hexahedron();
+  if (SixfoldVolume(corners, topology.Faces) < 0.0)
+  {
+    std::swap_ranges(
+      corners.begin(), corners.begin() + topology.Size / 2, corners.begin() + topology.Size / 2);
+  }
+  this->AddSolid(topology, false);
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::AddSolid(const skd::SolidTopology& topology, bool isOwn)
+{
+  const bool fits = topology.Size <= skd::SolidTopology::MostCorners &&
+    topology.Faces.size() <= skd::SolidTopology::MostFaces && topology.IsSimple();
+  if (this->Reading.IntoSimplices || !fits || !IsConvexAndFlat(this->Seen, topology.Faces))
+  {
+    this->AddTetrahedra(topology.Faces);
+    return;
+  }
+  const skd::SolidTopology* kept = &topology;
+  if (isOwn)
+  {
+    this->Block.Topologies.push_back(topology);
+    kept = &this->Block.Topologies.back();
+  }
+  Vector3 sum{ { 0.0, 0.0, 0.0 } };
+  for (const Corner& corner : this->Seen)
+  {
+    sum = sum + (corner.X - this->Seen[0].X);
+  }
+  const Vector3 reference = this->Seen[0].X + (1.0 / topology.Size) * sum;
+  std::array<Vector3, skd::SolidTopology::MostCorners> seen;
+  double reach2 = 0.0;
+  for (int i = 0; i < topology.Size; ++i)
+  {
+    seen[i] = this->Seen[i].X - reference;
+    reach2 = std::max(reach2, Norm2(seen[i]));
+  }
+  const skd::Moments own = skd::ConvexSolid(topology, seen.data()).Moments();
+  if (own.Measure > 0.0)
+  {
+    SkdOverlapPiece& piece = this->Add(this->Seen.data(), this->Seen.size());
+    piece.Topology = kept;
+    piece.Reference = reference;
+    piece.Reach = std::sqrt(reach2);
+    piece.Own = own;
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::AddPolyhedron(const SkdPolyCell& cell)
+{
+  Faces faces;
+  cell.AsPolyhedron().ForEachFace([&faces](const skd::PolyhedronFace& face)
+    { faces.emplace_back(face.Ids, face.Ids + face.Size); });
+  this->AddHull(std::move(faces));
+}
+
+//------------------------------------------------------------------------------
+// Faces are turned alike, outward or inward.
+void SkdOverlapReader::AddHull(Faces faces)
+{
+  if (faces.empty())
+  {
+    return;
+  }
+  if (SixfoldVolume(this->Seen, faces) < 0.0)
+  {
+    for (std::vector<int>& face : faces)
+    {
+      std::reverse(face.begin(), face.end());
+    }
+  }
+  this->AddSolid(skd::SolidTopology(static_cast<int>(this->Seen.size()), std::move(faces)), true);
+}
+
+//------------------------------------------------------------------------------
+// About the mean of the corners, and of each face of more than three about its own: both cells of a
+// face cut it alike. In simplices of the mesh's points, about the first corner.
+void SkdOverlapReader::AddTetrahedra(const Faces& faces)
+{
+  const auto meanOf = [&](const auto& numbers)
+  {
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    const Vector3& first = this->Seen[numbers[0]].X;
+    for (const int number : numbers)
+    {
+      sum = sum + (this->Seen[number].X - first);
+    }
+    return Corner{ first + (1.0 / static_cast<double>(numbers.size())) * sum, -1 };
+  };
+  std::vector<int> all;
+  for (int i = 0; i < static_cast<int>(this->Seen.size()); ++i)
+  {
+    all.push_back(i);
+  }
+  const bool isOfPoints = this->Reading.IntoSimplices;
+  const Corner apex = isOfPoints ? this->Seen[0] : meanOf(all);
+  const auto add = [&](const Corner& a, const Corner& b, const Corner& c)
+  {
+    const double volume = SixfoldVolume(apex.X, a.X, b.X, c.X);
+    if (volume > 0.0)
+    {
+      this->AddTetrahedron({ apex, a, b, c }, 1);
+    }
+    else if (volume < 0.0)
+    {
+      this->AddTetrahedron({ apex, a, c, b }, -1);
+    }
+  };
+  for (const std::vector<int>& face : faces)
+  {
+    const bool isFan = isOfPoints || face.size() == 3;
+    const Corner middle = isFan ? this->Seen[face[0]] : meanOf(face);
+    for (std::size_t i = isFan ? 1 : 0; i + (isFan ? 1 : 0) < face.size(); ++i)
+    {
+      add(middle, this->Seen[face[i]], this->Seen[face[(i + 1) % face.size()]]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::AddTetrahedron(const Corner (&corners)[4], std::int8_t sign)
+{
+  const Vector3& a = corners[0].X;
+  const Vector3 way = 0.25 * ((corners[1].X - a) + (corners[2].X - a) + (corners[3].X - a));
+  std::array<Vector3, 4> seen;
+  double reach2 = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    seen[i] = corners[i].X - (a + way);
+    reach2 = std::max(reach2, Norm2(seen[i]));
+  }
+  const skd::Moments own =
+    skd::ConvexSolid(skd::SolidTopology::Tetrahedron(), seen.data()).Moments();
+  if (own.Measure > 0.0)
+  {
+    SkdOverlapPiece& piece = this->Add(corners, 4);
+    piece.Topology = &skd::SolidTopology::Tetrahedron();
+    piece.Sign = sign;
+    piece.Reference = a + way;
+    piece.Reach = std::sqrt(reach2);
+    piece.Own = own;
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
+{
+  this->Tree.GetSimplices(cell, this->Source, this->Simplices);
+  const skd::SimplexSet& set = this->Simplices;
+  const int wanted = this->Ground.GetSpace() == SkdOverlapSpace::Volume ? 3
+    : this->Ground.GetSpace() == SkdOverlapSpace::Line                  ? 1
+                                                                        : 2;
+  if (set.Dimension != wanted)
+  {
+    return;
+  }
+  this->Seen.clear();
+  for (const Vector3& x : set.Points)
+  {
+    this->Seen.push_back({ this->Ground.Seen(x), -1 });
+  }
+  if (wanted == 3)
+  {
+    Faces faces;
+    for (const auto& simplex : set.Simplices)
+    {
+      faces.push_back({ simplex[0], simplex[1], simplex[2] });
+    }
+    TurnAlike(faces);
+    this->AddHull(std::move(faces));
+    return;
+  }
+  for (const auto& simplex : set.Simplices)
+  {
+    Corners corners{ this->Seen[simplex[0]], this->Seen[simplex[1]], this->Seen[simplex[2]] };
+    wanted == 1 ? this->AddSegment(corners[0], corners[1]) : this->AddPolygon(corners);
+  }
+}

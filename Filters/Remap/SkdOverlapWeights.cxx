@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdOverlapWeights.h"
+
+#include "Pipeline/SkdForEach.h"
+#include "Remap/SkdOverlapSearch.h"
+#include "Remap/SkdPieceOverlap.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+using skd::Vector3;
+
+/// What is less than this share of the smaller cell is rounding.
+constexpr double LeastShare = 2e-15;
+
+/// A pair of cells, as its part of the walk has found it.
+struct Entry
+{
+  std::uint32_t Target;
+  std::uint32_t Donor;
+  double Measure;
+  Vector3 Moment; // about the donor's centroid
+};
+
+/// Both meshes as they are compared.
+struct Meshes
+{
+  SkdOverlapPieces Donor;
+  SkdOverlapPieces Target;
+};
+
+/// Sums up the overlaps of all pieces of two cells.
+Entry Overlap(
+  const Meshes& meshes, SkdOverlapSpace space, std::uint32_t target, std::uint32_t donor)
+{
+  const SkdNoShapes noShapes;
+  const SkdPieceOverlap<SkdNoShapes> overlap(space, noShapes);
+  const SkdOverlapBlock& targets = meshes.Target.BlockOf(target);
+  const SkdOverlapBlock& donors = meshes.Donor.BlockOf(donor);
+  const auto ofTarget = meshes.Target.PiecesOf(target);
+  const auto ofDonor = meshes.Donor.PiecesOf(donor);
+  const Vector3& centre = meshes.Donor.CentreOf(donor);
+  skd::Moments sum;
+  for (std::uint32_t i = ofTarget.First; i < ofTarget.Last; ++i)
+  {
+    const SkdPieceView one(targets, i);
+    for (std::uint32_t k = ofDonor.First; k < ofDonor.Last; ++k)
+    {
+      const SkdPieceView other(donors, k);
+      const Vector3* reference = nullptr;
+      const skd::Moments moments = overlap.Find(one, other, reference);
+      if (moments.Measure != 0.0)
+      {
+        sum.Add(moments.Moved(centre - *reference), one.Piece.Sign * other.Piece.Sign);
+      }
+    }
+  }
+  return { target, donor, sum.Measure, sum.First };
+}
+
+using Entries = std::vector<std::vector<Entry>>;
+
+/// All entries by (target, donor): the same whatever part they are from.
+std::vector<Entry> Sorted(const Entries& parts, std::uint32_t numberOfTargets)
+{
+  std::vector<std::size_t> places(std::size_t(numberOfTargets) + 1, 0);
+  for (const std::vector<Entry>& part : parts)
+  {
+    for (const Entry& entry : part)
+    {
+      ++places[entry.Target + 1];
+    }
+  }
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  std::vector<Entry> sorted(places.back());
+  std::vector<std::size_t> next(places.begin(), places.end() - 1);
+  for (const std::vector<Entry>& part : parts)
+  {
+    for (const Entry& entry : part)
+    {
+      sorted[next[entry.Target]++] = entry;
+    }
+  }
+  SkdForEach(numberOfTargets,
+    [&](std::size_t row)
+    {
+      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(places[row]),
+        sorted.begin() + static_cast<std::ptrdiff_t>(places[row + 1]),
+        [](const Entry& a, const Entry& b) { return a.Donor < b.Donor; });
+    });
+  return sorted;
+}
+
+/// Rows are of all cells of the target, in the order of their ids.
+void FillTable(const std::vector<Entry>& entries, const Meshes& meshes,
+  const SkdOverlapGround& ground, SkdOverlapTable& table, SkdOverlapCells& donors,
+  SkdOverlapCells& targets)
+{
+  table.Rows.assign(targets.Measures.size() + 1, 0);
+  table.Columns.resize(entries.size());
+  table.Measures.resize(entries.size());
+  table.Moments.resize(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const Entry& entry = entries[i];
+    const auto row = static_cast<std::size_t>(meshes.Target.IdOf(entry.Target));
+    const vtkIdType column = meshes.Donor.IdOf(entry.Donor);
+    const double measure = ground.Measure(entry.Measure);
+    ++table.Rows[row + 1];
+    table.Columns[i] = column;
+    table.Measures[i] = measure;
+    table.Moments[i] = ground.Moment(entry.Moment);
+    targets.Covered[row] += measure;
+    donors.Covered[static_cast<std::size_t>(column)] += measure;
+  }
+  std::partial_sum(table.Rows.begin(), table.Rows.end(), table.Rows.begin());
+}
+}
+
+//------------------------------------------------------------------------------
+bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
+  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
+{
+  const SkdOverlapGround ground(donor, target, settings);
+  this->Table = {};
+  this->Radius = ground.GetRadius();
+  this->Normal = ground.GetNormal();
+  this->Problem = ground.GetProblem();
+  if (!this->Problem.empty())
+  {
+    return false;
+  }
+  const auto at = [&](double share) { return first + share * (last - first); };
+  Meshes meshes;
+  SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
+  SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
+  SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
+  if (!meshes.Donor.Read(
+        donor, ground, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
+    !meshes.Target.Read(
+      target, ground, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
+  {
+    return false;
+  }
+  meshes.Donor.Measure(ground, this->Donor);
+  meshes.Target.Measure(ground, this->Target);
+  const SkdOverlapTree donors(meshes.Donor);
+  const SkdOverlapTree targets(meshes.Target);
+  Entries found;
+  const bool isDone = SkdForEachCandidatePair(
+    targets, donors, ofPairs, [&](std::size_t parts) { found.resize(parts); },
+    [&](std::size_t part, std::uint32_t a, std::uint32_t b)
+    {
+      const Entry entry = Overlap(meshes, settings.Space, a, b);
+      const double least =
+        LeastShare * std::min(meshes.Target.MeasureOf(a), meshes.Donor.MeasureOf(b));
+      if (entry.Measure > least)
+      {
+        found[part].push_back(entry);
+      }
+    });
+  if (isDone)
+  {
+    FillTable(Sorted(found, meshes.Target.GetNumberOfCells()), meshes, ground, this->Table,
+      this->Donor, this->Target);
+  }
+  return isDone;
+}

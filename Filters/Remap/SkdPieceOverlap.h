@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdPieceOverlap.h
+ * @brief What two convex pieces of cells have in common.
+ */
+
+#ifndef SkdPieceOverlap_h
+#define SkdPieceOverlap_h
+
+#include "Core/Geometry/Overlap/LonLatOverlap.h"
+#include "Core/Geometry/Overlap/SegmentOverlap.h"
+#include "Core/Geometry/Overlap/SolidOverlap.h"
+#include "Remap/SkdOverlapPieces.h"
+
+/// A piece and its corners.
+struct SkdPieceView
+{
+  const SkdOverlapPiece& Piece;
+  const skd::Vector3* Corners;
+
+  SkdPieceView(const SkdOverlapBlock& block, std::uint32_t number)
+    : Piece(block.Pieces[number])
+    , Corners(block.Corners.data() + block.Pieces[number].FirstCorner)
+  {
+  }
+
+  skd::PolygonView AsPolygon() const { return { this->Corners, this->Piece.Size }; }
+  skd::SolidView AsSolid() const { return { this->Corners, this->Piece.Topology }; }
+  skd::LonLatCell AsLonLat() const
+  {
+    return { this->Corners[0][0], this->Corners[0][1], this->Corners[1][0], this->Corners[1][1] };
+  }
+};
+
+/// Takes nothing but measures; others may want to see overlaps, too.
+struct SkdNoShapes
+{
+  void Take(const skd::Segment<3>&) const {}
+  template <class Frame>
+  void Take(const Frame&, const skd::ConvexPolygon&) const
+  {
+  }
+  void Take(const skd::LonLatCell&) const {}
+  void Take(const skd::Vector3&, const skd::ConvexSolid&) const {}
+};
+
+/// Of two pieces, about the reference of the smaller one, which is the one that is cut. Shapes are
+/// shown to `shapes` where there are any. A piece within another is not cut: its own moments are
+/// the answer, to the last bit.
+template <class Shapes>
+class SkdPieceOverlap
+{
+public:
+  SkdPieceOverlap(SkdOverlapSpace space, const Shapes& shapes)
+    : Space(space)
+    , TheShapes(shapes)
+  {
+  }
+
+  /// The moments and what they are about, without the pieces' signs.
+  skd::Moments Find(
+    const SkdPieceView& one, const SkdPieceView& other, const skd::Vector3*& reference) const
+  {
+    const bool isOneSmaller = one.Piece.Own.Measure <= other.Piece.Own.Measure;
+    const SkdPieceView& within = isOneSmaller ? one : other;
+    const SkdPieceView& around = isOneSmaller ? other : one;
+    reference = &within.Piece.Reference;
+    const double reach = one.Piece.Reach + other.Piece.Reach;
+    if (!(Distance2(one.Piece.Reference, other.Piece.Reference) < reach * reach))
+    {
+      return {};
+    }
+    switch (this->Space)
+    {
+      case SkdOverlapSpace::Line:
+        return this->OfSegments(within, around);
+      case SkdOverlapSpace::Plane:
+        return this->OfPolygons(skd::PlanarFrame(*reference), within, around);
+      case SkdOverlapSpace::Sphere:
+        return within.Piece.IsLonLat || around.Piece.IsLonLat
+          ? this->OfLonLat(within, around, reference)
+          : this->OfPolygons(skd::SphericalFrame(*reference), within, around);
+      case SkdOverlapSpace::Volume:
+        return this->OfSolids(within, around);
+    }
+    return {};
+  }
+
+private:
+  skd::Moments OfSegments(const SkdPieceView& within, const SkdPieceView& around) const
+  {
+    const auto common = skd::CommonStretch(
+      { within.Corners[0], within.Corners[1] }, { around.Corners[0], around.Corners[1] });
+    if (!common)
+    {
+      return {};
+    }
+    this->TheShapes.Take(*common);
+    return skd::MomentsOf(*common, within.Piece.Reference);
+  }
+
+  template <class Frame>
+  skd::Moments OfPolygons(
+    const Frame& frame, const SkdPieceView& within, const SkdPieceView& around) const
+  {
+    skd::ConvexPolygon overlap;
+    const skd::ClipResult result =
+      skd::FindOverlap(frame, within.AsPolygon(), around.AsPolygon(), overlap);
+    if (result == skd::ClipResult::Nothing)
+    {
+      return {};
+    }
+    this->TheShapes.Take(frame, overlap);
+    return result == skd::ClipResult::All ? within.Piece.Own : frame.Moments(overlap);
+  }
+
+  skd::Moments OfLonLat(
+    const SkdPieceView& within, const SkdPieceView& around, const skd::Vector3*& reference) const
+  {
+    if (within.Piece.IsLonLat && around.Piece.IsLonLat)
+    {
+      const auto common = skd::CommonCell(within.AsLonLat(), around.AsLonLat());
+      if (!common)
+      {
+        return {};
+      }
+      this->TheShapes.Take(*common);
+      return skd::MomentsOf(*common, *reference);
+    }
+    const SkdPieceView& polygon = within.Piece.IsLonLat ? around : within;
+    const SkdPieceView& cell = within.Piece.IsLonLat ? within : around;
+    reference = &polygon.Piece.Reference;
+    return skd::FindOverlap(*reference, polygon.AsPolygon(), cell.AsLonLat());
+  }
+
+  skd::Moments OfSolids(const SkdPieceView& within, const SkdPieceView& around) const
+  {
+    skd::Moments moments;
+    skd::FindOverlap(within.Piece.Reference, within.AsSolid(), around.AsSolid(),
+      [&](const skd::ConvexSolid& solid, skd::ClipResult result)
+      {
+        moments = result == skd::ClipResult::All ? within.Piece.Own : solid.Moments();
+        this->TheShapes.Take(within.Piece.Reference, solid);
+      });
+    return moments;
+  }
+
+  SkdOverlapSpace Space;
+  const Shapes& TheShapes;
+};
+
+#endif
