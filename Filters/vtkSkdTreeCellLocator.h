@@ -2,68 +2,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCellLocator
- * @brief   find cells by the spatial kD-tree (skD-tree) of Khamayseh and Hansen
+ * @brief cell locator based on the spatial kD-tree (skD-tree) of Khamayseh and Hansen
  *
- * vtkSkdTreeCellLocator answers the whole contract of vtkAbstractCellLocator, and the queries of
+ * vtkSkdTreeCellLocator implements all of vtkAbstractCellLocator, and the queries of
  *
  *   A. Khamayseh, G. Hansen, "Use of the Spatial kD-Tree in Computational Physics Applications",
  *   Commun. Comput. Phys. 2 (2007) 545-576,
  *
  * whose section and algorithm numbers are cited below. The tree is a balanced hierarchy of
  * axis-aligned "safety boxes", split at the median of the longest axis. A safety box is a cell's
- * bounding box inflated by 2 epsilon: it makes the search conservative. What is returned is always
- * decided by an exact test on the cell, in double precision.
+ * bounding box inflated by 2 epsilon, which makes the search conservative. An exact test on the
+ * cell, in double precision, decides each answer.
  *
- * It takes any vtkDataSet with any cell type. Vertices, lines, triangles, pixels, quads,
- * tetrahedra, voxels, hexahedra, wedges, pyramids, and cells of any number of points (polyvertices,
- * polylines, strips, polygons, polyhedra) have kernels of their own that read raw points. Every
- * other cell is read by vtkGenericCell; curved ones (quadratic, Lagrange, Bezier) are then searched
- * on their own parametric map.
+ * It supports any vtkDataSet with any cell type. Vertices, lines, triangles, pixels, quads,
+ * tetrahedra, voxels, hexahedra, wedges, pyramids, and cells with any number of points
+ * (polyvertices, polylines, strips, polygons, polyhedra) have specialized kernels. Every other cell
+ * is read by vtkGenericCell; curved cells (quadratic, Lagrange, Bezier) are then searched on their
+ * own parametric map.
  *
- * How its answers are defined:
+ * Answers are defined as follows:
  * - IntersectWithLine, first hit: the nearest along the line; of cells hit at the same parameter
  *   the lowest id. A line through a shared edge or vertex of a closed surface of triangles or quads
- *   is never lost (the test is watertight, exact signs decide). A cell seen exactly edge-on is not
- *   hit. A line of zero length hits nothing.
- * - IntersectWithLine, all hits: each hit cell once, by (t, cell id). A crossing of a shared edge
- * or vertex is so reported once for each incident cell; FindCrossings merges these.
- * - FindClosestPoint and its kin: the true nearest point, ties to the lowest cell id.
+ *   is always found (the test is watertight, by exact signs). A cell seen exactly edge-on is not
+ *   hit. A line of zero length has no hits.
+ * - IntersectWithLine, all hits: each hit cell once, sorted by (t, cell id). A crossing of a shared
+ *   edge or vertex is so reported once for each incident cell; FindCrossings merges these.
+ * - FindClosestPoint and related methods: the exact nearest point; ties go to the lowest cell id.
  * - FindCell: the cell that contains the point (to within rounding: 8 units in the last place of
- *   the largest coordinate), of several the lowest id; with a tolerance else the *nearest* cell
- *   within it. pcoords and weights are those of the point of the cell nearest to x.
- * - A polygon is flat, or taken for flat: its plane goes through the mean of its points. It may be
- *   concave. A face of a polyhedron is the fan of triangles around the mean of its points, however
- *   it is oriented. Both interpolate by mean value coordinates, which are exact for linear fields.
- * - FindCellsWithinBounds: exactly the cells whose bounds overlap the box, bounds included.
+ *   the largest coordinate), the lowest id if there are several; otherwise, with a tolerance, the
+ *   *nearest* cell within it. pcoords and weights are those of the point of the cell nearest to x.
+ * - A polygon is treated as planar, with a plane through the mean of its points, and may be
+ *   concave. A face of a polyhedron is the fan of triangles around the mean of its points, whatever
+ *   its orientation. Both interpolate by mean value coordinates, which are exact for linear fields.
+ * - FindCellsWithinBounds: exactly the cells whose bounds overlap the box, including its boundary.
  *
- * Threads: after BuildLocator() every query is thread-safe, the short forms included, and
- * allocates nothing (lists handed in grow as VTK's lists do), but where LazyBuild must build.
+ * Threads: after BuildLocator() every query is thread-safe, including the short forms, and
+ * allocates no memory, except that output lists grow and that LazyBuild builds nodes.
  *
  * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 36 bytes a
  * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles
  * in a vtkPointSet, which are shared, of the points (24 bytes each): 48 bytes a cell of triangles,
- * 52 of tetrahedra, and up to twice that while it is built. What spares exact tests comes on top,
- * unless LazyBuild: 24 bytes a triangle, 32 a tetrahedron, 48 a hexahedron. If all cells are
- * triangles, a copy of their corners is kept for lines: 15 bytes a triangle where points are in
- * single precision, else 30. GetMemorySize() and GetBytesPerCell() count it all.
+ * 52 of tetrahedra, and up to twice that during the build. Unless LazyBuild is on, leaf filters add
+ * 24 bytes a triangle, 32 a tetrahedron, 48 a hexahedron. If all cells are triangles, a copy of
+ * their corners is kept for lines: 15 bytes a triangle if points are in single precision, else 30.
+ * GetMemorySize() and GetBytesPerCell() give the totals.
  *
- * Inherited settings: it utilizes NumberOfCellsPerNode (clamped to 1..8, default 8),
- * CacheCellBounds (default off: bounds are taken from the points when asked) and
- * UseExistingSearchStructure. It does not utilize Automatic, MaxLevel, RetainCellLists and
- * Tolerance (each query has a tolerance of its own; Epsilon sizes the safety boxes).
+ * Inherited settings: it uses NumberOfCellsPerNode (clamped to 1..8, default 8), CacheCellBounds
+ * (default off: bounds are taken from the points when asked) and UseExistingSearchStructure. It
+ * does not use Automatic, MaxLevel, RetainCellLists and Tolerance (each query has its own
+ * tolerance; Epsilon determines the size of the safety boxes).
  *
- * Bad input: no data set or no cells: every query finds nothing, with no error. Broken cells are
- * left out, with one warning that counts them and names the first and what is wrong with it. A cell
- * is broken if it names a point that there is not, if its offsets decrease or end beyond the list
- * of points, if it has too few points for its type (a line of 1, a polygon or strip of 2, a quad of
- * 3, a quadratic tetrahedron of 9) or more than its type has, or if it is a polyhedron whose faces
- * are not polygons of its points. The same holds for all filters: an input with broken cells is
- * read, and passed on, as if these were empty; other cells keep their ids. All are looked at when
- * the tree is built: at most 2 % of the build. Cells with points that are NaN, infinite or beyond
- * 1e50 are left out of the tree, as are all cells of a mesh whose largest coordinate, without its
- * sign, is not 0 but less than 1e-50: products of these are no numbers. One warning counts them.
- * Empty cells and cells of unknown type are left out, without one. NaN or infinite query points
- * find nothing; a NaN or negative radius finds nothing; a negative tolerance counts as zero.
+ * Bad input: without a data set or cells, queries find nothing and report no error. Broken cells
+ * are ignored, with one warning that counts them and describes the first. A cell is broken if it
+ * uses a point id out of range, if its offsets decrease or exceed the connectivity array, if it has
+ * fewer points than its type needs (a line of 1, a polygon or strip of 2, a quad of 3, a quadratic
+ * tetrahedron of 9) or more than its type has, or if it is a polyhedron whose faces are not
+ * polygons of its points. All filters do the same: they read and pass on broken cells as empty
+ * cells; other cells keep their ids. The check is part of the build and takes at most 2 % of it.
+ * Cells with points that are NaN, infinite or beyond 1e50 are not in the tree, nor are cells of a
+ * mesh whose largest absolute coordinate is not 0 but less than 1e-50, because products of these
+ * coordinates overflow or underflow. One warning counts them. Empty cells and cells of unknown type
+ * are ignored without a warning. Query points that are NaN or infinite, and a NaN or negative
+ * radius, find nothing; a negative tolerance counts as zero.
  *
  * @sa
  * vtkAbstractCellLocator vtkStaticCellLocator vtkSkdTreeClosestPoint
@@ -99,24 +99,24 @@ public:
 
   ///@{
   /**
-   * The half width that safety boxes are inflated by, twice (section 3.1), relative to the diagonal
-   * of the data set's bounding box. The width in use is never below 8 units in the last place of
-   * the largest coordinate. It widens the search only, never an answer. Range [0, 1], default 1e-9.
+   * Safety boxes are inflated by twice this value on each side (section 3.1), relative to the
+   * diagonal of the data set's bounding box, and by at least 8 units in the last place of the
+   * largest coordinate. It affects the search only, never an answer. Range [0, 1], default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
   ///@}
 
   /**
-   * Epsilon as used by the built tree, in world units. 0 before the tree is built.
+   * The epsilon of the built tree in world units, 0 before the tree is built.
    */
   double GetAbsoluteEpsilon();
 
   ///@{
   /**
-   * Build-on-query (Algorithm 3.2): BuildLocator sorts cells coarsely at most, and a node is split
-   * when the first query reaches it. Answers are the same; safe when many threads query at once.
-   * Default off.
+   * Build-on-query (Algorithm 3.2): BuildLocator at most sorts cells coarsely, and a node is split
+   * when the first query visits it. Answers are the same, and queries remain thread-safe. Default
+   * off.
    */
   vtkSetMacro(LazyBuild, bool);
   vtkGetMacro(LazyBuild, bool);
@@ -135,14 +135,13 @@ public:
 
   ///@{
   /**
-   * Where the cells of a node are divided. At the median: half of them on either side of the
-   * longest axis (Algorithm 3.1). By surface area: where the boxes of both sides, times the number
-   * of cells in them, are least; the build takes about half as long again, and on cells that
-   * overlap and differ much in size FindCell takes 0.7 to 0.8 of the time. Automatically: by
-   * surface area where that pays: where a place is in the boxes of 0.25 cells or more, on the
-   * average, and the mean of the squared areas of the boxes is at least 1.2 times the square of the
-   * mean (tetrahedra of Delaunay's, graded meshes); else at the median. Answers are the same. With
-   * LazyBuild it is the median always. Default SPLIT_AUTOMATICALLY.
+   * How the cells of a node are divided. Median: half of them on either side along the longest axis
+   * (Algorithm 3.1). Surface area heuristic: the split with the least sum of box areas times
+   * numbers of cells; the build takes about 1.5 times as long, and on cells that overlap and differ
+   * much in size FindCell takes 0.7 to 0.8 of the time. Automatic: surface area if a point of the
+   * bounds is in 0.25 or more boxes of cells on average, and the mean squared area of the boxes is
+   * at least 1.2 times the square of the mean area (Delaunay tetrahedra, graded meshes); else
+   * median. Answers are the same. LazyBuild always uses the median. Default SPLIT_AUTOMATICALLY.
    */
   vtkSetClampMacro(SplitRule, int, SPLIT_AUTOMATICALLY, SPLIT_BY_SURFACE_AREA);
   vtkGetMacro(SplitRule, int);
@@ -152,15 +151,15 @@ public:
   ///@}
 
   /**
-   * The rule that divided the built tree, SPLIT_AT_MEDIAN or SPLIT_BY_SURFACE_AREA.
+   * The rule used for the built tree, SPLIT_AT_MEDIAN or SPLIT_BY_SURFACE_AREA, or
    * SPLIT_AUTOMATICALLY before it is built.
    */
   int GetSplitRuleInUse();
 
   ///@{
   /**
-   * Leave out cells that vtkGhostType marks as duplicate or refined. Blanked cells (hidden, or of
-   * structured grids with a hidden point) are left out whatever this says. Default on.
+   * Ignore cells that vtkGhostType marks as duplicate or refined. Blanked cells (hidden cells, and
+   * cells of structured grids with a hidden point) are always ignored. Default on.
    */
   vtkSetMacro(SkipGhostCells, bool);
   vtkGetMacro(SkipGhostCells, bool);
@@ -169,10 +168,10 @@ public:
 
   ///@{
   /**
-   * A rigid motion of the whole set (section 2): every query is answered as if the data set had
-   * been moved by this matrix, without a rebuild. Cells handed out are moved too. nullptr (default)
-   * leaves the set where it is. The matrix must keep distances (orthonormal to 1e-9, no
-   * perspective): any other is refused with an error and the former stays. The values are copied.
+   * A rigid motion of the data set (section 2): queries are answered as if the data set had been
+   * transformed by this matrix, without a rebuild. Returned cells are transformed too. Default
+   * nullptr: no motion. The matrix must be rigid (orthonormal to 1e-9, no perspective); any other
+   * is ignored with an error and the previous one is kept. The values are copied.
    */
   void SetTransform(vtkMatrix4x4* motion);
   vtkMatrix4x4* GetTransform();
@@ -185,8 +184,8 @@ public:
   ///@{
   /**
    * First hit of the segment p1 p2, see vtkAbstractCellLocator. `t` in [0, 1] from p1 to p2; `tol`
-   * is an absolute distance by which a line may miss a cell of dimension 0 to 2. Returns 1 or 0;
-   * cellId is -1 when nothing is hit. `cell` may be nullptr.
+   * is an absolute distance: cells of dimension 0 to 2 within it of the line count as hit. Returns
+   * 1 or 0; cellId is -1 if there is no hit. `cell` may be nullptr.
    */
   int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
     double pcoords[3], int& subId) override;
@@ -198,10 +197,10 @@ public:
 
   ///@{
   /**
-   * All hits of the segment p1 p2, each cell once, sorted by (t, cell id). Lists may be nullptr.
-   * With the six-argument form `cell` = nullptr asks for hits of the cells' bounds instead: the
-   * cells whose bounds (grown by tol) the segment meets, and the points where it enters them.
-   * Returns 1 if there is a hit, else 0.
+   * All hits of the segment p1 p2, each cell once, sorted by (t, cell id). Lists may be nullptr. In
+   * the six-argument form, `cell` = nullptr returns the cells whose bounds, inflated by tol, the
+   * segment intersects, and the points where it enters these bounds. Returns 1 if there is a hit,
+   * else 0.
    */
   int IntersectWithLine(
     const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds) override;
@@ -213,12 +212,12 @@ public:
 
   /**
    * All crossings of the segment p1 p2 with a surface: hits on a shared edge or vertex count as one
-   * crossing, and all its incident cells are known. For crossing i: tuple i of `parameters` (t in
-   * [0, 1]), point i of `points`, cell i of `incidentCells` (ids of the cells hit there, ascending)
-   * and tuple i of `kinds`: 1 where the line passes through to the other side, 0 where it only
-   * touches. Of a closed surface of triangles and quads, however it is oriented, the number of
-   * crossings of kind 1 is odd exactly when one end is inside and the other outside. Any output may
-   * be nullptr. Returns the number of crossings.
+   * crossing with several incident cells. For crossing i: tuple i of `parameters` (t in [0, 1]),
+   * point i of `points`, cell i of `incidentCells` (ids of the cells hit there, ascending) and
+   * tuple i of `kinds`: 1 if the line passes to the other side, 0 if it only touches. For a closed
+   * surface of triangles and quads, whatever their orientation, the number of crossings of kind 1
+   * is odd exactly if one end is inside and the other outside. Any output may be nullptr. Returns
+   * the number of crossings.
    */
   vtkIdType FindCrossings(const double p1[3], const double p2[3], vtkDoubleArray* parameters,
     vtkPoints* points, vtkCellArray* incidentCells, vtkIdTypeArray* kinds);
@@ -230,26 +229,26 @@ public:
   vtkIdType CountCrossings(const double p1[3], const double p2[3]);
 
   /**
-   * All facets that the segment p1 p2 passes through, by ascending (parameter, cell id), those that
-   * meet at one point each for itself: the parameter, the cell, and in `ways` 1 where it leaves
-   * through the front (along the normal), -1 where it enters. Non-linear cells have the way 0. The
-   * sum of the ways over a closed surface whose cells are turned alike is, exactly, the winding
-   * number around p1 less that around p2. Any output may be nullptr. Returns the number of facets.
+   * All facets that the segment p1 p2 passes through, by ascending (parameter, cell id), each facet
+   * separately if several share the point: the parameter, the cell, and in `ways` 1 if it leaves
+   * through the front (along the normal), -1 if it enters. Non-linear cells have the value 0. The
+   * sum over a closed, consistently oriented surface is exactly the winding number around p1 minus
+   * that around p2. Any output may be nullptr. Returns the number of facets.
    */
   vtkIdType FindPasses(const double p1[3], const double p2[3], vtkDoubleArray* parameters,
     vtkIdTypeArray* cellIds, vtkIdTypeArray* ways);
 
   /**
-   * The number of facets of FindPasses, and the sum of their ways, those of cells turned around
-   * whose tuple in `turned` (or nullptr: none) is not 0.
+   * The number of facets of FindPasses, and the sum of their `ways`, with the sign reversed for
+   * cells whose tuple in `turned` (may be nullptr) is not 0.
    */
   vtkIdType CountPasses(
     const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum);
 
   ///@{
   /**
-   * Nearest point, see vtkAbstractCellLocator. cellId is -1 when there is no cell. `cell` may be
-   * nullptr, else it holds the nearest cell on return.
+   * Nearest point, see vtkAbstractCellLocator. cellId is -1 if there is no cell. `cell`, unless
+   * nullptr, is set to the nearest cell.
    */
   void FindClosestPoint(const double x[3], double closestPoint[3], vtkIdType& cellId, int& subId,
     double& dist2) override;
@@ -260,7 +259,7 @@ public:
   ///@{
   /**
    * Nearest point at a distance of at most `radius` (infinity allowed). Returns 1 or 0. `inside` is
-   * 1 when x projects into the cell or lies in it, as EvaluatePosition would tell. `cell` may be
+   * 1 if x lies in the cell or projects into it, as in vtkCell::EvaluatePosition. `cell` may be
    * nullptr.
    */
   vtkIdType FindClosestPointWithinRadius(double x[3], double radius, double closestPoint[3],
@@ -273,7 +272,7 @@ public:
 
   /**
    * The k nearest cells by exact distance, nearest first, ties by id. `distances` (one component,
-   * world units) may be nullptr. Returns how many were found: min(k, number of cells).
+   * world units) may be nullptr. Returns the number found: min(k, number of cells).
    */
   vtkIdType FindClosestCells(
     const double x[3], int k, vtkIdList* cellIds, vtkDoubleArray* distances);
@@ -287,8 +286,8 @@ public:
 
   ///@{
   /**
-   * The cell that contains x, or with a tolerance (tol2, squared distance) the nearest cell within
-   * it; -1 if there is none. `cell`, `weights` may be nullptr here.
+   * The cell that contains x or, with a tolerance (tol2, squared distance), the nearest cell within
+   * it; -1 if there is none. `cell` and `weights` may be nullptr.
    */
   vtkIdType FindCell(double x[3]) VTK_SKD_OVERRIDE_UNTIL_97;
   vtkIdType FindCell(double x[3], double tol2);
@@ -299,8 +298,9 @@ public:
   ///@}
 
   /**
-   * The same after a look into the cell `hint` (the last answer, say; -1 for none): a coherent
-   * sequence of points costs less. In overlapping meshes the hinted cell wins over a lower id.
+   * The same, trying the cell `hint` first (for example the last answer; -1 for none), which is
+   * faster for coherent sequences of points. In overlapping meshes the hinted cell is preferred to
+   * a lower id.
    */
   vtkIdType FindCellWithHint(double x[3], double tol2, vtkIdType hint, vtkGenericCell* cell,
     int& subId, double pcoords[3], double* weights);
@@ -310,39 +310,39 @@ public:
 #endif
 
   /**
-   * What one cell says of x, as vtkCell::EvaluatePosition but exactly: the cell's nearest point,
-   * its sub-id, parametric coordinates and (unless nullptr) weights there, and its squared
-   * distance. Returns false, and sets nothing, for a cell that is not in the tree or an x that is
-   * not finite.
+   * An exact vtkCell::EvaluatePosition: the point of the cell nearest to x, its sub-id, parametric
+   * coordinates, squared distance and, unless nullptr, interpolation weights. Returns false, and
+   * sets nothing, if the cell is not in the tree or x is not finite.
    */
   bool EvaluateCell(vtkIdType cellId, const double x[3], double closestPoint[3], int& subId,
     double pcoords[3], double& dist2, double* weights);
 
   /**
-   * The parameters (ascending, t in [0, 1] along p1 p2, 0 and 1 among them) between which the
-   * segment stays in the same cells: it may enter or leave a cell only there. These are the
-   * crossings of faces of volume cells, and of the edges of surface cells and the ends of curves
-   * that it passes at `tolerance` or less; of a curved cell they are found to rounding, but what is
-   * in it or out for less than a part in 32 of its bounds may be missed. Between two of them ask
-   * FindCell for the middle. Returns their number, 0 for a segment of no length or not finite.
+   * The parameters (ascending, t in [0, 1] along p1 p2, including 0 and 1) at which the segment may
+   * enter or leave a cell; between two of them it stays in the same cells. These are the crossings
+   * of faces of volume cells, and of edges of surface cells and ends of curves within `tolerance`.
+   * For curved cells they are accurate to rounding, but intervals shorter than 1/32 of the cell's
+   * bounds may be missed. To get the cell of an interval, call FindCell with its middle. Returns
+   * their number, 0 if the segment has zero length or is not finite.
    */
   vtkIdType FindCellBorders(
     const double p1[3], const double p2[3], double tolerance, vtkDoubleArray* parameters);
 
   /**
-   * The cells whose bounds overlap the box (xmin, xmax, ymin, ymax, zmin, zmax), bounds included,
-   * in the order of the tree: the same every time.
+   * The cells whose bounds overlap the box (xmin, xmax, ymin, ymax, zmin, zmax), including its
+   * boundary, in the order of the tree, which is reproducible.
    */
   void FindCellsWithinBounds(double* bbox, vtkIdList* cells) override;
 
   /**
-   * The cells whose bounds, grown by `tolerance`, the segment p1 p2 meets, sorted by (t, id).
+   * The cells whose bounds, inflated by `tolerance`, the segment p1 p2 intersects, sorted by (t,
+   * id).
    */
   void FindCellsAlongLine(const double p1[3], const double p2[3], double tolerance,
     vtkIdList* cells) VTK_SKD_OVERRIDE_UNTIL_97;
 
   /**
-   * The cells whose bounds come within the distance `tolerance` of the plane (origin o, normal n of
+   * The cells whose bounds are within the distance `tolerance` of the plane (origin o, normal n of
    * any length), in the order of the tree.
    */
   void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance, vtkIdList* cells)
@@ -350,7 +350,7 @@ public:
 
   ///@{
   /**
-   * Whether x lies within the bounds of a cell, grown by tol. False for an id out of range.
+   * Whether x lies within the bounds of a cell inflated by tol. False if the id is out of range.
    */
 #if VTK_SKD_LOCATOR_97
   bool InsideCellBounds(double x[3], vtkIdType cellId, double tol = 0.0) override;
@@ -361,12 +361,11 @@ public:
 
   ///@{
   /**
-   * Raw queries: the ids of the candidate cells, in the order of the tree, as the paper's
-   * algorithms give them: cells whose *safety box* passes; no exact test is made.
-   * FindClosestCandidates is Algorithm 5.1 (at least one of the candidates holds the nearest
-   * point), by choice with a reference point: one on or near a cell only speeds the search up, any
-   * other is harmless. The others are Algorithms 5.2 (segment), 5.3 (box), the sphere of 4.2 and a
-   * plane.
+   * Queries without exact tests, as in the paper: the ids of the candidate cells, whose *safety
+   * boxes* satisfy the query, in the order of the tree. FindClosestCandidates is Algorithm 5.1 (at
+   * least one of the candidates contains the nearest point), optionally with a reference point: one
+   * on or near a cell accelerates the search, any other one does no harm. The others are Algorithms
+   * 5.2 (segment), 5.3 (box), the sphere of 4.2 and a plane.
    */
   void FindClosestCandidates(const double x[3], vtkIdList* cellIds);
   void FindClosestCandidates(const double x[3], const double reference[3], vtkIdList* cellIds);
@@ -379,40 +378,39 @@ public:
   /**
    * Algorithm 5.4: all pairs (a cell of this tree, a cell of the other) whose safety boxes overlap,
    * sorted by (this id, other id). Transforms of both locators are taken into account. Pass the
-   * locator itself to find the pairs within one set, (i, i) among them. Returns the number of
-   * pairs.
+   * locator itself to find the pairs within one set, including (i, i). Returns the number of pairs.
    */
   vtkIdType FindOverlappingPairs(
     vtkSkdTreeCellLocator* other, vtkIdList* cellIds, vtkIdList* otherCellIds);
 
   ///@{
   /**
-   * Batches: many queries in one call, asked in parallel by vtkSMPTools, answered into flat arrays.
-   * Query i is tuple i of the first argument, an array of any numbers with 3 components (points) or
-   * 6 (lines: x, y, z of both ends; boxes: xmin, xmax, ymin, ymax, zmin, zmax), and its answer is
-   * in slot i of the outputs. Answers are those of the query of the same arguments for one, ties
-   * and roundings too, whatever the number of threads. Outputs are sized and named here; any may be
-   * nullptr. Queries that are not finite, and those that find nothing, have the id -1 and NaN as
-   * numbers, or an empty list. Inside they are asked along a space-filling curve, so their order in
-   * the array does not matter. 8 bytes a query on top of the outputs, and the lists once more.
+   * Batches: many queries in one call, processed in parallel by vtkSMPTools. Query i is tuple i of
+   * the first argument, a numeric array with 3 components (points) or 6 (lines: x, y, z of both
+   * ends; boxes: xmin, xmax, ymin, ymax, zmin, zmax), and its answer is tuple i of the outputs.
+   * Answers are identical to those of single queries, including ties and rounding, for any number
+   * of threads. Outputs are resized and named; any may be nullptr. Queries that are not finite or
+   * find nothing have the id -1 and NaN values, or an empty list. Queries are processed along a
+   * space-filling curve, so their order in the array does not affect speed. Temporary memory: 8
+   * bytes a query, and a second copy of lists.
    *
    * - FindClosestPoints: the nearest cell at a distance of at most `radius`, the nearest point
    *   (3 components) and its distance.
-   * - FindCells: the cell that contains the point, or with a tolerance (tol2, squared distance) the
-   *   nearest within it, and the parametric coordinates (3 components) as of FindCell.
+   * - FindCells: the cell that contains the point or, with a tolerance (tol2, squared distance),
+   *   the nearest cell within it, and the parametric coordinates (3 components), as in FindCell.
    * - IntersectWithLines: first hit of each line, its parameter t in [0, 1] and its point.
    * - FindAllHits: all hits of each line, each cell once, by (t, cell id).
    * - FindCellsWithinBoxes: the cells whose bounds overlap each box, in the order of the tree.
-   * - FindPairs: for each cell of this locator's data set the cells of the other's whose bounds
-   *   overlap its own, by id; both as moved by the locators' transforms. Of the locator itself:
-   *   (i, i) too.
+   * - FindPairs: for each cell of this locator's data set, the cells of the other's whose bounds
+   *   overlap its own, sorted by id; both with the locators' transforms. Within one locator, (i, i)
+   *   is included.
    *
-   * Lists come as vtkCellArray has them: `offsets` has a tuple more than there are queries, and the
-   * values of query i are those from offsets[i] to offsets[i + 1] of the others.
+   * Lists are stored as in vtkCellArray: `offsets` has one tuple more than there are queries, and
+   * the values of query i are those from offsets[i] to offsets[i + 1] of the other arrays.
    *
-   * Returns how many queries found something, or the number of values in all lists. After an error
-   * (no queries, a wrong number of components, an array handed in twice) it is -1, and the outputs
-   * are as they were.
+   * Returns the number of queries with an answer, or the number of values in all lists. After an
+   * error (no queries, wrong number of components, the same array passed twice) it returns -1 and
+   * leaves the outputs unchanged.
    */
   vtkIdType FindClosestPoints(vtkDataArray* points, vtkIdTypeArray* cellIds,
     vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius = VTK_DOUBLE_MAX);
@@ -430,10 +428,10 @@ public:
 
   ///@{
   /**
-   * The paper's own arrays (Algorithm 3.1), 2N-1 tuples each: S, the safety box of node i as
-   * (xmin, xmax, ymin, ymax, zmin, zmax), and L, its link. Node 0 is the root (the paper counts
-   * from 1): L > 0 is the first of two adjacent children, L <= 0 the negated id of the leaf's cell.
-   * (The root is no one's child, so 0 always means cell 0.) Computed on each call: O(N log N).
+   * The paper's own arrays (Algorithm 3.1), 2N-1 tuples each: S, the safety box of node i as (xmin,
+   * xmax, ymin, ymax, zmin, zmax), and L, its link. Node 0 is the root (the paper counts from 1): L
+   * > 0 is the first of two adjacent children, L <= 0 the negated id of the leaf's cell. (The root
+   * is never a child, so 0 always means cell 0.) Computed on each call: O(N log N).
    */
   void GetSafetyBoxes(vtkDoubleArray* S);
   void GetLinks(vtkIdTypeArray* L);
@@ -441,9 +439,9 @@ public:
 
   ///@{
   /**
-   * Statistics of the built tree: cells in it; cells left out (ghost, blanked, empty, not finite or
-   * of unknown type); nodes of the query layout; its depth in node visits; its bytes, all told, and
-   * for each cell in it; seconds that the last build took. 0 before it is built.
+   * Statistics of the built tree: cells in it; cells ignored (ghost, blanked, empty, not finite or
+   * of unknown type); nodes of the eight-wide tree; its depth; its size in bytes, in total and for
+   * each cell; seconds of the last build. 0 before it is built.
    */
   vtkIdType GetNumberOfCellsInTree();
   vtkIdType GetNumberOfCellsLeftOut();
@@ -456,9 +454,9 @@ public:
 
   ///@{
   /**
-   * See vtkLocator. BuildLocator builds when there is no tree, or the data set or this object's
-   * settings changed after the last build; with UseExistingSearchStructure on only when there is
-   * no tree. ForceBuildLocator always builds.
+   * See vtkLocator. BuildLocator builds if there is no tree, or if the data set or this object's
+   * settings changed after the last build; with UseExistingSearchStructure on, only if there is no
+   * tree. ForceBuildLocator always builds.
    */
   void BuildLocator() override;
   void ForceBuildLocator() VTK_SKD_OVERRIDE_SINCE_92;
@@ -473,9 +471,9 @@ public:
 
   /**
    * Share the tree and copy the settings of another vtkSkdTreeCellLocator, in O(1). The data set is
-   * taken over only when this locator has none. A tree that is outdated, or older than the last
-   * change of this locator's own data set, is not shared: one is built when it is asked for, for
-   * the answers are those of the own data set, as with VTK's own locators.
+   * copied only if this locator has none. A tree that is outdated, or older than the last change of
+   * this locator's own data set, is not shared; a new one is built when needed, because answers
+   * refer to this locator's data set, as in VTK's own locators.
    */
   void ShallowCopy(vtkAbstractCellLocator* locator) VTK_SKD_OVERRIDE_SINCE_92;
 
