@@ -2,31 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeAMR
- * @brief   a grid of trees of cells, refined around the parts of a geometry
+ * @brief adaptive Cartesian grid, refined around the parts of a geometry
  *
  * Makes an adaptive Cartesian grid around Input (port 0: any vtkDataSet, or composite data of
- * several parts, with cells of any type), as section 6.5 of Khamayseh and Hansen, Commun. Comput.
- * Phys. 2 (2007) 545-576 has it: the cells of a base grid that a part meets are refined, and those
- * of their children that a part meets, until the maximum level is reached. One walk of the parts'
- * skD-trees serves a whole family of cells: what may meet a cell is passed on to its children,
- * and none is searched from the root again.
+ * several parts, with cells of any type), following section 6.5 of Khamayseh and Hansen, Commun.
+ * Comput. Phys. 2 (2007) 545-576: cells of a base grid that intersect a part are refined, then
+ * those of their children that do, until the maximum level is reached. Each cell passes the
+ * candidates found in the parts' skD-trees on to its children, so that these are not searched from
+ * the root again.
  *
- * Cells are closed: a part that touches a cell meets it, so a plane on the faces of cells cuts
- * those of both sides. By default the parts' own cells decide, exactly: triangles, quads (as two
- * triangles), polygons (taken for flat), strips, lines and points; a volume cell meets all that its
- * inside or its faces do. Curved cells count by their boxes. The paper's "blind" refinement, by
- * safety boxes alone, is there by choice; it refines more (see Test).
+ * Cells are closed sets: a part that touches a cell intersects it, so a plane along cell faces cuts
+ * the cells on both sides. By default the test is exact for the parts' own cells: triangles, quads
+ * (as two triangles), polygons (as planar), strips, lines and points, and volume cells including
+ * their interior. The paper's "blind" test, by safety boxes alone, is optional and refines more
+ * cells (see SetOverlapTest).
  *
- * The base grid is, by choice: what BaseMesh is (port 1, optional: vtkImageData that is not turned,
- * or vtkRectilinearGrid; its cells are the base cells), given bounds, or the bounds of the parts
- * with a margin. Along an axis on which its bounds have no length the grid is flat: so there are
- * grids of one, two and three dimensions.
+ * The base grid is one of: BaseMesh (port 1, optional: vtkImageData without a direction matrix, or
+ * vtkRectilinearGrid; its cells are the base cells), given bounds, or the bounds of the parts with
+ * a margin. The grid is flat along axes on which its bounds have no length, so grids have one, two
+ * or three dimensions.
  *
- * Output: vtkHyperTreeGrid or, by choice, vtkUnstructuredGrid of the leaves (cells that are not
- * refined) as voxels, pixels or lines, in which the point array SkdHanging (unsigned char) is 1 at
- * points that are not corners of all the cells that they are on; or vtkOverlappingAMR, whose first
- * level is one block of the base cells and each other level blocks of the children of refined
- * cells, joined to larger ones; refined cells are marked in vtkGhostType.
+ * Output: vtkHyperTreeGrid; or vtkUnstructuredGrid of the leaves (cells that are not refined) as
+ * voxels, pixels or lines, with the point array SkdHanging (unsigned char), 1 at hanging nodes; or
+ * vtkOverlappingAMR, whose first level is one block of the base cells and each further level
+ * rectangular blocks of the children of refined cells; refined cells are marked in vtkGhostType.
  *
  * Cell arrays:
  * | name              | type   | meaning                                                        |
@@ -40,37 +39,37 @@
  * | SkdDistance       | double | by choice, see ComputeDistance                                 |
  * (The flat block index is 0 where Input is not composite.)
  *
- * Field data: SkdReportCells (leaves), SkdReportCutCells (cut leaves), SkdReportAllCells (with
- * refined ones), SkdReportLeavesAtLevel and SkdReportCutAtLevel (a value a level; of cut cells
- * refined ones, too), SkdReportStoppedAtLevel (-1: nothing was left out, see CellLimit),
- * SkdReportEstimatedCells, SkdReportEstimatedBytes and SkdReportEstimatedSeconds (how many cells
- * there would be if CellLimit left none out, and the memory and time that they take; known
- * beforehand, and told by the progress text), SkdReportParts, SkdReportPartCells,
- * SkdReportPartCellsLeftOut, SkdReportTreesBuilt (trees are kept while parts do not change),
- * SkdReportEpsilon, SkdReportBuildSeconds, SkdReportRefineSeconds; SkdReportOpenEdges where inside
- * is asked.
+ * Field data: SkdReportCells (leaves), SkdReportCutCells (cut leaves), SkdReportAllCells (including
+ * refined ones), SkdReportLeavesAtLevel and SkdReportCutAtLevel (one value a level; cut cells
+ * include refined ones), SkdReportStoppedAtLevel (-1 unless CellLimit stopped the refinement),
+ * SkdReportEstimatedCells, SkdReportEstimatedBytes and SkdReportEstimatedSeconds (number of cells
+ * without CellLimit, and the memory and time that they need; estimated beforehand and shown in the
+ * progress text), SkdReportParts, SkdReportPartCells, SkdReportPartCellsLeftOut,
+ * SkdReportTreesBuilt (trees are reused while the parts do not change), SkdReportEpsilon,
+ * SkdReportBuildSeconds, SkdReportRefineSeconds; SkdReportOpenEdges if ComputeInside or InsideLevel
+ * is in use.
  *
- * The estimate is made by refining a sample of the cells. It is right to a few percent; where
- * Balance or GrowingLayers add cells, to within a factor of two, as it is of memory, which counts
- * the grid and the output, and of seconds, which leave out what is computed by choice.
+ * The estimate is made by refining a sample of the cells and is accurate to a few percent, or to a
+ * factor of two if Balance or GrowingLayers add cells. Estimates of memory (grid and output) and
+ * time (without the optional arrays) are accurate to a factor of two.
  *
- * Cost: about a microsecond a cell that is cut, less for others; memory about 25 bytes a cell
- * beside the output. The result is the same whatever the number of threads.
+ * Cost: about a microsecond for each cut cell, less for others; memory about 25 bytes a cell in
+ * addition to the output. The result does not depend on the number of threads.
  *
- * Several processes share the base cells out, in their order, and each gives its own with all below
- * them (an overlapping AMR data set: every so-manieth block); together it is what one process
- * gives, CellLimit included. Each needs all of the parts. Without Balance and GrowingLayers each
- * refines its own base cells only (of an unstructured grid those next to them, too, for what hangs
- * on them), and all processes must update: they count their cells together. With these, and for
- * overlapping AMR data sets, each refines all. Reports are of a process's own cells.
+ * Several processes divide the base cells among themselves, in order, and each outputs its own with
+ * all their descendants (of an overlapping AMR data set, every n-th block); together the result is
+ * that of one process, including CellLimit. Each needs all of the parts. Without Balance and
+ * GrowingLayers each refines only its own base cells (of an unstructured grid also the adjacent
+ * ones, for hanging nodes), and all processes must update, because they count their cells together.
+ * With these, and for overlapping AMR data sets, each refines all. Reports count a process's own
+ * cells.
  *
- * Bad input, each with one warning or error that says so: an Input without cells gives the base
- * grid unrefined if that is given, else nothing. A base grid that the parts miss stays as it is. A
- * base grid that cannot be made (of bounds whose lengths are not finite, an image that is turned,
- * or for a hyper tree grid a single point) gives an empty output. Cells about as small as the
- * resolution of their coordinates, far from the origin, are not refined. Parts' cells with points
- * that are not finite, or beyond 1e152, are left out and counted; so are all within 1e-152 of the
- * origin.
+ * Bad input, each with one warning or error: an Input without cells gives the base grid unrefined
+ * if it is set, else an empty output. A base grid that no part intersects is not refined. A base
+ * grid that cannot be made (lengths of its bounds that are not finite, an image with a direction
+ * matrix, or for a hyper tree grid a single point) gives an empty output. Cells about as small as
+ * the resolution of their coordinates are not refined. Cells of parts with points that are not
+ * finite or beyond 1e152, and meshes within 1e-152 of the origin, are ignored and counted.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkHyperTreeGrid
@@ -101,7 +100,7 @@ public:
   };
   ///@{
   /**
-   * The base grid (port 1, optional). It takes the place of the bounds, dimensions and cell size.
+   * The base grid (port 1, optional). It replaces the bounds, dimensions and cell size.
    */
   void SetBaseMeshConnection(vtkAlgorithmOutput* algOutput);
   void SetBaseMeshData(vtkDataObject* mesh);
@@ -118,8 +117,8 @@ public:
 
   ///@{
   /**
-   * The margin on each side of the parts, relative to the longest side of their bounds. Sides
-   * without length get none: parts in a plane have a grid in that plane. Default 0.1.
+   * The margin on each side of the parts, relative to the longest side of their bounds. Sides of
+   * zero length get none: parts in a plane have a grid in that plane. Default 0.1.
    */
   vtkSkdTreeSetWithinMacro(BoundsMargin, double, 0.0, 1e6);
   vtkGetMacro(BoundsMargin, double);
@@ -127,7 +126,7 @@ public:
 
   ///@{
   /**
-   * The bounds of the base grid (xmin, xmax, ymin, ymax, zmin, zmax) where they are not automatic.
+   * The bounds of the base grid (xmin, xmax, ymin, ymax, zmin, zmax) if AutomaticBounds is off.
    * Default: the unit cube.
    */
   vtkSkdTreeSetFinite6Macro(BaseBounds);
@@ -136,9 +135,9 @@ public:
 
   ///@{
   /**
-   * Base cells along each axis. 0: as many cubes, about as long as the shortest side of the bounds
-   * (or a 64th of the longest), as hold them; the bounds grow to whole cells along such an axis.
-   * Default (0, 0, 0).
+   * Numbers of base cells along each axis. 0: cubes with sides about as long as the shortest side
+   * of the bounds (or 1/64 of the longest); the bounds are extended to whole cells along such an
+   * axis. Default (0, 0, 0).
    */
   vtkSetVector3Macro(BaseDimensions, int);
   vtkGetVector3Macro(BaseDimensions, int);
@@ -146,8 +145,8 @@ public:
 
   ///@{
   /**
-   * The side of base cells, which are cubes then; the bounds grow to whole cells. 0, the default:
-   * BaseDimensions say how many cells there are.
+   * The side of cubic base cells; the bounds are extended to whole cells. Default 0: BaseDimensions
+   * determine the cells.
    */
   vtkSkdTreeSetWithinMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BaseCellSize, double);
@@ -163,10 +162,11 @@ public:
 
   ///@{
   /**
-   * Tell by SkdInside which cells have their centre inside of the closed surface that Input is or
-   * that bounds it, exactly, bodies that overlap included; of a surface with open edges, which a
-   * warning counts, by the generalised winding number (its triangles turned so that they agree). Of
-   * a refined cell: whether more than half of its children are. Default off.
+   * Compute SkdInside: 1 for cells whose centre is inside the closed surface that Input is, or that
+   * bounds it. This is exact, including overlapping bodies. For a surface with open edges, which a
+   * warning counts, the generalized winding number decides, with its triangles oriented
+   * consistently. For a refined cell: whether more than half of its children are inside. Default
+   * off.
    */
   vtkSetMacro(ComputeInside, bool);
   vtkGetMacro(ComputeInside, bool);
@@ -175,12 +175,12 @@ public:
 
   ///@{
   /**
-   * Tell by SkdVolumeFraction how much of each cell is inside, from 0 to 1, as ComputeInside has
-   * the inside: by exact clipping, so the sum over cells is the volume of the geometry but for
-   * rounding (of a surface of triangles; others are cut into triangles first). A surface may be
-   * turned in any way, but where bodies overlap the fractions are not exact. Of a surface with open
-   * edges 4 samples along each axis count. On flat grids it is the fraction of the area or length.
-   * Default off.
+   * Compute SkdVolumeFraction: the fraction of each cell that is inside, from 0 to 1, with inside
+   * as in ComputeInside. It uses exact clipping, so the sum over cells is the volume of the
+   * geometry to rounding (of a triangulated surface; other faces are triangulated first). The
+   * orientation of the surface does not matter, but where bodies overlap the fractions are not
+   * exact. For a surface with open edges, 4 samples along each axis are used. On flat grids it is
+   * the fraction of the area or length. Default off.
    */
   vtkSetMacro(ComputeVolumeFraction, bool);
   vtkGetMacro(ComputeVolumeFraction, bool);
@@ -189,7 +189,7 @@ public:
 
   ///@{
   /**
-   * Tell by SkdDistance how far the centre of each cell is from the nearest part. With
+   * Compute SkdDistance: the distance of the centre of each cell from the nearest part. With
    * ComputeInside it is negative inside. Default off.
    */
   vtkSetMacro(ComputeDistance, bool);
@@ -199,8 +199,8 @@ public:
 
   ///@{
   /**
-   * What the output is: HYPER_TREE_GRID (default), UNSTRUCTURED_GRID or OVERLAPPING_AMR, which
-   * needs base cells of one size along two axes or three.
+   * The type of the output: HYPER_TREE_GRID (default), UNSTRUCTURED_GRID or OVERLAPPING_AMR, which
+   * needs base cells of equal size in two or three dimensions.
    */
   vtkSetClampMacro(OutputType, int, HYPER_TREE_GRID, OVERLAPPING_AMR);
   vtkGetMacro(OutputType, int);
@@ -208,10 +208,9 @@ public:
 
   ///@{
   /**
-   * Make an unstructured grid of two dimensions conform: no point hangs, as a leaf with points
-   * between its corners becomes triangles around its middle, each with the leaf's data. With
-   * Balance no angle of square cells is below 45 degrees. Default off. Of other grids points hang
-   * still, and a warning says so.
+   * Make a two-dimensional unstructured grid conforming: a leaf with hanging nodes is divided into
+   * triangles around its centre, each with the leaf's data. With Balance no angle of square cells
+   * is below 45 degrees. Default off. Other grids keep their hanging nodes, with a warning.
    */
   vtkSetMacro(Conforming, bool);
   vtkGetMacro(Conforming, bool);

@@ -7,10 +7,10 @@
  * For each point of Input (port 0, any vtkDataSet or composite of them) the nearest point on the
  * cells of Source (port 1, any vtkDataSet or composite), by the skD-tree (sections 4, 5 and 6.4 of
  * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact in double precision; the
- * same answer whatever the number of threads or processes (each asks for the whole Source).
+ * answer does not depend on the number of threads or processes (each needs the whole Source).
  *
- * The tree is kept while the Source's points, cells and ghost marks are the same, be it in the same
- * arrays or in others of equal values: further time steps cost queries only, unless points move.
+ * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
+ * other arrays: further time steps cost queries only, unless points move.
  *
  * Output port 0: the input with the point arrays
  * | name                 | type   | components | meaning                              | none |
@@ -18,15 +18,15 @@
  * | SkdClosestPoint      | double | 3          | nearest point on the source          | NaN  |
  * | SkdDistance          | double | 1          | distance; negative inside if signed  | NaN  |
  * | SkdClosestCellId     | idtype | 1          | source cell, ties to the lowest id   | -1   |
- * | SkdClosestBlockIndex | int    | 1          | flat index of the source's block     | -1   |
- * (the last only of a composite Source) and by choice the source's point data interpolated, and its
- * cell data taken, at the nearest point (see InterpolateSourceData). "None" is a point farther than
- * MaximumDistance, or not finite. SkdDistance becomes the active scalars. An execution that is
- * aborted leaves "none" where it did not get to; VTK 9.3 and later then empties the output.
+ * | SkdClosestBlockIndex | int | 1 | flat index of the source's block | -1 | (the last only of a
+ * composite Source) and by choice the source's point data interpolated, and its cell data taken, at
+ * the nearest point (see InterpolateSourceData). "None" is a point farther than MaximumDistance, or
+ * not finite. SkdDistance becomes the active scalars. An aborted execution leaves "none" at points
+ * that were not processed; VTK 9.3 and later then empties the output.
  *
- * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (that have an
- * answer), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
- * SkdReportTreesBuilt (0 when all were kept), SkdReportEpsilon (the largest in use, in world
+ * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (with a
+ * result), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
+ * SkdReportTreesBuilt (0 if all were reused), SkdReportEpsilon (the largest in use, in world
  * units), SkdReportBuildSeconds, SkdReportQuerySeconds; if signed SkdReportOpenEdges, and of curved
  * cells SkdReportChordalLength (see SetChordalDeviation).
  *
@@ -34,7 +34,7 @@
  * answer to its nearest point, with the point's arrays as cell data (of a composite Input those
  * that all its blocks have; ghost marks are not passed).
  *
- * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and "none"
+ * Bad input: a Source without cells, or without any valid ones, gives a warning and "none"
  * everywhere. An unset Source is an error of the pipeline. See SetSignedDistance for a Source that
  * is not closed. An Input without points gives an output without points.
  *
@@ -95,7 +95,7 @@ public:
    * Interpolate the source's point data at the nearest point by the cell's weights, exact for
    * linear fields, and take its cell data there; both become point arrays of the output, under
    * their own names and of their own types (rounded, of integers). Of a composite Source, the
-   * arrays that all its blocks have. A name that is in use already keeps what it names, with a
+   * arrays that all its blocks have. An array whose name is already in use is not added, with a
    * warning: the Input's arrays go before the Source's, its point data before its cell data. Ghost
    * marks and ids of points are not passed. Points without an answer get NaN, or 0 in integer
    * arrays. Default off.
@@ -116,8 +116,9 @@ public:
 
   ///@{
   /**
-   * How far facets may be from a curved face of a Source whose distances are signed, relative to
-   * the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   * The largest distance of facets from a curved face of a Source whose distances are signed,
+   * relative to the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default
+   * 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);

@@ -18,7 +18,7 @@
  * lines, Lagrange and rational Bezier curves, of degrees up to 10. Two-dimensional data are an
  * ordinary case.
  *
- * How its answers are defined:
+ * Answers are defined as follows:
  * - Straight pieces, as polylines are made of, are decided by exact signs: those that meet in exact
  *   arithmetic are told to, at whatever angle, in vertices or not; those of one line have a stretch
  *   in common, or an end, or nothing.
@@ -170,8 +170,8 @@ public:
   ///@{
   /**
    * Add the point data of both curves, interpolated, and the data of both cells, under their own
-   * names; without a Source those of the first curve. A name that is in use already keeps what it
-   * names, with a warning: the Input goes before the Source, points before cells. Along a polyline
+   * names; without a Source those of the first curve. An array whose name is already in use is not
+   * added, with a warning: the Input goes before the Source, points before cells. Along a polyline
    * data are linear between its points, whatever its form. Default on.
    */
   vtkSetMacro(InterpolateData, bool);
@@ -199,8 +199,8 @@ public:
 
   ///@{
   /**
-   * The half width that safety boxes are inflated by, twice, relative to the diagonal of the
-   * curves' bounds. It widens the search only. Default 1e-9.
+   * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
+   * curves' bounds. It affects the search only, never an answer. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);

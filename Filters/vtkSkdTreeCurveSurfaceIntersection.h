@@ -15,7 +15,7 @@
  * not flat), pixels, polygons, strips, quadratic, Lagrange and rational Bezier triangles and
  * quadrilaterals, and the outer faces of volume cells. Degrees go up to 10.
  *
- * How its answers are defined:
+ * Answers are defined as follows:
  * - Each place is one point, however many cells meet there on an edge or a vertex; it bears the
  *   lowest of their ids. The same place of two parts of the Source (see Parts) is two. Where cells
  *   of the Input go on as each other (their ends are the same, to within rounding; of more than
@@ -51,19 +51,18 @@
  * | SkdAngle           | double | 1          | between curve and surface: 0 along it, 90 across   |
  * | SkdSense           | int    | 1          | 1: goes in, against the normal; -1: out; 0 neither |
  * | SkdKind            | int    | 1          | 0 crossing, 1 touching, 2 end of a common stretch  |
- * | SkdGap             | double | 1          | distance left between curve and surface            |
- * and by choice the point and cell data of both sides there (see InterpolateData). SkdSense is the
- * active scalars. Field data, one value each: SkdReportCurves, SkdReportCurvePieces,
- * SkdReportSurfaceElements, SkdReportHits, SkdReportTreesBuilt (0 when the tree was kept),
- * SkdReportEpsilon and SkdReportRounding (world units), SkdReportBuildSeconds,
- * SkdReportQuerySeconds.
+ * | SkdGap | double | 1 | distance left between curve and surface | and by choice the point and
+ * cell data of both sides there (see InterpolateData). SkdSense is the active scalars. Field data,
+ * one value each: SkdReportCurves, SkdReportCurvePieces, SkdReportSurfaceElements, SkdReportHits,
+ * SkdReportTreesBuilt (0 if the tree was reused), SkdReportEpsilon and SkdReportRounding (world
+ * units), SkdReportBuildSeconds, SkdReportQuerySeconds.
  *
  * Output port 1: by choice (see CutCurves) vtkPolyData with the curves cut at these points.
  *
  * Output port 2: the Input with the cell array SkdNumberOfHits (idtype; 0 for other cells).
  *
- * The tree is kept while the Source's points, cells and ghost marks are the same. The answer does
- * not depend on the number of threads or processes (each asks for the whole Source).
+ * The tree is reused while the Source's points, cells and ghost marks keep their values. The answer
+ * does not depend on the number of threads or processes (each needs the whole Source).
  *
  * Bad input: cells that are no curves in Input or no surfaces in Source, curves without length or
  * with one beyond 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not
@@ -205,7 +204,7 @@ public:
   ///@{
   /**
    * Add the point data of curve and surface, interpolated, and the data of both cells, under their
-   * own names. A name that is in use already keeps what it names, with a warning: the Input goes
+   * own names. An array whose name is already in use is not added, with a warning: the Input goes
    * before the Source, points before cells. Along a polyline data are linear between its points,
    * whatever its form. Default on.
    */
@@ -240,8 +239,8 @@ public:
 
   ///@{
   /**
-   * The half width that safety boxes are inflated by, twice, relative to the diagonal of the
-   * surfaces' bounds. It widens the search only. Default 1e-9.
+   * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
+   * surfaces' bounds. It affects the search only, never an answer. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);

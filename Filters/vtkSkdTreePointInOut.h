@@ -18,10 +18,10 @@
  * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant,
  * of curved cells facets within the ChordalDeviation, and faces that are there repeatedly count
  * once. Points within rounding of a surface may count as either. Without a gap no orientation is
- * needed by rays. The answer is the same whatever the number of threads or processes (each asks for
- * the whole Source). Trees are kept while the Source is unchanged. On an image, and on a
- * rectilinear grid, the filter is a voxeliser: one line along each row tells all of it, of closed
- * parts and by rays.
+ * needed by rays. The answer does not depend on the number of threads or processes (each needs the
+ * whole Source). Trees are kept while the Source is unchanged. On an image, and on a rectilinear
+ * grid, the filter is a voxeliser: one line along each row tells all of it, of closed parts and by
+ * rays.
  *
  * Output port 0: the input with these arrays, of points or of cells by what was asked (see SetAsk)
  * | name             | type   | meaning                                                 | none |
@@ -40,8 +40,8 @@
  * vtkUnstructuredGrid; of composite data a vtkMultiBlockDataSet with one for each data set in it.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
- * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 where volume
- * cells were taken for their outer faces), SkdReportTreesBuilt (0 when all were kept),
+ * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 where volume cells
+ * were taken for their outer faces), SkdReportTreesBuilt (0 if all were reused),
  * SkdReportBuildSeconds and SkdReportQuerySeconds; and SkdReportChordalLength where there are
  * curved cells (see SetChordalDeviation).
  *
@@ -256,13 +256,13 @@ public:
 
   ///@{
   /**
-   * How far facets may be from a curved face, relative to the diagonal of the bounds of the whole
-   * Source. Faces of quadratic, Lagrange and Bezier cells are cut into flat facets, and these are
-   * what the filter is exact about: as many as are needed for the deviation, which fit together
-   * without gaps, at most 128 along a side; a face that is straight within the deviation stays one
-   * polygon. Of linear cells nothing changes. The number of facets grows as the inverse of the
-   * deviation: about 10^4 of a sphere by default. SkdReportChordalLength tells the length that it
-   * is, where there are curved cells. Clamped to [1e-7, 1]. Default 1e-4.
+   * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
+   * the whole Source. Faces of quadratic, Lagrange and Bezier cells are cut into flat facets, and
+   * these are what the filter is exact about: as many as are needed for the deviation, which fit
+   * together without gaps, at most 128 along a side; a face that is straight within the deviation
+   * stays one polygon. Of linear cells nothing changes. The number of facets grows as the inverse
+   * of the deviation: about 10^4 of a sphere by default. SkdReportChordalLength tells the length
+   * that it is, where there are curved cells. Clamped to [1e-7, 1]. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);

@@ -14,16 +14,16 @@
  * whatever type the cell is, warped and inverted ones too. A point that no cell holds is taken for
  * one of the nearest cell (ties to the lowest) when it is within the tolerance of it, see
  * SetRelativeTolerance and SetAbsoluteTolerance, and by choice when it is farther, see
- * SetOutsidePoints. The answer is the same whatever the number of threads or processes (each asks
- * for the whole Source).
+ * SetOutsidePoints. The answer does not depend on the number of threads or processes (each needs
+ * the whole Source).
  *
  * Points are asked in the order of a space-filling curve, which takes a third of the time to find
  * the cells of scattered ones (600 thousand among as many), and not by the cell of the last one as
  * a hint, though that would take 0.4 to 0.6 along a line: where cells overlap it would win over a
  * lower one, and so the answer would depend on what was asked before, by which thread.
  *
- * The tree is kept while the Source's points, cells and ghost marks are the same, be it in the same
- * arrays or in others of equal values.
+ * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
+ * other arrays.
  *
  * Output port 0: the input with the source's arrays and these point arrays
  * | name                     | type   | components | meaning                           | none |
@@ -41,17 +41,17 @@
  * Output ports 1 and 2: by choice (see SetProbeLines) the input's lines, cut where they pass from
  * one cell of the Source to another, and the integrals along them.
  *
- * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (that have an
- * answer), SkdReportPointsOutside (of these, those in no cell), SkdReportSourceCells,
- * SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 when all were
- * kept), SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
+ * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (with a
+ * result), SkdReportPointsOutside (of these, those in no cell), SkdReportSourceCells,
+ * SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 if all were
+ * reused), SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
  * SkdReportQuerySeconds.
  *
- * Bad input: a Source without cells, or with none that a tree can hold, gives a warning and no
- * answers. A point that is not finite gets none. An array named for gradients or as categorical
- * that the Source does not have gives a warning, as an array whose name is in use does. ProbeLines
- * with an Input that has no lines gives a warning. An execution that is aborted leaves "none" where
- * it did not get to.
+ * Bad input: a Source without cells, or without any valid ones, gives a warning and no answers. A
+ * point that is not finite gets none. An array named for gradients or as categorical that the
+ * Source does not have gives a warning, as an array whose name is in use does. ProbeLines with an
+ * Input that has no lines gives a warning. An aborted execution leaves "none" at points that were
+ * not processed.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeClosestPoint vtkProbeFilter

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeRefineAlgorithm
- * @brief   what the filters share that refine cells where something asks for it
+ * @brief base class of filters that refine cells by criteria
  *
- * What asks for a cell, each up to a level of its own: parts of a geometry that meet it or come
- * near, the inside of the geometry, and a field (port 2, optional).
+ * Refinement criteria, each with a level of its own: cells that parts of a geometry intersect or
+ * come near, cells inside the geometry, and a field (port 2, optional).
  */
 
 #ifndef vtkSkdTreeRefineAlgorithm_h
@@ -49,8 +49,8 @@ public:
 
   ///@{
   /**
-   * The solution (port 2, optional): any data set, or composite data, whose arrays ask for cells,
-   * too. See AddFieldArray.
+   * The solution (port 2, optional): any data set, or composite data, whose arrays are refinement
+   * criteria. See AddFieldArray.
    */
   void SetFieldConnection(vtkAlgorithmOutput* algOutput);
   void SetFieldData(vtkDataObject* field);
@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * How often a cell is refined at most: each level halves its size (or divides it by the branch
-   * factor). From 0 to 30.
+   * The maximum refinement level: each level halves the size of a cell (or divides it by the branch
+   * factor). Range 0 to 30.
    */
   vtkSetClampMacro(MaximumLevel, int, 0, 30);
   vtkGetMacro(MaximumLevel, int);
@@ -67,9 +67,9 @@ public:
 
   ///@{
   /**
-   * What decides that a part meets a cell: EXACT (default), or BLIND, the safety boxes of the
-   * part's cells, which makes more cells: about as many where those are small beside the leaves,
-   * several times as many where they are large and oblique.
+   * The test for the intersection of a part and a cell: EXACT (default), or BLIND, by the safety
+   * boxes of the part's cells, which refines more: hardly more if these are small compared to the
+   * leaves, several times as many cells if they are large and oblique.
    */
   vtkSetClampMacro(OverlapTest, int, EXACT, BLIND);
   vtkGetMacro(OverlapTest, int);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Over what contacts neighbouring leaves differ by one level at most: NONE (default), FACE, EDGE
-   * (faces and edges) or CORNER (all).
+   * 2:1 balance: the adjacency across which leaves differ by at most one level: NONE (default),
+   * FACE, EDGE (faces and edges) or CORNER (all).
    */
   vtkSetClampMacro(Balance, int, NONE, CORNER);
   vtkGetMacro(Balance, int);
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * A maximum level for a part of composite data, by its flat block index; others have the
-   * MaximumLevel, which none exceeds.
+   * A maximum level for a part of composite data, given by its flat block index; other parts have
+   * the MaximumLevel, which is an upper limit for all.
    */
   void AddPartLevel(int blockIndex, int level);
   void RemoveAllPartLevels();
@@ -95,10 +95,10 @@ public:
 
   ///@{
   /**
-   * Refine all cells that come as near to a part as a distance, to a level of their own, at most
-   * MaximumLevel: by the exact distance between a cell and the parts' cells, of curved ones that of
-   * 8 straight pieces along each of their parameters. The level is a whole number; both are doubles
-   * for ParaView, whose lists have one type.
+   * Refine all cells within a distance of a part to a level, at most MaximumLevel. The distance
+   * between a cell and the parts' cells is exact; curved cells are approximated by 8 straight
+   * pieces along each parameter. The level is an integer; both arguments are doubles because
+   * ParaView's lists have one type.
    */
   void AddDistanceBand(double distance, double level);
   void RemoveAllDistanceBands();
@@ -106,10 +106,10 @@ public:
 
   ///@{
   /**
-   * Refine cells whose middle is inside of the closed surface that the parts are or that bounds
-   * them to this level, at most MaximumLevel: exactly, bodies that overlap included, or, of a
-   * surface with open edges, which a warning counts, by its winding number. Default 0: the inside
-   * does not matter.
+   * Refine cells whose centre is inside the closed surface that the parts are, or that bounds them,
+   * to this level, at most MaximumLevel. This is exact, including overlapping bodies; for a surface
+   * with open edges, which a warning counts, the winding number decides. Default 0: not a
+   * criterion.
    */
   vtkSetClampMacro(InsideLevel, int, 0, 30);
   vtkGetMacro(InsideLevel, int);
@@ -117,7 +117,7 @@ public:
 
   ///@{
   /**
-   * So many layers of cells around those that are refined, of the same level, are refined, too.
+   * The number of layers of cells of the same level around refined cells that are refined too.
    * Default 0.
    */
   vtkSetClampMacro(GrowingLayers, int, 0, 100);
@@ -126,12 +126,12 @@ public:
 
   ///@{
   /**
-   * Where the surface is nearly flat, stop at MinimumSurfaceLevel: from there on refine only cells
-   * in which the normal of a part's cell is more than NormalDeviation (degrees, 0 to 180) off the
-   * mean of that part's normals in the cell. So edges, strong curvature and narrow gaps within a
-   * part get the maximum level, flat stretches do not. Normals are as the order of the cells'
-   * points has them; where a part has cells that are not flat surfaces it counts as bent. Default
-   * off, 15 degrees, level 3.
+   * Stop at MinimumSurfaceLevel where the surface is nearly flat: beyond it, refine only cells in
+   * which the normal of a part's cell deviates by more than NormalDeviation (degrees, 0 to 180)
+   * from the mean of that part's normals in the cell. So edges, strong curvature and narrow gaps
+   * within a part get the maximum level and flat regions do not. Normals follow the order of the
+   * cells' points; parts with cells other than flat surface cells are always refined. Default off,
+   * 15 degrees, level 3.
    */
   vtkSetMacro(RefineByNormalDeviation, bool);
   vtkGetMacro(RefineByNormalDeviation, bool);
@@ -144,10 +144,10 @@ public:
 
   ///@{
   /**
-   * Arrays of the field, point or cell data, that ask for cells: of several components the
-   * magnitude. In a cell those values count that are at points in it, those interpolated at its
-   * corners and its middle, and of cell data those of the field's cells that meet it; what is not
-   * finite does not. A warning tells the names that the field does not have.
+   * Arrays of the field, point or cell data, that are refinement criteria; of several components
+   * the magnitude. The values in a cell are those at the field's points in it, those interpolated
+   * at its corners and its centre, and of cell data those of the field's cells that intersect it;
+   * values that are not finite are ignored. A warning lists names that the field does not have.
    */
   void AddFieldArray(const char* name);
   void RemoveAllFieldArrays();
@@ -155,10 +155,10 @@ public:
 
   ///@{
   /**
-   * When a cell is refined for such an array: DIFFERENCE (default), where two values in it differ
-   * by more than FieldThreshold; GRADIENT, where a cell of the field that meets it has two points
-   * whose values differ by more than FieldThreshold times their distance (of point data only); or
-   * VALUE, where one is in FieldRange.
+   * The condition for refinement: DIFFERENCE (default): two values in the cell differ by more than
+   * FieldThreshold; GRADIENT: a cell of the field that intersects it has two points whose values
+   * differ by more than FieldThreshold times their distance (point data only); or VALUE: one value
+   * is in FieldRange.
    */
   vtkSetClampMacro(FieldTest, int, DIFFERENCE, VALUE);
   vtkGetMacro(FieldTest, int);
@@ -174,7 +174,7 @@ public:
 
   ///@{
   /**
-   * See FieldTest; bounds included. Default (0, 1).
+   * See FieldTest; inclusive. Default (0, 1).
    */
   vtkSkdTreeSetFinite2Macro(FieldRange);
   vtkGetVector2Macro(FieldRange, double);
@@ -182,7 +182,7 @@ public:
 
   ///@{
   /**
-   * The level that cells are refined to for the field, at most MaximumLevel. Default 30.
+   * The level to which the field refines cells, at most MaximumLevel. Default 30.
    */
   vtkSetClampMacro(FieldLevel, int, 0, 30);
   vtkGetMacro(FieldLevel, int);
@@ -190,8 +190,8 @@ public:
 
   ///@{
   /**
-   * The number of cells that there may be. Where refining on would exceed it a warning tells the
-   * level, and the output is what there is so far. Default 20 million.
+   * The maximum number of cells. If the next level would exceed it, refinement stops with a warning
+   * that gives the level. Default 20 million.
    */
   vtkSetClampMacro(CellLimit, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(CellLimit, vtkIdType);
@@ -199,9 +199,8 @@ public:
 
   ///@{
   /**
-   * How far facets may be from a curved face of the parts, where inside is told from outside,
-   * relative to the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default
-   * 1e-4.
+   * The largest distance of facets from a curved face of the parts in inside tests, relative to the
+   * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
@@ -216,7 +215,7 @@ public:
   ///@}
 
   /**
-   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -225,7 +224,7 @@ protected:
   vtkSkdTreeRefineAlgorithm();
   ~vtkSkdTreeRefineAlgorithm() override;
 
-  /// All ports take meshes, and are optional but for the first one.
+  /// All ports take meshes; all but the first are optional.
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
@@ -245,7 +244,7 @@ protected:
   double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
-  /// Copies the settings into the State, which is to be updated with them.
+  /// Copies the settings into the State before it is updated.
   void PassOptions();
 
   std::unique_ptr<SkdRefineState> State; // trees of parts and field, kept while they are the same

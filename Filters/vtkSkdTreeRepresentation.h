@@ -59,7 +59,7 @@ public:
   ///@}
 
   /**
-   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

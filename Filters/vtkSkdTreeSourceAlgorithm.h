@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSourceAlgorithm
- * @brief   what the filters share that ask a second mesh about the first
+ * @brief base class of filters that ask a second mesh about the first
  *
  * Two input ports, each any vtkDataSet or composite of them: the Input, which asks, and the Source,
  * which is searched. Each process gets the whole Source, whatever piece of the output is asked for:
@@ -38,7 +38,7 @@ public:
   ///@}
 
   /**
-   * Hands the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
+   * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

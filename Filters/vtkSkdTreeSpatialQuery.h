@@ -34,8 +34,8 @@
  * cells that are found or near the query's boundary. An Input that is asked about one shape for the
  * first time, but for the nearest, gets no tree yet: all its cells are looked at, O(N), in a
  * fraction of the time that a tree takes. The answers are the same with and without, and whatever
- * the number of threads or processes (each asks for the whole Source, and to find the nearest for
- * the whole Input, of whose answers it then gives a share). Ghost and blanked cells are no answers.
+ * the number of threads or processes (each needs the whole Source, and to find the nearest for the
+ * whole Input, of whose answers it then gives a share). Ghost and blanked cells are no answers.
  *
  * Output port 0: the cells found, by ascending id, with all data of the Input; a
  * vtkUnstructuredGrid, of a composite Input a composite of them of the same structure (of AMR data
@@ -67,7 +67,7 @@
  *
  * Field data of output port 0, one value each: SkdReportQueries, SkdReportPairs,
  * SkdReportCellsFound, SkdReportCells (that were searched), SkdReportCellsLeftOut (see
- * vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 when all were kept, or none was needed),
+ * vtkSkdTreeCellLocator), SkdReportTreesBuilt (0 if all were reused, or none was needed),
  * SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
  * SkdReportQuerySeconds.
  *

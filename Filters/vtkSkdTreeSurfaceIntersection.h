@@ -161,8 +161,9 @@ public:
 
   ///@{
   /**
-   * How far facets may be from a curved face, relative to the diagonal of the bounds of the surface
-   * that it is of, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
+   * the surface that it is of, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation.
+   * Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
