@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeAttach
- * @brief   gives a mesh a vtkSkdTreeCellLocator, for the filter that comes next
+ * @brief attach a vtkSkdTreeCellLocator to a mesh for the next filter
  *
- * Passes its input (any vtkDataSet, or composite of them) and sets a vtkSkdTreeCellLocator on each
- * vtkPointSet in it (vtkPointSet::SetCellLocator). Filters that use the cell locator of their input
- * then search with the skD-tree: up to VTK 9.6 ParaView's Stream Tracer with *Interpolator with
- * Cell Locator* and whatever else uses vtkCellLocatorStrategy, since VTK 9.7 vtkProbeFilter and
+ * Passes on its input (any vtkDataSet, or composite of them) and sets a vtkSkdTreeCellLocator on
+ * each vtkPointSet in it (vtkPointSet::SetCellLocator). Filters that use the cell locator of their
+ * input then search with the skD-tree: up to VTK 9.6 ParaView's Stream Tracer with *Interpolator
+ * with Cell Locator* and other users of vtkCellLocatorStrategy, since VTK 9.7 vtkProbeFilter and
  * vtkPointSet::FindCell.
  *
- * @warning It does not reach the Stream Tracer of VTK 9.7, nor what traces particles there: these
- * put a locator of their own class in the place of the attached one. Their own property *Cell
- * Locator* (SetCellLocator) takes a vtkSkdTreeCellLocator.
+ * @warning It has no effect on the Stream Tracer and particle tracers of VTK 9.7, which replace the
+ * attached locator by one of their own class. Set their own property *Cell Locator*
+ * (SetCellLocator) to a vtkSkdTreeCellLocator.
  *
- * A locator goes to the very next filter only: no data set passes it on in a copy of itself. Images
- * and rectilinear grids have no locator and are passed as they are.
+ * Only the next filter gets the locator, because data sets do not copy it. Images and rectilinear
+ * grids have no locator and are passed on unchanged.
  *
- * The tree is kept while the input's points, cells and ghost marks are the same: further time steps
- * build nothing.
+ * The tree is reused while the input's points, cells and ghost marks keep their values: no build in
+ * further time steps.
  *
- * Bad input: nothing is refused. A mesh without cells has a locator that finds nothing. After an
- * execution that is aborted the blocks that it did not get to have no locator.
+ * Bad input: none is rejected. The locator of a mesh without cells finds nothing. After an aborted
+ * execution, blocks that were not processed have no locator.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -73,7 +73,7 @@ public:
   ///@}
 
   /**
-   * How many trees the last execution had to build; the others were kept.
+   * The number of trees built in the last execution; the others were reused.
    */
   int GetTreesBuilt() const;
 

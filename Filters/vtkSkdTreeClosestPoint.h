@@ -4,10 +4,10 @@
  * @class   vtkSkdTreeClosestPoint
  * @brief   nearest point, cell and distance of a source mesh for each input point
  *
- * For each point of Input (port 0, any vtkDataSet or composite of them) the nearest point on the
- * cells of Source (port 1, any vtkDataSet or composite), by the skD-tree (sections 4, 5 and 6.4 of
- * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact in double precision; the
- * answer does not depend on the number of threads or processes (each needs the whole Source).
+ * Finds, for each point of Input (port 0, any vtkDataSet or composite of them), the nearest point
+ * on the cells of Source (port 1, any vtkDataSet or composite), by the skD-tree (sections 4, 5 and
+ * 6.4 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact in double precision;
+ * the answer does not depend on the number of threads or processes (each needs the whole Source).
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
  * other arrays: further time steps cost queries only, unless points move.
@@ -18,25 +18,25 @@
  * | SkdClosestPoint      | double | 3          | nearest point on the source          | NaN  |
  * | SkdDistance          | double | 1          | distance; negative inside if signed  | NaN  |
  * | SkdClosestCellId     | idtype | 1          | source cell, ties to the lowest id   | -1   |
- * | SkdClosestBlockIndex | int | 1 | flat index of the source's block | -1 | (the last only of a
- * composite Source) and by choice the source's point data interpolated, and its cell data taken, at
- * the nearest point (see InterpolateSourceData). "None" is a point farther than MaximumDistance, or
- * not finite. SkdDistance becomes the active scalars. An aborted execution leaves "none" at points
- * that were not processed; VTK 9.3 and later then empties the output.
+ * | SkdClosestBlockIndex | int | 1 | flat index of the source's block | -1 | (the last one only for
+ * a composite Source) and, optionally, the source's point data interpolated, and its cell data, at
+ * the nearest point (see InterpolateSourceData). "None" is for points farther than MaximumDistance
+ * or not finite. SkdDistance becomes the active scalars. An aborted execution leaves "none" at
+ * points that were not processed; VTK 9.3 and later then empties the output.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (with a
  * result), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
  * SkdReportTreesBuilt (0 if all were reused), SkdReportEpsilon (the largest in use, in world
- * units), SkdReportBuildSeconds, SkdReportQuerySeconds; if signed SkdReportOpenEdges, and of curved
- * cells SkdReportChordalLength (see SetChordalDeviation).
+ * units), SkdReportBuildSeconds, SkdReportQuerySeconds; SkdReportOpenEdges if signed, and
+ * SkdReportChordalLength for curved cells (see SetChordalDeviation).
  *
- * Output port 1: by choice (see GenerateLines) vtkPolyData with a line from each point that has an
- * answer to its nearest point, with the point's arrays as cell data (of a composite Input those
- * that all its blocks have; ghost marks are not passed).
+ * Output port 1: optional (see GenerateLines), vtkPolyData with a line from each point with a
+ * result to its nearest point, with the point's arrays as cell data (of a composite Input those
+ * that all its blocks have; ghost marks are not passed on).
  *
- * Bad input: a Source without cells, or without any valid ones, gives a warning and "none"
- * everywhere. An unset Source is an error of the pipeline. See SetSignedDistance for a Source that
- * is not closed. An Input without points gives an output without points.
+ * Bad input: a Source without valid cells gives a warning and "none" everywhere. A missing Source
+ * is an error of the pipeline. See SetSignedDistance for a Source that is not closed. An Input
+ * without points gives an output without points.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Distance beyond which a point gets no answer. Default VTK_DOUBLE_MAX: no limit.
+   * The maximum search distance. Default VTK_DOUBLE_MAX: no limit.
    */
   vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
@@ -71,19 +71,19 @@ public:
 
   ///@{
   /**
-   * Give the distance a sign, negative inside the closed surface that Source is or that bounds it:
-   * the boundary of its volume cells, or of a Source without any its surface cells. The distance is
-   * then the one to that surface, and SkdClosestCellId a cell that has the nearest point on it;
-   * vertices and lines are not searched. Faces are cut into triangles (of a warped quad two), and
+   * Compute signed distances, negative inside the closed surface that bounds Source: the boundary
+   * of its volume cells or, without any, its surface cells. The distance is then measured to that
+   * surface, and SkdClosestCellId is a cell that contains the nearest point on it; vertices and
+   * lines are not searched. Faces are divided into triangles (a warped quad into two), and
    * non-linear cells into linear ones.
    *
-   * Points of equal coordinates are one, faces between two volume cells are no boundary, of
-   * whatever blocks they are; cells that do not meet face to face (of two levels of an AMR data
-   * set, say) do have a boundary between them. Inside is decided exactly, as by the method
-   * AUTOMATIC of vtkSkdTreePointInOut: orientation does not matter, and what bodies that overlap
-   * share is inside. A surface with open edges (edges that an odd number of its faces use) gives
-   * one warning that counts them; the sign is then a vote of seven directions. A Source without a
-   * surface gives a warning, and distances without a sign. Default off.
+   * Points of equal coordinates are treated as one, and faces between two volume cells, also of
+   * different blocks, are not part of the boundary; faces that do not match (for example between
+   * levels of an AMR data set) are. The sign is exact, as with the method AUTOMATIC of
+   * vtkSkdTreePointInOut: orientation does not matter, and overlaps of bodies are inside. A surface
+   * with open edges (used by an odd number of faces) gives one warning that counts them; the sign
+   * is then a vote of seven rays. A Source without a surface gives a warning and unsigned
+   * distances. Default off.
    */
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
@@ -92,13 +92,13 @@ public:
 
   ///@{
   /**
-   * Interpolate the source's point data at the nearest point by the cell's weights, exact for
-   * linear fields, and take its cell data there; both become point arrays of the output, under
-   * their own names and of their own types (rounded, of integers). Of a composite Source, the
-   * arrays that all its blocks have. An array whose name is already in use is not added, with a
-   * warning: the Input's arrays go before the Source's, its point data before its cell data. Ghost
-   * marks and ids of points are not passed. Points without an answer get NaN, or 0 in integer
-   * arrays. Default off.
+   * Interpolate the source's point data at the nearest point by the cell's weights, exactly for
+   * linear fields, and copy its cell data; both become point arrays of the output with their own
+   * names and types (rounded for integers). Of a composite Source, only arrays that all its blocks
+   * have are used. An array whose name is already in use is not added, with a warning: the Input's
+   * arrays take precedence over the Source's, and its point data over its cell data. Ghost marks
+   * and point ids are not passed on. Points without a result get NaN, or 0 in integer arrays.
+   * Default off.
    */
   vtkSetMacro(InterpolateSourceData, bool);
   vtkGetMacro(InterpolateSourceData, bool);
@@ -116,9 +116,8 @@ public:
 
   ///@{
   /**
-   * The largest distance of facets from a curved face of a Source whose distances are signed,
-   * relative to the diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default
-   * 1e-4.
+   * The largest distance of facets from a curved face for signed distances, relative to the
+   * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);

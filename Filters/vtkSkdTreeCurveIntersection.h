@@ -2,42 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCurveIntersection
- * @brief   where curves cross curves, on their native form
+ * @brief intersections of curves with curves in their native representation
  *
- * Every point in which a curve of Input (port 0) meets a curve of Source (port 1), each any
+ * Finds every intersection of a curve of Input (port 0) with a curve of Source (port 1), each any
  * vtkDataSet or composite, by the skD-tree (section 6.1 of Khamayseh and Hansen, Commun. Comput.
  * Phys. 2 (2007) 545-576). Without a Source the Input's curves are compared with each other, and
  * each with itself.
  *
- * The steps are the paper's: curves are cut to a chord tolerance; the safety box of each part is
- * asked for in the tree of the other curves' parts; safety cylinders around the chords tell most of
- * the rest apart; what is left is solved for on the curves themselves. "No crossing" is certain:
- * whatever is left out has been proved to be apart.
+ * The algorithm is that of the paper: curves are divided until they are within a tolerance of their
+ * chords; the safety box of each piece is searched in the tree of the other curves' pieces; safety
+ * cylinders around the chords exclude most of the remaining pairs; the rest is solved on the curves
+ * themselves. A result without intersections is certain: every excluded pair has been proved
+ * disjoint.
  *
- * Curves are lines, polylines (by choice as the splines through their points), quadratic and cubic
- * lines, Lagrange and rational Bezier curves, of degrees up to 10. Two-dimensional data are an
- * ordinary case.
+ * Curves are lines, polylines (optionally as splines through their points), quadratic and cubic
+ * lines, Lagrange and rational Bezier curves, of degrees up to 10. Two-dimensional data need no
+ * special treatment.
  *
  * Answers are defined as follows:
- * - Straight pieces, as polylines are made of, are decided by exact signs: those that meet in exact
- *   arithmetic are told to, at whatever angle, in vertices or not; those of one line have a stretch
- *   in common, or an end, or nothing.
- * - Other pieces, and straight ones that do not meet exactly, meet where the distance between them
- *   is 0 to within rounding: 8 units in the last place of the largest coordinate. Straight pieces
- *   that are as near, or twice as far, all along where they pass by each other have that stretch in
- *   common. See SetClearance for curves that only come near.
- * - Each place of two curves is one point, also at the joints of a polyline or a spline, and of
- *   cells that go on as each other (see SetIgnoreJoints), which tell it of the lowest numbers.
- * - All roots are found by bisection that excludes with certainty, simple ones to within rounding.
- *   A root of higher order is one point, and so are roots between which curves stay within rounding
- *   of each other: a crossing where the curves change sides, else a touch.
- * - Of curves that nearly run along each other, apart by less than about 1e-10 of their length,
- *   what 20000 halvings of two pieces have not decided is looked at in up to 256 places along it:
- *   there, two crossings between two of these may be missed.
- * - Where two curves run along each other for a stretch, both ends of the stretch are told.
- * - Of a curve against itself, parts that follow each other are left out.
+ * - Straight segments, as in polylines, intersect by exact signs, at any angle, in vertices or
+ *   elsewhere; collinear ones have an interval, an end or nothing in common.
+ * - Other pieces, and straight ones that do not intersect exactly, intersect where their distance
+ *   is 0 to within rounding: 8 units in the last place of the largest coordinate. Straight segments
+ *   that stay within twice this distance of each other have this interval in common. See
+ *   SetClearance for curves that only come near.
+ * - Each intersection of two curves is one point, also at the vertices of a polyline or spline, and
+ *   where cells continue each other (see SetIgnoreJoints); it then has the lowest ids.
+ * - All roots are found, by bisection with certain exclusion, simple ones to within rounding. A
+ *   root of higher order is one point, as are roots between which the curves stay within rounding
+ *   of each other: a crossing if the curves change sides, else a tangency.
+ * - Limit: where curves run along each other at less than about 1e-10 of their length, intervals
+ *   that remain undecided after 20000 bisections of two pieces are sampled at up to 256 points; two
+ *   crossings between adjacent samples may be missed there.
+ * - Where two curves coincide on an interval, both its ends are reported.
+ * - In self-intersections, consecutive pieces of a curve are not compared.
  *
- * Output port 0: vtkPolyData, a vertex for each point (in the middle of what gap there is), by
+ * Output port 0: vtkPolyData, a vertex for each point (in the middle of the gap, if any), sorted by
  * curve and other curve, then along them, with
  * | name                    | type   | meaning                                                    |
  * | ----------------------- | ------ | ---------------------------------------------------------- |
@@ -54,33 +54,33 @@
  * | SkdGap                  | double | distance left between both                                 |
  * | SkdAngle                | double | between both, 0 to 90 degrees                              |
  * | SkdKind                 | int    | 0 crossing, 1 touching (along each other, or end to end in |
- * |                         |        | line), 2 end of a common stretch, 3 near                   |
- * and by choice the point and cell data of both there (see InterpolateData). SkdKind is the active
- * scalars. Field data, one value each: SkdReportCurves, SkdReportOtherCurves, SkdReportParts (into
- * which the curves of the Input are cut), SkdReportHits, SkdReportTreesBuilt (0 when it was kept),
- * SkdReportEpsilon and SkdReportRounding (world units), SkdReportBuildSeconds,
- * SkdReportQuerySeconds.
+ * | | | line), 2 end of a common stretch, 3 near | and optionally the point and cell data of both
+ * there (see InterpolateData). SkdKind is the active scalars. Field data, one value each:
+ * SkdReportCurves, SkdReportOtherCurves, SkdReportParts (pieces of the Input's curves),
+ * SkdReportHits, SkdReportTreesBuilt (0 if it was reused), SkdReportEpsilon and SkdReportRounding
+ * (world units), SkdReportBuildSeconds, SkdReportQuerySeconds.
  *
- * Output port 1: vtkPolyData with a polyline for each stretch that two curves have in common, along
- * the first, to the chord tolerance; cell data SkdCurveId, SkdCurveCellId, SkdOtherCurveId and
- * SkdOtherCurveCellId.
+ * Output port 1: vtkPolyData with a polyline for each interval that two curves have in common,
+ * along the first, to the chord tolerance; cell data SkdCurveId, SkdCurveCellId, SkdOtherCurveId
+ * and SkdOtherCurveCellId.
  *
  * Output port 2: with CandidateRegions a vtkUnstructuredGrid, the paper's R(x, y, z): for each two
- * parts of curves whose safety cylinders (of radius delta + epsilon, and half the Clearance)
- * overlap a box, along the axes, around what both cylinders have in common; cell data SkdCurveId,
- * SkdCurveCellId, SkdCurveParameterRange (two components: the part), the same of the other curve,
- * and SkdNumberOfHits (int), how many places the two parts have in common, which all are in the
- * box. Parts without any share none: that is certain. Elsewhere curves do not meet.
+ * pieces of curves whose safety cylinders (of radius delta + epsilon, plus half the Clearance)
+ * overlap, an axis-aligned box around their intersection; cell data SkdCurveId, SkdCurveCellId,
+ * SkdCurveParameterRange (two components: the piece), the same for the other curve, and
+ * SkdNumberOfHits (int), the number of intersections of the two pieces, all of which are in the
+ * box. If it is 0 the pieces certainly do not intersect. There are no intersections outside these
+ * boxes.
  *
- * The tree is kept while the curves in it have the same points and cells. The answer does not
- * depend on the number of threads or processes (each asks for the whole of both inputs).
+ * The tree is reused while the points and cells of its curves keep their values. The answer does
+ * not depend on the number of threads or processes (each needs the whole of both inputs).
  *
- * Bad input: cells that are no curves, curves without length or with one beyond 1e-140 to 1e140,
- * coordinates that are not finite, Bezier weights that are not positive and degrees above 10 are
- * left out, with one warning of each that counts them; the rest is answered. A ChordTolerance of 0
- * gives a warning, and the default is used. Without curves there is a warning and no point.
+ * Bad input: cells that are not curves, curves with zero length or a length outside 1e-140 to
+ * 1e140, coordinates that are not finite, Bezier weights that are not positive and degrees above 10
+ * are ignored, with one warning for each kind that counts them. A ChordTolerance of 0 gives a
+ * warning and the default is used. Without curves there is a warning and no output.
  *
- * Cost: O(n log m) for n and m parts of curves, and some microseconds a candidate.
+ * Cost: O(n log m) for n and m pieces of curves, and some microseconds a candidate.
  *
  * @sa
  * vtkSkdTreeCurveSurfaceIntersection
@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * What a polyline is: straight lines between its points, or the vtkCardinalSpline or
-   * vtkKochanekSpline through them, over chord lengths; closed when the last point is the first.
-   * Default STRAIGHT.
+   * The curve that a polyline represents: straight lines between its points, or the
+   * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
+   * the last point is the first. Default STRAIGHT.
    */
   vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
   vtkGetMacro(PolylineForm, int);
@@ -131,9 +131,9 @@ public:
 
   ///@{
   /**
-   * How a Kochanek spline bends at its points, each from -1 to 1, 0 by default: how tightly (1:
-   * straight between points), towards the line before (1) or after (-1) the point, and with what
-   * corner (the farther from 0).
+   * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
+   * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
+   * the farther from 0, the sharper the corner at a point.
    */
   vtkSkdTreeSetWithinMacro(Tension, double, -1.0, 1.0);
   vtkGetMacro(Tension, double);
@@ -145,9 +145,9 @@ public:
 
   ///@{
   /**
-   * A distance in world units. Of two curves that do not meet but come as near, the nearest
-   * approach is told as a point of kind 3: one of each pair of curves, however often they come
-   * near. See CandidateRegions for all places that are. Default 0: none.
+   * A distance in world units. For two curves that do not intersect but come within this distance,
+   * their nearest approach is output as a point of kind 3: one for each pair of curves. See
+   * CandidateRegions for all regions in which they do. Default 0: none.
    */
   vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -155,12 +155,12 @@ public:
 
   ///@{
   /**
-   * Take cells that go on as each other, the end of one being an end of the other to within
-   * rounding, as one curve: they do not meet there, and what another curve meets there is told once
-   * instead of once a cell. Where more than two end in a place, those go on as each other that turn
-   * least, by less than a right angle; without a Source the others that only end there do not meet
-   * each other, either. Ends of stretches are told of each cell. Off: each cell is a curve of its
-   * own. Default on.
+   * Treat cells that share an end, to within rounding, as one continuous curve: the shared end is
+   * not an intersection of the two, and the intersection with another curve there is reported once
+   * instead of once a cell. If more than two cells end at a point, those with the smallest angle,
+   * less than a right angle, continue each other; without a Source the others that only end there
+   * do not intersect each other either. Ends of common intervals are reported for each cell. Off:
+   * each cell is a curve of its own. Default on.
    */
   vtkSetMacro(IgnoreJoints, bool);
   vtkGetMacro(IgnoreJoints, bool);
@@ -171,8 +171,8 @@ public:
   /**
    * Add the point data of both curves, interpolated, and the data of both cells, under their own
    * names; without a Source those of the first curve. An array whose name is already in use is not
-   * added, with a warning: the Input goes before the Source, points before cells. Along a polyline
-   * data are linear between its points, whatever its form. Default on.
+   * added, with a warning: the Input takes precedence over the Source, and point data over cell
+   * data. Along a polyline data are linear between its points, whatever its form. Default on.
    */
   vtkSetMacro(InterpolateData, bool);
   vtkGetMacro(InterpolateData, bool);
@@ -181,7 +181,7 @@ public:
 
   ///@{
   /**
-   * Fill output port 2 with the regions in which curves may meet. Default off.
+   * Fill output port 2 with the regions in which curves may intersect. Default off.
    */
   vtkSetMacro(CandidateRegions, bool);
   vtkGetMacro(CandidateRegions, bool);
@@ -190,8 +190,9 @@ public:
 
   ///@{
   /**
-   * The paper's delta, relative to the diagonal of the curves' bounds: how far a part of a curve
-   * may be from its chord. It changes what the search costs, never where curves meet. Default 1e-3.
+   * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
+   * piece of a curve from its chord. It affects the cost of the search, never the intersections.
+   * Default 1e-3.
    */
   vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);

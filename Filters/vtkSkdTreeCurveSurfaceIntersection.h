@@ -2,37 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCurveSurfaceIntersection
- * @brief   where curves cross surfaces, on the native form of both
+ * @brief intersections of curves with surfaces in their native representation
  *
- * Every point in which a curve of Input (port 0) meets a surface of Source (port 1), each any
+ * Finds every intersection of a curve of Input (port 0) with a surface of Source (port 1), each any
  * vtkDataSet or composite, by the skD-tree (section 6.2 of Khamayseh and Hansen, Commun. Comput.
- * Phys. 2 (2007) 545-576): curves are cut to a chord tolerance, the boxes of the parts are asked
- * for in the tree of the surfaces' boxes, and what is left is solved for on the curves and surfaces
- * themselves.
+ * Phys. 2 (2007) 545-576): curves are divided until they are within a tolerance of their chords,
+ * the boxes of the pieces are searched in the tree of the surfaces' boxes, and the remaining pairs
+ * are solved on the curves and surfaces themselves.
  *
- * Curves are lines, polylines (by choice as the splines through their points), quadratic and cubic
+ * Curves are lines, polylines (optionally as splines through their points), quadratic and cubic
  * lines, Lagrange and rational Bezier curves. Surfaces are triangles, quads (bilinear when they are
  * not flat), pixels, polygons, strips, quadratic, Lagrange and rational Bezier triangles and
  * quadrilaterals, and the outer faces of volume cells. Degrees go up to 10.
  *
  * Answers are defined as follows:
- * - Each place is one point, however many cells meet there on an edge or a vertex; it bears the
- *   lowest of their ids. The same place of two parts of the Source (see Parts) is two. Where cells
- *   of the Input go on as each other (their ends are the same, to within rounding; of more than
- *   two, those that turn least), what is in the joint is one point, too, of the cell that was read
- *   first; its sense is along that cell. Ends of stretches are told of each cell.
- * - Straight curves and triangles (flat quads, polygons and strips, too) are decided by exact
- * signs: a closed polyline goes through a closed surface an even number of times, whatever edges
- * and vertices of it, and however far from the origin. A vertex of the curve on the surface counts
- * as moved by less than any number, the same for all that meets there.
- * - Elsewhere all roots are found by bisection that excludes with certainty, simple ones to within
- *   rounding. What misses an edge by no more than rounding may explain, meets it. A root of higher
- *   order is one point, and so are roots between which the curve stays within rounding of the
- *   surface: a crossing where it changes sides, else a touch, also where pieces are joined.
- * - Of a curve that nearly runs within a surface, apart by less than about 1e-10 of its length,
- *   what 20000 halvings of two pieces have not decided is looked at in up to 256 places along it:
- *   there, two crossings between two of these may be missed.
- * - Where a curve runs within a surface for a stretch, both ends of the stretch are told.
+ * - Each intersection is one point, however many cells share the edge or vertex; it has the lowest
+ *   of their ids. Two parts of the Source (see Parts) give two points. Where cells of the Input
+ *   continue each other (they share an end, to within rounding; of more than two, those with the
+ *   smallest angle), an intersection at the joint is also one point, of the cell read first, with
+ *   the sense along that cell. Ends of common intervals are reported for each cell.
+ * - Intersections of straight curves with triangles (also planar quads, polygons and strips) use
+ *   exact signs: a closed polyline passes through a closed surface an even number of times, also
+ *   through edges and vertices, and however far from the origin. Vertices of the curve on the
+ *   surface are treated by symbolic perturbation, consistently for all adjacent cells.
+ * - Otherwise all roots are found, by bisection with certain exclusion, simple ones to within
+ *   rounding. A curve that misses an edge by no more than rounding error intersects it. A root of
+ *   higher order is one point, as are roots between which the curve stays within rounding of the
+ *   surface: a crossing if it changes sides, else a tangency, also at joints.
+ * - Limit: where a curve runs along a surface at less than about 1e-10 of its length, intervals
+ *   that remain undecided after 20000 bisections of two pieces are sampled at up to 256 points; two
+ *   crossings between adjacent samples may be missed there.
+ * - Where a curve lies in a surface on an interval, both its ends are reported.
  *
  * Output port 0: vtkPolyData, a vertex for each point, by curve and then along it, with
  * | name               | type   | components | meaning                                            |
@@ -51,26 +51,26 @@
  * | SkdAngle           | double | 1          | between curve and surface: 0 along it, 90 across   |
  * | SkdSense           | int    | 1          | 1: goes in, against the normal; -1: out; 0 neither |
  * | SkdKind            | int    | 1          | 0 crossing, 1 touching, 2 end of a common stretch  |
- * | SkdGap | double | 1 | distance left between curve and surface | and by choice the point and
+ * | SkdGap | double | 1 | distance left between curve and surface | and optionally the point and
  * cell data of both sides there (see InterpolateData). SkdSense is the active scalars. Field data,
  * one value each: SkdReportCurves, SkdReportCurvePieces, SkdReportSurfaceElements, SkdReportHits,
  * SkdReportTreesBuilt (0 if the tree was reused), SkdReportEpsilon and SkdReportRounding (world
  * units), SkdReportBuildSeconds, SkdReportQuerySeconds.
  *
- * Output port 1: by choice (see CutCurves) vtkPolyData with the curves cut at these points.
+ * Output port 1: optional (see CutCurves), vtkPolyData with the curves cut at these points.
  *
  * Output port 2: the Input with the cell array SkdNumberOfHits (idtype; 0 for other cells).
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values. The answer
  * does not depend on the number of threads or processes (each needs the whole Source).
  *
- * Bad input: cells that are no curves in Input or no surfaces in Source, curves without length or
- * with one beyond 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not
- * positive and degrees above 10 are left out, with one warning of each that counts them; the rest
- * is answered. A ChordTolerance of 0 gives a warning, and the default is used. Without curves or
- * surfaces there is a warning and no point.
+ * Bad input: cells that are not curves in Input or not surfaces in Source, curves with zero length
+ * or a length outside 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not
+ * positive and degrees above 10 are ignored, with one warning for each kind that counts them. A
+ * ChordTolerance of 0 gives a warning and the default is used. Without curves or surfaces there is
+ * a warning and no output.
  *
- * Cost: O(n log m) for n parts of curves and m surface cells, and some microseconds a candidate.
+ * Cost: O(n log m) for n pieces of curves and m surface cells, and some microseconds a candidate.
  *
  * @sa
  * vtkSkdTreeCurveIntersection vtkSkdTreeCellLocator
@@ -122,7 +122,7 @@ public:
   };
 
   /**
-   * Which points of each curve are told.
+   * The intersections of each curve to output.
    */
   enum HitSelections
   {
@@ -133,9 +133,9 @@ public:
 
   ///@{
   /**
-   * What a polyline is: straight lines between its points, or the vtkCardinalSpline or
-   * vtkKochanekSpline through them, over chord lengths; closed when the last point is the first.
-   * Default STRAIGHT.
+   * The curve that a polyline represents: straight lines between its points, or the
+   * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
+   * the last point is the first. Default STRAIGHT.
    */
   vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
   vtkGetMacro(PolylineForm, int);
@@ -143,9 +143,9 @@ public:
 
   ///@{
   /**
-   * How a Kochanek spline bends at its points, each from -1 to 1, 0 by default: how tightly (1:
-   * straight between points), towards the line before (1) or after (-1) the point, and with what
-   * corner (the farther from 0).
+   * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
+   * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
+   * the farther from 0, the sharper the corner at a point.
    */
   vtkSkdTreeSetWithinMacro(Tension, double, -1.0, 1.0);
   vtkGetMacro(Tension, double);
@@ -157,8 +157,8 @@ public:
 
   ///@{
   /**
-   * Whether the faces of volume cells that no other cell of their data set has are surfaces, too,
-   * with normals outward. Default on.
+   * Use the outer faces of volume cells as surfaces, with outward normals: the faces that no other
+   * cell of their data set shares. Default on.
    */
   vtkSetMacro(VolumeFaces, bool);
   vtkGetMacro(VolumeFaces, bool);
@@ -167,11 +167,11 @@ public:
 
   ///@{
   /**
-   * What a part is: each block of a composite Source, its flat index the id, any other Source as a
-   * whole with id 0 (BLOCKS, default); the cells of one value of PartArray, rounded, the id
-   * (CELL_ARRAY); cells that share points, ids 0, 1, ... by their first cell (CONNECTED_PIECES).
-   * Where two parts meet, each is a point of its own. Without the array in all blocks: an error,
-   * and blocks.
+   * The parts of the Source: its blocks, with their flat index as id, or 0 if it is not composite
+   * (BLOCKS, default); the cells with one value of PartArray, rounded, which is the id
+   * (CELL_ARRAY); or connected components, with ids 0, 1, ... by their first cell
+   * (CONNECTED_PIECES). Where two parts coincide, each has its own intersection point. If a block
+   * lacks the array there is an error and BLOCKS is used.
    */
   vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
   vtkGetMacro(Parts, int);
@@ -179,7 +179,7 @@ public:
 
   ///@{
   /**
-   * The cell array of Parts = CELL_ARRAY: numbers, in all blocks. Default "".
+   * The cell array for CELL_ARRAY: numeric and present in all blocks. Default "".
    */
   void SetPartArray(const char* name);
   const char* GetPartArray() const { return this->PartArray.c_str(); }
@@ -187,7 +187,8 @@ public:
 
   ///@{
   /**
-   * Tell all points of a curve, the first, or the one whose number is HitNumber. Default ALL_HITS.
+   * Output all intersections of a curve, the first, or the one with number HitNumber. Default
+   * ALL_HITS.
    */
   vtkSetClampMacro(HitSelection, int, ALL_HITS, NTH_HIT);
   vtkGetMacro(HitSelection, int);
@@ -195,7 +196,7 @@ public:
 
   ///@{
   /**
-   * Which point NTH_HIT tells: 1 is the first along the curve. Default 1.
+   * The intersection that NTH_HIT outputs: 1 is the first along the curve. Default 1.
    */
   vtkSetClampMacro(HitNumber, int, 1, VTK_INT_MAX);
   vtkGetMacro(HitNumber, int);
@@ -204,9 +205,9 @@ public:
   ///@{
   /**
    * Add the point data of curve and surface, interpolated, and the data of both cells, under their
-   * own names. An array whose name is already in use is not added, with a warning: the Input goes
-   * before the Source, points before cells. Along a polyline data are linear between its points,
-   * whatever its form. Default on.
+   * own names. An array whose name is already in use is not added, with a warning: the Input takes
+   * precedence over the Source, and point data over cell data. Along a polyline data are linear
+   * between its points, whatever its form. Default on.
    */
   vtkSetMacro(InterpolateData, bool);
   vtkGetMacro(InterpolateData, bool);
@@ -215,11 +216,11 @@ public:
 
   ///@{
   /**
-   * Fill output port 1 with the curves cut at all their points, whichever are told. Curved ones
-   * become polylines to the chord tolerance. Cell data: SkdCurveId, SkdCurveCellId,
+   * Fill output port 1 with the curves cut at all their intersections, whatever the value of Hits.
+   * Curved ones become polylines within the chord tolerance. Cell data: SkdCurveId, SkdCurveCellId,
    * SkdCurveBlockIndex (of a composite Input), SkdPieceNumber (0, 1, ... along each curve),
-   * SkdPartsInside, how many parts of the Source hold the piece, and SkdPartId, the one of them
-   * that was entered last (-1: none). A part (see Parts) holds something if it is a closed surface.
+   * SkdPartsInside, the number of parts of the Source that contain the piece, and SkdPartId, the
+   * one of them that was entered last (-1: none). Only closed parts (see Parts) contain anything.
    * Default off.
    */
   vtkSetMacro(CutCurves, bool);
@@ -229,9 +230,9 @@ public:
 
   ///@{
   /**
-   * The paper's delta, relative to the diagonal of the curves' bounds: how far a part of a curve
-   * may be from its chord when it asks the tree. It changes what the search costs, never an answer.
-   * Default 1e-3.
+   * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
+   * piece of a curve from its chord in the search. It affects the cost, never an answer. Default
+   * 1e-3.
    */
   vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);

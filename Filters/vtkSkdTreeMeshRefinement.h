@@ -2,78 +2,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeMeshRefinement
- * @brief   refines the cells of a mesh where a geometry or a field asks for it
+ * @brief refine the cells of a mesh near a geometry or where a field varies
  *
- * The cells of Input (port 0: any vtkDataSet, or composite data) are cut into smaller ones, level
- * by level, where parts of a geometry (port 1) meet them or come near, inside of the parts, or
- * where a field (port 2) varies: h-refinement of a given mesh, as in section 6.5 and Fig. 1 of
- * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576. Refined are lines, triangles
- * (strips, too), quads, polygons, tetrahedra, pyramids, wedges, hexahedra, pixels and voxels; other
- * cells stay as they are. A part meets a cell if both have a point in common, exactly (Test); a
- * curved mesh and a part that lies beside it are a case for AddDistanceBand. Growing layers are
- * made of cells that share a point with those that are refined and are not finer, at each cut.
+ * The cells of Input (port 0: any vtkDataSet, or composite data) are divided level by level where
+ * parts of a geometry (port 1) intersect them or come near, inside the parts, or where a field
+ * (port 2) varies: h-refinement of a given mesh, as in section 6.5 and Fig. 1 of Khamayseh and
+ * Hansen, Commun. Comput. Phys. 2 (2007) 545-576. Lines, triangles, strips, quads, polygons,
+ * tetrahedra, pyramids, wedges, hexahedra, pixels and voxels are refined; other cells are kept as
+ * they are. A part intersects a cell if they have a point in common, by an exact test
+ * (SetOverlapTest). If a curved mesh only approximates the parts, use AddDistanceBand. Growing
+ * layers consist of cells that share a point with refined ones and are not finer, in each round.
  *
  * Two methods:
- * - BISECTION (default) leaves no hanging node. Lines, triangles and tetrahedra are bisected at the
- *   middle of their longest edge, and so is, as often as it takes, all that has the edge (Rivara,
- *   1984). Other cells become simplices first, those beside that do, too, where they must: polygons
- *   n triangles from their middle (a concave one by cutting off ears), hexahedra and wedges
- * pyramids and tetrahedra from their middle, pyramids two tetrahedra. No angle of a triangle gets
- * below half of the smallest one of the triangles that were first (Rosenberg and Stenger, 1975), on
- *   flat cells; in three dimensions no bound is known.
- * - REGULAR cuts each cell for itself into parts like itself: 2 lines, 4 triangles or quads, n
- * quads of a polygon, 8 tetrahedra, wedges or hexahedra, 6 pyramids and 4 tetrahedra. Points hang
- * then where cells of two levels meet; Balance bounds by how many levels they differ. A level
- * halves the size of a cell: it takes one bisection of a line, two of a triangle, three of a
- * tetrahedron. What is cut along with others for their sake may get above MaximumLevel.
+ * - BISECTION (default) leaves no hanging nodes. Lines, triangles and tetrahedra are bisected at
+ *   the midpoint of their longest edge, together with all cells that share this edge, repeatedly if
+ *   needed (Rivara, 1984). Other cells, and their neighbours where necessary, are first divided
+ *   into simplices: polygons into n triangles around their centre (concave ones by ear clipping),
+ *   hexahedra and wedges into pyramids and tetrahedra around their centre, pyramids into two
+ *   tetrahedra. In planar meshes no angle of a triangle gets below half of the smallest initial one
+ *   (Rosenberg and Stenger, 1975); in three dimensions no bound is known.
+ * - REGULAR divides each cell independently: 2 lines, 4 triangles or quads, n quads of a polygon, 8
+ *   tetrahedra, wedges or hexahedra, 6 pyramids and 4 tetrahedra of a pyramid. Nodes hang where
+ *   cells of two levels meet; Balance limits the difference of levels. A level halves the size of a
+ *   cell: one bisection of a line, two of a triangle, three of a tetrahedron. Cells that are
+ *   bisected for the sake of neighbours may exceed MaximumLevel.
  *
- * Points of equal coordinates count as one in deciding on cuts, so blocks, and the sides of seams,
- * fit together afterwards; they stay as many points as they were. The result depends on neither the
- * number of threads nor the numbering of cells and points.
+ * Points of equal coordinates are treated as one, so blocks and the sides of seams still match
+ * afterwards; the points themselves are not merged. The result depends neither on the number of
+ * threads nor on the numbering of cells and points.
  *
- * Output: vtkPolyData of the same, vtkUnstructuredGrid of all others, composite data of composite
- * data (of what is no tree of blocks, AMR say, a vtkMultiBlockDataSet). Cells are in the order of
- * those that they are parts of; points keep their ids, new ones come after. Point data are
- * interpolated, exactly for linear fields (ids are dropped), cell data passed on. Arrays:
+ * Output: vtkPolyData for vtkPolyData, vtkUnstructuredGrid for other data sets, composite data for
+ * composite data (vtkMultiBlockDataSet for AMR data sets). Cells are in the order of their parent
+ * cells; points keep their ids and new ones follow. Point data are interpolated, exactly for linear
+ * fields (ids are dropped); cell data are copied. Arrays:
  * | name            | of     | type   | meaning                                              |
  * | --------------- | ------ | ------ | ---------------------------------------------------- |
  * | SkdParentCellId | cells  | idtype | the cell of Input that it is part of                 |
  * | SkdLevel        | cells  | uchar  | how often its size was halved                        |
  * | SkdHanging      | points | uchar  | 1: on an edge or face of a cell without a corner there |
  *
- * Field data: SkdReportCells, SkdReportPoints (of equal coordinates one), SkdReportCellsBefore,
- * SkdReportCellsAtLevel (a value a level), SkdReportHangingPoints, SkdReportRounds,
- * SkdReportStoppedAtLevel (-1: nothing was left out, see CellLimit), SkdReportEstimatedCells (if
- * nothing had been), SkdReportMemoryBytes (what it took), SkdReportMinimumAngleBefore and
- * SkdReportMinimumAngle (of triangles and other surface cells at corners, of tetrahedra at edges,
- * in degrees; none without such cells), SkdReportCellsNotRefinable, SkdReportParts,
- * SkdReportPartCells, SkdReportPartCellsLeftOut, SkdReportTreesBuilt (trees are kept while parts do
- * not change), SkdReportEpsilon, SkdReportBuildSeconds, SkdReportRefineSeconds, and
- * SkdReportOpenEdges where inside is asked.
+ * Field data: SkdReportCells, SkdReportPoints (equal coordinates counted once),
+ * SkdReportCellsBefore, SkdReportCellsAtLevel (one value a level), SkdReportHangingPoints,
+ * SkdReportRounds, SkdReportStoppedAtLevel (-1 unless CellLimit stopped the refinement),
+ * SkdReportEstimatedCells (without CellLimit), SkdReportMemoryBytes (memory used),
+ * SkdReportMinimumAngleBefore and SkdReportMinimumAngle (angles of surface cells at corners and of
+ * tetrahedra at edges, in degrees; none without such cells), SkdReportCellsNotRefinable,
+ * SkdReportParts, SkdReportPartCells, SkdReportPartCellsLeftOut, SkdReportTreesBuilt (trees are
+ * reused while parts do not change), SkdReportEpsilon, SkdReportBuildSeconds,
+ * SkdReportRefineSeconds, and SkdReportOpenEdges if InsideLevel is in use.
  *
- * Cost: a microsecond or two a cell, and what the parts and the field are asked; about 300 bytes a
- * triangle and 400 a tetrahedron beside the output. How many cells and how much memory it will be
- * is told by the progress text, from the first round on, by how the mesh has grown so far.
+ * Cost: one or two microseconds a cell in addition to the queries of parts and field; about 300
+ * bytes a triangle and 400 a tetrahedron in addition to the output. From the first round on, the
+ * progress text shows the expected number of cells and memory, extrapolated from the growth so far.
  *
- * Processes: each refines its own piece of Input, around all of the parts. They tell each other, by
- * the global controller, what is cut and wanted where their pieces meet, until nothing changes: so
- * together the pieces are what one process makes of the whole, cell for cell, by either Method and
- * with all of its options, in places, levels and marks (SkdHanging); CellLimit counts the cells of
- * all. Pieces must meet at points of equal coordinates. Ghost cells are left out: others have them.
- * All processes must update. Reports are of a process's own piece. Without port 2 the field is the
- * piece itself: cells of others that meet its border do not count. Parts, field and surface must
- * not come from the source of Input: that would give the whole to all of them, as VTK's pipeline
- * asks a source once.
+ * Processes: each refines its own piece of Input, around all of the parts. They exchange the cuts
+ * and criteria on common boundaries of pieces through the global controller until nothing changes.
+ * Together the pieces are identical to the result of one process, cell for cell, in coordinates,
+ * levels and SkdHanging, for both methods and all options; CellLimit counts the cells of all
+ * processes. Pieces must match at points of equal coordinates. Ghost cells are ignored. All
+ * processes must update. Reports describe a process's own piece. Without port 2 the field is the
+ * piece itself, without adjacent cells of other pieces. Parts, field and surface must not come from
+ * the same source as Input, because VTK's pipeline would then request the whole of it for all
+ * ports.
  *
- * Where nothing is told that could ask for cells (no Parts, no arrays of a field, no MinimumLevel)
- * all of them are refined once.
+ * Without any criterion (no Parts, no field arrays, no MinimumLevel) all cells are refined once.
  *
- * Bad input, each with one warning or error that says so: Parts without cells or that miss the
- * mesh, if nothing else asks, pass the mesh on as it is; so does an Input without cells. Cells of
- * other types, of points that are not finite, that use a point twice, or (wedges, hexahedra) whose
- * middle does not see all faces are kept whole and counted; points may hang on them. So are cells
- * about as small as the resolution of their coordinates, far from the origin. Parts' cells that are
- * not finite are left out and counted, values that are not finite do not count.
+ * Bad input, each with one warning or error: if Parts have no cells or do not intersect the mesh,
+ * and there is no other criterion, the mesh is passed on unchanged; so is an Input without cells.
+ * Cells of other types, with points that are not finite, that use a point twice, or (wedges,
+ * hexahedra) that are not star-shaped about their centre are not refined and are counted; nodes may
+ * hang on them. The same holds for cells about as small as the resolution of their coordinates.
+ * Cells of parts that are not finite are ignored and counted; field values that are not finite are
+ * ignored.
  *
  * @sa
  * vtkSkdTreeAMR vtkSkdTreeClosestPoint
@@ -126,7 +126,7 @@ public:
 
   ///@{
   /**
-   * How cells are cut: BISECTION (default), without hanging points, or REGULAR.
+   * The subdivision: BISECTION (default), without hanging nodes, or REGULAR.
    */
   vtkSetClampMacro(Method, int, BISECTION, REGULAR);
   vtkGetMacro(Method, int);
@@ -135,7 +135,7 @@ public:
   ///@{
   /**
    * The level that all cells are refined to, whatever asks for them, at most MaximumLevel. Default
-   * 0; where nothing else is told that could ask for cells, 1.
+   * 0, or 1 without any other criterion.
    */
   vtkSetClampMacro(MinimumLevel, int, 0, 30);
   vtkGetMacro(MinimumLevel, int);
@@ -143,11 +143,11 @@ public:
 
   ///@{
   /**
-   * Where new points go: FLAT (default), where they are made, in the middle of edges, faces and
-   * cells, so areas and volumes are kept; SPHERE, in that direction from SphereCenter as far as the
-   * points around are, so a mesh of a sphere stays on it; or SURFACE, the point of the surface
-   * (port 3) that is nearest, of volume cells for points on the border of the mesh only. Cuts are
-   * decided on where points would be flat.
+   * The position of new points: FLAT (default): the midpoints of edges, faces and cells, which
+   * preserves areas and volumes; SPHERE: moved radially from SphereCenter to the distance of the
+   * adjacent points, so that a mesh of a sphere stays on it; or SURFACE: the nearest point of the
+   * surface (port 3), of volume cells only for points on the boundary of the mesh. Cuts are decided
+   * by the FLAT positions.
    */
   vtkSetClampMacro(PointPlacement, int, FLAT, SURFACE);
   vtkGetMacro(PointPlacement, int);
@@ -164,8 +164,8 @@ public:
   ///@{
   /**
    * The type of the output's points: vtkAlgorithm::DEFAULT_PRECISION (that of the Input's;
-   * default), SINGLE_PRECISION or DOUBLE_PRECISION. New points are rounded to it: areas are kept to
-   * 1e-12 by double precision only.
+   * default), SINGLE_PRECISION or DOUBLE_PRECISION. New points are rounded to it; areas are
+   * preserved to 1e-12 in double precision only.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

@@ -2,28 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreePointInOut
- * @brief   which part, or parts, hold a point
+ * @brief find the parts that contain a point
  *
- * For each point or cell of Input (port 0, any vtkDataSet or composite of them) the parts of Source
- * (port 1, any vtkDataSet or composite) that hold it: the point in/out test, section 6.3 of
- * Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, by the skD-tree, after both of its
- * models:
- * - BOUNDARIES: a part is what its surface encloses: its surface cells, or of a part with volume
- *   cells their outer faces (see SetUseOuterFaces). See SetMethod for how it is told.
- * - BODY_FITTED_MESH: the lowest cell that holds the point tells the part.
+ * Finds, for each point or cell of Input (port 0, any vtkDataSet or composite of them), the parts
+ * of Source (port 1, any vtkDataSet or composite) that contain it: the point in/out test of section
+ * 6.3 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, by the skD-tree, with both
+ * of its models:
+ * - BOUNDARIES: a part is the region enclosed by its surface: its surface cells or, for volume
+ *   cells, their outer faces (see SetUseOuterFaces). See SetMethod for the tests.
+ * - BODY_FITTED_MESH: the part of the lowest cell that contains the point.
  *
- * Each part has a tree of its own, so parts that touch do not hide each other, and nested ones give
- * a depth. A closed surface of triangles is decided exactly, by one ray whose crossings are
- * watertight, thin shells and rays through edges and vertices included, be it one body or several
- * that overlap (see SetMethod); of larger polygons the triangles that they are cut into are meant,
- * of curved cells facets within the ChordalDeviation, and faces that are there repeatedly count
- * once. Points within rounding of a surface may count as either. Without a gap no orientation is
- * needed by rays. The answer does not depend on the number of threads or processes (each needs the
- * whole Source). Trees are kept while the Source is unchanged. On an image, and on a rectilinear
- * grid, the filter is a voxeliser: one line along each row tells all of it, of closed parts and by
- * rays.
+ * Each part has its own tree, so touching parts do not affect each other, and nested parts give a
+ * depth. The test is exact for closed surfaces of triangles, by one ray with watertight crossings,
+ * including thin shells, rays through edges and vertices, and overlapping bodies (see SetMethod).
+ * Larger polygons are triangulated, curved cells are approximated by facets within the
+ * ChordalDeviation, and duplicate faces count once. Points within rounding error of a surface may
+ * be classified either way. For closed surfaces, rays do not depend on orientation. The answer does
+ * not depend on the number of threads or processes (each needs the whole Source). Trees are reused
+ * while the Source is unchanged. On images and rectilinear grids the filter is a voxelizer: for
+ * closed parts and methods with rays, one line classifies a whole row.
  *
- * Output port 0: the input with these arrays, of points or of cells by what was asked (see SetAsk)
+ * Output port 0: the input with these point or cell arrays (see SetAsk)
  * | name             | type   | meaning                                                 | none |
  * | ---------------- | ------ | ------------------------------------------------------- | ---- |
  * | SkdInside        | uchar  | 1 inside some part                                      | 0    |
@@ -32,24 +31,24 @@
  * | SkdConfidence    | float  | 0.5 to 1, see SetMethod; the least of all parts         | 0    |
  * | SkdOnBoundary    | uchar  | 1 in the BoundaryBand                                   | 0    |
  * | SkdWindingNumber | double | the sum over the parts, with the method WINDING_NUMBER  | NaN  |
- * | SkdWindingBound  | double | what that is off by at most, see SetWindingTolerance    | NaN  |
- * "None" is a point that is outside; of one that is not finite the confidence is 0, too. SkdInside
- * becomes the active scalars.
+ * | SkdWindingBound | double | what that is off by at most, see SetWindingTolerance | NaN | "None"
+ * is for points outside; for points that are not finite the confidence is 0, too. SkdInside becomes
+ * the active scalars.
  *
- * Output port 1: by choice (see SetExtract) what of the input is inside, or outside, as a
- * vtkUnstructuredGrid; of composite data a vtkMultiBlockDataSet with one for each data set in it.
+ * Output port 1: optional (see SetExtract), the part of the input that is inside, or outside, as a
+ * vtkUnstructuredGrid; for composite data a vtkMultiBlockDataSet with one for each data set.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
- * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 where volume cells
- * were taken for their outer faces), SkdReportTreesBuilt (0 if all were reused),
- * SkdReportBuildSeconds and SkdReportQuerySeconds; and SkdReportChordalLength where there are
- * curved cells (see SetChordalDeviation).
+ * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 if outer faces of
+ * volume cells were used), SkdReportTreesBuilt (0 if all were reused), SkdReportBuildSeconds and
+ * SkdReportQuerySeconds; and SkdReportChordalLength if there are curved cells (see
+ * SetChordalDeviation).
  *
- * Bad input: a Source without cells, or without surfaces where they are needed, gives a warning and
- * nothing is inside. A PartArray that some block does not have, and volume cells with
- * UseOuterFaces off, give an error and an empty output. Open edges (that an odd number of a part's
- * faces use) give one warning that counts them: answers near them may be wrong, and the confidence
- * tells.
+ * Bad input: with a Source without cells, or without surfaces if these are needed, there is a
+ * warning and everything is outside. A PartArray that some block does not have, and volume cells
+ * with UseOuterFaces off, give an error and an empty output. Open edges (used by an odd number of a
+ * part's faces) give one warning that counts them: points near them may be classified wrongly, with
+ * a low confidence.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSelectEnclosedPoints
@@ -89,7 +88,7 @@ public:
 
   ///@{
   /**
-   * What the Source is: surfaces (default), or a mesh that fills the parts.
+   * The kind of Source: surfaces (default), or a mesh that fills the parts.
    */
   vtkSetClampMacro(Model, int, BOUNDARIES, BODY_FITTED_MESH);
   vtkGetMacro(Model, int);
@@ -104,10 +103,10 @@ public:
 
   ///@{
   /**
-   * What a part is: a block of composite data, with its flat index as id, and all of other data,
-   * with id 0 (BLOCKS, default); the cells of one value of PartArray, rounded, the id (CELL_ARRAY);
-   * cells that are connected by points of equal coordinates, with ids 0, 1, ... in the order of
-   * their first cells (CONNECTED_PIECES; a BODY_FITTED_MESH takes BLOCKS instead).
+   * The parts of the Source: its blocks, with their flat index as id, or 0 if it is not composite
+   * (BLOCKS, default); the cells with one value of PartArray, rounded, which is the id
+   * (CELL_ARRAY); or components connected by points of equal coordinates, with ids 0, 1, ... in the
+   * order of their first cells (CONNECTED_PIECES; a BODY_FITTED_MESH uses BLOCKS instead).
    */
   vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
   vtkGetMacro(Parts, int);
@@ -115,7 +114,7 @@ public:
 
   ///@{
   /**
-   * The cell array of Parts = CELL_ARRAY: numbers, in all blocks. Default "".
+   * The cell array for CELL_ARRAY: numeric and present in all blocks. Default "".
    */
   void SetPartArray(const char* name);
   const char* GetPartArray() const { return this->PartArray.c_str(); }
@@ -132,31 +131,32 @@ public:
 
   ///@{
   /**
-   * How a surface tells inside from outside:
-   * - AUTOMATIC (default): of a part without open edges the crossings of a ray along an axis, and
-   *   which way it goes through each. Closed shells of the part that lie within each other without
-   *   touching are by turns bodies and cavities, whatever the way their triangles are turned. Of
-   *   shells that touch or overlap, and of one that runs through itself, all is inside that their
-   *   winding number is not 0 of: the union, each turned outward, but cavities that are turned so.
-   *   Which touch is found when a point is within two for the first time, for about the cost of a
-   *   build. The confidence is 1, but 1/2 where the triangles as they are turned say otherwise (a
-   *   shell within another that is turned the same way, bodies that overlap and one of which is
-   *   inside out) or cannot be turned alike, and 3/4 where bodies overlap whose triangles are not
-   *   turned alike. A part with gaps goes by WINDING_NUMBER, as if RepairOrientation were on.
-   * - AXIS_RAYS: the parity of the crossings of a ray along an axis, the shortest way out: what two
-   *   bodies of a part share is outside. Of a surface with gaps, a vote of up to six, and a seventh
-   *   if they are divided.
-   * - RANDOM_RAYS: the same in directions that are spread evenly over the sphere, of a surface with
-   *   gaps a vote of up to NumberOfRays, and one more if they are divided. Voting ends once it is
-   *   decided. The confidence is the share of the votes.
-   * - WINDING_NUMBER: inside where the generalised winding number is at least 1/2, or at most -1/2.
-   *   It bears gaps, intersections and double faces, and wants triangles that are mostly turned the
-   *   same way. The confidence is 1/2 and the distance of the number to this limit, at most 1.
-   * - NEAREST_FEATURE: the side of the nearest face, edge or corner by its normal; wants normals
-   *   that point outward. The confidence is 1/2 where that is an open edge.
+   * The test for points inside a surface:
+   * - AUTOMATIC (default): for a part without open edges, the directed crossings of a ray along an
+   *   axis. Closed shells of the part that are nested without touching are alternately bodies and
+   *   cavities, whatever their orientation. For shells that touch, overlap or intersect themselves,
+   *   a point is inside if their winding number is not 0: the union of bodies oriented outward,
+   *   minus cavities oriented inward. Touching shells are detected when a point is first found
+   *   within two, for about the cost of a build. The confidence is 1, but 1/2 if the orientation of
+   *   the triangles contradicts the result (a nested shell of the same orientation, overlapping
+   *   bodies one of which is inside out) or they cannot be oriented consistently, and 3/4 where
+   *   bodies overlap whose triangles are not oriented consistently. A part with gaps uses
+   *   WINDING_NUMBER, as if RepairOrientation were on.
+   * - AXIS_RAYS: the parity of the crossings of a ray along an axis, in the direction of the
+   *   shortest way out of the bounds; overlaps of two bodies of a part are outside. For a surface
+   *   with gaps, a vote of up to six rays, and a seventh in case of a tie.
+   * - RANDOM_RAYS: the same in directions distributed uniformly over the sphere; for a surface with
+   *   gaps a vote of up to NumberOfRays, and one more in case of a tie. Voting ends once it is
+   *   decided. The confidence is the share of votes.
+   * - WINDING_NUMBER: inside if the generalized winding number is at least 1/2 or at most -1/2. It
+   *   tolerates gaps, intersections and duplicate faces, and requires mostly consistent
+   *   orientation. The confidence is 1/2 plus the distance of the number from this limit, at most
+   *   1.
+   * - NEAREST_FEATURE: the side of the nearest face, edge or vertex by its normal; requires outward
+   *   normals. The confidence is 1/2 if that is an open edge.
    *
-   * Outside of a part's bounds nothing is inside: the confidence is 1 of closed parts and by rays,
-   * else that of the answer, 1/2 where the number or the normal would have it inside.
+   * Points outside a part's bounds are outside the part: the confidence is 1 for closed parts and
+   * for rays, else that of the method, or 1/2 if the method contradicts.
    */
   vtkSetClampMacro(Method, int, AXIS_RAYS, AUTOMATIC);
   vtkGetMacro(Method, int);
@@ -164,7 +164,7 @@ public:
 
   ///@{
   /**
-   * Of RANDOM_RAYS, of surfaces with gaps. Range 1 to 1000, default 10.
+   * The number of RANDOM_RAYS for surfaces with gaps. Range 1 to 1000, default 10.
    */
   vtkSkdTreeSetWithinMacro(NumberOfRays, int, 1, 1000);
   vtkGetMacro(NumberOfRays, int);
@@ -172,7 +172,7 @@ public:
 
   ///@{
   /**
-   * Of RANDOM_RAYS: another seed gives other directions; each point has its own. Default 0.
+   * The seed of the directions of RANDOM_RAYS; each point has its own directions. Default 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -180,11 +180,11 @@ public:
 
   ///@{
   /**
-   * What SkdWindingNumber, and the confidence by it, may be off by at most, times the number of
-   * parts. Range 0 (all triangles are summed: O(N) a point) to 1, default 0.25, at which sums take
-   * least: the bound is one for all surfaces, and the error mostly a hundredth of it.
-   * SkdWindingBound tells the bound of each point. Half as much takes about 1.6 times as long.
-   * Whether a number is beyond 1/2 is decided exactly at any tolerance, but for rounding.
+   * The maximum error of SkdWindingNumber, and of the confidence, per part. Range 0 (sum over all
+   * triangles: O(N) a point) to 1, default 0.25, which is fastest. The bound holds for any surface;
+   * most errors are a hundredth of it. SkdWindingBound gives the bound for each point. Half the
+   * tolerance takes about 1.6 times as long. Whether a number exceeds 1/2 is decided exactly at any
+   * tolerance, except for rounding.
    */
   vtkSkdTreeSetWithinMacro(WindingTolerance, double, 0.0, 1.0);
   vtkGetMacro(WindingTolerance, double);
@@ -200,10 +200,10 @@ public:
 
   ///@{
   /**
-   * What is asked for: the input's points (default), or its cells: by their centres (the mean of
-   * their points), inside if all their points are, or if any is. Of all points a cell gets the part
-   * and confidence of the one with the least depth, of any point those of the one with the
-   * greatest, ties to the first.
+   * What is classified: the input's points (default), or its cells: by their centres (the mean of
+   * their points), as inside if all their points are, or if any point is. With all points a cell
+   * gets the part and confidence of the point with the least depth, with any point those of the one
+   * with the greatest; ties go to the first.
    */
   vtkSetClampMacro(Ask, int, POINTS, CELLS_ANY_POINT);
   vtkGetMacro(Ask, int);
@@ -211,8 +211,8 @@ public:
 
   ///@{
   /**
-   * Points at this distance from a part's surface or nearer are marked as on the boundary. World
-   * units, default 0: none is.
+   * Points within this distance of a part's surface are marked in SkdOnBoundary. World units,
+   * default 0: none.
    */
   vtkSkdTreeSetWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BoundaryBand, double);
@@ -220,7 +220,7 @@ public:
 
   ///@{
   /**
-   * Take the outer faces of volume cells for surfaces. Default on.
+   * Use the outer faces of volume cells as surfaces. Default on.
    */
   vtkSetMacro(UseOuterFaces, bool);
   vtkGetMacro(UseOuterFaces, bool);
@@ -229,9 +229,9 @@ public:
 
   ///@{
   /**
-   * For WINDING_NUMBER and NEAREST_FEATURE, which go by the triangles' normals: turn these outward
-   * first. Neighbours are turned alike, and what hangs together so by axis rays from its largest
-   * triangle. Default off.
+   * For WINDING_NUMBER and NEAREST_FEATURE, which depend on the triangles' normals: orient the
+   * triangles outward first. Adjacent triangles are oriented consistently, and each component
+   * outward by axis rays from its largest triangle. Default off.
    */
   vtkSetMacro(RepairOrientation, bool);
   vtkGetMacro(RepairOrientation, bool);
@@ -247,7 +247,7 @@ public:
 
   ///@{
   /**
-   * What output port 1 holds: nothing (default), or the input's points or cells, by what was asked,
+   * The content of output port 1: nothing (default), or the input's points or cells (see SetAsk)
    * that are inside or outside, with all data of port 0.
    */
   vtkSetClampMacro(Extract, int, NOTHING, OUTSIDE);
@@ -257,12 +257,12 @@ public:
   ///@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
-   * the whole Source. Faces of quadratic, Lagrange and Bezier cells are cut into flat facets, and
-   * these are what the filter is exact about: as many as are needed for the deviation, which fit
-   * together without gaps, at most 128 along a side; a face that is straight within the deviation
-   * stays one polygon. Of linear cells nothing changes. The number of facets grows as the inverse
-   * of the deviation: about 10^4 of a sphere by default. SkdReportChordalLength tells the length
-   * that it is, where there are curved cells. Clamped to [1e-7, 1]. Default 1e-4.
+   * the whole Source. Faces of quadratic, Lagrange and Bezier cells are approximated by flat facets
+   * without gaps, at most 128 along a side, and the filter is exact for these; a face that is flat
+   * within the deviation is one polygon. It has no effect on linear cells. The number of facets is
+   * inversely proportional to the deviation: about 10^4 for a sphere by default. If there are
+   * curved cells, SkdReportChordalLength is the deviation as a length. Range [1e-7, 1], default
+   * 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);

@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeProbe
- * @brief   a mesh's data, and their gradients, at points and along lines
+ * @brief probe a mesh's data and their gradients at points and along lines
  *
- * For each point of Input (port 0, any vtkDataSet or composite of them) the cell of Source (port 1,
- * any vtkDataSet or composite) that holds it, where in the cell it is, and the Source's data there:
- * steps (i) to (iii) of section 6.6 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007)
- * 545-576, by the skD-tree. Point data are interpolated, exactly for linear fields; cell data are
- * taken.
+ * Finds, for each point of Input (port 0, any vtkDataSet or composite of them), the cell of Source
+ * (port 1, any vtkDataSet or composite) that contains it, its parametric coordinates, and the
+ * Source's data there: steps (i) to (iii) of section 6.6 of Khamayseh and Hansen, Commun. Comput.
+ * Phys. 2 (2007) 545-576, by the skD-tree. Point data are interpolated, exactly for linear fields;
+ * cell data are copied.
  *
- * A point is in the lowest (block, cell) that holds it. No point within a cell is missed, of
- * whatever type the cell is, warped and inverted ones too. A point that no cell holds is taken for
- * one of the nearest cell (ties to the lowest) when it is within the tolerance of it, see
- * SetRelativeTolerance and SetAbsoluteTolerance, and by choice when it is farther, see
+ * If several cells contain a point, the lowest (block, cell) is used. No point within a cell is
+ * missed, whatever the type of the cell, including warped and inverted cells. A point in no cell is
+ * assigned to the nearest cell (ties to the lowest) if it is within the tolerance of it, see
+ * SetRelativeTolerance and SetAbsoluteTolerance, and optionally if it is farther, see
  * SetOutsidePoints. The answer does not depend on the number of threads or processes (each needs
  * the whole Source).
  *
- * Points are asked in the order of a space-filling curve, which takes a third of the time to find
- * the cells of scattered ones (600 thousand among as many), and not by the cell of the last one as
- * a hint, though that would take 0.4 to 0.6 along a line: where cells overlap it would win over a
- * lower one, and so the answer would depend on what was asked before, by which thread.
+ * Points are processed along a space-filling curve, which reduces the time for scattered points to
+ * a third (600 thousand points among as many cells). The cell of the previous point is not used as
+ * a hint, although this would take 0.4 to 0.6 of the time along lines: where cells overlap the hint
+ * would be preferred to a lower id, and answers would depend on the order of points and on threads.
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
  * other arrays.
@@ -33,13 +33,12 @@
  * | SkdSourceBlockIndex      | int    | 1          | flat index of the cell's block    | -1   |
  * | SkdParametricCoordinates | double | 3          | in the cell, VTK's                | NaN  |
  * | SkdDistance              | double | 1          | distance to the cell, 0 within it | NaN  |
- * | name_Gradient            | double | 3 k        | see AddGradientArray              | NaN  |
- * (the block index only of a composite Source). See SetUseFillValue for what data arrays have where
- * there is no answer. The active scalars become the Source's own, or else its first array of
- * numbers.
+ * | name_Gradient | double | 3 k | see AddGradientArray | NaN | (the block index only for a
+ * composite Source). See SetUseFillValue for the values of data arrays at points without a result.
+ * The Source's active scalars become active, or else its first numeric array.
  *
- * Output ports 1 and 2: by choice (see SetProbeLines) the input's lines, cut where they pass from
- * one cell of the Source to another, and the integrals along them.
+ * Output ports 1 and 2: optional (see SetProbeLines), the input's lines, divided where they pass
+ * from one cell of the Source to another, and the integrals along them.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (with a
  * result), SkdReportPointsOutside (of these, those in no cell), SkdReportSourceCells,
@@ -47,11 +46,10 @@
  * reused), SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
  * SkdReportQuerySeconds.
  *
- * Bad input: a Source without cells, or without any valid ones, gives a warning and no answers. A
- * point that is not finite gets none. An array named for gradients or as categorical that the
- * Source does not have gives a warning, as an array whose name is in use does. ProbeLines with an
- * Input that has no lines gives a warning. An aborted execution leaves "none" at points that were
- * not processed.
+ * Bad input: a Source without valid cells gives a warning and no results, and points that are not
+ * finite have none. Gradient or categorical arrays that the Source does not have, and arrays whose
+ * name is already in use, give a warning. ProbeLines with an Input without lines gives a warning.
+ * An aborted execution leaves "none" at points that were not processed.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeClosestPoint vtkProbeFilter
@@ -78,9 +76,9 @@ public:
 
   ///@{
   /**
-   * How far from the nearest cell a point may be and still count as in it: this part of the
-   * diagonal of that cell's bounds. It is for points that are in the mesh but for rounding, and for
-   * those just off a surface. Range 0 and more, default 1e-3, which is what vtkProbeFilter allows.
+   * A point counts as in the nearest cell if its distance is at most this fraction of the diagonal
+   * of the cell's bounds. This is meant for points that are outside because of rounding, and for
+   * points close to a surface. Range 0 and more, default 1e-3 as in vtkProbeFilter.
    */
   vtkSkdTreeSetWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RelativeTolerance, double);
@@ -88,7 +86,7 @@ public:
 
   ///@{
   /**
-   * The same as a distance in world units; the larger of the two holds. Default 0.
+   * The same as a distance in world units; the larger of the two applies. Default 0.
    */
   vtkSkdTreeSetWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AbsoluteTolerance, double);
@@ -103,9 +101,9 @@ public:
 
   ///@{
   /**
-   * What becomes of points outside the Source: LEAVE (default) gives them no answer, NEAREST_CELL
-   * the data at the nearest point of the nearest cell, NEAREST_CELL_WITHIN_DISTANCE the same if it
-   * is no farther than MaximumDistance.
+   * The treatment of points outside the Source: LEAVE (default): no result; NEAREST_CELL: the data
+   * at the nearest point of the nearest cell; NEAREST_CELL_WITHIN_DISTANCE: the same up to
+   * MaximumDistance.
    */
   vtkSetClampMacro(OutsidePoints, int, LEAVE, NEAREST_CELL_WITHIN_DISTANCE);
   vtkGetMacro(OutsidePoints, int);
@@ -121,8 +119,8 @@ public:
 
   ///@{
   /**
-   * Whether the source's data are FillValue (rounded in arrays of integers) where there is no
-   * answer, instead of NaN (0 in arrays of integers). Default off.
+   * Use FillValue (rounded in integer arrays) for points without a result, instead of NaN (0 in
+   * integer arrays). Default off.
    */
   vtkSetMacro(UseFillValue, bool);
   vtkGetMacro(UseFillValue, bool);
@@ -139,8 +137,8 @@ public:
 
   ///@{
   /**
-   * Pass the input's own point and cell data. A source's array whose name is in use by then is left
-   * out, with a warning. Default on.
+   * Pass the input's own point and cell data. Source arrays whose name is then in use are not
+   * added, with a warning. Default on.
    */
   vtkSetMacro(PassInputData, bool);
   vtkGetMacro(PassInputData, bool);
@@ -149,7 +147,7 @@ public:
 
   ///@{
   /**
-   * Point arrays of the Source whose values are no quantities, but labels: they are taken from the
+   * Point arrays of the Source that are labels rather than quantities: values are copied from the
    * nearest point of the cell (ties to the lowest in the cell) instead of being interpolated. None
    * by default.
    */
@@ -159,10 +157,10 @@ public:
 
   ///@{
   /**
-   * Point arrays of the Source whose gradient in the cell is wanted, as "<name>_Gradient": of an
-   * array of k components 3 k, the derivatives by x, y and z of the first, then of the second ...
-   * Along a surface or curve it is the part along it; of polygons and polyhedra that of the linear
-   * field which fits best. None by default.
+   * Point arrays of the Source whose gradient in the cell is computed, as "<name>_Gradient": for an
+   * array of k components 3 k values, the derivatives by x, y and z of the first component, then of
+   * the second, and so on. In surface cells and curves it is the tangential gradient; in polygons
+   * and polyhedra that of the best-fitting linear field. None by default.
    */
   void AddGradientArray(const char* name);
   void ClearGradientArrays();
@@ -172,20 +170,19 @@ public:
   /**
    * Cut the lines of Input (cells of type VTK_LINE and VTK_POLY_LINE). Default off.
    *
-   * Output port 1, vtkPolyData: a line for each stretch of an input's line within one cell, from
-   * where it enters to where it leaves, exactly; in order. It also ends where the line bends. Cell
+   * Output port 1, vtkPolyData: a line for each segment of an input line within one cell, from its
+   * exact point of entry to its exit, in order. Segments also end at vertices of the line. Cell
    * arrays SkdSourceCellId, SkdSourceBlockIndex (of a composite Source), SkdInputCellId,
    * SkdInputBlockIndex (of a composite Input), SkdEntry and SkdExit (lengths along the input's
    * line), SkdLength, and the source's cell data; point array SkdArcLength, and the source's point
-   * data at both ends as this cell has them. Where cells overlap, or the line runs along a face,
-   * the stretch is that of the lowest cell. Of a surface, stretches are where the line is within
-   * the tolerance of it. Of non-linear cells, what they have for less than a part in 32 of the
-   * line's way through their bounds may be missed.
+   * data at both ends, interpolated in this cell. Where cells overlap, or the line runs along a
+   * face, the segment belongs to the lowest cell. For surfaces, segments are where the line is
+   * within the tolerance. In non-linear cells, segments shorter than 1/32 of the line's length
+   * within their bounds may be missed.
    *
    * Output port 2, vtkTable: a row for each of the input's lines: SkdInputCellId,
-   * SkdInputBlockIndex, SkdLineLength, SkdLength (of what is within the Source), and
-   * "<name>_Integral" for each array of numbers along it (two Gauss points a stretch: exact for
-   * cubics).
+   * SkdInputBlockIndex, SkdLineLength, SkdLength (within the Source), and "<name>_Integral" for
+   * each numeric array (two Gauss points a segment: exact for cubics).
    */
   vtkSetMacro(ProbeLines, bool);
   vtkGetMacro(ProbeLines, bool);

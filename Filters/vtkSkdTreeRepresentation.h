@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeRepresentation
- * @brief   the boxes of a level of a mesh's skD-tree, and numbers about the tree
+ * @brief boxes of a level of a mesh's skD-tree, and statistics of the tree
  *
- * For looking at the tree of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, section
- * 3, on any vtkDataSet or composite of them: one tree a block.
+ * Shows the tree of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, section 3, on any
+ * vtkDataSet or composite of them: one tree a block.
  *
  * Output port 0, vtkPolyData: the safety boxes of one level of the paper's binary tree, as quads.
  * Cell arrays Level, CellId (of leaves the cell, else -1) and, of a composite input, BlockIndex.
  *
- * Output port 1, vtkTable, a row a block: BlockIndex, Cells (in the tree), CellsLeftOut (see
- * vtkSkdTreeCellLocator), Nodes and Depth (of the tree that is searched, of eight boxes a node),
- * PaperNodes and PaperDepth (of the binary tree), Overlap (by how much the two boxes below a node
- * overlap, as a part of that node's box, by surface area: the mean of all nodes), Cost (how many
- * boxes of the binary tree a random line meets that meets the first: the sum of their surface areas
- * by that of the first), Bytes, BuildSeconds.
+ * Output port 1, vtkTable, one row a block: BlockIndex, Cells (in the tree), CellsLeftOut (see
+ * vtkSkdTreeCellLocator), Nodes and Depth (of the eight-wide tree used in queries), PaperNodes and
+ * PaperDepth (of the binary tree), Overlap (surface area of the intersection of the two children's
+ * boxes relative to that of the node's box, mean over all nodes), Cost (expected number of boxes of
+ * the binary tree that a random line through the root box intersects: the sum of their surface
+ * areas divided by that of the root), Bytes, BuildSeconds.
  *
- * Bad input: a mesh without cells has a row of zeros and no boxes. An execution that is aborted
- * leaves out the blocks that it did not get to.
+ * Bad input: a mesh without cells has a row of zeros and no boxes. An aborted execution omits
+ * blocks that were not processed.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -43,8 +43,8 @@ public:
 
   ///@{
   /**
-   * The level whose boxes are drawn: 0 the first box, around all. -1, and levels below the deepest,
-   * mean the leaves. Range -1 to 64, default 4.
+   * The level whose boxes are output: 0 is the root. -1, and levels below the deepest, are the
+   * leaves. Range -1 to 64, default 4.
    */
   vtkSetClampMacro(Level, int, -1, 64);
   vtkGetMacro(Level, int);

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkSkdTreeSetWithin.h
- * @brief What becomes of a number that is set as a property but is none that it can have.
+ * @brief Setters that reject numbers out of a property's range.
  *
- * One rule for all: NaN, an infinity and what is out of the property's range is refused with an
- * error that names the property, the value and the range, and the property stays as it was. So no
- * filter has to ask whether its own numbers are sound. (VTK's own macros bring values to the
- * nearest end of the range without a word, and let NaN pass.)
+ * NaN, infinities and values out of the property's range are rejected with an error that names the
+ * property, the value and the range, and the previous value is kept. Filters therefore need not
+ * check their own properties. (VTK's own macros clamp values silently and accept NaN.)
  */
 
 #ifndef vtkSkdTreeSetWithin_h
@@ -21,8 +20,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// Whether each of the values is from least to most, both included, which NaN never is; if not,
-/// there is an error of `self` that says so.
+/// Whether all values are in [least, most], which is false for NaN; if not, reports an error of
+/// `self`.
 template <class T>
 bool vtkSkdTreeIsWithin(
   vtkObject* self, const char* name, const T* wanted, int size, T least, T most)
@@ -40,7 +39,7 @@ bool vtkSkdTreeIsWithin(
   return true;
 }
 
-/// Takes values if all are within the range.
+/// Sets values if all are within the range.
 template <class T>
 void vtkSkdTreeSetWithin(
   vtkObject* self, const char* name, const T* wanted, int size, T least, T most, T* member)
@@ -53,7 +52,7 @@ void vtkSkdTreeSetWithin(
   }
 }
 
-/// Takes values if all are finite.
+/// Sets values if all are finite.
 inline void vtkSkdTreeSetFinite(
   vtkObject* self, const char* name, const double* wanted, int size, double* member)
 {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSourceAlgorithm
- * @brief base class of filters that ask a second mesh about the first
+ * @brief base class of filters that search a second mesh
  *
- * Two input ports, each any vtkDataSet or composite of them: the Input, which asks, and the Source,
- * which is searched. Each process gets the whole Source, whatever piece of the output is asked for:
- * the answer may be anywhere in it. Where there is no Source the Input is searched, so it is the
- * one that comes whole.
+ * Two input ports, each any vtkDataSet or composite of them: the Input, which has the queries, and
+ * the Source, which is searched. Each process requests the whole Source, whatever piece of the
+ * output is requested, because the answer may be anywhere in it. Without a Source the Input is
+ * searched and requested as a whole.
  *
- * A subclass says what its output ports are and writes RequestData.
+ * A subclass defines its output ports and implements RequestData.
  */
 
 #ifndef vtkSkdTreeSourceAlgorithm_h
@@ -50,13 +50,13 @@ protected:
     Optional
   };
 
-  /// As an output port's type: that of the Input.
+  /// Type of an output port: that of the Input.
   static constexpr int LIKE_INPUT = -1;
 
-  /// A vtkUnstructuredGrid; where the Input is composite a vtkMultiBlockDataSet, to hold several.
+  /// A vtkUnstructuredGrid or, for a composite Input, a vtkMultiBlockDataSet of several.
   static constexpr int GRID_OR_BLOCKS = -2;
 
-  /// One type an output port: VTK_POLY_DATA and the like, or one of the above.
+  /// One type for each output port: VTK_POLY_DATA etc., or one of the above.
   vtkSkdTreeSourceAlgorithm(SourceUse use, std::initializer_list<int> outputTypes);
   ~vtkSkdTreeSourceAlgorithm() override;
 
@@ -67,7 +67,7 @@ protected:
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /// For subclasses whose every process needs the whole Input, too.
+  /// For subclasses in which each process needs the whole Input, too.
   bool WholeInput = false;
 
 private:

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSpatialQuery
- * @brief   the cells that overlap, enclose, fill, touch or come nearest to something
+ * @brief find cells by their spatial relation to a shape, points or cells
  *
  * The spatial queries of section 3 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576,
- * by the skD-tree. The objects are the cells of Input (port 0, any vtkDataSet or composite of
- * them); the target query object q is a box, a sphere, a plane, a line, or each point or each cell
- * of Source (port 1, optional, any vtkDataSet or composite). The kinds of query in the words of the
- * paper:
+ * by the skD-tree. The geometric objects are the cells of Input (port 0, any vtkDataSet or
+ * composite of them); the target query object q is a box, a sphere, a plane, a line, or each point
+ * or each cell of Source (port 1, optional, any vtkDataSet or composite). The kinds of query in the
+ * words of the paper:
  * - EXACT_MATCH: "Find all geometric objects that have the same spatial extent as the target query
  *   object q."
  * - OVERLAP: "Find all geometric objects that have at least one point in common with the object q."
@@ -17,29 +17,28 @@
  * - ADJACENCY: "Find all geometric objects that have common boundaries with an object q."
  * - NEAREST: "Find all geometric objects that have a minimum distance from an object q."
  *
- * Cells and queries are closed: their boundaries belong to them, and what touches overlaps. Balls,
- * not shells, are spheres here, and boxes are solid. Lengths of 0 make flat boxes, and a sphere of
- * radius 0 is a point. A plane has no end, so nothing encloses or matches it; it encloses the cells
- * that lie in it. Cells of the same points are the same whatever the order of these. See
- * SetRelation for what adjacency and nearest mean here, and SetExact for boxes instead of cells.
+ * Cells and queries are closed sets: touching is overlapping. Spheres and boxes are solid. Lengths
+ * of 0 give flat boxes, and a sphere of radius 0 is a point. A plane is infinite, so no cell
+ * encloses or matches it; it encloses the cells that lie in it. Cells with the same points match
+ * whatever their order. See SetRelation for what adjacency and nearest mean here, and SetExact for
+ * boxes instead of cells.
  *
- * What cells are: to spheres and points they are what they are to vtkSkdTreeCellLocator. To all
- * else a quad is two triangles, a polygon flat, a volume cell what its faces enclose, and a curved
- * cell what 8 straight pieces along each of its parameters make of it. A cell's or a query's
- * distance counts as 0, and something as held, up to Tolerance or to what rounding makes of
- * coordinates: 8 units in the last place of the largest.
+ * Geometry of cells: for spheres and points as in vtkSkdTreeCellLocator. For other shapes a quad is
+ * two triangles, a polygon is planar, a volume cell is the region enclosed by its faces, and a
+ * curved cell is approximated by 8 straight pieces along each parameter. Distances count as 0 up to
+ * the larger of Tolerance and 8 units in the last place of the largest coordinate.
  *
- * The trees are kept while the points, cells and ghost marks of Input and Source are the same:
+ * Trees are reused while the points, cells and ghost marks of Input and Source keep their values:
  * another query, or another time step of the same mesh, costs the query only, O(log N + k) for k
- * cells that are found or near the query's boundary. An Input that is asked about one shape for the
- * first time, but for the nearest, gets no tree yet: all its cells are looked at, O(N), in a
- * fraction of the time that a tree takes. The answers are the same with and without, and whatever
- * the number of threads or processes (each needs the whole Source, and to find the nearest for the
- * whole Input, of whose answers it then gives a share). Ghost and blanked cells are no answers.
+ * cells that are found or near the query's boundary. The first query of an Input by one shape,
+ * except NEAREST, builds no tree: it tests all cells, O(N), in a fraction of the time of a build.
+ * Answers are the same with and without a tree, and do not depend on the number of threads or
+ * processes (each needs the whole Source, and for NEAREST the whole Input, of whose result it
+ * outputs a share). Ghost and blanked cells are ignored.
  *
  * Output port 0: the cells found, by ascending id, with all data of the Input; a
- * vtkUnstructuredGrid, of a composite Input a composite of them of the same structure (of AMR data
- * a vtkMultiBlockDataSet of its blocks). Cell arrays
+ * vtkUnstructuredGrid, for a composite Input composite data of the same structure (for AMR data a
+ * vtkMultiBlockDataSet of its blocks). Cell arrays
  * | name          | type   | meaning                                                          |
  * | ------------- | ------ | ---------------------------------------------------------------- |
  * | SkdCellId     | idtype | the cell in the Input                                            |
@@ -51,7 +50,7 @@
  * any.
  *
  * Output port 2: a vtkTable with a row for each pair of a query and a cell, by ascending (query,
- * block, cell id); of NEAREST the nearest first. Columns
+ * block, cell id); for NEAREST by distance. Columns
  * | name                   | type   | meaning                                                 |
  * | ---------------------- | ------ | ------------------------------------------------------- |
  * | SkdQueryId             | idtype | the point or cell of the Source; 0 for other shapes     |
@@ -62,8 +61,8 @@
  * |                        |        | cell's safety box; if the query is a cell, of its box   |
  * | SkdPessimisticDistance | double | section 4: of their farthest points                     |
  * | SkdMinimumDistance     | double | of the nearest points of the query and the cell         |
- * | SkdMaximumDistance     | double | of their farthest points                                |
- * (the last two if Exact). From a plane the farthest is the farthest point of the cell, or box.
+ * | SkdMaximumDistance | double | of their farthest points | (the last two if Exact). For a plane
+ * the maximum is that of the farthest point of the cell, or box.
  *
  * Field data of output port 0, one value each: SkdReportQueries, SkdReportPairs,
  * SkdReportCellsFound, SkdReportCells (that were searched), SkdReportCellsLeftOut (see
@@ -71,13 +70,12 @@
  * SkdReportEpsilon (the largest in use, in world units), SkdReportBuildSeconds and
  * SkdReportQuerySeconds.
  *
- * Bad input: a Shape that needs the Source, which is not there, and 0 nearest cells are errors, and
- * nothing is found. A shape that is not finite or reaches beyond 1e50, a negative radius and a
- * normal of length 0 give a warning, and nothing is found. Points and cells that are so find
- * nothing; cells of Input that are so, or of a mesh of which all is within 1e-50 of the origin, are
- * in no tree, with a warning if there are no others. An Input without cells gives outputs without
- * cells. An execution that is aborted finds what it got to; VTK 9.3 and later then empties the
- * output.
+ * Bad input: a Shape that needs a Source if there is none, and 0 nearest cells, are errors, and
+ * nothing is found. A shape that is not finite or extends beyond 1e50, a negative radius and a
+ * normal of length 0 give a warning, and nothing is found. Points and cells of Source like these
+ * find nothing; cells of Input like these, or of a mesh within 1e-50 of the origin, are ignored,
+ * with a warning if there are no others. An Input without cells gives outputs without cells. An
+ * aborted execution gives the cells found until then; VTK 9.3 and later then empties the output.
  *
  * @sa
  * vtkSkdTreeCellLocator vtkSkdTreeProbe vtkExtractGeometry vtkExtractSelection
@@ -116,15 +114,14 @@ public:
   /**
    * The kind of query, see above; default OVERLAP.
    *
-   * ADJACENCY: to a cell of the Source those that share a point, an edge or a face with it (see
-   * SetSharedPart). To a box, line or point those that it touches: they have a point in common, but
-   * their insides have none. To a sphere those that it touches from outside; to a plane those that
-   * touch it, and are on one side of it. The inside of a surface is without its rim, of a curve
-   * without its ends.
+   * ADJACENCY: for a cell of the Source, cells that share a point, an edge or a face with it (see
+   * SetSharedPart). For a box, line or point, cells that touch it: they have a point in common, but
+   * their interiors do not. For a sphere, cells that it touches from outside; for a plane, cells
+   * that touch it and lie on one side of it. The interior of a surface is without its boundary,
+   * that of a curve without its ends.
    *
-   * NEAREST: the NumberOfNearestCells cells that are nearest to the query, ties to the lowest
-   * (block, cell id), or all of them (see SetAllTies). Of points and cells of the Source so many to
-   * each.
+   * NEAREST: the NumberOfNearestCells cells nearest to the query, or to each point or cell of the
+   * Source; ties go to the lowest (block, cell id), or all are included (see SetAllTies).
    */
   vtkSetClampMacro(Relation, int, EXACT_MATCH, NEAREST);
   vtkGetMacro(Relation, int);
@@ -142,7 +139,7 @@ public:
 
   ///@{
   /**
-   * What the query object is; default BOX.
+   * The query object; default BOX.
    */
   vtkSetClampMacro(Shape, int, BOX, SOURCE_CELLS);
   vtkGetMacro(Shape, int);
@@ -150,12 +147,12 @@ public:
 
   ///@{
   /**
-   * Whether cells decide (default), or their boxes: then the answers are candidates, all exact
-   * answers among them, found faster. With boxes a cell is its safety box for OVERLAP and
-   * ADJACENCY, and a cell of the Source is its own. For the other kinds the bounding box of the
-   * cell, which may miss by 2 epsilon (see SetEpsilon), must besides hold, be in, or be that of the
-   * query. NEAREST gives the cells that Algorithm 5.1 is left with: those whose optimistic distance
-   * is not more than the NumberOfNearestCells-th least pessimistic distance.
+   * Use exact tests on cells (default), or their boxes: then the results are candidates, which
+   * include all exact results and are found faster. In OVERLAP and ADJACENCY, boxes are the safety
+   * boxes of cells, also of the Source. For the other relations the bounding box of the cell must,
+   * to within 2 epsilon (see SetEpsilon), also enclose, be in, or equal that of the query. NEAREST
+   * gives the candidates of Algorithm 5.1: cells whose optimistic distance is at most the
+   * NumberOfNearestCells-th least pessimistic distance.
    */
   vtkSetMacro(Exact, bool);
   vtkGetMacro(Exact, bool);
@@ -164,7 +161,7 @@ public:
 
   ///@{
   /**
-   * See NEAREST. Default 1; more than there are gives all, to ask for 0 is an error.
+   * See NEAREST. Default 1. If there are fewer cells all are found; 0 is an error.
    */
   vtkSetClampMacro(NumberOfNearestCells, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNearestCells, int);
@@ -172,10 +169,10 @@ public:
 
   ///@{
   /**
-   * Whether NEAREST tells all cells that are as near as the last of the NumberOfNearestCells, as
-   * section 3 has it: around a corner of a mesh these are all that have it. As near is what is
-   * farther by no more than Tolerance or rounding. Of boxes (see SetExact) the candidates have them
-   * anyway. Default off: the lowest are taken.
+   * Whether NEAREST includes all cells as near as the last of the NumberOfNearestCells, as in
+   * section 3: for example, all cells that share a nearest vertex. Distances count as equal within
+   * Tolerance or rounding. Candidates by boxes (see SetExact) always include them. Default off:
+   * only the lowest ids.
    */
   vtkSetMacro(AllTies, bool);
   vtkGetMacro(AllTies, bool);
@@ -191,9 +188,9 @@ public:
 
   ///@{
   /**
-   * What ADJACENCY to cells of the Source asks for, by where points are, at Tolerance; default
-   * POINT. A surface cell is a face of its own, a line its own edge. The cell itself, that is one
-   * of the same points and dimension, is not its neighbour.
+   * What cells must share in ADJACENCY to cells of the Source, by coordinates within Tolerance;
+   * default POINT. A surface cell is its own face, a line its own edge. A cell with the same points
+   * and dimension is not adjacent.
    */
   vtkSetClampMacro(SharedPart, int, POINT, FACE);
   vtkGetMacro(SharedPart, int);
@@ -201,9 +198,9 @@ public:
 
   ///@{
   /**
-   * The box: its corner, where its edges begin, their lengths, and by how many degrees it is turned
-   * around the corner by y, then x, then z, as ParaView's box widget has it. Edges of negative
-   * length go the other way. Defaults (0, 0, 0), (1, 1, 1) and (0, 0, 0).
+   * The box: its corner, the lengths of its edges, and its rotation about the corner in degrees
+   * about y, then x, then z, as in ParaView's box widget. Edges of negative length are reversed.
+   * Defaults (0, 0, 0), (1, 1, 1) and (0, 0, 0).
    */
   vtkSkdTreeSetFinite3Macro(BoxPosition);
   vtkGetVector3Macro(BoxPosition, double);
@@ -215,9 +212,9 @@ public:
 
   ///@{
   /**
-   * Whether BoxLength, BoxRotation and BoxPosition, in this order, scale, turn and move
-   * ReferenceBounds (xmin, xmax, ymin, ymax, zmin, zmax) instead of the unit cube, as ParaView's
-   * box widget can have it. Default off, and (0, 1, 0, 1, 0, 1).
+   * Whether BoxLength, BoxRotation and BoxPosition, in this order, scale, rotate and translate
+   * ReferenceBounds (xmin, xmax, ymin, ymax, zmin, zmax) instead of the unit cube, as an option of
+   * ParaView's box widget. Default off, and (0, 1, 0, 1, 0, 1).
    */
   vtkSetMacro(UseReferenceBounds, bool);
   vtkGetMacro(UseReferenceBounds, bool);
@@ -228,8 +225,8 @@ public:
 
   ///@{
   /**
-   * The sphere. Defaults (0, 0, 0) and 1. A negative radius, which ParaView sets as long as it does
-   * not know the bounds of Input, is taken, and finds nothing with a warning.
+   * The sphere. Defaults (0, 0, 0) and 1. A negative radius, which ParaView sets while the bounds
+   * of Input are unknown, is accepted and finds nothing, with a warning.
    */
   vtkSkdTreeSetFinite3Macro(SphereCenter);
   vtkGetVector3Macro(SphereCenter, double);
@@ -259,7 +256,8 @@ public:
 
   ///@{
   /**
-   * How far apart, in world units, what counts as touching may be. Default 0: rounding alone.
+   * The distance, in world units, up to which objects count as touching. Default 0: rounding error
+   * only.
    */
   vtkSkdTreeSetWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);

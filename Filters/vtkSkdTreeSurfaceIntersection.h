@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSurfaceIntersection
- * @brief   where one surface meets another, or itself
+ * @brief intersection of a surface with another one or with itself
  *
- * Finds all pairs of cells of Input (port 0) and Source (port 1) that touch, the curves along which
- * they meet and the areas in which they coincide, by walking the skD-trees of both together
- * (section 5.4 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Without a Source:
- * Input against itself. Any vtkDataSet or composite of them: its surface cells, and the outer faces
- * of its volume cells. Cells with more than three points are cut into triangles without new points
- * (a quad along the shorter of the diagonals inside of it).
+ * Finds all pairs of cells of Input (port 0) and Source (port 1) that touch, their intersection
+ * curves and the areas in which they coincide, by traversing both skD-trees together (section 5.4
+ * of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Without a Source, Input is
+ * intersected with itself. Inputs may be any vtkDataSet or composite of them; their surface cells
+ * and the outer faces of volume cells are used. Cells with more than three points are triangulated
+ * without new points (a quad along the shorter of its interior diagonals).
  *
- * Exact signs decide: there is no tolerance, and the answer is right for surfaces that coincide,
- * touch, graze or lie far from the origin (points as given; of a moved Source, points as moved and
- * rounded). Cells touch when they have a point in common, boundaries included. Within one surface,
- * two triangles that share a corner or an edge by the coordinates of its ends make a pair only if
- * they have more than that in common: neighbours of a sound surface are left out, folds, repeated
- * cells and crossings at a corner are not. Positions are right to a few units in the last place.
+ * Tests use exact signs: there is no tolerance, and the result is correct for surfaces that
+ * coincide, touch, graze or lie far from the origin (for the given points; for a moved Source, for
+ * the moved and rounded points). Cells touch if they have a point in common, including boundaries.
+ * Within one surface, two triangles that share a vertex or an edge, by coordinates, are a pair only
+ * if they have more than that in common: adjacent cells of a valid surface are not reported; folds,
+ * duplicate cells and intersections at a vertex are. Positions are accurate to a few units in the
+ * last place.
  *
- * Output port 0, vtkPolyData: the curves, as polylines that end only where other than two segments
- * meet (see JoinCurves), and as vertices single points of contact. Points are joined by what they
- * lie on, never by distance.
+ * Output port 0, vtkPolyData: the curves, as polylines that end only where one segment or more than
+ * two meet (see JoinCurves), and isolated points of contact as vertices. Points are joined by the
+ * features they lie on, never by distance.
  * | name                | where | type   | meaning                                              |
  * | ------------------- | ----- | ------ | ---------------------------------------------------- |
  * | SkdFirstCellId      | point | idtype | Input's cell of the segment that starts at the point |
@@ -28,13 +29,12 @@
  * | SkdFirstBlockIndex  | point | int    | flat index of the cell's block, of a composite Input |
  * | SkdSecondBlockIndex | point | int    | the same of a composite Source                       |
  * | SkdCurveClosed      | cell  | uchar  | 1 of a closed curve                                  |
- * | SkdCurveLength      | cell  | double | its length                                           |
- * The last point of an open curve has the ids of the last segment. A segment of several pairs
- * (along an edge, say) is there once, of the lowest ids. Segments inside of an area in which the
- * surfaces coincide are no curves.
+ * | SkdCurveLength | cell | double | its length | The last point of an open curve has the ids of
+ * the last segment. A segment of several pairs (for example along an edge) is given once, with the
+ * lowest ids. Segments within an area in which the surfaces coincide are not part of curves.
  *
- * Output port 1, vtkPolyData: where cells of one plane overlap, a convex polygon for each pair of
- * triangles, with the ids above as cell data.
+ * Output port 1, vtkPolyData: a convex polygon for each pair of coplanar triangles that overlap,
+ * with the ids above as cell data.
  *
  * Output port 2, vtkTable: a row for each pair of cells, ascending, with the ids above and
  * | name           | type   | components | meaning                                                |
@@ -47,16 +47,15 @@
  * Output port 3, vtkPolyData: with a Clearance a line between the nearest points of each pair of
  * cells that is near but does not touch, with the ids and SkdDistance as cell data.
  *
- * Output ports 4 and 5, vtkPolyData, with SplitSurfaces: the Input and the Source (where it is
- * looked at) as triangles, those that meet others cut along what they have in common; of a Source
- * that is not given nothing. Along curves and around overlaps the two have the same points, and no
- * edge crosses a curve: where curves cross each other, too, there is a point of all surfaces. Exact
- * signs decide; only the positions are rounded, so pieces that are thinner than that may turn over.
- * Neighbours stay neighbours. Where the surfaces coincide both keep their pieces. Points of equal
- * coordinates are one, with the data of the first; new points have the data of the cut triangle at
- * their place, triangles that of their cell. Vectors of a moved Source are passed on unturned.
- * Of several processes each asks for the whole of both surfaces then, and gives of all outputs its
- * share of what one process would.
+ * Output ports 4 and 5, vtkPolyData, with SplitSurfaces: the triangulated Input and (moved) Source,
+ * split along their intersection; empty without a Source. Along curves and around overlaps both
+ * have the same points, and no edge crosses a curve; where curves cross each other, all surfaces
+ * have a point. Tests use exact signs and only positions are rounded, so very thin pieces may be
+ * inverted. Adjacent cells remain adjacent. Where the surfaces coincide both keep their pieces.
+ * Points of equal coordinates are merged, with the data of the first; new points have the
+ * interpolated data of the split triangle, triangles the data of their cell. Vectors of a moved
+ * Source are not rotated. Of several processes each then needs the whole of both surfaces, and
+ * outputs its share of the result of one process.
  * | name          | where | type   | meaning                                                      |
  * | ------------- | ----- | ------ | ------------------------------------------------------------ |
  * | SkdCellId     | cell  | idtype | the cell that the triangle comes from                        |
@@ -67,25 +66,25 @@
  * SkdReportOverlaps (polygons), SkdReportTriangles, SkdReportFacesLeftOut (with points that are not
  * finite, or with less than three different points), SkdReportTrianglesWithoutArea,
  * SkdReportInputTrianglesSplit and SkdReportSourceTrianglesSplit (with SplitSurfaces),
- * SkdReportTreesBuilt (surfaces whose tree was begun, 0 when all were kept), SkdReportBuildSeconds,
- * SkdReportQuerySeconds; and SkdReportChordalLength, the larger of both surfaces' where there are
- * curved cells (see SetChordalDeviation).
+ * SkdReportTreesBuilt (surfaces whose tree was built or begun, 0 if all were reused),
+ * SkdReportBuildSeconds, SkdReportQuerySeconds; and SkdReportChordalLength, the larger of both
+ * surfaces' if there are curved cells (see SetChordalDeviation).
  *
- * The trees are kept while points and cells stay the same; moving the Source (Translation, Rotation
- * or SetTransform) builds none. A tree is built as far as it is asked: when two surfaces meet for
- * the first time, of those triangles only that share a cell of a coarse grid with the other
- * surface, and of the others when a surface is asked again. The answer is the same whatever the
- * number of threads. Of several processes each answers for its piece of Input and asks for the
- * whole Source; without a Source the first process answers.
+ * Trees are reused while points and cells keep their values; moving the Source (Translation,
+ * Rotation or SetTransform) requires no new tree. One-shot intersections use a packed R-tree of
+ * those triangles only that share a cell of a coarse grid with the other surface; a whole tree is
+ * built when a surface is searched again. The result does not depend on the number of threads. Of
+ * several processes each computes the result for its piece of Input and needs the whole Source;
+ * without a Source the first process computes all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
  * boxes.
  *
- * Bad input: triangles whose corners lie on one line have no inside and are left out, as are faces
- * with points that are not finite; they are counted. An Input without faces gives empty outputs and
- * a warning, a Source without faces too. Exact as long as coordinates, unless 0, span less than 80
- * orders of magnitude. An execution that is aborted tells of what it found until then; VTK 9.3 and
- * later then empties the output.
+ * Bad input: degenerate triangles, whose vertices are collinear, and faces with points that are not
+ * finite are ignored and counted. An Input or Source without faces gives a warning and empty
+ * outputs. The tests are exact if coordinates other than 0 span less than 80 orders of magnitude.
+ * An aborted execution gives the results found until then; VTK 9.3 and later then empties the
+ * output.
  *
  * @sa
  * vtkSkdTreeCellLocator
@@ -120,8 +119,8 @@ public:
 
   ///@{
   /**
-   * What to find: all pairs; the lowest pair of cells only; or, fastest, just whether there is any:
-   * then one pair is given, and not always the same. Default ALL_PAIRS.
+   * The pairs to find: all; the lowest pair of cells only; or, fastest, any single pair, which may
+   * differ from run to run. Default ALL_PAIRS.
    */
   vtkSetClampMacro(Pairs, int, ALL_PAIRS, WHETHER_ANY);
   vtkGetMacro(Pairs, int);
@@ -132,8 +131,8 @@ public:
 
   ///@{
   /**
-   * Give curves as polylines, with the ids of each segment at the point that it starts from. Off: a
-   * line cell for each segment, with the ids as cell data and no SkdCurve arrays. Default on.
+   * Output curves as polylines, with the ids of each segment at its first point. Off: a line cell
+   * for each segment, with the ids as cell data and no SkdCurve arrays. Default on.
    */
   vtkSetMacro(JoinCurves, bool);
   vtkGetMacro(JoinCurves, bool);
@@ -142,8 +141,8 @@ public:
 
   ///@{
   /**
-   * Give both surfaces cut along the curves, as output ports 4 and 5. Takes all pairs: with Pairs
-   * set otherwise nothing is cut. Default off.
+   * Output both surfaces split along the curves on ports 4 and 5. Requires all pairs: with other
+   * values of Pairs nothing is split. Default off.
    */
   vtkSetMacro(SplitSurfaces, bool);
   vtkGetMacro(SplitSurfaces, bool);
@@ -152,8 +151,9 @@ public:
 
   ///@{
   /**
-   * Pairs that are at most this far apart are given, too, with their distance and nearest points.
-   * Within one surface no pairs of cells that share a corner. Default 0: pairs that touch, only.
+   * Also output pairs of cells that do not touch but are at most this far apart, with their
+   * distance and nearest points. Within one surface, cells that share a vertex are excluded.
+   * Default 0: only pairs that touch.
    */
   vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -162,8 +162,7 @@ public:
   ///@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
-   * the surface that it is of, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation.
-   * Default 1e-4.
+   * its surface, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
@@ -171,9 +170,9 @@ public:
 
   ///@{
   /**
-   * Where the Source is looked at: turned about RotationCenter by Rotation (degrees about y, then
-   * x, then z, as vtkProp3D's orientation) and shifted by Translation. Default 0: where it is.
-   * Without a Source they do nothing.
+   * A motion of the Source: rotated about RotationCenter by Rotation (degrees about y, then x, then
+   * z, as the orientation of vtkProp3D) and translated by Translation. Default 0: not moved.
+   * Ignored without a Source.
    */
   vtkSkdTreeSetFinite3Macro(Translation);
   vtkGetVector3Macro(Translation, double);
@@ -185,9 +184,9 @@ public:
 
   ///@{
   /**
-   * The same by a matrix, done before the turn and the shift above. It must keep distances
-   * (orthonormal to 1e-9, no perspective): any other is refused with an error and the former stays.
-   * The values are copied. Default nullptr: none.
+   * The same by a matrix, applied before the rotation and translation above. It must be rigid
+   * (orthonormal to 1e-9, no perspective); any other is ignored with an error and the previous one
+   * is kept. The values are copied. Default nullptr: none.
    */
   void SetTransform(vtkMatrix4x4* motion);
   vtkMatrix4x4* GetTransform();

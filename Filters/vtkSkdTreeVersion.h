@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkSkdTreeVersion.h
- * @brief The one place that knows how VTK 9.1 to 9.7 differ.
+ * @brief Differences between VTK 9.1 to 9.7.
  *
- * Everything here is about VTK's own declarations; nothing else in the project asks for a version.
+ * All dependencies on VTK's version are here; no other file checks it.
  */
 
 #ifndef vtkSkdTreeVersion_h
