@@ -134,8 +134,8 @@ public:
 
   ///@{
   /**
-   * The level that all cells are refined to, whatever asks for them, at most MaximumLevel. Default
-   * 0, or 1 without any other criterion.
+   * The level to which all cells are refined, at most MaximumLevel. Default 0, or 1 without any
+   * other criterion.
    */
   vtkSetClampMacro(MinimumLevel, int, 0, 30);
   vtkGetMacro(MinimumLevel, int);
