@@ -39,6 +39,18 @@
  * Threads: after BuildLocator() every query is thread-safe, including the short forms, and
  * allocates no memory, except that output lists grow and that LazyBuild builds nodes.
  *
+ * Batches: many queries in one call, processed in parallel by vtkSMPTools. Query i is tuple i of
+ * the first argument (of rays, of the first two), a numeric array, and its answer is tuple i of the
+ * outputs. Answers are identical to those of single queries, including ties and rounding, for any
+ * number of threads. Outputs are resized and named; any may be nullptr. Queries that are not finite
+ * or find nothing have the id -1 and NaN values, or an empty list. Queries are processed along a
+ * space-filling curve, so their order in the array does not affect speed. Temporary memory: 8 bytes
+ * a query, and a second copy of lists. Lists are stored as in vtkCellArray: `offsets` has one tuple
+ * more than there are queries, and the values of query i are those from offsets[i] to
+ * offsets[i + 1] of the other arrays. Batches return the number of queries with an answer, or the
+ * number of values in all lists. After an error (no queries, wrong number of components, the same
+ * array passed twice) they return -1 and leave the outputs unchanged.
+ *
  * Cost: build O(N log N) time; queries O(log N + k) typical for k results. Memory: about 36 bytes a
  * cell for the tree, a copy of the connectivity (4 bytes a cell point) and, unless they are doubles
  * in a vtkPointSet, which are shared, of the points (24 bytes each): 48 bytes a cell of triangles,
@@ -97,7 +109,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCellLocator* New();
 
-  ///@{
+  //@{
   /**
    * Safety boxes are inflated by twice this value on each side (section 3.1), relative to the
    * diagonal of the data set's bounding box, and by at least 8 units in the last place of the
@@ -105,14 +117,14 @@ public:
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
   /**
    * The epsilon of the built tree in world units, 0 before the tree is built.
    */
   double GetAbsoluteEpsilon();
 
-  ///@{
+  //@{
   /**
    * Build-on-query (Algorithm 3.2): BuildLocator at most sorts cells coarsely, and a node is split
    * when the first query visits it. Answers are the same, and queries remain thread-safe. Default
@@ -121,7 +133,7 @@ public:
   vtkSetMacro(LazyBuild, bool);
   vtkGetMacro(LazyBuild, bool);
   vtkBooleanMacro(LazyBuild, bool);
-  ///@}
+  //@}
 
   /**
    * See SetSplitRule.
@@ -133,7 +145,7 @@ public:
     SPLIT_BY_SURFACE_AREA = 2
   };
 
-  ///@{
+  //@{
   /**
    * How the cells of a node are divided. Median: half of them on either side along the longest axis
    * (Algorithm 3.1). Surface area heuristic: the split with the least sum of box areas times
@@ -148,7 +160,7 @@ public:
   void SetSplitRuleToAutomatic() { this->SetSplitRule(SPLIT_AUTOMATICALLY); }
   void SetSplitRuleToMedian() { this->SetSplitRule(SPLIT_AT_MEDIAN); }
   void SetSplitRuleToSurfaceArea() { this->SetSplitRule(SPLIT_BY_SURFACE_AREA); }
-  ///@}
+  //@}
 
   /**
    * The rule used for the built tree, SPLIT_AT_MEDIAN or SPLIT_BY_SURFACE_AREA, or
@@ -156,7 +168,7 @@ public:
    */
   int GetSplitRuleInUse();
 
-  ///@{
+  //@{
   /**
    * Ignore cells that vtkGhostType marks as duplicate or refined. Blanked cells (hidden cells, and
    * cells of structured grids with a hidden point) are always ignored. Default on.
@@ -164,9 +176,9 @@ public:
   vtkSetMacro(SkipGhostCells, bool);
   vtkGetMacro(SkipGhostCells, bool);
   vtkBooleanMacro(SkipGhostCells, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A rigid motion of the data set (section 2): queries are answered as if the data set had been
    * transformed by this matrix, without a rebuild. Returned cells are transformed too. Default
@@ -175,13 +187,13 @@ public:
    */
   void SetTransform(vtkMatrix4x4* motion);
   vtkMatrix4x4* GetTransform();
-  ///@}
+  //@}
 
   // Short forms that are not overridden here.
   using vtkAbstractCellLocator::FindClosestPoint;
   using vtkAbstractCellLocator::FindClosestPointWithinRadius;
 
-  ///@{
+  //@{
   /**
    * First hit of the segment p1 p2, see vtkAbstractCellLocator. `t` in [0, 1] from p1 to p2; `tol`
    * is an absolute distance: cells of dimension 0 to 2 within it of the line count as hit. Returns
@@ -193,9 +205,9 @@ public:
     double pcoords[3], int& subId, vtkIdType& cellId) override;
   int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
     double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * All hits of the segment p1 p2, each cell once, sorted by (t, cell id). Lists may be nullptr. In
    * the six-argument form, `cell` = nullptr returns the cells whose bounds, inflated by tol, the
@@ -208,7 +220,7 @@ public:
     vtkIdList* cellIds) VTK_SKD_OVERRIDE_SINCE_92;
   int IntersectWithLine(const double p1[3], const double p2[3], const double tol, vtkPoints* points,
     vtkIdList* cellIds, vtkGenericCell* cell) VTK_SKD_OVERRIDE_SINCE_92;
-  ///@}
+  //@}
 
   /**
    * All crossings of the segment p1 p2 with a surface: hits on a shared edge or vertex count as one
@@ -245,7 +257,7 @@ public:
   vtkIdType CountPasses(
     const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum);
 
-  ///@{
+  //@{
   /**
    * Nearest point, see vtkAbstractCellLocator. cellId is -1 if there is no cell. `cell`, unless
    * nullptr, is set to the nearest cell.
@@ -254,9 +266,9 @@ public:
     double& dist2) override;
   void FindClosestPoint(const double x[3], double closestPoint[3], vtkGenericCell* cell,
     vtkIdType& cellId, int& subId, double& dist2) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Nearest point at a distance of at most `radius` (infinity allowed). Returns 1 or 0. `inside` is
    * 1 if x lies in the cell or projects into it, as in vtkCell::EvaluatePosition. `cell` may be
@@ -268,7 +280,7 @@ public:
     vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2) override;
   vtkIdType FindClosestPointWithinRadius(double x[3], double radius, double closestPoint[3],
     vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2, int& inside) override;
-  ///@}
+  //@}
 
   /**
    * The k nearest cells by exact distance, nearest first, ties by id. `distances` (one component,
@@ -284,7 +296,7 @@ public:
   vtkIdType FindCellsWithinRadius(
     const double x[3], double radius, vtkIdList* cellIds, vtkDoubleArray* distances);
 
-  ///@{
+  //@{
   /**
    * The cell that contains x or, with a tolerance (tol2, squared distance), the nearest cell within
    * it; -1 if there is none. `cell` and `weights` may be nullptr.
@@ -295,7 +307,7 @@ public:
     double* weights) VTK_SKD_OVERRIDE_UNTIL_97;
   vtkIdType FindCell(double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3],
     double* weights) VTK_SKD_OVERRIDE_SINCE_92;
-  ///@}
+  //@}
 
   /**
    * The same, trying the cell `hint` first (for example the last answer; -1 for none), which is
@@ -348,7 +360,7 @@ public:
   void FindCellsAlongPlane(const double o[3], const double n[3], double tolerance, vtkIdList* cells)
     VTK_SKD_OVERRIDE_SINCE_92;
 
-  ///@{
+  //@{
   /**
    * Whether x lies within the bounds of a cell inflated by tol. False if the id is out of range.
    */
@@ -357,9 +369,9 @@ public:
 #else
   bool InsideCellBounds(double x[3], vtkIdType cellId) override;
 #endif
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Queries without exact tests, as in the paper: the ids of the candidate cells, whose *safety
    * boxes* satisfy the query, in the order of the tree. FindClosestCandidates is Algorithm 5.1 (at
@@ -373,7 +385,7 @@ public:
   void FindCandidatesWithinBounds(const double bounds[6], vtkIdList* cellIds);
   void FindCandidatesWithinRadius(const double x[3], double radius, vtkIdList* cellIds);
   void FindCandidatesAlongPlane(const double o[3], const double n[3], vtkIdList* cellIds);
-  ///@}
+  //@}
 
   /**
    * Algorithm 5.4: all pairs (a cell of this tree, a cell of the other) whose safety boxes overlap,
@@ -383,50 +395,95 @@ public:
   vtkIdType FindOverlappingPairs(
     vtkSkdTreeCellLocator* other, vtkIdList* cellIds, vtkIdList* otherCellIds);
 
-  ///@{
   /**
-   * Batches: many queries in one call, processed in parallel by vtkSMPTools. Query i is tuple i of
-   * the first argument, a numeric array with 3 components (points) or 6 (lines: x, y, z of both
-   * ends; boxes: xmin, xmax, ymin, ymax, zmin, zmax), and its answer is tuple i of the outputs.
-   * Answers are identical to those of single queries, including ties and rounding, for any number
-   * of threads. Outputs are resized and named; any may be nullptr. Queries that are not finite or
-   * find nothing have the id -1 and NaN values, or an empty list. Queries are processed along a
-   * space-filling curve, so their order in the array does not affect speed. Temporary memory: 8
-   * bytes a query, and a second copy of lists.
-   *
-   * - FindClosestPoints: the nearest cell at a distance of at most `radius`, the nearest point
-   *   (3 components) and its distance.
-   * - FindCells: the cell that contains the point or, with a tolerance (tol2, squared distance),
-   *   the nearest cell within it, and the parametric coordinates (3 components), as in FindCell.
-   * - IntersectWithLines: first hit of each line, its parameter t in [0, 1] and its point.
-   * - FindAllHits: all hits of each line, each cell once, by (t, cell id).
-   * - FindCellsWithinBoxes: the cells whose bounds overlap each box, in the order of the tree.
-   * - FindPairs: for each cell of this locator's data set, the cells of the other's whose bounds
-   *   overlap its own, sorted by id; both with the locators' transforms. Within one locator, (i, i)
-   *   is included.
-   *
-   * Lists are stored as in vtkCellArray: `offsets` has one tuple more than there are queries, and
-   * the values of query i are those from offsets[i] to offsets[i + 1] of the other arrays.
-   *
-   * Returns the number of queries with an answer, or the number of values in all lists. After an
-   * error (no queries, wrong number of components, the same array passed twice) it returns -1 and
-   * leaves the outputs unchanged.
+   * Batch (see "Batches" in the description of the class): the nearest cell to each of `points` (3
+   * components) at a distance of at most `radius`, the nearest point (3 components) and its
+   * distance.
    */
   vtkIdType FindClosestPoints(vtkDataArray* points, vtkIdTypeArray* cellIds,
     vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius = VTK_DOUBLE_MAX);
+
+  /**
+   * Batch of FindClosestCells: the n nearest cells to each of `points` (3 components) at a distance
+   * of at most `radius`, nearest first, ties by id, and their distances. Outputs have n components;
+   * those that are not used are -1 and NaN. It is an error if n is less than 1.
+   */
+  vtkIdType FindClosestNCells(vtkDataArray* points, int n, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* distances, double radius = VTK_DOUBLE_MAX);
+
+  /**
+   * Batch of FindCell: the cell that contains each of `points` (3 components) or, with a tolerance
+   * (tol2, squared distance), the nearest cell within it, and the parametric coordinates (3
+   * components).
+   */
   vtkIdType FindCells(
     vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords, double tol2 = 0.0);
+
+  /**
+   * Batch of FindCell with weights: as FindCells, and the ids of the points of the cell and the
+   * interpolation weights. Both have as many components as the largest cell of the data set has
+   * points; for a smaller cell the remaining ones are -1 and 0.
+   */
+  vtkIdType FindCellsAndWeights(vtkDataArray* points, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* pcoords, vtkIdTypeArray* pointIds, vtkDoubleArray* weights, double tol2 = 0.0);
+
+  /**
+   * Batch of first hits: for each of `lines` (6 components: x, y, z of both ends) the first cell
+   * hit, the parameter t in [0, 1] and the point (3 components). `tol` is that of
+   * IntersectWithLine.
+   */
   vtkIdType IntersectWithLines(vtkDataArray* lines, vtkIdTypeArray* cellIds,
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+
+  /**
+   * Batch of all hits: for each of `lines` (6 components: x, y, z of both ends) a list of the cells
+   * hit, each once, sorted by (t, cell id), with the parameters t in [0, 1] and the points (3
+   * components). `tol` is that of IntersectWithLine.
+   */
   vtkIdType FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+
+  /**
+   * Batch of first hits of rays from `origins` along `directions` (3 components each; directions of
+   * any length but 0): as IntersectWithLines, with distances from the origins in world units
+   * instead of parameters. Only hits at a distance of at most `maximum` count. A negative or NaN
+   * maximum and a direction of length 0 have no hits.
+   */
+  vtkIdType IntersectWithRays(vtkDataArray* origins, vtkDataArray* directions,
+    vtkIdTypeArray* cellIds, vtkDoubleArray* distances, vtkDoubleArray* points,
+    double maximum = VTK_DOUBLE_MAX, double tol = 0.0);
+
+  /**
+   * Batch of all hits of rays: as FindAllHits, for the rays of IntersectWithRays.
+   */
+  vtkIdType FindAllRayHits(vtkDataArray* origins, vtkDataArray* directions, vtkIdTypeArray* offsets,
+    vtkIdTypeArray* cellIds, vtkDoubleArray* distances, vtkDoubleArray* points,
+    double maximum = VTK_DOUBLE_MAX, double tol = 0.0);
+
+  /**
+   * Batch of FindCellsWithinBounds: for each of `boxes` (6 components: xmin, xmax, ymin, ymax,
+   * zmin, zmax) a list of the cells whose bounds overlap it, in the order of the tree.
+   */
   vtkIdType FindCellsWithinBoxes(
     vtkDataArray* boxes, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds);
+
+  /**
+   * Batch of FindCellsWithinRadius: for each of `spheres` (4 components: x, y, z, radius) a list of
+   * the cells at a distance of at most the radius from the center, sorted by id, and these
+   * distances.
+   */
+  vtkIdType FindCellsWithinSpheres(vtkDataArray* spheres, vtkIdTypeArray* offsets,
+    vtkIdTypeArray* cellIds, vtkDoubleArray* distances);
+
+  /**
+   * Batch of pairs: for each cell of this locator's data set, a list of the cells of the other's
+   * whose bounds overlap its own, sorted by id; both with the locators' transforms. Within one
+   * locator, (i, i) is included.
+   */
   vtkIdType FindPairs(
     vtkSkdTreeCellLocator* other, vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds);
-  ///@}
 
-  ///@{
+  //@{
   /**
    * The paper's own arrays (Algorithm 3.1), 2N-1 tuples each: S, the safety box of node i as (xmin,
    * xmax, ymin, ymax, zmin, zmax), and L, its link. Node 0 is the root (the paper counts from 1): L
@@ -435,9 +492,9 @@ public:
    */
   void GetSafetyBoxes(vtkDoubleArray* S);
   void GetLinks(vtkIdTypeArray* L);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Statistics of the built tree: cells in it; cells ignored (ghost, blanked, empty, not finite or
    * of unknown type); nodes of the eight-wide tree; its depth; its size in bytes, in total and for
@@ -450,9 +507,9 @@ public:
   vtkIdType GetMemorySize();
   double GetBytesPerCell();
   double GetBuildSeconds();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkLocator. BuildLocator builds if there is no tree, or if the data set or this object's
    * settings changed after the last build; with UseExistingSearchStructure on, only if there is no
@@ -461,7 +518,7 @@ public:
   void BuildLocator() override;
   void ForceBuildLocator() VTK_SKD_OVERRIDE_SINCE_92;
   void FreeSearchStructure() override;
-  ///@}
+  //@}
 
   /**
    * The safety boxes of a level of the paper's binary tree as quads: level 0 the root's, -1 or a

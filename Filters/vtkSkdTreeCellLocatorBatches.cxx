@@ -4,6 +4,7 @@
 #include "vtkSkdTreeCellLocator.h"
 
 #include "Cells/SkdBatchLists.h"
+#include "Cells/SkdBatchOutputs.h"
 #include "Cells/SkdLocatorState.h"
 #include "Cells/SkdNearestInTurn.h"
 
@@ -22,82 +23,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-using Outputs = std::vector<vtkDataArray*>;
-
-/// Whether an array is handed in twice, as an output and as another or as the queries.
-bool HaveDoubles(vtkDataArray* queries, const Outputs& outputs)
-{
-  return std::any_of(outputs.begin(), outputs.end(),
-    [&](vtkDataArray* array) {
-      return array && (array == queries || std::count(outputs.begin(), outputs.end(), array) > 1);
-    });
-}
-
-/// Why a batch cannot be asked, in words; empty if it can.
-std::string ReasonAgainst(vtkDataArray* queries, SkdBatchOf kind, const Outputs& outputs)
-{
-  if (!queries)
-  {
-    return "the array of queries is missing";
-  }
-  const int components = SkdNumberOfComponents(kind);
-  if (queries->GetNumberOfComponents() != components)
-  {
-    return "the queries have " + std::to_string(queries->GetNumberOfComponents()) +
-      " components instead of " + std::to_string(components);
-  }
-  return HaveDoubles(queries, outputs) ? "the same array is passed twice" : "";
-}
-
-/// A batch that cannot be asked is refused with an error.
-bool IsRefused(vtkObject* locator, const char* method, vtkDataArray* queries, SkdBatchOf kind,
-  const Outputs& outputs)
-{
-  const std::string reason = ReasonAgainst(queries, kind, outputs);
-  if (!reason.empty())
-  {
-    vtkErrorWithObjectMacro(locator, << method << ": " << reason << ".");
-  }
-  return !reason.empty();
-}
-
-/// Sizes an output and hands out its values: nullptr for one that is not wanted.
-template <class Array>
-auto Prepare(Array* array, const char* name, int components, vtkIdType size)
-  -> decltype(array->GetPointer(0))
-{
-  if (!array)
-  {
-    return nullptr;
-  }
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(size);
-  return array->GetPointer(0);
-}
-
-template <class Value>
-void Store(Value* values, vtkIdType i, Value value)
-{
-  if (values)
-  {
-    values[i] = value;
-  }
-}
-
-void Store(double* values, vtkIdType i, const skd::Vector3& value)
-{
-  if (values)
-  {
-    SkdStore(value, values + 3 * i);
-  }
-}
-
-skd::Vector3 NoPoint()
-{
-  return { { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() } };
-}
-
 /// The cells within boxes, as lists in the order of the tree, or by id.
 vtkIdType FindLists(const SkdCellTree& tree, const skd::RigidMotion* motion, vtkDataArray* boxes,
   bool byId, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds)
@@ -119,8 +44,8 @@ vtkIdType FindLists(const SkdCellTree& tree, const skd::RigidMotion* motion, vtk
       }
       values.insert(values.end(), first, last);
     });
-  vtkIdType* ids = Prepare(cellIds, "SkdCellId", 1, lists.GetNumberOfValues());
-  lists.ForEach([ids](vtkIdType index, vtkIdType, vtkIdType id) { Store(ids, index, id); });
+  vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, lists.GetNumberOfValues());
+  lists.ForEach([ids](vtkIdType index, vtkIdType, vtkIdType id) { SkdStoreAt(ids, index, id); });
   return lists.GetNumberOfValues();
 }
 
@@ -129,7 +54,7 @@ vtkSmartPointer<vtkDoubleArray> BoundsOfCells(
   const SkdCellTree& tree, const skd::RigidMotion* motion, vtkIdType numberOfCells)
 {
   auto boxes = vtkSmartPointer<vtkDoubleArray>::New();
-  double* bounds = Prepare(boxes.Get(), "SkdBounds", 6, numberOfCells);
+  double* bounds = SkdPrepare(boxes.Get(), "SkdBounds", 6, numberOfCells);
   vtkSMPTools::For(0, numberOfCells,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -165,12 +90,12 @@ vtkIdType FindPairLists(const SkdCellTree& tree, const SkdCellTree& other, vtkId
     }
   };
   vtkNew<vtkIdTypeArray> ownOffsets; // for those who want none
-  vtkIdType* starts = Prepare(offsets ? offsets : ownOffsets.Get(), "SkdOffsets", 1, size + 1);
+  vtkIdType* starts = SkdPrepare(offsets ? offsets : ownOffsets.Get(), "SkdOffsets", 1, size + 1);
   std::fill_n(starts, size + 1, vtkIdType(0));
   forEachPair([&](vtkIdType id, vtkIdType) { ++starts[id]; });
   std::partial_sum(starts, starts + size + 1, starts); // the ends of the lists
-  vtkIdType* others = Prepare(otherCellIds, "SkdCellId", 1, starts[size]);
-  forEachPair([&](vtkIdType id, vtkIdType there) { Store(others, --starts[id], there); });
+  vtkIdType* others = SkdPrepare(otherCellIds, "SkdCellId", 1, starts[size]);
+  forEachPair([&](vtkIdType id, vtkIdType there) { SkdStoreAt(others, --starts[id], there); });
   vtkSMPTools::For(0, others ? size : 0,
     [=](vtkIdType begin, vtkIdType end)
     {
@@ -185,10 +110,47 @@ vtkIdType FindPairLists(const SkdCellTree& tree, const SkdCellTree& other, vtkId
   return starts[size];
 }
 
-struct Hit
+/// The points of found cells and their weights, a row a query, as long as the largest cell needs.
+class WeightRows
 {
-  vtkIdType Id;
-  double T;
+public:
+  WeightRows(
+    const SkdCellStore& cells, vtkIdTypeArray* pointIds, vtkDoubleArray* weights, vtkIdType size)
+    : Cells(cells)
+  {
+    for (std::uint32_t cell = 0; (pointIds || weights) && cell < cells.NumberOfCells(); ++cell)
+    {
+      this->Width = std::max(this->Width, static_cast<int>(cells.SizeOf(cell)));
+    }
+    this->PointIds = SkdPrepare(pointIds, "SkdPointId", this->Width, size);
+    this->Weights = SkdPrepare(weights, "SkdWeight", this->Width, size);
+  }
+
+  /// Writes the points, and hands out where the weights belong (nullptr: nowhere), none yet.
+  double* Begin(vtkIdType slot, vtkIdType id)
+  {
+    const std::int64_t found = this->Cells.CellOfId(id);
+    const auto cell = static_cast<std::uint32_t>(found);
+    const vtkIdType first = slot * this->Width;
+    const int number = found < 0 ? 0 : static_cast<int>(this->Cells.SizeOf(cell));
+    for (int i = 0; this->PointIds && i < this->Width; ++i)
+    {
+      this->PointIds[first + i] =
+        i < number ? static_cast<vtkIdType>(this->Cells.PointIdsOf(cell)[i]) : vtkIdType(-1);
+    }
+    if (!this->Weights)
+    {
+      return nullptr;
+    }
+    std::fill_n(this->Weights + first, this->Width, found < 0 ? vtkMath::Nan() : 0.0);
+    return this->Weights + first;
+  }
+
+private:
+  const SkdCellStore& Cells;
+  int Width = 1;
+  vtkIdType* PointIds;
+  double* Weights;
 };
 }
 
@@ -196,7 +158,7 @@ struct Hit
 vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTypeArray* cellIds,
   vtkDoubleArray* closestPoints, vtkDoubleArray* distances, double radius)
 {
-  if (IsRefused(this, "FindClosestPoints", points, SkdBatchOf::Points,
+  if (SkdIsRefused(this, "FindClosestPoints", points, SkdBatchOf::Points,
         { cellIds, closestPoints, distances }))
   {
     return -1;
@@ -204,9 +166,9 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
   const SkdCellTree& tree = this->GetTree();
   const SkdBatch batch(points, SkdBatchOf::Points);
   const vtkIdType size = batch.GetNumberOfQueries();
-  vtkIdType* ids = Prepare(cellIds, "SkdClosestCellId", 1, size);
-  double* nearest = Prepare(closestPoints, "SkdClosestPoint", 3, size);
-  double* lengths = Prepare(distances, "SkdDistance", 1, size);
+  vtkIdType* ids = SkdPrepare(cellIds, "SkdClosestCellId", 1, size);
+  double* nearest = SkdPrepare(closestPoints, "SkdClosestPoint", 3, size);
+  double* lengths = SkdPrepare(distances, "SkdDistance", 1, size);
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
   return batch.CountTrue(
     [&] {
@@ -218,10 +180,50 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
       batch.Read(slot, x);
       const SkdFoundCell found = inTurn.Find(this->Impl->ToTree(x));
       const bool isFound = found.Id >= 0;
-      Store(ids, slot, found.Id);
-      Store(nearest, slot, isFound ? this->Impl->ToWorld(found.Point) : NoPoint());
-      Store(lengths, slot, isFound ? std::sqrt(found.Dist2) : vtkMath::Nan());
+      SkdStoreAt(ids, slot, found.Id);
+      SkdStoreAt(nearest, slot, isFound ? this->Impl->ToWorld(found.Point) : SkdNoPoint());
+      SkdStoreAt(lengths, slot, isFound ? std::sqrt(found.Dist2) : vtkMath::Nan());
       return isFound;
+    });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestNCells(
+  vtkDataArray* points, int n, vtkIdTypeArray* cellIds, vtkDoubleArray* distances, double radius)
+{
+  std::string reason =
+    SkdReasonAgainst(points, "queries", SkdBatchOf::Points, { cellIds, distances });
+  if (reason.empty() && n < 1)
+  {
+    reason = "n is " + std::to_string(n) + ", at least 1 is needed";
+  }
+  if (SkdIsRefused(this, "FindClosestNCells", reason))
+  {
+    return -1;
+  }
+  const SkdCellTree& tree = this->GetTree();
+  const SkdBatch batch(points, SkdBatchOf::Points);
+  const vtkIdType size = batch.GetNumberOfQueries();
+  vtkIdType* ids = SkdPrepare(cellIds, "SkdClosestCellId", n, size);
+  double* lengths = SkdPrepare(distances, "SkdDistance", n, size);
+  const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
+  return batch.CountTrue(
+    [&] {
+      return SkdCellSource{ this->DataSet, SkdScratchCell() };
+    },
+    [&](const SkdCellSource& source, vtkIdType slot)
+    {
+      double x[3];
+      batch.Read(slot, x);
+      const auto& found = tree.FindNearestCells(this->Impl->ToTree(x), n, limit2, source);
+      const auto number = static_cast<int>(found.size());
+      for (int i = 0; i < n; ++i)
+      {
+        const bool isFound = i < number;
+        SkdStoreAt(ids, n * slot + i, isFound ? found[i].second : vtkIdType(-1));
+        SkdStoreAt(lengths, n * slot + i, isFound ? std::sqrt(found[i].first) : vtkMath::Nan());
+      }
+      return number > 0;
     });
 }
 
@@ -229,15 +231,26 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
 vtkIdType vtkSkdTreeCellLocator::FindCells(
   vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords, double tol2)
 {
-  if (IsRefused(this, "FindCells", points, SkdBatchOf::Points, { cellIds, pcoords }))
+  return SkdIsRefused(this, "FindCells", points, SkdBatchOf::Points, { cellIds, pcoords })
+    ? -1
+    : this->FindCellsAndWeights(points, cellIds, pcoords, nullptr, nullptr, tol2);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCellsAndWeights(vtkDataArray* points, vtkIdTypeArray* cellIds,
+  vtkDoubleArray* pcoords, vtkIdTypeArray* pointIds, vtkDoubleArray* weights, double tol2)
+{
+  if (SkdIsRefused(this, "FindCellsAndWeights", points, SkdBatchOf::Points,
+        { cellIds, pcoords, pointIds, weights }))
   {
     return -1;
   }
   const SkdCellTree& tree = this->GetTree();
   const SkdBatch batch(points, SkdBatchOf::Points);
   const vtkIdType size = batch.GetNumberOfQueries();
-  vtkIdType* ids = Prepare(cellIds, "SkdCellId", 1, size);
-  double* coordinates = Prepare(pcoords, "SkdParametricCoordinates", 3, size);
+  vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, size);
+  double* coordinates = SkdPrepare(pcoords, "SkdParametricCoordinates", 3, size);
+  WeightRows rows(tree.Cells(), pointIds, weights, size);
   return batch.CountTrue(
     [&] {
       return SkdCellSource{ this->DataSet, SkdScratchCell() };
@@ -248,99 +261,64 @@ vtkIdType vtkSkdTreeCellLocator::FindCells(
       batch.Read(slot, x);
       SkdFoundCell found = tree.FindContaining(this->Impl->ToTree(x), tol2, -1, source);
       const bool isFound = found.Id >= 0;
-      Store(ids, slot, found.Id);
-      if (isFound && coordinates)
+      SkdStoreAt(ids, slot, found.Id);
+      double* row = rows.Begin(slot, found.Id);
+      if (isFound && (coordinates || row))
       {
-        tree.Interpolate(found, nullptr, source);
+        tree.Interpolate(found, row, source);
         found.PCoords = tree.MovedPCoords(
           this->Impl->GetMotion(), found.Id, this->Impl->ToWorld(found.Point), found.PCoords);
       }
-      Store(coordinates, slot, isFound ? found.PCoords : NoPoint());
+      SkdStoreAt(coordinates, slot, isFound ? found.PCoords : SkdNoPoint());
       return isFound;
     });
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::IntersectWithLines(vtkDataArray* lines, vtkIdTypeArray* cellIds,
-  vtkDoubleArray* parameters, vtkDoubleArray* points, double tol)
-{
-  if (IsRefused(
-        this, "IntersectWithLines", lines, SkdBatchOf::Lines, { cellIds, parameters, points }))
-  {
-    return -1;
-  }
-  const SkdCellTree& tree = this->GetTree();
-  const SkdBatch batch(lines, SkdBatchOf::Lines);
-  const vtkIdType size = batch.GetNumberOfQueries();
-  vtkIdType* ids = Prepare(cellIds, "SkdCellId", 1, size);
-  double* ts = Prepare(parameters, "SkdParameter", 1, size);
-  double* xs = Prepare(points, "SkdPoint", 3, size);
-  return batch.CountTrue(
-    [&] {
-      return SkdCellSource{ this->DataSet, SkdScratchCell() };
-    },
-    [&](const SkdCellSource& source, vtkIdType slot)
-    {
-      double ends[6];
-      batch.Read(slot, ends);
-      const SkdHitCell hit = tree.FindFirstHit(this->Impl->ToTree(ends, ends + 3), tol, source);
-      const bool isHit = hit.Id >= 0;
-      Store(ids, slot, hit.Id);
-      Store(ts, slot, isHit ? hit.T : vtkMath::Nan());
-      Store(xs, slot, isHit ? skd::Lerp(SkdVector(ends), SkdVector(ends + 3), hit.T) : NoPoint());
-      return isHit;
-    });
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkSkdTreeCellLocator::FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets,
-  vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol)
-{
-  if (IsRefused(
-        this, "FindAllHits", lines, SkdBatchOf::Lines, { offsets, cellIds, parameters, points }))
-  {
-    return -1;
-  }
-  const SkdCellTree& tree = this->GetTree();
-  const SkdBatch batch(lines, SkdBatchOf::Lines);
-  const SkdBatchLists<Hit> hits(batch, offsets,
-    [&](vtkIdType slot, std::vector<Hit>& values)
-    {
-      double ends[6];
-      batch.Read(slot, ends);
-      const SkdCellSource source{ this->DataSet, SkdScratchCell() };
-      for (const SkdHitCell& hit : tree.FindHits(this->Impl->ToTree(ends, ends + 3), tol, source))
-      {
-        values.push_back({ hit.Id, hit.T });
-      }
-    });
-  vtkIdType* ids = Prepare(cellIds, "SkdCellId", 1, hits.GetNumberOfValues());
-  double* ts = Prepare(parameters, "SkdParameter", 1, hits.GetNumberOfValues());
-  double* xs = Prepare(points, "SkdPoint", 3, hits.GetNumberOfValues());
-  hits.ForEach(
-    [&](vtkIdType index, vtkIdType slot, const Hit& hit)
-    {
-      Store(ids, index, hit.Id);
-      Store(ts, index, hit.T);
-      if (xs)
-      {
-        double ends[6];
-        batch.Read(slot, ends);
-        Store(xs, index, skd::Lerp(SkdVector(ends), SkdVector(ends + 3), hit.T));
-      }
-    });
-  return hits.GetNumberOfValues();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkSkdTreeCellLocator::FindCellsWithinBoxes(
   vtkDataArray* boxes, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds)
 {
-  if (IsRefused(this, "FindCellsWithinBoxes", boxes, SkdBatchOf::Boxes, { offsets, cellIds }))
+  if (SkdIsRefused(this, "FindCellsWithinBoxes", boxes, SkdBatchOf::Boxes, { offsets, cellIds }))
   {
     return -1;
   }
   return FindLists(this->GetTree(), this->Impl->GetMotion(), boxes, false, offsets, cellIds);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindCellsWithinSpheres(vtkDataArray* spheres,
+  vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds, vtkDoubleArray* distances)
+{
+  if (SkdIsRefused(this, "FindCellsWithinSpheres", spheres, SkdBatchOf::Spheres,
+        { offsets, cellIds, distances }))
+  {
+    return -1;
+  }
+  const SkdCellTree& tree = this->GetTree();
+  const SkdBatch batch(spheres, SkdBatchOf::Spheres);
+  using Near = std::pair<double, vtkIdType>; // a squared distance
+  const SkdBatchLists<Near> lists(batch, offsets,
+    [&](vtkIdType slot, std::vector<Near>& values)
+    {
+      double sphere[4];
+      batch.Read(slot, sphere);
+      const double limit2 = sphere[3] >= 0.0 ? sphere[3] * sphere[3] : -1.0;
+      auto& found = tree.FindNearestCells(this->Impl->ToTree(sphere), tree.Cells().NumberOfCells(),
+        limit2, { this->DataSet, SkdScratchCell() });
+      std::sort(found.begin(), found.end(),
+        [](const Near& a, const Near& b) { return a.second < b.second; });
+      values.insert(values.end(), found.begin(), found.end());
+    });
+  const vtkIdType size = lists.GetNumberOfValues();
+  vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, size);
+  double* lengths = SkdPrepare(distances, "SkdDistance", 1, size);
+  lists.ForEach(
+    [&](vtkIdType index, vtkIdType, const Near& near)
+    {
+      SkdStoreAt(ids, index, near.second);
+      SkdStoreAt(lengths, index, std::sqrt(near.first));
+    });
+  return size;
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/MortonCode.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <limits>
@@ -15,7 +14,7 @@ namespace
 /// Halves are added, not the sum halved: no overflow near the largest double.
 skd::Vector3 CentreOf(SkdBatchOf kind, const double* tuple)
 {
-  if (kind == SkdBatchOf::Points)
+  if (kind == SkdBatchOf::Points || kind == SkdBatchOf::Spheres)
   {
     return { { tuple[0], tuple[1], tuple[2] } };
   }
@@ -118,15 +117,9 @@ private:
 //------------------------------------------------------------------------------
 SkdBatch::SkdBatch(vtkDataArray* queries, SkdBatchOf kind)
   : Queries(queries)
-  , Doubles(nullptr)
   , Kind(kind)
-  , Components(SkdNumberOfComponents(kind))
   , Count(queries->GetNumberOfTuples())
 {
-  if (auto* doubles = vtkDoubleArray::FastDownCast(queries))
-  {
-    this->Doubles = doubles->GetPointer(0);
-  }
   this->Arrange();
 }
 

@@ -4,6 +4,7 @@
 #define SkdBatch_h
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -16,13 +17,43 @@ enum class SkdBatchOf
 {
   Points, ///< x, y, z
   Lines,  ///< those of one end, then those of the other
-  Boxes   ///< xmin, xmax, ymin, ymax, zmin, zmax
+  Boxes,  ///< xmin, xmax, ymin, ymax, zmin, zmax
+  Spheres ///< x, y, z, radius
 };
 
 inline int SkdNumberOfComponents(SkdBatchOf kind)
 {
-  return kind == SkdBatchOf::Points ? 3 : 6;
+  return kind == SkdBatchOf::Points ? 3 : kind == SkdBatchOf::Spheres ? 4 : 6;
 }
+
+/// The tuples of an array of numbers, read without a virtual call if these are doubles. The array
+/// must live. Thread-safe.
+class SkdTuples
+{
+public:
+  explicit SkdTuples(vtkDataArray* array)
+    : Array(array)
+    , Components(array->GetNumberOfComponents())
+  {
+    auto* doubles = vtkDoubleArray::FastDownCast(array);
+    this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
+  }
+
+  void Read(vtkIdType i, double* tuple) const
+  {
+    if (this->Doubles)
+    {
+      std::copy_n(this->Doubles + i * this->Components, this->Components, tuple);
+      return;
+    }
+    this->Array->GetTuple(i, tuple);
+  }
+
+private:
+  vtkDataArray* Array;
+  const double* Doubles; // nullptr of an array of something else
+  int Components;
+};
 
 /// Many queries of one kind, the tuples of an array, asked in parallel in an order in which
 /// neighbours in space follow each other: along a Morton curve through their centres. So a query
@@ -43,15 +74,7 @@ public:
   vtkIdType GetNumberOfPieces() const { return (this->Count + PieceSize - 1) / PieceSize; }
 
   /// The tuple of a slot. Thread-safe.
-  void Read(vtkIdType slot, double* tuple) const
-  {
-    if (this->Doubles)
-    {
-      std::copy_n(this->Doubles + slot * this->Components, this->Components, tuple);
-      return;
-    }
-    this->Queries->GetTuple(slot, tuple);
-  }
+  void Read(vtkIdType slot, double* tuple) const { this->Queries.Read(slot, tuple); }
 
   /// The slot at a place of the order.
   vtkIdType GetSlot(vtkIdType at) const
@@ -105,10 +128,8 @@ private:
   void Arrange();
   void SortByCount(const std::vector<std::uint32_t>& keys, std::uint32_t largestKey);
 
-  vtkDataArray* Queries;
-  const double* Doubles; // the array's values if these are doubles one after the other
+  SkdTuples Queries;
   SkdBatchOf Kind;
-  int Components;
   vtkIdType Count;
   std::vector<std::uint32_t> Order; // slots; empty: as they come
 };
