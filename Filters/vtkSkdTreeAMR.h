@@ -98,42 +98,42 @@ public:
     UNSTRUCTURED_GRID = 1,
     OVERLAPPING_AMR = 2
   };
-  ///@{
+  //@{
   /**
    * The base grid (port 1, optional). It replaces the bounds, dimensions and cell size.
    */
   void SetBaseMeshConnection(vtkAlgorithmOutput* algOutput);
   void SetBaseMeshData(vtkDataObject* mesh);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Put the base grid around the parts, with a margin; else use BaseBounds. Default on.
    */
   vtkSetMacro(AutomaticBounds, bool);
   vtkGetMacro(AutomaticBounds, bool);
   vtkBooleanMacro(AutomaticBounds, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The margin on each side of the parts, relative to the longest side of their bounds. Sides of
    * zero length get none: parts in a plane have a grid in that plane. Default 0.1.
    */
   vtkSkdTreeSetWithinMacro(BoundsMargin, double, 0.0, 1e6);
   vtkGetMacro(BoundsMargin, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The bounds of the base grid (xmin, xmax, ymin, ymax, zmin, zmax) if AutomaticBounds is off.
    * Default: the unit cube.
    */
   vtkSkdTreeSetFinite6Macro(BaseBounds);
   vtkGetVector6Macro(BaseBounds, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Numbers of base cells along each axis. 0: cubes with sides about as long as the shortest side
    * of the bounds (or 1/64 of the longest); the bounds are extended to whole cells along such an
@@ -141,26 +141,26 @@ public:
    */
   vtkSetVector3Macro(BaseDimensions, int);
   vtkGetVector3Macro(BaseDimensions, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The side of cubic base cells; the bounds are extended to whole cells. Default 0: BaseDimensions
    * determine the cells.
    */
   vtkSkdTreeSetWithinMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BaseCellSize, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The number of cells along each axis that a refined cell is cut into: 2 (default) or 3.
    */
   vtkSetClampMacro(BranchFactor, int, 2, 3);
   vtkGetMacro(BranchFactor, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Compute SkdInside: 1 for cells whose centre is inside the closed surface that Input is, or that
    * bounds it. This is exact, including overlapping bodies. For a surface with open edges, which a
@@ -171,9 +171,9 @@ public:
   vtkSetMacro(ComputeInside, bool);
   vtkGetMacro(ComputeInside, bool);
   vtkBooleanMacro(ComputeInside, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Compute SkdVolumeFraction: the fraction of each cell that is inside, from 0 to 1, with inside
    * as in ComputeInside. It uses exact clipping, so the sum over cells is the volume of the
@@ -185,9 +185,9 @@ public:
   vtkSetMacro(ComputeVolumeFraction, bool);
   vtkGetMacro(ComputeVolumeFraction, bool);
   vtkBooleanMacro(ComputeVolumeFraction, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Compute SkdDistance: the distance of the centre of each cell from the nearest part. With
    * ComputeInside it is negative inside. Default off.
@@ -195,18 +195,18 @@ public:
   vtkSetMacro(ComputeDistance, bool);
   vtkGetMacro(ComputeDistance, bool);
   vtkBooleanMacro(ComputeDistance, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The type of the output: HYPER_TREE_GRID (default), UNSTRUCTURED_GRID or OVERLAPPING_AMR, which
    * needs base cells of equal size in two or three dimensions.
    */
   vtkSetClampMacro(OutputType, int, HYPER_TREE_GRID, OVERLAPPING_AMR);
   vtkGetMacro(OutputType, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Make a two-dimensional unstructured grid conforming: a leaf with hanging nodes is divided into
    * triangles around its centre, each with the leaf's data. With Balance no angle of square cells
@@ -215,7 +215,7 @@ public:
   vtkSetMacro(Conforming, bool);
   vtkGetMacro(Conforming, bool);
   vtkBooleanMacro(Conforming, bool);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeAMR();

@@ -46,31 +46,31 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeAttach* New();
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetLazyBuild. Default off.
    */
   vtkSetMacro(LazyBuild, bool);
   vtkGetMacro(LazyBuild, bool);
   vtkBooleanMacro(LazyBuild, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetSkipGhostCells. Default on.
    */
   vtkSetMacro(SkipGhostCells, bool);
   vtkGetMacro(SkipGhostCells, bool);
   vtkBooleanMacro(SkipGhostCells, bool);
-  ///@}
+  //@}
 
   /**
    * The number of trees built in the last execution; the others were reused.

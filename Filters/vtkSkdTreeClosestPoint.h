@@ -61,15 +61,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeClosestPoint* New();
 
-  ///@{
+  //@{
   /**
    * The maximum search distance. Default VTK_DOUBLE_MAX: no limit.
    */
   vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Compute signed distances, negative inside the closed surface that bounds Source: the boundary
    * of its volume cells or, without any, its surface cells. The distance is then measured to that
@@ -88,9 +88,9 @@ public:
   vtkSetMacro(SignedDistance, bool);
   vtkGetMacro(SignedDistance, bool);
   vtkBooleanMacro(SignedDistance, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Interpolate the source's point data at the nearest point by the cell's weights, exactly for
    * linear fields, and copy its cell data; both become point arrays of the output with their own
@@ -103,33 +103,33 @@ public:
   vtkSetMacro(InterpolateSourceData, bool);
   vtkGetMacro(InterpolateSourceData, bool);
   vtkBooleanMacro(InterpolateSourceData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Fill output port 1 with a line from each point to its nearest. Default off.
    */
   vtkSetMacro(GenerateLines, bool);
   vtkGetMacro(GenerateLines, bool);
   vtkBooleanMacro(GenerateLines, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The largest distance of facets from a curved face for signed distances, relative to the
    * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeClosestPoint();

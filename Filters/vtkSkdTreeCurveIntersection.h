@@ -119,7 +119,7 @@ public:
     KOCHANEK_SPLINE = 2
   };
 
-  ///@{
+  //@{
   /**
    * The curve that a polyline represents: straight lines between its points, or the
    * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
@@ -127,9 +127,9 @@ public:
    */
   vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
   vtkGetMacro(PolylineForm, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
    * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
@@ -141,9 +141,9 @@ public:
   vtkGetMacro(Bias, double);
   vtkSkdTreeSetWithinMacro(Continuity, double, -1.0, 1.0);
   vtkGetMacro(Continuity, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A distance in world units. For two curves that do not intersect but come within this distance,
    * their nearest approach is output as a point of kind 3: one for each pair of curves. See
@@ -151,9 +151,9 @@ public:
    */
   vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Treat cells that share an end, to within rounding, as one continuous curve: the shared end is
    * not an intersection of the two, and the intersection with another curve there is reported once
@@ -165,9 +165,9 @@ public:
   vtkSetMacro(IgnoreJoints, bool);
   vtkGetMacro(IgnoreJoints, bool);
   vtkBooleanMacro(IgnoreJoints, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Add the point data of both curves, interpolated, and the data of both cells, under their own
    * names; without a Source those of the first curve. An array whose name is already in use is not
@@ -177,18 +177,18 @@ public:
   vtkSetMacro(InterpolateData, bool);
   vtkGetMacro(InterpolateData, bool);
   vtkBooleanMacro(InterpolateData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Fill output port 2 with the regions in which curves may intersect. Default off.
    */
   vtkSetMacro(CandidateRegions, bool);
   vtkGetMacro(CandidateRegions, bool);
   vtkBooleanMacro(CandidateRegions, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
    * piece of a curve from its chord. It affects the cost of the search, never the intersections.
@@ -196,16 +196,16 @@ public:
    */
   vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
    * curves' bounds. It affects the search only, never an answer. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeCurveIntersection();

@@ -131,7 +131,7 @@ public:
     NTH_HIT = 2
   };
 
-  ///@{
+  //@{
   /**
    * The curve that a polyline represents: straight lines between its points, or the
    * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
@@ -139,9 +139,9 @@ public:
    */
   vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
   vtkGetMacro(PolylineForm, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
    * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
@@ -153,9 +153,9 @@ public:
   vtkGetMacro(Bias, double);
   vtkSkdTreeSetWithinMacro(Continuity, double, -1.0, 1.0);
   vtkGetMacro(Continuity, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Use the outer faces of volume cells as surfaces, with outward normals: the faces that no other
    * cell of their data set shares. Default on.
@@ -163,9 +163,9 @@ public:
   vtkSetMacro(VolumeFaces, bool);
   vtkGetMacro(VolumeFaces, bool);
   vtkBooleanMacro(VolumeFaces, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The parts of the Source: its blocks, with their flat index as id, or 0 if it is not composite
    * (BLOCKS, default); the cells with one value of PartArray, rounded, which is the id
@@ -175,34 +175,34 @@ public:
    */
   vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
   vtkGetMacro(Parts, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The cell array for CELL_ARRAY: numeric and present in all blocks. Default "".
    */
   void SetPartArray(const char* name);
   const char* GetPartArray() const { return this->PartArray.c_str(); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Output all intersections of a curve, the first, or the one with number HitNumber. Default
    * ALL_HITS.
    */
   vtkSetClampMacro(HitSelection, int, ALL_HITS, NTH_HIT);
   vtkGetMacro(HitSelection, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The intersection that NTH_HIT outputs: 1 is the first along the curve. Default 1.
    */
   vtkSetClampMacro(HitNumber, int, 1, VTK_INT_MAX);
   vtkGetMacro(HitNumber, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Add the point data of curve and surface, interpolated, and the data of both cells, under their
    * own names. An array whose name is already in use is not added, with a warning: the Input takes
@@ -212,9 +212,9 @@ public:
   vtkSetMacro(InterpolateData, bool);
   vtkGetMacro(InterpolateData, bool);
   vtkBooleanMacro(InterpolateData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Fill output port 1 with the curves cut at all their intersections, whatever the value of Hits.
    * Curved ones become polylines within the chord tolerance. Cell data: SkdCurveId, SkdCurveCellId,
@@ -226,9 +226,9 @@ public:
   vtkSetMacro(CutCurves, bool);
   vtkGetMacro(CutCurves, bool);
   vtkBooleanMacro(CutCurves, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
    * piece of a curve from its chord in the search. It affects the cost, never an answer. Default
@@ -236,16 +236,16 @@ public:
    */
   vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
    * surfaces' bounds. It affects the search only, never an answer. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeCurveSurfaceIntersection();

@@ -108,40 +108,40 @@ public:
     SURFACE = 2
   };
 
-  ///@{
+  //@{
   /**
    * The parts (port 1, optional) that cells are refined around: any data set, or composite data.
    */
   void SetPartsConnection(vtkAlgorithmOutput* algOutput);
   void SetPartsData(vtkDataObject* parts);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The surface that new points are put on (port 3, optional). See PointPlacement.
    */
   void SetSurfaceConnection(vtkAlgorithmOutput* algOutput);
   void SetSurfaceData(vtkDataObject* surface);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The subdivision: BISECTION (default), without hanging nodes, or REGULAR.
    */
   vtkSetClampMacro(Method, int, BISECTION, REGULAR);
   vtkGetMacro(Method, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The level to which all cells are refined, at most MaximumLevel. Default 0, or 1 without any
    * other criterion.
    */
   vtkSetClampMacro(MinimumLevel, int, 0, 30);
   vtkGetMacro(MinimumLevel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The position of new points: FLAT (default): the midpoints of edges, faces and cells, which
    * preserves areas and volumes; SPHERE: moved radially from SphereCenter to the distance of the
@@ -151,17 +151,17 @@ public:
    */
   vtkSetClampMacro(PointPlacement, int, FLAT, SURFACE);
   vtkGetMacro(PointPlacement, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See PointPlacement. Default (0, 0, 0).
    */
   vtkSkdTreeSetFinite3Macro(SphereCenter);
   vtkGetVector3Macro(SphereCenter, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The type of the output's points: vtkAlgorithm::DEFAULT_PRECISION (that of the Input's;
    * default), SINGLE_PRECISION or DOUBLE_PRECISION. New points are rounded to it; areas are
@@ -169,7 +169,7 @@ public:
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeMeshRefinement();

@@ -86,13 +86,13 @@ public:
     BODY_FITTED_MESH = 1
   };
 
-  ///@{
+  //@{
   /**
    * The kind of Source: surfaces (default), or a mesh that fills the parts.
    */
   vtkSetClampMacro(Model, int, BOUNDARIES, BODY_FITTED_MESH);
   vtkGetMacro(Model, int);
-  ///@}
+  //@}
 
   enum PartsType
   {
@@ -101,7 +101,7 @@ public:
     CONNECTED_PIECES = 2
   };
 
-  ///@{
+  //@{
   /**
    * The parts of the Source: its blocks, with their flat index as id, or 0 if it is not composite
    * (BLOCKS, default); the cells with one value of PartArray, rounded, which is the id
@@ -110,15 +110,15 @@ public:
    */
   vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
   vtkGetMacro(Parts, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The cell array for CELL_ARRAY: numeric and present in all blocks. Default "".
    */
   void SetPartArray(const char* name);
   const char* GetPartArray() const { return this->PartArray.c_str(); }
-  ///@}
+  //@}
 
   enum MethodType
   {
@@ -129,7 +129,7 @@ public:
     AUTOMATIC = 4
   };
 
-  ///@{
+  //@{
   /**
    * The test for points inside a surface:
    * - AUTOMATIC (default): for a part without open edges, the directed crossings of a ray along an
@@ -160,25 +160,25 @@ public:
    */
   vtkSetClampMacro(Method, int, AXIS_RAYS, AUTOMATIC);
   vtkGetMacro(Method, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The number of RANDOM_RAYS for surfaces with gaps. Range 1 to 1000, default 10.
    */
   vtkSkdTreeSetWithinMacro(NumberOfRays, int, 1, 1000);
   vtkGetMacro(NumberOfRays, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The seed of the directions of RANDOM_RAYS; each point has its own directions. Default 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The maximum error of SkdWindingNumber, and of the confidence, per part. Range 0 (sum over all
    * triangles: O(N) a point) to 1, default 0.25, which is fastest. The bound holds for any surface;
@@ -188,7 +188,7 @@ public:
    */
   vtkSkdTreeSetWithinMacro(WindingTolerance, double, 0.0, 1.0);
   vtkGetMacro(WindingTolerance, double);
-  ///@}
+  //@}
 
   enum AskType
   {
@@ -198,7 +198,7 @@ public:
     CELLS_ANY_POINT = 3
   };
 
-  ///@{
+  //@{
   /**
    * What is classified: the input's points (default), or its cells: by their centres (the mean of
    * their points), as inside if all their points are, or if any point is. With all points a cell
@@ -207,27 +207,27 @@ public:
    */
   vtkSetClampMacro(Ask, int, POINTS, CELLS_ANY_POINT);
   vtkGetMacro(Ask, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Points within this distance of a part's surface are marked in SkdOnBoundary. World units,
    * default 0: none.
    */
   vtkSkdTreeSetWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BoundaryBand, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Use the outer faces of volume cells as surfaces. Default on.
    */
   vtkSetMacro(UseOuterFaces, bool);
   vtkGetMacro(UseOuterFaces, bool);
   vtkBooleanMacro(UseOuterFaces, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * For WINDING_NUMBER and NEAREST_FEATURE, which depend on the triangles' normals: orient the
    * triangles outward first. Adjacent triangles are oriented consistently, and each component
@@ -236,7 +236,7 @@ public:
   vtkSetMacro(RepairOrientation, bool);
   vtkGetMacro(RepairOrientation, bool);
   vtkBooleanMacro(RepairOrientation, bool);
-  ///@}
+  //@}
 
   enum ExtractType
   {
@@ -245,16 +245,16 @@ public:
     OUTSIDE = 2
   };
 
-  ///@{
+  //@{
   /**
    * The content of output port 1: nothing (default), or the input's points or cells (see SetAsk)
    * that are inside or outside, with all data of port 0.
    */
   vtkSetClampMacro(Extract, int, NOTHING, OUTSIDE);
   vtkGetMacro(Extract, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * the whole Source. Faces of quadratic, Lagrange and Bezier cells are approximated by flat facets
@@ -266,15 +266,15 @@ public:
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreePointInOut();

@@ -74,7 +74,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeProbe* New();
 
-  ///@{
+  //@{
   /**
    * A point counts as in the nearest cell if its distance is at most this fraction of the diagonal
    * of the cell's bounds. This is meant for points that are outside because of rounding, and for
@@ -82,15 +82,15 @@ public:
    */
   vtkSkdTreeSetWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RelativeTolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The same as a distance in world units; the larger of the two applies. Default 0.
    */
   vtkSkdTreeSetWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AbsoluteTolerance, double);
-  ///@}
+  //@}
 
   enum OutsidePointsType
   {
@@ -99,7 +99,7 @@ public:
     NEAREST_CELL_WITHIN_DISTANCE = 2
   };
 
-  ///@{
+  //@{
   /**
    * The treatment of points outside the Source: LEAVE (default): no result; NEAREST_CELL: the data
    * at the nearest point of the nearest cell; NEAREST_CELL_WITHIN_DISTANCE: the same up to
@@ -107,17 +107,17 @@ public:
    */
   vtkSetClampMacro(OutsidePoints, int, LEAVE, NEAREST_CELL_WITHIN_DISTANCE);
   vtkGetMacro(OutsidePoints, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See SetOutsidePoints. World units, default 1.
    */
   vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDistance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Use FillValue (rounded in integer arrays) for points without a result, instead of NaN (0 in
    * integer arrays). Default off.
@@ -125,17 +125,17 @@ public:
   vtkSetMacro(UseFillValue, bool);
   vtkGetMacro(UseFillValue, bool);
   vtkBooleanMacro(UseFillValue, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See SetUseFillValue. Default 0.
    */
   vtkSetMacro(FillValue, double);
   vtkGetMacro(FillValue, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Pass the input's own point and cell data. Source arrays whose name is then in use are not
    * added, with a warning. Default on.
@@ -143,9 +143,9 @@ public:
   vtkSetMacro(PassInputData, bool);
   vtkGetMacro(PassInputData, bool);
   vtkBooleanMacro(PassInputData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Point arrays of the Source that are labels rather than quantities: values are copied from the
    * nearest point of the cell (ties to the lowest in the cell) instead of being interpolated. None
@@ -153,9 +153,9 @@ public:
    */
   void AddCategoricalArray(const char* name);
   void ClearCategoricalArrays();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Point arrays of the Source whose gradient in the cell is computed, as "<name>_Gradient": for an
    * array of k components 3 k values, the derivatives by x, y and z of the first component, then of
@@ -164,9 +164,9 @@ public:
    */
   void AddGradientArray(const char* name);
   void ClearGradientArrays();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Cut the lines of Input (cells of type VTK_LINE and VTK_POLY_LINE). Default off.
    *
@@ -187,15 +187,15 @@ public:
   vtkSetMacro(ProbeLines, bool);
   vtkGetMacro(ProbeLines, bool);
   vtkBooleanMacro(ProbeLines, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeProbe();

@@ -47,25 +47,25 @@ public:
     CORNER = 3
   };
 
-  ///@{
+  //@{
   /**
    * The solution (port 2, optional): any data set, or composite data, whose arrays are refinement
    * criteria. See AddFieldArray.
    */
   void SetFieldConnection(vtkAlgorithmOutput* algOutput);
   void SetFieldData(vtkDataObject* field);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The maximum refinement level: each level halves the size of a cell (or divides it by the branch
    * factor). Range 0 to 30.
    */
   vtkSetClampMacro(MaximumLevel, int, 0, 30);
   vtkGetMacro(MaximumLevel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The test for the intersection of a part and a cell: EXACT (default), or BLIND, by the safety
    * boxes of the part's cells, which refines more: hardly more if these are small compared to the
@@ -73,27 +73,27 @@ public:
    */
   vtkSetClampMacro(OverlapTest, int, EXACT, BLIND);
   vtkGetMacro(OverlapTest, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * 2:1 balance: the adjacency across which leaves differ by at most one level: NONE (default),
    * FACE, EDGE (faces and edges) or CORNER (all).
    */
   vtkSetClampMacro(Balance, int, NONE, CORNER);
   vtkGetMacro(Balance, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A maximum level for a part of composite data, given by its flat block index; other parts have
    * the MaximumLevel, which is an upper limit for all.
    */
   void AddPartLevel(int blockIndex, int level);
   void RemoveAllPartLevels();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Refine all cells within a distance of a part to a level, at most MaximumLevel. The distance
    * between a cell and the parts' cells is exact; curved cells are approximated by 8 straight
@@ -102,9 +102,9 @@ public:
    */
   void AddDistanceBand(double distance, double level);
   void RemoveAllDistanceBands();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Refine cells whose centre is inside the closed surface that the parts are, or that bounds them,
    * to this level, at most MaximumLevel. This is exact, including overlapping bodies; for a surface
@@ -113,18 +113,18 @@ public:
    */
   vtkSetClampMacro(InsideLevel, int, 0, 30);
   vtkGetMacro(InsideLevel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The number of layers of cells of the same level around refined cells that are refined too.
    * Default 0.
    */
   vtkSetClampMacro(GrowingLayers, int, 0, 100);
   vtkGetMacro(GrowingLayers, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Stop at MinimumSurfaceLevel where the surface is nearly flat: beyond it, refine only cells in
    * which the normal of a part's cell deviates by more than NormalDeviation (degrees, 0 to 180)
@@ -140,9 +140,9 @@ public:
   vtkGetMacro(NormalDeviation, double);
   vtkSetClampMacro(MinimumSurfaceLevel, int, 0, 30);
   vtkGetMacro(MinimumSurfaceLevel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Arrays of the field, point or cell data, that are refinement criteria; of several components
    * the magnitude. The values in a cell are those at the field's points in it, those interpolated
@@ -151,9 +151,9 @@ public:
    */
   void AddFieldArray(const char* name);
   void RemoveAllFieldArrays();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The condition for refinement: DIFFERENCE (default): two values in the cell differ by more than
    * FieldThreshold; GRADIENT: a cell of the field that intersects it has two points whose values
@@ -162,57 +162,57 @@ public:
    */
   vtkSetClampMacro(FieldTest, int, DIFFERENCE, VALUE);
   vtkGetMacro(FieldTest, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See FieldTest. Default 0: any difference.
    */
   vtkSkdTreeSetWithinMacro(FieldThreshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FieldThreshold, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See FieldTest; inclusive. Default (0, 1).
    */
   vtkSkdTreeSetFinite2Macro(FieldRange);
   vtkGetVector2Macro(FieldRange, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The level to which the field refines cells, at most MaximumLevel. Default 30.
    */
   vtkSetClampMacro(FieldLevel, int, 0, 30);
   vtkGetMacro(FieldLevel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The maximum number of cells. If the next level would exceed it, refinement stops with a warning
    * that gives the level. Default 20 million.
    */
   vtkSetClampMacro(CellLimit, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(CellLimit, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The largest distance of facets from a curved face of the parts in inside tests, relative to the
    * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.

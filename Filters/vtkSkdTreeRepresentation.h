@@ -41,22 +41,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeRepresentation* New();
 
-  ///@{
+  //@{
   /**
    * The level whose boxes are output: 0 is the root. -1, and levels below the deepest, are the
    * leaves. Range -1 to 64, default 4.
    */
   vtkSetClampMacro(Level, int, -1, 64);
   vtkGetMacro(Level, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.

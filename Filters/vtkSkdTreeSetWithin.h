@@ -75,7 +75,7 @@ inline void vtkSkdTreeSetFinite(
     return most;                                                                                   \
   }
 
-///@{
+//@{
 /// In place of vtkSetVector2Macro and so on: all finite.
 #define vtkSkdTreeSetFinite2Macro(name)                                                            \
   virtual void Set##name(double a, double b)                                                       \
@@ -109,7 +109,7 @@ inline void vtkSkdTreeSetFinite(
   {                                                                                                \
     this->Set##name(wanted[0], wanted[1], wanted[2], wanted[3], wanted[4], wanted[5]);             \
   }
-///@}
+//@}
 
 VTK_ABI_NAMESPACE_END
 #endif

@@ -29,13 +29,13 @@ class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSourceAlgorithm : public vtkPassInputTy
 public:
   vtkAbstractTypeMacro(vtkSkdTreeSourceAlgorithm, vtkPassInputTypeAlgorithm);
 
-  ///@{
+  //@{
   /**
    * The mesh that is searched (port 1).
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
   void SetSourceData(vtkDataObject* source);
-  ///@}
+  //@}
 
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.

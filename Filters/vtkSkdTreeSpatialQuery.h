@@ -110,7 +110,7 @@ public:
     NEAREST = 5
   };
 
-  ///@{
+  //@{
   /**
    * The kind of query, see above; default OVERLAP.
    *
@@ -125,7 +125,7 @@ public:
    */
   vtkSetClampMacro(Relation, int, EXACT_MATCH, NEAREST);
   vtkGetMacro(Relation, int);
-  ///@}
+  //@}
 
   enum ShapeType
   {
@@ -137,15 +137,15 @@ public:
     SOURCE_CELLS = 5
   };
 
-  ///@{
+  //@{
   /**
    * The query object; default BOX.
    */
   vtkSetClampMacro(Shape, int, BOX, SOURCE_CELLS);
   vtkGetMacro(Shape, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Use exact tests on cells (default), or their boxes: then the results are candidates, which
    * include all exact results and are found faster. In OVERLAP and ADJACENCY, boxes are the safety
@@ -157,17 +157,17 @@ public:
   vtkSetMacro(Exact, bool);
   vtkGetMacro(Exact, bool);
   vtkBooleanMacro(Exact, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See NEAREST. Default 1. If there are fewer cells all are found; 0 is an error.
    */
   vtkSetClampMacro(NumberOfNearestCells, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNearestCells, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether NEAREST includes all cells as near as the last of the NumberOfNearestCells, as in
    * section 3: for example, all cells that share a nearest vertex. Distances count as equal within
@@ -177,7 +177,7 @@ public:
   vtkSetMacro(AllTies, bool);
   vtkGetMacro(AllTies, bool);
   vtkBooleanMacro(AllTies, bool);
-  ///@}
+  //@}
 
   enum SharedPartType
   {
@@ -186,7 +186,7 @@ public:
     FACE = 2
   };
 
-  ///@{
+  //@{
   /**
    * What cells must share in ADJACENCY to cells of the Source, by coordinates within Tolerance;
    * default POINT. A surface cell is its own face, a line its own edge. A cell with the same points
@@ -194,9 +194,9 @@ public:
    */
   vtkSetClampMacro(SharedPart, int, POINT, FACE);
   vtkGetMacro(SharedPart, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The box: its corner, the lengths of its edges, and its rotation about the corner in degrees
    * about y, then x, then z, as in ParaView's box widget. Edges of negative length are reversed.
@@ -208,9 +208,9 @@ public:
   vtkGetVector3Macro(BoxLength, double);
   vtkSkdTreeSetFinite3Macro(BoxRotation);
   vtkGetVector3Macro(BoxRotation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether BoxLength, BoxRotation and BoxPosition, in this order, scale, rotate and translate
    * ReferenceBounds (xmin, xmax, ymin, ymax, zmin, zmax) instead of the unit cube, as an option of
@@ -221,9 +221,9 @@ public:
   vtkBooleanMacro(UseReferenceBounds, bool);
   vtkSkdTreeSetFinite6Macro(ReferenceBounds);
   vtkGetVector6Macro(ReferenceBounds, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The sphere. Defaults (0, 0, 0) and 1. A negative radius, which ParaView sets while the bounds
    * of Input are unknown, is accepted and finds nothing, with a warning.
@@ -232,9 +232,9 @@ public:
   vtkGetVector3Macro(SphereCenter, double);
   vtkSkdTreeSetWithinMacro(SphereRadius, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(SphereRadius, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The plane; its normal may have any length. Defaults (0, 0, 0) and (1, 0, 0).
    */
@@ -242,9 +242,9 @@ public:
   vtkGetVector3Macro(PlaneOrigin, double);
   vtkSkdTreeSetFinite3Macro(PlaneNormal);
   vtkGetVector3Macro(PlaneNormal, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The ends of the line. Defaults (0, 0, 0) and (1, 0, 0).
    */
@@ -252,24 +252,24 @@ public:
   vtkGetVector3Macro(LinePoint1, double);
   vtkSkdTreeSetFinite3Macro(LinePoint2);
   vtkGetVector3Macro(LinePoint2, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The distance, in world units, up to which objects count as touching. Default 0: rounding error
    * only.
    */
   vtkSkdTreeSetWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
   vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
   vtkGetMacro(Epsilon, double);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeSpatialQuery();

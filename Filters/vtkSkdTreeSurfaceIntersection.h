@@ -117,7 +117,7 @@ public:
     WHETHER_ANY = 2
   };
 
-  ///@{
+  //@{
   /**
    * The pairs to find: all; the lowest pair of cells only; or, fastest, any single pair, which may
    * differ from run to run. Default ALL_PAIRS.
@@ -127,9 +127,9 @@ public:
   void SetPairsToAll() { this->SetPairs(ALL_PAIRS); }
   void SetPairsToLowest() { this->SetPairs(LOWEST_PAIR); }
   void SetPairsToWhetherAny() { this->SetPairs(WHETHER_ANY); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Output curves as polylines, with the ids of each segment at its first point. Off: a line cell
    * for each segment, with the ids as cell data and no SkdCurve arrays. Default on.
@@ -137,9 +137,9 @@ public:
   vtkSetMacro(JoinCurves, bool);
   vtkGetMacro(JoinCurves, bool);
   vtkBooleanMacro(JoinCurves, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Output both surfaces split along the curves on ports 4 and 5. Requires all pairs: with other
    * values of Pairs nothing is split. Default off.
@@ -147,9 +147,9 @@ public:
   vtkSetMacro(SplitSurfaces, bool);
   vtkGetMacro(SplitSurfaces, bool);
   vtkBooleanMacro(SplitSurfaces, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Also output pairs of cells that do not touch but are at most this far apart, with their
    * distance and nearest points. Within one surface, cells that share a vertex are excluded.
@@ -157,18 +157,18 @@ public:
    */
   vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * its surface, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   vtkGetMacro(ChordalDeviation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A motion of the Source: rotated about RotationCenter by Rotation (degrees about y, then x, then
    * z, as the orientation of vtkProp3D) and translated by Translation. Default 0: not moved.
@@ -180,9 +180,9 @@ public:
   vtkGetVector3Macro(Rotation, double);
   vtkSkdTreeSetFinite3Macro(RotationCenter);
   vtkGetVector3Macro(RotationCenter, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The same by a matrix, applied before the rotation and translation above. It must be rigid
    * (orthonormal to 1e-9, no perspective); any other is ignored with an error and the previous one
@@ -190,7 +190,7 @@ public:
    */
   void SetTransform(vtkMatrix4x4* motion);
   vtkMatrix4x4* GetTransform();
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeSurfaceIntersection();
