@@ -23,7 +23,7 @@ case $(. /etc/os-release && echo "${VERSION_ID:-later}") in
 esac
 test_packages=(
   libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file
-  clang-format clang-tidy valgrind)
+  clang-format clang-tidy valgrind python3-numpy python3-venv)
 
 say() { printf '\n== %s\n' "$*"; }
 

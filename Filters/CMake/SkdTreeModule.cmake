@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the module VTK::FiltersSkdTree and, by choice, its Python package.
+# Builds the module VTK::FiltersSkdTree and, by choice, its Python package (SkdTreePython.cmake).
 
 set(SKDTREE_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SkdTree")
 
@@ -39,22 +39,5 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 skdtree_build_module()
 
 if (SKDTREE_WRAP_PYTHON)
-  # Beside vtkmodules when we are installed beside VTK, else where CMake's prefix has such packages.
-  vtk_module_python_default_destination(SKDTREE_PYTHON_DESTINATION)
-  if (CMAKE_INSTALL_PREFIX STREQUAL SKDTREE_VTK_PREFIX AND VTK_PYTHONPATH)
-    set(SKDTREE_PYTHON_DESTINATION "${VTK_PYTHONPATH}")
-  endif ()
-  vtk_module_wrap_python(
-    MODULES ${modules}
-    TARGET SkdTreePython
-    PYTHON_PACKAGE vtkskdtree
-    MODULE_DESTINATION "${SKDTREE_PYTHON_DESTINATION}"
-    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    CMAKE_DESTINATION "${SKDTREE_CMAKE_DESTINATION}"
-    BUILD_STATIC OFF
-    INSTALL_HEADERS OFF)
-  set(python_package "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}/vtkskdtree")
-  configure_file(Filters/CMake/vtkskdtree.py.in "${python_package}/__init__.py" @ONLY)
-  install(FILES "${python_package}/__init__.py"
-    DESTINATION "${SKDTREE_PYTHON_DESTINATION}/vtkskdtree" COMPONENT python)
+  include(SkdTreePython)
 endif ()

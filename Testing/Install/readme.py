@@ -71,7 +71,9 @@ def check_command(line):
     presets = json.loads(read(os.path.join(repository, "CMakePresets.json")))
     options = read(os.path.join(repository, "CMakeLists.txt"))
     known = {preset["name"] for preset in presets["configurePresets"]}
-    if words[0] in ("bash", "python3"):
+    if words[:4] == ["python3", "-m", "pip", "install"]:
+        assert words[4] == "build/wheel/*.whl", line
+    elif words[0] in ("bash", "python3"):
         assert os.path.exists(os.path.join(repository, words[1])), line
     elif words[0] == ".":
         assert words[1] == "build/setup.sh" and os.path.exists(

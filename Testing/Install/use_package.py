@@ -24,4 +24,7 @@ closest.SetInputData(grid)
 closest.SetSourceData(grid)
 closest.Update()
 assert closest.GetOutputDataObject(0).GetPointData().GetArray("SkdDistance").GetRange() == (0, 0)
+tree = vtkskdtree.Tree(grid)
+assert tree.find_cells([[1.5, 2.5, 3.5]]).cell.tolist() == [1 + 4 * (2 + 4 * 3)]
+assert tree.closest([[2, 2, 7]]).distance.tolist() == [3]
 print("vtkskdtree", vtkskdtree.__version__, "from", folder)

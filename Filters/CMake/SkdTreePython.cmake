@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The Python package vtkskdtree: VTK's wrapping of the classes, the layer over it (Filters/Python),
+# type stubs, and the wheel that `cmake --build build --target wheel` makes.
+
+set(SKDTREE_WHEEL_REQUIRES "numpy" CACHE STRING
+  "What the wheel tells pip to install with it, numpy;vtk==9.4.2 for instance")
+
+# Beside vtkmodules when we are installed beside VTK, else where CMake's prefix has such packages.
+vtk_module_python_default_destination(SKDTREE_PYTHON_DESTINATION)
+if (CMAKE_INSTALL_PREFIX STREQUAL SKDTREE_VTK_PREFIX AND VTK_PYTHONPATH)
+  set(SKDTREE_PYTHON_DESTINATION "${VTK_PYTHONPATH}")
+endif ()
+vtk_module_wrap_python(
+  MODULES ${modules}
+  TARGET SkdTreePython
+  PYTHON_PACKAGE vtkskdtree
+  MODULE_DESTINATION "${SKDTREE_PYTHON_DESTINATION}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  CMAKE_DESTINATION "${SKDTREE_CMAKE_DESTINATION}"
+  BUILD_STATIC OFF
+  INSTALL_HEADERS OFF)
+
+# In a wheel the library lies beside the Python module, and VTK's may lie in vtkmodules.
+if (UNIX)
+  set(origin "$<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>")
+  set_property(TARGET FiltersSkdTree vtkFiltersSkdTreePython APPEND PROPERTY
+    INSTALL_RPATH "${origin}" "${origin}/../vtkmodules")
+endif ()
+
+set(sources "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Python")
+set(python_package "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}/vtkskdtree")
+set(layer arrays.py py.typed tree.py)
+configure_file("${sources}/__init__.py.in" "${python_package}/__init__.py" @ONLY)
+foreach (file IN LISTS layer)
+  configure_file("${sources}/${file}" "${python_package}/${file}" COPYONLY)
+endforeach ()
+list(TRANSFORM layer PREPEND "${python_package}/")
+install(FILES "${python_package}/__init__.py" ${layer}
+  DESTINATION "${SKDTREE_PYTHON_DESTINATION}/vtkskdtree" COMPONENT python)
+
+# Stubs of the classes, by VTK's own generator, which runs the module. Nothing else needs them.
+find_package(Python3 COMPONENTS Interpreter)
+set(python_path "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}:$ENV{PYTHONPATH}")
+set(generate_stubs "${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_path}"
+  "${Python3_EXECUTABLE}" -m vtkmodules.generate_pyi)
+execute_process(COMMAND ${generate_stubs} --help RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+if (failed)
+  message(STATUS "vtkmodules.generate_pyi does not run: there are no type stubs of the classes")
+else ()
+  set(stubs "${python_package}/vtkFiltersSkdTree.pyi")
+  add_custom_command(OUTPUT "${stubs}"
+    COMMAND ${generate_stubs} -p vtkskdtree -o "${python_package}" vtkFiltersSkdTree
+    DEPENDS vtkFiltersSkdTreePython "${python_package}/__init__.py"
+    COMMENT "Generating type stubs of vtkskdtree"
+    VERBATIM)
+  add_custom_target(SkdTreePythonStubs ALL DEPENDS "${stubs}")
+  install(FILES "${stubs}"
+    DESTINATION "${SKDTREE_PYTHON_DESTINATION}/vtkskdtree" COMPONENT python)
+endif ()
+
+# The wheel: what is installed, put together anew.
+set(wheel "${CMAKE_BINARY_DIR}/wheel")
+add_custom_target(wheel
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${wheel}"
+  COMMAND "${CMAKE_COMMAND}" --install "${CMAKE_BINARY_DIR}" --config $<CONFIG>
+    --prefix "${wheel}/installed"
+  COMMAND "${Python3_EXECUTABLE}" "${sources}/wheel.py" "${wheel}" "${PROJECT_SOURCE_DIR}/LICENSE"
+    $<TARGET_SONAME_FILE_NAME:FiltersSkdTree> "${PROJECT_VERSION}+vtk${VTK_VERSION}"
+    "${PROJECT_DESCRIPTION}" ${SKDTREE_WHEEL_REQUIRES}
+  COMMENT "Making a wheel in ${wheel}"
+  VERBATIM)

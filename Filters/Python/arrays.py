@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Between numpy's arrays and VTK's: memory is shared wherever both can read it."""
+
+from __future__ import annotations
+
+import inspect
+from typing import Any, Optional
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
+
+from .vtkFiltersSkdTree import vtkSkdTreeCellLocator
+
+ID = numpy.dtype(f"i{vtkIdTypeArray().GetDataTypeSize()}")
+FLOAT = numpy.dtype(numpy.float64)
+
+
+def to_numbers(value: Any, name: str) -> numpy.ndarray:
+    """An array of numbers that VTK can read: the given one, unless it lies in other steps or is of a
+    type that VTK does not have. TypeError of anything but numbers."""
+    array = value if isinstance(value, numpy.ndarray) else numpy.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} holds {array.dtype} ({type(value).__name__}): "
+            "numbers are needed, best of float64")
+    if array.dtype.kind == "f" and array.dtype.itemsize not in (4, 8):
+        array = array.astype(FLOAT)
+    if not array.dtype.isnative:
+        array = array.astype(array.dtype.newbyteorder("="))
+    return numpy.ascontiguousarray(array)
+
+
+def to_rows(value: Any, name: str, columns: int, hint: str = "") -> numpy.ndarray:
+    """to_numbers() of the shape (n, columns). ValueError of any other; [] has no rows."""
+    array = to_numbers(value, name)
+    if array.shape == (0, ):
+        array = array.reshape(0, columns)
+    if array.ndim != 2 or array.shape[1] != columns:
+        if array.shape == (columns, ):
+            hint = f": for a single one write [{name}]"
+        raise ValueError(f"{name} has the shape {array.shape}, (n, {columns}) is needed{hint}")
+    return array
+
+
+def to_vtk(array: numpy.ndarray) -> Any:
+    """The VTK array on the same memory, which it keeps alive."""
+    if array.dtype == ID:
+        return numpy_to_vtkIdTypeArray(array)
+    return numpy_to_vtk(array)
+
+
+def output(array: numpy.ndarray, name: str) -> Any:
+    """The VTK array that writes into the memory of an array."""
+    if array.dtype not in (ID, FLOAT):
+        raise TypeError(f"{name} holds {array.dtype}: ids are {ID}, all else is {FLOAT}")
+    if not (array.flags.c_contiguous and array.flags.writeable):
+        raise ValueError(f"{name} is {'not contiguous' if array.flags.writeable else 'read-only'}: "
+            "no answer can be written to it")
+    return to_vtk(array)
+
+
+def check_outputs(arrays: list[tuple[str, Optional[numpy.ndarray], Any]]) -> None:
+    """ValueError if an answer did not fit into the array (name, array, VTK's array) handed in for
+    it: it went elsewhere then."""
+    for name, array, written in arrays:
+        rows, columns = written.GetNumberOfTuples(), written.GetNumberOfComponents()
+        shape = (rows, ) if columns == 1 else (rows, columns)
+        if array is not None and array.shape not in (shape, (rows, columns)):
+            raise ValueError(f"{name} has the shape {array.shape}, {shape} is needed")
+
+
+class Locator(vtkSkdTreeCellLocator):
+    """vtkSkdTreeCellLocator, whose batches take numpy arrays in place of VTK's, as queries and as
+    outputs: FindClosestPoints(points, ids, None, distances), say, fills the arrays ids (of vtkIdType,
+    int64 mostly) and distances (float64). An output of another shape than the answer's is refused
+    with a ValueError that tells it. Of outputs whose length one cannot know, lists, hand in
+    vtkIdTypeArray and vtkDoubleArray, or None: the batch returns the length."""
+
+
+def _batch(name: str, queries: int) -> Any:
+    """A batch of the locator, the first so many arguments of which are queries."""
+    wrapped = getattr(vtkSkdTreeCellLocator, name)
+
+    def method(self: Locator, *arguments: Any) -> int:
+        converted, outputs = [], []
+        for number, argument in enumerate(arguments):
+            if isinstance(argument, numpy.ndarray):
+                label = f"{name}: argument {number + 1}"
+                if number < queries:
+                    argument = to_vtk(to_numbers(argument, label))
+                else:
+                    array, argument = argument, output(argument, label)
+                    outputs.append((label, array, argument))
+            converted.append(argument)
+        found = wrapped(self, *converted)
+        if found >= 0:
+            check_outputs(outputs)
+        return found
+
+    method.__name__ = name
+    method.__qualname__ = f"Locator.{name}"
+    method.__doc__ = inspect.getdoc(wrapped)
+    return method
+
+
+for _name, _queries in {"FindClosestPoints": 1, "FindClosestNCells": 1, "FindCells": 1,
+        "FindCellsAndWeights": 1, "IntersectWithLines": 1, "FindAllHits": 1, "IntersectWithRays": 2,
+        "FindAllRayHits": 2, "FindCellsWithinBoxes": 1, "FindCellsWithinSpheres": 1,
+        "FindPairs": 0}.items():
+    setattr(Locator, _name, _batch(_name, _queries))
