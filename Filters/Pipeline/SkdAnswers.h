@@ -15,7 +15,7 @@
 class vtkPointData;
 class vtkPolyData;
 
-/// The nearest points to the points of one data set: arrays of a slot a point, "none" at first.
+/// Result arrays of one data set, with one tuple for each point, initially "none".
 class SkdAnswers
 {
 public:
@@ -32,8 +32,7 @@ public:
   /// Fills a slot. Thread-safe for distinct slots.
   void Set(vtkIdType i, const SkdNearest& nearest, bool isInside);
 
-  ///@{
-  /// What a slot holds. The block is -1 where there is no answer.
+  /// @{ The values of a tuple. The block is -1 if there is no result.
   int GetBlock(vtkIdType i) const { return this->Blocks[i]; }
   vtkIdType GetCellId(vtkIdType i) const { return this->CellIds->GetValue(i); }
   const double* GetPoint(vtkIdType i) const { return this->Points->GetPointer(3 * i); }
@@ -42,8 +41,8 @@ public:
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
   vtkIdType CountFound() const;
 
-  /// Adds the arrays, and makes the distance the active scalars. Block indices of `source` are
-  /// added when there is one to tell, that is, it came from a composite data set.
+  /// Adds the arrays, and makes the distance the active scalars. Block indices are added if
+  /// `source` is composite.
   void AddTo(vtkPointData* pointData, const std::vector<SkdBlock>& source, bool isComposite) const;
 
 private:
@@ -53,8 +52,8 @@ private:
   std::vector<int> Blocks;
 };
 
-/// Fills `lines` with a line from each point of `meshes` that has an answer to where it is. Cell
-/// data are the point arrays that all meshes have in common, ghost marks left out.
+/// Fills `lines` with a line from each point of `meshes` with a result to its nearest point. Cell
+/// data are the point arrays that all meshes have in common, without ghost marks.
 void SkdConnectAnswers(
   const std::vector<SkdBlock>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines);
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdArrayGather.h
- * @brief The arrays that several data sets have in common, gathered tuple by tuple into one.
+ * @brief Arrays common to several data sets, gathered tuple by tuple.
  *
- * Arrays are common when all data sets have one of that name and number of components, of numbers
- * or of strings. The result has the type of the first data set's (a bit array becomes unsigned
- * char, whose values can be written in parallel).
+ * Arrays are common if all data sets have one of that name and number of components, all numeric or
+ * all strings. The result has the type of the first data set's (a bit array becomes unsigned char,
+ * whose values can be written in parallel).
  */
 
 #ifndef SkdArrayGather_h
@@ -26,7 +26,8 @@ class vtkIdList;
 class SkdArrayGather
 {
 public:
-  /// Finds the arrays that all `sets` have and of which `isWanted` tells true. No sets: no arrays.
+  /// Finds the arrays that all `sets` have and for which `isWanted` returns true. No sets: no
+  /// arrays.
   SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
     const std::function<bool(vtkAbstractArray*)>& isWanted);
 
@@ -52,8 +53,8 @@ public:
   ///@}
 
 private:
-  /// How tuples get from a source into the result; for the usual kinds of arrays without a call for
-  /// each value.
+  /// Copies tuples from a source into the result, without a virtual call a value for common array
+  /// types.
   using InterpolateFunction = void (*)(vtkAbstractArray* result, vtkIdType to,
     vtkAbstractArray* source, vtkIdList* ids, double* weights);
   using TakeFunction = void (*)(

@@ -15,8 +15,8 @@
 #include <functional>
 #include <vector>
 
-/// The outer faces of one data set, its surface cells among them, and where its cells and points
-/// come from. Polydata are their own surface.
+/// The outer faces of one data set, including its surface cells, with the origin of their cells and
+/// points. The surface of a vtkPolyData is itself.
 class SkdBlockSurface
 {
 public:
@@ -39,7 +39,7 @@ public:
                           : (this->Mesh == this->Surface.Get() ? point : -1);
   }
 
-  /// A point of the surface, exactly where it is in the data set.
+  /// A point of the surface, with the coordinates of the data set.
   void GetPoint(vtkIdType point, double x[3]) const
   {
     if (this->Doubles)
@@ -95,8 +95,8 @@ private:
 };
 
 /// Appends the corners of a face to `to`, each as idOf(corner), which is -1 of one that is not
-/// finite. Corners that are the same as their neighbour go; what then has no area is no face.
-/// Returns how many were appended, 0 of no face.
+/// finite. Repeated adjacent corners are removed; degenerate faces are ignored. Returns the number
+/// appended, 0 if there is no face.
 template <class Corner, class IdOf, class AreSame = std::equal_to<vtkIdType>>
 int SkdAppendCorners(vtkIdType size, const Corner* corners, IdOf idOf, std::vector<vtkIdType>& to,
   AreSame areSame = {})

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdBlocks.h
- * @brief The data sets that a data object is made of, whether it is composite or not.
+ * @brief The data sets in a data object, composite or not.
  */
 
 #ifndef SkdBlocks_h
@@ -13,15 +13,15 @@
 
 #include <vector>
 
-/// A data set and its place: the flat index in its composite data set, 0 where there is none.
+/// A data set and its flat index in the composite data set, 0 if there is none.
 struct SkdBlock
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   int BlockIndex;
 };
 
-/// The data sets in `object`, by ascending flat index. Empty places and blocks that are no
-/// vtkDataSet (tables, say) are left out. None of a nullptr.
+/// The data sets in `object`, by ascending flat index. Empty blocks and blocks that are not a
+/// vtkDataSet (such as tables) are skipped. Empty for nullptr.
 std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object);
 
 /// Gives `output` the structure and all the data of `input`, which is of the same type, without

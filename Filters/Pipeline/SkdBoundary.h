@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdBoundary.h
- * @brief The one surface that bounds what all blocks of a Source enclose together.
+ * @brief The boundary surface of the union of all blocks of a Source.
  *
  * The boundary is that of the Source's volume cells; of a Source without any, it is its surface
- * cells. Points are one point when their coordinates are equal, so that blocks, and triangles that
- * were written point by point, join. Then
- * - a face between two volume cells, be they of different blocks, is no boundary;
- * - a face that occurs more than once is there once.
- * Ghost cells and faces with points that are not finite are left out.
+ * cells. Points of equal coordinates are merged, so that blocks and triangle soups are connected.
+ * Then
+ * - a face between two volume cells, also of different blocks, is not part of the boundary;
+ * - duplicate faces are merged. Ghost cells and faces with points that are not finite are ignored.
  */
 
 #ifndef SkdBoundary_h
@@ -30,21 +29,21 @@ struct SkdBoundary
     vtkIdType CellId;
   };
 
-  /// Triangles, by ascending (block, cell id). Larger faces are cut: a warped quad has no crossings
-  /// that are exact and fit its distances, two triangles have.
+  /// Triangles, by ascending (block, cell id). Larger faces are triangulated, because exact
+  /// crossings that are consistent with distances are not available for warped quads.
   vtkSmartPointer<vtkPolyData> Faces;
   std::vector<Origin> Origins; // one a face
 
-  /// The faces whose crossings tell inside from outside: `Faces` itself, or less when bodies touch
-  /// each other with equal faces. Such a face is between two insides and is left out here.
+  /// The faces whose crossings are counted in inside tests: `Faces`, without faces that two
+  /// touching bodies share, because both of their sides are inside.
   vtkSmartPointer<vtkPolyData> Surface;
 
-  /// Of each triangle how many more faces there are that are turned like it than are turned against
-  /// it, or 1 if as many are. Empty if it is 1 of all.
+  /// For each triangle the number of duplicate faces of its orientation minus that of the opposite
+  /// one, or 1 if these are equal. Empty if all are 1.
   std::vector<int> Repeats;
 
-  /// The edges that an odd number of its triangles use. 0 exactly when the parity of the crossings
-  /// is the same along any way out.
+  /// The number of edges used by an odd number of its triangles. It is 0 exactly if the parity of
+  /// crossings does not depend on the ray.
   vtkIdType OpenEdges = 0;
 };
 

@@ -11,14 +11,14 @@
 
 class vtkDataSet;
 
-/// The weights by which a cell interpolates at one of its points, exact for linear fields. One
-/// object a thread.
+/// Interpolation weights of a cell at one of its points, exact for linear fields. One object a
+/// thread.
 class SkdCellWeights
 {
 public:
-  /// Sets the weights at x, a point of the cell: those of VTK's cell, improved. A cell that has no
-  /// weights of its own there (a triangle without area, say) interpolates along its nearest edge,
-  /// else takes its nearest corner.
+  /// Sets the weights at x, a point of the cell: improved weights of VTK's cell. A degenerate cell
+  /// without such weights (for example a triangle of zero area) interpolates along its nearest edge
+  /// or, failing that, uses its nearest corner.
   void Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double x[3]);
 
   vtkIdList* GetPointIds() { return this->Cell->GetPointIds(); }

@@ -18,14 +18,14 @@ using SkdTriangleIds = std::array<vtkIdType, 3>;
 std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface);
 std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface);
 
-/// A normal for each triangle, edge and corner of a surface, such that a point is outside exactly
-/// when it is in front of the normal of the feature that is nearest to it: J. A. Baerentzen,
-/// H. Aanaes, "Signed distance computation using the angle weighted pseudonormal", IEEE Trans. Vis.
-/// Comput. Graph. 11 (2005) 243-253. Constant once made; 100 bytes a triangle.
+/// Pseudonormals of the triangles, edges and vertices of a surface: a point is outside exactly if
+/// it is in front of the normal of its nearest feature: J. A. Baerentzen, H. Aanaes, "Signed
+/// distance computation using the angle weighted pseudonormal", IEEE Trans. Vis. Comput. Graph. 11
+/// (2005) 243-253. Constant once made; 100 bytes a triangle.
 class SkdFeatureNormals
 {
 public:
-  /// `isTurned` names triangles whose normals are to be turned around; none if it is empty.
+  /// `isTurned` marks triangles whose normals are reversed; none if it is empty.
   SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isTurned);
 
   struct Normal
@@ -34,7 +34,8 @@ public:
     bool IsOpen;            // of an edge that an odd number of triangles has
   };
 
-  /// Of what a point of a triangle is on, given its parametric coordinates there.
+  /// The normal of the feature that contains a point of a triangle, given its parametric
+  /// coordinates.
   Normal At(vtkIdType triangle, const double pcoords[3]) const;
 
 private:

@@ -7,8 +7,8 @@
 
 #include <cstddef>
 
-/// Calls body(i) for each i in [0, n), in parallel where that is worth starting threads: of steps
-/// of some ten to a thousand instructions.
+/// Calls body(i) for each i in [0, n), in parallel if n is large enough to start threads, for steps
+/// of about ten to a thousand instructions.
 template <class Body>
 void SkdForEach(std::size_t n, const Body& body)
 {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdKeptMesh.h
- * @brief What a tree was built on, kept to tell whether it still serves.
+ * @brief The structure of the mesh that a tree was built on, kept to decide whether the tree is
+ * still valid.
  *
- * A pipeline hands over a new data set on each execution. In a time series its points and cells are
- * often the old ones, the very arrays or new arrays of the same values, and only point and cell
- * data changed. A tree depends on points and cells alone, on the ghost marks, and for higher-order
- * cells on their rational weights and degrees: together the "structure" below.
+ * A pipeline provides a new data set in each execution. In a time series its points and cells are
+ * often the same arrays, or new arrays with the same values, and only point and cell data change. A
+ * tree depends on points and cells alone, on the ghost marks, and for higher-order cells on their
+ * rational weights and degrees: together the "structure" below.
  */
 
 #ifndef SkdKeptMesh_h
@@ -19,12 +20,12 @@
 class SkdKeptMesh
 {
 public:
-  /// Keeps the structure of `mesh`, by reference, and none of its other data.
+  /// Stores the structure of `mesh`, by reference, without its other data.
   void Keep(vtkDataSet* mesh);
 
-  /// Whether `mesh` has the structure that is kept: the same arrays, not modified since, or others
-  /// of equal values. O(n) where values must be compared. Never true in doubt: of a kind of data
-  /// set that is not known here, and of polyhedra in new arrays.
+  /// Whether `mesh` has the stored structure: the same arrays, not modified since, or others with
+  /// equal values. O(n) if values must be compared. Conservative: false for unknown types of data
+  /// sets, and for polyhedra in new arrays.
   bool IsSameAs(vtkDataSet* mesh) const;
 
   /// A data set of the type of the original with its structure alone; nullptr before Keep(). It

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdLoop.h
- * @brief A parallel loop that tells how far it is and stops when asked to.
+ * @brief A parallel loop with progress reports and abort.
  *
- * vtkSMPTools alone does neither safely: observers of progress (ParaView's among them) must be
- * called from the thread that runs the pipeline. So that thread deals out the work in pieces, each
- * a parallel loop of its own, and reports and asks between them.
+ * Observers of progress (including ParaView's) must be called from the thread that runs the
+ * pipeline. That thread therefore divides the work into pieces, each a parallel loop of its own,
+ * and reports progress and checks for abort between them.
  */
 
 #ifndef SkdLoop_h
@@ -18,7 +18,7 @@
 
 #include <algorithm>
 
-/// Whether an algorithm was asked to stop.
+/// Whether an algorithm was aborted.
 inline bool SkdIsAskedToStop(vtkAlgorithm* algorithm)
 {
 #if VTK_SKD_HAS_CHECK_ABORT
@@ -32,8 +32,8 @@ class SkdLoop
 {
 public:
   /// Reports the progress of `total` steps, made in one or several loops, as going from `first` to
-  /// `last` (both in [0, 1]) of what the algorithm has to do. Between two reports are a 64th of the
-  /// steps, and `fewest` of them at least: less of what is much work a step.
+  /// `last` (both in [0, 1]) of the algorithm's progress. There is a report after each 64th of the
+  /// steps, but at least `fewest` steps apart: smaller for expensive steps.
   SkdLoop(
     vtkAlgorithm* algorithm, vtkIdType total, double first, double last, vtkIdType fewest = 4096)
     : Algorithm(algorithm)
@@ -44,15 +44,15 @@ public:
   {
   }
 
-  /// Of work whose steps are known only when it has begun, or that begins anew.
+  /// For work whose number of steps becomes known only later, or that starts again.
   void SetTotal(vtkIdType total)
   {
     this->Total = total;
     this->Done = 0;
   }
 
-  /// Calls body(begin, end) in parallel for ranges that cover [0, n). A stop leaves ranges out.
-  /// Returns whether all was done.
+  /// Calls body(begin, end) in parallel for ranges that cover [0, n). After an abort, remaining
+  /// ranges are skipped. Returns whether all were processed.
   template <typename Body>
   bool For(vtkIdType n, const Body& body)
   {

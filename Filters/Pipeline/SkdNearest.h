@@ -5,7 +5,7 @@
 
 #include "vtkType.h"
 
-/// The point of a Source nearest to a point that was asked for.
+/// The point of a Source nearest to a query point.
 struct SkdNearest
 {
   double Point[3];
@@ -14,7 +14,7 @@ struct SkdNearest
   vtkIdType CellId; // in that block
 };
 
-/// Numbers of a search structure, for reports.
+/// Statistics of a search structure, for reports.
 struct SkdTreeCounts
 {
   vtkIdType Cells = 0;        // in the trees

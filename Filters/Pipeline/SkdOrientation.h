@@ -7,10 +7,10 @@
 
 #include <functional>
 
-/// Which triangles must be turned around for normals to point out of what they enclose: one value a
-/// triangle. Triangles that share an edge with no third one are turned alike; then all that hang
-/// together so are turned by their largest triangle, one side of which is inside and the other is
-/// not. What has the same on both sides stays as it is. O(n log n).
+/// The triangles to be reversed so that normals point outward: one value a triangle. Triangles that
+/// share an edge with no third one are oriented consistently; then each component is oriented by
+/// its largest triangle, one side of which is inside and the other outside. Components without such
+/// a difference are not changed. O(n log n).
 std::vector<bool> SkdFindTurned(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles,
   const std::function<bool(const skd::Vector3&)>& isInside);

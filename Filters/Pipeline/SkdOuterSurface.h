@@ -17,11 +17,11 @@
 #include "Pipeline/SkdBlocks.h"
 #include "vtkPolyData.h"
 
-/// What a chordal deviation is when nobody says: a share of the diagonal of what is asked.
+/// The default chordal deviation, relative to the diagonal of the bounds.
 constexpr double SkdDefaultChordalDeviation = 1e-4;
 
-/// The length that a share of the diagonal of all blocks is; 0 where none has curved cells. With
-/// processes, of which each has a piece, of the blocks of all: the same on each.
+/// A chordal deviation as a length, for the diagonal of all blocks; 0 if none has curved cells.
+/// With several processes it uses the blocks of all and is the same on each.
 double SkdChordalLength(
   const std::vector<SkdBlock>& blocks, double share, const skd::Processes* processes = nullptr);
 

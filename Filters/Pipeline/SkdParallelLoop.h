@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-/// The loop that a tree of the core wants to be built by.
+/// The parallel loop for building a tree of the core.
 struct SkdParallelLoop
 {
   template <class Body>

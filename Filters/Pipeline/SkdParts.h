@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdParts.h
- * @brief The parts of a geometry, a data set each, with a tree each; kept while a part is the same.
+ * @brief The parts of a geometry, one data set and one tree each; trees are reused while a part is
+ * unchanged.
  */
 
 #ifndef SkdParts_h
@@ -17,7 +18,8 @@
 #include <memory>
 #include <vector>
 
-/// When a part gets its tree. To look through all cells once is a fraction of what that takes.
+/// When to build the tree of a part: testing all cells once takes a fraction of the time of a
+/// build.
 enum class SkdTreeWanted
 {
   AtOnce,
@@ -27,8 +29,8 @@ enum class SkdTreeWanted
 class SkdParts
 {
 public:
-  /// Makes the trees those of the blocks that have cells. Returns how many had to be built. Throws
-  /// std::length_error when a part has more cells or points than a tree can hold.
+  /// Updates the trees to the blocks that have cells. Returns the number of trees built. Throws
+  /// std::length_error if a part has more cells or points than a tree can hold.
   int Update(const std::vector<SkdBlock>& blocks, double epsilon, const SkdMagnitudes& magnitudes,
     SkdTreeWanted wanted = SkdTreeWanted::AtOnce);
 
@@ -36,7 +38,7 @@ public:
   std::vector<int> GetBlockIndices() const; // one a part
   const SkdCellTree& GetTree(std::uint32_t part) const { return *this->Parts[part].Tree; }
 
-  /// What a query of the calling thread needs beside the tree.
+  /// The working memory of the calling thread's queries.
   SkdCellSource GetSource(std::uint32_t part) const;
 
   /// Of all cells that are in the trees; empty if there are none.
@@ -46,8 +48,8 @@ public:
   /// Thread-safe.
   double FindDistance(const skd::Vector3& x, double limit) const;
 
-  /// Whether the distance between a set and some cell is at most `reach`: of curved cells what
-  /// SkdCellTree::GetSimplices makes of them. Thread-safe.
+  /// Whether the distance between a set and some cell is at most `reach`; curved cells are
+  /// approximated as in SkdCellTree::GetSimplices. Thread-safe.
   bool AreWithin(const skd::SimplexSet& set, double reach) const;
 
   SkdTreeCounts GetCounts() const;

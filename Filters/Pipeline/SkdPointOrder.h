@@ -9,22 +9,22 @@
 
 #include <optional>
 
-/// The points of a data set in an order in which neighbours in space follow each other, whatever
-/// order they are in: what a query has read the next one finds in the processor's caches. On a
-/// million scattered points in a million cells that is most of the time. The points of images and
-/// of rectilinear grids come as they are, row by row. The order depends on the points alone.
+/// The points of a data set sorted along a space-filling curve, so that the data of a query are
+/// still in the processor's caches for the next one. For a million scattered points in a million
+/// cells, cache misses are most of the time. The points of images and rectilinear grids remain in
+/// their order, row by row. The order depends on the points alone.
 class SkdPointOrder
 {
 public:
   explicit SkdPointOrder(vtkDataSet* mesh);
 
-  /// The point at a place of the order. Thread-safe.
+  /// The point at an index of the order. Thread-safe.
   vtkIdType GetPoint(vtkIdType place) const
   {
     return this->Scattered ? this->Scattered->GetSlot(place) : place;
   }
 
-  /// The same, and where it is.
+  /// The same, with its coordinates.
   vtkIdType GetPoint(vtkIdType place, double x[3]) const
   {
     const vtkIdType id = this->GetPoint(place);

@@ -9,8 +9,8 @@
 
 class vtkInformation;
 
-/// The processes of the global controller, if there are several and each is asked for a piece of
-/// its own; else nullptr.
+/// The processes of the global controller, if there are several and each one requests its own
+/// piece; else nullptr.
 std::unique_ptr<skd::Processes> SkdProcessesOf(vtkInformation* output);
 
 #endif

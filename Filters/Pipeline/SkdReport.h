@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// What a filter tells about its run: field data, mostly of one value each, named SkdReport...
+/// The report of a filter on its run: field data arrays, mostly of one value, named SkdReport...
 class SkdReport
 {
 public:
@@ -31,13 +31,13 @@ public:
     this->Add<vtkDoubleArray>(what, measure);
   }
 
-  /// Of what there need not be; 0 means that there is none.
+  /// For optional values: nothing is added if it is 0.
   void AddMeasureOf(const std::string& what, double measure)
   {
     measure > 0.0 ? this->AddMeasure(what, measure) : void();
   }
 
-  /// A value a row, of level 0, 1, ..., say.
+  /// One value a row, for example for levels 0, 1, ...
   void AddCounts(const std::string& what, const std::vector<vtkIdType>& counts)
   {
     vtkNew<vtkIdTypeArray> array;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdShare.h
- * @brief What a process gives of an answer that each of several processes has found as a whole.
+ * @brief The share that a process outputs of a result that each process has computed as a whole.
  */
 
 #ifndef SkdShare_h
@@ -14,11 +14,11 @@ class vtkInformationVector;
 class vtkPolyData;
 class vtkTable;
 
-/// Processes have each a row of the answer, in their order; together they have it once.
+/// Each process outputs a consecutive range of rows; together they output each row once.
 class SkdShare
 {
 public:
-  /// The share that is asked for of any of the outputs; all of it, if none is asked for in pieces.
+  /// The share requested of any of the outputs; the whole result if no pieces are requested.
   static SkdShare Of(vtkInformationVector* outputs);
 
   bool IsAll() const { return this->Pieces == 1; }

@@ -17,9 +17,9 @@
 #include <cstdint>
 #include <vector>
 
-/// Triangles that hang together by edges, each edge being one of two of them. Where more than two
-/// meet in an edge they are taken in pairs: those that run against each other along it, if all can
-/// be, else in their order. So every shell of a surface without open edges is closed.
+/// Components of triangles that are connected by edges of two triangles. An edge of more than two
+/// triangles is divided into pairs of triangles: those with opposite directions along it if
+/// possible, else in their order. So every shell of a surface without open edges is closed.
 class SkdShells
 {
 public:
@@ -30,7 +30,7 @@ public:
     bool IsOneSided = false; ///< they cannot be, as on a Klein bottle
     std::array<skd::Vector3, 6> Extremes{}; ///< its lowest and highest points along each axis
 
-    /// Of one that is coherent: 1 when its normals point out, else -1.
+    /// For a consistently oriented shell: 1 if its normals point outward, else -1.
     int GetSign() const { return this->Volume < 0.0 ? -1 : 1; }
   };
 
@@ -43,8 +43,8 @@ public:
   const std::vector<int>& GetShellsOf() const { return this->ShellOf; }
   bool HasOneSided() const;
 
-  /// One value a triangle: 1 of those that must be turned for all normals to point out of their
-  /// shells, each taken for itself. nullptr if none must.
+  /// One value a triangle: 1 for those that must be reversed for normals to point out of each
+  /// single shell. nullptr if there are none.
   vtkUnsignedCharArray* GetTurned() const { return this->Turned; }
 
 private:
@@ -60,9 +60,9 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Turned;
 };
 
-/// A number for each shell, the same for those that are connected by shells that touch: found tree
-/// against tree by exact contact, of those whose boxes overlap. To read the triangles again is most
-/// of what it takes, where shells that cross each other do so in many places.
+/// A number for each shell, the same for shells that are connected by touching shells: exact
+/// contact tests, tree against tree, of shells whose boxes overlap. Most of the time is spent
+/// reading the triangles again.
 std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles, const SkdShells& shells);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSignedSource.h
- * @brief The tree of a Source's boundary, which also tells inside from outside; kept while the
- * Source's meshes are the same.
+ * @brief The tree of a Source's boundary, with inside tests; reused while the Source's meshes are
+ * unchanged.
  */
 
 #ifndef SkdSignedSource_h
@@ -22,31 +22,31 @@
 class SkdSignedSource
 {
 public:
-  /// Makes the boundary and the tree those of `blocks`, curved faces as facets within a chordal
-  /// deviation, a share of the diagonal of all. Returns how many trees were built: 0 when all was
-  /// kept.
+  /// Updates the boundary and the tree to `blocks`, with curved faces as facets within a chordal
+  /// deviation relative to the diagonal of all. Returns the number of trees built, 0 if all were
+  /// reused.
   int Update(const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation);
 
   /// Forgets all.
   void Clear() { *this = SkdSignedSource(); }
 
-  /// The number of faces; 0 means that nothing can be inside.
+  /// The number of faces; if it is 0 nothing is inside.
   vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
 
   /// See SkdBoundary.
   vtkPolyData* GetSurface() const { return this->Boundary.Surface; }
 
-  /// The deviation as a length; 0 where no cell is curved.
+  /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
   /// Edges at which the boundary is open.
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
 
-  /// As SkdSourceTrees::FindNearest, on the boundary: the cell is the one that has the face.
+  /// As SkdSourceTrees::FindNearest, on the boundary: the cell is that of the face.
   std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
 
-  /// Whether x is inside the boundary, see SkdSolid; of a boundary that is open by a vote of seven
-  /// ways. Of a point on the boundary either. Thread-safe.
+  /// Whether x is inside the boundary, see SkdSolid; for an open boundary by a vote of seven rays.
+  /// Points on the boundary may be either. Thread-safe.
   bool IsInside(const double x[3]) const;
 
   /// The mesh of a block: its structure alone.

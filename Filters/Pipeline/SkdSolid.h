@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSolid.h
- * @brief What a closed surface encloses, be it one that meets itself.
+ * @brief Inside test for closed surfaces, including self-intersecting ones.
  *
- * One ray decides, exactly: by which facets it passes through, and which way. Where shells of the
- * surface lie within each other without touching, they take turns: the inner is a cavity, however
- * it is turned. Shells that touch or cross each other, and cavities turned inward with what they
- * are in, are one body: what its winding number is not 0 of is inside, all shells being turned
- * outward, but those cavities.
+ * One ray decides exactly, by the facets it passes through and its direction through each. Nested
+ * shells that do not touch are alternately bodies and cavities, whatever their orientation. Shells
+ * that touch or intersect, together with cavities oriented inward, form one body: points whose
+ * winding number is not 0 are inside, with all shells except these cavities oriented outward.
  *
- * The confidence is 1 unless the surface as it is turned says otherwise (of its winding number: of
- * a shell within another that is turned the same way, or of bodies that overlap and one of which is
- * inside out; faces that are there repeatedly count as often in it), then 1/2. Of shells whose
- * triangles are not turned alike, which say nothing, it is 3/4 where bodies overlap, and 1/2 in
- * those that have one side only.
+ * The confidence is 1, or 1/2 if the winding number of the given orientation contradicts the result
+ * (a nested shell of the same orientation, overlapping bodies one of which is inside out; duplicate
+ * faces count repeatedly). For shells that are not oriented consistently it is 3/4 where bodies
+ * overlap, and 1/2 in one-sided ones.
  */
 
 #ifndef SkdSolid_h
@@ -36,8 +34,7 @@ struct SkdSide
 {
   bool IsInside = false;
   double Confidence = 1.0; // 0.5 to 1: the share of the votes, or what stands for it
-  ///@{
-  /// The winding number, and what it is off by at most; 0 where it was not asked.
+  /// @{ The winding number and the bound of its error; 0 if they were not requested.
   double WindingNumber = 0.0;
   double WindingBound = 0.0;
   ///@}
@@ -56,9 +53,8 @@ public:
   /// The triangles, without open edges, and a locator of them, both to be kept as they are.
   SkdSolid(const SkdBoundary& boundary, vtkSkdTreeCellLocator* locator);
 
-  /// `way` leads from x to the outside. Cost: a ray; where it passes through more than one facet
-  /// for the first time, shells are found, and where x is in several, those that touch each other.
-  /// Thread-safe.
+  /// `way` leads from x to the outside. Cost: one ray. When a ray first passes through more than
+  /// one facet, shells are computed, and when x is first in several, their contacts. Thread-safe.
   SkdSide Ask(const double x[3], const SkdWayOut& way) const;
 
   /// The passes along a segment whose ends are outside, as distances from its start if it has this

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSource.h
- * @brief A filter's Source, ready to be asked for nearest points, with a side or without.
+ * @brief A filter's Source, prepared for nearest point queries with or without signs.
  */
 
 #ifndef SkdSource_h
@@ -14,11 +14,11 @@
 class SkdSource
 {
 public:
-  /// Makes the trees those of `source`, building only what is not there yet. With `wantsSide` they
-  /// are of the boundary, if there is any, and tell inside from outside (see SkdSignedSource).
+  /// Updates the trees to `source`, building only new ones. With `wantsSide` they are trees of the
+  /// boundary, if there is one, and have inside tests (see SkdSignedSource).
   void Update(vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation);
 
-  /// Lets go of the Source's data. The trees stay.
+  /// Releases the Source's data; the trees are kept.
   void Release() { this->Blocks.clear(); }
 
   /// The blocks that have cells.
@@ -30,8 +30,7 @@ public:
   /// Whether there is a boundary that was wanted.
   bool HasSides() const { return this->Sided; }
 
-  ///@{
-  /// See SkdSourceTrees and SkdSignedSource. Without sides nothing is inside. Thread-safe.
+  /// @{ See SkdSourceTrees and SkdSignedSource. Without signs nothing is inside. Thread-safe.
   std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
   bool IsInside(const double x[3]) const { return this->Sided && this->Boundary.IsInside(x); }
   ///@}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSourceTrees.h
- * @brief A tree for each block of a Source, kept while the block's mesh is the same.
+ * @brief A tree for each block of a Source, reused while the block's mesh is unchanged.
  */
 
 #ifndef SkdSourceTrees_h
@@ -16,16 +16,16 @@
 #include <optional>
 #include <vector>
 
-/// A locator that builds when it is told to, and does not look for changes in each query.
+/// A locator that is built explicitly and does not check for changes in each query.
 vtkSmartPointer<vtkSkdTreeCellLocator> SkdMakeLocator(vtkDataSet* mesh);
 
-/// Builds such a locator's tree if it is new or epsilon is another. Returns whether it did.
+/// Builds such a locator's tree if it is new or epsilon has changed. Returns whether it did.
 bool SkdBuildLocator(vtkSkdTreeCellLocator* locator, double epsilon, bool isNew);
 
 class SkdSourceTrees
 {
 public:
-  /// Makes the trees those of `blocks`. Returns how many had to be built; the others were kept.
+  /// Updates the trees to `blocks`. Returns the number of trees built; the others were reused.
   int Update(const std::vector<SkdBlock>& blocks, double epsilon);
 
   /// Forgets all.

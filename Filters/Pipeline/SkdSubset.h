@@ -13,8 +13,8 @@
 class SkdCellReader;
 class vtkUnsignedCharArray;
 
-/// Some cells or points of a mesh as a grid of their own, with no more points than they use, in the
-/// order of their first use.
+/// A subset of the cells or points of a mesh as a grid, with only the points in use, in the order
+/// of their first use.
 class SkdSubset
 {
 public:
@@ -26,7 +26,7 @@ public:
   void SetPoints(const std::vector<vtkIdType>& points);
   ///@}
 
-  /// Gives the grid what shapes curved cells: the rational weights and the degrees, if any.
+  /// Copies the rational weights and degrees of curved cells, if any.
   void CopyShaping();
 
   /// Gives the grid the mesh's point data, and cell data if it has cells of the mesh.

@@ -8,8 +8,8 @@
 #include "vtkPoints.h"
 #include "vtkPolygon.h"
 
-/// Cuts polygons into triangles, without new points: n corners give n - 2 triangles, so no edge is
-/// opened. A quad is cut along the diagonal that lies within it, of two the shorter.
+/// Triangulates polygons without new points: n corners give n - 2 triangles, so no edge is opened.
+/// A quad is divided along its interior diagonal, the shorter one if there are two.
 class SkdTriangulation
 {
 public:

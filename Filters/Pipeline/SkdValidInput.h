@@ -12,16 +12,16 @@
 class vtkAlgorithm;
 class vtkInformation;
 
-/// The inputs of a filter as its RequestData may read them: where cells are broken
-/// (Cells/SkdCellCheck.h), meshes in which these are empty, under the ids that they had. The filter
-/// warns of them, once. A mesh that was whole is looked at again when it is modified.
+/// The inputs of a filter for its RequestData, in which broken cells (Cells/SkdCellCheck.h) are
+/// replaced by empty cells with the same ids. The filter warns about them once. A valid mesh is
+/// checked again only when it is modified.
 class SkdValidInput
 {
 public:
   /// For ProcessRequest: requests other than REQUEST_DATA get the inputs as they are.
   SkdValidInput(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs);
 
-  /// Good as long as this lives.
+  /// Valid for the lifetime of this object.
   vtkInformationVector** Get() const { return this->Inputs; }
 
 private:

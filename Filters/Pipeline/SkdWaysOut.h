@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdWaysOut.h
- * @brief Ways from a point to the outside of a box, to count crossings on (section 6.3).
+ * @brief Rays from a point to the outside of a box, for counting crossings (section 6.3).
  */
 
 #ifndef SkdWaysOut_h
@@ -14,13 +14,13 @@
 /// A vector from a point within bounds to a point outside.
 using SkdWayOut = std::array<double, 3>;
 
-/// Six ways go along the axes, up and down, the shortest first: they meet few boxes. They lean a
-/// little, as many surfaces have faces and edges along the axes, and a way within such a face is
-/// the costliest to decide. The seventh, so that a vote is never even, goes askew.
+/// Six rays go along the axes in both directions, the shortest first, because they intersect few
+/// boxes. They are slightly tilted, because many surfaces have faces and edges along the axes, and
+/// a ray within such a face is the most expensive to decide. A seventh, oblique ray avoids ties.
 std::array<SkdWayOut, 7> SkdWaysOutAlongAxes(const double bounds[6], const double x[3]);
 
-/// Directions spread evenly over the sphere however many are taken: the additive sequence R2, begun
-/// somewhere else for each (seed, point).
+/// Directions uniformly distributed over the sphere for any number of them: the additive sequence
+/// R2, with a different start for each (seed, point).
 class SkdRandomWaysOut
 {
 public:

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <vector>
 
-/// Points by their coordinates: equal ones are one. A hash table without chains, so that a point
-/// costs one look into memory or two.
+/// Merges points of equal coordinates, by a hash table with open addressing, so that a point costs
+/// one or two memory accesses.
 class SkdWeld
 {
 public:
@@ -23,7 +23,7 @@ public:
     this->Points->SetDataTypeToDouble();
   }
 
-  /// The id of the point at x, a new one when it is the first there.
+  /// The id of the point at x, a new one if there is none.
   vtkIdType GetId(const double x[3])
   {
     if (2 * (this->Keys.size() + 1) > this->Slots.size())

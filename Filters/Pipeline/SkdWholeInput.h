@@ -6,7 +6,7 @@
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-/// Asks upstream for the whole of an input, whatever piece of the output is asked for.
+/// Requests the whole of an input, whatever piece of the output is requested.
 inline void SkdAskForWhole(vtkInformation* input)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

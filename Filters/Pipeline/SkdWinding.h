@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdWinding.h
- * @brief The generalised winding number of a surface, with the tree that it is summed over.
+ * @brief The generalized winding number of a surface, with the tree for its summation.
  */
 
 #ifndef SkdWinding_h
@@ -14,31 +14,28 @@
 
 class vtkPolyData;
 
-/// Tells inside from outside where a surface has gaps, meets itself or is there twice; see
-/// Core/Queries/WindingNumber.h. Constant once made: any number of threads may ask. The surface
-/// itself is not kept.
+/// An inside test for surfaces with gaps, self-intersections or duplicate faces; see
+/// Core/Queries/WindingNumber.h. Immutable and thread-safe. The surface itself is not kept.
 class SkdWinding
 {
 public:
   /// Of triangles: of bodies that touch, SkdBoundary's surface, whose equal faces are left out
-  /// (their solid angles cancel only if they are turned against each other). `isTurned` tells which
-  /// are to be turned around, one value a triangle (see SkdFindTurned), or is empty: none is.
+  /// (their solid angles cancel only if they are turned against each other). `isTurned` marks those
+  /// to be reversed, one value a triangle (see SkdFindTurned), or is empty.
   explicit SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isTurned = {});
 
   SkdWinding(const SkdWinding&) = delete;
   void operator=(const SkdWinding&) = delete;
 
-  /// 1 inside a closed surface whose normals point out, 0 outside, -1 inside one that is inside
-  /// out; between these near gaps. 0 without triangles, NaN of a point that is not finite. Off by
-  /// at most `tolerance`, and never on the wrong side of 1/2 or -1/2: see
-  /// skd::WindingNumber::Decide.
+  /// 1 inside a closed surface with outward normals, 0 outside, -1 inside one with inward normals;
+  /// values in between near gaps. 0 without triangles, NaN for a point that is not finite. The
+  /// error is at most `tolerance`, and never crosses 1/2 or -1/2: see skd::WindingNumber::Decide.
   skd::WindingNumber::Sum Ask(const double x[3], double tolerance) const;
 
   /// The number of Ask(), whatever tolerance is the fastest.
   double At(const double x[3]) const;
 
-  /// Whether the number is at least 1/2, or at most -1/2: triangles that all point inward do no
-  /// harm.
+  /// Whether the number is at least 1/2, or at most -1/2, so that inward orientation is accepted.
   bool IsInside(const double x[3]) const;
 
 private:

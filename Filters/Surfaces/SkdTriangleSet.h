@@ -39,7 +39,7 @@ public:
   bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
     const skd::Processes* processes = nullptr);
 
-  /// The deviation as a length; 0 where no cell is curved.
+  /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
   ///@{
