@@ -25,7 +25,7 @@ struct SkdCurveLocation
   std::size_t Joint;    ///< where another curve goes on there: see SkdCurveJoints
 };
 
-/// A place that two curves have in common, or where they are nearest.
+/// An intersection of two curves, or their nearest approach.
 struct SkdCurveHit
 {
   SkdCurveLocation First;
@@ -36,13 +36,13 @@ struct SkdCurveHit
   bool Begins;     ///< of an OverlapEnd
   bool IsExact;    ///< of two straight pieces that have it in common by exact signs
   bool IsResolved; ///< not simple
-  /// Of a place that is not simple: from the other curve to this before and after it; 0 where a
-  /// piece of either ends, or where that tells nothing.
+  /// For an intersection that is not simple: the vector from the other curve to this one before and
+  /// after it; 0 at an end of a piece, or if it is undefined.
   skd::Vector3 Before;
   skd::Vector3 After;
 };
 
-/// A stretch that two curves have in common, along the first.
+/// An interval that two curves have in common, along the first.
 struct SkdCurveStretch
 {
   SkdCurveHit Begin;

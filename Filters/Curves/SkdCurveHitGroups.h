@@ -7,18 +7,18 @@
 
 #include <vector>
 
-/// Puts hits in order, and makes one of those that tell the same place of two curves: at joints of
-/// their pieces, or within what they may be off by. The ends of stretches that go on there go.
+/// Sorts hits, and merges those of the same intersection of two curves: at joints of their pieces,
+/// or within their error. Ends of intervals that continue there are removed.
 std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool isSelf);
 
-/// Makes one of those hits that tell one place of curves which go on as each other there: of the
-/// curves of the lowest numbers. Ends of stretches stay, and nothing else where there are any.
+/// Merges hits at the joint of curves that continue each other into that of the curves with the
+/// lowest numbers. Ends of intervals are kept, and replace all others there.
 void SkdUniteAtJoints(std::vector<SkdCurveHit>& hits, bool isSelf);
 
-/// Puts stretches in order and joins those of two curves that follow each other.
+/// Sorts intervals and joins adjacent ones of the same two curves.
 std::vector<SkdCurveStretch> SkdJoinStretches(std::vector<SkdCurveStretch>& stretches);
 
-/// Of each pair of curves the nearest approach, unless they meet at one of `hits`.
+/// The nearest approach of each pair of curves, unless they intersect at one of `hits`.
 std::vector<SkdCurveHit> SkdNearestApproaches(
   std::vector<SkdCurveHit>& near, const std::vector<SkdCurveHit>& hits);
 

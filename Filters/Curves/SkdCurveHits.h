@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCurveHits.h
- * @brief Where curves meet curves (section 6.1): each place once.
+ * @brief Intersections of curves with curves (section 6.1), each once.
  */
 
 #ifndef SkdCurveHits_h
@@ -15,7 +15,7 @@
 
 class SkdLoop;
 
-/// Two parts of curves whose safety cylinders overlap: within `Reach` of each other's chords.
+/// Two pieces of curves whose safety cylinders overlap: within `Reach` of each other's chords.
 struct SkdCurveCandidate
 {
   std::size_t First; ///< of the first set's spans
@@ -47,12 +47,12 @@ struct SkdCurveTask
 class SkdCurveHitFinder
 {
 public:
-  /// Of one set against itself, `first` and `second` are the same. Then each pair is told once, and
-  /// no part is compared with its neighbours along the same curve.
+  /// For self-intersections `first` and `second` are the same. Then each pair is reported once, and
+  /// adjacent pieces of a curve are not compared.
   SkdCurveHitFinder(
     const SkdCurveTree& first, const SkdCurveTree& second, const SkdCurveTask& task);
 
-  /// In parallel over the parts of the first set.
+  /// In parallel over the pieces of the first set.
   SkdCurveIntersections Find(SkdLoop& loop) const;
 
   /// The distance that is 0 to within rounding.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCurveJoints.h
- * @brief Where cells that are curves go on as each other.
+ * @brief Joints at which curve cells continue each other.
  */
 
 #ifndef SkdCurveJoints_h
@@ -27,12 +27,12 @@ public:
 
   SkdCurveJoints() = default;
 
-  /// Joins ends that are no farther apart than `rounding`, two by two. Where more than two meet,
-  /// those that turn least, by less than a right angle; others are left. More than 64 in one place
-  /// are a hub, and not joined. O(n log n).
+  /// Joins pairs of ends whose distance is at most `rounding`. If more than two coincide, pairs
+  /// with the smallest angle, less than a right angle, are joined. More than 64 coincident ends are
+  /// not joined. O(n log n).
   SkdCurveJoints(std::vector<SkdCurveEnd> ends, std::size_t numberOfCurves, double rounding);
 
-  /// The number of the joint at the start or the end of a curve; None where it is loose.
+  /// The number of the joint at the start or the end of a curve, or None.
   std::size_t At(std::size_t curve, bool atEnd) const
   {
     return this->Joints.empty() ? None : this->Joints[2 * curve + (atEnd ? 1 : 0)];

@@ -32,7 +32,7 @@ struct SkdPolylineForm
   double Bias = 0.0;
   double Continuity = 0.0;
 
-  /// As filters have it. What is not a number counts as 0.
+  /// From the properties of filters. NaN counts as 0.
   static SkdPolylineForm Of(int kind, double tension, double bias, double continuity);
 
   bool operator==(const SkdPolylineForm& other) const
@@ -57,38 +57,37 @@ struct SkdCurve
 class SkdCurveSet
 {
 public:
-  /// Reads lines, polylines, quadratic, cubic, Lagrange and Bezier curves. Parts of no length are
-  /// left out; so are curves of no length, ghosts, and what is told about in GetFaults().
+  /// Reads lines, polylines, quadratic, cubic, Lagrange and Bezier curves. Pieces and curves of
+  /// zero length, ghosts, and the curves reported by GetFaults() are ignored.
   void Read(const std::vector<SkdBlock>& blocks, const SkdPolylineForm& form);
 
   const std::vector<SkdCurve>& GetCurves() const { return this->Curves; }
   std::size_t GetNumberOfPieces() const { return this->Pieces.size(); }
   std::size_t GetCurveOf(std::size_t piece) const { return this->Pieces[piece].Curve; }
 
-  /// The piece as seen from `origin`. With an origin of 0, lines have the very coordinates of their
-  /// points.
+  /// The piece relative to `origin`. With an origin of 0, lines have exactly the coordinates of
+  /// their points.
   skd::BezierCurve GetPiece(std::size_t piece, const skd::Vector3& origin) const;
 
-  ///@{
-  /// A place on a piece as a parameter of its curve, 0 to 1 (of polylines by their points'
-  /// numbers), and as the length of arc from the start.
+  /// @{ A point of a piece as a parameter of its curve, 0 to 1 (for polylines by point numbers),
+  /// and as arc length from the start.
   double GetParameter(std::size_t piece, double t) const;
   double GetArcLength(std::size_t piece, double t) const;
   ///@}
 
-  /// The points of the cell, and their weights, at a place: linear between points of a polyline.
+  /// The points of the cell and their interpolation weights: linear between points of a polyline.
   void GetWeights(std::size_t piece, double t, vtkIdList* ids, std::vector<double>& weights) const;
 
   const skd::Box3& GetBounds() const { return this->Bounds; }
 
-  /// Where cells go on as each other: their ends are the same to within rounding.
+  /// Joints of cells whose ends coincide to within rounding.
   const SkdCurveJoints& GetJoints() const { return this->Joints; }
 
   /// Whether a parameter, the number of a piece in its curve and T, is where an open curve starts
   /// or ends, to within `slack`; the joint there.
   bool IsAtEnd(std::size_t curve, double u, double slack, std::size_t& joint) const;
 
-  /// What could not be read, one line each: "3 cells are no curves".
+  /// Messages about cells that could not be read: "3 cells are not curves".
   std::vector<std::string> GetFaults() const;
 
 private:

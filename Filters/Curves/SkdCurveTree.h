@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCurveTree.h
- * @brief Curves cut into parts that are nearly straight, and the skD-tree of these (section 6.1);
- * kept while the meshes are the same.
+ * @brief Curves divided into nearly straight pieces, and their skD-tree (section 6.1); reused while
+ * the meshes are unchanged.
  */
 
 #ifndef SkdCurveTree_h
@@ -16,7 +16,7 @@
 #include "Curves/SkdCurveSet.h"
 #include "Pipeline/SkdKeptMesh.h"
 
-/// A part of a piece that is within `Deviation` of its chord, and turns by less than 45 degrees.
+/// A part of a piece that is within `Deviation` of its chord and turns by less than 45 degrees.
 struct SkdCurveSpan
 {
   std::size_t Piece;
@@ -26,7 +26,7 @@ struct SkdCurveSpan
   bool IsLine; ///< the chord is the part itself, with the very coordinates of its ends
 };
 
-/// What curves are read as, and how finely they are cut: both relative to the curves' diagonal.
+/// The representation of polylines, and the chord tolerance relative to the curves' diagonal.
 struct SkdCurveSettings
 {
   SkdPolylineForm Form;
@@ -43,14 +43,14 @@ struct SkdCurveSettings
 class SkdCurveTree
 {
 public:
-  /// Returns whether there was anything to do: false when all was kept.
+  /// Returns whether anything was updated.
   bool Update(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings);
 
   const SkdCurveSet& GetCurves() const { return this->Curves; }
   const SkdCurveSettings& GetSettings() const { return this->Settings; }
   const std::vector<SkdCurveSpan>& GetSpans() const { return this->Spans; }
 
-  /// The part of the curve itself, seen from an origin.
+  /// The part of the curve, relative to an origin.
   skd::BezierCurve GetForm(const SkdCurveSpan& span, const skd::Vector3& origin) const;
 
   /// The box of the span's control points.

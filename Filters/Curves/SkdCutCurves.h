@@ -7,7 +7,7 @@
 
 class vtkPolyData;
 
-/// What curves are cut by, and into what.
+/// The intersections that cut curves.
 struct SkdCutTask
 {
   const SkdCurveSet& Curves;
@@ -19,7 +19,7 @@ struct SkdCutTask
 };
 
 /// Fills `output` with the curves cut at the intersections (by curve, and along it), each piece
-/// with the parts of the surfaces that hold it: see
+/// with the parts of the surfaces that contain it: see
 /// vtkSkdTreeCurveSurfaceIntersection::SetCutCurves.
 void SkdCutCurves(const SkdCutTask& task, const std::vector<SkdSurfaceIntersection>& intersections,
   vtkPolyData* output);

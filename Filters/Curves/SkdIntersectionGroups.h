@@ -8,8 +8,8 @@
 
 #include <vector>
 
-/// Puts together what is met in one place: hits on edges or vertices of the same part, or at the
-/// joints of a curve, whose parameters differ by no more than they may be off by.
+/// Merges hits of one intersection: on edges or vertices of the same part, or at the joints of a
+/// curve, whose parameters differ by no more than their error.
 class SkdIntersectionGroups
 {
 public:
@@ -18,13 +18,13 @@ public:
   {
   }
 
-  /// Hits are to come by (curve, U).
+  /// Hits must be sorted by (curve, U).
   void Add(const SkdSurfaceHit& hit);
 
   /// In the order in which they came.
   std::vector<SkdSurfaceIntersection> GetIntersections() const;
 
-  /// The parts that are passed through an odd number of times, by where that is last.
+  /// The parts that are crossed an odd number of times, sorted by the last crossing.
   std::vector<int> GetPartsLeft() const;
 
 private:

@@ -9,7 +9,7 @@
 
 #include <tuple>
 
-/// Where curves that go on as each other meet a surface in the joint, it is one place.
+/// Intersections with a surface at the joint of curves that continue each other are merged.
 class SkdIntersectionJoints
 {
 public:
@@ -19,7 +19,8 @@ public:
   {
   }
 
-  /// The intersections with those at joints told once a part, of the curve of the lowest number.
+  /// The intersections, with those at joints reported once a part, for the curve with the lowest
+  /// number.
   std::vector<SkdSurfaceIntersection> Unite(
     std::vector<SkdSurfaceIntersection> intersections) const;
 

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 
-/// A place that a piece of a curve and an element have in common.
+/// An intersection of a piece of a curve and an element.
 struct SkdSurfaceHit
 {
   std::size_t Curve;
@@ -34,7 +34,7 @@ struct SkdSurfaceHit
   bool OnBoundary;
 };
 
-/// A place where a curve meets a surface, whatever number of pieces and elements meet there.
+/// An intersection of a curve and a surface, for any number of pieces and elements that meet there.
 struct SkdSurfaceIntersection
 {
   SkdSurfaceHit Hit; ///< of those that meet there the one of the lowest (block, cell id)

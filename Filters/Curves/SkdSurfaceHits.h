@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSurfaceHits.h
- * @brief Where curves meet surfaces (section 6.2): each place once.
+ * @brief Intersections of curves with surfaces (section 6.2), each once.
  *
- * A straight piece against a triangle is decided by exact signs (SegmentFacet.h); anything else on
- * the native forms (CurvePatchSolver.h), where what rounding may be off by counts as met.
+ * Straight pieces intersect triangles by exact signs (SegmentFacet.h); others are solved in their
+ * native representation (CurvePatchSolver.h), where distances within rounding error count as
+ * intersections.
  */
 
 #ifndef SkdSurfaceHits_h
@@ -24,17 +25,18 @@ public:
   /// `delta`: the chord tolerance by which curves are cut, in world units.
   SkdSurfaceHitFinder(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta);
 
-  /// All places, by curve and then along it; at one place by part and cell id. In parallel. Of
-  /// curves that go on as each other each tells what is in the joint: see UniteAtJoints().
+  /// All intersections, sorted by curve and parameter, then by part and cell id. In parallel.
+  /// Curves that continue each other each have the intersections at their joint: see
+  /// UniteAtJoints().
   std::vector<SkdSurfaceIntersection> Find(SkdLoop& loop) const;
 
-  /// The same with what is in a joint told once, of the curve of the lowest number, as if both were
-  /// one curve. Ends of stretches stay.
+  /// The same, with intersections at a joint once, for the curve with the lowest number. Ends of
+  /// intervals are kept.
   std::vector<SkdSurfaceIntersection> UniteAtJoints(
     std::vector<SkdSurfaceIntersection> intersections) const;
 
-  /// The parts that have a point inside, if they are closed, by ascending distance to where a line
-  /// from there leaves them. Thread-safe.
+  /// The closed parts that contain a point, sorted by the distance at which a line from the point
+  /// leaves them. Thread-safe.
   std::vector<int> FindPartsAround(const skd::Vector3& x) const;
 
   /// The distance that is 0 to within rounding.

@@ -14,7 +14,7 @@ class vtkCell;
 class vtkDataSet;
 class vtkPoints;
 
-/// A triangle or a patch, and the cell that it is of.
+/// A triangle or a patch, and its cell.
 struct SkdSurfaceElement
 {
   std::size_t FirstPoint; ///< of three corners, or of an origin and the control points after it
@@ -28,8 +28,8 @@ struct SkdSurfaceElement
   int Part = 0; ///< what it is of the boundary of
 };
 
-/// Takes surfaces apart: quads that are flat, polygons and strips into triangles; warped quads and
-/// curved cells stay patches. Ghosts are left out.
+/// Divides surfaces: planar quads, polygons and strips into triangles; warped quads and curved
+/// cells are patches. Ghosts are ignored.
 class SkdSurfaceReader
 {
 public:
@@ -41,7 +41,7 @@ public:
 
   void Read(vtkDataSet* mesh, int block);
 
-  /// What could not be read, one line each.
+  /// Messages about cells that could not be read.
   std::vector<std::string> GetFaults() const;
 
   std::vector<SkdSurfaceElement> Elements;

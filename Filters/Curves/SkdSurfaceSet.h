@@ -3,7 +3,7 @@
 /**
  * @file SkdSurfaceSet.h
  * @brief The surfaces of some data sets as triangles and patches in Bernstein form, and their
- * skD-tree; kept while the meshes are the same.
+ * skD-tree; reused while the meshes are unchanged.
  */
 
 #ifndef SkdSurfaceSet_h
@@ -24,14 +24,14 @@
 class SkdSurfaceSet
 {
 public:
-  /// Reads all cells of surfaces: quads that are flat, polygons and strips as triangles, others as
-  /// what they are. With `withVolumes` also the faces of volume cells that no other cell of the
-  /// data set has. Ghosts and what is told about in GetFaults() are left out. Returns whether there
-  /// was anything to do: false when all was kept.
+  /// Reads all surface cells: planar quads, polygons and strips as triangles, others as patches.
+  /// With `withVolumes` also the faces of volume cells that no other cell of the data set has.
+  /// Ghosts and what is told about in GetFaults() are left out. Returns whether anything was
+  /// updated.
   bool Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon);
 
-  /// Says which part each element is of, by a list of ids a block, one a cell; without lists by
-  /// their block. Parts that meet in one place are met each by itself.
+  /// Sets the part of each element, by a list of ids for each block, one a cell; without lists by
+  /// block. Intersections of coincident parts are separate.
   void AssignParts(
     const std::vector<SkdBlock>& blocks, const std::vector<std::vector<int>>& idsOfCells);
 
@@ -72,7 +72,7 @@ public:
   const skd::Box3& GetBounds() const { return this->Bounds; }
   double GetAbsoluteEpsilon() const { return this->AbsoluteEpsilon; }
 
-  /// What could not be read, one line each.
+  /// Messages about cells that could not be read.
   const std::vector<std::string>& GetFaults() const { return this->Faults; }
 
 private:

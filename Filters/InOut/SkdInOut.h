@@ -11,7 +11,7 @@
 
 class vtkDataSetAttributes;
 
-/// What all parts together say of a point.
+/// The result of all parts for a point.
 struct SkdInOut
 {
   bool IsInside = false;
@@ -23,7 +23,7 @@ struct SkdInOut
   double WindingBound = 0.0; // what the number is off by at most
 };
 
-/// Arrays of a slot a point or cell, "none" at first.
+/// Arrays with one tuple for each point or cell, initially "none".
 class SkdInOuts
 {
 public:
@@ -31,7 +31,7 @@ public:
 
   SkdInOuts(vtkIdType n, bool hasWinding);
 
-  /// Fills a slot. Thread-safe for distinct slots.
+  /// Sets a tuple. Thread-safe for distinct tuples.
   void Set(vtkIdType i, const SkdInOut& answer);
 
   vtkIdType GetNumber() const { return this->Inside->GetNumberOfTuples(); }

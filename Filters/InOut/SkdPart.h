@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdPart.h
- * @brief A body that is given by its boundary, and whether it holds a point (section 6.3).
+ * @brief A body given by its boundary, with the point in/out test (section 6.3).
  */
 
 #ifndef SkdPart_h
@@ -18,7 +18,7 @@
 #include <memory>
 #include <vector>
 
-/// How it is decided whether a point is inside.
+/// The method of the inside test.
 enum class SkdInsideMethod
 {
   AxisRays,
@@ -54,8 +54,8 @@ struct SkdPartSettings
 class SkdPart
 {
 public:
-  /// The body that the blocks enclose together; `id` is what it is called. Triangles, their trees,
-  /// and what the method needs besides.
+  /// The body enclosed by the blocks, with its id: triangles, their trees, and the data of the
+  /// method.
   SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSettings& settings);
 
   int GetId() const { return this->Id; }
@@ -66,21 +66,21 @@ public:
 
   bool BoundsHold(const double x[3]) const;
 
-  /// Whether the part holds x. Outside of its bounds nothing is inside; of an open boundary the
-  /// confidence there is that of the answer that it would have, 1/2 if that is another. A closed
-  /// boundary is decided exactly: see SkdSolid, or with a method by rays by parity alone; of an
-  /// open one rays vote, and stop when the vote is decided. Orientation matters to the winding
-  /// number (of either sign: at least one half) and to the nearest feature (whose normal must point
-  /// outward). `point` tells points apart for random directions. Thread-safe.
+  /// Whether the part contains x. Points outside its bounds are outside; for an open boundary the
+  /// confidence there is that of the method's result, or 1/2 if the method contradicts. The test is
+  /// exact for a closed boundary: see SkdSolid, or by parity alone for methods with rays; for an
+  /// open one rays vote until the vote is decided. Orientation matters for the winding number (at
+  /// least one half in absolute value) and for the nearest feature (whose normal must point
+  /// outward). `point` is the seed of random directions. Thread-safe.
   SkdSide AskSide(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
 
-  /// Where a line passes through the boundary, to the other side, as distances from a point of it
-  /// along a direction of length 1, ascending: all of them up to a given one, and maybe some
-  /// beyond. Of a closed boundary; by the method, rays or automatic. Thread-safe.
+  /// The crossings of a line through the boundary, as ascending distances from a point along a unit
+  /// direction: all of them up to a given distance, and possibly some beyond. For a closed boundary
+  /// with rays or the automatic method. Thread-safe.
   void FindPasses(const double from[3], const double along[3], double distance,
     SkdInsideMethod method, std::vector<SkdPassAlong>& passes) const;
 
-  /// Whether the boundary comes within a distance of x. Thread-safe.
+  /// Whether the boundary is within a distance of x. Thread-safe.
   bool IsNear(const double x[3], double distance) const;
 
 private:

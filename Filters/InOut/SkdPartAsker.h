@@ -6,20 +6,20 @@
 #include "InOut/SkdInOut.h"
 #include "InOut/SkdQueryPoints.h"
 
-/// Asks all parts for the query points of a mesh. One object a thread.
+/// Classifies the query points of a mesh by all parts. One object a thread.
 ///
-/// Of query points that are in rows one line along each row answers all of it for a closed part:
-/// between two passes through the boundary the side stays the same. Where bodies of a part overlap
-/// points are asked one by one. The answers are those of single points, but within rounding of the
-/// boundary, where either may be the answer.
+/// For query points in rows, one line along each row classifies all of its points by a closed part:
+/// the side changes only where the line crosses the boundary. Where bodies of a part overlap,
+/// points are classified one by one. Results are those of single points, except within rounding
+/// error of the boundary.
 class SkdPartAsker
 {
 public:
   SkdPartAsker(const std::vector<SkdPart>& parts, const SkdInsideRules& rules, double band,
     const SkdQueryPoints& queryPoints);
 
-  /// The innermost part is the smallest that holds the point, ties to the lowest id. The cost is
-  /// least when query points of a row follow each other.
+  /// The innermost part is the smallest that contains the point, ties to the lowest id. Processing
+  /// the points of a row consecutively is fastest.
   SkdInOut Ask(vtkIdType queryPoint);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdPartList.h
- * @brief The parts that a Source is made of, kept while it is unchanged.
+ * @brief The parts of a Source, reused while it is unchanged.
  */
 
 #ifndef SkdPartList_h
@@ -21,21 +21,21 @@ enum class SkdPartsBy
   ConnectedPieces // id: 0, 1, ... by their first cell; points of equal coordinates are one
 };
 
-/// The values of a cell array of numbers, rounded; empty when there is no such array.
+/// The rounded values of a numeric cell array; empty if there is no such array.
 std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array);
 
-/// Whether all data sets have a cell array of numbers of that name.
+/// Whether all data sets have a numeric cell array of that name.
 bool SkdHavePartArray(const std::vector<SkdBlock>& blocks, const std::string& array);
 
-/// The connected piece of each cell, one list a block: cells that share a point, of whatever block,
-/// are of one. Numbered by their first cells.
+/// The connected component of each cell, one list a block: cells that share a point, also of
+/// different blocks, belong to one. Numbered by their first cells.
 std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& blocks);
 
 class SkdPartList
 {
 public:
-  /// Makes the parts those of the blocks, by what is said. Returns how many were made: 0 when all
-  /// were kept. The array must be in all blocks.
+  /// Updates the parts to the blocks. Returns the number of parts made, 0 if all were reused. All
+  /// blocks must have the array.
   int Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by, const std::string& array,
     const SkdPartSettings& settings);
 

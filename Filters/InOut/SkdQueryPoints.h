@@ -5,7 +5,7 @@
 
 #include "Pipeline/SkdPointOrder.h"
 
-/// Where a mesh asks: at its points, or at the middles of its cells (the mean of their points).
+/// The query points of a mesh: its points, or the centres of its cells (the mean of their points).
 class SkdQueryPoints
 {
 public:
@@ -19,17 +19,17 @@ public:
 
   vtkIdType GetNumber() const;
 
-  /// The query point at a place of an order that is good to ask in, see SkdPointOrder. Thread-safe.
+  /// The query point at an index of the processing order, see SkdPointOrder. Thread-safe.
   vtkIdType GetQueryPoint(vtkIdType place) const
   {
     return this->Order ? this->Order->GetPoint(place) : place;
   }
 
-  /// Where query point i is; NaN for a cell without points. Thread-safe.
+  /// The coordinates of query point i; NaN for a cell without points. Thread-safe.
   void GetPoint(vtkIdType i, double x[3]) const;
 
-  /// So many query points, from number 0 on and again and again, are on a straight line, in their
-  /// order: the rows of images and of rectilinear grids. 0: there are no rows.
+  /// The number of query points in each row of images and rectilinear grids, which is a straight
+  /// line; 0 if there are no rows.
   vtkIdType GetRowLength() const { return this->RowLength; }
 
 private:

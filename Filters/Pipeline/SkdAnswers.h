@@ -29,7 +29,7 @@ public:
 
   explicit SkdAnswers(vtkIdType n);
 
-  /// Fills a slot. Thread-safe for distinct slots.
+  /// Sets a tuple. Thread-safe for distinct tuples.
   void Set(vtkIdType i, const SkdNearest& nearest, bool isInside);
 
   /// @{ The values of a tuple. The block is -1 if there is no result.

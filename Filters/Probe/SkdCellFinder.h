@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCellFinder.h
- * @brief Which cell of a Source holds a point, or serves for one that no cell holds.
+ * @brief Finds the cell of a Source that contains a point, or the nearest one within a tolerance.
  */
 
 #ifndef SkdCellFinder_h
@@ -17,7 +17,7 @@
 #include <mutex>
 #include <vector>
 
-/// A place in a Source: a cell, and where in it.
+/// A location in a Source: a cell and parametric coordinates in it.
 struct SkdCellLocation
 {
   int Block = -1; // index in the list of blocks; -1: no place
@@ -27,7 +27,7 @@ struct SkdCellLocation
   double Distance = 0.0; // from the point that was asked for; 0 within the cell
 };
 
-/// When a point that no cell holds is taken for a point of the nearest one.
+/// The conditions for using the nearest cell for a point that no cell contains.
 struct SkdCellFinderRules
 {
   double RelativeTolerance = 0.0; // of the diagonal of that cell's bounds
@@ -35,18 +35,18 @@ struct SkdCellFinderRules
   double OutsideRadius = -1.0; // whatever the cell; negative: never
 };
 
-/// The trees of a Source's blocks, and the numbers that finders want of them.
+/// The trees of a Source's blocks, and their data for finders.
 class SkdCellFinderSource
 {
 public:
   SkdCellFinderSource(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks);
 
-  /// To be called once the trees are those of the blocks, which may be other data sets each time
-  /// though trees were kept: `built` of them were not.
+  /// Call this after updating the trees to the blocks, which may be new data sets although trees
+  /// were reused; `built` trees were not.
   void Update(int built);
 
-  /// The largest tolerance that a cell of the block has. Who asks first looks at all cells, if they
-  /// matter: nobody does where every point is within a cell. Thread-safe.
+  /// The largest tolerance of the cells of the block. The first call visits all cells, if needed;
+  /// it is not needed if every point is within a cell. Thread-safe.
   double GetLargestTolerance(const SkdCellFinderRules& rules, int block) const;
 
   const SkdSourceTrees& Trees;
@@ -64,27 +64,27 @@ private:
 
 /// Finds places. One object a thread.
 ///
-/// A place within a cell goes before any other: of the lowest block, and there of the lowest cell.
-/// Else it is the nearest cell that the rules allow, ties to the lowest (block, cell).
+/// Cells that contain the point are preferred: the lowest block, then the lowest cell. Otherwise it
+/// is the nearest cell that the rules allow, ties to the lowest (block, cell).
 class SkdCellFinder
 {
 public:
   SkdCellFinder(const SkdCellFinderSource& source, const SkdCellFinderRules& rules);
 
-  /// Whether there is a place for x, then kept until the next call. None of a point not finite.
+  /// Finds the location of x, which is kept until the next call. False if there is none or x is not
+  /// finite.
   bool Find(const double x[3]);
 
-  /// Makes the place the point nearest to x of a cell that is known.
+  /// Sets the location to the point nearest to x in a given cell.
   bool Evaluate(int block, vtkIdType cellId, const double x[3]);
 
   const SkdCellLocation& GetPlace() const { return this->Place; }
 
-  /// Whether the cell of the place fills a volume.
+  /// Whether the cell of the location is a volume cell.
   bool IsInVolume() const;
 
-  ///@{
-  /// The points of the place's cell, and the weights by which it interpolates there: exact for
-  /// linear fields.
+  /// @{ The points of the location's cell, and the interpolation weights there: exact for linear
+  /// fields.
   vtkIdList* GetPointIds() const { return this->PointIds; }
   double* GetWeights() { return this->Weights.data(); }
   ///@}

@@ -7,7 +7,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 
-/// The places of the points of one data set: arrays of a slot a point, "none" at first.
+/// The locations of the points of one data set: arrays with one tuple for each point, initially
+/// "none".
 class SkdCellLocations
 {
 public:
@@ -19,14 +20,14 @@ public:
 
   explicit SkdCellLocations(vtkIdType n);
 
-  /// Fills a slot. Thread-safe for distinct slots.
+  /// Sets a tuple. Thread-safe for distinct tuples.
   void Set(vtkIdType i, const SkdCellLocation& place);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
   vtkIdType CountValid() const;
   vtkIdType CountOutside() const; // valid ones that no cell holds
 
-  /// Adds the arrays; block indices when there is one to tell, that is, the Source is composite.
+  /// Adds the arrays, with block indices if the Source is composite.
   void AddTo(
     vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const;
 

@@ -19,10 +19,9 @@
 
 class vtkDataSetAttributes;
 
-/// The gradient of a cell's interpolation at a place, as vectors to multiply the values at its
-/// points with. Exact for linear fields. Along a curve or surface it is the part along it. Of
-/// polygons and polyhedra it is that of the linear field which fits the points' values best. One
-/// object a thread.
+/// The gradient of a cell's interpolation, as vectors to be multiplied with the values at its
+/// points. Exact for linear fields. In curves and surfaces it is the tangential gradient, in
+/// polygons and polyhedra that of the best-fitting linear field. One object a thread.
 class SkdGradient
 {
 public:
@@ -46,7 +45,8 @@ private:
 class SkdGradientArrays
 {
 public:
-  /// Of those of `names` that all blocks have as numbers. The others are put down in `missing`.
+  /// For those of `names` that all blocks have as numeric arrays. The others are inserted into
+  /// `missing`.
   SkdGradientArrays(const std::vector<SkdBlock>& blocks, const std::set<std::string>& names,
     vtkIdType n, std::set<std::string>& missing);
 

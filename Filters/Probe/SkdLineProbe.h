@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdLineProbe.h
- * @brief Through which cells of a Source lines run, from where to where.
+ * @brief Segments of lines within the cells of a Source.
  */
 
 #ifndef SkdLineProbe_h
@@ -28,7 +28,7 @@ struct SkdLinePiece
   double Start; // length of the line up to From
 };
 
-/// A stretch of a line within one cell.
+/// A segment of a line within one cell.
 struct SkdStretch
 {
   std::size_t Piece;
@@ -40,17 +40,17 @@ struct SkdStretch
   vtkIdType CellId;
 };
 
-/// The pieces of all cells of type VTK_LINE and VTK_POLY_LINE that are no ghosts, those of no
-/// length and with points that are not finite left out.
+/// The pieces of all cells of type VTK_LINE and VTK_POLY_LINE, without ghosts, pieces of zero
+/// length, and pieces with points that are not finite.
 std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs);
 
-/// The stretches of all pieces, in the order of the lines. Each point of a line that is in the
-/// Source belongs to one stretch: of the lowest (block, cell) that holds it. A surface holds what
-/// is within the rules' tolerance of it, a volume only what is in it. In parallel.
+/// The segments of all pieces, in the order of the lines. Each point of a line in the Source
+/// belongs to one segment: that of the lowest (block, cell) that contains it. A surface contains
+/// points within the rules' tolerance, a volume only points in it. In parallel.
 std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
   const SkdCellFinderSource& source, const SkdCellFinderRules& rules, SkdLoop& loop);
 
-/// What the lines' outputs are made from.
+/// The input of the lines' outputs.
 struct SkdLineOutput
 {
   const std::vector<SkdBlock>& Inputs;
@@ -61,13 +61,13 @@ struct SkdLineOutput
   bool IsSourceComposite;
 };
 
-/// A line a stretch, with points of its own at its ends: the Source's point data there, as its cell
-/// interpolates them, and its cell data.
+/// One line for each segment, with its own end points: the Source's point data there, interpolated
+/// in its cell, and its cell data.
 void SkdFillStretches(
   const SkdLineOutput& output, std::set<std::string>& refused, vtkPolyData* lines);
 
-/// A row for each input line that has a length: its length, that within the Source, and the
-/// integral of each array of numbers along it, by two Gauss points a stretch.
+/// A row for each input line of positive length: its length, the length within the Source, and the
+/// integral of each numeric array along it, by two Gauss points a segment.
 void SkdFillIntegrals(const SkdLineOutput& output, vtkTable* table);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdProbedData.h
- * @brief A Source's data at the places of points, as point arrays.
+ * @brief A Source's data at the locations of points, as point arrays.
  */
 
 #ifndef SkdProbedData_h
@@ -11,7 +11,7 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Probe/SkdGradient.h"
 
-/// What is wanted of the Source's data, and what could not be had.
+/// The requested data of the Source, and the names that are not available.
 struct SkdProbedNames
 {
   std::set<std::string> Categorical; // point arrays to be taken, not interpolated
@@ -24,13 +24,13 @@ class SkdProbedData
 {
 public:
   /// Adds the arrays to `into`, of n tuples, at first `fill` (see SkdArrayGather::Allocate). The
-  /// active scalars become the Source's, or else its first array of numbers. Puts down names that
-  /// are refused or missing.
+  /// active scalars become the Source's, or else its first numeric array. Records names that are
+  /// refused or missing.
   SkdProbedData(vtkDataSetAttributes* into, vtkIdType n, const std::vector<SkdBlock>& blocks,
     SkdProbedNames& names, double fill);
 
-  /// Fills tuple i from where the finder is, having been asked for x. Thread-safe for distinct
-  /// tuples, each thread with a finder and a `gradient` of its own.
+  /// Sets tuple i from the finder's location for x. Thread-safe for distinct tuples, if each thread
+  /// has its own finder and `gradient`.
   void Set(vtkIdType i, const double x[3], SkdCellFinder& finder, SkdGradient& gradient);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCellOutline.h
- * @brief The points, edges and faces of a cell, and which of them another cell has, too.
+ * @brief The points, edges and faces of a cell, and those shared with another cell.
  */
 
 #ifndef SkdCellOutline_h
@@ -14,7 +14,7 @@
 
 class vtkCell;
 
-/// What neighbours have in common, at least.
+/// What adjacent cells must at least have in common.
 enum class SkdSharedPart
 {
   Point,
@@ -25,14 +25,14 @@ enum class SkdSharedPart
 class SkdCellOutline
 {
 public:
-  /// A cell of dimension 2 is a face of its own, and one of dimension 1 its own edge, or when it is
-  /// a polyline an edge a segment.
+  /// A cell of dimension 2 is its own face, one of dimension 1 its own edge; each segment of a
+  /// polyline is an edge.
   explicit SkdCellOutline(vtkCell* cell);
 
   /// Whether the two have a point, an edge or a face in common: all points of it within the
-  /// tolerance of each other. Two cells of the same dimension and the same points are one: they
-  /// share nothing. A volume cell that does not know its edges (a convex point set) shares an edge
-  /// if it shares two points, and a face if three.
+  /// tolerance of each other. Two cells of the same dimension with the same points are identical
+  /// and share nothing. A volume cell without explicit edges (a convex point set) shares an edge if
+  /// it shares two points, and a face if three.
   bool Shares(const SkdCellOutline& other, SkdSharedPart part, double tolerance) const;
 
 private:

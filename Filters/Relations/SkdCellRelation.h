@@ -4,8 +4,8 @@
  * @file SkdCellRelation.h
  * @brief Whether a cell itself, not only its box, has a relation to a shape; their distances.
  *
- * To balls, points among them, cells are what they are to vtkSkdTreeCellLocator; to all else what
- * SkdCellTree::GetSimplices() makes of them.
+ * For balls, including points, cells have the geometry of vtkSkdTreeCellLocator; for other shapes
+ * that of SkdCellTree::GetSimplices().
  */
 
 #ifndef SkdCellRelation_h
@@ -29,7 +29,7 @@ struct SkdRelationRules
   double Tolerance = 0.0;                          ///< at least what rounding makes of coordinates
 };
 
-/// Of one shape, kept by the caller. Thread-safe.
+/// For one shape, which the caller keeps. Thread-safe.
 class SkdCellRelation
 {
 public:
@@ -39,9 +39,8 @@ public:
   {
   }
 
-  /// The distances of the nearest and the farthest points of a cell and the shape (of a plane, the
-  /// cell's farthest from it) if they are related; of Nearest always. What is not more than the
-  /// tolerance is 0.
+  /// The minimum and maximum distances of a cell and the shape (for a plane, the maximum over the
+  /// cell) if they are related; for Nearest always. Distances up to the tolerance are 0.
   std::optional<SkdDistances> Ask(
     const SkdCellTree& tree, std::uint32_t cell, const SkdCellSource& source) const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdQueryList.h
- * @brief The shapes that a mesh is asked about: one, or all points or cells of data sets.
+ * @brief The query shapes: one, or all points or cells of data sets.
  */
 
 #ifndef SkdQueryList_h

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdQueryShape.h
- * @brief What a mesh is asked about (section 3's object q), and what the boxes of cells say of it.
+ * @brief The query object q of section 3, and tests by the boxes of cells.
  *
  * A shape is a ball (a point, when its radius is 0), a plane, or a set of simplices: a box, which
- * may be turned and flat, a line, a cell. All are closed. One that is not finite, or a ball of a
- * negative radius, is not usable: nothing is related to it.
+ * may be turned and flat, a line, a cell. All are closed. A shape that is not finite, or a ball of
+ * negative radius, is invalid: no cell is related to it.
  */
 
 #ifndef SkdQueryShape_h
@@ -22,8 +22,8 @@
 
 class SkdCellOutline;
 
-/// The kinds of section 3, the object's relation to the shape: it is the same, has a point in
-/// common, encloses the shape, is enclosed by it, has a common boundary, is among the nearest.
+/// The relations of section 3 between object and shape: equal, a common point, encloses the shape,
+/// enclosed by it, a common boundary, among the nearest.
 enum class SkdRelation
 {
   ExactMatch,
@@ -52,7 +52,7 @@ public:
   /// The box from a corner along three axes, whose lengths are those of its edges; 0 for a flat
   /// one.
   static SkdQueryShape MakeBox(const skd::Vector3& corner, const skd::Vector3 (&edges)[3]);
-  /// A cell, and its points, edges and faces if it is asked for neighbours.
+  /// A cell, with its points, edges and faces for adjacency.
   static SkdQueryShape MakeCell(const SkdCellTree& tree, std::uint32_t cell,
     const SkdCellSource& source, std::shared_ptr<const SkdCellOutline> outline);
 
@@ -87,7 +87,7 @@ public:
   /// pessimistic about it, and so they are if a cell is the shape, for that stands for its box too.
   double OptimisticDistance(const skd::Box3& box) const;
   double PessimisticDistance(const skd::Box3& box) const;
-  /// Less than the optimistic distance, or equal, and quickly found.
+  /// A fast lower bound of the optimistic distance.
   double LowerBound(const skd::Box3& box) const;
   ///@}
 
@@ -103,7 +103,7 @@ public:
   /// straight between points that are all beyond one side is not nearer. None of a plane.
   unsigned char SidesOf(const skd::Vector3& x, double reach) const;
 
-  /// Whether all of a box is in the shape, so that nothing need be asked of what is in the box.
+  /// Whether a box lies entirely in the shape, so that its contents need no test.
   bool IsSureToHold(const skd::Box3& box) const;
 
   ///@{

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdRelationOutputs.h
- * @brief The cells that a search has found as meshes, as a selection and as a table.
+ * @brief The cells found by a search, as meshes, as a selection and as a table.
  */
 
 #ifndef SkdRelationOutputs_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSpatialSearch.h
- * @brief All cells of a mesh that have a relation to a shape, or to each of many.
+ * @brief All cells of a mesh related to a shape, or to each of many.
  */
 
 #ifndef SkdSpatialSearch_h
@@ -37,8 +37,7 @@ using SkdRelatedCells = skd::RawVector<SkdRelatedCell>;
 class SkdSpatialSearch
 {
 public:
-  /// Both must outlive it. Only where one shape is asked for its relations, but for the nearest,
-  /// may trees be bare.
+  /// Both must outlive it. Trees may be bare only for one shape and relations other than Nearest.
   SkdSpatialSearch(const SkdParts& mesh, const SkdSearchRules& rules);
 
   using MakeShape = std::function<SkdQueryShape(vtkIdType query)>;
@@ -54,7 +53,7 @@ public:
 private:
   struct Candidate; // a part and a cell
   using Cells = SkdRelatedCells;
-  /// What the points of parts are to a shape; of parts where it is not known, nothing.
+  /// The relation of the parts' points to a shape, if known.
   using CornersOfParts = std::vector<skd::RawVector<SkdQueryShape::Corner>>;
 
   Cells FindOfOne(const SkdQueryShape& shape, vtkAlgorithm* owner) const;
@@ -70,9 +69,8 @@ private:
   std::vector<Candidate> FindInParts(const Finder& find) const;
   Cells MeasureNearest(const SkdQueryShape& shape, std::vector<Candidate>& candidates) const;
   double FindLimit(const SkdQueryShape& shape, double distance) const;
-  ///@{
-  /// Whether a cell is related; then what there is to tell, put where it belongs: to move it costs
-  /// as much as to find it.
+  /// @{ Whether a cell is related; if so the result is written in place, because moving it costs as
+  /// much as finding it.
   bool Ask(const SkdQueryShape& shape, const Candidate& candidate, const CornersOfParts& known,
     SkdRelatedCell& related) const;
   bool AskCorners(const SkdQueryShape& shape, const Candidate& candidate,

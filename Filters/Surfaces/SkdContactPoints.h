@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdContactPoints.h
- * @brief The points in which pairs of triangles touch, each of them once.
+ * @brief The points of contact of pairs of triangles, each of them once.
  *
- * Points are one when they are the same by what they lie on (a corner; two edges; an edge and a
- * triangle), never by their distance: so contacts of neighbours fit together exactly.
+ * Points are identified by the features they lie on (a vertex; two edges; an edge and a triangle),
+ * never by distance, so contacts of adjacent triangles match exactly.
  */
 
 #ifndef SkdContactPoints_h
@@ -20,16 +20,16 @@
 class SkdContactPoints
 {
 public:
-  /// Positions are told without the placement's scale. O(n log n) in the number of pairs.
+  /// Positions are given without the placement's scale. O(n log n) in the number of pairs.
   SkdContactPoints(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs);
 
   std::uint32_t GetNumberOfPoints() const { return static_cast<std::uint32_t>(this->Keys.size()); }
   const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
 
-  /// Where a point is exactly, with the placement's scale: slow.
+  /// The exact position of a point, with the placement's scale: slow.
   skd::ExactPoint GetExact(std::uint32_t point) const;
 
-  /// The point that a pair has as its contact's point `i`.
+  /// Point `i` of the contact of a pair.
   std::uint32_t GetPoint(std::size_t pair, int i) const
   {
     return this->Points[this->Offsets[pair] + static_cast<std::size_t>(i)];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdContacts.h
- * @brief Pairs of triangles that touch or are near, as the data sets that a filter hands out.
+ * @brief Pairs of triangles that touch or are near, as output data sets of the filter.
  */
 
 #ifndef SkdContacts_h
@@ -44,7 +44,7 @@ public:
   static constexpr const char* SecondPointName = "SkdSecondPoint";
   ///@}
 
-  /// What a surface was made of. Block indices are told of composite data.
+  /// The data sets of a surface. Block indices are output for composite data.
   struct Side
   {
     const std::vector<SkdBlock>& Blocks;
@@ -56,9 +56,9 @@ public:
 
   const SkdContactPoints& GetPoints() const { return this->Points; }
 
-  /// The curves: polylines with the ids of each segment at the point that it starts from, or a cell
-  /// for each segment. Points of contact on no curve and in no area are vertices. Returns the
-  /// number of curves, vertices not counted.
+  /// The curves: polylines with the ids of each segment at its first point, or a cell for each
+  /// segment. Isolated points of contact are vertices. Returns the number of curves without
+  /// vertices.
   vtkIdType FillCurves(vtkPolyData* curves, bool isJoined) const;
 
   /// The convex polygons in which triangles of one plane overlap.

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-/// A segment by its ends, and whatever it belongs to.
+/// A segment: its ends and the pair it belongs to.
 struct SkdEndPair
 {
   std::uint32_t A;
@@ -24,9 +24,9 @@ struct SkdPolyline
   bool IsClosed = false;
 };
 
-/// Joins segments of different ends into as long polylines as there are without passing a point
-/// where other than two segments meet. Points are numbered below `numberOfPoints`. The open ones
-/// come first, by the point that they start from. O(n log n).
+/// Joins segments into maximal polylines that end where one segment or more than two meet. Points
+/// are numbered below `numberOfPoints`. The open ones come first, by the point that they start
+/// from. O(n log n).
 std::vector<SkdPolyline> SkdJoinSegments(
   const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdNearTriangles.h
- * @brief Two surfaces that meet once: the triangles of each that may meet any of the other.
+ * @brief One-shot intersection of two surfaces: the triangles of each that may intersect the other.
  */
 
 #ifndef SkdNearTriangles_h
@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-/// Some triangles of a placed set, ascending, and their boxes where they are placed.
+/// Some triangles of a placed set, ascending, and their boxes after the placement.
 struct SkdNearTriangles
 {
   std::vector<std::uint32_t> Triangles;
@@ -26,9 +26,9 @@ struct SkdNearSets
   SkdNearTriangles Second; ///< its boxes are larger by the clearance, and a little more
 };
 
-/// Of both sets of a placement those triangles that share a cell of a coarse grid with the other
-/// set, or may be within `clearance` (in the placement's scale) of it. Nothing when they are not
-/// much fewer than all. O(n), some ten nanoseconds a triangle.
+/// The triangles of both sets of a placement that share a cell of a coarse grid with the other set,
+/// or may be within `clearance` (in the placement's scale) of it. Empty unless they are much fewer
+/// than all. O(n), some ten nanoseconds a triangle.
 std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance);
 
 #endif

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-/// A set of triangles where it is looked at: its points moved, each rounded once, and scaled by a
-/// power of two. What is told of it is exact for these points.
+/// A set of triangles after a placement: its points are moved, rounded once, and scaled by a power
+/// of two. Tests are exact for these points.
 class SkdPlacedTriangles
 {
 public:
@@ -54,7 +54,7 @@ public:
     return box;
   }
 
-  /// False of a triangle whose corners lie on one line: it is left out.
+  /// False for a degenerate triangle, whose corners are collinear; it is ignored.
   bool HasArea(std::uint32_t triangle) const { return this->Get(triangle).Axis >= 0; }
   vtkIdType CountWithoutArea() const;
 
@@ -65,7 +65,7 @@ private:
   bool HaveAllArea;                 // none can have lost it by rounding
 };
 
-/// A surface and another, or one alone that is looked at against itself.
+/// Two surfaces, or one to be intersected with itself.
 struct SkdPlacement
 {
   SkdPlacedTriangles First;

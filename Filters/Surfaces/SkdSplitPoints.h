@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdSplitPoints.h
- * @brief The points at which surfaces are split: those of contacts, and where segments between
- * these cross. Signs are exact, so points of one place can be told to be one.
+ * @brief The points at which surfaces are split: those of contacts, and crossings of segments
+ * between these. Signs are exact, so coincident points are recognized.
  */
 
 #ifndef SkdSplitPoints_h
@@ -30,16 +30,14 @@ public:
   /// which has an area along the axis.
   std::uint32_t AddCrossing(const std::array<std::uint32_t, 4>& ends, int axis);
 
-  ///@{
-  /// Points of one place: makes two one, returning whether they were two; the one that stands for
-  /// all that are one with a point.
+  /// @{ Coincident points: merges two, and returns whether they were different; the representative
+  /// of a point.
   bool Unite(std::uint32_t a, std::uint32_t b);
   std::uint32_t Find(std::uint32_t point) const;
   ///@}
 
-  ///@{
-  /// Where a point is, with the placement's scale: rounded, to within GetError() in each
-  /// coordinate; exactly, which is slow when it is first asked for. Thread-safe.
+  /// @{ The position of a point, with the placement's scale: rounded, to within GetError() in each
+  /// coordinate; or exact, which is slow at its first use. Thread-safe.
   const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
   const skd::ExactPoint& GetExact(std::uint32_t point) const;
   double GetError() const { return this->Error; }
@@ -51,7 +49,7 @@ public:
   /// The exact sign of a - b along an axis.
   int Compare(std::uint32_t a, std::uint32_t b, int axis) const;
 
-  /// An axis along which two points differ; -1 of points of one place.
+  /// An axis along which two points differ; -1 for coincident points.
   int FindAxis(std::uint32_t a, std::uint32_t b) const;
 
 private:

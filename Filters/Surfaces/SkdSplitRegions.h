@@ -17,8 +17,8 @@ inline SkdSplitEdge SkdMakeSplitEdge(std::uint32_t a, std::uint32_t b)
   return a < b ? SkdSplitEdge{ a, b } : SkdSplitEdge{ b, a };
 }
 
-/// Of each triangle the region that it belongs to: triangles that share an edge are of one, unless
-/// the edge is among `borders`. Regions are numbered 0, 1, ... by their first triangle. O(n log n).
+/// The region of each triangle: triangles that share an edge belong to one region, unless the edge
+/// is among `borders`. Regions are numbered 0, 1, ... by their first triangle. O(n log n).
 std::vector<std::uint32_t> SkdFindSplitRegions(
   const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders);
 

@@ -4,11 +4,11 @@
  * @file SkdSplitSegments.h
  * @brief The segments along which triangles are split, with all points that lie on them.
  *
- * Pairs of triangles give segments: what they have in common, or the sides of the polygon in which
- * they overlap. Within one triangle segments of several pairs may cross, touch and overlap; a point
- * where they do belongs to each, also in the other triangle that has the segment. So the points on
- * segments and on edges are sought until there are no further ones: then both surfaces have the
- * same points along all curves. Everything is decided by exact signs.
+ * Pairs of triangles give segments: their intersection, or the sides of the polygon in which they
+ * overlap. Within one triangle, segments of several pairs may cross, touch and overlap; such a
+ * point belongs to each of them, also in the other triangle of the segment. The points on segments
+ * and edges are therefore computed until no further ones appear: then both surfaces have the same
+ * points along all curves. All tests use exact signs.
  */
 
 #ifndef SkdSplitSegments_h
@@ -29,7 +29,7 @@ struct SkdSplitSegment
   bool IsNew = true;                  ///< or has new points
 };
 
-/// A segment as a triangle has it.
+/// A segment in a triangle.
 struct SkdSplitElement
 {
   std::uint32_t Triangle;
@@ -92,11 +92,10 @@ public:
   const SkdSplitPoints& GetPoints() const { return this->Points; }
   const SkdSplitSegment& GetSegment(std::uint32_t segment) const { return this->Segments[segment]; }
 
-  /// All points of a segment, its ends too, each as the one that stands for its place; no two that
-  /// follow each other are the same.
+  /// All points of a segment, including its ends, as representatives; consecutive ones differ.
   std::vector<std::uint32_t> GetChain(std::uint32_t segment) const;
 
-  /// How one of the sets (1: the second) is split.
+  /// The segments and points that split one of the sets (1: the second).
   struct Side
   {
     const SkdPlacedTriangles* Set = nullptr;

@@ -21,8 +21,8 @@ struct SkdSplitNames
 
 /// Fills `output` with the triangles of a side of a placement, split. Points have the data of the
 /// first data set that has them, new ones the mean of their triangle's corners; triangles have the
-/// data of their cell. Arrays whose names are taken are put down in `refused`. Returns how many
-/// triangles are in pieces.
+/// data of their cell. Names of arrays that are already in use are inserted into `refused`. Returns
+/// the number of triangles that are split.
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
   const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
   std::set<std::string>& refused);

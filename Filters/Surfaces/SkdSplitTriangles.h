@@ -11,8 +11,8 @@
 #include "Surfaces/SkdSplitRegions.h"
 #include "Surfaces/SkdSplitSegments.h"
 
-/// A point that is none of a set's: where it is (with the placement's scale), and as a mean of
-/// three of the set's points.
+/// A new point: its position (with the placement's scale), and its weights for three of the set's
+/// points.
 struct SkdSplitPoint
 {
   skd::Vector3 Position;
@@ -31,9 +31,9 @@ struct SkdSplitResult
   vtkIdType NumberSplit = 0;          ///< triangles of the set that are in pieces
 };
 
-/// Splits a set along all segments: each triangle that has some, or points on an edge, becomes a
-/// constrained triangulation of these, oriented as it was; its neighbours have the same points on
-/// the edge that they share. Other triangles stay as they are, those without area too.
+/// Splits a set along all segments: each triangle with segments, or with points on an edge, is
+/// replaced by their constrained triangulation, with its orientation; adjacent triangles have the
+/// same points on the common edge. Other triangles, including degenerate ones, are not changed.
 SkdSplitResult SkdSplitTriangles(const SkdSplitSegments& segments, int side);
 
 #endif

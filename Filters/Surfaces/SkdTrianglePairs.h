@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdTrianglePairs.h
- * @brief Which triangles of two sets, or of one, touch or come near: both trees walked together
- * (Algorithm 5.4), or a packed R-tree searched, decided by exact signs.
+ * @brief Pairs of triangles of two sets, or of one, that touch or come near: a traversal of both
+ * trees (Algorithm 5.4), or a packed R-tree for one-shot searches, with exact signs.
  */
 
 #ifndef SkdTrianglePairs_h
@@ -35,8 +35,8 @@ struct SkdPairSearch
   double Clearance = 0.0; ///< before scaling; 0: those that touch, only
 };
 
-/// The pairs of a placement. Within one surface, of two triangles that share corners those that
-/// have more in common, and each pair once, First < Second.
+/// The pairs of a placement. Within one surface, triangles that share corners are a pair only if
+/// they have more in common; each pair occurs once, with First < Second.
 class SkdTrianglePairs
 {
 public:
@@ -45,11 +45,11 @@ public:
   {
   }
 
-  /// Pairs by ascending (First, Second): the same whatever the number of threads. By the trees of
+  /// Pairs sorted by (First, Second), independent of the number of threads. Uses the trees of
   /// complete sets.
   std::vector<SkdTrianglePair> Find(const SkdPairSearch& search, SkdLoop& loop) const;
 
-  /// The same among those triangles that may meet others, of two sets that are only read.
+  /// The same for the triangles that may intersect others, of two sets that are only read.
   std::vector<SkdTrianglePair> FindNear(
     const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
@@ -65,7 +65,7 @@ private:
   std::vector<SkdTrianglePair> FindByTrees(
     const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
 
-  /// Nothing where sizes differ so much that trees are better.
+  /// Empty if sizes differ so much that trees are faster.
   std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
     const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdTriangleReader.h
- * @brief The faces of data sets as triangles, read once and in a row.
+ * @brief The faces of data sets as triangles, read sequentially.
  */
 
 #ifndef SkdTriangleReader_h
@@ -33,7 +33,7 @@ struct SkdTriangleCell
   }
 };
 
-/// A point of a data set, -1 of one that its surface has added.
+/// A point of a data set, -1 for one that its surface has added.
 struct SkdTrianglePoint
 {
   int Block;
@@ -41,7 +41,7 @@ struct SkdTrianglePoint
 };
 
 /// Triangles and the points that they have, these in the order of their data sets. Points of equal
-/// coordinates stay several.
+/// coordinates are not merged.
 struct SkdReadTriangles
 {
   using Corners = std::array<std::uint32_t, 3>;

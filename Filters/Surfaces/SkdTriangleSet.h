@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdTriangleSet.h
- * @brief All surfaces of a data object as one set of triangles with a tree, kept while unchanged.
+ * @brief All surfaces of a data object as one set of triangles with a tree, reused while unchanged.
  */
 
 #ifndef SkdTriangleSet_h
@@ -19,12 +19,12 @@
 #include <cstdint>
 #include <vector>
 
-/// The surface cells of all blocks and the outer faces of their volume cells, cut into triangles
-/// without new points (polygons by SkdTriangulation, so that neighbours keep meeting). Ghost cells
-/// are left out.
+/// The surface cells of all blocks and the outer faces of their volume cells, triangulated without
+/// new points (polygons by SkdTriangulation, so that adjacent cells still match). Ghost cells are
+/// ignored.
 ///
-/// A set is read first and, where that pays, completed: only then it has a tree, and points of
-/// equal coordinates, be they of different blocks, are one.
+/// A set is first only read; only a completed set has a tree and merged points of equal
+/// coordinates, also of different blocks.
 class SkdTriangleSet
 {
 public:
@@ -33,39 +33,37 @@ public:
   using PointList = skd::RawVector<skd::Vector3>;
   using TriangleList = skd::RawVector<Corners>;
 
-  /// Makes the set that of `blocks`, curved faces as facets within a chordal deviation, a share of
-  /// the diagonal of all (see SkdChordalLength). Returns whether it had to be read, or was the
-  /// same.
+  /// Updates the set to `blocks`, with curved faces as facets within a chordal deviation relative
+  /// to the diagonal of all (see SkdChordalLength). Returns whether it was read or is unchanged.
   bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
     const skd::Processes* processes = nullptr);
 
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
-  ///@{
-  /// Makes equal points one and begins the tree, unless that was done. O(n).
+  /// @{ Merges equal points and begins the tree, unless done before. O(n).
   void Complete();
   bool IsComplete() const { return this->HasTree; }
   ///@}
 
-  /// What Complete() does to points, for the corners of some triangles: those of equal coordinates
-  /// become the first of all that have them. Numbers change, not which of two is the lower, so what
-  /// is told in their order is the same. About a nanosecond a point of the set, no hash table of
-  /// all.
+  /// Merges points as Complete() does, but only the corners of some triangles: those of equal
+  /// coordinates are replaced by the first of them. The order of point numbers does not change, so
+  /// results in that order are the same. About a nanosecond a point of the set, without a hash
+  /// table of all.
   void MakeCornersOne(const std::vector<std::uint32_t>& triangles);
 
   const PointList& GetPoints() const { return this->Read.Points; }
   const TriangleList& GetTriangles() const { return this->Read.Triangles; }
   const skd::LazyTree<3>& GetTree() const { return this->Tree; }
 
-  ///@{
-  /// The cells that have triangles, by ascending (block, id), and of each triangle its place there.
-  /// Triangles are in the order of their cells.
+  /// @{ The cells that have triangles, by ascending (block, id), and the index of each triangle's
+  /// cell. Triangles are in the order of their cells.
   const skd::RawVector<Cell>& GetCells() const { return this->Read.Cells; }
   std::uint32_t GetCellOf(std::uint32_t triangle) const { return this->Read.CellOf[triangle]; }
   ///@}
 
-  /// A point of a block that is a point of the set; -1 of one that its surface has added.
+  /// The point of a block that corresponds to a point of the set; -1 for one that its surface has
+  /// added.
   struct Origin
   {
     std::uint32_t Point;
@@ -80,7 +78,8 @@ public:
     }
   };
 
-  /// Where the points of a complete set come from: all that are one in it, ascending. O(n log n).
+  /// The origin of the points of a complete set: all points merged into each, ascending. O(n log
+  /// n).
   std::vector<Origin> FindOrigins() const;
 
   /// Faces that have points that are not finite, or fewer than three different ones.
@@ -91,7 +90,7 @@ public:
   /// The largest magnitude of a coordinate.
   double GetLargestCoordinate() const;
 
-  /// No triangle is less than about this wide; less than most are where triangles are small.
+  /// A lower bound of the width of triangles, smaller than most where triangles are small.
   double GetLeastWidth() const;
 
 private:

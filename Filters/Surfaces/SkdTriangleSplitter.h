@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdTriangleSplitter.h
- * @brief One triangle of a set, cut along the segments that it has.
+ * @brief One triangle of a set, split along its segments.
  */
 
 #ifndef SkdTriangleSplitter_h
@@ -34,8 +34,7 @@ public:
   int Count() const { return static_cast<int>(this->All.size()); }
   const SkdSplitCorner& operator[](int i) const { return this->All[static_cast<std::size_t>(i)]; }
 
-  ///@{
-  /// What a constrained triangulation asks.
+  /// @{ The interface that a constrained triangulation needs.
   int Orient(int a, int b, int c);
   bool IsBetter(int a, int b, int c, int d) const;
   ///@}
