@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-/// What the components of a query are.
+/// The meaning of a query's components.
 enum class SkdBatchOf
 {
   Points, ///< x, y, z
@@ -26,8 +26,8 @@ inline int SkdNumberOfComponents(SkdBatchOf kind)
   return kind == SkdBatchOf::Points ? 3 : kind == SkdBatchOf::Spheres ? 4 : 6;
 }
 
-/// The tuples of an array of numbers, read without a virtual call if these are doubles. The array
-/// must live. Thread-safe.
+/// The tuples of a numeric array, read without a virtual call if they are doubles. The array must
+/// outlive it. Thread-safe.
 class SkdTuples
 {
 public:
@@ -55,19 +55,19 @@ private:
   int Components;
 };
 
-/// Many queries of one kind, the tuples of an array, asked in parallel in an order in which
-/// neighbours in space follow each other: along a Morton curve through their centres. So a query
-/// finds in the processor's caches what the one before has read. Queries that are not finite come
-/// last. The order, and its pieces, depend on the queries alone, not on the number of threads.
+/// Many queries of one kind, the tuples of an array, processed in parallel along a Morton curve
+/// through their centres, so that data read by one query are still in the processor's caches for
+/// the next. Queries that are not finite come last. The order and its pieces depend only on the
+/// queries, not on the number of threads.
 ///
 /// 8 bytes and some ten nanoseconds a query.
 class SkdBatch
 {
 public:
-  /// So many queries that follow each other are one thread's.
+  /// The number of consecutive queries for one thread.
   static constexpr vtkIdType PieceSize = 256;
 
-  /// The array must live, and have the right number of components.
+  /// The array must outlive it and have the right number of components.
   SkdBatch(vtkDataArray* queries, SkdBatchOf kind);
 
   vtkIdType GetNumberOfQueries() const { return this->Count; }
@@ -76,7 +76,7 @@ public:
   /// The tuple of a slot. Thread-safe.
   void Read(vtkIdType slot, double* tuple) const { this->Queries.Read(slot, tuple); }
 
-  /// The slot at a place of the order.
+  /// The slot at an index of the order.
   vtkIdType GetSlot(vtkIdType at) const
   {
     return this->Order.empty() ? at : static_cast<vtkIdType>(this->Order[at]);
@@ -96,8 +96,8 @@ public:
       });
   }
 
-  /// Calls body(state, slot) for all queries in parallel, and counts how often that is true. Each
-  /// piece has a state of its own, from makeState().
+  /// Calls body(state, slot) for all queries in parallel, and counts how often it returns true.
+  /// Each piece has its own state, from makeState().
   template <class MakeState, class Body>
   vtkIdType CountTrue(const MakeState& makeState, const Body& body) const
   {

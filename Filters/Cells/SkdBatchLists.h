@@ -10,8 +10,8 @@
 
 #include <vector>
 
-/// The answers to a batch of queries that each may have several: found in parallel piece by piece,
-/// then put one query's after the other's, in the order of the slots.
+/// The answers of a batch of queries with several answers each: computed in parallel piece by
+/// piece, then concatenated in the order of the slots.
 template <class Value>
 class SkdBatchLists
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdBatchOutputs.h
- * @brief What all batches do with the arrays that they are handed: refuse, size and fill them.
+ * @brief Validation, allocation and filling of the arrays of batches.
  */
 
 #ifndef SkdBatchOutputs_h

@@ -16,13 +16,13 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkGenericCell;
 
-/// The chordal deviation of a data set's curved cells: how far they go beyond the boxes of their
-/// points. One thread's.
+/// The chordal deviation of a data set's curved cells: how far they extend beyond the boxes of
+/// their points. For one thread.
 ///
-/// A cell is what its corners span, plus the displacements of its other points from where a
-/// straight cell has them, each times its weight. So nothing of it is farther from the corners' box
-/// than the largest displacement times the largest sum of these weights' magnitudes: nothing for a
-/// straight cell. The sum is found once for each kind of cell.
+/// A cell is the straight cell of its corners plus the weighted displacements of its other points
+/// from those of the straight cell. So no point of it is farther from the corners' box than the
+/// largest displacement times the largest sum of absolute weights, which is 0 for a straight cell.
+/// The sum is computed once for each kind of cell.
 class SkdChordalDeviation
 {
 public:

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCurvedFaces.h
- * @brief The curved cells of a data set that are surfaces, and the faces of its curved volume cells
- * that no other of them has: read from the cells themselves, whose type says which points a face
- * has.
+ * @brief The curved surface cells of a data set, and the faces of its curved volume cells that no
+ * other of them shares, with the points that the cell type defines.
  *
- * Two faces are the same when they have the same points, those within their edges and themselves
- * included. Ghost cells (DUPLICATECELL) hide the faces that they share and show none; hidden cells
- * are not there.
+ * Two faces are equal if they have the same points, including those within edges and faces. Ghost
+ * cells (DUPLICATECELL) remove the faces that they share and contribute none; hidden cells are
+ * ignored.
  */
 
 #ifndef SkdCurvedFaces_h
@@ -42,8 +41,8 @@ struct SkdCurvedFace
 std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh);
 
 /// Calls visit(face, cell, isInward) for each, the cell being that face as VTK has it, its point
-/// ids those of the data set. Valid until the next one. VTK's types do not agree on the sense in
-/// which faces turn, so it is told whether the face of a volume cell turns inward.
+/// ids those of the data set. Valid until the next one. VTK's types do not agree on the orientation
+/// of faces, so `isInward` tells whether the face of a volume cell is oriented inward.
 void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
   const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit);
 

@@ -13,7 +13,7 @@
 #include <array>
 #include <optional>
 
-/// Tells fast which ids are those of one cell: of some that fall together only the last is marked.
+/// A fast set of the ids of one cell: of ids with equal hashes only the last is marked.
 class SkdIdMarks
 {
 public:
@@ -43,7 +43,7 @@ private:
   std::array<Entry, 256> Marks;
 };
 
-/// Where a vtkUnstructuredGrid keeps the faces of its polyhedra, which may be anything.
+/// The storage of the faces of polyhedra in a vtkUnstructuredGrid, which may be invalid.
 class SkdFaceSource
 {
 public:

@@ -11,8 +11,7 @@ class vtkCell;
 class vtkDataSet;
 class vtkGenericCell;
 
-/// What a query needs to look at a cell through VTK: the data set, and a cell to load it into that
-/// no other thread uses.
+/// The data set, and a thread-local cell into which cells are loaded.
 struct SkdCellSource
 {
   vtkDataSet* Data;
@@ -31,8 +30,8 @@ SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
 
-/// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell that
-/// Closest gave: hand its sub-id and parametric coordinates in.
+/// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell found by
+/// Closest: pass in its sub-id and parametric coordinates.
 void Locate(
   vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords, double* weights);
 }

@@ -31,7 +31,7 @@ struct SkdCellPoint
   bool ProjectsInside = false; ///< the query point projects into the cell's interior, or is in it
 };
 
-/// Where a segment hits a cell.
+/// A hit of a segment and a cell.
 struct SkdLineHit
 {
   double T;
@@ -39,7 +39,7 @@ struct SkdLineHit
   int SubId = 0;
 };
 
-/// By how far a segment may miss a cell.
+/// The distance up to which a segment hits a cell.
 struct SkdReach
 {
   double Tolerance; ///< as asked for, surfaces
@@ -134,9 +134,9 @@ struct SkdTriangleKernel
   }
 };
 
-/// The two triangles that a quad is for a segment: cut along the shorter diagonal, as VTK does; of
-/// equal ones along that of the vertex which is last in lexicographic order. Quads that share an
-/// edge, and two cells that share a quad, whatever its first vertex, so have the same triangles.
+/// The two triangles of a quad in segment tests: divided along the shorter diagonal, as in VTK; of
+/// equal ones along that of the vertex which is last in lexicographic order. So two cells that
+/// share a quad have the same triangles, whatever its first vertex.
 struct SkdQuadSplit
 {
   int Triangles[2][3];
@@ -190,7 +190,7 @@ inline void SkdHitFace(const skd::Vector3* p, const skd::Vector3* pcoords, int s
   }
 }
 
-/// Bilinear where it is measured, two triangles where a segment meets it.
+/// Bilinear for distances, two triangles for segments.
 struct SkdQuadKernel
 {
   static constexpr int Size = 4;
@@ -267,7 +267,7 @@ struct SkdVolumeKernel
     return { nearest.Point, nearest.PCoords, nearest.Dist2, 0, nearest.Dist2 == 0.0 };
   }
 
-  /// Cells that share a corner must tie there, whatever rounding makes of their maps.
+  /// Cells that share a corner must tie there despite rounding errors of their maps.
   static const double* CornerAt(const skd::Vector3* p, const skd::Vector3& x)
   {
     for (int i = 0; i < Size; ++i)
@@ -306,7 +306,7 @@ struct SkdVolumeKernel
   }
 };
 
-/// As VTK has it, a segment hits a voxel where it enters the box: at its start if that is inside.
+/// As in VTK, a segment hits a voxel where it enters the box, or at its start if that is inside.
 struct SkdVoxelKernel : SkdVolumeKernel<skd::Voxel>
 {
   static std::optional<SkdLineHit> Intersect(

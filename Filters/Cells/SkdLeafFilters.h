@@ -10,20 +10,20 @@
 
 #include <vector>
 
-/// What the cells of leaves look like on 16-bit grids, eight at once: enough to see of
-/// most candidates of a query that they need no exact test. Leaf filters never change an answer:
-/// what they leave out is proven to be no answer, rounding included.
+/// The cells of leaves on 16-bit grids, eight at once, which exclude most candidates of a query
+/// before exact tests. Leaf filters never change an answer: excluded cells are proven not to be
+/// one, including rounding.
 ///
 /// Triangles are kept as they are, 24 bytes each; volume cells as the planes along their faces, 8
-/// bytes a plane. Where all cells are triangles, their corners lie beside, too, each once a leaf:
-/// 15 bytes a triangle of points in single precision, 30 of others. What a line needs of a
-/// leaf is then at hand at once. Constant once built: any number of threads may use it.
+/// bytes a plane. Where all cells are triangles, their corners are stored beside them, each once a
+/// leaf: 15 bytes a triangle for points in single precision, else 30. A line then finds all data of
+/// a leaf together. Immutable once built and thread-safe.
 class SkdLeafFilters
 {
 public:
   SkdLeafFilters() = default;
-  /// `rounding`: at what distance from a cell a point still counts as inside. Tags the leaves
-  /// that can be filtered: those with nothing but triangles, or nothing but such volume cells.
+  /// `rounding`: the distance from a cell up to which a point counts as inside. Tags the leaves
+  /// that can be filtered: those with only triangles, or only such volume cells.
   SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, double rounding);
 
   /// For the leaf filters of Core/LeafFilters/TriangleLeafFilters.h.
@@ -34,7 +34,7 @@ public:
         this->Points.empty() ? nullptr : this->Points.data() } };
   }
 
-  /// Which volume cells may hold a point.
+  /// The volume cells that may contain a point.
   class Point
   {
   public:
@@ -61,7 +61,7 @@ public:
   std::size_t MemorySize() const;
 
 private:
-  /// The planes of a leaf's cells: where they begin, and the grid that they are on.
+  /// The planes of a leaf's cells: their first index, and their quantization grid.
   struct PlanePacket
   {
     skd::QuantizationGrid Grid;

@@ -34,14 +34,14 @@ inline skd::Plane<3> SkdPlane(const double origin[3], const double normal[3])
   return { SkdVector(origin), (1.0 / skd::Norm(direction)) * direction };
 }
 
-/// A cell of the calling thread's own, for the forms of a query that are handed none.
+/// A thread-local cell, for forms of a query without one.
 inline vtkGenericCell* SkdScratchCell()
 {
   thread_local vtkNew<vtkGenericCell> cell;
   return cell;
 }
 
-/// What a locator holds: a tree, shared with its shallow copies, and the motion of its set.
+/// The state of a locator: a tree, shared with its shallow copies, and the motion of its set.
 class SkdLocatorState
 {
 public:
@@ -50,7 +50,7 @@ public:
   std::optional<skd::RigidMotion> Motion;
   vtkNew<vtkMatrix4x4> Matrix; // of the motion, as it was given
 
-  /// nullptr before a tree is built. Threads may ask while one of them builds.
+  /// nullptr before a tree is built. Thread-safe, also during a build.
   const SkdCellTree* GetTree() const { return this->Ready.load(std::memory_order_acquire); }
   const std::shared_ptr<const SkdCellTree>& ShareTree() const { return this->Tree; }
   void SetTree(std::shared_ptr<const SkdCellTree> tree)
@@ -74,7 +74,7 @@ public:
   }
   const skd::RigidMotion* GetMotion() const { return this->Motion ? &*this->Motion : nullptr; }
 
-  /// The motion or, without one, that which moves nothing.
+  /// The motion, or the identity.
   skd::RigidMotion GetMotionOrNone() const
   {
     constexpr skd::RigidMotion none{
@@ -83,7 +83,7 @@ public:
     return this->Motion ? *this->Motion : none;
   }
 
-  /// Loads a cell of the answer for the caller, moved as the set is.
+  /// Loads a cell of the answer for the caller, transformed by the motion.
   void Load(vtkDataSet* data, vtkIdType id, vtkGenericCell* cell) const
   {
     if (!cell || id < 0)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdMagnitudes.h
- * @brief Coordinates so large or small that what is computed of them is no number any more.
+ * @brief Limits of coordinates beyond which products overflow or underflow.
  *
- * One rule for all: a coordinate that is too large counts as not finite, and the points of a mesh
- * whose largest coordinate is too small, but not 0, do likewise. So their cells are left out and
- * counted, and nobody else has to ask whether a product overflows, or comes to nothing.
+ * Coordinates that are too large count as not finite, as do the points of a mesh whose largest
+ * coordinate is too small but not 0. Their cells are ignored and counted, so that no other code
+ * needs to check for overflow and underflow.
  */
 
 #ifndef SkdMagnitudes_h
@@ -18,20 +18,20 @@
 #include <sstream>
 #include <string>
 
-/// Range of a mesh's largest coordinate, without its sign.
+/// Range of a mesh's largest absolute coordinate.
 struct SkdMagnitudes
 {
   double Least;
   double Largest;
 };
 
-/// For distances and places in cells: six lengths are multiplied.
+/// For distances and parametric coordinates: products of six lengths.
 constexpr SkdMagnitudes SkdMeasurable{ 1e-50, 1e50 };
 
-/// For what compares boxes and cells with boxes, and for distances from flat cells: two are.
+/// For tests with boxes, and for distances from linear cells: products of two lengths.
 constexpr SkdMagnitudes SkdComparable{ 1e-152, 1e152 };
 
-/// What is wrong with cells that are counted as not finite, for messages.
+/// The reason why cells count as not finite, for messages.
 inline std::string SkdWhyCellsAreLeftOut(const SkdMagnitudes& magnitudes = SkdMeasurable)
 {
   std::ostringstream why;
@@ -40,7 +40,7 @@ inline std::string SkdWhyCellsAreLeftOut(const SkdMagnitudes& magnitudes = SkdMe
   return why.str();
 }
 
-/// Whether a point is not too far off, and finite.
+/// Whether a point is finite and within the limits.
 inline bool SkdIsWithin(const skd::Vector3& x, double largest)
 {
   return std::abs(x[0]) <= largest && std::abs(x[1]) <= largest && std::abs(x[2]) <= largest;

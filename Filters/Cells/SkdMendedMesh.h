@@ -11,15 +11,15 @@
 
 class vtkDataSet;
 
-/// A data set as it may be read: itself, or, where cells are broken (SkdCellCheck.h), one of the
-/// same type, points and data in which these are empty. All cells keep their ids.
+/// A valid version of a data set: itself or, if cells are broken (SkdCellCheck.h), one of the same
+/// type, points and data in which these are empty. All cells keep their ids.
 struct SkdMendedMesh
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   std::string Fault; ///< what is to be told of the broken cells: empty if there is none
 };
 
-/// `data` must not be nullptr. Copies connectivity where cells are broken, else nothing.
+/// `data` must not be nullptr. Copies connectivity only if cells are broken.
 SkdMendedMesh SkdMend(vtkDataSet* data);
 
 #endif

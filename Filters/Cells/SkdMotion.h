@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Queries about the bounds that cells have after a rigid motion, on a tree of where they were. The
-/// bounds of a turned box reach farther than the box: slabs with larger weights stand for them.
+/// @file Queries for the bounds of cells after a rigid motion, on the tree before it. The bounds of
+/// a rotated box extend beyond the box, so slabs with larger weights are used.
 #ifndef SkdMotion_h
 #define SkdMotion_h
 
@@ -14,7 +13,7 @@ inline skd::Vector3 SkdAbsolutesOf(const skd::Vector3& row)
   return { { std::abs(row[0]), std::abs(row[1]), std::abs(row[2]) } };
 }
 
-/// The plane and the reach to use on boxes where they were before the motion, for bounds after it.
+/// The plane and the reach for boxes before the motion that correspond to bounds after it.
 inline skd::Slab<3> SkdSlabBeforeMotion(const skd::Frame<3>& frame, const skd::Plane<3>& plane,
   double halfWidth, const skd::RigidMotion& motion)
 {

@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-/// Nearest cells to points that lie near each other, one after the other: the answer to the last is
-/// a point of the set, so the distance to it bounds the search for the next. Answers are those of
-/// SkdCellTree::FindNearest, ties too. For one thread.
+/// Nearest cells to a sequence of points near each other: the answer to the last one is a point of
+/// the set, so the distance to it bounds the next search. Answers are those of
+/// SkdCellTree::FindNearest, including ties. For one thread.
 class SkdNearestInTurn
 {
 public:
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  /// The point was rounded off its cell, and distances are rounded.
+  /// Allows for rounding of the point and of distances.
   double Bound2(const skd::Vector3& x) const
   {
     constexpr double slack = 1.0 + 64.0 * std::numeric_limits<double>::epsilon();

@@ -8,14 +8,14 @@
 
 class vtkCell;
 
-/// A curved cell (quadratic, cubic, Lagrange, Bezier) as what it is: the image of a domain under
-/// the cell's interpolation functions. VTK's own EvaluatePosition and IntersectWithLine of these
-/// cells approximate by straight pieces, by loosely converged or clamped coordinates; here both are
-/// solved for on the map itself, to within rounding.
+/// A curved cell (quadratic, cubic, Lagrange, Bezier) as the image of a domain under its
+/// interpolation functions. VTK's own EvaluatePosition and IntersectWithLine of these cells
+/// approximate by straight pieces or by loosely converged or clamped coordinates; here both are
+/// solved on the map itself, to within rounding.
 ///
 /// Parameters are in [0, 1]; they are VTK's parametric coordinates but for two types (ToVTK).
-/// Points are relative to an origin: a query point, so that residuals lose nothing to rounding.
-/// The buffers are the calling thread's, and good until its next parametric cell.
+/// Points are relative to an origin: a query point, so that residuals lose nothing to rounding. The
+/// buffers are thread-local and valid until the thread's next parametric cell.
 class SkdParametricCell
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   const skd::ParameterDomain& Domain() const { return *this->TheDomain; }
   int NumberOfPoints() const { return this->Size; }
-  /// The cell's points, seen from the origin, and the parameters that they are meant to have.
+  /// The cell's points relative to the origin, and their parameters.
   const skd::Vector3& Point(int i) const { return this->Points[i]; }
   skd::Vector3 ParametersOfPoint(int i) const;
 
@@ -38,8 +38,8 @@ public:
 
   skd::Vector3 ToVTK(const skd::Vector3& p) const;
 
-  /// 8 units in the last place of the largest coordinate of the cell and of the origin: what is
-  /// nearer than this is at distance 0.
+  /// 8 units in the last place of the largest coordinate of the cell and of the origin: smaller
+  /// distances count as 0.
   double Rounding() const { return this->TheRounding; }
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdPieceRuns.h
- * @brief Boxes within cells of many pieces: a polyline of thousands of points is one box to the
- * tree, and would be looked through from end to end by each query that comes near.
+ * @brief Boxes within cells of many pieces: without them, each query near a polyline of thousands
+ * of points, one box in the tree, would test all of its pieces.
  */
 
 #ifndef SkdPieceRuns_h
@@ -14,22 +14,21 @@
 #include <cstdint>
 #include <vector>
 
-/// Of strips, polylines and polyvertices, whose pieces come in a row: a box for each run of 16
-/// pieces, one for each 16 of these, and so on to one that holds all. 3 bytes a piece. Constant
-/// once made.
+/// For strips, polylines and polyvertices, whose pieces are consecutive: a box for each run of 16
+/// pieces, one for each 16 of these, and so on. 3 bytes a piece. Immutable.
 class SkdPieceRuns
 {
 public:
   SkdPieceRuns() = default;
 
-  /// `rounding` is by how much coordinates of points in cells may be off. O(pieces).
+  /// `rounding` is the maximum error of coordinates of points in cells. O(pieces).
   SkdPieceRuns(const SkdCellStore& store, double rounding);
 
   /// Whether the cell has runs: if it has many pieces.
   bool Has(std::uint32_t cell) const { return this->Find(cell) != nullptr; }
 
-  /// What SkdPolyKernels::Closest() tells of a cell that has runs, to the last bit, of pieces not
-  /// farther than limit2. O(log pieces) typical.
+  /// The result of SkdPolyKernels::Closest() for a cell that has runs, to the last bit, for pieces
+  /// within limit2. O(log pieces) typical.
   SkdCellPoint Closest(
     const SkdCellStore& store, std::uint32_t cell, const skd::Vector3& x, double limit2) const;
 
@@ -38,7 +37,7 @@ public:
 private:
   static constexpr std::uint32_t Width = 16; // even: strips turn with every piece
 
-  /// Where the boxes of a cell are: its runs, then level after level what holds 16 of those below.
+  /// The indices of a cell's boxes: its runs, then level by level boxes of 16 of those below.
   struct Row
   {
     std::uint32_t Cell;

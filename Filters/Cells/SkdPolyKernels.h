@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// The exact tests of cells of any number of points: polygons, strips, polylines, polyvertices and
-/// polyhedra. What the mathematics promises holds for them at any scale, and in any thread.
+/// @file The exact tests of cells of any number of points: polygons, strips, polylines,
+/// polyvertices and polyhedra. They are accurate at any scale, and thread-safe.
 #ifndef SkdPolyKernels_h
 #define SkdPolyKernels_h
 
@@ -26,18 +25,18 @@ struct SkdPolyCell
 
 namespace SkdPolyKernels
 {
-/// The nearest point, nothing farther than limit2 matters. Parametric coordinates of polygons and
-/// polyhedra are left to Locate().
+/// The nearest point within limit2. Locate() computes the parametric coordinates of polygons and
+/// polyhedra.
 SkdCellPoint Closest(const SkdPolyCell& cell, const skd::Vector3& x, double limit2);
 
 std::optional<SkdLineHit> Intersect(
   const SkdPolyCell& cell, const skd::SegmentView& view, const SkdReach& reach);
 
-/// Completes the parametric coordinates, VTK's, and unless nullptr the weights at a point that
-/// Closest() has found.
+/// Completes VTK's parametric coordinates and, unless nullptr, the weights at a point found by
+/// Closest().
 void Locate(const SkdPolyCell& cell, SkdCellPoint& found, double* weights);
 
-/// What VTK takes for the parametric coordinates of a polyhedron.
+/// The parametric coordinates of a polyhedron as in VTK.
 skd::Vector3 PCoordsInBounds(const skd::Box3& bounds, const skd::Vector3& x);
 }
 

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-/// A vtkCellArray whose offsets and ids may be anything: nothing is read where there is nothing.
+/// A vtkCellArray whose offsets and ids may be invalid: reads nothing out of range.
 class SkdRawCells
 {
 public:

@@ -11,8 +11,8 @@ namespace skd
 struct RigidMotion;
 }
 
-/// The boxes of a level of the paper's tree as quads, moved as the set is (nullptr: not at all).
-/// A level below 0 or below the deepest gives the leaves. Cell arrays Level and CellId.
+/// The boxes of a level of the paper's tree as quads, transformed by the motion unless nullptr. A
+/// level below 0 or below the deepest gives the leaves. Cell arrays Level and CellId.
 void SkdRepresent(
   const SkdCellTree& tree, int level, const skd::RigidMotion* motion, vtkPolyData* output);
 

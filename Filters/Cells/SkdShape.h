@@ -5,9 +5,8 @@
 
 #include <cstdint>
 
-/// What the exact tests see in a cell. Each shape but Generic has a kernel of its own
-/// (SkdKernels.h, SkdPolyKernels.h) that reads raw points; Generic goes through vtkGenericCell
-/// (SkdGenericKernel.h).
+/// The shape of a cell for exact tests. Each shape except Generic has its own kernel (SkdKernels.h,
+/// SkdPolyKernels.h) that reads raw points; Generic uses vtkGenericCell (SkdGenericKernel.h).
 enum class SkdShape : std::uint8_t
 {
   Vertex,
@@ -32,7 +31,7 @@ enum class SkdShape : std::uint8_t
 /// The table: VTK's cell type -> shape.
 SkdShape SkdShapeOfCellType(int cellType);
 
-/// The points of a cell of this shape, or 0 when that is up to the cell.
+/// The number of points of a cell of this shape, or 0 if it varies.
 inline int SkdNumberOfPoints(SkdShape shape)
 {
   constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0 };

@@ -8,14 +8,14 @@
 
 #include <cstddef>
 
-/// The cells of a vtkCellArray where offsets and ids are stored in a row, in 32 or 64 bit. The
-/// array must live and stay as it is.
+/// The cells of a vtkCellArray whose offsets and ids are stored contiguously, in 32 or 64 bits. The
+/// array must outlive it unchanged.
 class SkdStoredCells
 {
 public:
   explicit SkdStoredCells(vtkCellArray* cells);
 
-  /// False of implicit offsets, and of others that are not stored: then VTK is to be asked.
+  /// False for implicit offsets, and others that are not stored: then use VTK's own access.
   bool AreStored() const { return this->Ids32 || this->Ids64; }
 
   /// Calls visit(cell, ids, size) for the cells begin .. end - 1, ids of whatever type is stored.

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// The walks about triangles once more, for processors with AVX2 and FMA: eight lanes in a
-/// register. Which are run is decided when the program is. Answers are the same to the last bit:
-/// lanes do the same operations, rounded the same way, however many there are to a register.
+/// @file The queries of triangles compiled for processors with AVX2 and FMA, with eight lanes a
+/// register, selected at run time. Answers are identical to the last bit: lanes perform the same
+/// operations with the same rounding, however many there are in a register.
 ///
-/// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in a namespace of its own,
-/// so that no inline function compiled for AVX2 ever takes the place of one that must run anywhere.
-/// So its face speaks of no type of the core: what `View` and `Packets` point to has the same bytes
-/// under both names.
+/// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in its own namespace, so
+/// that no inline function compiled for AVX2 replaces one that must run anywhere. Its interface
+/// therefore uses no type of the core: what `View` and `Packets` point to has the same layout under
+/// both names.
 #ifndef SkdWideWalks_h
 #define SkdWideWalks_h
 
@@ -21,7 +20,7 @@ struct SkdWideTree
   const void* Packets; ///< skd::TrianglePackets
 };
 
-/// Measures a cell, and returns beyond what nothing is wanted any more.
+/// Measures a cell, and returns the new limit of the search.
 struct SkdWideVisitor
 {
   template <class Visitor>
@@ -38,7 +37,7 @@ struct SkdWideVisitor
   void* Self;
 };
 
-/// Takes a triangle that is hit, and returns beyond what nothing is wanted any more.
+/// Receives a triangle that is hit, and returns the new limit of the search.
 struct SkdWideHits
 {
   template <class Hit, class Visitor>
@@ -59,10 +58,10 @@ struct SkdWideHits
 class SkdWideWalks
 {
 public:
-  /// Whether this build has them and this processor can run them, and the environment variable
+  /// Whether this build has them, this processor supports them, and the environment variable
   /// SKDTREE_BASELINE is not set.
   static bool AreOn();
-  /// For tests, while nobody searches. Turning on what cannot run here does nothing.
+  /// For tests, while no query runs. Has no effect if they are not available.
   static void TurnOn(bool on);
 
   static void Nearest(const SkdWideTree& tree, const double x[3], double limit2, bool onlyNearest,

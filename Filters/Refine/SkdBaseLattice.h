@@ -10,7 +10,7 @@
 
 class vtkDataObject;
 
-/// What is said of a base grid that is not given as one.
+/// Settings of a base grid that is not given as a data set.
 struct SkdBaseSettings
 {
   skd::Box3 Bounds;                ///< empty: those of the parts, with a margin
@@ -19,7 +19,7 @@ struct SkdBaseSettings
   double CellSize = 0.0;           ///< of cubes, or 0; then the bounds grow to whole cells
 };
 
-/// The base cells, or what is wrong with what they should be made of.
+/// The base cells, or the reason why they cannot be made.
 struct SkdBaseLattice
 {
   std::optional<skd::Lattice> Lattice;
@@ -30,7 +30,7 @@ struct SkdBaseLattice
 SkdBaseLattice SkdMakeBaseLattice(
   const SkdBaseSettings& settings, const skd::Box3& parts, int branch);
 
-/// The cells of a vtkImageData that is not turned, or of a vtkRectilinearGrid.
+/// The cells of a vtkImageData without a direction matrix, or of a vtkRectilinearGrid.
 SkdBaseLattice SkdTakeBaseLattice(vtkDataObject* grid, int branch);
 
 #endif

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdBlockPoints.h
- * @brief The points of one block of a refined mesh: those that it had, under their ids, and new
- * ones, with what they are made of.
+ * @brief The points of one block of a refined mesh: the original ones, with their ids, and new
+ * ones, with their interpolation weights.
  */
 
 #ifndef SkdBlockPoints_h
@@ -13,12 +13,12 @@
 
 #include <vector>
 
-/// Points of equal coordinates are one node; here they come apart again. A new node on a seam is a
-/// point for each pair of points that it is made of.
+/// Points of equal coordinates are one node and are separated again here. A new node on a seam
+/// gives one point for each pair of points from which it is made.
 class SkdBlockPoints
 {
 public:
-  /// What they are made of: points that were there before, by weights that sum to 1.
+  /// The interpolation of new points: original points with weights that sum to 1.
   struct Recipe
   {
     std::vector<vtkIdType> Ids;
@@ -27,10 +27,10 @@ public:
 
   SkdBlockPoints(const SkdReadMesh& read, const SkdReadMesh::Block& block);
 
-  /// Says of what cell the nodes are that are asked for next, by its points before.
+  /// Sets the cell of the nodes requested next, by its original points.
   void SetCell(const std::vector<vtkIdType>& points) { this->CellPoints = &points; }
 
-  /// The point at a node of a part of that cell, a new one when it is asked for first.
+  /// The point at a node of a part of that cell, created at the first request.
   vtkIdType IdOf(std::uint32_t node);
 
   vtkIdType GetNumberOfOldPoints() const { return this->OldPoints; }

@@ -7,11 +7,11 @@
 
 #include <vector>
 
-/// For each of a row of boxes, what may meet it of each part.
+/// The candidates of each part for each box in a sequence.
 class SkdCandidateLists
 {
 public:
-  /// What may meet a box of one part.
+  /// The candidates of one part for a box.
   struct Span
   {
     std::uint32_t Part;
@@ -59,7 +59,7 @@ public:
   void EndBox() { this->Boxes.push_back(this->Spans.size()); }
   ///@}
 
-  /// The boxes of another row after those of this.
+  /// Appends the boxes of another sequence.
   void Append(const SkdCandidateLists& other)
   {
     const std::size_t lanes = this->Lanes.size();

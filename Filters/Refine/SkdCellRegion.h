@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCellRegion.h
- * @brief The room that a cell of a mesh under refinement takes.
+ * @brief The region of a cell of a mesh under refinement.
  *
- * Of a volume cell that is what its faces enclose, of four nodes two triangles each. Where a field
- * is looked up on a line or a surface, points and cells count that are beside it, too, across it by
- * half of the cell's radius: so a field on a finer or smoother version of a curved surface is met.
- * Parts must truly meet the cell.
+ * For a volume cell it is enclosed by its faces, those of four nodes as two triangles each. On
+ * lines and surfaces, field points and cells within half of the cell's radius are included, so that
+ * a field on a finer or smoother version of a curved surface is found. Parts must intersect the
+ * cell itself.
  */
 
 #ifndef SkdCellRegion_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdCriteria.h
- * @brief What asks for cells to be refined, whatever the cells are: parts that they meet or come
- * near to, the inside, a field.
+ * @brief Refinement criteria for any kind of cells: parts that they intersect or come near, the
+ * inside, a field.
  */
 
 #ifndef SkdCriteria_h
@@ -26,9 +26,8 @@ struct SkdCriteria
 {
   int MaximumLevel = 5;
   std::vector<int> PartLevels; ///< one a part: where it meets cells they are refined to that level
-  ///@{
-  /// From MinimumSurfaceLevel on, only where a part's normals are farther than this off their mean.
-  /// In radians; negative: everywhere.
+  /// @{ Beyond MinimumSurfaceLevel, refine only where a part's normals deviate by more than this
+  /// angle from their mean. In radians; negative: everywhere.
   double NormalDeviation = -1.0;
   int MinimumSurfaceLevel = 0;
   ///@}
@@ -39,10 +38,10 @@ struct SkdCriteria
   int FieldLevel = 0;                                  ///< of cells where the field wants it
   std::function<bool(const SkdRegion&)> IsFieldWanted; ///< asked if FieldLevel is above 0
 
-  /// Whether a part that meets the region wants it to be of a level above this one. Thread-safe.
+  /// Whether a part that intersects the region requires a level above this one. Thread-safe.
   bool IsWantedByParts(int level, const SkdRegion& region, const SkdParts& parts) const;
 
-  /// Whether anything else does. Thread-safe.
+  /// Whether any other criterion does. Thread-safe.
   bool IsWantedByOthers(int level, const SkdRegion& region, const SkdParts& parts) const;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdEnclosure.h
- * @brief What parts enclose, be their boundary closed or not.
+ * @brief The region enclosed by parts, with a closed or open boundary.
  */
 
 #ifndef SkdEnclosure_h
@@ -16,15 +16,15 @@
 class SkdEnclosure
 {
 public:
-  /// Makes it that of the blocks; see SkdSignedSource. Returns how many trees of the boundary were
-  /// built: 0 when all was kept.
+  /// Updates it to the blocks; see SkdSignedSource. Returns the number of trees built for the
+  /// boundary, 0 if all were reused.
   int Update(const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation);
 
   const SkdSignedSource& GetBoundary() const { return this->Boundary; }
   bool IsClosed() const { return this->Boundary.GetNumberOfOpenEdges() == 0; }
 
-  /// See SkdSolid; where the boundary has open edges by its winding number, its
-  /// triangles turned so that they agree (SkdFindTurned). Thread-safe.
+  /// See SkdSolid; for a boundary with open edges the winding number of its consistently oriented
+  /// triangles decides (SkdFindTurned). Thread-safe.
   bool IsInside(const skd::Vector3& x) const
   {
     return this->Winding ? this->Winding->IsInside(x.X) : this->Boundary.IsInside(x.X);

@@ -4,10 +4,10 @@
  * @file SkdFieldCriterion.h
  * @brief Whether a field varies within a cell, or has values of interest there.
  *
- * The values that count in a cell are those of the field's points in it, and those interpolated at
- * its corners and its middle; of cell data those of the field's cells that meet it or are there. Of
- * arrays with several components the magnitude. Values that are not finite do not count. Blocks are
- * looked at one by one.
+ * The values in a cell are those of the field's points in it, and those interpolated at its corners
+ * and its centre; of cell data those of the field's cells that intersect it. Arrays with several
+ * components use the magnitude. Values that are not finite are ignored. Blocks are tested
+ * separately.
  */
 
 #ifndef SkdFieldCriterion_h
@@ -38,12 +38,12 @@ struct SkdFieldSettings
 class SkdFieldCriterion
 {
 public:
-  /// Takes the arrays of the blocks, point data before cell data. Trees are kept while the meshes
-  /// are the same. Throws as SkdParts::Update() does.
+  /// Reads the arrays of the blocks, point data before cell data. Trees are reused while the meshes
+  /// are unchanged. Throws like SkdParts::Update().
   void Update(
     const std::vector<SkdBlock>& blocks, const SkdFieldSettings& settings, double epsilon);
 
-  /// The names that no block has, of the data that the test needs.
+  /// The names of arrays that no block has in the data that the test needs.
   std::set<std::string> GetMissing() const { return this->Missing; }
 
   /// Whether one of the arrays passes the test. Thread-safe.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdGrid.h
- * @brief An adaptive grid: its cells, where they are, and what is known of each.
+ * @brief An adaptive grid: its cells, their geometry and their values.
  */
 
 #ifndef SkdGrid_h
@@ -23,7 +23,7 @@ struct SkdGridCell
 
 struct SkdGrid
 {
-  /// What is known of the cells of one level, a slot a cell.
+  /// The values of the cells of one level.
   struct Level
   {
     std::vector<unsigned char> Cut;       ///< a part meets the cell
@@ -52,8 +52,7 @@ struct SkdGrid
     return this->Lattice.BoxOf(level, this->Forest.LatticePointOf(level, cell));
   }
 
-  ///@{
-  /// The base cells that a process gives out, with all below them: a range, one a process.
+  /// @{ The range of base cells that each process outputs, with their descendants.
   void OwnPiece(int piece, int pieces)
   {
     const std::uint64_t n = this->Forest.NumberOfCells(0);
@@ -103,13 +102,12 @@ struct SkdGrid
   std::uint32_t FirstOwn = 0;
   std::uint32_t LastOwn;
 
-  /// The least level whose cells are about as small as the resolution of their coordinates, and so
-  /// were not refined though they should have been; -1 if there is none.
+  /// The lowest level of cells that were not refined because they are about as small as the
+  /// resolution of their coordinates; -1 if there is none.
   int ResolvedLevel = -1;
 
-  ///@{
-  /// Whether the cell limit stopped the refinement; then the level whose cells could not all be
-  /// refined that should have been, and how many cells there would have been.
+  /// @{ Whether the cell limit stopped the refinement; if so, the level whose cells were not all
+  /// refined, and the number of cells that would have resulted.
   bool IsStopped = false;
   int StoppedAtLevel = -1;
   std::uint64_t CellsWanted = 0;

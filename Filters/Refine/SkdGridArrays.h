@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdGridArrays.h
- * @brief What is known of the cells of an adaptive grid, as VTK's arrays.
+ * @brief The values of the cells of an adaptive grid, as VTK arrays.
  */
 
 #ifndef SkdGridArrays_h
@@ -12,7 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
-/// Values of all cells by level, beside those that a grid keeps itself. Empty: not asked for.
+/// Optional values of all cells by level. Empty: not requested.
 class SkdGridArrays
 {
 public:

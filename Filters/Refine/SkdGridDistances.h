@@ -8,8 +8,8 @@
 
 class vtkAlgorithm;
 
-/// How far the centres of all cells are from the nearest part, level by level; infinity without
-/// parts, NaN where the algorithm was told to stop before.
+/// The distances of the centres of all cells from the nearest part, level by level; infinity
+/// without parts, NaN after an abort.
 std::vector<std::vector<double>> SkdFindDistances(
   const SkdGrid& grid, const SkdParts& parts, vtkAlgorithm* algorithm, double first, double last);
 

@@ -6,7 +6,7 @@
 #include "Refine/SkdGridExtras.h"
 #include "Refine/SkdGridRefiner.h"
 
-/// What a grid will be, about, known before it is made.
+/// An estimate of the size of a grid before it is made.
 struct SkdGridEstimate
 {
   double Cells = 0.0; ///< refined ones, too
@@ -14,13 +14,12 @@ struct SkdGridEstimate
   double Seconds = 0.0;
 };
 
-/// By the walk that refines the grid, thinned: at each level at most 512 of the cells to refine,
-/// evenly chosen, go on and stand for all others. So whatever asks for cells is asked, and the
-/// number of cells is right to a few percent; but what Balance adds is taken for what it adds
-/// around a sphere, and growing layers for those of a surface. Bytes are to a factor of two;
-/// seconds go by what the walk took. `grid` is not refined yet. `outputType` is one of VTK's
-/// (VTK_UNSTRUCTURED_GRID, ...). O(base cells + 512 levels). The algorithm is told to be at
-/// `progress`, and asked whether to stop.
+/// It runs the refinement on a sample: on each level at most 512 of the cells to refine, evenly
+/// chosen, represent all others. All criteria are evaluated, and the number of cells is accurate to
+/// a few percent; cells added by Balance are estimated as around a sphere, growing layers as around
+/// a surface. Bytes are accurate to a factor of two; seconds are extrapolated. `grid` is not
+/// refined yet. `outputType` is one of VTK's (VTK_UNSTRUCTURED_GRID, ...). O(base cells + 512
+/// levels). Sets the algorithm's progress to `progress` and checks for abort.
 SkdGridEstimate SkdEstimateGrid(const SkdGrid& grid, const SkdParts& parts,
   const SkdRefineSettings& settings, const SkdGridRequests& requests, int outputType,
   vtkAlgorithm* algorithm, double progress);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdGridExtras.h
- * @brief What is found out of the cells of an adaptive grid by choice, once it is refined.
+ * @brief Optional values of the cells of an adaptive grid, computed after refinement.
  */
 
 #ifndef SkdGridExtras_h
@@ -14,7 +14,7 @@
 class SkdEnclosure;
 class vtkAlgorithm;
 
-/// Level by level, cell by cell; empty what was not wanted.
+/// By level and cell; empty if not requested.
 struct SkdGridExtras
 {
   std::vector<std::vector<unsigned char>> Inside;
@@ -32,8 +32,7 @@ struct SkdGridRequests
   bool NeedBoundary() const { return this->Inside || this->Fractions; }
 };
 
-/// The algorithm is told the progress, from `first` to `last`. `enclosure` is looked at only where
-/// a question needs it.
+/// Reports the algorithm's progress, from `first` to `last`. `enclosure` is used only if needed.
 SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridRequests& requests,
   const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last);

@@ -8,11 +8,11 @@
 class SkdEnclosure;
 class vtkAlgorithm;
 
-/// Which cells have their centres inside of a boundary, a value a cell, level by level; that of a
-/// refined cell is 1 if more than half of its children's are.
+/// Whether the centres of cells are inside a boundary, level by level; 1 for a refined cell if more
+/// than half of its children are inside.
 ///
-/// Leaves that no part meets and that share a face are on the same side of a closed boundary: one
-/// of those that hang together is asked for all. Of an open boundary each leaf is asked.
+/// Adjacent leaves that no part intersects are on the same side of a closed boundary: one test for
+/// each connected component. For an open boundary each leaf is tested.
 std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
   const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first, double last);
 

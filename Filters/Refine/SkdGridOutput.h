@@ -19,16 +19,16 @@ class vtkHyperTreeGrid;
 class vtkOverlappingAMR;
 class vtkUnstructuredGrid;
 
-/// Gives the hyper tree grid the base cells and their trees. Returns its cells, refined ones too,
+/// Sets the base cells and trees of the hyper tree grid. Returns its cells, including refined ones,
 /// in its order.
 std::vector<SkdGridCell> SkdMakeHyperTreeGrid(const SkdGrid& grid, vtkHyperTreeGrid* output);
 
-/// Gives the unstructured grid the leaves as voxels, pixels or lines, and marks the points that are
-/// not corners of all the leaves that they are on. Returns its cells in its order: level by level.
+/// Fills the unstructured grid with the leaves as voxels, pixels or lines, and marks hanging nodes.
+/// Returns its cells in its order: level by level.
 std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstructuredGrid* output);
 
-/// The same of a grid of two dimensions, without hanging points: a leaf with points between its
-/// corners becomes triangles around its middle. Returns the leaf of each cell, in its order.
+/// The same for a two-dimensional grid without hanging nodes: a leaf with hanging nodes becomes
+/// triangles around its centre. Returns the leaf of each cell, in its order.
 std::vector<SkdGridCell> SkdMakeConformingGrid(const SkdGrid& grid, vtkUnstructuredGrid* output);
 
 /// One block of an AMR data set and its cells, in the block's order.
@@ -38,18 +38,18 @@ struct SkdGridBlock
   std::vector<SkdGridCell> Cells;
 };
 
-/// Whether all base cells are of one size, up to rounding, and along two axes at least: what
-/// SkdMakeOverlappingAMR() needs.
+/// Whether all base cells have equal sizes, up to rounding, and at least two dimensions, as
+/// SkdMakeOverlappingAMR() requires.
 bool SkdIsUniform(const skd::Lattice& lattice);
 
-/// Gives the AMR data set one block of all base cells, and below these blocks of the children of
-/// refined cells, joined where they fit (see skd::JoinPlaces). Cells that are
-/// refined are marked as VTK marks them (vtkDataSetAttributes::REFINEDCELL). Returns the blocks
-/// with their cells: of several processes, each has every so-manieth block.
+/// Fills the AMR data set with one block of all base cells, and on further levels blocks of the
+/// children of refined cells, joined to larger ones (see skd::JoinPlaces). Refined cells are marked
+/// as in VTK (vtkDataSetAttributes::REFINEDCELL). Returns the blocks with their cells: with n
+/// processes, each has every n-th block.
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output);
 
-/// The grid as whatever the output is of the types above, with the arrays of its cells.
-/// `blockIndices` has that of each part.
+/// The grid as the output's type, one of the above, with the arrays of its cells. `blockIndices`
+/// has that of each part.
 void SkdFillGridOutput(const SkdGrid& grid, const SkdGridExtras& extras,
   const std::vector<int>& blockIndices, bool isConforming, vtkDataObject* output);
 

@@ -11,7 +11,8 @@
 
 #include <unordered_map>
 
-/// Corners of leaves by their places in the finest level there is: exact, and the same for all.
+/// Corners of leaves by their integer coordinates on the finest level: exact, and the same for all
+/// leaves.
 class SkdGridPoints
 {
 public:
@@ -33,7 +34,7 @@ public:
     return entry->second;
   }
 
-  /// -1 if no leaf that was asked for has a corner there.
+  /// -1 if no requested leaf has a corner there.
   vtkIdType FindId(const skd::LatticePoint& place) const
   {
     const auto entry = this->Ids.find(place);
@@ -119,7 +120,7 @@ private:
       });
   }
 
-  /// Whether a leaf around the point does not have it as a corner.
+  /// Whether the point is hanging: some leaf around it does not have it as a corner.
   bool IsHanging(const skd::LatticePoint& point) const
   {
     for (unsigned around = 0; around < 8; ++around)

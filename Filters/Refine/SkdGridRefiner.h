@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdGridRefiner.h
- * @brief The five steps of section 6.5: base cells, their refinement where parts meet them, and on.
+ * @brief The five steps of section 6.5: base cells, and their recursive refinement where they
+ * intersect parts.
  *
- * Level by level. A cell's list of what may meet it is passed on to its children, so all cells
- * together are one walk of the parts' trees. Then growing layers, and at the end the 2:1 balance.
+ * Level by level. A cell's candidate list is passed on to its children, so all cells together need
+ * one traversal of the parts' trees. Then growing layers, and finally the 2:1 balance.
  */
 
 #ifndef SkdGridRefiner_h
@@ -24,9 +25,8 @@ struct SkdRefineSettings : SkdCriteria
   skd::Contact Balance = skd::Contact::None;
   int Layers = 0;
   std::uint64_t CellLimit = 0;
-  ///@{
-  /// Leave base cells alone that are farther than so many from own ones; -1: none. The own cells of
-  /// all of these processes count together then.
+  /// @{ Do not refine base cells that are more than this number of cells away from own ones; -1:
+  /// refine all. The own cells of all processes are then counted together.
   int LayersKept = -1;
   const skd::Processes* Processes = nullptr;
   ///@}
@@ -35,21 +35,21 @@ struct SkdRefineSettings : SkdCriteria
 class SkdGridRefiner
 {
 public:
-  /// The algorithm is told the progress, from `first` to `last`, and asked whether to stop.
+  /// Reports the algorithm's progress, from `first` to `last`, and checks for abort.
   SkdGridRefiner(vtkAlgorithm* algorithm, double first, double last, SkdGrid& grid,
     const SkdParts& parts, const SkdRefineSettings& settings);
 
-  /// Refines the base cells. The result does not depend on the number of threads. Returns false if
-  /// the algorithm was told to stop: the grid is not refined as it should be then, but sound. Where
-  /// there are other processes all of them must call it.
+  /// Refines the base cells. The result does not depend on the number of threads. Returns false
+  /// after an abort: the grid is then incomplete but valid. With several processes all must call
+  /// it.
   bool Refine();
 
-  /// Refines no more than `most` cells a level, evenly chosen of those that it should. Returns how
-  /// many it should of each level, as far as those that are left out are like the others.
+  /// Refines at most `most` cells a level, evenly chosen from those to refine. Returns the
+  /// estimated number of cells to refine on each level.
   std::vector<double> RefineSample(std::size_t most);
 
 private:
-  /// What a turn of the walk finds out of a cell.
+  /// The result of the refinement test of a cell.
   struct Finding
   {
     std::int32_t Part = -1;

@@ -7,7 +7,7 @@
 
 class SkdReport;
 
-/// Tells how many cells there are, of each level, and what was thought beforehand.
+/// Reports the numbers of cells, by level, and the estimate.
 void SkdReportGrid(SkdReport& report, const SkdGrid& grid, const SkdGridEstimate& estimate);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdMeshReader.h
- * @brief Data sets as one mesh that can be refined.
+ * @brief Converts data sets to one mesh for refinement.
  */
 
 #ifndef SkdMeshReader_h
@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <vector>
 
-/// All cells of all blocks. Points of equal coordinates are one node, be they of different blocks:
-/// so what is refined fits together across seams and blocks.
+/// All cells of all blocks. Points of equal coordinates, also of different blocks, are one node, so
+/// that refined cells match across seams and blocks.
 struct SkdReadMesh
 {
   struct Block
@@ -35,10 +35,9 @@ struct SkdReadMesh
 
 /// Fills it. Lines, triangles, quads and pixels, polygons, strips (as triangles), tetrahedra,
 /// pyramids, wedges, hexahedra and voxels can be refined. All other cells are Fixed and without
-/// nodes, and so are those of points that are not finite and volume cells that use a node twice.
-/// Polygons lose corners that repeat the one before. Without duplicates, ghost cells that are those
-/// of other processes are left out. Throws std::length_error where there are more cells or points
-/// than 32-bit numbers tell apart.
+/// nodes, and so are cells with points that are not finite and volume cells that use a node twice.
+/// Repeated corners of polygons are removed. Without duplicates, ghost cells of other processes are
+/// ignored. Throws std::length_error if there are too many cells or points for 32-bit numbers.
 void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, SkdReadMesh& read);
 
 #endif

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdMeshRefiner.h
- * @brief Refines a mesh until no cell is wanted finer.
+ * @brief Refines a mesh until no criterion requires finer cells.
  *
- * In rounds: each looks at the cells that the round before has made, once, in parallel, and cuts
- * those that are wanted finer, and what must be cut with them. The last round that would make too
- * many cells is taken back as a whole, so the mesh is sound whenever it stops. Several processes go
- * through the same rounds; cells count together.
+ * In rounds: each tests the cells made in the previous round, once, in parallel, and cuts those to
+ * be refined, together with cells that must be cut with them. A round that would make too many
+ * cells is undone as a whole, so the mesh is always valid. Several processes perform the same
+ * rounds; cells are counted together.
  */
 
 #ifndef SkdMeshRefiner_h
@@ -42,7 +42,7 @@ struct SkdMeshOutcome
 class SkdMeshRefiner
 {
 public:
-  /// The algorithm is told the progress, from `first` to `last`, and asked whether to stop.
+  /// Reports the algorithm's progress, from `first` to `last`, and checks for abort.
   SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double last, skd::RefinedMesh& mesh,
     const SkdParts& parts, const SkdMeshSettings& settings);
 

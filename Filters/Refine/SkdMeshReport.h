@@ -9,7 +9,7 @@
 
 class SkdReport;
 
-/// What there is to count of a mesh before it is refined, and after.
+/// Statistics of a mesh before and after refinement.
 struct SkdMeshTally
 {
   explicit SkdMeshTally(const skd::RefinedMesh& before);

@@ -7,12 +7,12 @@
 
 class SkdSource;
 
-/// New nodes at the mean distance from a centre of those that they are made of, in the direction of
-/// their mean: on the sphere if those are, on a shell between if they are on two.
+/// Places new nodes at the mean distance from a centre of the nodes they are made of, in the
+/// direction of their mean: on a sphere if these are on it, or between two spheres.
 skd::RefinedMesh::Placement SkdPutOnSphere(const skd::Vector3& centre);
 
-/// New nodes of lines, surfaces and of the border of volumes at the point of the surface that is
-/// nearest to the mean. The source must live.
+/// Places new nodes of lines, surfaces and of the boundary of volumes at the point of the surface
+/// nearest to their mean. The source must outlive it.
 skd::RefinedMesh::Placement SkdPutOnSurface(const SkdSource& surface);
 
 #endif

@@ -11,19 +11,19 @@
 
 class SkdSignedSource;
 
-/// The triangles of a boundary, all turned so that their normals point out, with a tree of them.
+/// The triangles of a boundary, oriented outward, with their tree.
 ///
-/// Triangles that share an edge, which no third triangle uses, are turned alike; of those that hang
-/// together so the largest is asked on which side the inside is. Triangles that have the inside on
-/// both sides or on none (of bodies that overlap) are turned by guess.
+/// Triangles that share an edge with no third one are oriented consistently; the largest triangle
+/// of each component decides its orientation. Components with the inside on both sides or on
+/// neither (of overlapping bodies) have an arbitrary orientation.
 class SkdOrientedBoundary
 {
 public:
   SkdOrientedBoundary(const SkdSignedSource& boundary, double epsilon);
 
-  /// How much of a box that is not flat along all axes is inside: a volume, an area or a length,
-  /// relative to that of the box. Exact but for rounding where the boundary is closed and does not
-  /// meet itself. Thread-safe.
+  /// The fraction of a box, which is not flat along all axes, that is inside: of its volume, area
+  /// or length. Exact to rounding if the boundary is closed and does not intersect itself.
+  /// Thread-safe.
   double GetFraction(const skd::Box3& box) const;
 
 private:

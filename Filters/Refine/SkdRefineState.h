@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdRefineState.h
- * @brief What a filter that refines keeps: lists of its settings, and the trees of what asks for
- * cells.
+ * @brief The state of a refining filter: lists of its settings, and the trees of its criteria.
  */
 
 #ifndef SkdRefineState_h
@@ -21,7 +20,7 @@
 class SkdReport;
 class vtkAlgorithm;
 
-/// The settings of a filter that refines which are plain numbers: vtkSkdTreeRefineAlgorithm.h.
+/// The scalar settings of a refining filter: vtkSkdTreeRefineAlgorithm.h.
 struct SkdRefineOptions
 {
   int MaximumLevel = 0;
@@ -53,12 +52,12 @@ public:
   SkdEnclosure Enclosure; ///< of the parts, if something needs it
   SkdFieldCriterion Field;
 
-  /// Makes trees those of the parts and of the field, if that is asked, and warns of arrays that it
-  /// does not have. Returns how many trees of parts were built. Throws as SkdParts::Update() does.
+  /// Updates the trees of the parts and, if needed, of the field, and warns about missing arrays.
+  /// Returns the number of trees built for parts. Throws like SkdParts::Update().
   int Update(vtkAlgorithm* self, const std::vector<SkdBlock>& parts, vtkDataObject* field,
     bool needsEnclosure);
 
-  /// What the settings ask for. This must live.
+  /// The criteria of the settings. This object must outlive them.
   SkdCriteria MakeCriteria() const;
 
   /// Tells of the parts.

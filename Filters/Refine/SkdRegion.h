@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdRegion.h
- * @brief What a criterion of refinement is asked about: the room that a cell takes.
+ * @brief The region of a cell, for refinement criteria.
  */
 
 #ifndef SkdRegion_h
@@ -19,7 +19,7 @@ class SkdRegion
 public:
   virtual ~SkdRegion() = default;
 
-  /// A box that holds all that Contains() tells true of.
+  /// A box that contains all points for which Contains() is true.
   const skd::Box3& GetBox() const { return this->Box; }
 
   ///@{
@@ -28,17 +28,17 @@ public:
   double GetRadius() const { return this->Radius; }
   ///@}
 
-  /// The cell itself; `room` is where it may be put.
+  /// The cell as simplices; `room` is a buffer for them.
   virtual const skd::SimplexSet& GetSet(skd::SimplexSet& room) const = 0;
 
-  /// Where a field is looked up: the corners and the middle.
+  /// The points at which a field is evaluated: the corners and the centre.
   virtual int GetNumberOfSamples() const = 0;
   virtual skd::Vector3 GetSample(int i) const = 0;
 
-  /// By how far a field's cell may be beside a sample to have it.
+  /// The tolerance for finding the field's cell of a sample.
   double GetSampleRadius() const { return this->SampleRadius; }
 
-  /// Whether a field's point counts.
+  /// Whether a field's point belongs to the region.
   virtual bool Contains(const skd::Vector3& x) const = 0;
 
   /// Whether a cell of a tree and the region's cell have a point in common.

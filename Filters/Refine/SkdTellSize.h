@@ -8,7 +8,7 @@
 #include <iomanip>
 #include <sstream>
 
-/// Tells by the progress text how much something is going to be. Negative seconds: not known.
+/// Shows an estimate in the progress text. Negative seconds: not known.
 inline void SkdTellSize(vtkAlgorithm* algorithm, double cells, double bytes, double seconds = -1.0)
 {
   std::ostringstream text;
