@@ -4,9 +4,6 @@
 # The Python package vtkskdtree: VTK's wrapping of the classes, the layer over it (Filters/Python),
 # type stubs, and the wheel that `cmake --build build --target wheel` makes.
 
-set(SKDTREE_WHEEL_REQUIRES "numpy" CACHE STRING
-  "What the wheel tells pip to install with it, numpy;vtk==9.4.2 for instance")
-
 # Beside vtkmodules when we are installed beside VTK, else where CMake's prefix has such packages.
 vtk_module_python_default_destination(SKDTREE_PYTHON_DESTINATION)
 if (CMAKE_INSTALL_PREFIX STREQUAL SKDTREE_VTK_PREFIX AND VTK_PYTHONPATH)
@@ -22,7 +19,7 @@ vtk_module_wrap_python(
   BUILD_STATIC OFF
   INSTALL_HEADERS OFF)
 
-# In a wheel the library lies beside the Python module, and VTK's may lie in vtkmodules.
+# In a wheel, the library is beside the Python module, and those of VTK may be in vtkmodules.
 if (UNIX)
   set(origin "$<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>")
   set_property(TARGET FiltersSkdTree vtkFiltersSkdTreePython APPEND PROPERTY
@@ -40,7 +37,7 @@ list(TRANSFORM layer PREPEND "${python_package}/")
 install(FILES "${python_package}/__init__.py" ${layer}
   DESTINATION "${SKDTREE_PYTHON_DESTINATION}/vtkskdtree" COMPONENT python)
 
-# Stubs of the classes, by VTK's own generator, which runs the module. Nothing else needs them.
+# Stubs of the classes, by VTK's generator, which imports the module.
 find_package(Python3 COMPONENTS Interpreter)
 set(python_path "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}:$ENV{PYTHONPATH}")
 set(generate_stubs "${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_path}"
@@ -60,7 +57,7 @@ else ()
     DESTINATION "${SKDTREE_PYTHON_DESTINATION}/vtkskdtree" COMPONENT python)
 endif ()
 
-# The wheel: what is installed, put together anew.
+# The wheel, made from what is installed.
 set(wheel "${CMAKE_BINARY_DIR}/wheel")
 add_custom_target(wheel
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${wheel}"

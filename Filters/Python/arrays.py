@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Between numpy's arrays and VTK's: memory is shared wherever both can read it."""
+"""Conversion between numpy arrays and VTK arrays, with shared memory where possible."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ FLOAT = numpy.dtype(numpy.float64)
 
 
 def to_numbers(value: Any, name: str) -> numpy.ndarray:
-    """An array of numbers that VTK can read: the given one, unless it lies in other steps or is of a
-    type that VTK does not have. TypeError of anything but numbers."""
+    """A contiguous array of a type that VTK supports: the given one if possible, else a copy. Raises
+    TypeError unless it holds numbers."""
     array = value if isinstance(value, numpy.ndarray) else numpy.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} holds {array.dtype} ({type(value).__name__}): "
@@ -32,7 +32,7 @@ def to_numbers(value: Any, name: str) -> numpy.ndarray:
 
 
 def to_rows(value: Any, name: str, columns: int, hint: str = "") -> numpy.ndarray:
-    """to_numbers() of the shape (n, columns). ValueError of any other; [] has no rows."""
+    """to_numbers() with the shape (n, columns); raises ValueError for any other. [] has no rows."""
     array = to_numbers(value, name)
     if array.shape == (0, ):
         array = array.reshape(0, columns)
@@ -44,14 +44,14 @@ def to_rows(value: Any, name: str, columns: int, hint: str = "") -> numpy.ndarra
 
 
 def to_vtk(array: numpy.ndarray) -> Any:
-    """The VTK array on the same memory, which it keeps alive."""
+    """A VTK array that shares the memory of an array and keeps it alive."""
     if array.dtype == ID:
         return numpy_to_vtkIdTypeArray(array)
     return numpy_to_vtk(array)
 
 
 def output(array: numpy.ndarray, name: str) -> Any:
-    """The VTK array that writes into the memory of an array."""
+    """A VTK array for results that shares the memory of an array."""
     if array.dtype not in (ID, FLOAT):
         raise TypeError(f"{name} holds {array.dtype}: ids are {ID}, all else is {FLOAT}")
     if not (array.flags.c_contiguous and array.flags.writeable):
@@ -61,8 +61,8 @@ def output(array: numpy.ndarray, name: str) -> Any:
 
 
 def check_outputs(arrays: list[tuple[str, Optional[numpy.ndarray], Any]]) -> None:
-    """ValueError if an answer did not fit into the array (name, array, VTK's array) handed in for
-    it: it went elsewhere then."""
+    """Raises ValueError if a result (name, array, VTK array) has another shape than its array. VTK has
+    then allocated other memory, or filled only a part."""
     for name, array, written in arrays:
         rows, columns = written.GetNumberOfTuples(), written.GetNumberOfComponents()
         shape = (rows, ) if columns == 1 else (rows, columns)
@@ -71,15 +71,15 @@ def check_outputs(arrays: list[tuple[str, Optional[numpy.ndarray], Any]]) -> Non
 
 
 class Locator(vtkSkdTreeCellLocator):
-    """vtkSkdTreeCellLocator, whose batches take numpy arrays in place of VTK's, as queries and as
-    outputs: FindClosestPoints(points, ids, None, distances), say, fills the arrays ids (of vtkIdType,
-    int64 mostly) and distances (float64). An output of another shape than the answer's is refused
-    with a ValueError that tells it. Of outputs whose length one cannot know, lists, hand in
-    vtkIdTypeArray and vtkDoubleArray, or None: the batch returns the length."""
+    """vtkSkdTreeCellLocator with numpy arrays in place of VTK arrays, as queries and as outputs of
+    batches: FindClosestPoints(points, ids, None, distances), for example, fills the arrays ids (of
+    the type of vtkIdType, usually int64) and distances (float64). An output whose shape is not that of
+    the result raises a ValueError with the required shape. For lists, whose lengths are not known in
+    advance, pass vtkIdTypeArray and vtkDoubleArray, or None: the method returns the length."""
 
 
 def _batch(name: str, queries: int) -> Any:
-    """A batch of the locator, the first so many arguments of which are queries."""
+    """The named method for numpy arrays; its first `queries` arguments are queries."""
     wrapped = getattr(vtkSkdTreeCellLocator, name)
 
     def method(self: Locator, *arguments: Any) -> int:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""numpy in, numpy out: what the skD-tree answers about a mesh, for arrays of queries."""
+"""Spatial queries on a mesh for numpy arrays: Tree, and the named tuples that it returns."""
 
 from __future__ import annotations
 
@@ -30,41 +30,41 @@ FARTHEST = vtkSkdTreeClosestPoint().GetMaximumDistanceMaxValue()  # that the fil
 
 
 def _queries_of(lists: Any) -> Ids:
-    """The number of the query that each value of the lists belongs to."""
+    """The index of the query to which each row of the lists belongs."""
     return numpy.repeat(numpy.arange(len(lists.offsets) - 1), numpy.diff(lists.offsets))
 
 
 class Closest(NamedTuple):
-    """A row for each query; NaN and -1 where nothing is near enough."""
+    """One row per query; NaN and -1 if nothing is within the maximum distance."""
     point: Floats  #: (n, 3) the nearest point on the mesh
     distance: Floats  #: (n,)
-    cell: Ids  #: (n,) the cell that it is on, of several the lowest
+    cell: Ids  #: (n,) the cell of that point, the lowest id if there are several
 
 
 class Nearest(NamedTuple):
-    """A row for each query, nearest first; NaN and -1 where there are fewer."""
+    """One row per query, nearest first; NaN and -1 where there are fewer than k."""
     distance: Floats  #: (n, k)
     cell: Ids  #: (n, k)
 
 
 class Cells(NamedTuple):
-    """A row for each query; -1 and NaN where no cell is. m is the number of points of the mesh's
-    largest cell; of a smaller one point_ids end with -1, and weights with 0."""
+    """One row per query; -1 and NaN if no cell contains the point. m is the number of points of the
+    largest cell of the mesh; for smaller cells, point_ids is filled up with -1 and weights with 0."""
     cell: Ids  #: (n,)
     pcoords: Floats  #: (n, 3) parametric coordinates
     point_ids: Ids  #: (n, m) the cell's points
-    weights: Floats  #: (n, m) by which values at these are summed up
+    weights: Floats  #: (n, m) interpolation weights of these
 
 
 class RayHits(NamedTuple):
-    """A row for each ray, its first hit; -1 and NaN of a ray that hits nothing."""
+    """The first hit of each ray; -1 and NaN for rays without a hit."""
     cell: Ids  #: (n,)
     distance: Floats  #: (n,) from the origin, in the units of the coordinates
     point: Floats  #: (n, 3)
 
 
 class RayHitLists(NamedTuple):
-    """All hits of all rays: those of ray i are rows offsets[i] to offsets[i + 1] of the others."""
+    """All hits: those of ray i are rows offsets[i]:offsets[i + 1] of the other arrays."""
     offsets: Ids  #: (n + 1,)
     cell: Ids  #: (m,)
     distance: Floats  #: (m,) from the origin, ascending for each ray
@@ -73,14 +73,14 @@ class RayHitLists(NamedTuple):
 
 
 class SegmentHits(NamedTuple):
-    """A row for each segment, its first hit; -1 and NaN of a segment that hits nothing."""
+    """The first hit of each segment; -1 and NaN for segments without a hit."""
     cell: Ids  #: (n,)
     parameter: Floats  #: (n,) 0 at the start, 1 at the end
     point: Floats  #: (n, 3)
 
 
 class SegmentHitLists(NamedTuple):
-    """All hits of all segments: those of segment i are rows offsets[i] to offsets[i + 1]."""
+    """All hits: those of segment i are rows offsets[i]:offsets[i + 1] of the other arrays."""
     offsets: Ids  #: (n + 1,)
     cell: Ids  #: (m,)
     parameter: Floats  #: (m,) 0 at the start, 1 at the end, ascending for each segment
@@ -89,22 +89,22 @@ class SegmentHitLists(NamedTuple):
 
 
 class CellLists(NamedTuple):
-    """Lists of cells: those of query i are cell[offsets[i]:offsets[i + 1]]."""
+    """A list of cells per query: cell[offsets[i]:offsets[i + 1]] for query i."""
     offsets: Ids  #: (n + 1,)
     cell: Ids  #: (m,)
-    query = property(_queries_of, doc="(m,) the query that each cell is an answer to")
+    query = property(_queries_of, doc="(m,) the query of each cell")
 
 
 class NearLists(NamedTuple):
-    """Lists of cells and their distances: those of query i are rows offsets[i] to offsets[i + 1]."""
+    """A list of cells and distances per query: rows offsets[i]:offsets[i + 1] for query i."""
     offsets: Ids  #: (n + 1,)
     cell: Ids  #: (m,) ascending for each query
     distance: Floats  #: (m,)
-    query = property(_queries_of, doc="(m,) the query that each cell is an answer to")
+    query = property(_queries_of, doc="(m,) the query of each cell")
 
 
 def _use_all_processors() -> None:
-    """Where VTK's loops run on one processor, and nobody said that they should."""
+    """Unless the user has chosen a backend, VTK's parallel loops shall not run sequentially."""
     if vtkSMPTools.GetBackend() == "Sequential" and "VTK_SMP_BACKEND_IN_USE" not in os.environ:
         vtkSMPTools.SetBackend("STDThread")
 
@@ -118,7 +118,7 @@ def _vtk_points(points: numpy.ndarray) -> vtkPoints:
 
 
 def _surface(points: Any, triangles: Any) -> vtkPolyData:
-    """Of (n, 3) points and (m, 3) numbers of these; of (m, 1) it is points, each a cell."""
+    """Triangles, or without these one vertex cell per point."""
     points = to_rows(points, "points", 3)
     if triangles is None:
         corners = numpy.arange(len(points), dtype=ID).reshape(-1, 1)
@@ -135,20 +135,26 @@ def _surface(points: Any, triangles: Any) -> vtkPolyData:
     cells = vtkCellArray()
     if corners.size:
         cells.SetData(corners.shape[1], to_vtk(corners.reshape(-1)))
-    mesh.SetVerts(cells) if triangles is None else mesh.SetPolys(cells)
-    mesh._skd_corners = corners  # VTK's cells have its memory, but do not keep it
+    if triangles is None:
+        mesh.SetVerts(cells)
+    else:
+        mesh.SetPolys(cells)
+    mesh._skd_corners = corners  # vtkCellArray shares its memory, but holds no reference to it
     return mesh
 
 
 def _mesh_of(mesh: Any) -> vtkDataSet:
-    """The data set that something is, has inside, or has arrays of."""
+    """The data set that an object is, produces or contains, or that is made from its arrays."""
+    port = 0
+    if hasattr(mesh, "GetProducer"):  # vtkAlgorithmOutput
+        mesh, port = mesh.GetProducer(), mesh.GetIndex()
     if hasattr(mesh, "GetOutputDataObject"):  # a reader, a source, a filter
         mesh.Update()
-        mesh = mesh.GetOutputDataObject(0)
+        mesh = mesh.GetOutputDataObject(port)
     mesh = getattr(mesh, "VTKObject", mesh)  # vtkmodules.numpy_interface.dataset_adapter
     if isinstance(mesh, vtkDataSet):
         return mesh
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh and its like
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh and similar
         return _surface(mesh.vertices, mesh.faces)
     if isinstance(mesh, tuple) and len(mesh) == 2:
         return _surface(*mesh)
@@ -163,33 +169,33 @@ def _mesh_of(mesh: Any) -> vtkDataSet:
 
 
 class Tree:
-    """What a mesh is asked, by its skD-tree, for whole arrays of queries at once.
+    """Spatial queries on a mesh, by its skD-tree, for numpy arrays of points, rays or boxes.
 
     mesh may be
 
-    - any vtkDataSet (PyVista's meshes are such), or a reader, source or filter that makes one;
-    - a tuple (points, triangles) of arrays of the shapes (n, 3) and (m, 3), or an object that has
-      such as .vertices and .faces (trimesh's);
-    - points alone, an array of the shape (n, 3): cell i is then point i.
+    - a vtkDataSet (PyVista's meshes are data sets), or a VTK reader, source or filter;
+    - a tuple (points, triangles) of arrays with the shapes (n, 3) and (m, 3), or an object that has
+      such arrays as .vertices and .faces (like trimesh's meshes);
+    - an array of points with the shape (n, 3): cell i is then point i.
 
-    Arrays of float64 and float32 points are not copied, nor are int64 triangles, nor is a data set:
-    call update() after changing them.
+    Data sets, points of type float64 or float32 and triangles of type int64 are not copied; call
+    update() after changing them.
 
-    Queries are arrays (or lists) of numbers, a row each. Float64 that lies row by row is read where
-    it is. Answers are named tuples of arrays, in the order of the queries, with ids of cells and
-    points as VTK has them. Queries that are not finite find nothing. All processors work on them;
-    answers do not depend on how many. Where a method has `out`, an earlier answer of the same shapes
-    handed in is overwritten and returned, which spares the memory of a new one.
+    Queries are arrays (or lists) of numbers, one row per query; contiguous arrays are not copied.
+    Results are named tuples of arrays in the order of the queries, with the ids of cells and points
+    in the VTK data set. Queries that are not finite find nothing. Queries run on all processors;
+    results do not depend on their number. Where a method has a parameter out, it writes to the arrays
+    of this earlier result, which must have the same shapes, instead of allocating new ones.
 
-    A query of the wrong shape raises ValueError, one of the wrong type TypeError; both say what was
-    given and what is needed. Warnings of VTK (a surface that is not closed, say) are Python's.
+    Queries of wrong shape raise ValueError, queries of wrong type TypeError. Warnings of VTK, for
+    example about a surface that is not closed, become Python warnings, errors RuntimeError.
 
-    The tree is built by the first query, in O(N log N). signed_distance(), contains() and
-    winding_number() build trees of the mesh's boundary when first called, and interpolate() another.
+    The first query builds the tree, in O(N log N). signed_distance(), contains(), winding_number() and
+    interpolate() build trees of their own on first use.
     """
 
-    mesh: vtkDataSet  #: the mesh that is asked
-    locator: Locator  #: its locator, for settings and for queries one by one
+    mesh: vtkDataSet  #: the mesh
+    locator: Locator  #: its locator, for settings and single queries
 
     def __init__(self, mesh: Any) -> None:
         _use_all_processors()
@@ -207,7 +213,7 @@ class Tree:
         return f"Tree({self.mesh.GetClassName()} of {len(self)} cells)"
 
     def update(self) -> None:
-        """Tells that coordinates or cells were changed in place: the next query builds anew."""
+        """Must be called after points or cells were changed in place: the next query rebuilds the tree."""
         points = getattr(self.mesh, "GetPoints", lambda: None)()
         if points is not None:
             points.Modified()
@@ -217,14 +223,14 @@ class Tree:
 
     def closest(self, points: ArrayLike, maximum: float = INFINITY,
             out: Optional[Closest] = None) -> Closest:
-        """The nearest point of the mesh to each of points, within the distance maximum."""
+        """The nearest point of the mesh to each point, at a distance of at most maximum."""
         at = to_vtk(to_rows(points, "points", 3))
         return self._ask(Closest, out, lambda point, distance, cell: (
             self.locator.FindClosestPoints(at, cell, point, distance, _length(maximum, "maximum"))))
 
     def k_nearest(self, points: ArrayLike, k: int, maximum: float = INFINITY,
             out: Optional[Nearest] = None) -> Nearest:
-        """The k nearest cells to each of points, within the distance maximum; ties to the lowest."""
+        """The k nearest cells to each point, at a distance of at most maximum; ties by id."""
         at = to_vtk(to_rows(points, "points", 3))
         if k < 1:
             raise ValueError(f"k is {k}, at least 1 is needed")
@@ -233,7 +239,7 @@ class Tree:
         return found if found.cell.ndim == 2 else Nearest(*(a.reshape(-1, k) for a in found))
 
     def within(self, points: ArrayLike, radius: ArrayLike) -> NearLists:
-        """All cells at a distance of at most radius, a number or one for each of points."""
+        """All cells at a distance of at most radius (one number, or one per point) of each point."""
         at = to_rows(points, "points", 3)
         radii = to_numbers(radius, "radius")
         if radii.shape not in ((), (1, ), (len(at), )):
@@ -256,10 +262,10 @@ class Tree:
 
     def rays(self, origins: ArrayLike, directions: ArrayLike, maximum: float = INFINITY,
             all_hits: bool = False, out: Optional[RayHits] = None) -> Any:
-        """The first cell that each ray hits, or all of them: from origins along directions (a row
-        for each, or one for all; of any length but 0), up to the distance maximum.
+        """The first hit of each ray, or all hits, at a distance of at most maximum from its origin.
+        directions has one row per ray, or is one direction for all; their lengths do not matter.
 
-        A cell is hit once; a ray through an edge hits all cells that have it."""
+        Each cell is hit at most once. A ray through an edge hits all cells at this edge."""
         start = to_rows(origins, "origins", 3)
         along = to_numbers(directions, "directions")
         if along.shape == (3, ):
@@ -285,8 +291,8 @@ class Tree:
 
     def segments(self, starts: ArrayLike, ends: Optional[ArrayLike] = None,
             all_hits: bool = False, out: Optional[SegmentHits] = None) -> Any:
-        """The first cell that each segment hits, or all of them: from starts to ends, a row for
-        each. Without ends, starts has both, in the shape (n, 2, 3) or (n, 6): it is not copied."""
+        """The first hit of each segment from starts to ends, or all hits. Without ends, starts holds
+        both, with the shape (n, 2, 3) or (n, 6), and is not copied."""
         if ends is not None:
             start, end = to_rows(starts, "starts", 3), to_rows(ends, "ends", 3)
             if len(start) != len(end):
@@ -307,9 +313,9 @@ class Tree:
 
     def find_cells(self, points: ArrayLike, tolerance: float = 0.0,
             out: Optional[Cells] = None) -> Cells:
-        """The cell that each of points is in, or else the nearest at a distance of at most
-        tolerance, where in it, and the weights of its points there: of an array v of the mesh's
-        points, (v[found.point_ids] * found.weights).sum(1) is interpolated."""
+        """The cell that contains each point, or the nearest one at a distance of at most tolerance,
+        with parametric coordinates and interpolation weights: for values v at the points of the mesh,
+        the interpolated ones are (v[found.point_ids] * found.weights).sum(1)."""
         at = to_vtk(to_rows(points, "points", 3))
         reach2 = _length(tolerance, "tolerance")**2
         found = self._ask(Cells, out, lambda cell, pcoords, point_ids, weights: (
@@ -318,9 +324,9 @@ class Tree:
         return Cells(*found[:2], *(array.reshape(rows) for array in found[2:]))
 
     def interpolate(self, name: str, points: ArrayLike, outside: bool = False) -> NDArray[Any]:
-        """An array of the mesh at points: point data interpolated in the cell that holds each, else
-        cell data taken; or outside of all cells those of the nearest, if outside is true. NaN, or 0
-        of integers, where there is no answer. KeyError of a name that the mesh does not have."""
+        """The values of an array of the mesh at points: interpolated point data, or else cell data. A
+        point outside all cells gets NaN, or 0 in integer arrays, unless outside is true: then it gets
+        the values at the nearest point of the mesh. Raises KeyError if there is no such array."""
         source = self.mesh.NewInstance()
         source.CopyStructure(self.mesh)
         for get in ("GetPointData", "GetCellData"):
@@ -339,8 +345,8 @@ class Tree:
         raise KeyError(f"the mesh has no array of numbers {name!r}, but {known}")
 
     def in_boxes(self, boxes: ArrayLike) -> CellLists:
-        """The cells whose bounds overlap each box: boxes has the shape (n, 2, 3), the lowest and the
-        highest corner, or (n, 6), xmin, xmax, ymin, ymax, zmin, zmax as VTK has them (not copied)."""
+        """The cells whose bounds overlap each box. boxes has the shape (n, 2, 3), lowest and highest
+        corners, or (n, 6), bounds as in VTK: xmin, xmax, ymin, ymax, zmin, zmax (not copied)."""
         given = to_numbers(boxes, "boxes")
         if given.shape[1:] == (2, 3):
             given = given.transpose(0, 2, 1).reshape(-1, 6)
@@ -349,8 +355,8 @@ class Tree:
             self.locator.FindCellsWithinBoxes(bounds, offsets, cell)))
 
     def pairs(self, other: Any) -> CellLists:
-        """For each cell of this mesh the cells of another Tree, or of anything that a Tree is made
-        of, whose bounds overlap its own."""
+        """For each cell of this mesh, the cells of another one (a Tree, or a mesh as for Tree) whose
+        bounds overlap its own."""
         if not isinstance(other, Tree):
             other = Tree(other)
         return self._ask(CellLists, None, lambda offsets, cell: (
@@ -359,32 +365,32 @@ class Tree:
     # Inside or outside
 
     def signed_distance(self, points: ArrayLike, maximum: float = INFINITY) -> Closest:
-        """closest() on the boundary of the mesh (the outer faces of volume cells, else its surface
-        cells), with distances that are negative inside. Inside is decided exactly, however the
-        surface is oriented; of a surface that is not closed, with a warning, by a vote."""
+        """The nearest point on the boundary of the mesh (the outer faces of its volume cells, or else
+        its surface cells), with a distance that is negative inside. The sign is exact for closed
+        surfaces of any orientation. For others there is a warning, and rays in seven directions vote."""
         limit = min(_length(maximum, "maximum"), FARTHEST)
         return Closest(*self._filter(vtkSkdTreeClosestPoint, points,
             ["SkdClosestPoint", "SkdDistance", "SkdClosestCellId"], SignedDistance=True,
             MaximumDistance=limit))
 
     def contains(self, points: ArrayLike) -> NDArray[numpy.bool_]:
-        """Whether each of points is inside the boundary of the mesh: exactly, however the surface is
-        oriented, and of a surface that is not closed, with a warning, by its winding number."""
+        """Whether each point is inside the boundary of the mesh. This is exact for closed surfaces of
+        any orientation. For others there is a warning, and the winding number decides."""
         inside, = self._filter(vtkSkdTreePointInOut, points, ["SkdInside"])
         return inside.view(numpy.bool_)
 
     def winding_number(self, points: ArrayLike, tolerance: float = 0.25) -> Floats:
-        """The generalised winding number around each of points of the boundary of the mesh as it is
-        oriented: 1 inside a closed one whose normals point outward, 0 outside, and between where it
-        is open. Off by at most tolerance, mostly by a hundredth of it; 0 sums up all triangles."""
+        """The generalized winding number of the boundary of the mesh at each point: 1 inside a closed
+        surface with outward normals, 0 outside, and values in between near gaps. The error is at most
+        tolerance, typically a hundredth of it; tolerance 0 sums over all triangles."""
         number, = self._filter(vtkSkdTreePointInOut, points, ["SkdWindingNumber"],
             Method=vtkSkdTreePointInOut.WINDING_NUMBER, WindingTolerance=_length(tolerance, "tolerance"))
         return number
 
-    # How they are asked
+    # Implementation
 
     def _heard(self, source: Any) -> Any:
-        """An object of VTK whose warnings and errors are kept for _raise()."""
+        """The given VTK object, its warnings and errors recorded for _raise()."""
         messages = self._messages
 
         @calldata_type(VTK_STRING)
@@ -398,7 +404,7 @@ class Tree:
         return source
 
     def _raise(self) -> None:
-        """Says what VTK said."""
+        """Raises recorded errors, and issues recorded warnings."""
         messages = list(self._messages)
         self._messages.clear()
         for is_error, text in messages:
@@ -407,7 +413,7 @@ class Tree:
             warnings.warn(text, RuntimeWarning, stacklevel=4)
 
     def _ask(self, kind: Any, out: Any, batch: Any) -> Any:
-        """batch(arrays), the arrays being those of the fields of a kind of answer."""
+        """Calls batch with one VTK array per field of a kind of result, and returns the result."""
         if out is None:
             arrays = [vtkIdTypeArray() if name in _IDS else vtkDoubleArray() for name in kind._fields]
         else:
@@ -427,7 +433,7 @@ class Tree:
 
     def _filter(self, kind: Any, points: ArrayLike, names: list[str],
             source: Optional[vtkDataSet] = None, **properties: Any) -> list[Any]:
-        """Point arrays of what a filter makes of points; it is kept, for its trees."""
+        """Point arrays of the output of a filter for points. Filters are kept, with their trees."""
         asked = vtkPolyData()
         asked.SetPoints(_vtk_points(to_rows(points, "points", 3)))
         key = (kind, properties.get("Method"))
@@ -441,7 +447,7 @@ class Tree:
         made.Update()
         output = made.GetOutputDataObject(0)
         answers = [vtk_to_numpy(output.GetPointData().GetArray(name)) for name in names]
-        output.Initialize()  # the answers live on without it
+        output.Initialize()  # releases what was not asked for
         made.SetInputData(vtkPolyData())
         self._raise()
         return answers
@@ -451,7 +457,7 @@ _IDS = {"cell", "offsets", "point_ids"}
 
 
 def _length(value: Any, name: str) -> float:
-    """A number that is not negative."""
+    """A number that is not negative and not NaN."""
     try:
         length = float(value)
     except (TypeError, ValueError):
