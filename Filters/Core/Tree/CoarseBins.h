@@ -44,7 +44,7 @@ public:
     this->Sort(loop);
   }
 
-  /// Whether the range of `count` elements that begins at `first` should not be split here: it has
+  /// Whether the range of `size` elements that begins at `first` should not be split here: it has
   /// few elements, or few bins.
   bool IsDone(std::uint32_t first, std::size_t size) const
   {
