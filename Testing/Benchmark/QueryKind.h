@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Question.h
- * @brief what is asked of a search structure, and what it answers
+ * @file QueryKind.h
+ * @brief queries of a search structure, and their answers
  */
-#ifndef skdbench_Question_h
-#define skdbench_Question_h
+#ifndef skdbench_QueryKind_h
+#define skdbench_QueryKind_h
 
 #include "Support/Point.h"
 
@@ -21,7 +21,7 @@ namespace skdbench
 using skdtest::Bounds;
 using skdtest::Point;
 
-enum class Question
+enum class QueryKind
 {
   ClosestPoint,
   ClosestPointWithinRadius,
@@ -32,7 +32,7 @@ enum class Question
   CellsInBox
 };
 
-/// One question's input; which members count depends on the question.
+/// The input of a query; its kind determines which members are used.
 struct Query
 {
   Point From{}; // the point, or the start of the segment
@@ -41,7 +41,7 @@ struct Query
   double Radius = 0.0;
 };
 
-/// One answer. A structure that lists cells keeps the list: it lives until the next question.
+/// One answer. A structure that lists cells keeps the list: it is valid until the next query.
 struct Answer
 {
   vtkIdType Cell = -1;
@@ -51,11 +51,11 @@ struct Answer
   vtkIdType NumberOfCells = 0;
 };
 
-/// A kind of work that is timed: a question and the queries that stand for it.
+/// Timed work: a kind of query, and a sample of queries.
 struct Work
 {
   std::string Name;
-  Question Asked;
+  QueryKind Asked;
   std::vector<Query> Queries;
 };
 
