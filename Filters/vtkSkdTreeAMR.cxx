@@ -186,8 +186,7 @@ std::optional<int> UpdateTrees(
   }
 }
 
-/// Says how much it is going to be, refines the grid, and says what went otherwise than one may
-/// expect.
+/// Estimates the size, refines the grid, and reports warnings.
 SkdGridEstimate Refine(
   vtkSkdTreeAMR* self, const SkdRefineState& state, const skd::Processes* processes, SkdGrid& grid)
 {

@@ -69,7 +69,7 @@ void vtkSkdTreeAttach::Internals::Update(Tree& tree, vtkPointSet* mesh, vtkSkdTr
   this->Built += SkdBuildLocator(tree.Locator, self->GetEpsilon(), !isSame);
 }
 
-// What is kept is a tree on a data set of our own; each output gets a locator that shares the tree.
+// Trees are kept on a data set of their own; each output gets a locator that shares the tree.
 int vtkSkdTreeAttach::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

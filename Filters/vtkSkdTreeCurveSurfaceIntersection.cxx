@@ -56,7 +56,7 @@ void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::stri
   }
 }
 
-/// The numbers of the intersections along their curves; what is not wanted is taken out.
+/// The numbers of the intersections along their curves; unselected ones are removed.
 void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
 {
   const bool wantsAll = self->GetHitSelection() == vtkSkdTreeCurveSurfaceIntersection::ALL_HITS;

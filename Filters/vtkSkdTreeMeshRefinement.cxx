@@ -101,7 +101,7 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   }
 }
 
-/// Whether parts alone ask for cells, and all processes have come to an end without any round.
+/// Whether parts are the only criterion, and all processes have finished without any round.
 bool DoPartsMiss(const SkdMeshSettings& settings, const SkdMeshOutcome& outcome)
 {
   const bool isMore =

@@ -82,7 +82,7 @@ SkdInOut ChooseCorner(const std::vector<SkdInOut>& corners, vtkIdList* ids, bool
   return chosen;
 }
 
-/// The cells, or else the points, whose answer is the wanted one, as a grid of their own.
+/// The cells or points with the requested result, as a grid.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
   vtkDataSet* mesh, const SkdInOuts& answers, bool wantsInside, bool ofCells)
 {

@@ -121,8 +121,7 @@ private:
   const std::vector<std::vector<SkdChosenCell>>& Chosen;
 };
 
-/// The input's structure, or where that can not hold unstructured grids its blocks one after the
-/// other.
+/// The input's structure or, if that cannot hold unstructured grids, the sequence of its blocks.
 void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extraction)
 {
   output->GetFieldData()->PassData(input->GetFieldData());

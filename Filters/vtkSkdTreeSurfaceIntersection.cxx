@@ -52,8 +52,8 @@ struct Surface
   }
 };
 
-/// Whether both surfaces are to have their whole trees: those that are asked again do. Of others
-/// only the triangles near each other are looked at, unless most are of surfaces that have theirs.
+/// Whether both surfaces get whole trees: those that are searched again do. For others only
+/// triangles near each other are used, unless most belong to surfaces with a tree.
 bool CompleteWhatPays(const Surface& first, const Surface& second)
 {
   std::size_t all = 0;

@@ -101,7 +101,7 @@ private:
   std::vector<skd::ConvexHull::Triangle> Triangles;
 };
 
-/// The points of a face in ascending order: what names it, whichever cell it is seen from.
+/// The points of a face in ascending order: its key, independent of the cell.
 std::vector<vtkIdType> NameOf(vtkCell* face)
 {
   vtkIdList* ids = face->GetPointIds();

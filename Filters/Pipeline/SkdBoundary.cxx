@@ -265,10 +265,10 @@ std::vector<int> FaceList::FindRepeats() const
   return isAny ? repeats : std::vector<int>();
 }
 
-// Equal faces are either a face between two bodies that touch, and then must be left out, or the
-// same face written down repeatedly, and then must stay. Whichever closes the surface better it is.
-// Of bodies that touch and are written down repeatedly, too, what counts is how many more of a face
-// are turned one way than the other.
+// Equal faces are either a face between two touching bodies, which must be removed, or duplicates
+// of one face, which must be kept. The alternative that leaves fewer open edges is chosen. For
+// touching bodies with duplicates, the difference of the numbers of both orientations of a face
+// counts.
 void FaceList::FillBoundary(SkdBoundary& boundary) const
 {
   const auto isThere = [](const Face& face) { return face.Copies > 0; };

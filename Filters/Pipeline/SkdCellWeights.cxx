@@ -48,9 +48,10 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
   }
 }
 
-// A polyhedron's functions take x itself; its EvaluatePosition is not to be trusted in a cell that
-// was another polyhedron before, nor that of a convex point set since VTK 9.3. That of cells that
-// share memory must not be called by threads. A cell that fails leaves its weights 0.
+// A polyhedron's interpolation functions take x itself. Its EvaluatePosition is unreliable in a
+// cell object that was another polyhedron before, as is that of a convex point set since VTK 9.3.
+// That of cells with shared memory must not be called in threads. A cell that fails leaves its
+// weights 0.
 void SkdCellWeights::EvaluateByCell(const Vector& x)
 {
   std::fill(this->PCoords, this->PCoords + 3, 0.0);
@@ -98,8 +99,8 @@ void SkdCellWeights::EvaluateInHull(const Vector& x)
   }
 }
 
-// VTK's cells stop Newton's method early, and take the plane of a warped quad for the quad. Some
-// steps more, each only as it gets nearer to x, make the weights exact.
+// VTK's cells stop Newton's method early, and approximate a warped quad by its plane. Further
+// steps, while they get nearer to x, make the weights exact.
 void SkdCellWeights::Improve(const Vector& x)
 {
   Vector residual = this->GetResidual(x, this->Weights);

@@ -125,8 +125,8 @@ bool SameExtent(Grid* kept, Grid* now)
   return std::equal(kept->GetExtent(), kept->GetExtent() + 6, now->GetExtent());
 }
 
-// The faces of polyhedra live in arrays that differ between versions of VTK. They are set together
-// with the cells, so the cells' own array vouches for them.
+// The arrays of faces of polyhedra differ between versions of VTK. They are set together with the
+// cells, so comparing the cells' own array is sufficient.
 bool Comparison::SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const
 {
   vtkDataArray* types = now->VTK_SKD_GET_CELL_TYPES();

@@ -30,7 +30,7 @@ namespace
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 
-// VTK's surface of an explicit structured grid has an original cell id that was never set.
+// VTK's surface of an explicit structured grid has uninitialized original cell ids.
 vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* explicitGrid)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -40,8 +40,7 @@ vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* e
   return grid;
 }
 
-/// Of linear cells alone: with others among them, VTK 9.2 takes numbers of faces for those of
-/// cells.
+/// For linear cells only: with other cells, VTK 9.2 confuses face and cell numbers.
 vtkSmartPointer<vtkPolyData> LinearSurfaceOf(vtkDataSet* mesh)
 {
   auto explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(mesh);
@@ -152,8 +151,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Faces that a curved cell has, too, are inner ones: they go, and leave `shared`, whatever it was
-/// before, as those.
+/// Faces shared with a curved cell are interior: they are removed, and `shared` is set to them.
 void Builder::AddLinear(const LinearPart& part, std::set<std::vector<vtkIdType>>& shared)
 {
   const vtkSmartPointer<vtkPolyData> surface = LinearSurfaceOf(part.Grid);

@@ -212,8 +212,8 @@ bool SkdSolid::AreOpposite(int a, int b) const
   return one.IsCoherent && other.IsCoherent && one.GetSign() != other.GetSign();
 }
 
-/// A shell in another that is turned against it, touching it or not, belongs to its group: what
-/// crosses a cavity's surface crosses the body's.
+/// A shell within another one of opposite orientation, touching or not, belongs to its group:
+/// crossing the surface of a cavity is crossing that of the body.
 void SkdSolid::JoinCavities(std::vector<int>& groups) const
 {
   const auto find = [&](int group)

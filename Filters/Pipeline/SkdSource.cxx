@@ -14,7 +14,7 @@ void SkdSource::Update(
   this->TreesBuilt = this->UpdateTrees(wantsSide, epsilon, chordalDeviation);
 }
 
-// Trees of the other kind are let go: whoever switches back pays for it, not everyone's memory.
+// Trees of the other kind are released to save memory; switching back builds them again.
 int SkdSource::UpdateTrees(bool wantsSide, double epsilon, double chordalDeviation)
 {
   int built = 0;

@@ -72,7 +72,8 @@ private:
     }
   }
 
-  // What is shorter than rounding is no stretch: the two cells of a face may differ on where it is.
+  // Segments shorter than rounding error are ignored: the two cells of a face may disagree on its
+  // position.
   void FindBorders(const SkdLinePiece& piece, double length)
   {
     std::vector<double> all{ 0.0, 1.0 };

@@ -212,7 +212,7 @@ void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region
   }
 }
 
-/// A cell of the field that holds a sample meets the region anyway, unless it is only near.
+/// A cell of the field that contains a sample intersects the region, unless it is only near.
 bool SkdFieldCriterion::IsWanted(const SkdRegion& region) const
 {
   return std::any_of(this->Columns.begin(), this->Columns.end(),

@@ -24,7 +24,7 @@ bool AreOfSameCells(const Row& a, const Row& b)
   return a.FirstCell == b.FirstCell && a.SecondCell == b.SecondCell;
 }
 
-/// By cells; of the same cells what touches most first, then what is nearest, then the lowest.
+/// By cells; for the same cells by descending contact dimension, then distance, then id.
 template <class Row>
 bool ComesBefore(const Row& a, const Row& b)
 {

@@ -92,7 +92,8 @@ private:
     }
   }
 
-  /// On which side of a piece a point lies. 0: on its line, maybe on the piece, which is put down.
+  /// The side of a piece on which a point lies. 0: on its line, possibly on the piece, which is
+  /// recorded.
   int SideOf(std::uint32_t point, const Piece& piece)
   {
     if (point == piece.A || point == piece.B)

@@ -12,8 +12,8 @@
 
 namespace
 {
-/// Tells of most points that they are none of some: by their bounds, and a bit for each value of a
-/// hash.
+/// A filter that excludes most points that are not in a set: by bounds, and a bit for each hash
+/// value.
 class PointFilter
 {
 public:
