@@ -49,6 +49,18 @@ public:
     this->Field->AddArray(array);
   }
 
+  /// The same of measures.
+  void AddMeasures(const std::string& what, const std::vector<double>& measures)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(("SkdReport" + what).c_str());
+    for (const double measure : measures)
+    {
+      array->InsertNextValue(measure);
+    }
+    this->Field->AddArray(array);
+  }
+
 private:
   template <typename Array, typename Value>
   void Add(const std::string& what, Value value)

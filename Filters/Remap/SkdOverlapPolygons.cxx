@@ -184,7 +184,7 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
     }
     return;
   }
-  skd::EarClipping<const Vector3*> ears(seen.data(), static_cast<int>(seen.size()));
+  skd::EarClipping<std::vector<Vector3>> ears(seen, static_cast<int>(seen.size()));
   ears.ForEachTriangle(
     [&](int a, int b, int c)
     {
