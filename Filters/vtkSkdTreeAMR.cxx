@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAMR.h"
 
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProcesses.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdBaseLattice.h"
 #include "Refine/SkdGridEstimate.h"
 #include "Refine/SkdGridOutput.h"

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeClosestPoint.h"
 
-#include "Pipeline/SkdAnswers.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Cells/SkdCellWeights.h"
+#include "Closest/SkdAnswers.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdCellWeights.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"

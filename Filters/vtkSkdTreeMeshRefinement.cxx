@@ -3,12 +3,10 @@
 #include "vtkSkdTreeMeshRefinement.h"
 
 #include "Core/Mesh/FindBorder.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProcesses.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdMeshOutput.h"
 #include "Refine/SkdMeshRefiner.h"
 #include "Refine/SkdMeshReport.h"

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeProbe.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPointOrder.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "Probe/SkdCellFinder.h"
 #include "Probe/SkdCellLocations.h"
 #include "Probe/SkdLineProbe.h"

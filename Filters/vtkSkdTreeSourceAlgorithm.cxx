@@ -3,9 +3,7 @@
 #include "vtkSkdTreeSourceAlgorithm.h"
 
 #include "Pipeline/SkdPorts.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdValidInput.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformationVector.h"
 

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSurfaceIntersection.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdShare.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "Surfaces/SkdContacts.h"
 #include "Surfaces/SkdSplitSurface.h"
 #include "vtkCompositeDataSet.h"

@@ -3,7 +3,7 @@
 #include "Curves/SkdCurveHitArrays.h"
 
 #include "Core/Curves/CurveSpans.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

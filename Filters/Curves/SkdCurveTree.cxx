@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCurveTree.h"
 
+#include "Cells/SkdForEach.h"
 #include "Core/Curves/CurveSpans.h"
-#include "Pipeline/SkdParallelLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +64,7 @@ void SkdCurveTree::Build(double epsilon)
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(bounds);
   this->AbsoluteEpsilon = std::max(rounding, epsilon * bounds.Diagonal()); // also of NaN
-  this->Tree =
-    skd::Tree<3>(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon), SkdParallelLoop());
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon), SkdTreeLoop);
 }
 
 //------------------------------------------------------------------------------

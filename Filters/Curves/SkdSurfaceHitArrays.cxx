@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceHitArrays.h"
 
+#include "Cells/SkdCellWeights.h"
 #include "Cells/SkdMagnitudes.h"
 #include "Cells/SkdPolyKernels.h"
-#include "Pipeline/SkdBlockArrays.h"
-#include "Pipeline/SkdCellWeights.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

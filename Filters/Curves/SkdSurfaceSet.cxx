@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceSet.h"
 
+#include "Cells/SkdForEach.h"
 #include "Curves/SkdSurfaceReader.h"
-#include "Pipeline/SkdParallelLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +46,7 @@ bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes
 void SkdSurfaceSet::Build(double epsilon)
 {
   std::vector<skd::Box3> boxes(this->Elements.size());
-  SkdParallelLoop()(
-    boxes.size(), [&](std::size_t i) { boxes[i] = this->BoundsOf(this->Elements[i]); });
+  SkdForEach(boxes.size(), [&](std::size_t i) { boxes[i] = this->BoundsOf(this->Elements[i]); });
   for (const skd::Box3& box : boxes)
   {
     this->Bounds.Add(box);
@@ -55,7 +54,7 @@ void SkdSurfaceSet::Build(double epsilon)
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
   this->AbsoluteEpsilon = std::max(rounding, epsilon * this->Bounds.Diagonal()); // also of NaN
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdParallelLoop());
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdTreeLoop);
 }
 
 //------------------------------------------------------------------------------

@@ -9,8 +9,8 @@
 #define SkdPart_h
 
 #include "Core/Geometry/Vector.h"
+#include "InOut/SkdFeatureNormals.h"
 #include "Pipeline/SkdBoundary.h"
-#include "Pipeline/SkdFeatureNormals.h"
 #include "Pipeline/SkdSolid.h"
 #include "Pipeline/SkdWinding.h"
 #include "vtkSkdTreeCellLocator.h"

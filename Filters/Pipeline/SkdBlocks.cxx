@@ -5,6 +5,11 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -52,6 +57,13 @@ std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
   return blocks;
 }
 
+std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks)
+{
+  const auto isEmpty = [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isEmpty), blocks.end());
+  return blocks;
+}
+
 std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output)
 {
   vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -74,4 +86,17 @@ vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)
     points += block.Mesh->GetNumberOfPoints();
   }
   return points;
+}
+
+void SkdTouchCells(vtkDataSet* mesh)
+{
+  if (mesh->GetNumberOfCells() > 0)
+  {
+    vtkNew<vtkGenericCell> cell;
+    vtkNew<vtkIdList> ids;
+    double bounds[6];
+    mesh->GetCell(0, cell);
+    mesh->GetCellPoints(0, ids);
+    mesh->GetCellBounds(0, bounds);
+  }
 }

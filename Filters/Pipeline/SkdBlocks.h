@@ -24,11 +24,17 @@ struct SkdBlock
 /// vtkDataSet (such as tables) are skipped. Empty for nullptr.
 std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object);
 
+/// Those of them that have cells.
+std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks);
+
 /// Gives `output` the structure and all the data of `input`, which is of the same type, without
 /// copying arrays. Returns the data sets of the output: arrays can be added to them.
 std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 
 /// The points of all of them.
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks);
+
+/// Makes GetCell(), GetCellPoints() and GetCellBounds() of a mesh thread-safe.
+void SkdTouchCells(vtkDataSet* mesh);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBoundary.h"
 
-#include "Pipeline/SkdBlockSurface.h"
+#include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellArray.h"

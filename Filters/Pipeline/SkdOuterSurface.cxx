@@ -12,7 +12,9 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkExplicitStructuredGrid.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -345,6 +347,12 @@ skd::Box3 FiniteBounds(vtkDataSet* mesh)
   }
   return box;
 }
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh, double chordalLength)
+{
+  auto* surface = vtkPolyData::SafeDownCast(mesh);
+  return surface ? vtkSmartPointer<vtkPolyData>(surface) : SkdOuterSurfaceOf(mesh, chordalLength);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -383,4 +391,40 @@ vtkSmartPointer<vtkPolyData> SkdOuterSurfaceOf(vtkDataSet* mesh, double chordalL
   auto* set = vtkPointSet::SafeDownCast(mesh);
   return set && SkdHasCurvedCells(mesh) ? FacetedSurfaceOf(set, chordalLength)
                                         : LinearSurfaceOf(mesh);
+}
+
+//------------------------------------------------------------------------------
+SkdBlockSurface::SkdBlockSurface(vtkDataSet* mesh, double chordalLength)
+  : Mesh(mesh)
+  , Surface(SurfaceOf(mesh, chordalLength))
+{
+  if (mesh != this->Surface.Get())
+  {
+    this->CellIds =
+      vtkIdTypeArray::SafeDownCast(this->Surface->GetCellData()->GetArray("vtkOriginalCellIds"));
+    this->PointIds =
+      vtkIdTypeArray::SafeDownCast(this->Surface->GetPointData()->GetArray("vtkOriginalPointIds"));
+  }
+  else if (this->Surface->GetPoints())
+  {
+    vtkDataArray* points = this->Surface->GetPoints()->GetData();
+    auto doubles = vtkDoubleArray::SafeDownCast(points);
+    auto floats = vtkFloatArray::SafeDownCast(points);
+    this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
+    this->Floats = floats ? floats->GetPointer(0) : nullptr;
+  }
+}
+
+bool SkdBlockSurface::IsOfVolume(vtkIdType cell) const
+{
+  return this->CellIds &&
+    SkdDimensionOfCellType(this->Mesh->GetCellType(this->CellIds->GetValue(cell))) == 3;
+}
+
+// VTK's surface of a structured grid has its points rounded to float: look at the original's.
+void SkdBlockSurface::FindPoint(vtkIdType point, double x[3]) const
+{
+  const vtkIdType original = this->PointIds ? this->PointIds->GetValue(point) : -1;
+  vtkDataSet* from = original >= 0 ? this->Mesh : this->Surface.Get();
+  from->GetPoint(original >= 0 ? original : point, x);
 }

@@ -8,8 +8,10 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkTimerLog.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The report of a filter on its run: field data arrays, mostly of one value, named SkdReport...
@@ -34,7 +36,10 @@ public:
   /// For optional values: nothing is added if it is 0.
   void AddMeasureOf(const std::string& what, double measure)
   {
-    measure > 0.0 ? this->AddMeasure(what, measure) : void();
+    if (measure > 0.0)
+    {
+      this->AddMeasure(what, measure);
+    }
   }
 
   /// One value a row, for example for levels 0, 1, ...
@@ -72,6 +77,20 @@ private:
   }
 
   vtkFieldData* Field;
+};
+
+/// Seconds between laps.
+class SkdStopwatch
+{
+public:
+  double Lap()
+  {
+    const double now = vtkTimerLog::GetUniversalTime();
+    return now - std::exchange(this->Last, now);
+  }
+
+private:
+  double Last = vtkTimerLog::GetUniversalTime();
 };
 
 #endif

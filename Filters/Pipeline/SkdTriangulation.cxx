@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdTriangulation.h"
 
+#include "vtkCellArray.h"
 #include "vtkMath.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
 
 SkdTriangulation::SkdTriangulation(vtkPoints* points)
   : Points(points)
@@ -82,4 +86,26 @@ bool SkdTriangulation::CutPolygon(const vtkIdType* corners, int size)
     this->Triangles->Reset();
   }
   return isCut;
+}
+
+std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface)
+{
+  std::vector<SkdTriangleIds> triangles(surface->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(i), ids);
+    std::copy_n(ids->GetPointer(0), 3, triangles[i].begin());
+  }
+  return triangles;
+}
+
+std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface)
+{
+  std::vector<skd::Vector3> points(surface->GetNumberOfPoints());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    surface->GetPoint(static_cast<vtkIdType>(i), points[i].X);
+  }
+  return points;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Probe/SkdCellFinder.h"
 
-#include "Pipeline/SkdTouchCells.h"
+#include "Pipeline/SkdBlocks.h"
 #include "vtkBoundingBox.h"
 #include "vtkGenericCell.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridEstimate.h"
 
-#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdReport.h"
 #include "vtkType.h"
 
 namespace

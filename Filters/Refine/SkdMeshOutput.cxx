@@ -3,7 +3,7 @@
 #include "Refine/SkdMeshOutput.h"
 
 #include "Cells/SkdCellReader.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Refine/SkdBlockPoints.h"
 #include "vtkAlgorithm.h"

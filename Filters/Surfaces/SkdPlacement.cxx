@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdPlacement.h"
 
-#include "Pipeline/SkdExactScale.h"
+#include "Core/Predicates/ExactScale.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
-  const double scale = SkdExactScale(
+  const double scale = skd::ExactScale(
     std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift }));
   std::optional<SkdPlacedTriangles> placed;
   if (other)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdTriangleReader.h"
 
-#include "Pipeline/SkdBlockSurface.h"
+#include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdTriangulation.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdAnswers.h"
+#include "Closest/SkdAnswers.h"
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdFeatureNormals.h"
+#include "InOut/SkdFeatureNormals.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -47,28 +44,6 @@ void Merge(std::vector<Edge>& edges)
   }
   edges.resize(kept);
 }
-}
-
-std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface)
-{
-  std::vector<SkdTriangleIds> triangles(surface->GetNumberOfCells());
-  vtkNew<vtkIdList> ids;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(i), ids);
-    std::copy_n(ids->GetPointer(0), 3, triangles[i].begin());
-  }
-  return triangles;
-}
-
-std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface)
-{
-  std::vector<skd::Vector3> points(surface->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    surface->GetPoint(static_cast<vtkIdType>(i), points[i].X);
-  }
-  return points;
 }
 
 SkdFeatureNormals::SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isTurned)

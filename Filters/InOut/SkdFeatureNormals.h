@@ -3,20 +3,9 @@
 #ifndef SkdFeatureNormals_h
 #define SkdFeatureNormals_h
 
-#include "Core/Geometry/Vector.h"
-#include "vtkType.h"
+#include "Pipeline/SkdTriangulation.h"
 
-#include <array>
 #include <vector>
-
-class vtkPolyData;
-
-/// A triangle of a surface: its points' ids.
-using SkdTriangleIds = std::array<vtkIdType, 3>;
-
-/// The triangles of a surface that has no other cells, and its points.
-std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface);
-std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface);
 
 /// Pseudonormals of the triangles, edges and vertices of a surface: a point is outside exactly if
 /// it is in front of the normal of its nearest feature: J. A. Baerentzen, H. Aanaes, "Signed

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdCellWeights.h"
+#include "Cells/SkdCellWeights.h"
 
 #include "Cells/SkdCellFunctions.h"
 #include "Cells/SkdCellReader.h"

@@ -8,9 +8,10 @@
 #include <cstddef>
 
 /// Calls body(i) for each i in [0, n), in parallel if n is large enough to start threads, for steps
-/// of about ten to a thousand instructions.
+/// of about ten to a thousand instructions. For expensive steps `grain` is the number of steps that
+/// a thread takes at a time. Work that can be aborted uses Pipeline/SkdLoop.h instead.
 template <class Body>
-void SkdForEach(std::size_t n, const Body& body)
+void SkdForEach(std::size_t n, const Body& body, vtkIdType grain = 0)
 {
   constexpr std::size_t few = 1024;
   const auto each = [&body](vtkIdType begin, vtkIdType end)
@@ -21,7 +22,10 @@ void SkdForEach(std::size_t n, const Body& body)
     }
   };
   const auto count = static_cast<vtkIdType>(n);
-  n > few ? vtkSMPTools::For(0, count, each) : each(0, count);
+  n > few || grain > 0 ? vtkSMPTools::For(0, count, grain, each) : each(0, count);
 }
+
+/// The parallel loop for building a tree of the core.
+constexpr auto SkdTreeLoop = [](std::size_t n, const auto& body) { SkdForEach(n, body, 1); };
 
 #endif
