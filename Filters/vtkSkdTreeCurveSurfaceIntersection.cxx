@@ -34,19 +34,6 @@ bool IsComposite(vtkDataObject* data)
   return vtkCompositeDataSet::SafeDownCast(data) != nullptr;
 }
 
-std::vector<SkdBlock> BlocksWithCells(vtkDataObject* data)
-{
-  std::vector<SkdBlock> blocks;
-  for (const SkdBlock& block : SkdBlocksOf(data))
-  {
-    if (block.Mesh->GetNumberOfCells() > 0)
-    {
-      blocks.push_back(block);
-    }
-  }
-  return blocks;
-}
-
 void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::string>& faults)
 {
   for (const std::string& fault : faults)
@@ -94,7 +81,7 @@ void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObj
   }
   SkdMirror(input, output);
   std::size_t next = 0;
-  for (const SkdBlock& mirror : BlocksWithCells(output))
+  for (const SkdBlock& mirror : SkdBlocksWithCells(SkdBlocksOf(output)))
   {
     mirror.Mesh->GetCellData()->AddArray(counts[next++]);
     mirror.Mesh->GetCellData()->SetActiveScalars("SkdNumberOfHits");
@@ -130,7 +117,7 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const std::vector<SkdBlock> curveBlocks = BlocksWithCells(input);
+  const std::vector<SkdBlock> curveBlocks = SkdBlocksWithCells(SkdBlocksOf(input));
   SkdStopwatch watch;
 
   const bool wasBuilt = this->UpdateSurfaces(source);
@@ -183,7 +170,7 @@ void vtkSkdTreeCurveSurfaceIntersection::SetPartArray(const char* name)
 bool vtkSkdTreeCurveSurfaceIntersection::UpdateSurfaces(vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
-  internals.Blocks = BlocksWithCells(source);
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
   const bool wasBuilt =
     internals.Surfaces.Update(internals.Blocks, this->VolumeFaces, this->Epsilon);
   const bool lacksArray =

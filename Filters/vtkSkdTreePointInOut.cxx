@@ -269,11 +269,7 @@ int vtkSkdTreePointInOut::RequestData(
   Internals& internals = *this->Impl;
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   SkdStopwatch watch;
-  internals.Blocks = SkdBlocksOf(vtkDataObject::GetData(inputVector[1]));
-  internals.Blocks.erase(
-    std::remove_if(internals.Blocks.begin(), internals.Blocks.end(),
-      [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-    internals.Blocks.end());
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(vtkDataObject::GetData(inputVector[1])));
   if (!this->CheckSource())
   {
     return 1;

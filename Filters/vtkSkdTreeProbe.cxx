@@ -37,10 +37,7 @@ public:
   /// Returns how many trees were built.
   int Update(vtkDataObject* source, double epsilon)
   {
-    this->Blocks = SkdBlocksOf(source);
-    this->Blocks.erase(std::remove_if(this->Blocks.begin(), this->Blocks.end(),
-                         [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-      this->Blocks.end());
+    this->Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
     const int built = this->Trees.Update(this->Blocks, epsilon);
     this->Source.Update(built);
     this->Names.Refused.clear();

@@ -48,15 +48,6 @@ public:
 
 namespace
 {
-std::vector<SkdBlock> BlocksWithCells(vtkDataObject* object)
-{
-  std::vector<SkdBlock> blocks = SkdBlocksOf(object);
-  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-    blocks.end());
-  return blocks;
-}
-
 /// Bounds scaled, turned and moved, as vtkPVBox has it.
 SkdQueryShape BoxOf(const double bounds[6], const double position[3], const double rotation[3],
   const double length[3])
@@ -197,14 +188,14 @@ int vtkSkdTreeSpatialQuery::RequestUpdateExtent(
 void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
-  internals.Blocks = BlocksWithCells(input);
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(input));
   const bool isOfOne =
     this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
   internals.Built = internals.Mesh.Update(internals.Blocks, this->Epsilon, SkdMeasurable,
     isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
   const std::vector<SkdBlock> sourceBlocks =
-    needsCells ? BlocksWithCells(source) : std::vector<SkdBlock>();
+    needsCells ? SkdBlocksWithCells(SkdBlocksOf(source)) : std::vector<SkdBlock>();
   internals.Built += internals.SourceCells.Update(sourceBlocks, this->Epsilon, SkdMeasurable);
 }
 

@@ -10,19 +10,26 @@
 /// Calls body(i) for each i in [0, n), in parallel if n is large enough to start threads, for steps
 /// of about ten to a thousand instructions. For expensive steps `grain` is the number of steps that
 /// a thread takes at a time. Work that can be aborted uses Pipeline/SkdLoop.h instead.
-template <class Body>
-void SkdForEach(std::size_t n, const Body& body, vtkIdType grain = 0)
+template <class Index, class Body>
+void SkdForEach(Index n, const Body& body, vtkIdType grain = 0)
 {
-  constexpr std::size_t few = 1024;
+  constexpr vtkIdType few = 1024;
   const auto each = [&body](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      body(static_cast<std::size_t>(i));
+      body(static_cast<Index>(i));
     }
   };
   const auto count = static_cast<vtkIdType>(n);
-  n > few || grain > 0 ? vtkSMPTools::For(0, count, grain, each) : each(0, count);
+  if (count > few || grain > 0)
+  {
+    vtkSMPTools::For(0, count, grain, each);
+  }
+  else
+  {
+    each(0, count);
+  }
 }
 
 /// The parallel loop for building a tree of the core.

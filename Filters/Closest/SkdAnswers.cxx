@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Closest/SkdAnswers.h"
 
+#include "Cells/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
@@ -11,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,14 +100,8 @@ void SkdConnectAnswers(
   const std::string ghosts = vtkDataSetAttributes::GhostArrayName();
   SkdArrayGather gather(data, [&](vtkAbstractArray* array) { return array->GetName() != ghosts; });
   gather.Allocate(static_cast<vtkIdType>(starts.size()));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        gather.Take(i, starts[i].Mesh, starts[i].Point);
-      }
-    });
+  SkdForEach(static_cast<vtkIdType>(starts.size()),
+    [&](vtkIdType i) { gather.Take(i, starts[i].Mesh, starts[i].Point); });
   gather.AddTo(lines->GetCellData());
   lines->GetCellData()->SetActiveScalars(SkdAnswers::DistanceName);
 }

@@ -4,7 +4,6 @@
 
 #include "Cells/SkdBezierCell.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
-#include "Pipeline/SkdTriangulation.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -186,6 +185,20 @@ void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>&
 }
 
 //------------------------------------------------------------------------------
+template <class CornerOf>
+void SkdSurfaceReader::AddPolygon(vtkIdType size, const CornerOf& cornerOf)
+{
+  const bool wasWhole = std::exchange(this->IsWhole, false);
+  vtkIdList* cut = this->Triangulation.Cut(size, cornerOf);
+  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
+  {
+    this->AddTriangle(
+      cornerOf(cut->GetId(i)), cornerOf(cut->GetId(i + 1)), cornerOf(cut->GetId(i + 2)));
+  }
+  this->IsWhole = wasWhole;
+}
+
+//------------------------------------------------------------------------------
 void SkdSurfaceReader::AddCell(vtkCell* cell)
 {
   if (!IsFiniteCell(cell))
@@ -208,7 +221,7 @@ void SkdSurfaceReader::AddCell(vtkCell* cell)
       this->AddStrip(cell);
       return;
     case VTK_POLYGON:
-      this->AddPolygon(cell);
+      this->AddPolygon(cell->GetNumberOfPoints(), [&](vtkIdType i) { return PointOf(cell, i); });
       return;
     default:
       this->AddNative(cell);
@@ -249,22 +262,7 @@ void SkdSurfaceReader::AddQuad(const skd::Vector3 (&corners)[4])
     this->AddPatch(patch, skd::Vector3{}); // seen from 0: the very coordinates decide at its edges
     return;
   }
-  const bool wasWhole = std::exchange(this->IsWhole, false);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const skd::Vector3& corner : corners)
-  {
-    points->InsertNextPoint(corner.X);
-  }
-  const vtkIdType ids[4] = { 0, 1, 2, 3 };
-  SkdTriangulation triangulation(points);
-  vtkIdList* cut = triangulation.Cut(ids, 4);
-  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
-  {
-    this->AddTriangle(
-      corners[cut->GetId(i)], corners[cut->GetId(i + 1)], corners[cut->GetId(i + 2)]);
-  }
-  this->IsWhole = wasWhole;
+  this->AddPolygon(4, [&](vtkIdType i) { return corners[i]; });
 }
 
 //------------------------------------------------------------------------------
@@ -274,25 +272,6 @@ void SkdSurfaceReader::AddStrip(vtkCell* cell)
   for (vtkIdType i = 0; i + 2 < cell->GetNumberOfPoints(); ++i)
   {
     this->AddTriangle(PointOf(cell, i), PointOf(cell, i + 1 + i % 2), PointOf(cell, i + 2 - i % 2));
-  }
-  this->IsWhole = wasWhole;
-}
-
-//------------------------------------------------------------------------------
-void SkdSurfaceReader::AddPolygon(vtkCell* cell)
-{
-  const bool wasWhole = std::exchange(this->IsWhole, false);
-  std::vector<vtkIdType> corners(static_cast<std::size_t>(cell->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    corners[i] = static_cast<vtkIdType>(i);
-  }
-  SkdTriangulation triangulation(cell->GetPoints());
-  vtkIdList* cut = triangulation.Cut(corners.data(), static_cast<int>(corners.size()));
-  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
-  {
-    this->AddTriangle(PointOf(cell, cut->GetId(i)), PointOf(cell, cut->GetId(i + 1)),
-      PointOf(cell, cut->GetId(i + 2)));
   }
   this->IsWhole = wasWhole;
 }

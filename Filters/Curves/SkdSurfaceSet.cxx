@@ -9,30 +9,21 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-bool SkdSurfaceSet::IsSameAs(
-  const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon) const
-{
-  return this->WithVolumes == withVolumes && this->Epsilon == epsilon &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
-}
-
-//------------------------------------------------------------------------------
 bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon)
 {
-  if (this->IsSameAs(blocks, withVolumes, epsilon))
+  if (this->WithVolumes == withVolumes && this->Epsilon == epsilon &&
+    this->Meshes.AreSameAs(blocks))
   {
     return false;
   }
   *this = SkdSurfaceSet();
   this->Epsilon = epsilon;
   this->WithVolumes = withVolumes;
-  this->Meshes.resize(blocks.size());
   SkdSurfaceReader reader(withVolumes);
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  int block = 0;
+  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
   {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    reader.Read(this->Meshes[i].Get(), static_cast<int>(i));
+    reader.Read(structure.Mesh, block++);
   }
   this->Elements.swap(reader.Elements);
   this->Corners.swap(reader.Corners);

@@ -219,7 +219,7 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
   const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const
 {
   vtkNew<vtkCellArray> cells;
-  SkdTriangulation triangulation(this->Weld.GetPoints());
+  SkdTriangulation triangulation;
   for (const Face& face : this->Faces)
   {
     const int number = numberOf(face);
@@ -227,11 +227,22 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
     {
       continue;
     }
-    vtkIdList* triangles = triangulation.Cut(this->Corners.data() + face.First, face.Size);
+    const vtkIdType* const ids = this->Corners.data() + face.First;
+    const auto cornerOf = [&](vtkIdType i)
+    {
+      skd::Vector3 x;
+      this->Weld.GetPoints()->GetPoint(ids[i], x.X);
+      return x;
+    };
+    vtkIdList* triangles = triangulation.Cut(face.Size, cornerOf);
     for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
     {
-      vtkIdType* corners = triangles->GetPointer(i);
-      number < 0 ? std::swap(corners[1], corners[2]) : void();
+      const vtkIdType* cut = triangles->GetPointer(i);
+      vtkIdType corners[3] = { ids[cut[0]], ids[cut[1]], ids[cut[2]] };
+      if (number < 0)
+      {
+        std::swap(corners[1], corners[2]);
+      }
       for (int copy = 0; copy < std::abs(number); ++copy)
       {
         cells->InsertNextCell(3, corners);

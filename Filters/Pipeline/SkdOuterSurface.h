@@ -40,7 +40,8 @@ double SkdChordalLength(
 vtkSmartPointer<vtkPolyData> SkdOuterSurfaceOf(vtkDataSet* mesh, double chordalLength);
 
 /// The outer faces of one data set, including its surface cells, with the origin of their cells and
-/// points. The surface of a vtkPolyData is itself.
+/// points. The surface of a vtkPolyData is itself. All readers of flat
+/// faces use this class.
 class SkdBlockSurface
 {
 public:

@@ -7,46 +7,46 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <numeric>
 
-SkdTriangulation::SkdTriangulation(vtkPoints* points)
-  : Points(points)
+SkdTriangulation::SkdTriangulation()
 {
   this->Polygon->Points->SetDataTypeToDouble();
 }
 
-vtkIdList* SkdTriangulation::Cut(const vtkIdType* corners, int size)
+vtkIdList* SkdTriangulation::CutPolygon(vtkIdType size)
 {
   this->Triangles->Reset();
   if (size == 4)
   {
-    this->AddFan(corners, size, this->GetFirstOfQuad(corners));
+    this->AddFan(size, this->GetFirstOfQuad());
   }
-  else if (size < 4 || !this->CutPolygon(corners, size))
+  else if (size < 4 || !this->ClipEars(size))
   {
-    this->AddFan(corners, size, 0); // also of a polygon that crosses itself, say
+    this->AddFan(size, 0); // also of a polygon that crosses itself, say
   }
   return this->Triangles;
 }
 
-void SkdTriangulation::AddFan(const vtkIdType* corners, int size, int first)
+void SkdTriangulation::AddFan(vtkIdType size, vtkIdType first)
 {
-  for (int i = 1; i + 1 < size; ++i)
+  for (vtkIdType i = 1; i + 1 < size; ++i)
   {
-    for (int corner : { 0, i, i + 1 })
+    for (const vtkIdType corner : { vtkIdType(0), i, i + 1 })
     {
-      this->Triangles->InsertNextId(corners[(first + corner) % size]);
+      this->Triangles->InsertNextId((first + corner) % size);
     }
   }
 }
 
 // The corner 0 or 1 that the cut starts from. A diagonal lies within when the triangles on its
 // sides turn the same way.
-int SkdTriangulation::GetFirstOfQuad(const vtkIdType* corners) const
+vtkIdType SkdTriangulation::GetFirstOfQuad() const
 {
   double p[4][3];
   for (int i = 0; i < 4; ++i)
   {
-    this->Points->GetPoint(corners[i], p[i]);
+    this->Polygon->Points->GetPoint(i, p[i]);
   }
   const auto isWithin = [&](int a, int b, int c, int d)
   {
@@ -68,17 +68,10 @@ int SkdTriangulation::GetFirstOfQuad(const vtkIdType* corners) const
   return diagonal02 <= vtkMath::Distance2BetweenPoints(p[1], p[3]) ? 0 : 1;
 }
 
-bool SkdTriangulation::CutPolygon(const vtkIdType* corners, int size)
+bool SkdTriangulation::ClipEars(vtkIdType size)
 {
   this->Polygon->PointIds->SetNumberOfIds(size);
-  this->Polygon->Points->SetNumberOfPoints(size);
-  for (int i = 0; i < size; ++i)
-  {
-    double p[3];
-    this->Points->GetPoint(corners[i], p);
-    this->Polygon->PointIds->SetId(i, corners[i]);
-    this->Polygon->Points->SetPoint(i, p);
-  }
+  std::iota(this->Polygon->PointIds->begin(), this->Polygon->PointIds->end(), 0);
   const bool isCut = this->Polygon->Triangulate(0, this->Triangles, this->Unused) &&
     this->Triangles->GetNumberOfIds() == 3 * (size - 2);
   if (!isCut)

@@ -127,16 +127,13 @@ void SkdFieldCriterion::Update(
   this->Columns.clear();
   this->Meshes.Update(blocks, epsilon, SkdComparable);
   std::uint32_t part = 0;
-  for (const SkdBlock& block : blocks)
+  for (const SkdBlock& block : SkdBlocksWithCells(blocks))
   {
-    if (block.Mesh->GetNumberOfCells() > 0)
+    for (const std::string& name : settings.Arrays)
     {
-      for (const std::string& name : settings.Arrays)
-      {
-        this->TakeArray(part, block.Mesh, name);
-      }
-      ++part;
+      this->TakeArray(part, block.Mesh, name);
     }
+    ++part;
   }
 }
 

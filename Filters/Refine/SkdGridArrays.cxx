@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridArrays.h"
 
+#include "Cells/SkdForEach.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace
@@ -16,14 +16,11 @@ vtkSmartPointer<vtkDataArray> MakeArray(
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(cells.size()));
-  vtkSMPTools::For(0, array->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end)
+  SkdForEach(array->GetNumberOfTuples(),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
-        array->SetValue(i, value(at.Level, at.Index));
-      }
+      const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
+      array->SetValue(i, value(at.Level, at.Index));
     });
   return array;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdPlacement.h"
 
+#include "Cells/SkdForEach.h"
 #include "Core/Predicates/ExactScale.h"
 #include "vtkSMPTools.h"
 
@@ -22,14 +23,11 @@ SkdPlacedTriangles::SkdPlacedTriangles(
   const double reach = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
   this->HaveAllArea = scale == 1.0 && set.GetLeastWidth() > 64.0 * rounding;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  SkdForEach(static_cast<vtkIdType>(this->Points.size()),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const skd::Vector3& point = set.GetPoints()[i];
-        this->Points[i] = scale * (motion ? motion->Forward(point) : point);
-      }
+      const skd::Vector3& point = set.GetPoints()[i];
+      this->Points[i] = scale * (motion ? motion->Forward(point) : point);
     });
 }
 

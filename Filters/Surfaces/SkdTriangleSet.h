@@ -96,7 +96,7 @@ public:
 private:
   void BuildTree();
 
-  std::vector<SkdKeptMesh> Meshes;
+  SkdKeptBlocks Meshes;
   double ChordalLength = 0.0;
   SkdReadTriangles Read;
   std::vector<std::uint32_t> PointOf; // of each point that was read, when complete
