@@ -6,6 +6,7 @@
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "Pipeline/SkdValidInput.h"
 #include "vtkObjectFactory.h"
@@ -100,8 +101,7 @@ int vtkSkdTreeAttach::RequestData(
 void vtkSkdTreeAttach::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
-  os << indent << "LazyBuild: " << (this->LazyBuild ? "On\n" : "Off\n");
-  os << indent << "SkipGhostCells: " << (this->SkipGhostCells ? "On\n" : "Off\n");
+  SkdPrint(os, indent, "Epsilon", this->Epsilon, "LazyBuild", this->LazyBuild, "SkipGhostCells",
+    this->SkipGhostCells);
 }
 VTK_ABI_NAMESPACE_END

@@ -4,6 +4,7 @@
 
 #include "Core/Mesh/FindBorder.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
@@ -234,11 +235,10 @@ void PutBlocks(const std::vector<SkdReadMesh::Block>& blocks,
 
 //------------------------------------------------------------------------------
 vtkSkdTreeMeshRefinement::vtkSkdTreeMeshRefinement()
-  : Impl(new Internals)
+  : vtkSkdTreeRefineAlgorithm(4, 1) // the Input comes in pieces
+  , Impl(new Internals)
 {
   this->MaximumLevel = 3;
-  this->SetNumberOfInputPorts(4);
-  this->SetNumberOfOutputPorts(1);
 }
 
 vtkSkdTreeMeshRefinement::~vtkSkdTreeMeshRefinement() = default;
@@ -276,20 +276,6 @@ int vtkSkdTreeMeshRefinement::RequestDataObject(
     : vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
                                              : VTK_MULTIBLOCK_DATA_SET;
   SkdProvideOutput(outputVector->GetInformationObject(0), type);
-  return 1;
-}
-
-// Whatever piece is asked for, all of the parts may meet it.
-int vtkSkdTreeMeshRefinement::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  for (int port = 1; port < 4; ++port)
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      SkdAskForWhole(inputVector[port]->GetInformationObject(i));
-    }
-  }
   return 1;
 }
 
@@ -333,9 +319,7 @@ int vtkSkdTreeMeshRefinement::RequestData(
   SkdReport report(output);
   SkdReportMesh(report, read, outcome, tally);
   this->State->Report(report);
-  report.AddCount("TreesBuilt", *treesBuilt);
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("RefineSeconds", refineSeconds);
+  report.AddRun(*treesBuilt, buildSeconds, "RefineSeconds", refineSeconds);
   this->Impl->Surface.Release();
   return 1;
 }
@@ -343,11 +327,8 @@ int vtkSkdTreeMeshRefinement::RequestData(
 void vtkSkdTreeMeshRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == BISECTION ? "Bisection\n" : "Regular\n");
-  os << indent << "MinimumLevel: " << this->MinimumLevel << "\n";
-  os << indent << "PointPlacement: " << this->PointPlacement << "\n";
-  os << indent << "SphereCenter: " << this->SphereCenter[0] << " " << this->SphereCenter[1] << " "
-     << this->SphereCenter[2] << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  SkdPrint(os, indent, "Method", this->Method == BISECTION ? "Bisection" : "Regular",
+    "MinimumLevel", this->MinimumLevel, "PointPlacement", this->PointPlacement, "SphereCenter",
+    this->SphereCenter, "OutputPointsPrecision", this->OutputPointsPrecision);
 }
 VTK_ABI_NAMESPACE_END

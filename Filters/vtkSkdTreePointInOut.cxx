@@ -5,6 +5,7 @@
 #include "InOut/SkdPartAsker.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSubset.h"
 #include "Probe/SkdCellFinder.h"
@@ -361,19 +362,11 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
 void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Model: " << this->Model << "\n";
-  os << indent << "Parts: " << this->Parts << "\n";
-  os << indent << "PartArray: " << this->PartArray << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "WindingTolerance: " << this->WindingTolerance << "\n";
-  os << indent << "Ask: " << this->Ask << "\n";
-  os << indent << "BoundaryBand: " << this->BoundaryBand << "\n";
-  os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");
-  os << indent << "RepairOrientation: " << (this->RepairOrientation ? "On\n" : "Off\n");
-  os << indent << "Extract: " << this->Extract << "\n";
-  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "Model", this->Model, "Parts", this->Parts, "PartArray", this->PartArray,
+    "Method", this->Method, "NumberOfRays", this->NumberOfRays, "Seed", this->Seed,
+    "WindingTolerance", this->WindingTolerance, "Ask", this->Ask, "BoundaryBand",
+    this->BoundaryBand, "UseOuterFaces", this->UseOuterFaces, "RepairOrientation",
+    this->RepairOrientation, "Extract", this->Extract, "ChordalDeviation", this->ChordalDeviation,
+    "Epsilon", this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

@@ -6,6 +6,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdParts.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Relations/SkdRelationOutputs.h"
@@ -336,9 +337,7 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
 {
   Internals& internals = *this->Impl;
   const SkdRelationAnswers answers{ internals.Pairs, internals.Queries,
-    internals.Mesh.GetBlockIndices(), this->Exact,
-    vtkCompositeDataSet::SafeDownCast(input) != nullptr,
-    vtkCompositeDataSet::SafeDownCast(source) != nullptr };
+    internals.Mesh.GetBlockIndices(), this->Exact, SkdIsComposite(input), SkdIsComposite(source) };
   const auto chosen = SkdChooseCells(internals.Pairs, internals.Blocks.size());
   vtkIdType found = 0;
   for (const std::vector<SkdChosenCell>& cells : chosen)
@@ -374,31 +373,13 @@ void vtkSkdTreeSpatialQuery::Report(vtkDataObject* output, double buildSeconds, 
 void vtkSkdTreeSpatialQuery::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&](const char* name, const double x[3])
-  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
-  os << indent << "Relation: " << this->Relation << "\n";
-  os << indent << "Shape: " << this->Shape << "\n";
-  os << indent << "Exact: " << (this->Exact ? "On\n" : "Off\n");
-  os << indent << "NumberOfNearestCells: " << this->NumberOfNearestCells << "\n";
-  os << indent << "AllTies: " << (this->AllTies ? "On\n" : "Off\n");
-  os << indent << "SharedPart: " << this->SharedPart << "\n";
-  print("BoxPosition", this->BoxPosition);
-  print("BoxLength", this->BoxLength);
-  print("BoxRotation", this->BoxRotation);
-  os << indent << "UseReferenceBounds: " << (this->UseReferenceBounds ? "On\n" : "Off\n");
-  os << indent << "ReferenceBounds:";
-  for (const double bound : this->ReferenceBounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n";
-  print("SphereCenter", this->SphereCenter);
-  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
-  print("PlaneOrigin", this->PlaneOrigin);
-  print("PlaneNormal", this->PlaneNormal);
-  print("LinePoint1", this->LinePoint1);
-  print("LinePoint2", this->LinePoint2);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "Relation", this->Relation, "Shape", this->Shape, "Exact", this->Exact,
+    "NumberOfNearestCells", this->NumberOfNearestCells, "AllTies", this->AllTies, "SharedPart",
+    this->SharedPart, "BoxPosition", this->BoxPosition, "BoxLength", this->BoxLength, "BoxRotation",
+    this->BoxRotation, "UseReferenceBounds", this->UseReferenceBounds, "ReferenceBounds",
+    this->ReferenceBounds, "SphereCenter", this->SphereCenter, "SphereRadius", this->SphereRadius,
+    "PlaneOrigin", this->PlaneOrigin, "PlaneNormal", this->PlaneNormal, "LinePoint1",
+    this->LinePoint1, "LinePoint2", this->LinePoint2, "Tolerance", this->Tolerance, "Epsilon",
+    this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

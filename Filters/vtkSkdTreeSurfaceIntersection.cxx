@@ -4,11 +4,11 @@
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Surfaces/SkdContacts.h"
 #include "Surfaces/SkdSplitSurface.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -43,7 +43,7 @@ struct Surface
   Surface(vtkDataObject* data, SkdTriangleSet& set, double chordalDeviation,
     const skd::Processes* processes = nullptr)
     : Blocks(SkdBlocksOf(data))
-    , IsComposite(vtkCompositeDataSet::SafeDownCast(data) != nullptr)
+    , IsComposite(SkdIsComposite(data))
     , Set(set)
     , IsNew(set.Update(this->Blocks, chordalDeviation, processes))
   {
@@ -305,17 +305,10 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
 
 void vtkSkdTreeSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&](const char* name, const double* x)
-  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Pairs: " << this->Pairs << "\n";
-  os << indent << "JoinCurves: " << (this->JoinCurves ? "On\n" : "Off\n");
-  os << indent << "SplitSurfaces: " << (this->SplitSurfaces ? "On\n" : "Off\n");
-  os << indent << "Clearance: " << this->Clearance << "\n";
-  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
-  print("Translation", this->Translation);
-  print("Rotation", this->Rotation);
-  print("RotationCenter", this->RotationCenter);
-  os << indent << "Transform: " << (this->Impl->Matrix ? "set\n" : "none\n");
+  SkdPrint(os, indent, "Pairs", this->Pairs, "JoinCurves", this->JoinCurves, "SplitSurfaces",
+    this->SplitSurfaces, "Clearance", this->Clearance, "ChordalDeviation", this->ChordalDeviation,
+    "Translation", this->Translation, "Rotation", this->Rotation, "RotationCenter",
+    this->RotationCenter, "Transform", this->Impl->Matrix ? "set" : "none");
 }
 VTK_ABI_NAMESPACE_END

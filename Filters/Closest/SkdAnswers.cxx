@@ -7,7 +7,6 @@
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -15,6 +14,14 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace
+{
+constexpr const char* ClosestPointName = "SkdClosestPoint";
+constexpr const char* DistanceName = "SkdDistance";
+constexpr const char* CellIdName = "SkdClosestCellId";
+constexpr const char* BlockIndexName = "SkdClosestBlockIndex";
+}
 
 bool SkdAnswers::IsOurs(const std::string& name)
 {
@@ -54,15 +61,7 @@ void SkdAnswers::AddTo(
   pointData->SetActiveScalars(DistanceName);
   if (isComposite)
   {
-    auto blockIndices = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
-    for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
-    {
-      if (this->Blocks[i] >= 0)
-      {
-        blockIndices->SetValue(i, source[this->Blocks[i]].BlockIndex);
-      }
-    }
-    pointData->AddArray(blockIndices);
+    pointData->AddArray(SkdMakeBlockIndices(BlockIndexName, this->Blocks, source));
   }
 }
 
@@ -103,5 +102,5 @@ void SkdConnectAnswers(
   SkdForEach(static_cast<vtkIdType>(starts.size()),
     [&](vtkIdType i) { gather.Take(i, starts[i].Mesh, starts[i].Point); });
   gather.AddTo(lines->GetCellData());
-  lines->GetCellData()->SetActiveScalars(SkdAnswers::DistanceName);
+  lines->GetCellData()->SetActiveScalars(DistanceName);
 }

@@ -19,11 +19,6 @@ class vtkPolyData;
 class SkdAnswers
 {
 public:
-  static constexpr const char* ClosestPointName = "SkdClosestPoint";
-  static constexpr const char* DistanceName = "SkdDistance";
-  static constexpr const char* CellIdName = "SkdClosestCellId";
-  static constexpr const char* BlockIndexName = "SkdClosestBlockIndex";
-
   /// Whether an array of that name is one of ours.
   static bool IsOurs(const std::string& name);
 

@@ -172,9 +172,9 @@ void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-void SkdStoreDataAtHits(
-  const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
+std::set<std::string> SkdStoreDataAtHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
+  std::set<std::string> refused;
   const auto n = static_cast<vtkIdType>(table.Intersections.size());
   const auto gather = [&](const std::vector<SkdBlock>& blocks, int type)
   { return SkdGatherInto(output->GetPointData(), n, blocks, type, refused); };
@@ -199,4 +199,5 @@ void SkdStoreDataAtHits(
     points.Interpolate(i, element.Block, onSurface.GetPointIds(), onSurface.GetWeights());
     cells.Take(i, element.Block, element.CellId);
   }
+  return refused;
 }

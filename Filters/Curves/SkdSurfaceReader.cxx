@@ -4,6 +4,7 @@
 
 #include "Cells/SkdBezierCell.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
+#include "Pipeline/SkdReport.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -299,17 +300,8 @@ void SkdSurfaceReader::AddNative(vtkCell* cell)
 //------------------------------------------------------------------------------
 std::vector<std::string> SkdSurfaceReader::GetFaults() const
 {
-  std::vector<std::string> faults;
-  const auto tell = [&](vtkIdType count, const char* what)
-  {
-    if (count > 0)
-    {
-      faults.push_back(std::to_string(count) + what);
-    }
-  };
-  tell(this->NotSurfaces, " cells are not surfaces");
-  tell(this->NotFinite, " surface cells have points that are not finite");
-  tell(this->BadWeights, " surface cells have a weight that is not positive");
-  tell(this->TooHigh, " surface cells have a degree above 10");
-  return faults;
+  return SkdFaultsOf({ { this->NotSurfaces, " cells are not surfaces" },
+    { this->NotFinite, " surface cells have points that are not finite" },
+    { this->BadWeights, " surface cells have a weight that is not positive" },
+    { this->TooHigh, " surface cells have a degree above 10" } });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBlocks.h"
 
+#include "Pipeline/SkdMakeArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -34,6 +35,11 @@ void MirrorComposite(vtkCompositeDataSet* input, vtkCompositeDataSet* output)
     output->SetDataSet(iterator, copy);
   }
 }
+}
+
+bool SkdIsComposite(vtkDataObject* object)
+{
+  return vtkCompositeDataSet::SafeDownCast(object) != nullptr;
 }
 
 std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
@@ -76,6 +82,16 @@ std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output)
     output->ShallowCopy(input);
   }
   return SkdBlocksOf(output);
+}
+
+vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
+  const char* name, const std::vector<int>& places, const std::vector<SkdBlock>& blocks)
+{
+  auto indices = SkdMakeArray<vtkIntArray>(name, 1, static_cast<vtkIdType>(places.size()));
+  std::transform(places.begin(), places.end(), indices->GetPointer(0),
+    [&](int place)
+    { return place >= 0 ? blocks[static_cast<std::size_t>(place)].BlockIndex : -1; });
+  return indices;
 }
 
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)

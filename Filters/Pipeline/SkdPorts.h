@@ -12,6 +12,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -33,6 +34,18 @@ inline void SkdAskForWhole(vtkInformation* input)
   if (input->Has(Pipeline::WHOLE_EXTENT()))
   {
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+/// The same of all inputs of a filter's ports from the first on.
+inline void SkdAskForWhole(vtkAlgorithm* filter, vtkInformationVector** inputs, int first)
+{
+  for (int port = first; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      SkdAskForWhole(inputs[port]->GetInformationObject(i));
+    }
   }
 }
 

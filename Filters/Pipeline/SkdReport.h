@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkTimerLog.h"
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,14 @@ public:
     {
       this->AddMeasure(what, measure);
     }
+  }
+
+  /// The number of trees that were built, and the seconds for building and for their use.
+  void AddRun(vtkIdType treesBuilt, double buildSeconds, const char* other, double seconds)
+  {
+    this->AddCount("TreesBuilt", treesBuilt);
+    this->AddMeasure("BuildSeconds", buildSeconds);
+    this->AddMeasure(other, seconds);
   }
 
   /// One value a row, for example for levels 0, 1, ...
@@ -78,6 +87,21 @@ private:
 
   vtkFieldData* Field;
 };
+
+/// What could not be read, one line each: the counts that are not 0, each before its words.
+inline std::vector<std::string> SkdFaultsOf(
+  std::initializer_list<std::pair<vtkIdType, const char*>> counts)
+{
+  std::vector<std::string> faults;
+  for (const auto& [count, words] : counts)
+  {
+    if (count > 0)
+    {
+      faults.push_back(std::to_string(count) + words);
+    }
+  }
+  return faults;
+}
 
 /// Seconds between laps.
 class SkdStopwatch

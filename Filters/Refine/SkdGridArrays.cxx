@@ -9,6 +9,13 @@
 
 namespace
 {
+constexpr const char* CutName = "SkdCut";
+constexpr const char* PartName = "SkdPartIndex";
+constexpr const char* CandidatesName = "SkdCandidates";
+constexpr const char* InsideName = "SkdInside";
+constexpr const char* DistanceName = "SkdDistance";
+constexpr const char* FractionName = "SkdVolumeFraction";
+
 template <typename Array, typename Value>
 vtkSmartPointer<vtkDataArray> MakeArray(
   const char* name, const std::vector<SkdGridCell>& cells, const Value& value)
