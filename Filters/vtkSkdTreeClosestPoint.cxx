@@ -160,6 +160,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   SkdSource& source = this->Impl->Source;
   source.Update(sourceData, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
   WarnAbout(this, source);
+  SkdWarnAboutCoarseFaces(this, source.GetNumberOfCoarseFaces(), this->ChordalDeviation);
   const double buildSeconds = watch.Lap();
 
   std::vector<SkdAnswers> answers;

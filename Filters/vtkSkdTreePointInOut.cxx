@@ -250,12 +250,15 @@ void vtkSkdTreePointInOut::WarnAbout()
     return;
   }
   vtkIdType edges = 0;
+  vtkIdType coarse = 0;
   int open = 0;
   for (const SkdPart& part : parts)
   {
     edges += part.GetNumberOfOpenEdges();
     open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
+    coarse += part.GetNumberOfCoarseFaces();
   }
+  SkdWarnAboutCoarseFaces(this, coarse, this->ChordalDeviation);
   if (open > 0)
   {
     vtkWarningMacro(

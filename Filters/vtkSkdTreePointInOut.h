@@ -246,8 +246,9 @@ public:
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * the whole Source. Faces of quadratic, Lagrange and Bezier cells are approximated by flat facets
-   * without gaps, at most 128 along a side, and the filter is exact for these; a face that is flat
-   * within the deviation is one polygon. It has no effect on linear cells. The number of facets is
+   * without gaps, at most 128 along a side, and the filter is exact for these; a warning counts the
+   * faces that need more. A face that is flat within the deviation is one polygon. It has no effect
+   * on linear cells. The number of facets is
    * inversely proportional to the deviation: about 10^4 for a sphere by default. If there are
    * curved cells, SkdReportChordalLength is the deviation as a length. Range [1e-7, 1], default
    * 1e-4.

@@ -4,6 +4,7 @@
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
@@ -282,6 +283,9 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const Surface& second = source ? other : first;
   this->UpdateProgress(0.4);
   WarnOfNoFaces(this, first, source ? &other : nullptr);
+  SkdWarnAboutCoarseFaces(this,
+    first.Set.GetNumberOfCoarseFaces() + (source ? other.Set.GetNumberOfCoarseFaces() : 0),
+    this->ChordalDeviation);
   SkdReport report(vtkPolyData::GetData(outputVector, 0));
   report.AddMeasure("BuildSeconds", watch.Lap());
 

@@ -61,6 +61,7 @@ public:
   int GetId() const { return this->Id; }
   vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
+  vtkIdType GetNumberOfCoarseFaces() const { return this->Boundary.CoarseFaces; }
   double GetDiagonal() const { return this->Diagonal; }
   double GetAbsoluteEpsilon() const { return this->Faces->GetAbsoluteEpsilon(); }
 

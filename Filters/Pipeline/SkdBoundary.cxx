@@ -57,6 +57,7 @@ private:
   SkdWeld Weld;
   std::vector<Face> Faces;
   std::vector<vtkIdType> Corners;
+  vtkIdType CoarseFaces = 0;
 };
 
 FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
@@ -73,6 +74,7 @@ FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
 void FaceList::AddBlock(int block, vtkDataSet* mesh, double chordalLength)
 {
   const SkdBlockSurface surface(mesh, chordalLength);
+  this->CoarseFaces += surface.GetNumberOfCoarseFaces();
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners)
     {
@@ -284,6 +286,7 @@ void FaceList::FillBoundary(SkdBoundary& boundary) const
 {
   const auto isThere = [](const Face& face) { return face.Copies > 0; };
   const auto isOdd = [](const Face& face) { return face.Net % 2 != 0; };
+  boundary.CoarseFaces = this->CoarseFaces;
   boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
   boundary.Surface = boundary.Faces;
   boundary.Repeats = this->FindRepeats();

@@ -7,6 +7,7 @@
 #include "Cells/SkdCurvedFaces.h"
 #include "Core/Curves/PatchFacets.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -93,6 +94,15 @@ struct LinearPart
   }
 };
 
+/// Of a data set that is no vtkPolyData. Its cells have "vtkOriginalCellIds", its points
+/// "vtkOriginalPointIds", -1 of those that are on curved faces. Faces that cannot be cut (a weight
+/// that is not positive, a point that is not finite) are there as polygons of two points.
+struct OuterSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkIdType CoarseFaces = 0; ///< see SkdBlockSurface
+};
+
 /// Puts polygons, and where they come from, into polydata.
 class Builder
 {
@@ -109,7 +119,7 @@ public:
 
   void AddLinear(const LinearPart& part, std::set<std::vector<vtkIdType>>& shared);
   void AddFace(vtkIdType cellId, vtkCell* face, bool isInward);
-  vtkSmartPointer<vtkPolyData> Take() const;
+  OuterSurface Take() const;
 
 private:
   vtkIdType NumberOf(vtkIdType point)
@@ -150,6 +160,7 @@ private:
   skd::NodePatch Nodes;
   skd::PatchFacets Facets;
   std::vector<vtkIdType> Corners;
+  vtkIdType CoarseFaces = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -234,6 +245,7 @@ void Builder::AddFace(vtkIdType cellId, vtkCell* face, bool isInward)
 void Builder::AddFacets(vtkIdType cellId, vtkCell* face, bool isInward)
 {
   this->Facets.Cut(this->Nodes, this->ChordalLength);
+  this->CoarseFaces += this->Facets.IsKept() ? 0 : 1;
   std::vector<vtkIdType> numbers(this->Facets.GetPoints().size(), -1);
   for (int k = 0; k < this->Nodes.NumberOfSides(); ++k)
   {
@@ -273,14 +285,14 @@ void Builder::AddFacets(vtkIdType cellId, vtkCell* face, bool isInward)
   }
 }
 
-vtkSmartPointer<vtkPolyData> Builder::Take() const
+OuterSurface Builder::Take() const
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(this->Points);
   surface->SetPolys(this->Polygons);
   surface->GetCellData()->AddArray(this->CellIds);
   surface->GetPointData()->AddArray(this->PointIds);
-  return surface;
+  return { surface, this->CoarseFaces };
 }
 
 //------------------------------------------------------------------------------
@@ -303,7 +315,7 @@ std::set<std::vector<vtkIdType>> StraightFaces(
   return names;
 }
 
-vtkSmartPointer<vtkPolyData> FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
+OuterSurface FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
 {
   const std::vector<SkdCurvedFace> faces = SkdFindCurvedFaces(mesh);
   Builder builder(mesh, chordalLength);
@@ -348,10 +360,15 @@ skd::Box3 FiniteBounds(vtkDataSet* mesh)
   return box;
 }
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* mesh, double chordalLength)
+OuterSurface SurfaceOf(vtkDataSet* mesh, double chordalLength)
 {
-  auto* surface = vtkPolyData::SafeDownCast(mesh);
-  return surface ? vtkSmartPointer<vtkPolyData>(surface) : SkdOuterSurfaceOf(mesh, chordalLength);
+  if (auto* surface = vtkPolyData::SafeDownCast(mesh))
+  {
+    return { surface };
+  }
+  auto* set = vtkPointSet::SafeDownCast(mesh);
+  return set && SkdHasCurvedCells(mesh) ? FacetedSurfaceOf(set, chordalLength)
+                                        : OuterSurface{ LinearSurfaceOf(mesh) };
 }
 }
 
@@ -386,18 +403,25 @@ double SkdChordalLength(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SkdOuterSurfaceOf(vtkDataSet* mesh, double chordalLength)
+void SkdWarnAboutCoarseFaces(vtkAlgorithm* self, vtkIdType coarseFaces, double chordalDeviation)
 {
-  auto* set = vtkPointSet::SafeDownCast(mesh);
-  return set && SkdHasCurvedCells(mesh) ? FacetedSurfaceOf(set, chordalLength)
-                                        : LinearSurfaceOf(mesh);
+  if (coarseFaces > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "ChordalDeviation "
+        << chordalDeviation << " is not kept on " << coarseFaces
+        << " curved faces, for they are cut into at most " << skd::PatchFacets::MostPieces
+        << " facets along a side. Increase ChordalDeviation or refine the cells.");
+  }
 }
 
 //------------------------------------------------------------------------------
 SkdBlockSurface::SkdBlockSurface(vtkDataSet* mesh, double chordalLength)
   : Mesh(mesh)
-  , Surface(SurfaceOf(mesh, chordalLength))
 {
+  const OuterSurface outer = SurfaceOf(mesh, chordalLength);
+  this->Surface = outer.Surface;
+  this->CoarseFaces = outer.CoarseFaces;
   if (mesh != this->Surface.Get())
   {
     this->CellIds =

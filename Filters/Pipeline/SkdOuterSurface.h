@@ -26,6 +26,8 @@
 #include <functional>
 #include <vector>
 
+class vtkAlgorithm;
+
 /// The default chordal deviation, relative to the diagonal of the bounds.
 constexpr double SkdDefaultChordalDeviation = 1e-4;
 
@@ -34,14 +36,11 @@ constexpr double SkdDefaultChordalDeviation = 1e-4;
 double SkdChordalLength(
   const std::vector<SkdBlock>& blocks, double share, const skd::Processes* processes = nullptr);
 
-/// Of a data set that is no vtkPolyData. Its cells have "vtkOriginalCellIds", its points
-/// "vtkOriginalPointIds", -1 of those that are on curved faces. Faces that cannot be cut (a weight
-/// that is not positive, a point that is not finite) are there as polygons of two points.
-vtkSmartPointer<vtkPolyData> SkdOuterSurfaceOf(vtkDataSet* mesh, double chordalLength);
+/// Warns, if there are any, of curved faces whose facets are farther from them than the deviation.
+void SkdWarnAboutCoarseFaces(vtkAlgorithm* self, vtkIdType coarseFaces, double chordalDeviation);
 
 /// The outer faces of one data set, including its surface cells, with the origin of their cells and
-/// points. The surface of a vtkPolyData is itself. All readers of flat
-/// faces use this class.
+/// points. The surface of a vtkPolyData is itself. All readers of flat faces use this class.
 class SkdBlockSurface
 {
 public:
@@ -49,6 +48,9 @@ public:
   SkdBlockSurface(vtkDataSet* mesh, double chordalLength);
 
   vtkPolyData* Get() const { return this->Surface; }
+
+  /// The curved faces of which the chordal length asks for more facets than there are at most.
+  vtkIdType GetNumberOfCoarseFaces() const { return this->CoarseFaces; }
 
   /// The data set's cell that a cell of the surface comes from, and whether it has a volume.
   vtkIdType GetCellId(vtkIdType cell) const
@@ -113,6 +115,7 @@ private:
 
   vtkDataSet* Mesh;
   vtkSmartPointer<vtkPolyData> Surface;
+  vtkIdType CoarseFaces = 0;
   const double* Doubles = nullptr; // the points, where they lie in a row
   const float* Floats = nullptr;
   vtkIdTypeArray* CellIds = nullptr;

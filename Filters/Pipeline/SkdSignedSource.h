@@ -39,6 +39,9 @@ public:
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
+  /// See SkdBlockSurface.
+  vtkIdType GetNumberOfCoarseFaces() const { return this->Boundary.CoarseFaces; }
+
   /// Edges at which the boundary is open.
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
 

@@ -77,6 +77,7 @@ inline void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Co
 void SkdTriangleReader::Read(int block, vtkDataSet* mesh, double chordalLength)
 {
   const SkdBlockSurface surface(mesh, chordalLength);
+  this->To.CoarseFaces += surface.GetNumberOfCoarseFaces();
   this->MarkPoints(surface);
   this->ReadPoints(block, surface);
   const std::uint32_t* const ids = this->Ids.data();

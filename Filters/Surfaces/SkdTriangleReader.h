@@ -53,6 +53,7 @@ struct SkdReadTriangles
   skd::RawVector<SkdTriangleCell> Cells;    ///< ascending
   skd::RawVector<std::uint32_t> CellOf;     ///< of each triangle its place in Cells
   vtkIdType LeftOut = 0;                    ///< faces that are none
+  vtkIdType CoarseFaces = 0;                ///< see SkdBlockSurface
   skd::Box3 Bounds;                         ///< of the points
 
   /// No triangle has less than about this as twice its area, seen along the axis where that is
