@@ -50,21 +50,26 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetLazyBuild. Default off.
    */
-  vtkSkdTreeSwitchMacro(LazyBuild);
+  vtkSetMacro(LazyBuild, bool);
+  vtkGetMacro(LazyBuild, bool);
+  vtkBooleanMacro(LazyBuild, bool);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetSkipGhostCells. Default on.
    */
-  vtkSkdTreeSwitchMacro(SkipGhostCells);
+  vtkSetMacro(SkipGhostCells, bool);
+  vtkGetMacro(SkipGhostCells, bool);
+  vtkBooleanMacro(SkipGhostCells, bool);
   //@}
 
   /**
@@ -75,15 +80,16 @@ public:
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
-  vtkTypeBool ProcessRequest(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 protected:
   vtkSkdTreeAttach();
   ~vtkSkdTreeAttach() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   double Epsilon = 1e-9;
   bool LazyBuild = false;

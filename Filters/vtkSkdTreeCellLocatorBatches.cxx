@@ -126,8 +126,7 @@ public:
     this->Weights = SkdPrepare(weights, "SkdWeight", this->Width, size);
   }
 
-  /// Writes the points, and returns the weights' location (nullptr if not requested),
-  /// uninitialized.
+  /// Writes the points, and hands out where the weights belong (nullptr: nowhere), none yet.
   double* Begin(vtkIdType slot, vtkIdType id)
   {
     const std::int64_t found = this->Cells.CellOfId(id);

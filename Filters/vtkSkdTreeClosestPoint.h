@@ -65,7 +65,8 @@ public:
   /**
    * The maximum search distance. Default VTK_DOUBLE_MAX: no limit.
    */
-  vtkSkdTreeWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
   //@}
 
   //@{
@@ -84,7 +85,9 @@ public:
    * is then a vote of seven rays. A Source without a surface gives a warning and unsigned
    * distances. Default off.
    */
-  vtkSkdTreeSwitchMacro(SignedDistance);
+  vtkSetMacro(SignedDistance, bool);
+  vtkGetMacro(SignedDistance, bool);
+  vtkBooleanMacro(SignedDistance, bool);
   //@}
 
   //@{
@@ -97,14 +100,18 @@ public:
    * and point ids are not passed on. Points without a result get NaN, or 0 in integer arrays.
    * Default off.
    */
-  vtkSkdTreeSwitchMacro(InterpolateSourceData);
+  vtkSetMacro(InterpolateSourceData, bool);
+  vtkGetMacro(InterpolateSourceData, bool);
+  vtkBooleanMacro(InterpolateSourceData, bool);
   //@}
 
   //@{
   /**
    * Fill output port 1 with a line from each point to its nearest. Default off.
    */
-  vtkSkdTreeSwitchMacro(GenerateLines);
+  vtkSetMacro(GenerateLines, bool);
+  vtkGetMacro(GenerateLines, bool);
+  vtkBooleanMacro(GenerateLines, bool);
   //@}
 
   //@{
@@ -112,21 +119,24 @@ public:
    * The largest distance of facets from a curved face for signed distances, relative to the
    * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
-  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
   //@}
 
 protected:
   vtkSkdTreeClosestPoint();
   ~vtkSkdTreeClosestPoint() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   double MaximumDistance = VTK_DOUBLE_MAX;
   bool SignedDistance = false;

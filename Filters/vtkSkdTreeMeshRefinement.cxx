@@ -3,11 +3,12 @@
 #include "vtkSkdTreeMeshRefinement.h"
 
 #include "Core/Mesh/FindBorder.h"
-#include "Pipeline/SkdPorts.h"
-#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
+#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdMeshOutput.h"
 #include "Refine/SkdMeshRefiner.h"
 #include "Refine/SkdMeshReport.h"
@@ -100,7 +101,7 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   }
 }
 
-/// Whether parts are the only criterion, and all processes have finished without any round.
+/// Whether parts alone ask for cells, and all processes have come to an end without any round.
 bool DoPartsMiss(const SkdMeshSettings& settings, const SkdMeshOutcome& outcome)
 {
   const bool isMore =
@@ -235,10 +236,11 @@ void PutBlocks(const std::vector<SkdReadMesh::Block>& blocks,
 
 //------------------------------------------------------------------------------
 vtkSkdTreeMeshRefinement::vtkSkdTreeMeshRefinement()
-  : vtkSkdTreeRefineAlgorithm(4, 1) // the Input comes in pieces
-  , Impl(new Internals)
+  : Impl(new Internals)
 {
   this->MaximumLevel = 3;
+  this->SetNumberOfInputPorts(4);
+  this->SetNumberOfOutputPorts(1);
 }
 
 vtkSkdTreeMeshRefinement::~vtkSkdTreeMeshRefinement() = default;
@@ -276,6 +278,20 @@ int vtkSkdTreeMeshRefinement::RequestDataObject(
     : vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
                                              : VTK_MULTIBLOCK_DATA_SET;
   SkdProvideOutput(outputVector->GetInformationObject(0), type);
+  return 1;
+}
+
+// Whatever piece is asked for, all of the parts may meet it.
+int vtkSkdTreeMeshRefinement::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 1; port < 4; ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      SkdAskForWhole(inputVector[port]->GetInformationObject(i));
+    }
+  }
   return 1;
 }
 
@@ -319,7 +335,9 @@ int vtkSkdTreeMeshRefinement::RequestData(
   SkdReport report(output);
   SkdReportMesh(report, read, outcome, tally);
   this->State->Report(report);
-  report.AddRun(*treesBuilt, buildSeconds, "RefineSeconds", refineSeconds);
+  report.AddCount("TreesBuilt", *treesBuilt);
+  report.AddMeasure("BuildSeconds", buildSeconds);
+  report.AddMeasure("RefineSeconds", refineSeconds);
   this->Impl->Surface.Release();
   return 1;
 }
@@ -327,8 +345,11 @@ int vtkSkdTreeMeshRefinement::RequestData(
 void vtkSkdTreeMeshRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  SkdPrint(os, indent, "Method", this->Method == BISECTION ? "Bisection" : "Regular",
-    "MinimumLevel", this->MinimumLevel, "PointPlacement", this->PointPlacement, "SphereCenter",
-    this->SphereCenter, "OutputPointsPrecision", this->OutputPointsPrecision);
+  os << indent << "Method: " << (this->Method == BISECTION ? "Bisection\n" : "Regular\n");
+  os << indent << "MinimumLevel: " << this->MinimumLevel << "\n";
+  os << indent << "PointPlacement: " << this->PointPlacement << "\n";
+  os << indent << "SphereCenter: " << this->SphereCenter[0] << " " << this->SphereCenter[1] << " "
+     << this->SphereCenter[2] << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }
 VTK_ABI_NAMESPACE_END

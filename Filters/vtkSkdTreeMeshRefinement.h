@@ -96,6 +96,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeMeshRefinement* New();
 
+  enum Methods
+  {
+    BISECTION = 0,
+    REGULAR = 1
+  };
+  enum PointPlacements
+  {
+    FLAT = 0,
+    SPHERE = 1,
+    SURFACE = 2
+  };
+
   //@{
   /**
    * The parts (port 1, optional) that cells are refined around: any data set, or composite data.
@@ -112,23 +124,12 @@ public:
   void SetSurfaceData(vtkDataObject* surface);
   //@}
 
-  enum Methods
-  {
-    BISECTION = 0,
-    REGULAR = 1
-  };
-  enum PointPlacements
-  {
-    FLAT = 0,
-    SPHERE = 1,
-    SURFACE = 2
-  };
-
   //@{
   /**
    * The subdivision: BISECTION (default), without hanging nodes, or REGULAR.
    */
-  vtkSkdTreeChoiceMacro(Method, BISECTION, REGULAR);
+  vtkSetClampMacro(Method, int, BISECTION, REGULAR);
+  vtkGetMacro(Method, int);
   //@}
 
   //@{
@@ -136,7 +137,8 @@ public:
    * The level to which all cells are refined, at most MaximumLevel. Default 0, or 1 without any
    * other criterion.
    */
-  vtkSkdTreeChoiceMacro(MinimumLevel, 0, 30);
+  vtkSetClampMacro(MinimumLevel, int, 0, 30);
+  vtkGetMacro(MinimumLevel, int);
   //@}
 
   //@{
@@ -147,14 +149,16 @@ public:
    * surface (port 3), of volume cells only for points on the boundary of the mesh. Cuts are decided
    * by the FLAT positions.
    */
-  vtkSkdTreeChoiceMacro(PointPlacement, FLAT, SURFACE);
+  vtkSetClampMacro(PointPlacement, int, FLAT, SURFACE);
+  vtkGetMacro(PointPlacement, int);
   //@}
 
   //@{
   /**
    * See PointPlacement. Default (0, 0, 0).
    */
-  vtkSkdTreeFinite3Macro(SphereCenter);
+  vtkSkdTreeSetFinite3Macro(SphereCenter);
+  vtkGetVector3Macro(SphereCenter, double);
   //@}
 
   //@{
@@ -163,15 +167,20 @@ public:
    * default), SINGLE_PRECISION or DOUBLE_PRECISION. New points are rounded to it; areas are
    * preserved to 1e-12 in double precision only.
    */
-  vtkSkdTreeChoiceMacro(OutputPointsPrecision, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
   //@}
 
 protected:
   vtkSkdTreeMeshRefinement();
   ~vtkSkdTreeMeshRefinement() override;
 
-  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   int Method = BISECTION;
   int MinimumLevel = 0;

@@ -90,7 +90,8 @@ public:
   /**
    * The kind of Source: surfaces (default), or a mesh that fills the parts.
    */
-  vtkSkdTreeChoiceMacro(Model, BOUNDARIES, BODY_FITTED_MESH);
+  vtkSetClampMacro(Model, int, BOUNDARIES, BODY_FITTED_MESH);
+  vtkGetMacro(Model, int);
   //@}
 
   enum PartsType
@@ -107,7 +108,8 @@ public:
    * (CELL_ARRAY); or components connected by points of equal coordinates, with ids 0, 1, ... in the
    * order of their first cells (CONNECTED_PIECES; a BODY_FITTED_MESH uses BLOCKS instead).
    */
-  vtkSkdTreeChoiceMacro(Parts, BLOCKS, CONNECTED_PIECES);
+  vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
+  vtkGetMacro(Parts, int);
   //@}
 
   //@{
@@ -156,14 +158,16 @@ public:
    * Points outside a part's bounds are outside the part: the confidence is 1 for closed parts and
    * for rays, else that of the method, or 1/2 if the method contradicts.
    */
-  vtkSkdTreeChoiceMacro(Method, AXIS_RAYS, AUTOMATIC);
+  vtkSetClampMacro(Method, int, AXIS_RAYS, AUTOMATIC);
+  vtkGetMacro(Method, int);
   //@}
 
   //@{
   /**
    * The number of RANDOM_RAYS for surfaces with gaps. Range 1 to 1000, default 10.
    */
-  vtkSkdTreeWithinMacro(NumberOfRays, int, 1, 1000);
+  vtkSkdTreeSetWithinMacro(NumberOfRays, int, 1, 1000);
+  vtkGetMacro(NumberOfRays, int);
   //@}
 
   //@{
@@ -182,7 +186,8 @@ public:
    * tolerance takes about 1.6 times as long. Whether a number exceeds 1/2 is decided exactly at any
    * tolerance, except for rounding.
    */
-  vtkSkdTreeWithinMacro(WindingTolerance, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(WindingTolerance, double, 0.0, 1.0);
+  vtkGetMacro(WindingTolerance, double);
   //@}
 
   enum AskType
@@ -200,7 +205,8 @@ public:
    * gets the part and confidence of the point with the least depth, with any point those of the one
    * with the greatest; ties go to the first.
    */
-  vtkSkdTreeChoiceMacro(Ask, POINTS, CELLS_ANY_POINT);
+  vtkSetClampMacro(Ask, int, POINTS, CELLS_ANY_POINT);
+  vtkGetMacro(Ask, int);
   //@}
 
   //@{
@@ -208,14 +214,17 @@ public:
    * Points within this distance of a part's surface are marked in SkdOnBoundary. World units,
    * default 0: none.
    */
-  vtkSkdTreeWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BoundaryBand, double);
   //@}
 
   //@{
   /**
    * Use the outer faces of volume cells as surfaces. Default on.
    */
-  vtkSkdTreeSwitchMacro(UseOuterFaces);
+  vtkSetMacro(UseOuterFaces, bool);
+  vtkGetMacro(UseOuterFaces, bool);
+  vtkBooleanMacro(UseOuterFaces, bool);
   //@}
 
   //@{
@@ -224,7 +233,9 @@ public:
    * triangles outward first. Adjacent triangles are oriented consistently, and each component
    * outward by axis rays from its largest triangle. Default off.
    */
-  vtkSkdTreeSwitchMacro(RepairOrientation);
+  vtkSetMacro(RepairOrientation, bool);
+  vtkGetMacro(RepairOrientation, bool);
+  vtkBooleanMacro(RepairOrientation, bool);
   //@}
 
   enum ExtractType
@@ -239,35 +250,38 @@ public:
    * The content of output port 1: nothing (default), or the input's points or cells (see SetAsk)
    * that are inside or outside, with all data of port 0.
    */
-  vtkSkdTreeChoiceMacro(Extract, NOTHING, OUTSIDE);
+  vtkSetClampMacro(Extract, int, NOTHING, OUTSIDE);
+  vtkGetMacro(Extract, int);
   //@}
 
   //@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * the whole Source. Faces of quadratic, Lagrange and Bezier cells are approximated by flat facets
-   * without gaps, at most 128 along a side, and the filter is exact for these; a warning counts the
-   * faces that need more. A face that is flat within the deviation is one polygon. It has no effect
-   * on linear cells. The number of facets is
+   * without gaps, at most 128 along a side, and the filter is exact for these; a face that is flat
+   * within the deviation is one polygon. It has no effect on linear cells. The number of facets is
    * inversely proportional to the deviation: about 10^4 for a sphere by default. If there are
    * curved cells, SkdReportChordalLength is the deviation as a length. Range [1e-7, 1], default
    * 1e-4.
    */
-  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  vtkGetMacro(ChordalDeviation, double);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
   //@}
 
 protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   int Model = BOUNDARIES;
   int Parts = BLOCKS;

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeProbe.h"
 
-#include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdBlockArrays.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPointOrder.h"
-#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
 #include "Probe/SkdCellFinder.h"
 #include "Probe/SkdCellLocations.h"
 #include "Probe/SkdLineProbe.h"
 #include "Probe/SkdProbedData.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -37,7 +38,10 @@ public:
   /// Returns how many trees were built.
   int Update(vtkDataObject* source, double epsilon)
   {
-    this->Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
+    this->Blocks = SkdBlocksOf(source);
+    this->Blocks.erase(std::remove_if(this->Blocks.begin(), this->Blocks.end(),
+                         [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
+      this->Blocks.end());
     const int built = this->Trees.Update(this->Blocks, epsilon);
     this->Source.Update(built);
     this->Names.Refused.clear();
@@ -51,20 +55,6 @@ public:
 
 namespace
 {
-void AddName(vtkObject* self, std::set<std::string>& names, const char* name)
-{
-  if (name && names.insert(name).second)
-  {
-    self->Modified();
-  }
-}
-
-void ClearNames(vtkObject* self, std::set<std::string>& names)
-{
-  names.clear();
-  self->Modified();
-}
-
 void DropData(const std::vector<SkdBlock>& outputs)
 {
   for (const SkdBlock& output : outputs)
@@ -153,22 +143,30 @@ vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
 
 void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 {
-  AddName(this, this->Impl->Names.Categorical, name);
+  if (name && this->Impl->Names.Categorical.insert(name).second)
+  {
+    this->Modified();
+  }
 }
 
 void vtkSkdTreeProbe::ClearCategoricalArrays()
 {
-  ClearNames(this, this->Impl->Names.Categorical);
+  this->Impl->Names.Categorical.clear();
+  this->Modified();
 }
 
 void vtkSkdTreeProbe::AddGradientArray(const char* name)
 {
-  AddName(this, this->Impl->Names.Gradients, name);
+  if (name && this->Impl->Names.Gradients.insert(name).second)
+  {
+    this->Modified();
+  }
 }
 
 void vtkSkdTreeProbe::ClearGradientArrays()
 {
-  ClearNames(this, this->Impl->Names.Gradients);
+  this->Impl->Names.Gradients.clear();
+  this->Modified();
 }
 
 int vtkSkdTreeProbe::RequestData(
@@ -198,7 +196,7 @@ int vtkSkdTreeProbe::RequestData(
   {
     places.push_back(internals.Probe(block.Mesh, fill, loop));
   }
-  const bool isComposite = SkdIsComposite(source);
+  const bool isComposite = vtkCompositeDataSet::SafeDownCast(source) != nullptr;
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
     places[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Blocks, isComposite);
@@ -227,8 +225,8 @@ void vtkSkdTreeProbe::CutLines(
   SkdCellFinderRules rules = internals.Rules;
   rules.OutsideRadius = -1.0;
   const std::vector<SkdStretch> stretches = SkdCutLines(pieces, internals.Source, rules, loop);
-  const SkdLineOutput made{ inputs, internals.Source, pieces, stretches, SkdIsComposite(input),
-    isSourceComposite };
+  const SkdLineOutput made{ inputs, internals.Source, pieces, stretches,
+    vtkCompositeDataSet::SafeDownCast(input) != nullptr, isSourceComposite };
   SkdFillStretches(made, internals.Names.Refused, vtkPolyData::GetData(outputVector, 1));
   SkdFillIntegrals(made, vtkTable::GetData(outputVector, 2));
 }
@@ -236,17 +234,22 @@ void vtkSkdTreeProbe::CutLines(
 void vtkSkdTreeProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  SkdPrint(os, indent, "RelativeTolerance", this->RelativeTolerance, "AbsoluteTolerance",
-    this->AbsoluteTolerance, "OutsidePoints", this->OutsidePoints, "MaximumDistance",
-    this->MaximumDistance, "UseFillValue", this->UseFillValue, "FillValue", this->FillValue,
-    "PassInputData", this->PassInputData, "ProbeLines", this->ProbeLines, "Epsilon", this->Epsilon);
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "AbsoluteTolerance: " << this->AbsoluteTolerance << "\n";
+  os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "UseFillValue: " << (this->UseFillValue ? "On\n" : "Off\n");
+  os << indent << "FillValue: " << this->FillValue << "\n";
+  os << indent << "PassInputData: " << (this->PassInputData ? "On\n" : "Off\n");
+  os << indent << "ProbeLines: " << (this->ProbeLines ? "On\n" : "Off\n");
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
   for (const std::string& name : this->Impl->Names.Categorical)
   {
-    SkdPrint(os, indent, "CategoricalArray", name);
+    os << indent << "CategoricalArray: " << name << "\n";
   }
   for (const std::string& name : this->Impl->Names.Gradients)
   {
-    SkdPrint(os, indent, "GradientArray", name);
+    os << indent << "GradientArray: " << name << "\n";
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -80,14 +80,16 @@ public:
    * of the cell's bounds. This is meant for points that are outside because of rounding, and for
    * points close to a surface. Range 0 and more, default 1e-3 as in vtkProbeFilter.
    */
-  vtkSkdTreeWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RelativeTolerance, double);
   //@}
 
   //@{
   /**
    * The same as a distance in world units; the larger of the two applies. Default 0.
    */
-  vtkSkdTreeWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AbsoluteTolerance, double);
   //@}
 
   enum OutsidePointsType
@@ -103,14 +105,16 @@ public:
    * at the nearest point of the nearest cell; NEAREST_CELL_WITHIN_DISTANCE: the same up to
    * MaximumDistance.
    */
-  vtkSkdTreeChoiceMacro(OutsidePoints, LEAVE, NEAREST_CELL_WITHIN_DISTANCE);
+  vtkSetClampMacro(OutsidePoints, int, LEAVE, NEAREST_CELL_WITHIN_DISTANCE);
+  vtkGetMacro(OutsidePoints, int);
   //@}
 
   //@{
   /**
    * See SetOutsidePoints. World units, default 1.
    */
-  vtkSkdTreeWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
   //@}
 
   //@{
@@ -118,7 +122,9 @@ public:
    * Use FillValue (rounded in integer arrays) for points without a result, instead of NaN (0 in
    * integer arrays). Default off.
    */
-  vtkSkdTreeSwitchMacro(UseFillValue);
+  vtkSetMacro(UseFillValue, bool);
+  vtkGetMacro(UseFillValue, bool);
+  vtkBooleanMacro(UseFillValue, bool);
   //@}
 
   //@{
@@ -134,7 +140,9 @@ public:
    * Pass the input's own point and cell data. Source arrays whose name is then in use are not
    * added, with a warning. Default on.
    */
-  vtkSkdTreeSwitchMacro(PassInputData);
+  vtkSetMacro(PassInputData, bool);
+  vtkGetMacro(PassInputData, bool);
+  vtkBooleanMacro(PassInputData, bool);
   //@}
 
   //@{
@@ -176,21 +184,25 @@ public:
    * SkdInputBlockIndex, SkdLineLength, SkdLength (within the Source), and "<name>_Integral" for
    * each numeric array (two Gauss points a segment: exact for cubics).
    */
-  vtkSkdTreeSwitchMacro(ProbeLines);
+  vtkSetMacro(ProbeLines, bool);
+  vtkGetMacro(ProbeLines, bool);
+  vtkBooleanMacro(ProbeLines, bool);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
+  vtkGetMacro(Epsilon, double);
   //@}
 
 protected:
   vtkSkdTreeProbe();
   ~vtkSkdTreeProbe() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   double RelativeTolerance = 1e-3;
   double AbsoluteTolerance = 0.0;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSourceAlgorithm.h"
 
-#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdValidInput.h"
+#include "Pipeline/SkdWholeInput.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkInformationVector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -58,7 +60,8 @@ int vtkSkdTreeSourceAlgorithm::TypeFor(int outputType, vtkDataObject* input)
 {
   if (outputType == GRID_OR_BLOCKS)
   {
-    return SkdIsComposite(input) ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID;
+    const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+    return isComposite ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID;
   }
   return outputType == LIKE_INPUT ? input->GetDataObjectType() : outputType;
 }

@@ -91,8 +91,7 @@ std::uint64_t LargestBitsOf(const double* values, vtkIdType count)
   return largest;
 }
 
-/// The result of the first check of a cell: its shape, None to ignore it, or this value to ignore
-/// and count it.
+/// What a first look at a cell tells: its shape, None to leave it out, or this: and count it, too.
 constexpr auto NotFinite = static_cast<SkdShape>(255);
 
 /// Cells one after the other that one thread reads.
@@ -121,7 +120,7 @@ struct Block
   }
 };
 
-/// Prefix sums: sets the index of the first cell and point id of each block. Returns the totals.
+/// Sums them up: each block is told where its first cell and point id go. Returns the totals.
 Block AddUp(std::vector<Block>& blocks)
 {
   Block total;

@@ -55,9 +55,10 @@ private:
     }
   };
 
+  bool IsSameAs(const std::vector<SkdBlock>& blocks) const;
   void MakeByIds(const std::vector<SkdBlock>& blocks);
 
-  SkdKeptBlocks Meshes;
+  std::vector<SkdKeptMesh> Meshes;
   Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };
   std::vector<SkdPart> Parts;
 };

@@ -4,8 +4,7 @@
 #define SkdPointOrder_h
 
 #include "Cells/SkdBatch.h"
-#include "vtkPointSet.h"
-#include "vtkPoints.h"
+#include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
 #include <optional>
@@ -17,15 +16,7 @@
 class SkdPointOrder
 {
 public:
-  explicit SkdPointOrder(vtkDataSet* mesh)
-    : Mesh(mesh)
-  {
-    auto* points = vtkPointSet::SafeDownCast(mesh);
-    if (points && points->GetPoints())
-    {
-      this->Scattered.emplace(points->GetPoints()->GetData(), SkdBatchOf::Points);
-    }
-  }
+  explicit SkdPointOrder(vtkDataSet* mesh);
 
   /// The point at an index of the order. Thread-safe.
   vtkIdType GetPoint(vtkIdType place) const

@@ -40,10 +40,6 @@ public:
   SkdTreeCounts GetCounts() const;
   vtkIdType GetNumberOfOpenEdges() const;
   double GetChordalLength() const { return this->Sided ? this->Boundary.GetChordalLength() : 0.0; }
-  vtkIdType GetNumberOfCoarseFaces() const
-  {
-    return this->Sided ? this->Boundary.GetNumberOfCoarseFaces() : 0;
-  }
   int GetTreesBuilt() const { return this->TreesBuilt; }
   ///@}
 

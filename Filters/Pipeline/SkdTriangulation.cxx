@@ -2,51 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdTriangulation.h"
 
-#include "vtkCellArray.h"
 #include "vtkMath.h"
-#include "vtkPolyData.h"
 
-#include <algorithm>
-#include <numeric>
-
-SkdTriangulation::SkdTriangulation()
+SkdTriangulation::SkdTriangulation(vtkPoints* points)
+  : Points(points)
 {
   this->Polygon->Points->SetDataTypeToDouble();
 }
 
-vtkIdList* SkdTriangulation::CutPolygon(vtkIdType size)
+vtkIdList* SkdTriangulation::Cut(const vtkIdType* corners, int size)
 {
   this->Triangles->Reset();
   if (size == 4)
   {
-    this->AddFan(size, this->GetFirstOfQuad());
+    this->AddFan(corners, size, this->GetFirstOfQuad(corners));
   }
-  else if (size < 4 || !this->ClipEars(size))
+  else if (size < 4 || !this->CutPolygon(corners, size))
   {
-    this->AddFan(size, 0); // also of a polygon that crosses itself, say
+    this->AddFan(corners, size, 0); // also of a polygon that crosses itself, say
   }
   return this->Triangles;
 }
 
-void SkdTriangulation::AddFan(vtkIdType size, vtkIdType first)
+void SkdTriangulation::AddFan(const vtkIdType* corners, int size, int first)
 {
-  for (vtkIdType i = 1; i + 1 < size; ++i)
+  for (int i = 1; i + 1 < size; ++i)
   {
-    for (const vtkIdType corner : { vtkIdType(0), i, i + 1 })
+    for (int corner : { 0, i, i + 1 })
     {
-      this->Triangles->InsertNextId((first + corner) % size);
+      this->Triangles->InsertNextId(corners[(first + corner) % size]);
     }
   }
 }
 
 // The corner 0 or 1 that the cut starts from. A diagonal lies within when the triangles on its
 // sides turn the same way.
-vtkIdType SkdTriangulation::GetFirstOfQuad() const
+int SkdTriangulation::GetFirstOfQuad(const vtkIdType* corners) const
 {
   double p[4][3];
   for (int i = 0; i < 4; ++i)
   {
-    this->Polygon->Points->GetPoint(i, p[i]);
+    this->Points->GetPoint(corners[i], p[i]);
   }
   const auto isWithin = [&](int a, int b, int c, int d)
   {
@@ -68,10 +64,17 @@ vtkIdType SkdTriangulation::GetFirstOfQuad() const
   return diagonal02 <= vtkMath::Distance2BetweenPoints(p[1], p[3]) ? 0 : 1;
 }
 
-bool SkdTriangulation::ClipEars(vtkIdType size)
+bool SkdTriangulation::CutPolygon(const vtkIdType* corners, int size)
 {
   this->Polygon->PointIds->SetNumberOfIds(size);
-  std::iota(this->Polygon->PointIds->begin(), this->Polygon->PointIds->end(), 0);
+  this->Polygon->Points->SetNumberOfPoints(size);
+  for (int i = 0; i < size; ++i)
+  {
+    double p[3];
+    this->Points->GetPoint(corners[i], p);
+    this->Polygon->PointIds->SetId(i, corners[i]);
+    this->Polygon->Points->SetPoint(i, p);
+  }
   const bool isCut = this->Polygon->Triangulate(0, this->Triangles, this->Unused) &&
     this->Triangles->GetNumberOfIds() == 3 * (size - 2);
   if (!isCut)
@@ -79,26 +82,4 @@ bool SkdTriangulation::ClipEars(vtkIdType size)
     this->Triangles->Reset();
   }
   return isCut;
-}
-
-std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface)
-{
-  std::vector<SkdTriangleIds> triangles(surface->GetNumberOfCells());
-  vtkNew<vtkIdList> ids;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(i), ids);
-    std::copy_n(ids->GetPointer(0), 3, triangles[i].begin());
-  }
-  return triangles;
-}
-
-std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface)
-{
-  std::vector<skd::Vector3> points(surface->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    surface->GetPoint(static_cast<vtkIdType>(i), points[i].X);
-  }
-  return points;
 }

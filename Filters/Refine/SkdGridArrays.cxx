@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridArrays.h"
 
-#include "Cells/SkdForEach.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
+#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace
 {
-constexpr const char* CutName = "SkdCut";
-constexpr const char* PartName = "SkdPartIndex";
-constexpr const char* CandidatesName = "SkdCandidates";
-constexpr const char* InsideName = "SkdInside";
-constexpr const char* DistanceName = "SkdDistance";
-constexpr const char* FractionName = "SkdVolumeFraction";
-
 template <typename Array, typename Value>
 vtkSmartPointer<vtkDataArray> MakeArray(
   const char* name, const std::vector<SkdGridCell>& cells, const Value& value)
@@ -23,11 +16,14 @@ vtkSmartPointer<vtkDataArray> MakeArray(
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(cells.size()));
-  SkdForEach(array->GetNumberOfTuples(),
-    [&](vtkIdType i)
+  vtkSMPTools::For(0, array->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
-      array->SetValue(i, value(at.Level, at.Index));
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
+        array->SetValue(i, value(at.Level, at.Index));
+      }
     });
   return array;
 }

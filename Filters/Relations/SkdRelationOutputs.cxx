@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relations/SkdRelationOutputs.h"
 
-#include "Cells/SkdForEach.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdSubset.h"
 
@@ -12,6 +11,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
+#include "vtkSMPTools.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkTable.h"
@@ -27,7 +27,14 @@ template <typename Array, typename Value>
 void AddColumn(vtkTable* table, const char* name, vtkIdType n, const Value& value)
 {
   const auto array = SkdMakeArray<Array>(name, 1, n);
-  SkdForEach(n, [&](vtkIdType i) { array->SetValue(i, value(i)); });
+  vtkSMPTools::For(0, n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        array->SetValue(i, value(i));
+      }
+    });
   table->AddColumn(array);
 }
 

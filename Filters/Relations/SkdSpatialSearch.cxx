@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relations/SkdSpatialSearch.h"
 
-#include "Cells/SkdForEach.h"
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -372,11 +371,14 @@ skd::RawVector<std::uint32_t> SkdSpatialSearch::LookThrough(
   const double reach =
     this->Rules.Tolerance + 3.0 * tree.AbsoluteEpsilon() + 2.0 * shape.Rounding(tree);
   skd::RawVector<unsigned char> sides(static_cast<std::size_t>(cells.GetNumberOfPoints()));
-  SkdForEach(hasSides ? cells.GetNumberOfPoints() : 0,
-    [&](vtkIdType id)
+  vtkSMPTools::For(0, hasSides ? cells.GetNumberOfPoints() : 0,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      sides[static_cast<std::size_t>(id)] =
-        shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), reach);
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        sides[static_cast<std::size_t>(id)] =
+          shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), reach);
+      }
     });
   return Collect<std::uint32_t>(owner, 0.2, 0.3, cells.NumberOfCells(),
     [&](std::size_t i, std::uint32_t* to)
@@ -412,11 +414,14 @@ SkdSpatialSearch::CornersOfParts SkdSpatialSearch::LookAtPoints(
       continue;
     }
     known[part].resize(static_cast<std::size_t>(points));
-    SkdForEach(points,
-      [&](vtkIdType id)
+    vtkSMPTools::For(0, points,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        known[part][static_cast<std::size_t>(id)] =
-          shape.LookAt(cells.Point(static_cast<std::uint32_t>(id)));
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          known[part][static_cast<std::size_t>(id)] =
+            shape.LookAt(cells.Point(static_cast<std::uint32_t>(id)));
+        }
       });
   }
   return known;

@@ -131,24 +131,26 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   {
     middle = area;
   }
-  if (!(Norm2(middle) > 0.0) || (this->Reading.IsLonLat && this->AddLonLat(corners)))
+  if (!(Norm2(middle) > 0.0) ||
+    (this->Reading.IsLonLat && !this->Reading.IntoSimplices && this->AddLonLat(corners)))
   {
     return;
   }
   middle = (1.0 / Norm(middle)) * middle;
   const bool isLarge = std::any_of(corners.begin(), corners.end(),
     [&](const Corner& corner) { return Dot(corner.X, middle) < 0.2; });
-  isLarge ? this->AddFan(corners, middle) : this->AddSeen(skd::SphericalFrame(middle), corners);
+  isLarge ? this->AddFan(corners, this->Reading.IntoSimplices ? corners[0] : Corner{ middle, -1 })
+          : this->AddSeen(skd::SphericalFrame(middle), corners);
 }
 
 //------------------------------------------------------------------------------
-// What is about as large as a hemisphere: triangles about its middle.
-void SkdOverlapReader::AddFan(const Corners& corners, const Vector3& middle)
+// What is about as large as a hemisphere: triangles about its middle, or a corner.
+void SkdOverlapReader::AddFan(const Corners& corners, const Corner& middle)
 {
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    Corners triangle{ { middle, -1 }, corners[i], corners[(i + 1) % corners.size()] };
-    const double side = Dot(middle, Cross(triangle[1].X, triangle[2].X));
+    Corners triangle{ middle, corners[i], corners[(i + 1) % corners.size()] };
+    const double side = Dot(middle.X, Cross(triangle[1].X, triangle[2].X));
     if (std::abs(side) > Rounding)
     {
       const std::int8_t sign = side > 0.0 ? 1 : -1;
@@ -184,7 +186,8 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
     }
     return;
   }
-  skd::EarClipping<std::vector<Vector3>> ears(seen, static_cast<int>(seen.size()));
+  const Vector3* points = seen.data(); // ears refer to it
+  skd::EarClipping<const Vector3*> ears(points, static_cast<int>(seen.size()));
   ears.ForEachTriangle(
     [&](int a, int b, int c)
     {

@@ -10,7 +10,8 @@
 
 #include "Cells/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
-#include "Remap/SkdOverlapPieces.h"
+#include "Remap/SkdOverlapBlock.h"
+#include "Remap/SkdOverlapGround.h"
 
 /// Reads cells into a block, one after the other; one a thread.
 class SkdOverlapReader
@@ -46,8 +47,7 @@ private:
   void AddPolygon(Corners& corners);
   bool AddLonLat(const Corners& corners);
   void AddLonLatPieces(const skd::LonLatCell& whole);
-  void AddFan(const Corners& corners, const skd::Vector3& middle);
-  void AddConvex(const Corners& corners);
+  void AddFan(const Corners& corners, const Corner& middle);
   template <class Frame>
   void AddPiece(const Corners& corners, std::int8_t sign);
   template <class Frame>

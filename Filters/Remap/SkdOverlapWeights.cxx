@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapWeights.h"
 
-#include "Cells/SkdForEach.h"
+#include "Pipeline/SkdForEach.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
 
@@ -38,26 +38,18 @@ Entry Overlap(
 {
   const SkdNoShapes noShapes;
   const SkdPieceOverlap<SkdNoShapes> overlap(space, noShapes);
-  const SkdOverlapBlock& targets = meshes.Target.BlockOf(target);
-  const SkdOverlapBlock& donors = meshes.Donor.BlockOf(donor);
-  const auto ofTarget = meshes.Target.PiecesOf(target);
-  const auto ofDonor = meshes.Donor.PiecesOf(donor);
   const Vector3& centre = meshes.Donor.CentreOf(donor);
   skd::Moments sum;
-  for (std::uint32_t i = ofTarget.First; i < ofTarget.Last; ++i)
-  {
-    const SkdPieceView one(targets, i);
-    for (std::uint32_t k = ofDonor.First; k < ofDonor.Last; ++k)
+  SkdForEachPiecePair(meshes.Target, target, meshes.Donor, donor,
+    [&](const SkdPieceView& one, const SkdPieceView& other)
     {
-      const SkdPieceView other(donors, k);
       const Vector3* reference = nullptr;
       const skd::Moments moments = overlap.Find(one, other, reference);
       if (moments.Measure != 0.0)
       {
         sum.Add(moments.Moved(centre - *reference), one.Piece.Sign * other.Piece.Sign);
       }
-    }
-  }
+    });
   return { target, donor, sum.Measure, sum.First };
 }
 

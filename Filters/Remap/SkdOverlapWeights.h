@@ -9,9 +9,8 @@
 #ifndef SkdOverlapWeights_h
 #define SkdOverlapWeights_h
 
-#include "Core/Geometry/Vector.h"
+#include "Remap/SkdOverlapTypes.h"
 
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
@@ -20,43 +19,6 @@
 
 class vtkAlgorithm;
 class vtkDataSet;
-class vtkUnstructuredGrid;
-
-/// What the cells of both meshes are pieces of. Cells of another dimension are left out.
-enum class SkdOverlapSpace
-{
-  Line,   ///< lines and polylines that lie on each other, straight piece by straight piece: lengths
-  Plane,  ///< polygons in one plane, anywhere in space: areas
-  Sphere, ///< polygons on a sphere about the origin: areas on it
-  Volume  ///< polyhedra: volumes
-};
-
-struct SkdOverlapSettings
-{
-  SkdOverlapSpace Space = SkdOverlapSpace::Volume;
-
-  ///@{
-  /// Of the sphere: cells of that mesh whose corners are on two meridians and two parallels are
-  /// bounded by these; edges are arcs of great circles otherwise.
-  bool DonorIsLonLat = false;
-  bool TargetIsLonLat = false;
-  ///@}
-
-  /// Of the sphere; of both meshes only directions from the origin are taken. 0: the mean distance
-  /// of the donor's points from the origin.
-  double Radius = 0.0;
-
-  bool SkipsGhosts = true; ///< cells that vtkGhostType marks have no overlap and no measure
-};
-
-/// One mesh as it was measured.
-struct SkdOverlapCells
-{
-  std::vector<double> Measures;        ///< of each cell by its id; 0 of cells left out
-  std::vector<skd::Vector3> Centroids; ///< Cartesian; on a sphere within it. Zero of cells left out
-  std::vector<double> Covered;         ///< the sum of a cell's overlaps
-  vtkIdType LeftOut = 0;               ///< not finite, empty, ghosts, of another dimension
-};
 
 /// Rows of target cells, columns of donor cells (CSR): of row i the entries Rows[i] .. Rows[i + 1],
 /// by ascending donor id. Overlaps that are nothing but rounding are left out.
@@ -68,16 +30,6 @@ struct SkdOverlapTable
   /// The integral of x - (centroid of the donor cell) over the overlap. A field that is
   /// f + g . (x - centroid) in the donor cell has the integral f * measure + g . moment.
   std::vector<skd::Vector3> Moments;
-};
-
-/// Rows of target cells, columns of donor points: the integral over the target cell of the function
-/// that is 1 at the point, 0 at all others, and linear on the simplices that the donor's cells are
-/// cut into (by SkdOverlapWeights; triangles and tetrahedra are their own).
-struct SkdOverlapPointTable
-{
-  std::vector<std::size_t> Rows;
-  std::vector<vtkIdType> Columns;
-  std::vector<double> Weights;
 };
 
 /// All overlaps of two meshes. Results do not depend on the number of threads. About a microsecond
@@ -111,16 +63,5 @@ private:
   skd::Vector3 Normal{ { 0.0, 0.0, 0.0 } };
   std::string Problem;
 };
-
-/// The weights of point fields, by the same rules; both meshes are those of the weights. False if
-/// the algorithm was aborted.
-bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
-  SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first = 0.0, double last = 1.0);
-
-/// The overlaps themselves: segments, polygons or polyhedra, with the cell arrays "TargetCell",
-/// "DonorCell" (ids) and "Measure". Concave cells give several pieces. Edges on a sphere
-/// are between the corners.
-vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
-  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm);
 
 #endif

@@ -33,6 +33,23 @@ struct SkdPieceView
   }
 };
 
+/// Calls visit(piece of a target cell, piece of a donor cell) for all pairs.
+template <class Visit>
+void SkdForEachPiecePair(const SkdOverlapPieces& targets, std::uint32_t target,
+  const SkdOverlapPieces& donors, std::uint32_t donor, const Visit& visit)
+{
+  const auto ofTarget = targets.PiecesOf(target);
+  const auto ofDonor = donors.PiecesOf(donor);
+  for (std::uint32_t i = ofTarget.First; i < ofTarget.Last; ++i)
+  {
+    const SkdPieceView one(targets.BlockOf(target), i);
+    for (std::uint32_t k = ofDonor.First; k < ofDonor.Last; ++k)
+    {
+      visit(one, SkdPieceView(donors.BlockOf(donor), k));
+    }
+  }
+}
+
 /// Takes nothing but measures; others may want to see overlaps, too.
 struct SkdNoShapes
 {
@@ -42,6 +59,7 @@ struct SkdNoShapes
   {
   }
   void Take(const skd::LonLatCell&) const {}
+  void Take(const skd::SphericalFrame&, const skd::PolygonView&, const skd::LonLatCell&) const {}
   void Take(const skd::Vector3&, const skd::ConvexSolid&) const {}
 };
 
@@ -131,7 +149,12 @@ private:
     const SkdPieceView& polygon = within.Piece.IsLonLat ? around : within;
     const SkdPieceView& cell = within.Piece.IsLonLat ? within : around;
     reference = &polygon.Piece.Reference;
-    return skd::FindOverlap(*reference, polygon.AsPolygon(), cell.AsLonLat());
+    const skd::Moments moments = skd::FindOverlap(*reference, polygon.AsPolygon(), cell.AsLonLat());
+    if (moments.Measure > 0.0)
+    {
+      this->TheShapes.Take(skd::SphericalFrame(*reference), polygon.AsPolygon(), cell.AsLonLat());
+    }
+    return moments;
   }
 
   skd::Moments OfSolids(const SkdPieceView& within, const SkdPieceView& around) const

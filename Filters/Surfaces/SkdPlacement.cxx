@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdPlacement.h"
 
-#include "Cells/SkdForEach.h"
-#include "Core/Predicates/ExactScale.h"
+#include "Pipeline/SkdExactScale.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -23,11 +22,14 @@ SkdPlacedTriangles::SkdPlacedTriangles(
   const double reach = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
   this->HaveAllArea = scale == 1.0 && set.GetLeastWidth() > 64.0 * rounding;
-  SkdForEach(static_cast<vtkIdType>(this->Points.size()),
-    [&](vtkIdType i)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const skd::Vector3& point = set.GetPoints()[i];
-      this->Points[i] = scale * (motion ? motion->Forward(point) : point);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const skd::Vector3& point = set.GetPoints()[i];
+        this->Points[i] = scale * (motion ? motion->Forward(point) : point);
+      }
     });
 }
 
@@ -63,7 +65,7 @@ SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
-  const double scale = skd::ExactScale(
+  const double scale = SkdExactScale(
     std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift }));
   std::optional<SkdPlacedTriangles> placed;
   if (other)

@@ -12,8 +12,8 @@
 
 namespace
 {
-/// A filter that excludes most points that are not in a set: by bounds, and a bit for each hash
-/// value.
+/// Tells of most points that they are none of some: by their bounds, and a bit for each value of a
+/// hash.
 class PointFilter
 {
 public:
@@ -70,17 +70,21 @@ bool SkdTriangleSet::Update(
   const std::vector<SkdBlock>& blocks, double chordalDeviation, const skd::Processes* processes)
 {
   const double chordalLength = SkdChordalLength(blocks, chordalDeviation, processes);
-  if (this->IsRead && this->ChordalLength == chordalLength && this->Meshes.AreSameAs(blocks))
+  const bool isSame = this->IsRead && this->ChordalLength == chordalLength &&
+    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
+  if (isSame)
   {
     return false;
   }
   *this = SkdTriangleSet();
   this->ChordalLength = chordalLength;
+  this->Meshes.resize(blocks.size());
   SkdTriangleReader reader;
-  int block = 0;
-  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
+  for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    reader.Read(block++, structure.Mesh, chordalLength);
+    this->Meshes[i].Keep(blocks[i].Mesh);
+    reader.Read(static_cast<int>(i), this->Meshes[i].Get(), chordalLength);
   }
   this->Read = reader.Take();
   this->IsRead = true;

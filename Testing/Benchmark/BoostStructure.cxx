@@ -43,9 +43,9 @@ public:
     return true;
   }
 
-  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
+  bool Ask(Question question, const Query& query, Answer& answer) override
   {
-    if (queryKind != QueryKind::CellsInBox)
+    if (question != Question::CellsInBox)
     {
       return false;
     }

@@ -59,17 +59,17 @@ public:
     return true;
   }
 
-  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
+  bool Ask(Question question, const Query& query, Answer& answer) override
   {
-    switch (queryKind)
+    switch (question)
     {
-      case QueryKind::ClosestPoint:
+      case Question::ClosestPoint:
         this->Closest(query, answer);
         return true;
-      case QueryKind::FirstHit:
+      case Question::FirstHit:
         this->FirstHit(query, answer);
         return true;
-      case QueryKind::AllHits:
+      case Question::AllHits:
         this->AllHits(query, answer);
         return true;
       default:

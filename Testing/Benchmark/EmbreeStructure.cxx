@@ -90,20 +90,20 @@ public:
     return rtcGetDeviceError(EmbreeDevice()) == RTC_ERROR_NONE;
   }
 
-  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
+  bool Ask(Question question, const Query& query, Answer& answer) override
   {
-    switch (queryKind)
+    switch (question)
     {
-      case QueryKind::ClosestPoint:
+      case Question::ClosestPoint:
         this->Closest(query, std::numeric_limits<double>::infinity(), answer);
         return true;
-      case QueryKind::ClosestPointWithinRadius:
+      case Question::ClosestPointWithinRadius:
         this->Closest(query, query.Radius, answer);
         return true;
-      case QueryKind::FirstHit:
+      case Question::FirstHit:
         this->FirstHit(query, answer);
         return true;
-      case QueryKind::AllHits:
+      case Question::AllHits:
         this->AllHits(query, answer);
         return true;
       default:

@@ -60,20 +60,20 @@ public:
     return this->Complaints.WasQuiet();
   }
 
-  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
+  bool Ask(Question question, const Query& query, Answer& answer) override
   {
-    switch (queryKind)
+    switch (question)
     {
-      case QueryKind::ClosestPoint:
+      case Question::ClosestPoint:
         this->ClosestPoint(query, answer);
         break;
-      case QueryKind::ClosestPointWithinRadius:
+      case Question::ClosestPointWithinRadius:
         this->ClosestPointWithinRadius(query, answer);
         break;
-      case QueryKind::FirstHit:
+      case Question::FirstHit:
         this->FirstHit(query, answer);
         break;
-      case QueryKind::AllHits:
+      case Question::AllHits:
         this->Points->Reset();
         this->Ids->Reset();
         if (!this->AllHits(query))
@@ -82,13 +82,13 @@ public:
         }
         this->List(answer);
         break;
-      case QueryKind::FindCell:
+      case Question::FindCell:
         answer.Cell = this->Tree->FindCell(Point(query.From).data());
         return this->HasFindCell();
-      case QueryKind::FindCellWithHint:
+      case Question::FindCellWithHint:
         answer.Cell = this->FindCellWithHint(query, answer.Cell);
         return this->HasFindCell();
-      case QueryKind::CellsInBox:
+      case Question::CellsInBox:
         this->Ids->Reset();
         this->Tree->FindCellsWithinBounds(Bounds(query.Box).data(), this->Ids);
         this->List(answer);

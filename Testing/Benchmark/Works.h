@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Works.h
- * @brief samples of queries for each kind of work, made for a data set
+ * @brief the queries that stand for each kind of work, made for a data set
  */
 #ifndef skdbench_Works_h
 #define skdbench_Works_h
 
-#include "QueryKind.h"
+#include "Question.h"
 
 class vtkDataSet;
 

@@ -242,10 +242,17 @@ TEST(OverlapPolygons, OutlinesOfLonLatCells)
   ASSERT_TRUE(atPole);
   EXPECT_NEAR(atPole->North, HalfTurn / 2.0, 1e-15);
   EXPECT_NEAR(atPole->Width(), 1.0, 1e-15);
-  const auto cap = skd::LonLatOutline({ cell.At(0, -1), cell.At(2, -1), cell.At(4, -1) }).Find();
+  std::vector<Vector3> around;
+  for (int i = 0; i < 8; ++i)
+  {
+    around.push_back(cell.At(HalfTurn / 4.0 * i, -1));
+  }
+  const auto cap = skd::LonLatOutline(around).Find();
   ASSERT_TRUE(cap);
   EXPECT_NEAR(
     skd::MomentsOf(*cap, { { 0, 0, 0 } }).Measure, 2.0 * HalfTurn * (1.0 - std::sin(1.0)), 1e-14);
+  around.resize(4);
+  EXPECT_FALSE(skd::LonLatOutline(around).Find());
   EXPECT_FALSE(skd::LonLatOutline({ cell.At(0, 0), cell.At(1, 0.2), cell.At(0, 1) }).Find());
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Leaf filters (Queries/LeafFilter.h) for the packets of triangles of leaves: an even tag is
-/// twice the number of a node's packet.
+/// @file
+/// Leaf filters (Queries/LeafFilter.h) that look at the packets of triangles kept for leaves: an
+/// even tag is twice the number of a node's packet.
 #ifndef skd_LeafFilters_TriangleLeafFilters_h
 #define skd_LeafFilters_TriangleLeafFilters_h
 
@@ -115,7 +116,7 @@ private:
   Vector3 Local;
 };
 
-/// The triangles that a line may intersect.
+/// Which triangles a line may meet.
 class LineLeafFilter
 {
 public:

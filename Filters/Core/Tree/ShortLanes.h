@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file SIMD vectors of small integers, as Lanes.h for floats.
+/// @file
+/// Small whole numbers side by side: what Lanes.h is for floats, and compiled as it is.
 #ifndef skd_Tree_ShortLanes_h
 #define skd_Tree_ShortLanes_h
 
@@ -70,7 +71,7 @@ inline FourBytes Greatest(const FourBytes& a, const FourBytes& b)
 #endif
 }
 
-/// Whether any lane is equal to that of the other.
+/// Whether any of them is equal to the other's at its place.
 inline bool HaveEqual(const FourBytes& a, const FourBytes& b)
 {
 #if SKD_HAS_SHORT_LANES
@@ -86,7 +87,7 @@ inline bool HaveEqual(const FourBytes& a, const FourBytes& b)
 #endif
 }
 
-/// Eight integers.
+/// Eight numbers side by side.
 class EightShorts
 {
 public:

@@ -61,6 +61,21 @@ struct LonLatCell
   }
 };
 
+namespace detail
+{
+
+/// x - sin(x) to rounding, also of small x.
+inline double LessItsSine(double x)
+{
+  const double x2 = x * x;
+  return x2 < 0.1 ? x * x2 / 6.0 *
+      (1.0 -
+        x2 / 20.0 * (1.0 - x2 / 42.0 * (1.0 - x2 / 72.0 * (1.0 - x2 / 110.0 * (1.0 - x2 / 156.0)))))
+                  : x - std::sin(x);
+}
+
+}
+
 /// Area, and the integral of x - reference; in closed form.
 inline Moments MomentsOf(const LonLatCell& cell, const Vector3& reference)
 {
@@ -68,7 +83,9 @@ inline Moments MomentsOf(const LonLatCell& cell, const Vector3& reference)
   const double height = cell.North - cell.South;
   const double middle = 0.5 * (cell.North + cell.South);
   const double area = width * 2.0 * std::cos(middle) * std::sin(0.5 * height);
-  const double along = (height + std::sin(height) * std::cos(2.0 * middle)) * std::sin(0.5 * width);
+  const double cosine = std::cos(middle);
+  const double along = (detail::LessItsSine(height) + 2.0 * std::sin(height) * cosine * cosine) *
+    std::sin(0.5 * width);
   const double up = 0.5 * std::sin(height) * std::sin(2.0 * middle) * width;
   const Vector3 first{ { along * std::cos(cell.MiddleLongitude()),
     along * std::sin(cell.MiddleLongitude()), up } };

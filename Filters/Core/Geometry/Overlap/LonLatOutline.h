@@ -13,7 +13,8 @@ namespace skd
 
 /// Tells whether a polygon of the unit sphere is a cell between two meridians and two parallels, or
 /// a cap about a pole, from its corners: each edge must be along a side, to 1e-6 of the polygon's
-/// size. Corners on sides count, the date line and poles are nothing special.
+/// size. Corners on sides count, the date line and poles are nothing special. A cap has at least
+/// seven corners: with fewer it is rather the cell of another kind of grid.
 class LonLatOutline
 {
 public:
@@ -119,7 +120,7 @@ private:
     const double closing =
       std::remainder(this->Places.front().Longitude - this->Places.back().Longitude, Turn);
     const double turned = this->Places.back().Longitude - this->Places.front().Longitude + closing;
-    if (std::abs(std::abs(turned) - Turn) > 1e-6 || this->Places.front().IsPole)
+    if (this->Places.size() < 7 || !(std::abs(std::abs(turned) - Turn) < 1e-6))
     {
       return std::nullopt;
     }

@@ -180,13 +180,11 @@ inline Vector3 TurnedAboutAxis(const Vector3& x, double cosine, double sine)
 
 }
 
-/// Area and first moment, about the polygon's point `origin`, of what a convex polygon of great
-/// circles and a cell have in common.
-inline Moments FindOverlap(
-  const Vector3& origin, const PolygonView& polygon, const LonLatCell& cell)
+/// What of a convex polygon of great circles is between the meridians of a cell, in its own frame.
+inline ClipResult ClipToMeridians(const SphericalFrame& frame, const PolygonView& polygon,
+  const LonLatCell& cell, ConvexPolygon& part)
 {
-  const SphericalFrame frame(origin);
-  ConvexPolygon part;
+  part.Size = 0;
   for (int i = 0; i < polygon.Size; ++i)
   {
     const Vector3 seen = frame.Seen(polygon.Corners[i]);
@@ -198,8 +196,18 @@ inline Moments FindOverlap(
     return Clip(part,
       { Dot(normal, frame.E1), Dot(normal, frame.E2), Dot(normal, frame.Origin), ClipTolerance });
   };
-  if (keep(std::sin(cell.West), std::cos(cell.West)) == ClipResult::Nothing ||
-    keep(-std::sin(cell.East), -std::cos(cell.East)) == ClipResult::Nothing)
+  const ClipResult west = keep(std::sin(cell.West), std::cos(cell.West));
+  return west == ClipResult::Nothing ? west : keep(-std::sin(cell.East), -std::cos(cell.East));
+}
+
+/// Area and first moment, about the polygon's point `origin`, of what a convex polygon of great
+/// circles and a cell have in common.
+inline Moments FindOverlap(
+  const Vector3& origin, const PolygonView& polygon, const LonLatCell& cell)
+{
+  const SphericalFrame frame(origin);
+  ConvexPolygon part;
+  if (ClipToMeridians(frame, polygon, cell, part) == ClipResult::Nothing)
   {
     return {};
   }

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdOverlapMesh.h
+ * @brief The overlaps of two meshes as a mesh.
+ */
+
+#ifndef SkdOverlapMesh_h
+#define SkdOverlapMesh_h
+
+#include "Remap/SkdOverlapWeights.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkUnstructuredGrid;
+
+/// Segments, polygons or polyhedra, by ascending (target, donor), with the cell arrays "TargetCell"
+/// and "DonorCell" (ids) and "Measure" (signed: concave volume cells are sums of pieces some of
+/// which count negative; all pieces of a pair sum up to its weight). No point is shared. Along
+/// parallels edges are drawn in steps. nullptr if the algorithm was aborted, or if the weights of
+/// these meshes would have a problem.
+vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
+  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first = 0.0,
+  double last = 1.0);
+
+#endif
