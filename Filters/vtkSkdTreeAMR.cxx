@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAMR.h"
 
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdBaseLattice.h"
 #include "Refine/SkdGridEstimate.h"
 #include "Refine/SkdGridOutput.h"
@@ -186,8 +185,7 @@ std::optional<int> UpdateTrees(
   }
 }
 
-/// Says how much it is going to be, refines the grid, and says what went otherwise than one may
-/// expect.
+/// Estimates the size, refines the grid, and reports warnings.
 SkdGridEstimate Refine(
   vtkSkdTreeAMR* self, const SkdRefineState& state, const skd::Processes* processes, SkdGrid& grid)
 {
@@ -212,9 +210,8 @@ SkdGridEstimate Refine(
 
 //------------------------------------------------------------------------------
 vtkSkdTreeAMR::vtkSkdTreeAMR()
+  : vtkSkdTreeRefineAlgorithm(3, 0)
 {
-  this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(1);
 }
 
 vtkSkdTreeAMR::~vtkSkdTreeAMR() = default;
@@ -256,20 +253,6 @@ int vtkSkdTreeAMR::RequestInformation(
   return 1;
 }
 
-// Whatever piece is asked for, all of the parts may meet it.
-int vtkSkdTreeAMR::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  for (int port = 0; port < 3; ++port)
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      SkdAskForWhole(inputVector[port]->GetInformationObject(i));
-    }
-  }
-  return 1;
-}
-
 //------------------------------------------------------------------------------
 int vtkSkdTreeAMR::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -302,28 +285,17 @@ int vtkSkdTreeAMR::RequestData(
   SkdReport report(output);
   SkdReportGrid(report, *grid, estimate);
   state.Report(report);
-  report.AddCount("TreesBuilt", *treesBuilt);
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("RefineSeconds", refineSeconds);
+  report.AddRun(*treesBuilt, buildSeconds, "RefineSeconds", refineSeconds);
   return 1;
 }
 
 void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "AutomaticBounds: " << (this->AutomaticBounds ? "On\n" : "Off\n");
-  os << indent << "BoundsMargin: " << this->BoundsMargin << "\n";
-  os << indent << "BaseBounds: " << this->BaseBounds[0] << " " << this->BaseBounds[1] << " "
-     << this->BaseBounds[2] << " " << this->BaseBounds[3] << " " << this->BaseBounds[4] << " "
-     << this->BaseBounds[5] << "\n";
-  os << indent << "BaseDimensions: " << this->BaseDimensions[0] << " " << this->BaseDimensions[1]
-     << " " << this->BaseDimensions[2] << "\n";
-  os << indent << "BaseCellSize: " << this->BaseCellSize << "\n";
-  os << indent << "BranchFactor: " << this->BranchFactor << "\n";
-  os << indent << "ComputeInside: " << (this->ComputeInside ? "On\n" : "Off\n");
-  os << indent << "ComputeVolumeFraction: " << (this->ComputeVolumeFraction ? "On\n" : "Off\n");
-  os << indent << "ComputeDistance: " << (this->ComputeDistance ? "On\n" : "Off\n");
-  os << indent << "OutputType: " << this->OutputType << "\n";
-  os << indent << "Conforming: " << (this->Conforming ? "On\n" : "Off\n");
+  SkdPrint(os, indent, "AutomaticBounds", this->AutomaticBounds, "BoundsMargin", this->BoundsMargin,
+    "BaseBounds", this->BaseBounds, "BaseDimensions", this->BaseDimensions, "BaseCellSize",
+    this->BaseCellSize, "BranchFactor", this->BranchFactor, "ComputeInside", this->ComputeInside,
+    "ComputeVolumeFraction", this->ComputeVolumeFraction, "ComputeDistance", this->ComputeDistance,
+    "OutputType", this->OutputType, "Conforming", this->Conforming);
 }
 VTK_ABI_NAMESPACE_END

@@ -92,12 +92,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeAMR* New();
 
-  enum OutputTypes
-  {
-    HYPER_TREE_GRID = 0,
-    UNSTRUCTURED_GRID = 1,
-    OVERLAPPING_AMR = 2
-  };
   //@{
   /**
    * The base grid (port 1, optional). It replaces the bounds, dimensions and cell size.
@@ -106,13 +100,18 @@ public:
   void SetBaseMeshData(vtkDataObject* mesh);
   //@}
 
+  enum OutputTypes
+  {
+    HYPER_TREE_GRID = 0,
+    UNSTRUCTURED_GRID = 1,
+    OVERLAPPING_AMR = 2
+  };
+
   //@{
   /**
    * Put the base grid around the parts, with a margin; else use BaseBounds. Default on.
    */
-  vtkSetMacro(AutomaticBounds, bool);
-  vtkGetMacro(AutomaticBounds, bool);
-  vtkBooleanMacro(AutomaticBounds, bool);
+  vtkSkdTreeSwitchMacro(AutomaticBounds);
   //@}
 
   //@{
@@ -120,8 +119,7 @@ public:
    * The margin on each side of the parts, relative to the longest side of their bounds. Sides of
    * zero length get none: parts in a plane have a grid in that plane. Default 0.1.
    */
-  vtkSkdTreeSetWithinMacro(BoundsMargin, double, 0.0, 1e6);
-  vtkGetMacro(BoundsMargin, double);
+  vtkSkdTreeWithinMacro(BoundsMargin, double, 0.0, 1e6);
   //@}
 
   //@{
@@ -129,8 +127,7 @@ public:
    * The bounds of the base grid (xmin, xmax, ymin, ymax, zmin, zmax) if AutomaticBounds is off.
    * Default: the unit cube.
    */
-  vtkSkdTreeSetFinite6Macro(BaseBounds);
-  vtkGetVector6Macro(BaseBounds, double);
+  vtkSkdTreeFinite6Macro(BaseBounds);
   //@}
 
   //@{
@@ -148,16 +145,14 @@ public:
    * The side of cubic base cells; the bounds are extended to whole cells. Default 0: BaseDimensions
    * determine the cells.
    */
-  vtkSkdTreeSetWithinMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(BaseCellSize, double);
+  vtkSkdTreeWithinMacro(BaseCellSize, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
   /**
    * The number of cells along each axis that a refined cell is cut into: 2 (default) or 3.
    */
-  vtkSetClampMacro(BranchFactor, int, 2, 3);
-  vtkGetMacro(BranchFactor, int);
+  vtkSkdTreeChoiceMacro(BranchFactor, 2, 3);
   //@}
 
   //@{
@@ -168,9 +163,7 @@ public:
    * consistently. For a refined cell: whether more than half of its children are inside. Default
    * off.
    */
-  vtkSetMacro(ComputeInside, bool);
-  vtkGetMacro(ComputeInside, bool);
-  vtkBooleanMacro(ComputeInside, bool);
+  vtkSkdTreeSwitchMacro(ComputeInside);
   //@}
 
   //@{
@@ -182,9 +175,7 @@ public:
    * exact. For a surface with open edges, 4 samples along each axis are used. On flat grids it is
    * the fraction of the area or length. Default off.
    */
-  vtkSetMacro(ComputeVolumeFraction, bool);
-  vtkGetMacro(ComputeVolumeFraction, bool);
-  vtkBooleanMacro(ComputeVolumeFraction, bool);
+  vtkSkdTreeSwitchMacro(ComputeVolumeFraction);
   //@}
 
   //@{
@@ -192,9 +183,7 @@ public:
    * Compute SkdDistance: the distance of the centre of each cell from the nearest part. With
    * ComputeInside it is negative inside. Default off.
    */
-  vtkSetMacro(ComputeDistance, bool);
-  vtkGetMacro(ComputeDistance, bool);
-  vtkBooleanMacro(ComputeDistance, bool);
+  vtkSkdTreeSwitchMacro(ComputeDistance);
   //@}
 
   //@{
@@ -202,8 +191,7 @@ public:
    * The type of the output: HYPER_TREE_GRID (default), UNSTRUCTURED_GRID or OVERLAPPING_AMR, which
    * needs base cells of equal size in two or three dimensions.
    */
-  vtkSetClampMacro(OutputType, int, HYPER_TREE_GRID, OVERLAPPING_AMR);
-  vtkGetMacro(OutputType, int);
+  vtkSkdTreeChoiceMacro(OutputType, HYPER_TREE_GRID, OVERLAPPING_AMR);
   //@}
 
   //@{
@@ -212,9 +200,7 @@ public:
    * triangles around its centre, each with the leaf's data. With Balance no angle of square cells
    * is below 45 degrees. Default off. Other grids keep their hanging nodes, with a warning.
    */
-  vtkSetMacro(Conforming, bool);
-  vtkGetMacro(Conforming, bool);
-  vtkBooleanMacro(Conforming, bool);
+  vtkSkdTreeSwitchMacro(Conforming);
   //@}
 
 protected:
@@ -222,14 +208,9 @@ protected:
   ~vtkSkdTreeAMR() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   bool AutomaticBounds = true;
   double BoundsMargin = 0.1;

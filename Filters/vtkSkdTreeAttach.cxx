@@ -6,6 +6,7 @@
 #include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "Pipeline/SkdValidInput.h"
 #include "vtkObjectFactory.h"
@@ -69,7 +70,7 @@ void vtkSkdTreeAttach::Internals::Update(Tree& tree, vtkPointSet* mesh, vtkSkdTr
   this->Built += SkdBuildLocator(tree.Locator, self->GetEpsilon(), !isSame);
 }
 
-// What is kept is a tree on a data set of our own; each output gets a locator that shares the tree.
+// Trees are kept on a data set of their own; each output gets a locator that shares the tree.
 int vtkSkdTreeAttach::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -100,8 +101,7 @@ int vtkSkdTreeAttach::RequestData(
 void vtkSkdTreeAttach::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
-  os << indent << "LazyBuild: " << (this->LazyBuild ? "On\n" : "Off\n");
-  os << indent << "SkipGhostCells: " << (this->SkipGhostCells ? "On\n" : "Off\n");
+  SkdPrint(os, indent, "Epsilon", this->Epsilon, "LazyBuild", this->LazyBuild, "SkipGhostCells",
+    this->SkipGhostCells);
 }
 VTK_ABI_NAMESPACE_END

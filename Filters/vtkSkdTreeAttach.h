@@ -50,26 +50,21 @@ public:
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetLazyBuild. Default off.
    */
-  vtkSetMacro(LazyBuild, bool);
-  vtkGetMacro(LazyBuild, bool);
-  vtkBooleanMacro(LazyBuild, bool);
+  vtkSkdTreeSwitchMacro(LazyBuild);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetSkipGhostCells. Default on.
    */
-  vtkSetMacro(SkipGhostCells, bool);
-  vtkGetMacro(SkipGhostCells, bool);
-  vtkBooleanMacro(SkipGhostCells, bool);
+  vtkSkdTreeSwitchMacro(SkipGhostCells);
   //@}
 
   /**
@@ -80,16 +75,15 @@ public:
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
   vtkSkdTreeAttach();
   ~vtkSkdTreeAttach() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double Epsilon = 1e-9;
   bool LazyBuild = false;

@@ -115,8 +115,7 @@ public:
    * diagonal of the data set's bounding box, and by at least 8 units in the last place of the
    * largest coordinate. It affects the search only, never an answer. Range [0, 1], default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
   /**
@@ -130,9 +129,7 @@ public:
    * when the first query visits it. Answers are the same, and queries remain thread-safe. Default
    * off.
    */
-  vtkSetMacro(LazyBuild, bool);
-  vtkGetMacro(LazyBuild, bool);
-  vtkBooleanMacro(LazyBuild, bool);
+  vtkSkdTreeSwitchMacro(LazyBuild);
   //@}
 
   /**
@@ -155,8 +152,7 @@ public:
    * at least 1.2 times the square of the mean area (Delaunay tetrahedra, graded meshes); else
    * median. Answers are the same. LazyBuild always uses the median. Default SPLIT_AUTOMATICALLY.
    */
-  vtkSetClampMacro(SplitRule, int, SPLIT_AUTOMATICALLY, SPLIT_BY_SURFACE_AREA);
-  vtkGetMacro(SplitRule, int);
+  vtkSkdTreeChoiceMacro(SplitRule, SPLIT_AUTOMATICALLY, SPLIT_BY_SURFACE_AREA);
   void SetSplitRuleToAutomatic() { this->SetSplitRule(SPLIT_AUTOMATICALLY); }
   void SetSplitRuleToMedian() { this->SetSplitRule(SPLIT_AT_MEDIAN); }
   void SetSplitRuleToSurfaceArea() { this->SetSplitRule(SPLIT_BY_SURFACE_AREA); }
@@ -173,9 +169,7 @@ public:
    * Ignore cells that vtkGhostType marks as duplicate or refined. Blanked cells (hidden cells, and
    * cells of structured grids with a hidden point) are always ignored. Default on.
    */
-  vtkSetMacro(SkipGhostCells, bool);
-  vtkGetMacro(SkipGhostCells, bool);
-  vtkBooleanMacro(SkipGhostCells, bool);
+  vtkSkdTreeSwitchMacro(SkipGhostCells);
   //@}
 
   //@{

@@ -126,7 +126,8 @@ public:
     this->Weights = SkdPrepare(weights, "SkdWeight", this->Width, size);
   }
 
-  /// Writes the points, and hands out where the weights belong (nullptr: nowhere), none yet.
+  /// Writes the points, and returns the weights' location (nullptr if not requested),
+  /// uninitialized.
   double* Begin(vtkIdType slot, vtkIdType id)
   {
     const std::int64_t found = this->Cells.CellOfId(id);

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeClosestPoint.h"
 
-#include "Pipeline/SkdAnswers.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Cells/SkdCellWeights.h"
+#include "Closest/SkdAnswers.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdCellWeights.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -161,6 +160,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   SkdSource& source = this->Impl->Source;
   source.Update(sourceData, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
   WarnAbout(this, source);
+  SkdWarnAboutCoarseFaces(this, source.GetNumberOfCoarseFaces(), this->ChordalDeviation);
   const double buildSeconds = watch.Lap();
 
   std::vector<SkdAnswers> answers;
@@ -171,7 +171,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   }
   const double querySeconds = watch.Lap();
 
-  const bool isComposite = vtkCompositeDataSet::SafeDownCast(sourceData) != nullptr;
+  const bool isComposite = SkdIsComposite(sourceData);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     answers[i].AddTo(blocks[i].Mesh->GetPointData(), source.GetBlocks(), isComposite);
@@ -192,11 +192,8 @@ int vtkSkdTreeClosestPoint::RequestData(
 void vtkSkdTreeClosestPoint::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "SignedDistance: " << (this->SignedDistance ? "On\n" : "Off\n");
-  os << indent << "InterpolateSourceData: " << (this->InterpolateSourceData ? "On\n" : "Off\n");
-  os << indent << "GenerateLines: " << (this->GenerateLines ? "On\n" : "Off\n");
-  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "MaximumDistance", this->MaximumDistance, "SignedDistance",
+    this->SignedDistance, "InterpolateSourceData", this->InterpolateSourceData, "GenerateLines",
+    this->GenerateLines, "ChordalDeviation", this->ChordalDeviation, "Epsilon", this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

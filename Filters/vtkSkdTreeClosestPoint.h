@@ -65,8 +65,7 @@ public:
   /**
    * The maximum search distance. Default VTK_DOUBLE_MAX: no limit.
    */
-  vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumDistance, double);
+  vtkSkdTreeWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
@@ -85,9 +84,7 @@ public:
    * is then a vote of seven rays. A Source without a surface gives a warning and unsigned
    * distances. Default off.
    */
-  vtkSetMacro(SignedDistance, bool);
-  vtkGetMacro(SignedDistance, bool);
-  vtkBooleanMacro(SignedDistance, bool);
+  vtkSkdTreeSwitchMacro(SignedDistance);
   //@}
 
   //@{
@@ -100,18 +97,14 @@ public:
    * and point ids are not passed on. Points without a result get NaN, or 0 in integer arrays.
    * Default off.
    */
-  vtkSetMacro(InterpolateSourceData, bool);
-  vtkGetMacro(InterpolateSourceData, bool);
-  vtkBooleanMacro(InterpolateSourceData, bool);
+  vtkSkdTreeSwitchMacro(InterpolateSourceData);
   //@}
 
   //@{
   /**
    * Fill output port 1 with a line from each point to its nearest. Default off.
    */
-  vtkSetMacro(GenerateLines, bool);
-  vtkGetMacro(GenerateLines, bool);
-  vtkBooleanMacro(GenerateLines, bool);
+  vtkSkdTreeSwitchMacro(GenerateLines);
   //@}
 
   //@{
@@ -119,24 +112,21 @@ public:
    * The largest distance of facets from a curved face for signed distances, relative to the
    * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
-  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  vtkGetMacro(ChordalDeviation, double);
+  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
 protected:
   vtkSkdTreeClosestPoint();
   ~vtkSkdTreeClosestPoint() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double MaximumDistance = VTK_DOUBLE_MAX;
   bool SignedDistance = false;

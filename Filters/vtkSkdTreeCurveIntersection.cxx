@@ -3,11 +3,10 @@
 #include "vtkSkdTreeCurveIntersection.h"
 
 #include "Curves/SkdCurveHitArrays.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -26,11 +25,6 @@ public:
 
 namespace
 {
-bool IsComposite(vtkDataObject* data)
-{
-  return vtkCompositeDataSet::SafeDownCast(data) != nullptr;
-}
-
 void Report(const SkdCurveHitTable& table, double rounding, vtkPolyData* output)
 {
   const auto count = [](const auto& list) { return static_cast<vtkIdType>(list.size()); };
@@ -46,7 +40,7 @@ void Report(const SkdCurveHitTable& table, double rounding, vtkPolyData* output)
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveIntersection::vtkSkdTreeCurveIntersection()
-  : vtkSkdTreeSourceAlgorithm(
+  : vtkSkdTreeCurveAlgorithm(
       SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA, VTK_UNSTRUCTURED_GRID })
   , Impl(new Internals)
 {
@@ -67,45 +61,33 @@ int vtkSkdTreeCurveIntersection::RequestData(
   const std::vector<SkdBlock> otherBlocks = SkdBlocksOf(source ? source : input);
   SkdStopwatch watch;
 
-  const SkdCurveSettings settings = this->FindSettings();
+  const SkdCurveSettings settings{ this->FindPolylineForm(), this->FindChordTolerance(),
+    this->Epsilon };
   SkdCurveTree& first = this->Impl->First;
   SkdCurveTree& second = source ? this->Impl->Second : this->Impl->First;
   int built = first.Update(blocks, settings) ? 1 : 0;
   built += source && second.Update(otherBlocks, settings) ? 1 : 0;
-  this->WarnAboutCurves("Input", first.GetCurves());
+  const auto warnAbout = [this](const char* port, const SkdCurveSet& curves)
+  { this->WarnAboutInput(port, curves.GetFaults(), curves.GetCurves().empty(), "curves"); };
+  warnAbout("Input", first.GetCurves());
   if (source)
   {
-    this->WarnAboutCurves("Source", second.GetCurves());
+    warnAbout("Source", second.GetCurves());
   }
   const double buildSeconds = watch.Lap();
 
   const SkdCurveHitFinder finder(
     first, second, { this->Clearance, this->IgnoreJoints, this->CandidateRegions });
   SkdLoop loop(this, static_cast<vtkIdType>(first.GetSpans().size()), 0.2, 0.9);
-  const SkdCurveHitTable table{ { first, blocks, IsComposite(input) },
-    { second, otherBlocks, IsComposite(source ? source : input) }, finder.Find(loop) };
+  const SkdCurveHitTable table{ { first, blocks, SkdIsComposite(input) },
+    { second, otherBlocks, SkdIsComposite(source ? source : input) }, finder.Find(loop) };
   const double querySeconds = watch.Lap();
 
   this->StoreIntersections(table, outputVector);
   Report(table, finder.GetRounding(), output);
   SkdReport report(output);
-  report.AddCount("TreesBuilt", built);
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("QuerySeconds", querySeconds);
+  report.AddRun(built, buildSeconds, "QuerySeconds", querySeconds);
   return 1;
-}
-
-//------------------------------------------------------------------------------
-SkdCurveSettings vtkSkdTreeCurveIntersection::FindSettings()
-{
-  if (!(this->ChordTolerance > 0.0))
-  {
-    vtkWarningMacro("ChordTolerance is "
-      << this->ChordTolerance
-      << " and is ignored; curves are approximated within 0.001 of the diagonal of their bounds.");
-  }
-  return { SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity),
-    this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3, this->Epsilon };
 }
 
 //------------------------------------------------------------------------------
@@ -124,22 +106,7 @@ void vtkSkdTreeCurveIntersection::StoreIntersections(
   }
   if (this->InterpolateData)
   {
-    std::set<std::string> refused;
-    SkdStoreDataOfCurves(table, points, refused);
-    SkdWarnAboutRefused(this, refused);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCurveIntersection::WarnAboutCurves(const char* port, const SkdCurveSet& curves)
-{
-  for (const std::string& fault : curves.GetFaults())
-  {
-    vtkWarningMacro(<< port << ": " << fault << "; they are ignored.");
-  }
-  if (curves.GetCurves().empty())
-  {
-    vtkWarningMacro(<< port << " has no curves; there are no intersections.");
+    SkdWarnAboutRefused(this, SkdStoreDataOfCurves(table, points));
   }
 }
 
@@ -147,15 +114,7 @@ void vtkSkdTreeCurveIntersection::WarnAboutCurves(const char* port, const SkdCur
 void vtkSkdTreeCurveIntersection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PolylineForm: " << this->PolylineForm << "\n";
-  os << indent << "Tension: " << this->Tension << "\n";
-  os << indent << "Bias: " << this->Bias << "\n";
-  os << indent << "Continuity: " << this->Continuity << "\n";
-  os << indent << "Clearance: " << this->Clearance << "\n";
-  os << indent << "IgnoreJoints: " << (this->IgnoreJoints ? "On\n" : "Off\n");
-  os << indent << "CandidateRegions: " << (this->CandidateRegions ? "On\n" : "Off\n");
-  os << indent << "InterpolateData: " << (this->InterpolateData ? "On\n" : "Off\n");
-  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "Clearance", this->Clearance, "IgnoreJoints", this->IgnoreJoints,
+    "CandidateRegions", this->CandidateRegions);
 }
 VTK_ABI_NAMESPACE_END

@@ -90,58 +90,22 @@
 #define vtkSkdTreeCurveIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeCurveAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
-class SkdCurveSet;
 struct SkdCurveHitTable;
-struct SkdCurveSettings;
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveIntersection : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveIntersection : public vtkSkdTreeCurveAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeCurveIntersection, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreeCurveIntersection, vtkSkdTreeCurveAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCurveIntersection* New();
-
-  /**
-   * How the points of a polyline are joined.
-   */
-  enum PolylineForms
-  {
-    STRAIGHT = 0,
-    CARDINAL_SPLINE = 1,
-    KOCHANEK_SPLINE = 2
-  };
-
-  //@{
-  /**
-   * The curve that a polyline represents: straight lines between its points, or the
-   * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
-   * the last point is the first. Default STRAIGHT.
-   */
-  vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
-  vtkGetMacro(PolylineForm, int);
-  //@}
-
-  //@{
-  /**
-   * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
-   * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
-   * the farther from 0, the sharper the corner at a point.
-   */
-  vtkSkdTreeSetWithinMacro(Tension, double, -1.0, 1.0);
-  vtkGetMacro(Tension, double);
-  vtkSkdTreeSetWithinMacro(Bias, double, -1.0, 1.0);
-  vtkGetMacro(Bias, double);
-  vtkSkdTreeSetWithinMacro(Continuity, double, -1.0, 1.0);
-  vtkGetMacro(Continuity, double);
-  //@}
 
   //@{
   /**
@@ -149,8 +113,7 @@ public:
    * their nearest approach is output as a point of kind 3: one for each pair of curves. See
    * CandidateRegions for all regions in which they do. Default 0: none.
    */
-  vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Clearance, double);
+  vtkSkdTreeWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
@@ -162,76 +125,31 @@ public:
    * do not intersect each other either. Ends of common intervals are reported for each cell. Off:
    * each cell is a curve of its own. Default on.
    */
-  vtkSetMacro(IgnoreJoints, bool);
-  vtkGetMacro(IgnoreJoints, bool);
-  vtkBooleanMacro(IgnoreJoints, bool);
-  //@}
-
-  //@{
-  /**
-   * Add the point data of both curves, interpolated, and the data of both cells, under their own
-   * names; without a Source those of the first curve. An array whose name is already in use is not
-   * added, with a warning: the Input takes precedence over the Source, and point data over cell
-   * data. Along a polyline data are linear between its points, whatever its form. Default on.
-   */
-  vtkSetMacro(InterpolateData, bool);
-  vtkGetMacro(InterpolateData, bool);
-  vtkBooleanMacro(InterpolateData, bool);
+  vtkSkdTreeSwitchMacro(IgnoreJoints);
   //@}
 
   //@{
   /**
    * Fill output port 2 with the regions in which curves may intersect. Default off.
    */
-  vtkSetMacro(CandidateRegions, bool);
-  vtkGetMacro(CandidateRegions, bool);
-  vtkBooleanMacro(CandidateRegions, bool);
-  //@}
-
-  //@{
-  /**
-   * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
-   * piece of a curve from its chord. It affects the cost of the search, never the intersections.
-   * Default 1e-3.
-   */
-  vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
-  vtkGetMacro(ChordTolerance, double);
-  //@}
-
-  //@{
-  /**
-   * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
-   * curves' bounds. It affects the search only, never an answer. Default 1e-9.
-   */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeSwitchMacro(CandidateRegions);
   //@}
 
 protected:
   vtkSkdTreeCurveIntersection();
   ~vtkSkdTreeCurveIntersection() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int PolylineForm = STRAIGHT;
-  double Tension = 0.0;
-  double Bias = 0.0;
-  double Continuity = 0.0;
   double Clearance = 0.0;
   bool IgnoreJoints = true;
-  bool InterpolateData = true;
   bool CandidateRegions = false;
-  double ChordTolerance = 1e-3;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeCurveIntersection(const vtkSkdTreeCurveIntersection&) = delete;
   void operator=(const vtkSkdTreeCurveIntersection&) = delete;
 
-  SkdCurveSettings FindSettings();
   void StoreIntersections(const SkdCurveHitTable& table, vtkInformationVector* outputs);
-  void WarnAboutCurves(const char* port, const SkdCurveSet& curves);
 
   class Internals;
   std::unique_ptr<Internals> Impl; // the trees, kept while their curves are unchanged

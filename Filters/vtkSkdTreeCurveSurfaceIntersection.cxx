@@ -5,13 +5,12 @@
 #include "Curves/SkdCutCurves.h"
 #include "Curves/SkdSurfaceHitArrays.h"
 #include "InOut/SkdPartList.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -30,33 +29,7 @@ public:
 
 namespace
 {
-bool IsComposite(vtkDataObject* data)
-{
-  return vtkCompositeDataSet::SafeDownCast(data) != nullptr;
-}
-
-std::vector<SkdBlock> BlocksWithCells(vtkDataObject* data)
-{
-  std::vector<SkdBlock> blocks;
-  for (const SkdBlock& block : SkdBlocksOf(data))
-  {
-    if (block.Mesh->GetNumberOfCells() > 0)
-    {
-      blocks.push_back(block);
-    }
-  }
-  return blocks;
-}
-
-void WarnAbout(vtkAlgorithm* self, const char* port, const std::vector<std::string>& faults)
-{
-  for (const std::string& fault : faults)
-  {
-    vtkWarningWithObjectMacro(self, << port << ": " << fault << "; they are ignored.");
-  }
-}
-
-/// The numbers of the intersections along their curves; what is not wanted is taken out.
+/// The numbers of the intersections along their curves; unselected ones are removed.
 void Select(vtkSkdTreeCurveSurfaceIntersection* self, SkdSurfaceHitTable& table)
 {
   const bool wantsAll = self->GetHitSelection() == vtkSkdTreeCurveSurfaceIntersection::ALL_HITS;
@@ -95,7 +68,7 @@ void CountHits(const SkdSurfaceHitTable& table, vtkDataObject* input, vtkDataObj
   }
   SkdMirror(input, output);
   std::size_t next = 0;
-  for (const SkdBlock& mirror : BlocksWithCells(output))
+  for (const SkdBlock& mirror : SkdBlocksWithCells(SkdBlocksOf(output)))
   {
     mirror.Mesh->GetCellData()->AddArray(counts[next++]);
     mirror.Mesh->GetCellData()->SetActiveScalars("SkdNumberOfHits");
@@ -116,7 +89,7 @@ void Report(const SkdSurfaceHitTable& table, double rounding, vtkPolyData* outpu
 
 //------------------------------------------------------------------------------
 vtkSkdTreeCurveSurfaceIntersection::vtkSkdTreeCurveSurfaceIntersection()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { VTK_POLY_DATA, VTK_POLY_DATA, LIKE_INPUT })
+  : vtkSkdTreeCurveAlgorithm(SourceUse::Required, { VTK_POLY_DATA, VTK_POLY_DATA, LIKE_INPUT })
   , Impl(new Internals)
 {
 }
@@ -131,20 +104,19 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const std::vector<SkdBlock> curveBlocks = BlocksWithCells(input);
+  const std::vector<SkdBlock> curveBlocks = SkdBlocksWithCells(SkdBlocksOf(input));
   SkdStopwatch watch;
 
   const bool wasBuilt = this->UpdateSurfaces(source);
   const SkdSurfaceSet& surfaces = this->Impl->Surfaces;
   const std::vector<SkdBlock>& surfaceBlocks = this->Impl->Blocks;
   SkdCurveSet curves;
-  curves.Read(curveBlocks,
-    SkdPolylineForm::Of(this->PolylineForm, this->Tension, this->Bias, this->Continuity));
-  this->WarnAboutInputs(curves, surfaces);
+  curves.Read(curveBlocks, this->FindPolylineForm());
+  this->WarnAboutInput("Input", curves.GetFaults(), curves.GetCurves().empty(), "curves");
+  this->WarnAboutInput("Source", surfaces.GetFaults(), surfaces.GetElements().empty(), "surfaces");
+  const double delta = curves.GetBounds().Diagonal() * this->FindChordTolerance();
   const double buildSeconds = watch.Lap();
 
-  const double delta =
-    curves.GetBounds().Diagonal() * (this->ChordTolerance > 0.0 ? this->ChordTolerance : 1e-3);
   const SkdSurfaceHitFinder finder(curves, surfaces, delta);
   SkdLoop loop(this, static_cast<vtkIdType>(curves.GetNumberOfPieces()), 0.2, 0.9);
   SkdSurfaceHitTable table{ curves, curveBlocks, surfaces, surfaceBlocks, finder.Find(loop), {} };
@@ -152,18 +124,17 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
 
   if (this->CutCurves)
   {
-    SkdCutCurves({ curves, curveBlocks, surfaces.GetElements(), finder, IsComposite(input), delta },
+    SkdCutCurves(
+      { curves, curveBlocks, surfaces.GetElements(), finder, SkdIsComposite(input), delta },
       table.Intersections, vtkPolyData::GetData(outputVector, 1));
   }
   table.Intersections = finder.UniteAtJoints(std::move(table.Intersections));
   CountHits(table, input, vtkDataObject::GetData(outputVector, 2));
   Select(this, table);
-  this->StoreHits(table, IsComposite(input), IsComposite(source), output);
+  this->StoreHits(table, SkdIsComposite(input), SkdIsComposite(source), output);
   Report(table, finder.GetRounding(), output);
   SkdReport report(output);
-  report.AddCount("TreesBuilt", wasBuilt ? 1 : 0);
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("QuerySeconds", querySeconds);
+  report.AddRun(wasBuilt ? 1 : 0, buildSeconds, "QuerySeconds", querySeconds);
   this->Impl->Blocks.clear();
   return 1;
 }
@@ -184,7 +155,7 @@ void vtkSkdTreeCurveSurfaceIntersection::SetPartArray(const char* name)
 bool vtkSkdTreeCurveSurfaceIntersection::UpdateSurfaces(vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
-  internals.Blocks = BlocksWithCells(source);
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
   const bool wasBuilt =
     internals.Surfaces.Update(internals.Blocks, this->VolumeFaces, this->Epsilon);
   const bool lacksArray =
@@ -211,28 +182,6 @@ bool vtkSkdTreeCurveSurfaceIntersection::UpdateSurfaces(vtkDataObject* source)
 }
 
 //------------------------------------------------------------------------------
-void vtkSkdTreeCurveSurfaceIntersection::WarnAboutInputs(
-  const SkdCurveSet& curves, const SkdSurfaceSet& surfaces)
-{
-  WarnAbout(this, "Input", curves.GetFaults());
-  WarnAbout(this, "Source", surfaces.GetFaults());
-  if (curves.GetCurves().empty())
-  {
-    vtkWarningMacro("Input has no curves; there are no intersections.");
-  }
-  if (surfaces.GetElements().empty())
-  {
-    vtkWarningMacro("Source has no surfaces; there are no intersections.");
-  }
-  if (!(this->ChordTolerance > 0.0))
-  {
-    vtkWarningMacro("ChordTolerance is "
-      << this->ChordTolerance
-      << " and is ignored; curves are approximated within 0.001 of the diagonal of their bounds.");
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkSkdTreeCurveSurfaceIntersection::StoreHits(
   const SkdSurfaceHitTable& table, bool hasCurveBlocks, bool hasSurfaceBlocks, vtkPolyData* output)
 {
@@ -247,9 +196,7 @@ void vtkSkdTreeCurveSurfaceIntersection::StoreHits(
   }
   if (this->InterpolateData)
   {
-    std::set<std::string> refused;
-    SkdStoreDataAtHits(table, output, refused);
-    SkdWarnAboutRefused(this, refused);
+    SkdWarnAboutRefused(this, SkdStoreDataAtHits(table, output));
   }
 }
 
@@ -257,18 +204,8 @@ void vtkSkdTreeCurveSurfaceIntersection::StoreHits(
 void vtkSkdTreeCurveSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PolylineForm: " << this->PolylineForm << "\n";
-  os << indent << "Tension: " << this->Tension << "\n";
-  os << indent << "Bias: " << this->Bias << "\n";
-  os << indent << "Continuity: " << this->Continuity << "\n";
-  os << indent << "VolumeFaces: " << (this->VolumeFaces ? "On\n" : "Off\n");
-  os << indent << "Parts: " << this->Parts << "\n";
-  os << indent << "PartArray: " << this->PartArray << "\n";
-  os << indent << "HitSelection: " << this->HitSelection << "\n";
-  os << indent << "HitNumber: " << this->HitNumber << "\n";
-  os << indent << "InterpolateData: " << (this->InterpolateData ? "On\n" : "Off\n");
-  os << indent << "CutCurves: " << (this->CutCurves ? "On\n" : "Off\n");
-  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "VolumeFaces", this->VolumeFaces, "Parts", this->Parts, "PartArray",
+    this->PartArray, "HitSelection", this->HitSelection, "HitNumber", this->HitNumber, "CutCurves",
+    this->CutCurves);
 }
 VTK_ABI_NAMESPACE_END

@@ -80,36 +80,24 @@
 #define vtkSkdTreeCurveSurfaceIntersection_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeCurveAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class SkdCurveSet;
-class SkdSurfaceSet;
 struct SkdSurfaceHitTable;
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveSurfaceIntersection : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveSurfaceIntersection : public vtkSkdTreeCurveAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeCurveAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCurveSurfaceIntersection* New();
-
-  /**
-   * How the points of a polyline are joined.
-   */
-  enum PolylineForms
-  {
-    STRAIGHT = 0,
-    CARDINAL_SPLINE = 1,
-    KOCHANEK_SPLINE = 2
-  };
 
   /**
    * What a part of the Source is.
@@ -133,36 +121,10 @@ public:
 
   //@{
   /**
-   * The curve that a polyline represents: straight lines between its points, or the
-   * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
-   * the last point is the first. Default STRAIGHT.
-   */
-  vtkSetClampMacro(PolylineForm, int, STRAIGHT, KOCHANEK_SPLINE);
-  vtkGetMacro(PolylineForm, int);
-  //@}
-
-  //@{
-  /**
-   * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
-   * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
-   * the farther from 0, the sharper the corner at a point.
-   */
-  vtkSkdTreeSetWithinMacro(Tension, double, -1.0, 1.0);
-  vtkGetMacro(Tension, double);
-  vtkSkdTreeSetWithinMacro(Bias, double, -1.0, 1.0);
-  vtkGetMacro(Bias, double);
-  vtkSkdTreeSetWithinMacro(Continuity, double, -1.0, 1.0);
-  vtkGetMacro(Continuity, double);
-  //@}
-
-  //@{
-  /**
    * Use the outer faces of volume cells as surfaces, with outward normals: the faces that no other
    * cell of their data set shares. Default on.
    */
-  vtkSetMacro(VolumeFaces, bool);
-  vtkGetMacro(VolumeFaces, bool);
-  vtkBooleanMacro(VolumeFaces, bool);
+  vtkSkdTreeSwitchMacro(VolumeFaces);
   //@}
 
   //@{
@@ -173,8 +135,7 @@ public:
    * (CONNECTED_PIECES). Where two parts coincide, each has its own intersection point. If a block
    * lacks the array there is an error and BLOCKS is used.
    */
-  vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
-  vtkGetMacro(Parts, int);
+  vtkSkdTreeChoiceMacro(Parts, BLOCKS, CONNECTED_PIECES);
   //@}
 
   //@{
@@ -190,28 +151,14 @@ public:
    * Output all intersections of a curve, the first, or the one with number HitNumber. Default
    * ALL_HITS.
    */
-  vtkSetClampMacro(HitSelection, int, ALL_HITS, NTH_HIT);
-  vtkGetMacro(HitSelection, int);
+  vtkSkdTreeChoiceMacro(HitSelection, ALL_HITS, NTH_HIT);
   //@}
 
   //@{
   /**
    * The intersection that NTH_HIT outputs: 1 is the first along the curve. Default 1.
    */
-  vtkSetClampMacro(HitNumber, int, 1, VTK_INT_MAX);
-  vtkGetMacro(HitNumber, int);
-  //@}
-
-  //@{
-  /**
-   * Add the point data of curve and surface, interpolated, and the data of both cells, under their
-   * own names. An array whose name is already in use is not added, with a warning: the Input takes
-   * precedence over the Source, and point data over cell data. Along a polyline data are linear
-   * between its points, whatever its form. Default on.
-   */
-  vtkSetMacro(InterpolateData, bool);
-  vtkGetMacro(InterpolateData, bool);
-  vtkBooleanMacro(InterpolateData, bool);
+  vtkSkdTreeChoiceMacro(HitNumber, 1, VTK_INT_MAX);
   //@}
 
   //@{
@@ -223,57 +170,27 @@ public:
    * one of them that was entered last (-1: none). Only closed parts (see Parts) contain anything.
    * Default off.
    */
-  vtkSetMacro(CutCurves, bool);
-  vtkGetMacro(CutCurves, bool);
-  vtkBooleanMacro(CutCurves, bool);
-  //@}
-
-  //@{
-  /**
-   * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
-   * piece of a curve from its chord in the search. It affects the cost, never an answer. Default
-   * 1e-3.
-   */
-  vtkSkdTreeSetWithinMacro(ChordTolerance, double, 0.0, 1.0);
-  vtkGetMacro(ChordTolerance, double);
-  //@}
-
-  //@{
-  /**
-   * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
-   * surfaces' bounds. It affects the search only, never an answer. Default 1e-9.
-   */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeSwitchMacro(CutCurves);
   //@}
 
 protected:
   vtkSkdTreeCurveSurfaceIntersection();
   ~vtkSkdTreeCurveSurfaceIntersection() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int PolylineForm = STRAIGHT;
-  double Tension = 0.0;
-  double Bias = 0.0;
-  double Continuity = 0.0;
   bool VolumeFaces = true;
   int Parts = BLOCKS;
   std::string PartArray;
   int HitSelection = ALL_HITS;
   int HitNumber = 1;
-  bool InterpolateData = true;
   bool CutCurves = false;
-  double ChordTolerance = 1e-3;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeCurveSurfaceIntersection(const vtkSkdTreeCurveSurfaceIntersection&) = delete;
   void operator=(const vtkSkdTreeCurveSurfaceIntersection&) = delete;
 
   bool UpdateSurfaces(vtkDataObject* source);
-  void WarnAboutInputs(const SkdCurveSet& curves, const SkdSurfaceSet& surfaces);
   void StoreHits(const SkdSurfaceHitTable& table, bool hasCurveBlocks, bool hasSurfaceBlocks,
     vtkPolyData* output);
 

@@ -3,12 +3,11 @@
 #include "vtkSkdTreeMeshRefinement.h"
 
 #include "Core/Mesh/FindBorder.h"
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "Refine/SkdMeshOutput.h"
 #include "Refine/SkdMeshRefiner.h"
 #include "Refine/SkdMeshReport.h"
@@ -101,7 +100,7 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   }
 }
 
-/// Whether parts alone ask for cells, and all processes have come to an end without any round.
+/// Whether parts are the only criterion, and all processes have finished without any round.
 bool DoPartsMiss(const SkdMeshSettings& settings, const SkdMeshOutcome& outcome)
 {
   const bool isMore =
@@ -236,11 +235,10 @@ void PutBlocks(const std::vector<SkdReadMesh::Block>& blocks,
 
 //------------------------------------------------------------------------------
 vtkSkdTreeMeshRefinement::vtkSkdTreeMeshRefinement()
-  : Impl(new Internals)
+  : vtkSkdTreeRefineAlgorithm(4, 1) // the Input comes in pieces
+  , Impl(new Internals)
 {
   this->MaximumLevel = 3;
-  this->SetNumberOfInputPorts(4);
-  this->SetNumberOfOutputPorts(1);
 }
 
 vtkSkdTreeMeshRefinement::~vtkSkdTreeMeshRefinement() = default;
@@ -278,20 +276,6 @@ int vtkSkdTreeMeshRefinement::RequestDataObject(
     : vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
                                              : VTK_MULTIBLOCK_DATA_SET;
   SkdProvideOutput(outputVector->GetInformationObject(0), type);
-  return 1;
-}
-
-// Whatever piece is asked for, all of the parts may meet it.
-int vtkSkdTreeMeshRefinement::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  for (int port = 1; port < 4; ++port)
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      SkdAskForWhole(inputVector[port]->GetInformationObject(i));
-    }
-  }
   return 1;
 }
 
@@ -335,9 +319,7 @@ int vtkSkdTreeMeshRefinement::RequestData(
   SkdReport report(output);
   SkdReportMesh(report, read, outcome, tally);
   this->State->Report(report);
-  report.AddCount("TreesBuilt", *treesBuilt);
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("RefineSeconds", refineSeconds);
+  report.AddRun(*treesBuilt, buildSeconds, "RefineSeconds", refineSeconds);
   this->Impl->Surface.Release();
   return 1;
 }
@@ -345,11 +327,8 @@ int vtkSkdTreeMeshRefinement::RequestData(
 void vtkSkdTreeMeshRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << (this->Method == BISECTION ? "Bisection\n" : "Regular\n");
-  os << indent << "MinimumLevel: " << this->MinimumLevel << "\n";
-  os << indent << "PointPlacement: " << this->PointPlacement << "\n";
-  os << indent << "SphereCenter: " << this->SphereCenter[0] << " " << this->SphereCenter[1] << " "
-     << this->SphereCenter[2] << "\n";
-  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  SkdPrint(os, indent, "Method", this->Method == BISECTION ? "Bisection" : "Regular",
+    "MinimumLevel", this->MinimumLevel, "PointPlacement", this->PointPlacement, "SphereCenter",
+    this->SphereCenter, "OutputPointsPrecision", this->OutputPointsPrecision);
 }
 VTK_ABI_NAMESPACE_END

@@ -96,18 +96,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeMeshRefinement* New();
 
-  enum Methods
-  {
-    BISECTION = 0,
-    REGULAR = 1
-  };
-  enum PointPlacements
-  {
-    FLAT = 0,
-    SPHERE = 1,
-    SURFACE = 2
-  };
-
   //@{
   /**
    * The parts (port 1, optional) that cells are refined around: any data set, or composite data.
@@ -124,12 +112,23 @@ public:
   void SetSurfaceData(vtkDataObject* surface);
   //@}
 
+  enum Methods
+  {
+    BISECTION = 0,
+    REGULAR = 1
+  };
+  enum PointPlacements
+  {
+    FLAT = 0,
+    SPHERE = 1,
+    SURFACE = 2
+  };
+
   //@{
   /**
    * The subdivision: BISECTION (default), without hanging nodes, or REGULAR.
    */
-  vtkSetClampMacro(Method, int, BISECTION, REGULAR);
-  vtkGetMacro(Method, int);
+  vtkSkdTreeChoiceMacro(Method, BISECTION, REGULAR);
   //@}
 
   //@{
@@ -137,8 +136,7 @@ public:
    * The level to which all cells are refined, at most MaximumLevel. Default 0, or 1 without any
    * other criterion.
    */
-  vtkSetClampMacro(MinimumLevel, int, 0, 30);
-  vtkGetMacro(MinimumLevel, int);
+  vtkSkdTreeChoiceMacro(MinimumLevel, 0, 30);
   //@}
 
   //@{
@@ -149,16 +147,14 @@ public:
    * surface (port 3), of volume cells only for points on the boundary of the mesh. Cuts are decided
    * by the FLAT positions.
    */
-  vtkSetClampMacro(PointPlacement, int, FLAT, SURFACE);
-  vtkGetMacro(PointPlacement, int);
+  vtkSkdTreeChoiceMacro(PointPlacement, FLAT, SURFACE);
   //@}
 
   //@{
   /**
    * See PointPlacement. Default (0, 0, 0).
    */
-  vtkSkdTreeSetFinite3Macro(SphereCenter);
-  vtkGetVector3Macro(SphereCenter, double);
+  vtkSkdTreeFinite3Macro(SphereCenter);
   //@}
 
   //@{
@@ -167,20 +163,15 @@ public:
    * default), SINGLE_PRECISION or DOUBLE_PRECISION. New points are rounded to it; areas are
    * preserved to 1e-12 in double precision only.
    */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
+  vtkSkdTreeChoiceMacro(OutputPointsPrecision, SINGLE_PRECISION, DEFAULT_PRECISION);
   //@}
 
 protected:
   vtkSkdTreeMeshRefinement();
   ~vtkSkdTreeMeshRefinement() override;
 
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Method = BISECTION;
   int MinimumLevel = 0;

@@ -5,10 +5,9 @@
 #include "InOut/SkdPartAsker.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "Pipeline/SkdSubset.h"
-#include "Pipeline/SkdTouchCells.h"
 #include "Probe/SkdCellFinder.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
@@ -82,7 +81,7 @@ SkdInOut ChooseCorner(const std::vector<SkdInOut>& corners, vtkIdList* ids, bool
   return chosen;
 }
 
-/// The cells, or else the points, whose answer is the wanted one, as a grid of their own.
+/// The cells or points with the requested result, as a grid.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
   vtkDataSet* mesh, const SkdInOuts& answers, bool wantsInside, bool ofCells)
 {
@@ -251,12 +250,15 @@ void vtkSkdTreePointInOut::WarnAbout()
     return;
   }
   vtkIdType edges = 0;
+  vtkIdType coarse = 0;
   int open = 0;
   for (const SkdPart& part : parts)
   {
     edges += part.GetNumberOfOpenEdges();
     open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
+    coarse += part.GetNumberOfCoarseFaces();
   }
+  SkdWarnAboutCoarseFaces(this, coarse, this->ChordalDeviation);
   if (open > 0)
   {
     vtkWarningMacro(
@@ -271,11 +273,7 @@ int vtkSkdTreePointInOut::RequestData(
   Internals& internals = *this->Impl;
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   SkdStopwatch watch;
-  internals.Blocks = SkdBlocksOf(vtkDataObject::GetData(inputVector[1]));
-  internals.Blocks.erase(
-    std::remove_if(internals.Blocks.begin(), internals.Blocks.end(),
-      [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-    internals.Blocks.end());
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(vtkDataObject::GetData(inputVector[1])));
   if (!this->CheckSource())
   {
     return 1;
@@ -367,19 +365,11 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
 void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Model: " << this->Model << "\n";
-  os << indent << "Parts: " << this->Parts << "\n";
-  os << indent << "PartArray: " << this->PartArray << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "WindingTolerance: " << this->WindingTolerance << "\n";
-  os << indent << "Ask: " << this->Ask << "\n";
-  os << indent << "BoundaryBand: " << this->BoundaryBand << "\n";
-  os << indent << "UseOuterFaces: " << (this->UseOuterFaces ? "On\n" : "Off\n");
-  os << indent << "RepairOrientation: " << (this->RepairOrientation ? "On\n" : "Off\n");
-  os << indent << "Extract: " << this->Extract << "\n";
-  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "Model", this->Model, "Parts", this->Parts, "PartArray", this->PartArray,
+    "Method", this->Method, "NumberOfRays", this->NumberOfRays, "Seed", this->Seed,
+    "WindingTolerance", this->WindingTolerance, "Ask", this->Ask, "BoundaryBand",
+    this->BoundaryBand, "UseOuterFaces", this->UseOuterFaces, "RepairOrientation",
+    this->RepairOrientation, "Extract", this->Extract, "ChordalDeviation", this->ChordalDeviation,
+    "Epsilon", this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

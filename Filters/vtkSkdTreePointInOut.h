@@ -90,8 +90,7 @@ public:
   /**
    * The kind of Source: surfaces (default), or a mesh that fills the parts.
    */
-  vtkSetClampMacro(Model, int, BOUNDARIES, BODY_FITTED_MESH);
-  vtkGetMacro(Model, int);
+  vtkSkdTreeChoiceMacro(Model, BOUNDARIES, BODY_FITTED_MESH);
   //@}
 
   enum PartsType
@@ -108,8 +107,7 @@ public:
    * (CELL_ARRAY); or components connected by points of equal coordinates, with ids 0, 1, ... in the
    * order of their first cells (CONNECTED_PIECES; a BODY_FITTED_MESH uses BLOCKS instead).
    */
-  vtkSetClampMacro(Parts, int, BLOCKS, CONNECTED_PIECES);
-  vtkGetMacro(Parts, int);
+  vtkSkdTreeChoiceMacro(Parts, BLOCKS, CONNECTED_PIECES);
   //@}
 
   //@{
@@ -158,16 +156,14 @@ public:
    * Points outside a part's bounds are outside the part: the confidence is 1 for closed parts and
    * for rays, else that of the method, or 1/2 if the method contradicts.
    */
-  vtkSetClampMacro(Method, int, AXIS_RAYS, AUTOMATIC);
-  vtkGetMacro(Method, int);
+  vtkSkdTreeChoiceMacro(Method, AXIS_RAYS, AUTOMATIC);
   //@}
 
   //@{
   /**
    * The number of RANDOM_RAYS for surfaces with gaps. Range 1 to 1000, default 10.
    */
-  vtkSkdTreeSetWithinMacro(NumberOfRays, int, 1, 1000);
-  vtkGetMacro(NumberOfRays, int);
+  vtkSkdTreeWithinMacro(NumberOfRays, int, 1, 1000);
   //@}
 
   //@{
@@ -186,8 +182,7 @@ public:
    * tolerance takes about 1.6 times as long. Whether a number exceeds 1/2 is decided exactly at any
    * tolerance, except for rounding.
    */
-  vtkSkdTreeSetWithinMacro(WindingTolerance, double, 0.0, 1.0);
-  vtkGetMacro(WindingTolerance, double);
+  vtkSkdTreeWithinMacro(WindingTolerance, double, 0.0, 1.0);
   //@}
 
   enum AskType
@@ -205,8 +200,7 @@ public:
    * gets the part and confidence of the point with the least depth, with any point those of the one
    * with the greatest; ties go to the first.
    */
-  vtkSetClampMacro(Ask, int, POINTS, CELLS_ANY_POINT);
-  vtkGetMacro(Ask, int);
+  vtkSkdTreeChoiceMacro(Ask, POINTS, CELLS_ANY_POINT);
   //@}
 
   //@{
@@ -214,17 +208,14 @@ public:
    * Points within this distance of a part's surface are marked in SkdOnBoundary. World units,
    * default 0: none.
    */
-  vtkSkdTreeSetWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(BoundaryBand, double);
+  vtkSkdTreeWithinMacro(BoundaryBand, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
   /**
    * Use the outer faces of volume cells as surfaces. Default on.
    */
-  vtkSetMacro(UseOuterFaces, bool);
-  vtkGetMacro(UseOuterFaces, bool);
-  vtkBooleanMacro(UseOuterFaces, bool);
+  vtkSkdTreeSwitchMacro(UseOuterFaces);
   //@}
 
   //@{
@@ -233,9 +224,7 @@ public:
    * triangles outward first. Adjacent triangles are oriented consistently, and each component
    * outward by axis rays from its largest triangle. Default off.
    */
-  vtkSetMacro(RepairOrientation, bool);
-  vtkGetMacro(RepairOrientation, bool);
-  vtkBooleanMacro(RepairOrientation, bool);
+  vtkSkdTreeSwitchMacro(RepairOrientation);
   //@}
 
   enum ExtractType
@@ -250,38 +239,35 @@ public:
    * The content of output port 1: nothing (default), or the input's points or cells (see SetAsk)
    * that are inside or outside, with all data of port 0.
    */
-  vtkSetClampMacro(Extract, int, NOTHING, OUTSIDE);
-  vtkGetMacro(Extract, int);
+  vtkSkdTreeChoiceMacro(Extract, NOTHING, OUTSIDE);
   //@}
 
   //@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * the whole Source. Faces of quadratic, Lagrange and Bezier cells are approximated by flat facets
-   * without gaps, at most 128 along a side, and the filter is exact for these; a face that is flat
-   * within the deviation is one polygon. It has no effect on linear cells. The number of facets is
+   * without gaps, at most 128 along a side, and the filter is exact for these; a warning counts the
+   * faces that need more. A face that is flat within the deviation is one polygon. It has no effect
+   * on linear cells. The number of facets is
    * inversely proportional to the deviation: about 10^4 for a sphere by default. If there are
    * curved cells, SkdReportChordalLength is the deviation as a length. Range [1e-7, 1], default
    * 1e-4.
    */
-  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  vtkGetMacro(ChordalDeviation, double);
+  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
 protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Model = BOUNDARIES;
   int Parts = BLOCKS;

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeProbe.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPointOrder.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "Probe/SkdCellFinder.h"
 #include "Probe/SkdCellLocations.h"
 #include "Probe/SkdLineProbe.h"
 #include "Probe/SkdProbedData.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -38,10 +37,7 @@ public:
   /// Returns how many trees were built.
   int Update(vtkDataObject* source, double epsilon)
   {
-    this->Blocks = SkdBlocksOf(source);
-    this->Blocks.erase(std::remove_if(this->Blocks.begin(), this->Blocks.end(),
-                         [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-      this->Blocks.end());
+    this->Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
     const int built = this->Trees.Update(this->Blocks, epsilon);
     this->Source.Update(built);
     this->Names.Refused.clear();
@@ -55,6 +51,20 @@ public:
 
 namespace
 {
+void AddName(vtkObject* self, std::set<std::string>& names, const char* name)
+{
+  if (name && names.insert(name).second)
+  {
+    self->Modified();
+  }
+}
+
+void ClearNames(vtkObject* self, std::set<std::string>& names)
+{
+  names.clear();
+  self->Modified();
+}
+
 void DropData(const std::vector<SkdBlock>& outputs)
 {
   for (const SkdBlock& output : outputs)
@@ -143,30 +153,22 @@ vtkSkdTreeProbe::~vtkSkdTreeProbe() = default;
 
 void vtkSkdTreeProbe::AddCategoricalArray(const char* name)
 {
-  if (name && this->Impl->Names.Categorical.insert(name).second)
-  {
-    this->Modified();
-  }
+  AddName(this, this->Impl->Names.Categorical, name);
 }
 
 void vtkSkdTreeProbe::ClearCategoricalArrays()
 {
-  this->Impl->Names.Categorical.clear();
-  this->Modified();
+  ClearNames(this, this->Impl->Names.Categorical);
 }
 
 void vtkSkdTreeProbe::AddGradientArray(const char* name)
 {
-  if (name && this->Impl->Names.Gradients.insert(name).second)
-  {
-    this->Modified();
-  }
+  AddName(this, this->Impl->Names.Gradients, name);
 }
 
 void vtkSkdTreeProbe::ClearGradientArrays()
 {
-  this->Impl->Names.Gradients.clear();
-  this->Modified();
+  ClearNames(this, this->Impl->Names.Gradients);
 }
 
 int vtkSkdTreeProbe::RequestData(
@@ -196,7 +198,7 @@ int vtkSkdTreeProbe::RequestData(
   {
     places.push_back(internals.Probe(block.Mesh, fill, loop));
   }
-  const bool isComposite = vtkCompositeDataSet::SafeDownCast(source) != nullptr;
+  const bool isComposite = SkdIsComposite(source);
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
     places[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Blocks, isComposite);
@@ -225,8 +227,8 @@ void vtkSkdTreeProbe::CutLines(
   SkdCellFinderRules rules = internals.Rules;
   rules.OutsideRadius = -1.0;
   const std::vector<SkdStretch> stretches = SkdCutLines(pieces, internals.Source, rules, loop);
-  const SkdLineOutput made{ inputs, internals.Source, pieces, stretches,
-    vtkCompositeDataSet::SafeDownCast(input) != nullptr, isSourceComposite };
+  const SkdLineOutput made{ inputs, internals.Source, pieces, stretches, SkdIsComposite(input),
+    isSourceComposite };
   SkdFillStretches(made, internals.Names.Refused, vtkPolyData::GetData(outputVector, 1));
   SkdFillIntegrals(made, vtkTable::GetData(outputVector, 2));
 }
@@ -234,22 +236,17 @@ void vtkSkdTreeProbe::CutLines(
 void vtkSkdTreeProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
-  os << indent << "AbsoluteTolerance: " << this->AbsoluteTolerance << "\n";
-  os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "UseFillValue: " << (this->UseFillValue ? "On\n" : "Off\n");
-  os << indent << "FillValue: " << this->FillValue << "\n";
-  os << indent << "PassInputData: " << (this->PassInputData ? "On\n" : "Off\n");
-  os << indent << "ProbeLines: " << (this->ProbeLines ? "On\n" : "Off\n");
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "RelativeTolerance", this->RelativeTolerance, "AbsoluteTolerance",
+    this->AbsoluteTolerance, "OutsidePoints", this->OutsidePoints, "MaximumDistance",
+    this->MaximumDistance, "UseFillValue", this->UseFillValue, "FillValue", this->FillValue,
+    "PassInputData", this->PassInputData, "ProbeLines", this->ProbeLines, "Epsilon", this->Epsilon);
   for (const std::string& name : this->Impl->Names.Categorical)
   {
-    os << indent << "CategoricalArray: " << name << "\n";
+    SkdPrint(os, indent, "CategoricalArray", name);
   }
   for (const std::string& name : this->Impl->Names.Gradients)
   {
-    os << indent << "GradientArray: " << name << "\n";
+    SkdPrint(os, indent, "GradientArray", name);
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -80,16 +80,14 @@ public:
    * of the cell's bounds. This is meant for points that are outside because of rounding, and for
    * points close to a surface. Range 0 and more, default 1e-3 as in vtkProbeFilter.
    */
-  vtkSkdTreeSetWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(RelativeTolerance, double);
+  vtkSkdTreeWithinMacro(RelativeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
   /**
    * The same as a distance in world units; the larger of the two applies. Default 0.
    */
-  vtkSkdTreeSetWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(AbsoluteTolerance, double);
+  vtkSkdTreeWithinMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   enum OutsidePointsType
@@ -105,16 +103,14 @@ public:
    * at the nearest point of the nearest cell; NEAREST_CELL_WITHIN_DISTANCE: the same up to
    * MaximumDistance.
    */
-  vtkSetClampMacro(OutsidePoints, int, LEAVE, NEAREST_CELL_WITHIN_DISTANCE);
-  vtkGetMacro(OutsidePoints, int);
+  vtkSkdTreeChoiceMacro(OutsidePoints, LEAVE, NEAREST_CELL_WITHIN_DISTANCE);
   //@}
 
   //@{
   /**
    * See SetOutsidePoints. World units, default 1.
    */
-  vtkSkdTreeSetWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumDistance, double);
+  vtkSkdTreeWithinMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
@@ -122,9 +118,7 @@ public:
    * Use FillValue (rounded in integer arrays) for points without a result, instead of NaN (0 in
    * integer arrays). Default off.
    */
-  vtkSetMacro(UseFillValue, bool);
-  vtkGetMacro(UseFillValue, bool);
-  vtkBooleanMacro(UseFillValue, bool);
+  vtkSkdTreeSwitchMacro(UseFillValue);
   //@}
 
   //@{
@@ -140,9 +134,7 @@ public:
    * Pass the input's own point and cell data. Source arrays whose name is then in use are not
    * added, with a warning. Default on.
    */
-  vtkSetMacro(PassInputData, bool);
-  vtkGetMacro(PassInputData, bool);
-  vtkBooleanMacro(PassInputData, bool);
+  vtkSkdTreeSwitchMacro(PassInputData);
   //@}
 
   //@{
@@ -184,25 +176,21 @@ public:
    * SkdInputBlockIndex, SkdLineLength, SkdLength (within the Source), and "<name>_Integral" for
    * each numeric array (two Gauss points a segment: exact for cubics).
    */
-  vtkSetMacro(ProbeLines, bool);
-  vtkGetMacro(ProbeLines, bool);
-  vtkBooleanMacro(ProbeLines, bool);
+  vtkSkdTreeSwitchMacro(ProbeLines);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
 protected:
   vtkSkdTreeProbe();
   ~vtkSkdTreeProbe() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double RelativeTolerance = 1e-3;
   double AbsoluteTolerance = 0.0;

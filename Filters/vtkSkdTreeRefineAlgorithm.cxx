@@ -3,14 +3,18 @@
 #include "vtkSkdTreeRefineAlgorithm.h"
 
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdValidInput.h"
 #include "Refine/SkdRefineState.h"
 #include "vtkInformation.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkSkdTreeRefineAlgorithm::vtkSkdTreeRefineAlgorithm()
+vtkSkdTreeRefineAlgorithm::vtkSkdTreeRefineAlgorithm(int inputPorts, int firstWholePort)
   : State(new SkdRefineState)
+  , FirstWholePort(firstWholePort)
 {
+  this->SetNumberOfInputPorts(inputPorts);
+  this->SetNumberOfOutputPorts(1);
 }
 
 vtkSkdTreeRefineAlgorithm::~vtkSkdTreeRefineAlgorithm() = default;
@@ -108,12 +112,18 @@ int vtkSkdTreeRefineAlgorithm::FillOutputPortInformation(int, vtkInformation* in
   return 1;
 }
 
+int vtkSkdTreeRefineAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  SkdAskForWhole(this, inputVector, this->FirstWholePort);
+  return 1;
+}
+
 void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
-  os << indent << "OverlapTest: " << (this->OverlapTest == EXACT ? "Exact\n" : "Blind\n");
-  os << indent << "Balance: " << this->Balance << "\n";
+  SkdPrint(os, indent, "MaximumLevel", this->MaximumLevel, "OverlapTest",
+    this->OverlapTest == EXACT ? "Exact" : "Blind", "Balance", this->Balance);
   for (const auto& [blockIndex, level] : this->State->PartLevels)
   {
     os << indent << "PartLevel: " << blockIndex << " " << level << "\n";
@@ -122,21 +132,15 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "DistanceBand: " << band.Distance << " " << band.Level << "\n";
   }
-  os << indent << "InsideLevel: " << this->InsideLevel << "\n";
-  os << indent << "GrowingLayers: " << this->GrowingLayers << "\n";
-  os << indent << "RefineByNormalDeviation: " << (this->RefineByNormalDeviation ? "On\n" : "Off\n");
-  os << indent << "NormalDeviation: " << this->NormalDeviation << "\n";
-  os << indent << "MinimumSurfaceLevel: " << this->MinimumSurfaceLevel << "\n";
+  SkdPrint(os, indent, "InsideLevel", this->InsideLevel, "GrowingLayers", this->GrowingLayers,
+    "RefineByNormalDeviation", this->RefineByNormalDeviation, "NormalDeviation",
+    this->NormalDeviation, "MinimumSurfaceLevel", this->MinimumSurfaceLevel);
   for (const std::string& name : this->State->FieldArrays)
   {
-    os << indent << "FieldArray: " << name << "\n";
+    SkdPrint(os, indent, "FieldArray", name);
   }
-  os << indent << "FieldTest: " << this->FieldTest << "\n";
-  os << indent << "FieldThreshold: " << this->FieldThreshold << "\n";
-  os << indent << "FieldRange: " << this->FieldRange[0] << " " << this->FieldRange[1] << "\n";
-  os << indent << "FieldLevel: " << this->FieldLevel << "\n";
-  os << indent << "CellLimit: " << this->CellLimit << "\n";
-  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "FieldTest", this->FieldTest, "FieldThreshold", this->FieldThreshold,
+    "FieldRange", this->FieldRange, "FieldLevel", this->FieldLevel, "CellLimit", this->CellLimit,
+    "ChordalDeviation", this->ChordalDeviation, "Epsilon", this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

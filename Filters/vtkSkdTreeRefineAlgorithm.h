@@ -61,8 +61,7 @@ public:
    * The maximum refinement level: each level halves the size of a cell (or divides it by the branch
    * factor). Range 0 to 30.
    */
-  vtkSetClampMacro(MaximumLevel, int, 0, 30);
-  vtkGetMacro(MaximumLevel, int);
+  vtkSkdTreeChoiceMacro(MaximumLevel, 0, 30);
   //@}
 
   //@{
@@ -71,8 +70,7 @@ public:
    * boxes of the part's cells, which refines more: hardly more if these are small compared to the
    * leaves, several times as many cells if they are large and oblique.
    */
-  vtkSetClampMacro(OverlapTest, int, EXACT, BLIND);
-  vtkGetMacro(OverlapTest, int);
+  vtkSkdTreeChoiceMacro(OverlapTest, EXACT, BLIND);
   //@}
 
   //@{
@@ -80,8 +78,7 @@ public:
    * 2:1 balance: the adjacency across which leaves differ by at most one level: NONE (default),
    * FACE, EDGE (faces and edges) or CORNER (all).
    */
-  vtkSetClampMacro(Balance, int, NONE, CORNER);
-  vtkGetMacro(Balance, int);
+  vtkSkdTreeChoiceMacro(Balance, NONE, CORNER);
   //@}
 
   //@{
@@ -111,8 +108,7 @@ public:
    * with open edges, which a warning counts, the winding number decides. Default 0: not a
    * criterion.
    */
-  vtkSetClampMacro(InsideLevel, int, 0, 30);
-  vtkGetMacro(InsideLevel, int);
+  vtkSkdTreeChoiceMacro(InsideLevel, 0, 30);
   //@}
 
   //@{
@@ -120,8 +116,7 @@ public:
    * The number of layers of cells of the same level around refined cells that are refined too.
    * Default 0.
    */
-  vtkSetClampMacro(GrowingLayers, int, 0, 100);
-  vtkGetMacro(GrowingLayers, int);
+  vtkSkdTreeChoiceMacro(GrowingLayers, 0, 100);
   //@}
 
   //@{
@@ -133,13 +128,9 @@ public:
    * cells' points; parts with cells other than flat surface cells are always refined. Default off,
    * 15 degrees, level 3.
    */
-  vtkSetMacro(RefineByNormalDeviation, bool);
-  vtkGetMacro(RefineByNormalDeviation, bool);
-  vtkBooleanMacro(RefineByNormalDeviation, bool);
-  vtkSkdTreeSetWithinMacro(NormalDeviation, double, 0.0, 180.0);
-  vtkGetMacro(NormalDeviation, double);
-  vtkSetClampMacro(MinimumSurfaceLevel, int, 0, 30);
-  vtkGetMacro(MinimumSurfaceLevel, int);
+  vtkSkdTreeSwitchMacro(RefineByNormalDeviation);
+  vtkSkdTreeWithinMacro(NormalDeviation, double, 0.0, 180.0);
+  vtkSkdTreeChoiceMacro(MinimumSurfaceLevel, 0, 30);
   //@}
 
   //@{
@@ -160,32 +151,28 @@ public:
    * differ by more than FieldThreshold times their distance (point data only); or VALUE: one value
    * is in FieldRange.
    */
-  vtkSetClampMacro(FieldTest, int, DIFFERENCE, VALUE);
-  vtkGetMacro(FieldTest, int);
+  vtkSkdTreeChoiceMacro(FieldTest, DIFFERENCE, VALUE);
   //@}
 
   //@{
   /**
    * See FieldTest. Default 0: any difference.
    */
-  vtkSkdTreeSetWithinMacro(FieldThreshold, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(FieldThreshold, double);
+  vtkSkdTreeWithinMacro(FieldThreshold, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
   /**
    * See FieldTest; inclusive. Default (0, 1).
    */
-  vtkSkdTreeSetFinite2Macro(FieldRange);
-  vtkGetVector2Macro(FieldRange, double);
+  vtkSkdTreeFinite2Macro(FieldRange);
   //@}
 
   //@{
   /**
    * The level to which the field refines cells, at most MaximumLevel. Default 30.
    */
-  vtkSetClampMacro(FieldLevel, int, 0, 30);
-  vtkGetMacro(FieldLevel, int);
+  vtkSkdTreeChoiceMacro(FieldLevel, 0, 30);
   //@}
 
   //@{
@@ -202,31 +189,32 @@ public:
    * The largest distance of facets from a curved face of the parts in inside tests, relative to the
    * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
-  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  vtkGetMacro(ChordalDeviation, double);
+  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
-  vtkSkdTreeRefineAlgorithm();
+  /// So many input ports, and one output. Of the inputs from a port on all is asked for, whatever
+  /// piece is wanted: any of it may matter to it.
+  vtkSkdTreeRefineAlgorithm(int inputPorts, int firstWholePort);
   ~vtkSkdTreeRefineAlgorithm() override;
 
   /// All ports take meshes; all but the first are optional.
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int MaximumLevel = 5;
   int OverlapTest = EXACT;
@@ -252,6 +240,8 @@ protected:
 private:
   vtkSkdTreeRefineAlgorithm(const vtkSkdTreeRefineAlgorithm&) = delete;
   void operator=(const vtkSkdTreeRefineAlgorithm&) = delete;
+
+  int FirstWholePort;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,11 +5,11 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdValidInput.h"
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -235,15 +235,13 @@ int vtkSkdTreeRepresentation::RequestData(
     AddRow(locator, block.BlockIndex, vtkTable::GetData(outputVector, 1));
     this->UpdateProgress(static_cast<double>(++done) / static_cast<double>(blocks.size()));
   }
-  boxes.Store(
-    vtkPolyData::GetData(outputVector, 0), vtkCompositeDataSet::SafeDownCast(input) != nullptr);
+  boxes.Store(vtkPolyData::GetData(outputVector, 0), SkdIsComposite(input));
   return 1;
 }
 
 void vtkSkdTreeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Level: " << this->Level << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "Level", this->Level, "Epsilon", this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

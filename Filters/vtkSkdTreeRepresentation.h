@@ -46,23 +46,21 @@ public:
    * The level whose boxes are output: 0 is the root. -1, and levels below the deepest, are the
    * leaves. Range -1 to 64, default 4.
    */
-  vtkSetClampMacro(Level, int, -1, 64);
-  vtkGetMacro(Level, int);
+  vtkSkdTreeChoiceMacro(Level, -1, 64);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
   /**
    * Passes the inputs on without broken cells: see "Bad input" in vtkSkdTreeCellLocator.
    */
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
   vtkSkdTreeRepresentation();
@@ -70,8 +68,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Level = 4;
   double Epsilon = 1e-9;

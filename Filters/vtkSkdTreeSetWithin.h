@@ -111,5 +111,34 @@ inline void vtkSkdTreeSetFinite(
   }
 //@}
 
+//@{
+/// A whole property each, its Set and its Get: a number within a range, numbers that are finite, a
+/// switch (with On and Off), and one of a few whole numbers, the nearest of which is taken.
+#define vtkSkdTreeWithinMacro(name, type, least, most)                                             \
+  vtkSkdTreeSetWithinMacro(name, type, least, most);                                               \
+  vtkGetMacro(name, type)
+
+#define vtkSkdTreeFinite2Macro(name)                                                               \
+  vtkSkdTreeSetFinite2Macro(name);                                                                 \
+  vtkGetVector2Macro(name, double)
+
+#define vtkSkdTreeFinite3Macro(name)                                                               \
+  vtkSkdTreeSetFinite3Macro(name);                                                                 \
+  vtkGetVector3Macro(name, double)
+
+#define vtkSkdTreeFinite6Macro(name)                                                               \
+  vtkSkdTreeSetFinite6Macro(name);                                                                 \
+  vtkGetVector6Macro(name, double)
+
+#define vtkSkdTreeSwitchMacro(name)                                                                \
+  vtkSetMacro(name, bool);                                                                         \
+  vtkGetMacro(name, bool);                                                                         \
+  vtkBooleanMacro(name, bool)
+
+#define vtkSkdTreeChoiceMacro(name, least, most)                                                   \
+  vtkSetClampMacro(name, int, least, most);                                                        \
+  vtkGetMacro(name, int)
+//@}
+
 VTK_ABI_NAMESPACE_END
 #endif

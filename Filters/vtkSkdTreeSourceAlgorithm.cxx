@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSourceAlgorithm.h"
 
+#include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
-#include "Pipeline/SkdProvideOutput.h"
 #include "Pipeline/SkdValidInput.h"
-#include "Pipeline/SkdWholeInput.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformationVector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -60,8 +58,7 @@ int vtkSkdTreeSourceAlgorithm::TypeFor(int outputType, vtkDataObject* input)
 {
   if (outputType == GRID_OR_BLOCKS)
   {
-    const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
-    return isComposite ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID;
+    return SkdIsComposite(input) ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID;
   }
   return outputType == LIKE_INPUT ? input->GetDataObjectType() : outputType;
 }

@@ -5,11 +5,10 @@
 #include "Cells/SkdLocatorState.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdParts.h"
-#include "Pipeline/SkdProvideOutput.h"
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdShare.h"
-#include "Pipeline/SkdStopwatch.h"
-#include "Pipeline/SkdWholeInput.h"
 #include "Relations/SkdRelationOutputs.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
@@ -50,15 +49,6 @@ public:
 
 namespace
 {
-std::vector<SkdBlock> BlocksWithCells(vtkDataObject* object)
-{
-  std::vector<SkdBlock> blocks = SkdBlocksOf(object);
-  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-    blocks.end());
-  return blocks;
-}
-
 /// Bounds scaled, turned and moved, as vtkPVBox has it.
 SkdQueryShape BoxOf(const double bounds[6], const double position[3], const double rotation[3],
   const double length[3])
@@ -121,8 +111,7 @@ private:
   const std::vector<std::vector<SkdChosenCell>>& Chosen;
 };
 
-/// The input's structure, or where that can not hold unstructured grids its blocks one after the
-/// other.
+/// The input's structure or, if that cannot hold unstructured grids, the sequence of its blocks.
 void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extraction)
 {
   output->GetFieldData()->PassData(input->GetFieldData());
@@ -200,14 +189,14 @@ int vtkSkdTreeSpatialQuery::RequestUpdateExtent(
 void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
-  internals.Blocks = BlocksWithCells(input);
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(input));
   const bool isOfOne =
     this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
   internals.Built = internals.Mesh.Update(internals.Blocks, this->Epsilon, SkdMeasurable,
     isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
   const std::vector<SkdBlock> sourceBlocks =
-    needsCells ? BlocksWithCells(source) : std::vector<SkdBlock>();
+    needsCells ? SkdBlocksWithCells(SkdBlocksOf(source)) : std::vector<SkdBlock>();
   internals.Built += internals.SourceCells.Update(sourceBlocks, this->Epsilon, SkdMeasurable);
 }
 
@@ -348,9 +337,7 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
 {
   Internals& internals = *this->Impl;
   const SkdRelationAnswers answers{ internals.Pairs, internals.Queries,
-    internals.Mesh.GetBlockIndices(), this->Exact,
-    vtkCompositeDataSet::SafeDownCast(input) != nullptr,
-    vtkCompositeDataSet::SafeDownCast(source) != nullptr };
+    internals.Mesh.GetBlockIndices(), this->Exact, SkdIsComposite(input), SkdIsComposite(source) };
   const auto chosen = SkdChooseCells(internals.Pairs, internals.Blocks.size());
   vtkIdType found = 0;
   for (const std::vector<SkdChosenCell>& cells : chosen)
@@ -386,31 +373,13 @@ void vtkSkdTreeSpatialQuery::Report(vtkDataObject* output, double buildSeconds, 
 void vtkSkdTreeSpatialQuery::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&](const char* name, const double x[3])
-  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
-  os << indent << "Relation: " << this->Relation << "\n";
-  os << indent << "Shape: " << this->Shape << "\n";
-  os << indent << "Exact: " << (this->Exact ? "On\n" : "Off\n");
-  os << indent << "NumberOfNearestCells: " << this->NumberOfNearestCells << "\n";
-  os << indent << "AllTies: " << (this->AllTies ? "On\n" : "Off\n");
-  os << indent << "SharedPart: " << this->SharedPart << "\n";
-  print("BoxPosition", this->BoxPosition);
-  print("BoxLength", this->BoxLength);
-  print("BoxRotation", this->BoxRotation);
-  os << indent << "UseReferenceBounds: " << (this->UseReferenceBounds ? "On\n" : "Off\n");
-  os << indent << "ReferenceBounds:";
-  for (const double bound : this->ReferenceBounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n";
-  print("SphereCenter", this->SphereCenter);
-  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
-  print("PlaneOrigin", this->PlaneOrigin);
-  print("PlaneNormal", this->PlaneNormal);
-  print("LinePoint1", this->LinePoint1);
-  print("LinePoint2", this->LinePoint2);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  SkdPrint(os, indent, "Relation", this->Relation, "Shape", this->Shape, "Exact", this->Exact,
+    "NumberOfNearestCells", this->NumberOfNearestCells, "AllTies", this->AllTies, "SharedPart",
+    this->SharedPart, "BoxPosition", this->BoxPosition, "BoxLength", this->BoxLength, "BoxRotation",
+    this->BoxRotation, "UseReferenceBounds", this->UseReferenceBounds, "ReferenceBounds",
+    this->ReferenceBounds, "SphereCenter", this->SphereCenter, "SphereRadius", this->SphereRadius,
+    "PlaneOrigin", this->PlaneOrigin, "PlaneNormal", this->PlaneNormal, "LinePoint1",
+    this->LinePoint1, "LinePoint2", this->LinePoint2, "Tolerance", this->Tolerance, "Epsilon",
+    this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

@@ -123,8 +123,7 @@ public:
    * NEAREST: the NumberOfNearestCells cells nearest to the query, or to each point or cell of the
    * Source; ties go to the lowest (block, cell id), or all are included (see SetAllTies).
    */
-  vtkSetClampMacro(Relation, int, EXACT_MATCH, NEAREST);
-  vtkGetMacro(Relation, int);
+  vtkSkdTreeChoiceMacro(Relation, EXACT_MATCH, NEAREST);
   //@}
 
   enum ShapeType
@@ -141,8 +140,7 @@ public:
   /**
    * The query object; default BOX.
    */
-  vtkSetClampMacro(Shape, int, BOX, SOURCE_CELLS);
-  vtkGetMacro(Shape, int);
+  vtkSkdTreeChoiceMacro(Shape, BOX, SOURCE_CELLS);
   //@}
 
   //@{
@@ -154,17 +152,14 @@ public:
    * gives the candidates of Algorithm 5.1: cells whose optimistic distance is at most the
    * NumberOfNearestCells-th least pessimistic distance.
    */
-  vtkSetMacro(Exact, bool);
-  vtkGetMacro(Exact, bool);
-  vtkBooleanMacro(Exact, bool);
+  vtkSkdTreeSwitchMacro(Exact);
   //@}
 
   //@{
   /**
    * See NEAREST. Default 1. If there are fewer cells all are found; 0 is an error.
    */
-  vtkSetClampMacro(NumberOfNearestCells, int, 0, VTK_INT_MAX);
-  vtkGetMacro(NumberOfNearestCells, int);
+  vtkSkdTreeChoiceMacro(NumberOfNearestCells, 0, VTK_INT_MAX);
   //@}
 
   //@{
@@ -174,9 +169,7 @@ public:
    * Tolerance or rounding. Candidates by boxes (see SetExact) always include them. Default off:
    * only the lowest ids.
    */
-  vtkSetMacro(AllTies, bool);
-  vtkGetMacro(AllTies, bool);
-  vtkBooleanMacro(AllTies, bool);
+  vtkSkdTreeSwitchMacro(AllTies);
   //@}
 
   enum SharedPartType
@@ -192,8 +185,7 @@ public:
    * default POINT. A surface cell is its own face, a line its own edge. A cell with the same points
    * and dimension is not adjacent.
    */
-  vtkSetClampMacro(SharedPart, int, POINT, FACE);
-  vtkGetMacro(SharedPart, int);
+  vtkSkdTreeChoiceMacro(SharedPart, POINT, FACE);
   //@}
 
   //@{
@@ -202,12 +194,9 @@ public:
    * about y, then x, then z, as in ParaView's box widget. Edges of negative length are reversed.
    * Defaults (0, 0, 0), (1, 1, 1) and (0, 0, 0).
    */
-  vtkSkdTreeSetFinite3Macro(BoxPosition);
-  vtkGetVector3Macro(BoxPosition, double);
-  vtkSkdTreeSetFinite3Macro(BoxLength);
-  vtkGetVector3Macro(BoxLength, double);
-  vtkSkdTreeSetFinite3Macro(BoxRotation);
-  vtkGetVector3Macro(BoxRotation, double);
+  vtkSkdTreeFinite3Macro(BoxPosition);
+  vtkSkdTreeFinite3Macro(BoxLength);
+  vtkSkdTreeFinite3Macro(BoxRotation);
   //@}
 
   //@{
@@ -216,11 +205,8 @@ public:
    * ReferenceBounds (xmin, xmax, ymin, ymax, zmin, zmax) instead of the unit cube, as an option of
    * ParaView's box widget. Default off, and (0, 1, 0, 1, 0, 1).
    */
-  vtkSetMacro(UseReferenceBounds, bool);
-  vtkGetMacro(UseReferenceBounds, bool);
-  vtkBooleanMacro(UseReferenceBounds, bool);
-  vtkSkdTreeSetFinite6Macro(ReferenceBounds);
-  vtkGetVector6Macro(ReferenceBounds, double);
+  vtkSkdTreeSwitchMacro(UseReferenceBounds);
+  vtkSkdTreeFinite6Macro(ReferenceBounds);
   //@}
 
   //@{
@@ -228,30 +214,24 @@ public:
    * The sphere. Defaults (0, 0, 0) and 1. A negative radius, which ParaView sets while the bounds
    * of Input are unknown, is accepted and finds nothing, with a warning.
    */
-  vtkSkdTreeSetFinite3Macro(SphereCenter);
-  vtkGetVector3Macro(SphereCenter, double);
-  vtkSkdTreeSetWithinMacro(SphereRadius, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
-  vtkGetMacro(SphereRadius, double);
+  vtkSkdTreeFinite3Macro(SphereCenter);
+  vtkSkdTreeWithinMacro(SphereRadius, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
   //@}
 
   //@{
   /**
    * The plane; its normal may have any length. Defaults (0, 0, 0) and (1, 0, 0).
    */
-  vtkSkdTreeSetFinite3Macro(PlaneOrigin);
-  vtkGetVector3Macro(PlaneOrigin, double);
-  vtkSkdTreeSetFinite3Macro(PlaneNormal);
-  vtkGetVector3Macro(PlaneNormal, double);
+  vtkSkdTreeFinite3Macro(PlaneOrigin);
+  vtkSkdTreeFinite3Macro(PlaneNormal);
   //@}
 
   //@{
   /**
    * The ends of the line. Defaults (0, 0, 0) and (1, 0, 0).
    */
-  vtkSkdTreeSetFinite3Macro(LinePoint1);
-  vtkGetVector3Macro(LinePoint1, double);
-  vtkSkdTreeSetFinite3Macro(LinePoint2);
-  vtkGetVector3Macro(LinePoint2, double);
+  vtkSkdTreeFinite3Macro(LinePoint1);
+  vtkSkdTreeFinite3Macro(LinePoint2);
   //@}
 
   //@{
@@ -259,28 +239,23 @@ public:
    * The distance, in world units, up to which objects count as touching. Default 0: rounding error
    * only.
    */
-  vtkSkdTreeSetWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Tolerance, double);
+  vtkSkdTreeWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
   /**
    * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
    */
-  vtkSkdTreeSetWithinMacro(Epsilon, double, 0.0, 1.0);
-  vtkGetMacro(Epsilon, double);
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
   //@}
 
 protected:
   vtkSkdTreeSpatialQuery();
   ~vtkSkdTreeSpatialQuery() override;
 
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Relation = OVERLAP;
   int Shape = BOX;

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSurfaceIntersection.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdOuterSurface.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdShare.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "Surfaces/SkdContacts.h"
 #include "Surfaces/SkdSplitSurface.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -45,15 +44,15 @@ struct Surface
   Surface(vtkDataObject* data, SkdTriangleSet& set, double chordalDeviation,
     const skd::Processes* processes = nullptr)
     : Blocks(SkdBlocksOf(data))
-    , IsComposite(vtkCompositeDataSet::SafeDownCast(data) != nullptr)
+    , IsComposite(SkdIsComposite(data))
     , Set(set)
     , IsNew(set.Update(this->Blocks, chordalDeviation, processes))
   {
   }
 };
 
-/// Whether both surfaces are to have their whole trees: those that are asked again do. Of others
-/// only the triangles near each other are looked at, unless most are of surfaces that have theirs.
+/// Whether both surfaces get whole trees: those that are searched again do. For others only
+/// triangles near each other are used, unless most belong to surfaces with a tree.
 bool CompleteWhatPays(const Surface& first, const Surface& second)
 {
   std::size_t all = 0;
@@ -284,6 +283,9 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   const Surface& second = source ? other : first;
   this->UpdateProgress(0.4);
   WarnOfNoFaces(this, first, source ? &other : nullptr);
+  SkdWarnAboutCoarseFaces(this,
+    first.Set.GetNumberOfCoarseFaces() + (source ? other.Set.GetNumberOfCoarseFaces() : 0),
+    this->ChordalDeviation);
   SkdReport report(vtkPolyData::GetData(outputVector, 0));
   report.AddMeasure("BuildSeconds", watch.Lap());
 
@@ -307,17 +309,10 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
 
 void vtkSkdTreeSurfaceIntersection::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const auto print = [&](const char* name, const double* x)
-  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Pairs: " << this->Pairs << "\n";
-  os << indent << "JoinCurves: " << (this->JoinCurves ? "On\n" : "Off\n");
-  os << indent << "SplitSurfaces: " << (this->SplitSurfaces ? "On\n" : "Off\n");
-  os << indent << "Clearance: " << this->Clearance << "\n";
-  os << indent << "ChordalDeviation: " << this->ChordalDeviation << "\n";
-  print("Translation", this->Translation);
-  print("Rotation", this->Rotation);
-  print("RotationCenter", this->RotationCenter);
-  os << indent << "Transform: " << (this->Impl->Matrix ? "set\n" : "none\n");
+  SkdPrint(os, indent, "Pairs", this->Pairs, "JoinCurves", this->JoinCurves, "SplitSurfaces",
+    this->SplitSurfaces, "Clearance", this->Clearance, "ChordalDeviation", this->ChordalDeviation,
+    "Translation", this->Translation, "Rotation", this->Rotation, "RotationCenter",
+    this->RotationCenter, "Transform", this->Impl->Matrix ? "set" : "none");
 }
 VTK_ABI_NAMESPACE_END

@@ -122,8 +122,7 @@ public:
    * The pairs to find: all; the lowest pair of cells only; or, fastest, any single pair, which may
    * differ from run to run. Default ALL_PAIRS.
    */
-  vtkSetClampMacro(Pairs, int, ALL_PAIRS, WHETHER_ANY);
-  vtkGetMacro(Pairs, int);
+  vtkSkdTreeChoiceMacro(Pairs, ALL_PAIRS, WHETHER_ANY);
   void SetPairsToAll() { this->SetPairs(ALL_PAIRS); }
   void SetPairsToLowest() { this->SetPairs(LOWEST_PAIR); }
   void SetPairsToWhetherAny() { this->SetPairs(WHETHER_ANY); }
@@ -134,9 +133,7 @@ public:
    * Output curves as polylines, with the ids of each segment at its first point. Off: a line cell
    * for each segment, with the ids as cell data and no SkdCurve arrays. Default on.
    */
-  vtkSetMacro(JoinCurves, bool);
-  vtkGetMacro(JoinCurves, bool);
-  vtkBooleanMacro(JoinCurves, bool);
+  vtkSkdTreeSwitchMacro(JoinCurves);
   //@}
 
   //@{
@@ -144,9 +141,7 @@ public:
    * Output both surfaces split along the curves on ports 4 and 5. Requires all pairs: with other
    * values of Pairs nothing is split. Default off.
    */
-  vtkSetMacro(SplitSurfaces, bool);
-  vtkGetMacro(SplitSurfaces, bool);
-  vtkBooleanMacro(SplitSurfaces, bool);
+  vtkSkdTreeSwitchMacro(SplitSurfaces);
   //@}
 
   //@{
@@ -155,8 +150,7 @@ public:
    * distance and nearest points. Within one surface, cells that share a vertex are excluded.
    * Default 0: only pairs that touch.
    */
-  vtkSkdTreeSetWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Clearance, double);
+  vtkSkdTreeWithinMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
@@ -164,8 +158,7 @@ public:
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * its surface, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
-  vtkSkdTreeSetWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  vtkGetMacro(ChordalDeviation, double);
+  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}
 
   //@{
@@ -174,12 +167,9 @@ public:
    * z, as the orientation of vtkProp3D) and translated by Translation. Default 0: not moved.
    * Ignored without a Source.
    */
-  vtkSkdTreeSetFinite3Macro(Translation);
-  vtkGetVector3Macro(Translation, double);
-  vtkSkdTreeSetFinite3Macro(Rotation);
-  vtkGetVector3Macro(Rotation, double);
-  vtkSkdTreeSetFinite3Macro(RotationCenter);
-  vtkGetVector3Macro(RotationCenter, double);
+  vtkSkdTreeFinite3Macro(Translation);
+  vtkSkdTreeFinite3Macro(Rotation);
+  vtkSkdTreeFinite3Macro(RotationCenter);
   //@}
 
   //@{
@@ -196,10 +186,8 @@ protected:
   vtkSkdTreeSurfaceIntersection();
   ~vtkSkdTreeSurfaceIntersection() override;
 
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Pairs = ALL_PAIRS;
   bool JoinCurves = true;

@@ -10,8 +10,8 @@
 
 namespace
 {
-/// Parameters at which a segment crosses what bounds a cell: the faces of a volume, the edges of a
-/// surface and the ends of a curve that it comes near.
+/// Parameters at which a segment crosses the boundary of a cell: the faces of a volume, and the
+/// edges of a surface or ends of a curve near the segment.
 class Borders
 {
 public:
@@ -152,7 +152,7 @@ private:
   std::vector<double>& Parameters;
 };
 
-/// The parameter in (in, out) where isIn(t) turns, by halving down to neighbouring numbers.
+/// The parameter in (in, out) where isIn(t) changes, by bisection down to adjacent numbers.
 template <class IsIn>
 double WhereItTurns(double in, double out, const IsIn& isIn)
 {

@@ -74,7 +74,8 @@ void SkdCellTree::FindWithinBounds(
     this->ForEachNear(box, *motion, visitor);
     return;
   }
-  // Safety boxes of curved cells are wider than those of their points: of these nothing is sure.
+  // Safety boxes of curved cells are larger than those of their points, so nothing can be concluded
+  // from the latter.
   auto sure = [&](std::uint32_t cell)
   {
     if (this->Store.ShapeOf(cell) == SkdShape::Generic)

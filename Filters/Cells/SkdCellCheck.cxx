@@ -61,9 +61,9 @@ const SizeTable& SizesOfTypes()
   return table;
 }
 
-/// Whether cells begin .. end - 1 are certainly whole. Signs of differences, all together: loops
-/// without branches. Of any numbers: none overflows, and ids are looked at only where there are
-/// any.
+/// Whether cells begin .. end - 1 are certainly valid. The signs of all differences are combined in
+/// loops without branches. Accepts any numbers: none overflows, and ids are read only within the
+/// array.
 template <class Offset, class Id, class SizesOf>
 bool AreCertainlyWhole(const Offset* offsets, const Id* ids, vtkIdType begin, vtkIdType end,
   vtkIdType numberOfIds, vtkIdType numberOfPoints, const SizesOf& sizesOf)
@@ -97,7 +97,7 @@ bool AreCertainlyWhole(const Offset* offsets, const Id* ids, vtkIdType begin, vt
 class Part
 {
 public:
-  /// Of vtkPolyData, all of whose cells of an array are of one type or fewer points, or none.
+  /// For vtkPolyData, in which all cells of an array have one type, possibly with fewer points.
   Part(vtkDataSet* data, vtkCellArray* cells, vtkIdType first, int type, bool mayBeEmpty)
     : Cells(cells)
     , NumberOfPoints(data->GetNumberOfPoints())

@@ -27,7 +27,7 @@ enum KindOfRun
   Strips
 };
 
-/// What VTK 9.2 and later make of cells of vtkPolyData, of however few points they are.
+/// The types of vtkPolyData cells as in VTK 9.2 and later, also for too few points.
 int TypeOfSize(int kind, std::size_t size)
 {
   switch (kind)

@@ -16,7 +16,7 @@ namespace
 {
 constexpr vtkIdType Any = std::numeric_limits<vtkIdType>::max();
 
-/// The number of points that a cell of this type is made with: 0 where that is up to the cell.
+/// The number of points of a cell of this type, or 0 if it varies.
 vtkIdType SizeWhenMade(int cellType)
 {
   const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType));

@@ -5,6 +5,7 @@
 #include "Cells/SkdCellReader.h"
 #include "Cells/SkdChordalDeviation.h"
 #include "Cells/SkdFaceReader.h"
+#include "Cells/SkdForEach.h"
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -26,20 +27,6 @@ void RequireRange(vtkIdType number, const char* what)
   {
     throw std::length_error(std::string("more than 2^31 ") + what + " in one tree");
   }
-}
-
-/// Calls body(index) for 0 .. count - 1 in parallel.
-template <class Body>
-void ForEach(std::size_t count, const Body& body)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-    [&body](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        body(static_cast<std::size_t>(i));
-      }
-    });
 }
 
 /// What encloses all boxes of a list, in parallel: boxOf(0) .. boxOf(count - 1).
@@ -121,7 +108,7 @@ void SkdCellStore::ReadFaces(vtkDataSet* data)
   vtkSMPThreadLocal<SkdFaceReader> readers;
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocalObject<vtkGenericCell> cells;
-  ForEach(this->Count,
+  SkdForEach(this->Count,
     [&](std::size_t cell)
     {
       if (!isPolyhedron(this->Shapes[cell]))

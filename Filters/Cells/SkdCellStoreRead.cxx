@@ -91,7 +91,8 @@ std::uint64_t LargestBitsOf(const double* values, vtkIdType count)
   return largest;
 }
 
-/// What a first look at a cell tells: its shape, None to leave it out, or this: and count it, too.
+/// The result of the first check of a cell: its shape, None to ignore it, or this value to ignore
+/// and count it.
 constexpr auto NotFinite = static_cast<SkdShape>(255);
 
 /// Cells one after the other that one thread reads.
@@ -120,7 +121,7 @@ struct Block
   }
 };
 
-/// Sums them up: each block is told where its first cell and point id go. Returns the totals.
+/// Prefix sums: sets the index of the first cell and point id of each block. Returns the totals.
 Block AddUp(std::vector<Block>& blocks)
 {
   Block total;

@@ -2,26 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdCellTree.h"
 
-#include "vtkSMPTools.h"
+#include "Cells/SkdForEach.h"
 
 #include <algorithm>
 
 namespace
 {
 constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
-
-/// The loop of skd::Tree.
-constexpr auto parallelLoop = [](std::size_t count, const auto& body)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
-    [&body](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        body(static_cast<std::size_t>(i));
-      }
-    });
-};
 }
 
 //------------------------------------------------------------------------------
@@ -43,10 +30,10 @@ SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
   }
   if (settings.IsLazy)
   {
-    this->Lazy = std::make_unique<skd::LazyTree<3>>(input, parallelLoop);
+    this->Lazy = std::make_unique<skd::LazyTree<3>>(input, SkdTreeLoop);
     return;
   }
-  this->Eager = EagerTree(input, parallelLoop);
+  this->Eager = EagerTree(input, SkdTreeLoop);
   this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
 }
 

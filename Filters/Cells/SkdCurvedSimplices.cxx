@@ -11,8 +11,7 @@ namespace
 using skd::SimplexSet;
 using skd::Vector3;
 
-/// A curved cell on a lattice of its parameters, which are whole numbers of parts of it: so faces
-/// share the points of their edges.
+/// A curved cell on a lattice of integer parameters, so that faces share the points of their edges.
 class CurvedCell
 {
 public:

@@ -51,8 +51,8 @@ bool OverlapsSurface(const skd::Box3& box, const skd::Vector3* p, SkdVolumeKerne
   return isMet;
 }
 
-/// Whether a box that does not meet the faces is inside of them: by the parity of exact crossings
-/// on the way from one of its corners out of the cell's bounds.
+/// Whether a box that does not intersect the faces is inside them: by the parity of exact crossings
+/// from one of its corners to the outside of the cell's bounds.
 template <class Shape>
 bool IsInsideOfFaces(const skd::Box3& bounds, const skd::Box3& box, const skd::Vector3* p)
 {

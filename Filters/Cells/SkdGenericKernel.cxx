@@ -18,8 +18,8 @@
 
 namespace
 {
-/// Weights nobody asked for, but EvaluatePosition writes: one buffer a thread, grown to the largest
-/// cell it met, so that a query allocates nothing.
+/// A buffer for unused weights that EvaluatePosition writes: one a thread, as large as the largest
+/// cell so far, so that queries do not allocate.
 double* SpareWeights(vtkCell* cell)
 {
   thread_local std::vector<double> buffer;

@@ -112,7 +112,7 @@ struct PlaneFiller
   double Margin;
   skd::PlaneRow* Rows;
 
-  /// Of the cells, some of those of a node, that are of the shape of one of them. Returns which.
+  /// Selects the cells of a node that have the shape of one of them. Returns their bits.
   unsigned SetLike(int first, const std::uint32_t* cells, unsigned lanes) const
   {
     const SkdShape shape = this->Store.ShapeOf(cells[first]);

@@ -58,8 +58,8 @@ int WayAcross(const skd::Segment<3>& segment, const SkdPolyCell& polygon)
   return skd::Dot(area, segment.B - segment.A) < 0.0 ? -1 : 1;
 }
 
-/// Facets met at the same point of their edges or vertices are one crossing: the parameter there is
-/// the same number for all of them (SegmentTriangle.h).
+/// Facets that share the point of an edge or vertex are one crossing: the parameter there is the
+/// same number for all of them (SegmentTriangle.h).
 void Merge(std::vector<FacetHit>& facets, SkdCrossings& crossings)
 {
   std::sort(facets.begin(), facets.end(),
@@ -290,8 +290,8 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
 }
 
 //------------------------------------------------------------------------------
-/// Calls take(cell, hit, way) for each facet of a surface that the segment hits: way() tells which
-/// way it passes through, see WayThrough().
+/// Calls take(cell, hit, way) for each facet of a surface that the segment hits: way() returns the
+/// direction through the facet, see WayThrough().
 template <class Take>
 void SkdCellTree::ForEachFacet(
   const skd::Segment<3>& segment, const SkdCellSource& source, const Take& take) const

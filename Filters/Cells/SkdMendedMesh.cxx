@@ -68,7 +68,7 @@ vtkSmartPointer<vtkDataSet> Mend(vtkPolyData* mesh, const Ids& broken)
   return mended;
 }
 
-/// Gives a grid the faces of another's polyhedra, those of broken ones left out, and these cells.
+/// Copies the faces of another grid's valid polyhedra, and these cells.
 void SetCells(vtkUnstructuredGrid* from, const Ids& broken, vtkUnsignedCharArray* types,
   vtkCellArray* cells, vtkUnstructuredGrid* to)
 {

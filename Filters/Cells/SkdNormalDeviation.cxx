@@ -49,7 +49,7 @@ private:
   skd::Vector3 Sum{ { 0.0, 0.0, 0.0 } };
 };
 
-/// Calls visit(unit normal); not for a polygon so thin that rounding may have turned it.
+/// Calls visit(unit normal), except for polygons so thin that rounding may have changed the normal.
 template <class Visit>
 void VisitNormal(const skd::Vector3* points, int size, double sign, Visit visit)
 {

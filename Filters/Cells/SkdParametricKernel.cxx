@@ -135,8 +135,8 @@ PatchRange PatchesOf(const skd::ParameterDomain& domain)
                                       : range(PatchesOfTetrahedron);
 }
 
-/// What of a segment is near a cell: the points Start + t Direction, t in [0, 1]. Seen from the
-/// segment's first end, as the cell. Next to a long segment the cell would be lost in rounding.
+/// The part of a segment near a cell: the points Start + t Direction, t in [0, 1], relative to the
+/// segment's first end, because the cell would be lost in the rounding errors of a long segment.
 struct Stretch
 {
   skd::Vector3 Start;
@@ -168,8 +168,8 @@ std::optional<Stretch> StretchNear(
   return Stretch{ inside->Min * direction, (inside->Max - inside->Min) * direction, *inside };
 }
 
-/// The vector from a point of a stretch to one of a patch, a map of (r, s, t), or of (r, t) if the
-/// patch is a curve. A hit is where it vanishes.
+/// The vector from a point of the segment to one of a patch, a map of (r, s, t), or of (r, t) if
+/// the patch is a curve. It is zero at a hit.
 class Gap
 {
 public:
@@ -222,8 +222,8 @@ private:
   const Stretch& TheStretch;
 };
 
-/// The first hit of a stretch with the patches of a cell: each is cut into a lattice of small
-/// pieces, and from each piece that the stretch passes near enough the hit is solved for.
+/// The first hit of a segment with the patches of a cell: each is divided into a lattice of small
+/// pieces, and each piece near the segment is the start of a solution for the hit.
 class FirstHit
 {
 public:

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// The core under another name: see SkdWideWalks.h. Nothing but the core is included below.
+// The core in another namespace: see SkdWideWalks.h. Only the core is included below.
 #define skd skd_wide
 
 #include "Core/LeafFilters/TriangleLeafFilters.h"

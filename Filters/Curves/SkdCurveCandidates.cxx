@@ -17,8 +17,8 @@
 
 namespace
 {
-/// A box around the part of a cylinder that is within reach of the other. All points that both hold
-/// are there: the nearest ones of the chords are no farther apart than both radii together.
+/// A box around the part of a cylinder that is near the other. It contains all common points: the
+/// nearest ones of the chords are no farther apart than both radii together.
 skd::Box3 BoxOf(
   const skd::Segment<3>& chord, const skd::Segment<3>& other, double reach, double radius)
 {

@@ -3,7 +3,7 @@
 #include "Curves/SkdCurveHitArrays.h"
 
 #include "Core/Curves/CurveSpans.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -180,14 +180,15 @@ void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-void SkdStoreDataOfCurves(
-  const SkdCurveHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
+std::set<std::string> SkdStoreDataOfCurves(const SkdCurveHitTable& table, vtkPolyData* output)
 {
+  std::set<std::string> refused;
   AddDataOf(table.Intersections.Hits, table.First, &SkdCurveHit::First, output, refused);
   if (&table.First.Tree != &table.Second.Tree)
   {
     AddDataOf(table.Intersections.Hits, table.Second, &SkdCurveHit::Second, output, refused);
   }
+  return refused;
 }
 
 //------------------------------------------------------------------------------

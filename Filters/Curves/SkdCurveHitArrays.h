@@ -18,7 +18,7 @@ struct SkdCurveSide
   bool IsComposite;
 };
 
-/// Intersections of curves, with the curves' cells.
+/// Where curves meet, and whose they are.
 struct SkdCurveHitTable
 {
   SkdCurveSide First;
@@ -30,10 +30,9 @@ struct SkdCurveHitTable
 /// vtkSkdTreeCurveIntersection describes.
 void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output);
 
-/// Adds the data of the first curves there, and of the second ones unless these are the same; names
-/// that are already in use are inserted into `refused`.
-void SkdStoreDataOfCurves(
-  const SkdCurveHitTable& table, vtkPolyData* output, std::set<std::string>& refused);
+/// Adds the data of the first curves there, and of the second ones unless these are the same.
+/// Returns the names that are in use already.
+std::set<std::string> SkdStoreDataOfCurves(const SkdCurveHitTable& table, vtkPolyData* output);
 
 /// Fills `output` with the common intervals, within a chord tolerance in world units.
 void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData* output);

@@ -27,8 +27,7 @@ double Apart(const SkdCurveLocation& a, const SkdCurveLocation& b)
   return a.Period > 0.0 ? std::min(apart, a.Period - apart) : apart;
 }
 
-/// Places that are known exactly are the same only if they are equal to within a few units in the
-/// last place.
+/// Exact intersections are equal only to within a few units in the last place.
 bool IsSamePlace(const SkdCurveHit& a, const SkdCurveHit& b)
 {
   const double SkdCurveLocation::*slack =
@@ -116,8 +115,8 @@ bool IsBeforeStart(const SkdCurveLocation& place)
   return place.Period > 0.0 && place.Period - place.U <= place.Slack;
 }
 
-/// Puts together what is at both ends of a closed curve: far apart by order. In one curve with
-/// itself the first place is the lower, which may be either.
+/// Merges the intersections at both ends of a closed curve, which are not adjacent in order. In
+/// self-intersections the first parameter is the lower, which may be either.
 void UniteAround(std::vector<Group>& groups, bool isSelf)
 {
   const auto turned = [](SkdCurveHit hit)

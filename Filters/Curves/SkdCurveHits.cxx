@@ -250,7 +250,8 @@ void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurveLocation& plac
 }
 
 //------------------------------------------------------------------------------
-/// Whether two curves of a set only go on as each other; where a third meets them, that is told.
+/// Whether two curves of a set only continue each other; intersections with a third one there are
+/// reported.
 bool SkdCurveHitFinder::IsJoint(const SkdCurveHit& hit) const
 {
   return this->Task.IgnoresJoints && this->IsSelf() &&

@@ -5,6 +5,7 @@
 #include "Cells/SkdBezierCell.h"
 #include "Core/Curves/BernsteinBasis.h"
 #include "Core/Curves/CurveSpans.h"
+#include "Pipeline/SkdReport.h"
 #include "vtkCardinalSpline.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
@@ -404,19 +405,10 @@ void SkdCurveSet::GetWeights(
 //------------------------------------------------------------------------------
 std::vector<std::string> SkdCurveSet::GetFaults() const
 {
-  std::vector<std::string> faults;
-  const auto tell = [&](vtkIdType count, const char* what)
-  {
-    if (count > 0)
-    {
-      faults.push_back(std::to_string(count) + what);
-    }
-  };
-  tell(this->NotCurves, " cells are not curves");
-  tell(this->NoLength, " curves have zero length");
-  tell(this->NotFinite, " curves have points that are not finite");
-  tell(this->BadWeights, " curves have a weight that is not positive");
-  tell(this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140");
-  tell(this->TooHigh, " curves have a degree above 10");
-  return faults;
+  return SkdFaultsOf(
+    { { this->NotCurves, " cells are not curves" }, { this->NoLength, " curves have zero length" },
+      { this->NotFinite, " curves have points that are not finite" },
+      { this->BadWeights, " curves have a weight that is not positive" },
+      { this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140" },
+      { this->TooHigh, " curves have a degree above 10" } });
 }

@@ -2,38 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCurveTree.h"
 
+#include "Cells/SkdForEach.h"
 #include "Core/Curves/CurveSpans.h"
-#include "Pipeline/SkdParallelLoop.h"
 
 #include <algorithm>
 #include <cmath>
 
 //------------------------------------------------------------------------------
-bool SkdCurveTree::IsSameAs(
-  const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings) const
-{
-  return this->Settings == settings &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
-}
-
-//------------------------------------------------------------------------------
 bool SkdCurveTree::Update(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings)
 {
-  if (this->IsSameAs(blocks, settings))
+  if (this->Settings == settings && this->Meshes.AreSameAs(blocks))
   {
     return false;
   }
   *this = SkdCurveTree();
   this->Settings = settings;
-  std::vector<SkdBlock> structures = blocks;
-  this->Meshes.resize(blocks.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    structures[i].Mesh = this->Meshes[i].Get();
-  }
-  this->Curves.Read(structures, settings.Form);
+  this->Curves.Read(this->Meshes.Keep(blocks), settings.Form);
   this->Cut(settings.ChordTolerance * this->Curves.GetBounds().Diagonal());
   this->Build(settings.Epsilon);
   return true;
@@ -64,8 +48,7 @@ void SkdCurveTree::Build(double epsilon)
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(bounds);
   this->AbsoluteEpsilon = std::max(rounding, epsilon * bounds.Diagonal()); // also of NaN
-  this->Tree =
-    skd::Tree<3>(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon), SkdParallelLoop());
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon), SkdTreeLoop);
 }
 
 //------------------------------------------------------------------------------

@@ -72,11 +72,10 @@ public:
   double GetAbsoluteEpsilon() const { return this->AbsoluteEpsilon; }
 
 private:
-  bool IsSameAs(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings) const;
   void Cut(double delta);
   void Build(double epsilon);
 
-  std::vector<SkdKeptMesh> Meshes;
+  SkdKeptBlocks Meshes;
   SkdCurveSettings Settings{ {}, -1.0, -1.0 };
   SkdCurveSet Curves;
   std::vector<SkdCurveSpan> Spans;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceHitArrays.h"
 
+#include "Cells/SkdCellWeights.h"
 #include "Cells/SkdMagnitudes.h"
 #include "Cells/SkdPolyKernels.h"
-#include "Pipeline/SkdBlockArrays.h"
-#include "Pipeline/SkdCellWeights.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -172,9 +172,9 @@ void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-void SkdStoreDataAtHits(
-  const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused)
+std::set<std::string> SkdStoreDataAtHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
+  std::set<std::string> refused;
   const auto n = static_cast<vtkIdType>(table.Intersections.size());
   const auto gather = [&](const std::vector<SkdBlock>& blocks, int type)
   { return SkdGatherInto(output->GetPointData(), n, blocks, type, refused); };
@@ -199,4 +199,5 @@ void SkdStoreDataAtHits(
     points.Interpolate(i, element.Block, onSurface.GetPointIds(), onSurface.GetWeights());
     cells.Take(i, element.Block, element.CellId);
   }
+  return refused;
 }

@@ -9,7 +9,7 @@
 
 class vtkPolyData;
 
-/// Intersections of curves with surfaces, with their cells.
+/// Where curves meet surfaces, and whose they are.
 struct SkdSurfaceHitTable
 {
   const SkdCurveSet& Curves;
@@ -30,8 +30,7 @@ void SkdStoreCurveBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output);
 void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output);
 ///@}
 
-/// Adds the data of both sides there; names that are already in use are inserted into `refused`.
-void SkdStoreDataAtHits(
-  const SkdSurfaceHitTable& table, vtkPolyData* output, std::set<std::string>& refused);
+/// Adds the data of both sides there. Returns the names that are in use already.
+std::set<std::string> SkdStoreDataAtHits(const SkdSurfaceHitTable& table, vtkPolyData* output);
 
 #endif

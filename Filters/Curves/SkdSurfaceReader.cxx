@@ -4,7 +4,7 @@
 
 #include "Cells/SkdBezierCell.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
-#include "Pipeline/SkdTriangulation.h"
+#include "Pipeline/SkdReport.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -101,7 +101,7 @@ private:
   std::vector<skd::ConvexHull::Triangle> Triangles;
 };
 
-/// The points of a face in ascending order: what names it, whichever cell it is seen from.
+/// The points of a face in ascending order: its key, independent of the cell.
 std::vector<vtkIdType> NameOf(vtkCell* face)
 {
   vtkIdList* ids = face->GetPointIds();
@@ -186,6 +186,20 @@ void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>&
 }
 
 //------------------------------------------------------------------------------
+template <class CornerOf>
+void SkdSurfaceReader::AddPolygon(vtkIdType size, const CornerOf& cornerOf)
+{
+  const bool wasWhole = std::exchange(this->IsWhole, false);
+  vtkIdList* cut = this->Triangulation.Cut(size, cornerOf);
+  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
+  {
+    this->AddTriangle(
+      cornerOf(cut->GetId(i)), cornerOf(cut->GetId(i + 1)), cornerOf(cut->GetId(i + 2)));
+  }
+  this->IsWhole = wasWhole;
+}
+
+//------------------------------------------------------------------------------
 void SkdSurfaceReader::AddCell(vtkCell* cell)
 {
   if (!IsFiniteCell(cell))
@@ -208,7 +222,7 @@ void SkdSurfaceReader::AddCell(vtkCell* cell)
       this->AddStrip(cell);
       return;
     case VTK_POLYGON:
-      this->AddPolygon(cell);
+      this->AddPolygon(cell->GetNumberOfPoints(), [&](vtkIdType i) { return PointOf(cell, i); });
       return;
     default:
       this->AddNative(cell);
@@ -249,22 +263,7 @@ void SkdSurfaceReader::AddQuad(const skd::Vector3 (&corners)[4])
     this->AddPatch(patch, skd::Vector3{}); // seen from 0: the very coordinates decide at its edges
     return;
   }
-  const bool wasWhole = std::exchange(this->IsWhole, false);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const skd::Vector3& corner : corners)
-  {
-    points->InsertNextPoint(corner.X);
-  }
-  const vtkIdType ids[4] = { 0, 1, 2, 3 };
-  SkdTriangulation triangulation(points);
-  vtkIdList* cut = triangulation.Cut(ids, 4);
-  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
-  {
-    this->AddTriangle(
-      corners[cut->GetId(i)], corners[cut->GetId(i + 1)], corners[cut->GetId(i + 2)]);
-  }
-  this->IsWhole = wasWhole;
+  this->AddPolygon(4, [&](vtkIdType i) { return corners[i]; });
 }
 
 //------------------------------------------------------------------------------
@@ -274,25 +273,6 @@ void SkdSurfaceReader::AddStrip(vtkCell* cell)
   for (vtkIdType i = 0; i + 2 < cell->GetNumberOfPoints(); ++i)
   {
     this->AddTriangle(PointOf(cell, i), PointOf(cell, i + 1 + i % 2), PointOf(cell, i + 2 - i % 2));
-  }
-  this->IsWhole = wasWhole;
-}
-
-//------------------------------------------------------------------------------
-void SkdSurfaceReader::AddPolygon(vtkCell* cell)
-{
-  const bool wasWhole = std::exchange(this->IsWhole, false);
-  std::vector<vtkIdType> corners(static_cast<std::size_t>(cell->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    corners[i] = static_cast<vtkIdType>(i);
-  }
-  SkdTriangulation triangulation(cell->GetPoints());
-  vtkIdList* cut = triangulation.Cut(corners.data(), static_cast<int>(corners.size()));
-  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
-  {
-    this->AddTriangle(PointOf(cell, cut->GetId(i)), PointOf(cell, cut->GetId(i + 1)),
-      PointOf(cell, cut->GetId(i + 2)));
   }
   this->IsWhole = wasWhole;
 }
@@ -320,17 +300,8 @@ void SkdSurfaceReader::AddNative(vtkCell* cell)
 //------------------------------------------------------------------------------
 std::vector<std::string> SkdSurfaceReader::GetFaults() const
 {
-  std::vector<std::string> faults;
-  const auto tell = [&](vtkIdType count, const char* what)
-  {
-    if (count > 0)
-    {
-      faults.push_back(std::to_string(count) + what);
-    }
-  };
-  tell(this->NotSurfaces, " cells are not surfaces");
-  tell(this->NotFinite, " surface cells have points that are not finite");
-  tell(this->BadWeights, " surface cells have a weight that is not positive");
-  tell(this->TooHigh, " surface cells have a degree above 10");
-  return faults;
+  return SkdFaultsOf({ { this->NotSurfaces, " cells are not surfaces" },
+    { this->NotFinite, " surface cells have points that are not finite" },
+    { this->BadWeights, " surface cells have a weight that is not positive" },
+    { this->TooHigh, " surface cells have a degree above 10" } });
 }

@@ -4,6 +4,7 @@
 #define SkdSurfaceReader_h
 
 #include "Core/Curves/BezierPatch.h"
+#include "Pipeline/SkdTriangulation.h"
 #include "vtkType.h"
 
 #include <cstdint>
@@ -12,7 +13,6 @@
 
 class vtkCell;
 class vtkDataSet;
-class vtkPoints;
 
 /// A triangle or a patch, and its cell.
 struct SkdSurfaceElement
@@ -30,6 +30,8 @@ struct SkdSurfaceElement
 
 /// Divides surfaces: planar quads, polygons and strips into triangles; warped quads and curved
 /// cells are patches. Ghosts are ignored.
+/// It does not use SkdBlockSurface, the class for readers of flat faces, because curved faces and
+/// warped quads are facets there.
 class SkdSurfaceReader
 {
 public:
@@ -51,13 +53,15 @@ public:
 private:
   void ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes);
   void AddCell(vtkCell* cell);
-  void AddPolygon(vtkCell* cell);
+  template <class CornerOf>
+  void AddPolygon(vtkIdType size, const CornerOf& cornerOf);
   void AddQuad(const skd::Vector3 (&corners)[4]);
   void AddStrip(vtkCell* cell);
   void AddNative(vtkCell* cell);
   void AddTriangle(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c);
   void AddPatch(const skd::BezierPatch& patch, const skd::Vector3& origin);
 
+  SkdTriangulation Triangulation;
   bool WithVolumes;
   int Block = 0;
   vtkIdType CellId = 0;

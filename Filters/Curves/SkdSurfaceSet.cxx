@@ -2,37 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceSet.h"
 
+#include "Cells/SkdForEach.h"
 #include "Curves/SkdSurfaceReader.h"
-#include "Pipeline/SkdParallelLoop.h"
 
 #include <algorithm>
 #include <cmath>
 
 //------------------------------------------------------------------------------
-bool SkdSurfaceSet::IsSameAs(
-  const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon) const
-{
-  return this->WithVolumes == withVolumes && this->Epsilon == epsilon &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
-}
-
-//------------------------------------------------------------------------------
 bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon)
 {
-  if (this->IsSameAs(blocks, withVolumes, epsilon))
+  if (this->WithVolumes == withVolumes && this->Epsilon == epsilon &&
+    this->Meshes.AreSameAs(blocks))
   {
     return false;
   }
   *this = SkdSurfaceSet();
   this->Epsilon = epsilon;
   this->WithVolumes = withVolumes;
-  this->Meshes.resize(blocks.size());
   SkdSurfaceReader reader(withVolumes);
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  int block = 0;
+  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
   {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    reader.Read(this->Meshes[i].Get(), static_cast<int>(i));
+    reader.Read(structure.Mesh, block++);
   }
   this->Elements.swap(reader.Elements);
   this->Corners.swap(reader.Corners);
@@ -46,8 +37,7 @@ bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes
 void SkdSurfaceSet::Build(double epsilon)
 {
   std::vector<skd::Box3> boxes(this->Elements.size());
-  SkdParallelLoop()(
-    boxes.size(), [&](std::size_t i) { boxes[i] = this->BoundsOf(this->Elements[i]); });
+  SkdForEach(boxes.size(), [&](std::size_t i) { boxes[i] = this->BoundsOf(this->Elements[i]); });
   for (const skd::Box3& box : boxes)
   {
     this->Bounds.Add(box);
@@ -55,7 +45,7 @@ void SkdSurfaceSet::Build(double epsilon)
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
   this->AbsoluteEpsilon = std::max(rounding, epsilon * this->Bounds.Diagonal()); // also of NaN
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdParallelLoop());
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdTreeLoop);
 }
 
 //------------------------------------------------------------------------------

@@ -76,11 +76,10 @@ public:
   const std::vector<std::string>& GetFaults() const { return this->Faults; }
 
 private:
-  bool IsSameAs(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon) const;
   void Build(double epsilon);
   skd::Box3 BoundsOf(const SkdSurfaceElement& element) const;
 
-  std::vector<SkdKeptMesh> Meshes;
+  SkdKeptBlocks Meshes;
   std::vector<SkdSurfaceElement> Elements;
   std::vector<skd::Vector3> Corners;
   std::vector<skd::Homogeneous> Controls; // of each patch its points, after a point: the origin

@@ -7,12 +7,61 @@
 #include "vtkBoundingBox.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
+/// A number in [0, 1) from bits that look random (D. Lea's and G. Steele's SplitMix64).
+double Scatter(std::uint64_t& state)
+{
+  state += 0x9e3779b97f4a7c15u;
+  std::uint64_t bits = state;
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  bits ^= bits >> 31;
+  return std::ldexp(static_cast<double>(bits >> 11), -53);
+}
+
+/// Directions uniformly distributed over the sphere for any number of them: the additive sequence
+/// R2, with a different start for each (seed, point).
+class RandomWaysOut
+{
+public:
+  RandomWaysOut(const double bounds[6], std::uint64_t seed, std::uint64_t point);
+
+  SkdWayOut Next();
+
+private:
+  double Length; // longer than the diagonal
+  double U;
+  double V;
+};
+
+RandomWaysOut::RandomWaysOut(const double bounds[6], std::uint64_t seed, std::uint64_t point)
+  : Length(1.01 * vtkBoundingBox(bounds).GetDiagonalLength())
+{
+  std::uint64_t state = seed;
+  Scatter(state);
+  state ^= point * 0xd1b54a32d192ed03u;
+  this->U = Scatter(state);
+  this->V = Scatter(state);
+}
+
+// R2 of M. Roberts: multiples of the inverses of the plastic number and of its square.
+SkdWayOut RandomWaysOut::Next()
+{
+  this->U = std::fmod(this->U + 0.75487766624669276005, 1.0);
+  this->V = std::fmod(this->V + 0.56984029099805326591, 1.0);
+  const double z = 1.0 - 2.0 * this->U;
+  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const double angle = 2.0 * vtkMath::Pi() * this->V;
+  return { this->Length * radius * std::cos(angle), this->Length * radius * std::sin(angle),
+    this->Length * z };
+}
+
 /// Of `yes` among `asked` votes.
 SkdSide Counted(int yes, int asked)
 {
@@ -198,7 +247,7 @@ SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
 SkdSide SkdPart::VoteAtRandom(
   const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
 {
-  SkdRandomWaysOut ways(this->Bounds, rules.Seed, point);
+  RandomWaysOut ways(this->Bounds, rules.Seed, point);
   const int count = this->Boundary.OpenEdges == 0 ? 1 : rules.NumberOfRays;
   return Elect(count, [&]() { return this->IsOdd(x, ways.Next()); });
 }

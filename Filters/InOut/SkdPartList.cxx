@@ -99,12 +99,6 @@ std::vector<int> SkdPartIdsOf(vtkDataSet* mesh, const std::string& array)
   return ids;
 }
 
-bool SkdPartList::IsSameAs(const std::vector<SkdBlock>& blocks) const
-{
-  return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-    [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
-}
-
 int SkdPartList::Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by,
   const std::string& array, const SkdPartSettings& settings)
 {
@@ -116,7 +110,7 @@ int SkdPartList::Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by,
       key.Ids.push_back(SkdPartIdsOf(block.Mesh, array));
     }
   }
-  const bool isSameMesh = this->IsSameAs(blocks);
+  const bool isSameMesh = this->Meshes.AreSameAs(blocks);
   if (by == SkdPartsBy::ConnectedPieces)
   {
     key.Ids = isSameMesh && this->Last.By == by ? this->Last.Ids : SkdConnectedPiecesOf(blocks);
@@ -127,18 +121,15 @@ int SkdPartList::Update(const std::vector<SkdBlock>& blocks, SkdPartsBy by,
   }
   this->Last = key;
   this->Parts.clear();
-  this->Meshes.resize(blocks.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    if (by == SkdPartsBy::Blocks)
-    {
-      this->Parts.emplace_back(blocks[i].BlockIndex, std::vector<SkdBlock>{ blocks[i] }, settings);
-    }
-  }
+  this->Meshes.Keep(blocks);
   if (by != SkdPartsBy::Blocks)
   {
     this->MakeByIds(blocks);
+    return static_cast<int>(this->Parts.size());
+  }
+  for (const SkdBlock& block : blocks)
+  {
+    this->Parts.emplace_back(block.BlockIndex, std::vector<SkdBlock>{ block }, settings);
   }
   return static_cast<int>(this->Parts.size());
 }

@@ -55,10 +55,9 @@ private:
     }
   };
 
-  bool IsSameAs(const std::vector<SkdBlock>& blocks) const;
   void MakeByIds(const std::vector<SkdBlock>& blocks);
 
-  std::vector<SkdKeptMesh> Meshes;
+  SkdKeptBlocks Meshes;
   Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };
   std::vector<SkdPart> Parts;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InOut/SkdQueryPoints.h"
 
-#include "Pipeline/SkdTouchCells.h"
+#include "Pipeline/SkdBlocks.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkRectilinearGrid.h"

@@ -12,14 +12,17 @@
 #ifndef SkdArrayGather_h
 #define SkdArrayGather_h
 
+#include "Pipeline/SkdBlocks.h"
 #include "vtkAbstractArray.h"
 #include "vtkMath.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataSetAttributes;
 class vtkIdList;
 
@@ -72,5 +75,20 @@ private:
 
   std::vector<Array> Arrays;
 };
+
+/// The arrays (of points or cells, vtkDataObject's type) that all blocks have, made for `n` tuples
+/// of "none" and added to `target`: all but ghost marks, and points' ids and rational weights.
+/// Names that are already in use are not added but inserted into `refused`.
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused);
+
+/// The same for arrays for whose name `isWanted` returns true; "none" is `fill`, see
+/// SkdArrayGather.
+SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
+  const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused, double fill,
+  const std::function<bool(const std::string&)>& isWanted);
+
+/// Warns about arrays that were not added.
+void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refused);
 
 #endif

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBlocks.h"
 
+#include "Pipeline/SkdMakeArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -31,6 +37,11 @@ void MirrorComposite(vtkCompositeDataSet* input, vtkCompositeDataSet* output)
 }
 }
 
+bool SkdIsComposite(vtkDataObject* object)
+{
+  return vtkCompositeDataSet::SafeDownCast(object) != nullptr;
+}
+
 std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
 {
   std::vector<SkdBlock> blocks;
@@ -52,6 +63,13 @@ std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object)
   return blocks;
 }
 
+std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks)
+{
+  const auto isEmpty = [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; };
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(), isEmpty), blocks.end());
+  return blocks;
+}
+
 std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output)
 {
   vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -66,6 +84,16 @@ std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output)
   return SkdBlocksOf(output);
 }
 
+vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
+  const char* name, const std::vector<int>& places, const std::vector<SkdBlock>& blocks)
+{
+  auto indices = SkdMakeArray<vtkIntArray>(name, 1, static_cast<vtkIdType>(places.size()));
+  std::transform(places.begin(), places.end(), indices->GetPointer(0),
+    [&](int place)
+    { return place >= 0 ? blocks[static_cast<std::size_t>(place)].BlockIndex : -1; });
+  return indices;
+}
+
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)
 {
   vtkIdType points = 0;
@@ -74,4 +102,17 @@ vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)
     points += block.Mesh->GetNumberOfPoints();
   }
   return points;
+}
+
+void SkdTouchCells(vtkDataSet* mesh)
+{
+  if (mesh->GetNumberOfCells() > 0)
+  {
+    vtkNew<vtkGenericCell> cell;
+    vtkNew<vtkIdList> ids;
+    double bounds[6];
+    mesh->GetCell(0, cell);
+    mesh->GetCellPoints(0, ids);
+    mesh->GetCellBounds(0, bounds);
+  }
 }

@@ -9,6 +9,7 @@
 #define SkdBlocks_h
 
 #include "vtkDataSet.h"
+#include "vtkIntArray.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -20,15 +21,29 @@ struct SkdBlock
   int BlockIndex;
 };
 
+/// Whether an object is a composite data set, whose blocks have flat indices. False for nullptr.
+bool SkdIsComposite(vtkDataObject* object);
+
 /// The data sets in `object`, by ascending flat index. Empty blocks and blocks that are not a
 /// vtkDataSet (such as tables) are skipped. Empty for nullptr.
 std::vector<SkdBlock> SkdBlocksOf(vtkDataObject* object);
+
+/// Those of them that have cells.
+std::vector<SkdBlock> SkdBlocksWithCells(std::vector<SkdBlock> blocks);
 
 /// Gives `output` the structure and all the data of `input`, which is of the same type, without
 /// copying arrays. Returns the data sets of the output: arrays can be added to them.
 std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 
+/// An array of the flat indices of some blocks, which are given by their places in a list; -1 where
+/// the place is -1.
+vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
+  const char* name, const std::vector<int>& places, const std::vector<SkdBlock>& blocks);
+
 /// The points of all of them.
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks);
+
+/// Makes GetCell(), GetCellPoints() and GetCellBounds() of a mesh thread-safe.
+void SkdTouchCells(vtkDataSet* mesh);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBoundary.h"
 
-#include "Pipeline/SkdBlockSurface.h"
+#include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkCellArray.h"
@@ -57,6 +57,7 @@ private:
   SkdWeld Weld;
   std::vector<Face> Faces;
   std::vector<vtkIdType> Corners;
+  vtkIdType CoarseFaces = 0;
 };
 
 FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
@@ -73,6 +74,7 @@ FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
 void FaceList::AddBlock(int block, vtkDataSet* mesh, double chordalLength)
 {
   const SkdBlockSurface surface(mesh, chordalLength);
+  this->CoarseFaces += surface.GetNumberOfCoarseFaces();
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners)
     {
@@ -219,7 +221,7 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
   const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const
 {
   vtkNew<vtkCellArray> cells;
-  SkdTriangulation triangulation(this->Weld.GetPoints());
+  SkdTriangulation triangulation;
   for (const Face& face : this->Faces)
   {
     const int number = numberOf(face);
@@ -227,11 +229,22 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
     {
       continue;
     }
-    vtkIdList* triangles = triangulation.Cut(this->Corners.data() + face.First, face.Size);
+    const vtkIdType* const ids = this->Corners.data() + face.First;
+    const auto cornerOf = [&](vtkIdType i)
+    {
+      skd::Vector3 x;
+      this->Weld.GetPoints()->GetPoint(ids[i], x.X);
+      return x;
+    };
+    vtkIdList* triangles = triangulation.Cut(face.Size, cornerOf);
     for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
     {
-      vtkIdType* corners = triangles->GetPointer(i);
-      number < 0 ? std::swap(corners[1], corners[2]) : void();
+      const vtkIdType* cut = triangles->GetPointer(i);
+      vtkIdType corners[3] = { ids[cut[0]], ids[cut[1]], ids[cut[2]] };
+      if (number < 0)
+      {
+        std::swap(corners[1], corners[2]);
+      }
       for (int copy = 0; copy < std::abs(number); ++copy)
       {
         cells->InsertNextCell(3, corners);
@@ -265,14 +278,15 @@ std::vector<int> FaceList::FindRepeats() const
   return isAny ? repeats : std::vector<int>();
 }
 
-// Equal faces are either a face between two bodies that touch, and then must be left out, or the
-// same face written down repeatedly, and then must stay. Whichever closes the surface better it is.
-// Of bodies that touch and are written down repeatedly, too, what counts is how many more of a face
-// are turned one way than the other.
+// Equal faces are either a face between two touching bodies, which must be removed, or duplicates
+// of one face, which must be kept. The alternative that leaves fewer open edges is chosen. For
+// touching bodies with duplicates, the difference of the numbers of both orientations of a face
+// counts.
 void FaceList::FillBoundary(SkdBoundary& boundary) const
 {
   const auto isThere = [](const Face& face) { return face.Copies > 0; };
   const auto isOdd = [](const Face& face) { return face.Net % 2 != 0; };
+  boundary.CoarseFaces = this->CoarseFaces;
   boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
   boundary.Surface = boundary.Faces;
   boundary.Repeats = this->FindRepeats();

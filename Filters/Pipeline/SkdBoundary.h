@@ -45,6 +45,8 @@ struct SkdBoundary
   /// The number of edges used by an odd number of its triangles. It is 0 exactly if the parity of
   /// crossings does not depend on the ray.
   vtkIdType OpenEdges = 0;
+
+  vtkIdType CoarseFaces = 0; // see SkdBlockSurface
 };
 
 /// Curved faces as facets no farther from them than a length (SkdChordalLength). Cost: O(n log n)

@@ -125,8 +125,8 @@ bool SameExtent(Grid* kept, Grid* now)
   return std::equal(kept->GetExtent(), kept->GetExtent() + 6, now->GetExtent());
 }
 
-// The faces of polyhedra live in arrays that differ between versions of VTK. They are set together
-// with the cells, so the cells' own array vouches for them.
+// The arrays of faces of polyhedra differ between versions of VTK. They are set together with the
+// cells, so comparing the cells' own array is sufficient.
 bool Comparison::SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const
 {
   vtkDataArray* types = now->VTK_SKD_GET_CELL_TYPES();
@@ -216,4 +216,22 @@ bool SkdKeptMesh::IsSameAs(vtkDataSet* mesh) const
     comparison.SameShaping(this->Mesh->GetCellData(), mesh->GetCellData()) &&
     comparison.SameShaping(this->Mesh->GetPointData(), mesh->GetPointData()) &&
     comparison.SameStructure(this->Mesh, mesh);
+}
+
+std::vector<SkdBlock> SkdKeptBlocks::Keep(const std::vector<SkdBlock>& blocks)
+{
+  std::vector<SkdBlock> structures = blocks;
+  this->Meshes.resize(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->Meshes[i].Keep(blocks[i].Mesh);
+    structures[i].Mesh = this->Meshes[i].Get();
+  }
+  return structures;
+}
+
+bool SkdKeptBlocks::AreSameAs(const std::vector<SkdBlock>& blocks) const
+{
+  return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+    [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }

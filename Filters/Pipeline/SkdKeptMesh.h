@@ -14,8 +14,11 @@
 #ifndef SkdKeptMesh_h
 #define SkdKeptMesh_h
 
+#include "Pipeline/SkdBlocks.h"
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
+
+#include <vector>
 
 class SkdKeptMesh
 {
@@ -35,6 +38,24 @@ public:
 private:
   vtkSmartPointer<vtkDataSet> Mesh;
   vtkMTimeType Time = 0;
+};
+
+/// The same of all blocks of a data object together.
+class SkdKeptBlocks
+{
+public:
+  /// Keeps the structures of the blocks. Returns these, in the order and with the indices of the
+  /// blocks.
+  std::vector<SkdBlock> Keep(const std::vector<SkdBlock>& blocks);
+
+  /// Whether there are as many blocks, and each has the structure that is kept in its place.
+  bool AreSameAs(const std::vector<SkdBlock>& blocks) const;
+
+  /// What is kept of a block.
+  vtkDataSet* Get(int block) const { return this->Meshes[static_cast<std::size_t>(block)].Get(); }
+
+private:
+  std::vector<SkdKeptMesh> Meshes;
 };
 
 #endif

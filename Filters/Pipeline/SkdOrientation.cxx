@@ -116,7 +116,7 @@ std::vector<bool> SkdFindTurned(const std::vector<skd::Vector3>& points,
     const std::vector<std::size_t> piece = TurnAlike(first, neighbours, isTurned, isSeen);
     const std::size_t largest = *std::max_element(piece.begin(), piece.end(),
       [&](std::size_t a, std::size_t b) { return area2(a) < area2(b); });
-    // A step off the middle that is far above rounding and far below what else may be near.
+    // A distance from the centre far above rounding error and far below other distances.
     const SkdTriangleIds& ids = triangles[largest];
     const skd::Vector3 across = AcrossOf(points, ids);
     const double length = std::sqrt(skd::Norm(across));

@@ -3,7 +3,7 @@
 #ifndef SkdOrientation_h
 #define SkdOrientation_h
 
-#include "Pipeline/SkdFeatureNormals.h"
+#include "Pipeline/SkdTriangulation.h"
 
 #include <functional>
 

@@ -7,12 +7,15 @@
 #include "Cells/SkdCurvedFaces.h"
 #include "Core/Curves/PatchFacets.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
 #include "vtkExplicitStructuredGrid.h"
+#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -30,7 +33,7 @@ namespace
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 
-// VTK's surface of an explicit structured grid has an original cell id that was never set.
+// VTK's surface of an explicit structured grid has uninitialized original cell ids.
 vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* explicitGrid)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -40,8 +43,7 @@ vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkExplicitStructuredGrid* e
   return grid;
 }
 
-/// Of linear cells alone: with others among them, VTK 9.2 takes numbers of faces for those of
-/// cells.
+/// For linear cells only: with other cells, VTK 9.2 confuses face and cell numbers.
 vtkSmartPointer<vtkPolyData> LinearSurfaceOf(vtkDataSet* mesh)
 {
   auto explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(mesh);
@@ -92,6 +94,15 @@ struct LinearPart
   }
 };
 
+/// Of a data set that is no vtkPolyData. Its cells have "vtkOriginalCellIds", its points
+/// "vtkOriginalPointIds", -1 of those that are on curved faces. Faces that cannot be cut (a weight
+/// that is not positive, a point that is not finite) are there as polygons of two points.
+struct OuterSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkIdType CoarseFaces = 0; ///< see SkdBlockSurface
+};
+
 /// Puts polygons, and where they come from, into polydata.
 class Builder
 {
@@ -108,7 +119,7 @@ public:
 
   void AddLinear(const LinearPart& part, std::set<std::vector<vtkIdType>>& shared);
   void AddFace(vtkIdType cellId, vtkCell* face, bool isInward);
-  vtkSmartPointer<vtkPolyData> Take() const;
+  OuterSurface Take() const;
 
 private:
   vtkIdType NumberOf(vtkIdType point)
@@ -149,11 +160,11 @@ private:
   skd::NodePatch Nodes;
   skd::PatchFacets Facets;
   std::vector<vtkIdType> Corners;
+  vtkIdType CoarseFaces = 0;
 };
 
 //------------------------------------------------------------------------------
-/// Faces that a curved cell has, too, are inner ones: they go, and leave `shared`, whatever it was
-/// before, as those.
+/// Faces shared with a curved cell are interior: they are removed, and `shared` is set to them.
 void Builder::AddLinear(const LinearPart& part, std::set<std::vector<vtkIdType>>& shared)
 {
   const vtkSmartPointer<vtkPolyData> surface = LinearSurfaceOf(part.Grid);
@@ -234,6 +245,7 @@ void Builder::AddFace(vtkIdType cellId, vtkCell* face, bool isInward)
 void Builder::AddFacets(vtkIdType cellId, vtkCell* face, bool isInward)
 {
   this->Facets.Cut(this->Nodes, this->ChordalLength);
+  this->CoarseFaces += this->Facets.IsKept() ? 0 : 1;
   std::vector<vtkIdType> numbers(this->Facets.GetPoints().size(), -1);
   for (int k = 0; k < this->Nodes.NumberOfSides(); ++k)
   {
@@ -273,14 +285,14 @@ void Builder::AddFacets(vtkIdType cellId, vtkCell* face, bool isInward)
   }
 }
 
-vtkSmartPointer<vtkPolyData> Builder::Take() const
+OuterSurface Builder::Take() const
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(this->Points);
   surface->SetPolys(this->Polygons);
   surface->GetCellData()->AddArray(this->CellIds);
   surface->GetPointData()->AddArray(this->PointIds);
-  return surface;
+  return { surface, this->CoarseFaces };
 }
 
 //------------------------------------------------------------------------------
@@ -303,7 +315,7 @@ std::set<std::vector<vtkIdType>> StraightFaces(
   return names;
 }
 
-vtkSmartPointer<vtkPolyData> FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
+OuterSurface FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
 {
   const std::vector<SkdCurvedFace> faces = SkdFindCurvedFaces(mesh);
   Builder builder(mesh, chordalLength);
@@ -347,6 +359,17 @@ skd::Box3 FiniteBounds(vtkDataSet* mesh)
   }
   return box;
 }
+
+OuterSurface SurfaceOf(vtkDataSet* mesh, double chordalLength)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(mesh))
+  {
+    return { surface };
+  }
+  auto* set = vtkPointSet::SafeDownCast(mesh);
+  return set && SkdHasCurvedCells(mesh) ? FacetedSurfaceOf(set, chordalLength)
+                                        : OuterSurface{ LinearSurfaceOf(mesh) };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -380,9 +403,52 @@ double SkdChordalLength(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SkdOuterSurfaceOf(vtkDataSet* mesh, double chordalLength)
+void SkdWarnAboutCoarseFaces(vtkAlgorithm* self, vtkIdType coarseFaces, double chordalDeviation)
 {
-  auto* set = vtkPointSet::SafeDownCast(mesh);
-  return set && SkdHasCurvedCells(mesh) ? FacetedSurfaceOf(set, chordalLength)
-                                        : LinearSurfaceOf(mesh);
+  if (coarseFaces > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "ChordalDeviation "
+        << chordalDeviation << " is not kept on " << coarseFaces
+        << " curved faces, for they are cut into at most " << skd::PatchFacets::MostPieces
+        << " facets along a side. Increase ChordalDeviation or refine the cells.");
+  }
+}
+
+//------------------------------------------------------------------------------
+SkdBlockSurface::SkdBlockSurface(vtkDataSet* mesh, double chordalLength)
+  : Mesh(mesh)
+{
+  const OuterSurface outer = SurfaceOf(mesh, chordalLength);
+  this->Surface = outer.Surface;
+  this->CoarseFaces = outer.CoarseFaces;
+  if (mesh != this->Surface.Get())
+  {
+    this->CellIds =
+      vtkIdTypeArray::SafeDownCast(this->Surface->GetCellData()->GetArray("vtkOriginalCellIds"));
+    this->PointIds =
+      vtkIdTypeArray::SafeDownCast(this->Surface->GetPointData()->GetArray("vtkOriginalPointIds"));
+  }
+  else if (this->Surface->GetPoints())
+  {
+    vtkDataArray* points = this->Surface->GetPoints()->GetData();
+    auto doubles = vtkDoubleArray::SafeDownCast(points);
+    auto floats = vtkFloatArray::SafeDownCast(points);
+    this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
+    this->Floats = floats ? floats->GetPointer(0) : nullptr;
+  }
+}
+
+bool SkdBlockSurface::IsOfVolume(vtkIdType cell) const
+{
+  return this->CellIds &&
+    SkdDimensionOfCellType(this->Mesh->GetCellType(this->CellIds->GetValue(cell))) == 3;
+}
+
+// VTK's surface of a structured grid has its points rounded to float: look at the original's.
+void SkdBlockSurface::FindPoint(vtkIdType point, double x[3]) const
+{
+  const vtkIdType original = this->PointIds ? this->PointIds->GetValue(point) : -1;
+  vtkDataSet* from = original >= 0 ? this->Mesh : this->Surface.Get();
+  from->GetPoint(original >= 0 ? original : point, x);
 }

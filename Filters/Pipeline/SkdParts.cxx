@@ -33,19 +33,12 @@ bool SkdParts::Part::Update(
 int SkdParts::Update(const std::vector<SkdBlock>& blocks, double epsilon,
   const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
-  std::vector<const SkdBlock*> filled;
-  for (const SkdBlock& block : blocks)
-  {
-    if (block.Mesh->GetNumberOfCells() > 0)
-    {
-      filled.push_back(&block);
-    }
-  }
+  const std::vector<SkdBlock> filled = SkdBlocksWithCells(blocks);
   this->Parts.resize(filled.size());
   int built = 0;
   for (std::size_t i = 0; i < filled.size(); ++i)
   {
-    built += this->Parts[i].Update(*filled[i], epsilon, magnitudes, wanted);
+    built += this->Parts[i].Update(filled[i], epsilon, magnitudes, wanted);
   }
   return built;
 }

@@ -4,7 +4,8 @@
 #define SkdPointOrder_h
 
 #include "Cells/SkdBatch.h"
-#include "vtkDataSet.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 
 #include <optional>
@@ -16,7 +17,15 @@
 class SkdPointOrder
 {
 public:
-  explicit SkdPointOrder(vtkDataSet* mesh);
+  explicit SkdPointOrder(vtkDataSet* mesh)
+    : Mesh(mesh)
+  {
+    auto* points = vtkPointSet::SafeDownCast(mesh);
+    if (points && points->GetPoints())
+    {
+      this->Scattered.emplace(points->GetPoints()->GetData(), SkdBatchOf::Points);
+    }
+  }
 
   /// The point at an index of the order. Thread-safe.
   vtkIdType GetPoint(vtkIdType place) const

@@ -1,10 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdPorts.h
+ * @brief What filters ask of their ports: what comes in, how much of it, and what goes out.
+ */
+
 #ifndef SkdPorts_h
 #define SkdPorts_h
 
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 /// An input of any vtkDataSet, or composite of them.
 inline void SkdAcceptMeshes(vtkInformation* port)
@@ -12,6 +22,43 @@ inline void SkdAcceptMeshes(vtkInformation* port)
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+}
+
+/// Requests the whole of an input, whatever piece of the output is requested.
+inline void SkdAskForWhole(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+/// The same of all inputs of a filter's ports from the first on.
+inline void SkdAskForWhole(vtkAlgorithm* filter, vtkInformationVector** inputs, int first)
+{
+  for (int port = first; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      SkdAskForWhole(inputs[port]->GetInformationObject(i));
+    }
+  }
+}
+
+/// Puts a new data object of the type (VTK_POLY_DATA, say) into an output, unless it has one.
+inline void SkdProvideOutput(vtkInformation* output, int type)
+{
+  vtkDataObject* data = vtkDataObject::GetData(output);
+  if (!data || data->GetDataObjectType() != type)
+  {
+    const auto fresh =
+      vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
+    output->Set(vtkDataObject::DATA_OBJECT(), fresh);
+  }
 }
 
 #endif

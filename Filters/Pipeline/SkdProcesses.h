@@ -1,16 +1,50 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdProcesses.h
+ * @brief The processes that a pipeline runs in: how they tell each other, and what each gives of an
+ * answer that all have found as a whole.
+ */
+
 #ifndef SkdProcesses_h
 #define SkdProcesses_h
 
 #include "Core/Mesh/Processes.h"
+#include "vtkType.h"
 
 #include <memory>
 
 class vtkInformation;
+class vtkInformationVector;
+class vtkPolyData;
+class vtkTable;
 
 /// The processes of the global controller, if there are several and each one requests its own
 /// piece; else nullptr.
 std::unique_ptr<skd::Processes> SkdProcessesOf(vtkInformation* output);
+
+/// Each process outputs a consecutive range of rows; together they output each row once.
+class SkdShare
+{
+public:
+  /// The share requested of any of the outputs; the whole result if no pieces are requested.
+  static SkdShare Of(vtkInformationVector* outputs);
+
+  bool IsAll() const { return this->Pieces == 1; }
+
+  /// The rows of a list of n that are of the share: from the first to before the last.
+  vtkIdType FirstOf(vtkIdType n) const { return n * this->Piece / this->Pieces; }
+  vtkIdType LastOf(vtkIdType n) const { return n * (this->Piece + 1) / this->Pieces; }
+
+  ///@{
+  /// Blocks a share of the cells, with the points that they use, or of the rows. O(size).
+  void Keep(vtkPolyData* cells) const;
+  void Keep(vtkTable* rows) const;
+  ///@}
+
+private:
+  vtkIdType Piece = 0;
+  vtkIdType Pieces = 1;
+};
 
 #endif

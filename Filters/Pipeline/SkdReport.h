@@ -8,8 +8,11 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkTimerLog.h"
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The report of a filter on its run: field data arrays, mostly of one value, named SkdReport...
@@ -34,7 +37,18 @@ public:
   /// For optional values: nothing is added if it is 0.
   void AddMeasureOf(const std::string& what, double measure)
   {
-    measure > 0.0 ? this->AddMeasure(what, measure) : void();
+    if (measure > 0.0)
+    {
+      this->AddMeasure(what, measure);
+    }
+  }
+
+  /// The number of trees that were built, and the seconds for building and for their use.
+  void AddRun(vtkIdType treesBuilt, double buildSeconds, const char* other, double seconds)
+  {
+    this->AddCount("TreesBuilt", treesBuilt);
+    this->AddMeasure("BuildSeconds", buildSeconds);
+    this->AddMeasure(other, seconds);
   }
 
   /// One value a row, for example for levels 0, 1, ...
@@ -45,6 +59,18 @@ public:
     for (const vtkIdType count : counts)
     {
       array->InsertNextValue(count);
+    }
+    this->Field->AddArray(array);
+  }
+
+  /// The same of measures.
+  void AddMeasures(const std::string& what, const std::vector<double>& measures)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(("SkdReport" + what).c_str());
+    for (const double measure : measures)
+    {
+      array->InsertNextValue(measure);
     }
     this->Field->AddArray(array);
   }
@@ -60,6 +86,35 @@ private:
   }
 
   vtkFieldData* Field;
+};
+
+/// What could not be read, one line each: the counts that are not 0, each before its words.
+inline std::vector<std::string> SkdFaultsOf(
+  std::initializer_list<std::pair<vtkIdType, const char*>> counts)
+{
+  std::vector<std::string> faults;
+  for (const auto& [count, words] : counts)
+  {
+    if (count > 0)
+    {
+      faults.push_back(std::to_string(count) + words);
+    }
+  }
+  return faults;
+}
+
+/// Seconds between laps.
+class SkdStopwatch
+{
+public:
+  double Lap()
+  {
+    const double now = vtkTimerLog::GetUniversalTime();
+    return now - std::exchange(this->Last, now);
+  }
+
+private:
+  double Last = vtkTimerLog::GetUniversalTime();
 };
 
 #endif

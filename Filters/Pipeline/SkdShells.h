@@ -9,7 +9,7 @@
 #define SkdShells_h
 
 #include "Core/Geometry/Vector.h"
-#include "Pipeline/SkdFeatureNormals.h"
+#include "Pipeline/SkdTriangulation.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 

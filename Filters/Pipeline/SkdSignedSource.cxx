@@ -7,18 +7,12 @@
 #include <algorithm>
 #include <cstddef>
 
-bool SkdSignedSource::IsSameAs(const std::vector<SkdBlock>& blocks) const
-{
-  return this->Faces &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
-}
-
 int SkdSignedSource::Update(
   const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation)
 {
   const double chordalLength = SkdChordalLength(blocks, chordalDeviation);
-  const bool isSame = this->ChordalLength == chordalLength && this->IsSameAs(blocks);
+  const bool isSame =
+    this->Faces && this->ChordalLength == chordalLength && this->Meshes.AreSameAs(blocks);
   if (!isSame)
   {
     this->ChordalLength = chordalLength;
@@ -34,14 +28,7 @@ int SkdSignedSource::Update(
 
 void SkdSignedSource::MakeBoundary(const std::vector<SkdBlock>& blocks)
 {
-  this->Meshes.resize(blocks.size());
-  std::vector<SkdBlock> structures = blocks;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    structures[i].Mesh = this->Meshes[i].Get();
-  }
-  this->Boundary = SkdBoundaryOf(structures, this->ChordalLength);
+  this->Boundary = SkdBoundaryOf(this->Meshes.Keep(blocks), this->ChordalLength);
   this->Boundary.Surface->GetCellsBounds(this->Bounds);
   this->Faces = SkdMakeLocator(this->Boundary.Faces);
   const bool isOne = this->Boundary.Surface == this->Boundary.Faces;

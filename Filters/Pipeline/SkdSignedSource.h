@@ -39,6 +39,9 @@ public:
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
+  /// See SkdBlockSurface.
+  vtkIdType GetNumberOfCoarseFaces() const { return this->Boundary.CoarseFaces; }
+
   /// Edges at which the boundary is open.
   vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
 
@@ -50,16 +53,15 @@ public:
   bool IsInside(const double x[3]) const;
 
   /// The mesh of a block: its structure alone.
-  vtkDataSet* GetMesh(int block) const { return this->Meshes[block].Get(); }
+  vtkDataSet* GetMesh(int block) const { return this->Meshes.Get(block); }
 
   SkdTreeCounts GetCounts() const;
 
 private:
-  bool IsSameAs(const std::vector<SkdBlock>& blocks) const;
   void MakeBoundary(const std::vector<SkdBlock>& blocks);
   bool HasOddCrossings(const double x[3], const SkdWayOut& way) const;
 
-  std::vector<SkdKeptMesh> Meshes;
+  SkdKeptBlocks Meshes;
   double ChordalLength = 0.0; // 0 where no cell is curved
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;

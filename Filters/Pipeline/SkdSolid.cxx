@@ -2,11 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSolid.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+
+std::array<SkdWayOut, 7> SkdWaysOutAlongAxes(const double bounds[6], const double x[3])
+{
+  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
+  std::array<SkdWayOut, 7> ways;
+  for (int i = 0; i < 6; ++i)
+  {
+    const int axis = i / 2;
+    const double toBound = bounds[i] - x[axis];
+    const double length = std::abs(toBound) + 0.01 * diagonal;
+    ways[i] = { 0.0437 * length, 0.0269 * length, 0.0163 * length };
+    ways[i][axis] = i % 2 ? length : -length;
+  }
+  const auto length2 = [](const SkdWayOut& way) { return vtkMath::Dot(way.data(), way.data()); };
+  std::stable_sort(ways.begin(), ways.begin() + 6,
+    [&](const SkdWayOut& a, const SkdWayOut& b) { return length2(a) < length2(b); });
+  ways[6] = { 1.31 * diagonal, 1.13 * diagonal, 1.23 * diagonal };
+  return ways;
+}
 
 /// What one shell says of a point.
 struct SkdSolid::Around
@@ -212,8 +233,8 @@ bool SkdSolid::AreOpposite(int a, int b) const
   return one.IsCoherent && other.IsCoherent && one.GetSign() != other.GetSign();
 }
 
-/// A shell in another that is turned against it, touching it or not, belongs to its group: what
-/// crosses a cavity's surface crosses the body's.
+/// A shell within another one of opposite orientation, touching or not, belongs to its group:
+/// crossing the surface of a cavity is crossing that of the body.
 void SkdSolid::JoinCavities(std::vector<int>& groups) const
 {
   const auto find = [&](int group)

@@ -20,14 +20,23 @@
 
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdShells.h"
-#include "Pipeline/SkdWaysOut.h"
 #include "vtkPolyData.h"
 #include "vtkSkdTreeCellLocator.h"
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
+
+/// A vector from a point within bounds to a point outside of them, to count crossings on
+/// (section 6.3).
+using SkdWayOut = std::array<double, 3>;
+
+/// Six rays go along the axes in both directions, the shortest first, because they intersect few
+/// boxes. They are slightly tilted, because many surfaces have faces and edges along the axes, and
+/// a ray within such a face is the most expensive to decide. A seventh, oblique ray avoids ties.
+std::array<SkdWayOut, 7> SkdWaysOutAlongAxes(const double bounds[6], const double x[3]);
 
 /// What is said of a point.
 struct SkdSide

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSource.h"
 
-#include <algorithm>
-
 void SkdSource::Update(
   vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation)
 {
-  this->Blocks = SkdBlocksOf(source);
-  this->Blocks.erase(std::remove_if(this->Blocks.begin(), this->Blocks.end(),
-                       [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() == 0; }),
-    this->Blocks.end());
+  this->Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
   this->TreesBuilt = this->UpdateTrees(wantsSide, epsilon, chordalDeviation);
 }
 
-// Trees of the other kind are let go: whoever switches back pays for it, not everyone's memory.
+// Trees of the other kind are released to save memory; switching back builds them again.
 int SkdSource::UpdateTrees(bool wantsSide, double epsilon, double chordalDeviation)
 {
   int built = 0;

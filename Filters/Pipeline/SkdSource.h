@@ -40,6 +40,10 @@ public:
   SkdTreeCounts GetCounts() const;
   vtkIdType GetNumberOfOpenEdges() const;
   double GetChordalLength() const { return this->Sided ? this->Boundary.GetChordalLength() : 0.0; }
+  vtkIdType GetNumberOfCoarseFaces() const
+  {
+    return this->Sided ? this->Boundary.GetNumberOfCoarseFaces() : 0;
+  }
   int GetTreesBuilt() const { return this->TreesBuilt; }
   ///@}
 

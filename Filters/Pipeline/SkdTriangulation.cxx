@@ -2,47 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdTriangulation.h"
 
+#include "vtkCellArray.h"
 #include "vtkMath.h"
+#include "vtkPolyData.h"
 
-SkdTriangulation::SkdTriangulation(vtkPoints* points)
-  : Points(points)
+#include <algorithm>
+#include <numeric>
+
+SkdTriangulation::SkdTriangulation()
 {
   this->Polygon->Points->SetDataTypeToDouble();
 }
 
-vtkIdList* SkdTriangulation::Cut(const vtkIdType* corners, int size)
+vtkIdList* SkdTriangulation::CutPolygon(vtkIdType size)
 {
   this->Triangles->Reset();
   if (size == 4)
   {
-    this->AddFan(corners, size, this->GetFirstOfQuad(corners));
+    this->AddFan(size, this->GetFirstOfQuad());
   }
-  else if (size < 4 || !this->CutPolygon(corners, size))
+  else if (size < 4 || !this->ClipEars(size))
   {
-    this->AddFan(corners, size, 0); // also of a polygon that crosses itself, say
+    this->AddFan(size, 0); // also of a polygon that crosses itself, say
   }
   return this->Triangles;
 }
 
-void SkdTriangulation::AddFan(const vtkIdType* corners, int size, int first)
+void SkdTriangulation::AddFan(vtkIdType size, vtkIdType first)
 {
-  for (int i = 1; i + 1 < size; ++i)
+  for (vtkIdType i = 1; i + 1 < size; ++i)
   {
-    for (int corner : { 0, i, i + 1 })
+    for (const vtkIdType corner : { vtkIdType(0), i, i + 1 })
     {
-      this->Triangles->InsertNextId(corners[(first + corner) % size]);
+      this->Triangles->InsertNextId((first + corner) % size);
     }
   }
 }
 
 // The corner 0 or 1 that the cut starts from. A diagonal lies within when the triangles on its
 // sides turn the same way.
-int SkdTriangulation::GetFirstOfQuad(const vtkIdType* corners) const
+vtkIdType SkdTriangulation::GetFirstOfQuad() const
 {
   double p[4][3];
   for (int i = 0; i < 4; ++i)
   {
-    this->Points->GetPoint(corners[i], p[i]);
+    this->Polygon->Points->GetPoint(i, p[i]);
   }
   const auto isWithin = [&](int a, int b, int c, int d)
   {
@@ -64,17 +68,10 @@ int SkdTriangulation::GetFirstOfQuad(const vtkIdType* corners) const
   return diagonal02 <= vtkMath::Distance2BetweenPoints(p[1], p[3]) ? 0 : 1;
 }
 
-bool SkdTriangulation::CutPolygon(const vtkIdType* corners, int size)
+bool SkdTriangulation::ClipEars(vtkIdType size)
 {
   this->Polygon->PointIds->SetNumberOfIds(size);
-  this->Polygon->Points->SetNumberOfPoints(size);
-  for (int i = 0; i < size; ++i)
-  {
-    double p[3];
-    this->Points->GetPoint(corners[i], p);
-    this->Polygon->PointIds->SetId(i, corners[i]);
-    this->Polygon->Points->SetPoint(i, p);
-  }
+  std::iota(this->Polygon->PointIds->begin(), this->Polygon->PointIds->end(), 0);
   const bool isCut = this->Polygon->Triangulate(0, this->Triangles, this->Unused) &&
     this->Triangles->GetNumberOfIds() == 3 * (size - 2);
   if (!isCut)
@@ -82,4 +79,26 @@ bool SkdTriangulation::CutPolygon(const vtkIdType* corners, int size)
     this->Triangles->Reset();
   }
   return isCut;
+}
+
+std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface)
+{
+  std::vector<SkdTriangleIds> triangles(surface->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(i), ids);
+    std::copy_n(ids->GetPointer(0), 3, triangles[i].begin());
+  }
+  return triangles;
+}
+
+std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface)
+{
+  std::vector<skd::Vector3> points(surface->GetNumberOfPoints());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    surface->GetPoint(static_cast<vtkIdType>(i), points[i].X);
+  }
+  return points;
 }

@@ -3,30 +3,59 @@
 #ifndef SkdTriangulation_h
 #define SkdTriangulation_h
 
+#include "Core/Geometry/Vector.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolygon.h"
 
+#include <array>
+#include <vector>
+
+class vtkPolyData;
+
 /// Triangulates polygons without new points: n corners give n - 2 triangles, so no edge is opened.
 /// A quad is divided along its interior diagonal, the shorter one if there are two.
+/// All surfaces of the filters are triangulated by this class, so that they consist of the same
+/// triangles; tests for overlap use skd::EarClipping, which is exact and faster but chooses other
+/// diagonals.
 class SkdTriangulation
 {
 public:
-  explicit SkdTriangulation(vtkPoints* points);
+  SkdTriangulation();
 
-  /// The corners of the triangles, three a triangle. Valid until the next call.
-  vtkIdList* Cut(const vtkIdType* corners, int size);
+  /// The corners of the triangles, three a triangle, as places in the polygon, whose corners are
+  /// cornerOf(0), cornerOf(1), ... (skd::Vector3). Valid until the next call.
+  template <class CornerOf>
+  vtkIdList* Cut(vtkIdType size, const CornerOf& cornerOf)
+  {
+    if (size > 3)
+    {
+      this->Polygon->Points->SetNumberOfPoints(size);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        this->Polygon->Points->SetPoint(i, skd::Vector3(cornerOf(i)).X);
+      }
+    }
+    return this->CutPolygon(size);
+  }
 
 private:
-  void AddFan(const vtkIdType* corners, int size, int first);
-  int GetFirstOfQuad(const vtkIdType* corners) const;
-  bool CutPolygon(const vtkIdType* corners, int size);
+  vtkIdList* CutPolygon(vtkIdType size);
+  void AddFan(vtkIdType size, vtkIdType first);
+  vtkIdType GetFirstOfQuad() const;
+  bool ClipEars(vtkIdType size);
 
-  vtkPoints* Points;
   vtkNew<vtkIdList> Triangles;
   vtkNew<vtkPolygon> Polygon;
   vtkNew<vtkPoints> Unused;
 };
+
+/// A triangle of a surface: its points' ids.
+using SkdTriangleIds = std::array<vtkIdType, 3>;
+
+/// The triangles of a surface that has no other cells, and its points.
+std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface);
+std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface);
 
 #endif

@@ -18,8 +18,8 @@
 
 namespace
 {
-/// Meshes that were found whole, by when they were last modified: no two objects ever have the same
-/// time, so one that is at an address where another was is not taken for it.
+/// Meshes that were found valid, by modification time: modification times are unique, so a new
+/// object at the address of a deleted one is recognized.
 class WholeMeshes
 {
 public:

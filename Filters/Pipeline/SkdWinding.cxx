@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdWinding.h"
 
-#include "Pipeline/SkdFeatureNormals.h"
+#include "Pipeline/SkdTriangulation.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Probe/SkdCellFinder.h"
 
-#include "Pipeline/SkdTouchCells.h"
+#include "Pipeline/SkdBlocks.h"
 #include "vtkBoundingBox.h"
 #include "vtkGenericCell.h"
 
@@ -57,7 +57,7 @@ void SkdCellFinderSource::Update(int built)
   }
 }
 
-// By one thread while others wait: a parallel loop in here might take up work that waits for it.
+// By one thread while others wait: a nested parallel loop might execute work that waits for it.
 double SkdCellFinderSource::GetLargestTolerance(const SkdCellFinderRules& rules, int block) const
 {
   if (!(rules.RelativeTolerance > 0.0))
@@ -83,9 +83,9 @@ bool SkdCellFinder::Find(const double x[3])
   return this->FindWithin(x) || this->FindByTolerance(x) || this->FindOutside(x);
 }
 
-// Without a hint, though along a line that would halve the search: the cell of the last point would
-// win over a lower one that holds this point, too, and so answers would depend on what was asked
-// before, and by which thread.
+// Without a hint, although it would halve the search along a line: the cell of the last point would
+// be preferred to a lower one that also contains this point, so answers would depend on previous
+// queries and on threads.
 bool SkdCellFinder::FindWithin(const double x[3])
 {
   double asked[3] = { x[0], x[1], x[2] };
@@ -120,7 +120,7 @@ bool SkdCellFinder::FindByTolerance(const double x[3])
   return best.Block >= 0 && this->Evaluate(best.Block, best.CellId, x);
 }
 
-// The nearest cell may be too small for its tolerance to reach x where that of a larger one does.
+// The tolerance of the nearest cell may be too small for x although that of a larger cell is not.
 void SkdCellFinder::FindTolerated(int block, const double x[3], SkdCellLocation& best)
 {
   double asked[3] = { x[0], x[1], x[2] };

@@ -4,10 +4,16 @@
 
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 
 #include <algorithm>
+
+namespace
+{
+constexpr const char* ValidName = "SkdValid";
+constexpr const char* PCoordsName = "SkdParametricCoordinates";
+constexpr const char* DistanceName = "SkdDistance";
+}
 
 SkdCellLocations::SkdCellLocations(vtkIdType n)
   : Valid(SkdMakeArray<vtkUnsignedCharArray>(ValidName, 1, n, 0))
@@ -47,15 +53,7 @@ void SkdCellLocations::AddTo(
   data->AddArray(this->CellIds);
   if (isComposite)
   {
-    auto blockIndices = SkdMakeArray<vtkIntArray>(BlockIndexName, 1, this->GetNumberOfPoints(), -1);
-    for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
-    {
-      if (this->Blocks[i] >= 0)
-      {
-        blockIndices->SetValue(i, source[this->Blocks[i]].BlockIndex);
-      }
-    }
-    data->AddArray(blockIndices);
+    data->AddArray(SkdMakeBlockIndices(BlockIndexName, this->Blocks, source));
   }
   data->AddArray(this->PCoords);
   data->AddArray(this->Distances);

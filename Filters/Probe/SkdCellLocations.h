@@ -12,11 +12,8 @@
 class SkdCellLocations
 {
 public:
-  static constexpr const char* ValidName = "SkdValid";
   static constexpr const char* CellIdName = "SkdSourceCellId";
   static constexpr const char* BlockIndexName = "SkdSourceBlockIndex";
-  static constexpr const char* PCoordsName = "SkdParametricCoordinates";
-  static constexpr const char* DistanceName = "SkdDistance";
 
   explicit SkdCellLocations(vtkIdType n);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Probe/SkdLineProbe.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Probe/SkdCellLocations.h"
 #include "vtkCellArray.h"
@@ -72,7 +72,8 @@ private:
     }
   }
 
-  // What is shorter than rounding is no stretch: the two cells of a face may differ on where it is.
+  // Segments shorter than rounding error are ignored: the two cells of a face may disagree on its
+  // position.
   void FindBorders(const SkdLinePiece& piece, double length)
   {
     std::vector<double> all{ 0.0, 1.0 };

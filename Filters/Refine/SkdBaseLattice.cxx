@@ -30,9 +30,9 @@ skd::Box3 WithMargin(skd::Box3 box, double margin)
   return box;
 }
 
-/// The side of cubes that fill the box but for the last of them along each axis: about as long as
-/// the shortest side, and not too short for the longest. A little more than a whole number of cubes
-/// is that number of slightly larger ones.
+/// The side of cubes that fill the box, except for the last ones along each axis: about as long as
+/// the shortest side, and not too short for the longest. Slightly more than a whole number of cubes
+/// gives that number of slightly larger ones.
 double SizeOfCubes(const skd::Box3& box)
 {
   const double longest = box.Length(box.LongestAxis());

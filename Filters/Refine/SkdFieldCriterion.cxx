@@ -127,16 +127,13 @@ void SkdFieldCriterion::Update(
   this->Columns.clear();
   this->Meshes.Update(blocks, epsilon, SkdComparable);
   std::uint32_t part = 0;
-  for (const SkdBlock& block : blocks)
+  for (const SkdBlock& block : SkdBlocksWithCells(blocks))
   {
-    if (block.Mesh->GetNumberOfCells() > 0)
+    for (const std::string& name : settings.Arrays)
     {
-      for (const std::string& name : settings.Arrays)
-      {
-        this->TakeArray(part, block.Mesh, name);
-      }
-      ++part;
+      this->TakeArray(part, block.Mesh, name);
     }
+    ++part;
   }
 }
 
@@ -212,7 +209,7 @@ void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region
   }
 }
 
-/// A cell of the field that holds a sample meets the region anyway, unless it is only near.
+/// A cell of the field that contains a sample intersects the region, unless it is only near.
 bool SkdFieldCriterion::IsWanted(const SkdRegion& region) const
 {
   return std::any_of(this->Columns.begin(), this->Columns.end(),

@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridArrays.h"
 
+#include "Cells/SkdForEach.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace
 {
+constexpr const char* CutName = "SkdCut";
+constexpr const char* PartName = "SkdPartIndex";
+constexpr const char* CandidatesName = "SkdCandidates";
+constexpr const char* InsideName = "SkdInside";
+constexpr const char* DistanceName = "SkdDistance";
+constexpr const char* FractionName = "SkdVolumeFraction";
+
 template <typename Array, typename Value>
 vtkSmartPointer<vtkDataArray> MakeArray(
   const char* name, const std::vector<SkdGridCell>& cells, const Value& value)
@@ -16,14 +23,11 @@ vtkSmartPointer<vtkDataArray> MakeArray(
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(cells.size()));
-  vtkSMPTools::For(0, array->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end)
+  SkdForEach(array->GetNumberOfTuples(),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
-        array->SetValue(i, value(at.Level, at.Index));
-      }
+      const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
+      array->SetValue(i, value(at.Level, at.Index));
     });
   return array;
 }

@@ -17,12 +17,6 @@ class SkdGridArrays
 {
 public:
   static constexpr const char* LevelName = "SkdLevel";
-  static constexpr const char* CutName = "SkdCut";
-  static constexpr const char* PartName = "SkdPartIndex";
-  static constexpr const char* CandidatesName = "SkdCandidates";
-  static constexpr const char* InsideName = "SkdInside";
-  static constexpr const char* DistanceName = "SkdDistance";
-  static constexpr const char* FractionName = "SkdVolumeFraction";
   static constexpr const char* HangingName = "SkdHanging";
 
   /// The arrays of the cells in a row; `blockIndices` has that of each part.

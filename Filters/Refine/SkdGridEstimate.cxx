@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridEstimate.h"
 
-#include "Pipeline/SkdStopwatch.h"
+#include "Pipeline/SkdReport.h"
 #include "vtkType.h"
 
 namespace
@@ -13,7 +13,8 @@ constexpr std::size_t SampledFamilies = 512; // of each level
 double CountCells(
   const SkdGrid& grid, const SkdRefineSettings& settings, const std::vector<double>& wanted)
 {
-  // By how much the 2:1 balance over faces, edges and corners adds cells around a sphere.
+  // The factor by which 2:1 balance across faces, edges and corners increases the number of cells
+  // around a sphere.
   const double more[4] = { 1.0, 1.16, 1.27, 1.31 };
   const double base =
     settings.LayersKept >= 0 ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);

@@ -3,10 +3,10 @@
 #ifndef SkdGridPoints_h
 #define SkdGridPoints_h
 
+#include "Cells/SkdForEach.h"
 #include "Refine/SkdGrid.h"
 #include "Refine/SkdGridArrays.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <unordered_map>
@@ -110,14 +110,8 @@ private:
   template <class Body>
   void ForEach(const Body& body) const
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Places.size()),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          body(i, this->Places[static_cast<std::size_t>(i)]);
-        }
-      });
+    SkdForEach(static_cast<vtkIdType>(this->Places.size()),
+      [&](vtkIdType i) { body(i, this->Places[static_cast<std::size_t>(i)]); });
   }
 
   /// Whether the point is hanging: some leaf around it does not have it as a corner.

@@ -237,7 +237,7 @@ bool SkdGridRefiner::IsWantedByParts(int level, std::uint32_t cell, const skd::B
     });
 }
 
-/// Takes back the marks of cells whose parts would be too small for their corners to differ.
+/// Unmarks cells whose children would be too small for their corners to differ.
 void SkdGridRefiner::LeaveOutIndivisible(int level, std::vector<char>& marks)
 {
   const auto& branch = this->Grid.Lattice.GetBranch();
@@ -347,8 +347,8 @@ void SkdGridRefiner::Balance()
     [this](int level, std::uint32_t cell) { return this->RefineForBalance(level, cell); });
 }
 
-/// Cells that no part meets, as most of these are, have children that none meets. The lists of the
-/// others are gone: their children, which are few, begin with all again.
+/// Most of these cells intersect no part, and neither do their children. The candidate lists of the
+/// others are no longer available: their few children start with all candidates.
 bool SkdGridRefiner::RefineForBalance(int level, std::uint32_t cell)
 {
   if (!this->HasRoomFor(level, 1))

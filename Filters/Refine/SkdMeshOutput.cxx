@@ -3,7 +3,8 @@
 #include "Refine/SkdMeshOutput.h"
 
 #include "Cells/SkdCellReader.h"
-#include "Pipeline/SkdBlockArrays.h"
+#include "Cells/SkdForEach.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Refine/SkdBlockPoints.h"
 #include "vtkAlgorithm.h"
@@ -304,18 +305,15 @@ void BlockWriter::WriteCellData(vtkCellData* target) const
   auto ghosts = MakeGhosts(source, n);
   auto oldGhosts =
     vtkUnsignedCharArray::SafeDownCast(source->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  vtkSMPTools::For(0, n,
-    [&](vtkIdType begin, vtkIdType end)
+  SkdForEach(n,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const Part& part = this->Parts[static_cast<std::size_t>(i)];
-        const vtkIdType parent = this->InputOf(part.Cell);
-        gather.Take(i, 0, parent);
-        parents->SetValue(i, parent);
-        levels->SetValue(i, static_cast<unsigned char>(this->Read.Mesh[part.Cell].Level()));
-        ghosts ? ghosts->SetValue(i, oldGhosts->GetValue(parent)) : void();
-      }
+      const Part& part = this->Parts[static_cast<std::size_t>(i)];
+      const vtkIdType parent = this->InputOf(part.Cell);
+      gather.Take(i, 0, parent);
+      parents->SetValue(i, parent);
+      levels->SetValue(i, static_cast<unsigned char>(this->Read.Mesh[part.Cell].Level()));
+      ghosts ? ghosts->SetValue(i, oldGhosts->GetValue(parent)) : void();
     });
   ghosts ? static_cast<void>(target->AddArray(ghosts)) : void();
   target->AddArray(parents);

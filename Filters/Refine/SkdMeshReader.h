@@ -16,6 +16,7 @@
 
 /// All cells of all blocks. Points of equal coordinates, also of different blocks, are one node, so
 /// that refined cells match across seams and blocks.
+/// It reads whole cells, not surfaces, and so does not use SkdBlockSurface.
 struct SkdReadMesh
 {
   struct Block

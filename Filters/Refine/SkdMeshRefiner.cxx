@@ -161,8 +161,8 @@ int SkdMeshRefiner::LeastLevelOf(const std::vector<std::uint32_t>& cells) const
   return shared ? static_cast<int>(shared->GetProcesses().LeastOf(least)) : least;
 }
 
-/// The leaves after the rounds that are left, if they grow as they did in the last ones; no more
-/// than if all were cut each time.
+/// The number of leaves after the remaining rounds, extrapolated from the last ones, and at most as
+/// if all were cut each time.
 double SkdMeshRefiner::Estimate() const
 {
   const double perLevel = this->Settings.IsConforming ? 2.0 : 1.0;

@@ -38,6 +38,8 @@ int SkdRefineState::Update(
     treesBuilt +=
       this->Enclosure.Update(parts, this->Options.Epsilon, this->Options.ChordalDeviation);
     WarnAbout(self, this->Enclosure.GetBoundary());
+    SkdWarnAboutCoarseFaces(
+      self, this->Enclosure.GetBoundary().GetNumberOfCoarseFaces(), this->Options.ChordalDeviation);
   }
   return treesBuilt;
 }

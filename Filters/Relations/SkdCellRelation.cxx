@@ -47,7 +47,8 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
   const SkdCellTree& tree, std::uint32_t cell, const SkdCellSource& source) const
 {
   const double tolerance = std::max(this->Rules.Tolerance, this->Shape.Rounding(tree));
-  // The distance of two sets of simplices takes far longer than to see that they are apart.
+  // Computing the distance of two sets of simplices takes far longer than a bound that excludes
+  // them.
   if (this->Rules.Relation == SkdRelation::Overlap && this->Shape.IsAlignedBox() &&
     !tree.Overlaps(cell, this->Shape.GetBounds().Inflated(2.0 * tolerance)))
   {
@@ -55,8 +56,8 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
   }
   thread_local skd::SimplexSet set; // keeps its memory
   const Asked asked{ tree, cell, source, set, tolerance };
-  // Neighbours have a point in common, so it is known how near they are; of curved cells the sets
-  // are large, and only to be made if it must be.
+  // Adjacent cells share a point, so their distance is known; the sets of curved cells are large
+  // and made only if necessary.
   const bool asksNeighbours = this->Rules.Relation == SkdRelation::Adjacency &&
     this->Shape.GetKind() == SkdQueryShape::Kind::Cell;
   if (asksNeighbours && !this->IsNeighbour(asked))

@@ -17,7 +17,7 @@ skd::Box3 BoundsOf(const skd::Sphere<3>& ball)
   return skd::Box3(ball.Centre, ball.Centre).Inflated(ball.Radius);
 }
 
-/// Sorts different numbers that are less than `end`. Many are marked in a row of bits instead.
+/// Sorts distinct numbers less than `end`; many numbers by a bit set.
 void SortNumbers(std::vector<std::uint32_t>& numbers, std::uint32_t end)
 {
   if (numbers.size() < end / 64)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relations/SkdRelationOutputs.h"
 
+#include "Cells/SkdForEach.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdSubset.h"
 
@@ -11,7 +12,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
-#include "vtkSMPTools.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkTable.h"
@@ -27,14 +27,7 @@ template <typename Array, typename Value>
 void AddColumn(vtkTable* table, const char* name, vtkIdType n, const Value& value)
 {
   const auto array = SkdMakeArray<Array>(name, 1, n);
-  vtkSMPTools::For(0, n,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        array->SetValue(i, value(i));
-      }
-    });
+  SkdForEach(n, [&](vtkIdType i) { array->SetValue(i, value(i)); });
   table->AddColumn(array);
 }
 

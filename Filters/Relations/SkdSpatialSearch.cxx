@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Relations/SkdSpatialSearch.h"
 
+#include "Cells/SkdForEach.h"
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -371,14 +372,11 @@ skd::RawVector<std::uint32_t> SkdSpatialSearch::LookThrough(
   const double reach =
     this->Rules.Tolerance + 3.0 * tree.AbsoluteEpsilon() + 2.0 * shape.Rounding(tree);
   skd::RawVector<unsigned char> sides(static_cast<std::size_t>(cells.GetNumberOfPoints()));
-  vtkSMPTools::For(0, hasSides ? cells.GetNumberOfPoints() : 0,
-    [&](vtkIdType begin, vtkIdType end)
+  SkdForEach(hasSides ? cells.GetNumberOfPoints() : 0,
+    [&](vtkIdType id)
     {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        sides[static_cast<std::size_t>(id)] =
-          shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), reach);
-      }
+      sides[static_cast<std::size_t>(id)] =
+        shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), reach);
     });
   return Collect<std::uint32_t>(owner, 0.2, 0.3, cells.NumberOfCells(),
     [&](std::size_t i, std::uint32_t* to)
@@ -414,14 +412,11 @@ SkdSpatialSearch::CornersOfParts SkdSpatialSearch::LookAtPoints(
       continue;
     }
     known[part].resize(static_cast<std::size_t>(points));
-    vtkSMPTools::For(0, points,
-      [&](vtkIdType begin, vtkIdType end)
+    SkdForEach(points,
+      [&](vtkIdType id)
       {
-        for (vtkIdType id = begin; id < end; ++id)
-        {
-          known[part][static_cast<std::size_t>(id)] =
-            shape.LookAt(cells.Point(static_cast<std::uint32_t>(id)));
-        }
+        known[part][static_cast<std::size_t>(id)] =
+          shape.LookAt(cells.Point(static_cast<std::uint32_t>(id)));
       });
   }
   return known;

@@ -12,6 +12,88 @@
 
 #include <algorithm>
 
+//------------------------------------------------------------------------------
+SkdOverlapPiece& SkdOverlapReader::Add(const Corner* corners, std::size_t size)
+{
+  SkdOverlapBlock& block = this->Block;
+  block.Pieces.push_back({ static_cast<std::uint32_t>(block.Corners.size()),
+    static_cast<std::uint16_t>(size), 1, false, nullptr, {}, 0.0, {} });
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    block.Corners.push_back(corners[i].X);
+    if (this->Reading.IntoSimplices)
+    {
+      block.PointIds.push_back(corners[i].Id);
+    }
+  }
+  return block.Pieces.back();
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::Gather(std::uint32_t cell)
+{
+  const SkdCellStore& store = this->Tree.Cells();
+  const std::uint32_t* ids = store.PointIdsOf(cell);
+  this->Seen.clear();
+  for (std::uint32_t i = 0; i < store.SizeOf(cell); ++i)
+  {
+    this->Seen.push_back(
+      { this->Ground.Seen(store.Point(ids[i])), static_cast<vtkIdType>(ids[i]) });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapReader::Read(std::uint32_t cell)
+{
+  const SkdShape shape = this->Tree.Cells().ShapeOf(cell);
+  const SkdOverlapSpace space = this->Ground.GetSpace();
+  const bool isSurface = space == SkdOverlapSpace::Plane || space == SkdOverlapSpace::Sphere;
+  this->Gather(cell);
+  switch (shape)
+  {
+    case SkdShape::Line:
+    case SkdShape::PolyLine:
+      for (std::size_t i = 1; i < this->Seen.size() && space == SkdOverlapSpace::Line; ++i)
+      {
+        this->AddSegment(this->Seen[i - 1], this->Seen[i]);
+      }
+      return;
+    case SkdShape::Pixel:
+      std::swap(this->Seen[2], this->Seen[3]);
+      [[fallthrough]];
+    case SkdShape::Triangle:
+    case SkdShape::Quad:
+    case SkdShape::Polygon:
+      if (isSurface)
+      {
+        this->AddPolygon(this->Seen);
+      }
+      return;
+    case SkdShape::Tetrahedron:
+    case SkdShape::Voxel:
+    case SkdShape::Hexahedron:
+    case SkdShape::Wedge:
+    case SkdShape::Pyramid:
+      if (space == SkdOverlapSpace::Volume)
+      {
+        this->AddFixed(shape);
+      }
+      return;
+    case SkdShape::Polyhedron:
+      if (space == SkdOverlapSpace::Volume)
+      {
+        this->AddPolyhedron(this->Tree.Cells().GatherPoly(cell));
+      }
+      return;
+    case SkdShape::Strip:
+    case SkdShape::Generic:
+      this->ReadSimplices(cell);
+      return;
+    default:
+      return;
+  }
+}
+
 namespace
 {
 /// Of the corners, and of what bulges out between them on a sphere: not farther than a corner's

@@ -186,8 +186,7 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
     }
     return;
   }
-  const Vector3* points = seen.data(); // ears refer to it
-  skd::EarClipping<const Vector3*> ears(points, static_cast<int>(seen.size()));
+  skd::EarClipping<std::vector<Vector3>> ears(seen, static_cast<int>(seen.size()));
   ears.ForEachTriangle(
     [&](int a, int b, int c)
     {

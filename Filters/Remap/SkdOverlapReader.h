@@ -10,8 +10,7 @@
 
 #include "Cells/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
-#include "Remap/SkdOverlapBlock.h"
-#include "Remap/SkdOverlapGround.h"
+#include "Remap/SkdOverlapPieces.h"
 
 /// Reads cells into a block, one after the other; one a thread.
 class SkdOverlapReader

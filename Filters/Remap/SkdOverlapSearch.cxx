@@ -14,5 +14,5 @@ SkdOverlapTree::SkdOverlapTree(const SkdOverlapPieces& pieces)
       this->Cells.push_back(cell);
     }
   }
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), SkdParallelLoop());
+  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), SkdTreeLoop);
 }

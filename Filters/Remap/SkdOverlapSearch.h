@@ -8,11 +8,11 @@
 #ifndef SkdOverlapSearch_h
 #define SkdOverlapSearch_h
 
+#include "Cells/SkdForEach.h"
 #include "Core/Queries/OverlappingPairs.h"
 #include "Core/Tree/Tree.h"
 #include "Core/Tree/WalkPairs.h"
 #include "Pipeline/SkdLoop.h"
-#include "Pipeline/SkdParallelLoop.h"
 #include "Remap/SkdOverlapPieces.h"
 
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdSampleTree.h"
 
+#include "Cells/SkdForEach.h"
 #include "Cells/SkdMagnitudes.h"
-#include "Pipeline/SkdParallelLoop.h"
 
 #include <utility>
 
@@ -39,6 +39,6 @@ skd::TreeInput<3> InputOf(const std::vector<skd::Vector3>& points, const SkdSamp
 SkdSampleTree::SkdSampleTree(std::vector<skd::Vector3> points, bool isOnSphere)
   : Points(std::move(points))
   , OnSphere(isOnSphere)
-  , Tree(InputOf(this->Points, *this), SkdParallelLoop())
+  , Tree(InputOf(this->Points, *this), SkdTreeLoop)
 {
 }

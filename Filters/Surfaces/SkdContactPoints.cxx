@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdContactPoints.h"
 
+#include "Cells/SkdForEach.h"
 #include "Core/Geometry/Intersection/ContactPosition.h"
-#include "Pipeline/SkdForEach.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>

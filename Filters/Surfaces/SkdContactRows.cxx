@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The pairs of cells that pairs of triangles make: a table, and lines across the gaps.
+#include "Cells/SkdForEach.h"
 #include "Surfaces/SkdContacts.h"
 
 #include "Core/Geometry/Distance/ClosestTriangles.h"
@@ -24,7 +25,7 @@ bool AreOfSameCells(const Row& a, const Row& b)
   return a.FirstCell == b.FirstCell && a.SecondCell == b.SecondCell;
 }
 
-/// By cells; of the same cells what touches most first, then what is nearest, then the lowest.
+/// By cells; for the same cells by descending contact dimension, then distance, then id.
 template <class Row>
 bool ComesBefore(const Row& a, const Row& b)
 {
@@ -70,14 +71,8 @@ SkdContacts::Row SkdContacts::MakeRow(std::size_t index) const
 std::vector<SkdContacts::Row> SkdContacts::FindRows() const
 {
   std::vector<Row> rows(this->Pairs.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(rows.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        rows[i] = this->MakeRow(static_cast<std::size_t>(i));
-      }
-    });
+  SkdForEach(static_cast<vtkIdType>(rows.size()),
+    [&](vtkIdType i) { rows[i] = this->MakeRow(static_cast<std::size_t>(i)); });
   vtkSMPTools::Sort(rows.begin(), rows.end(), ComesBefore<Row>);
   rows.erase(std::unique(rows.begin(), rows.end(), AreOfSameCells<Row>), rows.end());
   return rows;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdPlacement.h"
 
-#include "Pipeline/SkdExactScale.h"
+#include "Cells/SkdForEach.h"
+#include "Core/Predicates/ExactScale.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -22,14 +23,11 @@ SkdPlacedTriangles::SkdPlacedTriangles(
   const double reach = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
   this->HaveAllArea = scale == 1.0 && set.GetLeastWidth() > 64.0 * rounding;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  SkdForEach(static_cast<vtkIdType>(this->Points.size()),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const skd::Vector3& point = set.GetPoints()[i];
-        this->Points[i] = scale * (motion ? motion->Forward(point) : point);
-      }
+      const skd::Vector3& point = set.GetPoints()[i];
+      this->Points[i] = scale * (motion ? motion->Forward(point) : point);
     });
 }
 
@@ -65,7 +63,7 @@ SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
-  const double scale = SkdExactScale(
+  const double scale = skd::ExactScale(
     std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift }));
   std::optional<SkdPlacedTriangles> placed;
   if (other)

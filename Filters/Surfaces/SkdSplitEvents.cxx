@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/SkdForEach.h"
 #include "Surfaces/SkdSplitSegments.h"
 
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -92,7 +92,8 @@ private:
     }
   }
 
-  /// On which side of a piece a point lies. 0: on its line, maybe on the piece, which is put down.
+  /// The side of a piece on which a point lies. 0: on its line, possibly on the piece, which is
+  /// recorded.
   int SideOf(std::uint32_t point, const Piece& piece)
   {
     if (point == piece.A || point == piece.B)
@@ -179,14 +180,9 @@ std::vector<SkdSplitEvent> SkdSplitSegments::FindEvents(int number) const
     }
   };
   vtkSMPThreadLocal<std::vector<SkdSplitEvent>> found;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()) - 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        findIn(starts[i], starts[i + 1], found.Local());
-      }
-    });
+  SkdForEach(
+    static_cast<vtkIdType>(starts.size()) - 1,
+    [&](vtkIdType i) { findIn(starts[i], starts[i + 1], found.Local()); }, 64);
   std::vector<SkdSplitEvent> all;
   for (const std::vector<SkdSplitEvent>& some : found)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitSurface.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

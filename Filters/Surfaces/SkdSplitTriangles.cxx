@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitTriangles.h"
 
+#include "Cells/SkdForEach.h"
 #include "Surfaces/SkdTriangleSplitter.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 
@@ -30,14 +30,8 @@ public:
   {
     const std::size_t n = this->Side.Set->GetSet().GetTriangles().size();
     std::vector<Work> works = this->ListWorks(n);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(works.size()), 1,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          this->DoWork(works[i]);
-        }
-      });
+    SkdForEach(
+      static_cast<vtkIdType>(works.size()), [&](vtkIdType i) { this->DoWork(works[i]); }, 1);
     SkdSplitResult result;
     result.NumberSplit = static_cast<vtkIdType>(works.size());
     auto work = works.begin();

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdTriangleReader.h"
 
-#include "Pipeline/SkdBlockSurface.h"
-#include "Pipeline/SkdTriangulation.h"
+#include "Pipeline/SkdOuterSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,36 +15,6 @@ bool IsFinite(const skd::Vector3& x)
   return 0.0 * x[0] + 0.0 * x[1] + 0.0 * x[2] == 0.0;
 }
 }
-
-//------------------------------------------------------------------------------
-/// Cuts polygons of points that are not in a vtkPoints.
-class SkdTriangleReader::Cutter
-{
-public:
-  Cutter() { this->Local->SetDataTypeToDouble(); }
-
-  /// Places in `polygon`, three a triangle. Valid until the next call.
-  vtkIdList* Cut(const std::vector<vtkIdType>& polygon, const skd::RawVector<skd::Vector3>& points)
-  {
-    const auto size = static_cast<vtkIdType>(polygon.size());
-    this->Local->SetNumberOfPoints(size);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      this->Local->SetPoint(i, points[static_cast<std::size_t>(polygon[i])].X);
-    }
-    this->Order.resize(polygon.size());
-    std::iota(this->Order.begin(), this->Order.end(), 0);
-    return this->Triangulation.Cut(this->Order.data(), static_cast<int>(size));
-  }
-
-private:
-  vtkNew<vtkPoints> Local;
-  std::vector<vtkIdType> Order;
-  SkdTriangulation Triangulation{ this->Local };
-};
-
-SkdTriangleReader::SkdTriangleReader() = default;
-SkdTriangleReader::~SkdTriangleReader() = default;
 
 //------------------------------------------------------------------------------
 inline bool SkdTriangleReader::AreSame(std::uint32_t a, std::uint32_t b) const
@@ -108,6 +77,7 @@ inline void SkdTriangleReader::AddTriangle(const SkdTriangleCell& cell, const Co
 void SkdTriangleReader::Read(int block, vtkDataSet* mesh, double chordalLength)
 {
   const SkdBlockSurface surface(mesh, chordalLength);
+  this->To.CoarseFaces += surface.GetNumberOfCoarseFaces();
   this->MarkPoints(surface);
   this->ReadPoints(block, surface);
   const std::uint32_t* const ids = this->Ids.data();
@@ -214,11 +184,13 @@ void SkdTriangleReader::AddPolygon(
   }
   else if (this->Polygon.size() > 3)
   {
-    if (!this->Cut)
+    if (!this->Triangulation)
     {
-      this->Cut = std::make_unique<Cutter>();
+      this->Triangulation.emplace();
     }
-    vtkIdList* cut = this->Cut->Cut(this->Polygon, this->To.Points);
+    const auto size = static_cast<vtkIdType>(this->Polygon.size());
+    vtkIdList* cut = this->Triangulation->Cut(size,
+      [&](vtkIdType i) { return this->To.Points[static_cast<std::size_t>(this->Polygon[i])]; });
     for (vtkIdType i = 0; i < cut->GetNumberOfIds(); i += 3)
     {
       append(cut->GetId(i), cut->GetId(i + 1), cut->GetId(i + 2));

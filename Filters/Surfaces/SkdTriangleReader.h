@@ -10,12 +10,13 @@
 
 #include "Core/Geometry/Box.h"
 #include "Core/Tree/RawVector.h"
+#include "Pipeline/SkdTriangulation.h"
 #include "vtkType.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <vector>
 
 class SkdBlockSurface;
@@ -52,6 +53,7 @@ struct SkdReadTriangles
   skd::RawVector<SkdTriangleCell> Cells;    ///< ascending
   skd::RawVector<std::uint32_t> CellOf;     ///< of each triangle its place in Cells
   vtkIdType LeftOut = 0;                    ///< faces that are none
+  vtkIdType CoarseFaces = 0;                ///< see SkdBlockSurface
   skd::Box3 Bounds;                         ///< of the points
 
   /// No triangle has less than about this as twice its area, seen along the axis where that is
@@ -59,12 +61,11 @@ struct SkdReadTriangles
   double LeastArea = std::numeric_limits<double>::infinity();
 };
 
+/// Reads SkdBlockSurface as SkdBoundary does, but welds no points and compares no faces: surfaces
+/// that are asked once are read in a fraction of the time.
 class SkdTriangleReader
 {
 public:
-  SkdTriangleReader();
-  ~SkdTriangleReader();
-
   /// Curved faces as facets no farther from them than a length (SkdChordalLength).
   void Read(int block, vtkDataSet* mesh, double chordalLength);
 
@@ -73,7 +74,6 @@ public:
 
 private:
   using Corners = SkdReadTriangles::Corners;
-  class Cutter;
   static constexpr std::uint32_t Unused = 0xffffffffu;
   static constexpr std::uint32_t NotFinite = 0xfffffffeu;
   static constexpr std::uint32_t Used = 0xfffffffdu; // and to be numbered
@@ -93,9 +93,9 @@ private:
   std::size_t NumberOfTriangles = 0;
   std::size_t NumberOfCells = 0;
   bool IsSorted = true;
-  std::vector<std::uint32_t> Ids; // of the points of the block that is read
-  std::vector<vtkIdType> Polygon; // the corners of the face that is read
-  std::unique_ptr<Cutter> Cut;    // made when it is first needed
+  std::vector<std::uint32_t> Ids;                // of the points of the block that is read
+  std::vector<vtkIdType> Polygon;                // the corners of the face that is read
+  std::optional<SkdTriangulation> Triangulation; // made when it is first needed
 };
 
 #endif

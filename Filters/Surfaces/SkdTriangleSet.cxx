@@ -12,8 +12,8 @@
 
 namespace
 {
-/// Tells of most points that they are none of some: by their bounds, and a bit for each value of a
-/// hash.
+/// A filter that excludes most points that are not in a set: by bounds, and a bit for each hash
+/// value.
 class PointFilter
 {
 public:
@@ -70,21 +70,17 @@ bool SkdTriangleSet::Update(
   const std::vector<SkdBlock>& blocks, double chordalDeviation, const skd::Processes* processes)
 {
   const double chordalLength = SkdChordalLength(blocks, chordalDeviation, processes);
-  const bool isSame = this->IsRead && this->ChordalLength == chordalLength &&
-    std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-      [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
-  if (isSame)
+  if (this->IsRead && this->ChordalLength == chordalLength && this->Meshes.AreSameAs(blocks))
   {
     return false;
   }
   *this = SkdTriangleSet();
   this->ChordalLength = chordalLength;
-  this->Meshes.resize(blocks.size());
   SkdTriangleReader reader;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  int block = 0;
+  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
   {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    reader.Read(static_cast<int>(i), this->Meshes[i].Get(), chordalLength);
+    reader.Read(block++, structure.Mesh, chordalLength);
   }
   this->Read = reader.Take();
   this->IsRead = true;

@@ -41,6 +41,9 @@ public:
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
+  /// See SkdBlockSurface.
+  vtkIdType GetNumberOfCoarseFaces() const { return this->Read.CoarseFaces; }
+
   /// @{ Merges equal points and begins the tree, unless done before. O(n).
   void Complete();
   bool IsComplete() const { return this->HasTree; }
@@ -96,7 +99,7 @@ public:
 private:
   void BuildTree();
 
-  std::vector<SkdKeptMesh> Meshes;
+  SkdKeptBlocks Meshes;
   double ChordalLength = 0.0;
   SkdReadTriangles Read;
   std::vector<std::uint32_t> PointOf; // of each point that was read, when complete

@@ -40,8 +40,8 @@ int SkdSplitCorners::Orient(int a, int b, int c)
                    .Sign());
 }
 
-// Whether the angles that c and d see a and b at make more than a half turn: then the other
-// diagonal has the better triangles (Delaunay's).
+// Whether the angles at c and d opposite to the edge ab exceed 180 degrees together: then the other
+// diagonal is that of the Delaunay triangulation.
 bool SkdSplitCorners::IsBetter(int a, int b, int c, int d) const
 {
   const auto see = [&](int from)

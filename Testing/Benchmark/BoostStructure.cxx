@@ -43,9 +43,9 @@ public:
     return true;
   }
 
-  bool Ask(Question question, const Query& query, Answer& answer) override
+  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
   {
-    if (question != Question::CellsInBox)
+    if (queryKind != QueryKind::CellsInBox)
     {
       return false;
     }

@@ -59,17 +59,17 @@ public:
     return true;
   }
 
-  bool Ask(Question question, const Query& query, Answer& answer) override
+  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
   {
-    switch (question)
+    switch (queryKind)
     {
-      case Question::ClosestPoint:
+      case QueryKind::ClosestPoint:
         this->Closest(query, answer);
         return true;
-      case Question::FirstHit:
+      case QueryKind::FirstHit:
         this->FirstHit(query, answer);
         return true;
-      case Question::AllHits:
+      case QueryKind::AllHits:
         this->AllHits(query, answer);
         return true;
       default:

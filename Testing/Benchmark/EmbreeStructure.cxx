@@ -90,20 +90,20 @@ public:
     return rtcGetDeviceError(EmbreeDevice()) == RTC_ERROR_NONE;
   }
 
-  bool Ask(Question question, const Query& query, Answer& answer) override
+  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
   {
-    switch (question)
+    switch (queryKind)
     {
-      case Question::ClosestPoint:
+      case QueryKind::ClosestPoint:
         this->Closest(query, std::numeric_limits<double>::infinity(), answer);
         return true;
-      case Question::ClosestPointWithinRadius:
+      case QueryKind::ClosestPointWithinRadius:
         this->Closest(query, query.Radius, answer);
         return true;
-      case Question::FirstHit:
+      case QueryKind::FirstHit:
         this->FirstHit(query, answer);
         return true;
-      case Question::AllHits:
+      case QueryKind::AllHits:
         this->AllHits(query, answer);
         return true;
       default:

@@ -17,7 +17,7 @@ class Nothing : public Structure
 {
 public:
   bool Build(vtkDataSet*) override { return false; }
-  bool Ask(Question, const Query&, Answer&) override { return false; }
+  bool Ask(QueryKind, const Query&, Answer&) override { return false; }
 };
 
 struct Series

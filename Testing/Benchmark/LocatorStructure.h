@@ -60,20 +60,20 @@ public:
     return this->Complaints.WasQuiet();
   }
 
-  bool Ask(Question question, const Query& query, Answer& answer) override
+  bool Ask(QueryKind queryKind, const Query& query, Answer& answer) override
   {
-    switch (question)
+    switch (queryKind)
     {
-      case Question::ClosestPoint:
+      case QueryKind::ClosestPoint:
         this->ClosestPoint(query, answer);
         break;
-      case Question::ClosestPointWithinRadius:
+      case QueryKind::ClosestPointWithinRadius:
         this->ClosestPointWithinRadius(query, answer);
         break;
-      case Question::FirstHit:
+      case QueryKind::FirstHit:
         this->FirstHit(query, answer);
         break;
-      case Question::AllHits:
+      case QueryKind::AllHits:
         this->Points->Reset();
         this->Ids->Reset();
         if (!this->AllHits(query))
@@ -82,13 +82,13 @@ public:
         }
         this->List(answer);
         break;
-      case Question::FindCell:
+      case QueryKind::FindCell:
         answer.Cell = this->Tree->FindCell(Point(query.From).data());
         return this->HasFindCell();
-      case Question::FindCellWithHint:
+      case QueryKind::FindCellWithHint:
         answer.Cell = this->FindCellWithHint(query, answer.Cell);
         return this->HasFindCell();
-      case Question::CellsInBox:
+      case QueryKind::CellsInBox:
         this->Ids->Reset();
         this->Tree->FindCellsWithinBounds(Bounds(query.Box).data(), this->Ids);
         this->List(answer);

@@ -97,7 +97,7 @@ void AppendMemoryRows(vtkDataSet* data, const std::vector<Built>& built, std::ve
   rows.push_back(told);
 }
 
-/// Whether the structure answers such questions: seen from a few of them.
+/// Whether the structure supports such queries, by trying a few of them.
 bool CanDo(Structure& tree, const Work& work)
 {
   Answer answer;

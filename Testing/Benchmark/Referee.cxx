@@ -70,24 +70,24 @@ Referee::Referee(vtkDataSet* data)
 }
 
 std::vector<bool> Referee::Judge(
-  Question question, const Query& query, const std::vector<Record>& records)
+  QueryKind queryKind, const Query& query, const std::vector<Record>& records)
 {
-  switch (question)
+  switch (queryKind)
   {
-    case Question::ClosestPoint:
+    case QueryKind::ClosestPoint:
       return this->JudgeClosest(query, records, Infinity);
-    case Question::ClosestPointWithinRadius:
+    case QueryKind::ClosestPointWithinRadius:
       return this->JudgeClosest(query, records, query.Radius);
-    case Question::FirstHit:
+    case QueryKind::FirstHit:
       return this->JudgeFirstHit(query, records);
-    case Question::FindCell:
-    case Question::FindCellWithHint:
+    case QueryKind::FindCell:
+    case QueryKind::FindCellWithHint:
       return this->JudgeFindCell(query, records);
-    case Question::AllHits:
-    case Question::CellsInBox:
+    case QueryKind::AllHits:
+    case QueryKind::CellsInBox:
       break;
   }
-  return this->JudgeLists(question, query, records);
+  return this->JudgeLists(queryKind, query, records);
 }
 
 std::vector<bool> Referee::JudgeClosest(
@@ -164,7 +164,7 @@ std::vector<bool> Referee::JudgeFindCell(const Query& query, const std::vector<R
 }
 
 std::vector<bool> Referee::JudgeLists(
-  Question question, const Query& query, const std::vector<Record>& records)
+  QueryKind queryKind, const Query& query, const std::vector<Record>& records)
 {
   std::vector<vtkIdType> all;
   for (const Record& record : records)
@@ -176,8 +176,8 @@ std::vector<bool> Referee::JudgeLists(
   std::vector<bool> wrong(records.size(), false);
   for (vtkIdType cell : all)
   {
-    const bool must = this->MustBeListed(question, query, cell);
-    const bool may = must || this->MayBeListed(question, query, cell);
+    const bool must = this->MustBeListed(queryKind, query, cell);
+    const bool may = must || this->MayBeListed(queryKind, query, cell);
     for (std::size_t i = 0; i < records.size(); ++i)
     {
       const bool listed = Holds(records[i].Cells, cell);
@@ -187,16 +187,16 @@ std::vector<bool> Referee::JudgeLists(
   return wrong;
 }
 
-bool Referee::MustBeListed(Question question, const Query& query, vtkIdType cell)
+bool Referee::MustBeListed(QueryKind queryKind, const Query& query, vtkIdType cell)
 {
-  return question == Question::CellsInBox ? this->IsInBox(query, cell)
-                                          : this->IsHit(query, cell, 0.1 * this->LineTolerance);
+  return queryKind == QueryKind::CellsInBox ? this->IsInBox(query, cell)
+                                            : this->IsHit(query, cell, 0.1 * this->LineTolerance);
 }
 
-bool Referee::MayBeListed(Question question, const Query& query, vtkIdType cell)
+bool Referee::MayBeListed(QueryKind queryKind, const Query& query, vtkIdType cell)
 {
-  return question == Question::CellsInBox ? false
-                                          : this->IsHit(query, cell, 10 * this->LineTolerance);
+  return queryKind == QueryKind::CellsInBox ? false
+                                            : this->IsHit(query, cell, 10 * this->LineTolerance);
 }
 
 // A cell of its own each time: a generic cell gives its polyhedron again, and one of VTK 9.1 that

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Referee.h
- * @brief compares the answers of all structures to one question, and says whose are wrong
+ * @brief compares the answers of all structures to one query, and reports wrong ones
  *
  * No structure is trusted. An answer counts when the cell that it names bears it out, by VTK's own
  * test of that one cell; the best that counts is the truth, and who says otherwise is wrong. An
@@ -12,7 +12,7 @@
 #ifndef skdbench_Referee_h
 #define skdbench_Referee_h
 
-#include "Question.h"
+#include "QueryKind.h"
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -23,7 +23,7 @@
 namespace skdbench
 {
 
-/// An answer that outlives the next question.
+/// An answer that is still valid after the next query.
 struct Record
 {
   Record(const Answer& answer, double precision);
@@ -42,7 +42,7 @@ public:
 
   /// For each record whether it is wrong.
   std::vector<bool> Judge(
-    Question question, const Query& query, const std::vector<Record>& records);
+    QueryKind queryKind, const Query& query, const std::vector<Record>& records);
 
 private:
   std::vector<bool> JudgeClosest(
@@ -50,10 +50,10 @@ private:
   std::vector<bool> JudgeFirstHit(const Query& query, const std::vector<Record>& records);
   std::vector<bool> JudgeFindCell(const Query& query, const std::vector<Record>& records);
   std::vector<bool> JudgeLists(
-    Question question, const Query& query, const std::vector<Record>& records);
+    QueryKind queryKind, const Query& query, const std::vector<Record>& records);
 
-  bool MustBeListed(Question question, const Query& query, vtkIdType cell);
-  bool MayBeListed(Question question, const Query& query, vtkIdType cell);
+  bool MustBeListed(QueryKind queryKind, const Query& query, vtkIdType cell);
+  bool MayBeListed(QueryKind queryKind, const Query& query, vtkIdType cell);
   bool IsHit(const Query& query, vtkIdType cell, double tolerance);
   bool IsInBox(const Query& query, vtkIdType cell);
   bool IsInside(const Point& x, vtkIdType cell);

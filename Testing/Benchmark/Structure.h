@@ -10,7 +10,7 @@
 #ifndef skdbench_Structure_h
 #define skdbench_Structure_h
 
-#include "Question.h"
+#include "QueryKind.h"
 
 #include <functional>
 #include <memory>
@@ -31,8 +31,8 @@ public:
   /// Builds anew. False when the structure cannot take this data set.
   virtual bool Build(vtkDataSet* data) = 0;
 
-  /// Answers into `answer`. False when the structure cannot answer this question at all.
-  virtual bool Ask(Question question, const Query& query, Answer& answer) = 0;
+  /// Answers into `answer`. False if the structure does not support this kind of query.
+  virtual bool Ask(QueryKind queryKind, const Query& query, Answer& answer) = 0;
 
   /// Bytes that the structure itself says it keeps.
   virtual std::optional<double> BytesBySelf() const { return std::nullopt; }

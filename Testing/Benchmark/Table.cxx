@@ -161,7 +161,7 @@ void PrintHeader(std::ostream& out, const Options& options)
       << " s each that take turns; every structure with its default settings, on the same data and "
          "the same queries, asked by the same short forms of vtkAbstractCellLocator.\n"
       << "- The first column is absolute, the others are multiples of it: above 1 the skD-tree is "
-         "faster (or smaller). A dash: the structure does not answer such questions in this VTK. "
+         "faster (or smaller). A dash: the structure does not support such queries in this VTK. "
          "\"wrong\": answers that a referee refuted, who trusts only VTK's test of single cells.\n";
 }
 

@@ -119,7 +119,7 @@ public:
     return BoxQuery(box);
   }
 
-  Work Make(const std::string& name, Question asked, Query (QueryMaker::*one)())
+  Work Make(const std::string& name, QueryKind asked, Query (QueryMaker::*one)())
   {
     Work work{ name, asked, {} };
     for (int i = 0; i < this->Count; ++i)
@@ -185,7 +185,7 @@ bool IsVolume(vtkDataSet* data)
 
 std::vector<Work> MakeWorks(vtkDataSet* data, int count)
 {
-  using Q = Question;
+  using Q = QueryKind;
   using M = QueryMaker;
   M maker(data, count);
   std::vector<Work> works = {

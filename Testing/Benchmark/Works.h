@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Works.h
- * @brief the queries that stand for each kind of work, made for a data set
+ * @brief samples of queries for each kind of work, made for a data set
  */
 #ifndef skdbench_Works_h
 #define skdbench_Works_h
 
-#include "Question.h"
+#include "QueryKind.h"
 
 class vtkDataSet;
 

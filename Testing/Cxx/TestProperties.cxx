@@ -15,6 +15,7 @@
 #include "vtkSkdTreeMeshRefinement.h"
 #include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeProbe.h"
+#include "vtkSkdTreeRemap.h"
 #include "vtkSkdTreeRepresentation.h"
 #include "vtkSkdTreeSpatialQuery.h"
 #include "vtkSkdTreeSurfaceIntersection.h"
@@ -180,6 +181,10 @@ TEST(Properties, OfFiltersThatAskAMeshRefuseWhatTheyCannotBe)
     using Object = vtkSkdTreeProbe;
     ExpectRefused<Object>({ WITHIN(Epsilon, 0, 1), WITHIN(MaximumDistance, 0, VTK_DOUBLE_MAX),
       WITHIN(RelativeTolerance, 0, VTK_DOUBLE_MAX), WITHIN(AbsoluteTolerance, 0, VTK_DOUBLE_MAX) });
+  }
+  {
+    using Object = vtkSkdTreeRemap;
+    ExpectRefused<Object>({ WITHIN(MinimumCoverage, 0, 1) });
   }
   {
     using Object = vtkSkdTreePointInOut;

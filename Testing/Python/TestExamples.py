@@ -62,6 +62,11 @@ def test_probe():
     check("Probe", data("disk_flow.vtu"), {"stretches: 66": 1}, (0.2, 0.8))
 
 
+def test_remap():
+    words = {"of them without a height": 1, "conservation error below 1e-13: True": 1}
+    check("Remap", data("earth_relief.vti"), words, (0.2, 0.8))
+
+
 def test_spatial_query():
     words = {"129 cells overlap a box": 1, " 79 cells fill a sphere": 1, " 35 cells meet a line": 1,
         " 40 cells are nearest": 1}

@@ -17,6 +17,7 @@
 #include "vtkSkdTreeMeshRefinement.h"
 #include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeProbe.h"
+#include "vtkSkdTreeRemap.h"
 #include "vtkSkdTreeRepresentation.h"
 #include "vtkSkdTreeSpatialQuery.h"
 #include "vtkSkdTreeSurfaceIntersection.h"
@@ -113,6 +114,14 @@ AlgorithmPointer MakeProbeOf(vtkDataObject* input, vtkDataObject* source)
   return filter;
 }
 
+AlgorithmPointer MakeRemapOf(vtkDataObject* input, vtkDataObject* source, int method)
+{
+  const auto filter = MakeOf<vtkSkdTreeRemap>(input, source);
+  filter->SetMethod(method);
+  filter->GenerateWeightsOn();
+  return filter;
+}
+
 AlgorithmPointer MakeQueryOf(vtkDataObject* input, vtkDataObject* source, int shape, int relation)
 {
   const auto filter = MakeOf<vtkSkdTreeSpatialQuery>(input, source);
@@ -183,6 +192,7 @@ std::vector<FilterSetup> MakeSetups()
 {
   using InOut = vtkSkdTreePointInOut;
   using Query = vtkSkdTreeSpatialQuery;
+  using Remap = vtkSkdTreeRemap;
   using Data = vtkDataObject;
   return {
     { "ClosestPointOn", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, false); } },
@@ -202,6 +212,13 @@ std::vector<FilterSetup> MakeSetups()
       { return MakeInOutOf(mesh, SomeSurface(), InOut::CELL_CENTERS, InOut::BOUNDARIES); } },
     { "ProbeOf", [](Data* mesh) { return MakeProbeOf(SomeLines(), mesh); } },
     { "ProbeFor", [](Data* mesh) { return MakeProbeOf(mesh, SomeVolumes()); } },
+    { "RemapOf",
+      [](Data* mesh)
+      { return MakeRemapOf(SomeVolumes(), mesh, Remap::CONSERVATIVE_SECOND_ORDER); } },
+    { "RemapFor",
+      [](Data* mesh) { return MakeRemapOf(mesh, SomeVolumes(), Remap::AUTOMATIC_METHOD); } },
+    { "RemapContained",
+      [](Data* mesh) { return MakeRemapOf(mesh, SomeSurface(), Remap::CONTAINED); } },
     { "QueryByBox",
       [](Data* mesh) { return MakeQueryOf(mesh, nullptr, Query::BOX, Query::OVERLAP); } },
     { "QueryBySphere",

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// All points that a piece of a curve and a patch have in common (section 6.2), on their native
-/// form.
+/// @file All common points of a piece of a curve and a patch (section 6.2), in their native
+/// representation.
 ///
 /// Both are halved until each part of them is certainly apart (the hulls of control points are, or
 /// a quadric is in between: SeparatingQuadric.h), has one certain root (Krawczyk's test, then

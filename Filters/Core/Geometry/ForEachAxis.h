@@ -8,9 +8,9 @@
 namespace skd
 {
 
-/// body(0) .. body(D - 1), written out: compilers leave short loops over axes as loops, and keep in
-/// memory what they could keep in registers. A box that is written to memory number by number and
-/// copied from there at once costs more than all arithmetic on it.
+/// body(0) .. body(D - 1), unrolled: compilers keep short loops over axes as loops, with values in
+/// memory instead of registers. A box that is written to memory number by number and copied from
+/// there at once costs more than all arithmetic on it.
 template <class Body, int... Axes>
 void ForEachAxis(std::integer_sequence<int, Axes...>, Body body)
 {

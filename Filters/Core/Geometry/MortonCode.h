@@ -9,8 +9,8 @@
 namespace skd
 {
 
-/// Where a cube is along Morton's curve, which fills a box with cubes: the bits of its three
-/// numbers, at most ten of each, in turn.
+/// The Morton code of a cube in a grid: the interleaved bits of its three coordinates, at most ten
+/// bits each.
 inline std::uint32_t MortonCode(const std::array<std::uint32_t, 3>& cube)
 {
   std::uint32_t code = 0;

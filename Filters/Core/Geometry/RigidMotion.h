@@ -11,14 +11,14 @@
 namespace skd
 {
 
-/// x -> Rows x + Shift, Rows orthonormal: a turn, by choice a reflection, and a shift. Distances
-/// stay, so a tree needs no rebuild when its whole set moves (section 2).
+/// x -> Rows x + Shift, Rows orthonormal: a rotation or reflection, and a translation. Distances
+/// are preserved, so a tree needs no rebuild if its whole set moves (section 2).
 struct RigidMotion
 {
   Vector3 Rows[3];
   Vector3 Shift;
 
-  /// From a row-major 4 x 4 matrix; nothing if it does not keep distances to 1e-9.
+  /// From a row-major 4 x 4 matrix; empty unless it is rigid to 1e-9.
   static std::optional<RigidMotion> FromMatrix(const double matrix[16])
   {
     RigidMotion motion;

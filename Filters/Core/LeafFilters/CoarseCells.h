@@ -16,11 +16,11 @@
 namespace skd
 {
 
-/// At most 64 x 64 x 64 cells over a box, and a bit for each: whether anything marked is in it.
-/// Says of boxes that they overlap none of those that were marked, in a few instructions and
-/// without a tree: two boxes that overlap within the region have a cell in common, because what
-/// maps coordinates to cells is monotone, rounding and all. For the same reason the cells of what
-/// encloses some points are found from those of the points.
+/// A grid of at most 64 x 64 x 64 cells over a box, with a bit for each cell that is marked. It
+/// excludes boxes that overlap no marked box, in a few instructions and without a tree: two boxes
+/// that overlap within the region share a cell, because the map from coordinates to cells is
+/// monotone, including rounding. For the same reason the cells of what encloses some points are
+/// found from those of the points.
 class CoarseCells
 {
 public:
@@ -127,7 +127,7 @@ private:
     return (~std::uint64_t(0) << range.First[0]) & (~std::uint64_t(0) >> (63 - range.Last[0]));
   }
 
-  /// Until `body` returns false, which is then returned.
+  /// Stops when `body` returns false, and then returns false.
   template <class Body>
   bool ForEachRow(const Range& range, Body body) const
   {

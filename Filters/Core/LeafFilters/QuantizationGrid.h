@@ -10,9 +10,9 @@
 namespace skd
 {
 
-/// A grid of whole numbers of 16 bits that is laid over a leaf, in space: what is in the
-/// node's box has coordinates of at most Largest. So cells much smaller than the data set are seen
-/// as sharply as large ones, in a quarter of the memory of doubles.
+/// A 16-bit integer grid over a leaf's box, in which coordinates are at most Largest. Cells much
+/// smaller than the data set are thus represented as accurately as large ones, in a quarter of the
+/// memory of doubles.
 ///
 /// The unit is never below 2^-46 of the tree's frame, where double precision ends: there a place is
 /// off by less than Slack besides the half unit that rounding costs.

@@ -10,8 +10,8 @@
 namespace skd
 {
 
-/// A line as packets see it: sheared to run along an axis, as in SegmentTriangle.h, in the tree's
-/// frame.
+/// A line for tests with packets: sheared to run along an axis, as in SegmentTriangle.h, in the
+/// tree's frame.
 class TriangleCrossings
 {
 public:
@@ -33,7 +33,7 @@ public:
     this->Margin = Frame<3>::RoundUp(margin);
   }
 
-  /// Bit i: the line may meet the triangle of lane i.
+  /// Bit i: the line may intersect the triangle of lane i.
   SKD_IN_ONE_PIECE unsigned MayMeet(const TrianglePacket& packet) const
   {
     const Shear& shear = this->TheShear;

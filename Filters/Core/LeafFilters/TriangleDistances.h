@@ -11,7 +11,7 @@
 namespace skd
 {
 
-/// How near to a point the triangles of a packet may come, and how far they are at most.
+/// Lower and upper bounds of the distances of a packet's triangles from a point.
 ///
 /// A place of each triangle near to the point is found in single precision. It bounds the distance
 /// from above; from below the corners do, as seen along the line to that place, whatever rounding

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Leaf filters (Queries/LeafFilter.h) that look at the packets of triangles kept for leaves: an
-/// even tag is twice the number of a node's packet.
+/// @file Leaf filters (Queries/LeafFilter.h) for the packets of triangles of leaves: an even tag is
+/// twice the number of a node's packet.
 #ifndef skd_LeafFilters_TriangleLeafFilters_h
 #define skd_LeafFilters_TriangleLeafFilters_h
 
@@ -116,7 +115,7 @@ private:
   Vector3 Local;
 };
 
-/// Which triangles a line may meet.
+/// The triangles that a line may intersect.
 class LineLeafFilter
 {
 public:

@@ -9,8 +9,7 @@
 namespace skd
 {
 
-/// Up to eight triangles on their grid, and where their corners as they are can be found: three
-/// cache lines.
+/// Up to eight triangles on their grid, and the indices of their exact corners: three cache lines.
 struct alignas(64) TrianglePacket
 {
   static constexpr int Width = 8;

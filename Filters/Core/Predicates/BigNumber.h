@@ -11,9 +11,9 @@
 namespace skd
 {
 
-/// A number of as many binary digits as it takes: sums, differences and products are exact, and
-/// nothing over- or underflows. For the few signs that no filter decides and that are of too high
-/// a degree for an Expansion: some hundred times slower than a double.
+/// A binary number of arbitrary precision: sums, differences and products are exact, without
+/// overflow or underflow. For the few signs that no filter decides and whose degree is too high for
+/// an Expansion; some hundred times slower than a double.
 ///
 /// Boost.Multiprecision would halve this file; but comparisons took a fifth longer with it
 /// (crossings a seventh less), and all who build this would need it.

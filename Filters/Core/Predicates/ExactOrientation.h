@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Signs of determinants of coordinates, exact: on which side of a plane is a point, how do two
-/// lines pass each other. See Orient3D.h for the range of coordinates.
+/// @file Exact signs of determinants of coordinates: the side of a plane on which a point lies, the
+/// orientation of two lines. See Orient3D.h for the range of coordinates.
 #ifndef skd_Predicates_ExactOrientation_h
 #define skd_Predicates_ExactOrientation_h
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Points that have no coordinates in floating point, exactly: where an edge crosses a plane, or
-/// where segments between such points cross each other. For what a filter cannot decide.
+/// @file Exact constructed points, which have no floating-point coordinates: intersections of an
+/// edge and a plane, or of segments between such points. Used where a filter cannot decide.
 #ifndef skd_Predicates_ExactPoint_h
 #define skd_Predicates_ExactPoint_h
 

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// On which side a point lies, exactly: a filter in floating point decides nearly always, exact
-/// expansions decide the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997)
-/// 305-363). Exact as long as no product of three differences over- or underflows: coordinates,
-/// unless 0, of a magnitude within 1e-80 .. 1e100. NaN gives 0.
+/// @file Exact orientation tests: a floating-point filter decides nearly always, exact expansions
+/// decide the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997) 305-363). Exact as
+/// long as no product of three differences over- or underflows: coordinates, unless 0, of a
+/// magnitude within 1e-80 .. 1e100. NaN gives 0.
 #ifndef skd_Predicates_Orient3D_h
 #define skd_Predicates_Orient3D_h
 
@@ -79,8 +78,8 @@ inline double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c, int a
   return detail::ExactOrient2D(a, b, c, (axis + 1) % 3, (axis + 2) % 3).Value();
 }
 
-/// A plane through three points that tells by floating arithmetic on which side others lie, and
-/// when that is certain: for many points, or where most are certain.
+/// A plane through three points with a floating-point side test that reports when it is certain:
+/// for many points, or if most are certain.
 class FloatingPlane
 {
 public:

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// A family of boxes against a tree in one walk (section 6.5): each box gets the list of what may
-/// meet it from the box that it is a part of, and none is searched from the root again.
+/// @file Searches a family of nested boxes in one traversal of a tree (section 6.5): each box gets
+/// its candidate list from the enclosing box instead of searching from the root.
 #ifndef skd_Queries_CandidateLists_h
 #define skd_Queries_CandidateLists_h
 

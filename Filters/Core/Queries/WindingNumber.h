@@ -6,13 +6,13 @@
 /// overlaps and triangles turned over change it a little, not all at once (A. Jacobson, L. Kavan,
 /// O. Sorkine-Hornung, ACM Trans. Graph. 32 (2013) 33).
 ///
-/// Every triangle matters, so this is no search but a sum over the tree: what is far below one box
-/// is taken together, by the first three terms of its expansion at the middle of its area (G.
-/// Barill, N. G. Dickson, R. Schmidt, D. I. W. Levin, A. Jacobson, ACM Trans. Graph. 37 (2018) 43).
-/// What the terms left out can add up to is known: the kernel's part of degree k in the place d of
-/// an area, seen from a centre at the distance r, is the gradient of a solid harmonic, which is at
-/// most sqrt(k (k + 1)) |d|^(k - 1) / r^(k + 1), for that of a Legendre polynomial is bounded by
-/// P^2 + (1 - t^2) P'^2 / (k (k + 1)) <= 1.
+/// This is a sum over all triangles rather than a search: triangles in a distant box are replaced
+/// by the first three terms of their expansion at the centre of their area (G. Barill, N. G.
+/// Dickson, R. Schmidt, D. I. W. Levin, A. Jacobson, ACM Trans. Graph. 37 (2018) 43). What the
+/// terms left out can add up to is known: the kernel's part of degree k in the place d of an area,
+/// seen from a centre at the distance r, is the gradient of a solid harmonic, which is at most
+/// sqrt(k (k + 1)) |d|^(k - 1) / r^(k + 1), for that of a Legendre polynomial is bounded by P^2 +
+/// (1 - t^2) P'^2 / (k (k + 1)) <= 1.
 #ifndef skd_Queries_WindingNumber_h
 #define skd_Queries_WindingNumber_h
 

@@ -11,15 +11,15 @@
 namespace skd
 {
 
-/// The split whose two boxes are least, each times the number of leaves in it: how often a
-/// query that comes from anywhere looks into these (surface area heuristic; J. D. MacDonald, K. S.
-/// Booth, "Heuristics for ray tracing using space subdivision", Visual Computer 6 (1990) 153-166).
+/// The split with the least sum of box areas times numbers of leaves, proportional to the expected
+/// number of visits by a random query (surface area heuristic; J. D. MacDonald, K. S. Booth,
+/// "Heuristics for ray tracing using space subdivision", Visual Computer 6 (1990) 153-166).
 ///
 ///   centroids in 16 bins along each axis      [:. |..:|.  | : ]
 ///   a cut between two bins, rounded to        <- box ->|<- box ->
 ///   whole leaves
 ///
-/// Of large ranges a sample is looked at. O(1) for these, O(n) for others; no allocation.
+/// Large ranges are sampled. O(1) for these, O(n) for others; no allocation.
 template <int D>
 class AreaSplit
 {
@@ -30,7 +30,7 @@ public:
     std::uint64_t Left; ///< leaves before the cut
   };
 
-  /// How many leaves there are, and how many of them may be before the cut.
+  /// The number of leaves, and the range of numbers allowed before the cut.
   struct Bounds
   {
     std::uint64_t Leaves;
@@ -56,7 +56,7 @@ public:
     this->FillBins(first, last, stride, low, high);
   }
 
-  /// Where all cuts are as good, the one in the middle.
+  /// If all cuts are equally good, the one in the middle.
   Cut Best(const Bounds& bounds, int longestAxis) const
   {
     Candidate best{ std::numeric_limits<double>::infinity(),

@@ -15,12 +15,11 @@
 namespace skd
 {
 
-/// The elements of the top of a tree, sorted no further than into the bins of a grid: one look at
-/// each of them, and 4 bytes of memory. A split leaves most bins whole on one side or the other,
-/// and has to look again only at those that it cuts: one slab of the grid. So a tree of N elements
-/// that is built on query has its first nodes after O(N) cheap steps, and keeps no boxes but of
-/// elements that queries came near to. What is divided is the same as by SplitAtRank, to the last
-/// element.
+/// The elements of the top of a tree, sorted into the bins of a grid only: each is read once and
+/// takes 4 bytes. A split assigns most bins as a whole to one side and reads only the elements of
+/// one slab of the grid again. So a tree of N elements that is built on query has its first nodes
+/// after O(N) cheap steps, and stores boxes only of elements near queries. The result is identical
+/// to that of SplitAtRank.
 ///
 ///    : . |: . : | .        a range of the tree is a list of pieces: bins, or what is left of them;
 ///    . : |. : . | : .      a split along x finds the slab with the median, and cuts its pieces
@@ -31,10 +30,10 @@ template <int D>
 class CoarseBins
 {
 public:
-  /// So few elements, or fewer, are divided faster with their boxes at hand.
+  /// Up to this number of elements, splits of stored boxes are faster.
   static constexpr std::size_t Few = std::size_t(1) << 16;
 
-  /// All elements, one range. `loop` as of Tree: the result is the same however it runs.
+  /// All elements, one range. `loop` as in Tree; the result does not depend on it.
   template <class Loop>
   CoarseBins(std::uint32_t count, std::size_t few, ElementReader<D> read, Loop& loop)
     : Enough(few)
@@ -45,8 +44,8 @@ public:
     this->Sort(loop);
   }
 
-  /// Whether the range that begins at `first`, of so many elements, is not worth a split here: they
-  /// are few, or crowd in a few bins.
+  /// Whether the range of `size` elements that begins at `first` should not be split here: it has
+  /// few elements, or few bins.
   bool IsDone(std::uint32_t first, std::size_t size) const
   {
     const std::lock_guard<std::mutex> lock(this->Lock);
@@ -79,7 +78,7 @@ public:
     return boxes;
   }
 
-  /// The elements of the range that begins at `first`, which is forgotten.
+  /// The elements of the range that begins at `first`, which is then discarded.
   void Take(std::uint32_t first, Element<D>* to)
   {
     for (const Piece& piece : this->TakePieces(first))
@@ -125,8 +124,8 @@ private:
     std::uint32_t Rank;
   };
 
-  /// Elements one after the other, sorted by one thread: how many are in each bin; then where the
-  /// next of them goes.
+  /// Consecutive elements, sorted by one thread: first the number in each bin, then the index of
+  /// the next one.
   struct Strand
   {
     std::uint32_t First;

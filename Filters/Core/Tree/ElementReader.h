@@ -14,8 +14,7 @@
 namespace skd
 {
 
-/// Gives the elements of some indices, the same every time: read(indices, how many, to). Threads
-/// may call it at once.
+/// Reads the elements of some indices, reproducibly: read(indices, count, to). Thread-safe.
 template <int D>
 using ElementReader = std::function<void(const std::uint32_t*, std::size_t, Element<D>*)>;
 
@@ -36,7 +35,7 @@ void ReadInRow(
   }
 }
 
-/// About so many of the first `count` elements, evenly spread.
+/// About `size` of the first `count` elements, evenly spread.
 template <int D>
 std::vector<Element<D>> ReadSample(
   const ElementReader<D>& read, std::uint32_t count, std::uint32_t size)

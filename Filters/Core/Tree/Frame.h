@@ -66,12 +66,12 @@ double HalfArea(const FloatBox<D>& box)
   return sum;
 }
 
-/// Where a tree's single-precision boxes live: the world moved to the centre of the set and scaled
-/// by a power of two so that the set lies in [-1, 1]. So a tree loses nothing on data that are
-/// tiny, huge or far from the origin.
+/// The coordinate frame of a tree's single-precision boxes: world coordinates relative to the
+/// centre of the set, scaled by a power of two so that the set lies in [-1, 1]. So a tree does not
+/// lose precision on data that are tiny, huge or far from the origin.
 ///
-/// Rounding is outward and monotone: a <= b in the world gives Down(a) <= Up(b) in the frame. What
-/// overlaps in the world overlaps here.
+/// Rounding is outward and monotone: a <= b in the world gives Down(a) <= Up(b) in the frame. Boxes
+/// that overlap in the world overlap in the frame.
 template <int D>
 struct Frame
 {
@@ -115,7 +115,8 @@ struct Frame
     return rounded;
   }
 
-  /// The same rounded inward: what holds a box here does so in the world. Min may be above Max.
+  /// The same rounded inward: a box that contains it in the frame contains it in the world. Min may
+  /// be above Max.
   FloatBox<D> Inward(const Box<D>& box) const
   {
     FloatBox<D> rounded;

@@ -18,14 +18,13 @@
 namespace skd
 {
 
-/// The splitting of Algorithms 3.1 and 3.2, carried to eight children a node: the range of a node
-/// is halved at the median of the centroids along the longest axis of its box, each half again,
-/// and again. Medians are rounded to whole leaves, so that these are full; N alone decides
-/// the shape of the tree. Centroids that are equal are told apart by index: the same tree always,
-/// and the same depth however many are equal.
+/// The splitting of Algorithms 3.1 and 3.2 with eight children a node: the range of a node is
+/// halved at the median of the centroids along the longest axis of its box, three times. Medians
+/// are rounded to full leaves, so that N alone determines the shape of the tree. Ties between
+/// centroids are broken by index: the tree is reproducible, and its depth does not depend on ties.
 ///
-/// By SplitRule::SurfaceArea ranges are divided elsewhere (AreaSplit), at whole leaves, too.
-/// Then the elements decide the shape, and the tree is one level higher at most.
+/// With SplitRule::SurfaceArea ranges are divided by AreaSplit, also at full leaves. Then the
+/// elements determine the shape, and the tree has at most one level more.
 ///
 ///   Begin(node)            Step              Step               Step -> a box in each lane
 ///   [ . . . . . . . . ]    [ . . . .|. . . . ]  [ . .|. .|. .|. . ]  [.|.|.|.|.|.|.|.]
@@ -147,7 +146,7 @@ private:
     return (elements + this->Capacity - 1) / this->Capacity;
   }
 
-  /// As few children as keep the height least.
+  /// The least number of children with the minimum height.
   static std::uint64_t CountChildren(std::uint64_t leaves)
   {
     std::uint64_t below = 1;
@@ -221,7 +220,7 @@ private:
     return height;
   }
 
-  /// How many leaves there can be so many levels below a node.
+  /// The maximum number of leaves a given number of levels below a node.
   static std::uint64_t RoomOf(std::uint32_t height) { return std::uint64_t(1) << (3 * height); }
 
   /// Where N alone decides, as many as there are. Memory that is never written costs nothing.
@@ -303,7 +302,7 @@ private:
     return { LongestAxis(task.Elements.Box), LeavesLeft(leaves, leftShares, task.Shares) };
   }
 
-  /// Every lane gets a leaf at least, and no more than it has room for.
+  /// Every lane gets at least one leaf, and no more than its capacity.
   Cut BestCut(const Task& task, int leftShares) const
   {
     const Range& range = task.Elements;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Eight floats side by side: the one place that knows how this compiler and machine compute on
-/// several numbers at once. Everything means what the plain loop over lanes means; compile with
-/// SKD_PLAIN_LANES to get just that loop.
+/// @file SIMD vectors of eight floats: all dependencies on compiler and processor are here. Every
+/// operation is equivalent to a plain loop over lanes; compile with SKD_PLAIN_LANES to use that
+/// loop.
 #ifndef skd_Tree_Lanes_h
 #define skd_Tree_Lanes_h
 
@@ -16,16 +15,16 @@
 #include <immintrin.h>
 #endif
 
-/// Before a function: everything that it calls becomes a part of it. For those that are run at
-/// every node: what is made of many small functions on lanes should be a few instructions.
+/// Before a function: inlines everything that it calls. For functions that run at every node, which
+/// should compile to a few instructions.
 #if defined(__GNUC__)
 #define SKD_IN_ONE_PIECE __attribute__((flatten))
 #else
 #define SKD_IN_ONE_PIECE
 #endif
 
-/// Before a function: it is no part of others, not even of those in one piece. For those that are
-/// run once a query: these would take registers from what is run at every node.
+/// Before a function: it is never inlined. For functions that run once a query, which would take
+/// registers from those that run at every node.
 #if defined(__GNUC__)
 #define SKD_APART __attribute__((noinline))
 #else
@@ -154,14 +153,14 @@ inline unsigned LowBits(std::uint32_t count)
   return (1u << count) - 1u;
 }
 
-/// Ask for `Size` bytes of memory that are going to be read, and do not wait for them.
+/// Prefetches `Size` bytes of memory.
 template <std::size_t Size>
 void FetchLines(const void* address)
 {
 #if defined(__GNUC__)
   constexpr std::size_t line = 64;
   __builtin_prefetch(address);
-  // To GCC a function that does no more has no effect, and calls of it are left out.
+  // GCC would remove calls of a function without any other effect.
   __asm__ volatile("");
   if constexpr (Size > line)
   {
@@ -172,7 +171,7 @@ void FetchLines(const void* address)
 #endif
 }
 
-/// As many lanes as this machine computes with at once.
+/// The number of lanes of the machine's registers.
 constexpr int NativeWidth = detail::VectorWidth;
 
 /// Doubles side by side, or one alone: arithmetic, comparisons and `? :` go lane by lane.

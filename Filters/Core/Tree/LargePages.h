@@ -13,17 +13,17 @@
 namespace skd
 {
 
-/// Memory of a large array, in the large pages of the processor where the system gives them when
-/// asked (Linux: transparent huge pages, unless they are set to "never"). A query in a tree of a
-/// million elements reads memory here and there; with pages of 4 kB the processor has forgotten
-/// where most of them are, and looks for a page longer than for what is in it.
+/// Memory of a large array in huge pages, where the system provides them (Linux: transparent huge
+/// pages, unless set to "never"). Queries in a tree of a million elements access scattered memory;
+/// with pages of 4 kB most accesses miss the processor's address translation cache, which takes
+/// longer than the access itself.
 ///
-/// Only pages that the array fills are asked for: it never takes more memory than without.
+/// Only pages that the array fills are requested, so it never takes more memory.
 class LargePages
 {
 public:
   static constexpr std::size_t PageSize = std::size_t(1) << 21;
-  /// Below so many bytes there is nothing to gain.
+  /// Smaller arrays do not benefit.
   static constexpr std::size_t Least = 2 * PageSize;
 
   static void* Allocate(std::size_t bytes)

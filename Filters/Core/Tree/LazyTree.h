@@ -12,9 +12,9 @@
 namespace skd
 {
 
-/// Build-on-query (Algorithm 3.2): the same tree as Tree, each node split when a walk first opens
-/// it. Only the part that queries reach is ever sorted. Safe when many threads walk at once: the
-/// first to come splits the node, the others wait for it; a node once split is never changed.
+/// Build-on-query (Algorithm 3.2): the same tree as Tree, with each node split when a traversal
+/// first opens it. Only the part that queries visit is sorted. Thread-safe: the first thread splits
+/// the node and others wait for it; a node that is split never changes.
 template <int D>
 class LazyTree
 {
@@ -29,8 +29,8 @@ public:
     }
   }
 
-  /// The same of elements that are read when they are needed: before the first query each of them
-  /// once, and no box is kept (CoarseBins). `loop` as of Tree.
+  /// The same for elements that are read when they are needed: each of them once before the first
+  /// query, without storing boxes (CoarseBins). `loop` as in Tree.
   template <class Loop>
   LazyTree(const ReadInput<D>& input, Loop loop)
     : TheFrame(input.Frame)
@@ -59,7 +59,7 @@ public:
     return this->Growing->Grower.GetNode(node);
   }
 
-  /// Only of positions in leaves that were opened: others may still move.
+  /// Only for positions in opened leaves: others may still change.
   std::uint32_t Element(std::uint32_t position) const
   {
     return this->Growing->Grower.ElementAt(position);

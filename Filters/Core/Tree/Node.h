@@ -14,7 +14,7 @@
 namespace skd
 {
 
-/// Up to W boxes side by side, a box a lane, so that one pass of arithmetic tests them all.
+/// Up to W boxes in SIMD layout, one box a lane, which are tested together.
 template <int D, int W>
 struct BoxPacket
 {
@@ -26,7 +26,7 @@ struct BoxPacket
   Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
   Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
 
-  /// Where in a packet a side of the boxes is, to be looked up in many.
+  /// The offset of a side of the boxes in a packet.
   static std::size_t SideAt(int axis, bool isMax)
   {
     return (isMax ? offsetof(BoxPacket, Max) : offsetof(BoxPacket, Min)) +
@@ -37,7 +37,7 @@ struct BoxPacket
     return Lanes<W>::Load(reinterpret_cast<const float*>(reinterpret_cast<const char*>(this) + at));
   }
 
-  /// All lanes empty: (+max, lowest), which no finite query reaches.
+  /// All lanes empty: (+max, lowest), which no finite query overlaps.
   void Clear()
   {
     for (int axis = 0; axis < D; ++axis)
@@ -106,9 +106,9 @@ struct alignas(32) Node
   }
 };
 
-/// The note of an inner node some of whose children are leaves that a walk need not open:
-/// their elements are known by the number of the leaf, in the order of the elements
-/// (Tree::LeafAt). Whoever writes it gives the node a tag, too.
+/// Marks children of an inner node that are leaves whose elements are given by the leaf's number,
+/// in the order of the elements (Tree::LeafAt), so that a traversal need not open them. Nodes with
+/// this mark also have a tag.
 struct KnownLeaves
 {
   std::uint32_t Number;    ///< of the first child's first leaf
@@ -121,7 +121,7 @@ struct KnownLeaves
   }
 };
 
-/// What a walk has to visit: a node, or an element by its position.
+/// A reference to a node, or to an element by its position.
 class Reference
 {
 public:

@@ -17,10 +17,10 @@
 namespace skd
 {
 
-/// A packed R-tree with 16-bit boxes, for a few queries: boxes are rounded to a lattice of 2^15
-/// steps over all of them; eight that follow each other along Morton's curve are a packet, eight
-/// packets the next level's, and so on. Made in O(n log n), in less than half of the time of a
-/// tree; good where boxes are small, but not as small as the lattice's steps.
+/// A packed R-tree with 16-bit boxes, for one-shot searches: boxes are rounded to a grid of 2^15
+/// steps over all of them; eight consecutive boxes along a Morton curve form a packet, eight
+/// packets one of the next level, and so on. Built in O(n log n), in less than half of the time of
+/// a tree; efficient if boxes are small, but larger than the steps of the grid.
 class PackedRTree
 {
 public:
@@ -40,8 +40,8 @@ public:
     }
   }
 
-  /// Calls visit(i) for each box that overlaps this one on the lattice: for all that overlap it,
-  /// and some that are near.
+  /// Calls visit(i) for each box that overlaps this one on the grid: all that overlap it, and some
+  /// that are near.
   template <class Visit>
   SKD_IN_ONE_PIECE void ForEachOverlapping(const Box3& box, const Visit& visit) const
   {
@@ -154,7 +154,7 @@ private:
     return bounds;
   }
 
-  /// Outward, and monotone: what overlaps does so on the lattice.
+  /// Outward and monotone: boxes that overlap do so on the grid.
   ShortBox Rounded(const Box3& box) const
   {
     ShortBox rounded;
@@ -206,7 +206,7 @@ private:
     return MortonCode(cube);
   }
 
-  /// Lanes that are left over are empty: above all that is asked.
+  /// Remaining lanes are empty: above all query boxes.
   void AddLevel(const std::vector<ShortBox>& boxes)
   {
     constexpr std::int16_t beyond = 0x7fff;

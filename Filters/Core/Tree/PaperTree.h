@@ -15,9 +15,8 @@
 namespace skd
 {
 
-/// The skD-tree exactly as Algorithm 3.1 prints it, to be read, drawn and checked: 2N - 1 nodes,
-/// depth ceil(log2 N), one element a leaf. Queries run on Tree instead, which is the same split
-/// laid out for speed.
+/// The skD-tree exactly as printed in Algorithm 3.1, for reference: 2N - 1 nodes, depth ceil(log2
+/// N), one element a leaf. Queries use Tree instead, which has the same splits in a faster layout.
 ///
 /// Nodes count from 0 here, so a link is the index of the first of two adjacent children (> 0) or
 /// the negated index of the leaf's element (<= 0): no node has the root as a child.
@@ -107,7 +106,7 @@ private:
     this->Next += 2;
   }
 
-  /// Centroids that are equal are told apart by index: the same tree always.
+  /// Ties between centroids are broken by index, so that the tree is reproducible.
   void Reorder(const Range& range, std::size_t middle, int axis)
   {
     const auto at = [this](std::size_t k)

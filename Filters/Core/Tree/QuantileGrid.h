@@ -10,9 +10,9 @@
 namespace skd
 {
 
-/// A grid over a tree's frame with about as many elements in each of the slabs along an axis, as a
-/// sample has it: where meshes are graded, slabs are thin. Which slab an element is in never
-/// decreases with SplitAtRank's key of it along that axis.
+/// A grid over a tree's frame whose slabs along an axis contain about equal numbers of elements, by
+/// a sample, so that slabs are thin in fine regions of graded meshes. The slab of an element is
+/// monotone in SplitAtRank's key along that axis.
 template <int D>
 class QuantileGrid
 {

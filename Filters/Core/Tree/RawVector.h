@@ -15,7 +15,7 @@
 namespace skd
 {
 
-/// Leaves values alone that are made without arguments. Large arrays lie in large pages.
+/// Does not initialize values constructed without arguments. Large arrays use huge pages.
 template <class T>
 struct RawAllocator : std::allocator<T>
 {
@@ -63,7 +63,7 @@ struct RawAllocator : std::allocator<T>
 private:
   static_assert(alignof(T) <= LargePages::PageSize);
 
-  /// More than there can be is left to std::allocator, which says so.
+  /// Impossible sizes are left to std::allocator, which throws.
   static bool IsLarge(std::size_t count)
   {
     return count >= LargePages::Least / sizeof(T) &&
@@ -71,8 +71,8 @@ private:
   }
 };
 
-/// A vector whose constructor and resize() do not write to the values: large ones, written by
-/// several threads, whose first touch of a page would else be one thread's.
+/// A vector whose constructor and resize() do not initialize values, so that several threads can
+/// write large ones first.
 template <class T>
 using RawVector = std::vector<T, RawAllocator<T>>;
 

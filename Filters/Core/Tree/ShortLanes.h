@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Small whole numbers side by side: what Lanes.h is for floats, and compiled as it is.
+/// @file SIMD vectors of small integers, as Lanes.h for floats.
 #ifndef skd_Tree_ShortLanes_h
 #define skd_Tree_ShortLanes_h
 
@@ -71,7 +70,7 @@ inline FourBytes Greatest(const FourBytes& a, const FourBytes& b)
 #endif
 }
 
-/// Whether any of them is equal to the other's at its place.
+/// Whether any lane is equal to that of the other.
 inline bool HaveEqual(const FourBytes& a, const FourBytes& b)
 {
 #if SKD_HAS_SHORT_LANES
@@ -87,7 +86,7 @@ inline bool HaveEqual(const FourBytes& a, const FourBytes& b)
 #endif
 }
 
-/// Eight numbers side by side.
+/// Eight integers.
 class EightShorts
 {
 public:

@@ -13,7 +13,7 @@
 namespace skd
 {
 
-/// An element as the tree sees it: its safety box in the tree's frame, and its index.
+/// An element of a tree: its safety box in the tree's frame, and its index.
 template <int D>
 struct alignas(16) Element
 {
@@ -45,7 +45,7 @@ public:
     return (Key(bits ^ (sign | 0x80000000u)) << 32) | element.Index;
   }
 
-  /// Puts the least `middle - first` of the elements [first, last) before the others.
+  /// Moves the `middle - first` smallest of the elements [first, last) before the others.
   static void Run(Element<D>* first, Element<D>* middle, Element<D>* last, int axis)
   {
     const SplitAtRank split(axis);
@@ -80,8 +80,8 @@ private:
 
   Key KeyOf(const Element<D>& element) const { return KeyOf(element, this->Axis); }
 
-  /// Elements below a key to the front; returns the first of the others. Every element is moved,
-  /// whatever it is compared to: cheaper than to guess.
+  /// Moves elements below a key to the front; returns the first of the others. Every element is
+  /// moved unconditionally, which is cheaper than mispredicted branches.
   Element<D>* Partition(Element<D>* first, Element<D>* last, Key key) const
   {
     Element<D>* next = first;

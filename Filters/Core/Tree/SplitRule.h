@@ -11,7 +11,7 @@
 namespace skd
 {
 
-/// Where the range of a node is divided.
+/// The split of a node's range.
 enum class SplitRule
 {
   Automatic,  ///< SurfaceArea where elements overlap and differ much in size (ElementSizes)
@@ -19,9 +19,9 @@ enum class SplitRule
   SurfaceArea ///< where the boxes of both sides, times what is in them, are least
 };
 
-/// What of a set of elements tells whether the median is as good as any other split: boxes of
-/// volume cells overlap, so that a median which cuts through the large ones leaves both sides
-/// large. Seen from a sample of at most SampleSize elements, the same every time.
+/// Statistics of a set of elements that decide whether median splits are good enough: boxes of
+/// volume cells overlap, and a median that cuts through large ones leaves both sides large. From a
+/// reproducible sample of at most SampleSize elements.
 template <int D>
 class ElementSizes
 {
@@ -51,7 +51,7 @@ public:
     this->Scale(static_cast<double>(sample.size()), static_cast<double>(all));
   }
 
-  /// How many boxes there are, on the average, at a place in the box of all.
+  /// The average number of boxes that contain a point of the common bounding box.
   double Overlap() const { return this->TheOverlap; }
   /// The mean of the squared areas of the boxes over the square of their mean: 1 when all are
   /// equal.
@@ -97,7 +97,7 @@ private:
   double TheSpread = 1.0;
 };
 
-/// The rule that is meant by Automatic; any other means itself.
+/// The rule chosen by Automatic; other rules are returned unchanged.
 template <int D>
 SplitRule RuleFor(SplitRule rule, const RawVector<Element<D>>& elements)
 {

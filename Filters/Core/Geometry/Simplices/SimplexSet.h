@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// Points, segments or triangles, or the solid that triangles enclose: what a cell, a box or a line
-/// is when it is asked how it lies to another one. Its distances are here; whether two sets meet is
-/// in SimplexContact.h, points that they share or do not are found in SimplexWitness.h, what covers
-/// what in SimplexCover.h, what insides share in SimplexInteriors.h.
+/// @file Points, segments or triangles, or the solid that triangles enclose: the representation of
+/// a cell, box or line in tests of spatial relations. Its distances are here; whether two sets meet
+/// is in SimplexContact.h, points that they share or do not are found in SimplexWitness.h, what
+/// covers what in SimplexCover.h, what insides share in SimplexInteriors.h.
 ///
 /// Sets are closed: boundaries belong to them. A solid is told from its outside by the parity of
 /// exact crossings, so its triangles may be turned either way. Coordinates must be finite.

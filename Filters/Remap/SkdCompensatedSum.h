@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdCompensatedSum_h
+#define SkdCompensatedSum_h
+
+#include <cmath>
+
+/// A sum whose error does not grow with the number of what is added (Neumaier, ZAMM 54 (1974)
+/// 39-51). NaN and infinity stay what they are.
+class SkdCompensatedSum
+{
+public:
+  void Add(double value)
+  {
+    const double sum = this->Sum + value;
+    this->Lost += std::abs(this->Sum) >= std::abs(value) ? (this->Sum - sum) + value
+                                                         : (value - sum) + this->Sum;
+    this->Sum = sum;
+  }
+
+  double Get() const { return std::isfinite(this->Sum) ? this->Sum + this->Lost : this->Sum; }
+
+private:
+  double Sum = 0.0;
+  double Lost = 0.0;
+};
+
+#endif

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdConservativeRemap.h"
+
+#include "Pipeline/SkdForEach.h"
+#include "Remap/SkdCompensatedSum.h"
+#include "Remap/SkdDonorGradients.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Gradients = std::vector<std::vector<skd::Vector3>>; // of each component, or none
+
+/// A vector turned as the shortest way from one direction to the other turns.
+skd::Vector3 Turned(const skd::Vector3& v, const skd::Vector3& from, const skd::Vector3& to)
+{
+  const skd::Vector3 a = (1.0 / skd::Norm(from)) * from;
+  const skd::Vector3 b = (1.0 / skd::Norm(to)) * to;
+  const skd::Vector3 axis = skd::Cross(a, b);
+  const skd::Vector3 once = skd::Cross(axis, v);
+  return v + once + (1.0 / (1.0 + skd::Dot(a, b))) * skd::Cross(axis, once);
+}
+}
+
+double SkdRemapIntegrals::GetError() const
+{
+  return this->Absolute > 0.0 ? std::abs(this->Overlap - this->Target) / this->Absolute : 0.0;
+}
+
+/// What the target's cells are made of.
+struct SkdConservativeRemap::Shares
+{
+  const SkdDonorField& Field; ///< of averages, densities or values of points
+  const std::vector<std::size_t>& Rows;
+  const std::vector<vtkIdType>& Columns;
+  const std::vector<double>& Measures;
+  const Gradients& Slopes;                 ///< with the moments of the table of cells
+  const std::vector<skd::Vector3>& Places; ///< where vectors are turned from; empty: they are not
+};
+
+/// What one cell is made of. One a thread.
+struct SkdConservativeRemap::Row
+{
+  double* Tuple = nullptr; // the result
+  double Covered = 0.0;
+  std::vector<double> First{}; // values that others are taken relative to, so constants stay so
+  std::vector<double> Sums{};
+  std::vector<double> Least{};
+  std::vector<double> Greatest{};
+  std::vector<double> Part{};
+};
+
+SkdConservativeRemap::SkdConservativeRemap(
+  const SkdOverlapWeights& weights, SkdOverlapSpace space, const SkdConservativeRules& rules)
+  : Weights(weights)
+  , Space(space)
+  , Rules(rules)
+{
+}
+
+SkdDonorField SkdConservativeRemap::DensityOf(const SkdDonorField& field) const
+{
+  SkdDonorField density = field;
+  const std::vector<double>& measures = this->Weights.GetDonor().Measures;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+  {
+    density.Counts[i] = measures[i] > 0.0 ? density.Counts[i] : 0;
+    for (int c = 0; c < field.Components && field.IsExtensive; ++c)
+    {
+      density
+        .Values[i * static_cast<std::size_t>(field.Components) + static_cast<std::size_t>(c)] /=
+        measures[i];
+    }
+  }
+  return density;
+}
+
+void SkdConservativeRemap::TakePart(
+  const Shares& shares, std::size_t target, vtkIdType donor, Row& row) const
+{
+  const double* values = shares.Field.Tuple(donor);
+  std::copy(values, values + shares.Field.Components, row.Part.begin());
+  if (!shares.Places.empty())
+  {
+    const skd::Vector3 turned = Turned({ { values[0], values[1], values[2] } },
+      shares.Places[static_cast<std::size_t>(donor)], this->Weights.GetTarget().Centroids[target]);
+    std::copy(turned.X, turned.X + 3, row.Part.begin());
+  }
+  if (row.Covered == 0.0)
+  {
+    row.First = row.Least = row.Greatest = row.Part;
+  }
+}
+
+// Sums of value - first value, and of gradients times moments.
+void SkdConservativeRemap::MapRow(const Shares& shares, std::size_t target, Row& row) const
+{
+  const std::vector<skd::Vector3>& moments = this->Weights.GetTable().Moments;
+  const auto components = static_cast<std::size_t>(shares.Field.Components);
+  row.Covered = 0.0;
+  row.Sums.assign(components, 0.0);
+  row.Part.resize(components);
+  for (std::size_t k = shares.Rows[target]; k < shares.Rows[target + 1]; ++k)
+  {
+    const auto donor = static_cast<std::size_t>(shares.Columns[k]);
+    if (shares.Field.Counts[donor] == 0 || !(shares.Measures[k] > 0.0))
+    {
+      continue;
+    }
+    this->TakePart(shares, target, shares.Columns[k], row);
+    row.Covered += shares.Measures[k];
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      row.Least[c] = std::min(row.Least[c], row.Part[c]);
+      row.Greatest[c] = std::max(row.Greatest[c], row.Part[c]);
+      row.Sums[c] += shares.Measures[k] * (row.Part[c] - row.First[c]);
+      row.Sums[c] += shares.Slopes.empty() ? 0.0 : skd::Dot(shares.Slopes[c][donor], moments[k]);
+    }
+  }
+}
+
+void SkdConservativeRemap::Finish(const Shares& shares, std::size_t target, Row& row) const
+{
+  const double whole = this->Weights.GetTarget().Measures[target];
+  if (!(row.Covered > 0.0) || row.Covered < this->Rules.MinimumCoverage * whole)
+  {
+    row.Covered = 0.0;
+    return;
+  }
+  const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
+  for (std::size_t c = 0; c < row.Sums.size(); ++c)
+  {
+    const double total = row.First[c] * row.Covered + row.Sums[c];
+    double mean = row.First[c] + row.Sums[c] / row.Covered;
+    if (shares.Slopes.empty() && !std::isnan(mean))
+    {
+      mean = std::clamp(mean, row.Least[c], row.Greatest[c]);
+    }
+    row.Tuple[c] = shares.Field.IsExtensive ? total : isWhole ? total / whole : mean;
+  }
+}
+
+SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
+{
+  const std::size_t n = this->Weights.GetTarget().Measures.size();
+  const auto components = static_cast<std::size_t>(shares.Field.Components);
+  SkdRemappedField mapped;
+  mapped.Values.assign(n * components, vtkMath::Nan());
+  mapped.Integrals.resize(components);
+  std::vector<double> covered(n, 0.0);
+  SkdForEach(n,
+    [&](std::size_t target)
+    {
+      thread_local Row row; // keeps its memory
+      row.Tuple = mapped.Values.data() + target * components;
+      this->MapRow(shares, target, row);
+      this->Finish(shares, target, row);
+      covered[target] = row.Covered;
+    });
+  this->AddTarget(shares.Field, mapped, covered);
+  return mapped;
+}
+
+bool SkdConservativeRemap::IsTurned(const SkdDonorField& field) const
+{
+  return field.IsVector && this->Space == SkdOverlapSpace::Sphere && this->Rules.RotatesVectors;
+}
+
+SkdRemappedField SkdConservativeRemap::Map(
+  const SkdDonorField& field, const SkdDonorGradients* gradients, bool isLimited) const
+{
+  const SkdDonorField density = this->DensityOf(field);
+  Gradients slopes;
+  for (int c = 0; c < field.Components && gradients; ++c)
+  {
+    slopes.push_back(gradients->Find(density, c, isLimited));
+  }
+  const SkdOverlapTable& table = this->Weights.GetTable();
+  const std::vector<skd::Vector3> none;
+  SkdRemappedField mapped = this->MapShares({ density, table.Rows, table.Columns, table.Measures,
+    slopes, this->IsTurned(field) ? this->Weights.GetDonor().Centroids : none });
+  this->AddDonor(density, mapped);
+  return mapped;
+}
+
+void SkdConservativeRemap::AddDonor(const SkdDonorField& density, SkdRemappedField& mapped) const
+{
+  const SkdOverlapCells& donor = this->Weights.GetDonor();
+  for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
+  {
+    SkdCompensatedSum source, overlap, absolute;
+    for (std::size_t i = 0; i < donor.Measures.size(); ++i)
+    {
+      if (density.Counts[i] != 0)
+      {
+        const double value = density.Get(static_cast<vtkIdType>(i), static_cast<int>(c));
+        source.Add(value * donor.Measures[i]);
+        overlap.Add(value * donor.Covered[i]);
+        absolute.Add(std::abs(value) * donor.Measures[i]);
+      }
+    }
+    mapped.Integrals[c].Source = source.Get();
+    mapped.Integrals[c].Overlap = overlap.Get();
+    mapped.Integrals[c].Absolute = absolute.Get();
+  }
+}
+
+void SkdConservativeRemap::AddTarget(
+  const SkdDonorField& field, SkdRemappedField& mapped, const std::vector<double>& covered) const
+{
+  const std::vector<double>& measures = this->Weights.GetTarget().Measures;
+  const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
+  SkdCompensatedSum all, some;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+  {
+    all.Add(measures[i]);
+    some.Add(covered[i]);
+  }
+  for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
+  {
+    SkdCompensatedSum target;
+    for (std::size_t i = 0; i < measures.size(); ++i)
+    {
+      if (covered[i] > 0.0)
+      {
+        const double factor = field.IsExtensive ? 1.0 : isWhole ? measures[i] : covered[i];
+        target.Add(factor * mapped.Values[i * mapped.Integrals.size() + c]);
+      }
+    }
+    mapped.Integrals[c].Target = target.Get();
+    mapped.Integrals[c].Covered = some.Get();
+    mapped.Integrals[c].Whole = all.Get();
+  }
+}
+
+SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
+  const SkdOverlapPointTable& table, const std::vector<skd::Vector3>& points) const
+{
+  const std::vector<skd::Vector3> none;
+  SkdRemappedField mapped = this->MapShares({ field, table.Rows, table.Columns, table.Weights,
+    Gradients(), this->IsTurned(field) ? points : none });
+  for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
+  {
+    SkdCompensatedSum source, absolute;
+    for (std::size_t k = 0; k < table.Columns.size(); ++k)
+    {
+      if (field.Counts[static_cast<std::size_t>(table.Columns[k])] != 0)
+      {
+        const double part = table.Weights[k] * field.Get(table.Columns[k], static_cast<int>(c));
+        source.Add(part);
+        absolute.Add(std::abs(part));
+      }
+    }
+    mapped.Integrals[c].Source = mapped.Integrals[c].Overlap = source.Get();
+    mapped.Integrals[c].Absolute = absolute.Get();
+  }
+  return mapped;
+}

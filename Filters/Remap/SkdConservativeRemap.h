@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdConservativeRemap.h
+ * @brief Fields of a donor on the cells of a target, by the overlaps of the cells of both.
+ */
+
+#ifndef SkdConservativeRemap_h
+#define SkdConservativeRemap_h
+
+#include "Remap/SkdDonorFields.h"
+#include "Remap/SkdOverlapWeights.h"
+
+#include <vector>
+
+/// What a mean is taken over where a target cell is not all covered by donor cells that count.
+enum class SkdNormalization
+{
+  Covered, ///< what is covered: the mean of what there is
+  Whole    ///< the whole cell, nothing being where it is not covered: integrals are kept
+};
+
+struct SkdConservativeRules
+{
+  SkdNormalization Normalization = SkdNormalization::Covered;
+  double MinimumCoverage = 0.0; ///< a share; a cell covered less has no value
+  bool RotatesVectors = true;   ///< on a sphere
+};
+
+/// Of one component of a field.
+struct SkdRemapIntegrals
+{
+  double Source = 0.0;   ///< over the donor
+  double Overlap = 0.0;  ///< over what of the donor the target covers
+  double Target = 0.0;   ///< over the target, or what of it is covered if that is what is taken
+  double Absolute = 0.0; ///< of the donor's values without their signs
+  double Covered = 0.0;  ///< how much of the target cells with a value is covered by what counts
+  double Whole = 0.0;    ///< the target's length, area or volume
+
+  /// |Overlap - Target| / Absolute; 0 where there is nothing.
+  double GetError() const;
+};
+
+struct SkdRemappedField
+{
+  std::vector<double> Values; ///< of the target's cells, tuple by tuple; NaN where there is none
+  std::vector<SkdRemapIntegrals> Integrals; ///< of each component
+};
+
+class SkdDonorGradients;
+
+/// Maps fields by the overlaps of one target with one donor. Fields of cells are averages; with
+/// gradients linear in each donor cell. Intensive fields become averages of the target's cells.
+/// Extensive ones are spread evenly (or by their densities' gradients) over donor cells, and what
+/// is in a target cell is added up.
+class SkdConservativeRemap
+{
+public:
+  SkdConservativeRemap(
+    const SkdOverlapWeights& weights, SkdOverlapSpace space, const SkdConservativeRules& rules);
+
+  /// A field of cells, of first order without `gradients`. First order keeps to the bounds of the
+  /// donor's values where it is normalised by what is covered. In parallel; the same to the last
+  /// bit whatever the number of threads.
+  SkdRemappedField Map(
+    const SkdDonorField& field, const SkdDonorGradients* gradients, bool isLimited) const;
+
+  /// A field of points, linear between them, intensive; `points` are where they are. The integral
+  /// over the source is that of what of it is covered.
+  SkdRemappedField MapPoints(const SkdDonorField& field, const SkdOverlapPointTable& table,
+    const std::vector<skd::Vector3>& points) const;
+
+private:
+  struct Shares;
+  struct Row;
+
+  bool IsTurned(const SkdDonorField& field) const;
+  SkdDonorField DensityOf(const SkdDonorField& field) const;
+  SkdRemappedField MapShares(const Shares& shares) const;
+  void TakePart(const Shares& shares, std::size_t target, vtkIdType donor, Row& row) const;
+  void MapRow(const Shares& shares, std::size_t target, Row& row) const;
+  void Finish(const Shares& shares, std::size_t target, Row& row) const;
+  void AddDonor(const SkdDonorField& density, SkdRemappedField& mapped) const;
+  void AddTarget(
+    const SkdDonorField& field, SkdRemappedField& mapped, const std::vector<double>& covered) const;
+
+  const SkdOverlapWeights& Weights;
+  SkdOverlapSpace Space;
+  SkdConservativeRules Rules;
+};
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdDonorFields.h"
+
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// Whether each tuple counts by the ghost marks and the mask.
+std::vector<unsigned char> FindCounts(
+  vtkDataSetAttributes* data, int type, vtkIdType n, const SkdFieldRules& rules)
+{
+  std::vector<unsigned char> counts(static_cast<std::size_t>(n), 1);
+  auto* ghosts =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const int unwanted = type == vtkDataObject::CELL ? vtkDataSetAttributes::DUPLICATECELL |
+      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL
+                                                   : vtkDataSetAttributes::HIDDENPOINT;
+  vtkDataArray* mask = rules.Mask.empty() ? nullptr : data->GetArray(rules.Mask.c_str());
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const bool isGhost = ghosts && (ghosts->GetValue(i) & unwanted) != 0;
+    const bool isMasked = mask && !(mask->GetComponent(i, 0) != 0.0);
+    counts[static_cast<std::size_t>(i)] = isGhost || isMasked ? 0 : 1;
+  }
+  return counts;
+}
+
+void ReadValues(
+  vtkDataArray* array, const SkdFieldRules& rules, SkdDonorField& field, SkdFieldProblems& problems)
+{
+  const vtkIdType n = array->GetNumberOfTuples();
+  const auto components = static_cast<std::size_t>(field.Components);
+  field.Values.resize(static_cast<std::size_t>(n) * components);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    double* tuple = field.Values.data() + static_cast<std::size_t>(i) * components;
+    array->GetTuple(i, tuple);
+    bool isMissing = false;
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      tuple[c] = tuple[c] == rules.MissingValue ? vtkMath::Nan() : tuple[c];
+      isMissing = isMissing || std::isnan(tuple[c]);
+    }
+    problems.NaNs += isMissing ? 1 : 0;
+    if (isMissing && rules.Missing == SkdMissingValues::Mask)
+    {
+      field.Counts[static_cast<std::size_t>(i)] = 0;
+    }
+  }
+}
+
+bool IsForUse(vtkDataSetAttributes* data, vtkAbstractArray* array)
+{
+  if (!array || !array->GetName() || array == data->GetGlobalIds() ||
+    array == data->GetPedigreeIds())
+  {
+    return false;
+  }
+  const std::string name = array->GetName();
+  return name != vtkDataSetAttributes::GhostArrayName() && name != SkdRemapNames::Valid &&
+    name != SkdRemapNames::Coverage && name != SkdRemapNames::Count;
+}
+}
+
+std::vector<SkdDonorField> SkdReadDonorFields(
+  vtkDataSet* donor, int type, const SkdFieldRules& rules, SkdFieldProblems& problems)
+{
+  vtkDataSetAttributes* data = donor->GetAttributes(type);
+  const vtkIdType n = donor->GetNumberOfElements(type);
+  const std::vector<unsigned char> counts = FindCounts(data, type, n, rules);
+  std::vector<SkdDonorField> fields;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* any = data->GetAbstractArray(i);
+    vtkDataArray* array = vtkDataArray::SafeDownCast(any);
+    if (!IsForUse(data, any) || rules.Mask == any->GetName())
+    {
+      continue;
+    }
+    if (!array)
+    {
+      problems.NotNumbers.insert(any->GetName());
+      continue;
+    }
+    SkdDonorField field;
+    field.Name = array->GetName();
+    field.IsOfPoints = type == vtkDataObject::POINT;
+    field.Components = array->GetNumberOfComponents();
+    field.IsExtensive = rules.Extensive.count(field.Name) > 0;
+    field.IsVector = field.Components == 3 &&
+      (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
+    field.Counts = counts;
+    ReadValues(array, rules, field, problems);
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
+  const std::vector<double>& values, SkdFieldProblems& problems)
+{
+  if (to->HasArray(field.Name.c_str()))
+  {
+    problems.Refused.insert(field.Name);
+    return;
+  }
+  const auto n = static_cast<vtkIdType>(values.size()) / std::max(field.Components, 1);
+  const auto array = SkdMakeArray<vtkDoubleArray>(field.Name.c_str(), field.Components, n);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  to->AddArray(array);
+}

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdDonorGradients.h"
+
+#include "Cells/SkdCellReader.h"
+#include "Pipeline/SkdForEach.h"
+#include "Pipeline/SkdWeld.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+skd::Vector3 Times(const std::array<double, 6>& m, const skd::Vector3& v)
+{
+  return { { m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[1] * v[0] + m[3] * v[1] + m[4] * v[2],
+    m[2] * v[0] + m[4] * v[1] + m[5] * v[2] } };
+}
+
+/// The inverse on the space that the matrix spans, 0 across it: cells of a surface, or of a layer
+/// one cell thick, tell nothing about what is across.
+std::array<double, 6> PseudoInverse(const std::array<double, 6>& m)
+{
+  double rows[3][3] = { { m[0], m[1], m[2] }, { m[1], m[3], m[4] }, { m[2], m[4], m[5] } };
+  double values[3], vectors[3][3];
+  double* a[3] = { rows[0], rows[1], rows[2] };
+  double* v[3] = { vectors[0], vectors[1], vectors[2] };
+  vtkMath::Jacobi(a, values, v); // values descending, vectors in columns
+  std::array<double, 6> inverse{};
+  constexpr double rank = 1e-12;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (values[k] > rank * values[0])
+    {
+      int at = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        for (int j = i; j < 3; ++j)
+        {
+          inverse[static_cast<std::size_t>(at++)] += vectors[i][k] * vectors[j][k] / values[k];
+        }
+      }
+    }
+  }
+  return inverse;
+}
+}
+
+SkdDonorGradients::SkdDonorGradients(
+  vtkDataSet* donor, const SkdOverlapCells& cells, const skd::Vector3& normal)
+  : Measures(cells.Measures)
+  , Centroids(cells.Centroids)
+  , Normal(normal)
+{
+  this->ReadCorners(donor);
+  this->FindNeighbours(static_cast<vtkIdType>(this->Points.size()));
+  this->InvertAll();
+}
+
+void SkdDonorGradients::ReadCorners(vtkDataSet* donor)
+{
+  const vtkIdType n = donor->GetNumberOfCells();
+  const SkdCellReader reader(donor);
+  SkdWeld weld;
+  vtkNew<vtkIdList> list;
+  this->FirstCorner.push_back(0);
+  for (vtkIdType cell = 0; cell < n; ++cell)
+  {
+    if (this->Has(cell))
+    {
+      reader.VisitPoints(cell, list,
+        [&](const auto* ids, std::size_t size)
+        {
+          for (std::size_t i = 0; i < size; ++i)
+          {
+            skd::Vector3 x;
+            donor->GetPoint(ids[i], x.X);
+            const vtkIdType id = weld.GetId(x.X);
+            if (static_cast<std::size_t>(id) == this->Points.size())
+            {
+              this->Points.push_back(x);
+            }
+            this->Corners.push_back(id);
+          }
+        });
+    }
+    this->FirstCorner.push_back(this->Corners.size());
+  }
+}
+
+void SkdDonorGradients::FindNeighbours(vtkIdType numberOfPoints)
+{
+  const std::size_t n = this->Measures.size();
+  std::vector<std::vector<vtkIdType>> cellsAt(static_cast<std::size_t>(numberOfPoints));
+  for (std::size_t cell = 0; cell < n; ++cell)
+  {
+    for (std::size_t k = this->FirstCorner[cell]; k < this->FirstCorner[cell + 1]; ++k)
+    {
+      cellsAt[static_cast<std::size_t>(this->Corners[k])].push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+  this->FirstNeighbour.push_back(0);
+  std::vector<vtkIdType> around;
+  for (std::size_t cell = 0; cell < n; ++cell)
+  {
+    around.clear();
+    for (std::size_t k = this->FirstCorner[cell]; k < this->FirstCorner[cell + 1]; ++k)
+    {
+      const std::vector<vtkIdType>& some = cellsAt[static_cast<std::size_t>(this->Corners[k])];
+      around.insert(around.end(), some.begin(), some.end());
+    }
+    std::sort(around.begin(), around.end());
+    const auto last = std::unique(around.begin(), around.end());
+    std::copy_if(around.begin(), last, std::back_inserter(this->Neighbours),
+      [cell](vtkIdType other) { return other != static_cast<vtkIdType>(cell); });
+    this->FirstNeighbour.push_back(this->Neighbours.size());
+  }
+}
+
+// In a plane what rounding leaves across it is left out.
+skd::Vector3 SkdDonorGradients::StepTo(vtkIdType cell, const skd::Vector3& x) const
+{
+  const skd::Vector3 step = x - this->Centroids[static_cast<std::size_t>(cell)];
+  return step - skd::Dot(step, this->Normal) * this->Normal;
+}
+
+template <class Wanted>
+SkdDonorGradients::Matrix SkdDonorGradients::Invert(vtkIdType cell, const Wanted& isWanted) const
+{
+  Matrix sum{};
+  const auto at = static_cast<std::size_t>(cell);
+  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  {
+    const vtkIdType other = this->Neighbours[k];
+    const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
+    const double length2 = skd::Norm2(d);
+    if (isWanted(other) && length2 > 0.0)
+    {
+      const double w = 1.0 / length2;
+      const double products[] = { d[0] * d[0], d[0] * d[1], d[0] * d[2], d[1] * d[1], d[1] * d[2],
+        d[2] * d[2] };
+      std::transform(sum.begin(), sum.end(), products, sum.begin(),
+        [w](double s, double product) { return s + w * product; });
+    }
+  }
+  return PseudoInverse(sum);
+}
+
+void SkdDonorGradients::InvertAll()
+{
+  this->Inverses.resize(this->Measures.size());
+  SkdForEach(this->Inverses.size(),
+    [this](std::size_t cell)
+    {
+      this->Inverses[cell] =
+        this->Invert(static_cast<vtkIdType>(cell), [](vtkIdType) { return true; });
+    });
+}
+
+skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, int component) const
+{
+  const auto at = static_cast<std::size_t>(cell);
+  const auto counts = [&](vtkIdType other)
+  { return field.Counts[static_cast<std::size_t>(other)] != 0; };
+  const double here = field.Get(cell, component);
+  skd::Vector3 right{ { 0.0, 0.0, 0.0 } };
+  bool isWhole = true;
+  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  {
+    const vtkIdType other = this->Neighbours[k];
+    const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
+    const double length2 = skd::Norm2(d);
+    isWhole = isWhole && counts(other);
+    if (counts(other) && length2 > 0.0)
+    {
+      right = right + ((field.Get(other, component) - here) / length2) * d;
+    }
+  }
+  return Times(isWhole ? this->Inverses[at] : this->Invert(cell, counts), right);
+}
+
+double SkdDonorGradients::Limit(
+  vtkIdType cell, const SkdDonorField& field, int component, const skd::Vector3& gradient) const
+{
+  const auto at = static_cast<std::size_t>(cell);
+  const double here = field.Get(cell, component);
+  double least = here, greatest = here;
+  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  {
+    const vtkIdType other = this->Neighbours[k];
+    if (field.Counts[static_cast<std::size_t>(other)] != 0)
+    {
+      least = std::min(least, field.Get(other, component));
+      greatest = std::max(greatest, field.Get(other, component));
+    }
+  }
+  double share = 1.0;
+  for (std::size_t k = this->FirstCorner[at]; k < this->FirstCorner[at + 1]; ++k)
+  {
+    const skd::Vector3& corner = this->Points[static_cast<std::size_t>(this->Corners[k])];
+    const double change = skd::Dot(gradient, this->StepTo(cell, corner));
+    const double room = change > 0.0 ? greatest - here : least - here;
+    share = change != 0.0 ? std::min(share, room / change) : share;
+  }
+  return share;
+}
+
+std::vector<skd::Vector3> SkdDonorGradients::Find(
+  const SkdDonorField& field, int component, bool isLimited) const
+{
+  std::vector<skd::Vector3> gradients(this->Measures.size(), skd::Vector3{ { 0.0, 0.0, 0.0 } });
+  SkdForEach(gradients.size(),
+    [&](std::size_t at)
+    {
+      const auto cell = static_cast<vtkIdType>(at);
+      if (this->Has(cell) && field.Counts[at] != 0)
+      {
+        const skd::Vector3 gradient = this->Fit(cell, field, component);
+        const double share = isLimited ? this->Limit(cell, field, component, gradient) : 1.0;
+        gradients[at] = share * gradient;
+      }
+    });
+  return gradients;
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdKeptOverlaps.h"
+
+bool SkdKeptOverlaps::IsFor(
+  vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings) const
+{
+  return this->Known && settings.Space == this->Settings.Space &&
+    settings.DonorIsLonLat == this->Settings.DonorIsLonLat &&
+    settings.TargetIsLonLat == this->Settings.TargetIsLonLat &&
+    settings.Radius == this->Settings.Radius &&
+    settings.SkipsGhosts == this->Settings.SkipsGhosts && this->Donor.IsSameAs(donor) &&
+    this->Target.IsSameAs(target);
+}
+
+bool SkdKeptOverlaps::Update(vtkDataSet* donor, vtkDataSet* target,
+  const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
+{
+  this->New = !this->IsFor(donor, target, settings);
+  if (this->New)
+  {
+    this->Gradients.reset();
+    this->Weights = std::make_unique<SkdOverlapWeights>();
+    this->Known = this->Weights->Compute(donor, target, settings, algorithm, first, last);
+    this->Settings = settings;
+    this->Donor.Keep(donor);
+    this->Target.Keep(target);
+  }
+  return this->Known;
+}
+
+const SkdDonorGradients& SkdKeptOverlaps::GetGradients(vtkDataSet* donor)
+{
+  if (!this->Gradients)
+  {
+    this->Gradients = std::make_unique<SkdDonorGradients>(
+      donor, this->Weights->GetDonor(), this->Weights->GetNormal());
+  }
+  return *this->Gradients;
+}

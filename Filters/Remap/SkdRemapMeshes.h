@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdRemapMeshes.h
+ * @brief The meshes of a remapping as they are taken: blocks as one, longitudes and latitudes on
+ * the sphere.
+ */
+
+#ifndef SkdRemapMeshes_h
+#define SkdRemapMeshes_h
+
+#include "Pipeline/SkdBlocks.h"
+#include "Remap/SkdOverlapWeights.h"
+
+#include <optional>
+
+/// The blocks as one mesh, with the arrays that all have; the mesh itself if there is but one, and
+/// an empty one if there is none.
+vtkSmartPointer<vtkDataSet> SkdJoinBlocks(const std::vector<SkdBlock>& blocks);
+
+/// A mesh whose points are longitude and latitude in degrees, moved to a sphere about the origin.
+/// The arrays are the old ones.
+vtkSmartPointer<vtkDataSet> SkdMovedToSphere(vtkDataSet* mesh, double radius);
+
+/// The highest dimension of a mesh's cells; -1 if it has none.
+int SkdDimensionOf(vtkDataSet* mesh);
+
+/// The mean distance of a mesh's points from the origin if all have that distance, to a part in
+/// 10^5, and they are not all in a plane across an axis. Nothing else.
+std::optional<double> SkdRadiusOf(vtkDataSet* mesh);
+
+/// The space that a mesh is in: by the dimension of its cells, surfaces by their radius.
+SkdOverlapSpace SkdSpaceOf(vtkDataSet* mesh);
+
+/// The middles of a mesh's cells (their parametric centres), or its points. NaN of empty cells.
+std::vector<skd::Vector3> SkdPointsOf(vtkDataSet* mesh);
+std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh);
+
+#endif

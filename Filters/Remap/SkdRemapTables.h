@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdRemapTables.h
+ * @brief What a remapping tells: integrals as field data, weights as rows.
+ */
+
+#ifndef SkdRemapTables_h
+#define SkdRemapTables_h
+
+#include "Remap/SkdConservativeRemap.h"
+
+#include <map>
+#include <string>
+
+class vtkDataObject;
+class vtkTable;
+
+/// Integrals of each component of each field, summed over the target's blocks.
+class SkdRemapTally
+{
+public:
+  void Add(const SkdDonorField& field, const std::vector<SkdRemapIntegrals>& integrals);
+
+  /// Field data, a value a component of a field: SkdReportArray (its name, with the component's
+  /// number where there are several), ...SourceIntegral, ...OverlapIntegral, ...TargetIntegral,
+  /// ...ConservationError, ...Coverage. None without fields.
+  void AddTo(vtkDataObject* output) const;
+
+private:
+  std::map<std::string, SkdRemapIntegrals> Rows;
+};
+
+/// Appends a row for each overlap of a target block: Row, Column (ids of the target's and the
+/// donor's cell), Weight (by which the donor's average counts in the target's), Measure (of the
+/// overlap), Moment (see SkdOverlapTable), and RowBlockIndex if the target is composite.
+void SkdAppendWeights(const SkdOverlapWeights& weights, SkdNormalization normalization,
+  int blockIndex, bool isComposite, vtkTable* table);
+
+#endif

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdRemapper.h"
+
+#include "Pipeline/SkdMakeArray.h"
+#include "Remap/SkdContainedFields.h"
+#include "Remap/SkdLumpedPoints.h"
+#include "Remap/SkdRemapMeshes.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace
+{
+constexpr double CoverageRounding = 1e-5; // as points in single precision leave it
+
+std::vector<double> CosinesOfLatitude(const std::vector<skd::Vector3>& points)
+{
+  std::vector<double> cosines;
+  for (const skd::Vector3& x : points)
+  {
+    const double cosine = std::hypot(x[0], x[1]) / skd::Norm(x);
+    cosines.push_back(std::max(cosine, 1e-12)); // poles count for as good as nothing, not nothing
+  }
+  return cosines;
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::Begin(
+  vtkDataSet* donor, const SkdRemapSettings& settings, vtkAlgorithm* algorithm)
+{
+  this->Donor = donor;
+  this->Settings = settings;
+  this->Algorithm = algorithm;
+  this->Findings = SkdRemapFindings();
+  this->HasWeights.clear();
+  SkdFieldProblems& problems = this->Findings.Fields;
+  this->CellFields = SkdReadDonorFields(donor, vtkDataObject::CELL, settings.Fields, problems);
+  this->PointFields = settings.WithPointFields
+    ? SkdReadDonorFields(donor, vtkDataObject::POINT, settings.Fields, problems)
+    : std::vector<SkdDonorField>();
+  std::set<std::string> named = settings.Fields.Extensive;
+  if (!settings.Fields.Mask.empty())
+  {
+    named.insert(settings.Fields.Mask);
+  }
+  for (const std::string& name : named)
+  {
+    const bool isThere =
+      donor->GetCellData()->GetArray(name.c_str()) || donor->GetPointData()->GetArray(name.c_str());
+    isThere ? void() : void(problems.Missing.insert(name));
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::End()
+{
+  this->Donor = nullptr;
+  this->CellFields.clear();
+  this->PointFields.clear();
+}
+
+//------------------------------------------------------------------------------
+const SkdContainedMean& SkdRemapper::SamplesOf(int type)
+{
+  KeptSamples& kept = type == vtkDataObject::POINT ? this->OfPoints : this->OfCells;
+  const bool isOnSphere = this->Settings.Overlap.Space == SkdOverlapSpace::Sphere;
+  const bool isSame = kept.Samples && kept.Samples->IsOnSphere() == isOnSphere &&
+    kept.WeighsByCosine == this->Settings.WeighsByCosine && kept.Mesh.IsSameAs(this->Donor);
+  if (!isSame)
+  {
+    std::vector<skd::Vector3> points =
+      type == vtkDataObject::POINT ? SkdPointsOf(this->Donor) : SkdMiddlesOf(this->Donor);
+    std::vector<double> weights;
+    if (isOnSphere && this->Settings.WeighsByCosine)
+    {
+      weights = CosinesOfLatitude(points);
+    }
+    kept.Samples =
+      std::make_unique<SkdContainedMean>(std::move(points), std::move(weights), isOnSphere);
+    kept.WeighsByCosine = this->Settings.WeighsByCosine;
+    kept.Mesh.Keep(this->Donor);
+  }
+  return *kept.Samples;
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::AddFields(vtkDataSet* block, const std::vector<SkdDonorField>& fields,
+  const std::vector<std::vector<double>>& values, const std::vector<double>& measures)
+{
+  for (std::size_t f = 0; f < fields.size(); ++f)
+  {
+    if (this->Settings.ToPoints)
+    {
+      SkdAddRemapped(block->GetPointData(), fields[f],
+        SkdLumpToPoints(block, values[f], fields[f].Components, measures), this->Findings.Fields);
+    }
+    else
+    {
+      SkdAddRemapped(block->GetCellData(), fields[f], values[f], this->Findings.Fields);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& counts)
+{
+  const auto n = static_cast<vtkIdType>(counts.size());
+  const auto array = SkdMakeArray<vtkIdTypeArray>(SkdRemapNames::Count, 1, n);
+  const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const vtkIdType count = counts[static_cast<std::size_t>(i)];
+    array->SetValue(i, count);
+    valid->SetValue(i, count > 0 ? 1 : 0);
+    this->Findings.EmptyCells += count > 0 ? 0 : 1;
+  }
+  this->Findings.Cells += n;
+  block->GetCellData()->AddArray(array);
+  block->GetCellData()->AddArray(valid);
+}
+
+//------------------------------------------------------------------------------
+bool SkdRemapper::MapContained(vtkDataSet* block, double first, double last)
+{
+  const SkdTargetCells cells(block, this->Settings.Overlap.Space == SkdOverlapSpace::Sphere);
+  const std::vector<double> equal(static_cast<std::size_t>(block->GetNumberOfCells()), 1.0);
+  const bool both = !this->CellFields.empty() && !this->PointFields.empty();
+  SkdLoop loop(this->Algorithm, (both ? 2 : 1) * block->GetNumberOfCells(), first, last);
+  std::vector<vtkIdType> counts;
+  for (int type : { vtkDataObject::CELL, vtkDataObject::POINT })
+  {
+    const std::vector<SkdDonorField>& fields =
+      type == vtkDataObject::CELL ? this->CellFields : this->PointFields;
+    if (fields.empty())
+    {
+      continue;
+    }
+    const SkdContainedResult result = SkdMapContained(
+      this->SamplesOf(type), fields, cells, this->Settings.Statistic, this->Settings.Empty, loop);
+    this->AddFields(block, fields, result.Values, equal);
+    counts = counts.empty() ? result.Counts : counts;
+  }
+  this->AddCounts(block, counts);
+  return !SkdIsAskedToStop(this->Algorithm);
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weights)
+{
+  const SkdOverlapCells& cells = weights.GetTarget();
+  const auto n = static_cast<vtkIdType>(cells.Measures.size());
+  const auto coverage = SkdMakeArray<vtkDoubleArray>(SkdRemapNames::Coverage, 1, n);
+  const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    const double whole = cells.Measures[at];
+    const double share = whole > 0.0 ? cells.Covered[at] / whole : 0.0;
+    coverage->SetValue(i, share);
+    const bool isValid = share > 0.0 && share >= this->Settings.Conservative.MinimumCoverage;
+    valid->SetValue(i, isValid ? 1 : 0);
+    this->Findings.EmptyCells += isValid ? 0 : 1;
+    this->Findings.PartlyCovered += isValid && share < 1.0 - CoverageRounding ? 1 : 0;
+    this->Findings.CoveredTwice += share > 1.0 + CoverageRounding ? 1 : 0;
+  }
+  this->Findings.Cells += n;
+  block->GetCellData()->AddArray(coverage);
+  block->GetCellData()->AddArray(valid);
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
+{
+  const SkdOverlapCells& donor = weights.GetDonor();
+  this->Findings.Overlaps += static_cast<vtkIdType>(weights.GetTable().Columns.size());
+  this->Findings.WeightsFound += isNew ? 1 : 0;
+  this->Findings.SourceLeftOut = donor.LeftOut;
+  this->Findings.InputLeftOut += weights.GetTarget().LeftOut;
+  for (std::size_t i = 0; i < donor.Measures.size(); ++i)
+  {
+    const bool isTwice = donor.Covered[i] > (1.0 + CoverageRounding) * donor.Measures[i];
+    this->Findings.SourceCoveredTwice += isTwice ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps)
+{
+  const SkdOverlapWeights& weights = overlaps.GetWeights();
+  const SkdConservativeRemap remap(
+    weights, this->Settings.Overlap.Space, this->Settings.Conservative);
+  const SkdDonorGradients* gradients =
+    this->Settings.IsSecondOrder ? &overlaps.GetGradients(this->Donor) : nullptr;
+  for (const SkdDonorField& field : this->CellFields)
+  {
+    const SkdRemappedField mapped = remap.Map(field, gradients, this->Settings.IsLimited);
+    this->AddFields(block, { field }, { mapped.Values }, weights.GetTarget().Measures);
+    this->Findings.Tally.Add(field, mapped.Integrals);
+  }
+  return !SkdIsAskedToStop(this->Algorithm);
+}
+
+//------------------------------------------------------------------------------
+bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double first, double last)
+{
+  while (this->Overlaps.size() <= index)
+  {
+    this->Overlaps.emplace_back();
+  }
+  this->HasWeights.resize(this->Overlaps.size(), false);
+  SkdKeptOverlaps& overlaps = this->Overlaps[index];
+  if (!overlaps.Update(this->Donor, block, this->Settings.Overlap, this->Algorithm, first, last))
+  {
+    this->Findings.Problem = overlaps.GetProblem();
+    return !SkdIsAskedToStop(this->Algorithm);
+  }
+  this->HasWeights[index] = true;
+  this->Count(overlaps.GetWeights(), overlaps.IsNew());
+  this->AddCoverage(block, overlaps.GetWeights());
+  this->Findings.PointFieldsLeftOut = !this->PointFields.empty();
+  return this->MapFields(block, overlaps);
+}
+
+//------------------------------------------------------------------------------
+const SkdOverlapWeights* SkdRemapper::GetWeights(std::size_t index) const
+{
+  const bool isThere = index < this->HasWeights.size() && this->HasWeights[index];
+  return isThere ? &this->Overlaps[index].GetWeights() : nullptr;
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdRemapper.h
+ * @brief Fields of a donor mapped onto meshes: by what cells contain, or conservatively.
+ */
+
+#ifndef SkdRemapper_h
+#define SkdRemapper_h
+
+#include "Remap/SkdContainedMean.h"
+#include "Remap/SkdKeptOverlaps.h"
+#include "Remap/SkdRemapTables.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+
+class vtkTable;
+
+struct SkdRemapSettings
+{
+  SkdFieldRules Fields;
+  SkdOverlapSettings Overlap;
+  SkdConservativeRules Conservative;
+  bool IsSecondOrder = false;
+  bool IsLimited = true;
+  SkdStatistic Statistic = SkdStatistic::Mean;
+  SkdEmptyCells Empty = SkdEmptyCells::Nearest;
+  bool WeighsByCosine = false; ///< of the latitude; on a sphere
+  bool WithPointFields = true; ///< maps the fields of points, too
+  bool ToPoints = false;       ///< results go to the target's points
+};
+
+/// What a run came upon.
+struct SkdRemapFindings
+{
+  SkdFieldProblems Fields;
+  SkdRemapTally Tally;
+  std::string Problem; ///< why there are no results, if so
+  vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
+  vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
+  vtkIdType Overlaps = 0;
+  bool PointFieldsLeftOut = false;
+  int WeightsFound = 0; ///< for how many blocks they were not kept
+};
+
+/// One donor, block after block of a target. What is made of meshes alone is kept from run to run.
+class SkdRemapper
+{
+public:
+  /// Begins a run: reads the donor's fields.
+  void Begin(vtkDataSet* donor, const SkdRemapSettings& settings, vtkAlgorithm* algorithm);
+
+  ///@{
+  /// Adds the fields to a block, the index-th, and what is told of each cell. Progress goes from
+  /// `first` to `last`. False when asked to stop.
+  bool MapContained(vtkDataSet* block, double first, double last);
+  bool MapConservative(vtkDataSet* block, std::size_t index, double first, double last);
+  ///@}
+
+  /// Of a block that was mapped conservatively in this run; nullptr if there are none.
+  const SkdOverlapWeights* GetWeights(std::size_t index) const;
+
+  const SkdRemapFindings& GetFindings() const { return this->Findings; }
+
+  /// Lets go of the donor's data. What is kept stays.
+  void End();
+
+private:
+  struct KeptSamples
+  {
+    SkdKeptMesh Mesh;
+    bool WeighsByCosine = false;
+    std::unique_ptr<SkdContainedMean> Samples;
+  };
+
+  const SkdContainedMean& SamplesOf(int type);
+  void AddFields(vtkDataSet* block, const std::vector<SkdDonorField>& fields,
+    const std::vector<std::vector<double>>& values, const std::vector<double>& measures);
+  void AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& counts);
+  void AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weights);
+  void Count(const SkdOverlapWeights& weights, bool isNew);
+  bool MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps);
+
+  vtkSmartPointer<vtkDataSet> Donor;
+  SkdRemapSettings Settings;
+  vtkAlgorithm* Algorithm = nullptr;
+  std::vector<SkdDonorField> CellFields;
+  std::vector<SkdDonorField> PointFields;
+  SkdRemapFindings Findings;
+  KeptSamples OfPoints;
+  KeptSamples OfCells;
+  std::deque<SkdKeptOverlaps> Overlaps; // one a block of the target
+  std::vector<bool> HasWeights;
+};
+
+#endif

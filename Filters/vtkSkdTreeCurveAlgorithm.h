@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeCurveAlgorithm
+ * @brief   what the filters share that cross curves with something
+ *
+ * What the curves of the Input are (see vtkSkdTreeSourceAlgorithm for its ports), how finely they
+ * are cut to be searched for, and whether their data are told where they are crossed.
+ */
+
+#ifndef vtkSkdTreeCurveAlgorithm_h
+#define vtkSkdTreeCurveAlgorithm_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
+#include "vtkSkdTreeSourceAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+struct SkdPolylineForm;
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveAlgorithm : public vtkSkdTreeSourceAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkSkdTreeCurveAlgorithm, vtkSkdTreeSourceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the points of a polyline are joined.
+   */
+  enum PolylineForms
+  {
+    STRAIGHT = 0,
+    CARDINAL_SPLINE = 1,
+    KOCHANEK_SPLINE = 2
+  };
+
+  //@{
+  /**
+   * The curve that a polyline represents: straight lines between its points, or the
+   * vtkCardinalSpline or vtkKochanekSpline through them, parametrized by chord length; closed if
+   * the last point is the first. Default STRAIGHT.
+   */
+  vtkSkdTreeChoiceMacro(PolylineForm, STRAIGHT, KOCHANEK_SPLINE);
+  //@}
+
+  //@{
+  /**
+   * Tension, bias and continuity of Kochanek splines, each from -1 to 1, default 0. Tension 1:
+   * straight between points; bias: towards the line before (1) or after (-1) a point; continuity:
+   * the farther from 0, the sharper the corner at a point.
+   */
+  vtkSkdTreeWithinMacro(Tension, double, -1.0, 1.0);
+  vtkSkdTreeWithinMacro(Bias, double, -1.0, 1.0);
+  vtkSkdTreeWithinMacro(Continuity, double, -1.0, 1.0);
+  //@}
+
+  //@{
+  /**
+   * Add the point data of both inputs, interpolated, and the data of both cells, under their own
+   * names; without a Source those of the first curve. An array whose name is already in use is not
+   * added, with a warning: the Input takes precedence over the Source, and point data over cell
+   * data. Along a polyline data are linear between its points, whatever its form. Default on.
+   */
+  vtkSkdTreeSwitchMacro(InterpolateData);
+  //@}
+
+  //@{
+  /**
+   * The paper's delta, relative to the diagonal of the curves' bounds: the largest distance of a
+   * piece of a curve from its chord in the search. It affects the cost, never an answer. Default
+   * 1e-3.
+   */
+  vtkSkdTreeWithinMacro(ChordTolerance, double, 0.0, 1.0);
+  //@}
+
+  //@{
+  /**
+   * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
+   * bounds of what is searched: curves or surfaces. It affects the search only, never an answer.
+   * Default 1e-9.
+   */
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  //@}
+
+protected:
+  using vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm;
+
+  SkdPolylineForm FindPolylineForm() const;
+
+  /// The ChordTolerance. In the place of 0 the default, with a warning.
+  double FindChordTolerance();
+
+  /// Warns of what could not be read at a port, and if nothing could.
+  void WarnAboutInput(const char* port, const std::vector<std::string>& faults, bool isEmpty,
+    const char* whatItLacks);
+
+  int PolylineForm = STRAIGHT;
+  double Tension = 0.0;
+  double Bias = 0.0;
+  double Continuity = 0.0;
+  bool InterpolateData = true;
+  double ChordTolerance = 1e-3;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeCurveAlgorithm(const vtkSkdTreeCurveAlgorithm&) = delete;
+  void operator=(const vtkSkdTreeCurveAlgorithm&) = delete;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

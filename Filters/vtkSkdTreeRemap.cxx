@@ -1,0 +1,536 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeRemap.h"
+
+#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdStopwatch.h"
+#include "Remap/SkdRemapMeshes.h"
+#include "Remap/SkdRemapper.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSkdTreeProbe.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeRemap);
+
+//------------------------------------------------------------------------------
+class vtkSkdTreeRemap::Internals
+{
+public:
+  explicit Internals(vtkSkdTreeRemap* self)
+    : Self(self)
+  {
+  }
+
+  std::set<std::string> Extensive;
+  std::set<std::string> Gradients;
+
+  void Run(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector);
+
+private:
+  bool FindSpace();
+  double RadiusOfInput() const;
+  bool IsOfOneDimension() const;
+  void PrepareDonor(vtkDataObject* source);
+  SkdRemapSettings MakeSettings() const;
+  bool WeighsByCosine(vtkDataObject* source) const;
+  void MapBlock(std::size_t block, double first, double last);
+  void Interpolate(vtkDataSet* block, bool withCellData, double first, double last);
+  void TakeProbed(vtkDataSet* block);
+  vtkSmartPointer<vtkDataSet> ProbedSource(bool withCellData) const;
+  void SetUpProber();
+  void FillWeights(vtkTable* table);
+  void WarnAboutFields() const;
+  void WarnAboutCells() const;
+  void Warn(const std::string& what) const;
+  void Report(vtkDataObject* output, double seconds) const;
+
+  vtkSkdTreeRemap* Self;
+  SkdRemapper Remapper;
+  vtkNew<vtkSkdTreeProbe> Prober;
+
+  // Of one run:
+  std::vector<SkdBlock> Inputs;  // of the input
+  std::vector<SkdBlock> Outputs; // the same, to add arrays to
+  vtkSmartPointer<vtkDataSet> Donor;
+  SkdRemapSettings Settings;
+  bool IsComposite = false;
+  int Method = AUTOMATIC_METHOD;
+  std::set<std::string> Refused;
+};
+
+namespace
+{
+void DropData(const std::vector<SkdBlock>& outputs)
+{
+  for (const SkdBlock& output : outputs)
+  {
+    for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      vtkDataSetAttributes* data = output.Mesh->GetAttributes(type);
+      vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
+      data->Initialize();
+      data->AddArray(ghosts);
+    }
+  }
+}
+
+bool IsStructured(vtkDataObject* source)
+{
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(source);
+  return !blocks.empty() &&
+    std::all_of(blocks.begin(), blocks.end(),
+      [](const SkdBlock& block)
+      {
+        const int type = block.Mesh->GetDataObjectType();
+        return type == VTK_IMAGE_DATA || type == VTK_UNIFORM_GRID || type == VTK_RECTILINEAR_GRID ||
+          type == VTK_STRUCTURED_GRID || type == VTK_STRUCTURED_POINTS;
+      });
+}
+
+/// The part of an algorithm's progress that another one's is, and its abort.
+struct Passing
+{
+  vtkAlgorithm* To;
+  double First;
+  double Last;
+
+  static void Pass(vtkObject* caller, unsigned long, void* self, void*)
+  {
+    const auto* passing = static_cast<Passing*>(self);
+    auto* from = vtkAlgorithm::SafeDownCast(caller);
+    passing->To->UpdateProgress(
+      passing->First + from->GetProgress() * (passing->Last - passing->First));
+    if (SkdIsAskedToStop(passing->To))
+    {
+      from->SetAbortExecute(1);
+    }
+  }
+};
+
+vtkSmartPointer<vtkPolyData> CloudOf(const std::vector<skd::Vector3>& places)
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), places[i].X);
+  }
+  cloud->SetPoints(points);
+  return cloud;
+}
+}
+
+//------------------------------------------------------------------------------
+// The first block that has cells speaks for all.
+double vtkSkdTreeRemap::Internals::RadiusOfInput() const
+{
+  for (const SkdBlock& block : this->Inputs)
+  {
+    if (block.Mesh->GetNumberOfCells() > 0)
+    {
+      return SkdRadiusOf(block.Mesh).value_or(0.0);
+    }
+  }
+  return 0.0;
+}
+
+bool vtkSkdTreeRemap::Internals::FindSpace()
+{
+  const auto found = std::find_if(this->Inputs.begin(), this->Inputs.end(),
+    [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() > 0; });
+  if (found == this->Inputs.end())
+  {
+    return false;
+  }
+  SkdOverlapSpace& space = this->Settings.Overlap.Space;
+  constexpr SkdOverlapSpace spaces[] = { SkdOverlapSpace::Line, SkdOverlapSpace::Line,
+    SkdOverlapSpace::Plane, SkdOverlapSpace::Sphere, SkdOverlapSpace::Volume };
+  space = spaces[this->Self->Geometry];
+  if (this->Self->Geometry == AUTOMATIC_GEOMETRY)
+  {
+    space = SkdSpaceOf(found->Mesh);
+    // What is contained goes by directions, whatever the distances of the source's points.
+    const bool isOnSphere = this->Self->SourceCoordinates == LONGITUDE_LATITUDE ||
+      this->Self->Method == CONTAINED || SkdRadiusOf(this->Donor);
+    space = space == SkdOverlapSpace::Sphere && !isOnSphere ? SkdOverlapSpace::Plane : space;
+  }
+  return true;
+}
+
+bool vtkSkdTreeRemap::Internals::IsOfOneDimension() const
+{
+  const int dimension = SkdDimensionOf(this->Donor);
+  return std::all_of(this->Inputs.begin(), this->Inputs.end(),
+    [&](const SkdBlock& block)
+    { return block.Mesh->GetNumberOfCells() == 0 || SkdDimensionOf(block.Mesh) == dimension; });
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::PrepareDonor(vtkDataObject* source)
+{
+  this->Donor = SkdJoinBlocks(SkdBlocksOf(source));
+  if (this->Self->SourceCoordinates == LONGITUDE_LATITUDE)
+  {
+    const double radius = this->RadiusOfInput();
+    this->Donor = SkdMovedToSphere(this->Donor, radius > 0.0 ? radius : 1.0);
+  }
+}
+
+bool vtkSkdTreeRemap::Internals::WeighsByCosine(vtkDataObject* source) const
+{
+  return this->Self->SampleWeights == COSINE_OF_LATITUDE ||
+    (this->Self->SampleWeights == AUTOMATIC_WEIGHTS && IsStructured(source));
+}
+
+SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
+{
+  const vtkSkdTreeRemap* self = this->Self;
+  SkdRemapSettings settings;
+  settings.Fields.Missing = static_cast<SkdMissingValues>(self->MissingValues);
+  settings.Fields.MissingValue = self->UseMissingValue ? self->MissingValue : vtkMath::Nan();
+  settings.Fields.Mask = self->MaskArray;
+  settings.Fields.Extensive = this->Extensive;
+  settings.Overlap.DonorIsLonLat = self->SourceEdgesAlongParallels;
+  settings.Overlap.TargetIsLonLat = self->InputEdgesAlongParallels;
+  settings.Conservative.Normalization = static_cast<SkdNormalization>(self->Normalization);
+  settings.Conservative.MinimumCoverage = self->MinimumCoverage;
+  settings.Conservative.RotatesVectors = self->RotateVectors;
+  settings.IsSecondOrder = self->Method == CONSERVATIVE_SECOND_ORDER;
+  settings.IsLimited = self->Limiter == BARTH_JESPERSEN;
+  settings.Statistic = static_cast<SkdStatistic>(self->Statistic);
+  settings.Empty = static_cast<SkdEmptyCells>(self->EmptyCells);
+  settings.WithPointFields = self->Method != AUTOMATIC_METHOD;
+  settings.ToPoints = self->ResultsOn == POINTS;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::TakeProbed(vtkDataSet* block)
+{
+  vtkDataSet* probed = vtkDataSet::SafeDownCast(this->Prober->GetOutputDataObject(0));
+  vtkDataSetAttributes* to = block->GetAttributes(
+    this->Self->ResultsOn == CELLS ? vtkDataObject::CELL : vtkDataObject::POINT);
+  vtkPointData* data = probed->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    to->HasArray(array->GetName()) ? void(this->Refused.insert(array->GetName()))
+                                   : void(to->AddArray(array));
+  }
+}
+
+/// The donor with or without its cells' data, but for ghost marks.
+vtkSmartPointer<vtkDataSet> vtkSkdTreeRemap::Internals::ProbedSource(bool withCellData) const
+{
+  auto source = vtkSmartPointer<vtkDataSet>::Take(this->Donor->NewInstance());
+  source->ShallowCopy(this->Donor);
+  if (!withCellData)
+  {
+    vtkCellData* data = source->GetCellData();
+    vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
+    data->Initialize();
+    data->AddArray(ghosts);
+  }
+  return source;
+}
+
+// The flat cells of a sphere are below it, by up to a twentieth of the radius for cells of 35
+// degrees: points on it are not outside.
+void vtkSkdTreeRemap::Internals::SetUpProber()
+{
+  const bool isOnSphere = this->Settings.Overlap.Space == SkdOverlapSpace::Sphere;
+  this->Prober->ClearGradientArrays();
+  for (const std::string& name : this->Gradients)
+  {
+    this->Prober->AddGradientArray(name.c_str());
+  }
+  this->Prober->SetMaximumDistance(0.05 * this->RadiusOfInput());
+  this->Prober->SetOutsidePoints(this->Self->EmptyCells != LEAVE ? vtkSkdTreeProbe::NEAREST_CELL
+      : isOnSphere ? vtkSkdTreeProbe::NEAREST_CELL_WITHIN_DISTANCE
+                   : vtkSkdTreeProbe::LEAVE);
+  this->Prober->SetAbortExecute(0);
+}
+
+// Asked as points of their own, so that nothing of the block's data is in the way.
+void vtkSkdTreeRemap::Internals::Interpolate(
+  vtkDataSet* block, bool withCellData, double first, double last)
+{
+  const bool isOfCells = this->Self->ResultsOn == CELLS;
+  this->SetUpProber();
+  this->Prober->SetInputDataObject(CloudOf(isOfCells ? SkdMiddlesOf(block) : SkdPointsOf(block)));
+  this->Prober->SetSourceData(this->ProbedSource(withCellData));
+  Passing passing{ this->Self, first, last };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&passing);
+  command->SetCallback(&Passing::Pass);
+  this->Prober->AddObserver(vtkCommand::ProgressEvent, command);
+  this->Prober->Update();
+  this->Prober->RemoveObserver(command);
+  this->TakeProbed(block);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::MapBlock(std::size_t block, double first, double last)
+{
+  vtkDataSet* mesh = this->Outputs[block].Mesh;
+  const double middle = 0.5 * (first + last);
+  switch (this->Method)
+  {
+    case CONTAINED:
+      this->Remapper.MapContained(mesh, first, last);
+      break;
+    case INTERPOLATION:
+      this->Interpolate(mesh, true, first, last);
+      break;
+    case AUTOMATIC_METHOD:
+      if (this->Remapper.MapConservative(mesh, block, first, middle) &&
+        this->Donor->GetPointData()->GetNumberOfArrays() > 0)
+      {
+        this->Interpolate(mesh, false, middle, last);
+      }
+      break;
+    default:
+      this->Remapper.MapConservative(mesh, block, first, last);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::FillWeights(vtkTable* table)
+{
+  for (std::size_t block = 0; block < this->Outputs.size(); ++block)
+  {
+    if (const SkdOverlapWeights* weights = this->Remapper.GetWeights(block))
+    {
+      SkdAppendWeights(*weights, this->Settings.Conservative.Normalization,
+        this->Outputs[block].BlockIndex, this->IsComposite, table);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::Warn(const std::string& what) const
+{
+  vtkWarningWithObjectMacro(this->Self, << what);
+}
+
+void vtkSkdTreeRemap::Internals::WarnAboutFields() const
+{
+  const SkdFieldProblems& problems = this->Remapper.GetFindings().Fields;
+  std::set<std::string> refused = this->Refused;
+  refused.insert(problems.Refused.begin(), problems.Refused.end());
+  SkdWarnAboutRefused(this->Self, refused);
+  for (const std::string& name : problems.NotNumbers)
+  {
+    this->Warn("Source's array " + name + " is left out: it is not of numbers.");
+  }
+  for (const std::string& name : problems.Missing)
+  {
+    this->Warn("Source has no array " + name + " of numbers in all its blocks.");
+  }
+  if (problems.NaNs > 0 && this->Method != INTERPOLATION)
+  {
+    this->Warn(std::to_string(problems.NaNs) + " values of Source are NaN or missing: " +
+      (this->Settings.Fields.Missing == SkdMissingValues::Mask
+          ? "they do not count. Set MissingValues to let them spread."
+          : "what has a share of them is NaN."));
+  }
+}
+
+void vtkSkdTreeRemap::Internals::WarnAboutCells() const
+{
+  const SkdRemapFindings& found = this->Remapper.GetFindings();
+  const auto tell = [this](vtkIdType count, const std::string& what)
+  { count > 0 ? this->Warn(std::to_string(count) + what) : void(); };
+  if (!found.Problem.empty())
+  {
+    this->Warn(found.Problem);
+    return;
+  }
+  if (found.WeightsFound > 0 && found.Overlaps == 0)
+  {
+    this->Warn("Input and Source have nothing in common: no cell gets a value. Look at the bounds "
+               "of both, and at Geometry and SourceCoordinates.");
+  }
+  if (found.PointFieldsLeftOut)
+  {
+    this->Warn(
+      "Point arrays of Source are left out: they are interpolated (Method AUTOMATIC_METHOD "
+      "or INTERPOLATION), not conserved. Turn them into cell arrays to conserve them.");
+  }
+  tell(found.SourceLeftOut,
+    " cells of Source have no part in it: they are degenerate, not finite, ghosts or of another "
+    "dimension.");
+  tell(found.InputLeftOut,
+    " cells of Input get no value: they are degenerate, not finite, ghosts or of another "
+    "dimension.");
+  tell(found.CoveredTwice,
+    " cells of Input are covered more than once (SkdCoverage is above 1): cells of Source overlap "
+    "each other, and count as often.");
+  tell(found.SourceCoveredTwice,
+    " cells of Source are covered more than once: cells of Input overlap each other, so the "
+    "integral "
+    "over Input is too large.");
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::Report(vtkDataObject* output, double seconds) const
+{
+  const SkdRemapFindings& found = this->Remapper.GetFindings();
+  vtkIdType cells = 0;
+  for (const SkdBlock& block : this->Outputs)
+  {
+    cells += block.Mesh->GetNumberOfCells();
+  }
+  SkdReport report(output);
+  report.AddCount("SourceCells", this->Donor->GetNumberOfCells());
+  report.AddCount("InputCells", cells);
+  report.AddCount("InputCellsEmpty", found.EmptyCells);
+  report.AddCount("InputCellsPartlyCovered", found.PartlyCovered);
+  report.AddCount("Overlaps", found.Overlaps);
+  report.AddCount("WeightsFound", found.WeightsFound);
+  report.AddMeasure("Seconds", seconds);
+  found.Tally.AddTo(output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSkdTreeRemap::Internals::Run(
+  vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector)
+{
+  SkdStopwatch watch;
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  this->Inputs = SkdBlocksOf(input);
+  this->Outputs = SkdMirror(input, output);
+  this->IsComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+  this->Refused.clear();
+  this->Self->PassInputData ? void() : DropData(this->Outputs);
+  this->PrepareDonor(source);
+  this->Settings = this->MakeSettings();
+  this->Settings.WeighsByCosine = this->WeighsByCosine(source);
+  const bool hasCells = this->FindSpace();
+  const bool isAutomatic = this->Self->Method == AUTOMATIC_METHOD;
+  this->Method =
+    isAutomatic && (!hasCells || !this->IsOfOneDimension()) ? INTERPOLATION : this->Self->Method;
+  const vtkNew<vtkUnstructuredGrid> nothing; // the prober reads the fields itself
+  vtkDataSet* donor = this->Method == INTERPOLATION ? nothing.Get() : this->Donor.Get();
+  this->Remapper.Begin(donor, this->Settings, this->Self);
+  const double step = 1.0 / static_cast<double>(std::max<std::size_t>(this->Outputs.size(), 1));
+  for (std::size_t block = 0; block < this->Outputs.size(); ++block)
+  {
+    const double first = static_cast<double>(block) * step;
+    SkdIsAskedToStop(this->Self) ? void() : this->MapBlock(block, first, first + step);
+  }
+  this->Self->GenerateWeights ? this->FillWeights(vtkTable::GetData(outputVector, 1)) : void();
+  this->WarnAboutFields();
+  this->WarnAboutCells();
+  this->Report(output, watch.Lap());
+  this->Remapper.End();
+  this->Inputs.clear();
+  this->Outputs.clear();
+  this->Donor = nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSkdTreeRemap::vtkSkdTreeRemap()
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_TABLE })
+  , Impl(new Internals(this))
+{
+}
+
+vtkSkdTreeRemap::~vtkSkdTreeRemap() = default;
+
+void vtkSkdTreeRemap::SetMaskArray(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (given != this->MaskArray)
+  {
+    this->MaskArray = given;
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeRemap::AddExtensiveArray(const char* name)
+{
+  if (name && this->Impl->Extensive.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeRemap::ClearExtensiveArrays()
+{
+  this->Impl->Extensive.clear();
+  this->Modified();
+}
+
+void vtkSkdTreeRemap::AddGradientArray(const char* name)
+{
+  if (name && this->Impl->Gradients.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeRemap::ClearGradientArrays()
+{
+  this->Impl->Gradients.clear();
+  this->Modified();
+}
+
+int vtkSkdTreeRemap::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Impl->Run(
+    vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), outputVector);
+  return 1;
+}
+
+void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto tell = [&](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+  const auto tellSwitch = [&](const char* name, bool value) { tell(name, value ? "On" : "Off"); };
+  tell("Method", this->Method);
+  tell("ResultsOn", this->ResultsOn);
+  tell("Geometry", this->Geometry);
+  tell("SourceCoordinates", this->SourceCoordinates);
+  tellSwitch("SourceEdgesAlongParallels", this->SourceEdgesAlongParallels);
+  tellSwitch("InputEdgesAlongParallels", this->InputEdgesAlongParallels);
+  tell("Statistic", this->Statistic);
+  tell("SampleWeights", this->SampleWeights);
+  tell("EmptyCells", this->EmptyCells);
+  tell("Limiter", this->Limiter);
+  tell("Normalization", this->Normalization);
+  tell("MinimumCoverage", this->MinimumCoverage);
+  tell("MissingValues", this->MissingValues);
+  tellSwitch("UseMissingValue", this->UseMissingValue);
+  tell("MissingValue", this->MissingValue);
+  tell("MaskArray", this->MaskArray);
+  tellSwitch("RotateVectors", this->RotateVectors);
+  tellSwitch("PassInputData", this->PassInputData);
+  tellSwitch("GenerateWeights", this->GenerateWeights);
+  for (const std::string& name : this->Impl->Extensive)
+  {
+    tell("ExtensiveArray", name);
+  }
+  for (const std::string& name : this->Impl->Gradients)
+  {
+    tell("GradientArray", name);
+  }
+}
+VTK_ABI_NAMESPACE_END

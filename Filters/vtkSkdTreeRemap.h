@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeRemap
+ * @brief   fields from one mesh to another that has nothing to do with it
+ *
+ * Maps the point and cell data of Source (the donor, port 1, any vtkDataSet or composite of them)
+ * onto the mesh Input (the target, port 0, any vtkDataSet or composite): section 6.6 of Khamayseh
+ * and Hansen, Commun. Comput. Phys. 2 (2007) 545-576. See SetMethod for how. Arrays become arrays
+ * of double of the same name; NaN where there is no answer.
+ *
+ * Meshes are curves, surfaces in a plane, surfaces on a sphere about the origin, or volumes, see
+ * SetGeometry. On a sphere edges are arcs of great circles or, by choice, run along meridians and
+ * parallels; poles and the date line are ordinary; points count by their directions.
+ *
+ * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
+ * gradients' stencils are kept while both meshes' points and cells are the same, so that further
+ * time steps only cost the sums. Each process asks for the whole Source; the report is of its part
+ * of Input.
+ *
+ * Output port 0: the input with the source's arrays and these
+ * | name        | of     | type   | meaning                                              |
+ * | ----------- | ------ | ------ | ---------------------------------------------------- |
+ * | SkdValid    | either | uchar  | 1 where there is an answer                           |
+ * | SkdCoverage | cells  | double | share of the cell covered by Source; conservative    |
+ * | SkdCount    | cells  | idtype | source points, or cells' middles, in it; contained   |
+ * and with interpolation those of vtkSkdTreeProbe.
+ *
+ * Output port 1, vtkTable, with GenerateWeights: a row an overlap: Row and Column (cells of Input
+ * and of Source), Weight (by which the source's average counts), Measure (length, area or volume),
+ * Moment (the integral of x less the source cell's centroid), RowBlockIndex (of a composite Input).
+ * Of a composite Source, Column counts on from block to block.
+ *
+ * Field data of output port 0: SkdReportSourceCells, SkdReportInputCells, SkdReportInputCellsEmpty
+ * (without an answer), SkdReportInputCellsPartlyCovered, SkdReportOverlaps, SkdReportWeightsFound
+ * (blocks whose overlaps were not kept), SkdReportSeconds; and, of what was mapped conservatively,
+ * a value for each component of each array: SkdReportArray (its name), SkdReportSourceIntegral
+ * (over Source), SkdReportOverlapIntegral (over what of it Input covers), SkdReportTargetIntegral,
+ * SkdReportConservationError (the difference of the last two, relative to the integral of the
+ * source's absolute values) and SkdReportCoverage (share of Input that is covered).
+ *
+ * Bad input: arrays of strings are left out, by name, with a warning, as those are whose name is in
+ * use. Meshes that have nothing in common, cells of another dimension, degenerate ones (these have
+ * no part in it), and cells of one mesh that overlap each other (a coverage above one) are warned
+ * of, with their number. Concave cells are cut into convex ones. Cells with points that are not
+ * finite count as empty.
+ *
+ * @sa
+ * vtkSkdTreeProbe vtkSkdTreeCellLocator
+ */
+
+#ifndef vtkSkdTreeRemap_h
+#define vtkSkdTreeRemap_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
+#include "vtkSkdTreeSourceAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeRemap : public vtkSkdTreeSourceAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeRemap, vtkSkdTreeSourceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeRemap* New();
+
+  enum MethodType
+  {
+    AUTOMATIC_METHOD = 0,
+    CONTAINED = 1,
+    INTERPOLATION = 2,
+    CONSERVATIVE_FIRST_ORDER = 3,
+    CONSERVATIVE_SECOND_ORDER = 4
+  };
+
+  ///@{
+  /**
+   * How fields are mapped.
+   * CONTAINED: a statistic of the source's points (of its cells the middles) that a target cell
+   * truly contains, not those in its box.
+   * INTERPOLATION: the source's data at target points or cell centres, see vtkSkdTreeProbe.
+   * CONSERVATIVE_FIRST_ORDER: averages over target cells by the exact overlaps of both meshes'
+   * cells: integrals are kept, and bounds. Of cell data; point data are left out, with a warning.
+   * CONSERVATIVE_SECOND_ORDER: the same with a gradient in each source cell, see SetLimiter.
+   * AUTOMATIC_METHOD (default): cell data conservatively, of first order, and point data by
+   * interpolation; where cells of Input and Source are not of one dimension, all by interpolation.
+   */
+  vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, CONSERVATIVE_SECOND_ORDER);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  enum ResultsOnType
+  {
+    AUTOMATIC_RESULTS = 0,
+    CELLS = 1,
+    POINTS = 2
+  };
+
+  ///@{
+  /**
+   * What of Input gets the results: of interpolation its points (AUTOMATIC_RESULTS, default) or its
+   * cells, at their centres; of the other methods its cells, or by lumped masses its points: each
+   * cell gives equal shares of its measure (or, CONTAINED, of one) to its corners, and a point has
+   * the mean by these.
+   */
+  vtkSetClampMacro(ResultsOn, int, AUTOMATIC_RESULTS, POINTS);
+  vtkGetMacro(ResultsOn, int);
+  ///@}
+
+  enum GeometryType
+  {
+    AUTOMATIC_GEOMETRY = 0,
+    LINE = 1,
+    PLANE = 2,
+    SPHERE = 3,
+    VOLUME = 4
+  };
+
+  ///@{
+  /**
+   * What the meshes are parts of. AUTOMATIC_GEOMETRY (default) goes by the highest dimension of
+   * Input's cells; surfaces are on a sphere if all points of both meshes are equally far from the
+   * origin, to a part in 10^5.
+   */
+  vtkSetClampMacro(Geometry, int, AUTOMATIC_GEOMETRY, VOLUME);
+  vtkGetMacro(Geometry, int);
+  ///@}
+
+  enum CoordinatesType
+  {
+    AS_GIVEN = 0,
+    LONGITUDE_LATITUDE = 1
+  };
+
+  ///@{
+  /**
+   * Whether the source's points are Cartesian (AS_GIVEN, default) or longitude and latitude in
+   * degrees (x and y; z does not count), which are then moved to Input's sphere.
+   */
+  vtkSetClampMacro(SourceCoordinates, int, AS_GIVEN, LONGITUDE_LATITUDE);
+  vtkGetMacro(SourceCoordinates, int);
+  ///@}
+
+  ///@{
+  /**
+   * On a sphere, whether cells whose corners lie on two meridians and two parallels are bounded by
+   * these instead of by great circles. Of conservative methods. Default off.
+   */
+  vtkSetMacro(SourceEdgesAlongParallels, bool);
+  vtkGetMacro(SourceEdgesAlongParallels, bool);
+  vtkBooleanMacro(SourceEdgesAlongParallels, bool);
+  vtkSetMacro(InputEdgesAlongParallels, bool);
+  vtkGetMacro(InputEdgesAlongParallels, bool);
+  vtkBooleanMacro(InputEdgesAlongParallels, bool);
+  ///@}
+
+  enum StatisticType
+  {
+    MEAN = 0,
+    MINIMUM = 1,
+    MAXIMUM = 2,
+    SUM = 3,
+    STANDARD_DEVIATION = 4,
+    MEDIAN = 5
+  };
+
+  ///@{
+  /**
+   * What CONTAINED makes of the values in a cell. The array SkdCount has their number. The standard
+   * deviation is that of the values there are, not an estimate. Default MEAN.
+   */
+  vtkSetClampMacro(Statistic, int, MEAN, MEDIAN);
+  vtkGetMacro(Statistic, int);
+  ///@}
+
+  enum SampleWeightsType
+  {
+    AUTOMATIC_WEIGHTS = 0,
+    EQUAL = 1,
+    COSINE_OF_LATITUDE = 2
+  };
+
+  ///@{
+  /**
+   * What values of CONTAINED weigh in means, standard deviations and medians. Grids of longitude
+   * and latitude have as many values near the poles as elsewhere: with EQUAL weights means are
+   * drawn towards them. AUTOMATIC_WEIGHTS (default): COSINE_OF_LATITUDE where a structured source
+   * is on a sphere, else EQUAL.
+   */
+  vtkSetClampMacro(SampleWeights, int, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
+  vtkGetMacro(SampleWeights, int);
+  ///@}
+
+  enum EmptyCellsType
+  {
+    LEAVE = 0,
+    NEAREST = 1,
+    ENCLOSING_BOX = 2
+  };
+
+  ///@{
+  /**
+   * What cells without a value (CONTAINED), or points that no source cell holds (INTERPOLATION),
+   * get: LEAVE gives NaN; NEAREST (default) the value nearest to the mean of the cell's corners, or
+   * the data of the nearest cell; ENCLOSING_BOX the statistic in the cell's box, grown twofold
+   * until there are values (of INTERPOLATION the same as NEAREST). SkdValid is 0 for cells all the
+   * same. A SUM over an empty cell is 0. Conservative methods leave cells that are not covered.
+   */
+  vtkSetClampMacro(EmptyCells, int, LEAVE, ENCLOSING_BOX);
+  vtkGetMacro(EmptyCells, int);
+  ///@}
+
+  enum LimiterType
+  {
+    NO_LIMITER = 0,
+    BARTH_JESPERSEN = 1
+  };
+
+  ///@{
+  /**
+   * How gradients of CONSERVATIVE_SECOND_ORDER are limited. NO_LIMITER: they are those of the least
+   * squares fit, exact for linear fields. BARTH_JESPERSEN (default): at no corner of a source cell
+   * does its field leave what the averages around are between; extremes of smooth fields lose by
+   * it.
+   */
+  vtkSetClampMacro(Limiter, int, NO_LIMITER, BARTH_JESPERSEN);
+  vtkGetMacro(Limiter, int);
+  ///@}
+
+  enum NormalizationType
+  {
+    COVERED = 0,
+    WHOLE = 1
+  };
+
+  ///@{
+  /**
+   * What averages of partly covered cells are taken over: COVERED (default), the covered part, so
+   * that constants stay; WHOLE, the whole cell as if the field were 0 elsewhere, so that the
+   * integral over whole cells is kept.
+   */
+  vtkSetClampMacro(Normalization, int, COVERED, WHOLE);
+  vtkGetMacro(Normalization, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cells of which a lesser share is covered by what counts get no value. Conservative methods;
+   * range [0, 1], default 0: any overlap will do.
+   */
+  vtkSkdTreeSetWithinMacro(MinimumCoverage, double, 0.0, 1.0);
+  vtkGetMacro(MinimumCoverage, double);
+  ///@}
+
+  enum MissingValuesType
+  {
+    MASK = 0,
+    SPREAD = 1
+  };
+
+  ///@{
+  /**
+   * What becomes of the source's values that are NaN: MASK (default), they count as not there;
+   * SPREAD, everything that has a share of them is NaN. INTERPOLATION always spreads them.
+   */
+  vtkSetClampMacro(MissingValues, int, MASK, SPREAD);
+  vtkGetMacro(MissingValues, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether values equal to MissingValue count as NaN. Default off, and -9999.
+   */
+  vtkSetMacro(UseMissingValue, bool);
+  vtkGetMacro(UseMissingValue, bool);
+  vtkBooleanMacro(UseMissingValue, bool);
+  vtkSetMacro(MissingValue, double);
+  vtkGetMacro(MissingValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * A point or cell array of the Source that is 0 where values do not count. None by default. Not
+   * for INTERPOLATION.
+   */
+  void SetMaskArray(const char* name);
+  const char* GetMaskArray() const { return this->MaskArray.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Cell arrays that are amounts (mass, say) and not averages or densities: conservative methods
+   * divide them among target cells, and their sum is kept. None by default.
+   */
+  void AddExtensiveArray(const char* name);
+  void ClearExtensiveArrays();
+  ///@}
+
+  ///@{
+  /**
+   * On a sphere, whether arrays of three components, unless of integers, are vectors which
+   * conservative methods turn from where the source cell is to where the target cell is. Else they
+   * are mapped by components. Default on.
+   */
+  vtkSetMacro(RotateVectors, bool);
+  vtkGetMacro(RotateVectors, bool);
+  vtkBooleanMacro(RotateVectors, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Point arrays whose gradients INTERPOLATION adds, see vtkSkdTreeProbe. None by default.
+   */
+  void AddGradientArray(const char* name);
+  void ClearGradientArrays();
+  ///@}
+
+  ///@{
+  /**
+   * Pass the input's own point and cell data. A source's array whose name is in use by then is left
+   * out, with a warning. Default on.
+   */
+  vtkSetMacro(PassInputData, bool);
+  vtkGetMacro(PassInputData, bool);
+  vtkBooleanMacro(PassInputData, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether conservative methods give their weights (port 1). Default off.
+   */
+  vtkSetMacro(GenerateWeights, bool);
+  vtkGetMacro(GenerateWeights, bool);
+  vtkBooleanMacro(GenerateWeights, bool);
+  ///@}
+
+protected:
+  vtkSkdTreeRemap();
+  ~vtkSkdTreeRemap() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Method = AUTOMATIC_METHOD;
+  int ResultsOn = AUTOMATIC_RESULTS;
+  int Geometry = AUTOMATIC_GEOMETRY;
+  int SourceCoordinates = AS_GIVEN;
+  bool SourceEdgesAlongParallels = false;
+  bool InputEdgesAlongParallels = false;
+  int Statistic = MEAN;
+  int SampleWeights = AUTOMATIC_WEIGHTS;
+  int EmptyCells = NEAREST;
+  int Limiter = BARTH_JESPERSEN;
+  int Normalization = COVERED;
+  double MinimumCoverage = 0.0;
+  int MissingValues = MASK;
+  bool UseMissingValue = false;
+  double MissingValue = -9999.0;
+  std::string MaskArray;
+  bool RotateVectors = true;
+  bool PassInputData = true;
+  bool GenerateWeights = false;
+
+private:
+  vtkSkdTreeRemap(const vtkSkdTreeRemap&) = delete;
+  void operator=(const vtkSkdTreeRemap&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl; // what is kept while the meshes are unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

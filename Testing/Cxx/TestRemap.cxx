@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeRemap: what is kept, and how well.
+
+#include "Support/RemapRun.h"
+#include "Support/SphereMeshes.h"
+#include "Support/SurfaceMeshes.h"
+#include "Support/VolumeMeshes.h"
+
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace skdtest;
+
+namespace
+{
+using Remap = vtkSkdTreeRemap;
+
+/// Y 2,2 of Jones (1999): 2 + cos^2(latitude) cos(2 longitude).
+double Y22(const Point& x)
+{
+  return 2.0 + x[0] * x[0] - x[1] * x[1];
+}
+
+/// His cosine hill, about the equator.
+double Hill(const Point& x)
+{
+  const double pi = std::acos(-1.0);
+  const double distance = std::acos(std::clamp(-x[0], -1.0, 1.0));
+  return 2.0 - std::cos(pi * std::min(1.0, 3.0 * distance / pi));
+}
+
+struct SpherePair
+{
+  explicit SpherePair(int cube, int icosahedron, const std::function<double(const Point&)>& f = Y22)
+    : From(CubedSphere(cube))
+    , To(IcosahedralDual(icosahedron))
+    , Averages(CellAverages(this->From, f))
+    , Exact(CellAverages(this->To, f))
+    , Source(WithCellArray(MakePolyData(this->From), "f", this->Averages))
+    , Input(MakePolyData(this->To))
+  {
+  }
+
+  double Error(int method, int limiter = Remap::NO_LIMITER) const
+  {
+    const RemapPointer remap = MakeRemap(this->Input, this->Source, method);
+    remap->SetLimiter(limiter);
+    const std::vector<double> values = RemappedCells(remap, "f");
+    EXPECT_LT(Reported(remap, "ConservationError"), 1e-13);
+    EXPECT_NEAR(Reported(remap, "Coverage"), 1.0, 1e-14);
+    const std::vector<double> ones(values.size(), 1.0);
+    return L2Error(values, this->Exact, ones);
+  }
+
+  Mesh From;
+  Mesh To;
+  std::vector<double> Averages;
+  std::vector<double> Exact;
+  PolyDataPointer Source;
+  PolyDataPointer Input;
+};
+
+GridPointer Tetra(const char* name, const std::function<double(const Point&)>& f)
+{
+  const Mesh mesh = Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 });
+  const GridPointer grid = MakeGrid(mesh);
+  std::vector<double> values;
+  for (const CellSpec& cell : mesh.Cells)
+  {
+    Point middle = { 0, 0, 0 };
+    for (const vtkIdType id : cell.Points)
+    {
+      middle = middle + 0.25 * mesh.Points[id];
+    }
+    values.push_back(f(middle)); // the average, if linear
+  }
+  return WithCellArray(grid, name, values);
+}
+
+GridPointer Bricks(int n)
+{
+  return MakeGrid(Placed(Hexahedra(n), 1.0 / n, { 0, 0, 0 }));
+}
+}
+
+TEST(Remap, OnASphereFirstOrderIsConservativeAndOfFirstOrder)
+{
+  const double coarse = SpherePair(8, 9).Error(Remap::CONSERVATIVE_FIRST_ORDER);
+  const double fine = SpherePair(16, 18).Error(Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_LT(fine, 6e-3);
+  EXPECT_GT(coarse / fine, 1.7);
+  EXPECT_LT(coarse / fine, 2.5);
+}
+
+TEST(Remap, OnASphereSecondOrderIsConservativeAndOfSecondOrder)
+{
+  const double coarse = SpherePair(8, 9).Error(Remap::CONSERVATIVE_SECOND_ORDER);
+  const double fine = SpherePair(16, 18).Error(Remap::CONSERVATIVE_SECOND_ORDER);
+  EXPECT_LT(fine, 1.6e-4);
+  EXPECT_GT(coarse / fine, 3.5);
+  const double hill = SpherePair(16, 18, Hill).Error(Remap::CONSERVATIVE_SECOND_ORDER);
+  EXPECT_LT(3.0 * hill, SpherePair(16, 18, Hill).Error(Remap::CONSERVATIVE_FIRST_ORDER));
+}
+
+// The table of the literature; the full one is made by Testing/Benchmark/remap_convergence.py.
+TEST(Remap, ErrorsAreThoseOfTempestRemapOrLess)
+{
+  const SpherePair pair(15, 16);
+  EXPECT_LT(pair.Error(Remap::CONSERVATIVE_FIRST_ORDER), 1.2 * 5.575e-3);
+  EXPECT_LT(pair.Error(Remap::CONSERVATIVE_SECOND_ORDER), 1.578e-4);
+  EXPECT_LT(pair.Error(Remap::CONSERVATIVE_SECOND_ORDER, Remap::BARTH_JESPERSEN), 1.578e-4);
+}
+
+TEST(Remap, ConstantsStayAndFirstOrderKeepsBounds)
+{
+  SpherePair pair(6, 5, Hill);
+  const std::vector<double> constant(pair.Averages.size(), 0.3);
+  WithCellArray(pair.Source, "constant", constant);
+  for (const int method : { Remap::CONSERVATIVE_FIRST_ORDER, Remap::CONSERVATIVE_SECOND_ORDER })
+  {
+    for (const int normalization : { Remap::COVERED, Remap::WHOLE })
+    {
+      const RemapPointer remap = MakeRemap(pair.Input, pair.Source, method);
+      remap->SetNormalization(normalization);
+      for (const double value : RemappedCells(remap, "constant"))
+      {
+        ASSERT_NEAR(value, 0.3, 1e-14);
+      }
+    }
+  }
+  const auto [least, greatest] = std::minmax_element(pair.Averages.begin(), pair.Averages.end());
+  for (const double value :
+    RemappedCells(MakeRemap(pair.Input, pair.Source, Remap::CONSERVATIVE_FIRST_ORDER), "f"))
+  {
+    ASSERT_GE(value, *least);
+    ASSERT_LE(value, *greatest);
+  }
+}
+
+TEST(Remap, MassDoesNotDriftBackAndForth)
+{
+  const SpherePair pair(6, 5);
+  PolyDataPointer there = pair.Input;
+  PolyDataPointer here = pair.Source;
+  const RemapPointer go = MakeRemap(there, here, Remap::CONSERVATIVE_SECOND_ORDER);
+  const RemapPointer come = MakeRemap(here, there, Remap::CONSERVATIVE_SECOND_ORDER);
+  go->PassInputDataOff();
+  come->PassInputDataOff();
+  come->SetInputConnection(1, go->GetOutputPort());
+  come->Update();
+  const double before = Reported(go, "SourceIntegral");
+  for (int cycle = 0; cycle < 10; ++cycle)
+  {
+    vtkNew<vtkPolyData> back;
+    back->ShallowCopy(come->GetOutputDataObject(0));
+    go->SetSourceData(back);
+    come->Update();
+    EXPECT_EQ(Reported(go, "WeightsFound"), 0);
+  }
+  EXPECT_NEAR(Reported(come, "TargetIntegral"), before, 2e-14 * before);
+}
+
+TEST(Remap, VolumesOfOneShapeToAnotherKeepLinearFields)
+{
+  const GridPointer tetra = Tetra("f", Linear);
+  const RemapPointer remap = MakeRemap(Bricks(4), tetra, Remap::CONSERVATIVE_SECOND_ORDER);
+  remap->SetLimiter(Remap::NO_LIMITER);
+  const std::vector<double> values = RemappedCells(remap, "f");
+  const GridPointer bricks = Bricks(4);
+  for (vtkIdType i = 0; i < bricks->GetNumberOfCells(); ++i)
+  {
+    Bounds b;
+    bricks->GetCellBounds(i, b.data());
+    const Point middle = { 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) };
+    ASSERT_NEAR(values[static_cast<std::size_t>(i)], Linear(middle), 1e-12) << i;
+  }
+  EXPECT_LT(Reported(remap, "ConservationError"), 1e-13);
+  EXPECT_NEAR(Reported(remap, "TargetIntegral"), Linear({ 0.5, 0.5, 0.5 }), 1e-12);
+  EXPECT_NEAR(Reported(remap, "Coverage"), 1.0, 1e-14);
+}
+
+TEST(Remap, PartlyCoveredCellsAreNormalisedAsAskedAndAmountsAreDivided)
+{
+  // Two unit squares, of which the target's first covers the second's left half and more.
+  const auto source = WithCellArray(MakePolyData(Sheet(1, VTK_QUAD)), "f", { 8.0 });
+  const auto input = MakePolyData(Placed(Sheet(1, VTK_QUAD), 1.0, { 0.75, 0, 0 }));
+  RemapPointer remap = MakeRemap(input, source, Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 8.0 }));
+  EXPECT_EQ(RemappedCells(remap, "SkdCoverage"), (std::vector<double>{ 0.25 }));
+  EXPECT_EQ(Reported(remap, "InputCellsPartlyCovered"), 1);
+  remap->SetNormalization(Remap::WHOLE);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 2.0 }));
+  EXPECT_EQ(Reported(remap, "TargetIntegral"), 2.0);
+  EXPECT_EQ(Reported(remap, "SourceIntegral"), 8.0);
+  remap->AddExtensiveArray("f");
+  remap->SetNormalization(Remap::COVERED);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 2.0 }));
+  remap->SetMinimumCoverage(0.5);
+  EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
+  EXPECT_EQ(RemappedCells(remap, "SkdValid"), (std::vector<double>{ 0.0 }));
+}
+
+TEST(Remap, MissingValuesDoNotCountOrSpread)
+{
+  const auto source =
+    WithCellArray(MakePolyData(Sheet(2, VTK_QUAD)), "f", { 1.0, std::nan(""), -9999.0, 5.0 });
+  WithCellArray(source, "m", { 1, 1, 1, 0 });
+  const auto input = MakePolyData(Placed(Sheet(1, VTK_QUAD), 2.0, { 0, 0, 0 }));
+  RemapPointer remap = MakeRemap(input, source, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->SetUseMissingValue(true);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 3.0 }));
+  EXPECT_EQ(Reported(remap, "Coverage"), 0.5);
+  remap->SetMaskArray("m");
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 1.0 }));
+  remap->SetMissingValues(Remap::SPREAD);
+  EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
+}
+
+TEST(Remap, VectorsTurnWithTheSphere)
+{
+  const Mesh mesh = CubedSphere(4);
+  const PolyDataPointer source = MakePolyData(mesh);
+  vtkNew<vtkDoubleArray> east;
+  east->SetName("east");
+  east->SetNumberOfComponents(3);
+  const std::vector<double> x = CellAverages(mesh, [](const Point& p) { return p[0]; });
+  const std::vector<double> y = CellAverages(mesh, [](const Point& p) { return p[1]; });
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    const double length = std::max(std::hypot(x[i], y[i]), 1e-3);
+    east->InsertNextTuple3(-y[i] / length, x[i] / length, 0.0);
+  }
+  source->GetCellData()->AddArray(east);
+  const Mesh to = CubedSphere(6);
+  RemapPointer remap = MakeRemap(MakePolyData(to), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  const std::vector<double> turned = RemappedCells(remap, "east");
+  const std::vector<double> cx = CellAverages(to, [](const Point& p) { return p[0]; });
+  const std::vector<double> cy = CellAverages(to, [](const Point& p) { return p[1]; });
+  const std::vector<double> cz = CellAverages(to, [](const Point& p) { return p[2]; });
+  double along = 0.0;
+  for (std::size_t i = 0; i < cx.size(); ++i)
+  {
+    along = std::max(along,
+      std::abs(turned[3 * i] * cx[i] + turned[3 * i + 1] * cy[i] + turned[3 * i + 2] * cz[i]));
+  }
+  EXPECT_LT(along, 1e-8); // they are tangent to the sphere, as well as its cells' middles are known
+  remap->RotateVectorsOff();
+  const std::vector<double> mapped = RemappedCells(remap, "east");
+  EXPECT_EQ(mapped[2], 0.0);
+  EXPECT_NE(mapped, turned);
+}
+
+TEST(Remap, AutomaticallyCellDataAreConservedAndPointDataInterpolated)
+{
+  const auto source = WithData(MakeGrid(Placed(Hexahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
+  const auto input = Bricks(2);
+  RemapPointer remap = MakeRemap(input, source, Remap::AUTOMATIC_METHOD);
+  const std::vector<double> linear = RemappedPoints(remap, "Linear");
+  ASSERT_EQ(linear.size(), 27u);
+  for (vtkIdType i = 0; i < 27; ++i)
+  {
+    Point p;
+    input->GetPoint(i, p.data());
+    ASSERT_NEAR(linear[static_cast<std::size_t>(i)], Linear(p), 1e-12);
+  }
+  EXPECT_EQ(RemappedCells(remap, "Number").size(), 8u);
+  EXPECT_TRUE(RemappedCells(remap, "Linear").empty());
+  remap->SetMethod(Remap::INTERPOLATION);
+  remap->SetResultsOn(Remap::CELLS);
+  remap->AddGradientArray("Linear");
+  EXPECT_NEAR(RemappedCells(remap, "Linear")[0], Linear({ 0.25, 0.25, 0.25 }), 1e-12);
+  EXPECT_NEAR(RemappedCells(remap, "Linear_Gradient")[1], -2.0, 1e-10);
+}
+
+TEST(Remap, ContainedStatisticsCountAndLump)
+{
+  const auto source = WithData(MakePolyData(Placed(Sheet(8, VTK_QUAD), 0.25, { 0.01, 0.01, 0 })));
+  const auto input = MakePolyData(Sheet(2, VTK_QUAD));
+  RemapPointer remap = MakeRemap(input, source, Remap::CONTAINED);
+  EXPECT_EQ(RemappedCells(remap, "SkdCount"), (std::vector<double>{ 16, 16, 16, 16 }));
+  const std::vector<double> numbers = RemappedCells(remap, "Number");
+  EXPECT_DOUBLE_EQ(numbers[0], 10 * 13.5);
+  remap->SetStatistic(Remap::MAXIMUM);
+  EXPECT_EQ(RemappedCells(remap, "Number")[0], 10 * 27);
+  remap->SetStatistic(Remap::MEAN);
+  remap->SetResultsOn(Remap::POINTS);
+  const std::vector<double> points = RemappedPoints(remap, "Number");
+  EXPECT_DOUBLE_EQ(points[4], 0.25 * (numbers[0] + numbers[1] + numbers[2] + numbers[3]));
+  EXPECT_DOUBLE_EQ(points[0], numbers[0]);
+}
+
+TEST(Remap, LumpedMassesKeepTheIntegral)
+{
+  const SpherePair pair(4, 4);
+  RemapPointer remap = MakeRemap(pair.Input, pair.Source, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->SetResultsOn(Remap::POINTS);
+  const std::vector<double> values = RemappedPoints(remap, "f");
+  ASSERT_EQ(values.size(), pair.To.Points.size());
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  EXPECT_GE(*least, 1.0);
+  EXPECT_LE(*greatest, 3.0);
+}
+
+TEST(Remap, IsTheSameOnAnyNumberOfThreads)
+{
+  const SpherePair pair(6, 8);
+  const auto run = [&]
+  {
+    return RemappedCells(MakeRemap(pair.Input, pair.Source, Remap::CONSERVATIVE_SECOND_ORDER), "f");
+  };
+  const std::vector<double> values = run();
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 }, [&] { EXPECT_EQ(run(), values); });
+}

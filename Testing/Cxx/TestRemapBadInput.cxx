@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeRemap: what it makes of composite, broken and unfitting inputs, and what it keeps.
+
+#include "Support/EventCounter.h"
+#include "Support/RemapRun.h"
+#include "Support/SphereMeshes.h"
+#include "Support/SurfaceMeshes.h"
+#include "Support/VolumeMeshes.h"
+
+#include "vtkImageData.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+using Remap = vtkSkdTreeRemap;
+
+/// Unit squares [0, n] x [0, n], moved to the right, with ones.
+PolyDataPointer Ones(int n, double right)
+{
+  const auto mesh = MakePolyData(Placed(Sheet(n, VTK_QUAD), 1.0, { right, 0, 0 }));
+  return WithCellArray(
+    mesh, "f", std::vector<double>(static_cast<std::size_t>(mesh->GetNumberOfCells()), 1.0));
+}
+
+/// The first warning of a run, or "".
+std::string WarningOf(vtkSkdTreeRemap* remap)
+{
+  const EventCounter events(remap);
+  remap->Update();
+  EXPECT_EQ(events.Errors, 0) << events.Error;
+  return events.Warning;
+}
+}
+
+TEST(RemapBadInput, WhatHasNothingInCommonIsWarnedOf)
+{
+  RemapPointer remap =
+    MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), Ones(2, 5.0), Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_NE(WarningOf(remap).find("nothing in common"), std::string::npos);
+  EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
+  EXPECT_EQ(Reported(remap, "InputCellsEmpty"), 4);
+}
+
+TEST(RemapBadInput, StringsAndNamesInUseAreLeftOutByName)
+{
+  const auto source = Ones(2, 0.0);
+  vtkNew<vtkStringArray> names;
+  names->SetName("labels");
+  names->SetNumberOfValues(4);
+  source->GetCellData()->AddArray(names);
+  RemapPointer remap =
+    MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_NE(WarningOf(remap).find("labels"), std::string::npos);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>(4, 1.0)));
+  remap = MakeRemap(Ones(2, 0.0), Ones(2, 0.0), Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_NE(WarningOf(remap).find("The array f"), std::string::npos);
+  remap->PassInputDataOff();
+  EXPECT_EQ(WarningOf(remap), "");
+  remap->AddExtensiveArray("mass");
+  EXPECT_NE(WarningOf(remap).find("no array mass"), std::string::npos);
+}
+
+TEST(RemapBadInput, CellsThatOverlapEachOtherAreWarnedOf)
+{
+  Mesh twice = Sheet(2, VTK_QUAD);
+  twice.Cells.push_back(twice.Cells.front());
+  const auto source = WithCellArray(MakePolyData(twice), "f", { 1, 1, 1, 1, 1 });
+  RemapPointer remap =
+    MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_NE(WarningOf(remap).find("covered more than once"), std::string::npos);
+  EXPECT_NEAR(RemappedCells(remap, "SkdCoverage")[0], 2.0, 1e-14);
+  EXPECT_EQ(RemappedCells(remap, "f")[0], 1.0);
+}
+
+TEST(RemapBadInput, MixedDimensionsAndDegenerateCellsHaveNoPartInIt)
+{
+  Mesh mixed = Sheet(2, VTK_QUAD);
+  mixed.Add(VTK_LINE, { 0, 1 });
+  mixed.Add(VTK_TRIANGLE, { 0, 1, 1 });
+  const auto source = MakeGrid(mixed);
+  WithCellArray(source, "f", { 1, 2, 3, 4, 100, 100 });
+  RemapPointer remap =
+    MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_NE(WarningOf(remap).find("have no part in it"), std::string::npos);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 1, 2, 3, 4 }));
+  // A plane through a volume cannot be conservative: interpolated.
+  const auto volume = WithData(MakeGrid(Hexahedra(2)));
+  remap = MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), volume, Remap::AUTOMATIC_METHOD);
+  EXPECT_EQ(RemappedPoints(remap, "Linear").size(), 9u);
+  EXPECT_EQ(RemappedPoints(remap, "Number").size(), 9u);
+}
+
+TEST(RemapBadInput, ConcaveCellsAreCut)
+{
+  Mesh mesh;
+  const Ids l = { mesh.Add({ 0, 0, 0 }), mesh.Add({ 2, 0, 0 }), mesh.Add({ 2, 1, 0 }),
+    mesh.Add({ 1, 1, 0 }), mesh.Add({ 1, 2, 0 }), mesh.Add({ 0, 2, 0 }) };
+  mesh.Add(VTK_POLYGON, l);
+  RemapPointer remap = MakeRemap(MakePolyData(mesh), Ones(2, 0.0), Remap::CONSERVATIVE_FIRST_ORDER);
+  EXPECT_NEAR(RemappedCells(remap, "SkdCoverage")[0], 1.0, 1e-15);
+  EXPECT_NEAR(Reported(remap, "TargetIntegral"), 3.0, 1e-14);
+}
+
+TEST(RemapBadInput, EmptyInputsGiveEmptyOutputs)
+{
+  for (int method = Remap::AUTOMATIC_METHOD; method <= Remap::CONSERVATIVE_SECOND_ORDER; ++method)
+  {
+    RemapPointer remap = MakeRemap(PolyDataPointer::New(), Ones(1, 0.0), method);
+    remap->Update();
+    EXPECT_EQ(Reported(remap, "InputCells"), 0);
+    remap = MakeRemap(Ones(1, 0.0), PolyDataPointer::New(), method);
+    remap->Update();
+    EXPECT_EQ(Reported(remap, "SourceCells"), 0);
+  }
+}
+
+TEST(RemapBadInput, BlocksAreMappedAsOne)
+{
+  const auto left = Ones(1, 0.0), right = Ones(1, 1.0);
+  WithCellArray(right, "f", { 3.0 });
+  const auto source = MakeBlocks({ left, right });
+  const auto a = MakePolyData(Placed(Sheet(1, VTK_QUAD), 1.0, { 0.5, 0, 0 }));
+  const auto b = MakePolyData(Placed(Sheet(1, VTK_QUAD), 0.5, { 1.5, 0, 0 }));
+  RemapPointer remap = MakeRemap(MakeBlocks({ a, b }), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->GenerateWeightsOn();
+  remap->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(remap->GetOutputDataObject(0));
+  const auto value = [&](unsigned int block)
+  {
+    auto* mesh = vtkDataSet::SafeDownCast(blocks->GetBlock(block));
+    return mesh->GetCellData()->GetArray("f")->GetTuple1(0);
+  };
+  EXPECT_EQ(value(0), 2.0);
+  EXPECT_EQ(value(1), 3.0);
+  EXPECT_EQ(Reported(remap, "TargetIntegral"), 2.75);
+  auto* table = vtkTable::SafeDownCast(remap->GetOutputDataObject(1));
+  ASSERT_EQ(table->GetNumberOfRows(), 3);
+  EXPECT_EQ(table->GetValueByName(0, "Weight").ToDouble(), 0.5);
+  EXPECT_EQ(table->GetValueByName(2, "RowBlockIndex").ToInt(), 2);
+  EXPECT_EQ(table->GetValueByName(2, "Column").ToInt(), 1);
+}
+
+TEST(RemapBadInput, WeightsAreKeptWhileBothMeshesStay)
+{
+  const auto input = MakePolyData(Sheet(3, VTK_QUAD));
+  RemapPointer remap = MakeRemap(input, Ones(3, 0.0), Remap::CONSERVATIVE_SECOND_ORDER);
+  remap->Update();
+  EXPECT_EQ(Reported(remap, "WeightsFound"), 1);
+  auto next = Ones(3, 0.0); // of equal values
+  WithCellArray(next, "f", std::vector<double>(9, 7.0));
+  remap->SetSourceData(next);
+  EXPECT_EQ(RemappedCells(remap, "f")[0], 7.0);
+  EXPECT_EQ(Reported(remap, "WeightsFound"), 0);
+  remap->SetSourceData(Ones(3, 0.5));
+  remap->Update();
+  EXPECT_EQ(Reported(remap, "WeightsFound"), 1);
+}
+
+TEST(RemapBadInput, AnAbortLeavesNothingWrongAndProgressIsTold)
+{
+  const auto source = WithData(MakePolyData(CubedSphere(12)));
+  const auto input = MakePolyData(IcosahedralDual(8));
+  for (int method = Remap::AUTOMATIC_METHOD; method <= Remap::CONSERVATIVE_FIRST_ORDER; ++method)
+  {
+    RemapPointer remap = MakeRemap(input, source, method);
+    EXPECT_FALSE(AbortAt(remap, 0.0).empty()) << method;
+    remap->Update();
+    EXPECT_EQ(Reported(remap, "InputCells"), input->GetNumberOfCells());
+  }
+}
+
+TEST(RemapBadInput, LongitudesAndLatitudesAreMovedToTheSphere)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(72, 37, 1);
+  image->SetSpacing(5, 5, 1);
+  image->SetOrigin(0, -90, 0);
+  image->GetPointData()->AddArray(MakeArray("latitude", image->GetNumberOfPoints(),
+    [](vtkIdType i) { return -90.0 + 5.0 * static_cast<double>(i / 72); }));
+  RemapPointer remap = MakeRemap(MakePolyData(CubedSphere(4)), image, Remap::CONTAINED);
+  remap->SetSourceCoordinates(Remap::LONGITUDE_LATITUDE);
+  const std::vector<double> weighted = RemappedCells(remap, "latitude");
+  remap->SetSampleWeights(Remap::EQUAL);
+  const std::vector<double> equal = RemappedCells(remap, "latitude");
+  const auto greatest = [](const std::vector<double>& values)
+  { return *std::max_element(values.begin(), values.end()); };
+  EXPECT_LT(greatest(weighted), greatest(equal)); // equal weights draw to the pole
+  EXPECT_EQ(Reported(remap, "InputCellsEmpty"), 0);
+}
