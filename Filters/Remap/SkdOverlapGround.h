@@ -9,9 +9,11 @@
 #define SkdOverlapGround_h
 
 #include "Core/Geometry/Vector.h"
-#include "Remap/SkdOverlapWeights.h"
+#include "Remap/SkdOverlapTypes.h"
 
 #include <string>
+
+class vtkDataSet;
 
 /// Overlaps are found in coordinates of their own: (x, y, 0) in a plane, points of the unit sphere,
 /// and else as they are.

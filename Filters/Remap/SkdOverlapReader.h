@@ -10,7 +10,8 @@
 
 #include "Cells/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
-#include "Remap/SkdOverlapPieces.h"
+#include "Remap/SkdOverlapBlock.h"
+#include "Remap/SkdOverlapGround.h"
 
 /// Reads cells into a block, one after the other; one a thread.
 class SkdOverlapReader

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace
 {
@@ -65,54 +64,6 @@ bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
     }
   }
   return true;
-}
-
-/// Turns triangles so that neighbours go along their edge in opposite directions.
-void TurnAlike(Faces& triangles)
-{
-  std::map<std::pair<int, int>, std::vector<std::size_t>> users;
-  const auto edgeOf = [&](std::size_t i, int k)
-  { return std::make_pair(triangles[i][k], triangles[i][(k + 1) % 3]); };
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto edge = edgeOf(i, k);
-      users[std::minmax(edge.first, edge.second)].push_back(i);
-    }
-  }
-  std::vector<bool> isDone(triangles.size());
-  for (std::size_t first = 0; first < triangles.size(); ++first)
-  {
-    std::vector<std::size_t> open{ first };
-    isDone[first] = true;
-    while (!open.empty())
-    {
-      const std::size_t at = open.back();
-      open.pop_back();
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto edge = edgeOf(at, k);
-        for (const std::size_t other : users[std::minmax(edge.first, edge.second)])
-        {
-          if (isDone[other])
-          {
-            continue;
-          }
-          for (int m = 0; m < 3; ++m)
-          {
-            if (edgeOf(other, m) == edge)
-            {
-              std::swap(triangles[other][0], triangles[other][1]);
-              break;
-            }
-          }
-          isDone[other] = true;
-          open.push_back(other);
-        }
-      }
-    }
-  }
 }
 }
 
@@ -285,40 +236,5 @@ void SkdOverlapReader::AddTetrahedron(const Corner (&corners)[4], std::int8_t si
     piece.Reference = a + way;
     piece.Reach = std::sqrt(reach2);
     piece.Own = own;
-  }
-}
-
-//------------------------------------------------------------------------------
-void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
-{
-  this->Tree.GetSimplices(cell, this->Source, this->Simplices);
-  const skd::SimplexSet& set = this->Simplices;
-  const int wanted = this->Ground.GetSpace() == SkdOverlapSpace::Volume ? 3
-    : this->Ground.GetSpace() == SkdOverlapSpace::Line                  ? 1
-                                                                        : 2;
-  if (set.Dimension != wanted)
-  {
-    return;
-  }
-  this->Seen.clear();
-  for (const Vector3& x : set.Points)
-  {
-    this->Seen.push_back({ this->Ground.Seen(x), -1 });
-  }
-  if (wanted == 3)
-  {
-    Faces faces;
-    for (const auto& simplex : set.Simplices)
-    {
-      faces.push_back({ simplex[0], simplex[1], simplex[2] });
-    }
-    TurnAlike(faces);
-    this->AddHull(std::move(faces));
-    return;
-  }
-  for (const auto& simplex : set.Simplices)
-  {
-    Corners corners{ this->Seen[simplex[0]], this->Seen[simplex[1]], this->Seen[simplex[2]] };
-    wanted == 1 ? this->AddSegment(corners[0], corners[1]) : this->AddPolygon(corners);
   }
 }

@@ -9,7 +9,7 @@
 #ifndef SkdOverlapWeights_h
 #define SkdOverlapWeights_h
 
-#include "Core/Geometry/Vector.h"
+#include "Remap/SkdOverlapTypes.h"
 
 #include "vtkType.h"
 
@@ -19,42 +19,6 @@
 
 class vtkAlgorithm;
 class vtkDataSet;
-
-/// What the cells of both meshes are pieces of. Cells of another dimension are left out.
-enum class SkdOverlapSpace
-{
-  Line,   ///< lines and polylines that lie on each other, straight piece by straight piece: lengths
-  Plane,  ///< polygons in one plane, anywhere in space: areas
-  Sphere, ///< polygons on a sphere about the origin: areas on it
-  Volume  ///< polyhedra: volumes
-};
-
-struct SkdOverlapSettings
-{
-  SkdOverlapSpace Space = SkdOverlapSpace::Volume;
-
-  ///@{
-  /// Of the sphere: cells of that mesh whose corners are on two meridians and two parallels are
-  /// bounded by these; edges are arcs of great circles otherwise.
-  bool DonorIsLonLat = false;
-  bool TargetIsLonLat = false;
-  ///@}
-
-  /// Of the sphere; of both meshes only directions from the origin are taken. 0: the mean distance
-  /// of the donor's points from the origin.
-  double Radius = 0.0;
-
-  bool SkipsGhosts = true; ///< cells that vtkGhostType marks have no overlap and no measure
-};
-
-/// One mesh as it was measured.
-struct SkdOverlapCells
-{
-  std::vector<double> Measures;        ///< of each cell by its id; 0 of cells left out
-  std::vector<skd::Vector3> Centroids; ///< Cartesian; on a sphere within it. Zero of cells left out
-  std::vector<double> Covered;         ///< the sum of a cell's overlaps
-  vtkIdType LeftOut = 0;               ///< not finite, empty, ghosts, of another dimension
-};
 
 /// Rows of target cells, columns of donor cells (CSR): of row i the entries Rows[i] .. Rows[i + 1],
 /// by ascending donor id. Overlaps that are nothing but rounding are left out.
