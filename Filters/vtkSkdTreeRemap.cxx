@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeRemap.h"
 
-#include "Pipeline/SkdBlockArrays.h"
+#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdStopwatch.h"
 #include "Remap/SkdRemapMeshes.h"
 #include "Remap/SkdRemapper.h"
 #include "vtkCallbackCommand.h"

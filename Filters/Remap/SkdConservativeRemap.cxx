@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdConservativeRemap.h"
 
-#include "Pipeline/SkdForEach.h"
+#include "Cells/SkdForEach.h"
 #include "Remap/SkdCompensatedSum.h"
 #include "Remap/SkdDonorGradients.h"
 #include "vtkMath.h"

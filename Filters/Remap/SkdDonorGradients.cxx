@@ -3,7 +3,7 @@
 #include "Remap/SkdDonorGradients.h"
 
 #include "Cells/SkdCellReader.h"
-#include "Pipeline/SkdForEach.h"
+#include "Cells/SkdForEach.h"
 #include "Pipeline/SkdWeld.h"
 #include "vtkMath.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdPointWeights.h"
 
-#include "Pipeline/SkdForEach.h"
+#include "Cells/SkdForEach.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
 
