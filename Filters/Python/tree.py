@@ -145,12 +145,9 @@ def _surface(points: Any, triangles: Any) -> vtkPolyData:
 
 def _mesh_of(mesh: Any) -> vtkDataSet:
     """The data set that an object is, produces or contains, or that is made from its arrays."""
-    port = 0
-    if hasattr(mesh, "GetProducer"):  # vtkAlgorithmOutput
-        mesh, port = mesh.GetProducer(), mesh.GetIndex()
     if hasattr(mesh, "GetOutputDataObject"):  # a reader, a source, a filter
         mesh.Update()
-        mesh = mesh.GetOutputDataObject(port)
+        mesh = mesh.GetOutputDataObject(0)
     mesh = getattr(mesh, "VTKObject", mesh)  # vtkmodules.numpy_interface.dataset_adapter
     if isinstance(mesh, vtkDataSet):
         return mesh
