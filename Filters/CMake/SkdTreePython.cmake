@@ -62,9 +62,15 @@ set(wheel "${CMAKE_BINARY_DIR}/wheel")
 add_custom_target(wheel
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${wheel}"
   COMMAND "${CMAKE_COMMAND}" --install "${CMAKE_BINARY_DIR}" --config $<CONFIG>
-    --prefix "${wheel}/installed"
+    --prefix "${wheel}/installed" --component runtime
+  COMMAND "${CMAKE_COMMAND}" --install "${CMAKE_BINARY_DIR}" --config $<CONFIG>
+    --prefix "${wheel}/installed" --component python
   COMMAND "${Python3_EXECUTABLE}" "${sources}/wheel.py" "${wheel}" "${PROJECT_SOURCE_DIR}/LICENSE"
     $<TARGET_SONAME_FILE_NAME:FiltersSkdTree> "${PROJECT_VERSION}+vtk${VTK_VERSION}"
     "${PROJECT_DESCRIPTION}" ${SKDTREE_WHEEL_REQUIRES}
   COMMENT "Making a wheel in ${wheel}"
   VERBATIM)
+add_dependencies(wheel vtkFiltersSkdTreePython)
+if (TARGET SkdTreePythonStubs)
+  add_dependencies(wheel SkdTreePythonStubs)
+endif ()
