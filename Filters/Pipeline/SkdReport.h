@@ -26,12 +26,12 @@ public:
 
   void AddCount(const std::string& what, vtkIdType count)
   {
-    this->Add<vtkIdTypeArray>(what, count);
+    this->Add<vtkIdTypeArray>(what, std::initializer_list<vtkIdType>{ count });
   }
 
   void AddMeasure(const std::string& what, double measure)
   {
-    this->Add<vtkDoubleArray>(what, measure);
+    this->Add<vtkDoubleArray>(what, std::initializer_list<double>{ measure });
   }
 
   /// For optional values: nothing is added if it is 0.
@@ -51,37 +51,28 @@ public:
     this->AddMeasure(other, seconds);
   }
 
+  ///@{
   /// One value a row, for example for levels 0, 1, ...
   void AddCounts(const std::string& what, const std::vector<vtkIdType>& counts)
   {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(("SkdReport" + what).c_str());
-    for (const vtkIdType count : counts)
-    {
-      array->InsertNextValue(count);
-    }
-    this->Field->AddArray(array);
+    this->Add<vtkIdTypeArray>(what, counts);
   }
-
-  /// The same of measures.
   void AddMeasures(const std::string& what, const std::vector<double>& measures)
   {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(("SkdReport" + what).c_str());
-    for (const double measure : measures)
-    {
-      array->InsertNextValue(measure);
-    }
-    this->Field->AddArray(array);
+    this->Add<vtkDoubleArray>(what, measures);
   }
+  ///@}
 
 private:
-  template <typename Array, typename Value>
-  void Add(const std::string& what, Value value)
+  template <typename Array, typename Values>
+  void Add(const std::string& what, const Values& values)
   {
     vtkNew<Array> array;
     array->SetName(("SkdReport" + what).c_str());
-    array->InsertNextValue(value);
+    for (const auto value : values)
+    {
+      array->InsertNextValue(value);
+    }
     this->Field->AddArray(array);
   }
 

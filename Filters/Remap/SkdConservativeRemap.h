@@ -9,7 +9,7 @@
 #define SkdConservativeRemap_h
 
 #include "Remap/SkdDonorFields.h"
-#include "Remap/SkdOverlapWeights.h"
+#include "Remap/SkdPointWeights.h"
 
 #include <vector>
 
