@@ -195,11 +195,11 @@ Results MeasurePairs(const Options& options)
     double Shift;
   };
   const int usual = options.Scenes == Size::Tiny ? 9 : 76;
-  std::vector<Place> places = { { "two spheres that cross", usual, 0.9 },
+  std::vector<Place> positions = { { "two spheres that cross", usual, 0.9 },
     { "two spheres, nearly one", usual, 1e-3 } };
   if (options.Scenes != Size::Tiny)
   {
-    places.push_back({ "two spheres that cross, out of cache", 289, 0.9 });
+    positions.push_back({ "two spheres that cross, out of cache", 289, 0.9 });
   }
   Results results;
   const std::vector<PairKind> kinds = AllPairFinders();
@@ -207,11 +207,12 @@ Results MeasurePairs(const Options& options)
   {
     results.Kinds.push_back({ kind.Name, kind.Of, {} });
   }
-  for (const Place& place : places)
+  for (const Place& position : positions)
   {
-    if (Passes(place.Name, options.OnlyScene))
+    if (Passes(position.Name, options.OnlyScene))
     {
-      results.Scenes.push_back(MeasureOne(place.Name, place.Size, place.Shift, kinds, options));
+      results.Scenes.push_back(
+        MeasureOne(position.Name, position.Size, position.Shift, kinds, options));
     }
   }
   return results;

@@ -122,7 +122,7 @@ protected:
   }
 };
 
-TEST_P(PatchKinds, NoPlaceOnThePatchIsNearer)
+TEST_P(PatchKinds, NoPositionOnThePatchIsNearer)
 {
   for (int i = 0; i < 150; ++i)
   {
@@ -236,7 +236,7 @@ TEST(ClosestPointOnPatch, OnAnEdgeIsThatOfTheSegmentToTheLastBit)
 }
 
 // On the axis of a saddle two opposite corners, or two curves, are equally near.
-TEST(ClosestPointOnPatch, OfTwoEquallyNearPlacesEitherWillDo)
+TEST(ClosestPointOnPatch, OfTwoEquallyNearPositionsEitherWillDo)
 {
   const Vector3 p[4] = { { { -1.0, -1.0, 2.0 } }, { { 1.0, -1.0, -2.0 } }, { { 1.0, 1.0, 2.0 } },
     { { -1.0, 1.0, -2.0 } } };

@@ -121,13 +121,13 @@ protected:
   /// A point well inside: of a brick, its faces, edges or the corner that all bricks share.
   Vector3 PointInside(const Bricks& bricks)
   {
-    Vector3 place;
+    Vector3 position;
     for (int axis = 0; axis < 3; ++axis)
     {
-      place[axis] = this->Random.Below(2) == 0 ? 1.0 : this->Random.Between(0.5, 1.0);
+      position[axis] = this->Random.Below(2) == 0 ? 1.0 : this->Random.Between(0.5, 1.0);
     }
     const Points points = Fill<skd::Hexahedron>(bricks.Corners(0))[0];
-    return skd::Evaluate<skd::Hexahedron>(points.data(), place, { { 0.0, 0.0, 0.0 } });
+    return skd::Evaluate<skd::Hexahedron>(points.data(), position, { { 0.0, 0.0, 0.0 } });
   }
 
   void ExpectNoGap(double magnitude)

@@ -23,12 +23,12 @@ BezierCurve Quarter(double radius, int quarter, const Vector3& centre = {})
   const double* to = points[(quarter + 1) % 4];
   BezierCurve curve;
   curve.Degree = 2;
-  const auto place = [&](double x, double y) {
+  const auto position = [&](double x, double y) {
     return centre + Vector3{ { radius * x, radius * y, 0.0 } };
   };
-  curve.Points[0] = Weighted(place(from[0], from[1]), 1.0);
-  curve.Points[1] = Weighted(place(from[0] + to[0], from[1] + to[1]), M_SQRT1_2);
-  curve.Points[2] = Weighted(place(to[0], to[1]), 1.0);
+  curve.Points[0] = Weighted(position(from[0], from[1]), 1.0);
+  curve.Points[1] = Weighted(position(from[0] + to[0], from[1] + to[1]), M_SQRT1_2);
+  curve.Points[2] = Weighted(position(to[0], to[1]), 1.0);
   return curve;
 }
 
@@ -351,7 +351,7 @@ TEST(CurvePair, NoCrossingAtASmallAngleIsLost)
   for (int round = 0; round < 1800; ++round)
   {
     BezierCurve curves[2];
-    double places[2];
+    double positions[2];
     for (int which = 0; which < 2; ++which)
     {
       BezierCurve& curve = curves[which];
@@ -362,10 +362,10 @@ TEST(CurvePair, NoCrossingAtASmallAngleIsLost)
         curve.Points[i] = Weighted(x, round % 5 ? 1.0 : 1.5 + any(engine));
       }
       const auto eighths = static_cast<double>(engine() % 9);
-      places[which] = engine() % 2 ? 0.125 * eighths : 0.5 + 0.5 * any(engine);
+      positions[which] = engine() % 2 ? 0.125 * eighths : 0.5 + 0.5 * any(engine);
     }
-    const CurvePoint at = curves[0].At(places[0]);
-    const CurvePoint from = curves[1].At(places[1]);
+    const CurvePoint at = curves[0].At(positions[0]);
+    const CurvePoint from = curves[1].At(positions[1]);
     const double angle = std::pow(10.0, -(round % 9));
     const Vector3 along = (1.0 / Norm(at.D1)) * at.D1;
     Vector3 side = Cross({ { 0, 0, 1 } }, along);
@@ -386,8 +386,8 @@ TEST(CurvePair, NoCrossingAtASmallAngleIsLost)
       const auto& hits = solver.Solve(curves[first], curves[1 - first], tolerance);
       const auto isThere = [&](const CurvePairHit& hit)
       {
-        return std::abs(hit.T - places[first]) <= 1e-9 + hit.SlackT &&
-          std::abs(hit.S - places[1 - first]) <= 1e-9 + hit.SlackS;
+        return std::abs(hit.T - positions[first]) <= 1e-9 + hit.SlackT &&
+          std::abs(hit.S - positions[1 - first]) <= 1e-9 + hit.SlackS;
       };
       EXPECT_GE(std::count_if(hits.begin(), hits.end(), isThere), 1) << round << " at " << angle;
     }

@@ -245,7 +245,7 @@ BezierPatch Plane(bool isTriangle)
 
 }
 
-TEST(CurvePatch, RootsOfAnyOrderAreOnePlace)
+TEST(CurvePatch, RootsOfAnyOrderAreOnePosition)
 {
   CurvePatchSolver solver;
   for (const int degree : { 2, 3, 4, 5, 8, 9 })

@@ -57,14 +57,14 @@ struct Packed
 };
 
 /// Triangles of all kinds about a place, `size` large.
-Packed RandomPacket(Dice& dice, const Vector3& place, double size, const Box3& bounds)
+Packed RandomPacket(Dice& dice, const Vector3& position, double size, const Box3& bounds)
 {
   Packed packed;
   for (auto& triangle : packed.Corners)
   {
     for (Vector3& corner : triangle)
     {
-      corner = place + dice.Point(size);
+      corner = position + dice.Point(size);
     }
     switch (dice.Below(6))
     {
@@ -113,8 +113,8 @@ protected:
 
   Packed Make()
   {
-    const Vector3 place = GetParam().Offset + this->Random.Point(0.5 * GetParam().Scale);
-    return RandomPacket(this->Random, place, this->Size(), this->Bounds());
+    const Vector3 position = GetParam().Offset + this->Random.Point(0.5 * GetParam().Scale);
+    return RandomPacket(this->Random, position, this->Size(), this->Bounds());
   }
 
   /// Near the triangles, on one of them, or anywhere.
@@ -282,11 +282,11 @@ struct CellPlanes
   unsigned MayHold(const Vector3& x) const
   {
     const Vector3 local = this->TheGrid.Of(x);
-    const float place[3] = { float(local[0]), float(local[1]), float(local[2]) };
+    const float position[3] = { float(local[0]), float(local[1]), float(local[2]) };
     unsigned held = 0xffu;
     for (const skd::PlaneRow& row : this->Rows)
     {
-      held &= row.MayHold(place);
+      held &= row.MayHold(position);
     }
     return held;
   }
@@ -305,8 +305,8 @@ TYPED_TEST(CellLeafFilters, NoPointOfACellIsOutsideOfItsPlanes)
       points[1] = points[0]; // collapsed
     }
     const CellPlanes<TypeParam> planes(points, i % 8);
-    const Vector3 place = coretest::PlaceInDomain<TypeParam>(dice);
-    const Vector3 inside = skd::Evaluate<TypeParam>(points.data(), place, { { 0.0, 0.0, 0.0 } });
+    const Vector3 position = coretest::PlaceInDomain<TypeParam>(dice);
+    const Vector3 inside = skd::Evaluate<TypeParam>(points.data(), position, { { 0.0, 0.0, 0.0 } });
     ASSERT_EQ(planes.MayHold(inside), 0xffu); // lanes that were not set hold everything
     const Vector3 x = dice.Point(2.0);
     const bool isHeld = (planes.MayHold(x) >> (i % 8) & 1u) != 0;

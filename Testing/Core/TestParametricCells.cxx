@@ -116,7 +116,7 @@ TYPED_TEST(ParametricCells, DerivativesAreDifferencesOfWeights)
   }
 }
 
-TYPED_TEST(ParametricCells, PlacesOnFacesAreWhereTheMapPutsThem)
+TYPED_TEST(ParametricCells, PositionsOnFacesAreWhereTheMapPutsThem)
 {
   const Points points = this->Cell(0.3);
   for (int face = 0; face < TypeParam::NumberOfFaces; ++face)
@@ -130,18 +130,18 @@ TYPED_TEST(ParametricCells, PlacesOnFacesAreWhereTheMapPutsThem)
   }
 }
 
-TYPED_TEST(ParametricCells, ThePlaceOfAPointInAPlainCellIsFound)
+TYPED_TEST(ParametricCells, ThePositionOfAPointInAPlainCellIsFound)
 {
   for (int i = 0; i < 1000; ++i)
   {
     const Points points =
       coretest::PlainCell<TypeParam>(this->Random, this->Random.Point(1.0), 0.1 * this->Bendable);
-    const Vector3 place = this->Place();
-    const Vector3 x = Evaluate<TypeParam>(points.data(), place, Zero);
+    const Vector3 position = this->Place();
+    const Vector3 x = Evaluate<TypeParam>(points.data(), position, Zero);
     const std::optional<Vector3> found = InvertMap<TypeParam>(points.data(), x);
     if (found)
     {
-      EXPECT_LE(skd::MaxNorm((1.0 - place[2]) * (*found - place)), 1e-13);
+      EXPECT_LE(skd::MaxNorm((1.0 - position[2]) * (*found - position)), 1e-13);
     }
     else
     {

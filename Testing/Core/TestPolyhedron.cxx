@@ -36,12 +36,12 @@ TEST(Polyhedron, HoldsWhatItsPartsHold)
   Random random(421);
   for (const double factor : Factors())
   {
-    const auto place = [factor](const Vector3& p) { return factor * Turned(p); };
-    const Solid solid = SomeReversed(Prism(Notched(), 2.0)).Map(place);
+    const auto position = [factor](const Vector3& p) { return factor * Turned(p); };
+    const Solid solid = SomeReversed(Prism(Notched(), 2.0)).Map(position);
     for (int i = 0; i < 5000; ++i)
     {
       const Vector3 x = random.Point<3>(-0.5, 3.5);
-      ASSERT_EQ(Holds(solid, place(x)), LeastDistance2(PartsOfNotched(2.0), x) == 0.0)
+      ASSERT_EQ(Holds(solid, position(x)), LeastDistance2(PartsOfNotched(2.0), x) == 0.0)
         << x[0] << " " << x[1] << " " << x[2];
     }
   }
@@ -105,8 +105,8 @@ TEST(Polyhedron, NearestPointOfItsFacesIsThatOfItsParts)
   Random random(423);
   for (const double factor : Factors())
   {
-    const auto place = [factor](const Vector3& p) { return factor * Turned(p); };
-    const Solid solid = Prism(Notched(), 2.0).Map(place);
+    const auto position = [factor](const Vector3& p) { return factor * Turned(p); };
+    const Solid solid = Prism(Notched(), 2.0).Map(position);
     for (int i = 0; i < 2000; ++i)
     {
       const Vector3 x = random.Point<3>(-2.0, 5.0);
@@ -116,9 +116,9 @@ TEST(Polyhedron, NearestPointOfItsFacesIsThatOfItsParts)
         continue;
       }
       const double limit2 = 4.0 * expected2 * factor * factor;
-      const auto found = skd::ClosestPointOnFaces(solid.View(), place(x), limit2);
+      const auto found = skd::ClosestPointOnFaces(solid.View(), position(x), limit2);
       ASSERT_NEAR(std::sqrt(found.Dist2) / factor, std::sqrt(expected2), 1e-14);
-      ASSERT_NEAR(Norm(found.Point - place(x)) / factor, std::sqrt(expected2), 1e-14);
+      ASSERT_NEAR(Norm(found.Point - position(x)) / factor, std::sqrt(expected2), 1e-14);
     }
   }
 }
@@ -153,11 +153,11 @@ TEST(MeanValue, WeightsGiveThePoint)
   Random random(431);
   for (const double factor : Factors())
   {
-    const auto place = [factor](const Vector3& p) { return factor * Turned(p); };
-    const Solid solid = Prism(Notched(), 2.0).Map(place);
+    const auto position = [factor](const Vector3& p) { return factor * Turned(p); };
+    const Solid solid = Prism(Notched(), 2.0).Map(position);
     for (int i = 0; i < 2000; ++i)
     {
-      const Vector3 x = place(random.Point(PartsOfNotched(2.0)[random.Below(3)]));
+      const Vector3 x = position(random.Point(PartsOfNotched(2.0)[random.Below(3)]));
       ASSERT_NO_FATAL_FAILURE(ExpectWeightsGiveThePoint(solid, x, factor));
     }
   }

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t LargeCount = skd::LargePages::Least / sizeof(std::uint32_t);
 
-std::uintptr_t PlaceInPage(const void* address)
+std::uintptr_t PositionInPage(const void* address)
 {
   return reinterpret_cast<std::uintptr_t>(address) % skd::LargePages::PageSize;
 }
@@ -36,7 +36,7 @@ TEST(RawVector, BeginsWithALargePageFromTheLeastSizeOn)
   for (const std::size_t count : { LargeCount, LargeCount + 1, 5 * LargeCount / 2 })
   {
     const skd::RawVector<std::uint32_t> values(count);
-    EXPECT_EQ(PlaceInPage(values.data()), 0u) << count;
+    EXPECT_EQ(PositionInPage(values.data()), 0u) << count;
     EXPECT_EQ(values.capacity(), count);
   }
 }
@@ -63,7 +63,7 @@ TEST(RawVector, KeepsTheAlignmentOfItsValues)
   for (const std::size_t count : { std::size_t(1), std::size_t(3), 2 * LargeCount / 64 + 1 })
   {
     const skd::RawVector<Row> rows(count);
-    EXPECT_EQ(PlaceInPage(rows.data()) % alignof(Row), 0u) << count;
+    EXPECT_EQ(PositionInPage(rows.data()) % alignof(Row), 0u) << count;
   }
 }
 

@@ -42,7 +42,7 @@ void RandomPatch(Random& random, double warp, double factor, Vector3* patch)
   }
 }
 
-TEST(SegmentPatch, FindsEveryPlaceThatASegmentIsLaidThrough)
+TEST(SegmentPatch, FindsEveryPositionThatASegmentIsLaidThrough)
 {
   Random random(511);
   for (const double factor : Factors())

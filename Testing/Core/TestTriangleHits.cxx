@@ -127,7 +127,7 @@ private:
     }
     packet.Grid = skd::QuantizationGrid(box);
     packet.FirstPoint = static_cast<std::uint32_t>(this->Points.size() / 3);
-    std::map<std::uint32_t, std::uint8_t> places;
+    std::map<std::uint32_t, std::uint8_t> positions;
     for (int lane = 0; lane < leaf.Count; ++lane)
     {
       const std::uint32_t triangle =
@@ -137,9 +137,9 @@ private:
         const Vector3& x = mesh.Corner(triangle, corner);
         packet.Set(corner, lane, this->TheTree.GetFrame().Local(x));
         const std::uint32_t id = mesh.Triangles[triangle][static_cast<std::size_t>(corner)];
-        const auto place = places.emplace(id, static_cast<std::uint8_t>(places.size()));
-        packet.PointOf[lane][corner] = place.first->second;
-        if (place.second)
+        const auto position = positions.emplace(id, static_cast<std::uint8_t>(positions.size()));
+        packet.PointOf[lane][corner] = position.first->second;
+        if (position.second)
         {
           std::copy(x.X, x.X + 3, std::back_inserter(this->Points));
         }

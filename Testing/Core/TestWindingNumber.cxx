@@ -236,7 +236,7 @@ TEST(WindingNumber, OnATriangleNothingIsRefined)
   }
 }
 
-TEST(WindingNumber, ItDoesNotDependOnPlaceOrSize)
+TEST(WindingNumber, ItDoesNotDependOnPositionOrSize)
 {
   Random random(614);
   const Triangles sphere = Sphere(3);

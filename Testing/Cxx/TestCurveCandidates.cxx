@@ -108,7 +108,7 @@ TEST(CurveCandidates, EachIntersectionIsInARegionThatCountsIt)
 }
 
 // Two waves that come near, but do not meet: with a clearance, all places where they do are told.
-TEST(CurveCandidates, WithAClearanceAllNearPlacesAreInRegions)
+TEST(CurveCandidates, WithAClearanceAllNearPositionsAreInRegions)
 {
   const double gap = 0.01;
   auto low = Wave(0, 0.2);

@@ -150,7 +150,7 @@ TEST(CurveIntersection, EqualCirclesOverlapAllAround)
   EXPECT_EQ(stretches->GetNumberOfCells(), 4);
 }
 
-TEST(CurveIntersection, APlaceOnAVertexIsOnePoint)
+TEST(CurveIntersection, APositionOnAVertexIsOnePoint)
 {
   const FilterPointer filter = MakeFilter(MakePolyline({ { -1, 0, 0 }, { 0, 0, 0 }, { 1, .5, 0 } }),
     MakePolyline({ { 0, -1, 0 }, { 0, 0, 0 }, { .3, 1, 0 } }));

@@ -155,10 +155,10 @@ private:
   void CloseAround(const Polyline& polyline, Ratio Place::*along)
   {
     const Ratio last(static_cast<Whole>(polyline.size() - 1), 1);
-    for (Place& place : this->Places)
+    for (Place& position : this->Places)
     {
       const bool isClosed = polyline.size() > 2 && polyline.front() == polyline.back();
-      place.*along = isClosed && place.*along == last ? Ratio(0, 1) : place.*along;
+      position.*along = isClosed && position.*along == last ? Ratio(0, 1) : position.*along;
     }
   }
 
@@ -166,21 +166,21 @@ private:
   void Unite()
   {
     std::vector<Place> united;
-    for (const Place& place : this->Places)
+    for (const Place& position : this->Places)
     {
       const auto same = std::find_if(united.begin(), united.end(),
-        [&](const Place& other) { return other.U == place.U && other.V == place.V; });
+        [&](const Place& other) { return other.U == position.U && other.V == position.V; });
       if (same == united.end())
       {
-        united.push_back(place);
+        united.push_back(position);
         continue;
       }
-      same->Begins |= place.Begins;
-      same->Ends |= place.Ends;
+      same->Begins |= position.Begins;
+      same->Ends |= position.Ends;
     }
     this->Places.clear();
     std::copy_if(united.begin(), united.end(), std::back_inserter(this->Places),
-      [](const Place& place) { return !place.Begins || !place.Ends; });
+      [](const Place& position) { return !position.Begins || !position.Ends; });
   }
 
   Whole Count[2];
@@ -379,10 +379,10 @@ private:
   {
     const Reference reference(this->Pairs[i][0], this->Pairs[i][1]);
     all.Places += reference.Places.size();
-    for (const Place& place : reference.Places)
+    for (const Place& position : reference.Places)
     {
-      const double u = place.U.Value() / double(this->Pairs[i][0].size() - 1);
-      const double v = place.V.Value() / double(this->Pairs[i][1].size() - 1);
+      const double u = position.U.Value() / double(this->Pairs[i][0].size() - 1);
+      const double v = position.V.Value() / double(this->Pairs[i][1].size() - 1);
       const auto same = std::find_if(found.begin(), found.end(),
         [&](const auto& hit)
         { return std::abs(hit[0] - u) < 1e-13 && std::abs(hit[1] - v) < 1e-13; });
@@ -417,15 +417,15 @@ void ExpectNoMistakes(int size, bool isSolid, int pairs)
 {
   constexpr int most = 20000; // a run
   PairMaker maker(static_cast<unsigned>(size + isSolid), size, isSolid);
-  std::size_t places = 0;
+  std::size_t positions = 0;
   for (int done = 0; done < pairs; done += most)
   {
     const Mistakes mistakes = ManyPairs(maker, std::min(most, pairs - done), size).Compare();
     EXPECT_EQ(mistakes.Lost, 0) << size;
     EXPECT_EQ(mistakes.Twice, 0) << size;
-    places += mistakes.Places;
+    positions += mistakes.Places;
   }
-  EXPECT_GT(places, static_cast<std::size_t>(pairs / 2));
+  EXPECT_GT(positions, static_cast<std::size_t>(pairs / 2));
 }
 
 constexpr auto MakeFilter = [](vtkDataObject* curves, vtkDataObject* others)

@@ -69,10 +69,10 @@ struct Arc
   double Height() const { return this->Hull * Weight / (1.0 + Weight); }
 
   template <class Place>
-  GridPointer Make(const Place& place) const
+  GridPointer Make(const Place& position) const
   {
     Mesh mesh = OneCell(VTK_BEZIER_CURVE, { { -1, 0, 0 }, { 1, 0, 0 }, { 0, this->Hull, 0 } });
-    mesh.Map(place);
+    mesh.Map(position);
     GridPointer grid = MakeGrid(mesh);
     SetRationalWeights(grid, { 1, 1, Weight });
     return grid;
@@ -104,12 +104,12 @@ TEST(CurveIntersectionKnown, MirroredHelicesMeetFiveTimes)
   for (double tolerance : { 1e-1, 1e-3, 1e-4 })
   {
     filter->SetChordTolerance(tolerance);
-    const Numbers places = PlacesOfPieces(filter, 0, end, pieces);
+    const Numbers positions = PlacesOfPieces(filter, 0, end, pieces);
     const Numbers others = PlacesOfPieces(filter, 0, end, pieces, "SkdOtherCurve");
-    ASSERT_EQ(places.size(), 5u) << tolerance;
+    ASSERT_EQ(positions.size(), 5u) << tolerance;
     for (std::size_t k = 0; k < 5; ++k)
     {
-      EXPECT_NEAR(places[k], k * M_PI, 1e-14 * (k + 1.0));
+      EXPECT_NEAR(positions[k], k * M_PI, 1e-14 * (k + 1.0));
       EXPECT_NEAR(others[k], k * M_PI, 1e-14 * (k + 1.0));
     }
   }
@@ -195,10 +195,10 @@ TEST(CurveIntersectionKnown, CurvesThatNearlyCoincideCrossWhereTheyDo)
     };
     const FilterPointer filter =
       MakeFilter(LagrangeCurve(weave, 0.1, 1.5, pieces), BezierCircle(1.0));
-    const Numbers places = PlacesOfPieces(filter, 0.1, 1.5, pieces);
-    ASSERT_EQ(places.size(), 2u) << amplitude;
-    EXPECT_NEAR(places[0], M_PI / 5, 1e-14 / amplitude);
-    EXPECT_NEAR(places[1], 2 * M_PI / 5, 1e-14 / amplitude);
+    const Numbers positions = PlacesOfPieces(filter, 0.1, 1.5, pieces);
+    ASSERT_EQ(positions.size(), 2u) << amplitude;
+    EXPECT_NEAR(positions[0], M_PI / 5, 1e-14 / amplitude);
+    EXPECT_NEAR(positions[1], 2 * M_PI / 5, 1e-14 / amplitude);
   }
 }
 

@@ -71,10 +71,10 @@ public:
   /// At a parameter from 0 to 1 by the numbers of the polyline's points.
   Point At(double parameter) const
   {
-    const double place = parameter * static_cast<double>(this->Knots.size() - 1);
-    const auto i = static_cast<std::size_t>(place);
+    const double position = parameter * static_cast<double>(this->Knots.size() - 1);
+    const auto i = static_cast<std::size_t>(position);
     const double length =
-      this->Knots[i] + (place - std::floor(place)) * (this->Knots[i + 1] - this->Knots[i]);
+      this->Knots[i] + (position - std::floor(position)) * (this->Knots[i + 1] - this->Knots[i]);
     return { this->Axes[0]->Evaluate(length), this->Axes[1]->Evaluate(length),
       this->Axes[2]->Evaluate(length) };
   }
@@ -109,18 +109,19 @@ vtkSmartPointer<Filter> MakeFilter(vtkDataObject* polyline, vtkDataObject* sourc
 }
 
 /// Short lines, or small triangles, through the places of the curve, across it as chance has it.
-PolyDataPointer Targets(const std::vector<Point>& places, int type, Random& random)
+PolyDataPointer Targets(const std::vector<Point>& positions, int type, Random& random)
 {
   Mesh mesh;
-  for (const Point& place : places)
+  for (const Point& position : positions)
   {
     const Point u = 1e-4 * random.Direction();
     const Point v = 1e-4 * random.Direction();
-    const Ids ends{ mesh.Add(place + u), mesh.Add(place - u + v), mesh.Add(place - u - v) };
+    const Ids ends{ mesh.Add(position + u), mesh.Add(position - u + v),
+      mesh.Add(position - u - v) };
     mesh.Add(VTK_TRIANGLE, ends);
     if (type == VTK_LINE)
     {
-      mesh.Cells.back() = { VTK_LINE, { ends[0], mesh.Add(place - u) } };
+      mesh.Cells.back() = { VTK_LINE, { ends[0], mesh.Add(position - u) } };
     }
   }
   return MakePolyData(mesh);
@@ -128,19 +129,19 @@ PolyDataPointer Targets(const std::vector<Point>& places, int type, Random& rand
 
 /// Each target is met, and where it was made.
 void ExpectMet(vtkAlgorithm* filter, const std::string& targetName,
-  const std::vector<double>& parameters, const std::vector<Point>& places)
+  const std::vector<double>& parameters, const std::vector<Point>& positions)
 {
   const std::vector<double> targets = OutputArray(filter, targetName);
   const std::vector<double> found = OutputArray(filter, "SkdCurveParameter");
   const std::vector<Point> points = OutputPoints(filter);
-  std::vector<int> met(places.size(), 0);
+  std::vector<int> met(positions.size(), 0);
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
     const auto target = static_cast<std::size_t>(targets[i]);
-    met[target] += Distance(points[i], places[target]) < 1e-12 &&
+    met[target] += Distance(points[i], positions[target]) < 1e-12 &&
       std::abs(found[i] - parameters[target]) < 1e-12;
   }
-  EXPECT_EQ(met, std::vector<int>(places.size(), 1));
+  EXPECT_EQ(met, std::vector<int>(positions.size(), 1));
 }
 
 class CurveSpline : public testing::TestWithParam<int>
@@ -158,19 +159,19 @@ TEST_P(CurveSpline, IsMetWhereVtksOwnIs)
     const std::vector<Point> polyline = RandomPolyline(9, isClosed, random);
     const Reference reference(polyline, form, isClosed);
     std::vector<double> parameters;
-    std::vector<Point> places;
+    std::vector<Point> positions;
     for (int i = 0; i < 60; ++i)
     {
       parameters.push_back(random.Between(0.0, 1.0));
-      places.push_back(reference.At(parameters.back()));
+      positions.push_back(reference.At(parameters.back()));
     }
     const PolyDataPointer curve = MakePolyline(polyline);
     const auto crossed = MakeFilter<vtkSkdTreeCurveSurfaceIntersection>(
-      curve, Targets(places, VTK_TRIANGLE, random), form);
-    ExpectMet(crossed, "SkdCellId", parameters, places);
+      curve, Targets(positions, VTK_TRIANGLE, random), form);
+    ExpectMet(crossed, "SkdCellId", parameters, positions);
     const auto met =
-      MakeFilter<vtkSkdTreeCurveIntersection>(curve, Targets(places, VTK_LINE, random), form);
-    ExpectMet(met, "SkdOtherCurveCellId", parameters, places);
+      MakeFilter<vtkSkdTreeCurveIntersection>(curve, Targets(positions, VTK_LINE, random), form);
+    ExpectMet(met, "SkdOtherCurveCellId", parameters, positions);
   }
 }
 

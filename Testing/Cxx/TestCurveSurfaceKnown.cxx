@@ -179,10 +179,10 @@ TEST(CurveSurfaceKnown, ACurveThatNearlyRunsWithinACylinderCrossesItWhereItDoes)
     };
     const FilterPointer filter =
       MakeFilter(LagrangeCurve(weave, 0.1, 1.5, pieces), BezierCylinder(1.0, 4.0));
-    const std::vector<double> places = PlacesOfPieces(filter, 0.1, 1.5, pieces);
-    ASSERT_EQ(places.size(), 2u) << amplitude;
-    EXPECT_NEAR(places[0], M_PI / 5, 1e-14 / amplitude);
-    EXPECT_NEAR(places[1], 2 * M_PI / 5, 1e-14 / amplitude);
+    const std::vector<double> positions = PlacesOfPieces(filter, 0.1, 1.5, pieces);
+    ASSERT_EQ(positions.size(), 2u) << amplitude;
+    EXPECT_NEAR(positions[0], M_PI / 5, 1e-14 / amplitude);
+    EXPECT_NEAR(positions[1], 2 * M_PI / 5, 1e-14 / amplitude);
     EXPECT_EQ(OutputArray(filter, "SkdSense"), (std::vector<double>{ 1, -1 }));
   }
 }
@@ -190,9 +190,9 @@ TEST(CurveSurfaceKnown, ACurveThatNearlyRunsWithinACylinderCrossesItWhereItDoes)
 TEST(CurveSurfaceKnown, AHelixAcrossAPlane)
 {
   const FilterPointer filter = MakeFilter(LagrangeCurve(HelixAt, 0.5, 20.0, 60), SlantedPlane());
-  const std::vector<double> places = PlacesOfPieces(filter, 0.5, 20.0, 60);
-  ASSERT_EQ(places.size(), 3u); // cos t = t / 10
-  for (double t : places)
+  const std::vector<double> positions = PlacesOfPieces(filter, 0.5, 20.0, 60);
+  ASSERT_EQ(positions.size(), 3u); // cos t = t / 10
+  for (double t : positions)
   {
     EXPECT_NEAR(std::cos(t), 0.1 * t, 1e-14);
   }

@@ -110,15 +110,15 @@ PolyDataPointer MakeLines(const std::vector<Line>& lines)
 
 /// All triangles that the line meets are met at one of the places.
 void ExpectAllMet(
-  const Line& line, const std::vector<Triangle>& triangles, const std::vector<double>& places)
+  const Line& line, const std::vector<Triangle>& triangles, const std::vector<double>& positions)
 {
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     double at = 0.0;
-    const auto isThere = [&](double place) { return std::abs(place - at) < 1e-9; };
+    const auto isThere = [&](double position) { return std::abs(position - at) < 1e-9; };
     if (Meet(line.Start, line.Way, triangles[i], at) == Intersection::Yes)
     {
-      ASSERT_TRUE(std::any_of(places.begin(), places.end(), isThere))
+      ASSERT_TRUE(std::any_of(positions.begin(), positions.end(), isThere))
         << "cell " << i << " is met at " << at;
     }
   }
@@ -155,7 +155,7 @@ TEST_P(CurveSurfaceReal, HitsAreThoseOfALookAtAllTriangles)
   filter->InterpolateDataOff();
   const std::vector<double> curves = OutputArray(filter, "SkdCurveId");
   const std::vector<double> cells = OutputArray(filter, "SkdCellId");
-  const std::vector<double> places = OutputArray(filter, "SkdCurveParameter");
+  const std::vector<double> positions = OutputArray(filter, "SkdCurveParameter");
   EXPECT_GT(curves.size(), lines.size() / 4);
   std::size_t told = 0;
   for (std::size_t line = 0; line < lines.size(); ++line)
@@ -168,7 +168,7 @@ TEST_P(CurveSurfaceReal, HitsAreThoseOfALookAtAllTriangles)
       EXPECT_NE(Meet(lines[line].Start, lines[line].Way, hit, at), Intersection::No)
         << "line " << line << " misses cell " << cells[told];
     }
-    ExpectAllMet(lines[line], triangles, { places.begin() + first, places.begin() + told });
+    ExpectAllMet(lines[line], triangles, { positions.begin() + first, positions.begin() + told });
   }
   EXPECT_EQ(told, curves.size());
 }

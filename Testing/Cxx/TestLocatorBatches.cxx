@@ -506,7 +506,7 @@ TEST_F(SmallBatch, OfHugeAndTinyNumbersAnswersAsQueriesForOne)
   }
 }
 
-TEST_F(SmallBatch, OfOnePlaceIsAnsweredManyTimes)
+TEST_F(SmallBatch, OfOnePositionIsAnsweredManyTimes)
 {
   const auto same = ToArray(std::vector<Point>(1000, Point{ 0.3, 0.2, 2.0 }));
   EXPECT_EQ(this->Locator->FindClosestPoints(same, this->Ids1, nullptr, nullptr), 1000);

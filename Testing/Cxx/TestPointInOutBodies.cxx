@@ -187,10 +187,10 @@ TEST(PointInOutBodies, RowsOfAnImageAreThePoints)
 /// A body anywhere: coordinates are multiples of `unit`.
 Mesh RandomBody(Random& random, double unit, double room)
 {
-  const auto place = [&] {
+  const auto position = [&] {
     return unit * Rounded(random.InBox({ -room, room, -room, room, -room, room }));
   };
-  const Point at = place(), size = place();
+  const Point at = position(), size = position();
   if (random.Index(2))
   {
     const auto length = [&](int axis) { return unit + std::abs(size[axis]); };

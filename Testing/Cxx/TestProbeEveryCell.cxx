@@ -228,7 +228,7 @@ public:
     const std::vector<double> isValid = ProbeArray(probe, "SkdValid");
     ASSERT_EQ(isValid.size(), this->Points.size());
     EXPECT_EQ(std::count(isValid.begin(), isValid.end(), 0), 0);
-    this->CheckPlaces(probe);
+    this->CheckPositions(probe);
   }
 
   /// VTK's filters take their time: not all points are asked. Some are near the mesh, not in it;
@@ -261,7 +261,7 @@ private:
     return false;
   }
 
-  void CheckPlaces(vtkSkdTreeProbe* probe)
+  void CheckPositions(vtkSkdTreeProbe* probe)
   {
     const std::vector<double> isValid = ProbeArray(probe, "SkdValid");
     const std::vector<double> where = ProbeArray(probe, "Where");

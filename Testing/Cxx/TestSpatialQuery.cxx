@@ -445,7 +445,7 @@ TEST(SpatialQuery, TinyHugeAndFarMeshesAreAnsweredAlike)
   for (const Scale& scale : { Scale{ 1e-8, { 0, 0, 0 } }, Scale{ 1e9, { 0, 0, 0 } },
          Scale{ 1, { 1e6, -1e6, 1e6 } }, Scale{ 1e-3, { 4096, 4096, 4096 } } })
   {
-    const auto place = [&](const Point& p) { return scale.Size * p + scale.Offset; };
+    const auto position = [&](const Point& p) { return scale.Size * p + scale.Offset; };
     GridPointer input = MakeGrid(Placed(Tetrahedra(3), scale.Size, scale.Offset));
     GridPointer plain = MakeGrid(Tetrahedra(3));
     for (int relation = SpatialQuery::OVERLAP; relation <= SpatialQuery::ADJACENCY; ++relation)
@@ -453,7 +453,7 @@ TEST(SpatialQuery, TinyHugeAndFarMeshesAreAnsweredAlike)
       QueryPointer query = MakeQuery(input, relation);
       QueryPointer reference = MakeQuery(plain, relation);
       const Point low = { 0.625, 0.375, 0.75 }, high = { 2.125, 1.875, 2.25 };
-      const Point a = place(low), b = place(high);
+      const Point a = position(low), b = position(high);
       SetBox(query, { a[0], b[0], a[1], b[1], a[2], b[2] });
       SetBox(reference, { low[0], high[0], low[1], high[1], low[2], high[2] });
       EXPECT_EQ(CellsFound(query), CellsFound(reference)) << scale.Size << " " << relation;

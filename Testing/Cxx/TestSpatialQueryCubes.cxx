@@ -80,15 +80,15 @@ Mesh TriquadraticCubes()
   {
     const Bounds box = CubeAt(cell);
     Ids ids;
-    static constexpr int places[27][3] = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 },
+    static constexpr int positions[27][3] = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 },
       { 0, 0, 2 }, { 2, 0, 2 }, { 2, 2, 2 }, { 0, 2, 2 }, { 1, 0, 0 }, { 2, 1, 0 }, { 1, 2, 0 },
       { 0, 1, 0 }, { 1, 0, 2 }, { 2, 1, 2 }, { 1, 2, 2 }, { 0, 1, 2 }, { 0, 0, 1 }, { 2, 0, 1 },
       { 2, 2, 1 }, { 0, 2, 1 }, { 0, 1, 1 }, { 2, 1, 1 }, { 1, 0, 1 }, { 1, 2, 1 }, { 1, 1, 0 },
       { 1, 1, 2 }, { 1, 1, 1 } };
-    for (const auto& place : places)
+    for (const auto& position : positions)
     {
-      ids.push_back(
-        mesh.Add({ box[0] + 0.5 * place[0], box[2] + 0.5 * place[1], box[4] + 0.5 * place[2] }));
+      ids.push_back(mesh.Add(
+        { box[0] + 0.5 * position[0], box[2] + 0.5 * position[1], box[4] + 0.5 * position[2] }));
     }
     mesh.Add(VTK_TRIQUADRATIC_HEXAHEDRON, ids);
   }

@@ -63,20 +63,20 @@ protected:
   void TearDown() override { SkdWideWalks::TurnOn(this->WereOn); }
 
   /// In and around the data set, at corners of cells, and far away.
-  std::vector<Point> PlacesAbout(vtkDataSet* data)
+  std::vector<Point> PositionsAbout(vtkDataSet* data)
   {
     Bounds box;
     data->GetBounds(box.data());
     Random random(177);
-    std::vector<Point> places = { Center(box) + Point{ 50.0, -20.0, 30.0 } };
+    std::vector<Point> positions = { Center(box) + Point{ 50.0, -20.0, 30.0 } };
     for (int i = 0; i < 100; ++i)
     {
-      places.push_back(random.InBox(Grown(box, 0.2 * Diagonal(box))));
+      positions.push_back(random.InBox(Grown(box, 0.2 * Diagonal(box))));
       Point corner;
       data->GetPoint(random.Index(static_cast<int>(data->GetNumberOfPoints())), corner.data());
-      places.push_back(corner);
+      positions.push_back(corner);
     }
-    return places;
+    return positions;
   }
 
   const bool WereOn = SkdWideWalks::AreOn();
@@ -88,13 +88,13 @@ TEST_P(WideWalks, GiveTheAnswersOfTheOthers)
 {
   const auto data = GetParam().Make();
   const auto locator = MakeLocator(data);
-  const std::vector<Point> places = this->PlacesAbout(data);
-  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  const std::vector<Point> positions = this->PositionsAbout(data);
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
   {
     SkdWideWalks::TurnOn(true);
-    const Answers wide = Ask(locator, places[i], places[i + 1]);
+    const Answers wide = Ask(locator, positions[i], positions[i + 1]);
     SkdWideWalks::TurnOn(false);
-    ASSERT_NO_FATAL_FAILURE(ExpectEqual(wide, Ask(locator, places[i], places[i + 1]))) << i;
+    ASSERT_NO_FATAL_FAILURE(ExpectEqual(wide, Ask(locator, positions[i], positions[i + 1]))) << i;
     ASSERT_FALSE(HasFailure()) << "between places " << i << " and " << i + 1;
   }
 }

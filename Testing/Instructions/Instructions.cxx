@@ -127,11 +127,11 @@ public:
 
   void CountFindCell(const char* name)
   {
-    const std::vector<Point> places = this->Inside();
+    const std::vector<Point> positions = this->Inside();
     Count(name,
       [&]
       {
-        for (Point x : places)
+        for (Point x : positions)
         {
           this->Locator->FindCell(x.data());
         }

@@ -234,12 +234,12 @@ inline std::vector<double> PlacesOfPieces(
   vtkAlgorithm* filter, double from, double to, int pieces, const std::string& side = "SkdCurve")
 {
   const std::vector<double> cells = OutputArray(filter, side + "CellId");
-  std::vector<double> places = OutputArray(filter, side + "Parameter");
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<double> positions = OutputArray(filter, side + "Parameter");
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    places[i] = from + (cells[i] + places[i]) * (to - from) / pieces;
+    positions[i] = from + (cells[i] + positions[i]) * (to - from) / pieces;
   }
-  return places;
+  return positions;
 }
 
 /// A number of a filter's report.

@@ -40,8 +40,8 @@ Mesh Icosphere(int n)
     const int k = n - i - j;
     const Point x =
       double(i) * corners[face[0]] + double(j) * corners[face[1]] + double(k) * corners[face[2]];
-    const auto place = [&](int axis) { return std::lround(x[axis] * 1e6); };
-    const auto [at, isNew] = known.insert({ { place(0), place(1), place(2) }, 0 });
+    const auto position = [&](int axis) { return std::lround(x[axis] * 1e6); };
+    const auto [at, isNew] = known.insert({ { position(0), position(1), position(2) }, 0 });
     at->second = isNew ? mesh.Add(Unit(x)) : at->second;
     return at->second;
   };
@@ -79,8 +79,8 @@ Mesh CubedSphere(int n)
     x[axis] = side;
     x[(axis + 1) % 3] = side * u;
     x[(axis + 2) % 3] = v;
-    const auto place = [&](int k) { return std::lround(x[k] * 1e9); };
-    const auto [at, isNew] = known.insert({ { place(0), place(1), place(2) }, 0 });
+    const auto position = [&](int k) { return std::lround(x[k] * 1e9); };
+    const auto [at, isNew] = known.insert({ { position(0), position(1), position(2) }, 0 });
     at->second = isNew ? mesh.Add(Unit(x)) : at->second;
     return at->second;
   };
