@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What Plugin/demo.sh and Testing/run.sh share: sourced by them, for bash on Debian 12 and later.
+# Shared by Plugin/demo.sh and Testing/run.sh, which source it; for bash on Debian 12 and later.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 with_display=$root/.ci/with_display.sh
 
-# What the build and its use need, and what only the tests need. Packages that ParaView's own build
-# names, but its package does not depend on, are here, too; icons are drawn by Qt's SVG library.
+# Packages for the build and its use, and packages for the tests only. They include those that
+# ParaView's build requires although its package does not depend on them; icons need Qt's SVG
+# library.
 packages=(
   cmake ninja-build g++ paraview paraview-dev python3-paraview python3-dev
   libopenmpi-dev libutfcpp-dev libdouble-conversion-dev xvfb)
@@ -35,7 +36,7 @@ as_root() {
   fi
 }
 
-# install_missing <package>...: says nothing and asks nobody when all are there.
+# install_missing <package>...: does nothing if all are installed.
 install_missing() {
   local missing=() package
   for package in "$@"; do

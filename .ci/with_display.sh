@@ -17,6 +17,6 @@ until [ -s "$number" ]; do
   sleep 0.05
 done
 
-# In the background, so that a signal to us is answered at once.
+# In the background, so that signals are handled at once.
 DISPLAY=:$(cat "$number") "$@" <&0 &
 wait $!

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeAMR
- * @brief adaptive Cartesian grid, refined around the parts of a geometry
+ * @brief   adaptive Cartesian grid, refined around the parts of a geometry
  *
  * Makes an adaptive Cartesian grid around Input (port 0: any vtkDataSet, or composite data of
  * several parts, with cells of any type), following section 6.5 of Khamayseh and Hansen, Commun.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeAttach
- * @brief attach a vtkSkdTreeCellLocator to a mesh for the next filter
+ * @brief   attach a vtkSkdTreeCellLocator to a mesh for the next filter
  *
  * Passes on its input (any vtkDataSet, or composite of them) and sets a vtkSkdTreeCellLocator on
  * each vtkPointSet in it (vtkPointSet::SetCellLocator). Filters that use the cell locator of their

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCellLocator
- * @brief cell locator based on the spatial kD-tree (skD-tree) of Khamayseh and Hansen
+ * @brief   cell locator based on the spatial kD-tree (skD-tree) of Khamayseh and Hansen
  *
  * vtkSkdTreeCellLocator implements all of vtkAbstractCellLocator, and the queries of
  *

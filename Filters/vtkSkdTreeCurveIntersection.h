@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCurveIntersection
- * @brief intersections of curves with curves in their native representation
+ * @brief   intersections of curves with curves in their native representation
  *
  * Finds every intersection of a curve of Input (port 0) with a curve of Source (port 1), each any
  * vtkDataSet or composite, by the skD-tree (section 6.1 of Khamayseh and Hansen, Commun. Comput.
@@ -54,11 +54,12 @@
  * | SkdGap                  | double | distance left between both                                 |
  * | SkdAngle                | double | between both, 0 to 90 degrees                              |
  * | SkdKind                 | int    | 0 crossing, 1 touching (along each other, or end to end in |
- * | | | line), 2 end of a common stretch, 3 near | and optionally the point and cell data of both
- * there (see InterpolateData). SkdKind is the active scalars. Field data, one value each:
- * SkdReportCurves, SkdReportOtherCurves, SkdReportParts (pieces of the Input's curves),
- * SkdReportHits, SkdReportTreesBuilt (0 if it was reused), SkdReportEpsilon and SkdReportRounding
- * (world units), SkdReportBuildSeconds, SkdReportQuerySeconds.
+ * |                         |        | line), 2 end of a common interval, 3 near                  |
+ * and optionally the point and cell data of both there (see InterpolateData). SkdKind is the active
+ * scalars. Field data, one value each: SkdReportCurves, SkdReportOtherCurves, SkdReportParts
+ * (pieces of the Input's curves), SkdReportHits, SkdReportTreesBuilt (0 if it was reused),
+ * SkdReportEpsilon and SkdReportRounding (world units), SkdReportBuildSeconds,
+ * SkdReportQuerySeconds.
  *
  * Output port 1: vtkPolyData with a polyline for each interval that two curves have in common,
  * along the first, to the chord tolerance; cell data SkdCurveId, SkdCurveCellId, SkdOtherCurveId

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCurveSurfaceIntersection
- * @brief intersections of curves with surfaces in their native representation
+ * @brief   intersections of curves with surfaces in their native representation
  *
  * Finds every intersection of a curve of Input (port 0) with a surface of Source (port 1), each any
  * vtkDataSet or composite, by the skD-tree (section 6.2 of Khamayseh and Hansen, Commun. Comput.
@@ -50,12 +50,13 @@
  * | SkdNormal          | double | 3          | the surface's unit normal                          |
  * | SkdAngle           | double | 1          | between curve and surface: 0 along it, 90 across   |
  * | SkdSense           | int    | 1          | 1: goes in, against the normal; -1: out; 0 neither |
- * | SkdKind            | int    | 1          | 0 crossing, 1 touching, 2 end of a common stretch  |
- * | SkdGap | double | 1 | distance left between curve and surface | and optionally the point and
- * cell data of both sides there (see InterpolateData). SkdSense is the active scalars. Field data,
- * one value each: SkdReportCurves, SkdReportCurvePieces, SkdReportSurfaceElements, SkdReportHits,
- * SkdReportTreesBuilt (0 if the tree was reused), SkdReportEpsilon and SkdReportRounding (world
- * units), SkdReportBuildSeconds, SkdReportQuerySeconds.
+ * | SkdKind            | int    | 1          | 0 crossing, 1 touching, 2 end of a common interval |
+ * | SkdGap             | double | 1          | distance left between curve and surface            |
+ * and optionally the point and cell data of both sides there (see InterpolateData). SkdSense is the
+ * active scalars. Field data, one value each: SkdReportCurves, SkdReportCurvePieces,
+ * SkdReportSurfaceElements, SkdReportHits, SkdReportTreesBuilt (0 if the tree was reused),
+ * SkdReportEpsilon and SkdReportRounding (world units), SkdReportBuildSeconds,
+ * SkdReportQuerySeconds.
  *
  * Output port 1: optional (see CutCurves), vtkPolyData with the curves cut at these points.
  *

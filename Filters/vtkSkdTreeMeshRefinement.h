@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeMeshRefinement
- * @brief refine the cells of a mesh near a geometry or where a field varies
+ * @brief   refine the cells of a mesh near a geometry or where a field varies
  *
  * The cells of Input (port 0: any vtkDataSet, or composite data) are divided level by level where
  * parts of a geometry (port 1) intersect them or come near, inside the parts, or where a field

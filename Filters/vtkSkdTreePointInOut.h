@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreePointInOut
- * @brief find the parts that contain a point
+ * @brief   find the parts that contain a point
  *
  * Finds, for each point or cell of Input (port 0, any vtkDataSet or composite of them), the parts
  * of Source (port 1, any vtkDataSet or composite) that contain it: the point in/out test of section
@@ -31,9 +31,9 @@
  * | SkdConfidence    | float  | 0.5 to 1, see SetMethod; the least of all parts         | 0    |
  * | SkdOnBoundary    | uchar  | 1 in the BoundaryBand                                   | 0    |
  * | SkdWindingNumber | double | the sum over the parts, with the method WINDING_NUMBER  | NaN  |
- * | SkdWindingBound | double | what that is off by at most, see SetWindingTolerance | NaN | "None"
- * is for points outside; for points that are not finite the confidence is 0, too. SkdInside becomes
- * the active scalars.
+ * | SkdWindingBound  | double | upper bound of its error, see SetWindingTolerance      | NaN  |
+ * "None" is for points outside; for points that are not finite the confidence is 0, too. SkdInside
+ * becomes the active scalars.
  *
  * Output port 1: optional (see SetExtract), the part of the input that is inside, or outside, as a
  * vtkUnstructuredGrid; for composite data a vtkMultiBlockDataSet with one for each data set.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeProbe
- * @brief probe a mesh's data and their gradients at points and along lines
+ * @brief   probe a mesh's data and their gradients at points and along lines
  *
  * Finds, for each point of Input (port 0, any vtkDataSet or composite of them), the cell of Source
  * (port 1, any vtkDataSet or composite) that contains it, its parametric coordinates, and the
@@ -33,9 +33,10 @@
  * | SkdSourceBlockIndex      | int    | 1          | flat index of the cell's block    | -1   |
  * | SkdParametricCoordinates | double | 3          | in the cell, VTK's                | NaN  |
  * | SkdDistance              | double | 1          | distance to the cell, 0 within it | NaN  |
- * | name_Gradient | double | 3 k | see AddGradientArray | NaN | (the block index only for a
- * composite Source). See SetUseFillValue for the values of data arrays at points without a result.
- * The Source's active scalars become active, or else its first numeric array.
+ * | name_Gradient            | double | 3 k        | see AddGradientArray              | NaN  |
+ * (the block index only for a composite Source). See SetUseFillValue for the values of data arrays
+ * at points without a result. The Source's active scalars become active, or else its first numeric
+ * array.
  *
  * Output ports 1 and 2: optional (see SetProbeLines), the input's lines, divided where they pass
  * from one cell of the Source to another, and the integrals along them.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeRefineAlgorithm
- * @brief base class of filters that refine cells by criteria
+ * @brief   base class of filters that refine cells by criteria
  *
  * Refinement criteria, each with a level of its own: cells that parts of a geometry intersect or
  * come near, cells inside the geometry, and a field (port 2, optional).

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeRepresentation
- * @brief boxes of a level of a mesh's skD-tree, and statistics of the tree
+ * @brief   boxes of a level of a mesh's skD-tree, and statistics of the tree
  *
  * Shows the tree of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576, section 3, on any
  * vtkDataSet or composite of them: one tree a block.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSourceAlgorithm
- * @brief base class of filters that search a second mesh
+ * @brief   base class of filters that search a second mesh
  *
  * Two input ports, each any vtkDataSet or composite of them: the Input, which has the queries, and
  * the Source, which is searched. Each process requests the whole Source, whatever piece of the

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSpatialQuery
- * @brief find cells by their spatial relation to a shape, points or cells
+ * @brief   find cells by their spatial relation to a shape, points or cells
  *
  * The spatial queries of section 3 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576,
  * by the skD-tree. The geometric objects are the cells of Input (port 0, any vtkDataSet or
@@ -61,8 +61,9 @@
  * |                        |        | cell's safety box; if the query is a cell, of its box   |
  * | SkdPessimisticDistance | double | section 4: of their farthest points                     |
  * | SkdMinimumDistance     | double | of the nearest points of the query and the cell         |
- * | SkdMaximumDistance | double | of their farthest points | (the last two if Exact). For a plane
- * the maximum is that of the farthest point of the cell, or box.
+ * | SkdMaximumDistance     | double | of their farthest points                                |
+ * (the last two if Exact). For a plane the maximum is that of the farthest point of the cell, or
+ * box.
  *
  * Field data of output port 0, one value each: SkdReportQueries, SkdReportPairs,
  * SkdReportCellsFound, SkdReportCells (that were searched), SkdReportCellsLeftOut (see

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeSurfaceIntersection
- * @brief intersection of a surface with another one or with itself
+ * @brief   intersection of a surface with another one or with itself
  *
  * Finds all pairs of cells of Input (port 0) and Source (port 1) that touch, their intersection
  * curves and the areas in which they coincide, by traversing both skD-trees together (section 5.4
@@ -29,9 +29,10 @@
  * | SkdFirstBlockIndex  | point | int    | flat index of the cell's block, of a composite Input |
  * | SkdSecondBlockIndex | point | int    | the same of a composite Source                       |
  * | SkdCurveClosed      | cell  | uchar  | 1 of a closed curve                                  |
- * | SkdCurveLength | cell | double | its length | The last point of an open curve has the ids of
- * the last segment. A segment of several pairs (for example along an edge) is given once, with the
- * lowest ids. Segments within an area in which the surfaces coincide are not part of curves.
+ * | SkdCurveLength      | cell  | double | its length                                           |
+ * The last point of an open curve has the ids of the last segment. A segment of several pairs (for
+ * example along an edge) is given once, with the lowest ids. Segments within an area in which the
+ * surfaces coincide are not part of curves.
  *
  * Output port 1, vtkPolyData: a convex polygon for each pair of coplanar triangles that overlap,
  * with the ids above as cell data.

@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# On a fresh Debian 12 or later, as root or with sudo: installs what is missing, builds into build/,
-# and lets ParaView's own server, with our plugin loaded, find the closest points of a scanned surface.
+# On a fresh Debian 12 or later, as root or with sudo: installs missing packages, builds into
+# build/, and finds the closest points of a scanned surface by ParaView's own server with the plugin
+# loaded.
 #
 # usage: bash Plugin/demo.sh [picture.png [points along an edge of the grid]]
 

@@ -38,8 +38,9 @@ target_include_directories(skdtree_testing INTERFACE
 
 # skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] [HEADERS <header>...]
 #   LABEL <label>)
-# An executable with GoogleTest's main. Thousands of short tests would spend their time on starting
-# one program each, so a few processes run their share of them; what fails is named in the output.
+# An executable with GoogleTest's main. Starting one process for each of thousands of short tests
+# would take most of the time, so a few processes run a share of them each; failures are named in
+# the output.
 function (skdtree_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES;HEADERS")
   add_executable("${name}" ${test_SOURCES})
@@ -62,8 +63,8 @@ ${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
 endfunction ()
 
 # skdtree_add_python_test(<name> COMMAND <command>... LABEL <label>)
-# A run of pvpython, python3, ... that finds the build tree's plugin and Python package. Ending with
-# 77 means skipped; a Python that got past an error of VTK's or ParaView's did not pass.
+# A run of pvpython, python3, ... that finds the build tree's plugin and Python package. Exit code
+# 77 means skipped; errors reported by VTK or ParaView are failures.
 function (skdtree_add_python_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "COMMAND")
   add_test(NAME "${test_LABEL}.${name}" COMMAND ${test_COMMAND})

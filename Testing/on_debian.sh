@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Does on another release of Debian what a user would do there. As root: makes a bare system of that
-# release in a folder, with nothing that Debian does not put on every one, or takes the system that is
-# there, and runs a command in it, in this repository. Without a command: the two of the README.
+# Runs a command in this repository on another release of Debian, as a user would. As root: creates
+# a minimal system of that release in a folder, or uses the existing one. Without a command: the two
+# commands of the README.
 #
 # usage: bash Testing/on_debian.sh <bookworm|trixie|sid|...> [command [argument...]]
 # as in: bash Testing/on_debian.sh trixie bash Testing/run.sh --no-sanitizers
@@ -17,7 +17,7 @@
 
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/../.ci/prepare.sh"
-[ $# -gt 0 ] || { sed -n '/^# Does/,/^$/s/^# \?//p' "${BASH_SOURCE[0]}"; exit 2; }
+[ $# -gt 0 ] || { sed -n '/^# Runs/,/^$/s/^# \?//p' "${BASH_SOURCE[0]}"; exit 2; }
 [ "$(id -u)" = 0 ] || { echo "Only root can make and enter systems" >&2; exit 1; }
 release=$1
 shift

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# On a fresh Debian 12 or later, as root or with sudo: installs what is missing, builds into build/
-# and runs all tests; then builds the C++ tests once more, with AddressSanitizer and
-# UndefinedBehaviorSanitizer, and runs these, unless --no-sanitizers says not to.
+# On a fresh Debian 12 or later, as root or with sudo: installs missing packages, builds into build/
+# and runs all tests; then builds and runs the C++ tests again with AddressSanitizer and
+# UndefinedBehaviorSanitizer, unless --no-sanitizers is given.
 #
 # usage: bash Testing/run.sh [--no-sanitizers] [options of ctest]
 

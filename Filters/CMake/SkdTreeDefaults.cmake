@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What a build is when nothing is said: optimised, with C++17, its outputs in bin/ and lib/.
+# Defaults of a build: optimized, with C++17, outputs in bin/ and lib/.
 
 get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
 if (NOT CMAKE_BUILD_TYPE AND NOT is_multi_config)

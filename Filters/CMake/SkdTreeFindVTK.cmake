@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Finds the one VTK that everything is built with: ParaView's own when the plugin is built, else a
-# VTK of itself, else ParaView's again. Sets
+# Finds the VTK that everything is built with: ParaView's own if the plugin is built, else a
+# separate VTK, else ParaView's. Sets
 #   SKDTREE_VTK_PACKAGE, SKDTREE_VTK_PACKAGE_VERSION  what was found: ParaView or VTK
 #   SKDTREE_VTK_PREFIX                                the folder it is installed in
 
@@ -35,7 +35,7 @@ if (VTK_FOUND)
   set(SKDTREE_VTK_PACKAGE VTK)
   set(SKDTREE_VTK_PREFIX "${VTK_PREFIX_PATH}")
 else ()
-  # Where ParaView is: its version file is all that is read.
+  # The location of ParaView: only its version file is read.
   find_package(ParaView QUIET CONFIGS paraview-config-version.cmake)
   skdtree_accept_python_modules("${ParaView_DIR}" "${ParaView_DIR}/vtk")
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingServerManager)
@@ -48,7 +48,7 @@ set(SKDTREE_VTK_PACKAGE_VERSION "${${SKDTREE_VTK_PACKAGE}_VERSION}")
 message(STATUS "skD-tree: VTK ${VTK_VERSION} of ${SKDTREE_VTK_PACKAGE} "
   "${SKDTREE_VTK_PACKAGE_VERSION} in ${SKDTREE_VTK_PREFIX}")
 
-# Beside its VTK is where a module, a plugin and a Python package are found without further ado.
+# A module, a plugin and a Python package are found without further settings beside their VTK.
 if (CMAKE_INSTALL_PREFIX_INITIALIZED_TO_DEFAULT)
   set(CMAKE_INSTALL_PREFIX "${SKDTREE_VTK_PREFIX}" CACHE PATH "Where to install" FORCE)
 endif ()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What makes the build usable from outside: the CMake package SkdTree, build/setup.sh, the .deb.
+# Files for users of the build: the CMake package SkdTree, build/setup.sh, the .deb.
 
 include(CMakePackageConfigHelpers)
 
@@ -20,7 +20,7 @@ install(
     "${package_folder}/SkdTreePythonModules.cmake"
   DESTINATION "${SKDTREE_CMAKE_DESTINATION}" COMPONENT development)
 
-# What a shell sources to use the build tree as it is.
+# The script to source in a shell to use the build tree.
 set(plugin_folder "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}")
 configure_file(Filters/CMake/setup.sh.in "${CMAKE_BINARY_DIR}/setup.sh" @ONLY)
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the module VTK::FiltersSkdTree and, by choice, its Python package (SkdTreePython.cmake).
+# Builds the module VTK::FiltersSkdTree and, optionally, its Python package (SkdTreePython.cmake).
 
 set(SKDTREE_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SkdTree")
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The .deb that `cpack` makes. It goes where its VTK is, and depends on that very version: VTK's and
-# ParaView's binary interfaces change with every release.
+# The .deb made by `cpack`. It is installed beside its VTK, and depends on that exact version: VTK's
+# and ParaView's binary interfaces change with every release.
 
 set(CPACK_PACKAGE_NAME "paraview-skdtree")
 set(CPACK_PACKAGE_VENDOR "the skD-tree authors")

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Debian 13 and later tell CMake of ParaView's Python modules by names that they do not have on disk
-# (vtkCommonCore.so, not vtkCommonCore.cpython-313-x86_64-linux-gnu.so), and find_package refuses what
-# names a file that is missing. Nobody links to Python modules: here they are let pass.
+# (vtkCommonCore.so, not vtkCommonCore.cpython-313-x86_64-linux-gnu.so), and find_package refuses
+# what names a file that is missing. Python modules are not linked, so they are accepted here.
 
 # skdtree_accept_python_modules(<folder>...)
 # To be called before find_package, in its scope, with the folders of its *Python*-targets.cmake.

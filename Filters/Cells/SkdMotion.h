@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Queries for the bounds of cells after a rigid motion, on the tree before it. The bounds of
-/// a rotated box extend beyond the box, so slabs with larger weights are used.
+/// @file
+/// Queries for the bounds of cells after a rigid motion, on the tree before it. The bounds of a
+/// rotated box extend beyond the box, so slabs with larger weights are used.
 #ifndef SkdMotion_h
 #define SkdMotion_h
 

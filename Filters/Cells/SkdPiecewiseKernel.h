@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The exact tests of composed linear cells: a pentagonal or hexagonal prism of wedges, a
-/// quadratic polygon (straight between its points, as in VTK) of its points in order.
+/// @file
+/// The exact tests of composed linear cells: a pentagonal or hexagonal prism of wedges, a quadratic
+/// polygon (straight between its points, as in VTK) of its points in order.
 #ifndef SkdPiecewiseKernel_h
 #define SkdPiecewiseKernel_h
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The exact tests of cells of any number of points: polygons, strips, polylines,
-/// polyvertices and polyhedra. They are accurate at any scale, and thread-safe.
+/// @file
+/// The exact tests of cells of any number of points: polygons, strips, polylines, polyvertices and
+/// polyhedra. They are accurate at any scale, and thread-safe.
 #ifndef SkdPolyKernels_h
 #define SkdPolyKernels_h
 

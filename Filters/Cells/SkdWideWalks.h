@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The queries of triangles compiled for processors with AVX2 and FMA, with eight lanes a
-/// register, selected at run time. Answers are identical to the last bit: lanes perform the same
-/// operations with the same rounding, however many there are in a register.
+/// @file
+/// The queries of triangles compiled for processors with AVX2 and FMA, with eight lanes a register,
+/// selected at run time. Answers are identical to the last bit: lanes perform the same operations
+/// with the same rounding, however many there are in a register.
 ///
 /// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in its own namespace, so
 /// that no inline function compiled for AVX2 replaces one that must run anywhere. Its interface

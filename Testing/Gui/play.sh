@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # play.sh <paraview> <pvpython> <script.xml> <data> <work>
-# Plays the script in ParaView, which must find every menu and button that it names, and looks
-# whether the screenshot that it saves shows something.
+# Plays the script in ParaView, which must find every menu and button that it names, and checks that
+# its screenshot is not empty.
 
 set -euo pipefail
 paraview=$1 pvpython=$2 script=$3 data=$4 work=$5

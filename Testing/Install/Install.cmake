@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs BUILD (configuration CONFIG) to an empty PREFIX and looks whether everything is there.
+# Installs BUILD (configuration CONFIG) to an empty PREFIX and checks that everything is there.
 
 file(REMOVE_RECURSE "${PREFIX}")
 execute_process(
@@ -19,7 +19,7 @@ foreach (wanted IN ITEMS
   endif ()
 endforeach ()
 
-# Nothing private may be: a header of the core or the bridge would become a promise.
+# No private header may be installed, because it would become part of the interface.
 file(GLOB_RECURSE private "${PREFIX}/*/Skd*.h" "${PREFIX}/*/Core/*.h")
 if (private)
   message(SEND_ERROR "Private headers are installed: ${private}")

@@ -4,7 +4,7 @@
  * @file BoxReference.h
  * @brief whether a linear cell and a box meet, by clipping; and the octree that follows from it
  *
- * Where they only touch rounding decides: ask of boxes in no special place.
+ * Not for boxes that only touch, where rounding decides.
  */
 #ifndef skdtest_BoxReference_h
 #define skdtest_BoxReference_h
@@ -18,7 +18,7 @@
 namespace skdtest
 {
 
-/// What the box leaves of a convex polygon; a segment is one of two corners.
+/// The part of a convex polygon in the box; a segment is one of two corners.
 inline std::vector<Point> ClippedBy(const Bounds& box, std::vector<Point> polygon)
 {
   for (int side = 0; side < 6; ++side)
@@ -78,7 +78,7 @@ inline std::vector<CellShape> ShapesOf(vtkDataSet* data)
   return shapes;
 }
 
-/// The octree around some shapes by recursion alone: each box is asked whether it meets any.
+/// The octree around some shapes by plain recursion: each box is tested with all shapes.
 class ReferenceOctree
 {
 public:

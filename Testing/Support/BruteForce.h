@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BruteForce.h
- * @brief every question answered by a look at every cell
+ * @brief every query answered by testing every cell
  */
 #ifndef skdtest_BruteForce_h
 #define skdtest_BruteForce_h
@@ -14,8 +14,8 @@
 namespace skdtest
 {
 
-/// A data set's cells by value. Only cells without a shape of their own (CellShape) go through VTK,
-/// and the question whether a hexahedron, wedge or pyramid contains a point.
+/// A data set's cells by value. VTK is used only for cells without a shape of their own
+/// (CellShape), and to test whether a hexahedron, wedge or pyramid contains a point.
 class BruteForce
 {
 public:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CubeReference.h
- * @brief how a cube along the axes lies to boxes, spheres, planes, lines and points, by intervals
+ * @brief spatial relations of an axis-aligned cube to boxes, spheres, planes, lines and points, by
+ * intervals
  */
 #ifndef skdtest_CubeReference_h
 #define skdtest_CubeReference_h
@@ -63,7 +64,7 @@ inline std::array<double, 2> ParametersIn(const CubeQuery& line, const Bounds& b
   return inside;
 }
 
-/// What is known of a cube and a query by intervals.
+/// The relation of a cube and a query, by intervals.
 class CubeReference
 {
 public:

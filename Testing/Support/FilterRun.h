@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FilterRun.h
- * @brief what runs of our filters are fed, and their output by value
+ * @brief inputs of filters, and their outputs by value
  */
 #ifndef skdtest_FilterRun_h
 #define skdtest_FilterRun_h
@@ -25,7 +25,7 @@
 namespace skdtest
 {
 
-/// Points without cells, which is all that the filter wants of its input.
+/// Points without cells, as filter input.
 inline PolyDataPointer MakeQueries(const std::vector<Point>& points)
 {
   auto queries = PolyDataPointer::New();
@@ -91,7 +91,7 @@ inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const Mesh& mesh, int co
   return MakeBlocks(blocks);
 }
 
-/// The cells of a mesh for which `isWanted` tells true.
+/// The cells of a mesh for which `isWanted` returns true.
 inline Mesh Part(const Mesh& mesh, const std::function<bool(std::size_t)>& isWanted)
 {
   Mesh part;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Folders.h
- * @brief where tests find real meshes, as the build was configured
+ * @brief folders of real meshes, from the configuration of the build
  */
 #ifndef skdtest_Folders_h
 #define skdtest_Folders_h

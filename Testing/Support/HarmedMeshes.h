@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HarmedMeshes.h
- * @brief a few cells of every type, and what may be wrong with them
+ * @brief a few cells of every type, and the faults that they may have
  */
 #ifndef skdtest_HarmedMeshes_h
 #define skdtest_HarmedMeshes_h

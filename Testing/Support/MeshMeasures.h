@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshMeasures.h
- * @brief what a mesh is as a whole, looked at cell by cell by VTK's own cells
+ * @brief measures of a whole mesh, by VTK's own cells
  */
 #ifndef skdtest_MeshMeasures_h
 #define skdtest_MeshMeasures_h

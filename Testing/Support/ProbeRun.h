@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProbeRun.h
- * @brief vtkSkdTreeProbe run on points or lines and a source
+ * @brief runs of vtkSkdTreeProbe on points or lines and a source
  */
 #ifndef skdtest_ProbeRun_h
 #define skdtest_ProbeRun_h
@@ -90,7 +90,7 @@ inline std::vector<double> ColumnOf(vtkDataArray* array)
   return values;
 }
 
-/// The stretches of lines as the second output has them, after an update.
+/// The segments of lines in the second output, after an update.
 struct Stretches
 {
   std::vector<double> Cells, Lines, Entries, Exits, Lengths;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SegmentReference.h
- * @brief what segments meet, and how near they pass, in extended precision
+ * @brief intersections and distances of segments, in extended precision
  */
 #ifndef skdtest_SegmentReference_h
 #define skdtest_SegmentReference_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file All common points of two pieces of curves (section 6.1), in their native representation.
+/// @file
+/// All common points of two pieces of curves (section 6.1), in their native representation.
 ///
 /// As for a curve and a patch (CurvePatchSolver.h): both are halved until each part is certainly
 /// apart, by planes or, where both are curved alike, by a cylinder (SeparatingQuadric.h), has at

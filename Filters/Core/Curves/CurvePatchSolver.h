@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file All common points of a piece of a curve and a patch (section 6.2), in their native
+/// @file
+/// All common points of a piece of a curve and a patch (section 6.2), in their native
 /// representation.
 ///
 /// Both are halved until each part of them is certainly apart (the hulls of control points are, or

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The tolerances of curves and patches, each with its reference value. "Parameters" are
-/// those of a curve or a patch, in [0, 1]. What is a length goes by the search's own tolerance
-/// (CurvePair, CurvePatchContact).
+/// @file
+/// The tolerances of curves and patches, each with its reference value. "Parameters" are those of a
+/// curve or a patch, in [0, 1]. What is a length goes by the search's own tolerance (CurvePair,
+/// CurvePatchContact).
 #ifndef skd_Curves_Tolerances_h
 #define skd_Curves_Tolerances_h
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The tolerances of geometry and predicates, each with its reference length or value.
-/// "Parameters" are those of a cell, a patch or a line, in [0, 1].
+/// @file
+/// The tolerances of geometry and predicates, each with its reference length or value. "Parameters"
+/// are those of a cell, a patch or a line, in [0, 1].
 #ifndef skd_Geometry_Tolerances_h
 #define skd_Geometry_Tolerances_h
 

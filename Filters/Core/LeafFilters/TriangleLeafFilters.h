@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Leaf filters (Queries/LeafFilter.h) for the packets of triangles of leaves: an even tag is
-/// twice the number of a node's packet.
+/// @file
+/// Leaf filters (Queries/LeafFilter.h) for the packets of triangles of leaves: an even tag is twice
+/// the number of a node's packet.
 #ifndef skd_LeafFilters_TriangleLeafFilters_h
 #define skd_LeafFilters_TriangleLeafFilters_h
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The cell types of mesh refinement, their edges and faces. Nodes are in VTK's order.
+/// @file
+/// The cell types of mesh refinement, their edges and faces. Nodes are in VTK's order.
 #ifndef skd_Mesh_CellKind_h
 #define skd_Mesh_CellKind_h
 

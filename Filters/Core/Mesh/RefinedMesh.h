@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file A mesh of cells of several types under refinement: a forest whose roots are the original
-/// cells. How cells are cut is up to others (Bisection.h, RegularCuts.h); this keeps what they need
-/// to agree on: nodes, edges and the nodes in their middles, faces, and the cells along them.
+/// @file
+/// A mesh of cells of several types under refinement: a forest whose roots are the original cells.
+/// How cells are cut is up to others (Bisection.h, RegularCuts.h); this keeps what they need to
+/// agree on: nodes, edges and the nodes in their middles, faces, and the cells along them.
 ///
 /// A node is where a point is: points of equal coordinates are one node, so that what is cut along
 /// a seam is cut on both sides. Numbers have 32 bits. All cells are kept, those that were cut, too;

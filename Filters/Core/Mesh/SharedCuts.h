@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Cuts of a mesh distributed over several processes.
+/// @file
+/// Cuts of a mesh distributed over several processes.
 #ifndef skd_Mesh_SharedCuts_h
 #define skd_Mesh_SharedCuts_h
 

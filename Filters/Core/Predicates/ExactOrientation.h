@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Exact signs of determinants of coordinates: the side of a plane on which a point lies, the
+/// @file
+/// Exact signs of determinants of coordinates: the side of a plane on which a point lies, the
 /// orientation of two lines. See Orient3D.h for the range of coordinates.
 #ifndef skd_Predicates_ExactOrientation_h
 #define skd_Predicates_ExactOrientation_h

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Exact constructed points, which have no floating-point coordinates: intersections of an
-/// edge and a plane, or of segments between such points. Used where a filter cannot decide.
+/// @file
+/// Exact constructed points, which have no floating-point coordinates: intersections of an edge and
+/// a plane, or of segments between such points. Used where a filter cannot decide.
 #ifndef skd_Predicates_ExactPoint_h
 #define skd_Predicates_ExactPoint_h
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Exact orientation tests: a floating-point filter decides nearly always, exact expansions
-/// decide the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997) 305-363). Exact as
-/// long as no product of three differences over- or underflows: coordinates, unless 0, of a
-/// magnitude within 1e-80 .. 1e100. NaN gives 0.
+/// @file
+/// Exact orientation tests: a floating-point filter decides nearly always, exact expansions decide
+/// the rest (J. R. Shewchuk, Discrete & Computational Geometry 18 (1997) 305-363). Exact as long as
+/// no product of three differences over- or underflows: coordinates, unless 0, of a magnitude
+/// within 1e-80 .. 1e100. NaN gives 0.
 #ifndef skd_Predicates_Orient3D_h
 #define skd_Predicates_Orient3D_h
 

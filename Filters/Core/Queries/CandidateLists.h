@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Searches a family of nested boxes in one traversal of a tree (section 6.5): each box gets
-/// its candidate list from the enclosing box instead of searching from the root.
+/// @file
+/// Searches a family of nested boxes in one traversal of a tree (section 6.5): each box gets its
+/// candidate list from the enclosing box instead of searching from the root.
 #ifndef skd_Queries_CandidateLists_h
 #define skd_Queries_CandidateLists_h
 

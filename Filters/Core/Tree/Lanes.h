@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file SIMD vectors of eight floats: all dependencies on compiler and processor are here. Every
+/// @file
+/// SIMD vectors of eight floats: all dependencies on compiler and processor are here. Every
 /// operation is equivalent to a plain loop over lanes; compile with SKD_PLAIN_LANES to use that
 /// loop.
 #ifndef skd_Tree_Lanes_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file SIMD vectors of small integers, as Lanes.h for floats.
+/// @file
+/// SIMD vectors of small integers, as Lanes.h for floats.
 #ifndef skd_Tree_ShortLanes_h
 #define skd_Tree_ShortLanes_h
 

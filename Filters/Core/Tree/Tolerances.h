@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file The tolerances of trees, leaf filters and queries, each with its reference value. All of
-/// them are in the tree's frame (Frame.h), where it lies in [-1, 1], unless they say otherwise.
+/// @file
+/// The tolerances of trees, leaf filters and queries, each with its reference value. All of them
+/// are in the tree's frame (Frame.h), where it lies in [-1, 1], unless they say otherwise.
 #ifndef skd_Tree_Tolerances_h
 #define skd_Tree_Tolerances_h
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Whether the interiors of two sets of simplices intersect, or the sets only touch.
+/// @file
+/// Whether the interiors of two sets of simplices intersect, or the sets only touch.
 #ifndef skd_Geometry_Simplices_SimplexInteriors_h
 #define skd_Geometry_Simplices_SimplexInteriors_h
 

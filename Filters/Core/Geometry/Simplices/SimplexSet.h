@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file Points, segments or triangles, or the solid that triangles enclose: the representation of
-/// a cell, box or line in tests of spatial relations. Its distances are here; whether two sets meet
+/// @file
+/// Points, segments or triangles, or the solid that triangles enclose: the representation of a
+/// cell, box or line in tests of spatial relations. Its distances are here; whether two sets meet
 /// is in SimplexContact.h, points that they share or do not are found in SimplexWitness.h, what
 /// covers what in SimplexCover.h, what insides share in SimplexInteriors.h.
 ///
