@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSkdTreeCurveAlgorithm
- * @brief   what the filters share that cross curves with something
+ * @brief   base class of filters that intersect curves
  *
- * What the curves of the Input are (see vtkSkdTreeSourceAlgorithm for its ports), how finely they
- * are cut to be searched for, and whether their data are told where they are crossed.
+ * Properties of the Input's curves (see vtkSkdTreeSourceAlgorithm for the ports): their
+ * representation, the chord tolerance of the search, and whether data are added to intersections.
  */
 
 #ifndef vtkSkdTreeCurveAlgorithm_h
@@ -92,10 +92,10 @@ protected:
 
   SkdPolylineForm FindPolylineForm() const;
 
-  /// The ChordTolerance. In the place of 0 the default, with a warning.
+  /// The ChordTolerance or, if it is 0, the default, with a warning.
   double FindChordTolerance();
 
-  /// Warns of what could not be read at a port, and if nothing could.
+  /// Warns about cells of a port that could not be read, and if there are no others.
   void WarnAboutInput(const char* port, const std::vector<std::string>& faults, bool isEmpty,
     const char* whatItLacks);
 

@@ -19,7 +19,7 @@
 
 using SkdOutputs = std::vector<vtkDataArray*>;
 
-/// Why a batch cannot be asked, in words; empty if it can.
+/// The reason why a batch is invalid; empty if it is valid.
 inline std::string SkdReasonAgainst(
   vtkDataArray* queries, const std::string& what, SkdBatchOf kind, const SkdOutputs& outputs)
 {
@@ -39,7 +39,7 @@ inline std::string SkdReasonAgainst(
                                                                : "";
 }
 
-/// A batch that there is a reason against is refused with an error.
+/// Reports an error if there is a reason.
 inline bool SkdIsRefused(vtkObject* locator, const char* method, const std::string& reason)
 {
   if (!reason.empty())
@@ -55,7 +55,7 @@ inline bool SkdIsRefused(vtkObject* locator, const char* method, vtkDataArray* q
   return SkdIsRefused(locator, method, SkdReasonAgainst(queries, "queries", kind, outputs));
 }
 
-/// Sizes an output and hands out its values: nullptr for one that is not wanted.
+/// Resizes an output and returns its values, or nullptr if it is not requested.
 template <class Array>
 auto SkdPrepare(Array* array, const char* name, int components, vtkIdType size)
   -> decltype(array->GetPointer(0))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdBezierCell.h
- * @brief VTK's curved cells in Bernstein form, which is what they are: exact to rounding.
+ * @brief VTK's curved cells in Bernstein form, exact to rounding.
  */
 
 #ifndef SkdBezierCell_h
@@ -12,7 +12,7 @@
 
 class vtkCell;
 
-/// What keeps a cell from having a Bernstein form of use.
+/// The reason why a cell has no usable Bernstein form.
 enum class SkdBezierFault
 {
   None,

@@ -10,9 +10,9 @@
 
 class vtkDataSet;
 
-/// The cells of a data set that nothing may read, VTK least of all. A cell is broken if
+/// The cells of a data set that must not be read, in particular by VTK. A cell is broken if
 /// - its points are not in the list of all cells' points: offsets that decrease or end beyond it,
-/// - it names a point that the data set does not have,
+/// - it uses a point id out of range,
 /// - it has too few points for its type, or more than its type has; of a cell of vtkPolyData that
 ///   has none nothing is missing: it is empty,
 /// - it is a polyhedron whose faces are not polygons of its points.
@@ -21,12 +21,12 @@ struct SkdBrokenCells
   std::vector<vtkIdType> Ids; ///< ascending
   std::string Fault;          ///< of the first, as a predicate: "has 3 points, ..."
 
-  /// "2 of 9 cells are broken and left out; the first, cell 4, has 3 points, ...".
+  /// "2 of 9 cells are broken and ignored; the first is cell 4, has 3 points, ...".
   std::string Tell(vtkDataSet* data) const;
 };
 
-/// Looks at each cell once, in parallel: a nanosecond or two each, of polyhedra a few times more.
-/// Cells that no file can break, as those of images, are not looked at.
+/// Checks each cell once, in parallel: one or two nanoseconds each, a few times more for polyhedra.
+/// Implicit cells, such as those of images, are not checked.
 SkdBrokenCells SkdFindBrokenCells(vtkDataSet* data);
 
 #endif

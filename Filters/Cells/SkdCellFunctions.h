@@ -7,14 +7,13 @@ class vtkCell;
 class vtkDataSet;
 class vtkGenericCell;
 
-/// A cell's interpolation functions and their derivatives, safe to ask of cells of many threads at
-/// once. VTK's own are not: all Lagrange wedges, and all Bezier wedges, resize and ask one static
-/// triangle at each call, whichever thread they belong to, which overruns memory (VTK 9.1 and
-/// later). So does all else that evaluates such a wedge: EvaluatePosition, EvaluateLocation and
-/// Derivatives must not be called where threads may run.
+/// A cell's interpolation functions and their derivatives, thread-safe. VTK's own are not: all
+/// Lagrange wedges, and all Bezier wedges, resize and use one static triangle at each call, in any
+/// thread, which overruns memory (VTK 9.1 and later). So does any other evaluation of such a wedge:
+/// EvaluatePosition, EvaluateLocation and Derivatives must not be called where threads may run.
 namespace SkdCellFunctions
 {
-/// To the last bit what VTK gives.
+/// Identical to VTK's to the last bit.
 void Interpolate(vtkCell* cell, const double pcoords[3], double* weights);
 
 /// As many for each axis as the cell has points, axis by axis. By differences where VTK's are

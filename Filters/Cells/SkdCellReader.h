@@ -19,8 +19,8 @@ class vtkCellArray;
 class vtkGenericCell;
 
 /// The type and the point ids of the cells of a data set: of vtkPolyData and vtkUnstructuredGrid
-/// read where they are stored, in 32 or 64 bit, of others as vtkDataSet gives them. Once made, any
-/// number of threads may read, each with a list of its own. The data set must live.
+/// read where they are stored, in 32 or 64 bit, of others as vtkDataSet gives them. Immutable;
+/// thread-safe if each thread has its own list. The data set must outlive it.
 class SkdCellReader
 {
 public:

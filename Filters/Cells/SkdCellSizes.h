@@ -5,7 +5,7 @@
 
 #include "vtkType.h"
 
-/// How many points a cell may have.
+/// Numbers of points that a cell may have.
 struct SkdCellSizes
 {
   vtkIdType Least;
@@ -17,8 +17,8 @@ struct SkdCellSizes
 /// types that VTK does not know.
 SkdCellSizes SkdSizesOfCellType(int cellType);
 
-/// Whether a cell of this type may have so many points. `degrees` are the three of a cell whose
-/// data set has HigherOrderDegrees, else nullptr.
+/// Whether a cell of this type may have this number of points. `degrees` are the three of a cell
+/// whose data set has HigherOrderDegrees, else nullptr.
 bool SkdFitsCellType(int cellType, vtkIdType size, const double* degrees);
 
 #endif

@@ -17,9 +17,9 @@
 class SkdCellReader;
 class vtkDataSet;
 
-/// The cells of a data set as the kernels read them: double points, 32-bit connectivity, no virtual
-/// call. Cells that no query may return are left out; those kept are numbered 0 .. N-1 in the order
-/// of their ids. Constant once built; it keeps no reference to the data set.
+/// The cells of a data set for the kernels: double points, 32-bit connectivity, no virtual call.
+/// Cells that no query may return are omitted; the others are numbered 0 .. N-1 in the order of
+/// their ids. Immutable; it keeps no reference to the data set.
 class SkdCellStore
 {
 public:
@@ -36,7 +36,7 @@ public:
   std::uint32_t NumberOfCells() const { return this->Count; }
   const LeftOutCounts& LeftOut() const { return this->Missing; }
 
-  /// VTK's id of a kept cell, and back: -1 for one that was left out or never was.
+  /// VTK's id of a stored cell, and the inverse: -1 for omitted cells and ids out of range.
   vtkIdType IdOf(std::uint32_t cell) const
   {
     return this->Ids.empty() ? static_cast<vtkIdType>(cell)
@@ -68,7 +68,7 @@ public:
     return { { x[0], x[1], x[2] } };
   }
 
-  /// Whether all coordinates are numbers of single precision.
+  /// Whether all coordinates are exact in single precision.
   bool HasFloatPoints() const { return this->AreFloats; }
 
   template <int Size>
@@ -81,8 +81,8 @@ public:
     }
   }
 
-  /// A cell whose number of points is up to it; the points are in a buffer of the calling thread's,
-  /// good until its next call.
+  /// A cell with a variable number of points, in a thread-local buffer that is valid until the next
+  /// call.
   SkdPolyCell GatherPoly(std::uint32_t cell) const;
 
   /// The box of the cell's points: what vtkDataSet::GetCellBounds gives.
@@ -101,14 +101,14 @@ public:
     return { low, high };
   }
 
-  /// The box that holds all of the cell: curved cells reach beyond that of their points.
+  /// The box that contains the cell: curved cells extend beyond the box of their points.
   skd::Box3 ExtentOf(std::uint32_t cell) const
   {
     return this->CurvedExtents.empty() ? this->BoundsOf(cell) : this->CurvedExtentOf(cell);
   }
   bool HasCurvedExtents() const { return !this->CurvedExtents.empty(); }
 
-  /// The box that holds all of all cells.
+  /// The box that contains all cells.
   const skd::Box3& GetBounds() const { return this->Bounds; }
 
   /// The largest magnitude of a coordinate of a point in use.

@@ -55,7 +55,7 @@ struct SkdCrossing
   bool Passes;
 };
 
-/// A facet that a segment passes through, and which way: 1 along its normal, -1 against it.
+/// A facet that a segment passes through, and the direction: 1 along its normal, -1 against it.
 struct SkdPass
 {
   double T;
@@ -70,23 +70,24 @@ struct SkdCrossings
   std::vector<vtkIdType> Cells;
 };
 
-/// What decides that a cell meets a box: the cell itself, or its safety box ("blind", section 6.5).
+/// The test for the intersection of a cell and a box: by the cell itself, or by its safety box
+/// ("blind", section 6.5).
 enum class SkdOverlapTest
 {
   Exact,
   Blind
 };
 
-/// What may meet a box, as NarrowCandidates left it.
+/// The candidates of a box after NarrowCandidates.
 struct SkdCandidateRange
 {
   const skd::CandidateLanes* First;
   const skd::CandidateLanes* Last;
 };
 
-/// The bridge: the cells of a data set, their skD-tree, and every query that a face asks. Constant
-/// once built: any number of threads may query it, each with a cell source of its own. It keeps no
-/// reference to the data set, which each query names.
+/// The cells of a data set, their skD-tree, and all queries of the public classes. Immutable;
+/// thread-safe if each thread has its own cell source. It keeps no reference to the data set, which
+/// is an argument of queries.
 ///
 /// A distance that is "0 to within rounding" is at most Rounding(): 8 units in the last place of
 /// the largest coordinate.
@@ -116,13 +117,13 @@ public:
   SkdFoundCell FindNearest(const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   SkdFoundCell FindContaining(
     const skd::Vector3& x, double tolerance2, vtkIdType hint, const SkdCellSource& source) const;
-  /// Nearest first; all within the limit, at most `number`. Into a vector of the calling thread.
+  /// Nearest first; all within the limit, at most `number`. In a thread-local vector.
   std::vector<std::pair<double, vtkIdType>>& FindNearestCells(
     const skd::Vector3& x, std::size_t number, double limit2, const SkdCellSource& source) const;
   /// The sub-id, pcoords and (unless nullptr) weights at the point of a found cell.
   void Interpolate(SkdFoundCell& found, double* weights, const SkdCellSource& source) const;
-  /// The parametric coordinates at x of a cell that is moved (nullptr: not at all), given those
-  /// that it has in the tree: a polyhedron's are in its bounds, and these change when it turns.
+  /// The parametric coordinates at x of a cell after the motion (or nullptr), given those in the
+  /// tree: a polyhedron's are relative to its bounds, which change with a rotation.
   skd::Vector3 MovedPCoords(const skd::RigidMotion* motion, vtkIdType id, const skd::Vector3& x,
     const skd::Vector3& pcoords) const;
   ///@}
@@ -138,7 +139,7 @@ public:
     const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const;
   const SkdCrossings& FindCrossings(
     const skd::Segment<3>& segment, const SkdCellSource& source) const;
-  /// By (T, Id); non-linear cells have no way (0).
+  /// Sorted by (T, Id); the direction is 0 for non-linear cells.
   const std::vector<SkdPass>& FindPasses(
     const skd::Segment<3>& segment, const SkdCellSource& source) const;
   ///@}
@@ -153,9 +154,8 @@ public:
   SkdFoundCell Evaluate(vtkIdType id, const skd::Vector3& x, const SkdCellSource& source) const;
   ///@}
 
-  ///@{
-  /// SkdBoxQueries.cxx. Exact on the cells' bounds (as if moved by `motion`, unless nullptr), or on
-  /// their safety boxes. In the order of the tree: the same every time.
+  /// @{ SkdBoxQueries.cxx. Exact on the cells' bounds (as if moved by `motion`, unless nullptr), or
+  /// on their safety boxes. In the order of the tree, which is reproducible.
   void FindWithinBounds(const skd::Box3& box, const skd::RigidMotion* motion, vtkIdList* ids) const;
   void FindAlongPlane(const skd::Plane<3>& plane, double tolerance, const skd::RigidMotion* motion,
     vtkIdList* ids) const;
@@ -167,8 +167,8 @@ public:
   void FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) const;
   void FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const;
   void FindSafetyBoxesAlong(const skd::Plane<3>& plane, double tolerance, vtkIdList* ids) const;
-  /// Adds the cells whose safety boxes may come so near, for none of these is looked at: all that
-  /// do, and some more.
+  /// Adds cells whose safety boxes may be within the distance, without testing each: all that are,
+  /// and some more.
   void FindMaybeWithin(const skd::Box3& box, std::vector<std::uint32_t>& cells) const;
   void FindMaybeWithin(
     const skd::Vector3& x, double radius, std::vector<std::uint32_t>& cells) const;
@@ -191,21 +191,21 @@ public:
   /// faces enclose, so taken; cells of shape Generic are taken for their boxes.
   bool Overlaps(std::uint32_t cell, const skd::Box3& box) const;
   bool IsMet(std::uint32_t cell, const skd::Box3& box, SkdOverlapTest test) const;
-  /// Whether a cell meets the box; what is left for its parts is appended to `below`.
+  /// Whether a cell intersects the box; the candidates for its sub-boxes are appended to `below`.
   bool NarrowCandidates(const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test,
     std::vector<skd::CandidateLanes>& below) const;
-  /// How many cells meet the box.
+  /// The number of cells that intersect the box.
   std::uint32_t CountListed(
     const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
-  /// SkdNormalDeviation.cxx: by how much, in radians, the normal of a surface that meets the box is
-  /// off the mean of them all; a half turn where something that is no surface of flat cells meets
-  /// it, or where they have no mean. Normals are as the order of the cells' points has them.
+  /// SkdNormalDeviation.cxx: the largest deviation, in radians, of the normals of surface cells
+  /// that intersect the box from their mean; pi if other than planar surface cells intersect it, or
+  /// if there is no mean. Normals are as the order of the cells' points has them.
   double FindNormalDeviation(
     const SkdCandidateRange& above, const skd::Box3& box, SkdOverlapTest test) const;
-  /// The same of whatever `isMet(cell)` says of the cells that may meet the box.
+  /// The same for the candidates of the box for which `isMet(cell)` is true.
   double FindNormalDeviation(
     const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const;
-  /// Calls visit(cell) for the listed cells that may meet the box.
+  /// Calls visit(cell) for the listed cells that may intersect the box.
   template <class Visit>
   void VisitCandidates(const SkdCandidateRange& above, const skd::Box3& box, Visit visit) const
   {
@@ -259,7 +259,7 @@ private:
       skd::Walk(this->Eager, query);
     }
   }
-  /// Calls wide(tree) if there are wide walks for it (SkdWideWalks.h). False if not.
+  /// Calls wide(tree) if AVX2 queries are available for it (SkdWideWalks.h); else returns false.
   template <class Wide>
   bool WalkWide(Wide wide) const
   {
@@ -272,7 +272,7 @@ private:
     wide(SkdWideTree{ &view, &packets });
     return true;
   }
-  /// skd::Nearest and skd::AlongSegment, as fast as it goes here.
+  /// skd::Nearest and skd::AlongSegment in their fastest available form.
   template <bool OnlyNearest, class Visitor>
   void WalkNearest(const skd::Vector3& x, double limit2, Visitor& visitor) const;
   template <bool InOrder, class Visitor>

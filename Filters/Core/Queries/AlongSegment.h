@@ -13,8 +13,8 @@ namespace skd
 
 /// Elements along a segment (Algorithm 5.2), by the parameter at which it enters their boxes.
 ///
-/// `visitor(element)` intersects an element and returns the parameter (0..1 along the segment)
-/// beyond which nothing is wanted any more: the first hit so far, or 1 for all hits.
+/// `visitor(element)` intersects an element and returns the new limit of the search, a parameter
+/// 0..1 along the segment: the first hit so far, or 1 for all hits.
 ///
 /// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
 /// cube of the tree's frame and as much room again: no new end comes near a box. `margin` (world
@@ -99,7 +99,7 @@ private:
         });
     }
 
-    /// What points of the segment are off by, at most. Infinite if an end is, or NaN.
+    /// The maximum rounding error of points of the segment. Infinite if an end is infinite or NaN.
     double Rounding() const
     {
       double most = 0.0;

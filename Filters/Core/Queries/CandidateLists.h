@@ -14,15 +14,15 @@
 namespace skd
 {
 
-/// Some children of a node, a bit each. They are elements if the node is a leaf; else nodes,
-/// which stand for all that is below them.
+/// Some children of a node, one bit each. They are elements if the node is a leaf, else nodes that
+/// represent all elements below them.
 struct CandidateLanes
 {
   std::uint32_t Node;
   std::uint32_t Lanes;
 };
 
-/// What a box that is not a part of another begins with: all of the tree.
+/// The initial candidates of a root box: the whole tree.
 inline std::vector<CandidateLanes> AllCandidates()
 {
   return { { 0u, ~0u } };
@@ -31,7 +31,7 @@ inline std::vector<CandidateLanes> AllCandidates()
 namespace detail
 {
 
-/// Lists that one box's turn needs, kept from box to box: no allocation in the long run.
+/// Working lists for one box, reused to avoid allocation.
 struct NarrowingLists
 {
   std::vector<CandidateLanes> Elements;
@@ -98,7 +98,7 @@ private:
     return lists;
   }
 
-  /// Elements that turn out to be aside are dropped; those not looked at stay.
+  /// Elements found disjoint are dropped; untested ones are kept.
   void TestElements()
   {
     for (const CandidateLanes& lanes : this->Elements)

@@ -10,13 +10,13 @@ namespace skd
 {
 
 /// Nearest element to a point (sections 4.1 and 5), with exact distances: boxes are visited by
-/// their least distance (4.1) and left alone once farther than what is known.
+/// their minimum distance (4.1) and skipped if they are farther than the best answer so far.
 ///
-/// `visitor(element)` measures an element and returns the squared distance (in the world) beyond
-/// which nothing is wanted any more. So one class serves: the nearest (visitor returns the best so
-/// far), the k nearest (the k-th best), all within a sphere (section 4.2: always the radius).
-/// A bound known beforehand is the first limit: infinity, a radius, or the distance to a reference
-/// point. Elements at exactly the limit are visited, so ties can go to the lowest index.
+/// `visitor(element)` measures an element and returns the new limit of the search, a squared
+/// distance in the world. This covers: the nearest (visitor returns the best so far), the k nearest
+/// (the k-th best), all within a sphere (section 4.2: always the radius). A bound known beforehand
+/// is the first limit: infinity, a radius, or the distance to a reference point. Elements at
+/// exactly the limit are visited, so ties can go to the lowest index.
 template <int D, class Visitor, class LeafFilter = NoLeafFilter>
 class Nearest : public FilteredQuery<Nearest<D, Visitor, LeafFilter>, LeafFilter>
 {

@@ -9,7 +9,7 @@
 namespace skd
 {
 
-/// Elements whose own boxes overlap a box (Algorithm 5.3), most of them without a look at these.
+/// Elements whose own boxes overlap a box (Algorithm 5.3), mostly without testing these.
 ///
 /// A tree has safety boxes, wider than the elements' own by at most `excess` (world units) on each
 /// side. What is inside the query box, whole subtrees, or overlaps it even without that excess, is
@@ -37,7 +37,7 @@ public:
     return this->Outer.Overlapping(boxes);
   }
 
-  /// Bit i: all that is below lane i is an answer.
+  /// Bit i: all elements below lane i are answers.
   SKD_IN_ONE_PIECE unsigned SureOf(const Node<D>& node) const
   {
     const unsigned inside = this->Inner.Holding(node.Boxes);

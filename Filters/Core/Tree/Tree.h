@@ -54,7 +54,7 @@ TreeInput<D> MakeTreeInput(const std::vector<Box<D>>& boxes, double epsilon)
   return input;
 }
 
-/// Runs the bodies of a loop one after the other; hand in another to run them in parallel.
+/// Runs the bodies of a loop sequentially; pass another loop to run them in parallel.
 struct SerialLoop
 {
   template <class Body>
@@ -67,15 +67,15 @@ struct SerialLoop
   }
 };
 
-/// The skD-tree that queries run on: built whole (Algorithm 3.1), then constant. Any number of
-/// threads may walk it. O(N log N) to build, about 32 bytes an element in three dimensions.
+/// The skD-tree for queries: built at once (Algorithm 3.1), then immutable and thread-safe. O(N log
+/// N) to build, about 32 bytes an element in three dimensions.
 template <int D>
 class Tree
 {
 public:
   Tree() = default;
 
-  /// `loop(count, body)` calls body(0) .. body(count - 1) in any order, by choice in parallel.
+  /// `loop(count, body)` calls body(0) .. body(count - 1) in any order, optionally in parallel.
   template <class Loop>
   Tree(TreeInput<D>&& input, Loop loop)
     : TheFrame(input.Frame)
@@ -168,7 +168,7 @@ public:
   std::size_t NumberOfNodes() const { return this->Nodes.size(); }
   /// Levels of nodes, that of the root and the lowest counted. O(nodes).
   int Depth() const { return this->IsEmpty() ? 0 : this->DepthFrom(0); }
-  /// What divided it: never Automatic.
+  /// The rule that was used: never Automatic.
   SplitRule Rule() const { return this->TheRule; }
   std::size_t MemorySize() const
   {

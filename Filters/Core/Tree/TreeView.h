@@ -15,7 +15,7 @@ struct ElementRange
   std::uint32_t Count;
 };
 
-/// All leaves are full but for the last: their numbers tell their elements.
+/// All leaves except the last are full: their numbers give their elements.
 struct LeafNumbers
 {
   std::uint32_t Capacity;
@@ -28,7 +28,7 @@ struct LeafNumbers
   }
 };
 
-/// What a walk sees of a tree that is built whole (Tree), which it must not outlive.
+/// A read-only view of a Tree, which must outlive it.
 template <int D>
 class TreeView
 {

@@ -10,15 +10,15 @@
 namespace skd
 {
 
-/// How deep a tree may be. 2^31 elements make 12 levels, one to a leaf, and splits by area
-/// one more.
+/// The maximum depth of a tree. 2^31 elements need 12 levels with one element a leaf, and splits by
+/// area one more.
 constexpr int MostLevels = 16;
 
 namespace detail
 {
 
-/// Ask memory for the nodes that will be opened next: where the tree is larger than the caches, a
-/// walk is mostly waiting for them.
+/// Prefetches the nodes that will be opened next: in trees larger than the caches, traversals
+/// mostly wait for memory.
 template <class Tree>
 auto Fetch(const Tree& tree, std::uint32_t node, int) -> decltype(tree.Fetch(node))
 {
@@ -29,8 +29,8 @@ void Fetch(const Tree&, std::uint32_t, long)
 {
 }
 
-/// Whether a walk may leave leaves unopened: the tree finds their elements by number, and the
-/// query looks at these in a way of its own.
+/// Whether a traversal may skip leaf nodes: the tree gives their elements by number, and the query
+/// has its own test for these.
 template <class Tree, class Query, class = void>
 struct SkipsLeaves : std::false_type
 {
@@ -54,7 +54,7 @@ unsigned TestElements(Query& query, const Node<D>& leaf, float* keys, long)
   return query.TestBoxes(leaf.Boxes, keys);
 }
 
-/// Whether a query knows of subtrees that all of them are answers.
+/// Whether a query can decide that all elements of a subtree are answers.
 template <class Query, class = void>
 struct KnowsSure : std::false_type
 {
@@ -64,8 +64,7 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 {
 };
 
-/// An open node whose children are visited one after the other: those that wait, and which of them
-/// need no test any more.
+/// An open node: its remaining children, and those of them that need no further test.
 template <class Node>
 struct Level
 {
@@ -84,7 +83,7 @@ struct Level
   }
 };
 
-/// `isSure`: all that is below the node is an answer.
+/// `isSure`: all elements below the node are answers.
 template <class Query, class Node>
 void Open(Query& query, const Node& node, bool isSure, Level<Node>& level)
 {
@@ -122,7 +121,7 @@ int TakeNext(Level<Node>& level)
   return lane;
 }
 
-/// Leaves alone what is not wanted any more, the limit having fallen. Whether there is any left.
+/// Drops children beyond the reduced limit. Returns whether any are left.
 template <class Query, class Node>
 bool HasNext(const Query& query, Level<Node>& level)
 {
@@ -144,7 +143,7 @@ void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<Node>
   level.Wanted = query.TestKnown(number, elements.Count, level.Keys);
 }
 
-/// The node to open next, and whether all that is below is an answer. Or a known leaf.
+/// The node to open next, and whether all elements below are answers; or a known leaf.
 struct Turn
 {
   std::uint32_t Index; ///< of the node, or the number of a leaf
@@ -152,7 +151,7 @@ struct Turn
   bool IsKnown;
 };
 
-/// Opens what comes next. Whether it is a leaf.
+/// Opens the next node. Returns whether it is a leaf.
 template <class Tree, class Query, class Node>
 bool Take(const Tree& tree, Query& query, const Turn& turn, Level<Node>& level)
 {
@@ -174,7 +173,7 @@ bool Take(const Tree& tree, Query& query, const Turn& turn, Level<Node>& level)
   return node.IsLeaf;
 }
 
-/// The open nodes on the way from the root that have children which wait, and room for one more.
+/// The stack of open nodes with remaining children, and space for one more.
 template <class Node>
 class Levels
 {
@@ -231,7 +230,7 @@ bool VisitElement(const Tree& tree, Query& query, const Level<Node>& leaf, int l
   }
 }
 
-/// Visit the wanted elements of a leaf. False ends the walk.
+/// Visits the selected elements of a leaf. False ends the traversal.
 template <class Tree, class Query, class Node>
 bool VisitElements(const Tree& tree, Query& query, Level<Node>& leaf)
 {
@@ -277,7 +276,7 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
 
 }
 
-/// The one walk over a tree. It serves every query; adding one never edits it.
+/// The traversal of a tree. It serves every query and need not be changed for new ones.
 ///
 /// A Tree gives IsEmpty(), Open(node index) -> const Node<D>&, Element(position) -> element index.
 /// A Query is a small value that gives

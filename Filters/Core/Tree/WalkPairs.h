@@ -10,7 +10,7 @@
 namespace skd
 {
 
-/// The one walk over a pair of trees (Algorithm 5.4).
+/// The traversal of a pair of trees (Algorithm 5.4).
 ///
 /// A Query gives
 ///   ToFirst(boxes)                 a FloatBox or a BoxPacket of the second tree, seen in the
@@ -26,8 +26,8 @@ namespace skd
 /// A tree may be walked against itself: then each pair of two elements is reached once, (a, b) or
 /// (b, a), and no element with itself. The query's boxes must then not be moved.
 ///
-/// Split() and RunFrom() give the walk in parts that may run at the same time, each with a query
-/// and a walk of its own.
+/// Split() and RunFrom() divide the traversal into parts that may run in parallel, each with its
+/// own query and traversal.
 template <class FirstTree, class SecondTree, class Query>
 class PairWalk
 {
@@ -69,7 +69,7 @@ public:
     }
   }
 
-  /// At least `enough` pairs from which the walk may go on, or all there are. Nothing is visited.
+  /// At least `enough` pairs from which the traversal may continue, or all. Nothing is visited.
   std::vector<Pair> Split(std::size_t enough)
   {
     std::vector<Pair> pairs = this->Start();
@@ -97,7 +97,7 @@ public:
     return pairs;
   }
 
-  /// Walks on from a pair. Returns whether the query wants more.
+  /// Continues from a pair. Returns whether the query continues.
   bool RunFrom(const Pair& start)
   {
     this->Stack.assign(1, start);
@@ -193,7 +193,7 @@ private:
       lanes, [&](int lane) { return this->OpenFirst(first, SideOf(second, boxes, lane)); });
   }
 
-  /// Each lane against itself and those after it. An element and itself are no pair.
+  /// Each lane with itself and those after it. An element is not a pair with itself.
   bool OpenWithin(const Reference& what)
   {
     if (what.IsElement())
@@ -235,7 +235,7 @@ private:
     return { Child(node, lane), boxes.Get(lane) };
   }
 
-  /// Elements are visited at once, unless the walk is being split.
+  /// Elements are visited immediately, unless the traversal is being split.
   bool Consider(const Side& a, const Side& b, bool isSure)
   {
     const bool areElements = a.What.IsElement() && b.What.IsElement();
