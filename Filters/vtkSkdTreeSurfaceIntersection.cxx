@@ -53,19 +53,15 @@ struct Surface
 
 /// Whether both surfaces get whole trees: those that are searched again do. For others only
 /// triangles near each other are used, unless most belong to surfaces with a tree.
-bool CompleteWhatPays(const Surface& first, const Surface& second)
+bool DoTreesPay(const Surface& first, const Surface& second)
 {
   std::size_t all = 0;
   std::size_t unsorted = 0;
   for (const Surface* surface : { &first, &second })
   {
-    if (!surface->IsNew)
-    {
-      surface->Set.Complete();
-    }
     const std::size_t triangles = surface->Set.GetTriangles().size();
     all += triangles;
-    unsorted += surface->Set.IsComplete() ? 0 : triangles;
+    unsorted += surface->IsNew && !surface->Set.IsComplete() ? triangles : 0;
   }
   constexpr std::size_t gain = 16; // to look at a triangle, compared with sorting it into a tree
   return all >= gain * unsorted;
@@ -147,19 +143,29 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   SkdLoop loop(self, 0, 0.4, 0.8, 8);
   const double clearance = self->GetClearance();
   const SkdPairSearch search{ static_cast<SkdPairSearch::Extent>(self->GetPairs()), clearance };
-  if (second && !self->GetSplitSurfaces() && !CompleteWhatPays(first, *second))
+  if (second && !self->GetSplitSurfaces() && !DoTreesPay(first, *second))
   {
-    Contacts contacts{ SkdPlace(first.Set, &second->Set, motion), {} };
-    if (const auto near = SkdFindNear(contacts.Placement, clearance * contacts.Placement.Scale))
+    for (const Surface* surface : { &first, second })
     {
-      contacts.Pairs = SkdTrianglePairs(contacts.Placement).FindNear(*near, search, loop);
+      if (!surface->IsNew)
+      {
+        surface->Set.Complete();
+      }
+    }
+    Contacts contacts{ SkdPlace(first.Set, &second->Set, motion), {} };
+    const auto near = SkdFindNear(contacts.Placement, clearance * contacts.Placement.Scale);
+    auto pairs = near ? SkdTrianglePairs(contacts.Placement).FindByPackedRTree(*near, search, loop)
+                      : std::nullopt;
+    if (pairs)
+    {
+      contacts.Pairs = *std::move(pairs);
       first.Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::First));
       second->Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::Second));
       return contacts;
     }
   }
   Contacts contacts{ Complete(first, second, motion), {} };
-  contacts.Pairs = SkdTrianglePairs(contacts.Placement).Find(search, loop);
+  contacts.Pairs = SkdTrianglePairs(contacts.Placement).FindByTrees(search, loop);
   return contacts;
 }
 

@@ -166,22 +166,6 @@ void AddBoxes(const SkdPlacedTriangles& set, double margin, SkdNearTriangles& ne
   }
 }
 
-/// Adds those whose boxes overlap the region.
-void AddWithin(
-  const SkdPlacedTriangles& set, const skd::Box3& region, double margin, SkdNearTriangles& near)
-{
-  for (std::uint32_t i = 0; i < CountOf(set); ++i)
-  {
-    const skd::Box3 box = set.GetBox(i);
-    const skd::Box3 around = margin > 0.0 ? box.Inflated(margin) : box;
-    if (region.Overlaps(around))
-    {
-      near.Triangles.push_back(i);
-      near.Boxes.push_back(around);
-    }
-  }
-}
-
 struct SetPair
 {
   const SkdPlacement& Placement;
@@ -232,13 +216,7 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
     return near;
   }
   constexpr std::size_t few = 4096; // for a coarse grid to pay
-  if (all < few)
-  {
-    AddWithin(first, region, 0.0, near.First);
-    AddWithin(second, region, margin, near.Second);
-    return near;
-  }
-  if (!FilterByCoarseGrid({ placement, region, margin }, near))
+  if (all < few || !FilterByCoarseGrid({ placement, region, margin }, near))
   {
     return std::nullopt;
   }

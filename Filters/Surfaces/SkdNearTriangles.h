@@ -27,8 +27,8 @@ struct SkdNearSets
 };
 
 /// The triangles of both sets of a placement that share a cell of a coarse grid with the other set,
-/// or may be within `clearance` (in the placement's scale) of it. Empty unless they are much fewer
-/// than all. O(n), some ten nanoseconds a triangle.
+/// or may be within `clearance` (in the placement's scale) of it. Empty if the sets are small, or
+/// unless these are much fewer than all. O(n), some ten nanoseconds a triangle.
 std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance);
 
 #endif

@@ -130,25 +130,14 @@ struct SkdTrianglePairs::Moved
   }
 };
 
-/// What is walked; `near` is nullptr where trees are of all triangles.
-struct SkdTrianglePairs::Trees
-{
-  const skd::LazyTree<3>& First;
-  const skd::LazyTree<3>& Second;
-  const SkdNearSets* Near;
-};
-
 struct SkdTrianglePairs::Block
 {
   Search& State;
-  const SkdNearSets* Near;
   std::vector<SkdTrianglePair>& Found;
 
   bool operator()(std::uint32_t a, std::uint32_t b) const
   {
-    return this->Near ? this->State.Visit(this->Near->First.Triangles[a],
-                          this->Near->Second.Triangles[b], this->Found)
-                      : this->State.Visit(a, b, this->Found);
+    return this->State.Visit(a, b, this->Found);
   }
 };
 
@@ -175,36 +164,34 @@ std::vector<SkdTrianglePair> Gather(
 //------------------------------------------------------------------------------
 // Boxes are moved with a margin for what rounding does to the points: the largest coordinate before
 // the motion and the shift bound all numbers on the way.
-std::vector<SkdTrianglePair> SkdTrianglePairs::Find(
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   const SkdPairSearch& search, SkdLoop& loop) const
 {
-  const Trees trees{ this->Placement.First.GetSet().GetTree(),
-    this->Placement.GetSecond().GetSet().GetTree(), nullptr };
   const auto& motion = this->Placement.Motion;
   if (!motion)
   {
-    return this->FindByTrees(trees, skd::SameWorld{ search.Clearance }, search, loop);
+    return this->FindByTrees(skd::SameWorld{ search.Clearance }, search, loop);
   }
   const double reach =
     2.0 * this->Placement.GetSecond().GetSet().GetLargestCoordinate() + Norm(motion->Shift);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
-  return this->FindByTrees(trees, Moved{ *motion, search.Clearance + rounding }, search, loop);
+  return this->FindByTrees(Moved{ *motion, search.Clearance + rounding }, search, loop);
 }
 
 //------------------------------------------------------------------------------
 template <class ToFirst>
 std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
-  const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
+  const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
   using Query = skd::OverlappingPairs<3, ToFirst, Block>;
   using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
   constexpr vtkIdType numberOfParts = 512;
-  const skd::LazyTree<3>& first = trees.First;
-  const skd::LazyTree<3>& second = trees.Second;
+  const skd::LazyTree<3>& first = this->Placement.First.GetSet().GetTree();
+  const skd::LazyTree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
   Search state(this->Placement, search);
   const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
   {
-    Block block{ state, trees.Near, found };
+    Block block{ state, found };
     Query query(first.GetFrame(), second.GetFrame(), toFirst, block);
     Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
     body(walk);
@@ -229,19 +216,6 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
     });
   found.push_back(std::move(onTheWay));
   return Gather(found, search);
-}
-
-//------------------------------------------------------------------------------
-std::vector<SkdTrianglePair> SkdTrianglePairs::FindNear(
-  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
-{
-  if (auto pairs = this->FindByPackedRTree(near, search, loop))
-  {
-    return *std::move(pairs);
-  }
-  const skd::LazyTree<3> first(skd::MakeTreeInput(near.First.Boxes, 0.0));
-  const skd::LazyTree<3> second(skd::MakeTreeInput(near.Second.Boxes, 0.0));
-  return this->FindByTrees({ first, second, &near }, skd::SameWorld{}, search, loop);
 }
 
 //------------------------------------------------------------------------------

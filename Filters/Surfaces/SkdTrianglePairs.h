@@ -36,7 +36,15 @@ struct SkdPairSearch
 };
 
 /// The pairs of a placement. Within one surface, triangles that share corners are a pair only if
-/// they have more in common; each pair occurs once, with First < Second.
+/// they have more in common; each pair occurs once, with First < Second. Pairs are sorted by
+/// (First, Second), independent of the number of threads.
+///
+/// There are two ways. To sort a triangle into a tree costs about 16 times as much as to look at it
+/// once, so surfaces that meet for the first time, and in few places, need a packed R-tree of the
+/// triangles near each other only. Surfaces that are searched again keep their trees; small ones,
+/// and those that overlap much, use trees at once, since a packed R-tree gains nothing there.
+/// (Pairs of cells of any type by their bounds are vtkSkdTreeCellLocator::FindPairs, on locators'
+/// trees.)
 class SkdTrianglePairs
 {
 public:
@@ -45,29 +53,22 @@ public:
   {
   }
 
-  /// Pairs sorted by (First, Second), independent of the number of threads. Uses the trees of
-  /// complete sets.
-  std::vector<SkdTrianglePair> Find(const SkdPairSearch& search, SkdLoop& loop) const;
+  /// Walks the trees of complete sets together.
+  std::vector<SkdTrianglePair> FindByTrees(const SkdPairSearch& search, SkdLoop& loop) const;
 
-  /// The same for the triangles that may intersect others, of two sets that are only read.
-  std::vector<SkdTrianglePair> FindNear(
+  /// Searches a packed R-tree of the second set's triangles that may intersect the first set. Sets
+  /// need not be complete. Empty if boxes overlap so much that trees are faster.
+  std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
     const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
 private:
-  static constexpr vtkIdType NumberOfParts = 512; // of a walk
-
   class Search;
   struct Moved;
   struct Block;
-  struct Trees;
 
   template <class ToFirst>
   std::vector<SkdTrianglePair> FindByTrees(
-    const Trees& trees, const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
-
-  /// Empty if sizes differ so much that trees are faster.
-  std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
-    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
+    const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
 
   const SkdPlacement& Placement;
 };
