@@ -315,13 +315,19 @@ public:
     double tol2, int& subId, double pcoords[3], double* weights) override;
 #endif
 
+  ///@{
   /**
    * An exact vtkCell::EvaluatePosition: the point of the cell nearest to x, its sub-id, parametric
-   * coordinates, squared distance and, unless nullptr, interpolation weights. Returns false, and
-   * sets nothing, if the cell is not in the tree or x is not finite.
+   * coordinates, squared distance and, unless nullptr, interpolation weights. EvaluateCell returns
+   * false, and sets nothing, if the cell is not in the tree or x is not finite. FindClosestLocation
+   * finds the nearest cell within the radius, too, and evaluates it only once: it returns the
+   * cell's id or, if there is none, -1 and sets nothing.
    */
+  vtkIdType FindClosestLocation(const double x[3], double radius, double closestPoint[3],
+    int& subId, double pcoords[3], double& dist2, double* weights);
   bool EvaluateCell(vtkIdType cellId, const double x[3], double closestPoint[3], int& subId,
     double pcoords[3], double& dist2, double* weights);
+  ///@}
 
   /**
    * The parameters (ascending, t in [0, 1] along p1 p2, including 0 and 1) at which the segment may

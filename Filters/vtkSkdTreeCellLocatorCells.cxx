@@ -9,24 +9,59 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+namespace
+{
+/// Where a point is nearest to a cell, in the caller's memory.
+struct Location
+{
+  double* Point;
+  int& SubId;
+  double* PCoords;
+  double& Dist2;
+  double* Weights;
+
+  /// False, and sets nothing, if there is no cell.
+  bool Set(const SkdLocatorState& state, const SkdCellSource& source, SkdFoundCell found) const
+  {
+    if (found.Id < 0)
+    {
+      return false;
+    }
+    const SkdCellTree& tree = *state.GetTree();
+    tree.Interpolate(found, this->Weights, source);
+    this->SubId = found.SubId;
+    this->Dist2 = found.Dist2;
+    const skd::Vector3 point = state.ToWorld(found.Point);
+    SkdStore(point, this->Point);
+    SkdStore(tree.MovedPCoords(state.GetMotion(), found.Id, point, found.PCoords), this->PCoords);
+    return true;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindClosestLocation(const double x[3], double radius,
+  double closestPoint[3], int& subId, double pcoords[3], double& dist2, double* weights)
+{
+  const SkdCellTree& tree = this->GetTree();
+  if (!(radius >= 0.0))
+  {
+    return -1;
+  }
+  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  const SkdFoundCell found = tree.FindNearest(this->Impl->ToTree(x), radius * radius, source);
+  Location{ closestPoint, subId, pcoords, dist2, weights }.Set(*this->Impl, source, found);
+  return found.Id;
+}
+
 //------------------------------------------------------------------------------
 bool vtkSkdTreeCellLocator::EvaluateCell(vtkIdType cellId, const double x[3],
   double closestPoint[3], int& subId, double pcoords[3], double& dist2, double* weights)
 {
   const SkdCellTree& tree = this->GetTree();
   const SkdCellSource source{ this->DataSet, SkdScratchCell() };
-  SkdFoundCell found = tree.Evaluate(cellId, this->Impl->ToTree(x), source);
-  if (found.Id < 0)
-  {
-    return false;
-  }
-  tree.Interpolate(found, weights, source);
-  subId = found.SubId;
-  dist2 = found.Dist2;
-  const skd::Vector3 point = this->Impl->ToWorld(found.Point);
-  SkdStore(point, closestPoint);
-  SkdStore(tree.MovedPCoords(this->Impl->GetMotion(), found.Id, point, found.PCoords), pcoords);
-  return true;
+  const SkdFoundCell found = tree.Evaluate(cellId, this->Impl->ToTree(x), source);
+  return Location{ closestPoint, subId, pcoords, dist2, weights }.Set(*this->Impl, source, found);
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 #define SkdAnswers_h
 
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdNearest.h"
+#include "Pipeline/SkdSourceTrees.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkSmartPointer.h"

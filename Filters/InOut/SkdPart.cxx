@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -261,12 +262,11 @@ SkdSide SkdPart::AskWinding(const double x[3], double tolerance) const
 
 SkdSide SkdPart::AskNearest(const double x[3]) const
 {
-  double asked[3] = { x[0], x[1], x[2] };
   double nearest[3], pcoords[3], dist2;
-  vtkIdType face;
   int subId;
-  this->Faces->FindClosestPoint(asked, nearest, face, subId, dist2);
-  if (face < 0 || !this->Faces->EvaluateCell(face, x, nearest, subId, pcoords, dist2, nullptr))
+  const vtkIdType face = this->Faces->FindClosestLocation(
+    x, std::numeric_limits<double>::infinity(), nearest, subId, pcoords, dist2, nullptr);
+  if (face < 0)
   {
     return SkdSide();
   }

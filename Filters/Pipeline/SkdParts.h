@@ -13,7 +13,7 @@
 #include "Core/Geometry/Simplices/SimplexSet.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdNearest.h"
+#include "Pipeline/SkdSourceTrees.h"
 
 #include <memory>
 #include <vector>

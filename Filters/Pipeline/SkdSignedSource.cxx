@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSignedSource.h"
 
-#include "Pipeline/SkdSourceTrees.h"
-
 #include <algorithm>
 #include <cstddef>
 

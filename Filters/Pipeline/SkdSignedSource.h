@@ -11,8 +11,8 @@
 
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdNearest.h"
 #include "Pipeline/SkdSolid.h"
+#include "Pipeline/SkdSourceTrees.h"
 #include "vtkSkdTreeCellLocator.h"
 
 #include <memory>

@@ -63,9 +63,7 @@ std::optional<SkdNearest> SkdSourceTrees::FindNearest(
     {
       next.Block = static_cast<int>(block);
       best = next;
-      // Rounded up: the square of the root may be less than what it was the root of.
-      radius = std::min(
-        radius, std::nextafter(std::sqrt(next.Distance2), std::numeric_limits<double>::infinity()));
+      radius = std::min(radius, SkdRadiusOf(next.Distance2));
     }
   }
   return best;

@@ -10,11 +10,35 @@
 
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
-#include "Pipeline/SkdNearest.h"
 #include "vtkSkdTreeCellLocator.h"
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
+
+/// The point of a Source nearest to a query point.
+struct SkdNearest
+{
+  double Point[3];
+  double Distance2; // squared
+  int Block;        // index in the list of the Source's blocks
+  vtkIdType CellId; // in that block
+};
+
+/// A radius that includes a squared distance: the square of its root may be less.
+inline double SkdRadiusOf(double distance2)
+{
+  return std::nextafter(std::sqrt(distance2), std::numeric_limits<double>::infinity());
+}
+
+/// Statistics of a search structure, for reports.
+struct SkdTreeCounts
+{
+  vtkIdType Cells = 0;        // in the trees
+  vtkIdType CellsLeftOut = 0; // ghost, blanked, empty, not finite or of unknown type
+  double Tolerance = 0.0;     // the largest absolute epsilon of a tree
+};
 
 /// A locator that is built explicitly and does not check for changes in each query.
 vtkSmartPointer<vtkSkdTreeCellLocator> SkdMakeLocator(vtkDataSet* mesh);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -74,6 +75,7 @@ SkdCellFinder::SkdCellFinder(const SkdCellFinderSource& source, const SkdCellFin
   : Source(source)
   , Rules(rules)
   , Weights(std::max(source.MaxCellSize, 1))
+  , NextWeights(this->Weights.size())
 {
 }
 
@@ -112,57 +114,85 @@ bool SkdCellFinder::IsTolerated(int block, vtkIdType cell, double distance) cons
 
 bool SkdCellFinder::FindByTolerance(const double x[3])
 {
-  SkdCellLocation best;
+  bool isComplete = false;
   for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
-    this->FindTolerated(static_cast<int>(block), x, best);
+    this->FindTolerated(static_cast<int>(block), x, isComplete);
   }
-  return best.Block >= 0 && this->Evaluate(best.Block, best.CellId, x);
+  return this->Place.Block >= 0 &&
+    (isComplete ? this->Finish() : this->Evaluate(this->Place.Block, this->Place.CellId, x));
 }
 
 // The tolerance of the nearest cell may be too small for x although that of a larger cell is not.
-void SkdCellFinder::FindTolerated(int block, const double x[3], SkdCellLocation& best)
+void SkdCellFinder::FindTolerated(int block, const double x[3], bool& isComplete)
 {
-  double asked[3] = { x[0], x[1], x[2] };
+  SkdCellLocation& best = this->Place;
+  const auto isBetter = [&](vtkIdType id, double distance) {
+    return (best.Block < 0 || distance < best.Distance) && this->IsTolerated(block, id, distance);
+  };
   const double reach = this->Source.GetLargestTolerance(this->Rules, block);
-  vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(block);
-  double point[3], dist2;
-  vtkIdType cell;
-  int subId;
-  if (!(reach > 0.0) ||
-    !locator->FindClosestPointWithinRadius(asked, reach, point, nullptr, cell, subId, dist2))
+  double dist2;
+  if (!(reach > 0.0) || !this->FindNext(block, x, reach, dist2))
   {
     return;
   }
-  const auto offer = [&](vtkIdType id, double distance)
+  if (this->IsTolerated(block, this->Next.CellId, this->Next.Distance))
   {
-    if ((best.Block < 0 || distance < best.Distance) && this->IsTolerated(block, id, distance))
+    if (isBetter(this->Next.CellId, this->Next.Distance))
+    {
+      this->TakeNext();
+      isComplete = true;
+    }
+    return;
+  }
+  this->Source.Trees.GetLocator(block)->FindCellsWithinRadius(
+    x, reach, this->Near, this->Distances);
+  for (vtkIdType i = 0; i < this->Near->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType id = this->Near->GetId(i);
+    const double distance = this->Distances->GetValue(i);
+    if (isBetter(id, distance))
     {
       best.Block = block;
       best.CellId = id;
       best.Distance = distance;
+      isComplete = false;
     }
-  };
-  if (this->IsTolerated(block, cell, std::sqrt(dist2)))
-  {
-    offer(cell, std::sqrt(dist2));
-    return;
-  }
-  locator->FindCellsWithinRadius(x, reach, this->Near, this->Distances);
-  for (vtkIdType i = 0; i < this->Near->GetNumberOfIds(); ++i)
-  {
-    offer(this->Near->GetId(i), this->Distances->GetValue(i));
   }
 }
 
 bool SkdCellFinder::FindOutside(const double x[3])
 {
-  if (!(this->Rules.OutsideRadius >= 0.0))
+  double radius = this->Rules.OutsideRadius;
+  double least2 = std::numeric_limits<double>::infinity();
+  for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
-    return false;
+    double dist2;
+    if (this->FindNext(static_cast<int>(block), x, radius, dist2) && dist2 < least2)
+    {
+      least2 = dist2;
+      radius = std::min(radius, SkdRadiusOf(dist2));
+      this->TakeNext();
+    }
   }
-  const auto nearest = this->Source.Trees.FindNearest(x, this->Rules.OutsideRadius);
-  return nearest && this->Evaluate(nearest->Block, nearest->CellId, x);
+  return this->Place.Block >= 0 && this->Finish();
+}
+
+bool SkdCellFinder::FindNext(int block, const double x[3], double radius, double& dist2)
+{
+  double point[3];
+  SkdCellLocation& next = this->Next;
+  next.Block = block;
+  next.CellId = this->Source.Trees.GetLocator(block)->FindClosestLocation(
+    x, radius, point, next.SubId, next.PCoords, dist2, this->NextWeights.data());
+  next.Distance = next.CellId < 0 ? 0.0 : std::sqrt(dist2);
+  return next.CellId >= 0;
+}
+
+void SkdCellFinder::TakeNext()
+{
+  this->Place = this->Next;
+  this->Weights.swap(this->NextWeights);
 }
 
 bool SkdCellFinder::Evaluate(int block, vtkIdType cellId, const double x[3])

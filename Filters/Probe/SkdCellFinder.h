@@ -93,7 +93,9 @@ private:
   bool FindWithin(const double x[3]);
   bool FindByTolerance(const double x[3]);
   bool FindOutside(const double x[3]);
-  void FindTolerated(int block, const double x[3], SkdCellLocation& best);
+  void FindTolerated(int block, const double x[3], bool& isComplete);
+  bool FindNext(int block, const double x[3], double radius, double& dist2);
+  void TakeNext();
   bool IsTolerated(int block, vtkIdType cell, double distance) const;
   bool Finish();
 
@@ -101,6 +103,8 @@ private:
   SkdCellFinderRules Rules;
   SkdCellLocation Place;
   std::vector<double> Weights;
+  SkdCellLocation Next; // what FindNext() found, and its weights
+  std::vector<double> NextWeights;
   vtkNew<vtkIdList> PointIds;
   vtkNew<vtkIdList> Near;
   vtkNew<vtkDoubleArray> Distances;

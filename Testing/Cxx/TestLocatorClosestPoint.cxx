@@ -149,6 +149,29 @@ TEST_P(ClosestPointOnMesh, AllFormsAgree)
   }
 }
 
+TEST_P(ClosestPointOnMesh, LocationIsWhatTheCellFoundSaysOfThePoint)
+{
+  const auto size = static_cast<std::size_t>(this->Data->GetMaxCellSize());
+  for (const Point& x : this->Queries(50))
+  {
+    const Closest c = FindClosest(this->Locator, x);
+    Closest location, evaluated;
+    Point pcoords, expected;
+    std::vector<double> weights(size), expectedWeights(size);
+    location.Cell = this->Locator->FindClosestLocation(x.data(), Infinity, location.X.data(),
+      location.SubId, pcoords.data(), location.Dist2, weights.data());
+    ASSERT_TRUE(this->Locator->EvaluateCell(c.Cell, x.data(), evaluated.X.data(), evaluated.SubId,
+      expected.data(), evaluated.Dist2, expectedWeights.data()));
+    evaluated.Cell = c.Cell;
+    ASSERT_EQ(location, evaluated);
+    ASSERT_EQ(pcoords, expected);
+    ASSERT_EQ(weights, expectedWeights);
+    ASSERT_EQ(this->Locator->FindClosestLocation(x.data(), -1.0, location.X.data(), location.SubId,
+                pcoords.data(), location.Dist2, nullptr),
+      -1);
+  }
+}
+
 TEST_P(ClosestPointOnMesh, WithinRadiusFindsExactlyWhatIsWithin)
 {
   for (const Point& x : this->Queries(60))
