@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/SkdBatch.h"
 
-#include "Core/Geometry/Box.h"
+#include "Cells/SkdEnclose.h"
 #include "Core/Geometry/MortonCode.h"
-
-#include "vtkSMPThreadLocal.h"
 
 #include <limits>
 
@@ -27,46 +25,6 @@ skd::Vector3 CentreOf(SkdBatchOf kind, const double* tuple)
   }
   return centre;
 }
-
-/// The box of all centres that are finite, found in parallel.
-class BoxOfCentres
-{
-public:
-  BoxOfCentres(const SkdBatch& batch, SkdBatchOf kind)
-    : Batch(batch)
-    , Kind(kind)
-  {
-  }
-  void Initialize() { this->Partial.Local() = skd::Box3(); }
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    skd::Box3& box = this->Partial.Local();
-    double tuple[6];
-    for (vtkIdType slot = begin; slot < end; ++slot)
-    {
-      this->Batch.Read(slot, tuple);
-      const skd::Vector3 centre = CentreOf(this->Kind, tuple);
-      if (skd::IsFinite(centre))
-      {
-        box.Add(centre);
-      }
-    }
-  }
-  void Reduce()
-  {
-    for (const skd::Box3& box : this->Partial)
-    {
-      this->Total.Add(box);
-    }
-  }
-
-  skd::Box3 Total;
-
-private:
-  const SkdBatch& Batch;
-  SkdBatchOf Kind;
-  vtkSMPThreadLocal<skd::Box3> Partial;
-};
 
 /// Where a point is along the Morton curve that fills a box with cubes.
 class MortonCurve
@@ -131,9 +89,15 @@ void SkdBatch::Arrange()
   {
     return;
   }
-  BoxOfCentres box(*this, this->Kind);
-  vtkSMPTools::For(0, this->Count, box);
-  if (box.Total.IsEmpty())
+  const skd::Box3 box = SkdEnclose(static_cast<std::size_t>(this->Count),
+    [this](std::size_t slot)
+    {
+      double tuple[6];
+      this->Read(static_cast<vtkIdType>(slot), tuple);
+      const skd::Vector3 centre = CentreOf(this->Kind, tuple);
+      return skd::IsFinite(centre) ? skd::Box3(centre, centre) : skd::Box3();
+    });
+  if (box.IsEmpty())
   {
     return;
   }
@@ -144,7 +108,7 @@ void SkdBatch::Arrange()
   {
     ++bits;
   }
-  const MortonCurve curve(box.Total, bits);
+  const MortonCurve curve(box, bits);
   std::vector<std::uint32_t> keys(static_cast<std::size_t>(this->Count));
   vtkSMPTools::For(0, this->Count,
     [&](vtkIdType begin, vtkIdType end)

@@ -4,11 +4,11 @@
 
 #include "Cells/SkdMotion.h"
 #include "Core/Geometry/Distance/Distance.h"
-#include "Core/Queries/AlongPlane.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/Nearest.h"
 #include "Core/Queries/OverlappingBox.h"
 #include "Core/Queries/WithinBox.h"
+#include "Core/Queries/WithinSlabs.h"
 
 #include "vtkIdList.h"
 

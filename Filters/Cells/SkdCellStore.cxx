@@ -4,6 +4,7 @@
 
 #include "Cells/SkdCellReader.h"
 #include "Cells/SkdChordalDeviation.h"
+#include "Cells/SkdEnclose.h"
 #include "Cells/SkdFaceReader.h"
 #include "Cells/SkdForEach.h"
 
@@ -12,7 +13,6 @@
 #include "vtkIdList.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,49 +28,6 @@ void RequireRange(vtkIdType number, const char* what)
     throw std::length_error(std::string("more than 2^31 ") + what + " in one tree");
   }
 }
-
-/// What encloses all boxes of a list, in parallel: boxOf(0) .. boxOf(count - 1).
-template <class BoxOf>
-class Enclosing
-{
-public:
-  explicit Enclosing(const BoxOf& boxOf)
-    : BoxAt(boxOf)
-  {
-  }
-  void Initialize() { this->Partial.Local() = {}; }
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    skd::Box3 box = this->Partial.Local();
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      box.Add(this->BoxAt(static_cast<std::size_t>(i)));
-    }
-    this->Partial.Local() = box;
-  }
-  void Reduce()
-  {
-    for (const skd::Box3& box : this->Partial)
-    {
-      this->Total.Add(box);
-    }
-  }
-
-  skd::Box3 Total;
-
-private:
-  const BoxOf& BoxAt;
-  vtkSMPThreadLocal<skd::Box3> Partial;
-};
-
-template <class BoxOf>
-skd::Box3 Enclose(std::size_t count, const BoxOf& boxOf)
-{
-  Enclosing<BoxOf> enclosing(boxOf);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), enclosing);
-  return enclosing.Total;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -182,7 +139,7 @@ void SkdCellStore::Compact()
 void SkdCellStore::FindBounds()
 {
   const std::size_t last = this->PointIds.size() - 1;
-  const skd::Box3 box = Enclose(this->PointIds.size() / 2 + 1,
+  const skd::Box3 box = SkdEnclose(this->PointIds.size() / 2 + 1,
     [this, last](std::size_t i)
     {
       const skd::Vector3 first = this->Point(this->PointIds[std::min(2 * i, last)]);
@@ -193,7 +150,7 @@ void SkdCellStore::FindBounds()
   this->Bounds = box;
   if (this->HasCurvedExtents())
   {
-    this->Bounds.Add(Enclose(this->Count,
+    this->Bounds.Add(SkdEnclose(this->Count,
       [this](std::size_t cell) { return this->ExtentOf(static_cast<std::uint32_t>(cell)); }));
   }
 }

@@ -13,11 +13,7 @@
 
 #include "Cells/SkdShape.h"
 #include "Core/Geometry/Cells/ClosestPointInCell.h"
-#include "Core/Geometry/Cells/Hexahedron.h"
-#include "Core/Geometry/Cells/Pyramid.h"
-#include "Core/Geometry/Cells/Tetrahedron.h"
-#include "Core/Geometry/Cells/Voxel.h"
-#include "Core/Geometry/Cells/Wedge.h"
+#include "Core/Geometry/Cells/LinearShapes.h"
 #include "Core/Geometry/Distance/ClosestSegments.h"
 #include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 

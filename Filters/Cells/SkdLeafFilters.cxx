@@ -26,27 +26,21 @@ skd::QuantizationGrid QuantizationGridOf(const Node& leaf)
   return skd::QuantizationGrid(box);
 }
 
+template <class Kernel, class Visit>
+void VisitShapeOf(const Kernel&, const Visit&)
+{
+}
+template <class Shape, class Visit>
+void VisitShapeOf(const SkdVolumeKernel<Shape>&, const Visit& visit)
+{
+  visit(Shape());
+}
+
 /// Calls visit(shape) with a linear volume cell that may be turned; a voxel's box says it all.
 template <class Visit>
-void VisitVolume(SkdShape shape, Visit visit)
+void VisitVolume(SkdShape shape, const Visit& visit)
 {
-  switch (shape)
-  {
-    case SkdShape::Tetrahedron:
-      visit(skd::Tetrahedron());
-      return;
-    case SkdShape::Hexahedron:
-      visit(skd::Hexahedron());
-      return;
-    case SkdShape::Wedge:
-      visit(skd::Wedge());
-      return;
-    case SkdShape::Pyramid:
-      visit(skd::Pyramid());
-      return;
-    default:
-      return;
-  }
+  SkdVisitKernel(shape, [&](auto kernel) { VisitShapeOf(kernel, visit); });
 }
 
 /// Of a cell; of a polyhedron's faces the others are left out.
@@ -228,7 +222,7 @@ SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, do
       for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
       {
         const Node& node = tree.Open(i);
-        if (node.IsLeaf && skd::TrianglePackets::Has(node))
+        if (node.IsLeaf && skd::TrianglePackets::Knows(node))
         {
           if (isInOrder)
           {
@@ -331,7 +325,7 @@ bool SkdLeafFilters::Number(skd::Tree<3>& tree, const Counts& counts)
     {
       continue;
     }
-    if (skd::TrianglePackets::Has(node))
+    if (skd::TrianglePackets::Knows(node))
     {
       tree.SetTag(i, skd::TrianglePackets::TagOf(packets++));
     }

@@ -45,11 +45,8 @@ public:
       , Local(local)
     {
     }
-    bool Knows(const skd::Node<3>& node) const { return HasPlanes(node); }
-    unsigned Pass(const skd::Node<3>& leaf, float* keys, float& limit) const
-    {
-      return this->Pass(leaf.Tag >> 1, leaf.Count, keys, limit);
-    }
+    static bool Knows(const skd::Node<3>& node) { return HasPlanes(node); }
+    static std::uint32_t NumberOf(const skd::Node<3>& leaf) { return leaf.Tag >> 1; }
     unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const;
     void Fetch(std::uint32_t number) const;
 

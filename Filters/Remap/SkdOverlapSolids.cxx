@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapReader.h"
 
-#include "Core/Geometry/Cells/Hexahedron.h"
+#include "Core/Geometry/Cells/LinearShapes.h"
 #include "Core/Geometry/Overlap/SolidOverlap.h"
 
 #include <algorithm>

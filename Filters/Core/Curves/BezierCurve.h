@@ -6,6 +6,7 @@
 #include "../Geometry/Segment.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace skd
 {
@@ -189,6 +190,29 @@ private:
     }
   }
 };
+
+/// Appends the halves of a cell of two curves, First and Second, that are parts T and S of others:
+/// either curve is halved.
+template <class Cell>
+void PushHalves(const Cell& cell, bool isFirst, std::vector<Cell>& cells)
+{
+  Cell low = cell;
+  Cell high = cell;
+  if (isFirst)
+  {
+    low.T.Max = high.T.Min = 0.5 * (cell.T.Min + cell.T.Max);
+    low.First = cell.First.Restricted(0.0, 0.5);
+    high.First = cell.First.Restricted(0.5, 1.0);
+  }
+  else
+  {
+    low.S.Max = high.S.Min = 0.5 * (cell.S.Min + cell.S.Max);
+    low.Second = cell.Second.Restricted(0.0, 0.5);
+    high.Second = cell.Second.Restricted(0.5, 1.0);
+  }
+  cells.push_back(low);
+  cells.push_back(high);
+}
 
 }
 

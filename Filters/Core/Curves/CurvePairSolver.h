@@ -41,11 +41,8 @@ public:
     {
       return this->Hits;
     }
-    this->ExamineAll(whole,
+    return this->SearchBelow(whole, pair,
       [&](const CurvePairCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
-    this->ResolveContacts(pair);
-    this->Unite(pair);
-    return this->Hits;
   }
 
 private:
@@ -78,7 +75,8 @@ private:
       this->Contacts.push_back({ cell.T, 0.5 * (cell.S.Min + cell.S.Max) });
       return;
     }
-    this->Halve(cell, hulls.Largest());
+    PushHalves(cell, hulls.Largest(), this->Stack);
+    this->Stack.end()[-2].Depth = this->Stack.back().Depth = cell.Depth + 1;
   }
 
   /// The one place of the cell where both curves are level, seen along what is across both; whether
@@ -106,27 +104,6 @@ private:
     {
       this->Hits.push_back(hit);
     }
-  }
-
-  void Halve(const CurvePairCell& cell, bool first)
-  {
-    CurvePairCell low = cell;
-    CurvePairCell high = cell;
-    low.Depth = high.Depth = cell.Depth + 1;
-    if (first)
-    {
-      low.T.Max = high.T.Min = 0.5 * (cell.T.Min + cell.T.Max);
-      low.First = cell.First.Restricted(0.0, 0.5);
-      high.First = cell.First.Restricted(0.5, 1.0);
-    }
-    else
-    {
-      low.S.Max = high.S.Min = 0.5 * (cell.S.Min + cell.S.Max);
-      low.Second = cell.Second.Restricted(0.0, 0.5);
-      high.Second = cell.Second.Restricted(0.5, 1.0);
-    }
-    this->Stack.push_back(low);
-    this->Stack.push_back(high);
   }
 };
 

@@ -42,11 +42,8 @@ public:
     {
       return this->Hits;
     }
-    this->ExamineAll(whole,
+    return this->SearchBelow(whole, pair,
       [&](const CurvePatchCell& cell, bool mayHalve) { this->Examine(cell, pair, mayHalve); });
-    this->ResolveContacts(pair);
-    this->Unite(pair);
-    return this->Hits;
   }
 
 private:

@@ -32,9 +32,10 @@ protected:
     this->Resolved = 0;
   }
 
-  /// Calls examine(cell, whether it may be halved) for a cell and what is put on the stack then.
-  template <class Examine>
-  void ExamineAll(const Cell& whole, Examine examine)
+  /// All that a pair has in common below a cell. Calls examine(cell, whether it may be halved) for
+  /// the cell and what is put on the stack then.
+  template <class Pair, class Examine>
+  const std::vector<Hit>& SearchBelow(const Cell& whole, const Pair& pair, Examine examine)
   {
     this->Stack.push_back(whole);
     for (int budget = CellBudget; !this->Stack.empty(); --budget)
@@ -43,6 +44,9 @@ protected:
       this->Stack.pop_back();
       examine(cell, budget > 0);
     }
+    this->ResolveContacts(pair);
+    this->Unite(pair);
+    return this->Hits;
   }
 
   /// Puts together the contacts that follow each other along the curve, and lets the pair resolve

@@ -68,7 +68,7 @@ private:
       cell.S.Min + chords.R * (cell.S.Max - cell.S.Min), first, second);
     if (deviation > enough)
     {
-      this->Halve(cell, deviations[0] >= deviations[1]);
+      PushHalves(cell, deviations[0] >= deviations[1], this->Stack);
     }
   }
 
@@ -79,26 +79,6 @@ private:
     {
       this->Best = { t, s, distance };
     }
-  }
-
-  void Halve(const Cell& cell, bool isFirst)
-  {
-    Cell low = cell;
-    Cell high = cell;
-    if (isFirst)
-    {
-      low.T.Max = high.T.Min = 0.5 * (cell.T.Min + cell.T.Max);
-      low.First = cell.First.Restricted(0.0, 0.5);
-      high.First = cell.First.Restricted(0.5, 1.0);
-    }
-    else
-    {
-      low.S.Max = high.S.Min = 0.5 * (cell.S.Min + cell.S.Max);
-      low.Second = cell.Second.Restricted(0.0, 0.5);
-      high.Second = cell.Second.Restricted(0.5, 1.0);
-    }
-    this->Stack.push_back(low);
-    this->Stack.push_back(high);
   }
 
   /// Newton's method on the slopes of the squared distance, as long as it leads nearer.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Leaf filters (Queries/LeafFilter.h) for the packets of triangles of leaves: an even tag is twice
+/// Leaf filters (Tree/Walk.h) for the packets of triangles of leaves: an even tag is twice
 /// the number of a node's packet.
 #ifndef skd_LeafFilters_TriangleLeafFilters_h
 #define skd_LeafFilters_TriangleLeafFilters_h
@@ -43,7 +43,7 @@ struct PacketPoints
   }
 };
 
-/// The packets of a tree's leaves.
+/// The packets of a tree's leaves, for leaf filters to look at.
 class TrianglePackets
 {
 public:
@@ -53,7 +53,8 @@ public:
   {
   }
 
-  static bool Has(const Node<3>& node) { return (node.Tag & 1u) == 0; }
+  static constexpr bool SkipsLeaves = true;
+  static bool Knows(const Node<3>& node) { return (node.Tag & 1u) == 0; }
   static std::uint32_t TagOf(std::uint32_t packet) { return 2 * packet; }
   static std::uint32_t NumberOf(const Node<3>& leaf) { return leaf.Tag >> 1; }
   const TrianglePacket& Of(std::uint32_t number) const { return this->First[number]; }
@@ -81,27 +82,19 @@ private:
 
 /// Lower bounds of distances. With `OnlyNearest` also upper ones: these limit the search.
 template <bool OnlyNearest>
-class DistanceLeafFilter
+class DistanceLeafFilter : public TrianglePackets
 {
 public:
-  static constexpr bool SkipsLeaves = true;
-
   /// `local`: the point in the tree's frame.
   DistanceLeafFilter(const TrianglePackets& packets, const Vector3& local)
-    : Packets(packets)
+    : TrianglePackets(packets)
     , Local(local)
   {
   }
 
-  bool Knows(const Node<3>& node) const { return TrianglePackets::Has(node); }
-
-  unsigned Pass(const Node<3>& leaf, float* keys, float& limit) const
-  {
-    return this->Pass(TrianglePackets::NumberOf(leaf), leaf.Count, keys, limit);
-  }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const
   {
-    const TrianglePacket& packet = this->Packets.Of(number);
+    const TrianglePacket& packet = this->Of(number);
     const TriangleDistances distances(packet, packet.Grid.Of(this->Local));
     if constexpr (OnlyNearest)
     {
@@ -109,47 +102,35 @@ public:
     }
     return distances.Within(limit, packet.Grid.Unit, keys) & LowBits(count);
   }
-  void Fetch(std::uint32_t number) const { this->Packets.Fetch(number); }
 
 private:
-  TrianglePackets Packets;
   Vector3 Local;
 };
 
 /// The triangles that a line may intersect.
-class LineLeafFilter
+class LineLeafFilter : public TrianglePackets
 {
 public:
-  static constexpr bool SkipsLeaves = true;
-
   /// `shear`: that of the line's direction.
   LineLeafFilter(const TrianglePackets& packets, const Shear& shear)
-    : Packets(packets)
+    : TrianglePackets(packets)
     , Crossings(shear)
   {
   }
 
   void Aim(const Vector3& local, double margin) { this->Crossings.Aim(local, margin); }
 
-  bool Knows(const Node<3>& node) const { return TrianglePackets::Has(node); }
-
-  unsigned Pass(const Node<3>& leaf, float* keys, float& limit) const
-  {
-    return this->Pass(TrianglePackets::NumberOf(leaf), leaf.Count, keys, limit);
-  }
   unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float&) const
   {
-    if (this->Packets.HavePoints())
+    if (this->HavePoints())
     {
-      this->Packets.FetchPoints(number);
+      this->FetchPoints(number);
     }
     std::fill(keys, keys + Node<3>::Width, 0.0f);
-    return this->Crossings.MayMeet(this->Packets.Of(number)) & LowBits(count);
+    return this->Crossings.MayMeet(this->Of(number)) & LowBits(count);
   }
-  void Fetch(std::uint32_t number) const { this->Packets.Fetch(number); }
 
 private:
-  TrianglePackets Packets;
   TriangleCrossings Crossings;
 };
 

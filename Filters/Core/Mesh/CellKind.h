@@ -5,9 +5,7 @@
 #ifndef skd_Mesh_CellKind_h
 #define skd_Mesh_CellKind_h
 
-#include "../Geometry/Cells/Pyramid.h"
-#include "../Geometry/Cells/Tetrahedron.h"
-#include "../Geometry/Cells/Wedge.h"
+#include "../Geometry/Cells/LinearShapes.h"
 
 #include <array>
 #include <cstdint>

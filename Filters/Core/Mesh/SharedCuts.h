@@ -58,6 +58,8 @@ private:
   void Append(std::vector<double>& told, const FaceNodes& side) const;
   template <class Visit>
   void ForEachToldHere(const std::vector<double>& told, const Visit& visit);
+  template <class Visit>
+  void ForEachOfOthers(const std::vector<double>& own, const Visit& visit);
   std::vector<double> TellMiddles() const;
   void CutSide(const FaceNodes& side);
   void AgreeOnFacesOfVolumes();
@@ -101,6 +103,21 @@ void SharedCuts::ForEachToldHere(const std::vector<double>& told, const Visit& v
     }
     goesOn = !isHere || visit(side);
     this->Nodes.Update();
+  }
+}
+
+/// Tells the others what is `own`, and calls visit(side) for all that they tell.
+template <class Visit>
+void SharedCuts::ForEachOfOthers(const std::vector<double>& own, const Visit& visit)
+{
+  for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
+  {
+    this->ForEachToldHere(told,
+      [&](const FaceNodes& side)
+      {
+        visit(side);
+        return true;
+      });
   }
 }
 
@@ -214,27 +231,16 @@ inline void SharedCuts::AgreeOnFacesOfVolumes()
     }
   }
   std::vector<double> answers;
-  for (const std::vector<double>& told : this->Peers.GatherFromOthers(asked))
-  {
-    this->ForEachToldHere(told,
-      [&](const FaceNodes& side)
+  this->ForEachOfOthers(asked,
+    [&](const FaceNodes& side)
+    {
+      if (this->Mesh.IsFaceOfVolume(side))
       {
-        if (this->Mesh.IsFaceOfVolume(side))
-        {
-          this->Append(answers, side);
-        }
-        return true;
-      });
-  }
-  for (const std::vector<double>& told : this->Peers.GatherFromOthers(answers))
-  {
-    this->ForEachToldHere(told,
-      [this](const FaceNodes& side)
-      {
-        this->Mesh.SetFaceOfVolume(side);
-        return true;
-      });
-  }
+        this->Append(answers, side);
+      }
+    });
+  this->ForEachOfOthers(
+    answers, [this](const FaceNodes& side) { this->Mesh.SetFaceOfVolume(side); });
 }
 
 /// What others have a cell beyond of is no border. Edges and faces of theirs that are may be
@@ -244,27 +250,11 @@ inline MeshBorder SharedCuts::FindBorder()
   OuterFaces faces(this->Mesh);
   std::vector<double> own;
   faces.ForEach([&](const FaceNodes& face) { this->Append(own, face); });
-  for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
-  {
-    this->ForEachToldHere(told,
-      [&](const FaceNodes& face)
-      {
-        faces.LeaveOut(face);
-        return true;
-      });
-  }
+  this->ForEachOfOthers(own, [&](const FaceNodes& face) { faces.LeaveOut(face); });
   MeshBorder border = MakeBorder(this->Mesh, faces);
   own.clear();
   border.ForEachSide([&](const FaceNodes& side) { this->Append(own, side); });
-  for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
-  {
-    this->ForEachToldHere(told,
-      [&](const FaceNodes& side)
-      {
-        border.AddSide(side);
-        return true;
-      });
-  }
+  this->ForEachOfOthers(own, [&](const FaceNodes& side) { border.AddSide(side); });
   return border;
 }
 

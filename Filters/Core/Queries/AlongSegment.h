@@ -4,9 +4,8 @@
 #define skd_Queries_AlongSegment_h
 
 #include "../Geometry/Segment.h"
-#include "../Tree/Node.h"
 #include "../Tree/Tolerances.h"
-#include "LeafFilter.h"
+#include "../Tree/Walk.h"
 
 namespace skd
 {

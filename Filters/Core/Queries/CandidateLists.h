@@ -47,13 +47,12 @@ class Narrowing
 public:
   Narrowing(const Tree& tree, const Box<D>& box, Test& test, std::vector<CandidateLanes>& list)
     : TheTree(tree)
-    , Outer(tree.GetFrame().Outward(box))
-    , Inner(tree.GetFrame().Inward(box))
     , TheTest(test)
     , List(list)
     , Elements(ThreadsLists().Elements)
     , Nodes(ThreadsLists().Nodes)
   {
+    SetAround(tree.GetFrame(), box, this->Outer, this->Inner);
     this->Elements.clear();
     this->Nodes.clear();
   }
@@ -124,8 +123,8 @@ private:
   }
 
   const Tree& TheTree;
-  const QueryBox<D> Outer;
-  const QueryBox<D> Inner; ///< what it holds is for certain within the box
+  QueryBox<D> Outer;
+  QueryBox<D> Inner;
   Test& TheTest;
   std::vector<CandidateLanes>& List;
   std::vector<CandidateLanes>& Elements;
@@ -162,7 +161,7 @@ template <class Tree, int D, class Visit>
 void VisitCandidates(const Tree& tree, const CandidateLanes* first, const CandidateLanes* last,
   const Box<D>& box, Visit visit)
 {
-  const QueryBox<D> seen(tree.GetFrame().Outward(box));
+  const QueryBox<D> seen = OuterBox(tree.GetFrame(), box);
   thread_local std::vector<CandidateLanes> stack;
   stack.assign(first, last);
   while (!tree.IsEmpty() && !stack.empty())

@@ -23,12 +23,11 @@ public:
 
   OverlappingBox(
     const Frame<D>& frame, const Box<D>& box, double excess, Visitor& visitor, Sure& sure)
-    : Outer(frame.Outward(box))
-    , Inner(frame.Inward(box))
-    , Inmost(frame.Inward(box), Frame<D>::RoundUp(excess * frame.Scale + tolerances::BoxExcess))
+    : Excess(Frame<D>::RoundUp(excess * frame.Scale + tolerances::BoxExcess))
     , TheVisitor(visitor)
     , TheSure(sure)
   {
+    SetAround(frame, box, this->Outer, this->Inner);
   }
 
   template <int W>
@@ -41,7 +40,9 @@ public:
   SKD_IN_ONE_PIECE unsigned SureOf(const Node<D>& node) const
   {
     const unsigned inside = this->Inner.Holding(node.Boxes);
-    return node.IsLeaf ? inside | this->Inmost.Overlapping(node.Boxes) : inside;
+    return node.IsLeaf
+      ? inside | this->Inner.Overlapping(node.Boxes, Lanes<Node<D>::Width>(this->Excess))
+      : inside;
   }
 
   float Limit() const { return 0.0f; }
@@ -51,7 +52,7 @@ public:
 private:
   QueryBox<D> Outer;
   QueryBox<D> Inner;
-  QueryBox<D> Inmost; ///< what overlaps it does so without its excess, too
+  float Excess; ///< of the tree's boxes: what overlaps with so much less does so without it
   Visitor& TheVisitor;
   Sure& TheSure;
 };

@@ -90,13 +90,21 @@ public:
 
   unsigned Overlapping(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
-    return QueryBox<D>(box).Overlapping(boxes);
+    return OverlappingLanes(
+      boxes, [&](int axis) { return Lanes<Width>(box.Min[axis]); },
+      [&](int axis) { return Lanes<Width>(box.Max[axis]); });
   }
 
   /// Of boxes seen by ToFirst and a box of the first tree, or the other way round.
   unsigned SureOf(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
-    return TellsSure && this->Map.IsFit ? QueryBox<D>(box, this->Excess).Overlapping(boxes) : 0u;
+    if (!TellsSure || !this->Map.IsFit)
+    {
+      return 0;
+    }
+    return OverlappingLanes(
+      boxes, [&](int axis) { return Lanes<Width>(box.Min[axis] + this->Excess); },
+      [&](int axis) { return Lanes<Width>(box.Max[axis] - this->Excess); });
   }
 
   bool Visit(std::uint32_t a, std::uint32_t b, bool isSure)

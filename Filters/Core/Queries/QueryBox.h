@@ -8,33 +8,49 @@
 namespace skd
 {
 
+/// Bit i is set where the box of lane i overlaps that from min(axis) to max(axis), for all lanes.
+template <int D, int W, class Min, class Max>
+unsigned OverlappingLanes(const BoxPacket<D, W>& boxes, const Min& min, const Max& max)
+{
+  unsigned overlapping = ~0u;
+  ForEachAxis<D>(
+    [&](int axis)
+    {
+      overlapping &=
+        LessEqual(boxes.Mins(axis), max(axis)) & LessEqual(min(axis), boxes.Maxs(axis));
+    });
+  return overlapping;
+}
+
 /// A box that is asked about, in a tree's frame: each of its sides for all lanes of a packet.
 template <int D>
 class QueryBox
 {
 public:
-  /// Each side moved inward by `inset`.
-  explicit QueryBox(const FloatBox<D>& box, float inset = 0.0f)
+  QueryBox() = default; ///< to be set
+
+  void Set(int axis, float min, float max)
   {
-    for (int axis = 0; axis < D; ++axis)
-    {
-      this->Min[axis] = Spread(box.Min[axis] + inset);
-      this->Max[axis] = Spread(box.Max[axis] - inset);
-    }
+    this->Min[axis] = Spread(min);
+    this->Max[axis] = Spread(max);
   }
 
   /// Bit i is set where the box of lane i overlaps.
   template <int W>
   unsigned Overlapping(const BoxPacket<D, W>& boxes) const
   {
-    unsigned overlapping = ~0u;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        overlapping &= LessEqual(boxes.Mins(axis), Lanes<W>(this->Max[axis])) &
-          LessEqual(Lanes<W>(this->Min[axis]), boxes.Maxs(axis));
-      });
-    return overlapping;
+    return OverlappingLanes(
+      boxes, [&](int axis) { return Lanes<W>(this->Min[axis]); },
+      [&](int axis) { return Lanes<W>(this->Max[axis]); });
+  }
+
+  /// The same of this box with each side moved inward by `inset`.
+  template <int W>
+  unsigned Overlapping(const BoxPacket<D, W>& boxes, const Lanes<W>& inset) const
+  {
+    return OverlappingLanes(
+      boxes, [&](int axis) { return Lanes<W>(this->Min[axis]) + inset; },
+      [&](int axis) { return Lanes<W>(this->Max[axis]) - inset; });
   }
 
   /// Bit i is set where the box of lane i is within this one.
@@ -55,6 +71,28 @@ private:
   Spread Min[D];
   Spread Max[D];
 };
+
+/// Sets both: whatever overlaps the box overlaps `outer`, and what `inner` holds is within it.
+template <int D>
+void SetAround(const Frame<D>& frame, const Box<D>& box, QueryBox<D>& outer, QueryBox<D>& inner)
+{
+  ForEachAxis<D>(
+    [&](int axis)
+    {
+      outer.Set(axis, frame.Down(box.Min[axis], axis), frame.Up(box.Max[axis], axis));
+      inner.Set(axis, frame.Up(box.Min[axis], axis), frame.Down(box.Max[axis], axis));
+    });
+}
+
+/// The first of them.
+template <int D>
+QueryBox<D> OuterBox(const Frame<D>& frame, const Box<D>& box)
+{
+  QueryBox<D> outer;
+  ForEachAxis<D>([&](int axis)
+    { outer.Set(axis, frame.Down(box.Min[axis], axis), frame.Up(box.Max[axis], axis)); });
+  return outer;
+}
 
 }
 

@@ -3,7 +3,7 @@
 #ifndef skd_Queries_WithinBox_h
 #define skd_Queries_WithinBox_h
 
-#include "LeafFilter.h"
+#include "../Tree/Walk.h"
 #include "QueryBox.h"
 
 namespace skd
@@ -20,7 +20,7 @@ public:
   WithinBox(const Frame<D>& frame, const Box<D>& box, Visitor& visitor,
     const LeafFilter& leafFilter = LeafFilter())
     : FilteredQuery<WithinBox, LeafFilter>(leafFilter, 0.0f)
-    , TheBox(frame.Outward(box))
+    , TheBox(OuterBox(frame, box))
     , TheVisitor(visitor)
   {
   }

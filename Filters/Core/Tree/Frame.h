@@ -105,44 +105,17 @@ struct Frame
 
   FloatBox<D> Outward(const Box<D>& box) const
   {
-    FloatBox<D> rounded;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        rounded.Min[axis] = this->Down(box.Min[axis], axis);
-        rounded.Max[axis] = this->Up(box.Max[axis], axis);
-      });
-    return rounded;
-  }
-
-  /// The same rounded inward: a box that contains it in the frame contains it in the world. Min may
-  /// be above Max.
-  FloatBox<D> Inward(const Box<D>& box) const
-  {
-    FloatBox<D> rounded;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        rounded.Min[axis] = this->Up(box.Min[axis], axis);
-        rounded.Max[axis] = this->Down(box.Max[axis], axis);
-      });
-    return rounded;
+    return Rounded([&](int axis) { return this->Down(box.Min[axis], axis); },
+      [&](int axis) { return this->Up(box.Max[axis], axis); });
   }
 
   /// As Outward(), of the finite box grown by `margin`, which lies within the bounds that the frame
   /// is of.
   FloatBox<D> OutwardWithin(const Box<D>& box, double margin) const
   {
-    FloatBox<D> rounded;
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        const double min = this->Local(box.Min[axis] - margin, axis);
-        const double max = this->Local(box.Max[axis] + margin, axis);
-        rounded.Min[axis] = -RoundUpInRange(-min);
-        rounded.Max[axis] = RoundUpInRange(max);
-      });
-    return rounded;
+    return Rounded([&](int axis)
+      { return -RoundUpInRange(-this->Local(box.Min[axis] - margin, axis)); },
+      [&](int axis) { return RoundUpInRange(this->Local(box.Max[axis] + margin, axis)); });
   }
 
   /// A squared world distance as a bound on squared frame distances that single precision
@@ -162,6 +135,19 @@ struct Frame
   static float RoundUpInRange(double value) { return NextOfLess(static_cast<float>(value)); }
 
 private:
+  template <class Min, class Max>
+  static FloatBox<D> Rounded(const Min& min, const Max& max)
+  {
+    FloatBox<D> rounded;
+    ForEachAxis<D>(
+      [&](int axis)
+      {
+        rounded.Min[axis] = min(axis);
+        rounded.Max[axis] = max(axis);
+      });
+    return rounded;
+  }
+
   static constexpr float Infinity = std::numeric_limits<float>::infinity();
 
   double Local(double world, int axis) const { return (world - this->Centre[axis]) * this->Scale; }

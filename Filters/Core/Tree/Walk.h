@@ -325,6 +325,78 @@ void Walk(const Tree& tree, Query& query)
   }
 }
 
+/// A leaf filter, quantized or not, looks at the elements of a leaf more closely than their boxes
+/// do, all at once, and says which are worth a visit: it may leave out what is proven to be no
+/// answer. It gives
+///   bool Knows(const Node&)             whether it can, of this node
+///   std::uint32_t NumberOf(const Node&) by what it knows the leaf
+///   unsigned Pass(number, count, float* keys, float& limit)
+///                                       as TestBoxes() of a query, whose limit it may lower, of a
+///                                       leaf's number and how many elements it has
+///   static constexpr bool SkipsLeaves   whether numbers are those of KnownLeaves; if so it gives
+///   void Fetch(number)
+/// AlongSegment first calls Aim(point, margin), in the frame: where the segment begins, clipped to
+/// where the tree is. This one knows nothing.
+struct NoLeafFilter
+{
+  static constexpr bool SkipsLeaves = false;
+
+  template <class Point>
+  void Aim(const Point&, double)
+  {
+  }
+  template <class Node>
+  static bool Knows(const Node&)
+  {
+    return false;
+  }
+  template <class Node>
+  static std::uint32_t NumberOf(const Node&)
+  {
+    return 0;
+  }
+  unsigned Pass(std::uint32_t, std::uint32_t count, float*, float&) const { return LowBits(count); }
+};
+
+/// What queries that have a leaf filter do with it, and their limit. The boxes of the
+/// elements decide where the filter does not know the leaf: `Query` has TestBoxes().
+template <class Query, class LeafFilter>
+class FilteredQuery
+{
+public:
+  static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
+
+  template <class Node>
+  unsigned TestElements(const Node& leaf, float* keys)
+  {
+    return this->Knows(leaf) ? this->TestKnown(LeafFilter::NumberOf(leaf), leaf.Count, keys)
+                             : static_cast<Query*>(this)->TestBoxes(leaf.Boxes, keys);
+  }
+
+  template <class Node>
+  bool Knows(const Node& inner) const
+  {
+    return LeafFilter::Knows(inner);
+  }
+  unsigned TestKnown(std::uint32_t leaf, std::uint32_t count, float* keys)
+  {
+    return this->TheLeafFilter.Pass(leaf, count, keys, this->TheLimit);
+  }
+  void FetchKnown(std::uint32_t leaf) const { this->TheLeafFilter.Fetch(leaf); }
+
+  float Limit() const { return this->TheLimit; }
+
+protected:
+  FilteredQuery(const LeafFilter& leafFilter, float limit)
+    : TheLeafFilter(leafFilter)
+    , TheLimit(limit)
+  {
+  }
+
+  LeafFilter TheLeafFilter;
+  float TheLimit;
+};
+
 }
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef skd_Geometry_Cells_Brick_h
 #define skd_Geometry_Cells_Brick_h
 
+#include "LinearShapes.h"
 #include "VolumePoint.h"
-#include "Voxel.h"
 
 namespace skd
 {

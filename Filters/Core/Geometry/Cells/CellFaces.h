@@ -4,7 +4,7 @@
 #define skd_Geometry_Cells_CellFaces_h
 
 #include "../Distance/BilinearPatch.h"
-#include "Pyramid.h"
+#include "LinearShapes.h"
 
 namespace skd
 {

@@ -4,7 +4,7 @@
 #define skd_Geometry_Cells_InverseMap_h
 
 #include "../Tolerances.h"
-#include "Hexahedron.h"
+#include "LinearShapes.h"
 #include "TrilinearRoot.h"
 
 namespace skd

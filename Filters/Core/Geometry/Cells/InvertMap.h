@@ -6,10 +6,10 @@
 #define skd_Geometry_Cells_InvertMap_h
 
 #include "InverseMap.h"
+#include "LinearShapes.h"
 #include "PyramidInverse.h"
 #include "TetrahedronInverse.h"
 #include "VoxelInverse.h"
-#include "Wedge.h"
 
 namespace skd
 {

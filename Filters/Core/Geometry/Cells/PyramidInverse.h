@@ -5,7 +5,7 @@
 
 #include "../Tolerances.h"
 #include "InverseMap.h"
-#include "Pyramid.h"
+#include "LinearShapes.h"
 
 namespace skd
 {

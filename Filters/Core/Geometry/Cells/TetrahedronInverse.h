@@ -6,7 +6,7 @@
 #include "../../Predicates/TripleProduct.h"
 #include "../Tolerances.h"
 #include "InverseMap.h"
-#include "Tetrahedron.h"
+#include "LinearShapes.h"
 
 namespace skd
 {

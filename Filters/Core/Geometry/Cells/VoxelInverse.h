@@ -5,7 +5,7 @@
 
 #include "../Tolerances.h"
 #include "InverseMap.h"
-#include "Voxel.h"
+#include "LinearShapes.h"
 
 namespace skd
 {

@@ -12,46 +12,6 @@
 namespace skd
 {
 
-/// Section 4.1: the distance from q to the nearest point of the box, 0 inside.
-template <int D>
-double MinDistance2(const Vector<D>& q, const Box<D>& box)
-{
-  double sum = 0.0;
-  for (int axis = 0; axis < D; ++axis)
-  {
-    const double gap = std::max({ 0.0, box.Min[axis] - q[axis], q[axis] - box.Max[axis] });
-    sum += gap * gap;
-  }
-  return sum;
-}
-
-/// Section 4.1: the distance from q to the farthest point of the box.
-template <int D>
-double MaxDistance2(const Vector<D>& q, const Box<D>& box)
-{
-  double sum = 0.0;
-  for (int axis = 0; axis < D; ++axis)
-  {
-    const double reach = std::max(q[axis] - box.Min[axis], box.Max[axis] - q[axis]);
-    sum += reach * reach;
-  }
-  return sum;
-}
-
-/// Section 4.2: between the nearest points of a sphere and a box, 0 when they overlap.
-template <int D>
-double MinDistance(const Sphere<D>& sphere, const Box<D>& box)
-{
-  return std::max(0.0, std::sqrt(MinDistance2(sphere.Centre, box)) - sphere.Radius);
-}
-
-/// Section 4.2: between the farthest points of a sphere and a box.
-template <int D>
-double MaxDistance(const Sphere<D>& sphere, const Box<D>& box)
-{
-  return std::sqrt(MaxDistance2(sphere.Centre, box)) + sphere.Radius;
-}
-
 /// Section 4.3: between the nearest points of two boxes, 0 when they overlap.
 template <int D>
 double MinDistance2(const Box<D>& a, const Box<D>& b)
@@ -76,6 +36,34 @@ double MaxDistance2(const Box<D>& a, const Box<D>& b)
     sum += reach * reach;
   }
   return sum;
+}
+
+/// Section 4.1: the distance from q to the nearest point of the box, 0 inside.
+template <int D>
+double MinDistance2(const Vector<D>& q, const Box<D>& box)
+{
+  return MinDistance2(Box<D>(q, q), box);
+}
+
+/// Section 4.1: the distance from q to the farthest point of the box.
+template <int D>
+double MaxDistance2(const Vector<D>& q, const Box<D>& box)
+{
+  return MaxDistance2(Box<D>(q, q), box);
+}
+
+/// Section 4.2: between the nearest points of a sphere and a box, 0 when they overlap.
+template <int D>
+double MinDistance(const Sphere<D>& sphere, const Box<D>& box)
+{
+  return std::max(0.0, std::sqrt(MinDistance2(sphere.Centre, box)) - sphere.Radius);
+}
+
+/// Section 4.2: between the farthest points of a sphere and a box.
+template <int D>
+double MaxDistance(const Sphere<D>& sphere, const Box<D>& box)
+{
+  return std::sqrt(MaxDistance2(sphere.Centre, box)) + sphere.Radius;
 }
 
 }
