@@ -43,8 +43,8 @@ def read_flags(root, build):
     flags = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf8")):
         path = (pathlib.Path(entry["directory"]) / entry["file"]).resolve()
-        if root / "Filters" not in path.parents:
-            continue
+        if root / "Filters" not in path.parents or not path.is_file():
+            continue  # another's source, or one that was there when the build was configured
         words, kept = shlex.split(entry["command"]), []
         for word, following in zip(words, words[1:] + [""]):
             if word in ("-I", "-isystem", "-D"):
