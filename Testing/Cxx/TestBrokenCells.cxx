@@ -55,7 +55,7 @@ private:
   static void Count(vtkObject*, unsigned long, void* self, void* text)
   {
     auto* counter = static_cast<BrokenCounter*>(self);
-    if (std::strstr(static_cast<const char*>(text), "left out; "))
+    if (std::strstr(static_cast<const char*>(text), "ignored; "))
     {
       ++counter->Messages;
       counter->Last = static_cast<const char*>(text);
