@@ -33,7 +33,10 @@ public:
       std::lround(x[2] * 1e8) };
     const auto next = static_cast<std::uint32_t>(this->Mesh.Points.size());
     const auto found = this->Ids.emplace(key, next);
-    found.second ? this->Mesh.Points.push_back(x) : void();
+    if (found.second)
+    {
+      this->Mesh.Points.push_back(x);
+    }
     return found.first->second;
   }
 

@@ -59,9 +59,9 @@ Moved Adapt(const SurfaceMesh& mesh, const std::function<double(const Vector3&)>
       values[cell] = field(skd::CornerMean(now, cell));
       EXPECT_TRUE(cells[cell].IsValid(now, cell));
     }
+    return true;
   };
-  moved.Outcome =
-    adaptation.Run(find, [](const SurfaceMesh&, const skd::AdaptRow&) { return true; });
+  moved.Outcome = adaptation.Run(find, [](const skd::AdaptState&) { return true; });
   return moved;
 }
 

@@ -29,6 +29,16 @@ struct AdaptRow
   MeshMotion::Outcome Motion; ///< that led here; of the first row nothing
 };
 
+/// What who looks on is told.
+struct AdaptState
+{
+  int Iteration;
+  const AdaptRow& Row;
+  bool IsBest;                        ///< of all so far
+  const std::vector<double>& Monitor; ///< of the cells
+  const std::vector<double>& Areas;
+};
+
 enum class AdaptEnd
 {
   Reached,    ///< the measure is within the tolerance
@@ -43,17 +53,16 @@ struct AdaptOutcome
   AdaptEnd End = AdaptEnd::Iterations;
   std::vector<AdaptRow> Rows;
   std::size_t Best = 0; ///< the row with the smallest measure: the mesh is left as it was there
-  std::vector<double> Monitor; ///< of the cells, there
-  std::vector<double> Areas;
   std::size_t InvalidCells = 0; ///< at first; they do not move
   std::size_t CellsWithoutField = 0;
   std::size_t CellsNotPositive = 0;
 };
 
 /// Moves the points of a mesh so that its cells follow a monitor: steps 2 to 5 of the algorithm of
-/// section 6.6. find(mesh, field) tells the field's mean in each cell, where the mesh is now;
-/// look(mesh, row) is called in each iteration, and stops it all by returning false. The mesh has
-/// its edges, and is on the shape. Each iteration takes O(N sqrt(N)) beside what find does.
+/// section 6.6. find(mesh, field) tells the field's mean in each cell, where the mesh is now, or
+/// false to stop; look(state) is called in each iteration, and stops it all by returning false. The
+/// mesh has its edges, and is on the shape. Each iteration takes O(N sqrt(N)) beside what find
+/// does.
 class Adaptation
 {
 public:
@@ -78,10 +87,12 @@ public:
     {
       if (!this->Measure(find, step))
       {
-        this->Outcome.End = AdaptEnd::NoMonitor;
         break;
       }
-      if (!look(this->Mesh, this->Outcome.Rows.back()))
+      const bool isBest = this->Outcome.Best + 1 == this->Outcome.Rows.size();
+      const AdaptState state{ iteration, this->Outcome.Rows.back(), isBest, this->Values,
+        this->Shares.GetAreas() };
+      if (!look(state))
       {
         this->Outcome.End = AdaptEnd::Stopped;
         break;
@@ -126,9 +137,14 @@ private:
   bool Measure(const Find& find, const MeshMotion::Outcome& step)
   {
     std::vector<double> field(this->Mesh.Cells.size());
-    find(this->Mesh, field);
+    if (!find(this->Mesh, field))
+    {
+      this->Outcome.End = AdaptEnd::Stopped;
+      return false;
+    }
     if (!this->Function.Make(this->Mesh, this->Shape, std::move(field), this->Values))
     {
+      this->Outcome.End = AdaptEnd::NoMonitor;
       return false;
     }
     this->Shares.Update(this->Mesh, this->Values);
@@ -138,8 +154,6 @@ private:
     if (rows.size() == 1 || rows.back().Measure < rows[this->Outcome.Best].Measure)
     {
       this->Outcome.Best = rows.size() - 1;
-      this->Outcome.Monitor = this->Values;
-      this->Outcome.Areas = this->Shares.GetAreas();
       this->Outcome.CellsWithoutField = this->Function.GetCellsWithoutField();
       this->Outcome.CellsNotPositive = this->Function.GetCellsNotPositive();
       this->Best = this->Mesh.Points;

@@ -337,12 +337,21 @@ inline std::vector<double> Equidistribution::FindChange(const SurfaceMesh& mesh)
 inline double Equidistribution::LimitOf(
   const SurfaceMesh& mesh, const std::vector<Vector3>& motion, double part) const
 {
+  std::vector<double> sizes(mesh.Cells.size(), 0.0);
+  for (const MeshEdge& edge : mesh.Edges)
+  {
+    const double length = Norm(mesh.Points[edge.Points[1]] - mesh.Points[edge.Points[0]]);
+    sizes[edge.Cells[0]] += 0.25 * length;
+    if (edge.Cells[1] != MeshEdge::None)
+    {
+      sizes[edge.Cells[1]] += 0.25 * length;
+    }
+  }
   for (const MeshEdge& edge : mesh.Edges)
   {
     const std::uint32_t other = edge.Cells[edge.Cells[1] == MeshEdge::None ? 0 : 1];
-    const double size = std::sqrt(std::min(this->Areas[edge.Cells[0]], this->Areas[other]));
     const double change = Norm(motion[edge.Points[1]] - motion[edge.Points[0]]);
-    const double most = 0.35 * size;
+    const double most = 0.35 * std::min(sizes[edge.Cells[0]], sizes[other]);
     part = part * change > most ? most / change : part;
   }
   return part;
