@@ -12,6 +12,7 @@
 
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 /// What the cells of both meshes are pieces of. Cells of another dimension are left out.
@@ -48,6 +49,18 @@ struct SkdOverlapCells
   std::vector<skd::Vector3> Centroids; ///< Cartesian; on a sphere within it. Zero of cells left out
   std::vector<double> Covered;         ///< the sum of a cell's overlaps
   vtkIdType LeftOut = 0;               ///< not finite, empty, ghosts, of another dimension
+};
+
+/// Rows of target cells, columns of donor points, ascending (CSR): the integral over the target
+/// cell of the function that is 1 at the point, 0 at all others, and linear on the simplices that
+/// the donor's cells are cut into. Triangles, tetrahedra and lines are their own; others are cut
+/// between their points. A row sums up to what of the cell is covered. On a sphere linear means: as
+/// on the flat triangle of the three points, constant along its normal.
+struct SkdOverlapPointTable
+{
+  std::vector<std::size_t> Rows; ///< one more than there are target cells
+  std::vector<vtkIdType> Columns;
+  std::vector<double> Weights;
 };
 
 #endif
