@@ -4,6 +4,7 @@
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdReport.h"
+#include "Remap/SkdOverlapMesh.h"
 #include "Remap/SkdRemapMeshes.h"
 #include "Remap/SkdRemapper.h"
 #include "vtkCallbackCommand.h"
@@ -12,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -51,6 +53,7 @@ private:
   vtkSmartPointer<vtkDataSet> ProbedSource(bool withCellData) const;
   void SetUpProber();
   void FillWeights(vtkTable* table);
+  void FillOverlaps(vtkDataObject* output);
   void WarnAboutFields() const;
   void WarnAboutCells() const;
   void Warn(const std::string& what) const;
@@ -321,6 +324,22 @@ void vtkSkdTreeRemap::Internals::FillWeights(vtkTable* table)
   }
 }
 
+void vtkSkdTreeRemap::Internals::FillOverlaps(vtkDataObject* output)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
+  for (std::size_t block = 0; block < this->Outputs.size(); ++block)
+  {
+    const vtkSmartPointer<vtkUnstructuredGrid> mesh = this->Remapper.GetWeights(block)
+      ? SkdMakeOverlapMesh(
+          this->Donor, this->Inputs[block].Mesh, this->Settings.Overlap, this->Self)
+      : nullptr;
+    if (mesh)
+    {
+      blocks ? blocks->SetBlock(static_cast<unsigned int>(block), mesh) : output->ShallowCopy(mesh);
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 void vtkSkdTreeRemap::Internals::Warn(const std::string& what) const
 {
@@ -364,12 +383,6 @@ void vtkSkdTreeRemap::Internals::WarnAboutCells() const
   {
     this->Warn("Input and Source have nothing in common: no cell gets a value. Look at the bounds "
                "of both, and at Geometry and SourceCoordinates.");
-  }
-  if (found.PointFieldsLeftOut)
-  {
-    this->Warn(
-      "Point arrays of Source are left out: they are interpolated (Method AUTOMATIC_METHOD "
-      "or INTERPOLATION), not conserved. Turn them into cell arrays to conserve them.");
   }
   tell(found.SourceLeftOut,
     " cells of Source have no part in it: they are degenerate, not finite, ghosts or of another "
@@ -434,6 +447,8 @@ void vtkSkdTreeRemap::Internals::Run(
     SkdIsAskedToStop(this->Self) ? void() : this->MapBlock(block, first, first + step);
   }
   this->Self->GenerateWeights ? this->FillWeights(vtkTable::GetData(outputVector, 1)) : void();
+  this->Self->GenerateOverlapMesh ? this->FillOverlaps(vtkDataObject::GetData(outputVector, 2))
+                                  : void();
   this->WarnAboutFields();
   this->WarnAboutCells();
   this->Report(output, watch.Lap());
@@ -445,7 +460,7 @@ void vtkSkdTreeRemap::Internals::Run(
 
 //------------------------------------------------------------------------------
 vtkSkdTreeRemap::vtkSkdTreeRemap()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_TABLE })
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_TABLE, GRID_OR_BLOCKS })
   , Impl(new Internals(this))
 {
 }
@@ -523,6 +538,7 @@ void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
   tellSwitch("RotateVectors", this->RotateVectors);
   tellSwitch("PassInputData", this->PassInputData);
   tellSwitch("GenerateWeights", this->GenerateWeights);
+  tellSwitch("GenerateOverlapMesh", this->GenerateOverlapMesh);
   for (const std::string& name : this->Impl->Extensive)
   {
     tell("ExtensiveArray", name);

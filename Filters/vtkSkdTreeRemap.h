@@ -31,6 +31,9 @@
  * Moment (the integral of x less the source cell's centroid), RowBlockIndex (of a composite Input).
  * Of a composite Source, Column counts on from block to block.
  *
+ * Output port 2, with GenerateOverlapMesh: the overlaps as cells with the cell arrays TargetCell,
+ * DonorCell and Measure; blocks where Input is composite.
+ *
  * Field data of output port 0: SkdReportSourceCells, SkdReportInputCells, SkdReportInputCellsEmpty
  * (without an answer), SkdReportInputCellsPartlyCovered, SkdReportOverlaps, SkdReportWeightsFound
  * (blocks whose overlaps were not kept), SkdReportSeconds; and, of what was mapped conservatively,
@@ -85,7 +88,8 @@ public:
    * truly contains, not those in its box.
    * INTERPOLATION: the source's data at target points or cell centres, see vtkSkdTreeProbe.
    * CONSERVATIVE_FIRST_ORDER: averages over target cells by the exact overlaps of both meshes'
-   * cells: integrals are kept, and bounds. Of cell data; point data are left out, with a warning.
+   * cells: integrals are kept, and bounds. Point data are integrated exactly, as linear between the
+   * points.
    * CONSERVATIVE_SECOND_ORDER: the same with a gradient in each source cell, see SetLimiter.
    * AUTOMATIC_METHOD (default): cell data conservatively, of first order, and point data by
    * interpolation; where cells of Input and Source are not of one dimension, all by interpolation.
@@ -332,11 +336,14 @@ public:
 
   ///@{
   /**
-   * Whether conservative methods give their weights (port 1). Default off.
+   * Whether conservative methods give their weights (port 1) and overlaps (port 2). Default off.
    */
   vtkSetMacro(GenerateWeights, bool);
   vtkGetMacro(GenerateWeights, bool);
   vtkBooleanMacro(GenerateWeights, bool);
+  vtkSetMacro(GenerateOverlapMesh, bool);
+  vtkGetMacro(GenerateOverlapMesh, bool);
+  vtkBooleanMacro(GenerateOverlapMesh, bool);
   ///@}
 
 protected:
@@ -365,6 +372,7 @@ protected:
   bool RotateVectors = true;
   bool PassInputData = true;
   bool GenerateWeights = false;
+  bool GenerateOverlapMesh = false;
 
 private:
   vtkSkdTreeRemap(const vtkSkdTreeRemap&) = delete;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdKeptOverlaps.h"
 
+#include "Remap/SkdPointWeights.h"
+
 bool SkdKeptOverlaps::IsFor(
   vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings) const
 {
@@ -20,6 +22,7 @@ bool SkdKeptOverlaps::Update(vtkDataSet* donor, vtkDataSet* target,
   if (this->New)
   {
     this->Gradients.reset();
+    this->PointTable.reset();
     this->Weights = std::make_unique<SkdOverlapWeights>();
     this->Known = this->Weights->Compute(donor, target, settings, algorithm, first, last);
     this->Settings = settings;
@@ -37,4 +40,18 @@ const SkdDonorGradients& SkdKeptOverlaps::GetGradients(vtkDataSet* donor)
       donor, this->Weights->GetDonor(), this->Weights->GetNormal());
   }
   return *this->Gradients;
+}
+
+const SkdOverlapPointTable* SkdKeptOverlaps::GetPointTable(
+  vtkDataSet* donor, vtkDataSet* target, vtkAlgorithm* algorithm, double first, double last)
+{
+  if (!this->PointTable)
+  {
+    auto table = std::make_unique<SkdOverlapPointTable>();
+    if (SkdFindPointWeights(donor, target, this->Settings, *table, algorithm, first, last))
+    {
+      this->PointTable = std::move(table);
+    }
+  }
+  return this->PointTable.get();
 }

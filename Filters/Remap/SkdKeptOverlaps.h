@@ -6,6 +6,7 @@
 #include "Pipeline/SkdKeptMesh.h"
 #include "Remap/SkdDonorGradients.h"
 #include "Remap/SkdOverlapWeights.h"
+#include "Remap/SkdPointWeights.h"
 
 #include <memory>
 
@@ -25,8 +26,12 @@ public:
 
   const SkdOverlapWeights& GetWeights() const { return *this->Weights; }
 
-  /// Made when they are first wanted.
+  ///@{
+  /// Made when they are first wanted. The table is nullptr if the algorithm was aborted.
   const SkdDonorGradients& GetGradients(vtkDataSet* donor);
+  const SkdOverlapPointTable* GetPointTable(
+    vtkDataSet* donor, vtkDataSet* target, vtkAlgorithm* algorithm, double first, double last);
+  ///@}
 
 private:
   bool IsFor(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings) const;
@@ -38,6 +43,7 @@ private:
   bool New = false;
   std::unique_ptr<SkdOverlapWeights> Weights = std::make_unique<SkdOverlapWeights>();
   std::unique_ptr<SkdDonorGradients> Gradients;
+  std::unique_ptr<SkdOverlapPointTable> PointTable;
 };
 
 #endif

@@ -192,18 +192,30 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
 }
 
 //------------------------------------------------------------------------------
-bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps)
+bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double first, double last)
 {
   const SkdOverlapWeights& weights = overlaps.GetWeights();
   const SkdConservativeRemap remap(
     weights, this->Settings.Overlap.Space, this->Settings.Conservative);
   const SkdDonorGradients* gradients =
     this->Settings.IsSecondOrder ? &overlaps.GetGradients(this->Donor) : nullptr;
-  for (const SkdDonorField& field : this->CellFields)
+  const SkdOverlapPointTable* points = this->PointFields.empty()
+    ? nullptr
+    : overlaps.GetPointTable(this->Donor, block, this->Algorithm, first, last);
+  const std::vector<skd::Vector3> places =
+    points ? SkdPointsOf(this->Donor) : std::vector<skd::Vector3>();
+  const auto add = [&](const SkdDonorField& field, const SkdRemappedField& mapped)
   {
-    const SkdRemappedField mapped = remap.Map(field, gradients, this->Settings.IsLimited);
     this->AddFields(block, { field }, { mapped.Values }, weights.GetTarget().Measures);
     this->Findings.Tally.Add(field, mapped.Integrals);
+  };
+  for (const SkdDonorField& field : this->CellFields)
+  {
+    add(field, remap.Map(field, gradients, this->Settings.IsLimited));
+  }
+  for (const SkdDonorField& field : this->PointFields)
+  {
+    points ? add(field, remap.MapPoints(field, *points, places)) : void();
   }
   return !SkdIsAskedToStop(this->Algorithm);
 }
@@ -217,7 +229,8 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
   }
   this->HasWeights.resize(this->Overlaps.size(), false);
   SkdKeptOverlaps& overlaps = this->Overlaps[index];
-  if (!overlaps.Update(this->Donor, block, this->Settings.Overlap, this->Algorithm, first, last))
+  const double middle = this->PointFields.empty() ? last : 0.5 * (first + last);
+  if (!overlaps.Update(this->Donor, block, this->Settings.Overlap, this->Algorithm, first, middle))
   {
     this->Findings.Problem = overlaps.GetProblem();
     return !SkdIsAskedToStop(this->Algorithm);
@@ -225,8 +238,7 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
   this->HasWeights[index] = true;
   this->Count(overlaps.GetWeights(), overlaps.IsNew());
   this->AddCoverage(block, overlaps.GetWeights());
-  this->Findings.PointFieldsLeftOut = !this->PointFields.empty();
-  return this->MapFields(block, overlaps);
+  return this->MapFields(block, overlaps, middle, last);
 }
 
 //------------------------------------------------------------------------------

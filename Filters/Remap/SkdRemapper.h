@@ -41,7 +41,6 @@ struct SkdRemapFindings
   vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
   vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
   vtkIdType Overlaps = 0;
-  bool PointFieldsLeftOut = false;
   int WeightsFound = 0; ///< for how many blocks they were not kept
 };
 
@@ -81,7 +80,7 @@ private:
   void AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& counts);
   void AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weights);
   void Count(const SkdOverlapWeights& weights, bool isNew);
-  bool MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps);
+  bool MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double first, double last);
 
   vtkSmartPointer<vtkDataSet> Donor;
   SkdRemapSettings Settings;

@@ -183,6 +183,25 @@ TEST(Remap, VolumesOfOneShapeToAnotherKeepLinearFields)
   EXPECT_NEAR(Reported(remap, "Coverage"), 1.0, 1e-14);
 }
 
+TEST(Remap, PointDataAreIntegratedAsLinearBetweenThePoints)
+{
+  const GridPointer tetra = WithData(MakeGrid(Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
+  const GridPointer bricks = Bricks(2);
+  const RemapPointer remap = MakeRemap(bricks, tetra, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->GenerateOverlapMeshOn();
+  const std::vector<double> values = RemappedCells(remap, "Linear");
+  ASSERT_EQ(values.size(), 8u);
+  EXPECT_NEAR(values[0], Linear({ 0.25, 0.25, 0.25 }), 1e-12);
+  EXPECT_NEAR(values[7], Linear({ 0.75, 0.75, 0.75 }), 1e-12);
+  auto* overlaps = vtkDataSet::SafeDownCast(remap->GetOutputDataObject(2));
+  double sum = 0.0;
+  for (const double measure : ValuesOf(overlaps->GetCellData()->GetArray("Measure")))
+  {
+    sum += measure;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-13);
+}
+
 TEST(Remap, PartlyCoveredCellsAreNormalisedAsAskedAndAmountsAreDivided)
 {
   // Two unit squares, of which the target's first covers the second's left half and more.

@@ -80,13 +80,15 @@ def test_contained_means_are_those_of_numpy():
 def test_interpolation_and_weights():
     remap = simple.SkdTreeRemap(Input=tiles(3, "g"), Source=simple.Wavelet(), Method="Interpolation")
     assert numpy.isfinite(skdtesting.point_array(remap, "RTData")).all()
-    remap = simple.SkdTreeRemap(Input=tiles(3, "g"), Source=tiles(4), GenerateWeights=1)
+    remap = simple.SkdTreeRemap(Input=tiles(3, "g"), Source=tiles(4), GenerateWeights=1,
+        GenerateOverlapMesh=1)
     simple.UpdatePipeline(proxy=remap)
     table = servermanager.Fetch(remap, idx=1)
     weights = vtk_to_numpy(table.GetColumnByName("Weight"))
     rows = vtk_to_numpy(table.GetColumnByName("Row"))
     numpy.testing.assert_allclose(numpy.bincount(rows, weights), 1, atol=1e-13)
-    assert len(rows) == 36
+    overlaps = servermanager.Fetch(remap, idx=2)
+    assert overlaps.GetNumberOfCells() == len(rows) == 36
 
 
 skdtesting.run_tests(globals())
