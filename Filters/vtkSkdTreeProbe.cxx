@@ -65,20 +65,6 @@ void ClearNames(vtkObject* self, std::set<std::string>& names)
   self->Modified();
 }
 
-void DropData(const std::vector<SkdBlock>& outputs)
-{
-  for (const SkdBlock& output : outputs)
-  {
-    for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
-    {
-      vtkDataSetAttributes* data = output.Mesh->GetAttributes(type);
-      vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
-      data->Initialize();
-      data->AddArray(ghosts);
-    }
-  }
-}
-
 void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
   const std::vector<SkdCellLocations>& places, double buildSeconds, double querySeconds)
 {
@@ -180,7 +166,7 @@ int vtkSkdTreeProbe::RequestData(
   const std::vector<SkdBlock> outputs = SkdMirror(input, output);
   if (!this->PassInputData)
   {
-    DropData(outputs);
+    SkdDropData(outputs);
   }
 
   Internals& internals = *this->Impl;

@@ -75,20 +75,6 @@ private:
 
 namespace
 {
-void DropData(const std::vector<SkdBlock>& outputs)
-{
-  for (const SkdBlock& output : outputs)
-  {
-    for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
-    {
-      vtkDataSetAttributes* data = output.Mesh->GetAttributes(type);
-      vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
-      data->Initialize();
-      data->AddArray(ghosts);
-    }
-  }
-}
-
 bool IsStructured(vtkDataObject* source)
 {
   const std::vector<SkdBlock> blocks = SkdBlocksOf(source);
@@ -429,7 +415,7 @@ void vtkSkdTreeRemap::Internals::Run(
   this->Outputs = SkdMirror(input, output);
   this->IsComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   this->Refused.clear();
-  this->Self->PassInputData ? void() : DropData(this->Outputs);
+  this->Self->PassInputData ? void() : SkdDropData(this->Outputs);
   this->PrepareDonor(source);
   this->Settings = this->MakeSettings();
   this->Settings.WeighsByCosine = this->WeighsByCosine(source);

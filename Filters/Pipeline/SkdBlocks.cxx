@@ -5,6 +5,7 @@
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -92,6 +93,20 @@ vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
     [&](int place)
     { return place >= 0 ? blocks[static_cast<std::size_t>(place)].BlockIndex : -1; });
   return indices;
+}
+
+void SkdDropData(const std::vector<SkdBlock>& blocks)
+{
+  for (const SkdBlock& block : blocks)
+  {
+    for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      vtkDataSetAttributes* data = block.Mesh->GetAttributes(type);
+      vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
+      data->Initialize();
+      data->AddArray(ghosts);
+    }
+  }
 }
 
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)

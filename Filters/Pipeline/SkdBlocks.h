@@ -40,6 +40,9 @@ std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
   const char* name, const std::vector<int>& places, const std::vector<SkdBlock>& blocks);
 
+/// Removes the point and cell data of the blocks, except ghost marks.
+void SkdDropData(const std::vector<SkdBlock>& blocks);
+
 /// The points of all of them.
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks);
 

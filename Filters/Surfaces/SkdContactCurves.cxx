@@ -47,6 +47,32 @@ private:
   std::vector<vtkIdType> Ids;
   vtkNew<vtkPoints> Points;
 };
+
+/// What becomes of contacts as cells: the lone points first, then curves that are added.
+struct CurveCells
+{
+  TakenPoints Points;
+  std::vector<std::size_t> Origins; ///< pairs, of each cell or point
+  vtkNew<vtkCellArray> Vertices;
+  vtkNew<vtkCellArray> Lines;
+
+  CurveCells(const SkdContactPoints& all, const std::vector<SkdEndPair>& lone)
+    : Points(all)
+  {
+    for (const SkdEndPair& point : lone)
+    {
+      this->Vertices->InsertNextCell({ this->Points.IdOf(point.A) });
+      this->Origins.push_back(point.Origin);
+    }
+  }
+
+  void Store(vtkPolyData* curves)
+  {
+    curves->SetPoints(this->Points.Get());
+    curves->SetVerts(this->Vertices);
+    curves->SetLines(this->Lines);
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -71,40 +97,22 @@ vtkIdType SkdContacts::FillCurves(vtkPolyData* curves, bool isJoined) const
 void SkdContacts::FillSeparate(vtkPolyData* curves, const std::vector<SkdEndPair>& lone,
   const std::vector<SkdEndPair>& segments) const
 {
-  TakenPoints points(this->Points);
-  std::vector<std::size_t> origins;
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> cells;
-  for (const SkdEndPair& point : lone)
-  {
-    vertices->InsertNextCell({ points.IdOf(point.A) });
-    origins.push_back(point.Origin);
-  }
+  CurveCells cells(this->Points, lone);
   for (const SkdEndPair& segment : segments)
   {
-    const vtkIdType first = points.IdOf(segment.A);
-    cells->InsertNextCell({ first, points.IdOf(segment.B) });
-    origins.push_back(segment.Origin);
+    const vtkIdType first = cells.Points.IdOf(segment.A);
+    cells.Lines->InsertNextCell({ first, cells.Points.IdOf(segment.B) });
+    cells.Origins.push_back(segment.Origin);
   }
-  curves->SetPoints(points.Get());
-  curves->SetVerts(vertices);
-  curves->SetLines(cells);
-  this->AddLabels(origins, curves->GetCellData());
+  cells.Store(curves);
+  this->AddLabels(cells.Origins, curves->GetCellData());
 }
 
 //------------------------------------------------------------------------------
 void SkdContacts::FillJoined(vtkPolyData* curves, const std::vector<SkdEndPair>& lone,
   const std::vector<SkdEndPair>& segments, const std::vector<SkdPolyline>& lines) const
 {
-  TakenPoints points(this->Points);
-  std::vector<std::size_t> origins;
-  vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkCellArray> cells;
-  for (const SkdEndPair& point : lone)
-  {
-    vertices->InsertNextCell({ points.Add(point.A) });
-    origins.push_back(point.Origin);
-  }
+  CurveCells cells(this->Points, lone);
   std::vector<vtkIdType> ids;
   for (const SkdPolyline& line : lines)
   {
@@ -112,19 +120,17 @@ void SkdContacts::FillJoined(vtkPolyData* curves, const std::vector<SkdEndPair>&
     for (std::size_t i = 0; i < line.Points.size(); ++i)
     {
       const std::size_t segment = line.Segments[std::min(i, line.Segments.size() - 1)];
-      origins.push_back(segments[segment].Origin);
-      ids.push_back(points.Add(line.Points[i]));
+      cells.Origins.push_back(segments[segment].Origin);
+      ids.push_back(cells.Points.Add(line.Points[i]));
     }
     if (line.IsClosed)
     {
       ids.push_back(ids.front());
     }
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    cells.Lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  curves->SetPoints(points.Get());
-  curves->SetVerts(vertices);
-  curves->SetLines(cells);
-  this->AddLabels(origins, curves->GetPointData());
+  cells.Store(curves);
+  this->AddLabels(cells.Origins, curves->GetPointData());
   this->AddMeasures(curves, segments, lines);
 }
 
