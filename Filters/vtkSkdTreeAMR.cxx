@@ -73,7 +73,7 @@ std::string WhyThereAreNoParts(const SkdParts& parts)
   const SkdTreeCounts counts = parts.GetCounts();
   return counts.Cells > 0 || counts.CellsLeftOut == 0
     ? ""
-    : " (All cells of Input are left out: " + SkdWhyCellsAreLeftOut(SkdComparable) + ")";
+    : " (All cells of Input are ignored: " + SkdWhyCellsAreLeftOut(SkdComparable) + ")";
 }
 
 void WarnAbout(
