@@ -286,10 +286,13 @@ void vtkSkdTreeRemap::Internals::MapBlock(std::size_t block, double first, doubl
       this->Interpolate(mesh, true, first, last);
       break;
     case AUTOMATIC_METHOD:
-      if (this->Remapper.MapConservative(mesh, block, first, middle) &&
-        this->Donor->GetPointData()->GetNumberOfArrays() > 0)
+      if (this->Remapper.MapConservative(mesh, block, first, middle))
       {
-        this->Interpolate(mesh, false, middle, last);
+        const bool isMapped = this->Remapper.GetWeights(block) != nullptr;
+        if (!isMapped || this->Donor->GetPointData()->GetNumberOfArrays() > 0)
+        {
+          this->Interpolate(mesh, !isMapped, middle, last);
+        }
       }
       break;
     default:

@@ -92,7 +92,8 @@ public:
    * points.
    * CONSERVATIVE_SECOND_ORDER: the same with a gradient in each source cell, see SetLimiter.
    * AUTOMATIC_METHOD (default): cell data conservatively, of first order, and point data by
-   * interpolation; where cells of Input and Source are not of one dimension, all by interpolation.
+   * interpolation; where cells of Input and Source are not of one dimension, or surfaces are in no
+   * common plane or sphere, all by interpolation.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, CONSERVATIVE_SECOND_ORDER);
   vtkGetMacro(Method, int);

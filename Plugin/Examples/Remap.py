@@ -20,7 +20,7 @@ data_file, picture_file = sys.argv[1:3]
 relief = simple.OpenDataFile(data_file)
 fine = simple.Sphere(Radius=1, ThetaResolution=96, PhiResolution=49)
 means = simple.SkdTreeRemap(Input=fine, Source=relief, Method="Contained Statistic",
-    SourceCoordinates="Longitude Latitude")
+    SourceCoordinates="Longitude Latitude", PassInputData=0)
 coarse = simple.Sphere(Radius=1, ThetaResolution=32, PhiResolution=17)
 coarser = simple.SkdTreeRemap(Input=coarse, Source=means, Method="Conservative First Order")
 coarser.UpdatePipeline()

@@ -95,6 +95,15 @@ TEST(RemapBadInput, MixedDimensionsAndDegenerateCellsHaveNoPartInIt)
   EXPECT_EQ(RemappedPoints(remap, "Number").size(), 9u);
 }
 
+TEST(RemapBadInput, SurfacesInNoCommonPlaneAreInterpolated)
+{
+  const auto source = WithData(MakePolyData(TorusQuads(12, 8)));
+  RemapPointer remap = MakeRemap(MakePolyData(TorusQuads(6, 4)), source, Remap::AUTOMATIC_METHOD);
+  EXPECT_NE(WarningOf(remap), "");
+  EXPECT_EQ(RemappedPoints(remap, "Number").size(), 24u);
+  EXPECT_EQ(RemappedPoints(remap, "Linear").size(), 24u);
+}
+
 TEST(RemapBadInput, ConcaveCellsAreCut)
 {
   Mesh mesh;
