@@ -39,7 +39,9 @@ grid = simple.Show(behind, view, Representation="Surface With Edges", EdgeColor=
     Ambient=0.4)
 simple.ColorBy(grid, ("CELLS", "SkdLevel"))
 colours = simple.GetColorTransferFunction("SkdLevel")
-colours.ApplyPreset("Viridis (matplotlib)", True)
+# ParaView 6 calls it Viridis, earlier ones Viridis (matplotlib).
+preset = next(name for name in simple.GetLookupTableNames() if name.startswith("Viridis"))
+colours.ApplyPreset(preset, True)
 grid.SetScalarBarVisibility(view, True)
 bar = simple.GetScalarBar(colours, view)
 bar.TitleColor = bar.LabelColor = [0, 0, 0]

@@ -66,7 +66,9 @@ def show(lines, boxes, view):
     shown.Opacity = 0.5
     tubes = simple.Show(simple.Tube(Input=lines, Radius=0.08), view)
     simple.ColorBy(tubes, ("POINTS", "Temp"))
-    simple.GetColorTransferFunction("Temp").ApplyPreset("Inferno (matplotlib)", True)
+    # ParaView 6 calls it Inferno, earlier ones Inferno (matplotlib).
+    preset = next(name for name in simple.GetLookupTableNames() if name.startswith("Inferno"))
+    simple.GetColorTransferFunction("Temp").ApplyPreset(preset, True)
     view.CameraPosition, view.CameraViewUp = [14, -40, 14], [0, 0, 1]
     simple.ResetCamera(view)
 

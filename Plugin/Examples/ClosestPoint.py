@@ -29,7 +29,9 @@ for name in ("SkdDistance", "Pres"):
 view = simple.CreateRenderView(ViewSize=[900, 700], OrientationAxesVisibility=0,
     UseColorPaletteForBackground=0, Background=[1, 1, 1])
 colours = simple.GetColorTransferFunction("Pres")
-colours.ApplyPreset("Viridis (matplotlib)", True)
+# ParaView 6 calls it Viridis, earlier ones Viridis (matplotlib).
+preset = next(name for name in simple.GetLookupTableNames() if name.startswith("Viridis"))
+colours.ApplyPreset(preset, True)
 
 
 def show(proxy, port, representation, **properties):

@@ -39,7 +39,9 @@ print("stretches: %d" % along[1].GetDataInformation().GetNumberOfCells())
 view = simple.CreateRenderView(ViewSize=[900, 700], OrientationAxesVisibility=0,
     UseColorPaletteForBackground=0, Background=[1, 1, 1])
 colours = simple.GetColorTransferFunction("Temp")
-colours.ApplyPreset("Inferno (matplotlib)", True)
+# ParaView 6 calls it Inferno, earlier ones Inferno (matplotlib).
+preset = next(name for name in simple.GetLookupTableNames() if name.startswith("Inferno"))
+colours.ApplyPreset(preset, True)
 
 
 def show(proxy, **properties):

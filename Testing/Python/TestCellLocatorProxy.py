@@ -58,7 +58,9 @@ def test_its_properties_can_be_set_there():
     filter.CellLocator.Epsilon = 1e-6
     filter.CellLocator.SplitRule = "Surface Area"
     lazy = skdtesting.point_array(filter, "Temp")
-    skdtesting.assert_same(lazy, skdtesting.point_array(resampled(volume(), LABEL), "Temp"))
+    # Of the cells that share a point, VTK's filter takes that of its thread's last point, if it can.
+    built = skdtesting.point_array(resampled(volume(), LABEL), "Temp")
+    numpy.testing.assert_allclose(lazy, built, rtol=1e-14)
 
 
 def load_lagrangian_tracker():

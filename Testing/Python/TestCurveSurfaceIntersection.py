@@ -94,7 +94,8 @@ def test_the_third_output_counts():
 
 def test_data_of_both_sides():
     crossing = scene()
-    crossing.Source = simple.Elevation(Input=crossing.Source)
+    crossing.Source = simple.Elevation(
+        Input=crossing.Source, LowPoint=[0, 0, 0], HighPoint=[1, 0, 0])
     for name in ("Texture Coordinates", "Elevation"):
         assert len(skdtesting.point_array(crossing, name)) == 2
 

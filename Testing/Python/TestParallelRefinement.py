@@ -48,7 +48,11 @@ def rows_of(proxy, names):
 # data over as XML with appended arrays, which VTK 9.2 cannot read with today's expat.)
 TETRAHEDRA = """
 from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkFiltersCore import vtkIdFilter, vtkThreshold
+from vtkmodules.vtkFiltersCore import vtkThreshold
+try:
+    from vtkmodules.vtkFiltersCore import vtkGenerateIds  # VTK 9.4
+except ImportError:
+    from vtkmodules.vtkFiltersCore import vtkIdFilter as vtkGenerateIds
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -62,7 +66,7 @@ controller = vtkMultiProcessController.GetGlobalController()
 size = controller.GetNumberOfProcesses() if controller else 1
 rank = controller.GetLocalProcessId() if controller else 0
 count = cut.GetOutput().GetNumberOfCells()
-numbered = vtkIdFilter()
+numbered = vtkGenerateIds()
 numbered.SetInputConnection(cut.GetOutputPort())
 numbered.SetCellIdsArrayName("Number")
 share = vtkThreshold()

@@ -72,7 +72,8 @@ def run_in_parallel(script, argument, processes=2):
     }
     environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
         OMPI_MCA_rmaps_base_oversubscribe="1",                    # Open MPI 4
-        PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")   # Open MPI 5
+        PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",   # Open MPI 5
+        PRTE_MCA_mapby=":oversubscribe")                          # Open MPI 6
     subprocess.run(["mpiexec", "-np", str(processes), "pvbatch", "--symmetric", script, argument],
         env=environment, check=True, timeout=300)
 
