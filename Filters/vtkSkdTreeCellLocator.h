@@ -315,7 +315,7 @@ public:
     double tol2, int& subId, double pcoords[3], double* weights) override;
 #endif
 
-  ///@{
+  //@{
   /**
    * An exact vtkCell::EvaluatePosition: the point of the cell nearest to x, its sub-id, parametric
    * coordinates, squared distance and, unless nullptr, interpolation weights. EvaluateCell returns
@@ -327,7 +327,7 @@ public:
     int& subId, double pcoords[3], double& dist2, double* weights);
   bool EvaluateCell(vtkIdType cellId, const double x[3], double closestPoint[3], int& subId,
     double pcoords[3], double& dist2, double* weights);
-  ///@}
+  //@}
 
   /**
    * The parameters (ascending, t in [0, 1] along p1 p2, including 0 and 1) at which the segment may

@@ -81,7 +81,7 @@ public:
     CONSERVATIVE_SECOND_ORDER = 4
   };
 
-  ///@{
+  //@{
   /**
    * How fields are mapped.
    * CONTAINED: a statistic of the source's points (of its cells the middles) that a target cell
@@ -97,7 +97,7 @@ public:
    */
   vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, CONSERVATIVE_SECOND_ORDER);
   vtkGetMacro(Method, int);
-  ///@}
+  //@}
 
   enum ResultsOnType
   {
@@ -106,7 +106,7 @@ public:
     POINTS = 2
   };
 
-  ///@{
+  //@{
   /**
    * What of Input gets the results: of interpolation its points (AUTOMATIC_RESULTS, default) or its
    * cells, at their centres; of the other methods its cells, or by lumped masses its points: each
@@ -115,7 +115,7 @@ public:
    */
   vtkSetClampMacro(ResultsOn, int, AUTOMATIC_RESULTS, POINTS);
   vtkGetMacro(ResultsOn, int);
-  ///@}
+  //@}
 
   enum GeometryType
   {
@@ -126,7 +126,7 @@ public:
     VOLUME = 4
   };
 
-  ///@{
+  //@{
   /**
    * What the meshes are parts of. AUTOMATIC_GEOMETRY (default) goes by the highest dimension of
    * Input's cells; surfaces are on a sphere if all points of both meshes are equally far from the
@@ -134,7 +134,7 @@ public:
    */
   vtkSetClampMacro(Geometry, int, AUTOMATIC_GEOMETRY, VOLUME);
   vtkGetMacro(Geometry, int);
-  ///@}
+  //@}
 
   enum CoordinatesType
   {
@@ -142,16 +142,16 @@ public:
     LONGITUDE_LATITUDE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Whether the source's points are Cartesian (AS_GIVEN, default) or longitude and latitude in
    * degrees (x and y; z does not count), which are then moved to Input's sphere.
    */
   vtkSetClampMacro(SourceCoordinates, int, AS_GIVEN, LONGITUDE_LATITUDE);
   vtkGetMacro(SourceCoordinates, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * On a sphere, whether cells whose corners lie on two meridians and two parallels are bounded by
    * these instead of by great circles. Of conservative methods. Default off.
@@ -162,7 +162,7 @@ public:
   vtkSetMacro(InputEdgesAlongParallels, bool);
   vtkGetMacro(InputEdgesAlongParallels, bool);
   vtkBooleanMacro(InputEdgesAlongParallels, bool);
-  ///@}
+  //@}
 
   enum StatisticType
   {
@@ -174,14 +174,14 @@ public:
     MEDIAN = 5
   };
 
-  ///@{
+  //@{
   /**
    * What CONTAINED makes of the values in a cell. The array SkdCount has their number. The standard
    * deviation is that of the values there are, not an estimate. Default MEAN.
    */
   vtkSetClampMacro(Statistic, int, MEAN, MEDIAN);
   vtkGetMacro(Statistic, int);
-  ///@}
+  //@}
 
   enum SampleWeightsType
   {
@@ -190,7 +190,7 @@ public:
     COSINE_OF_LATITUDE = 2
   };
 
-  ///@{
+  //@{
   /**
    * What values of CONTAINED weigh in means, standard deviations and medians. Grids of longitude
    * and latitude have as many values near the poles as elsewhere: with EQUAL weights means are
@@ -199,7 +199,7 @@ public:
    */
   vtkSetClampMacro(SampleWeights, int, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
   vtkGetMacro(SampleWeights, int);
-  ///@}
+  //@}
 
   enum EmptyCellsType
   {
@@ -208,7 +208,7 @@ public:
     ENCLOSING_BOX = 2
   };
 
-  ///@{
+  //@{
   /**
    * What cells without a value (CONTAINED), or points that no source cell holds (INTERPOLATION),
    * get: LEAVE gives NaN; NEAREST (default) the value nearest to the mean of the cell's corners, or
@@ -218,7 +218,7 @@ public:
    */
   vtkSetClampMacro(EmptyCells, int, LEAVE, ENCLOSING_BOX);
   vtkGetMacro(EmptyCells, int);
-  ///@}
+  //@}
 
   enum LimiterType
   {
@@ -226,7 +226,7 @@ public:
     BARTH_JESPERSEN = 1
   };
 
-  ///@{
+  //@{
   /**
    * How gradients of CONSERVATIVE_SECOND_ORDER are limited. NO_LIMITER: they are those of the least
    * squares fit, exact for linear fields. BARTH_JESPERSEN (default): at no corner of a source cell
@@ -235,7 +235,7 @@ public:
    */
   vtkSetClampMacro(Limiter, int, NO_LIMITER, BARTH_JESPERSEN);
   vtkGetMacro(Limiter, int);
-  ///@}
+  //@}
 
   enum NormalizationType
   {
@@ -243,7 +243,7 @@ public:
     WHOLE = 1
   };
 
-  ///@{
+  //@{
   /**
    * What averages of partly covered cells are taken over: COVERED (default), the covered part, so
    * that constants stay; WHOLE, the whole cell as if the field were 0 elsewhere, so that the
@@ -251,16 +251,16 @@ public:
    */
   vtkSetClampMacro(Normalization, int, COVERED, WHOLE);
   vtkGetMacro(Normalization, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Cells of which a lesser share is covered by what counts get no value. Conservative methods;
    * range [0, 1], default 0: any overlap will do.
    */
   vtkSkdTreeSetWithinMacro(MinimumCoverage, double, 0.0, 1.0);
   vtkGetMacro(MinimumCoverage, double);
-  ///@}
+  //@}
 
   enum MissingValuesType
   {
@@ -268,16 +268,16 @@ public:
     SPREAD = 1
   };
 
-  ///@{
+  //@{
   /**
    * What becomes of the source's values that are NaN: MASK (default), they count as not there;
    * SPREAD, everything that has a share of them is NaN. INTERPOLATION always spreads them.
    */
   vtkSetClampMacro(MissingValues, int, MASK, SPREAD);
   vtkGetMacro(MissingValues, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether values equal to MissingValue count as NaN. Default off, and -9999.
    */
@@ -286,27 +286,27 @@ public:
   vtkBooleanMacro(UseMissingValue, bool);
   vtkSetMacro(MissingValue, double);
   vtkGetMacro(MissingValue, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A point or cell array of the Source that is 0 where values do not count. None by default. Not
    * for INTERPOLATION.
    */
   void SetMaskArray(const char* name);
   const char* GetMaskArray() const { return this->MaskArray.c_str(); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Cell arrays that are amounts (mass, say) and not averages or densities: conservative methods
    * divide them among target cells, and their sum is kept. None by default.
    */
   void AddExtensiveArray(const char* name);
   void ClearExtensiveArrays();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * On a sphere, whether arrays of three components, unless of integers, are vectors which
    * conservative methods turn from where the source cell is to where the target cell is. Else they
@@ -315,17 +315,17 @@ public:
   vtkSetMacro(RotateVectors, bool);
   vtkGetMacro(RotateVectors, bool);
   vtkBooleanMacro(RotateVectors, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Point arrays whose gradients INTERPOLATION adds, see vtkSkdTreeProbe. None by default.
    */
   void AddGradientArray(const char* name);
   void ClearGradientArrays();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Pass the input's own point and cell data. A source's array whose name is in use by then is left
    * out, with a warning. Default on.
@@ -333,9 +333,9 @@ public:
   vtkSetMacro(PassInputData, bool);
   vtkGetMacro(PassInputData, bool);
   vtkBooleanMacro(PassInputData, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether conservative methods give their weights (port 1) and overlaps (port 2). Default off.
    */
@@ -345,7 +345,7 @@ public:
   vtkSetMacro(GenerateOverlapMesh, bool);
   vtkGetMacro(GenerateOverlapMesh, bool);
   vtkBooleanMacro(GenerateOverlapMesh, bool);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeRemap();
