@@ -9,7 +9,7 @@ namespace skd
 {
 
 /// The points p with Normal . p <= Offset.
-struct HalfSpace
+struct DomainSide
 {
   Vector3 Normal;
   double Offset;
@@ -21,16 +21,16 @@ struct ParameterDomain
 {
   int Dimension;
   int Size;
-  HalfSpace Sides[6];
+  DomainSide Sides[6];
 };
 
 // Each is [0, 1] in every coordinate, cut where a sum may not exceed 1.
-inline constexpr HalfSpace AtLeast0[3] = { { { { -1.0, 0.0, 0.0 } }, 0.0 },
+inline constexpr DomainSide AtLeast0[3] = { { { { -1.0, 0.0, 0.0 } }, 0.0 },
   { { { 0.0, -1.0, 0.0 } }, 0.0 }, { { { 0.0, 0.0, -1.0 } }, 0.0 } };
-inline constexpr HalfSpace AtMost1[3] = { { { { 1.0, 0.0, 0.0 } }, 1.0 },
+inline constexpr DomainSide AtMost1[3] = { { { { 1.0, 0.0, 0.0 } }, 1.0 },
   { { { 0.0, 1.0, 0.0 } }, 1.0 }, { { { 0.0, 0.0, 1.0 } }, 1.0 } };
-inline constexpr HalfSpace SumOf2AtMost1 = { { { 1.0, 1.0, 0.0 } }, 1.0 };
-inline constexpr HalfSpace SumOf3AtMost1 = { { { 1.0, 1.0, 1.0 } }, 1.0 };
+inline constexpr DomainSide SumOf2AtMost1 = { { { 1.0, 1.0, 0.0 } }, 1.0 };
+inline constexpr DomainSide SumOf3AtMost1 = { { { 1.0, 1.0, 1.0 } }, 1.0 };
 
 inline constexpr ParameterDomain UnitSegment = { 1, 2, { AtLeast0[0], AtMost1[0] } };
 inline constexpr ParameterDomain UnitSquare = { 2, 4,
@@ -45,7 +45,7 @@ inline constexpr ParameterDomain UnitPrism = { 3, 5,
   { AtLeast0[0], AtLeast0[1], SumOf2AtMost1, AtLeast0[2], AtMost1[2] } };
 
 /// How far inside a side p is; negative outside.
-inline double Slack(const HalfSpace& side, const Vector3& p)
+inline double Slack(const DomainSide& side, const Vector3& p)
 {
   return side.Offset - Dot(side.Normal, p);
 }
@@ -68,7 +68,7 @@ inline Vector3 Clamped(const ParameterDomain& domain, Vector3 p)
 {
   for (int i = 0; i < domain.Size; ++i)
   {
-    const HalfSpace& side = domain.Sides[i];
+    const DomainSide& side = domain.Sides[i];
     const double slack = Slack(side, p);
     if (slack < 0.0)
     {
