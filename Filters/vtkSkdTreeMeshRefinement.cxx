@@ -150,7 +150,14 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdMeshOutco
 skd::HangingNodes FindHanging(const skd::RefinedMesh& mesh, skd::SharedCuts* shared)
 {
   skd::HangingNodes hanging(mesh);
-  hanging.Add([shared](std::vector<char>& marks) { shared ? shared->ShareMarks(marks) : void(); });
+  hanging.Add(
+    [shared](std::vector<char>& marks)
+    {
+      if (shared)
+      {
+        shared->ShareMarks(marks);
+      }
+    });
   return hanging;
 }
 

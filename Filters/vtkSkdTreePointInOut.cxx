@@ -94,7 +94,14 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractThose(
     }
   }
   SkdSubset subset(mesh);
-  ofCells ? subset.SetCells(those) : subset.SetPoints(those);
+  if (ofCells)
+  {
+    subset.SetCells(those);
+  }
+  else
+  {
+    subset.SetPoints(those);
+  }
   subset.CopyData();
   return subset.Get();
 }

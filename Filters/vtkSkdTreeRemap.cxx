@@ -217,8 +217,14 @@ void vtkSkdTreeRemap::Internals::TakeProbed(vtkDataSet* block)
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
-    to->HasArray(array->GetName()) ? void(this->Refused.insert(array->GetName()))
-                                   : void(to->AddArray(array));
+    if (to->HasArray(array->GetName()))
+    {
+      this->Refused.insert(array->GetName());
+    }
+    else
+    {
+      to->AddArray(array);
+    }
   }
 }
 
@@ -324,7 +330,14 @@ void vtkSkdTreeRemap::Internals::FillOverlaps(vtkDataObject* output)
       : nullptr;
     if (mesh)
     {
-      blocks ? blocks->SetBlock(static_cast<unsigned int>(block), mesh) : output->ShallowCopy(mesh);
+      if (blocks)
+      {
+        blocks->SetBlock(static_cast<unsigned int>(block), mesh);
+      }
+      else
+      {
+        output->ShallowCopy(mesh);
+      }
     }
   }
 }
@@ -362,7 +375,12 @@ void vtkSkdTreeRemap::Internals::WarnAboutCells() const
 {
   const SkdRemapFindings& found = this->Remapper.GetFindings();
   const auto tell = [this](vtkIdType count, const std::string& what)
-  { count > 0 ? this->Warn(std::to_string(count) + what) : void(); };
+  {
+    if (count > 0)
+    {
+      this->Warn(std::to_string(count) + what);
+    }
+  };
   if (!found.Problem.empty())
   {
     this->Warn(found.Problem);
@@ -418,7 +436,10 @@ void vtkSkdTreeRemap::Internals::Run(
   this->Outputs = SkdMirror(input, output);
   this->IsComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   this->Refused.clear();
-  this->Self->PassInputData ? void() : SkdDropData(this->Outputs);
+  if (!this->Self->PassInputData)
+  {
+    SkdDropData(this->Outputs);
+  }
   this->PrepareDonor(source);
   this->Settings = this->MakeSettings();
   this->Settings.WeighsByCosine = this->WeighsByCosine(source);
@@ -433,11 +454,19 @@ void vtkSkdTreeRemap::Internals::Run(
   for (std::size_t block = 0; block < this->Outputs.size(); ++block)
   {
     const double first = static_cast<double>(block) * step;
-    SkdIsAskedToStop(this->Self) ? void() : this->MapBlock(block, first, first + step);
+    if (!(SkdIsAskedToStop(this->Self)))
+    {
+      this->MapBlock(block, first, first + step);
+    }
   }
-  this->Self->GenerateWeights ? this->FillWeights(vtkTable::GetData(outputVector, 1)) : void();
-  this->Self->GenerateOverlapMesh ? this->FillOverlaps(vtkDataObject::GetData(outputVector, 2))
-                                  : void();
+  if (this->Self->GenerateWeights)
+  {
+    this->FillWeights(vtkTable::GetData(outputVector, 1));
+  }
+  if (this->Self->GenerateOverlapMesh)
+  {
+    this->FillOverlaps(vtkDataObject::GetData(outputVector, 2));
+  }
   this->WarnAboutFields();
   this->WarnAboutCells();
   this->Report(output, watch.Lap());

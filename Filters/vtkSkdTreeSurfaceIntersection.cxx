@@ -71,7 +71,10 @@ SkdPlacement Complete(
   const Surface& first, const Surface* second, const std::optional<skd::RigidMotion>& motion)
 {
   first.Set.Complete();
-  second ? second->Set.Complete() : void();
+  if (second)
+  {
+    second->Set.Complete();
+  }
   return SkdPlace(first.Set, second ? &second->Set : nullptr, motion);
 }
 
@@ -126,7 +129,10 @@ void WarnOfNoFaces(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
     }
   };
   warn(first, "Input");
-  second ? warn(*second, "Source") : void();
+  if (second)
+  {
+    warn(*second, "Source");
+  }
 }
 
 /// What meets, and where the surfaces are.
@@ -306,7 +312,10 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
     const SplitOutput output{ this, segments, placement.Scale, report };
     output.Fill(0, &first, vtkPolyData::GetData(outputVector, 4));
     output.Fill(1, source ? &other : nullptr, vtkPolyData::GetData(outputVector, 5));
-    source ? KeepShare(SkdShare::Of(outputVector), outputVector) : void();
+    if (source)
+    {
+      KeepShare(SkdShare::Of(outputVector), outputVector);
+    }
   }
   report.AddMeasure("QuerySeconds", watch.Lap());
   ReportSurfaces(report, first, source ? &other : nullptr, placement);

@@ -59,7 +59,14 @@ std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& 
         mesh->GetPoint(ids->GetId(i), x);
         const vtkIdType point = weld.GetId(x);
         pieces.Find(point);
-        first < 0 ? void(first = point) : pieces.Join(point, first);
+        if (first < 0)
+        {
+          first = point;
+        }
+        else
+        {
+          pieces.Join(point, first);
+        }
       }
       firstPoints[block].push_back(first);
     }

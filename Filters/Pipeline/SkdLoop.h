@@ -60,7 +60,14 @@ public:
     for (vtkIdType begin = 0; begin < n && !this->IsStopped(); begin += piece)
     {
       const vtkIdType end = std::min(n, begin + piece);
-      end - begin > 1 ? vtkSMPTools::For(begin, end, body) : body(begin, end);
+      if (end - begin > 1)
+      {
+        vtkSMPTools::For(begin, end, body);
+      }
+      else
+      {
+        body(begin, end);
+      }
       this->Done += end - begin;
       const double part = static_cast<double>(this->Done) / std::max<vtkIdType>(this->Total, 1);
       this->Algorithm->UpdateProgress(this->First + part * (this->Last - this->First));

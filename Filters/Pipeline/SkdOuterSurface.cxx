@@ -81,8 +81,14 @@ struct LinearPart
       {
         continue;
       }
-      type == VTK_POLYHEDRON&& polyhedra ? polyhedra->GetFaceStream(id, ids)
-                                         : mesh->GetCellPoints(id, ids);
+      if (type == VTK_POLYHEDRON && polyhedra)
+      {
+        polyhedra->GetFaceStream(id, ids);
+      }
+      else
+      {
+        mesh->GetCellPoints(id, ids);
+      }
       this->Grid->InsertNextCell(type, ids);
       this->CellIds.push_back(id);
       marks->InsertNextValue(ghosts ? ghosts->GetValue(id) : 0);

@@ -37,7 +37,14 @@ public:
   vtkIdType GetPoint(vtkIdType place, double x[3]) const
   {
     const vtkIdType id = this->GetPoint(place);
-    this->Scattered ? this->Scattered->Read(id, x) : this->Mesh->GetPoint(id, x);
+    if (this->Scattered)
+    {
+      this->Scattered->Read(id, x);
+    }
+    else
+    {
+      this->Mesh->GetPoint(id, x);
+    }
     return id;
   }
 

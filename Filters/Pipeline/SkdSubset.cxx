@@ -76,9 +76,14 @@ void SkdSubset::SetCells(const std::vector<vtkIdType>& cells)
   unsigned char* const first = types->GetPointer(0);
   unsigned char* const last = std::transform(cells.begin(), cells.end(), first,
     [&reader](vtkIdType cell) { return static_cast<unsigned char>(reader.TypeOf(cell)); });
-  std::find(first, last, static_cast<unsigned char>(VTK_POLYHEDRON)) != last
-    ? this->InsertCells(reader)
-    : this->CopyCells(reader, types);
+  if (std::find(first, last, static_cast<unsigned char>(VTK_POLYHEDRON)) != last)
+  {
+    this->InsertCells(reader);
+  }
+  else
+  {
+    this->CopyCells(reader, types);
+  }
   this->CopyPoints();
 }
 

@@ -27,7 +27,14 @@ SkdCellRegion::SkdCellRegion(const skd::RefinedMesh& mesh, std::uint32_t cell)
   }
   this->SampleRadius = this->IsVolume ? 0.0 : 0.5 * this->Radius;
   this->Box = this->Set.Bounds.Inflated(this->SampleRadius);
-  this->IsVolume ? this->AddFaces(mesh[cell].Kind) : this->AddSelf();
+  if (this->IsVolume)
+  {
+    this->AddFaces(mesh[cell].Kind);
+  }
+  else
+  {
+    this->AddSelf();
+  }
 }
 
 void SkdCellRegion::AddSelf()

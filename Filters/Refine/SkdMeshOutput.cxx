@@ -272,7 +272,10 @@ void BlockWriter::WritePointData(const skd::HangingNodes& hanging, vtkPointData*
         if (i < old)
         {
           gather.Take(i, 0, i);
-          ghosts ? ghosts->SetValue(i, oldGhosts->GetValue(i)) : void();
+          if (ghosts)
+          {
+            ghosts->SetValue(i, oldGhosts->GetValue(i));
+          }
           continue;
         }
         SkdBlockPoints::Recipe recipe = this->Points.GetRecipe(static_cast<std::size_t>(i - old));
@@ -285,10 +288,16 @@ void BlockWriter::WritePointData(const skd::HangingNodes& hanging, vtkPointData*
         {
           ghost = static_cast<unsigned char>(ghost & (ghosts ? oldGhosts->GetValue(id) : 0));
         }
-        ghosts ? ghosts->SetValue(i, ghost) : void();
+        if (ghosts)
+        {
+          ghosts->SetValue(i, ghost);
+        }
       }
     });
-  ghosts ? static_cast<void>(target->AddArray(ghosts)) : void();
+  if (ghosts)
+  {
+    target->AddArray(ghosts);
+  }
   target->AddArray(marks);
   CopyActive(source, target);
 }
@@ -313,9 +322,15 @@ void BlockWriter::WriteCellData(vtkCellData* target) const
       gather.Take(i, 0, parent);
       parents->SetValue(i, parent);
       levels->SetValue(i, static_cast<unsigned char>(this->Read.Mesh[part.Cell].Level()));
-      ghosts ? ghosts->SetValue(i, oldGhosts->GetValue(parent)) : void();
+      if (ghosts)
+      {
+        ghosts->SetValue(i, oldGhosts->GetValue(parent));
+      }
     });
-  ghosts ? static_cast<void>(target->AddArray(ghosts)) : void();
+  if (ghosts)
+  {
+    target->AddArray(ghosts);
+  }
   target->AddArray(parents);
   target->AddArray(levels);
   CopyActive(source, target);

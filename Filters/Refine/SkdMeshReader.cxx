@@ -258,7 +258,10 @@ void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, Skd
     {
       const bool isDuplicate =
         ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-      isDuplicate ? void() : adder.Add(cell);
+      if (!isDuplicate)
+      {
+        adder.Add(cell);
+      }
     }
     block.LastCell = read.Mesh.NumberOfCells();
   }

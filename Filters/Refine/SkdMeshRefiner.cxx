@@ -120,7 +120,12 @@ bool SkdMeshRefiner::Cut(const std::vector<std::uint32_t>& wanted)
   const std::vector<std::uint32_t> cells =
     skd::WithLayers(this->Mesh, wanted, this->Settings.Layers,
       [this](std::vector<int>& levels)
-      { this->Settings.Shared ? this->Settings.Shared->ShareLevels(levels) : void(); });
+      {
+        if (this->Settings.Shared)
+        {
+          this->Settings.Shared->ShareLevels(levels);
+        }
+      });
   const skd::RefinedMesh::State before = this->Mesh.GetState();
   const bool fits = this->Settings.IsConforming
     ? this->Bisect(cells)
@@ -128,7 +133,10 @@ bool SkdMeshRefiner::Cut(const std::vector<std::uint32_t>& wanted)
         this->Mesh, this->Settings.CellLimit, this->Settings.Balance, this->Settings.Shared)
         .Refine(cells);
   const bool fitsTogether = fits && this->FitTogether();
-  fitsTogether ? void() : this->Mesh.GoBackTo(before);
+  if (!fitsTogether)
+  {
+    this->Mesh.GoBackTo(before);
+  }
   return fitsTogether;
 }
 

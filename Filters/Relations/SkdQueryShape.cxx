@@ -193,9 +193,14 @@ std::vector<std::uint32_t> SkdQueryShape::FindMaybeNear(const SkdCellTree& tree,
   else if (this->TheKind == Kind::Plane || this->IsAsSegment(tree, reach))
   {
     vtkNew<vtkIdList> ids;
-    this->TheKind == Kind::Plane
-      ? tree.FindSafetyBoxesAlong(this->Plane, reach, ids)
-      : tree.FindSafetyBoxesAlong({ this->Set.Points.front(), this->Set.Points.back() }, ids);
+    if (this->TheKind == Kind::Plane)
+    {
+      tree.FindSafetyBoxesAlong(this->Plane, reach, ids);
+    }
+    else
+    {
+      tree.FindSafetyBoxesAlong({ this->Set.Points.front(), this->Set.Points.back() }, ids);
+    }
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
     {
       cells.push_back(static_cast<std::uint32_t>(tree.Cells().CellOfId(ids->GetId(i))));

@@ -139,8 +139,14 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   middle = (1.0 / Norm(middle)) * middle;
   const bool isLarge = std::any_of(corners.begin(), corners.end(),
     [&](const Corner& corner) { return Dot(corner.X, middle) < 0.2; });
-  isLarge ? this->AddFan(corners, this->Reading.IntoSimplices ? corners[0] : Corner{ middle, -1 })
-          : this->AddSeen(skd::SphericalFrame(middle), corners);
+  if (isLarge)
+  {
+    this->AddFan(corners, this->Reading.IntoSimplices ? corners[0] : Corner{ middle, -1 });
+  }
+  else
+  {
+    this->AddSeen(skd::SphericalFrame(middle), corners);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -172,6 +172,13 @@ void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
   for (const auto& simplex : set.Simplices)
   {
     Corners corners{ this->Seen[simplex[0]], this->Seen[simplex[1]], this->Seen[simplex[2]] };
-    wanted == 1 ? this->AddSegment(corners[0], corners[1]) : this->AddPolygon(corners);
+    if (wanted == 1)
+    {
+      this->AddSegment(corners[0], corners[1]);
+    }
+    else
+    {
+      this->AddPolygon(corners);
+    }
   }
 }

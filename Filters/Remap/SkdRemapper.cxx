@@ -55,7 +55,10 @@ void SkdRemapper::Begin(
   {
     const bool isThere =
       donor->GetCellData()->GetArray(name.c_str()) || donor->GetPointData()->GetArray(name.c_str());
-    isThere ? void() : void(problems.Missing.insert(name));
+    if (!isThere)
+    {
+      problems.Missing.insert(name);
+    }
   }
 }
 
@@ -215,7 +218,10 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double
   }
   for (const SkdDonorField& field : this->PointFields)
   {
-    points ? add(field, remap.MapPoints(field, *points, places)) : void();
+    if (points)
+    {
+      add(field, remap.MapPoints(field, *points, places));
+    }
   }
   return !SkdIsAskedToStop(this->Algorithm);
 }

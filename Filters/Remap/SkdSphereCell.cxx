@@ -43,7 +43,14 @@ bool SkdSphereCell::Set(const std::vector<skd::Vector3>& corners)
   }
   this->SetBox();
   const int turn = this->FindTurn();
-  turn == 0 ? this->AddTriangles() : this->AddLoop(turn < 0);
+  if (turn == 0)
+  {
+    this->AddTriangles();
+  }
+  else
+  {
+    this->AddLoop(turn < 0);
+  }
   return true;
 }
 
