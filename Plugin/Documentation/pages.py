@@ -68,7 +68,8 @@ def row(element):
 
 
 def properties_of(proxy):
-    return [element for element in proxy if element.tag.endswith("Property")]
+    return [element for element in proxy
+        if element.tag.endswith("Property") and element.get("information_only") != "1"]
 
 
 def generated(proxy, kind):

@@ -109,7 +109,7 @@ protected:
   QuietWindow Quiet;
 };
 
-INSTANTIATE_TEST_SUITE_P(Filters, HarmedCells, testing::Range<std::size_t>(0, 29),
+INSTANTIATE_TEST_SUITE_P(Filters, HarmedCells, testing::Range<std::size_t>(0, 30),
   [](const auto& info) { return AllFilterSetups()[info.param].Name; });
 
 TEST_P(HarmedCells, DoNoHarm)

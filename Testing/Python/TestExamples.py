@@ -100,6 +100,11 @@ def test_mesh_refinement():
     check("MeshRefinement", data("earth_relief.vti"), {" 0 points hang": 3}, (0.005, 0.3))
 
 
+def test_mesh_adaptation():
+    words = {"cells of the Alps": 3, " shrink from": 9, "equidistribution error": 3}
+    check("MeshAdaptation", data("earth_relief.vti"), words, (0.1, 0.5))
+
+
 def test_surface_intersection():
     files = data("fly_brain_neuropil.vtp", "fly_brain_lateral_horn.vtp")
     words = {"2 trees built": 1, "0 trees built": 8}

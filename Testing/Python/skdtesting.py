@@ -89,5 +89,6 @@ def our_proxies():
 
 
 def properties_of(proxy):
-    """The XML elements of a proxy's own properties."""
-    return [element for element in proxy if element.tag.endswith("Property")]
+    """The XML elements of a proxy's own properties, but those that only inform."""
+    return [element for element in proxy
+        if element.tag.endswith("Property") and element.get("information_only") != "1"]

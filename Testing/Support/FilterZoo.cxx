@@ -14,6 +14,7 @@
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCurveIntersection.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
+#include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreeMeshRefinement.h"
 #include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeProbe.h"
@@ -182,6 +183,13 @@ AlgorithmPointer MakeRefinementOf(vtkDataObject* mesh, vtkDataObject* parts, vtk
   return filter;
 }
 
+AlgorithmPointer MakeAdaptationOf(vtkDataObject* mesh, vtkDataObject* data)
+{
+  const auto filter = MakeOf<vtkSkdTreeMeshAdaptation>(mesh, data);
+  filter->SetMaximumIterations(2);
+  return filter;
+}
+
 template <class Filter>
 AlgorithmPointer MakeAlone(vtkDataObject* input)
 {
@@ -243,6 +251,7 @@ std::vector<FilterSetup> MakeSetups()
       [](Data* mesh) { return MakeRefinementOf(SomeVolumes(), mesh, SomeSurface()); } },
     { "RefinementOnto",
       [](Data* mesh) { return MakeRefinementOf(SomeVolumes(), SomeSurface(), mesh); } },
+    { "AdaptationOf", [](Data* mesh) { return MakeAdaptationOf(mesh, SomeSurface()); } },
     { "Representation", MakeAlone<vtkSkdTreeRepresentation> },
     { "Attach", MakeAlone<vtkSkdTreeAttach> },
   };

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeMeshAdaptation: what it does with VTK's meshes and data. Where points go is a matter of
+// the core's tests.
+
+#include "Support/EventCounter.h"
+#include "Support/FilterRun.h"
+#include "Support/Folders.h"
+
+#include "vtkCellData.h"
+#include "vtkCubeSource.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSkdTreeMeshAdaptation.h"
+#include "vtkSkdTreeMeshRefinement.h"
+#include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+using Filter = vtkSkdTreeMeshAdaptation;
+using FilterPointer = vtkSmartPointer<Filter>;
+
+/// n x n quads of the unit square.
+PolyDataPointer MakeSheet(int n)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0, 0, 0);
+  plane->SetPoint1(1, 0, 0);
+  plane->SetPoint2(0, 1, 0);
+  plane->SetResolution(n, n);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+/// A fine sheet with a ridge at x = 0.3.
+PolyDataPointer MakeRidge()
+{
+  PolyDataPointer sheet = MakeSheet(100);
+  const auto ridge = [&](vtkIdType i)
+  {
+    Point p;
+    sheet->GetPoint(i, p.data());
+    return std::exp(-100.0 * (p[0] - 0.3) * (p[0] - 0.3));
+  };
+  sheet->GetPointData()->Initialize();
+  sheet->GetPointData()->AddArray(MakeArray("Ridge", sheet->GetNumberOfPoints(), ridge));
+  return sheet;
+}
+
+FilterPointer MakeFilter(vtkDataObject* input, vtkDataObject* source)
+{
+  auto filter = FilterPointer::New();
+  filter->SetInputDataObject(0, input);
+  filter->SetSourceData(source);
+  return filter;
+}
+
+double Reported(Filter* filter, const char* what)
+{
+  vtkFieldData* field = filter->GetOutputDataObject(0)->GetFieldData();
+  vtkDataArray* array = field->GetArray((std::string("SkdReport") + what).c_str());
+  return array ? array->GetComponent(0, 0) : -1.0;
+}
+
+vtkPointSet* MeshOf(Filter* filter)
+{
+  return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+bool HasMoved(vtkPointSet* now, vtkPointSet* before)
+{
+  double most = 0.0;
+  for (vtkIdType i = 0; i < now->GetNumberOfPoints(); ++i)
+  {
+    Point a, b;
+    now->GetPoint(i, a.data());
+    before->GetPoint(i, b.data());
+    most = std::max(most, Length(a - b));
+  }
+  return most > 1e-3;
+}
+
+TEST(MeshAdaptation, CellsBecomeSmallWhereTheFieldVaries)
+{
+  PolyDataPointer input = MakeSheet(24);
+  FilterPointer filter = MakeFilter(input, MakeRidge());
+  filter->Update();
+  EXPECT_LT(
+    Reported(filter, "EquidistributionAfter"), Reported(filter, "EquidistributionBefore") / 3.0);
+  vtkPointSet* output = MeshOf(filter);
+  vtkDataArray* moves = output->GetPointData()->GetArray("SkdDisplacement");
+  vtkDataArray* ratios = output->GetCellData()->GetArray("SkdAreaRatio");
+  vtkDataArray* areas = output->GetCellData()->GetArray("SkdArea");
+  ASSERT_TRUE(moves && ratios && areas && output->GetCellData()->GetArray("SkdMonitor") &&
+    output->GetCellData()->GetArray("SkdFieldMean"));
+  double total = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    total += areas->GetComponent(i, 0);
+  }
+  EXPECT_NEAR(total, 1.0, 1e-12);
+  EXPECT_LT(ratios->GetRange()[0], 0.6);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    Point was, is, move;
+    input->GetPoint(i, was.data());
+    output->GetPoint(i, is.data());
+    moves->GetTuple(i, move.data());
+    ASSERT_LT(Length(is - was - move), 1e-15);
+    ASSERT_EQ(is[2], 0.0);
+  }
+}
+
+TEST(MeshAdaptation, TheTableHasARowAnIteration)
+{
+  FilterPointer filter = MakeFilter(MakeSheet(16), MakeRidge());
+  filter->SetMaximumIterations(5);
+  filter->SetTolerance(0.0);
+  filter->Update();
+  auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  ASSERT_EQ(table->GetNumberOfRows(), 6);
+  const auto best = static_cast<vtkIdType>(Reported(filter, "BestIteration"));
+  EXPECT_EQ(table->GetValueByName(best, "SkdEquidistributionError").ToDouble(),
+    Reported(filter, "EquidistributionAfter"));
+  for (vtkIdType row = 0; row < 6; ++row)
+  {
+    EXPECT_EQ(table->GetValueByName(row, "SkdIteration").ToInt(), row);
+    EXPECT_GT(table->GetValueByName(row, "SkdSmallestQuality").ToDouble(), 0.1);
+    EXPECT_GE(table->GetValueByName(row, "SkdEquidistributionError").ToDouble(),
+      Reported(filter, "EquidistributionAfter"));
+    EXPECT_EQ(table->GetValueByName(row, "SkdLargestDisplacement").ToDouble() > 0.0, row > 0);
+  }
+}
+
+TEST(MeshAdaptation, IterationsAreTimeSteps)
+{
+  PolyDataPointer input = MakeSheet(12);
+  FilterPointer filter = MakeFilter(input, MakeRidge());
+  filter->AnimateIterationsOn();
+  filter->SetMaximumIterations(4);
+  filter->UpdateInformation();
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  EXPECT_EQ(filter->GetOutputInformation(0)->Length(Pipeline::TIME_STEPS()), 5);
+  filter->UpdateTimeStep(0.0);
+  EXPECT_FALSE(HasMoved(MeshOf(filter), input));
+  filter->UpdateTimeStep(4.0);
+  EXPECT_TRUE(HasMoved(MeshOf(filter), input));
+  const double seconds = Reported(filter, "Seconds");
+  filter->UpdateTimeStep(1.0);
+  EXPECT_TRUE(HasMoved(MeshOf(filter), input));
+  EXPECT_EQ(Reported(filter, "Seconds"), seconds); // nothing was done again
+}
+
+// Blocks that share points stay together, and cells that are no surface hold theirs.
+TEST(MeshAdaptation, CompositeInputsStayTogether)
+{
+  PolyDataPointer left = MakeSheet(10);
+  PolyDataPointer right = MakeSheet(10);
+  for (vtkIdType i = 0; i < right->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    right->GetPoint(i, p.data());
+    right->GetPoints()->SetPoint(i, p[0] + 1.0, p[1], p[2]);
+  }
+  FilterPointer filter = MakeFilter(MakeBlocks({ left, right }), MakeRidge());
+  filter->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* a = vtkPointSet::SafeDownCast(blocks->GetBlock(0));
+  auto* b = vtkPointSet::SafeDownCast(blocks->GetBlock(1));
+  for (vtkIdType row = 0; row <= 10; ++row)
+  {
+    Point p, q;
+    a->GetPoint(11 * row + 10, p.data());
+    b->GetPoint(11 * row, q.data());
+    EXPECT_EQ(p, q);
+    EXPECT_NE(p[0], 1.0); // the seam is no border
+  }
+}
+
+/// An ellipsoid of half axes 1.5, 1 and 0.5.
+PolyDataPointer MakeEllipsoid(int n)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(3 * n);
+  source->SetPhiResolution(2 * n);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  PolyDataPointer made = source->GetOutput();
+  made->GetPointData()->Initialize();
+  for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    made->GetPoint(i, p.data());
+    made->GetPoints()->SetPoint(i, 3.0 * p[0], 2.0 * p[1], p[2]);
+  }
+  return made;
+}
+
+TEST(MeshAdaptation, OtherSurfacesAreKept)
+{
+  PolyDataPointer input = MakeEllipsoid(8);
+  PolyDataPointer data = MakeEllipsoid(40);
+  const auto field = [&](vtkIdType i) { return std::exp(2.0 * data->GetPoint(i)[0]); };
+  data->GetPointData()->AddArray(MakeArray("Field", data->GetNumberOfPoints(), field));
+  FilterPointer filter = MakeFilter(input, data);
+  filter->Update();
+  EXPECT_TRUE(HasMoved(MeshOf(filter), input));
+  EXPECT_LT(
+    Reported(filter, "EquidistributionAfter"), 0.6 * Reported(filter, "EquidistributionBefore"));
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    MeshOf(filter)->GetPoint(i, p.data());
+    const double at = p[0] * p[0] / 2.25 + p[1] * p[1] + 4.0 * p[2] * p[2];
+    EXPECT_GT(at, 0.93); // on facets of the ellipsoid
+    EXPECT_LT(at, 1.0001);
+  }
+}
+
+TEST(MeshAdaptation, ReliefOfTheEarthIsFollowed)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName((DataFolder() + "/earth_relief.vti").c_str());
+  reader->Update();
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkSkdTreeMeshRefinement> globe; // 1536 quads
+  globe->SetInputConnection(cube->GetOutputPort());
+  globe->SetMethod(vtkSkdTreeMeshRefinement::REGULAR);
+  globe->SetMinimumLevel(4);
+  globe->SetMaximumLevel(4);
+  globe->SetPointPlacement(vtkSkdTreeMeshRefinement::SPHERE);
+  globe->Update();
+  FilterPointer filter = MakeFilter(globe->GetOutputDataObject(0), reader->GetOutput());
+  filter->SetSourceCoordinates(Filter::LONGITUDE_LATITUDE);
+  filter->Update();
+  EXPECT_LT(
+    Reported(filter, "EquidistributionAfter"), Reported(filter, "EquidistributionBefore") / 3.0);
+  EXPECT_GT(Reported(filter, "SmallestQuality"), 0.0);
+  for (vtkIdType i = 0; i < MeshOf(filter)->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    MeshOf(filter)->GetPoint(i, p.data());
+    EXPECT_NEAR(Length(p), std::sqrt(0.75), 1e-6);
+  }
+}
+
+/// What the filter complained of, the mesh being as it was.
+std::string Complaint(
+  vtkDataObject* input, vtkDataObject* source, const std::function<void(Filter*)>& set = {})
+{
+  FilterPointer filter = MakeFilter(input, source);
+  EventCounter counter(filter);
+  if (set)
+  {
+    set(filter);
+  }
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetDataObjectType(), input->GetDataObjectType());
+  if (MeshOf(filter) && MeshOf(filter)->GetNumberOfPoints() > 0)
+  {
+    EXPECT_FALSE(HasMoved(MeshOf(filter), vtkPointSet::SafeDownCast(input)));
+  }
+  return counter.Error + counter.Warning;
+}
+
+TEST(MeshAdaptation, BadInputGivesOneClearMessage)
+{
+  PolyDataPointer sheet = MakeSheet(4);
+  PolyDataPointer ridge = MakeRidge();
+  const auto named = [](Filter* filter) { filter->SetFieldArray("None"); };
+  EXPECT_NE(Complaint(sheet, ridge, named).find("no array \"None\""), std::string::npos);
+  EXPECT_NE(Complaint(PolyDataPointer::New(), ridge).find("no triangles"), std::string::npos);
+  const auto onSphere = [](Filter* filter) { filter->SetSurface(Filter::SPHERE); };
+  EXPECT_NE(Complaint(sheet, ridge, onSphere).find("not on a sphere"), std::string::npos);
+  const auto lonLat = [](Filter* f) { f->SetSourceCoordinates(Filter::LONGITUDE_LATITUDE); };
+  EXPECT_NE(Complaint(sheet, ridge, lonLat).find("not on a sphere"), std::string::npos);
+  PolyDataPointer nans = MakeRidge();
+  nans->GetPointData()->GetArray(0)->Fill(vtkMath::Nan());
+  EXPECT_NE(Complaint(sheet, nans).find("finite value"), std::string::npos);
+  nans->GetPointData()->GetArray(0)->Fill(-1.0);
+  const auto value = [](Filter* filter) { filter->SetMonitor(Filter::VALUE); };
+  EXPECT_NE(Complaint(sheet, nans, value).find("nowhere greater than 0"), std::string::npos);
+  EXPECT_EQ(Complaint(MakeSheet(1), ridge), "");
+}
+
+// Lines only; three cells at an edge; a tetrahedron; a quad that crosses itself.
+TEST(MeshAdaptation, CellsThatCannotMoveHoldTheirPoints)
+{
+  PolyDataPointer ridge = MakeRidge();
+  Mesh mesh;
+  const Ids ids = { mesh.Add({ 0, 0, 0 }), mesh.Add({ 1, 0, 0 }), mesh.Add({ 1, 1, 0 }),
+    mesh.Add({ 0, 1, 0 }), mesh.Add({ 0.5, 0.5, 1 }), mesh.Add({ 0.3, 0.8, 0 }) };
+  mesh.Add(VTK_LINE, { ids[0], ids[1] });
+  EXPECT_NE(Complaint(MakeGrid(mesh), ridge).find("no triangles"), std::string::npos);
+  mesh.Add(VTK_TRIANGLE, { ids[0], ids[1], ids[2] });
+  mesh.Add(VTK_TRIANGLE, { ids[0], ids[2], ids[3] });
+  mesh.Add(VTK_TRIANGLE, { ids[0], ids[2], ids[5] });
+  const std::string complaint = Complaint(MakeGrid(mesh), ridge);
+  EXPECT_NE(complaint.find("more than two cells"), std::string::npos) << complaint;
+  Mesh solid;
+  solid.Points = mesh.Points;
+  solid.Add(VTK_TRIANGLE, { ids[0], ids[1], ids[2] });
+  solid.Add(VTK_TETRA, { ids[0], ids[1], ids[2], ids[4] });
+  EXPECT_NE(
+    Complaint(MakeGrid(solid), ridge).find("no triangles, quads or polygons"), std::string::npos);
+  Mesh crossed;
+  crossed.Points = mesh.Points;
+  crossed.Add(VTK_QUAD, { ids[0], ids[2], ids[1], ids[3] });
+  EXPECT_NE(Complaint(MakeGrid(crossed), ridge).find("cross themselves"), std::string::npos);
+}
+
+TEST(MeshAdaptation, ProgressIsToldAndAbortEndsEarly)
+{
+  FilterPointer filter = MakeFilter(MakeSheet(24), MakeRidge());
+  ProgressWatch watch(filter, 0.1);
+  filter->Update();
+  auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  EXPECT_LT(table->GetNumberOfRows(), 10); // none where VTK empties outputs after an abort
+  filter->RemoveAllObservers();
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(MeshOf(filter)->GetNumberOfPoints(), 625);
+  EXPECT_GE(table->GetNumberOfRows(), 10);
+}
+
+}
