@@ -253,7 +253,10 @@ void vtkSkdTreeRemap::Internals::SetUpProber()
   {
     this->Prober->AddGradientArray(name.c_str());
   }
-  this->Prober->SetMaximumDistance(0.05 * this->RadiusOfInput());
+  if (isOnSphere)
+  {
+    this->Prober->SetMaximumDistance(0.05 * this->RadiusOfInput());
+  }
   this->Prober->SetOutsidePoints(this->Self->EmptyCells != LEAVE ? vtkSkdTreeProbe::NEAREST_CELL
       : isOnSphere ? vtkSkdTreeProbe::NEAREST_CELL_WITHIN_DISTANCE
                    : vtkSkdTreeProbe::LEAVE);
