@@ -83,14 +83,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeMeshAdaptation* New();
 
-  ///@{
+  //@{
   /**
    * The array of Source's points, else of its cells (then known at their middles), that is the
    * field; of several components their magnitude. Default "": the first array of numbers.
    */
   void SetFieldArray(const char* name);
   const char* GetFieldArray() const { return this->FieldArray.c_str(); }
-  ///@}
+  //@}
 
   enum CoordinatesType
   {
@@ -98,14 +98,14 @@ public:
     LONGITUDE_LATITUDE = 1
   };
 
-  ///@{
+  //@{
   /**
    * What Source's coordinates are: AS_GIVEN (default), those of Input, or LONGITUDE_LATITUDE, x and
    * y in degrees on the sphere that Input is on, north at positive z.
    */
   vtkSetClampMacro(SourceCoordinates, int, AS_GIVEN, LONGITUDE_LATITUDE);
   vtkGetMacro(SourceCoordinates, int);
-  ///@}
+  //@}
 
   enum SampleWeightsType
   {
@@ -114,7 +114,7 @@ public:
     COSINE_OF_LATITUDE = 2
   };
 
-  ///@{
+  //@{
   /**
    * What each value of Source counts in a mean: EQUAL, the same, or COSINE_OF_LATITUDE, the area
    * that it stands for in a grid of longitudes and latitudes, which has as many values near the
@@ -123,7 +123,7 @@ public:
    */
   vtkSetClampMacro(SampleWeights, int, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
   vtkGetMacro(SampleWeights, int);
-  ///@}
+  //@}
 
   enum MonitorType
   {
@@ -132,7 +132,7 @@ public:
     VALUE = 2
   };
 
-  ///@{
+  //@{
   /**
    * The monitor function: ARC_LENGTH (default), sqrt(1 + Strength g^2), GRADIENT, 1 + Strength g,
    * or VALUE, the field itself, which should be greater than 0. g is the length of the field's
@@ -140,33 +140,33 @@ public:
    */
   vtkSetClampMacro(Monitor, int, ARC_LENGTH, VALUE);
   vtkGetMacro(Monitor, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * See SetMonitor. 0 and more, default 10: 0 moves nothing, larger values make cells differ more.
    */
   vtkSkdTreeSetWithinMacro(Strength, double, 0.0, 1e6);
   vtkGetMacro(Strength, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How many times the monitor is smoothed: each cell takes half of its value from its neighbours.
    * 0 to 100, default 4. What a field has at the scale of single cells changes with every move.
    */
   vtkSetClampMacro(Smoothing, int, 0, 100);
   vtkGetMacro(Smoothing, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The largest ratio of the monitor's values: smaller ones are raised. It limits how much areas
    * differ. 1 and more, default 100.
    */
   vtkSkdTreeSetWithinMacro(MaximumRatio, double, 1.0, 1e9);
   vtkGetMacro(MaximumRatio, double);
-  ///@}
+  //@}
 
   enum SurfaceType
   {
@@ -176,7 +176,7 @@ public:
     INPUT_SURFACE = 3
   };
 
-  ///@{
+  //@{
   /**
    * What points stay on: PLANE, SPHERE (their distance to its centre is kept), INPUT_SURFACE, the
    * nearest point of the mesh as it was given, or AUTOMATIC_SURFACE (default), the first of these
@@ -184,7 +184,7 @@ public:
    */
   vtkSetClampMacro(Surface, int, AUTOMATIC_SURFACE, INPUT_SURFACE);
   vtkGetMacro(Surface, int);
-  ///@}
+  //@}
 
   enum BordersType
   {
@@ -192,22 +192,22 @@ public:
     STAY = 1
   };
 
-  ///@{
+  //@{
   /**
    * Whether points of borders SLIDE along them (default) or STAY. Corners stay, see FeatureAngle.
    */
   vtkSetClampMacro(Borders, int, SLIDE, STAY);
   vtkGetMacro(Borders, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A border or crease that turns by more has a corner, and cells whose normals differ by more meet
    * in a crease, which points slide along like a border. Degrees, 0 to 180, default 40.
    */
   vtkSkdTreeSetWithinMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
-  ///@}
+  //@}
 
   enum TargetSizesType
   {
@@ -215,42 +215,42 @@ public:
     UNIFORM = 1
   };
 
-  ///@{
+  //@{
   /**
    * What areas would be for a monitor that is the same everywhere: RELATIVE_TO_INPUT (default), as
    * they are in Input, or UNIFORM, all the same.
    */
   vtkSetClampMacro(TargetSizes, int, RELATIVE_TO_INPUT, UNIFORM);
   vtkGetMacro(TargetSizes, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The number of iterations, at most. 0 to 10000, default 50. With 0
    * nothing moves, and the means and the monitor are told.
    */
   vtkSetClampMacro(MaximumIterations, int, 0, 10000);
   vtkGetMacro(MaximumIterations, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The measure of equidistribution that is small enough (see above). Default 0.01.
    */
   vtkSkdTreeSetWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which part of Newton's step is made in each iteration. 0.01 to 1, default 0.5: 1 is faster for
    * smooth fields, less is better for those that are rough at the scale of cells.
    */
   vtkSkdTreeSetWithinMacro(Relaxation, double, 0.01, 1.0);
   vtkGetMacro(Relaxation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The quality that no cell falls below (but those that were worse): the least sine of its corners
    * relative to that of the regular polygon, 1 of a regular cell, 0 of one with a flat corner. 0 to
@@ -258,9 +258,9 @@ public:
    */
   vtkSkdTreeSetWithinMacro(MinimumQuality, double, 0.0, 0.9);
   vtkGetMacro(MinimumQuality, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Offer the iterations as time steps: time 0 is the mesh as it was given, time k the mesh after k
    * iterations, times after the last the last. Else the output is the best iteration. Default off.
@@ -268,7 +268,7 @@ public:
   vtkSetMacro(AnimateIterations, bool);
   vtkGetMacro(AnimateIterations, bool);
   vtkBooleanMacro(AnimateIterations, bool);
-  ///@}
+  //@}
 
 protected:
   vtkSkdTreeMeshAdaptation();

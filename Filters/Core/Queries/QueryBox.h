@@ -74,7 +74,8 @@ private:
 
 /// Sets both: whatever overlaps the box overlaps `outer`, and what `inner` holds is within it.
 template <int D>
-void SetAround(const Frame<D>& frame, const Box<D>& box, QueryBox<D>& outer, QueryBox<D>& inner)
+SKD_IN_ONE_PIECE void SetAround(
+  const Frame<D>& frame, const Box<D>& box, QueryBox<D>& outer, QueryBox<D>& inner)
 {
   ForEachAxis<D>(
     [&](int axis)
