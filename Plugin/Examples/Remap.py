@@ -41,9 +41,10 @@ view = simple.CreateRenderView(ViewSize=[1100, 600], OrientationAxesVisibility=0
     UseColorPaletteForBackground=0, Background=[1, 1, 1])
 colours = simple.GetColorTransferFunction("height")
 colours.ApplyPreset("Cool to Warm (Extended)", True)
-for proxy, place in ((means, -1.1), (coarser, 1.1)):
-    display = simple.Show(proxy, view, Representation="Surface With Edges")
-    display.Position = [place, 0, 0]
+for proxy, position in ((means, -1.1), (coarser, 1.1)):
+    moved = simple.Transform(Input=proxy)
+    moved.Transform.Translate = [position, 0, 0]
+    display = simple.Show(moved, view, Representation="Surface With Edges")
     display.EdgeColor = [0.35, 0.35, 0.35]
     display.Ambient, display.Diffuse = 0.4, 0.6
     simple.ColorBy(display, ("CELLS", "height"))
