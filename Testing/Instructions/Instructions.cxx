@@ -7,6 +7,8 @@
  * Each kind of work is counted by itself and put out under its name. Meshes and queries are the
  * same every time. Ends with 77 when it was compiled without valgrind's header.
  */
+#include "Support/LongCells.h"
+#include "Support/SpatialQueryRun.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
@@ -51,6 +53,8 @@ public:
     mesh->GetBounds(this->Box.data());
     this->Locator->SetDataSet(mesh);
   }
+
+  void Build() { this->Locator->BuildLocator(); }
 
   void CountBuild(const char* name)
   {
@@ -154,7 +158,7 @@ public:
 
   void CountPairs(const char* name, Counted& other)
   {
-    other.Locator->BuildLocator();
+    other.Build();
     vtkNew<vtkIdTypeArray> offsets;
     vtkNew<vtkIdTypeArray> ids;
     Count(name, [&] { this->Locator->FindPairs(other.Locator, offsets, ids); });
@@ -223,6 +227,25 @@ void CountSurface()
   surface.CountFirstAnswer("first answer, built on query");
 }
 
+/// Cells whose pieces must be searched, not gone through one by one.
+void CountExpensiveCells()
+{
+  for (const auto& [type, name] : { std::pair(VTK_POLY_VERTEX, "closest point, long polyvertex"),
+         std::pair(VTK_POLY_LINE, "closest point, long polyline"),
+         std::pair(VTK_TRIANGLE_STRIP, "closest point, long strip") })
+  {
+    const auto mesh = MakeGrid(LongCell(type, 16000));
+    Counted cell(mesh);
+    cell.Build();
+    cell.CountClosest(name, 0.0, 1.0);
+  }
+  const auto hexahedra = MakeGrid(SeparateQuadraticHexahedra(3));
+  QueryPointer query = MakeQuery(hexahedra, SpatialQuery::ADJACENCY);
+  query->SetShape(SpatialQuery::SOURCE_CELLS);
+  query->SetSourceData(hexahedra);
+  Count("adjacency, curved hexahedra", [&] { query->Update(); });
+}
+
 void CountVolume(const char* kind, Mesh mesh)
 {
   const auto grid = MakeGrid(mesh.Map(Bent));
@@ -245,5 +268,6 @@ int main()
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));
+  CountExpensiveCells();
   return 0;
 }
