@@ -16,6 +16,6 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 if (SKDTREE_SANITIZE)
   list(JOIN SKDTREE_SANITIZE "," sanitizers)
   add_compile_options(
-    -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+    -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${sanitizers})
 endif ()

@@ -284,7 +284,8 @@ TEST_P(CellTypes, WithinBoundsAreThoseWhoseBoundsOverlap)
 TEST_P(CellTypes, NeighboursAreInOrder)
 {
   Random random(134);
-  for (int i = 0; i < 10; ++i)
+  const int number = GetParam().Order < 3 ? 10 : 2; // evaluating the others is expensive
+  for (int i = 0; i < number; ++i)
   {
     const Point x = this->Query(random);
     const Ranked r = FindClosestCells(this->Locator, x, 100);

@@ -13,7 +13,7 @@ endforeach ()
 
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -S "${super}" -B "${WORK}/build" -G "${GENERATOR}"
-    -DCMAKE_BUILD_TYPE=Debug ${OPTIONS}
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 ${OPTIONS}
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(
   COMMAND "${CMAKE_COMMAND}" --build "${WORK}/build" --target RemoteModule
