@@ -79,13 +79,14 @@ def run_in_parallel(script, argument, processes=2):
 
 
 def our_proxies():
-    """The XML elements of all proxies that the plugin defines, as (group, element)."""
+    """The XML elements of the proxies of our classes, as (group, element)."""
     folder = os.path.join(SOURCE_DIR, "Plugin", "XML")
     for file in sorted(os.listdir(folder)):
         root = xml.etree.ElementTree.parse(os.path.join(folder, file)).getroot()
         for group in root.iter("ProxyGroup"):
-            for proxy in group:
-                yield group.get("name"), proxy
+            if group.get("name") != "representations":
+                for proxy in group:
+                    yield group.get("name"), proxy
 
 
 def properties_of(proxy):
