@@ -5,6 +5,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdValidInput.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -32,6 +33,12 @@ void vtkSkdTreeSourceAlgorithm::SetSourceData(vtkDataObject* source)
 vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) && this->Use == SourceUse::Required &&
+    this->GetNumberOfInputConnections(1) == 0)
+  {
+    vtkErrorMacro("Source is not set: connect the mesh to search to input port 1.");
+    return 1; // the outputs are empty
+  }
   const SkdValidInput valid(this, request, inputVector);
   return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
 }
@@ -39,7 +46,7 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
 int vtkSkdTreeSourceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   SkdAcceptMeshes(info);
-  if (port == 1 && this->Use == SourceUse::Optional)
+  if (port == 1) // also where it is required: VTK would complain once for each request
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A required Source that is not set: one message and empty outputs, until it is set.
+
+#include "Support/EventCounter.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkSkdTreeClosestPoint.h"
+#include "vtkSkdTreeCurveSurfaceIntersection.h"
+#include "vtkSkdTreeMeshAdaptation.h"
+#include "vtkSkdTreePointInOut.h"
+#include "vtkSkdTreeProbe.h"
+#include "vtkSkdTreeRemap.h"
+
+#include <gtest/gtest.h>
+
+using namespace skdtest;
+
+namespace
+{
+
+template <class Filter>
+class UnsetSource : public testing::Test
+{
+};
+
+using Filters = testing::Types<vtkSkdTreeClosestPoint, vtkSkdTreeCurveSurfaceIntersection,
+  vtkSkdTreeMeshAdaptation, vtkSkdTreePointInOut, vtkSkdTreeProbe, vtkSkdTreeRemap>;
+TYPED_TEST_SUITE(UnsetSource, Filters);
+
+TYPED_TEST(UnsetSource, IsOneMessage)
+{
+  const auto mesh = MakePolyData(SphereTriangles(4));
+  vtkNew<TypeParam> filter;
+  filter->SetInputDataObject(0, mesh);
+  EventCounter events(filter);
+  EventCounter pipeline(filter->GetExecutive());
+  filter->Update();
+  EXPECT_EQ(events.Errors, 1);
+  EXPECT_NE(events.Error.find("Source is not set"), std::string::npos) << events.Error;
+  EXPECT_EQ(pipeline.Errors, 0) << pipeline.Error;
+  ASSERT_NE(filter->GetOutputDataObject(0), nullptr);
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
+
+  events.Error.clear();
+  filter->SetSourceData(mesh);
+  filter->Update(); // the adaptation misses an array to adapt to
+  EXPECT_EQ(events.Error.find("Source is not set"), std::string::npos) << events.Error;
+  EXPECT_EQ(pipeline.Errors, 0) << pipeline.Error;
+}
+
+}
