@@ -12,7 +12,7 @@ with_display=$root/.ci/with_display.sh
 # library.
 packages=(
   cmake ninja-build g++ paraview paraview-dev python3-paraview python3-dev
-  libopenmpi-dev libutfcpp-dev libdouble-conversion-dev xvfb)
+  libopenmpi-dev libutfcpp-dev libdouble-conversion-dev libnetcdf-dev xvfb)
 qt5=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5)
 qt6=(
   qt6-base-dev qt6-tools-dev qt6-5compat-dev qt6-declarative-dev qt6-svg-dev qt6-svg-plugins

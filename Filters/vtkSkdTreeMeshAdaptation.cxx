@@ -4,6 +4,7 @@
 
 #include "Adaptation/SkdMeshAdapter.h"
 #include "Cells/SkdCellReader.h"
+#include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdContainedMean.h"
@@ -35,13 +36,6 @@ struct Samples
   std::vector<double> Weights;
   bool IsStructured = false;
 };
-
-bool IsStructured(vtkDataSet* mesh)
-{
-  const int type = mesh->GetDataObjectType();
-  return type == VTK_IMAGE_DATA || type == VTK_UNIFORM_GRID || type == VTK_RECTILINEAR_GRID ||
-    type == VTK_STRUCTURED_GRID || type == VTK_STRUCTURED_POINTS;
-}
 
 /// The named array, or else the first of numbers, that is no mark of ghosts.
 vtkDataArray* FindArray(vtkDataSetAttributes* data, const std::string& name)
@@ -111,7 +105,7 @@ void AddSamples(vtkDataSet* mesh, int type, vtkDataArray* array, Samples& sample
     samples.Places.push_back(x);
     samples.Values.push_back(counts ? MagnitudeOf(array, i) : vtkMath::Nan());
   }
-  samples.IsStructured = samples.IsStructured || IsStructured(mesh);
+  samples.IsStructured = samples.IsStructured || SkdIsStructured(mesh);
 }
 
 Samples ReadSamples(vtkDataObject* source, const std::string& name)
@@ -133,15 +127,6 @@ Samples ReadSamples(vtkDataObject* source, const std::string& name)
     }
   }
   return samples;
-}
-
-/// Longitude and latitude in degrees as a direction.
-skd::Vector3 DirectionOf(const skd::Vector3& x)
-{
-  const double longitude = vtkMath::RadiansFromDegrees(x[0]);
-  const double latitude = vtkMath::RadiansFromDegrees(x[1]);
-  const double across = std::abs(x[1]) == 90.0 ? 0.0 : std::cos(latitude);
-  return { { across * std::cos(longitude), across * std::sin(longitude), std::sin(latitude) } };
 }
 
 bool HasAny(const std::vector<double>& values)
@@ -216,7 +201,8 @@ void vtkSkdTreeMeshAdaptation::Internals::PlaceSamples(Samples& samples) const
   {
     if (isSphere)
     {
-      x = this->Self->SourceCoordinates == LONGITUDE_LATITUDE ? DirectionOf(x) : x - shape.Centre;
+      x = this->Self->SourceCoordinates == LONGITUDE_LATITUDE ? SkdDirectionOfLonLat(x)
+                                                              : x - shape.Centre;
     }
     else if (skd::IsFinite(x))
     {
@@ -227,8 +213,7 @@ void vtkSkdTreeMeshAdaptation::Internals::PlaceSamples(Samples& samples) const
   {
     for (const skd::Vector3& x : samples.Places)
     {
-      const double cosine = std::hypot(x[0], x[1]) / skd::Norm(x);
-      samples.Weights.push_back(std::isfinite(cosine) ? std::max(cosine, 1e-6) : 1.0);
+      samples.Weights.push_back(SkdCosineOfLatitude(x));
     }
   }
 }

@@ -3,10 +3,12 @@
 #include "vtkSkdTreeRemap.h"
 
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"
 #include "Remap/SkdRemapMeshes.h"
 #include "Remap/SkdRemapper.h"
+#include "Remap/SkdWeightsFile.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -47,6 +49,9 @@ private:
   void PrepareDonor(vtkDataObject* source);
   SkdRemapSettings MakeSettings() const;
   bool WeighsByCosine(vtkDataObject* source) const;
+  bool IsConservative() const;
+  void Begin(bool hasCells, bool hasOthers);
+  void MapBlocks();
   void MapBlock(std::size_t block, double first, double last);
   void Interpolate(vtkDataSet* block, bool withCellData, double first, double last);
   void TakeProbed(vtkDataSet* block);
@@ -54,14 +59,15 @@ private:
   void SetUpProber();
   void FillWeights(vtkTable* table);
   void FillOverlaps(vtkDataObject* output);
+  void WriteWeights(const SkdShare& share);
   void WarnAboutFields() const;
-  void WarnAboutCells() const;
   void Warn(const std::string& what) const;
   void Report(vtkDataObject* output, double seconds) const;
 
   vtkSkdTreeRemap* Self;
   SkdRemapper Remapper;
   vtkNew<vtkSkdTreeProbe> Prober;
+  SkdWeightsFileSettings Written; // the file that there is
 
   // Of one run:
   std::vector<SkdBlock> Inputs;  // of the input
@@ -75,19 +81,6 @@ private:
 
 namespace
 {
-bool IsStructured(vtkDataObject* source)
-{
-  const std::vector<SkdBlock> blocks = SkdBlocksOf(source);
-  return !blocks.empty() &&
-    std::all_of(blocks.begin(), blocks.end(),
-      [](const SkdBlock& block)
-      {
-        const int type = block.Mesh->GetDataObjectType();
-        return type == VTK_IMAGE_DATA || type == VTK_UNIFORM_GRID || type == VTK_RECTILINEAR_GRID ||
-          type == VTK_STRUCTURED_GRID || type == VTK_STRUCTURED_POINTS;
-      });
-}
-
 /// The part of an algorithm's progress that another one's is, and its abort.
 struct Passing
 {
@@ -107,20 +100,6 @@ struct Passing
     }
   }
 };
-
-vtkSmartPointer<vtkPolyData> CloudOf(const std::vector<skd::Vector3>& places)
-{
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), places[i].X);
-  }
-  cloud->SetPoints(points);
-  return cloud;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -181,8 +160,11 @@ void vtkSkdTreeRemap::Internals::PrepareDonor(vtkDataObject* source)
 
 bool vtkSkdTreeRemap::Internals::WeighsByCosine(vtkDataObject* source) const
 {
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(source);
   return this->Self->SampleWeights == COSINE_OF_LATITUDE ||
-    (this->Self->SampleWeights == AUTOMATIC_WEIGHTS && IsStructured(source));
+    (this->Self->SampleWeights == AUTOMATIC_WEIGHTS && !blocks.empty() &&
+      std::all_of(blocks.begin(), blocks.end(),
+        [](const SkdBlock& block) { return SkdIsStructured(block.Mesh); }));
 }
 
 SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
@@ -269,7 +251,8 @@ void vtkSkdTreeRemap::Internals::Interpolate(
 {
   const bool isOfCells = this->Self->ResultsOn == CELLS;
   this->SetUpProber();
-  this->Prober->SetInputDataObject(CloudOf(isOfCells ? SkdMiddlesOf(block) : SkdPointsOf(block)));
+  this->Prober->SetInputDataObject(
+    SkdCloudOf(isOfCells ? SkdMiddlesOf(block) : SkdPointsOf(block)));
   this->Prober->SetSourceData(this->ProbedSource(withCellData));
   Passing passing{ this->Self, first, last };
   vtkNew<vtkCallbackCommand> command;
@@ -374,39 +357,38 @@ void vtkSkdTreeRemap::Internals::WarnAboutFields() const
   }
 }
 
-void vtkSkdTreeRemap::Internals::WarnAboutCells() const
+void vtkSkdTreeRemap::Internals::WriteWeights(const SkdShare& share)
 {
-  const SkdRemapFindings& found = this->Remapper.GetFindings();
-  const auto tell = [this](vtkIdType count, const std::string& what)
+  SkdWeightsFileSettings file;
+  file.Name = share.NameOf(this->Self->WeightsFileName);
+  file.Format = static_cast<SkdWeightsFormat>(this->Self->WeightsFileFormat);
+  file.Space = this->Settings.Overlap.Space;
+  file.Normalization = this->Settings.Conservative.Normalization;
+  file.WithGradients = this->Settings.IsSecondOrder && file.Format == SkdWeightsFormat::Scrip;
+  const bool isSame = file == this->Written && this->Remapper.GetFindings().WeightsFound == 0;
+  if (file.Name.empty() || isSame)
   {
-    if (count > 0)
-    {
-      this->Warn(std::to_string(count) + what);
-    }
-  };
-  if (!found.Problem.empty())
-  {
-    this->Warn(found.Problem);
     return;
   }
-  if (found.WeightsFound > 0 && found.Overlaps == 0)
+  std::vector<SkdWeightsBlock> blocks;
+  for (std::size_t block = 0; block < this->Outputs.size(); ++block)
   {
-    this->Warn("Input and Source have nothing in common: no cell gets a value. Look at the bounds "
-               "of both, and at Geometry and SourceCoordinates.");
+    if (const SkdOverlapWeights* weights = this->Remapper.GetWeights(block))
+    {
+      blocks.push_back({ this->Inputs[block].Mesh, weights });
+    }
   }
-  tell(found.SourceLeftOut,
-    " cells of Source have no part in it: they are degenerate, not finite, ghosts or of another "
-    "dimension.");
-  tell(found.InputLeftOut,
-    " cells of Input get no value: they are degenerate, not finite, ghosts or of another "
-    "dimension.");
-  tell(found.CoveredTwice,
-    " cells of Input are covered more than once (SkdCoverage is above 1): cells of Source overlap "
-    "each other, and count as often.");
-  tell(found.SourceCoveredTwice,
-    " cells of Source are covered more than once: cells of Input overlap each other, so the "
-    "integral "
-    "over Input is too large.");
+  const std::string problem = SkdWriteWeights(file, this->Donor, blocks);
+  this->Written = problem.empty() ? file : SkdWeightsFileSettings();
+  if (!problem.empty())
+  {
+    this->Warn(problem);
+  }
+  else if (this->Settings.IsSecondOrder && !file.WithGradients)
+  {
+    this->Warn("The weights in " + file.Name +
+      " are of first order: ESMF's form has none of gradients. SCRIP's has.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -430,6 +412,40 @@ void vtkSkdTreeRemap::Internals::Report(vtkDataObject* output, double seconds) c
 }
 
 //------------------------------------------------------------------------------
+bool vtkSkdTreeRemap::Internals::IsConservative() const
+{
+  return this->Method == CONSERVATIVE_FIRST_ORDER || this->Method == CONSERVATIVE_SECOND_ORDER;
+}
+
+// What only the prober maps it reads itself.
+void vtkSkdTreeRemap::Internals::Begin(bool hasCells, bool hasOthers)
+{
+  const bool isAutomatic = this->Self->Method == AUTOMATIC_METHOD;
+  this->Method =
+    isAutomatic && (!hasCells || !this->IsOfOneDimension()) ? INTERPOLATION : this->Self->Method;
+  const vtkNew<vtkUnstructuredGrid> nothing;
+  const bool isProbed = this->Method == INTERPOLATION && !(isAutomatic && !hasCells && hasOthers);
+  this->Remapper.Begin(isProbed ? nothing.Get() : this->Donor.Get(), this->Settings, this->Self);
+  if (hasOthers && !isProbed && this->Method != CONTAINED)
+  {
+    this->Remapper.ExpectIntegrals();
+  }
+}
+
+void vtkSkdTreeRemap::Internals::MapBlocks()
+{
+  const double step = 1.0 / static_cast<double>(std::max<std::size_t>(this->Outputs.size(), 1));
+  for (std::size_t block = 0; block < this->Outputs.size(); ++block)
+  {
+    const double first = static_cast<double>(block) * step;
+    if (!(SkdIsAskedToStop(this->Self)))
+    {
+      this->MapBlock(block, first, first + step);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSkdTreeRemap::Internals::Run(
   vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector)
 {
@@ -447,20 +463,15 @@ void vtkSkdTreeRemap::Internals::Run(
   this->Settings = this->MakeSettings();
   this->Settings.WeighsByCosine = this->WeighsByCosine(source);
   const bool hasCells = this->FindSpace();
-  const bool isAutomatic = this->Self->Method == AUTOMATIC_METHOD;
-  this->Method =
-    isAutomatic && (!hasCells || !this->IsOfOneDimension()) ? INTERPOLATION : this->Self->Method;
-  const vtkNew<vtkUnstructuredGrid> nothing; // the prober reads the fields itself
-  vtkDataSet* donor = this->Method == INTERPOLATION ? nothing.Get() : this->Donor.Get();
-  this->Remapper.Begin(donor, this->Settings, this->Self);
-  const double step = 1.0 / static_cast<double>(std::max<std::size_t>(this->Outputs.size(), 1));
-  for (std::size_t block = 0; block < this->Outputs.size(); ++block)
+  const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
+  this->Begin(hasCells, processes != nullptr);
+  if (hasCells || !this->IsConservative())
   {
-    const double first = static_cast<double>(block) * step;
-    if (!(SkdIsAskedToStop(this->Self)))
-    {
-      this->MapBlock(block, first, first + step);
-    }
+    this->MapBlocks();
+  }
+  if (processes)
+  {
+    this->Remapper.AddIntegrals(*processes);
   }
   if (this->Self->GenerateWeights)
   {
@@ -470,8 +481,12 @@ void vtkSkdTreeRemap::Internals::Run(
   {
     this->FillOverlaps(vtkDataObject::GetData(outputVector, 2));
   }
+  this->WriteWeights(SkdShare::Of(outputVector));
   this->WarnAboutFields();
-  this->WarnAboutCells();
+  for (const std::string& warning : this->Remapper.GetFindings().GetWarnings())
+  {
+    this->Warn(warning);
+  }
   this->Report(output, watch.Lap());
   this->Remapper.End();
   this->Inputs.clear();
@@ -494,6 +509,16 @@ void vtkSkdTreeRemap::SetMaskArray(const char* name)
   if (given != this->MaskArray)
   {
     this->MaskArray = given;
+    this->Modified();
+  }
+}
+
+void vtkSkdTreeRemap::SetWeightsFileName(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (given != this->WeightsFileName)
+  {
+    this->WeightsFileName = given;
     this->Modified();
   }
 }
@@ -560,6 +585,8 @@ void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
   tellSwitch("PassInputData", this->PassInputData);
   tellSwitch("GenerateWeights", this->GenerateWeights);
   tellSwitch("GenerateOverlapMesh", this->GenerateOverlapMesh);
+  tell("WeightsFileName", this->WeightsFileName);
+  tell("WeightsFileFormat", this->WeightsFileFormat);
   for (const std::string& name : this->Impl->Extensive)
   {
     tell("ExtensiveArray", name);

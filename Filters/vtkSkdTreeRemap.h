@@ -15,8 +15,8 @@
  *
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further
- * time steps only cost the sums. Each process asks for the whole Source; the report is of its part
- * of Input.
+ * time steps only cost the sums. Each process asks for the whole Source; counts in the report are
+ * of its part of Input, integrals and coverage of all processes together.
  *
  * Output port 0: the input with the source's arrays and these
  * | name        | of     | type   | meaning                                              |
@@ -347,6 +347,28 @@ public:
   vtkBooleanMacro(GenerateOverlapMesh, bool);
   //@}
 
+  enum WeightsFileFormatType
+  {
+    ESMF = 0,
+    SCRIP = 1
+  };
+
+  //@{
+  /**
+   * A netCDF file that conservative methods write their weights to, for other programs. None by
+   * default. It is written again when a mesh or a property has changed. ESMF (default): row, col
+   * and S, of first order. SCRIP, of meshes on a sphere: dst_address, src_address and remap_matrix,
+   * at second order with the weights of the gradient, without limiter. Cells count from 1, and on
+   * from block to block. The attribute normalization is fracarea (COVERED) or destarea (WHOLE). Of
+   * several processes each writes the weights of its part of Input, with its number before the
+   * file's extension. Needs a build with VTK's netCDF.
+   */
+  void SetWeightsFileName(VTK_FILEPATH const char* name);
+  VTK_FILEPATH const char* GetWeightsFileName() const { return this->WeightsFileName.c_str(); }
+  vtkSetClampMacro(WeightsFileFormat, int, ESMF, SCRIP);
+  vtkGetMacro(WeightsFileFormat, int);
+  //@}
+
 protected:
   vtkSkdTreeRemap();
   ~vtkSkdTreeRemap() override;
@@ -374,6 +396,8 @@ protected:
   bool PassInputData = true;
   bool GenerateWeights = false;
   bool GenerateOverlapMesh = false;
+  std::string WeightsFileName;
+  int WeightsFileFormat = ESMF;
 
 private:
   vtkSkdTreeRemap(const vtkSkdTreeRemap&) = delete;

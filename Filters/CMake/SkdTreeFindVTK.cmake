@@ -22,11 +22,15 @@ if (SKDTREE_WRAP_PYTHON)
   set(python_components Python WrappingPythonCore)
 endif ()
 
+# Files of weights need netCDF; VTK's packages do not always come with its headers.
+set(vtk_optional_components OPTIONAL_COMPONENTS netcdf)
+
 # Imported targets of a ParaView with MPI name MPI's, which its own configuration does not look for.
 find_package(MPI QUIET COMPONENTS C CXX)
 
 if (NOT SKDTREE_BUILD_PLUGIN)
-  find_package(VTK 9.1 QUIET COMPONENTS ${vtk_components} ${python_components})
+  find_package(VTK 9.1 QUIET COMPONENTS ${vtk_components} ${python_components}
+    ${vtk_optional_components})
   if (VTK_DIR AND NOT VTK_FOUND)
     message(WARNING "The VTK in ${VTK_DIR} does not do: ${VTK_NOT_FOUND_MESSAGE}")
   endif ()
@@ -40,7 +44,7 @@ else ()
   skdtree_accept_python_modules("${ParaView_DIR}" "${ParaView_DIR}/vtk")
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingServerManager)
   find_package(VTK REQUIRED COMPONENTS ${vtk_components} ${python_components}
-    PATHS "${VTK_DIR}" NO_DEFAULT_PATH)
+    ${vtk_optional_components} PATHS "${VTK_DIR}" NO_DEFAULT_PATH)
   set(SKDTREE_VTK_PACKAGE ParaView)
   set(SKDTREE_VTK_PREFIX "${ParaView_PREFIX_PATH}")
 endif ()

@@ -109,6 +109,13 @@ void SkdDropData(const std::vector<SkdBlock>& blocks)
   }
 }
 
+bool SkdIsStructured(vtkDataSet* mesh)
+{
+  const int type = mesh->GetDataObjectType();
+  return type == VTK_IMAGE_DATA || type == VTK_UNIFORM_GRID || type == VTK_RECTILINEAR_GRID ||
+    type == VTK_STRUCTURED_GRID || type == VTK_STRUCTURED_POINTS;
+}
+
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks)
 {
   vtkIdType points = 0;

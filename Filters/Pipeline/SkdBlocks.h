@@ -43,6 +43,9 @@ vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
 /// Removes the point and cell data of the blocks, except ghost marks.
 void SkdDropData(const std::vector<SkdBlock>& blocks);
 
+/// Whether a mesh is a grid: an image, a rectilinear or a curvilinear one.
+bool SkdIsStructured(vtkDataSet* mesh);
+
 /// The points of all of them.
 vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks);
 

@@ -17,6 +17,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <filesystem>
+
 namespace
 {
 class ControlledProcesses : public skd::Processes
@@ -90,6 +92,18 @@ SkdShare SkdShare::Of(vtkInformationVector* outputs)
     }
   }
   return share;
+}
+
+std::string SkdShare::NameOf(const std::string& fileName) const
+{
+  if (this->IsAll() || fileName.empty())
+  {
+    return fileName;
+  }
+  std::filesystem::path path(fileName);
+  const std::string extension = path.extension().string();
+  path.replace_extension();
+  return path.string() + "_" + std::to_string(this->Piece) + extension;
 }
 
 void SkdShare::Keep(vtkPolyData* cells) const

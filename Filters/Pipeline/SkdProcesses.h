@@ -13,6 +13,7 @@
 #include "vtkType.h"
 
 #include <memory>
+#include <string>
 
 class vtkInformation;
 class vtkInformationVector;
@@ -31,6 +32,9 @@ public:
   static SkdShare Of(vtkInformationVector* outputs);
 
   bool IsAll() const { return this->Pieces == 1; }
+
+  /// A file of this share: the name as it is, or with the share's number before the extension.
+  std::string NameOf(const std::string& fileName) const;
 
   /// The rows of a list of n that are of the share: from the first to before the last.
   vtkIdType FirstOf(vtkIdType n) const { return n * this->Piece / this->Pieces; }

@@ -3,12 +3,14 @@
 #include "Remap/SkdRemapMeshes.h"
 
 #include "Cells/SkdCellReader.h"
+#include "Pipeline/SkdLonLat.h"
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -53,13 +55,9 @@ vtkSmartPointer<vtkDataSet> SkdMovedToSphere(vtkDataSet* mesh, double radius)
   points->SetNumberOfPoints(moved->GetNumberOfPoints());
   for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
   {
-    double x[3];
-    moved->GetPoint(i, x);
-    const double longitude = vtkMath::RadiansFromDegrees(x[0]);
-    const double latitude = vtkMath::RadiansFromDegrees(x[1]);
-    const double across = std::abs(x[1]) == 90.0 ? 0.0 : radius * std::cos(latitude);
-    points->SetPoint(
-      i, across * std::cos(longitude), across * std::sin(longitude), radius * std::sin(latitude));
+    skd::Vector3 x;
+    moved->GetPoint(i, x.X);
+    points->SetPoint(i, (radius * SkdDirectionOfLonLat(x)).X);
   }
   moved->SetPoints(points);
   return moved;
@@ -148,4 +146,18 @@ std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh)
     }
   }
   return middles;
+}
+
+vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& places)
+{
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), places[i].X);
+  }
+  cloud->SetPoints(points);
+  return cloud;
 }

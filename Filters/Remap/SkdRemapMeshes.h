@@ -14,6 +14,8 @@
 
 #include <optional>
 
+class vtkPolyData;
+
 /// The blocks as one mesh, with the arrays that all have; the mesh itself if there is but one, and
 /// an empty one if there is none.
 vtkSmartPointer<vtkDataSet> SkdJoinBlocks(const std::vector<SkdBlock>& blocks);
@@ -35,5 +37,8 @@ SkdOverlapSpace SkdSpaceOf(vtkDataSet* mesh);
 /// The middles of a mesh's cells (their parametric centres), or its points. NaN of empty cells.
 std::vector<skd::Vector3> SkdPointsOf(vtkDataSet* mesh);
 std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh);
+
+/// Points and nothing else.
+vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& places);
 
 #endif

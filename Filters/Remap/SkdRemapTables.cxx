@@ -3,9 +3,12 @@
 #include "Remap/SkdRemapTables.h"
 
 #include "Pipeline/SkdReport.h"
+#include "Remap/SkdCompensatedSum.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -21,15 +24,65 @@ Array* ColumnOf(vtkTable* table, const char* name, int components = 1)
   }
   return Array::SafeDownCast(table->GetColumnByName(name));
 }
+
+using Numbers = std::vector<double>;
+
+/// One number of each process; a process that has read no field tells nothing.
+Numbers Each(const std::vector<Numbers>& processes, std::size_t at)
+{
+  Numbers numbers;
+  for (const Numbers& told : processes)
+  {
+    numbers.push_back(at < told.size() ? told[at] : 0.0);
+  }
+  return numbers;
+}
+
+/// Added in the same order on all of them.
+double SumOf(const std::vector<Numbers>& processes, std::size_t at)
+{
+  Numbers numbers = Each(processes, at);
+  std::sort(numbers.begin(), numbers.end());
+  SkdCompensatedSum sum;
+  for (const double number : numbers)
+  {
+    sum.Add(number);
+  }
+  return sum.Get();
+}
+
+/// Of numbers that are the same on all processes but those that have no cells and do not know.
+double AnyOf(const std::vector<Numbers>& processes, std::size_t at)
+{
+  const Numbers numbers = Each(processes, at);
+  const auto known =
+    std::find_if(numbers.begin(), numbers.end(), [](double number) { return number != 0.0; });
+  return known != numbers.end() ? *known : 0.0;
+}
+}
+
+SkdRemapTally::Row& SkdRemapTally::RowOf(const SkdDonorField& field, std::size_t component)
+{
+  const std::string name =
+    field.Components > 1 ? field.Name + " " + std::to_string(component) : field.Name;
+  Row& row = this->Rows[name];
+  row.IsOfPoints = field.IsOfPoints;
+  return row;
+}
+
+void SkdRemapTally::Expect(const SkdDonorField& field)
+{
+  for (int c = 0; c < field.Components; ++c)
+  {
+    this->RowOf(field, static_cast<std::size_t>(c));
+  }
 }
 
 void SkdRemapTally::Add(const SkdDonorField& field, const std::vector<SkdRemapIntegrals>& integrals)
 {
   for (std::size_t c = 0; c < integrals.size(); ++c)
   {
-    const std::string name =
-      integrals.size() > 1 ? field.Name + " " + std::to_string(c) : field.Name;
-    SkdRemapIntegrals& row = this->Rows[name];
+    Row& row = this->RowOf(field, c);
     // Of cells over the whole donor, the same for every block; of points over what a block covers.
     row.Source = field.IsOfPoints ? row.Source + integrals[c].Source : integrals[c].Source;
     row.Absolute = field.IsOfPoints ? row.Absolute + integrals[c].Absolute : integrals[c].Absolute;
@@ -37,6 +90,29 @@ void SkdRemapTally::Add(const SkdDonorField& field, const std::vector<SkdRemapIn
     row.Target += integrals[c].Target;
     row.Covered += integrals[c].Covered;
     row.Whole += integrals[c].Whole;
+  }
+}
+
+void SkdRemapTally::AddOthers(const skd::Processes& processes)
+{
+  Numbers own;
+  for (const auto& [name, row] : this->Rows)
+  {
+    own.insert(
+      own.end(), { row.Source, row.Absolute, row.Overlap, row.Target, row.Covered, row.Whole });
+  }
+  std::vector<Numbers> all = processes.GatherFromOthers(own);
+  all.push_back(own);
+  std::size_t at = 0;
+  for (auto& [name, row] : this->Rows)
+  {
+    row.Source = row.IsOfPoints ? SumOf(all, at) : AnyOf(all, at);
+    row.Absolute = row.IsOfPoints ? SumOf(all, at + 1) : AnyOf(all, at + 1);
+    row.Overlap = SumOf(all, at + 2);
+    row.Target = SumOf(all, at + 3);
+    row.Covered = SumOf(all, at + 4);
+    row.Whole = SumOf(all, at + 5);
+    at += 6;
   }
 }
 

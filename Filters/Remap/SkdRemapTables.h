@@ -8,6 +8,7 @@
 #ifndef SkdRemapTables_h
 #define SkdRemapTables_h
 
+#include "Core/Mesh/Processes.h"
 #include "Remap/SkdConservativeRemap.h"
 
 #include <map>
@@ -20,7 +21,13 @@ class vtkTable;
 class SkdRemapTally
 {
 public:
+  /// A field that other processes may add, if this one has no cells.
+  void Expect(const SkdDonorField& field);
+
   void Add(const SkdDonorField& field, const std::vector<SkdRemapIntegrals>& integrals);
+
+  /// Adds what the other processes have, of the same fields. The sums are the same on all of them.
+  void AddOthers(const skd::Processes& processes);
 
   /// Field data, a value a component of a field: SkdReportArray (its name, with the component's
   /// number where there are several), ...SourceIntegral, ...OverlapIntegral, ...TargetIntegral,
@@ -28,7 +35,14 @@ public:
   void AddTo(vtkDataObject* output) const;
 
 private:
-  std::map<std::string, SkdRemapIntegrals> Rows;
+  struct Row : SkdRemapIntegrals
+  {
+    bool IsOfPoints = false;
+  };
+
+  Row& RowOf(const SkdDonorField& field, std::size_t component);
+
+  std::map<std::string, Row> Rows;
 };
 
 /// Appends a row for each overlap of a target block: Row, Column (ids of the target's and the

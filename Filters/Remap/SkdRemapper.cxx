@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapper.h"
 
+#include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Remap/SkdContainedFields.h"
 #include "Remap/SkdLumpedPoints.h"
@@ -13,7 +14,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace
@@ -23,11 +24,7 @@ constexpr double CoverageRounding = 1e-5; // as points in single precision leave
 std::vector<double> CosinesOfLatitude(const std::vector<skd::Vector3>& points)
 {
   std::vector<double> cosines;
-  for (const skd::Vector3& x : points)
-  {
-    const double cosine = std::hypot(x[0], x[1]) / skd::Norm(x);
-    cosines.push_back(std::max(cosine, 1e-12)); // poles count for as good as nothing, not nothing
-  }
+  std::transform(points.begin(), points.end(), std::back_inserter(cosines), SkdCosineOfLatitude);
   return cosines;
 }
 }
@@ -60,6 +57,23 @@ void SkdRemapper::Begin(
       problems.Missing.insert(name);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapper::ExpectIntegrals()
+{
+  for (const std::vector<SkdDonorField>* fields : { &this->CellFields, &this->PointFields })
+  {
+    for (const SkdDonorField& field : *fields)
+    {
+      this->Findings.Tally.Expect(field);
+    }
+  }
+}
+
+void SkdRemapper::AddIntegrals(const skd::Processes& processes)
+{
+  this->Findings.Tally.AddOthers(processes);
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,7 @@
 
 #include "Remap/SkdContainedMean.h"
 #include "Remap/SkdKeptOverlaps.h"
-#include "Remap/SkdRemapTables.h"
+#include "Remap/SkdRemapFindings.h"
 
 #include <deque>
 #include <memory>
@@ -32,24 +32,19 @@ struct SkdRemapSettings
   bool ToPoints = false;       ///< results go to the target's points
 };
 
-/// What a run came upon.
-struct SkdRemapFindings
-{
-  SkdFieldProblems Fields;
-  SkdRemapTally Tally;
-  std::string Problem; ///< why there are no results, if so
-  vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
-  vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
-  vtkIdType Overlaps = 0;
-  int WeightsFound = 0; ///< for how many blocks they were not kept
-};
-
 /// One donor, block after block of a target. What is made of meshes alone is kept from run to run.
 class SkdRemapper
 {
 public:
   /// Begins a run: reads the donor's fields.
   void Begin(vtkDataSet* donor, const SkdRemapSettings& settings, vtkAlgorithm* algorithm);
+
+  ///@{
+  /// Integrals over the parts of all processes, which must all do so: first that this one takes
+  /// part in what is conservative, with cells or without, and in the end the sums.
+  void ExpectIntegrals();
+  void AddIntegrals(const skd::Processes& processes);
+  ///@}
 
   ///@{
   /// Adds the fields to a block, the index-th, and what is told of each cell. Progress goes from

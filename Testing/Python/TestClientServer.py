@@ -119,6 +119,42 @@ def tree_drawn():
         table.GetValue(0, i).ToDouble() for i in range(table.GetNumberOfColumns() - 1)]
 
 
+def relief():
+    from paraview import simple
+
+    return simple.OpenDataFile(os.path.join(skdtesting.DATA_DIR, "earth_relief.vti"))
+
+
+def cell_array(proxy, name):
+    from paraview import servermanager
+
+    proxy.UpdatePipeline()
+    array = servermanager.Fetch(proxy).GetCellData().GetArray(name)
+    return [array.GetTuple1(i) for i in range(array.GetNumberOfTuples())]
+
+
+def remapped():
+    """Mean heights in the cells of a sphere, and mapped on from these to another one."""
+    from paraview import simple
+
+    means = simple.SkdTreeRemap(Input=simple.Sphere(ThetaResolution=12, PhiResolution=9),
+        Source=relief(), Method="Contained Statistic", SourceCoordinates="Longitude Latitude")
+    mapped = simple.SkdTreeRemap(
+        Input=simple.Sphere(), Source=means, Method="Conservative Second Order")
+    return cell_array(means, "height"), cell_array(mapped, "height")
+
+
+def adapted():
+    from paraview import servermanager, simple
+
+    adaptation = simple.SkdTreeMeshAdaptation(
+        Input=simple.Sphere(ThetaResolution=12, PhiResolution=9), Source=relief(),
+        SourceCoordinates="Longitude Latitude", MaximumIterations=2)
+    adaptation.UpdatePipeline()
+    mesh = servermanager.Fetch(adaptation)
+    return [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
+
+
 def assert_all_same(first, second):
     """The same values, or lists of them."""
     if isinstance(first, tuple):
@@ -131,7 +167,8 @@ def assert_all_same(first, second):
 def be_client(port):
     from paraview import simple
 
-    questions = (distances, probed, depths, crossings, cells_found, traced, tree_drawn)
+    questions = (distances, probed, depths, crossings, cells_found, traced, tree_drawn,
+        remapped, adapted)
     alone = [ask() for ask in questions]
     assert set(alone[2]) == {0, 1, 2}
     assert len(alone[3]) > 10

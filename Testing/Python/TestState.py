@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A pipeline with the plugin's filter, saved as a state and loaded again."""
+"""Pipelines with the plugin's filters, saved as states and loaded again."""
 
-from paraview import simple
+import os
+
+from paraview import servermanager, simple
 
 import skdtesting
 
@@ -15,6 +17,44 @@ def make_pipeline():
     source = simple.Sphere(registrationName="source", Radius=3)
     return simple.SkdTreeClosestPoint(
         registrationName="closest", Input=points, Source=source, **SETTINGS)
+
+
+REMAP = dict(Method="Contained Statistic", SourceCoordinates="Longitude Latitude",
+    Statistic="Median", EmptyCells="Leave", WeightsFileFormat="SCRIP")
+ADAPTATION = dict(SourceCoordinates="Longitude Latitude", MaximumIterations=2, Strength=2.5,
+    Monitor="Gradient", AnimateIterations=1)
+
+
+def make_earth():
+    """Mean heights in the cells of a mesh that was adapted to them."""
+    relief = simple.OpenDataFile(os.path.join(skdtesting.DATA_DIR, "earth_relief.vti"))
+    sphere = simple.Sphere(ThetaResolution=12, PhiResolution=9)
+    adapted = simple.SkdTreeMeshAdaptation(
+        registrationName="adapted", Input=sphere, Source=relief, **ADAPTATION)
+    return simple.SkdTreeRemap(registrationName="means", Input=adapted, Source=relief, **REMAP)
+
+
+def heights(proxy):
+    simple.UpdatePipeline(time=2, proxy=proxy)
+    mesh = servermanager.Fetch(proxy)
+    array = mesh.GetCellData().GetArray("height")
+    return ([array.GetTuple1(i) for i in range(array.GetNumberOfTuples())],
+        [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())])
+
+
+def earth_round_trip(name):
+    before = heights(make_earth())
+    simple.SaveState(skdtesting.temporary(name))
+    simple.ResetSession()
+    simple.LoadState(skdtesting.temporary(name))
+    for proxy, settings in (("means", REMAP), ("adapted", ADAPTATION)):
+        loaded = simple.FindSource(proxy)
+        for key, value in settings.items():
+            assert getattr(loaded, key) == value, key
+    after = heights(simple.FindSource("means"))
+    for one, other in zip(before, after):
+        skdtesting.assert_same(one, other)
+    simple.ResetSession()
 
 
 def round_trip(name):
@@ -36,6 +76,11 @@ def test_state_as_xml():
 
 def test_state_as_python():
     round_trip("closest_state.py")
+
+
+def test_remapping_and_adaptation():
+    earth_round_trip("earth.pvsm")
+    earth_round_trip("earth_state.py")
 
 
 skdtesting.run_tests(globals())

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdLonLat.h
+ * @brief Longitudes and latitudes, in degrees, and places on a sphere about the origin.
+ */
+
+#ifndef SkdLonLat_h
+#define SkdLonLat_h
+
+#include "Core/Geometry/Vector.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// A longitude and a latitude (the third number does not count) as a direction of length 1. A pole
+/// is one point, whatever the longitude.
+inline skd::Vector3 SkdDirectionOfLonLat(const skd::Vector3& lonLat)
+{
+  const double longitude = vtkMath::RadiansFromDegrees(lonLat[0]);
+  const double latitude = vtkMath::RadiansFromDegrees(lonLat[1]);
+  const double across = std::abs(lonLat[1]) == 90.0 ? 0.0 : std::cos(latitude);
+  return { { across * std::cos(longitude), across * std::sin(longitude), std::sin(latitude) } };
+}
+
+/// The longitude, from 0 to 360, and the latitude of a direction; its length.
+inline skd::Vector3 SkdLonLatOf(const skd::Vector3& x)
+{
+  const double longitude = vtkMath::DegreesFromRadians(std::atan2(x[1], x[0]));
+  const double latitude = vtkMath::DegreesFromRadians(std::atan2(x[2], std::hypot(x[0], x[1])));
+  return { { longitude < 0.0 ? longitude + 360.0 : longitude, latitude, skd::Norm(x) } };
+}
+
+/// What a sample of a grid of longitudes and latitudes weighs. Poles count for as good as nothing,
+/// but not nothing; what has no direction, as one.
+inline double SkdCosineOfLatitude(const skd::Vector3& x)
+{
+  const double cosine = std::hypot(x[0], x[1]) / skd::Norm(x);
+  return std::isfinite(cosine) ? std::max(cosine, 1e-12) : 1.0;
+}
+
+#endif

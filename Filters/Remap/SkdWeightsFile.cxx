@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdWeightsFile.h"
+
+#include "Cells/SkdCellReader.h"
+#include "Pipeline/SkdLonLat.h"
+#include "Remap/SkdNetCdf.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <tuple>
+
+namespace
+{
+using skd::Vector3;
+using Numbers = std::vector<double>;
+
+/// The corners of a polygon, anticlockwise seen from outside the sphere; none of other cells.
+void GetCorners(vtkDataSet* mesh, vtkIdType cell, int type, std::vector<Vector3>& corners)
+{
+  corners.clear();
+  if (type != VTK_TRIANGLE && type != VTK_QUAD && type != VTK_POLYGON && type != VTK_PIXEL)
+  {
+    return;
+  }
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    corners.emplace_back();
+    mesh->GetPoint(ids->GetId(i), corners.back().X);
+  }
+  if (type == VTK_PIXEL)
+  {
+    std::swap(corners[2], corners[3]);
+  }
+  Vector3 middle{ { 0.0, 0.0, 0.0 } };
+  Vector3 normal{ { 0.0, 0.0, 0.0 } };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    middle = middle + corners[i];
+    normal = normal + Cross(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  if (Dot(middle, normal) < 0.0)
+  {
+    std::reverse(corners.begin(), corners.end());
+  }
+}
+
+/// One of the two grids of a file.
+struct Grid
+{
+  Numbers Centres[3];
+  Numbers Corners[2]; ///< so many a cell
+  std::size_t CornersPerCell = 0;
+  Numbers Areas;
+  Numbers Fractions;
+  std::vector<int> Mask;
+
+  std::size_t Size() const { return this->Areas.size(); }
+
+  /// Adds the cells of a mesh. Areas and centres are divided by powers of the radius.
+  void Add(const SkdOverlapCells& cells, bool isOnSphere, double radius)
+  {
+    const double scale = isOnSphere ? 1.0 / (radius * radius) : 1.0;
+    for (std::size_t i = 0; i < cells.Measures.size(); ++i)
+    {
+      const double whole = cells.Measures[i];
+      const Vector3& centre = cells.Centroids[i];
+      const Vector3 place = isOnSphere ? SkdLonLatOf(centre) : centre;
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Centres[k].push_back(place[k]);
+      }
+      this->Areas.push_back(scale * whole);
+      this->Fractions.push_back(whole > 0.0 ? cells.Covered[i] / whole : 0.0);
+      this->Mask.push_back(whole > 0.0 ? 1 : 0);
+    }
+  }
+
+  /// Of cells with fewer corners than others the last repeats, of those with none the centre.
+  void AddCorners(vtkDataSet* mesh)
+  {
+    const SkdCellReader reader(mesh);
+    std::vector<Vector3> corners;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      const std::size_t at = this->Corners[0].size() / this->CornersPerCell;
+      GetCorners(mesh, cell, reader.TypeOf(cell), corners);
+      for (std::size_t i = 0; i < this->CornersPerCell; ++i)
+      {
+        const Vector3 x = corners.empty()
+          ? Vector3{ { this->Centres[0][at], this->Centres[1][at], 0.0 } }
+          : SkdLonLatOf(corners[std::min(i, corners.size() - 1)]);
+        this->Corners[0].push_back(x[0]);
+        this->Corners[1].push_back(x[1]);
+      }
+    }
+  }
+};
+
+std::size_t CornersPerCellOf(vtkDataSet* mesh)
+{
+  return static_cast<std::size_t>(std::max(mesh->GetMaxCellSize(), 1));
+}
+
+/// The matrix: an entry a row of the table.
+struct Links
+{
+  std::vector<int> Rows;
+  std::vector<int> Columns;
+  Numbers Weights; ///< so many an entry
+  std::size_t WeightsPerLink = 1;
+
+  /// The integral of (x - centroid) along the parallel and along the meridian, of the unit sphere.
+  static std::array<double, 2> AlongAxes(const Vector3& moment, const Vector3& centroid)
+  {
+    const double across = std::hypot(centroid[0], centroid[1]);
+    const double cosine = across > 0.0 ? centroid[0] / across : 1.0;
+    const double sine = across > 0.0 ? centroid[1] / across : 0.0;
+    const Vector3 up = (1.0 / Norm(centroid)) * centroid;
+    const Vector3 east{ { -sine, cosine, 0.0 } };
+    return { Dot(moment, east), Dot(moment, Cross(up, east)) };
+  }
+
+  void Add(const SkdOverlapWeights& weights, SkdNormalization normalization, std::size_t firstRow)
+  {
+    const SkdOverlapTable& table = weights.GetTable();
+    const SkdOverlapCells& target = weights.GetTarget();
+    for (std::size_t row = 0; row + 1 < table.Rows.size(); ++row)
+    {
+      const double by =
+        normalization == SkdNormalization::Whole ? target.Measures[row] : target.Covered[row];
+      for (std::size_t k = table.Rows[row]; k < table.Rows[row + 1]; ++k)
+      {
+        const auto column = static_cast<std::size_t>(table.Columns[k]);
+        this->Rows.push_back(static_cast<int>(firstRow + row + 1));
+        this->Columns.push_back(static_cast<int>(column + 1));
+        this->Weights.push_back(table.Measures[k] / by);
+        if (this->WeightsPerLink == 3)
+        {
+          const auto [east, north] =
+            AlongAxes(table.Moments[k], weights.GetDonor().Centroids[column]);
+          this->Weights.push_back(north / (weights.GetRadius() * by));
+          this->Weights.push_back(east / (weights.GetRadius() * by));
+        }
+      }
+    }
+  }
+};
+
+/// What is written, whatever the names.
+struct Weights
+{
+  Grid Source;
+  Grid Target;
+  Links Matrix;
+};
+
+Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
+  const std::vector<SkdWeightsBlock>& blocks)
+{
+  const bool isOnSphere = settings.Space == SkdOverlapSpace::Sphere;
+  Weights all;
+  all.Matrix.WeightsPerLink = settings.WithGradients ? 3 : 1;
+  SkdOverlapCells source = blocks.front().Weights->GetDonor();
+  std::fill(source.Covered.begin(), source.Covered.end(), 0.0);
+  all.Source.CornersPerCell = isOnSphere ? CornersPerCellOf(donor) : 0;
+  for (const SkdWeightsBlock& block : blocks)
+  {
+    all.Matrix.Add(*block.Weights, settings.Normalization, all.Target.Size());
+    all.Target.Add(block.Weights->GetTarget(), isOnSphere, block.Weights->GetRadius());
+    all.Target.CornersPerCell =
+      std::max(all.Target.CornersPerCell, isOnSphere ? CornersPerCellOf(block.Target) : 0);
+    const std::vector<double>& covered = block.Weights->GetDonor().Covered;
+    std::transform(covered.begin(), covered.end(), source.Covered.begin(), source.Covered.begin(),
+      std::plus<double>());
+  }
+  all.Source.Add(source, isOnSphere, blocks.front().Weights->GetRadius());
+  if (isOnSphere)
+  {
+    all.Source.AddCorners(donor);
+    for (const SkdWeightsBlock& block : blocks)
+    {
+      all.Target.AddCorners(block.Target);
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void AddEsmfGrid(
+  Grid& grid, bool isOnSphere, const std::string& suffix, SkdNetCdfContents& contents)
+{
+  const std::string cells = "n" + suffix;
+  const std::string corners = "nv" + suffix;
+  const std::string rank = suffix == "_a" ? "src_grid_rank" : "dst_grid_rank";
+  const std::string units = isOnSphere ? "degrees" : "1";
+  contents.Dimensions.emplace_back(cells, grid.Size());
+  contents.Dimensions.emplace_back(rank, 1);
+  auto& variables = contents.Variables;
+  variables.push_back({ suffix == "_a" ? "src_grid_dims" : "dst_grid_dims", { rank }, "",
+    std::vector<int>{ static_cast<int>(grid.Size()) } });
+  variables.push_back({ "xc" + suffix, { cells }, units, std::move(grid.Centres[0]) });
+  variables.push_back({ "yc" + suffix, { cells }, units, std::move(grid.Centres[1]) });
+  if (isOnSphere)
+  {
+    contents.Dimensions.emplace_back(corners, grid.CornersPerCell);
+    variables.push_back({ "xv" + suffix, { cells, corners }, units, std::move(grid.Corners[0]) });
+    variables.push_back({ "yv" + suffix, { cells, corners }, units, std::move(grid.Corners[1]) });
+  }
+  else
+  {
+    variables.push_back({ "zc" + suffix, { cells }, units, std::move(grid.Centres[2]) });
+  }
+  variables.push_back({ "mask" + suffix, { cells }, "unitless", std::move(grid.Mask) });
+  variables.push_back(
+    { "area" + suffix, { cells }, isOnSphere ? "square radians" : "1", std::move(grid.Areas) });
+  variables.push_back({ "frac" + suffix, { cells }, "unitless", std::move(grid.Fractions) });
+}
+
+void AddEsmf(Weights& all, bool isOnSphere, SkdNetCdfContents& contents)
+{
+  AddEsmfGrid(all.Source, isOnSphere, "_a", contents);
+  AddEsmfGrid(all.Target, isOnSphere, "_b", contents);
+  contents.Dimensions.emplace_back("n_s", all.Matrix.Rows.size());
+  contents.Variables.push_back({ "col", { "n_s" }, "", std::move(all.Matrix.Columns) });
+  contents.Variables.push_back({ "row", { "n_s" }, "", std::move(all.Matrix.Rows) });
+  contents.Variables.push_back({ "S", { "n_s" }, "", std::move(all.Matrix.Weights) });
+  contents.Attributes.emplace_back("conventions", "NCAR-CSM");
+  contents.Attributes.emplace_back("ESMF_regrid_method", "First-order Conservative");
+  contents.Attributes.emplace_back("domain_a", "Source");
+  contents.Attributes.emplace_back("domain_b", "Input");
+}
+
+//------------------------------------------------------------------------------
+void AddScripGrid(Grid& grid, const std::string& prefix, SkdNetCdfContents& contents)
+{
+  const std::string cells = prefix + "_grid_size";
+  const std::string corners = prefix + "_grid_corners";
+  const std::string rank = prefix + "_grid_rank";
+  contents.Dimensions.emplace_back(cells, grid.Size());
+  contents.Dimensions.emplace_back(corners, grid.CornersPerCell);
+  contents.Dimensions.emplace_back(rank, 1);
+  const auto add =
+    [&](const char* name, std::vector<std::string> dimensions, const char* units, auto&& values)
+  {
+    contents.Variables.push_back(
+      { prefix + name, std::move(dimensions), units, std::forward<decltype(values)>(values) });
+  };
+  add("_grid_dims", { rank }, "", std::vector<int>{ static_cast<int>(grid.Size()) });
+  add("_grid_center_lat", { cells }, "degrees", std::move(grid.Centres[1]));
+  add("_grid_center_lon", { cells }, "degrees", std::move(grid.Centres[0]));
+  add("_grid_corner_lat", { cells, corners }, "degrees", std::move(grid.Corners[1]));
+  add("_grid_corner_lon", { cells, corners }, "degrees", std::move(grid.Corners[0]));
+  add("_grid_imask", { cells }, "unitless", std::move(grid.Mask));
+  add("_grid_area", { cells }, "square radians", std::move(grid.Areas));
+  add("_grid_frac", { cells }, "unitless", std::move(grid.Fractions));
+}
+
+void AddScrip(Weights& all, SkdNetCdfContents& contents)
+{
+  AddScripGrid(all.Source, "src", contents);
+  AddScripGrid(all.Target, "dst", contents);
+  contents.Dimensions.emplace_back("num_links", all.Matrix.Rows.size());
+  contents.Dimensions.emplace_back("num_wgts", all.Matrix.WeightsPerLink);
+  contents.Variables.push_back(
+    { "src_address", { "num_links" }, "", std::move(all.Matrix.Columns) });
+  contents.Variables.push_back({ "dst_address", { "num_links" }, "", std::move(all.Matrix.Rows) });
+  contents.Variables.push_back(
+    { "remap_matrix", { "num_links", "num_wgts" }, "", std::move(all.Matrix.Weights) });
+  contents.Attributes.emplace_back("conventions", "SCRIP");
+  contents.Attributes.emplace_back("source_grid", "Source");
+  contents.Attributes.emplace_back("dest_grid", "Input");
+}
+
+/// What cannot be written, before anything is done.
+std::string ProblemOf(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
+  const std::vector<SkdWeightsBlock>& blocks)
+{
+  const std::string file = "The file " + settings.Name + " was not written: ";
+  if (blocks.empty())
+  {
+    return file + "weights are those of conservative methods, and there are none.";
+  }
+  if (settings.Format == SkdWeightsFormat::Scrip && settings.Space != SkdOverlapSpace::Sphere)
+  {
+    return file + "SCRIP's form is for meshes on a sphere. Choose ESMF's, or the table of weights.";
+  }
+  vtkIdType cells = 0;
+  for (const SkdWeightsBlock& block : blocks)
+  {
+    cells += block.Target->GetNumberOfCells();
+  }
+  constexpr vtkIdType most = std::numeric_limits<int>::max();
+  return std::max(cells, donor->GetNumberOfCells()) > most
+    ? file + "its form has no more than 2147483647 cells a mesh."
+    : std::string();
+}
+}
+
+bool SkdWeightsFileSettings::operator==(const SkdWeightsFileSettings& other) const
+{
+  return std::tie(
+           this->Name, this->Format, this->Space, this->Normalization, this->WithGradients) ==
+    std::tie(other.Name, other.Format, other.Space, other.Normalization, other.WithGradients);
+}
+
+std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
+  const std::vector<SkdWeightsBlock>& blocks)
+{
+  const std::string problem = ProblemOf(settings, donor, blocks);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const bool isWhole = settings.Normalization == SkdNormalization::Whole;
+  SkdNetCdfContents contents;
+  contents.Attributes = { { "title", "Weights of vtkSkdTreeRemap" },
+    { "normalization", isWhole ? "destarea" : "fracarea" },
+    { "map_method", "Conservative remapping" } };
+  Weights all = Gather(settings, donor, blocks);
+  if (settings.Format == SkdWeightsFormat::Scrip)
+  {
+    AddScrip(all, contents);
+  }
+  else
+  {
+    AddEsmf(all, settings.Space == SkdOverlapSpace::Sphere, contents);
+  }
+  return SkdWriteNetCdf(settings.Name, contents);
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdWeightsFile.h
+ * @brief Weights as files that other programs for remapping read.
+ */
+
+#ifndef SkdWeightsFile_h
+#define SkdWeightsFile_h
+
+#include "Remap/SkdConservativeRemap.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+/// Whose names and conventions a file follows.
+enum class SkdWeightsFormat
+{
+  Esmf, ///< of the Earth System Modeling Framework: row, col, S
+  Scrip ///< of Jones' SCRIP, which CDO reads: dst_address, src_address, remap_matrix
+};
+
+struct SkdWeightsFileSettings
+{
+  std::string Name; ///< "": none is written
+  SkdWeightsFormat Format = SkdWeightsFormat::Esmf;
+  SkdOverlapSpace Space = SkdOverlapSpace::Sphere;
+  SkdNormalization Normalization = SkdNormalization::Covered;
+  bool WithGradients = false; ///< SCRIP's weights of the gradient
+
+  bool operator==(const SkdWeightsFileSettings& other) const;
+};
+
+/// A block of the target, with its overlaps.
+struct SkdWeightsBlock
+{
+  vtkDataSet* Target;
+  const SkdOverlapWeights* Weights;
+};
+
+/// Writes the weights of all blocks of a target, whose cells count on from block to block. Cells
+/// count from 1. On a sphere centres and corners are longitudes and latitudes in degrees and areas
+/// are of the unit sphere; else centres are Cartesian (ESMF only, with zc_a and zc_b) and areas,
+/// lengths or volumes as they are. SCRIP's second and third weight are those of the derivatives by
+/// latitude, and by longitude over the cosine of the latitude, at the Cartesian centroid of the
+/// source cell. What is wrong, a sentence; empty if nothing is.
+std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
+  const std::vector<SkdWeightsBlock>& blocks);
+
+#endif
