@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Puts what a VTK build would fetch from SOURCE into WORK/source/Remote/SkdTree, and builds the small
-# super-project around it with GENERATOR and OPTIONS.
+# super-project around it with GENERATOR and OPTIONS, without precompiled headers: here each file
+# shows that it includes what it needs.
 
 set(super "${WORK}/source")
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/RemoteModule/" "${CMAKE_CURRENT_LIST_DIR}/Outside/Outside.cxx"
@@ -13,7 +14,8 @@ endforeach ()
 
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -S "${super}" -B "${WORK}/build" -G "${GENERATOR}"
-    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 ${OPTIONS}
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
+    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON ${OPTIONS}
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(
   COMMAND "${CMAKE_COMMAND}" --build "${WORK}/build" --target RemoteModule
