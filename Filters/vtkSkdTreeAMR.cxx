@@ -11,7 +11,7 @@
 #include "Refine/SkdGridOutput.h"
 #include "Refine/SkdGridReport.h"
 #include "Refine/SkdRefineState.h"
-#include "Refine/SkdTellSize.h"
+#include "Refine/SkdShowEstimate.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -200,7 +200,7 @@ SkdGridEstimate Refine(
   }
   const SkdGridEstimate estimate = SkdEstimateGrid(
     grid, state.Parts, settings, AskedBy(self), OutputVtkTypes[self->GetOutputType()], self, 0.1);
-  SkdTellSize(self, estimate.Cells, estimate.Bytes, estimate.Seconds);
+  SkdShowEstimate(self, estimate.Cells, estimate.Bytes, estimate.Seconds);
   SkdGridRefiner(self, 0.1, 0.6, grid, state.Parts, settings).Refine();
   self->SetProgressText(nullptr);
   WarnAbout(self, grid, state.Parts, estimate);

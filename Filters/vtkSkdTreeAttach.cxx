@@ -79,7 +79,7 @@ int vtkSkdTreeAttach::RequestData(
     SkdMirror(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(outputVector, 0));
   internals.Built = 0;
   internals.Trees.resize(blocks.size());
-  for (std::size_t i = 0; i < blocks.size() && !SkdIsAskedToStop(this); ++i)
+  for (std::size_t i = 0; i < blocks.size() && !SkdIsAborted(this); ++i)
   {
     Internals::Tree& tree = internals.Trees[i];
     vtkPointSet* mesh = vtkPointSet::SafeDownCast(blocks[i].Mesh);

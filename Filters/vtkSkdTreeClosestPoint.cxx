@@ -3,7 +3,7 @@
 #include "vtkSkdTreeClosestPoint.h"
 
 #include "Cells/SkdCellWeights.h"
-#include "Closest/SkdAnswers.h"
+#include "Closest/SkdClosestArrays.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
@@ -30,10 +30,10 @@ public:
 
 namespace
 {
-SkdAnswers FindNearest(
+SkdClosestArrays FindNearest(
   vtkDataSet* mesh, const SkdSource& source, double maximumDistance, SkdLoop& loop)
 {
-  SkdAnswers answers(mesh->GetNumberOfPoints());
+  SkdClosestArrays answers(mesh->GetNumberOfPoints());
   loop.For(mesh->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -50,7 +50,7 @@ SkdAnswers FindNearest(
   return answers;
 }
 
-void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdAnswers& answers,
+void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdClosestArrays& answers,
   std::set<std::string>& refused, SkdLoop& loop)
 {
   const auto gather = [&](int type)
@@ -78,7 +78,7 @@ void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdAnswer
 }
 
 void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& outputs,
-  const SkdSource& source, const std::vector<SkdAnswers>& answers)
+  const SkdSource& source, const std::vector<SkdClosestArrays>& answers)
 {
   vtkNew<vtkGenericCell> cell;
   for (std::size_t block = 0; block < source.GetBlocks().size(); ++block)
@@ -113,12 +113,12 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
   }
 }
 
-void Report(vtkDataObject* output, const SkdSource& source, const std::vector<SkdAnswers>& answers,
-  double buildSeconds, double querySeconds)
+void Report(vtkDataObject* output, const SkdSource& source,
+  const std::vector<SkdClosestArrays>& answers, double buildSeconds, double querySeconds)
 {
   vtkIdType asked = 0;
   vtkIdType found = 0;
-  for (const SkdAnswers& answer : answers)
+  for (const SkdClosestArrays& answer : answers)
   {
     asked += answer.GetNumberOfPoints();
     found += answer.CountFound();
@@ -163,7 +163,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   SkdWarnAboutCoarseFaces(this, source.GetNumberOfCoarseFaces(), this->ChordalDeviation);
   const double buildSeconds = watch.Lap();
 
-  std::vector<SkdAnswers> answers;
+  std::vector<SkdClosestArrays> answers;
   SkdLoop loop(this, SkdCountPoints(blocks), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
   for (const SkdBlock& block : blocks)
   {
@@ -182,7 +182,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   }
   if (this->GenerateLines)
   {
-    SkdConnectAnswers(blocks, answers, vtkPolyData::GetData(outputVector, 1));
+    SkdConnectClosest(blocks, answers, vtkPolyData::GetData(outputVector, 1));
   }
   Report(output, source, answers, buildSeconds, querySeconds);
   source.Release();

@@ -97,7 +97,7 @@ void vtkSkdTreeCurveIntersection::StoreIntersections(
   vtkPolyData* points = vtkPolyData::GetData(outputs, 0);
   const SkdCurveTree& first = table.First.Tree;
   SkdStoreCurveHits(table, points);
-  SkdStoreStretches(table,
+  SkdStoreIntervals(table,
     first.GetSettings().ChordTolerance * first.GetCurves().GetBounds().Diagonal(),
     vtkPolyData::GetData(outputs, 1));
   if (this->CandidateRegions)

@@ -299,12 +299,12 @@ bool vtkSkdTreeMeshAdaptation::Internals::Run(
     const SkdTargetCells cells(mesh, isOnSphere, tolerance);
     SkdLoop loop(self, mesh->GetNumberOfCells(), progress, progress + part);
     field = means.GetMeans(cells, samples.Values, SkdEmptyCells::Nearest, loop);
-    return !SkdIsAskedToStop(self);
+    return !SkdIsAborted(self);
   };
   const auto look = [&](int iteration)
   {
     progress = part * (iteration + 1);
-    return !SkdIsAskedToStop(self);
+    return !SkdIsAborted(self);
   };
   this->Adapter.Run(this->MakeRules(), self->AnimateIterations, find, look);
   this->WarnAboutOutcome();

@@ -37,7 +37,7 @@ namespace
 {
 using Filter = vtkSkdTreeMeshRefinement;
 
-bool IsAnythingAsked(const SkdMeshSettings& settings)
+bool HasCriteria(const SkdMeshSettings& settings)
 {
   return settings.MinimumLevel > 0 || !settings.PartLevels.empty() || settings.FieldLevel > 0;
 }
@@ -51,7 +51,7 @@ SkdMeshSettings MakeSettings(Filter* self, const SkdRefineState& state)
   settings.Layers = self->GetGrowingLayers();
   settings.CellLimit =
     static_cast<std::uint64_t>(std::min<vtkIdType>(self->GetCellLimit(), 0x7fffffff));
-  if (!IsAnythingAsked(settings) && self->GetNumberOfInputConnections(1) == 0)
+  if (!HasCriteria(settings) && self->GetNumberOfInputConnections(1) == 0)
   {
     settings.MinimumLevel = 1;
   }
@@ -86,7 +86,7 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   {
     vtkWarningWithObjectMacro(self, "Input has no cells; the output is empty.");
   }
-  else if (!IsAnythingAsked(settings))
+  else if (!HasCriteria(settings))
   {
     vtkWarningWithObjectMacro(
       self, "Nothing is refined: the parts have no cells and no other criterion is set.");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreePointInOut.h"
 
-#include "InOut/SkdPartAsker.h"
+#include "InOut/SkdPartClassifier.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
@@ -113,7 +113,7 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
   if (model == BOUNDARIES)
   {
     auto asker =
-      std::make_shared<SkdPartAsker>(this->Parts.Get(), this->Rules, this->Band, queryPoints);
+      std::make_shared<SkdPartClassifier>(this->Parts.Get(), this->Rules, this->Band, queryPoints);
     return [asker](vtkIdType queryPoint) { return asker->Ask(queryPoint); };
   }
   auto finder = std::make_shared<SkdCellFinder>(this->Places, SkdCellFinderRules());
@@ -125,7 +125,7 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
     answer.Confidence = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]) ? 1 : 0;
     if (finder->Find(x))
     {
-      const SkdCellLocation& place = finder->GetPlace();
+      const SkdCellLocation& place = finder->GetLocation();
       answer.IsInside = true;
       answer.Depth = 1;
       answer.PartId = this->PartIds.empty() ? this->Blocks[place.Block].BlockIndex

@@ -106,7 +106,7 @@ SkdCellLocations vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fi
         const vtkIdType i = order.GetPoint(at, x);
         if (finder.Find(x))
         {
-          places.Set(i, finder.GetPlace());
+          places.Set(i, finder.GetLocation());
           data.Set(i, x, finder, gradient);
         }
       }
@@ -212,10 +212,10 @@ void vtkSkdTreeProbe::CutLines(
   SkdLoop loop(this, static_cast<vtkIdType>(pieces.size()), 0.5, 1.0);
   SkdCellFinderRules rules = internals.Rules;
   rules.OutsideRadius = -1.0;
-  const std::vector<SkdStretch> stretches = SkdCutLines(pieces, internals.Source, rules, loop);
-  const SkdLineOutput made{ inputs, internals.Source, pieces, stretches, SkdIsComposite(input),
+  const std::vector<SkdLineInterval> intervals = SkdCutLines(pieces, internals.Source, rules, loop);
+  const SkdLineOutput made{ inputs, internals.Source, pieces, intervals, SkdIsComposite(input),
     isSourceComposite };
-  SkdFillStretches(made, internals.Names.Refused, vtkPolyData::GetData(outputVector, 1));
+  SkdFillIntervals(made, internals.Names.Refused, vtkPolyData::GetData(outputVector, 1));
   SkdFillIntegrals(made, vtkTable::GetData(outputVector, 2));
 }
 

@@ -115,7 +115,7 @@ int vtkSkdTreeRefineAlgorithm::FillOutputPortInformation(int, vtkInformation* in
 int vtkSkdTreeRefineAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  SkdAskForWhole(this, inputVector, this->FirstWholePort);
+  SkdRequestWhole(this, inputVector, this->FirstWholePort);
   return 1;
 }
 

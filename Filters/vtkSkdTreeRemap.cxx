@@ -94,7 +94,7 @@ struct Passing
     auto* from = vtkAlgorithm::SafeDownCast(caller);
     passing->To->UpdateProgress(
       passing->First + from->GetProgress() * (passing->Last - passing->First));
-    if (SkdIsAskedToStop(passing->To))
+    if (SkdIsAborted(passing->To))
     {
       from->SetAbortExecute(1);
     }
@@ -438,7 +438,7 @@ void vtkSkdTreeRemap::Internals::MapBlocks()
   for (std::size_t block = 0; block < this->Outputs.size(); ++block)
   {
     const double first = static_cast<double>(block) * step;
-    if (!(SkdIsAskedToStop(this->Self)))
+    if (!(SkdIsAborted(this->Self)))
     {
       this->MapBlock(block, first, first + step);
     }

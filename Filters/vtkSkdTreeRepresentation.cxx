@@ -221,7 +221,7 @@ int vtkSkdTreeRepresentation::RequestData(
   int done = 0;
   for (const SkdBlock& block : blocks)
   {
-    if (SkdIsAskedToStop(this))
+    if (SkdIsAborted(this))
     {
       break;
     }

@@ -92,11 +92,11 @@ int vtkSkdTreeSourceAlgorithm::RequestUpdateExtent(
   const bool hasSource = inputVector[1]->GetNumberOfInformationObjects() > 0;
   if (hasSource)
   {
-    SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+    SkdRequestWhole(inputVector[1]->GetInformationObject(0));
   }
   if (this->WholeInput || !hasSource)
   {
-    SkdAskForWhole(inputVector[0]->GetInformationObject(0));
+    SkdRequestWhole(inputVector[0]->GetInformationObject(0));
   }
   return 1;
 }

@@ -176,11 +176,11 @@ int vtkSkdTreeSpatialQuery::RequestUpdateExtent(
 {
   if (inputVector[1]->GetNumberOfInformationObjects() > 0)
   {
-    SkdAskForWhole(inputVector[1]->GetInformationObject(0));
+    SkdRequestWhole(inputVector[1]->GetInformationObject(0));
   }
   if (this->Relation == NEAREST)
   {
-    SkdAskForWhole(inputVector[0]->GetInformationObject(0));
+    SkdRequestWhole(inputVector[0]->GetInformationObject(0));
   }
   return 1;
 }
@@ -336,7 +336,7 @@ void vtkSkdTreeSpatialQuery::FillOutputs(
   vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector)
 {
   Internals& internals = *this->Impl;
-  const SkdRelationAnswers answers{ internals.Pairs, internals.Queries,
+  const SkdRelationRows answers{ internals.Pairs, internals.Queries,
     internals.Mesh.GetBlockIndices(), this->Exact, SkdIsComposite(input), SkdIsComposite(source) };
   const auto chosen = SkdChooseCells(internals.Pairs, internals.Blocks.size());
   vtkIdType found = 0;

@@ -75,7 +75,7 @@ SkdPlacement Complete(
   {
     second->Set.Complete();
   }
-  return SkdPlace(first.Set, second ? &second->Set : nullptr, motion);
+  return SkdMakePlacement(first.Set, second ? &second->Set : nullptr, motion);
 }
 
 /// Where the Source is looked at.
@@ -158,7 +158,7 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
         surface->Set.Complete();
       }
     }
-    Contacts contacts{ SkdPlace(first.Set, &second->Set, motion), {} };
+    Contacts contacts{ SkdMakePlacement(first.Set, &second->Set, motion), {} };
     const auto near = SkdFindNear(contacts.Placement, clearance * contacts.Placement.Scale);
     auto pairs = near ? SkdTrianglePairs(contacts.Placement).FindByPackedRTree(*near, search, loop)
                       : std::nullopt;

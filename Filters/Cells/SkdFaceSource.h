@@ -22,13 +22,13 @@ public:
   {
     for (vtkIdType i = 0; i < size; ++i)
     {
-      this->Marks[PlaceOf(ids[i])] = { ids[i], cell };
+      this->Marks[SlotOf(ids[i])] = { ids[i], cell };
     }
   }
 
   bool IsMarked(vtkIdType cell, vtkIdType id) const
   {
-    const Entry& entry = this->Marks[PlaceOf(id)];
+    const Entry& entry = this->Marks[SlotOf(id)];
     return entry.Id == id && entry.Cell == cell;
   }
 
@@ -38,7 +38,7 @@ private:
     vtkIdType Id = -1;
     vtkIdType Cell = -1;
   };
-  static std::size_t PlaceOf(vtkIdType id) { return static_cast<std::size_t>(id) % 256; }
+  static std::size_t SlotOf(vtkIdType id) { return static_cast<std::size_t>(id) % 256; }
 
   std::array<Entry, 256> Marks;
 };

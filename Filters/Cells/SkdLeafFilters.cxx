@@ -85,7 +85,7 @@ struct SharedIds
   std::uint32_t Ids[3 * skd::TrianglePacket::Width];
   std::uint32_t Count = 0;
 
-  std::uint8_t PlaceOf(std::uint32_t id)
+  std::uint8_t SlotOf(std::uint32_t id)
   {
     std::uint32_t* const end = this->Ids + this->Count;
     const auto place = static_cast<std::uint32_t>(std::find(this->Ids, end, id) - this->Ids);
@@ -370,7 +370,7 @@ void SkdLeafFilters::FillTriangles(
     {
       const skd::Vector3 world = store.Point(ids[corner]);
       packet.Set(corner, lane, tree.GetFrame().Local(world));
-      packet.PointOf[lane][corner] = shared.PlaceOf(ids[corner]);
+      packet.PointOf[lane][corner] = shared.SlotOf(ids[corner]);
     }
   }
   packet.FirstPoint = shared.Count;

@@ -137,7 +137,7 @@ PatchRange PatchesOf(const skd::ParameterDomain& domain)
 
 /// The part of a segment near a cell: the points Start + t Direction, t in [0, 1], relative to the
 /// segment's first end, because the cell would be lost in the rounding errors of a long segment.
-struct Stretch
+struct LineInterval
 {
   skd::Vector3 Start;
   skd::Vector3 Direction;
@@ -150,7 +150,7 @@ struct Stretch
   }
 };
 
-std::optional<Stretch> StretchNear(
+std::optional<LineInterval> IntervalNear(
   const SkdParametricCell& cell, const skd::Vector3& direction, double tolerance)
 {
   skd::Box3 box;
@@ -165,7 +165,7 @@ std::optional<Stretch> StretchNear(
   {
     return std::nullopt;
   }
-  return Stretch{ inside->Min * direction, (inside->Max - inside->Min) * direction, *inside };
+  return LineInterval{ inside->Min * direction, (inside->Max - inside->Min) * direction, *inside };
 }
 
 /// The vector from a point of the segment to one of a patch, a map of (r, s, t), or of (r, t) if
@@ -173,16 +173,16 @@ std::optional<Stretch> StretchNear(
 class Gap
 {
 public:
-  Gap(const SkdParametricCell& cell, const Patch& patch, const Stretch& stretch)
+  Gap(const SkdParametricCell& cell, const Patch& patch, const LineInterval& interval)
     : Cell(cell)
     , ThePatch(patch)
-    , TheStretch(stretch)
+    , TheInterval(interval)
   {
   }
 
   skd::Vector3 Value(const skd::Vector3& p) const
   {
-    return this->Cell.Value(this->OnCell(p)) - this->TheStretch.At(p[this->AxisOfT()]);
+    return this->Cell.Value(this->OnCell(p)) - this->TheInterval.At(p[this->AxisOfT()]);
   }
 
   void Tangents(const skd::Vector3& p, skd::Vector3 (&tangents)[3]) const
@@ -194,7 +194,7 @@ public:
       const skd::Vector3& axis = this->ThePatch.Axes[i];
       tangents[i] = axis[0] * ofCell[0] + axis[1] * ofCell[1] + axis[2] * ofCell[2];
     }
-    tangents[this->AxisOfT()] = -1.0 * this->TheStretch.Direction;
+    tangents[this->AxisOfT()] = -1.0 * this->TheInterval.Direction;
   }
 
   const skd::ParameterDomain& Domain() const
@@ -219,7 +219,7 @@ private:
 
   const SkdParametricCell& Cell;
   const Patch& ThePatch;
-  const Stretch& TheStretch;
+  const LineInterval& TheInterval;
 };
 
 /// The first hit of a segment with the patches of a cell: each is divided into a lattice of small
@@ -227,9 +227,9 @@ private:
 class FirstHit
 {
 public:
-  FirstHit(const SkdParametricCell& cell, const Stretch& stretch, double margin)
+  FirstHit(const SkdParametricCell& cell, const LineInterval& interval, double margin)
     : Cell(cell)
-    , TheStretch(stretch)
+    , TheInterval(interval)
     , Margin(margin)
     , Steps(cell.NumberOfPoints() <= 27 ? 4 : MostSteps)
   {
@@ -272,7 +272,7 @@ private:
     }
   }
 
-  /// A stretch of a curve, or the two triangles of a square of the lattice.
+  /// A interval of a curve, or the two triangles of a square of the lattice.
   void TryPieces(const Patch& patch, int i, int j)
   {
     const auto& at = this->Samples;
@@ -298,9 +298,9 @@ private:
       std::sqrt(std::max({ skd::Distance2(middle, corners[0]), skd::Distance2(middle, corners[1]),
         skd::Distance2(middle, corners[2]) }));
     const auto nearest =
-      skd::ClosestPointOnSegment(this->TheStretch.At(0.0), this->TheStretch.At(1.0), middle);
+      skd::ClosestPointOnSegment(this->TheInterval.At(0.0), this->TheInterval.At(1.0), middle);
     const double near = radius + this->Margin;
-    const double length = skd::Norm(this->TheStretch.Direction);
+    const double length = skd::Norm(this->TheInterval.Direction);
     const bool isLate = this->Best && (nearest.R - this->BestT) * length > 2.0 * near;
     if (nearest.Dist2 <= near * near && !isLate)
     {
@@ -310,7 +310,7 @@ private:
 
   void Solve(const Patch& patch, double r, double s, double t)
   {
-    const Gap gap(this->Cell, patch, this->TheStretch);
+    const Gap gap(this->Cell, patch, this->TheInterval);
     skd::LeastResidual<Gap> search(gap.Domain(), gap);
     const double enough = 0.125 * this->Cell.Rounding();
     const auto found =
@@ -320,12 +320,12 @@ private:
     {
       this->BestT = at;
       this->Best =
-        SkdLineHit{ this->TheStretch.ToWhole(at), this->Cell.ToVTK(gap.OnCell(found.Parameters)) };
+        SkdLineHit{ this->TheInterval.ToWhole(at), this->Cell.ToVTK(gap.OnCell(found.Parameters)) };
     }
   }
 
   const SkdParametricCell& Cell;
-  const Stretch& TheStretch;
+  const LineInterval& TheInterval;
   double Margin;
   int Steps;
   skd::Vector3 Samples[MostSteps + 1][MostSteps + 1];
@@ -355,10 +355,10 @@ std::optional<SkdLineHit> SkdParametricKernel::Intersect(
 {
   const SkdParametricCell map(cell, segment.A);
   const double reach = std::max(tolerance, map.Rounding());
-  const auto stretch = StretchNear(map, segment.B - segment.A, reach);
-  if (!stretch)
+  const auto interval = IntervalNear(map, segment.B - segment.A, reach);
+  if (!interval)
   {
     return std::nullopt;
   }
-  return FirstHit(map, *stretch, reach).Find();
+  return FirstHit(map, *interval, reach).Find();
 }

@@ -22,10 +22,10 @@ namespace
 skd::Box3 BoxOf(
   const skd::Segment<3>& chord, const skd::Segment<3>& other, double reach, double radius)
 {
-  const skd::Interval stretch = skd::StretchWithin(chord, other, reach);
+  const skd::Interval interval = skd::IntervalWithin(chord, other, reach);
   skd::Box3 box;
-  box.Add(chord.At(stretch.Min));
-  box.Add(chord.At(stretch.Max));
+  box.Add(chord.At(interval.Min));
+  box.Add(chord.At(interval.Max));
   return box.Inflated(radius);
 }
 

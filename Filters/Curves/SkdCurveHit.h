@@ -43,7 +43,7 @@ struct SkdCurveHit
 };
 
 /// An interval that two curves have in common, along the first.
-struct SkdCurveStretch
+struct SkdCurveInterval
 {
   SkdCurveHit Begin;
   SkdCurveHit End;

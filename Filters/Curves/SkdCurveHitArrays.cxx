@@ -103,22 +103,22 @@ void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
   }
 }
 
-/// The points of a stretch along its first curve.
-class StretchLine
+/// The points of a interval along its first curve.
+class IntervalLine
 {
 public:
-  StretchLine(const SkdCurveSet& curves, double delta, vtkPoints* points)
+  IntervalLine(const SkdCurveSet& curves, double delta, vtkPoints* points)
     : Curves(curves)
     , Delta(delta)
     , Points(points)
   {
   }
 
-  /// A stretch that ends before it begins goes on around a closed curve.
-  void Insert(const SkdCurveStretch& stretch, vtkCellArray* lines)
+  /// A interval that ends before it begins goes on around a closed curve.
+  void Insert(const SkdCurveInterval& interval, vtkCellArray* lines)
   {
-    const SkdCurveLocation& begin = stretch.Begin.First;
-    const SkdCurveLocation& end = stretch.End.First;
+    const SkdCurveLocation& begin = interval.Begin.First;
+    const SkdCurveLocation& end = interval.End.First;
     const SkdCurve& curve = this->Curves.GetCurves()[begin.Curve];
     this->Ids = { this->Points->InsertNextPoint(begin.X.X) };
     std::size_t piece = begin.Piece;
@@ -192,17 +192,17 @@ std::set<std::string> SkdStoreDataOfCurves(const SkdCurveHitTable& table, vtkPol
 }
 
 //------------------------------------------------------------------------------
-void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData* output)
+void SkdStoreIntervals(const SkdCurveHitTable& table, double delta, vtkPolyData* output)
 {
-  using Stretch = SkdCurveStretch;
-  const std::vector<Stretch>& stretches = table.Intersections.Stretches;
+  using Interval = SkdCurveInterval;
+  const std::vector<Interval>& intervals = table.Intersections.Intervals;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  StretchLine line(table.First.Tree.GetCurves(), delta, points);
-  for (const Stretch& stretch : stretches)
+  IntervalLine line(table.First.Tree.GetCurves(), delta, points);
+  for (const Interval& interval : intervals)
   {
-    line.Insert(stretch, lines);
+    line.Insert(interval, lines);
   }
   output->SetPoints(points);
   output->SetLines(lines);
@@ -210,10 +210,10 @@ void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData*
     [&](const SkdCurveSide& side, SkdCurveLocation SkdCurveHit::*place, const std::string& prefix)
   {
     vtkCellData* to = output->GetCellData();
-    AddColumn<vtkIdTypeArray>(to, stretches, prefix + "CurveId",
-      [=](const Stretch& one) { return static_cast<vtkIdType>((one.Begin.*place).Curve); });
-    AddColumn<vtkIdTypeArray>(to, stretches, prefix + "CurveCellId",
-      [&, place](const Stretch& one)
+    AddColumn<vtkIdTypeArray>(to, intervals, prefix + "CurveId",
+      [=](const Interval& one) { return static_cast<vtkIdType>((one.Begin.*place).Curve); });
+    AddColumn<vtkIdTypeArray>(to, intervals, prefix + "CurveCellId",
+      [&, place](const Interval& one)
       { return side.Tree.GetCurves().GetCurves()[(one.Begin.*place).Curve].CellId; });
   };
   addIds(table.First, &SkdCurveHit::First, "Skd");

@@ -35,7 +35,7 @@ void SkdStoreCurveHits(const SkdCurveHitTable& table, vtkPolyData* output);
 std::set<std::string> SkdStoreDataOfCurves(const SkdCurveHitTable& table, vtkPolyData* output);
 
 /// Fills `output` with the common intervals, within a chord tolerance in world units.
-void SkdStoreStretches(const SkdCurveHitTable& table, double delta, vtkPolyData* output);
+void SkdStoreIntervals(const SkdCurveHitTable& table, double delta, vtkPolyData* output);
 
 /// Fills `output` with a box around the region that the safety cylinders of each two candidates
 /// have in common.

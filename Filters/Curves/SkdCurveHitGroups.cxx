@@ -14,7 +14,7 @@ auto PairOf(const SkdCurveHit& hit)
   return std::tuple(hit.First.Curve, hit.Second.Curve);
 }
 
-auto PlaceOf(const SkdCurveHit& hit)
+auto LocationOf(const SkdCurveHit& hit)
 {
   return std::tuple(hit.First.Curve, hit.Second.Curve, hit.First.U, hit.Second.U,
     static_cast<int>(hit.Kind), hit.Begins, hit.First.Piece, hit.Second.Piece);
@@ -28,7 +28,7 @@ double Apart(const SkdCurveLocation& a, const SkdCurveLocation& b)
 }
 
 /// Exact intersections are equal only to within a few units in the last place.
-bool IsSamePlace(const SkdCurveHit& a, const SkdCurveHit& b)
+bool IsSameLocation(const SkdCurveHit& a, const SkdCurveHit& b)
 {
   const double SkdCurveLocation::*slack =
     a.IsExact && b.IsExact ? &SkdCurveLocation::Rounding : &SkdCurveLocation::Slack;
@@ -94,7 +94,7 @@ struct Group
     this->After = after;
   }
 
-  bool IsWithinStretch() const { return this->Begins && this->Ends; }
+  bool IsWithinInterval() const { return this->Begins && this->Ends; }
 
   skd::IntersectionKind Kind() const
   {
@@ -139,7 +139,7 @@ void UniteAround(std::vector<Group>& groups, bool isSelf)
     {
       const auto number = static_cast<std::size_t>(other - groups.begin());
       const bool isSame =
-        IsSamePlace(other->Hit, hit) || (mayTurn && IsSamePlace(other->Hit, turned(hit)));
+        IsSameLocation(other->Hit, hit) || (mayTurn && IsSameLocation(other->Hit, turned(hit)));
       if (number != i && !isLeftOut[number] && isSame)
       {
         other->Add(groups[i]);
@@ -171,7 +171,7 @@ bool IsSameAlong(const SkdCurveLocation& a, const SkdCurveLocation& b, bool areE
 }
 
 /// Makes one of the hits at a joint: all that follow one and are the same go, but that it may be
-/// ends of stretches that stay. `order` tells which hits these are.
+/// ends of intervals that stay. `order` tells which hits these are.
 class JointUnion
 {
 public:
@@ -224,12 +224,12 @@ private:
   {
     SkdCurveHit& one = this->Hits[kept];
     const SkdCurveHit& two = this->Hits[other];
-    const bool endsStretch[2] = { one.Kind == skd::IntersectionKind::OverlapEnd,
+    const bool endsInterval[2] = { one.Kind == skd::IntersectionKind::OverlapEnd,
       two.Kind == skd::IntersectionKind::OverlapEnd };
-    if (endsStretch[0] || endsStretch[1])
+    if (endsInterval[0] || endsInterval[1])
     {
-      this->IsLeftOut[kept] |= !endsStretch[0];
-      this->IsLeftOut[other] |= !endsStretch[1];
+      this->IsLeftOut[kept] |= !endsInterval[0];
+      this->IsLeftOut[other] |= !endsInterval[1];
       return;
     }
     const auto side = [](const SkdCurveHit& hit)
@@ -248,9 +248,9 @@ private:
   std::vector<char> IsLeftOut;
 };
 
-bool Follows(const SkdCurveStretch& next, const SkdCurveStretch& last)
+bool Follows(const SkdCurveInterval& next, const SkdCurveInterval& last)
 {
-  return IsSamePlace(last.End, next.Begin);
+  return IsSameLocation(last.End, next.Begin);
 }
 }
 
@@ -258,14 +258,14 @@ bool Follows(const SkdCurveStretch& next, const SkdCurveStretch& last)
 std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool isSelf)
 {
   std::sort(hits.begin(), hits.end(),
-    [](const SkdCurveHit& a, const SkdCurveHit& b) { return PlaceOf(a) < PlaceOf(b); });
+    [](const SkdCurveHit& a, const SkdCurveHit& b) { return LocationOf(a) < LocationOf(b); });
   constexpr std::size_t window = 16;
   std::vector<Group> groups;
   for (const SkdCurveHit& hit : hits)
   {
     const auto first = groups.end() - static_cast<std::ptrdiff_t>(std::min(groups.size(), window));
     const auto same = std::find_if(
-      first, groups.end(), [&](const Group& group) { return IsSamePlace(group.Hit, hit); });
+      first, groups.end(), [&](const Group& group) { return IsSameLocation(group.Hit, hit); });
     if (same == groups.end())
     {
       groups.emplace_back(hit);
@@ -279,7 +279,7 @@ std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool 
   std::vector<SkdCurveHit> united;
   for (const Group& group : groups)
   {
-    if (!group.IsWithinStretch())
+    if (!group.IsWithinInterval())
     {
       united.push_back(group.Hit);
       united.back().Kind = group.Kind();
@@ -323,24 +323,24 @@ void SkdUniteAtJoints(std::vector<SkdCurveHit>& hits, bool isSelf)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdCurveStretch> SkdJoinStretches(std::vector<SkdCurveStretch>& stretches)
+std::vector<SkdCurveInterval> SkdJoinIntervals(std::vector<SkdCurveInterval>& intervals)
 {
-  std::sort(stretches.begin(), stretches.end(),
-    [](const SkdCurveStretch& a, const SkdCurveStretch& b)
-    { return PlaceOf(a.Begin) < PlaceOf(b.Begin); });
-  std::vector<SkdCurveStretch> joined;
-  for (const SkdCurveStretch& stretch : stretches)
+  std::sort(intervals.begin(), intervals.end(),
+    [](const SkdCurveInterval& a, const SkdCurveInterval& b)
+    { return LocationOf(a.Begin) < LocationOf(b.Begin); });
+  std::vector<SkdCurveInterval> joined;
+  for (const SkdCurveInterval& interval : intervals)
   {
     const auto last = std::find_if(joined.rbegin(), joined.rend(),
-      [&](const SkdCurveStretch& one)
-      { return PairOf(one.Begin) != PairOf(stretch.Begin) || Follows(stretch, one); });
-    if (last != joined.rend() && Follows(stretch, *last))
+      [&](const SkdCurveInterval& one)
+      { return PairOf(one.Begin) != PairOf(interval.Begin) || Follows(interval, one); });
+    if (last != joined.rend() && Follows(interval, *last))
     {
-      last->End = stretch.End;
+      last->End = interval.End;
     }
     else
     {
-      joined.push_back(stretch);
+      joined.push_back(interval);
     }
   }
   return joined;

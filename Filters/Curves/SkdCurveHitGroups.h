@@ -16,7 +16,7 @@ std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool 
 void SkdUniteAtJoints(std::vector<SkdCurveHit>& hits, bool isSelf);
 
 /// Sorts intervals and joins adjacent ones of the same two curves.
-std::vector<SkdCurveStretch> SkdJoinStretches(std::vector<SkdCurveStretch>& stretches);
+std::vector<SkdCurveInterval> SkdJoinIntervals(std::vector<SkdCurveInterval>& intervals);
 
 /// The nearest approach of each pair of curves, unless they intersect at one of `hits`.
 std::vector<SkdCurveHit> SkdNearestApproaches(

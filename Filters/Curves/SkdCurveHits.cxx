@@ -65,7 +65,7 @@ SkdCurveIntersections SkdCurveHitFinder::Find(SkdLoop& loop) const
   intersections.Candidates = std::move(all.Candidates);
   std::sort(intersections.Candidates.begin(), intersections.Candidates.end());
   intersections.Hits = SkdUniteCurveHits(all.Hits, this->IsSelf());
-  intersections.Stretches = SkdJoinStretches(all.Stretches);
+  intersections.Intervals = SkdJoinIntervals(all.Intervals);
   const std::vector<SkdCurveHit> near = SkdNearestApproaches(all.Near, intersections.Hits);
   if (this->Task.IgnoresJoints)
   {
@@ -88,7 +88,7 @@ void SkdCurveHitFinder::Worker::TakeFrom(const Worker& other)
   { to.insert(to.end(), from.begin(), from.end()); };
   take(this->Hits, other.Hits);
   take(this->Near, other.Near);
-  take(this->Stretches, other.Stretches);
+  take(this->Intervals, other.Intervals);
   take(this->Candidates, other.Candidates);
 }
 
@@ -162,8 +162,8 @@ void SkdCurveHitFinder::Examine(std::size_t first, std::size_t second, Worker& w
 bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& second,
   const skd::CurvePairHit& hit, Worker& worker) const
 {
-  SkdCurveHit found{ this->PlaceOf(this->First, first, hit.T),
-    this->PlaceOf(this->Second, second, hit.S), hit.Gap, hit.Error, hit.Kind, hit.Begins,
+  SkdCurveHit found{ this->LocationOf(this->First, first, hit.T),
+    this->LocationOf(this->Second, second, hit.S), hit.Gap, hit.Error, hit.Kind, hit.Begins,
     hit.IsExact, hit.IsResolved, hit.Before, hit.After };
   found.First.Slack += hit.SlackT * (first.Range.Max - first.Range.Min);
   found.Second.Slack += hit.SlackS * (second.Range.Max - second.Range.Min);
@@ -182,10 +182,10 @@ bool SkdCurveHitFinder::AddHit(const SkdCurveSpan& first, const SkdCurveSpan& se
     return false;
   }
   worker.Hits.push_back(found);
-  const bool endsStretch = hit.Kind == skd::IntersectionKind::OverlapEnd && !hit.Begins;
-  if (endsStretch && worker.Hits.size() > 1)
+  const bool endsInterval = hit.Kind == skd::IntersectionKind::OverlapEnd && !hit.Begins;
+  if (endsInterval && worker.Hits.size() > 1)
   {
-    worker.Stretches.push_back({ worker.Hits[worker.Hits.size() - 2], found });
+    worker.Intervals.push_back({ worker.Hits[worker.Hits.size() - 2], found });
   }
   return true;
 }
@@ -208,14 +208,14 @@ void SkdCurveHitFinder::FindNear(
     this->First.GetForm(first, origin), this->Second.GetForm(second, origin), limit);
   if (nearest.Distance < limit.Distance)
   {
-    worker.Near.push_back({ this->PlaceOf(this->First, first, nearest.T),
-      this->PlaceOf(this->Second, second, nearest.S), nearest.Distance, 0.0,
+    worker.Near.push_back({ this->LocationOf(this->First, first, nearest.T),
+      this->LocationOf(this->Second, second, nearest.S), nearest.Distance, 0.0,
       skd::IntersectionKind::Near, false, false, false, {}, {} });
   }
 }
 
 //------------------------------------------------------------------------------
-SkdCurveLocation SkdCurveHitFinder::PlaceOf(
+SkdCurveLocation SkdCurveHitFinder::LocationOf(
   const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const
 {
   const SkdCurveSet& curves = tree.GetCurves();

@@ -32,7 +32,7 @@ struct SkdCurveCandidate
 struct SkdCurveIntersections
 {
   std::vector<SkdCurveHit> Hits;             ///< by both curves, then along both
-  std::vector<SkdCurveStretch> Stretches;    ///< likewise
+  std::vector<SkdCurveInterval> Intervals;   ///< likewise
   std::vector<SkdCurveCandidate> Candidates; ///< ascending
 };
 
@@ -65,7 +65,7 @@ private:
     skd::NearestOnCurves Nearest;
     std::vector<SkdCurveHit> Hits;
     std::vector<SkdCurveHit> Near;
-    std::vector<SkdCurveStretch> Stretches;
+    std::vector<SkdCurveInterval> Intervals;
     std::vector<SkdCurveCandidate> Candidates;
 
     void TakeFrom(const Worker& other);
@@ -78,7 +78,7 @@ private:
     Worker& worker) const;
   void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
   bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
-  SkdCurveLocation PlaceOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
+  SkdCurveLocation LocationOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
   static void FindEnd(const SkdCurveTree& tree, SkdCurveLocation& place);
   bool IsJoint(const SkdCurveHit& hit) const;
 

@@ -16,7 +16,7 @@ double KeyOf(const SkdCurveEnd& end)
 }
 
 /// The ends from `first` on that are where it is; the others, by ascending key, stay.
-std::vector<SkdCurveEnd> TakePlace(
+std::vector<SkdCurveEnd> TakeCoincidentEnds(
   std::vector<SkdCurveEnd>& ends, std::vector<char>& isTaken, std::size_t first, double rounding)
 {
   std::vector<SkdCurveEnd> place;
@@ -46,7 +46,7 @@ SkdCurveJoints::SkdCurveJoints(
   {
     if (!isTaken[first])
     {
-      std::vector<SkdCurveEnd> place = TakePlace(ends, isTaken, first, rounding);
+      std::vector<SkdCurveEnd> place = TakeCoincidentEnds(ends, isTaken, first, rounding);
       this->Join(place);
     }
   }

@@ -117,16 +117,16 @@ private:
   {
     for (; piece < lastPiece; ++piece, t = 0.0)
     {
-      this->AddStretch(piece, t, 1.0);
+      this->AddInterval(piece, t, 1.0);
     }
     if (lastT > t)
     {
-      this->AddStretch(piece, t, lastT);
+      this->AddInterval(piece, t, lastT);
       t = lastT;
     }
   }
 
-  void AddStretch(std::size_t piece, double from, double to)
+  void AddInterval(std::size_t piece, double from, double to)
   {
     if (!(to > from))
     {

@@ -77,7 +77,7 @@ int SkdIntersectionGroups::Group::Sense() const
 }
 
 //------------------------------------------------------------------------------
-// Where one element's common stretch ends and another's begins, it goes on.
+// Where one element's common interval ends and another's begins, it goes on.
 bool SkdIntersectionGroups::Group::IsWithinOverlap() const
 {
   return this->OverlapsBegun > 0 && this->OverlapsEnded > 0;

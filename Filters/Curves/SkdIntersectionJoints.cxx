@@ -57,8 +57,8 @@ std::vector<SkdSurfaceIntersection> SkdIntersectionJoints::Unite(
     }
     SkdSurfaceIntersection& first = intersections[one.Intersection];
     const SkdSurfaceIntersection& second = intersections[other.Intersection];
-    const bool endsStretch = first.Hit.Kind == skd::IntersectionKind::OverlapEnd;
-    if (!endsStretch && second.Hit.Kind != skd::IntersectionKind::OverlapEnd)
+    const bool endsInterval = first.Hit.Kind == skd::IntersectionKind::OverlapEnd;
+    if (!endsInterval && second.Hit.Kind != skd::IntersectionKind::OverlapEnd)
     {
       Add(first, one.AtEnd, second, other.AtEnd);
     }
@@ -66,7 +66,7 @@ std::vector<SkdSurfaceIntersection> SkdIntersectionJoints::Unite(
     {
       isLeftOut[other.Intersection] = 1;
     }
-    else if (!endsStretch)
+    else if (!endsInterval)
     {
       isLeftOut[one.Intersection] = 1;
     }

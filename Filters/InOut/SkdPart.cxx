@@ -28,12 +28,12 @@ double Scatter(std::uint64_t& state)
 
 /// Directions uniformly distributed over the sphere for any number of them: the additive sequence
 /// R2, with a different start for each (seed, point).
-class RandomWaysOut
+class RandomRayEnds
 {
 public:
-  RandomWaysOut(const double bounds[6], std::uint64_t seed, std::uint64_t point);
+  RandomRayEnds(const double bounds[6], std::uint64_t seed, std::uint64_t point);
 
-  SkdWayOut Next();
+  SkdRayEnd Next();
 
 private:
   double Length; // longer than the diagonal
@@ -41,7 +41,7 @@ private:
   double V;
 };
 
-RandomWaysOut::RandomWaysOut(const double bounds[6], std::uint64_t seed, std::uint64_t point)
+RandomRayEnds::RandomRayEnds(const double bounds[6], std::uint64_t seed, std::uint64_t point)
   : Length(1.01 * vtkBoundingBox(bounds).GetDiagonalLength())
 {
   std::uint64_t state = seed;
@@ -52,7 +52,7 @@ RandomWaysOut::RandomWaysOut(const double bounds[6], std::uint64_t seed, std::ui
 }
 
 // R2 of M. Roberts: multiples of the inverses of the plastic number and of its square.
-SkdWayOut RandomWaysOut::Next()
+SkdRayEnd RandomRayEnds::Next()
 {
   this->U = std::fmod(this->U + 0.75487766624669276005, 1.0);
   this->V = std::fmod(this->V + 0.56984029099805326591, 1.0);
@@ -112,7 +112,7 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
   }
   const bool repairs = settings.RepairsOrientation || settings.Method == SkdInsideMethod::Automatic;
   const auto turnedOf = [&](vtkPolyData* surface)
-  { return repairs ? this->FindTurned(surface) : std::vector<bool>(); };
+  { return repairs ? this->FindReversed(surface) : std::vector<bool>(); };
   const SkdInsideMethod method = this->Resolved(settings.Method);
   if (method == SkdInsideMethod::WindingNumber)
   {
@@ -126,9 +126,9 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
   }
 }
 
-std::vector<bool> SkdPart::FindTurned(vtkPolyData* surface) const
+std::vector<bool> SkdPart::FindReversed(vtkPolyData* surface) const
 {
-  return SkdFindTurned(SkdPointsOf(surface), SkdTrianglesOf(surface),
+  return SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
     [this](const skd::Vector3& x)
     {
       return this->BoundsHold(x.X) &&
@@ -179,7 +179,7 @@ SkdSide SkdPart::AskWithin(
   }
 }
 
-bool SkdPart::IsOdd(const double x[3], const SkdWayOut& way) const
+bool SkdPart::IsOdd(const double x[3], const SkdRayEnd& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
   return this->Surface->CountCrossings(x, end) % 2 == 1;
@@ -239,7 +239,7 @@ void SkdPart::FindTurns(
 
 SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
 {
-  const std::array<SkdWayOut, 7> ways = SkdWaysOutAlongAxes(this->Bounds, x);
+  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
   const int count = this->Boundary.OpenEdges == 0 ? 1 : 6;
   auto way = ways.begin();
   return Elect(count, [&]() { return this->IsOdd(x, *way++); });
@@ -248,7 +248,7 @@ SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
 SkdSide SkdPart::VoteAtRandom(
   const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
 {
-  RandomWaysOut ways(this->Bounds, rules.Seed, point);
+  RandomRayEnds ways(this->Bounds, rules.Seed, point);
   const int count = this->Boundary.OpenEdges == 0 ? 1 : rules.NumberOfRays;
   return Elect(count, [&]() { return this->IsOdd(x, ways.Next()); });
 }

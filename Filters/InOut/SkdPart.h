@@ -91,15 +91,15 @@ private:
     return method == SkdInsideMethod::Automatic && !this->Solid ? SkdInsideMethod::WindingNumber
                                                                 : method;
   }
-  std::vector<bool> FindTurned(vtkPolyData* surface) const;
+  std::vector<bool> FindReversed(vtkPolyData* surface) const;
   SkdSide AskWithin(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
   SkdSide AskSolid(const double x[3]) const
   {
-    return this->Solid->Ask(x, SkdWaysOutAlongAxes(this->Bounds, x)[0]);
+    return this->Solid->Ask(x, SkdRayEndsAlongAxes(this->Bounds, x)[0]);
   }
   void FindTurns(
     const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const;
-  bool IsOdd(const double x[3], const SkdWayOut& way) const;
+  bool IsOdd(const double x[3], const SkdRayEnd& way) const;
   SkdSide VoteAlongAxes(const double x[3]) const;
   SkdSide VoteAtRandom(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
   SkdSide AskWinding(const double x[3], double tolerance) const;

@@ -45,7 +45,7 @@ private:
   template <class Corner>
   void AddFace(Face face, const SkdBlockSurface& surface, vtkIdType size, const Corner* corners);
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
-  bool AreTurnedAlike(const Face& a, const Face& b) const;
+  bool AreOrientedAlike(const Face& a, const Face& b) const;
 
   template <typename Predicate>
   vtkIdType CountOddEdges(const Predicate& isOfSurface) const;
@@ -176,13 +176,13 @@ void FaceList::CountCopiesOfGroup(const std::vector<std::size_t>& group)
     first.Net = 0;
     for (const std::size_t face : group)
     {
-      first.Net += this->AreTurnedAlike(first, this->Faces[face]) ? 1 : -1;
+      first.Net += this->AreOrientedAlike(first, this->Faces[face]) ? 1 : -1;
     }
   }
 }
 
 // Of faces that have the same corners.
-bool FaceList::AreTurnedAlike(const Face& a, const Face& b) const
+bool FaceList::AreOrientedAlike(const Face& a, const Face& b) const
 {
   const vtkIdType* corners = this->Corners.data() + b.First;
   const vtkIdType* end = corners + b.Size;

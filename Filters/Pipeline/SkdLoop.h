@@ -19,7 +19,7 @@
 #include <algorithm>
 
 /// Whether an algorithm was aborted.
-inline bool SkdIsAskedToStop(vtkAlgorithm* algorithm)
+inline bool SkdIsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_SKD_HAS_CHECK_ABORT
   return algorithm->CheckAbort();
@@ -78,7 +78,7 @@ public:
 private:
   bool IsStopped()
   {
-    this->Stopped = this->Stopped || SkdIsAskedToStop(this->Algorithm);
+    this->Stopped = this->Stopped || SkdIsAborted(this->Algorithm);
     return this->Stopped;
   }
 

@@ -99,7 +99,7 @@ skd::Vector3 AcrossOf(const std::vector<skd::Vector3>& points, const SkdTriangle
 }
 }
 
-std::vector<bool> SkdFindTurned(const std::vector<skd::Vector3>& points,
+std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles,
   const std::function<bool(const skd::Vector3&)>& isInside)
 {

@@ -11,7 +11,7 @@
 /// share an edge with no third one are oriented consistently; then each component is oriented by
 /// its largest triangle, one side of which is inside and the other outside. Components without such
 /// a difference are not changed. O(n log n).
-std::vector<bool> SkdFindTurned(const std::vector<skd::Vector3>& points,
+std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles,
   const std::function<bool(const skd::Vector3&)>& isInside);
 

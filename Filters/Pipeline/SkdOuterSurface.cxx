@@ -270,7 +270,7 @@ void Builder::AddFacets(vtkIdType cellId, vtkCell* face, bool isInward)
   }
   const auto add = [&](std::vector<vtkIdType>& corners)
   {
-    if (this->Facets.IsTurnedOver() != isInward)
+    if (this->Facets.IsFlipped() != isInward)
     {
       std::reverse(corners.begin(), corners.end());
     }

@@ -25,7 +25,7 @@ inline void SkdAcceptMeshes(vtkInformation* port)
 }
 
 /// Requests the whole of an input, whatever piece of the output is requested.
-inline void SkdAskForWhole(vtkInformation* input)
+inline void SkdRequestWhole(vtkInformation* input)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
@@ -38,13 +38,13 @@ inline void SkdAskForWhole(vtkInformation* input)
 }
 
 /// The same of all inputs of a filter's ports from the first on.
-inline void SkdAskForWhole(vtkAlgorithm* filter, vtkInformationVector** inputs, int first)
+inline void SkdRequestWhole(vtkAlgorithm* filter, vtkInformationVector** inputs, int first)
 {
   for (int port = first; port < filter->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      SkdAskForWhole(inputs[port]->GetInformationObject(i));
+      SkdRequestWhole(inputs[port]->GetInformationObject(i));
     }
   }
 }

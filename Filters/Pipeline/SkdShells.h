@@ -45,7 +45,7 @@ public:
 
   /// One value a triangle: 1 for those that must be reversed for normals to point out of each
   /// single shell. nullptr if there are none.
-  vtkUnsignedCharArray* GetTurned() const { return this->Turned; }
+  vtkUnsignedCharArray* GetReversed() const { return this->Turned; }
 
 private:
   class Pairing;

@@ -53,7 +53,7 @@ std::optional<SkdNearest> SkdSignedSource::FindNearest(
   return nearest;
 }
 
-bool SkdSignedSource::HasOddCrossings(const double x[3], const SkdWayOut& way) const
+bool SkdSignedSource::HasOddCrossings(const double x[3], const SkdRayEnd& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
   return this->Surface->CountCrossings(x, end) % 2 == 1;
@@ -68,13 +68,13 @@ bool SkdSignedSource::IsInside(const double x[3]) const
       return false;
     }
   }
-  const std::array<SkdWayOut, 7> ways = SkdWaysOutAlongAxes(this->Bounds, x);
+  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
   if (this->Solid)
   {
     return this->Solid->Ask(x, ways[0]).IsInside;
   }
   const auto votes = std::count_if(
-    ways.begin(), ways.end(), [&](const SkdWayOut& way) { return this->HasOddCrossings(x, way); });
+    ways.begin(), ways.end(), [&](const SkdRayEnd& way) { return this->HasOddCrossings(x, way); });
   return 2 * votes > static_cast<std::ptrdiff_t>(ways.size());
 }
 

@@ -59,7 +59,7 @@ public:
 
 private:
   void MakeBoundary(const std::vector<SkdBlock>& blocks);
-  bool HasOddCrossings(const double x[3], const SkdWayOut& way) const;
+  bool HasOddCrossings(const double x[3], const SkdRayEnd& way) const;
 
   SkdKeptBlocks Meshes;
   double ChordalLength = 0.0; // 0 where no cell is curved

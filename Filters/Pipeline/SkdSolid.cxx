@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cmath>
 
-std::array<SkdWayOut, 7> SkdWaysOutAlongAxes(const double bounds[6], const double x[3])
+std::array<SkdRayEnd, 7> SkdRayEndsAlongAxes(const double bounds[6], const double x[3])
 {
   const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
-  std::array<SkdWayOut, 7> ways;
+  std::array<SkdRayEnd, 7> ways;
   for (int i = 0; i < 6; ++i)
   {
     const int axis = i / 2;
@@ -22,9 +22,9 @@ std::array<SkdWayOut, 7> SkdWaysOutAlongAxes(const double bounds[6], const doubl
     ways[i] = { 0.0437 * length, 0.0269 * length, 0.0163 * length };
     ways[i][axis] = i % 2 ? length : -length;
   }
-  const auto length2 = [](const SkdWayOut& way) { return vtkMath::Dot(way.data(), way.data()); };
+  const auto length2 = [](const SkdRayEnd& way) { return vtkMath::Dot(way.data(), way.data()); };
   std::stable_sort(ways.begin(), ways.begin() + 6,
-    [&](const SkdWayOut& a, const SkdWayOut& b) { return length2(a) < length2(b); });
+    [&](const SkdRayEnd& a, const SkdRayEnd& b) { return length2(a) < length2(b); });
   ways[6] = { 1.31 * diagonal, 1.13 * diagonal, 1.23 * diagonal };
   return ways;
 }
@@ -58,14 +58,14 @@ void SkdSolid::FindShells() const
     });
 }
 
-SkdSide SkdSolid::Ask(const double x[3], const SkdWayOut& way) const
+SkdSide SkdSolid::Ask(const double x[3], const SkdRayEnd& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
   const auto count = [&](vtkUnsignedCharArray* turned, vtkIdType& sum)
   { return this->Locator->CountPasses(x, end, turned, sum); };
   bool isKnown = this->HasShells.load(std::memory_order_acquire);
   vtkIdType sum;
-  vtkIdType passes = count(isKnown ? this->Shells->GetTurned() : nullptr, sum);
+  vtkIdType passes = count(isKnown ? this->Shells->GetReversed() : nullptr, sum);
   if (passes < 2)
   {
     return { passes == 1, 1.0 };
@@ -73,7 +73,7 @@ SkdSide SkdSolid::Ask(const double x[3], const SkdWayOut& way) const
   if (!isKnown)
   {
     this->FindShells();
-    passes = this->Shells->GetTurned() ? count(this->Shells->GetTurned(), sum) : passes;
+    passes = this->Shells->GetReversed() ? count(this->Shells->GetReversed(), sum) : passes;
   }
   return this->IsClear(sum) ? SkdSide{ sum != 0, 1.0 } : this->Weigh(x, end);
 }
@@ -91,7 +91,7 @@ void SkdSolid::FindPasses(
   thread_local vtkNew<vtkIdTypeArray> triangles;
   thread_local vtkNew<vtkIdTypeArray> ways;
   this->FindShells();
-  vtkUnsignedCharArray* turned = this->Shells->GetTurned();
+  vtkUnsignedCharArray* turned = this->Shells->GetReversed();
   const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, triangles, ways);
   int around = 0;
   for (vtkIdType i = 0; i < n; ++i)
@@ -111,7 +111,7 @@ const std::vector<SkdSolid::Around>& SkdSolid::FindAround(
   thread_local vtkNew<vtkIdTypeArray> ways;
   thread_local std::vector<Around> arounds;
   arounds.clear();
-  vtkUnsignedCharArray* turned = this->Shells->GetTurned();
+  vtkUnsignedCharArray* turned = this->Shells->GetReversed();
   const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, triangles, ways);
   for (vtkIdType i = 0; i < n; ++i)
   {
@@ -269,7 +269,7 @@ void SkdSolid::JoinCavities(std::vector<int>& groups) const
 
 const std::vector<SkdSolid::Around>& SkdSolid::FindAround(const skd::Vector3& x) const
 {
-  const SkdWayOut way = SkdWaysOutAlongAxes(this->Bounds, x.X)[0];
+  const SkdRayEnd way = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
   return this->FindAround(x.X, end);
 }

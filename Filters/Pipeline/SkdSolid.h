@@ -31,12 +31,12 @@
 
 /// A vector from a point within bounds to a point outside of them, to count crossings on
 /// (section 6.3).
-using SkdWayOut = std::array<double, 3>;
+using SkdRayEnd = std::array<double, 3>;
 
 /// Six rays go along the axes in both directions, the shortest first, because they intersect few
 /// boxes. They are slightly tilted, because many surfaces have faces and edges along the axes, and
 /// a ray within such a face is the most expensive to decide. A seventh, oblique ray avoids ties.
-std::array<SkdWayOut, 7> SkdWaysOutAlongAxes(const double bounds[6], const double x[3]);
+std::array<SkdRayEnd, 7> SkdRayEndsAlongAxes(const double bounds[6], const double x[3]);
 
 /// What is said of a point.
 struct SkdSide
@@ -64,7 +64,7 @@ public:
 
   /// `way` leads from x to the outside. Cost: one ray. When a ray first passes through more than
   /// one facet, shells are computed, and when x is first in several, their contacts. Thread-safe.
-  SkdSide Ask(const double x[3], const SkdWayOut& way) const;
+  SkdSide Ask(const double x[3], const SkdRayEnd& way) const;
 
   /// The passes along a segment whose ends are outside, as distances from its start if it has this
   /// length. Thread-safe.

@@ -21,7 +21,7 @@ class SkdWinding
 public:
   /// Of triangles: of bodies that touch, SkdBoundary's surface, whose equal faces are left out
   /// (their solid angles cancel only if they are turned against each other). `isTurned` marks those
-  /// to be reversed, one value a triangle (see SkdFindTurned), or is empty.
+  /// to be reversed, one value a triangle (see SkdFindReversed), or is empty.
   explicit SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isTurned = {});
 
   SkdWinding(const SkdWinding&) = delete;

@@ -78,7 +78,7 @@ public:
   /// Sets the location to the point nearest to x in a given cell.
   bool Evaluate(int block, vtkIdType cellId, const double x[3]);
 
-  const SkdCellLocation& GetPlace() const { return this->Place; }
+  const SkdCellLocation& GetLocation() const { return this->Place; }
 
   /// Whether the cell of the location is a volume cell.
   bool IsInVolume() const;

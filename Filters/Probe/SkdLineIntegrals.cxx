@@ -53,7 +53,7 @@ std::vector<vtkDataSetAttributes*> AttributesOf(const std::vector<SkdBlock>& blo
   return sets;
 }
 
-/// Adds columns: the sums of values(i, c) over the stretches of a row.
+/// Adds columns: the sums of values(i, c) over the intervals of a row.
 template <class Values>
 void AddSums(const SkdLineOutput& output, const Rows& rows, vtkAbstractArray* like,
   const Values& values, vtkTable* table)
@@ -61,11 +61,11 @@ void AddSums(const SkdLineOutput& output, const Rows& rows, vtkAbstractArray* li
   const std::string name = std::string(like->GetName()) + "_Integral";
   const int components = like->GetNumberOfComponents();
   auto sums = SkdMakeArray<vtkDoubleArray>(name.c_str(), components, rows.Count(), 0.0);
-  for (std::size_t i = 0; i < output.Stretches.size(); ++i)
+  for (std::size_t i = 0; i < output.Intervals.size(); ++i)
   {
-    const SkdStretch& stretch = output.Stretches[i];
-    const double length = stretch.Exit - stretch.Entry;
-    const vtkIdType row = rows.OfPiece[stretch.Piece];
+    const SkdLineInterval& interval = output.Intervals[i];
+    const double length = interval.Exit - interval.Entry;
+    const vtkIdType row = rows.OfPiece[interval.Piece];
     for (int c = 0; c < components; ++c)
     {
       sums->SetComponent(row, c, sums->GetComponent(row, c) + length * values(i, c));
@@ -76,7 +76,7 @@ void AddSums(const SkdLineOutput& output, const Rows& rows, vtkAbstractArray* li
 
 void AddPointIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* table)
 {
-  const auto n = static_cast<vtkIdType>(output.Stretches.size());
+  const auto n = static_cast<vtkIdType>(output.Intervals.size());
   const double gauss = 0.5 / std::sqrt(3.0);
   SkdArrayGather gather(AttributesOf(output.Source.Blocks, vtkDataObject::POINT), IsIntegrable);
   gather.Allocate(2 * n, 0.0, true);
@@ -86,12 +86,12 @@ void AddPointIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* 
       SkdCellFinder finder(output.Source, SkdCellFinderRules());
       for (vtkIdType i = 2 * begin; i < 2 * end; ++i)
       {
-        const SkdStretch& stretch = output.Stretches[i / 2];
+        const SkdLineInterval& interval = output.Intervals[i / 2];
         const skd::Vector3 x =
-          skd::Lerp(stretch.From, stretch.To, i % 2 == 0 ? 0.5 - gauss : 0.5 + gauss);
-        if (finder.Evaluate(stretch.Block, stretch.CellId, x.X))
+          skd::Lerp(interval.From, interval.To, i % 2 == 0 ? 0.5 - gauss : 0.5 + gauss);
+        if (finder.Evaluate(interval.Block, interval.CellId, x.X))
         {
-          gather.Interpolate(i, stretch.Block, finder.GetPointIds(), finder.GetWeights());
+          gather.Interpolate(i, interval.Block, finder.GetPointIds(), finder.GetWeights());
         }
       }
     });
@@ -112,9 +112,9 @@ void AddCellIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* t
   {
     const auto value = [&](std::size_t i, int c)
     {
-      const SkdStretch& stretch = output.Stretches[i];
-      auto* source = static_cast<vtkDataArray*>(gather.GetSource(k, stretch.Block));
-      return source->GetComponent(stretch.CellId, c);
+      const SkdLineInterval& interval = output.Intervals[i];
+      auto* source = static_cast<vtkDataArray*>(gather.GetSource(k, interval.Block));
+      return source->GetComponent(interval.CellId, c);
     };
     AddSums(output, rows, gather.GetSource(k, 0), value, table);
   }
@@ -136,10 +136,10 @@ void SkdFillIntegrals(const SkdLineOutput& output, vtkTable* table)
     inputs->SetValue(row, output.Inputs[piece.Input].BlockIndex);
     lengths->SetValue(row, piece.Start + std::sqrt(skd::Distance2(piece.From, piece.To)));
   }
-  for (const SkdStretch& stretch : output.Stretches)
+  for (const SkdLineInterval& interval : output.Intervals)
   {
-    const vtkIdType row = rows.OfPiece[stretch.Piece];
-    within->SetValue(row, within->GetValue(row) + stretch.Exit - stretch.Entry);
+    const vtkIdType row = rows.OfPiece[interval.Piece];
+    within->SetValue(row, within->GetValue(row) + interval.Exit - interval.Entry);
   }
   table->AddColumn(lines);
   if (output.IsInputComposite)

@@ -32,11 +32,11 @@ public:
   {
   }
 
-  std::vector<SkdStretch> Cut(const std::vector<SkdLinePiece>& pieces, std::size_t index)
+  std::vector<SkdLineInterval> Cut(const std::vector<SkdLinePiece>& pieces, std::size_t index)
   {
     const SkdLinePiece& piece = pieces[index];
     const double length = std::sqrt(skd::Distance2(piece.From, piece.To));
-    std::vector<SkdStretch> stretches;
+    std::vector<SkdLineInterval> intervals;
     this->FindBorders(piece, length);
     double last = 0.0;
     for (std::size_t i = 1; i < this->Borders.size(); ++i)
@@ -45,30 +45,30 @@ public:
       const skd::Vector3 middle = skd::Lerp(piece.From, piece.To, 0.5 * (last + next));
       if (this->FindHolder(middle))
       {
-        const SkdCellLocation& place = this->Finder.GetPlace();
-        const SkdStretch stretch{ index, skd::Lerp(piece.From, piece.To, last),
+        const SkdCellLocation& place = this->Finder.GetLocation();
+        const SkdLineInterval interval{ index, skd::Lerp(piece.From, piece.To, last),
           skd::Lerp(piece.From, piece.To, next), piece.Start + last * length,
           piece.Start + next * length, place.Block, place.CellId };
-        Append(stretch, stretches);
+        Append(interval, intervals);
       }
       last = next;
     }
-    return stretches;
+    return intervals;
   }
 
 private:
-  static void Append(const SkdStretch& next, std::vector<SkdStretch>& stretches)
+  static void Append(const SkdLineInterval& next, std::vector<SkdLineInterval>& intervals)
   {
-    const bool isMore = !stretches.empty() && stretches.back().Block == next.Block &&
-      stretches.back().CellId == next.CellId && stretches.back().Exit == next.Entry;
+    const bool isMore = !intervals.empty() && intervals.back().Block == next.Block &&
+      intervals.back().CellId == next.CellId && intervals.back().Exit == next.Entry;
     if (isMore)
     {
-      stretches.back().To = next.To;
-      stretches.back().Exit = next.Exit;
+      intervals.back().To = next.To;
+      intervals.back().Exit = next.Exit;
     }
     else
     {
-      stretches.push_back(next);
+      intervals.push_back(next);
     }
   }
 
@@ -110,7 +110,7 @@ private:
   bool FindHolder(const skd::Vector3& x)
   {
     return this->Finder.Find(x.X) &&
-      (this->Finder.GetPlace().Distance == 0.0 || !this->Finder.IsInVolume());
+      (this->Finder.GetLocation().Distance == 0.0 || !this->Finder.IsInVolume());
   }
 
   const SkdCellFinderSource& Source;
@@ -138,34 +138,34 @@ void AddPieces(
   }
 }
 
-/// Calls visit(i, finder, pieces' stretch) in parallel, with a finder of the thread.
+/// Calls visit(i, finder, pieces' interval) in parallel, with a finder of the thread.
 template <class Visit>
-void ForEachStretch(const SkdLineOutput& output, const Visit& visit)
+void ForEachInterval(const SkdLineOutput& output, const Visit& visit)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(output.Stretches.size()),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(output.Intervals.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       SkdCellFinder finder(output.Source, SkdCellFinderRules());
       for (vtkIdType i = begin; i < end; ++i)
       {
-        visit(i, finder, output.Stretches[i]);
+        visit(i, finder, output.Intervals[i]);
       }
     });
 }
 
-/// Interpolates at a point of the stretch, as its cell does.
+/// Interpolates at a point of the interval, as its cell does.
 void InterpolateAt(SkdArrayGather& gather, vtkIdType to, SkdCellFinder& finder,
-  const SkdStretch& stretch, const skd::Vector3& x)
+  const SkdLineInterval& interval, const skd::Vector3& x)
 {
-  if (finder.Evaluate(stretch.Block, stretch.CellId, x.X))
+  if (finder.Evaluate(interval.Block, interval.CellId, x.X))
   {
-    gather.Interpolate(to, stretch.Block, finder.GetPointIds(), finder.GetWeights());
+    gather.Interpolate(to, interval.Block, finder.GetPointIds(), finder.GetWeights());
   }
 }
 
 void AddIds(const SkdLineOutput& output, vtkCellData* data)
 {
-  const auto n = static_cast<vtkIdType>(output.Stretches.size());
+  const auto n = static_cast<vtkIdType>(output.Intervals.size());
   auto cells = SkdMakeArray<vtkIdTypeArray>(SkdCellLocations::CellIdName, 1, n, -1);
   auto blockIndices = SkdMakeArray<vtkIntArray>(SkdCellLocations::BlockIndexName, 1, n, -1);
   auto lines = SkdMakeArray<vtkIdTypeArray>("SkdInputCellId", 1, n, -1);
@@ -175,15 +175,15 @@ void AddIds(const SkdLineOutput& output, vtkCellData* data)
   auto lengths = SkdMakeArray<vtkDoubleArray>("SkdLength", 1, n, 0.0);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const SkdStretch& stretch = output.Stretches[i];
-    const SkdLinePiece& piece = output.Pieces[stretch.Piece];
-    cells->SetValue(i, stretch.CellId);
-    blockIndices->SetValue(i, output.Source.Blocks[stretch.Block].BlockIndex);
+    const SkdLineInterval& interval = output.Intervals[i];
+    const SkdLinePiece& piece = output.Pieces[interval.Piece];
+    cells->SetValue(i, interval.CellId);
+    blockIndices->SetValue(i, output.Source.Blocks[interval.Block].BlockIndex);
     lines->SetValue(i, piece.Line);
     inputs->SetValue(i, output.Inputs[piece.Input].BlockIndex);
-    entries->SetValue(i, stretch.Entry);
-    exits->SetValue(i, stretch.Exit);
-    lengths->SetValue(i, stretch.Exit - stretch.Entry);
+    entries->SetValue(i, interval.Entry);
+    exits->SetValue(i, interval.Exit);
+    lengths->SetValue(i, interval.Exit - interval.Entry);
   }
   for (vtkDataArray* array : { static_cast<vtkDataArray*>(cells.Get()),
          static_cast<vtkDataArray*>(lines.Get()), static_cast<vtkDataArray*>(entries.Get()),
@@ -218,10 +218,10 @@ std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs)
   return pieces;
 }
 
-std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
+std::vector<SkdLineInterval> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
   const SkdCellFinderSource& source, const SkdCellFinderRules& rules, SkdLoop& loop)
 {
-  std::vector<std::vector<SkdStretch>> parts(pieces.size());
+  std::vector<std::vector<SkdLineInterval>> parts(pieces.size());
   loop.For(static_cast<vtkIdType>(pieces.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -231,18 +231,18 @@ std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
         parts[i] = cutter.Cut(pieces, static_cast<std::size_t>(i));
       }
     });
-  std::vector<SkdStretch> stretches;
-  for (const std::vector<SkdStretch>& part : parts)
+  std::vector<SkdLineInterval> intervals;
+  for (const std::vector<SkdLineInterval>& part : parts)
   {
-    stretches.insert(stretches.end(), part.begin(), part.end());
+    intervals.insert(intervals.end(), part.begin(), part.end());
   }
-  return stretches;
+  return intervals;
 }
 
-void SkdFillStretches(
+void SkdFillIntervals(
   const SkdLineOutput& output, std::set<std::string>& refused, vtkPolyData* lines)
 {
-  const auto n = static_cast<vtkIdType>(output.Stretches.size());
+  const auto n = static_cast<vtkIdType>(output.Intervals.size());
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
   points->SetDataTypeToDouble();
@@ -250,12 +250,12 @@ void SkdFillStretches(
   auto lengths = SkdMakeArray<vtkDoubleArray>("SkdArcLength", 1, 2 * n, 0.0);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const SkdStretch& stretch = output.Stretches[i];
-    points->SetPoint(2 * i, stretch.From.X);
-    points->SetPoint(2 * i + 1, stretch.To.X);
+    const SkdLineInterval& interval = output.Intervals[i];
+    points->SetPoint(2 * i, interval.From.X);
+    points->SetPoint(2 * i + 1, interval.To.X);
     cells->InsertNextCell({ 2 * i, 2 * i + 1 });
-    lengths->SetValue(2 * i, stretch.Entry);
-    lengths->SetValue(2 * i + 1, stretch.Exit);
+    lengths->SetValue(2 * i, interval.Entry);
+    lengths->SetValue(2 * i + 1, interval.Exit);
   }
   lines->SetPoints(points);
   lines->SetLines(cells);
@@ -267,11 +267,11 @@ void SkdFillStretches(
     SkdGatherInto(lines->GetPointData(), 2 * n, blocks, vtkDataObject::POINT, refused);
   SkdArrayGather ofCells =
     SkdGatherInto(lines->GetCellData(), n, blocks, vtkDataObject::CELL, refused);
-  ForEachStretch(output,
-    [&](vtkIdType i, SkdCellFinder& finder, const SkdStretch& stretch)
+  ForEachInterval(output,
+    [&](vtkIdType i, SkdCellFinder& finder, const SkdLineInterval& interval)
     {
-      InterpolateAt(atEnds, 2 * i, finder, stretch, stretch.From);
-      InterpolateAt(atEnds, 2 * i + 1, finder, stretch, stretch.To);
-      ofCells.Take(i, stretch.Block, stretch.CellId);
+      InterpolateAt(atEnds, 2 * i, finder, interval, interval.From);
+      InterpolateAt(atEnds, 2 * i + 1, finder, interval, interval.To);
+      ofCells.Take(i, interval.Block, interval.CellId);
     });
 }

@@ -29,7 +29,7 @@ struct SkdLinePiece
 };
 
 /// A segment of a line within one cell.
-struct SkdStretch
+struct SkdLineInterval
 {
   std::size_t Piece;
   skd::Vector3 From;
@@ -47,7 +47,7 @@ std::vector<SkdLinePiece> SkdPiecesOf(const std::vector<SkdBlock>& inputs);
 /// The segments of all pieces, in the order of the lines. Each point of a line in the Source
 /// belongs to one segment: that of the lowest (block, cell) that contains it. A surface contains
 /// points within the rules' tolerance, a volume only points in it. In parallel.
-std::vector<SkdStretch> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
+std::vector<SkdLineInterval> SkdCutLines(const std::vector<SkdLinePiece>& pieces,
   const SkdCellFinderSource& source, const SkdCellFinderRules& rules, SkdLoop& loop);
 
 /// The input of the lines' outputs.
@@ -56,14 +56,14 @@ struct SkdLineOutput
   const std::vector<SkdBlock>& Inputs;
   const SkdCellFinderSource& Source;
   const std::vector<SkdLinePiece>& Pieces;
-  const std::vector<SkdStretch>& Stretches;
+  const std::vector<SkdLineInterval>& Intervals;
   bool IsInputComposite;
   bool IsSourceComposite;
 };
 
 /// One line for each segment, with its own end points: the Source's point data there, interpolated
 /// in its cell, and its cell data.
-void SkdFillStretches(
+void SkdFillIntervals(
   const SkdLineOutput& output, std::set<std::string>& refused, vtkPolyData* lines);
 
 /// A row for each input line of positive length: its length, the length within the Source, and the

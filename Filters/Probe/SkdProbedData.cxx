@@ -84,7 +84,7 @@ void SkdProbedData::Activate(vtkDataSetAttributes* into) const
 void SkdProbedData::Set(
   vtkIdType i, const double x[3], SkdCellFinder& finder, SkdGradient& gradient)
 {
-  const SkdCellLocation& place = finder.GetPlace();
+  const SkdCellLocation& place = finder.GetLocation();
   vtkDataSet* mesh = this->Blocks[place.Block].Mesh;
   this->Quantities.Interpolate(i, place.Block, finder.GetPointIds(), finder.GetWeights());
   this->OfCells.Take(i, place.Block, place.CellId);

@@ -64,7 +64,7 @@ std::vector<double> Divided(double min, double max, int n)
   return planes;
 }
 
-/// As many cells of a size as hold the stretch, about its middle.
+/// As many cells of a size as hold the interval, about its middle.
 std::vector<double> Cubes(double min, double max, double size)
 {
   // What is a whole number but for rounding is that number.

@@ -15,8 +15,9 @@ int SkdEnclosure::Update(
   else if (built > 0 || !this->Winding)
   {
     vtkPolyData* surface = this->Boundary.GetSurface();
-    const std::vector<bool> isTurned = SkdFindTurned(SkdPointsOf(surface), SkdTrianglesOf(surface),
-      [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); });
+    const std::vector<bool> isTurned =
+      SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
+        [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); });
     this->Winding = std::make_unique<SkdWinding>(surface, isTurned);
   }
   return built;

@@ -24,7 +24,7 @@ public:
   bool IsClosed() const { return this->Boundary.GetNumberOfOpenEdges() == 0; }
 
   /// See SkdSolid; for a boundary with open edges the winding number of its consistently oriented
-  /// triangles decides (SkdFindTurned). Thread-safe.
+  /// triangles decides (SkdFindReversed). Thread-safe.
   bool IsInside(const skd::Vector3& x) const
   {
     return this->Winding ? this->Winding->IsInside(x.X) : this->Boundary.IsInside(x.X);

@@ -58,7 +58,7 @@ public:
     }
   }
 
-  std::size_t PlaceOf(int level, std::uint32_t cell) const { return this->Starts[level] + cell; }
+  std::size_t IndexOf(int level, std::uint32_t cell) const { return this->Starts[level] + cell; }
   bool IsFree(int level, std::uint32_t cell) const
   {
     return this->Grid.Forest.IsLeaf(level, cell) && !this->Grid.Levels[level].Cut[cell];
@@ -87,7 +87,7 @@ Unions JoinFreeLeaves(const SkdGrid& grid, const Row& row)
         const skd::Forest::Node there = grid.Forest.Find(at.Level, place);
         if (there.Level >= 0 && row.IsFree(there.Level, there.Index))
         {
-          unions.Join(row.PlaceOf(at.Level, at.Index), row.PlaceOf(there.Level, there.Index));
+          unions.Join(row.IndexOf(at.Level, at.Index), row.IndexOf(there.Level, there.Index));
         }
       });
   }
@@ -144,7 +144,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
     inside.emplace_back(grid.Forest.NumberOfCells(level));
     for (std::uint32_t cell = 0; cell < inside.back().size(); ++cell)
     {
-      inside.back()[cell] = answers[asked[row.PlaceOf(level, cell)]];
+      inside.back()[cell] = answers[asked[row.IndexOf(level, cell)]];
     }
   }
   SetRefined(grid, inside);

@@ -6,7 +6,7 @@
 #include "Core/Mesh/RegularCuts.h"
 #include "Pipeline/SkdLoop.h"
 #include "Refine/SkdCellRegion.h"
-#include "Refine/SkdTellSize.h"
+#include "Refine/SkdShowEstimate.h"
 
 #include <cmath>
 
@@ -154,7 +154,7 @@ void SkdMeshRefiner::TellSize() const
   const double cells = this->Estimate();
   const double bytes =
     static_cast<double>(this->Mesh.MemorySize()) / this->LeavesAfter.back() * cells;
-  SkdTellSize(this->Algorithm, cells, bytes);
+  SkdShowEstimate(this->Algorithm, cells, bytes);
 }
 
 //------------------------------------------------------------------------------

@@ -203,7 +203,7 @@ bool SkdCellRelation::Touches(const Asked& asked) const
     default:
       asked.Set.FindRim();
       return asked.IsZero(this->MinDistance(asked)) &&
-        !skd::InteriorsMeet(asked.Set, this->Shape.GetSet(), asked.Tolerance);
+        !skd::InteriorsIntersect(asked.Set, this->Shape.GetSet(), asked.Tolerance);
   }
 }
 

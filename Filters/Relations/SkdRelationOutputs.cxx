@@ -116,7 +116,7 @@ void SkdExtractCells(
 
 //------------------------------------------------------------------------------
 void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
-  const SkdRelationAnswers& answers, int process, vtkSelection* selection)
+  const SkdRelationRows& answers, int process, vtkSelection* selection)
 {
   for (std::size_t part = 0; part < chosen.size(); ++part)
   {
@@ -142,7 +142,7 @@ void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
 }
 
 //------------------------------------------------------------------------------
-void SkdFillPairs(const SkdRelationAnswers& answers, vtkTable* table)
+void SkdFillPairs(const SkdRelationRows& answers, vtkTable* table)
 {
   const SkdRelatedCells& pairs = answers.Pairs;
   const auto n = static_cast<vtkIdType>(pairs.size());

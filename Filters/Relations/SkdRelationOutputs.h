@@ -16,7 +16,7 @@ class vtkTable;
 class vtkUnstructuredGrid;
 
 /// What there is to tell.
-struct SkdRelationAnswers
+struct SkdRelationRows
 {
   const SkdRelatedCells& Pairs;
   const SkdQueryList& Queries;
@@ -44,8 +44,8 @@ void SkdExtractCells(
 
 /// A node a part that has chosen cells; `process` is -1 where there is only one.
 void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
-  const SkdRelationAnswers& answers, int process, vtkSelection* selection);
+  const SkdRelationRows& answers, int process, vtkSelection* selection);
 
-void SkdFillPairs(const SkdRelationAnswers& answers, vtkTable* table);
+void SkdFillPairs(const SkdRelationRows& answers, vtkTable* table);
 
 #endif

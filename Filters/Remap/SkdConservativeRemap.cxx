@@ -164,7 +164,7 @@ SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
   return mapped;
 }
 
-bool SkdConservativeRemap::IsTurned(const SkdDonorField& field) const
+bool SkdConservativeRemap::IsReversed(const SkdDonorField& field) const
 {
   return field.IsVector && this->Space == SkdOverlapSpace::Sphere && this->Rules.RotatesVectors;
 }
@@ -181,7 +181,7 @@ SkdRemappedField SkdConservativeRemap::Map(
   const SkdOverlapTable& table = this->Weights.GetTable();
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped = this->MapShares({ density, table.Rows, table.Columns, table.Measures,
-    slopes, this->IsTurned(field) ? this->Weights.GetDonor().Centroids : none });
+    slopes, this->IsReversed(field) ? this->Weights.GetDonor().Centroids : none });
   this->AddDonor(density, mapped);
   return mapped;
 }
@@ -241,7 +241,7 @@ SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
 {
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped = this->MapShares({ field, table.Rows, table.Columns, table.Weights,
-    Gradients(), this->IsTurned(field) ? points : none });
+    Gradients(), this->IsReversed(field) ? points : none });
   for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
   {
     SkdCompensatedSum source, absolute;

@@ -74,7 +74,7 @@ private:
   struct Shares;
   struct Row;
 
-  bool IsTurned(const SkdDonorField& field) const;
+  bool IsReversed(const SkdDonorField& field) const;
   SkdDonorField DensityOf(const SkdDonorField& field) const;
   SkdRemappedField MapShares(const Shares& shares) const;
   void TakePart(const Shares& shares, std::size_t target, vtkIdType donor, Row& row) const;

@@ -84,7 +84,7 @@ void SkdContainedMean::FindSubstitutes(const SkdTargetCells::Cell& cell, SkdEmpt
     this->Tree.ForEachWithin(box,
       [&](std::uint32_t i)
       {
-        if (isWanted(i) && box.Contains(this->Tree.PlaceOf(this->Tree.GetPoint(i))))
+        if (isWanted(i) && box.Contains(this->Tree.CoordinatesOf(this->Tree.GetPoint(i))))
         {
           points.push_back(i);
         }

@@ -34,7 +34,7 @@ struct Shape
 class Shapes
 {
 public:
-  Shapes(const SkdOverlapGround& ground, Shape& shape)
+  Shapes(const SkdOverlapSurface& ground, Shape& shape)
     : Ground(ground)
     , TheShape(shape)
   {
@@ -122,14 +122,14 @@ private:
     return kept;
   }
 
-  const SkdOverlapGround& Ground;
+  const SkdOverlapSurface& Ground;
   Shape& TheShape;
 };
 
 /// What less than this share of the smaller piece is rounding.
 constexpr double LeastShare = 1e-14;
 
-void AddShape(const SkdOverlapGround& ground, const SkdPieceView& one, const SkdPieceView& other,
+void AddShape(const SkdOverlapSurface& ground, const SkdPieceView& one, const SkdPieceView& other,
   Shape shape, std::vector<Shape>& found)
 {
   const Shapes shapes(ground, shape);
@@ -206,7 +206,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
 vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
 {
-  const SkdOverlapGround ground(donor, target, settings);
+  const SkdOverlapSurface ground(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
   SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
   SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);

@@ -36,8 +36,8 @@ void AddBounds(
 }
 
 //------------------------------------------------------------------------------
-bool SkdOverlapPieces::Read(
-  vtkDataSet* data, const SkdOverlapGround& ground, const SkdOverlapReading& reading, SkdLoop& loop)
+bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
+  const SkdOverlapReading& reading, SkdLoop& loop)
 {
   SkdTreeSettings settings;
   settings.IsBare = true;
@@ -93,7 +93,7 @@ skd::Moments SkdOverlapPieces::MomentsOf(std::uint32_t cell, const skd::Vector3&
 }
 
 //------------------------------------------------------------------------------
-void SkdOverlapPieces::Measure(const SkdOverlapGround& ground, SkdOverlapCells& cells)
+void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells& cells)
 {
   const auto number = static_cast<std::size_t>(this->NumberOfAllCells);
   cells.Measures.assign(number, 0.0);

@@ -10,7 +10,7 @@
 
 #include "Core/Geometry/Box.h"
 #include "Remap/SkdOverlapBlock.h"
-#include "Remap/SkdOverlapGround.h"
+#include "Remap/SkdOverlapSurface.h"
 
 #include <cstdint>
 #include <vector>
@@ -23,7 +23,7 @@ class SkdOverlapPieces
 {
 public:
   /// Reads all cells in parallel. False if stopped.
-  bool Read(vtkDataSet* data, const SkdOverlapGround& ground, const SkdOverlapReading& reading,
+  bool Read(vtkDataSet* data, const SkdOverlapSurface& ground, const SkdOverlapReading& reading,
     SkdLoop& loop);
 
   /// Cells that are not left out, in the order of their ids.
@@ -54,7 +54,7 @@ public:
   ///@}
 
   /// Finds measures and centroids; `cells` gets them as the world has them. O(n).
-  void Measure(const SkdOverlapGround& ground, SkdOverlapCells& cells);
+  void Measure(const SkdOverlapSurface& ground, SkdOverlapCells& cells);
 
 private:
   static constexpr std::uint32_t BlockSize = 1024;

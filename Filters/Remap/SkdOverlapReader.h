@@ -11,14 +11,14 @@
 #include "Cells/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Remap/SkdOverlapBlock.h"
-#include "Remap/SkdOverlapGround.h"
+#include "Remap/SkdOverlapSurface.h"
 
 /// Reads cells into a block, one after the other; one a thread.
 class SkdOverlapReader
 {
 public:
   SkdOverlapReader(const SkdCellTree& tree, const SkdCellSource& source,
-    const SkdOverlapGround& ground, const SkdOverlapReading& reading, SkdOverlapBlock& block)
+    const SkdOverlapSurface& ground, const SkdOverlapReading& reading, SkdOverlapBlock& block)
     : Tree(tree)
     , Source(source)
     , Ground(ground)
@@ -68,7 +68,7 @@ private:
 
   const SkdCellTree& Tree;
   const SkdCellSource& Source;
-  const SkdOverlapGround& Ground;
+  const SkdOverlapSurface& Ground;
   const SkdOverlapReading& Reading;
   SkdOverlapBlock& Block;
   Corners Seen; ///< the cell's points, on the ground

@@ -88,7 +88,7 @@ std::vector<Entry> Sorted(const Entries& parts, std::uint32_t numberOfTargets)
 
 /// Rows are of all cells of the target, in the order of their ids.
 void FillTable(const std::vector<Entry>& entries, const Meshes& meshes,
-  const SkdOverlapGround& ground, SkdOverlapTable& table, SkdOverlapCells& donors,
+  const SkdOverlapSurface& ground, SkdOverlapTable& table, SkdOverlapCells& donors,
   SkdOverlapCells& targets)
 {
   table.Rows.assign(targets.Measures.size() + 1, 0);
@@ -116,7 +116,7 @@ void FillTable(const std::vector<Entry>& entries, const Meshes& meshes,
 bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
 {
-  const SkdOverlapGround ground(donor, target, settings);
+  const SkdOverlapSurface ground(donor, target, settings);
   this->Table = {};
   this->Radius = ground.GetRadius();
   this->Normal = ground.GetNormal();

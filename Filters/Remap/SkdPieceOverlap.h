@@ -108,7 +108,7 @@ public:
 private:
   skd::Moments OfSegments(const SkdPieceView& within, const SkdPieceView& around) const
   {
-    const auto common = skd::CommonStretch(
+    const auto common = skd::CommonInterval(
       { within.Corners[0], within.Corners[1] }, { around.Corners[0], around.Corners[1] });
     if (!common)
     {

@@ -88,7 +88,7 @@ void FillTable(
 bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
   SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first, double last)
 {
-  const SkdOverlapGround ground(donor, target, settings);
+  const SkdOverlapSurface ground(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
   SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
   SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);

@@ -166,7 +166,7 @@ bool SkdRemapper::MapContained(vtkDataSet* block, double first, double last)
     counts = counts.empty() ? result.Counts : counts;
   }
   this->AddCounts(block, counts);
-  return !SkdIsAskedToStop(this->Algorithm);
+  return !SkdIsAborted(this->Algorithm);
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +237,7 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double
       add(field, remap.MapPoints(field, *points, places));
     }
   }
-  return !SkdIsAskedToStop(this->Algorithm);
+  return !SkdIsAborted(this->Algorithm);
 }
 
 //------------------------------------------------------------------------------
@@ -253,7 +253,7 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
   if (!overlaps.Update(this->Donor, block, this->Settings.Overlap, this->Algorithm, first, middle))
   {
     this->Findings.Problem = overlaps.GetProblem();
-    return !SkdIsAskedToStop(this->Algorithm);
+    return !SkdIsAborted(this->Algorithm);
   }
   this->HasWeights[index] = true;
   this->Count(overlaps.GetWeights(), overlaps.IsNew());

@@ -15,7 +15,7 @@ skd::TreeInput<3> InputOf(const std::vector<skd::Vector3>& points, const SkdSamp
   skd::TreeInput<3> input;
   for (const skd::Vector3& point : points)
   {
-    const skd::Vector3 place = tree.PlaceOf(point);
+    const skd::Vector3 place = tree.CoordinatesOf(point);
     if (SkdIsWithin(place, SkdMeasurable.Largest))
     {
       input.Bounds.Add(place);
@@ -25,7 +25,7 @@ skd::TreeInput<3> InputOf(const std::vector<skd::Vector3>& points, const SkdSamp
   input.Elements.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const skd::Vector3 place = tree.PlaceOf(points[i]);
+    const skd::Vector3 place = tree.CoordinatesOf(points[i]);
     if (SkdIsWithin(place, SkdMeasurable.Largest))
     {
       input.Elements.push_back(

@@ -33,7 +33,7 @@ public:
   const skd::Box3& GetBounds() const { return this->Tree.GetBounds(); }
 
   /// Where a point counts as: on the unit sphere, if that is where points are.
-  skd::Vector3 PlaceOf(const skd::Vector3& x) const
+  skd::Vector3 CoordinatesOf(const skd::Vector3& x) const
   {
     return this->OnSphere ? (1.0 / skd::Norm(x)) * x : x;
   }
@@ -55,12 +55,12 @@ public:
   template <class Wanted>
   std::int64_t FindNearest(const skd::Vector3& x, const Wanted& isWanted) const
   {
-    const skd::Vector3 place = this->PlaceOf(x);
+    const skd::Vector3 place = this->CoordinatesOf(x);
     double best2 = std::numeric_limits<double>::infinity();
     std::int64_t best = -1;
     auto visitor = [&](std::uint32_t i)
     {
-      const double dist2 = skd::Distance2(this->PlaceOf(this->Points[i]), place);
+      const double dist2 = skd::Distance2(this->CoordinatesOf(this->Points[i]), place);
       if (isWanted(i) && (dist2 < best2 || (dist2 == best2 && i < best)))
       {
         best2 = dist2;

@@ -59,7 +59,7 @@ vtkIdType SkdPlacement::CountWithoutArea() const
 }
 
 //------------------------------------------------------------------------------
-SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
+SkdPlacement SkdMakePlacement(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;

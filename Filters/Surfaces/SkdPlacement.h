@@ -79,7 +79,7 @@ struct SkdPlacement
 };
 
 /// Places two sets, or with `other` = nullptr one, at a scale at which exact signs are exact.
-SkdPlacement SkdPlace(const SkdTriangleSet& first, const SkdTriangleSet* other,
+SkdPlacement SkdMakePlacement(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion);
 
 #endif

@@ -34,7 +34,7 @@ for row in range(integrals.GetNumberOfRows()):
     length = integrals.GetColumnByName("SkdLength").GetValue(row)
     total = integrals.GetColumnByName("Temp_Integral").GetValue(row)
     print("line %d: %6.3f within the flow, mean temperature %8.3f" % (row, length, total / length))
-print("stretches: %d" % along[1].GetDataInformation().GetNumberOfCells())
+print("intervals: %d" % along[1].GetDataInformation().GetNumberOfCells())
 
 view = simple.CreateRenderView(ViewSize=[900, 700], OrientationAxesVisibility=0,
     UseColorPaletteForBackground=0, Background=[1, 1, 1])
@@ -55,9 +55,9 @@ def show(proxy, **properties):
 outline = simple.Show(flow, view, Representation="Outline")
 outline.AmbientColor = outline.DiffuseColor = [0.4, 0.4, 0.4]
 show(inside).SetScalarBarVisibility(view, True)
-stretches = simple.OutputPort(along, 1)
-show(simple.Tube(Input=stretches, Radius=0.05))
-balls = simple.Glyph(Input=stretches, GlyphType="Sphere", GlyphMode="All Points",
+intervals = simple.OutputPort(along, 1)
+show(simple.Tube(Input=intervals, Radius=0.05))
+balls = simple.Glyph(Input=intervals, GlyphType="Sphere", GlyphMode="All Points",
     ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.22)
 ends = simple.Show(balls, view)
 ends.ColorArrayName = [None, ""]

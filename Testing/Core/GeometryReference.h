@@ -163,7 +163,7 @@ bool IsInsideByNewton(const skd::Vector3* points, const skd::Vector3& x)
 
 /// A random place in a shape's domain; one in four is on its border.
 template <class Shape>
-skd::Vector3 PlaceInDomain(Dice& dice)
+skd::Vector3 MoveIntoDomain(Dice& dice)
 {
   skd::Vector3 p{ { dice.Between(0.0, 1.0), dice.Between(0.0, 1.0), dice.Between(0.0, 1.0) } };
   if (dice.Below(4) == 0)

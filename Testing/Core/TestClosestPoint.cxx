@@ -187,7 +187,7 @@ TEST(ClosestPointOnTriangle, NeedlesAndCapsKeepTheirInterior)
     const double share = i % 2 == 0 ? 0.0 : dice.Between(-1.0, 2.0);
     p[2] = skd::Lerp(p[0], p[1], share) + thickness * dice.Point(1.0);
     std::swap(p[0], p[dice.Below(3)]);
-    const Vector3 position = coretest::PlaceInDomain<skd::Wedge>(dice);
+    const Vector3 position = coretest::MoveIntoDomain<skd::Wedge>(dice);
     const Vector3 x = p[0] + position[0] * (p[1] - p[0]) + position[1] * (p[2] - p[0]);
     const TrianglePoint found = ClosestPointOnTriangle(p[0], p[1], p[2], x);
     EXPECT_LE(std::sqrt(found.Dist2), 4e-15) << thickness;

@@ -210,7 +210,7 @@ TEST_P(LeafFilters, NoHitIsMissed)
     const skd::SegmentView view(segment);
     skd::TriangleCrossings crossings(view.GetShear());
     crossings.Aim(packed.TheFrame.Local(segment.A), 1e-15);
-    const unsigned met = crossings.MayMeet(packed.Packet);
+    const unsigned met = crossings.MayIntersect(packed.Packet);
     for (int lane = 0; lane < Width; ++lane)
     {
       const Vector3* p = packed.Corners[lane];
@@ -242,7 +242,7 @@ TEST_P(LeafFilters, AMarginWidensTriangles)
     const Vector3 through = aim[0] + aside;
     skd::TriangleCrossings crossings{ skd::Shear(reach) };
     crossings.Aim(packed.TheFrame.Local(through - reach), margin);
-    const unsigned met = crossings.MayMeet(packed.Packet);
+    const unsigned met = crossings.MayIntersect(packed.Packet);
     ASSERT_TRUE(met >> (&aim - packed.Corners) & 1u);
   }
 }
@@ -305,7 +305,7 @@ TYPED_TEST(CellLeafFilters, NoPointOfACellIsOutsideOfItsPlanes)
       points[1] = points[0]; // collapsed
     }
     const CellPlanes<TypeParam> planes(points, i % 8);
-    const Vector3 position = coretest::PlaceInDomain<TypeParam>(dice);
+    const Vector3 position = coretest::MoveIntoDomain<TypeParam>(dice);
     const Vector3 inside = skd::Evaluate<TypeParam>(points.data(), position, { { 0.0, 0.0, 0.0 } });
     ASSERT_EQ(planes.MayHold(inside), 0xffu); // lanes that were not set hold everything
     const Vector3 x = dice.Point(2.0);

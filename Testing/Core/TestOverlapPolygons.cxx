@@ -266,12 +266,12 @@ TEST(OverlapPolygons, SegmentsOfOneLine)
   const auto lengthOf = [](const auto& common) {
     return common ? skd::MomentsOf(*common, { { 0, 0, 0 } }).Measure : 0.0;
   };
-  EXPECT_NEAR(lengthOf(skd::CommonStretch(segment(0, 2), segment(3, 1))), 1.3, 1e-15);
-  EXPECT_NEAR(lengthOf(skd::CommonStretch(segment(0, 9), segment(3, 1))), 2.6, 1e-15);
-  EXPECT_FALSE(skd::CommonStretch(segment(0, 1), segment(1, 2)));
-  EXPECT_FALSE(skd::CommonStretch(segment(0, 1), segment(2, 3)));
-  EXPECT_FALSE(skd::CommonStretch(segment(0, 1), { start, start + Vector3{ { 1, 0, 0 } } }));
-  EXPECT_FALSE(skd::CommonStretch(segment(0, 1), segment(0.5, 0.5)));
+  EXPECT_NEAR(lengthOf(skd::CommonInterval(segment(0, 2), segment(3, 1))), 1.3, 1e-15);
+  EXPECT_NEAR(lengthOf(skd::CommonInterval(segment(0, 9), segment(3, 1))), 2.6, 1e-15);
+  EXPECT_FALSE(skd::CommonInterval(segment(0, 1), segment(1, 2)));
+  EXPECT_FALSE(skd::CommonInterval(segment(0, 1), segment(2, 3)));
+  EXPECT_FALSE(skd::CommonInterval(segment(0, 1), { start, start + Vector3{ { 1, 0, 0 } } }));
+  EXPECT_FALSE(skd::CommonInterval(segment(0, 1), segment(0.5, 0.5)));
 }
 
 }

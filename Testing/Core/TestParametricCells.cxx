@@ -29,7 +29,7 @@ protected:
   static constexpr double Bendable = std::is_same_v<Shape, skd::Voxel> ? 0.0 : 1.0;
 
   Points Cell(double warp) { return coretest::RandomCell<Shape>(this->Random, Bendable * warp); }
-  Vector3 Place() { return coretest::PlaceInDomain<Shape>(this->Random); }
+  Vector3 Place() { return coretest::MoveIntoDomain<Shape>(this->Random); }
 
   static VolumePoint Closest(const Points& points, const Vector3& x, double limit2 = Infinity)
   {

@@ -178,7 +178,7 @@ TEST(PatchFacets, AreTheSameFromBothSides)
       bool isOver;
       PatchFacets others;
       others.Cut(PutDown(face, way, isOver), 1e-3);
-      EXPECT_EQ(others.IsTurnedOver(), facets.IsTurnedOver() != isOver) << way;
+      EXPECT_EQ(others.IsFlipped(), facets.IsFlipped() != isOver) << way;
       EXPECT_TRUE(others.GetPoints() == facets.GetPoints()) << way;
       EXPECT_EQ(others.GetTriangles(), facets.GetTriangles()) << way;
     }

@@ -104,7 +104,7 @@ TYPED_TEST(ClipTest, OfAPointIsAllOrNothing)
   EXPECT_FALSE(at(std::nextafter(1.0, 2.0)));
 }
 
-TYPED_TEST(ClipTest, ReversedIsTheSameStretch)
+TYPED_TEST(ClipTest, ReversedIsTheSameInterval)
 {
   constexpr int D = TypeParam::Value;
   Random random(3);

@@ -18,7 +18,7 @@ SegmentContact MeetIn(double scale, const Vector3 (&p)[4])
   return Meet(Segment<3>{ scale * p[0], scale * p[1] }, Segment<3>{ scale * p[2], scale * p[3] });
 }
 
-/// The same of points on a small lattice, by whole numbers: 0 nothing, 1 a point, 2 a stretch.
+/// The same of points on a small lattice, by whole numbers: 0 nothing, 1 a point, 2 a interval.
 int CountEnds(const Vector3 (&p)[4])
 {
   const Vector3 u = p[1] - p[0];

@@ -205,7 +205,7 @@ TEST(SimplexRelations, InteriorsOfBoxesMeetWhereIntervalsDo)
             : isFlatA || isFlatB ? isStrict
                                  : low < high);
     }
-    EXPECT_EQ(skd::InteriorsMeet(skd::MakeBox(a), skd::MakeBox(b), Tolerance), meet) << i;
+    EXPECT_EQ(skd::InteriorsIntersect(skd::MakeBox(a), skd::MakeBox(b), Tolerance), meet) << i;
   }
 }
 

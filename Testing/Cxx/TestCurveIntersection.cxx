@@ -125,7 +125,7 @@ TEST(CurveIntersection, CirclesThatTouch)
   EXPECT_TRUE(OutputPoints(filter).empty());
 }
 
-TEST(CurveIntersection, CurvesThatOverlapTellTheStretch)
+TEST(CurveIntersection, CurvesThatOverlapTellTheInterval)
 {
   const FilterPointer filter =
     MakeFilter(MakePolyline({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 5, 2, 0 } }),
@@ -133,11 +133,11 @@ TEST(CurveIntersection, CurvesThatOverlapTellTheStretch)
         { { .5, 1, 0 }, { .5, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 9, 1, 0 } }));
   EXPECT_EQ(OutputArray(filter, "SkdKind"), (Numbers{ 2, 2 }));
   EXPECT_EQ(OutputArray(filter, "SkdArcLength"), (Numbers{ .5, 4 }));
-  const std::vector<Point> stretch = OutputPoints(filter, 1);
-  ASSERT_EQ(stretch.size(), 4u);
-  EXPECT_EQ(stretch.front(), (Point{ .5, 0, 0 }));
-  EXPECT_EQ(stretch[2], (Point{ 3, 0, 0 }));
-  EXPECT_EQ(stretch.back(), (Point{ 3, 1, 0 }));
+  const std::vector<Point> interval = OutputPoints(filter, 1);
+  ASSERT_EQ(interval.size(), 4u);
+  EXPECT_EQ(interval.front(), (Point{ .5, 0, 0 }));
+  EXPECT_EQ(interval[2], (Point{ 3, 0, 0 }));
+  EXPECT_EQ(interval.back(), (Point{ 3, 1, 0 }));
   EXPECT_EQ(OutputCellArray(filter, "SkdOtherCurveId", 1), Numbers{ 0 });
 }
 
@@ -146,8 +146,8 @@ TEST(CurveIntersection, EqualCirclesOverlapAllAround)
   const FilterPointer filter = MakeFilter(BezierCircle(1.0), BezierCircle(1.0));
   const Numbers kinds = OutputArray(filter, "SkdKind");
   EXPECT_EQ(std::count(kinds.begin(), kinds.end(), 2.0), 8);
-  auto* stretches = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
-  EXPECT_EQ(stretches->GetNumberOfCells(), 4);
+  auto* intervals = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  EXPECT_EQ(intervals->GetNumberOfCells(), 4);
 }
 
 TEST(CurveIntersection, APositionOnAVertexIsOnePoint)

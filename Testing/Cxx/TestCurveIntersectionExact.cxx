@@ -64,7 +64,7 @@ struct Place
 {
   Ratio U;
   Ratio V;
-  bool Begins = false; ///< a stretch, along the first
+  bool Begins = false; ///< a interval, along the first
   bool Ends = false;
 };
 
@@ -162,7 +162,7 @@ private:
     }
   }
 
-  /// Where one stretch ends and another begins, it goes on.
+  /// Where one interval ends and another begins, it goes on.
   void Unite()
   {
     std::vector<Place> united;
@@ -186,7 +186,7 @@ private:
   Whole Count[2];
 };
 
-/// Two polylines with planted incidences: vertices and stretches of the second on the first.
+/// Two polylines with planted incidences: vertices and intervals of the second on the first.
 class PairMaker
 {
 public:

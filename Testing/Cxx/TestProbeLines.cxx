@@ -74,7 +74,7 @@ TEST_P(LinesInVolume, EachPointIsInTheCellThatFindCellNames)
   for (const auto& [from, to] : this->Lines(40))
   {
     ProbePointer probe = MakeProbe(MakeLine({ from, to }), this->Source);
-    const Stretches found(probe);
+    const Intervals found(probe);
     const double length = Distance(from, to);
     for (int i = 0; i < 300; ++i)
     {
@@ -98,13 +98,13 @@ TEST_P(LinesInVolume, EachPointIsInTheCellThatFindCellNames)
   }
 }
 
-TEST_P(LinesInVolume, StretchesAreInOrderAndFollowEachOther)
+TEST_P(LinesInVolume, IntervalsAreInOrderAndFollowEachOther)
 {
   LocatorPointer locator = LocatorOf(this->Source);
   for (const auto& [from, to] : this->Lines(30))
   {
     ProbePointer probe = MakeProbe(MakeLine({ from, to }), this->Source);
-    const Stretches found(probe);
+    const Intervals found(probe);
     double sum = 0.0;
     for (std::size_t k = 0; k < found.Cells.size(); ++k)
     {
@@ -125,7 +125,7 @@ TEST_P(LinesInVolume, IntegralsOfLinearFieldsAreExact)
   for (const auto& [from, to] : this->Lines(30))
   {
     ProbePointer probe = MakeProbe(MakeLine({ from, to }), this->Source);
-    const Stretches found(probe);
+    const Intervals found(probe);
     double expected = 0.0;
     double numbers = 0.0;
     for (std::size_t k = 0; k < found.Cells.size(); ++k)
@@ -151,7 +151,7 @@ TEST(ProbeLines, OfALatticeEachCellIsCrossedExactly)
   const int n = 5;
   auto source = WithData(MakeGrid(Hexahedra(n)));
   ProbePointer probe = MakeProbe(MakeLine({ { -1, 2.5, 2.5 }, { n + 1, 2.5, 2.5 } }), source);
-  const Stretches found(probe);
+  const Intervals found(probe);
   ASSERT_EQ(found.Cells.size(), static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i)
   {
@@ -174,7 +174,7 @@ TEST(ProbeLines, AlongFacesEdgesAndDiagonalsEachPartCountsOnce)
            std::pair(Point{ 0, 0, 0 }, Point{ 4, 0, 0 }) })
     {
       ProbePointer probe = MakeProbe(MakeLine({ from, to }), source);
-      const Stretches found(probe);
+      const Intervals found(probe);
       double sum = 0.0;
       for (double length : found.Lengths)
       {
@@ -216,7 +216,7 @@ TEST(ProbeLines, AConcavePolyhedronMayBeCrossedTwice)
   }
   mesh.Add(VTK_POLYHEDRON, stream);
   ProbePointer probe = MakeProbe(MakeLine({ { -1, 2, 0.4 }, { 4, 2, 0.4 } }), MakeGrid(mesh));
-  const Stretches found(probe);
+  const Intervals found(probe);
   ASSERT_EQ(found.Cells.size(), 2u);
   EXPECT_NEAR(found.Entries[0], 1.0, 1e-12);
   EXPECT_NEAR(found.Exits[0], 2.0, 1e-12);
@@ -239,7 +239,7 @@ TEST(ProbeLines, OverlappingCellsShareTheLineByLowestId)
     id += 8;
   }
   ProbePointer probe = MakeProbe(MakeLine({ { -1, 0.3, 0.3 }, { 2, 0.3, 0.3 } }), MakeGrid(mesh));
-  const Stretches found(probe);
+  const Intervals found(probe);
   EXPECT_EQ(found.Cells, (std::vector<double>{ 0, 1 }));
   EXPECT_NEAR(found.Exits[0], 2.0, 1e-13);
   EXPECT_NEAR(found.Exits[1], 2.5, 1e-13);
@@ -256,7 +256,7 @@ TEST(ProbeLines, OfASheetWhatRunsWithinIt)
     const Point from = { box[0] - 1, y, box[4] };
     const Point to = { box[1] + 1, y + 0.01, box[4] };
     ProbePointer probe = MakeProbe(MakeLine({ from, to }), source);
-    const Stretches found(probe);
+    const Intervals found(probe);
     double sum = 0.0;
     for (double length : found.Lengths)
     {
@@ -265,7 +265,7 @@ TEST(ProbeLines, OfASheetWhatRunsWithinIt)
     EXPECT_NEAR(sum, Distance(from, to) * (box[1] - box[0]) / (box[1] - box[0] + 2), 1e-12) << type;
     EXPECT_GE(found.Cells.size(), 4u);
     ProbePointer across = MakeProbe(MakeLine({ { 0.3, 0.3, -1 }, { 0.3, 0.3, 1 } }), source);
-    EXPECT_LE(Stretches(across).Cells.size(), 1u);
+    EXPECT_LE(Intervals(across).Cells.size(), 1u);
   }
 }
 
@@ -284,7 +284,7 @@ TEST(ProbeLines, CurvedCellsToo)
       const Point to = random.InBox(Grown(box, 0.5));
       ProbePointer probe = MakeProbe(MakeLine({ from, to }), source);
       double sum = 0.0;
-      for (double length : Stretches(probe).Lengths)
+      for (double length : Intervals(probe).Lengths)
       {
         sum += length;
       }
@@ -300,7 +300,7 @@ TEST(ProbeLines, PolylinesGoOnAndBlocksAreNamed)
   auto bent =
     MakeLine({ { 0.5, 0.5, 0.5 }, { 2.5, 0.5, 0.5 }, { 2.5, 0.5, 0.5 }, { 2.5, 2.5, 0.5 } });
   ProbePointer probe = MakeProbe(bent, source);
-  const Stretches found(probe);
+  const Intervals found(probe);
   EXPECT_EQ(found.Cells, (std::vector<double>{ 0, 1, 2, 2, 5, 8 }));
   EXPECT_EQ(found.Exits, (std::vector<double>{ 0.5, 1.5, 2, 2.5, 3.5, 4 }));
   EXPECT_EQ(IntegralsOf(probe, "SkdLineLength"), (std::vector<double>{ 4 }));
@@ -325,7 +325,7 @@ TEST(ProbeLines, WithoutLinesThereIsAWarning)
   {
     ProbePointer probe = MakeProbe(input, source);
     EventCounter events(probe);
-    EXPECT_TRUE(Stretches(probe).Cells.empty());
+    EXPECT_TRUE(Intervals(probe).Cells.empty());
     EXPECT_EQ(events.Warnings, 1);
   }
 }
@@ -344,7 +344,7 @@ TEST(ProbeLines, BitsAreTheSameForAnyNumberOfThreads)
   {
     vtkSMPTools::Initialize(threads);
     ProbePointer probe = MakeProbe(MakeLine(walk), source);
-    exits.push_back(Stretches(probe).Exits);
+    exits.push_back(Intervals(probe).Exits);
     exits.back().push_back(IntegralsOf(probe, "Linear_Integral")[0]);
   }
   vtkSMPTools::Initialize();

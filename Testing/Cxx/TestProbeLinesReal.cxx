@@ -57,10 +57,10 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
   Extra, LinesThroughFile, testing::ValuesIn(VolumeFiles(ExtraDataFolder())), NameOfFile());
 
-TEST_P(LinesThroughFile, TheMiddleOfEachStretchIsInItsCell)
+TEST_P(LinesThroughFile, TheMiddleOfEachIntervalIsInItsCell)
 {
   ProbePointer probe = MakeProbe(this->MakeLines(), this->Source);
-  const Stretches found(probe);
+  const Intervals found(probe);
   ASSERT_GT(found.Cells.size(), 40u);
   std::vector<Point> middles;
   for (std::size_t k = 0; k < found.Cells.size(); ++k)
@@ -77,10 +77,10 @@ TEST_P(LinesThroughFile, TheMiddleOfEachStretchIsInItsCell)
   }
 }
 
-TEST_P(LinesThroughFile, PointsBetweenStretchesAreOutside)
+TEST_P(LinesThroughFile, PointsBetweenIntervalsAreOutside)
 {
   ProbePointer probe = MakeProbe(this->MakeLines(), this->Source);
-  const Stretches found(probe);
+  const Intervals found(probe);
   std::vector<Point> between;
   double last = 0.0;
   for (std::size_t k = 0; k < found.Cells.size(); ++k)
@@ -107,7 +107,7 @@ TEST_P(LinesThroughFile, PointsBetweenStretchesAreOutside)
 TEST_P(LinesThroughFile, IntegralsOfALinearFieldAreExact)
 {
   ProbePointer probe = MakeProbe(this->MakeLines(), this->Source);
-  const Stretches found(probe);
+  const Intervals found(probe);
   std::vector<double> expected(this->From.size(), 0.0);
   std::vector<double> within(this->From.size(), 0.0);
   for (std::size_t k = 0; k < found.Cells.size(); ++k)

@@ -31,7 +31,7 @@ struct Setting
 {
   const char* Name;
   std::function<DataSetPointer()> Make;
-  bool IsTurned;
+  bool IsReversed;
   int Queries; ///< less of what takes long
 
   friend void PrintTo(const Setting& setting, std::ostream* os) { *os << setting.Name; }
@@ -163,12 +163,12 @@ protected:
   void SetUp() override
   {
     this->Input = GetParam().Make();
-    this->IsTurned = GetParam().IsTurned;
+    this->IsReversed = GetParam().IsReversed;
   }
 
   Point Place(Point x, bool isDirection = false) const
   {
-    if (this->IsTurned)
+    if (this->IsReversed)
     {
       isDirection ? Motion()->TransformVector(x.data(), x.data())
                   : Motion()->TransformPoint(x.data(), x.data());
@@ -179,14 +179,14 @@ protected:
   QueryPointer Make(const CubeQuery& asked, int relation) const
   {
     QueryPointer query = MakeQuery(this->Input, relation);
-    query->SetTolerance(this->IsTurned ? 1e-9 : 0.0); // where they touch rounding is not known
+    query->SetTolerance(this->IsReversed ? 1e-9 : 0.0); // where they touch rounding is not known
     switch (asked.Shape)
     {
       case SpatialQuery::BOX:
         SetBox(query, asked.Box);
         query->SetBoxPosition(this->Place(CornerOf(asked.Box, 0)).data());
-        query->SetBoxRotation(this->IsTurned ? Angles[0] : 0.0, this->IsTurned ? Angles[1] : 0.0,
-          this->IsTurned ? Angles[2] : 0.0);
+        query->SetBoxRotation(this->IsReversed ? Angles[0] : 0.0,
+          this->IsReversed ? Angles[1] : 0.0, this->IsReversed ? Angles[2] : 0.0);
         break;
       case SpatialQuery::SPHERE:
         SetSphere(query, this->Place(asked.Center), asked.Radius);
@@ -272,7 +272,7 @@ protected:
       this->CheckDistances(asked, rows[i]);
       // Where distances are exact so are ties.
       const bool areTiesKnown = rows[i].Min == 0.0 ||
-        (!this->IsTurned && asked.Shape != SpatialQuery::LINE &&
+        (!this->IsReversed && asked.Shape != SpatialQuery::LINE &&
           asked.Shape != SpatialQuery::PLANE);
       if (areTiesKnown)
       {
@@ -289,7 +289,7 @@ protected:
   }
 
   DataSetPointer Input;
-  bool IsTurned = false;
+  bool IsReversed = false;
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Cubes, testing::ValuesIn(Settings()),
@@ -378,9 +378,9 @@ TEST_P(Cubes, RelationsToCellsAreThoseOfIntervals)
     {
       SCOPED_TRACE(std::string(RelationNames[relation]) + " " + std::to_string(other.Size));
       QueryPointer query = MakeQuery(this->Input, relation);
-      query->SetTolerance(this->IsTurned ? 1e-9 : 0.0);
+      query->SetTolerance(this->IsReversed ? 1e-9 : 0.0);
       query->SetShape(SpatialQuery::SOURCE_CELLS);
-      query->SetSourceData(MakeCubes(OtherCubes(other.Size, other.Offset), this->IsTurned));
+      query->SetSourceData(MakeCubes(OtherCubes(other.Size, other.Offset), this->IsReversed));
       std::vector<std::pair<vtkIdType, vtkIdType>> expected, found;
       for (vtkIdType i = 0; i < N * N * N; ++i)
       {
@@ -446,7 +446,7 @@ TEST_P(Cubes, NearestCellsOfCells)
 {
   QueryPointer query = MakeQuery(this->Input, SpatialQuery::NEAREST);
   query->SetShape(SpatialQuery::SOURCE_CELLS);
-  query->SetSourceData(MakeCubes(OtherCubes(0.25, { 6, 1.125, 1.125 }), this->IsTurned));
+  query->SetSourceData(MakeCubes(OtherCubes(0.25, { 6, 1.125, 1.125 }), this->IsReversed));
   query->SetNumberOfNearestCells(2);
   const std::vector<PairRow> rows = RunQuery(query);
   ASSERT_EQ(rows.size(), 2u * N * N * N);

@@ -247,7 +247,7 @@ TEST(SurfaceIntersectionFilter, AClearanceWithoutEndTakesAllPairs)
   EXPECT_EQ(RunPairs(filter).size(), 63u);
 }
 
-TEST(SurfaceIntersectionFilter, ATransformThatStretchesIsRefused)
+TEST(SurfaceIntersectionFilter, ATransformThatIntervalsIsRefused)
 {
   auto filter = MakeIntersection(MakeSphere({ 0, 0, 0 }), MakeSphere({ 2.5, 0, 0 }));
   EventCounter events(filter);

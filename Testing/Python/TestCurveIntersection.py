@@ -65,13 +65,13 @@ def test_clearance():
     skdtesting.assert_same(skdtesting.point_array(crossing, "SkdKind"), [3])
 
 
-def test_the_second_output_has_the_stretches():
+def test_the_second_output_has_the_intervals():
     crossing = scene()
     crossing.Source.Point1, crossing.Source.Point2 = [1, 0, 0], [9, 0, 0]
     skdtesting.assert_same(skdtesting.point_array(crossing, "SkdKind"), [2, 2])
-    stretches = servermanager.Fetch(crossing, idx=1)
-    assert stretches.GetNumberOfCells() == 1
-    low, high = stretches.GetBounds()[:2]
+    intervals = servermanager.Fetch(crossing, idx=1)
+    assert intervals.GetNumberOfCells() == 1
+    low, high = intervals.GetBounds()[:2]
     assert abs(low - 1) < 1e-6 and abs(high - 4) < 1e-6, (low, high)
 
 

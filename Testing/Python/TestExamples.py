@@ -59,7 +59,7 @@ def test_closest_point():
 
 
 def test_probe():
-    check("Probe", data("disk_flow.vtu"), {"stretches: 66": 1}, (0.2, 0.8))
+    check("Probe", data("disk_flow.vtu"), {"intervals: 66": 1}, (0.2, 0.8))
 
 
 def test_remap():

@@ -71,10 +71,10 @@ def test_lines_are_cut_and_integrated():
     line = simple.Line(Point1=[-20, 0.5, 0.5], Point2=[20, 0.5, 0.5], Resolution=1)
     probe = simple.SkdTreeProbe(Input=line, Source=source, ProbeLines=1)
     simple.UpdatePipeline(proxy=probe)
-    stretches = servermanager.Fetch(probe, idx=1)
-    entries = vtk_to_numpy(stretches.GetCellData().GetArray("SkdEntry"))
+    intervals = servermanager.Fetch(probe, idx=1)
+    entries = vtk_to_numpy(intervals.GetCellData().GetArray("SkdEntry"))
     numpy.testing.assert_allclose(entries, numpy.arange(10.0, 30.0), atol=1e-9)
-    lengths = vtk_to_numpy(stretches.GetCellData().GetArray("SkdLength"))
+    lengths = vtk_to_numpy(intervals.GetCellData().GetArray("SkdLength"))
     numpy.testing.assert_allclose(lengths, 1.0, atol=1e-9)
     table = servermanager.Fetch(probe, idx=2)
     assert table.GetNumberOfRows() == 1

@@ -87,13 +87,13 @@ inline Mesh StarTriangles(Random& random, double size)
 {
   const bool isConvex = random.Index(3) == 0;
   Mesh star = Outward(random.Index(2) ? Octahedron(1.0) : SphereTriangles(1 + random.Index(3)));
-  const Point stretch = { 0.5 + 0.5 * random.Index(3), 1.0, 0.5 + 0.25 * random.Index(4) };
+  const Point interval = { 0.5 + 0.5 * random.Index(3), 1.0, 0.5 + 0.25 * random.Index(4) };
   star.Map(
     [&](const Point& p)
     {
       const double radius = size * (isConvex ? 1.0 : random.Between(0.35, 1.0)) / Length(p);
-      return Point{ std::round(stretch[0] * radius * p[0]), std::round(stretch[1] * radius * p[1]),
-        std::round(stretch[2] * radius * p[2]) };
+      return Point{ std::round(interval[0] * radius * p[0]),
+        std::round(interval[1] * radius * p[1]), std::round(interval[2] * radius * p[2]) };
     });
   return star;
 }

@@ -91,12 +91,12 @@ inline std::vector<double> ColumnOf(vtkDataArray* array)
 }
 
 /// The segments of lines in the second output, after an update.
-struct Stretches
+struct Intervals
 {
   std::vector<double> Cells, Lines, Entries, Exits, Lengths;
   std::vector<Point> From, To;
 
-  explicit Stretches(vtkSkdTreeProbe* probe)
+  explicit Intervals(vtkSkdTreeProbe* probe)
   {
     probe->ProbeLinesOn();
     probe->Update();

@@ -176,7 +176,7 @@ private:
       this->Outcome.End = AdaptEnd::Stalled;
       return true;
     }
-    if (this->Shares.IsAllTheWay() && rows.size() > 1 &&
+    if (this->Shares.IsComplete() && rows.size() > 1 &&
       rows.back().Measure > rows[rows.size() - 2].Measure)
     {
       this->Relaxation = std::max(0.7 * this->Relaxation, 0.1 * this->Rules.Relaxation);

@@ -42,7 +42,7 @@ public:
   double GetMeasure() const { return this->Measure; }
 
   /// Whether the last step was towards the monitor itself.
-  bool IsAllTheWay() const { return this->Way >= 1.0; }
+  bool IsComplete() const { return this->Fraction >= 1.0; }
 
   const std::vector<double>& GetAreas() const { return this->Areas; }
 
@@ -54,7 +54,7 @@ public:
 
 private:
   /// An edge between two cells, and what goes through it per length that its ends move.
-  struct Gate
+  struct CrossedEdge
   {
     std::array<std::uint32_t, 2> Points;
     std::array<std::uint32_t, 2> Cells;
@@ -66,10 +66,10 @@ private:
   std::vector<double> FindShares(const std::vector<double>& monitor) const;
   std::vector<double> Blend(const std::vector<double>& monitor) const;
   void FindMissing(const std::vector<double>& monitor);
-  void FindGates(const SurfaceMesh& mesh);
+  void FindCrossedEdges(const SurfaceMesh& mesh);
   EdgeLaplacian MakeMatrix(const SurfaceMesh& mesh) const;
-  Vector3 Go(const Vector3& from, const Vector3& along) const;
-  Vector3 ChangeOfGo(const Vector3& from, const Vector3& along, const Vector3& change) const;
+  Vector3 Move(const Vector3& from, const Vector3& along) const;
+  Vector3 DerivativeOfMove(const Vector3& from, const Vector3& along, const Vector3& change) const;
   Vector3 GradientAt(const std::vector<double>& potential, std::uint32_t point) const;
   std::vector<Vector3> FindMotion(const std::vector<double>& change) const;
   std::vector<double> FindGains(const std::vector<double>& change) const;
@@ -84,13 +84,13 @@ private:
   PointGradients Gradients;
   std::vector<Vector3> Tangents; // of points that slide along curves; else 0
   std::vector<double> Potential;
-  std::vector<Vector3> Ways; // its gradient at points
-  std::vector<Gate> Gates;
+  std::vector<Vector3> Displacements; // its gradient at points
+  std::vector<CrossedEdge> CrossedEdges;
   std::vector<double> Areas;
   std::vector<double> Missing;   // share - monitor x area
   std::vector<double> Densities; // share / area
   double Measure = 0.0;
-  double Way = 0.0; // from a monitor of 1 to the given one
+  double Fraction = 0.0; // from a monitor of 1 to the given one
   double WayAtOnce = 0.1;
 };
 
@@ -109,7 +109,7 @@ inline void Equidistribution::BeginAt(const SurfaceMesh& mesh, const FeatureCurv
   this->First = mesh;
   this->Gradients.Build(mesh, this->Shape);
   this->Potential.assign(mesh.Cells.size(), 0.0);
-  this->Ways.assign(mesh.Points.size(), none);
+  this->Displacements.assign(mesh.Points.size(), none);
   this->Tangents.assign(mesh.Points.size(), none);
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
@@ -197,7 +197,7 @@ inline std::vector<double> Equidistribution::Blend(const std::vector<double>& mo
   std::vector<double> blended(monitor);
   for (double& value : blended)
   {
-    value = mean + this->Way * (value - mean);
+    value = mean + this->Fraction * (value - mean);
   }
   return blended;
 }
@@ -219,7 +219,7 @@ inline EdgeLaplacian Equidistribution::MakeMatrix(const SurfaceMesh& mesh) const
 {
   EdgeLaplacian matrix;
   matrix.NumberOfCells = mesh.Cells.size();
-  for (const Gate& gate : this->Gates)
+  for (const CrossedEdge& gate : this->CrossedEdges)
   {
     const double apart =
       Norm(this->Gradients.GetMiddle(gate.Cells[1]) - this->Gradients.GetMiddle(gate.Cells[0]));
@@ -232,9 +232,9 @@ inline EdgeLaplacian Equidistribution::MakeMatrix(const SurfaceMesh& mesh) const
   return matrix;
 }
 
-inline void Equidistribution::FindGates(const SurfaceMesh& mesh)
+inline void Equidistribution::FindCrossedEdges(const SurfaceMesh& mesh)
 {
-  this->Gates.clear();
+  this->CrossedEdges.clear();
   for (const MeshEdge& edge : mesh.Edges)
   {
     if (edge.Cells[1] != MeshEdge::None)
@@ -245,14 +245,14 @@ inline void Equidistribution::FindGates(const SurfaceMesh& mesh)
       const Vector3 to = CornerMean(mesh, edge.Cells[1]) - CornerMean(mesh, edge.Cells[0]);
       const double density =
         0.5 * (this->Densities[edge.Cells[0]] + this->Densities[edge.Cells[1]]);
-      this->Gates.push_back(
+      this->CrossedEdges.push_back(
         { edge.Points, edge.Cells, (Dot(across, to) < 0.0 ? -density : density) * across });
     }
   }
 }
 
 /// Where a point goes that has a gradient, and where the way changes to if the gradient changes.
-inline Vector3 Equidistribution::Go(const Vector3& from, const Vector3& along) const
+inline Vector3 Equidistribution::Move(const Vector3& from, const Vector3& along) const
 {
   const double length = Norm(along);
   if (this->Shape.What != SurfaceShape::Kind::Sphere || !(length > 0.0))
@@ -265,7 +265,7 @@ inline Vector3 Equidistribution::Go(const Vector3& from, const Vector3& along) c
     (this->Shape.Radius * std::sin(angle) / length) * along;
 }
 
-inline Vector3 Equidistribution::ChangeOfGo(
+inline Vector3 Equidistribution::DerivativeOfMove(
   const Vector3& from, const Vector3& along, const Vector3& change) const
 {
   const double length = Norm(along);
@@ -298,8 +298,8 @@ inline std::vector<Vector3> Equidistribution::FindMotion(const std::vector<doubl
   std::vector<Vector3> motion(this->First.Points.size());
   for (std::uint32_t point = 0; point < motion.size(); ++point)
   {
-    motion[point] = this->ChangeOfGo(
-      this->First.Points[point], this->Ways[point], this->GradientAt(change, point));
+    motion[point] = this->DerivativeOfMove(
+      this->First.Points[point], this->Displacements[point], this->GradientAt(change, point));
   }
   return motion;
 }
@@ -309,7 +309,7 @@ inline std::vector<double> Equidistribution::FindGains(const std::vector<double>
 {
   const std::vector<Vector3> motion = this->FindMotion(change);
   std::vector<double> gains(change.size(), 0.0);
-  for (const Gate& gate : this->Gates)
+  for (const CrossedEdge& gate : this->CrossedEdges)
   {
     const double through = 0.5 * Dot(gate.Across, motion[gate.Points[0]] + motion[gate.Points[1]]);
     gains[gate.Cells[0]] += through;
@@ -364,22 +364,22 @@ inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurve
   {
     this->BeginAt(mesh, curves);
   }
-  const double begin = this->Way;
-  this->Way = std::min(1.0, begin + this->WayAtOnce);
+  const double begin = this->Fraction;
+  this->Fraction = std::min(1.0, begin + this->WayAtOnce);
   this->FindMissing(this->Blend(monitor));
-  this->FindGates(mesh);
+  this->FindCrossedEdges(mesh);
   const std::vector<double> change = this->FindChange(mesh);
   const double wanted = part;
   part = this->LimitOf(mesh, this->FindMotion(change), part);
   const double made = std::max(part / wanted, 0.5);
   this->WayAtOnce *= part < wanted ? made : 1.2;
-  this->Way = begin + part / wanted * (this->Way - begin);
+  this->Fraction = begin + part / wanted * (this->Fraction - begin);
   detail::AddTo(this->Potential, part, change);
   places.resize(mesh.Points.size());
   for (std::uint32_t point = 0; point < places.size(); ++point)
   {
-    this->Ways[point] = this->GradientAt(this->Potential, point);
-    places[point] = this->Go(this->First.Points[point], this->Ways[point]);
+    this->Displacements[point] = this->GradientAt(this->Potential, point);
+    places[point] = this->Move(this->First.Points[point], this->Displacements[point]);
   }
   return part;
 }

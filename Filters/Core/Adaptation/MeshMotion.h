@@ -52,7 +52,7 @@ private:
   std::vector<double> Qualities; // before the step
   std::vector<Vector3> Before;
   std::vector<bool> Mended;
-  std::vector<Vector3> Ways; // how each point moves
+  std::vector<Vector3> Displacements; // how each point moves
   std::size_t InvalidCells = 0;
 };
 
@@ -88,12 +88,12 @@ inline double MeshMotion::FindSmallestQuality(const SurfaceMesh& mesh) const
 
 inline void MeshMotion::Place(SurfaceMesh& mesh, std::uint32_t point)
 {
-  if (this->Ways[point] == None)
+  if (this->Displacements[point] == None)
   {
     mesh.Points[point] = this->Before[point];
     return;
   }
-  Vector3 x = this->Before[point] + this->Ways[point];
+  Vector3 x = this->Before[point] + this->Displacements[point];
   if (mesh.Freedom[point] == PointFreedom::AlongCurve)
   {
     x = this->Curves.Slide(point, x);
@@ -109,7 +109,7 @@ inline Vector3 MeshMotion::WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_
   {
     for (const std::uint32_t corner : mesh.Cells[cell])
     {
-      sum = corner == point ? sum : sum + this->Ways[corner];
+      sum = corner == point ? sum : sum + this->Displacements[corner];
       count += corner != point;
     }
   }
@@ -124,7 +124,7 @@ inline std::vector<std::uint32_t> MeshMotion::FindSpoilt(
   {
     const IndexRows::Row corners = mesh.Cells[cell];
     const bool isMoved = std::any_of(corners.begin(), corners.end(),
-      [this](std::uint32_t corner) { return !(this->Ways[corner] == None); });
+      [this](std::uint32_t corner) { return !(this->Displacements[corner] == None); });
     const double least = std::min(this->LeastQuality, this->Qualities[cell]);
     if (isMoved &&
       !(this->Cells[cell].IsValid(mesh, cell) && this->Cells[cell].QualityOf(mesh, cell) >= least))
@@ -172,11 +172,11 @@ inline void MeshMotion::Mend(SurfaceMesh& mesh)
       const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
       ways.push_back(isFixed   ? None
           : round < smoothings ? this->WayOfNeighbours(mesh, point)
-                               : part * this->Ways[point]);
+                               : part * this->Displacements[point]);
     }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      this->Ways[points[i]] = ways[i];
+      this->Displacements[points[i]] = ways[i];
       this->Mended[points[i]] = true;
       this->Place(mesh, points[i]);
     }
@@ -187,7 +187,7 @@ inline void MeshMotion::Mend(SurfaceMesh& mesh)
 inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
 {
   this->Before = mesh.Points;
-  this->Ways.resize(mesh.Points.size());
+  this->Displacements.resize(mesh.Points.size());
   this->Mended.assign(mesh.Points.size(), false);
   this->Qualities.resize(mesh.Cells.size());
   for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
@@ -201,7 +201,7 @@ inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
     const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
-    this->Ways[point] = isFixed ? None : places[point] - mesh.Points[point];
+    this->Displacements[point] = isFixed ? None : places[point] - mesh.Points[point];
     this->Place(mesh, point);
   }
   this->Mend(mesh);

@@ -24,14 +24,14 @@ struct CurvePairHit
   double SlackS = 0.0;
   double Error = 0.0; ///< and X
   IntersectionKind Kind = IntersectionKind::Crossing;
-  bool Begins = false;     ///< of an OverlapEnd: the common stretch begins here
+  bool Begins = false;     ///< of an OverlapEnd: the common interval begins here
   Vector3 Before{};        ///< from the second to the first before a place that is not simple; or 0
   Vector3 After{};         ///< the same after it
   bool IsResolved = false; ///< not simple: what it is has been told by Resolve()
   bool IsExact = false;    ///< T and S are right to a few units in the last place
 };
 
-/// A stretch of the first curve within the tolerance of the second near S.
+/// A interval of the first curve within the tolerance of the second near S.
 struct CurvePairContact
 {
   Interval T;
@@ -141,7 +141,7 @@ struct CurvePair
       std::abs(hit.S - 0.5) < far;
   }
 
-  /// What a stretch within the tolerance of the other curve is: a touch, a crossing that is not
+  /// What a interval within the tolerance of the other curve is: a touch, a crossing that is not
   /// simple, or nothing that comes near enough. The sides on which the first curve is tell, where
   /// it comes out of the tolerance.
   std::optional<CurvePairHit> Resolve(const CurvePairContact& contact) const
@@ -169,7 +169,7 @@ struct CurvePair
       this->Locate(hit, before, after);
       hit.SlackT = ContactLength(hit, reach, gapAt);
     }
-    return this->PlaceContact(hit) ? std::optional<CurvePairHit>(hit) : std::nullopt;
+    return this->LocateContact(hit) ? std::optional<CurvePairHit>(hit) : std::nullopt;
   }
 
   /// Whether a place may be more than a simple root: the curves nearly run along each other there.
@@ -188,10 +188,10 @@ struct CurvePair
     return { range, hit.S };
   }
 
-  static bool IsOnePlace(const CurvePairHit& a, const CurvePairHit& b)
+  static bool IsSameIntersection(const CurvePairHit& a, const CurvePairHit& b)
   {
-    return std::abs(a.T - b.T) <= tolerances::SamePlace &&
-      std::abs(a.S - b.S) <= tolerances::SamePlace;
+    return std::abs(a.T - b.T) <= tolerances::SameParameter &&
+      std::abs(a.S - b.S) <= tolerances::SameParameter;
   }
 
   /// Whether the curves stay within the tolerance of each other from one place to another.
@@ -239,14 +239,14 @@ struct CurvePair
   }
 
 private:
-  bool PlaceContact(CurvePairHit& hit) const
+  bool LocateContact(CurvePairHit& hit) const
   {
     Vector3 way;
     this->FindFoot(hit, way);
     const double speed = Norm(this->First.At(hit.T).D1);
-    hit.SlackT = std::min(hit.SlackT + tolerances::SamePlace, 0.125);
+    hit.SlackT = std::min(hit.SlackT + tolerances::SameParameter, 0.125);
     hit.SlackS =
-      std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + tolerances::SamePlace,
+      std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + tolerances::SameParameter,
         0.125); // not of NaN
     hit.Error = hit.SlackT * speed + 8.0 * this->Tolerance;
     return this->Place(hit, 4.0 * this->Tolerance);

@@ -26,14 +26,14 @@ struct CurvePatchHit
   double Error = 0.0; ///< and X
   IntersectionKind Kind = IntersectionKind::Crossing;
   int Passes = 0;      ///< 1 along dX/dr x dX/ds, -1 against it, 0 not
-  bool Begins = false; ///< of an OverlapEnd: the common stretch begins here
+  bool Begins = false; ///< of an OverlapEnd: the common interval begins here
   int Before = 0; ///< the side of the patch on which the curve comes, 1 where its normal points to
   int After = 0;  ///< and on which it goes; 0 where that is not known
   bool IsResolved = false; ///< not simple: what it is has been told by Resolve()
   bool OnBoundary = false; ///< of the patch or at an end of the curve: neighbours may tell it, too
 };
 
-/// A stretch of the curve within the tolerance of the patch near (R, S).
+/// A interval of the curve within the tolerance of the patch near (R, S).
 struct CurvePatchContact
 {
   Interval T;
@@ -162,7 +162,7 @@ struct CurvePatchPair
     return Dot(this->Curve.At(t).D1, normal);
   }
 
-  /// What a stretch within the tolerance of the patch is: a crossing that is not simple, a touch,
+  /// What a interval within the tolerance of the patch is: a crossing that is not simple, a touch,
   /// or nothing that comes near enough. The sides on which the curve is tell, where it comes out of
   /// the tolerance.
   std::optional<CurvePatchHit> Resolve(const CurvePatchContact& contact) const
@@ -187,7 +187,7 @@ struct CurvePatchPair
     }
     const bool isNear = this->Locate(hit, before, after);
     hit.Slack = ContactLength(hit, reach, gapAt);
-    return isNear && this->PlaceContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
+    return isNear && this->LocateContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
   /// Whether a place may be more than a simple root: the curve nearly runs along the patch there.
@@ -207,9 +207,9 @@ struct CurvePatchPair
   }
 
   /// Two roots of one place: what X may be off by tells where patches have a pole.
-  static bool IsOnePlace(const CurvePatchHit& a, const CurvePatchHit& b)
+  static bool IsSameIntersection(const CurvePatchHit& a, const CurvePatchHit& b)
   {
-    return std::abs(b.T - a.T) <= tolerances::SamePlace &&
+    return std::abs(b.T - a.T) <= tolerances::SameParameter &&
       Distance2(a.X, b.X) <= 4.0 * (a.Error + b.Error) * (a.Error + b.Error);
   }
 
@@ -297,11 +297,11 @@ private:
     return true;
   }
 
-  bool PlaceContact(CurvePatchHit& hit) const
+  bool LocateContact(CurvePatchHit& hit) const
   {
     const CurvePoint c = this->Curve.At(hit.T);
     const SurfacePoint s = this->Patch.At(hit.R, hit.S);
-    hit.Slack = std::min(hit.Slack + tolerances::SamePlace, 0.125);
+    hit.Slack = std::min(hit.Slack + tolerances::SameParameter, 0.125);
     const double length = std::max(hit.Slack * Norm(c.D1), 8.0 * this->Tolerance);
     hit.Error = length;
     const auto slack = [&](const Vector3& along)
@@ -325,7 +325,7 @@ private:
     const double gap2 = Distance2(c.X, this->Patch.At(hit.R, hit.S).X);
     const bool isNear = gap2 <= 64.0 * this->Tolerance * this->Tolerance;
     hit.OnBoundary = true;
-    return isNear && this->PlaceContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
+    return isNear && this->LocateContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
   /// Where the height, or its slope, changes its sign; the middle where it does not.

@@ -111,7 +111,7 @@ void VisitStraightSpans(const BezierCurve& curve, double delta, Visit visit)
   detail::VisitSpansOf(curve, { 0.0, 1.0 }, isFine, 0, visit);
 }
 
-/// The arc length of a stretch, to about 1e-13 relative.
+/// The arc length of a interval, to about 1e-13 relative.
 inline double ArcLength(const BezierCurve& curve, double from, double to)
 {
   if (curve.IsLine())

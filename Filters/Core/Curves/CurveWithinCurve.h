@@ -3,16 +3,16 @@
 #ifndef skd_Curves_CurveWithinCurve_h
 #define skd_Curves_CurveWithinCurve_h
 
-#include "CommonStretches.h"
+#include "CommonIntervals.h"
 #include "CurvePair.h"
 #include "Tolerances.h"
 
 namespace skd
 {
 
-/// Appends both ends of a stretch that two curves have in common. One that is as short as its ends
+/// Appends both ends of a interval that two curves have in common. One that is as short as its ends
 /// may be off by is a touch, end to end, unless it is exact.
-inline void AppendStretch(
+inline void AppendInterval(
   const CurvePair& pair, CurvePairHit begin, CurvePairHit end, std::vector<CurvePairHit>& hits)
 {
   for (CurvePairHit* hit : { &begin, &end })
@@ -44,7 +44,7 @@ inline void AppendStretch(
   hits.push_back(begin);
 }
 
-/// Whether a curve runs along what another continues to, and which stretches of it are on the other
+/// Whether a curve runs along what another continues to, and which intervals of it are on the other
 /// itself. Two curves that have more points in common than the product of their degrees have all
 /// (of one piece); so many places along the curve are tried.
 class CurveWithinCurve
@@ -55,18 +55,18 @@ public:
   {
   }
 
-  /// If it does, appends both ends of each stretch, one after the other.
+  /// If it does, appends both ends of each interval, one after the other.
   bool Find(std::vector<CurvePairHit>& hits) const
   {
-    using Stretches = CommonStretches<CurveWithinCurve, CurvePairHit>;
+    using Intervals = CommonIntervals<CurveWithinCurve, CurvePairHit>;
     const int size = this->Pair.First.Degree * this->Pair.Second.Degree + 2;
     CurvePairHit start;
     start.S = 0.5;
-    return Stretches(*this, std::clamp(size, 8, Stretches::MaximumSize)).Find(start, hits);
+    return Intervals(*this, std::clamp(size, 8, Intervals::MaximumSize)).Find(start, hits);
   }
 
 private:
-  friend class CommonStretches<CurveWithinCurve, CurvePairHit>;
+  friend class CommonIntervals<CurveWithinCurve, CurvePairHit>;
 
   bool Follow(CurvePairHit& foot) const
   {
@@ -79,7 +79,7 @@ private:
   void Append(
     const CurvePairHit& begin, const CurvePairHit& end, std::vector<CurvePairHit>& hits) const
   {
-    AppendStretch(this->Pair, begin, end, hits);
+    AppendInterval(this->Pair, begin, end, hits);
   }
 
   const CurvePair& Pair;

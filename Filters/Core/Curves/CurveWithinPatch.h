@@ -3,14 +3,14 @@
 #ifndef skd_Curves_CurveWithinPatch_h
 #define skd_Curves_CurveWithinPatch_h
 
-#include "CommonStretches.h"
+#include "CommonIntervals.h"
 #include "CurvePatchContact.h"
 #include "Tolerances.h"
 
 namespace skd
 {
 
-/// Whether a curve runs within the surface that a patch is a part of, and which stretches of it are
+/// Whether a curve runs within the surface that a patch is a part of, and which intervals of it are
 /// on the patch itself. A curve and an algebraic surface that have more points in common than the
 /// product of their degrees have all; so many places along the curve are tried.
 class CurveWithinPatch
@@ -21,18 +21,18 @@ public:
   {
   }
 
-  /// If it does, appends both ends of each stretch.
+  /// If it does, appends both ends of each interval.
   bool Find(std::vector<CurvePatchHit>& hits) const
   {
-    using Stretches = CommonStretches<CurveWithinPatch, CurvePatchHit>;
+    using Intervals = CommonIntervals<CurveWithinPatch, CurvePatchHit>;
     const int surface = 2 * this->Pair.Patch.DegreeR * this->Pair.Patch.DegreeS;
     const int size = this->Pair.Curve.Degree * surface + 2;
     const CurvePatchHit start{ 0.0, 0.5, 0.5 };
-    return Stretches(*this, std::clamp(size, 16, Stretches::MaximumSize)).Find(start, hits);
+    return Intervals(*this, std::clamp(size, 16, Intervals::MaximumSize)).Find(start, hits);
   }
 
 private:
-  friend class CommonStretches<CurveWithinPatch, CurvePatchHit>;
+  friend class CommonIntervals<CurveWithinPatch, CurvePatchHit>;
 
   bool Follow(CurvePatchHit& foot) const
   {
@@ -61,8 +61,8 @@ private:
         isPlaced;
       hit->OnBoundary = true;
     }
-    const bool isStretch = end.T - begin.T > 2.0 * begin.Slack;
-    if (isPlaced && isStretch)
+    const bool isInterval = end.T - begin.T > 2.0 * begin.Slack;
+    if (isPlaced && isInterval)
     {
       hits.push_back(begin);
       hits.push_back(end);

@@ -16,7 +16,7 @@ enum class IntersectionKind
 {
   Crossing,   ///< from one side to the other, or through each other
   Touching,   ///< along each other
-  OverlapEnd, ///< a stretch that both have in common begins or ends
+  OverlapEnd, ///< a interval that both have in common begins or ends
   Near        ///< at a distance that was asked for
 };
 
@@ -56,7 +56,7 @@ template <class Hit, class GapAt>
 double ContactLength(const Hit& hit, double reach, const GapAt& gapAt)
 {
   double length = 0.0;
-  for (const double step : { -tolerances::SamePlace, tolerances::SamePlace })
+  for (const double step : { -tolerances::SameParameter, tolerances::SameParameter })
   {
     Hit place = hit;
     LeaveContact(place, step, reach, gapAt);

@@ -104,7 +104,7 @@ private:
     constexpr double longest = 1.0 / 16;
     const bool isDoubtful =
       a.IsResolved || b.IsResolved || pair.IsDoubtful(a) || pair.IsDoubtful(b);
-    return pair.IsOnePlace(a, b) ||
+    return pair.IsSameIntersection(a, b) ||
       (b.T - range.Max <= (isDoubtful ? longest : tolerances::SimpleGap) &&
         pair.IsOneContact(a, b));
   }
@@ -137,7 +137,8 @@ private:
   template <class Pair>
   static bool TellWhatItIs(const Pair& pair, const Interval& range, Hit& hit)
   {
-    const bool isSimple = range.Max - range.Min <= tolerances::SamePlace && !pair.IsDoubtful(hit);
+    const bool isSimple =
+      range.Max - range.Min <= tolerances::SameParameter && !pair.IsDoubtful(hit);
     const auto resolved =
       isSimple ? std::optional<Hit>() : pair.Resolve(pair.ContactAt(range, hit));
     hit = resolved ? *resolved : hit;

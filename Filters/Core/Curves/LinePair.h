@@ -25,7 +25,7 @@ inline SegmentPair ClosestPointsAtAnyAngle(const Segment<3>& first, const Segmen
 
 /// What two straight pieces have in common. Where they meet by exact signs, they do; others meet
 /// where they are within the tolerance of each other. Pieces that are so all along what both pass
-/// by have a stretch in common, however they cross there: rounding has made one line two.
+/// by have a interval in common, however they cross there: rounding has made one line two.
 class LinePair
 {
 public:
@@ -36,15 +36,15 @@ public:
   {
   }
 
-  /// Appends a point, or both ends of a stretch.
+  /// Appends a point, or both ends of a interval.
   void Find(std::vector<CurvePairHit>& hits) const
   {
     const SegmentContact contact = Meet(this->First, this->Second);
-    if (contact.Kind == SegmentContact::Stretch)
+    if (contact.Kind == SegmentContact::Interval)
     {
-      AppendStretch(this->Pair, ExactHit(contact.Begin), ExactHit(contact.End), hits);
+      AppendInterval(this->Pair, ExactHit(contact.Begin), ExactHit(contact.End), hits);
     }
-    else if (this->FindNearStretch(hits))
+    else if (this->FindNearInterval(hits))
     {
       return;
     }
@@ -104,7 +104,7 @@ private:
 
   /// Where both pass by each other, if they stay together there. What is not much longer than the
   /// tolerance tells nothing.
-  bool FindNearStretch(std::vector<CurvePairHit>& hits) const
+  bool FindNearInterval(std::vector<CurvePairHit>& hits) const
   {
     const Vector3 along = this->First.B - this->First.A;
     const double length2 = Norm2(along);
@@ -132,7 +132,7 @@ private:
         return false;
       }
     }
-    AppendStretch(this->Pair, ends[0], ends[1], hits);
+    AppendInterval(this->Pair, ends[0], ends[1], hits);
     return true;
   }
 

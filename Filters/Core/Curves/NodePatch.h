@@ -80,7 +80,7 @@ struct CommonSide
 {
   BezierCurve Curve;
   Vector3 Origin;
-  bool IsTurned; ///< it runs against the sides of the face
+  bool IsReversed; ///< it runs against the sides of the face
 
   CommonSide(const NodePatch& face, int side)
   {
@@ -89,9 +89,9 @@ struct CommonSide
     PatchNode* const end = nodes + this->Curve.Degree + 1;
     PatchNode turned[MaximumDegree + 1];
     std::reverse_copy(nodes, end, turned);
-    this->IsTurned =
+    this->IsReversed =
       std::lexicographical_compare(turned, turned + this->Curve.Degree + 1, nodes, end);
-    const PatchNode* const from = this->IsTurned ? turned : nodes;
+    const PatchNode* const from = this->IsReversed ? turned : nodes;
     this->Origin = Space(from[0]);
     for (int i = 0; i <= this->Curve.Degree; ++i)
     {

@@ -61,9 +61,9 @@ public:
   /// The points of the sides in turn, the corners among them, then those within.
   const std::vector<Vector3>& GetPoints() const { return this->Points; }
 
-  /// The triangles turn as the face did that was given, if not IsTurnedOver(); the polygon as well.
+  /// The triangles turn as the face did that was given, if not IsFlipped(); the polygon as well.
   const std::vector<std::array<int, 3>>& GetTriangles() const { return this->Triangles; }
-  bool IsTurnedOver() const { return this->IsOver; }
+  bool IsFlipped() const { return this->IsOver; }
 
   /// Whether the facets that were found keep the deviation.
   bool IsKept() const { return this->Kept; }
@@ -126,7 +126,7 @@ private:
       this->Sides[side].clear();
       for (int i = 0; i < n; ++i)
       {
-        const double t = static_cast<double>(common.IsTurned ? n - i : i) / n;
+        const double t = static_cast<double>(common.IsReversed ? n - i : i) / n;
         const Vector3 x =
           i == 0 ? this->Face->Corner(side) : common.Origin + Projected(common.Curve.WeightedAt(t));
         const Parameters p = this->OnSide(side, static_cast<double>(i) / n);

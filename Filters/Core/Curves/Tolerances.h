@@ -16,15 +16,15 @@ constexpr double SignChange = 1e-16;
 constexpr double FootStep = 1e-15;
 /// What a simple root is off by at least, in parameters.
 constexpr double RootRounding = 1e-14;
-/// The same of an end of a common stretch of two curves.
+/// The same of an end of a common interval of two curves.
 constexpr double OverlapRounding = 1e-13;
 /// Roots closer than that are one, in parameters; a range shorter than that is a root.
-constexpr double SamePlace = 1e-12;
+constexpr double SameParameter = 1e-12;
 /// The least step by which a contact is left, and by which two are apart, in parameters.
 constexpr double ContactStep = 1e-9;
 /// How deep, in parameters, a foot may be beyond the ends of what it is a foot on.
-constexpr double OnStretch = 1e-9;
-/// What an end of a stretch within a patch is off by, in parameters of the curve.
+constexpr double OnInterval = 1e-9;
+/// What an end of a interval within a patch is off by, in parameters of the curve.
 constexpr double PatchOverlap = 1e-9;
 /// The same in parameters of the patch.
 constexpr double PatchOverlapSide = 1e-8;

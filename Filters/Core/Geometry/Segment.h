@@ -21,14 +21,14 @@ struct Segment
   Vector<D> At(double t) const { return Lerp(this->A, this->B, t); }
 };
 
-/// A stretch of a segment's parameter.
+/// A interval of a segment's parameter.
 struct Interval
 {
   double Min;
   double Max;
 };
 
-/// The stretch of [0, 1] on which the segment is inside the box (section 5.1: the box projected
+/// The interval of [0, 1] on which the segment is inside the box (section 5.1: the box projected
 /// along each axis onto the segment), or nothing. NaN and infinite ends mean nothing.
 template <int D>
 std::optional<Interval> Clip(const Segment<D>& segment, const Box<D>& box)

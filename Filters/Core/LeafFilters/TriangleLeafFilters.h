@@ -127,7 +127,7 @@ public:
       this->FetchPoints(number);
     }
     std::fill(keys, keys + Node<3>::Width, 0.0f);
-    return this->Crossings.MayMeet(this->Of(number)) & LowBits(count);
+    return this->Crossings.MayIntersect(this->Of(number)) & LowBits(count);
   }
 
 private:

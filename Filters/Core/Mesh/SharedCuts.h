@@ -25,7 +25,7 @@ public:
     : Mesh(mesh)
     , Peers(processes)
     , Nodes(mesh, processes)
-    , MiddlesTold(mesh.NumberOfNodes())
+    , MidpointsSent(mesh.NumberOfNodes())
   {
     this->AgreeOnFacesOfVolumes();
   }
@@ -57,7 +57,7 @@ private:
   static int SizeOf(const FaceNodes& side) { return side[2] == None ? 2 : side[3] == None ? 3 : 4; }
   void Append(std::vector<double>& told, const FaceNodes& side) const;
   template <class Visit>
-  void ForEachToldHere(const std::vector<double>& told, const Visit& visit);
+  void ForEachReceived(const std::vector<double>& told, const Visit& visit);
   template <class Visit>
   void ForEachOfOthers(const std::vector<double>& own, const Visit& visit);
   std::vector<double> TellMiddles() const;
@@ -67,8 +67,8 @@ private:
   RefinedMesh& Mesh;
   const Processes& Peers;
   SharedNodes Nodes;
-  std::uint32_t MiddlesTold;
-  std::size_t FacesTold = 0;
+  std::uint32_t MidpointsSent;
+  std::size_t FacesSent = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -88,7 +88,7 @@ inline void SharedCuts::Append(std::vector<double>& told, const FaceNodes& side)
 /// Calls visit(side), false to end it, for the sides whose nodes are all here. In turn: what is
 /// made of a side may be nodes of the next one.
 template <class Visit>
-void SharedCuts::ForEachToldHere(const std::vector<double>& told, const Visit& visit)
+void SharedCuts::ForEachReceived(const std::vector<double>& told, const Visit& visit)
 {
   bool goesOn = true;
   for (std::size_t i = 0; i < told.size() && goesOn;)
@@ -112,7 +112,7 @@ void SharedCuts::ForEachOfOthers(const std::vector<double>& own, const Visit& vi
 {
   for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
   {
-    this->ForEachToldHere(told,
+    this->ForEachReceived(told,
       [&](const FaceNodes& side)
       {
         visit(side);
@@ -141,7 +141,7 @@ inline bool SharedCuts::Exchange(Bisection& bisection, bool fits)
     }
     for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
     {
-      this->ForEachToldHere(told,
+      this->ForEachReceived(told,
         [&](const FaceNodes& side)
         {
           fits = fits &&
@@ -158,7 +158,7 @@ inline bool SharedCuts::Exchange(Bisection& bisection, bool fits)
 inline std::vector<double> SharedCuts::TellMiddles() const
 {
   std::vector<double> told;
-  for (std::uint32_t node = this->MiddlesTold; node < this->Mesh.NumberOfNodes(); ++node)
+  for (std::uint32_t node = this->MidpointsSent; node < this->Mesh.NumberOfNodes(); ++node)
   {
     const RefinedMesh::Nodes of = this->Mesh.MakersOf(node);
     if (of.Size == 2)
@@ -170,7 +170,7 @@ inline std::vector<double> SharedCuts::TellMiddles() const
       this->Append(told, { of[0], of[1], of[2], of[3] });
     }
   }
-  for (const FaceNodes& face : this->Mesh.GetCutFaces(this->FacesTold))
+  for (const FaceNodes& face : this->Mesh.GetCutFaces(this->FacesSent))
   {
     if (face[3] == None)
     {
@@ -205,15 +205,15 @@ inline bool SharedCuts::ShareMiddles(bool fits)
   this->Nodes.Update();
   for (const std::vector<double>& told : this->Peers.GatherFromOthers(this->TellMiddles()))
   {
-    this->ForEachToldHere(told,
+    this->ForEachReceived(told,
       [this](const FaceNodes& side)
       {
         this->CutSide(side);
         return true;
       });
   }
-  this->MiddlesTold = this->Mesh.NumberOfNodes();
-  this->FacesTold += this->Mesh.GetCutFaces(this->FacesTold).size();
+  this->MidpointsSent = this->Mesh.NumberOfNodes();
+  this->FacesSent += this->Mesh.GetCutFaces(this->FacesSent).size();
   return true;
 }
 

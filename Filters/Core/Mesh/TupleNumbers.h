@@ -31,7 +31,7 @@ public:
   std::uint32_t Find(Tuple tuple) const
   {
     std::sort(tuple.begin(), tuple.end());
-    return this->Slots.empty() ? None : this->Slots[this->PlaceOf(tuple)];
+    return this->Slots.empty() ? None : this->Slots[this->SlotOf(tuple)];
   }
 
   /// The number of a set, a new one when it is first met.
@@ -42,7 +42,7 @@ public:
     {
       this->Grow();
     }
-    std::uint32_t& slot = this->Slots[this->PlaceOf(tuple)];
+    std::uint32_t& slot = this->Slots[this->SlotOf(tuple)];
     if (slot == None)
     {
       slot = this->Size();
@@ -69,7 +69,7 @@ private:
   }
 
   /// Where the set is, or would be.
-  std::size_t PlaceOf(const Tuple& tuple) const
+  std::size_t SlotOf(const Tuple& tuple) const
   {
     const std::size_t mask = this->Slots.size() - 1;
     std::size_t place = HashOf(tuple) & mask;
@@ -85,7 +85,7 @@ private:
     this->Slots.assign(std::max<std::size_t>(16, 2 * this->Slots.size()), None);
     for (std::uint32_t number = 0; number < this->Size(); ++number)
     {
-      this->Slots[this->PlaceOf(this->Tuples[number])] = number;
+      this->Slots[this->SlotOf(this->Tuples[number])] = number;
     }
   }
 

@@ -106,7 +106,7 @@ private:
       return 4.0 * std::numeric_limits<double>::epsilon() * most;
     }
 
-    /// The stretch on which no coordinate is beyond `room`: Min > Max if there is none.
+    /// The interval on which no coordinate is beyond `room`: Min > Max if there is none.
     Interval Within(double room) const
     {
       Interval inside{ 0.0, 1.0 };

@@ -4,7 +4,7 @@
 /// Where on [0, 1] a polynomial rises through zero, from its Bernstein coefficients.
 ///
 /// The coefficients change sign at least as often as the polynomial; where they do so once there is
-/// one root, where they never do there is none, and halving the stretch leads to one or the other.
+/// one root, where they never do there is none, and halving the interval leads to one or the other.
 #ifndef skd_Geometry_Distance_BernsteinRoots_h
 #define skd_Geometry_Distance_BernsteinRoots_h
 
@@ -15,7 +15,8 @@
 namespace skd
 {
 
-/// A polynomial of degree N on [Min, Max]: its coefficients in the Bernstein basis of that stretch.
+/// A polynomial of degree N on [Min, Max]: its coefficients in the Bernstein basis of that
+/// interval.
 template <int N>
 struct BernsteinPolynomial
 {
@@ -59,7 +60,7 @@ struct BernsteinPolynomial
     return right;
   }
 
-  /// Value and slope at a share of the stretch.
+  /// Value and slope at a share of the interval.
   void Evaluate(double share, double& value, double& slope) const
   {
     double level[N + 1];

@@ -64,9 +64,9 @@ inline SegmentPair ClosestPoints(const Segment<3>& first, const Segment<3>& seco
   return nearest;
 }
 
-/// The stretch of the first segment that is within a distance of the second, no less of it: their
+/// The interval of the first segment that is within a distance of the second, no less of it: their
 /// nearest points must be.
-inline Interval StretchWithin(const Segment<3>& first, const Segment<3>& second, double distance)
+inline Interval IntervalWithin(const Segment<3>& first, const Segment<3>& second, double distance)
 {
   const double nearest = ClosestPoints(first, second).T;
   const auto isWithin = [&](double t)

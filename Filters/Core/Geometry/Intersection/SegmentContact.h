@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What two segments in space have in common, decided by exact signs (Orient3D.h): nothing, a
-/// point, or a stretch of the line that both lie on.
+/// point, or a interval of the line that both lie on.
 #ifndef skd_Geometry_Intersection_SegmentContact_h
 #define skd_Geometry_Intersection_SegmentContact_h
 
@@ -22,8 +22,8 @@ struct SegmentContact
   enum Kinds
   {
     None,
-    Point,  ///< Begin and End are the same
-    Stretch ///< ascending along the first
+    Point,   ///< Begin and End are the same
+    Interval ///< ascending along the first
   };
 
   /// On both segments.
@@ -83,7 +83,7 @@ inline SegmentContact MeetInLine(const Segment<3>& first, const Segment<3>& seco
   {
     return contact;
   }
-  contact.Kind = isBefore(begin, end) ? SegmentContact::Stretch : SegmentContact::Point;
+  contact.Kind = isBefore(begin, end) ? SegmentContact::Interval : SegmentContact::Point;
   contact.Begin = { ParameterOnSegment(first, begin), ParameterOnSegment(second, begin) };
   contact.End = { ParameterOnSegment(first, end), ParameterOnSegment(second, end) };
   return contact;

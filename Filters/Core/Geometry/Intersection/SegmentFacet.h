@@ -168,8 +168,8 @@ inline std::optional<FacetHit> MeetFacet(const Segment<3>& segment, const Vector
   return hit;
 }
 
-/// The stretch of a segment that runs within a triangle's plane and is on the triangle: exact as to
-/// whether it does, its ends to within rounding.
+/// The interval of a segment that runs within a triangle's plane and is on the triangle: exact as
+/// to whether it does, its ends to within rounding.
 inline std::optional<Interval> WithinFacet(const Segment<3>& segment, const Vector3 (&p)[3])
 {
   const Vector3 normal = Cross(p[1] - p[0], p[2] - p[0]);

@@ -282,7 +282,7 @@ private:
                             : std::array<int, 2>{ before, alone };
   }
 
-  /// Whether the stretches of two triangles on the line of their planes have no point in common,
+  /// Whether the intervals of two triangles on the line of their planes have no point in common,
   /// all corners being off these: P. Guigue and O. Devillers, "Fast and Robust Triangle-Triangle
   /// Overlap Test Using Orientation Predicates", Journal of Graphics Tools 8 (2003) 25-32.
   bool AreApartOnLine()

@@ -12,11 +12,11 @@
 namespace skd
 {
 
-/// The stretch that two segments of one line have in common, in the direction of the shorter one;
+/// The interval that two segments of one line have in common, in the direction of the shorter one;
 /// nothing where they only touch, or are not on one line. On one line means: the ends of the
 /// shorter are off the longer's line by at most 1e-9 of its length, or 8 units in the last place of
 /// the coordinates. Exact but for rounding: ends of the shorter within the longer are kept.
-inline std::optional<Segment<3>> CommonStretch(const Segment<3>& one, const Segment<3>& other)
+inline std::optional<Segment<3>> CommonInterval(const Segment<3>& one, const Segment<3>& other)
 {
   const bool isOneShorter = Distance2(one.A, one.B) <= Distance2(other.A, other.B);
   const Segment<3>& within = isOneShorter ? one : other;

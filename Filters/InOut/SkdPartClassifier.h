@@ -12,10 +12,10 @@
 /// the side changes only where the line crosses the boundary. Where bodies of a part overlap,
 /// points are classified one by one. Results are those of single points, except within rounding
 /// error of the boundary.
-class SkdPartAsker
+class SkdPartClassifier
 {
 public:
-  SkdPartAsker(const std::vector<SkdPart>& parts, const SkdInsideRules& rules, double band,
+  SkdPartClassifier(const std::vector<SkdPart>& parts, const SkdInsideRules& rules, double band,
     const SkdQueryPoints& queryPoints);
 
   /// The innermost part is the smallest that contains the point, ties to the lowest id. Processing

@@ -9,7 +9,8 @@
 #include <sstream>
 
 /// Shows an estimate in the progress text. Negative seconds: not known.
-inline void SkdTellSize(vtkAlgorithm* algorithm, double cells, double bytes, double seconds = -1.0)
+inline void SkdShowEstimate(
+  vtkAlgorithm* algorithm, double cells, double bytes, double seconds = -1.0)
 {
   std::ostringstream text;
   text << std::setprecision(2) << "about " << cells << " cells, " << bytes / 1e6 << " MB";

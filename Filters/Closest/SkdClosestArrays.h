@@ -16,13 +16,13 @@ class vtkPointData;
 class vtkPolyData;
 
 /// Result arrays of one data set, with one tuple for each point, initially "none".
-class SkdAnswers
+class SkdClosestArrays
 {
 public:
   /// Whether an array of that name is one of ours.
   static bool IsOurs(const std::string& name);
 
-  explicit SkdAnswers(vtkIdType n);
+  explicit SkdClosestArrays(vtkIdType n);
 
   /// Sets a tuple. Thread-safe for distinct tuples.
   void Set(vtkIdType i, const SkdNearest& nearest, bool isInside);
@@ -49,7 +49,7 @@ private:
 
 /// Fills `lines` with a line from each point of `meshes` with a result to its nearest point. Cell
 /// data are the point arrays that all meshes have in common, without ghost marks.
-void SkdConnectAnswers(
-  const std::vector<SkdBlock>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines);
+void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
+  const std::vector<SkdClosestArrays>& answers, vtkPolyData* lines);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Remap/SkdOverlapGround.h"
+#include "Remap/SkdOverlapSurface.h"
 
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/Polygons/PlanarPolygon.h"
@@ -74,7 +74,7 @@ double FarthestFrom(vtkDataSet* data, const Vector3& origin, const Vector3& norm
 }
 
 //------------------------------------------------------------------------------
-SkdOverlapGround::SkdOverlapGround(
+SkdOverlapSurface::SkdOverlapSurface(
   vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings)
   : Space(settings.Space)
 {
@@ -90,7 +90,7 @@ SkdOverlapGround::SkdOverlapGround(
 
 //------------------------------------------------------------------------------
 // A plane across an axis takes coordinates as they are; others are seen from the middle.
-void SkdOverlapGround::FindPlane(vtkDataSet* donor, vtkDataSet* target)
+void SkdOverlapSurface::FindPlane(vtkDataSet* donor, vtkDataSet* target)
 {
   skd::Box3 box;
   AddPoints(box, donor);
@@ -130,7 +130,7 @@ void SkdOverlapGround::FindPlane(vtkDataSet* donor, vtkDataSet* target)
 }
 
 //------------------------------------------------------------------------------
-void SkdOverlapGround::SetAxes(const Vector3& normal)
+void SkdOverlapSurface::SetAxes(const Vector3& normal)
 {
   this->Normal = normal;
   int least = 0;
@@ -146,7 +146,7 @@ void SkdOverlapGround::SetAxes(const Vector3& normal)
 }
 
 //------------------------------------------------------------------------------
-void SkdOverlapGround::FindRadius(vtkDataSet* donor, double wanted)
+void SkdOverlapSurface::FindRadius(vtkDataSet* donor, double wanted)
 {
   this->Radius = wanted;
   if (!(wanted > 0.0))
@@ -168,7 +168,7 @@ void SkdOverlapGround::FindRadius(vtkDataSet* donor, double wanted)
 }
 
 //------------------------------------------------------------------------------
-Vector3 SkdOverlapGround::Seen(const Vector3& x) const
+Vector3 SkdOverlapSurface::Seen(const Vector3& x) const
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {
@@ -179,7 +179,7 @@ Vector3 SkdOverlapGround::Seen(const Vector3& x) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 SkdOverlapGround::Place(const Vector3& seen) const
+Vector3 SkdOverlapSurface::Place(const Vector3& seen) const
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {
@@ -189,7 +189,7 @@ Vector3 SkdOverlapGround::Place(const Vector3& seen) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 SkdOverlapGround::Moment(const Vector3& seen) const
+Vector3 SkdOverlapSurface::Moment(const Vector3& seen) const
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {

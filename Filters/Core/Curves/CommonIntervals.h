@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Curves_CommonStretches_h
-#define skd_Curves_CommonStretches_h
+#ifndef skd_Curves_CommonIntervals_h
+#define skd_Curves_CommonIntervals_h
 
 #include "Tolerances.h"
 
@@ -10,7 +10,7 @@
 namespace skd
 {
 
-/// Whether a curve runs within something, and the stretches of it that are on that itself, not on
+/// Whether a curve runs within something, and the intervals of it that are on that itself, not on
 /// what continues it. `Size` + 1 places along the curve are tried, from the middle on, so that a
 /// curve that does not is mostly told by its first place.
 ///
@@ -18,20 +18,20 @@ namespace skd
 ///   Follow(foot)                what is nearest to the curve's place foot.T, found from where foot
 ///                               is; whether both are the same to within rounding
 ///   Depth(foot)                 how far the foot is within its sides or ends; negative beyond
-///   Append(begin, end, hits)    a stretch
+///   Append(begin, end, hits)    a interval
 template <class Within, class Hit>
-class CommonStretches
+class CommonIntervals
 {
 public:
   static constexpr int MaximumSize = 127;
 
-  CommonStretches(const Within& within, int size)
+  CommonIntervals(const Within& within, int size)
     : What(within)
     , Size(size)
   {
   }
 
-  /// If it does, appends both ends of each stretch, one after the other.
+  /// If it does, appends both ends of each interval, one after the other.
   bool Find(const Hit& start, std::vector<Hit>& hits)
   {
     const int middle = this->Size / 2;
@@ -40,7 +40,7 @@ public:
     {
       return false;
     }
-    this->AppendStretches(hits);
+    this->AppendIntervals(hits);
     return true;
   }
 
@@ -61,13 +61,13 @@ private:
     return true;
   }
 
-  void AppendStretches(std::vector<Hit>& hits) const
+  void AppendIntervals(std::vector<Hit>& hits) const
   {
     Hit begin;
     bool isOn = false;
     for (int i = 0; i <= this->Size; ++i)
     {
-      const bool isNext = this->What.Depth(this->Feet[i]) >= -tolerances::OnStretch;
+      const bool isNext = this->What.Depth(this->Feet[i]) >= -tolerances::OnInterval;
       if (isNext && !isOn)
       {
         begin = i == 0 ? this->Feet[0] : this->Border(this->Feet[i], this->Feet[i - 1]);

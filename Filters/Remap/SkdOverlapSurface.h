@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SkdOverlapGround.h
+ * @file SkdOverlapSurface.h
  * @brief Where two meshes overlap: a line, a plane with its axes, a sphere with its radius, space.
  */
 
@@ -17,11 +17,11 @@ class vtkDataSet;
 
 /// Overlaps are found in coordinates of their own: (x, y, 0) in a plane, points of the unit sphere,
 /// and else as they are.
-class SkdOverlapGround
+class SkdOverlapSurface
 {
 public:
   /// What is wrong with the meshes, if anything, is in GetProblem().
-  SkdOverlapGround(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings);
+  SkdOverlapSurface(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings);
 
   SkdOverlapSpace GetSpace() const { return this->Space; }
   double GetRadius() const { return this->Radius; }

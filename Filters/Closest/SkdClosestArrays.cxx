@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Closest/SkdAnswers.h"
+#include "Closest/SkdClosestArrays.h"
 
 #include "Cells/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
@@ -23,13 +23,13 @@ constexpr const char* CellIdName = "SkdClosestCellId";
 constexpr const char* BlockIndexName = "SkdClosestBlockIndex";
 }
 
-bool SkdAnswers::IsOurs(const std::string& name)
+bool SkdClosestArrays::IsOurs(const std::string& name)
 {
   return name == ClosestPointName || name == DistanceName || name == CellIdName ||
     name == BlockIndexName;
 }
 
-SkdAnswers::SkdAnswers(vtkIdType n)
+SkdClosestArrays::SkdClosestArrays(vtkIdType n)
   : Points(SkdMakeArray<vtkDoubleArray>(ClosestPointName, 3, n, vtkMath::Nan()))
   , Distances(SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
   , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
@@ -37,7 +37,7 @@ SkdAnswers::SkdAnswers(vtkIdType n)
 {
 }
 
-void SkdAnswers::Set(vtkIdType i, const SkdNearest& nearest, bool isInside)
+void SkdClosestArrays::Set(vtkIdType i, const SkdNearest& nearest, bool isInside)
 {
   const double distance = std::sqrt(nearest.Distance2);
   std::copy_n(nearest.Point, 3, this->Points->GetPointer(3 * i));
@@ -46,13 +46,13 @@ void SkdAnswers::Set(vtkIdType i, const SkdNearest& nearest, bool isInside)
   this->Blocks[i] = nearest.Block;
 }
 
-vtkIdType SkdAnswers::CountFound() const
+vtkIdType SkdClosestArrays::CountFound() const
 {
   return std::count_if(
     this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
 }
 
-void SkdAnswers::AddTo(
+void SkdClosestArrays::AddTo(
   vtkPointData* pointData, const std::vector<SkdBlock>& source, bool isComposite) const
 {
   pointData->AddArray(this->Points);
@@ -65,8 +65,8 @@ void SkdAnswers::AddTo(
   }
 }
 
-void SkdConnectAnswers(
-  const std::vector<SkdBlock>& meshes, const std::vector<SkdAnswers>& answers, vtkPolyData* lines)
+void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
+  const std::vector<SkdClosestArrays>& answers, vtkPolyData* lines)
 {
   struct Start
   {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InOut/SkdPartAsker.h"
+#include "InOut/SkdPartClassifier.h"
 
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
 
-SkdPartAsker::SkdPartAsker(const std::vector<SkdPart>& parts, const SkdInsideRules& rules,
+SkdPartClassifier::SkdPartClassifier(const std::vector<SkdPart>& parts, const SkdInsideRules& rules,
   double band, const SkdQueryPoints& queryPoints)
   : Parts(parts)
   , Rules(rules)
@@ -19,12 +19,12 @@ SkdPartAsker::SkdPartAsker(const std::vector<SkdPart>& parts, const SkdInsideRul
   this->TheRow.Passes.resize(this->UsesRows ? parts.size() : 0);
 }
 
-bool SkdPartAsker::HasRowOf(const SkdPart& part) const
+bool SkdPartClassifier::HasRowOf(const SkdPart& part) const
 {
   return this->UsesRows && part.GetNumberOfOpenEdges() == 0;
 }
 
-void SkdPartAsker::GoToRow(vtkIdType number)
+void SkdPartClassifier::GoToRow(vtkIdType number)
 {
   Row& row = this->TheRow;
   const vtkIdType length = this->QueryPoints.GetRowLength();
@@ -45,7 +45,8 @@ void SkdPartAsker::GoToRow(vtkIdType number)
   }
 }
 
-SkdSide SkdPartAsker::AskRow(std::size_t part, const double x[3], std::uint64_t queryPoint) const
+SkdSide SkdPartClassifier::AskRow(
+  std::size_t part, const double x[3], std::uint64_t queryPoint) const
 {
   if (!this->Parts[part].BoundsHold(x))
   {
@@ -62,7 +63,7 @@ SkdSide SkdPartAsker::AskRow(std::size_t part, const double x[3], std::uint64_t 
                               : SkdSide{ around != 0, 1.0 };
 }
 
-SkdInOut SkdPartAsker::Ask(vtkIdType queryPoint)
+SkdInOut SkdPartClassifier::Ask(vtkIdType queryPoint)
 {
   SkdInOut answer;
   double x[3];
