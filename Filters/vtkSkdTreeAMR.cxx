@@ -50,7 +50,7 @@ SkdBaseLattice MakeLattice(vtkSkdTreeAMR* self, vtkDataObject* baseMesh, const S
   return SkdMakeBaseLattice(settings, parts.GetBounds(), self->GetBranchFactor());
 }
 
-/// The part of the grid that is asked of this process.
+/// The part of the grid that this process is to make.
 void OwnPiece(SkdGrid& grid, vtkInformation* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

@@ -139,7 +139,7 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   }
   else
   {
-    vtkWarningMacro(<< mended.Fault); // their bounds must not be asked for
+    vtkWarningMacro(<< mended.Fault); // their bounds must not be computed
   }
   this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;
   this->BuildTime.Modified();

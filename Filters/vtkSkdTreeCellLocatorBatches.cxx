@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The locator's batches: queries over arrays, asked in parallel, answered into flat arrays.
+// The locator's batches: queries over arrays, in parallel, with results in flat arrays.
 #include "vtkSkdTreeCellLocator.h"
 
 #include "Cells/SkdBatchLists.h"

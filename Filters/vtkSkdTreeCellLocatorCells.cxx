@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the locator tells of single cells, and of where they end.
+// The locator's queries of single cells, and of their ends.
 #include "vtkSkdTreeCellLocator.h"
 
 #include "Cells/SkdLocatorState.h"

@@ -98,7 +98,7 @@ private:
   double Radius;
 };
 
-/// The locator that is asked.
+/// The locator that is queried.
 struct Asked
 {
   const SkdCellTree& Tree;

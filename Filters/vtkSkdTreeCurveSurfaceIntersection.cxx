@@ -24,7 +24,7 @@ class vtkSkdTreeCurveSurfaceIntersection::Internals
 public:
   std::vector<SkdBlock> Blocks; // of the Source, while it is looked at
   SkdSurfaceSet Surfaces;
-  std::vector<std::vector<int>> Pieces; // of the Source's cells, when they were asked for
+  std::vector<std::vector<int>> Pieces; // of the Source's cells, when they are computed
 };
 
 namespace

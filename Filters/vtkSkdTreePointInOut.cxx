@@ -160,7 +160,7 @@ SkdInOuts vtkSkdTreePointInOut::Internals::AskFor(
   return answers;
 }
 
-// Each point is asked once for all cells that have it.
+// Each point is classified once for all cells that have it.
 SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
   vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const
 {

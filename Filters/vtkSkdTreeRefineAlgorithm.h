@@ -206,7 +206,7 @@ public:
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
-  /// So many input ports, and one output. Of the inputs from a port on all is asked for, whatever
+  /// So many input ports, and one output. The inputs from a port on are requested whole, whatever
   /// piece is wanted: any of it may matter to it.
   vtkSkdTreeRefineAlgorithm(int inputPorts, int firstWholePort);
   ~vtkSkdTreeRefineAlgorithm() override;

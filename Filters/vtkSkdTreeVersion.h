@@ -65,16 +65,16 @@
 #define VTK_SKD_FACES_ARE_CELLS 0
 #endif
 
-// 9.6 tells a vtkOverlappingAMR its blocks a level in a std::vector.
+// 9.6 takes the number of blocks of each level of a vtkOverlappingAMR as a std::vector.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define VTK_SKD_AMR_TAKES_VECTOR 1
 #else
 #define VTK_SKD_AMR_TAKES_VECTOR 0
 #endif
 
-// 9.6 tells the types of a vtkUnstructuredGrid's cells in an array of any kind (nullptr where there
-// are none yet); vtkUnsignedCharArray* before. And it calls a vtkOverlappingAMR's data sets blocks,
-// which are images of any kind.
+// 9.6 returns the types of a vtkUnstructuredGrid's cells as an array of any kind (nullptr where
+// there are none yet); vtkUnsignedCharArray* before. And it calls a vtkOverlappingAMR's data sets
+// blocks, which are images of any kind.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define VTK_SKD_GET_CELL_TYPES GetCellTypes
 #define VTK_SKD_AMR_GET_NUMBER_OF_BLOCKS GetNumberOfBlocks

@@ -23,7 +23,7 @@ public:
   skd::SurfaceMesh Mesh;
   vtkIdType CellsLeftOut = 0;
 
-  /// The mesh as it was read, or as it is when this is asked, with its points less an origin.
+  /// The mesh as it was read, or as it is at the time of the call, with its points less an origin.
   vtkSmartPointer<vtkPolyData> MakePolyData(const skd::Vector3& origin) const;
 
   /// Gives a block's copy its new points, and their displacements.

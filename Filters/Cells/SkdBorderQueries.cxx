@@ -166,8 +166,8 @@ double WhereItTurns(double in, double out, const IsIn& isIn)
 }
 
 //------------------------------------------------------------------------------
-// Curved cells have no faces in closed form: they are asked at points along the segment, and where
-// it first hits them from either end.
+// Curved cells have no faces in closed form: they are evaluated at points along the segment, and
+// where it first hits them from either end.
 void SkdCellTree::AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
   const SkdCellSource& source, std::vector<double>& parameters) const
 {

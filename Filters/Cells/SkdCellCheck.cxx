@@ -28,7 +28,7 @@ namespace
 /// Numbers of points for each type.
 using SizeTable = std::array<SkdCellSizes, 256>;
 
-/// Whether more than the number of its points and their ids tells if a cell is whole.
+/// Whether a cell may be broken though the number of its points and their ids are valid.
 bool HasMoreRules(int cellType)
 {
   return cellType == VTK_POLYHEDRON || cellType == VTK_QUADRATIC_POLYGON ||

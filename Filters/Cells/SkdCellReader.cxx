@@ -84,8 +84,8 @@ void SkdCellReader::ReadTypes(vtkDataArray* types)
 }
 
 //------------------------------------------------------------------------------
-// VTK makes a table of cells when it is first asked for one, which is not thread-safe. VTK 9.1
-// makes none where a cell has too few points, but an error, and crashes when asked again.
+// VTK makes a table of cells when the first one is fetched, which is not thread-safe. VTK 9.1
+// makes none where a cell has too few points, but an error, and crashes at the next one.
 void SkdCellReader::AddRunsOf(vtkPolyData* mesh)
 {
   vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
@@ -102,7 +102,8 @@ void SkdCellReader::AddRunsOf(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-// Of implicit offsets, or of others that are not stored, there is no run: then VTK is asked.
+// Of implicit offsets, or of others that are not stored, there is no run: then VTK fetches the
+// cell.
 void SkdCellReader::AddRun(vtkCellArray* cells, int kind)
 {
   const vtkIdType first = this->Runs.empty() ? 0 : this->Runs.back().Last;

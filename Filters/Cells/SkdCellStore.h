@@ -30,7 +30,7 @@ public:
   };
 
   /// `data` may be nullptr; it has no broken cells (SkdMendedMesh.h). Throws std::length_error when
-  /// there are more cells or points than 32-bit numbers tell apart.
+  /// there are more cells or points than 32-bit numbers can count.
   SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes);
 
   std::uint32_t NumberOfCells() const { return this->Count; }

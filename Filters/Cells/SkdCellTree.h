@@ -28,7 +28,7 @@ struct SkdTreeSettings
   double Epsilon = 1e-9; ///< relative to the diagonal
   int Capacity = 8;      ///< cells a leaf
   bool IsLazy = false;
-  bool IsBare = false; ///< there is no tree: its cells can be asked about one by one, no more
+  bool IsBare = false; ///< there is no tree: only queries of single cells work
   bool SkipsGhosts = true;
   SkdMagnitudes Magnitudes = SkdMeasurable;        ///< of coordinates; others count as not finite
   skd::SplitRule Rule = skd::SplitRule::Automatic; ///< of trees that are built whole

@@ -42,7 +42,7 @@ DimensionTable MakeDimensionTable()
 using FacePoints = std::vector<vtkIdType>;
 
 /// The faces of volume cells by the places of their points in the cell: the same for all cells of a
-/// type, number of points and degrees, so VTK is asked once for each.
+/// type, number of points and degrees, so VTK's cell is queried once for each.
 class FaceTable
 {
 public:
@@ -246,7 +246,7 @@ bool SkdIsCurvedCellType(int cellType)
     (cellType >= VTK_LAGRANGE_CURVE && cellType <= VTK_BEZIER_PYRAMID);
 }
 
-// Not by vtkCellTypes: the ways to ask it differ between versions of VTK, and some print a warning.
+// Not by vtkCellTypes: its methods differ between versions of VTK, and some print a warning.
 bool SkdHasCurvedCells(vtkDataSet* mesh)
 {
   if (!vtkUnstructuredGridBase::SafeDownCast(mesh))

@@ -42,7 +42,7 @@ std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh);
 
 /// Calls visit(face, cell, isInward) for each, the cell being that face as VTK has it, its point
 /// ids those of the data set. Valid until the next one. VTK's types do not agree on the orientation
-/// of faces, so `isInward` tells whether the face of a volume cell is oriented inward.
+/// of faces, so `isInward` returns whether the face of a volume cell is oriented inward.
 void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
   const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit);
 

@@ -15,7 +15,7 @@
 
 namespace
 {
-// VTK's cell is not asked: it would take itself apart for nothing.
+// VTK's cell is not used: it would triangulate itself for nothing.
 void ReadHull(vtkDataSet* data, vtkIdType cellId, vtkIdList* faces)
 {
   data->GetCellPoints(cellId, faces);
@@ -143,7 +143,7 @@ bool SkdFaceReader::Number(
 
 //------------------------------------------------------------------------------
 // Two faces that share an edge are turned alike if they walk along it in opposite directions. An
-// edge of one face, or of more than two, tells nothing.
+// edge of one face, or of more than two, decides nothing.
 void SkdFaceReader::TurnAlike()
 {
   this->Parents.resize(this->Starts.size());

@@ -38,7 +38,7 @@ struct SkdLineHit
 /// The distance up to which a segment hits a cell.
 struct SkdReach
 {
-  double Tolerance; ///< as asked for, surfaces
+  double Tolerance; ///< the caller's, of surfaces
   double Rounding;  ///< what rounding alone makes of coordinates: lines and points need it
   double OfLines() const
   {

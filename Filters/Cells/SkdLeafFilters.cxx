@@ -397,7 +397,7 @@ void SkdLeafFilters::FillPoints(const SkdCellStore& store, const skd::Tree<3>& t
   const std::uint64_t lanes = std::uint64_t(skd::TrianglePacket::Width) * this->Triangles.size();
   if (std::max(points, lanes) > std::numeric_limits<std::uint32_t>::max())
   {
-    return; // lines then ask the store
+    return; // lines then read the store
   }
   if (store.HasFloatPoints())
   {

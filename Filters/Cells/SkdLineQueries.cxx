@@ -38,7 +38,7 @@ struct FacetHit
   bool Passes;
 };
 
-/// What ForEachFacet() tells of one.
+/// What ForEachFacet() passes on.
 struct Facet
 {
   double T;

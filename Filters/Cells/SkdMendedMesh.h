@@ -16,7 +16,7 @@ class vtkDataSet;
 struct SkdMendedMesh
 {
   vtkSmartPointer<vtkDataSet> Mesh;
-  std::string Fault; ///< what is to be told of the broken cells: empty if there is none
+  std::string Fault; ///< the warning about broken cells; empty if there is none
 };
 
 /// `data` must not be nullptr. Copies connectivity only if cells are broken.

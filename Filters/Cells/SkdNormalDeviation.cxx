@@ -100,7 +100,7 @@ template <class Test>
 double SkdCellTree::NormalDeviationOf(
   const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const
 {
-  thread_local std::vector<skd::Vector3> memory; // asked of every box of a grid
+  thread_local std::vector<skd::Vector3> memory; // called for every box of a grid
   NormalDeviation deviation(memory);
   bool isSurface = true;
   this->VisitCandidates(above, box,

@@ -171,7 +171,7 @@ bool IsSameAlong(const SkdCurveLocation& a, const SkdCurveLocation& b, bool areE
 }
 
 /// Makes one of the hits at a joint: all that follow one and are the same go, but that it may be
-/// ends of intervals that stay. `order` tells which hits these are.
+/// ends of intervals that stay. `order` has the numbers of these hits.
 class JointUnion
 {
 public:

@@ -39,7 +39,7 @@ struct SkdCurveIntersections
 /// What is looked for.
 struct SkdCurveTask
 {
-  double Clearance = 0.0;    ///< tells pairs of curves that do not meet, but come as near
+  double Clearance = 0.0;    ///< reports pairs of curves that do not intersect but come as near
   bool IgnoresJoints = true; ///< curves that go on as each other are one
   bool TellsCandidates = false;
 };

@@ -167,7 +167,7 @@ void SkdCurveSet::JoinEnds()
       ends.push_back({ 2 * number + (atEnd ? 1 : 0), at.X + origin, atEnd ? at.D1 : -1.0 * at.D1 });
     }
   }
-  const double rounding = // as far apart as contacts are told
+  const double rounding = // as far apart as contacts are resolved
     32.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
   this->Joints = SkdCurveJoints(std::move(ends), this->Curves.size(), rounding);
 }
@@ -244,7 +244,7 @@ void SkdCurveSet::AddLines(const std::vector<skd::Vector3>& points)
 }
 
 //------------------------------------------------------------------------------
-// VTK's splines are cubic between their knots: four values there tell the piece.
+// VTK's splines are cubic between their knots: four values there determine the piece.
 void SkdCurveSet::AddSplines(const std::vector<skd::Vector3>& points, bool isClosed)
 {
   const Knots knots(points);

@@ -56,7 +56,7 @@ int SkdIntersectionGroups::Group::After() const
 }
 
 //------------------------------------------------------------------------------
-// Where all is exact, the parity tells. Elsewhere the sides do on which the curve comes and goes;
+// Where all is exact, the parity decides. Elsewhere the sides on which the curve comes and goes do;
 // or every element that meets there reports its own direction: they differ where the curve comes
 // and goes on one side.
 int SkdIntersectionGroups::Group::Sense() const

@@ -26,7 +26,7 @@ std::vector<SkdIntersectionJoints::AtJoint> SkdIntersectionJoints::Find(
 }
 
 //------------------------------------------------------------------------------
-// Along the first of the two: what the other tells is turned if it runs against it.
+// Along the first of the two: the other's values are reversed if it runs against it.
 void SkdIntersectionJoints::Add(
   SkdSurfaceIntersection& to, bool toAtEnd, const SkdSurfaceIntersection& other, bool atEnd)
 {

@@ -25,10 +25,10 @@ struct SkdSurfaceHit
   double Slack; ///< what U may be off by
   double Error; ///< and X
   skd::IntersectionKind Kind;
-  int Passes;    ///< exact: sums over what meets in a place tell whether the curve goes through
+  int Passes;    ///< exact: sums over all pieces at a point decide whether the curve passes through
   int Direction; ///< 1 along the normal, -1 against it, 0 along the surface
   int Before;    ///< the side on which the curve comes, 1 where the normal points to, and on which
-  int After;     ///< it goes; 0 where its piece ends, or where exact signs tell
+  int After;     ///< it goes; 0 where its piece ends, or where exact signs decide
   bool IsExact;
   bool Begins;
   bool OnBoundary;

@@ -26,7 +26,7 @@ class SkdSurfaceSet
 public:
   /// Reads all surface cells: planar quads, polygons and strips as triangles, others as patches.
   /// With `withVolumes` also the faces of volume cells that no other cell of the data set has.
-  /// Ghosts and what is told about in GetFaults() are left out. Returns whether anything was
+  /// Ghosts and what GetFaults() describes are left out. Returns whether anything was
   /// updated.
   bool Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon);
 

@@ -49,7 +49,7 @@ public:
 
   vtkPolyData* Get() const { return this->Surface; }
 
-  /// The curved faces of which the chordal length asks for more facets than there are at most.
+  /// The curved faces of which the chordal deviation would need more facets than allowed.
   vtkIdType GetNumberOfCoarseFaces() const { return this->CoarseFaces; }
 
   /// The data set's cell that a cell of the surface comes from, and whether it has a volume.

@@ -228,7 +228,7 @@ namespace
 {
 using Tree = skd::LazyTree<3>;
 
-/// The triangles of each shell, in a tree of their own once they are asked.
+/// The triangles of each shell, in a tree of their own once they are queried.
 class ShellTrees
 {
 public:
@@ -317,7 +317,7 @@ std::vector<skd::Box3> BoxesOf(const SkdShells& shells)
 }
 
 //------------------------------------------------------------------------------
-// Of shells that are joined already no more is asked.
+// Shells that are joined already are not tested again.
 std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles, const SkdShells& shells)
 {

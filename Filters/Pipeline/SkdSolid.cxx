@@ -78,7 +78,7 @@ SkdSide SkdSolid::Ask(const double x[3], const SkdRayEnd& way) const
   return this->IsClear(sum) ? SkdSide{ sum != 0, 1.0 } : this->Weigh(x, end);
 }
 
-/// Whether a sum of ways, of shells turned outward, tells all.
+/// Whether the sum of crossing directions, of shells oriented outward, decides.
 bool SkdSolid::IsClear(vtkIdType sum) const
 {
   return !this->HasOneSided && (sum == 0 ? this->Repeats.empty() : std::abs(sum) == 1);

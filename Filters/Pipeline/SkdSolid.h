@@ -53,7 +53,7 @@ struct SkdSide
 struct SkdPassAlong
 {
   double At; ///< how far along
-  int After; ///< what is around what follows: 0 outside, 1 or -1 inside, others must be asked
+  int After; ///< what is around what follows: 0 outside, 1 or -1 inside, others need a query
 };
 
 class SkdSolid

@@ -146,7 +146,7 @@ SkdValidInput::SkdValidInput(
 }
 
 //------------------------------------------------------------------------------
-// What is to be told of it.
+// The warning about it.
 std::string SkdValidInput::Mend(vtkInformationVector* to)
 {
   std::string faults;

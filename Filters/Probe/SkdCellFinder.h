@@ -24,7 +24,7 @@ struct SkdCellLocation
   vtkIdType CellId = -1;
   int SubId = 0;
   double PCoords[3] = { 0.0, 0.0, 0.0 };
-  double Distance = 0.0; // from the point that was asked for; 0 within the cell
+  double Distance = 0.0; // from the query point; 0 within the cell
 };
 
 /// The conditions for using the nearest cell for a point that no cell contains.

@@ -33,7 +33,7 @@ bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
   {
     return false;
   }
-  // The middle tells of most.
+  // The middle decides most.
   const double limit = reach + region.GetRadius();
   const double distance = parts.FindDistance(region.GetMiddle(), limit);
   thread_local skd::SimplexSet room;

@@ -34,9 +34,9 @@ struct SkdCriteria
   std::vector<SkdDistanceBand> Bands;
   SkdOverlapTest Test = SkdOverlapTest::Exact;
   int InsideLevel = 0;                                 ///< of cells whose middle is inside
-  std::function<bool(const skd::Vector3&)> IsInside;   ///< asked if InsideLevel is above 0
+  std::function<bool(const skd::Vector3&)> IsInside;   ///< called if InsideLevel is above 0
   int FieldLevel = 0;                                  ///< of cells where the field wants it
-  std::function<bool(const SkdRegion&)> IsFieldWanted; ///< asked if FieldLevel is above 0
+  std::function<bool(const SkdRegion&)> IsFieldWanted; ///< called if FieldLevel is above 0
 
   /// Whether a part that intersects the region requires a level above this one. Thread-safe.
   bool IsWantedByParts(int level, const SkdRegion& region, const SkdParts& parts) const;

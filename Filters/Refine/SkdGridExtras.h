@@ -27,7 +27,7 @@ struct SkdGridRequests
   bool Inside = false;
   bool Fractions = false;
   bool Distances = false;
-  double Epsilon = 0.0; ///< of the tree that fractions are asked of
+  double Epsilon = 0.0; ///< of the tree that fractions are computed with
 
   bool NeedBoundary() const { return this->Inside || this->Fractions; }
 };

@@ -59,7 +59,7 @@ public:
     return corners;
   }
 
-  /// A corner of a cell: bit i of `corner` tells the side along axis i.
+  /// A corner of a cell: bit i of `corner` is the side along axis i.
   skd::LatticePoint CornerOf(int level, const skd::LatticePoint& cell, unsigned corner) const
   {
     skd::LatticePoint place;

@@ -68,7 +68,7 @@ private:
   const SkdMeshSettings& Settings;
   SkdMeshOutcome Outcome;
   std::vector<double> LeavesAfter; // each round
-  double Done = 0.0;               // of all that there is to do, as far as can be told
+  double Done = 0.0;               // of the whole work, as far as it is known
 };
 
 #endif

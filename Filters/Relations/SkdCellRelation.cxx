@@ -75,7 +75,7 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
 }
 
 //------------------------------------------------------------------------------
-// A relation may ask for it before it is told.
+// A relation may need it before it is set.
 double SkdCellRelation::MinDistance(const Asked& asked) const
 {
   if (!asked.Least)

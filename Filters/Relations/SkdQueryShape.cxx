@@ -156,7 +156,7 @@ double SkdQueryShape::Rounding(const SkdCellTree& tree) const
 }
 
 //------------------------------------------------------------------------------
-// A line itself, not its bounding box, is asked for where safety boxes allow for the reach.
+// The query is the line itself, not its bounding box, where safety boxes allow for the reach.
 bool SkdQueryShape::IsAsSegment(const SkdCellTree& tree, double reach) const
 {
   return this->TheKind == Kind::Line && reach <= tree.AbsoluteEpsilon();
@@ -288,7 +288,7 @@ bool SkdQueryShape::IsCandidate(
 
 //------------------------------------------------------------------------------
 // Nothing holds an unbounded plane. Bounds of curved cells hold more than these, so that their
-// being within others is not asked for.
+// being within others is not requested.
 bool SkdQueryShape::AreBoundsRelated(
   SkdRelation relation, const SkdCellTree& tree, std::uint32_t cell, double tolerance) const
 {

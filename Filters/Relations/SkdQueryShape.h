@@ -75,7 +75,7 @@ public:
   ///@{
   /// The cells whose safety boxes come as near as `reach`, by no more than their bounding boxes (of
   /// planes and lines: themselves), ascending. The tree must not be bare. FindMaybeNear: these, and
-  /// some more for which IsNear() is still to be asked.
+  /// some more, which IsNear() then rejects.
   std::vector<std::uint32_t> FindNear(const SkdCellTree& tree, double reach) const;
   std::vector<std::uint32_t> FindMaybeNear(const SkdCellTree& tree, double reach) const;
   bool IsNear(const SkdCellTree& tree, const skd::Box3& safetyBox, double reach) const;
@@ -124,7 +124,7 @@ public:
   bool LooksAtCorners() const { return this->TheKind == Kind::Ball || this->IsAligned; }
   Corner LookAt(const skd::Vector3& x) const;
   /// Nothing of other shapes, of cells that are not straight, and in meshes with curved cells.
-  /// `known`: what LookAt() tells of each point of the mesh, or nullptr.
+  /// `known`: what LookAt() finds for each point of the mesh, or nullptr.
   std::optional<Corners> LookAtCorners(
     const SkdCellTree& tree, std::uint32_t cell, const Corner* known) const;
   ///@}

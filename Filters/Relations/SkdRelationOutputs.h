@@ -15,7 +15,7 @@ class vtkSelection;
 class vtkTable;
 class vtkUnstructuredGrid;
 
-/// What there is to tell.
+/// What the outputs contain.
 struct SkdRelationRows
 {
   const SkdRelatedCells& Pairs;

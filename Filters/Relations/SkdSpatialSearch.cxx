@@ -97,8 +97,8 @@ bool SkdSpatialSearch::AsksCorners() const
 }
 
 //------------------------------------------------------------------------------
-// What the corners tell of most cells: a cell that has some in the shape overlaps it, and one that
-// has all is in it. Then the nearest points are common points, of the boxes, too.
+// What the corners decide for most cells: a cell that has some in the shape overlaps it, and one
+// that has all is in it. Then the nearest points are common points, of the boxes, too.
 bool SkdSpatialSearch::AskCorners(const SkdQueryShape& shape, const Candidate& candidate,
   const CornersOfParts& known, SkdRelatedCell& related) const
 {
@@ -196,7 +196,7 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindRelated(const SkdQueryShape& shape
 
 //------------------------------------------------------------------------------
 // The boxes that come as near as some reach hold all that is as near. The reach grows until what is
-// found in it is sure to be nearest; `search` tells how far these are, or that it has too few.
+// found in it is sure to be nearest; `search` has their distance, or too few of them.
 template <class Search>
 SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(
   const SkdQueryShape& shape, const Search& search) const
@@ -233,7 +233,7 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(
 }
 
 //------------------------------------------------------------------------------
-// Up to what distance cells are told when the last that is wanted is at this one.
+// Up to what distance cells are reported if the last one requested is at this one.
 double SkdSpatialSearch::FindLimit(const SkdQueryShape& shape, double distance) const
 {
   double beyond = this->Rules.Tolerance;

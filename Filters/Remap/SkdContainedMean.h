@@ -46,7 +46,7 @@ public:
     const Wanted& isWanted, std::vector<std::uint32_t>& points) const;
 
   /// Calls visit(cell, id, points) in parallel for each cell that holds or could hold points. Each
-  /// thread has its own cell and list. Whether all was done: not when asked to stop.
+  /// thread has its own cell and list. Whether all was done: not if aborted.
   template <class Visit>
   bool ForEachCell(const SkdTargetCells& cells, SkdLoop& loop, const Visit& visit) const;
 

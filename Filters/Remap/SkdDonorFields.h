@@ -18,8 +18,8 @@
 class vtkDataSet;
 class vtkDataSetAttributes;
 
-/// What a remapping tells of the target's cells. A donor that has such arrays got them by an
-/// earlier one: they are not mapped.
+/// The arrays that a remapping adds to the target's cells. A donor that has such arrays got them by
+/// an earlier one: they are not mapped.
 namespace SkdRemapNames
 {
 constexpr const char* Valid = "SkdValid";

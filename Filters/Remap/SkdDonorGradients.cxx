@@ -19,7 +19,7 @@ skd::Vector3 Times(const std::array<double, 6>& m, const skd::Vector3& v)
 }
 
 /// The inverse on the space that the matrix spans, 0 across it: cells of a surface, or of a layer
-/// one cell thick, tell nothing about what is across.
+/// one cell thick, have no gradient across.
 std::array<double, 6> PseudoInverse(const std::array<double, 6>& m)
 {
   double rows[3][3] = { { m[0], m[1], m[2] }, { m[1], m[3], m[4] }, { m[2], m[4], m[5] } };

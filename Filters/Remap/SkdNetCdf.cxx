@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdNetCdf.h"
 
-// What CMake tells of the modules that vtk.module names as optional.
+// What CMake defines for the optional modules of vtk.module.
 #if VTK_MODULE_ENABLE_VTK_netcdf
 #include "vtk_netcdf.h"
 

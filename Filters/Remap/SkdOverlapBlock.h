@@ -38,7 +38,7 @@ struct SkdOverlapBlock
   std::vector<std::uint32_t> FirstPiece; ///< of each cell, and one more
   std::vector<SkdOverlapPiece> Pieces;
   std::vector<skd::Vector3> Corners;
-  std::vector<vtkIdType> PointIds;           ///< of the corners, if asked for
+  std::vector<vtkIdType> PointIds;           ///< of the corners, if requested
   std::deque<skd::SolidTopology> Topologies; ///< of polyhedra that are no tetrahedra and so on
 };
 

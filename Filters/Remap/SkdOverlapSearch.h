@@ -31,7 +31,7 @@ private:
   skd::Tree<3> Tree;
 };
 
-/// One part of a search: tells the pairs of cells, and of which part they are.
+/// One part of a search: the pairs of cells, and the part that they belong to.
 template <class Visit>
 struct SkdOverlapPart
 {

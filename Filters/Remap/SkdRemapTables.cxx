@@ -27,7 +27,7 @@ Array* ColumnOf(vtkTable* table, const char* name, int components = 1)
 
 using Numbers = std::vector<double>;
 
-/// One number of each process; a process that has read no field tells nothing.
+/// One number of each process; a process that has read no field sends nothing.
 Numbers Each(const std::vector<Numbers>& processes, std::size_t at)
 {
   Numbers numbers;

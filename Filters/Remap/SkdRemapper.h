@@ -47,8 +47,8 @@ public:
   ///@}
 
   ///@{
-  /// Adds the fields to a block, the index-th, and what is told of each cell. Progress goes from
-  /// `first` to `last`. False when asked to stop.
+  /// Adds the fields to a block, the index-th, and the arrays about each cell. Progress goes from
+  /// `first` to `last`. False if aborted.
   bool MapContained(vtkDataSet* block, double first, double last);
   bool MapConservative(vtkDataSet* block, std::size_t index, double first, double last);
   ///@}

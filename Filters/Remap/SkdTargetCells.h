@@ -14,7 +14,7 @@
 
 #include <memory>
 
-/// A mesh whose cells are asked what they hold. Constant once made; the mesh must live.
+/// A mesh and the query which points its cells contain. Constant once made; the mesh must live.
 ///
 /// In space a cell holds what is at a distance of at most 8 units in the last place of the largest
 /// coordinate, as everywhere, or of at most the given tolerance: so surfaces and curves hold what

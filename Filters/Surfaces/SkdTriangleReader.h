@@ -62,7 +62,7 @@ struct SkdReadTriangles
 };
 
 /// Reads SkdBlockSurface as SkdBoundary does, but welds no points and compares no faces: surfaces
-/// that are asked once are read in a fraction of the time.
+/// that are used once are read in a fraction of the time.
 class SkdTriangleReader
 {
 public:

@@ -46,7 +46,7 @@ private:
   const int Axis;
   const int Sign;
   std::vector<SkdSplitCorner> All;
-  std::array<std::optional<skd::ExactPoint>, 3> ExactCorners; // made when first asked for
+  std::array<std::optional<skd::ExactPoint>, 3> ExactCorners; // made at the first use
 };
 
 class SkdTriangleSplitter

@@ -29,7 +29,7 @@ struct AdaptRow
   MeshMotion::Outcome Motion; ///< that led here; of the first row nothing
 };
 
-/// What who looks on is told.
+/// What an observer gets after each iteration.
 struct AdaptState
 {
   int Iteration;
@@ -59,7 +59,7 @@ struct AdaptOutcome
 };
 
 /// Moves the points of a mesh so that its cells follow a monitor: steps 2 to 5 of the algorithm of
-/// section 6.6. find(mesh, field) tells the field's mean in each cell, where the mesh is now, or
+/// section 6.6. find(mesh, field) computes the field's mean in each cell, where the mesh is now, or
 /// false to stop; look(state) is called in each iteration, and stops it all by returning false. The
 /// mesh has its edges, and is on the shape. Each iteration takes O(N sqrt(N)) beside what find
 /// does.
@@ -161,7 +161,7 @@ private:
     return true;
   }
 
-  /// A measure that rises asks for smaller steps: the field of cells that move changes in jumps.
+  /// A measure that rises calls for smaller steps: the field of cells that move changes in jumps.
   bool IsAtEnd(int iteration)
   {
     constexpr std::size_t patience = 8;

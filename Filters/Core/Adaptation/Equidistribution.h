@@ -48,7 +48,7 @@ public:
 
   /// Which part of a whole step was made, and for each point where to. At most `part`, and less
   /// where an edge would change by more than a third or so. Fixed points do not move; those on
-  /// curves may be told to leave them. O(N sqrt(N)).
+  /// curves may be allowed to leave them. O(N sqrt(N)).
   double Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
     const std::vector<double>& monitor, double part, std::vector<Vector3>& places);
 

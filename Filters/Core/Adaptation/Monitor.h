@@ -25,8 +25,8 @@ struct MonitorRules
 };
 
 /// The monitor function of a field that cells have, g being the length of the field's gradient
-/// relative to its mean over the mesh when the monitor was first asked for: so that strengths mean
-/// the same in all units and on all scales.
+/// relative to its mean over the mesh at the first evaluation of the monitor: so that strengths
+/// mean the same in all units and on all scales.
 class Monitor
 {
 public:

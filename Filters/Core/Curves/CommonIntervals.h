@@ -12,7 +12,7 @@ namespace skd
 
 /// Whether a curve runs within something, and the intervals of it that are on that itself, not on
 /// what continues it. `Size` + 1 places along the curve are tried, from the middle on, so that a
-/// curve that does not is mostly told by its first place.
+/// curve that does not is mostly rejected by its first point.
 ///
 /// `within` knows both:
 ///   Follow(foot)                what is nearest to the curve's place foot.T, found from where foot

@@ -27,7 +27,7 @@ struct CurvePairHit
   bool Begins = false;     ///< of an OverlapEnd: the common interval begins here
   Vector3 Before{};        ///< from the second to the first before a place that is not simple; or 0
   Vector3 After{};         ///< the same after it
-  bool IsResolved = false; ///< not simple: what it is has been told by Resolve()
+  bool IsResolved = false; ///< not simple: Resolve() has determined its kind
   bool IsExact = false;    ///< T and S are right to a few units in the last place
 };
 
@@ -38,7 +38,7 @@ struct CurvePairContact
   double S;
 };
 
-/// Two curves, and what is asked of both at a place.
+/// Two curves, and queries of both at given parameters.
 struct CurvePair
 {
   const BezierCurve& First;
@@ -142,7 +142,7 @@ struct CurvePair
   }
 
   /// What a interval within the tolerance of the other curve is: a touch, a crossing that is not
-  /// simple, or nothing that comes near enough. The sides on which the first curve is tell, where
+  /// simple, or nothing that comes near enough. The sides on which the first curve is decide, where
   /// it comes out of the tolerance.
   std::optional<CurvePairHit> Resolve(const CurvePairContact& contact) const
   {

@@ -89,7 +89,7 @@ public:
   }
 
   /// Whether both lie between two planes along the patch that are not farther apart than that. A
-  /// patch whose sides do not tell what is along it, because it closes on itself, say, has none
+  /// patch whose sides do not show its directions, because it closes on itself, say, has none
   /// unless it is as small as that itself.
   bool AreTogether(double tolerance) const
   {

@@ -29,8 +29,9 @@ struct CurvePatchHit
   bool Begins = false; ///< of an OverlapEnd: the common interval begins here
   int Before = 0; ///< the side of the patch on which the curve comes, 1 where its normal points to
   int After = 0;  ///< and on which it goes; 0 where that is not known
-  bool IsResolved = false; ///< not simple: what it is has been told by Resolve()
-  bool OnBoundary = false; ///< of the patch or at an end of the curve: neighbours may tell it, too
+  bool IsResolved = false; ///< not simple: Resolve() has determined its kind
+  bool OnBoundary =
+    false; ///< of the patch or at an end of the curve: neighbours may report it, too
 };
 
 /// A interval of the curve within the tolerance of the patch near (R, S).
@@ -41,7 +42,7 @@ struct CurvePatchContact
   double S;
 };
 
-/// A curve and a patch, and what is asked of both at a place.
+/// A curve and a patch, and queries of both at given parameters.
 struct CurvePatchPair
 {
   const BezierCurve& Curve;
@@ -163,8 +164,8 @@ struct CurvePatchPair
   }
 
   /// What a interval within the tolerance of the patch is: a crossing that is not simple, a touch,
-  /// or nothing that comes near enough. The sides on which the curve is tell, where it comes out of
-  /// the tolerance.
+  /// or nothing that comes near enough. The sides on which the curve is decide, where it comes out
+  /// of the tolerance.
   std::optional<CurvePatchHit> Resolve(const CurvePatchContact& contact) const
   {
     const double length = contact.T.Max - contact.T.Min;
@@ -206,7 +207,7 @@ struct CurvePatchPair
     return { range, hit.R, hit.S };
   }
 
-  /// Two roots of one place: what X may be off by tells where patches have a pole.
+  /// Two roots of one place: the error of X shows where patches have a pole.
   static bool IsSameIntersection(const CurvePatchHit& a, const CurvePatchHit& b)
   {
     return std::abs(b.T - a.T) <= tolerances::SameParameter &&

@@ -17,7 +17,7 @@ enum class IntersectionKind
   Crossing,   ///< from one side to the other, or through each other
   Touching,   ///< along each other
   OverlapEnd, ///< a interval that both have in common begins or ends
-  Near        ///< at a distance that was asked for
+  Near        ///< within the requested clearance
 };
 
 /// Puts a parameter onto the end of [0, 1] that it is near; false when it is farther beyond.
@@ -33,8 +33,8 @@ inline bool SnapToEnds(double& value, double slack)
 }
 
 /// From a place where two things are within `reach` of each other to one where they are not: in
-/// steps that double, the first of which is `step`. gapAt(hit) follows hit.T and tells what is
-/// between both; NaN, and this gives false, where nothing can be told.
+/// steps that double, the first of which is `step`. gapAt(hit) follows hit.T and returns what is
+/// between both; NaN, and this gives false, where nothing can be decided.
 template <class Hit, class GapAt>
 bool LeaveContact(Hit& hit, double step, double reach, const GapAt& gapAt)
 {

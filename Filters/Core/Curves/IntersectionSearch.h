@@ -73,7 +73,7 @@ protected:
 
   /// Makes one of those that are one place: a root on the border of cells was found from each of
   /// them, and one that is not simple may have been found as several. What these are together, the
-  /// pair tells.
+  /// pair decides.
   template <class Pair>
   void Unite(const Pair& pair)
   {

@@ -11,7 +11,7 @@ namespace skd
 {
 
 /// The nearest points of segments that may cross at a small angle: the feet on each other of what
-/// ClosestPoints() tells. That may be off along both by rounding over the angle, which then counts
+/// ClosestPoints() finds. That may be off along both by rounding over the angle, which then counts
 /// by the angle only.
 inline SegmentPair ClosestPointsAtAnyAngle(const Segment<3>& first, const Segment<3>& second)
 {
@@ -103,7 +103,7 @@ private:
   }
 
   /// Where both pass by each other, if they stay together there. What is not much longer than the
-  /// tolerance tells nothing.
+  /// tolerance decides nothing.
   bool FindNearInterval(std::vector<CurvePairHit>& hits) const
   {
     const Vector3 along = this->First.B - this->First.A;

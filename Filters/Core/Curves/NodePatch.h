@@ -105,7 +105,7 @@ struct CommonSide
 };
 
 /// The patch with its lattice put down differently: 8 ways of a quadrilateral, 6 of a triangle.
-/// `isOver` tells whether that turns the face over.
+/// `isOver` returns whether that flips the face.
 inline NodePatch PutDown(const NodePatch& patch, int way, bool& isOver)
 {
   constexpr int orders[6][3] = { { 0, 1, 2 }, { 1, 0, 2 }, { 1, 2, 0 }, { 0, 2, 1 }, { 2, 0, 1 },
@@ -151,7 +151,7 @@ inline bool IsBefore(const NodePatch& a, const NodePatch& b)
 }
 
 /// The face as it is from whichever of two cells it is seen, for rounding depends on the order of
-/// the points. `isOver` tells whether it is turned over.
+/// the points. `isOver` returns whether it is flipped.
 inline NodePatch InCommonOrder(const NodePatch& patch, bool& isOver)
 {
   NodePatch first = patch;

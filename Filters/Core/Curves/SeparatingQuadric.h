@@ -36,7 +36,7 @@ public:
     this->IsKnown = this->K > 0.0 && std::isfinite(this->K);
   }
 
-  /// Of a patch in its middle, as differences across it tell.
+  /// Of a patch in its middle, estimated by differences across it.
   explicit SeparatingQuadric(const BezierPatch& patch)
     : Origin(patch.At(0.5, 0.5).X)
   {

@@ -54,7 +54,7 @@ constexpr double Nearest = 1e-10;
 constexpr double BeyondLongSide = 1e-6;
 /// The least part of a patch that is looked at, in parameters.
 constexpr double LeastPart = 1e-6;
-/// A normal that tells what is along the patch, relative to the sides' lengths.
+/// A normal that is long enough to define the tangent plane, relative to the sides' lengths.
 constexpr double FlatNormal = 1e-6;
 /// A side that has a length, relative to the other.
 constexpr double LeastSide = 1e-3;

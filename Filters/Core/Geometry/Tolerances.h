@@ -21,7 +21,7 @@ constexpr double CrossProduct = 1e-15;
 constexpr double LeastFactor = 1e-75;
 /// See LeastFactor.
 constexpr double LargestFactor = 1e75;
-/// Coordinates between these: what contacts of segments are told by, is in range.
+/// Coordinates between these: the determinants of segments' contacts do not over- or underflow.
 constexpr double LeastCoordinate = 1e-40;
 /// See LeastCoordinate.
 constexpr double LargestCoordinate = 1e90;

@@ -9,7 +9,7 @@
 namespace skd
 {
 
-/// What processes that run side by side tell each other. All of them must ask the same, in the same
+/// Communication between parallel processes. All of them must make the same calls, in the same
 /// order.
 class Processes
 {

@@ -14,9 +14,9 @@
 namespace skd
 {
 
-/// What processes must tell each other of edges, faces and nodes where their pieces of a mesh meet,
-/// so that the pieces together are what one process would make of the whole. All of them must call
-/// the same functions, in the same order, and all wait for the last one.
+/// What processes must send each other about edges, faces and nodes where their pieces of a mesh
+/// meet, so that the pieces together are what one process would make of the whole. All of them must
+/// call the same functions, in the same order, and all wait for the last one.
 class SharedCuts
 {
 public:
@@ -35,8 +35,8 @@ public:
   /// The border of all pieces together, as far as this one has it. Before any cut.
   MeshBorder FindBorder();
 
-  /// For bisection: cuts here what others have cut, and tells them what is cut for it, until
-  /// nothing changes. `fits` tells whether what was cut so far has made no more leaves than may be;
+  /// For bisection: cuts here what others have cut, and sends them what is cut for it, until
+  /// nothing changes. `fits` returns whether the cuts so far have made no more leaves than allowed;
   /// returns whether that is so on all processes to the end. If not, the mesh must be taken back to
   /// what it was.
   bool Exchange(Bisection& bisection, bool fits);
@@ -106,7 +106,7 @@ void SharedCuts::ForEachReceived(const std::vector<double>& told, const Visit& v
   }
 }
 
-/// Tells the others what is `own`, and calls visit(side) for all that they tell.
+/// Sends `own` to the others, and calls visit(side) for all that they send.
 template <class Visit>
 void SharedCuts::ForEachOfOthers(const std::vector<double>& own, const Visit& visit)
 {

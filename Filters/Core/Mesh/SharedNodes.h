@@ -18,7 +18,7 @@ namespace skd
 /// The nodes that pieces of a mesh, each with a process of its own, have in common: those of equal
 /// coordinates and the same descent, which is how many times nodes were made of nodes before it
 /// was, and of how many it is made. (So a node that was there is not the one that is made in the
-/// same place.) Of what lies within the bounds of no other process nothing is told. O(log) a node.
+/// same place.) Nothing is sent of what lies within the bounds of no other process. O(log) a node.
 class SharedNodes
 {
 public:
@@ -65,7 +65,7 @@ public:
     told.insert(told.end(), { x[0], x[1], x[2], static_cast<double>(this->Descents[node]) });
   }
 
-  /// The node that another process told, None if it is not here.
+  /// The node that another process sent, None if it is not here.
   std::uint32_t Find(const double* told) const
   {
     const auto found =

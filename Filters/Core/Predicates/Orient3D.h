@@ -172,7 +172,7 @@ public:
     }
   }
 
-  /// NaN where pairs do not tell how the number is rounded.
+  /// NaN where pairs do not determine how the number is rounded.
   double VolumeTo(const Vector3& d) const
   {
     DoubleDouble volume{ 0.0, 0.0 };

@@ -10,7 +10,7 @@ namespace skd
 
 /// The exact sign of a b - c d: -1, 0 or 1, as long as no product under- or overflows.
 /// Rounding is monotone, so products that round to different numbers are already in order; equal
-/// ones are told apart by what rounding took from each. NaN gives 0. Must be compiled without
+/// ones are compared by their rounding errors. NaN gives 0. Must be compiled without
 /// contraction of a b - c d into a fused operation (-ffp-contract=off).
 inline int SignOfDifference(double a, double b, double c, double d)
 {

@@ -137,7 +137,7 @@ private:
 /// Whether an element meets `box`, given the list [first, last) of a box that it is a part of.
 /// What is left for the parts of `box` in turn is appended to `list`: nothing if no element meets
 /// it. `test(element)` decides: exactly, or always true, which takes the safety box for the element
-/// ("blind" refinement); it is asked only of elements whose boxes overlap `box`, and only as long
+/// ("blind" refinement); it is called only for elements whose boxes overlap `box`, and only as long
 /// as it says no. The answer does not depend on the order of the list. Thread-safe; `test` must not
 /// narrow candidates itself.
 template <class Tree, int D, class Test>

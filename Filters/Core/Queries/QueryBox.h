@@ -22,7 +22,7 @@ unsigned OverlappingLanes(const BoxPacket<D, W>& boxes, const Min& min, const Ma
   return overlapping;
 }
 
-/// A box that is asked about, in a tree's frame: each of its sides for all lanes of a packet.
+/// A query box, in a tree's frame: each of its sides for all lanes of a packet.
 template <int D>
 class QueryBox
 {

@@ -48,7 +48,7 @@ private:
 }
 
 /// Where a segment hits the triangles of a tree whose packets have points: what its exact tests
-/// need lies beside the packets, and which element a triangle is, is asked of those that are hit
+/// need lies beside the packets, and the element of a triangle is read only for those that are hit
 /// only.
 ///
 /// `visitor(element, hit)` returns the parameter beyond which nothing is wanted any more, as that

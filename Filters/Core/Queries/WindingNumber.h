@@ -25,9 +25,9 @@
 namespace skd
 {
 
-/// Made once of a tree and its triangles, then constant: any number of threads may ask, and asking
-/// allocates nothing. Memory: 368 bytes a node and 72 a triangle. Cost: O(N) to make, about O(log
-/// N) to ask. Lengths may range over 1e-50 to 1e50.
+/// Made once of a tree and its triangles, then constant: any number of threads may query it, and a
+/// query allocates nothing. Memory: 368 bytes a node and 72 a triangle. Cost: O(N) to make, about
+/// O(log N) to ask. Lengths may range over 1e-50 to 1e50.
 class WindingNumber
 {
 public:
@@ -55,7 +55,7 @@ public:
   {
     double Number = 0.0;
     double Bound = 0.0; ///< what Number is off by at most, but for rounding
-    bool IsOn = false;  ///< x is on a triangle, as far as rounding tells: there is no number
+    bool IsOn = false;  ///< x is on a triangle within rounding error: there is no number
   };
 
   /// What is farther than `accuracy` times its own radius is taken together: on a sphere 2 errs by

@@ -103,7 +103,7 @@ public:
   }
 
   /// One median split, or the end of a task: a lane gets its box and `descend(child, range)` is
-  /// told which elements are below it.
+  /// given the elements below it.
   template <class Push, class Descend>
   void Step(const Task& task, Push push, Descend descend)
   {

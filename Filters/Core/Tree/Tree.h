@@ -133,7 +133,7 @@ public:
   /// The number of a leaf, in the order of the elements; its elements.
   std::uint32_t NumberOf(const Node<D>& leaf) const { return leaf.First / this->Leaves.Capacity; }
   ElementRange LeafAt(std::uint32_t number) const { return this->Leaves.At(number); }
-  /// See KnownLeaves. Of a node high above, only the first children are told.
+  /// See KnownLeaves. Of a node high above, only the first children are returned.
   KnownLeaves LeavesBelow(const Node<D>& inner) const
   {
     KnownLeaves known{ this->FirstLeaf(inner.First), {}, 0 };

@@ -291,7 +291,7 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
 ///                                        KnownLeaves: these need not be opened
 ///   unsigned TestKnown(number, count, float* keys), void FetchKnown(number)
 ///                                        what TestElements() does, by a leaf's number, and
-///                                        that it is going to be asked that
+///                                        that this test will follow
 ///   unsigned SureOf(const Node&), bool VisitSure(element index)
 ///                                        if there, and not Ordered: the lanes below which all is
 ///                                        an answer, and what is visited without a test of any box

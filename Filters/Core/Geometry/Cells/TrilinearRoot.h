@@ -66,8 +66,8 @@ inline int AxisToSplit(const TrilinearMap& map, const ParameterBox& box)
 }
 
 /// The search of the whole cube for a root, by halving boxes and cutting off what holds none.
-/// `isWanted(u)` tells whether a root there will do, `mayHold(box)` whether a box is of interest.
-/// It gives up only on maps that are nearly singular wherever they are nearly zero.
+/// `isWanted(u)` returns whether a root there is accepted, `mayHold(box)` whether a box may have
+/// one. It gives up only on maps that are nearly singular wherever they are nearly zero.
 template <class IsWanted, class MayHold>
 std::optional<Vector3> SearchRoot(
   const TrilinearMap& map, double tolerance, IsWanted&& isWanted, MayHold&& mayHold)

@@ -41,7 +41,7 @@ struct PatchView
   }
 
   /// Whether all corners, so the whole patch, are certainly farther from x than sqrt(limit2): a
-  /// plane across the line from x to the middle tells.
+  /// plane across the line from x to the middle shows.
   bool IsFartherThan(double limit2) const
   {
     if (!(limit2 < std::numeric_limits<double>::infinity()))

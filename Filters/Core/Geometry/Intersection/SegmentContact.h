@@ -47,7 +47,7 @@ inline int LongestAxis(const Vector3& v)
   return static_cast<int>(std::max_element(sizes, sizes + 3) - sizes);
 }
 
-/// Where a point of a segment's line is: the same number whoever asks.
+/// Where a point of a segment's line is: the same number for all callers.
 inline double ParameterOnSegment(const Segment<3>& segment, const Vector3& x)
 {
   const int axis = LongestAxis(segment.B - segment.A);

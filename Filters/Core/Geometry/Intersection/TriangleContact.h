@@ -26,7 +26,7 @@ inline bool IsEdge(TriangleFeature feature)
   return feature >= 3 && feature < TriangleInside;
 }
 
-/// A triangle to be asked for contacts: corners, and how it is seen along an axis.
+/// A triangle to be tested for contacts: corners, and its projection along an axis.
 struct SeenTriangle
 {
   std::array<Vector3, 3> Corners;
@@ -44,7 +44,7 @@ struct SeenTriangle
 
   const Vector3& operator[](int corner) const { return this->Corners[corner]; }
 
-  /// The axis along which the area is largest, as far as rounding tells; -1 if there is none along
+  /// The axis along which the area is largest, within rounding error; -1 if there is none along
   /// any, exactly.
   static int FindAxis(const std::array<Vector3, 3>& corners)
   {
@@ -65,7 +65,7 @@ struct SeenTriangle
   }
 };
 
-/// A triangle to be asked for contacts with many others: corners, and the plane through them.
+/// A triangle to be tested for contacts with many others: corners, and the plane through them.
 struct TriangleInPlane
 {
   std::array<Vector3, 3> Corners;
@@ -230,7 +230,7 @@ private:
     return sides[0] == 0 || sides[1] == 0 || sides[2] == 0;
   }
 
-  /// Asks exactly where that was not told so far, on which sides of the plane of `of` corners lie.
+  /// Determines exactly, where that is still open, on which sides of the plane of `of` corners lie.
   static void Complete(
     Sides& sides, const Corners& corners, const SharedCorners& shared, const Corners& of)
   {
@@ -417,7 +417,7 @@ private:
 
   const Corners& A;
   const Corners& B;
-  Sides SidesOfA; // of the plane of B; 0 also of what is not told
+  Sides SidesOfA; // of the plane of B; 0 also if not determined
   Sides SidesOfB;
   int AxisOfA = -1; // those that they are seen along, when it was looked
   int AxisOfB = -1;
@@ -435,7 +435,7 @@ private:
 inline TriangleContact FindContact(const TriangleInPlane& first,
   const std::array<Vector3, 3>& second, const SharedCorners& shared = NoSharedCorners)
 {
-  // Most that are asked for have no contact, and of most of these floating arithmetic tells so.
+  // Most pairs have no contact, and for most of these floating-point arithmetic decides.
   const detail::Sides sidesOfSecond = detail::SureSidesOf(second, first.Plane);
   if (detail::AreOnOneSide(sidesOfSecond))
   {

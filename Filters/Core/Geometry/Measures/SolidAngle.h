@@ -15,7 +15,7 @@ namespace skd
 struct SeenAngle
 {
   double Angle;
-  bool IsOn; ///< the point is on the triangle, as far as rounding tells
+  bool IsOn; ///< the point is on the triangle within rounding error
 };
 
 /// The solid angle under which x sees the triangle, in (-2 pi, 2 pi]: positive where the triangle

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A convex polyhedron cut by half spaces, with no allocation. It is a graph: each corner has three
-/// neighbours; a cut only asks on which side corners are, so that rounding never tears it.
+/// neighbours; a cut only uses the sides of its corners, so that rounding never opens it.
 /// After Powell, Abel, J. Comput. Phys. 297 (2015).
 #ifndef skd_Geometry_Overlap_ConvexSolid_h
 #define skd_Geometry_Overlap_ConvexSolid_h

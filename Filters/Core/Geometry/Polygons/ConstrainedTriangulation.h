@@ -17,7 +17,7 @@ namespace skd
 /// A triangle cut into triangles that have given points as corners and given segments as edges.
 ///
 /// Points are numbers to it: 0, 1 and 2 are the triangle's own corners, which turn left. All it
-/// knows of their places is what it is told by
+/// knows of their positions comes from
 ///   int orient(a, b, c): 1 when a, b, c turn left, -1 right, 0 on one line; signs must be exact;
 ///   bool isBetter(a, b, c, d): whether the edge from c to d is better than that from a to b (c on
 ///     the left of it, d on the right). Only as to shape: it may be rounded.

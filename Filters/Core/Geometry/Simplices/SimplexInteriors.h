@@ -92,7 +92,7 @@ private:
 
 /// Whether the insides of two sets have a point in common that is deeper than a few tolerances in
 /// both. Sure of convex sets: the middle of what they have in common is such a point, if any is. Of
-/// others some middles between two corners of that are asked, too. Rims must have been found.
+/// others some middles between two of its corners are tested, too. Rims must have been found.
 inline bool InteriorsIntersect(const SimplexSet& a, const SimplexSet& b, double tolerance)
 {
   const double depth = 4.0 * tolerance;

@@ -6,7 +6,7 @@
 /// is in SimplexContact.h, points that they share or do not are found in SimplexWitness.h, what
 /// covers what in SimplexCover.h, what insides share in SimplexInteriors.h.
 ///
-/// Sets are closed: boundaries belong to them. A solid is told from its outside by the parity of
+/// Sets are closed: boundaries belong to them. The inside of a solid is determined by the parity of
 /// exact crossings, so its triangles may be turned either way. Coordinates must be finite.
 #ifndef skd_Geometry_Simplices_SimplexSet_h
 #define skd_Geometry_Simplices_SimplexSet_h
@@ -56,7 +56,7 @@ struct SimplexSet
 
   void AddSimplex(int a, int b, int c) { this->Simplices.push_back({ a, b, c }); }
 
-  /// When all is there: the rim is what an odd number of simplices has. Not found until asked for.
+  /// When all is there: the rim is what an odd number of simplices has. Computed at the first use.
   void FindRim()
   {
     this->Rim.clear();
