@@ -8,6 +8,7 @@
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkSkdTreeClosestPoint.h"
+#include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreePointInOut.h"
@@ -26,8 +27,9 @@ class UnsetSource : public testing::Test
 {
 };
 
-using Filters = testing::Types<vtkSkdTreeClosestPoint, vtkSkdTreeCurveSurfaceIntersection,
-  vtkSkdTreeMeshAdaptation, vtkSkdTreePointInOut, vtkSkdTreeProbe, vtkSkdTreeRemap>;
+using Filters = testing::Types<vtkSkdTreeClosestPoint, vtkSkdTreeCompareSurfaces,
+  vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeMeshAdaptation, vtkSkdTreePointInOut,
+  vtkSkdTreeProbe, vtkSkdTreeRemap>;
 TYPED_TEST_SUITE(UnsetSource, Filters);
 
 TYPED_TEST(UnsetSource, IsOneMessage)

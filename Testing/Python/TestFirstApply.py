@@ -34,6 +34,7 @@ PIPELINES = {
     "SkdTreeAMR": lambda: dict(Input=ball()),
     "SkdTreeAttach": lambda: dict(Input=grid()),
     "SkdTreeClosestPoint": lambda: dict(Input=grid(), Source=ball()),
+    "SkdTreeCompareSurfaces": lambda: dict(Input=ball(), Source=ball(Radius=0.6)),
     "SkdTreeCurveIntersection": lambda: dict(Input=line(0.2), Source=line(-0.2)),
     "SkdTreeCurveSurfaceIntersection": lambda: dict(Input=line(0.2), Source=ball()),
     "SkdTreeMeshAdaptation": lambda: dict(Input=ball(Radius=3), Source=ramp(ball(Radius=3))),

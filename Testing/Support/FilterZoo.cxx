@@ -12,6 +12,7 @@
 #include "vtkSkdTreeAMR.h"
 #include "vtkSkdTreeAttach.h"
 #include "vtkSkdTreeClosestPoint.h"
+#include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveIntersection.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
 #include "vtkSkdTreeMeshAdaptation.h"
@@ -94,6 +95,15 @@ AlgorithmPointer MakeClosest(vtkDataObject* input, vtkDataObject* source, bool i
   filter->SetChordalDeviation(Coarse);
   filter->InterpolateSourceDataOn();
   filter->GenerateLinesOn();
+  return filter;
+}
+
+AlgorithmPointer MakeComparison(vtkDataObject* input, vtkDataObject* source, bool isSigned)
+{
+  const auto filter = MakeOf<vtkSkdTreeCompareSurfaces>(input, source);
+  filter->SetSignedDistance(isSigned);
+  filter->SetChordalDeviation(Coarse);
+  filter->SetMaximumBisections(1000);
   return filter;
 }
 
@@ -196,6 +206,18 @@ AlgorithmPointer MakeAlone(vtkDataObject* input)
   return MakeOf<Filter>(input, nullptr);
 }
 
+std::vector<FilterSetup> MakeDistances()
+{
+  using Data = vtkDataObject;
+  return {
+    { "ClosestPointOn", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, false); } },
+    { "ClosestPointSigned", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, true); } },
+    { "ClosestPointFrom", [](Data* mesh) { return MakeClosest(mesh, SomeSurface(), true); } },
+    { "CompareOf", [](Data* mesh) { return MakeComparison(mesh, SomeSurface(), false); } },
+    { "CompareWith", [](Data* mesh) { return MakeComparison(SomeSurface(), mesh, true); } },
+  };
+}
+
 std::vector<FilterSetup> MakeSetups()
 {
   using InOut = vtkSkdTreePointInOut;
@@ -203,9 +225,6 @@ std::vector<FilterSetup> MakeSetups()
   using Remap = vtkSkdTreeRemap;
   using Data = vtkDataObject;
   return {
-    { "ClosestPointOn", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, false); } },
-    { "ClosestPointSigned", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, true); } },
-    { "ClosestPointFrom", [](Data* mesh) { return MakeClosest(mesh, SomeSurface(), true); } },
     { "InOutOf",
       [](Data* mesh)
       { return MakeInOutOf(SomePoints(), mesh, InOut::POINTS, InOut::BOUNDARIES); } },
@@ -308,7 +327,13 @@ void AddData(vtkDataObject* data, std::vector<double>& answers)
 
 const std::vector<FilterSetup>& AllFilterSetups()
 {
-  static const std::vector<FilterSetup> setups = MakeSetups();
+  static const std::vector<FilterSetup> setups = []
+  {
+    std::vector<FilterSetup> all = MakeDistances();
+    const std::vector<FilterSetup> others = MakeSetups();
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return setups;
 }
 

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeCompareSurfaces.h"
+
+#include "Compare/SkdComparison.h"
+#include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdOuterSurface.h"
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReport.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeCompareSurfaces);
+
+class vtkSkdTreeCompareSurfaces::Internals
+{
+public:
+  std::array<SkdComparedInput, 2> Inputs;
+};
+
+namespace
+{
+constexpr const char* PortNames[] = { "Input", "Source" };
+
+void WarnAbout(vtkSkdTreeCompareSurfaces* self, const SkdComparedInput& input, int port)
+{
+  const SkdComparedSet& set = input.Set;
+  if (set.IsEmpty())
+  {
+    vtkWarningWithObjectMacro(
+      self, << PortNames[port] << " has no finite point to compare; there are no distances.");
+  }
+  else if (self->GetSignedDistance() && !set.HasSides())
+  {
+    vtkWarningWithObjectMacro(
+      self, << PortNames[port] << " has no surface; distances to it are unsigned.");
+  }
+  else if (set.GetNumberOfOpenEdges() > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      << PortNames[port] << " is not closed: it has " << set.GetNumberOfOpenEdges()
+      << " open edges. Signs are decided by a vote of several rays and may be wrong near gaps.");
+  }
+  SkdWarnAboutCoarseFaces(self, set.GetNumberOfCoarseFaces(), self->GetChordalDeviation());
+}
+
+/// The diagonal of the bounds of both, and the largest coordinate.
+struct Size
+{
+  double Diagonal = 0.0;
+  double Largest = 0.0;
+
+  explicit Size(const std::array<SkdComparedInput, 2>& inputs)
+  {
+    skd::Vector3 low[2];
+    skd::Vector3 high[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      inputs[i].Set.GetBounds(low[i], high[i]);
+    }
+    const skd::Vector3 least = skd::Least(low[0], low[1]);
+    const skd::Vector3 greatest = skd::Greatest(high[0], high[1]);
+    if (least[0] <= greatest[0])
+    {
+      this->Diagonal = skd::Norm(greatest - least);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Largest =
+          std::max({ this->Largest, std::abs(least[axis]), std::abs(greatest[axis]) });
+      }
+    }
+  }
+};
+
+SkdHausdorffLimits LimitsOf(vtkSkdTreeCompareSurfaces* self, const Size& size)
+{
+  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+  return { std::max(self->GetTolerance() * size.Diagonal, rounding * size.Largest),
+    self->GetMaximumBisections() };
+}
+
+/// Half of the progress each.
+void Compare(vtkSkdTreeCompareSurfaces* self, SkdComparison& comparison, const Size& size,
+  double first, double last)
+{
+  const SkdComparedSet& from = comparison.From->Set;
+  const SkdComparedSet& to = comparison.To->Set;
+  if (from.IsEmpty() || to.IsEmpty())
+  {
+    return;
+  }
+  const double middle = (first + last) / 2.0;
+  const SkdHausdorffLimits limits = LimitsOf(self, size);
+  comparison.Hausdorff = SkdHausdorffOf(from, to, limits, self, first, middle);
+  SkdLoop loop(self, 0, middle, last, 1024);
+  comparison.Samples.Add(from, to, self->GetSampleSpacing() * size.Diagonal, loop);
+
+  const SkdHausdorff& found = comparison.Hausdorff;
+  if (found.UpperBound > found.Distance + limits.Tolerance && !SkdIsAskedToStop(self))
+  {
+    vtkWarningWithObjectMacro(self,
+      "The Hausdorff distance is only known to be between "
+        << found.Distance << " and " << found.UpperBound << ": the maximum of " << limits.Bisections
+        << " bisections was reached. Increase MaximumBisections or Tolerance.");
+  }
+}
+
+void Report(vtkDataObject* output, const std::array<SkdComparedInput, 2>& inputs,
+  const std::array<SkdComparison, 2>& comparisons, double buildSeconds, double querySeconds)
+{
+  const SkdComparedSet& a = inputs[0].Set;
+  const SkdComparedSet& b = inputs[1].Set;
+  SkdReport report(output);
+  report.AddCount(
+    "Bisections", comparisons[0].Hausdorff.Bisections + comparisons[1].Hausdorff.Bisections);
+  report.AddMeasure("Epsilon", std::max(a.GetCounts().Tolerance, b.GetCounts().Tolerance));
+  report.AddMeasureOf("ChordalLength", std::max(a.GetChordalLength(), b.GetChordalLength()));
+  report.AddRun(a.GetTreesBuilt() + b.GetTreesBuilt(), buildSeconds, "QuerySeconds", querySeconds);
+  if (a.HasSides() || b.HasSides())
+  {
+    report.AddCount("OpenEdges", a.GetNumberOfOpenEdges() + b.GetNumberOfOpenEdges());
+  }
+}
+}
+
+vtkSkdTreeCompareSurfaces::vtkSkdTreeCompareSurfaces()
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, LIKE_INPUT, VTK_TABLE })
+  , Impl(new Internals)
+{
+  this->WholeInput = true; // the largest distance may be anywhere in either
+}
+
+vtkSkdTreeCompareSurfaces::~vtkSkdTreeCompareSurfaces() = default;
+
+// The second output is like the Source.
+int vtkSkdTreeCompareSurfaces::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestDataObject(request, inputVector, outputVector);
+  if (vtkDataObject* source = vtkDataObject::GetData(inputVector[1]))
+  {
+    SkdProvideOutput(outputVector->GetInformationObject(1), source->GetDataObjectType());
+  }
+  return done;
+}
+
+int vtkSkdTreeCompareSurfaces::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  SkdStopwatch watch;
+  std::array<SkdComparedInput, 2>& inputs = this->Impl->Inputs;
+  std::array<std::vector<SkdBlock>, 2> outputs;
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkDataObject* data = vtkDataObject::GetData(inputVector[port]);
+    outputs[port] = SkdMirror(data, vtkDataObject::GetData(outputVector, port));
+    inputs[port].Blocks = SkdBlocksOf(data);
+    inputs[port].IsComposite = SkdIsComposite(data);
+    inputs[port].Set.Update(
+      inputs[port].Blocks, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
+    WarnAbout(this, inputs[port], port);
+  }
+  const double buildSeconds = watch.Lap();
+
+  SkdLoop loop(this, SkdCountPoints(outputs[0]) + SkdCountPoints(outputs[1]), 0.1, 0.3);
+  SkdAddDistances(outputs[0], inputs[1], loop);
+  SkdAddDistances(outputs[1], inputs[0], loop);
+  const Size size(inputs);
+  std::array<SkdComparison, 2> comparisons{ { { &inputs[0], &inputs[1], {}, {} },
+    { &inputs[1], &inputs[0], {}, {} } } };
+  Compare(this, comparisons[0], size, 0.3, 0.65);
+  Compare(this, comparisons[1], size, 0.65, 1.0);
+  SkdFillComparison(comparisons, vtkTable::GetData(outputVector, 2));
+
+  Report(vtkDataObject::GetData(outputVector, 0), inputs, comparisons, buildSeconds, watch.Lap());
+  for (SkdComparedInput& input : inputs)
+  {
+    input.Set.Release();
+    input.Blocks.clear();
+  }
+  return 1;
+}
+
+void vtkSkdTreeCompareSurfaces::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  SkdPrint(os, indent, "Tolerance", this->Tolerance, "MaximumBisections", this->MaximumBisections,
+    "SampleSpacing", this->SampleSpacing, "SignedDistance", this->SignedDistance,
+    "ChordalDeviation", this->ChordalDeviation, "Epsilon", this->Epsilon);
+}
+VTK_ABI_NAMESPACE_END

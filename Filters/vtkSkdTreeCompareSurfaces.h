@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeCompareSurfaces
+ * @brief   distances between two surfaces, and their Hausdorff distance within a stated bound
+ *
+ * Compares Input (port 0) and Source (port 1), each any vtkDataSet or composite of them: a surface
+ * (surface cells and the outer faces of volume cells, as triangles) or, without any such face, the
+ * set of its points. Distances are found by the skD-tree (sections 4 and 5 of Khamayseh and Hansen,
+ * Commun. Comput. Phys. 2 (2007) 545-576), on all processors; results do not depend on their
+ * number.
+ *
+ * Output ports 0 and 1: Input and Source with the point arrays
+ * | name                 | type   | components | meaning                                  | none |
+ * | -------------------- | ------ | ---------- | ---------------------------------------- | ---- |
+ * | SkdDistance          | double | 1          | to the other; negative inside if signed  | NaN  |
+ * | SkdClosestPoint      | double | 3          | nearest point of the other               | NaN  |
+ * | SkdClosestCellId     | idtype | 1          | its cell; its id if the other is points  | -1   |
+ * | SkdClosestBlockIndex | int    | 1          | flat index of its block, if composite    | -1   |
+ * Ties go to the lowest block and cell.
+ *
+ * Output port 2: a vtkTable of three rows: from Input to Source, from Source to Input, and both:
+ * | column                                  | meaning                                             |
+ * | --------------------------------------- | --------------------------------------------------- |
+ * | Direction                               | which row this is                                   |
+ * | HausdorffDistance                       | the largest distance found, of all points of cells  |
+ * | HausdorffUpperBound                     | what the exact Hausdorff distance cannot exceed     |
+ * | From, To                                | the two points where it is attained                 |
+ * | FromCellId, FromBlockIndex              | where From is: a cell (or point), and a flat index  |
+ * | ToCellId, ToBlockIndex                  | the same of To                                      |
+ * | Mean, RootMeanSquare                    | of unsigned distances, weighted by area             |
+ * | SignedMean                              | of signed distances, NaN if they are not signed     |
+ * | Median, Quantile90, Quantile95, Quantile99 | not exceeded on that share of the area           |
+ * | Area                                    | the area, or the number of points                   |
+ * | Samples                                 | places at which the mean and quantiles were taken   |
+ * Block indices are 0 if that input is not composite.
+ *
+ * The Hausdorff distance is not that of vertices: triangles are bisected wherever bounds do not
+ * exclude a larger distance (see SetTolerance). It lies between the two columns; for curved cells
+ * within twice SkdReportChordalLength more, because these are flat facets here. A set of points
+ * has the exact maximum. Means and quantiles are those of samples: see SetSampleSpacing.
+ *
+ * Field data of port 0: SkdReportTreesBuilt (0 if all were reused), SkdReportBisections,
+ * SkdReportEpsilon, SkdReportBuildSeconds, SkdReportQuerySeconds; SkdReportOpenEdges if signed, and
+ * SkdReportChordalLength for curved cells.
+ *
+ * Bad input: an Input or Source without any finite point gives one warning, "none" and NaN. Cells
+ * that are not finite are left out. Each process needs both inputs as a whole.
+ *
+ * @sa
+ * vtkSkdTreeClosestPoint
+ */
+
+#ifndef vtkSkdTreeCompareSurfaces_h
+#define vtkSkdTreeCompareSurfaces_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
+#include "vtkSkdTreeSourceAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCompareSurfaces : public vtkSkdTreeSourceAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeCompareSurfaces, vtkSkdTreeSourceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeCompareSurfaces* New();
+
+  //@{
+  /**
+   * How far the upper bound of the Hausdorff distance may be from the distance found, relative to
+   * the diagonal of the bounds of both inputs (but at least 64 units in the last place of the
+   * largest coordinate). The cost grows where the distance is nearly the same everywhere, as on an
+   * offset of a surface. Default 1e-5.
+   */
+  vtkSkdTreeWithinMacro(Tolerance, double, 0.0, 1.0);
+  //@}
+
+  //@{
+  /**
+   * The largest number of bisections of triangles a direction. When it is reached before the
+   * tolerance is, there is a warning, and HausdorffUpperBound tells what is known. About 0.4
+   * kilobytes of memory each at most. Default 10 million.
+   */
+  vtkSkdTreeWithinMacro(MaximumBisections, int, 0, 1000000000);
+  //@}
+
+  //@{
+  /**
+   * The distance of the places at which means and quantiles are taken, relative to the diagonal of
+   * the bounds of both inputs: each triangle is divided into equal ones whose edges are no longer,
+   * and asked at their centroids. With more than 16 million it grows. Default 0.01.
+   */
+  vtkSkdTreeWithinMacro(SampleSpacing, double, 1e-6, 1.0);
+  //@}
+
+  //@{
+  /**
+   * Distances are negative inside the other surface: see vtkSkdTreeClosestPoint::SetSignedDistance
+   * for what is inside and for surfaces that are not closed. The distance itself is that to the
+   * whole surface, signed or not. Default off.
+   */
+  vtkSkdTreeSwitchMacro(SignedDistance);
+  //@}
+
+  //@{
+  /**
+   * The largest distance of facets from a curved face, relative to the diagonal of the bounds: see
+   * vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   */
+  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
+  //@}
+
+  //@{
+  /**
+   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
+   */
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  //@}
+
+protected:
+  vtkSkdTreeCompareSurfaces();
+  ~vtkSkdTreeCompareSurfaces() override;
+
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double Tolerance = 1e-5;
+  int MaximumBisections = 10000000;
+  double SampleSpacing = 0.01;
+  bool SignedDistance = false;
+  double ChordalDeviation = 1e-4;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeCompareSurfaces(const vtkSkdTreeCompareSurfaces&) = delete;
+  void operator=(const vtkSkdTreeCompareSurfaces&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl; // both trees, kept while the meshes are unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

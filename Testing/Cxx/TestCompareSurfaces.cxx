@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeCompareSurfaces: distances known by formula or from dense samples, and bad input.
+
+#include "Support/EventCounter.h"
+#include "Support/FilterRun.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkSkdTreeCellLocator.h"
+#include "vtkSkdTreeCompareSurfaces.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace skdtest;
+
+namespace
+{
+
+using Filter = vtkSkdTreeCompareSurfaces;
+using FilterPointer = vtkSmartPointer<Filter>;
+
+FilterPointer MakeFilter(vtkDataObject* input, vtkDataObject* source)
+{
+  auto filter = FilterPointer::New();
+  filter->SetInputDataObject(0, input);
+  filter->SetInputDataObject(1, source);
+  return filter;
+}
+
+enum Row
+{
+  FORTH,
+  BACK,
+  BOTH
+};
+
+double Cell(Filter* filter, int row, const char* column, int component = 0)
+{
+  auto table = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
+  auto array = vtkDataArray::SafeDownCast(table->GetColumnByName(column));
+  return array ? array->GetComponent(row, component) : NAN;
+}
+
+PolyDataPointer Turned(const Mesh& mesh, double angle, double shift)
+{
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return MakePolyData(Mesh(mesh).Map(
+    [=](const Point& p) {
+      return Point{ c * p[0] - s * p[2] + shift, p[1], s * p[0] + c * p[2] };
+    }));
+}
+
+/// The largest distance of n * n points of each triangle of the one from the other.
+double DenseMaximum(vtkPolyData* from, vtkPolyData* to, int n)
+{
+  auto locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
+  locator->SetDataSet(to);
+  double most = 0.0;
+  for (vtkIdType cell = 0; cell < from->GetNumberOfCells(); ++cell)
+  {
+    double corners[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      from->GetPoint(from->GetCell(cell)->GetPointId(i), corners[i]);
+    }
+    for (int i = 0; i <= n; ++i)
+    {
+      for (int j = 0; i + j <= n; ++j)
+      {
+        double x[3];
+        double nearest[3];
+        double distance2;
+        vtkIdType id;
+        int sub;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          x[axis] =
+            ((n - i - j) * corners[0][axis] + i * corners[1][axis] + j * corners[2][axis]) / n;
+        }
+        locator->FindClosestPoint(x, nearest, id, sub, distance2);
+        most = std::max(most, std::sqrt(distance2));
+      }
+    }
+  }
+  return most;
+}
+
+TEST(CompareSurfaces, TheLargestDistanceMayBeWithinATriangle)
+{
+  Mesh square;
+  square.Points = { { -1, -1, 0 }, { 3, -1, 0 }, { -1, 3, 0 } };
+  square.Cells = { { VTK_TRIANGLE, { 0, 1, 2 } } };
+  auto corners = MakeQueries({ { -1, -1, 0 }, { 3, -1, 0 }, { -1, 3, 0 } });
+  auto filter = MakeFilter(MakePolyData(square), corners);
+  filter->SetTolerance(1e-9);
+  filter->Update();
+  // The middle of the hypotenuse is the centre of the circle through the corners.
+  const double radius = std::sqrt(8.0);
+  EXPECT_NEAR(Cell(filter, FORTH, "HausdorffDistance"), radius, 1e-8);
+  EXPECT_GE(Cell(filter, FORTH, "HausdorffUpperBound"), radius);
+  EXPECT_LE(Cell(filter, FORTH, "HausdorffUpperBound"), radius + 1e-8);
+  EXPECT_NEAR(Cell(filter, FORTH, "From", 0), 1.0, 1e-4);
+  EXPECT_NEAR(Cell(filter, FORTH, "From", 1), 1.0, 1e-4);
+  EXPECT_EQ(Cell(filter, FORTH, "FromCellId"), 0);
+  EXPECT_EQ(Cell(filter, BACK, "HausdorffDistance"), 0.0);
+  EXPECT_EQ(Cell(filter, BACK, "Area"), 3);
+  EXPECT_EQ(Cell(filter, BOTH, "HausdorffDistance"), Cell(filter, FORTH, "HausdorffDistance"));
+  const std::vector<double> atCorners = PointArray(filter->GetOutputDataObject(0), "SkdDistance");
+  EXPECT_EQ(atCorners, std::vector<double>(3, 0.0));
+}
+
+TEST(CompareSurfaces, ParallelSheetsAreOneDistanceApart)
+{
+  const Mesh sheet = Sheet(4, VTK_QUAD);
+  auto above = MakePolyData(Mesh(sheet).Map(
+    [](const Point& p) {
+      return Point{ p[0], p[1], 0.25 };
+    }));
+  auto filter = MakeFilter(MakePolyData(sheet), above);
+  filter->Update();
+  for (int row : { FORTH, BACK, BOTH })
+  {
+    for (const char* column :
+      { "HausdorffDistance", "Mean", "RootMeanSquare", "Median", "Quantile99" })
+    {
+      EXPECT_NEAR(Cell(filter, row, column), 0.25, 1e-12) << column;
+    }
+    EXPECT_GE(Cell(filter, row, "HausdorffUpperBound"), 0.25);
+    EXPECT_LE(Cell(filter, row, "HausdorffUpperBound"), 0.25 + 6e-5);
+    EXPECT_NEAR(Cell(filter, row, "Area"), row == BOTH ? 32 : 16, 1e-9);
+    EXPECT_TRUE(std::isnan(Cell(filter, row, "SignedMean")));
+  }
+}
+
+// Distances from the plane z = 0 of a sheet that rises to 1: uniform over the area.
+TEST(CompareSurfaces, StatisticsAreThoseOfTheArea)
+{
+  const Mesh flat = Sheet(1, VTK_QUAD).Map([](const Point& p) { return 8.0 * p; });
+  const Mesh slope = Sheet(1, VTK_TRIANGLE)
+                       .Map(
+                         [](const Point& p) {
+                           return Point{ 3 + p[0], 3 + p[1], p[0] };
+                         });
+  auto filter = MakeFilter(MakePolyData(slope), MakePolyData(flat));
+  filter->SetSampleSpacing(3e-3);
+  filter->Update();
+  EXPECT_NEAR(Cell(filter, FORTH, "HausdorffDistance"), 1.0, 1e-12);
+  EXPECT_NEAR(Cell(filter, FORTH, "Mean"), 0.5, 1e-3);
+  EXPECT_NEAR(Cell(filter, FORTH, "RootMeanSquare"), std::sqrt(1.0 / 3.0), 1e-3);
+  EXPECT_NEAR(Cell(filter, FORTH, "Median"), 0.5, 0.02);
+  EXPECT_NEAR(Cell(filter, FORTH, "Quantile90"), 0.9, 0.02);
+  EXPECT_NEAR(Cell(filter, FORTH, "Area"), std::sqrt(2.0), 1e-12);
+  EXPECT_GT(Cell(filter, FORTH, "Samples"), 1000);
+}
+
+TEST(CompareSurfaces, HausdorffDistancesEncloseDenseSamples)
+{
+  const Mesh coarse = TorusTriangles(9, 6);
+  const struct
+  {
+    PolyDataPointer A;
+    PolyDataPointer B;
+  } pairs[] = {
+    { MakePolyData(coarse), MakePolyData(TorusTriangles(14, 9)) },
+    { MakePolyData(coarse), Turned(coarse, 0.3, 0.1) },
+    { MakePolyData(SphereTriangles(5)), Turned(SphereTriangles(7), 0.7, 0.01) },
+    { MakePolyData(Octahedron(1)), Turned(TorusTriangles(8, 5), 1.1, 0.5) },
+  };
+  for (const auto& pair : pairs)
+  {
+    auto filter = MakeFilter(pair.A, pair.B);
+    filter->SetTolerance(1e-4);
+    filter->Update();
+    for (int row : { FORTH, BACK })
+    {
+      const double found = Cell(filter, row, "HausdorffDistance");
+      const double bound = Cell(filter, row, "HausdorffUpperBound");
+      const double dense =
+        row == FORTH ? DenseMaximum(pair.A, pair.B, 14) : DenseMaximum(pair.B, pair.A, 14);
+      EXPECT_LE(found, bound);
+      EXPECT_LE(bound - found, 1e-4 * (pair.A->GetLength() + pair.B->GetLength()));
+      EXPECT_GE(bound, dense - 1e-12);
+      EXPECT_LT(bound - dense, 0.05 * dense) << "samples are not so coarse";
+      double gap2 = 0.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        gap2 += std::pow(Cell(filter, row, "From", axis) - Cell(filter, row, "To", axis), 2);
+      }
+      EXPECT_NEAR(std::sqrt(gap2), found, 1e-12);
+    }
+  }
+}
+
+TEST(CompareSurfaces, SignsTellInsideFromOutside)
+{
+  auto inner = MakePolyData(SphereTriangles(8));
+  auto outer = MakePolyData(SphereTriangles(8).Map([](const Point& p) { return 2.0 * p; }));
+  auto filter = MakeFilter(inner, outer);
+  filter->SignedDistanceOn();
+  filter->Update();
+  EXPECT_LT(Cell(filter, FORTH, "SignedMean"), -0.8);
+  EXPECT_GT(Cell(filter, BACK, "SignedMean"), 0.8);
+  EXPECT_GT(Cell(filter, FORTH, "Mean"), 0.8);
+  for (double distance : PointArray(filter->GetOutputDataObject(0), "SkdDistance"))
+  {
+    EXPECT_LT(distance, 0.0);
+  }
+  for (double distance : PointArray(filter->GetOutputDataObject(1), "SkdDistance"))
+  {
+    EXPECT_GT(distance, 0.0);
+  }
+  EXPECT_EQ(Reported(filter, "OpenEdges"), 0);
+}
+
+TEST(CompareSurfaces, BlocksAreOneSurface)
+{
+  const Mesh sphere = SphereTriangles(6);
+  const auto half = [&](std::size_t k)
+  { return MakePolyData(Part(sphere, [=](std::size_t cell) { return cell % 2 == k; })); };
+  auto torus = Turned(TorusTriangles(8, 6), 0.4, 0.2);
+  auto whole = MakeFilter(torus, MakePolyData(sphere));
+  auto parts = MakeFilter(torus, MakeBlocks({ nullptr, half(0), half(1) }));
+  whole->Update();
+  parts->Update();
+  for (const char* column : { "HausdorffDistance", "HausdorffUpperBound" })
+  {
+    for (int row : { FORTH, BACK, BOTH })
+    {
+      const double slack = 2e-5 * (torus->GetLength() + 4.0); // other splits within the tolerance
+      EXPECT_NEAR(Cell(whole, row, column), Cell(parts, row, column), slack);
+    }
+  }
+  EXPECT_GE(Cell(parts, FORTH, "ToBlockIndex"), 2);
+  EXPECT_EQ(Cell(parts, FORTH, "FromBlockIndex"), 0);
+  EXPECT_EQ(PointArray(whole->GetOutputDataObject(0), "SkdDistance"),
+    PointArray(parts->GetOutputDataObject(0), "SkdDistance"));
+  EXPECT_NE(vtkMultiBlockDataSet::SafeDownCast(parts->GetOutputDataObject(1)), nullptr);
+  EXPECT_EQ(Reported(parts, "TreesBuilt"), 2);
+  parts->SetSampleSpacing(0.1);
+  parts->Update();
+  EXPECT_EQ(Reported(parts, "TreesBuilt"), 0);
+}
+
+TEST(CompareSurfaces, ALimitOfBisectionsIsToldWithWhatIsKnown)
+{
+  auto filter =
+    MakeFilter(MakePolyData(TorusTriangles(9, 6)), Turned(TorusTriangles(9, 6), 0.3, 0.1));
+  filter->SetTolerance(1e-9);
+  filter->SetMaximumBisections(10);
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 2);
+  EXPECT_NE(events.Warning.find("MaximumBisections"), std::string::npos) << events.Warning;
+  EXPECT_GT(Cell(filter, FORTH, "HausdorffUpperBound"), Cell(filter, FORTH, "HausdorffDistance"));
+}
+
+TEST(CompareSurfaces, NothingToCompareIsOneWarning)
+{
+  auto sphere = MakePolyData(SphereTriangles(4));
+  auto empty = PolyDataPointer::New();
+  auto broken = MakeQueries({ { NAN, 0, 0 }, { 0, INFINITY, 0 } });
+  for (vtkDataObject* other : std::vector<vtkDataObject*>{ empty, broken })
+  {
+    auto filter = MakeFilter(sphere, other);
+    EventCounter events(filter);
+    filter->Update();
+    EXPECT_EQ(events.Warnings, 1);
+    EXPECT_EQ(events.Errors, 0);
+    EXPECT_NE(events.Warning.find("Source has no finite point"), std::string::npos);
+    EXPECT_TRUE(std::isnan(Cell(filter, FORTH, "HausdorffDistance")));
+    EXPECT_EQ(Cell(filter, FORTH, "FromCellId"), -1);
+    EXPECT_TRUE(std::isnan(PointArray(filter->GetOutputDataObject(0), "SkdDistance")[0]));
+  }
+}
+
+}
