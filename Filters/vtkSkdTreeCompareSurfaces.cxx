@@ -106,7 +106,7 @@ void Compare(vtkSkdTreeCompareSurfaces* self, SkdComparison& comparison, const S
   comparison.Samples.Add(from, to, self->GetSampleSpacing() * size.Diagonal, loop);
 
   const SkdHausdorff& found = comparison.Hausdorff;
-  if (found.UpperBound > found.Distance + limits.Tolerance && !SkdIsAskedToStop(self))
+  if (found.UpperBound > found.Distance + limits.Tolerance && !SkdIsAborted(self))
   {
     vtkWarningWithObjectMacro(self,
       "The Hausdorff distance is only known to be between "
