@@ -222,6 +222,8 @@ vtkSmartPointer<vtkDataSet> vtkSkdTreeRemap::Internals::ProbedSource(bool withCe
     data->Initialize();
     data->AddArray(ghosts);
   }
+  SkdBlankValues(source, vtkDataObject::CELL, this->Settings.Fields);
+  SkdBlankValues(source, vtkDataObject::POINT, this->Settings.Fields);
   return source;
 }
 
@@ -424,7 +426,8 @@ void vtkSkdTreeRemap::Internals::Begin(bool hasCells, bool hasOthers)
   this->Method =
     isAutomatic && (!hasCells || !this->IsOfOneDimension()) ? INTERPOLATION : this->Self->Method;
   const vtkNew<vtkUnstructuredGrid> nothing;
-  const bool isProbed = this->Method == INTERPOLATION && !(isAutomatic && !hasCells && hasOthers);
+  const bool isProbed = this->Method == INTERPOLATION && this->Self->MaskArray.empty() &&
+    !(isAutomatic && !hasCells && hasOthers);
   this->Remapper.Begin(isProbed ? nothing.Get() : this->Donor.Get(), this->Settings, this->Self);
   if (hasOthers && !isProbed && this->Method != CONTAINED)
   {
@@ -503,22 +506,12 @@ vtkSkdTreeRemap::vtkSkdTreeRemap()
 
 vtkSkdTreeRemap::~vtkSkdTreeRemap() = default;
 
-void vtkSkdTreeRemap::SetMaskArray(const char* name)
+void vtkSkdTreeRemap::SetText(std::string& property, const char* text)
 {
-  const std::string given = name ? name : "";
-  if (given != this->MaskArray)
+  const std::string given = text ? text : "";
+  if (given != property)
   {
-    this->MaskArray = given;
-    this->Modified();
-  }
-}
-
-void vtkSkdTreeRemap::SetWeightsFileName(const char* name)
-{
-  const std::string given = name ? name : "";
-  if (given != this->WeightsFileName)
-  {
-    this->WeightsFileName = given;
+    property = given;
     this->Modified();
   }
 }

@@ -154,7 +154,8 @@ public:
   //@{
   /**
    * On a sphere, whether cells whose corners lie on two meridians and two parallels are bounded by
-   * these instead of by great circles. Of conservative methods. Default off.
+   * these instead of by great circles. Of conservative methods, and of Input's cells with
+   * CONTAINED. Default off.
    */
   vtkSetMacro(SourceEdgesAlongParallels, bool);
   vtkGetMacro(SourceEdgesAlongParallels, bool);
@@ -290,10 +291,10 @@ public:
 
   //@{
   /**
-   * A point or cell array of the Source that is 0 where values do not count. None by default. Not
-   * for INTERPOLATION.
+   * A point or cell array of the Source that is 0 where values of points or of cells do not count.
+   * None by default. INTERPOLATION gives NaN where what does not count has a share.
    */
-  void SetMaskArray(const char* name);
+  void SetMaskArray(const char* name) { this->SetText(this->MaskArray, name); }
   const char* GetMaskArray() const { return this->MaskArray.c_str(); }
   //@}
 
@@ -363,7 +364,10 @@ public:
    * several processes each writes the weights of its part of Input, with its number before the
    * file's extension. Needs a build with VTK's netCDF.
    */
-  void SetWeightsFileName(VTK_FILEPATH const char* name);
+  void SetWeightsFileName(VTK_FILEPATH const char* name)
+  {
+    this->SetText(this->WeightsFileName, name);
+  }
   VTK_FILEPATH const char* GetWeightsFileName() const { return this->WeightsFileName.c_str(); }
   vtkSetClampMacro(WeightsFileFormat, int, ESMF, SCRIP);
   vtkGetMacro(WeightsFileFormat, int);
@@ -402,6 +406,8 @@ protected:
 private:
   vtkSkdTreeRemap(const vtkSkdTreeRemap&) = delete;
   void operator=(const vtkSkdTreeRemap&) = delete;
+
+  void SetText(std::string& property, const char* text);
 
   class Internals;
   std::unique_ptr<Internals> Impl; // what is kept while the meshes are unchanged

@@ -107,6 +107,28 @@ std::vector<SkdDonorField> SkdReadDonorFields(
   return fields;
 }
 
+void SkdBlankValues(vtkDataSet* mesh, int type, const SkdFieldRules& rules)
+{
+  if (rules.Mask.empty() && std::isnan(rules.MissingValue))
+  {
+    return;
+  }
+  SkdFieldProblems problems;
+  std::vector<SkdDonorField> fields = SkdReadDonorFields(mesh, type, rules, problems);
+  vtkDataSetAttributes* data = mesh->GetAttributes(type);
+  data->RemoveArray(rules.Mask.c_str());
+  for (SkdDonorField& field : fields)
+  {
+    const auto components = static_cast<std::size_t>(field.Components);
+    for (std::size_t i = 0; i < field.Values.size(); ++i)
+    {
+      field.Values[i] = field.Counts[i / components] != 0 ? field.Values[i] : vtkMath::Nan();
+    }
+    data->RemoveArray(field.Name.c_str());
+    SkdAddRemapped(data, field, field.Values, problems);
+  }
+}
+
 void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
   const std::vector<double>& values, SkdFieldProblems& problems)
 {

@@ -75,6 +75,11 @@ struct SkdFieldProblems
 std::vector<SkdDonorField> SkdReadDonorFields(
   vtkDataSet* donor, int type, const SkdFieldRules& rules, SkdFieldProblems& problems);
 
+/// Makes the arrays of a mesh's points or cells such that what does not count by the rules is NaN,
+/// and takes the mask away: for those who know NaN only. Nothing happens without a mask and without
+/// a number that stands for NaN.
+void SkdBlankValues(vtkDataSet* mesh, int type, const SkdFieldRules& rules);
+
 /// Adds a field's values at the target as an array of doubles, unless its name is in use.
 void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
   const std::vector<double>& values, SkdFieldProblems& problems);

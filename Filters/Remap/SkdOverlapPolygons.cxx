@@ -69,8 +69,9 @@ bool IsConvex(const std::vector<Vector3>& seen)
   double turned = 0.0;
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Vector3 way = seen[(i + 1) % size] - seen[i];
-    const Vector3 next = seen[(i + 2) % size] - seen[(i + 1) % size];
+    const Vector3& at = seen[i + 1 < size ? i + 1 : 0];
+    const Vector3 way = at - seen[i];
+    const Vector3 next = seen[i + 2 < size ? i + 2 : i + 2 - size] - at;
     const double cross = way[0] * next[1] - way[1] * next[0];
     const double dot = way[0] * next[0] + way[1] * next[1];
     if (cross < -1e-13 * std::sqrt(Norm2(way) * Norm2(next)) || (cross <= 0.0 && dot < 0.0))
@@ -173,7 +174,8 @@ void SkdOverlapReader::AddFan(const Corners& corners, const Corner& middle)
 template <class Frame>
 void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
 {
-  std::vector<Vector3> seen;
+  std::vector<Vector3>& seen = this->Flat;
+  seen.clear();
   for (const Corner& corner : corners)
   {
     const Vector3 x = frame.Seen(corner.X);
@@ -182,6 +184,11 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
   const bool isTriangle = corners.size() == 3;
   if (isTriangle || (!this->Reading.IntoSimplices && IsConvex(seen)))
   {
+    if (corners.size() <= MostCorners)
+    {
+      this->template AddPiece<Frame>(corners, 1);
+      return;
+    }
     for (std::size_t i = 1; i + 1 < corners.size(); i += MostCorners - 2)
     {
       Corners part{ corners[0] };

@@ -71,7 +71,8 @@ private:
   const SkdOverlapSurface& Ground;
   const SkdOverlapReading& Reading;
   SkdOverlapBlock& Block;
-  Corners Seen; ///< the cell's points, on the ground
+  Corners Seen;                   ///< the cell's points, on the ground
+  std::vector<skd::Vector3> Flat; ///< a polygon's corners in its frame
   skd::SimplexSet Simplices;
 };
 

@@ -55,8 +55,8 @@ Entry Overlap(
 
 using Entries = std::vector<std::vector<Entry>>;
 
-/// All entries by (target, donor): the same whatever part they are from.
-std::vector<Entry> Sorted(const Entries& parts, std::uint32_t numberOfTargets)
+/// Where the entries of each target cell begin, and where the last ends.
+std::vector<std::size_t> PlacesOf(const Entries& parts, std::uint32_t numberOfTargets)
 {
   std::vector<std::size_t> places(std::size_t(numberOfTargets) + 1, 0);
   for (const std::vector<Entry>& part : parts)
@@ -67,16 +67,24 @@ std::vector<Entry> Sorted(const Entries& parts, std::uint32_t numberOfTargets)
     }
   }
   std::partial_sum(places.begin(), places.end(), places.begin());
+  return places;
+}
+
+/// All entries by (target, donor): the same whatever part they are from. Each part is let go of
+/// once it is read: there may be gigabytes of them.
+std::vector<Entry> Sorted(Entries& parts, const std::vector<std::size_t>& places)
+{
   std::vector<Entry> sorted(places.back());
   std::vector<std::size_t> next(places.begin(), places.end() - 1);
-  for (const std::vector<Entry>& part : parts)
+  for (std::vector<Entry>& part : parts)
   {
     for (const Entry& entry : part)
     {
       sorted[next[entry.Target]++] = entry;
     }
+    std::vector<Entry>().swap(part);
   }
-  SkdForEach(numberOfTargets,
+  SkdForEach(places.size() - 1,
     [&](std::size_t row)
     {
       std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(places[row]),
@@ -87,10 +95,11 @@ std::vector<Entry> Sorted(const Entries& parts, std::uint32_t numberOfTargets)
 }
 
 /// Rows are of all cells of the target, in the order of their ids.
-void FillTable(const std::vector<Entry>& entries, const Meshes& meshes,
-  const SkdOverlapSurface& ground, SkdOverlapTable& table, SkdOverlapCells& donors,
-  SkdOverlapCells& targets)
+void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& ground,
+  SkdOverlapTable& table, SkdOverlapCells& donors, SkdOverlapCells& targets)
 {
+  const std::vector<Entry> entries =
+    Sorted(found, PlacesOf(found, meshes.Target.GetNumberOfCells()));
   table.Rows.assign(targets.Measures.size() + 1, 0);
   table.Columns.resize(entries.size());
   table.Measures.resize(entries.size());
@@ -156,8 +165,7 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
     });
   if (isDone)
   {
-    FillTable(Sorted(found, meshes.Target.GetNumberOfCells()), meshes, ground, this->Table,
-      this->Donor, this->Target);
+    FillTable(found, meshes, ground, this->Table, this->Donor, this->Target);
   }
   return isDone;
 }

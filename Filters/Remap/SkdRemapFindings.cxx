@@ -22,6 +22,9 @@ std::vector<std::string> SkdRemapFindings::GetWarnings() const
     { this->InputLeftOut,
       " cells of Input get no value: they are degenerate, not finite, ghosts or of another "
       "dimension." },
+    { this->Unfit,
+      " cells of Input contain nothing: on a sphere only triangles, quads, pixels and polygons do. "
+      "Make triangles of strips, and flat cells of curved ones (vtkTessellatorFilter)." },
     { this->CoveredTwice,
       " cells of Input are covered more than once (SkdCoverage is above 1): cells of Source "
       "overlap each other, and count as often." },

@@ -16,6 +16,7 @@ struct SkdRemapFindings
   std::string Problem; ///< why there are no results, if so
   vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
   vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
+  vtkIdType Unfit = 0; ///< cells of a type that contains nothing
   vtkIdType Overlaps = 0;
   int WeightsFound = 0; ///< for how many blocks they were not kept
 

@@ -89,7 +89,8 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
   const bool isFlat = bounds[0] == bounds[1] || bounds[2] == bounds[3] || bounds[4] == bounds[5];
   double least = VTK_DOUBLE_MAX, greatest = 0.0, sum = 0.0;
   const vtkIdType n = mesh->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < n; ++i)
+  constexpr double rounding = 1e-5; // of points in single precision, and of a flattened Earth, none
+  for (vtkIdType i = 0; i < n && !isFlat && !(greatest - least > rounding * greatest); ++i)
   {
     double x[3];
     mesh->GetPoint(i, x);
@@ -98,7 +99,6 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
     greatest = std::max(greatest, radius);
     sum += radius;
   }
-  constexpr double rounding = 1e-5; // of points in single precision, and of a flattened Earth, none
   const bool isSphere = n > 2 && !isFlat && greatest - least <= rounding * greatest;
   return isSphere ? std::optional<double>(sum / n) : std::nullopt;
 }

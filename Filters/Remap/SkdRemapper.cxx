@@ -147,7 +147,9 @@ void SkdRemapper::AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& cou
 //------------------------------------------------------------------------------
 bool SkdRemapper::MapContained(vtkDataSet* block, double first, double last)
 {
-  const SkdTargetCells cells(block, this->Settings.Overlap.Space == SkdOverlapSpace::Sphere);
+  const SkdTargetCells cells(block, this->Settings.Overlap.Space == SkdOverlapSpace::Sphere, 0.0,
+    this->Settings.Overlap.TargetIsLonLat);
+  this->Findings.Unfit += cells.CountUnfit();
   const std::vector<double> equal(static_cast<std::size_t>(block->GetNumberOfCells()), 1.0);
   const bool both = !this->CellFields.empty() && !this->PointFields.empty();
   SkdLoop loop(this->Algorithm, (both ? 2 : 1) * block->GetNumberOfCells(), first, last);

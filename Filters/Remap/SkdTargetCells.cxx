@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdTargetCells.h"
 
+#include "Core/Geometry/Overlap/LonLatOutline.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace
@@ -16,11 +19,26 @@ bool IsFlat(int type)
 {
   return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
 }
+
+constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon(); // of angles
+
+/// The rim and, with a cell that has it, the pole are in, whatever the longitude.
+bool Holds(const skd::LonLatCell& cell, const skd::Vector3& x)
+{
+  constexpr double turn = 6.28318530717958647692;
+  const double across = std::hypot(x[0], x[1]);
+  const double latitude = std::atan2(x[2], across);
+  const double away = std::atan2(x[1], x[0]) - cell.MiddleLongitude();
+  const bool isPole = across <= Rounding * std::abs(x[2]);
+  return latitude >= cell.South - Rounding && latitude <= cell.North + Rounding &&
+    (isPole || std::abs(away - turn * std::round(away / turn)) <= 0.5 * cell.Width() + Rounding);
+}
 }
 
-SkdTargetCells::SkdTargetCells(vtkDataSet* mesh, bool isOnSphere, double tolerance)
+SkdTargetCells::SkdTargetCells(vtkDataSet* mesh, bool isOnSphere, double tolerance, bool isLonLat)
   : Mesh(mesh)
   , OnSphere(isOnSphere)
+  , LonLat(isLonLat)
   , Tolerance(tolerance)
   , Reader(mesh)
   , Ghosts(mesh->GetCellGhostArray())
@@ -37,6 +55,17 @@ SkdTargetCells::SkdTargetCells(vtkDataSet* mesh, bool isOnSphere, double toleran
     const auto cell = vtkSmartPointer<vtkGenericCell>::New();
     SkdLoadCell(mesh, 0, cell); // from now on it is thread-safe
   }
+}
+
+vtkIdType SkdTargetCells::CountUnfit() const
+{
+  vtkIdType count = 0;
+  for (vtkIdType id = 0; id < this->GetNumberOfCells() && this->OnSphere; ++id)
+  {
+    const int type = this->Reader.TypeOf(id);
+    count += type != VTK_EMPTY_CELL && !IsFlat(type) ? 1 : 0;
+  }
+  return count;
 }
 
 SkdTargetCells::Cell::Cell(const SkdTargetCells& cells)
@@ -93,7 +122,26 @@ bool SkdTargetCells::Cell::LoadOnSphere(vtkIdType id)
   }
   const bool isCell = this->Sphere.Set(this->Corners);
   this->Box = this->Sphere.GetBox();
+  this->LonLat.reset();
+  if (isCell && this->Cells.LonLat)
+  {
+    this->FindLonLat();
+  }
   return isCell;
+}
+
+void SkdTargetCells::Cell::FindLonLat()
+{
+  std::vector<skd::Vector3> directions;
+  for (const skd::Vector3& corner : this->Corners)
+  {
+    directions.push_back((1.0 / skd::Norm(corner)) * corner);
+  }
+  this->LonLat = skd::LonLatOutline(directions).Find();
+  if (this->LonLat)
+  {
+    this->Box = this->LonLat->Bounds().Inflated(4.0 * Rounding);
+  }
 }
 
 bool SkdTargetCells::Cell::LoadInSpace(vtkIdType id)
@@ -113,7 +161,7 @@ bool SkdTargetCells::Cell::Contains(const skd::Vector3& x) const
 {
   if (this->Cells.OnSphere)
   {
-    return this->Sphere.Contains(x);
+    return this->LonLat ? Holds(*this->LonLat, x) : this->Sphere.Contains(x);
   }
   const SkdFoundCell found =
     this->Cells.InSpace->Evaluate(this->Id, x, { this->Cells.Mesh, this->Scratch });

@@ -130,9 +130,20 @@ def cubed(n):
 
 
 def with_mean_heights(mesh):
-    """The same mesh: without iterations nothing moves, and cells take the mean of the field."""
-    return simple.SkdTreeMeshAdaptation(Input=mesh, Source=land, FieldArray="land",
-        SourceCoordinates="Longitude Latitude", MaximumIterations=0)
+    """The same mesh with the mean of the heights that each cell contains."""
+    return simple.SkdTreeRemap(Input=mesh, Source=land, Method="Contained Statistic",
+        SourceCoordinates="Longitude Latitude")
+
+
+def cell_areas(points, corners, offsets):
+    """Of polygons between great circles: solid angles of fans of triangles."""
+    areas = []
+    for first, last in zip(offsets, offsets[1:]):
+        a, b, c = points[corners[first]], points[corners[first + 1:last - 1]], points[
+            corners[first + 2:last]]
+        volume = numpy.cross(b, c) @ a
+        areas.append(2 * numpy.arctan2(volume, 1 + b @ a + c @ a + (b * c).sum(axis=1)).sum())
+    return numpy.abs(areas)
 
 
 def cell_sizes(proxy):
@@ -141,20 +152,21 @@ def cell_sizes(proxy):
     mesh = dataset_adapter.WrapDataObject(proxy.GetClientSideObject().GetOutputDataObject(0))
     corners = vtk_to_numpy(mesh.VTKObject.GetPolys().GetConnectivityArray())
     offsets = vtk_to_numpy(mesh.VTKObject.GetPolys().GetOffsetsArray())
+    areas = cell_areas(mesh.Points, corners, offsets)
     middles = unit(numpy.add.reduceat(mesh.Points[corners], offsets[:-1]))
     longitude = numpy.degrees(numpy.arctan2(middles[:, 1], middles[:, 0]))
     latitude = numpy.degrees(numpy.arcsin(middles[:, 2]))
     sizes = {}
     for name, (west, east, south, north) in REGIONS.items():
         chosen = (west < longitude) & (longitude < east) & (south < latitude) & (latitude < north)
-        sizes[name] = mesh.CellData["SkdArea"][chosen].mean() * 6371**2 / 1000
+        sizes[name] = areas[chosen].mean() * 6371**2 / 1000
     return sizes
 
 
 def adapted(mesh, name):
     moved = simple.SkdTreeMeshAdaptation(Input=mesh, Source=land, FieldArray="root",
         SourceCoordinates="Longitude Latitude")
-    before, after = cell_sizes(with_mean_heights(mesh)), cell_sizes(moved)
+    before, after = cell_sizes(mesh), cell_sizes(moved)
     report = {word: moved.FieldData["SkdReport" + word].GetRange()[0]
               for word in ("EquidistributionBefore", "EquidistributionAfter", "SmallestQuality")}
     print("%-14s equidistribution error %.3f -> %.3f, smallest quality %.2f" % (name,
@@ -182,7 +194,7 @@ views = [earth, with_mean_heights(tri), with_mean_heights(poly),
 HEIGHTS = [-7000, 0.05, 0.15, 0.4, -3000, 0.2, 0.45, 0.75, -1, 0.7, 0.85, 0.95,
     0, 0.35, 0.55, 0.3, 800, 0.75, 0.7, 0.45, 2500, 0.6, 0.4, 0.25, 5500, 1, 1, 1]
 simple.GetColorTransferFunction("height").RGBPoints = HEIGHTS
-simple.GetColorTransferFunction("SkdFieldMean").RGBPoints = [0, 0.7, 0.85, 0.95, 1, 0.5, 0.7, 0.5,
+simple.GetColorTransferFunction("land").RGBPoints = [0, 0.7, 0.85, 0.95, 1, 0.5, 0.7, 0.5,
     300, 0.35, 0.55, 0.3, 1000, 0.75, 0.7, 0.45, 2500, 0.6, 0.4, 0.25, 5500, 1, 1, 1]
 layout = simple.CreateLayout("Earth")
 layout.SplitVertical(0, 0.5)
@@ -196,7 +208,7 @@ for source, place in zip(views, (3, 9, 10, 5, 13, 14)):
     shown = simple.Show(source, view, EdgeColor=[0.2, 0.2, 0.2], LineWidth=0.6, Ambient=0.45,
         Diffuse=0.6, Specular=0,
         Representation="Surface" if source is earth else "Surface With Edges")
-    simple.ColorBy(shown, ("POINTS", "height") if source is earth else ("CELLS", "SkdFieldMean"))
+    simple.ColorBy(shown, ("POINTS", "height") if source is earth else ("CELLS", "land"))
     shown.SetScalarBarVisibility(view, False)
     view.CameraPosition = list(on_sphere(62.0, 37.0) * 5)
     view.CameraFocalPoint, view.CameraViewUp = [0, 0, 0], [0, 0, 1]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreeRemap: what is kept, and how well.
 
+#include "Support/EventCounter.h"
 #include "Support/RemapRun.h"
 #include "Support/SphereMeshes.h"
 #include "Support/SurfaceMeshes.h"
@@ -237,6 +238,70 @@ TEST(Remap, MissingValuesDoNotCountOrSpread)
   EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 1.0 }));
   remap->SetMissingValues(Remap::SPREAD);
   EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
+}
+
+TEST(Remap, InterpolationGivesNanWhereValuesDoNotCount)
+{
+  const auto source =
+    WithCellArray(MakePolyData(Sheet(2, VTK_QUAD)), "f", { 1.0, 2.0, -9999.0, 5.0 });
+  WithCellArray(source, "m", { 1, 1, 1, 0 });
+  const auto input = MakePolyData(Sheet(2, VTK_QUAD));
+  RemapPointer remap = MakeRemap(input, source, Remap::INTERPOLATION);
+  remap->SetResultsOn(Remap::CELLS);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 1.0, 2.0, -9999.0, 5.0 }));
+  remap->SetUseMissingValue(true);
+  remap->SetMaskArray("m");
+  const EventCounter events(remap);
+  const std::vector<double> values = RemappedCells(remap, "f");
+  EXPECT_EQ(values[0], 1.0);
+  EXPECT_EQ(values[1], 2.0);
+  EXPECT_TRUE(std::isnan(values[2]) && std::isnan(values[3]));
+  EXPECT_TRUE(RemappedCells(remap, "m").empty());
+  EXPECT_EQ(events.Warning, "");
+  EXPECT_EQ(source->GetCellData()->GetArray("f")->GetTuple1(2), -9999.0); // still its own
+}
+
+TEST(Remap, CellsBetweenParallelsContainWhatIsBelowTheGreatCircle)
+{
+  const double radians = std::acos(-1.0) / 180.0;
+  const auto at = [&](double longitude, double latitude)
+  {
+    const double lon = radians * longitude, lat = radians * latitude;
+    return Point{ std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat) };
+  };
+  Mesh cell;
+  cell.Points = { at(0, 60), at(90, 60), at(90, 80), at(0, 80) };
+  cell.Cells = { { VTK_QUAD, { 0, 1, 2, 3 } } };
+  // Below the circle's arc, which is at 67.8 degrees in the middle, and below that of 80 degrees;
+  // beside; on corners and sides; on the other side of the Earth.
+  Mesh samples;
+  samples.Points = { at(45, 62), at(45, 79), at(45, 81), at(45, 59), at(-1, 70), at(0, 60),
+    at(90, 70), at(30, 60), at(225, 70) };
+  for (vtkIdType i = 0; i < 9; ++i)
+  {
+    samples.Cells.push_back({ VTK_VERTEX, { i } });
+  }
+  const auto source = MakeGrid(samples);
+  source->GetPointData()->AddArray(
+    MakeArray("f", 9, [](vtkIdType i) { return static_cast<double>(1 << i); }));
+  RemapPointer remap = MakeRemap(MakePolyData(cell), source, Remap::CONTAINED);
+  remap->SetGeometry(Remap::SPHERE);
+  remap->SetStatistic(Remap::SUM);
+  remap->SetInputEdgesAlongParallels(true);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 1 + 2 + 32 + 64 + 128 }));
+  remap->SetInputEdgesAlongParallels(false);
+  EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 2 + 4 + 32 + 64 }));
+}
+
+TEST(Remap, StripsOnASphereContainNothingAndThisIsSaid)
+{
+  Mesh strip = CubedSphere(2);
+  strip.Cells[0] = { VTK_TRIANGLE_STRIP, strip.Cells[0].Points };
+  RemapPointer remap = MakeRemap(MakeGrid(strip), MakePolyData(CubedSphere(4)), Remap::CONTAINED);
+  remap->SetGeometry(Remap::SPHERE);
+  const EventCounter events(remap);
+  remap->Update();
+  EXPECT_NE(events.Warning.find("1 cells of Input contain nothing"), std::string::npos);
 }
 
 TEST(Remap, VectorsTurnWithTheSphere)
