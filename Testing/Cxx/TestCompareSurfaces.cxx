@@ -54,40 +54,63 @@ PolyDataPointer Turned(const Mesh& mesh, double angle, double shift)
     }));
 }
 
-/// The largest distance of n * n points of each triangle of the one from the other.
-double DenseMaximum(vtkPolyData* from, vtkPolyData* to, int n)
+double DistanceTo(vtkSkdTreeCellLocator* locator, Point x)
+{
+  Point nearest;
+  double distance2;
+  vtkIdType id;
+  int sub;
+  locator->FindClosestPoint(x.data(), nearest.data(), id, sub, distance2);
+  return std::sqrt(distance2);
+}
+
+vtkSmartPointer<vtkSkdTreeCellLocator> LocatorOf(vtkPolyData* mesh)
 {
   auto locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
-  locator->SetDataSet(to);
-  double most = 0.0;
-  for (vtkIdType cell = 0; cell < from->GetNumberOfCells(); ++cell)
+  locator->SetDataSet(mesh);
+  return locator;
+}
+
+/// The largest distance of the points of a grid in each triangle of the one from the other, and how
+/// far a point of a triangle may be from the grid's.
+struct DenseMaximum
+{
+  double Distance = 0.0;
+  double Spacing = 0.0;
+
+  DenseMaximum(vtkPolyData* from, vtkPolyData* to, int n)
   {
-    double corners[3][3];
-    for (int i = 0; i < 3; ++i)
+    const auto locator = LocatorOf(to);
+    for (vtkIdType cell = 0; cell < from->GetNumberOfCells(); ++cell)
     {
-      from->GetPoint(from->GetCell(cell)->GetPointId(i), corners[i]);
+      Point corners[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        from->GetPoint(from->GetCell(cell)->GetPointId(i), corners[i].data());
+      }
+      this->Add(locator, corners, n);
     }
+  }
+
+  void Add(vtkSkdTreeCellLocator* locator, const Point (&corners)[3], int n)
+  {
     for (int i = 0; i <= n; ++i)
     {
       for (int j = 0; i + j <= n; ++j)
       {
-        double x[3];
-        double nearest[3];
-        double distance2;
-        vtkIdType id;
-        int sub;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          x[axis] =
-            ((n - i - j) * corners[0][axis] + i * corners[1][axis] + j * corners[2][axis]) / n;
-        }
-        locator->FindClosestPoint(x, nearest, id, sub, distance2);
-        most = std::max(most, std::sqrt(distance2));
+        const double r = double(i) / n;
+        const double s = double(j) / n;
+        const Point x = (1.0 - r - s) * corners[0] + r * corners[1] + s * corners[2];
+        this->Distance = std::max(this->Distance, DistanceTo(locator, x));
       }
     }
+    for (int i = 0; i < 3; ++i)
+    {
+      const double edge = skdtest::Distance(corners[i], corners[(i + 1) % 3]);
+      this->Spacing = std::max(this->Spacing, edge / n);
+    }
   }
-  return most;
-}
+};
 
 TEST(CompareSurfaces, TheLargestDistanceMayBeWithinATriangle)
 {
@@ -177,20 +200,27 @@ TEST(CompareSurfaces, HausdorffDistancesEncloseDenseSamples)
     filter->Update();
     for (int row : { FORTH, BACK })
     {
+      vtkPolyData* from = row == FORTH ? pair.A : pair.B;
+      vtkPolyData* to = row == FORTH ? pair.B : pair.A;
       const double found = Cell(filter, row, "HausdorffDistance");
       const double bound = Cell(filter, row, "HausdorffUpperBound");
-      const double dense =
-        row == FORTH ? DenseMaximum(pair.A, pair.B, 14) : DenseMaximum(pair.B, pair.A, 14);
       EXPECT_LE(found, bound);
-      EXPECT_LE(bound - found, 1e-4 * (pair.A->GetLength() + pair.B->GetLength()));
-      EXPECT_GE(bound, dense - 1e-12);
-      EXPECT_LT(bound - dense, 0.05 * dense) << "samples are not so coarse";
-      double gap2 = 0.0;
+      EXPECT_LE(bound - found, 1e-4 * (from->GetLength() + to->GetLength()));
+
+      Point ends[2];
       for (int axis = 0; axis < 3; ++axis)
       {
-        gap2 += std::pow(Cell(filter, row, "From", axis) - Cell(filter, row, "To", axis), 2);
+        ends[0][axis] = Cell(filter, row, "From", axis);
+        ends[1][axis] = Cell(filter, row, "To", axis);
       }
-      EXPECT_NEAR(std::sqrt(gap2), found, 1e-12);
+      EXPECT_NEAR(DistanceTo(LocatorOf(from), ends[0]), 0.0, 1e-14) << "not on the surface";
+      EXPECT_NEAR(DistanceTo(LocatorOf(to), ends[0]), found, 1e-14) << "not attained there";
+      EXPECT_NEAR(DistanceTo(LocatorOf(to), ends[1]), 0.0, 1e-14);
+      EXPECT_NEAR(Distance(ends[0], ends[1]), found, 1e-14);
+
+      const DenseMaximum dense(from, to, 14);
+      EXPECT_GE(bound, dense.Distance);
+      EXPECT_LE(found, dense.Distance + dense.Spacing);
     }
   }
 }
