@@ -5,6 +5,11 @@
 #include "Curves/SkdCurveSet.h"
 #include "Pipeline/SkdPrint.h"
 
+namespace
+{
+constexpr double DefaultChordTolerance = 1e-3; // of the diagonal
+}
+
 VTK_ABI_NAMESPACE_BEGIN
 SkdPolylineForm vtkSkdTreeCurveAlgorithm::FindPolylineForm() const
 {
@@ -18,9 +23,9 @@ double vtkSkdTreeCurveAlgorithm::FindChordTolerance()
     return this->ChordTolerance;
   }
   vtkWarningMacro("ChordTolerance is "
-    << this->ChordTolerance
-    << " and is ignored; curves are approximated within 0.001 of the diagonal of their bounds.");
-  return 1e-3;
+    << this->ChordTolerance << " and is ignored; curves are approximated within "
+    << DefaultChordTolerance << " of the diagonal of their bounds.");
+  return DefaultChordTolerance;
 }
 
 void vtkSkdTreeCurveAlgorithm::WarnAboutInput(

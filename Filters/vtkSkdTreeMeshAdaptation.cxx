@@ -26,6 +26,11 @@ vtkStandardNewMacro(vtkSkdTreeMeshAdaptation);
 
 namespace
 {
+/// Tolerances of finding cells, relative to their mean size: in a plane for rounding errors, on
+/// curved surfaces for the distance between two approximations.
+constexpr double PlaneTolerance = 1e-6;
+constexpr double CurvedTolerance = 0.25;
+
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 /// The field as values at places.
@@ -238,8 +243,8 @@ double vtkSkdTreeMeshAdaptation::Internals::ToleranceOfCells() const
   }
   const double size = std::sqrt(area / static_cast<double>(mesh.Cells.size()));
   return shape.What == skd::SurfaceShape::Kind::Sphere ? 0.0
-    : shape.What == skd::SurfaceShape::Kind::Plane     ? 1e-6 * size
-                                                       : 0.25 * size;
+    : shape.What == skd::SurfaceShape::Kind::Plane     ? PlaneTolerance * size
+                                                       : CurvedTolerance * size;
 }
 
 bool vtkSkdTreeMeshAdaptation::Internals::Update(

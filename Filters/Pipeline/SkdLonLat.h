@@ -32,12 +32,15 @@ inline skd::Vector3 SkdLonLatOf(const skd::Vector3& x)
   return { { longitude < 0.0 ? longitude + 360.0 : longitude, latitude, skd::Norm(x) } };
 }
 
+/// The weight of samples at the poles: as good as nothing, but not nothing.
+constexpr double SkdWeightOfPoles = 1e-12;
+
 /// What a sample of a grid of longitudes and latitudes weighs. Poles count for as good as nothing,
 /// but not nothing; what has no direction, as one.
 inline double SkdCosineOfLatitude(const skd::Vector3& x)
 {
   const double cosine = std::hypot(x[0], x[1]) / skd::Norm(x);
-  return std::isfinite(cosine) ? std::max(cosine, 1e-12) : 1.0;
+  return std::isfinite(cosine) ? std::max(cosine, SkdWeightOfPoles) : 1.0;
 }
 
 #endif

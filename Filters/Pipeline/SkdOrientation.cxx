@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 
 namespace
@@ -72,9 +73,9 @@ private:
   std::vector<std::vector<Neighbour>> Lists;
 };
 
-/// All triangles that hang together with the first, turned like it.
-std::vector<std::size_t> TurnAlike(std::size_t first, const Neighbours& neighbours,
-  std::vector<bool>& isTurned, std::vector<bool>& isSeen)
+/// All triangles that are connected to the first, oriented like it.
+std::vector<std::size_t> OrientAlike(std::size_t first, const Neighbours& neighbours,
+  std::vector<bool>& isReversed, std::vector<bool>& isSeen)
 {
   std::vector<std::size_t> piece{ first };
   isSeen[first] = true;
@@ -85,7 +86,7 @@ std::vector<std::size_t> TurnAlike(std::size_t first, const Neighbours& neighbou
       if (!isSeen[other.Triangle])
       {
         isSeen[other.Triangle] = true;
-        isTurned[other.Triangle] = isTurned[piece[next]] == other.IsAlike;
+        isReversed[other.Triangle] = isReversed[piece[next]] == other.IsAlike;
         piece.push_back(other.Triangle);
       }
     }
@@ -93,9 +94,34 @@ std::vector<std::size_t> TurnAlike(std::size_t first, const Neighbours& neighbou
   return piece;
 }
 
+// Distances from a triangle's centre at which both sides are tested, relative to its size: the
+// first is far above rounding error and far below other distances, the last is for thin walls.
+constexpr double FirstStep = 1e-5;
+constexpr double LastStep = 1e-13;
+constexpr double NextStep = 1e-2;
+
 skd::Vector3 AcrossOf(const std::vector<skd::Vector3>& points, const SkdTriangleIds& ids)
 {
   return skd::Cross(points[ids[1]] - points[ids[0]], points[ids[2]] - points[ids[0]]);
+}
+
+/// Whether the inside is in front of a triangle; nothing if it is on both sides or on neither.
+std::optional<bool> IsInsideInFront(const std::vector<skd::Vector3>& points,
+  const SkdTriangleIds& ids, const std::function<bool(const skd::Vector3&)>& isInside)
+{
+  const skd::Vector3 across = AcrossOf(points, ids);
+  const double size = std::sqrt(skd::Norm(across));
+  const skd::Vector3 middle = 1.0 / 3.0 * (points[ids[0]] + points[ids[1]] + points[ids[2]]);
+  for (double step = FirstStep; size > 0.0 && step >= LastStep; step *= NextStep)
+  {
+    const skd::Vector3 aside = (step / size) * across;
+    const bool isInFront = isInside(middle + aside);
+    if (isInFront != isInside(middle - aside))
+    {
+      return isInFront;
+    }
+  }
+  return std::nullopt;
 }
 }
 
@@ -104,7 +130,7 @@ std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
   const std::function<bool(const skd::Vector3&)>& isInside)
 {
   const Neighbours neighbours(triangles);
-  std::vector<bool> isTurned(triangles.size(), false);
+  std::vector<bool> isReversed(triangles.size(), false);
   std::vector<bool> isSeen(triangles.size(), false);
   const auto area2 = [&](std::size_t i) { return skd::Norm2(AcrossOf(points, triangles[i])); };
   for (std::size_t first = 0; first < triangles.size(); ++first)
@@ -113,24 +139,17 @@ std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
     {
       continue;
     }
-    const std::vector<std::size_t> piece = TurnAlike(first, neighbours, isTurned, isSeen);
+    const std::vector<std::size_t> piece = OrientAlike(first, neighbours, isReversed, isSeen);
     const std::size_t largest = *std::max_element(piece.begin(), piece.end(),
       [&](std::size_t a, std::size_t b) { return area2(a) < area2(b); });
-    // A distance from the centre far above rounding error and far below other distances.
-    const SkdTriangleIds& ids = triangles[largest];
-    const skd::Vector3 across = AcrossOf(points, ids);
-    const double length = std::sqrt(skd::Norm(across));
-    const skd::Vector3 step = (length > 0.0 ? 1e-5 / length : 0.0) * across;
-    const skd::Vector3 middle = 1.0 / 3.0 * (points[ids[0]] + points[ids[1]] + points[ids[2]]);
-    const bool isInFront = isInside(middle + step);
-    const bool isBehind = isInside(middle - step);
-    if (isInFront != isBehind && isInFront != isTurned[largest])
+    const std::optional<bool> isInFront = IsInsideInFront(points, triangles[largest], isInside);
+    if (isInFront && *isInFront != isReversed[largest])
     {
       for (const std::size_t i : piece)
       {
-        isTurned[i] = !isTurned[i];
+        isReversed[i] = !isReversed[i];
       }
     }
   }
-  return isTurned;
+  return isReversed;
 }

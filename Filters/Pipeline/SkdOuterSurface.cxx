@@ -30,6 +30,9 @@
 
 namespace
 {
+/// The least chordal deviation, relative to the diagonal: what the properties accept.
+constexpr double SmallestChordalDeviation = 1e-7;
+
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 
@@ -404,7 +407,8 @@ double SkdChordalLength(
     }
   }
   const skd::Vector3 size = box.Max - box.Min;
-  const double used = share >= 1e-7 ? std::min(share, 1.0) : SkdDefaultChordalDeviation; // of NaN
+  const double used =
+    share >= SmallestChordalDeviation ? std::min(share, 1.0) : SkdDefaultChordalDeviation; // of NaN
   return size[0] >= 0.0 ? used * std::hypot(size[0], size[1], size[2]) : 0.0;
 }
 

@@ -15,6 +15,9 @@
 
 namespace
 {
+/// Directions with eigenvalues below this are rounding errors, relative to the largest eigenvalue.
+constexpr double SmallestEigenvalue = 1e-14;
+
 /// The inverse of a sum of d d^T, on the space that the vectors d span.
 class SpannedInverse
 {
@@ -34,7 +37,7 @@ public:
     vtkMath::Diagonalize3x3(this->Matrix, values, axes);
     int order[3] = { 0, 1, 2 };
     std::sort(order, order + 3, [&](int a, int b) { return values[a] > values[b]; });
-    const double least = 1e-14 * values[order[0]];
+    const double least = SmallestEigenvalue * values[order[0]];
     std::fill(&this->Inverse[0][0], &this->Inverse[0][0] + 9, 0.0);
     for (int j = 0; j < dimension && values[order[j]] > least; ++j)
     {

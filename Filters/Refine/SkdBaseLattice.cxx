@@ -12,6 +12,9 @@
 
 namespace
 {
+/// A number of cells exceeds a whole number by rounding only, if by less than this.
+constexpr double CellRounding = 1e-9;
+
 using Planes = std::array<std::vector<double>, 3>;
 
 constexpr double MostCells = 1 << 20; // along an axis
@@ -67,8 +70,7 @@ std::vector<double> Divided(double min, double max, int n)
 /// As many cells of a size as hold the interval, about its middle.
 std::vector<double> Cubes(double min, double max, double size)
 {
-  // What is a whole number but for rounding is that number.
-  const double cells = std::max(1.0, std::ceil((max - min) / size - 1e-9));
+  const double cells = std::max(1.0, std::ceil((max - min) / size - CellRounding));
   const double middle = 0.5 * min + 0.5 * max;
   const double half = std::max(0.5 * cells * size, 0.5 * (max - min));
   return Divided(middle - half, middle + half, static_cast<int>(cells));

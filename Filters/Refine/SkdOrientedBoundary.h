@@ -28,14 +28,12 @@ public:
 
 private:
   std::array<skd::Vector3, 3> GetTriangle(vtkIdType triangle) const;
-  void TurnAlike();
-  bool IsInward(const std::vector<vtkIdType>& piece) const;
   bool PutCornerAway(const skd::Box3& box, vtkIdList* triangles, unsigned& corner) const;
 
   const SkdSignedSource& Boundary;
   vtkSmartPointer<vtkPolyData> Surface;
   SkdCellTree Tree;
-  std::vector<char> Turned; // whether a triangle's normal points in
+  std::vector<bool> Reversed; // whether a triangle's normal points in
 };
 
 #endif

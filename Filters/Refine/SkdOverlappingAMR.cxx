@@ -18,6 +18,11 @@
 
 namespace
 {
+/// How far planes may be from uniform spacing: relative to their coordinates (two units in the last
+/// place), and to the size of cells.
+constexpr double CoordinateRounding = 4e-16;
+constexpr double SpacingRounding = 1e-12;
+
 double SizeOfBaseCells(const skd::Lattice& lattice, int axis)
 {
   const std::vector<double>& planes = lattice.GetPlanes(axis);
@@ -168,7 +173,8 @@ bool SkdIsUniform(const skd::Lattice& lattice)
     const std::vector<double>& planes = lattice.GetPlanes(axis);
     const double size = SizeOfBaseCells(lattice, axis);
     const double rounding =
-      4e-16 * (std::abs(planes.front()) + std::abs(planes.back())) + 1e-12 * size;
+      CoordinateRounding * (std::abs(planes.front()) + std::abs(planes.back())) +
+      SpacingRounding * size;
     for (std::size_t i = 1; i + 1 < planes.size(); ++i)
     {
       if (!(std::abs(planes[i] - (planes.front() + static_cast<double>(i) * size)) <= rounding))

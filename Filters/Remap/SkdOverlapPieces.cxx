@@ -5,6 +5,7 @@
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Pipeline/SkdLoop.h"
 #include "Remap/SkdOverlapReader.h"
+#include "Remap/SkdRemapTolerances.h"
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -23,7 +24,7 @@ void AddBounds(
   if (piece.IsLonLat)
   {
     const skd::LonLatCell cell{ corners[0][0], corners[0][1], corners[1][0], corners[1][1] };
-    box.Add(cell.Bounds().Inflated(1e-15));
+    box.Add(cell.Bounds().Inflated(remap_tolerances::LonLatBox));
     return;
   }
   skd::Box3 own;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapReader.h"
 
+#include "Remap/SkdRemapTolerances.h"
+
 #include "Core/Geometry/Overlap/LonLatOutline.h"
 #include "Core/Geometry/Overlap/PolygonOverlap.h"
 #include "Core/Geometry/Overlap/SegmentOverlap.h"
@@ -74,7 +76,8 @@ bool IsConvex(const std::vector<Vector3>& seen)
     const Vector3 next = seen[i + 2 < size ? i + 2 : i + 2 - size] - at;
     const double cross = way[0] * next[1] - way[1] * next[0];
     const double dot = way[0] * next[0] + way[1] * next[1];
-    if (cross < -1e-13 * std::sqrt(Norm2(way) * Norm2(next)) || (cross <= 0.0 && dot < 0.0))
+    if (cross < -remap_tolerances::StraightAngle * std::sqrt(Norm2(way) * Norm2(next)) ||
+      (cross <= 0.0 && dot < 0.0))
     {
       return false;
     }
@@ -121,7 +124,7 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
     this->AddSeen(skd::PlanarFrame(middle), corners);
     return;
   }
-  if (Norm(middle) > 1e-3)
+  if (Norm(middle) > remap_tolerances::Hemisphere)
   {
     if (Dot(area, middle) < 0.0)
     {

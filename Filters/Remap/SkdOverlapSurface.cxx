@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapSurface.h"
 
+#include "Remap/SkdRemapTolerances.h"
+
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/Polygons/PlanarPolygon.h"
 
@@ -95,7 +97,7 @@ void SkdOverlapSurface::FindPlane(vtkDataSet* donor, vtkDataSet* target)
   skd::Box3 box;
   AddPoints(box, donor);
   AddPoints(box, target);
-  const double tolerance = 1e-6 * box.Diagonal();
+  const double tolerance = remap_tolerances::OutOfPlane * box.Diagonal();
   for (int axis = 2; axis >= 0; --axis)
   {
     if (!box.IsEmpty() && box.Length(axis) == 0.0)
@@ -162,7 +164,7 @@ void SkdOverlapSurface::FindRadius(vtkDataSet* donor, double wanted)
     }
     this->Radius = count > 0 ? sum / static_cast<double>(count) : 1.0;
     // Points of a unit sphere are rounded: their mean is not to scale areas.
-    this->Radius = std::abs(this->Radius - 1.0) < 1e-6 ? 1.0 : this->Radius;
+    this->Radius = std::abs(this->Radius - 1.0) < remap_tolerances::UnitRadius ? 1.0 : this->Radius;
   }
   this->MeasureScale = this->Radius * this->Radius;
 }

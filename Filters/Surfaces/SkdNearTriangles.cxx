@@ -9,6 +9,11 @@
 
 namespace
 {
+/// Boxes are inflated by the clearance and generous rounding errors: relative to the clearance, and
+/// to the largest coordinate.
+constexpr double ClearanceMargin = 1.000001;
+constexpr double CoordinateMargin = 1e-10;
+
 using Cells = skd::CoarseCells;
 
 std::uint32_t CountOf(const SkdPlacedTriangles& set)
@@ -208,7 +213,8 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   skd::Box3 region = BoundsOf(placement, first, false);
   skd::Box3 other = BoundsOf(placement, second, placement.Motion.has_value());
   const double reach = std::max(skd::LargestCoordinate(region), skd::LargestCoordinate(other));
-  const double margin = clearance > 0.0 ? 1.000001 * clearance + 1e-10 * reach : 0.0; // generous
+  const double margin =
+    clearance > 0.0 ? ClearanceMargin * clearance + CoordinateMargin * reach : 0.0;
   other = other.Inflated(margin);
   region = { skd::Greatest(region.Min, other.Min), skd::Least(region.Max, other.Max) };
   if (region.IsEmpty())
