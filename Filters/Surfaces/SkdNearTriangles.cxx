@@ -104,42 +104,26 @@ public:
   /// Appends those within the region to `inside`.
   bool MarkAll(const SeenByCells& set, std::vector<std::uint32_t>& inside)
   {
-    for (std::uint32_t i = 0; i < set.Count(); ++i)
-    {
-      const Cells::Range range = set.RangeOf(i);
-      if (!range.IsEmpty)
+    return this->ForEachRange(set,
+      [&](std::uint32_t i, const Cells::Range& range)
       {
-        if (!this->Affords(range))
-        {
-          return false;
-        }
         this->Marked.Mark(range);
         inside.push_back(i);
-      }
-    }
-    return true;
+      });
   }
 
   /// Those of the other set that are in marked cells; marks theirs.
   bool FindMarked(const SeenByCells& set, std::vector<std::uint32_t>& found)
   {
-    for (std::uint32_t i = 0; i < set.Count(); ++i)
-    {
-      const Cells::Range range = set.RangeOf(i);
-      if (!range.IsEmpty)
+    return this->ForEachRange(set,
+      [&](std::uint32_t i, const Cells::Range& range)
       {
-        if (!this->Affords(range))
-        {
-          return false;
-        }
         if (this->Marked.HasMarks(range))
         {
           this->Other.Mark(range);
           found.push_back(i);
         }
-      }
-    }
-    return true;
+      });
   }
 
   void KeepMarked(const SeenByCells& set, std::vector<std::uint32_t>& inside) const
@@ -149,6 +133,26 @@ public:
   }
 
 private:
+  /// Calls visit(triangle, its cells) for those within the region; false if there are too many
+  /// cells.
+  template <class Visit>
+  bool ForEachRange(const SeenByCells& set, const Visit& visit)
+  {
+    for (std::uint32_t i = 0; i < set.Count(); ++i)
+    {
+      const Cells::Range range = set.RangeOf(i);
+      if (!range.IsEmpty)
+      {
+        if (!this->Affords(range))
+        {
+          return false;
+        }
+        visit(i, range);
+      }
+    }
+    return true;
+  }
+
   bool Affords(const Cells::Range& range)
   {
     const std::size_t rows = range.CountRows();
