@@ -332,20 +332,20 @@ vtkIdType vtkSkdTreeCellLocator::FindPasses(const double p1[3], const double p2[
   { return passes[static_cast<std::size_t>(i)]; };
   FillColumn(parameters, number, [&](vtkIdType i) { return at(i).T; });
   FillColumn(cellIds, number, [&](vtkIdType i) { return at(i).Id; });
-  FillColumn(ways, number, [&](vtkIdType i) { return at(i).Way; });
+  FillColumn(ways, number, [&](vtkIdType i) { return at(i).Direction; });
   return number;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkSkdTreeCellLocator::CountPasses(
-  const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum)
+  const double p1[3], const double p2[3], vtkUnsignedCharArray* reversed, vtkIdType& sum)
 {
   const std::vector<SkdPass>& passes =
     this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
   sum = 0;
   for (const SkdPass& pass : passes)
   {
-    sum += turned && turned->GetValue(pass.Id) != 0 ? -pass.Way : pass.Way;
+    sum += reversed && reversed->GetValue(pass.Id) != 0 ? -pass.Direction : pass.Direction;
   }
   return static_cast<vtkIdType>(passes.size());
 }

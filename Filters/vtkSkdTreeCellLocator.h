@@ -246,10 +246,10 @@ public:
 
   /**
    * The number of facets of FindPasses, and the sum of their `ways`, with the sign reversed for
-   * cells whose tuple in `turned` (may be nullptr) is not 0.
+   * cells whose tuple in `reversed` (may be nullptr) is not 0.
    */
   vtkIdType CountPasses(
-    const double p1[3], const double p2[3], vtkUnsignedCharArray* turned, vtkIdType& sum);
+    const double p1[3], const double p2[3], vtkUnsignedCharArray* reversed, vtkIdType& sum);
 
   //@{
   /**

@@ -21,7 +21,7 @@
  * error falls with the square of the cells' size. On other surfaces each step is along the gradient
  * of a potential.
  *
- * No cell is ever turned over or crosses itself: all corners of all cells are looked at in each
+ * No cell is ever flipped or crosses itself: all corners of all cells are looked at in each
  * iteration, by exact signs, and where a cell would be spoilt its points go with their neighbours,
  * or not as far. Points stay on the surface that they were on (see SetSurface), on borders and
  * creases (see SetBorders), at corners and on edges that three cells or more have.

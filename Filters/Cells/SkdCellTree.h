@@ -60,7 +60,7 @@ struct SkdPass
 {
   double T;
   vtkIdType Id;
-  int Way;
+  int Direction;
 };
 
 /// All crossings of a segment; the vectors are reused from call to call.

@@ -142,7 +142,7 @@ bool SkdFaceReader::Number(
 }
 
 //------------------------------------------------------------------------------
-// Two faces that share an edge are turned alike if they walk along it in opposite directions. An
+// Two faces that share an edge are oriented alike if they walk along it in opposite directions. An
 // edge of one face, or of more than two, decides nothing.
 void SkdFaceReader::TurnAlike()
 {

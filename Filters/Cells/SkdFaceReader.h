@@ -27,7 +27,7 @@ void SkdReadFaces(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell, vtkI
 
 /// Makes of VTK's faces those that the kernels read: of each face the number of points, then their
 /// numbers within the cell. Each starts at its first point in lexicographic order, so that it comes
-/// out the same for both of its cells, and all are turned alike, outward or inward.
+/// out the same for both of its cells, and all are oriented alike, outward or inward.
 class SkdFaceReader
 {
 public:
@@ -56,7 +56,7 @@ private:
   std::vector<std::uint32_t> Starts; // of faces in the stream
   std::vector<std::pair<vtkIdType, std::uint32_t>> Numbers;
   std::vector<Edge> Edges;
-  std::vector<std::uint32_t> Parents; // of faces, and whether they are turned against these
+  std::vector<std::uint32_t> Parents; // of faces, and whether they are oriented against these
   std::vector<char> Turns;
 };
 

@@ -3,8 +3,8 @@
 #include "Cells/SkdCellTree.h"
 
 #include "Cells/SkdMotion.h"
+#include "Core/Geometry/Intersection/CrossingDirection.h"
 #include "Core/Geometry/Intersection/SegmentPolygon.h"
-#include "Core/Geometry/Intersection/WayThrough.h"
 #include "Core/Queries/AlongSegment.h"
 #include "Core/Queries/TriangleHits.h"
 
@@ -46,7 +46,7 @@ struct Facet
   bool Passes;
 };
 
-/// As WayThrough(), of a polygon that is passed through.
+/// As CrossingDirection(), of a polygon that is passed through.
 int WayAcross(const skd::Segment<3>& segment, const SkdPolyCell& polygon)
 {
   skd::Vector3 area{ { 0.0, 0.0, 0.0 } };
@@ -291,7 +291,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
 
 //------------------------------------------------------------------------------
 /// Calls take(cell, hit, way) for each facet of a surface that the segment hits: way() returns the
-/// direction through the facet, see WayThrough().
+/// direction through the facet, see CrossingDirection().
 template <class Take>
 void SkdCellTree::ForEachFacet(
   const skd::Segment<3>& segment, const SkdCellSource& source, const Take& take) const
@@ -300,7 +300,8 @@ void SkdCellTree::ForEachFacet(
   {
     const auto point = [&](int i) { return this->Store.Point(this->Store.PointIdsOf(cell)[i]); };
     take(cell, Facet{ hit.T, hit.OnEdge, hit.Passes },
-      [&] { return skd::WayThrough(skd::SegmentView(segment), point(0), point(1), point(2)); });
+      [&]
+      { return skd::CrossingDirection(skd::SegmentView(segment), point(0), point(1), point(2)); });
     return 1.0;
   };
   if (this->VisitTriangleHits<false>(segment, 0.0, takeTriangle))
@@ -337,7 +338,7 @@ void SkdCellTree::ForEachFacet(
         if (const auto hit = skd::Intersect(view, a, b, c))
         {
           take(cell, Facet{ hit->T, hit->OnEdge, hit->Passes },
-            [&] { return skd::WayThrough(view, a, b, c); });
+            [&] { return skd::CrossingDirection(view, a, b, c); });
         }
       });
     return 1.0;

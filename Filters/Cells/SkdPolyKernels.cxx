@@ -88,8 +88,8 @@ bool VisitPieces(const SkdPolyCell& cell, Visit visit)
 /// VTK counts the first two points of every other triangle of a strip the other way around.
 skd::Vector3 StripPCoords(const SkdPolyCell& cell, int subId, const skd::Vector3& pcoords)
 {
-  const bool isTurned = cell.Shape == SkdShape::Strip && cell.Size > 2 && subId % 2 == 1;
-  return isTurned ? skd::Vector3{ { 1.0 - pcoords[0] - pcoords[1], pcoords[1], 0.0 } } : pcoords;
+  const bool isReversed = cell.Shape == SkdShape::Strip && cell.Size > 2 && subId % 2 == 1;
+  return isReversed ? skd::Vector3{ { 1.0 - pcoords[0] - pcoords[1], pcoords[1], 0.0 } } : pcoords;
 }
 
 //------------------------------------------------------------------------------
@@ -293,7 +293,7 @@ void SkdPolyKernels::Locate(const SkdPolyCell& cell, SkdCellPoint& found, double
   const auto weigh = [&](auto kernel)
   {
     SkdCellPoint piece = found;
-    piece.PCoords = StripPCoords(cell, found.SubId, found.PCoords); // turned twice is as it was
+    piece.PCoords = StripPCoords(cell, found.SubId, found.PCoords); // reversed twice is as it was
     if (weights)
     {
       WeighPiece<decltype(kernel)>(cell, piece, weights);

@@ -119,7 +119,7 @@ bool IsBeforeStart(const SkdCurveLocation& place)
 /// self-intersections the first parameter is the lower, which may be either.
 void UniteAround(std::vector<Group>& groups, bool isSelf)
 {
-  const auto turned = [](SkdCurveHit hit)
+  const auto reversed = [](SkdCurveHit hit)
   {
     std::swap(hit.First, hit.Second);
     return hit;
@@ -134,12 +134,12 @@ void UniteAround(std::vector<Group>& groups, bool isSelf)
     }
     const auto range = std::equal_range(groups.begin(), groups.end(), groups[i],
       [](const Group& a, const Group& b) { return PairOf(a.Hit) < PairOf(b.Hit); });
-    const bool mayTurn = isSelf && hit.First.Curve == hit.Second.Curve;
+    const bool mayReverse = isSelf && hit.First.Curve == hit.Second.Curve;
     for (auto other = range.first; other != range.second && !isLeftOut[i]; ++other)
     {
       const auto number = static_cast<std::size_t>(other - groups.begin());
-      const bool isSame =
-        IsSameLocation(other->Hit, hit) || (mayTurn && IsSameLocation(other->Hit, turned(hit)));
+      const bool isSame = IsSameLocation(other->Hit, hit) ||
+        (mayReverse && IsSameLocation(other->Hit, reversed(hit)));
       if (number != i && !isLeftOut[number] && isSame)
       {
         other->Add(groups[i]);

@@ -26,7 +26,7 @@ struct Face
   SkdBoundary::Origin Origin;
   bool OfVolume;
   int Copies; // how many of it the boundary has; 0 of an inner face and of a repetition
-  int Net;    // how many of these are turned like it more than are turned against it
+  int Net;    // how many of these are oriented like it more than are oriented against it
 };
 
 /// The faces of all blocks, and what becomes of them.
@@ -215,7 +215,7 @@ vtkIdType FaceList::CountOddEdges(const Predicate& isOfSurface) const
   return odd;
 }
 
-// So many copies of each face, of a negative number turned around.
+// So many copies of each face, of a negative number reversed.
 template <typename Number>
 vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
   const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const

@@ -120,10 +120,10 @@ private:
 SkdShells::SkdShells(
   const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles)
   : ShellOf(triangles.size(), -1)
-  , Turned(vtkSmartPointer<vtkUnsignedCharArray>::New())
+  , Reversed(vtkSmartPointer<vtkUnsignedCharArray>::New())
 {
-  this->Turned->SetNumberOfValues(static_cast<vtkIdType>(triangles.size()));
-  this->Turned->Fill(0.0);
+  this->Reversed->SetNumberOfValues(static_cast<vtkIdType>(triangles.size()));
+  this->Reversed->Fill(0.0);
   const Pairing pairing(points.size(), triangles);
   for (std::uint32_t first = 0; first < triangles.size(); ++first)
   {
@@ -136,7 +136,7 @@ SkdShells::SkdShells(
   this->TurnOutward();
 }
 
-// All that hang together with the first, turned like it.
+// All that are connected to the first, oriented like it.
 void SkdShells::Follow(std::uint32_t first, const Pairing& pairing)
 {
   const int number = static_cast<int>(this->Shells.size());
@@ -147,19 +147,19 @@ void SkdShells::Follow(std::uint32_t first, const Pairing& pairing)
   {
     const std::uint32_t triangle = open.back();
     open.pop_back();
-    const unsigned char isTurned = this->Turned->GetValue(triangle);
+    const unsigned char isReversed = this->Reversed->GetValue(triangle);
     for (int edge = 0; edge < 3; ++edge)
     {
       const Pairing::Neighbour next = pairing.Get(triangle, edge);
-      const unsigned char turned = next.IsAlike ? isTurned : 1 - isTurned;
+      const unsigned char reversed = next.IsAlike ? isReversed : 1 - isReversed;
       shell.IsCoherent = shell.IsCoherent && next.IsAlike;
       if (this->ShellOf[next.Triangle] < 0)
       {
         this->ShellOf[next.Triangle] = number;
-        this->Turned->SetValue(next.Triangle, turned);
+        this->Reversed->SetValue(next.Triangle, reversed);
         open.push_back(next.Triangle);
       }
-      else if (this->Turned->GetValue(next.Triangle) != turned)
+      else if (this->Reversed->GetValue(next.Triangle) != reversed)
       {
         shell.IsOneSided = true;
       }
@@ -197,7 +197,7 @@ void SkdShells::Measure(
       }
     }
     const double volume = skd::Dot(seen[0], skd::Cross(seen[1], seen[2]));
-    shell.Volume += this->Turned->GetValue(static_cast<vtkIdType>(i)) ? -volume : volume;
+    shell.Volume += this->Reversed->GetValue(static_cast<vtkIdType>(i)) ? -volume : volume;
   }
 }
 
@@ -208,13 +208,13 @@ void SkdShells::TurnOutward()
   {
     const auto triangle = static_cast<vtkIdType>(i);
     const bool isInward = this->Shells[this->ShellOf[i]].Volume < 0.0;
-    const bool isTurned = (this->Turned->GetValue(triangle) != 0) != isInward;
-    this->Turned->SetValue(triangle, isTurned ? 1 : 0);
-    isAny = isAny || isTurned;
+    const bool isReversed = (this->Reversed->GetValue(triangle) != 0) != isInward;
+    this->Reversed->SetValue(triangle, isReversed ? 1 : 0);
+    isAny = isAny || isReversed;
   }
   if (!isAny)
   {
-    this->Turned = nullptr;
+    this->Reversed = nullptr;
   }
 }
 

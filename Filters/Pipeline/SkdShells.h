@@ -25,8 +25,8 @@ class SkdShells
 public:
   struct Shell
   {
-    double Volume = 0.0;     ///< signed, six times, of its triangles when they are turned alike
-    bool IsCoherent = true;  ///< its triangles are turned alike as they are
+    double Volume = 0.0;     ///< signed, six times, of its triangles when they are oriented alike
+    bool IsCoherent = true;  ///< its triangles are oriented alike as they are
     bool IsOneSided = false; ///< they cannot be, as on a Klein bottle
     std::array<skd::Vector3, 6> Extremes{}; ///< its lowest and highest points along each axis
 
@@ -45,7 +45,7 @@ public:
 
   /// One value a triangle: 1 for those that must be reversed for normals to point out of each
   /// single shell. nullptr if there are none.
-  vtkUnsignedCharArray* GetReversed() const { return this->Turned; }
+  vtkUnsignedCharArray* GetReversed() const { return this->Reversed; }
 
 private:
   class Pairing;
@@ -57,7 +57,7 @@ private:
 
   std::vector<Shell> Shells;
   std::vector<int> ShellOf;
-  vtkSmartPointer<vtkUnsignedCharArray> Turned;
+  vtkSmartPointer<vtkUnsignedCharArray> Reversed;
 };
 
 /// A number for each shell, the same for shells that are connected by touching shells: exact

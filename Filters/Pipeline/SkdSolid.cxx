@@ -33,8 +33,8 @@ std::array<SkdRayEnd, 7> SkdRayEndsAlongAxes(const double bounds[6], const doubl
 struct SkdSolid::Around
 {
   int Shell;
-  int Raw = 0;     // its winding number, as it is turned
-  int Outward = 0; // the same when it is turned outward; parity of one that has one side
+  int Raw = 0;     // its winding number, as it is reversed
+  int Outward = 0; // the same when it is oriented outward; parity of one that has one side
   int Passes = 0;
 };
 
@@ -61,8 +61,8 @@ void SkdSolid::FindShells() const
 SkdSide SkdSolid::Ask(const double x[3], const SkdRayEnd& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
-  const auto count = [&](vtkUnsignedCharArray* turned, vtkIdType& sum)
-  { return this->Locator->CountPasses(x, end, turned, sum); };
+  const auto count = [&](vtkUnsignedCharArray* reversed, vtkIdType& sum)
+  { return this->Locator->CountPasses(x, end, reversed, sum); };
   bool isKnown = this->HasShells.load(std::memory_order_acquire);
   vtkIdType sum;
   vtkIdType passes = count(isKnown ? this->Shells->GetReversed() : nullptr, sum);
@@ -91,14 +91,14 @@ void SkdSolid::FindPasses(
   thread_local vtkNew<vtkIdTypeArray> triangles;
   thread_local vtkNew<vtkIdTypeArray> ways;
   this->FindShells();
-  vtkUnsignedCharArray* turned = this->Shells->GetReversed();
+  vtkUnsignedCharArray* reversed = this->Shells->GetReversed();
   const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, triangles, ways);
   int around = 0;
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const bool isTurned = turned && turned->GetValue(triangles->GetValue(i)) != 0;
+    const bool isReversed = reversed && reversed->GetValue(triangles->GetValue(i)) != 0;
     const int way = static_cast<int>(ways->GetValue(i));
-    around -= isTurned ? -way : way;
+    around -= isReversed ? -way : way;
     passes.push_back({ parameters->GetValue(i) * length, this->IsClear(around) ? around : 2 });
   }
 }
@@ -111,13 +111,13 @@ const std::vector<SkdSolid::Around>& SkdSolid::FindAround(
   thread_local vtkNew<vtkIdTypeArray> ways;
   thread_local std::vector<Around> arounds;
   arounds.clear();
-  vtkUnsignedCharArray* turned = this->Shells->GetReversed();
+  vtkUnsignedCharArray* reversed = this->Shells->GetReversed();
   const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, triangles, ways);
   for (vtkIdType i = 0; i < n; ++i)
   {
     const vtkIdType triangle = triangles->GetValue(i);
     const int way = static_cast<int>(ways->GetValue(i));
-    const int outward = turned && turned->GetValue(triangle) != 0 ? -way : way;
+    const int outward = reversed && reversed->GetValue(triangle) != 0 ? -way : way;
     const int raw = this->Repeats.empty() ? way : way * this->Repeats[triangle];
     arounds.push_back({ this->Shells->GetShellOf(triangle), raw, outward, 1 });
   }
@@ -225,7 +225,7 @@ void SkdSolid::FindGroups() const
     });
 }
 
-/// Whether two shells are turned against each other, as they are.
+/// Whether two shells are oriented against each other, as they are.
 bool SkdSolid::AreOpposite(int a, int b) const
 {
   const SkdShells::Shell& one = this->Shells->Get()[a];

@@ -13,14 +13,15 @@ namespace
 {
 using Triangle = skd::WindingNumber::Triangle;
 
-std::vector<Triangle> CornersOf(vtkPolyData* surface, const std::vector<bool>& isTurned)
+std::vector<Triangle> CornersOf(vtkPolyData* surface, const std::vector<bool>& isReversed)
 {
   const std::vector<skd::Vector3> points = SkdPointsOf(surface);
   std::vector<Triangle> triangles;
   for (const SkdTriangleIds& ids : SkdTrianglesOf(surface))
   {
-    const bool turns = !isTurned.empty() && isTurned[triangles.size()];
-    triangles.push_back({ points[ids[0]], points[ids[turns ? 2 : 1]], points[ids[turns ? 1 : 2]] });
+    const bool reverses = !isReversed.empty() && isReversed[triangles.size()];
+    triangles.push_back(
+      { points[ids[0]], points[ids[reverses ? 2 : 1]], points[ids[reverses ? 1 : 2]] });
   }
   return triangles;
 }
@@ -39,8 +40,8 @@ skd::Tree<3> TreeOf(const std::vector<Triangle>& triangles)
 }
 }
 
-SkdWinding::SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isTurned)
-  : SkdWinding(CornersOf(triangles, isTurned))
+SkdWinding::SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isReversed)
+  : SkdWinding(CornersOf(triangles, isReversed))
 {
 }
 

@@ -20,9 +20,9 @@ class SkdWinding
 {
 public:
   /// Of triangles: of bodies that touch, SkdBoundary's surface, whose equal faces are left out
-  /// (their solid angles cancel only if they are turned against each other). `isTurned` marks those
-  /// to be reversed, one value a triangle (see SkdFindReversed), or is empty.
-  explicit SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isTurned = {});
+  /// (their solid angles cancel only if they are oriented against each other). `isReversed` marks
+  /// those to be reversed, one value a triangle (see SkdFindReversed), or is empty.
+  explicit SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isReversed = {});
 
   SkdWinding(const SkdWinding&) = delete;
   void operator=(const SkdWinding&) = delete;

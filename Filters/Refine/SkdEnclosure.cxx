@@ -15,10 +15,10 @@ int SkdEnclosure::Update(
   else if (built > 0 || !this->Winding)
   {
     vtkPolyData* surface = this->Boundary.GetSurface();
-    const std::vector<bool> isTurned =
+    const std::vector<bool> isReversed =
       SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
         [this](const skd::Vector3& x) { return this->Boundary.IsInside(x.X); });
-    this->Winding = std::make_unique<SkdWinding>(surface, isTurned);
+    this->Winding = std::make_unique<SkdWinding>(surface, isReversed);
   }
   return built;
 }

@@ -152,7 +152,7 @@ void SkdOverlapReader::AddPolyhedron(const SkdPolyCell& cell)
 }
 
 //------------------------------------------------------------------------------
-// Faces are turned alike, outward or inward.
+// Faces are oriented alike, outward or inward.
 void SkdOverlapReader::AddHull(Faces faces)
 {
   if (faces.empty())

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// A polygon on a sphere about the origin, its edges great-circle arcs: what directions it holds.
-/// It may be concave, hold a pole or cross the date line, and be turned either way, but is less
+/// It may be concave, hold a pole or cross the date line, and be oriented either way, but is less
 /// than a hemisphere. Edges of no length do not count. One object a thread: memory is reused.
 class SkdSphereCell
 {

@@ -302,7 +302,7 @@ TEST(AMRCriteria, AnOpenSurfaceIsSaidToBeOpen)
   EXPECT_NE(events.Warning.find("no surface"), std::string::npos) << events.Warning;
 }
 
-/// The volume of a closed surface of triangles turned outward.
+/// The volume of a closed surface of triangles oriented outward.
 double EnclosedVolume(const Mesh& mesh)
 {
   double volume = 0.0;
@@ -339,7 +339,7 @@ TEST(AMRCriteria, VolumeFractionsAddUpToTheVolume)
     Mesh outward = mesh;
     for (CellSpec& cell : outward.Cells)
     {
-      // Those of the octahedron are not turned alike: its volume is known.
+      // Those of the octahedron are not oriented alike: its volume is known.
       std::swap(cell.Points[1], cell.Points[2]);
     }
     const double volume = mesh.Cells.size() == 8 ? 4.0 / 3.0 : EnclosedVolume(mesh);

@@ -45,7 +45,7 @@ Numbers KindsOf(vtkDataObject* curves, vtkDataObject* others = nullptr)
 }
 
 /// y = left x^degree for x < 0 and right x^degree for x > 0, to x = -1 and 1, a Bezier cell each;
-/// one is turned around by choice.
+/// one is reversed by choice.
 GridPointer TwoPowers(int degree, double left, double right, bool isTurned = false)
 {
   Mesh mesh;

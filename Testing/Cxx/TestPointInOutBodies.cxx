@@ -127,7 +127,7 @@ TEST(PointInOutBodies, ASurfaceThatRunsThroughItselfIsWhatItsWindingNumberSays)
 
 TEST(PointInOutBodies, WhatIsTurnedAgainstItsReadingIsNotSure)
 {
-  // Within a cube another that touches it nowhere and is turned like it: a cavity by parity, no
+  // Within a cube another that touches it nowhere and is oriented like it: a cavity by parity, no
   // cavity by its winding number. And two that overlap, one of them inside out.
   const Mesh cube = BoxTriangles({ 0, 0, 0 }, { 4, 4, 4 });
   const Mesh inner = BoxTriangles({ 1, 1, 1 }, { 3, 3, 3 });

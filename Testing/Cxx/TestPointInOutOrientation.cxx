@@ -13,7 +13,7 @@ namespace
 
 constexpr int ByNormals[] = { InOut::WINDING_NUMBER, InOut::NEAREST_FEATURE };
 
-/// Some triangles turned around.
+/// Some triangles reversed.
 Mesh Shuffled(Mesh mesh)
 {
   Random random(51);

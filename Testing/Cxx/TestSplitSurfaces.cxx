@@ -42,7 +42,7 @@ SplitSurface SourceOf(vtkSkdTreeSurfaceIntersection* filter)
   return SplitSurface(OutputOf(filter, 5));
 }
 
-/// Each cell's pieces make up the cell: vector areas, so nothing is turned over or left out.
+/// Each cell's pieces make up the cell: vector areas, so nothing is flipped or left out.
 void ExpectAreasKept(const SplitSurface& split, const Mesh& mesh, double tolerance = 1e-12)
 {
   const auto areas = split.AreasOfCells();

@@ -87,11 +87,11 @@ struct CommonSide
     PatchNode nodes[MaximumDegree + 1];
     this->Curve.Degree = face.CopySide(side, nodes);
     PatchNode* const end = nodes + this->Curve.Degree + 1;
-    PatchNode turned[MaximumDegree + 1];
-    std::reverse_copy(nodes, end, turned);
+    PatchNode reversed[MaximumDegree + 1];
+    std::reverse_copy(nodes, end, reversed);
     this->IsReversed =
-      std::lexicographical_compare(turned, turned + this->Curve.Degree + 1, nodes, end);
-    const PatchNode* const from = this->IsReversed ? turned : nodes;
+      std::lexicographical_compare(reversed, reversed + this->Curve.Degree + 1, nodes, end);
+    const PatchNode* const from = this->IsReversed ? reversed : nodes;
     this->Origin = Space(from[0]);
     for (int i = 0; i <= this->Curve.Degree; ++i)
     {
@@ -111,23 +111,23 @@ inline NodePatch PutDown(const NodePatch& patch, int way, bool& isOver)
   constexpr int orders[6][3] = { { 0, 1, 2 }, { 1, 0, 2 }, { 1, 2, 0 }, { 0, 2, 1 }, { 2, 0, 1 },
     { 2, 1, 0 } };
   const bool isSwapped = !patch.IsTriangle && way % 2 == 1;
-  NodePatch turned = patch;
-  turned.DegreeR = isSwapped ? patch.DegreeS : patch.DegreeR;
-  turned.DegreeS = isSwapped ? patch.DegreeR : patch.DegreeS;
+  NodePatch reversed = patch;
+  reversed.DegreeR = isSwapped ? patch.DegreeS : patch.DegreeR;
+  reversed.DegreeS = isSwapped ? patch.DegreeR : patch.DegreeS;
   isOver = patch.IsTriangle ? way % 2 == 1 : (way ^ (way >> 1) ^ (way >> 2)) % 2 == 1;
-  for (int j = 0; j <= turned.DegreeS; ++j)
+  for (int j = 0; j <= reversed.DegreeS; ++j)
   {
-    for (int i = 0; i <= turned.Last(j); ++i)
+    for (int i = 0; i <= reversed.Last(j); ++i)
     {
       const int all[3] = { i, j, patch.DegreeR - i - j };
       int r = patch.IsTriangle ? all[orders[way % 6][0]] : (isSwapped ? j : i);
       int s = patch.IsTriangle ? all[orders[way % 6][1]] : (isSwapped ? i : j);
       r = !patch.IsTriangle && (way & 2) != 0 ? patch.DegreeR - r : r;
       s = !patch.IsTriangle && (way & 4) != 0 ? patch.DegreeS - s : s;
-      turned.At(i, j) = patch.At(r, s);
+      reversed.At(i, j) = patch.At(r, s);
     }
   }
-  return turned;
+  return reversed;
 }
 
 /// Whether `a` comes before `b`, both being the same face put down differently.

@@ -259,7 +259,7 @@ private:
       return this->Mesh.Fix(cell);
     }
     // VTK's wedges may have either orientation; hexahedra keep theirs.
-    const bool isTurned = side < 0 && this->Mesh[cell].Kind == CellKind::Wedge;
+    const bool isReversed = side < 0 && this->Mesh[cell].Kind == CellKind::Wedge;
     const std::uint32_t middle = this->Mesh.MakeMiddleOfCell(cell);
     std::vector<FaceNodes> faces;
     ForEachFace(this->Mesh[cell].Kind, this->Mesh.NodesOf(cell).First,
@@ -268,7 +268,7 @@ private:
         const bool isTriangle = face[3] == None;
         const FaceNodes inward = isTriangle ? FaceNodes{ face[0], face[2], face[1], None }
                                             : FaceNodes{ face[0], face[3], face[2], face[1] };
-        faces.push_back(isTurned ? face : inward);
+        faces.push_back(isReversed ? face : inward);
       });
     this->Mesh.BeginCut(cell);
     for (const FaceNodes& f : faces)

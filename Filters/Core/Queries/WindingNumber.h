@@ -3,7 +3,7 @@
 /// @file
 /// The generalised winding number of a set of triangles around a point: the sum of their solid
 /// angles by 4 pi. Of a closed surface with normals outward it is 1 inside and 0 outside; gaps,
-/// overlaps and triangles turned over change it a little, not all at once (A. Jacobson, L. Kavan,
+/// overlaps and triangles flipped change it a little, not all at once (A. Jacobson, L. Kavan,
 /// O. Sorkine-Hornung, ACM Trans. Graph. 32 (2013) 33).
 ///
 /// This is a sum over all triangles rather than a search: triangles in a distant box are replaced

@@ -101,7 +101,7 @@ inline void AddFanFace(const PolyhedronFace& face, const Vector3& x, double* wei
 }
 
 /// The weights of the polyhedron's points at x, that is inside and not on a face. Its faces must be
-/// turned alike, all outward or all inward. They sum to 1. False where there are none.
+/// oriented alike, all outward or all inward. They sum to 1. False where there are none.
 inline bool MeanValueWeights(const PolyhedronView& cell, const Vector3& x, double* weights)
 {
   std::fill(weights, weights + cell.Size, 0.0);

@@ -131,7 +131,7 @@ inline Segment<3> WayOut(const Box3& box, const Vector3& x)
   return way;
 }
 
-/// Whether some triangle of the fan is turned over against the others.
+/// Whether some triangle of the fan is flipped against the others.
 inline bool IsFolded(const PolyhedronFace& face)
 {
   const Vector3 normal = PolygonPlane(face, face.Size).Normal;
@@ -147,8 +147,8 @@ inline bool IsFolded(const PolyhedronFace& face)
 
 }
 
-/// Whether x is inside: by the parity of exact crossings, so faces may be turned either way. Points
-/// within rounding of a face may count as either.
+/// Whether x is inside: by the parity of exact crossings, so faces may be oriented either way.
+/// Points within rounding of a face may count as either.
 inline bool Contains(const PolyhedronView& cell, const Box3& bounds, const Vector3& x)
 {
   if (!bounds.Contains(x))

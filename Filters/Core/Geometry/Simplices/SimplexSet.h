@@ -7,7 +7,7 @@
 /// covers what in SimplexCover.h, what insides share in SimplexInteriors.h.
 ///
 /// Sets are closed: boundaries belong to them. The inside of a solid is determined by the parity of
-/// exact crossings, so its triangles may be turned either way. Coordinates must be finite.
+/// exact crossings, so its triangles may be oriented either way. Coordinates must be finite.
 #ifndef skd_Geometry_Simplices_SimplexSet_h
 #define skd_Geometry_Simplices_SimplexSet_h
 

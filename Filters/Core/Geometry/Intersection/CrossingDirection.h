@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef skd_Geometry_Intersection_WayThrough_h
-#define skd_Geometry_Intersection_WayThrough_h
+#ifndef skd_Geometry_Intersection_CrossingDirection_h
+#define skd_Geometry_Intersection_CrossingDirection_h
 
 #include "SegmentTriangle.h"
 
@@ -10,9 +10,9 @@ namespace skd
 
 /// Which way a segment passes through a triangle that it hits: 1 along the normal of p0 p1 p2, out
 /// of what the triangle bounds, -1 against it, 0 where it does not pass (see TriangleHit::Passes).
-/// By the signs that decide the hit, so sums over a closed surface whose triangles are turned alike
-/// are exact: the winding number around the segment's start, if it ends outside.
-inline int WayThrough(
+/// By the signs that decide the hit, so sums over a closed surface whose triangles are oriented
+/// alike are exact: the winding number around the segment's start, if it ends outside.
+inline int CrossingDirection(
   const SegmentView& view, const Vector3& p0, const Vector3& p1, const Vector3& p2)
 {
   const Sheared a = view.See(p0);
