@@ -372,16 +372,6 @@ TEST(CurveSurfaceFilter, HasAValidOutputWithoutInput)
   EXPECT_EQ(OutputPoints(filter, 1).size(), 0u);
 }
 
-TEST(CurveSurfaceFilter, SaysThatASourceIsWanted)
-{
-  const auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, LineAlongX());
-  EventCounter events(filter->GetExecutive());
-  filter->Update();
-  EXPECT_EQ(events.Errors, 1);
-  EXPECT_NE(events.Error.find("Input port 1"), std::string::npos) << events.Error;
-}
-
 TEST(CurveSurfaceFilter, AnswersTheSameWithAnyNumberOfThreads)
 {
   const PolyDataPointer surface = MakePolyData(SphereQuads(4));
