@@ -9,7 +9,6 @@
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
-#include "vtkExecutive.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
