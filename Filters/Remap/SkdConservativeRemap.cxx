@@ -182,11 +182,13 @@ SkdRemappedField SkdConservativeRemap::Map(
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped = this->MapShares({ density, table.Rows, table.Columns, table.Measures,
     slopes, this->IsReversed(field) ? this->Weights.GetDonor().Centroids : none });
-  this->AddDonor(density, mapped);
+  this->AddDonor(density, slopes, mapped);
   return mapped;
 }
 
-void SkdConservativeRemap::AddDonor(const SkdDonorField& density, SkdRemappedField& mapped) const
+// Of a cell that is covered in part, its gradient has a part in the integral.
+void SkdConservativeRemap::AddDonor(const SkdDonorField& density,
+  const std::vector<std::vector<skd::Vector3>>& slopes, SkdRemappedField& mapped) const
 {
   const SkdOverlapCells& donor = this->Weights.GetDonor();
   for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
@@ -199,6 +201,7 @@ void SkdConservativeRemap::AddDonor(const SkdDonorField& density, SkdRemappedFie
         const double value = density.Get(static_cast<vtkIdType>(i), static_cast<int>(c));
         source.Add(value * donor.Measures[i]);
         overlap.Add(value * donor.Covered[i]);
+        overlap.Add(slopes.empty() ? 0.0 : skd::Dot(slopes[c][i], donor.CoveredMoments[i]));
         absolute.Add(std::abs(value) * donor.Measures[i]);
       }
     }

@@ -80,7 +80,8 @@ private:
   void TakePart(const Shares& shares, std::size_t target, vtkIdType donor, Row& row) const;
   void MapRow(const Shares& shares, std::size_t target, Row& row) const;
   void Finish(const Shares& shares, std::size_t target, Row& row) const;
-  void AddDonor(const SkdDonorField& density, SkdRemappedField& mapped) const;
+  void AddDonor(const SkdDonorField& density, const std::vector<std::vector<skd::Vector3>>& slopes,
+    SkdRemappedField& mapped) const;
   void AddTarget(
     const SkdDonorField& field, SkdRemappedField& mapped, const std::vector<double>& covered) const;
 

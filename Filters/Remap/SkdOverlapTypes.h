@@ -48,6 +48,8 @@ struct SkdOverlapCells
   std::vector<double> Measures;        ///< of each cell by its id; 0 of cells left out
   std::vector<skd::Vector3> Centroids; ///< Cartesian; on a sphere within it. Zero of cells left out
   std::vector<double> Covered;         ///< the sum of a cell's overlaps
+  /// Of a donor, the sum of their moments (SkdOverlapTable): nothing of a cell that is all covered.
+  std::vector<skd::Vector3> CoveredMoments;
   vtkIdType LeftOut = 0;               ///< not finite, empty, ghosts, of another dimension
 };
 

@@ -7,6 +7,7 @@
 #include "Remap/SkdPieceOverlap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -94,6 +95,32 @@ std::vector<Entry> Sorted(Entries& parts, const std::vector<std::size_t>& places
   return sorted;
 }
 
+/// Moments about a centroid sum up to nothing over a cell that is all covered. What rounding leaves
+/// of the sum, relative to a cell far smaller than the sphere more than elsewhere, is shared out,
+/// so that gradients add nothing to integrals.
+void BalanceMoments(SkdOverlapTable& table, SkdOverlapCells& donors)
+{
+  constexpr double rounding = 1e-10; // less is no gap between cells
+  const auto isCovered = [&](std::size_t i)
+  { return std::abs(donors.Covered[i] - donors.Measures[i]) <= rounding * donors.Measures[i]; };
+  for (std::size_t k = 0; k < table.Columns.size(); ++k)
+  {
+    const auto column = static_cast<std::size_t>(table.Columns[k]);
+    if (isCovered(column))
+    {
+      const double share = table.Measures[k] / donors.Covered[column];
+      table.Moments[k] = table.Moments[k] - share * donors.CoveredMoments[column];
+    }
+  }
+  for (std::size_t i = 0; i < donors.Covered.size(); ++i)
+  {
+    if (isCovered(i))
+    {
+      donors.CoveredMoments[i] = { { 0.0, 0.0, 0.0 } };
+    }
+  }
+}
+
 /// Rows are of all cells of the target, in the order of their ids.
 void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& ground,
   SkdOverlapTable& table, SkdOverlapCells& donors, SkdOverlapCells& targets)
@@ -101,6 +128,7 @@ void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& gr
   const std::vector<Entry> entries =
     Sorted(found, PlacesOf(found, meshes.Target.GetNumberOfCells()));
   table.Rows.assign(targets.Measures.size() + 1, 0);
+  donors.CoveredMoments.assign(donors.Measures.size(), { { 0.0, 0.0, 0.0 } });
   table.Columns.resize(entries.size());
   table.Measures.resize(entries.size());
   table.Moments.resize(entries.size());
@@ -116,7 +144,10 @@ void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& gr
     table.Moments[i] = ground.Moment(entry.Moment);
     targets.Covered[row] += measure;
     donors.Covered[static_cast<std::size_t>(column)] += measure;
+    Vector3& sum = donors.CoveredMoments[static_cast<std::size_t>(column)];
+    sum = sum + table.Moments[i];
   }
+  BalanceMoments(table, donors);
   std::partial_sum(table.Rows.begin(), table.Rows.end(), table.Rows.begin());
 }
 }

@@ -316,7 +316,7 @@ bool SkdWeightsFileSettings::operator==(const SkdWeightsFileSettings& other) con
 std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
   const std::vector<SkdWeightsBlock>& blocks)
 {
-  const std::string problem = ProblemOf(settings, donor, blocks);
+  std::string problem = ProblemOf(settings, donor, blocks);
   if (!problem.empty())
   {
     return problem;
