@@ -45,7 +45,8 @@
  * SkdReportChordalLength for curved cells.
  *
  * Bad input: an Input or Source without any finite point gives one warning, "none" and NaN. Cells
- * that are not finite are left out. Each process needs both inputs as a whole.
+ * that are not finite are left out. An aborted execution leaves the table empty. Each process
+ * needs both inputs as a whole.
  *
  * @sa
  * vtkSkdTreeClosestPoint

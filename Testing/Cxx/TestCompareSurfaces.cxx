@@ -6,12 +6,15 @@
 #include "Support/FilterRun.h"
 #include "Support/SurfaceMeshes.h"
 
+#include "vtkImageData.h"
+#include "vtkSMPTools.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace skdtest;
@@ -305,6 +308,87 @@ TEST(CompareSurfaces, NothingToCompareIsOneWarning)
     EXPECT_EQ(Cell(filter, FORTH, "FromCellId"), -1);
     EXPECT_TRUE(std::isnan(PointArray(filter->GetOutputDataObject(0), "SkdDistance")[0]));
   }
+}
+
+TEST(CompareSurfaces, VolumesAreComparedByTheirOuterFaces)
+{
+  vtkNew<vtkImageData> inner;
+  inner->SetDimensions(5, 5, 5); // of 4 x 4 x 4
+  vtkNew<vtkImageData> outer;
+  outer->SetDimensions(7, 7, 7);
+  outer->SetOrigin(-1, -1, -1);
+  auto filter = MakeFilter(inner, outer);
+  filter->Update();
+  EXPECT_NEAR(Cell(filter, FORTH, "HausdorffDistance"), 1.0, 1e-12);
+  EXPECT_NEAR(Cell(filter, BACK, "HausdorffDistance"), std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(Cell(filter, FORTH, "Area"), 96.0, 1e-9);
+  EXPECT_NEAR(Cell(filter, BACK, "Area"), 216.0, 1e-9);
+  const auto distances = PointArray(filter->GetOutputDataObject(0), "SkdDistance");
+  EXPECT_EQ(distances[62], 3.0) << "the middle of the inner box";
+  EXPECT_NE(vtkImageData::SafeDownCast(filter->GetOutputDataObject(1)), nullptr);
+}
+
+TEST(CompareSurfaces, BitsAreTheSameForAnyNumberOfThreads)
+{
+  auto filter =
+    MakeFilter(MakePolyData(TorusTriangles(20, 12)), Turned(TorusTriangles(18, 11), 0.3, 0.1));
+  filter->SignedDistanceOn();
+  const auto run = [&](int threads)
+  {
+    vtkSMPTools::Initialize(threads);
+    filter->Modified();
+    filter->Update();
+    std::vector<double> values = PointArray(filter->GetOutputDataObject(0), "SkdDistance");
+    for (const char* column : { "HausdorffDistance", "HausdorffUpperBound", "FromCellId", "Mean",
+           "SignedMean", "RootMeanSquare", "Quantile95", "Area" })
+    {
+      for (int row : { FORTH, BACK, BOTH })
+      {
+        values.push_back(Cell(filter, row, column));
+      }
+    }
+    values.push_back(Reported(filter, "Bisections"));
+    return values;
+  };
+  const std::string former = vtkSMPTools::GetBackend();
+  vtkSMPTools::SetBackend("STDThread");
+  const auto one = run(1);
+  const auto four = run(4);
+  vtkSMPTools::Initialize(0);
+  vtkSMPTools::SetBackend(former.c_str());
+  EXPECT_EQ(one, four);
+  EXPECT_GT(one.back(), 0.0) << "triangles are bisected";
+}
+
+TEST(CompareSurfaces, ProgressRisesToOneAndAnAbortIsNoResult)
+{
+  auto filter =
+    MakeFilter(MakePolyData(TorusTriangles(40, 20)), Turned(TorusTriangles(30, 16), 0.3, 0.1));
+  {
+    ProgressWatch watch(filter);
+    filter->Update();
+    EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
+    EXPECT_EQ(watch.Seen.back(), 1.0);
+    filter->RemoveAllObservers();
+  }
+  const double whole = Cell(filter, FORTH, "HausdorffDistance");
+  for (double part : { 0.35, 0.6, 0.7, 0.9 }) // in the first direction and in the second
+  {
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    ProgressWatch watch(filter, part);
+    EventCounter events(filter);
+    filter->Update();
+    filter->RemoveAllObservers();
+    EXPECT_EQ(events.Warnings, 0) << events.Warning;
+    EXPECT_LT(*std::min_element(watch.Seen.rbegin(), watch.Seen.rbegin() + 2), part + 0.2);
+    auto table = vtkTable::SafeDownCast(filter->GetOutputDataObject(2));
+    EXPECT_EQ(table->GetNumberOfRows(), 0) << part;
+  }
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(Cell(filter, FORTH, "HausdorffDistance"), whole);
 }
 
 }
