@@ -9,7 +9,20 @@ set(SKDTREE_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SkdTree")
 # but taken from there our project would be a subdirectory of itself, and Qt 6 looks for targets in all
 # subdirectories of these.
 set(module_folder "${CMAKE_CURRENT_BINARY_DIR}/Module")
-configure_file(vtk.module "${module_folder}/vtk.module" COPYONLY)
+# VTK's packages name VTK::netcdf even where netCDF itself was not found: it is no target to use then.
+set(SKDTREE_HAS_NETCDF OFF)
+if (TARGET VTK::netcdf)
+  get_target_property(netcdf_libraries VTK::netcdf INTERFACE_LINK_LIBRARIES)
+  if (TARGET NetCDF::NetCDF OR NOT "NetCDF::NetCDF" IN_LIST netcdf_libraries)
+    set(SKDTREE_HAS_NETCDF ON)
+  endif ()
+endif ()
+file(READ vtk.module module_text)
+if (NOT SKDTREE_HAS_NETCDF)
+  string(REPLACE "OPTIONAL_DEPENDS\n  VTK::netcdf\n" "" module_text "${module_text}")
+endif ()
+file(CONFIGURE OUTPUT "${module_folder}/vtk.module" CONTENT "${module_text}" @ONLY)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS vtk.module)
 configure_file(LICENSE "${module_folder}/LICENSE" COPYONLY)
 file(CONFIGURE OUTPUT "${module_folder}/CMakeLists.txt" @ONLY
   CONTENT "add_subdirectory([[@CMAKE_CURRENT_SOURCE_DIR@/Filters]] Filters)\n")
