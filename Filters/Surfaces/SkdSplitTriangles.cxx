@@ -160,6 +160,7 @@ private:
     for (const NewPoint& point : all)
     {
       result.Points.push_back(point.Point);
+      result.Ids.push_back(point.Id - before);
     }
     const auto renumber = [&](std::uint32_t& corner)
     {

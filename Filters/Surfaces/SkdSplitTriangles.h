@@ -27,6 +27,7 @@ struct SkdSplitResult
   std::vector<SkdTriangleSet::Corners> Triangles;
   std::vector<std::uint32_t> Parents; ///< of each, ascending
   std::vector<SkdSplitPoint> Points;  ///< the new ones
+  std::vector<std::uint32_t> Ids;     ///< of each new one, in SkdSplitPoints
   std::vector<SkdSplitEdge> Curves;   ///< edges along curves and the borders of overlaps
   vtkIdType NumberSplit = 0;          ///< triangles of the set that are in pieces
 };

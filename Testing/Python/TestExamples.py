@@ -58,6 +58,10 @@ def test_closest_point():
     check("ClosestPoint", data("disk_flow.vtu"), {"SkdDistance  from    3.2": 1}, (0.2, 0.8))
 
 
+def test_boolean_operation():
+    check("BooleanOperation", (), {" 0 open edges": 4, "Difference: volume": 3}, (0.2, 0.9))
+
+
 def test_compare_surfaces():
     words = {"Both ": 1, "largest distance of vertices of the copy: 0.000": 1}
     check("CompareSurfaces", data("fly_brain_lateral_horn.vtp"), words, (0.2, 0.9))

@@ -33,6 +33,7 @@ def ramp(source):
 PIPELINES = {
     "SkdTreeAMR": lambda: dict(Input=ball()),
     "SkdTreeAttach": lambda: dict(Input=grid()),
+    "SkdTreeBooleanOperation": lambda: dict(Input=ball(), Source=ball(Radius=0.6)),
     "SkdTreeClosestPoint": lambda: dict(Input=grid(), Source=ball()),
     "SkdTreeCompareSurfaces": lambda: dict(Input=ball(), Source=ball(Radius=0.6)),
     "SkdTreeCurveIntersection": lambda: dict(Input=line(0.2), Source=line(-0.2)),
