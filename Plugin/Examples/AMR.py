@@ -10,11 +10,14 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython AMR.py Data/fly_brain_neuropil.vtp Data/fly_brain_neuron.vtp picture.png
 """
 
+import os
 import sys
 
 from paraview import simple
 
-surface_file, neuron_file, picture_file = sys.argv[1:4]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+surface_file, neuron_file, picture_file = sys.argv[1:4] or (
+    os.path.join(DATA, "fly_brain_neuropil.vtp"), os.path.join(DATA, "fly_brain_neuron.vtp"), "AMR.png")
 
 surface = simple.OpenDataFile(surface_file)
 neuron = simple.OpenDataFile(neuron_file)

@@ -10,6 +10,7 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython Attach.py Data/disk_flow.vtu picture.png
 """
 
+import os
 import sys
 import time
 
@@ -17,7 +18,8 @@ from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkUnstructuredGrid
 
-data_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+data_file, picture_file = sys.argv[1:3] or (os.path.join(DATA, "disk_flow.vtu"), "Attach.png")
 
 
 def polyhedron(cell):

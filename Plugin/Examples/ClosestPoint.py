@@ -10,11 +10,13 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython ClosestPoint.py Data/disk_flow.vtu picture.png
 """
 
+import os
 import sys
 
 from paraview import simple
 
-data_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+data_file, picture_file = sys.argv[1:3] or (os.path.join(DATA, "disk_flow.vtu"), "ClosestPoint.png")
 
 flow = simple.OpenDataFile(data_file)
 sheet = simple.Plane(Origin=[9, -9, -12], Point1=[9, 9, -12], Point2=[9, -9, 12],

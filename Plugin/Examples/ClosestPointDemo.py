@@ -18,6 +18,8 @@ import time
 
 from paraview import servermanager, simple
 
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+
 COLUMNS = ("asked", "source", "points", "cells", "build s", "queries s", "us/point", "from", "to")
 REACH = 6000  # colours and level lines end at this distance
 
@@ -170,8 +172,8 @@ def draw(picture, surface, region, field, neuron):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--server", help="host:port of a pvserver; without one, all in this process")
-    parser.add_argument("--data", required=True, help="the folder Data of the repository")
-    parser.add_argument("--picture", required=True, help="the PNG to write")
+    parser.add_argument("--data", default=DATA, help="the folder Data of the repository")
+    parser.add_argument("--picture", default="ClosestPointDemo.png", help="the PNG to write")
     parser.add_argument("--resolution", type=int, default=128, help="points along an edge of the grid")
     options = parser.parse_args()
 

@@ -10,11 +10,14 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython CompareSurfaces.py Data/fly_brain_lateral_horn.vtp picture.png
 """
 
+import os
 import sys
 
 from paraview import servermanager, simple
 
-data_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+data_file, picture_file = sys.argv[1:3] or (
+    os.path.join(DATA, "fly_brain_lateral_horn.vtp"), "CompareSurfaces.png")
 
 surface = simple.OpenDataFile(data_file)
 coarse = simple.Decimate(Input=surface, TargetReduction=0.9)

@@ -14,7 +14,7 @@ import sys
 
 from paraview import simple
 
-picture_file = sys.argv[1]
+picture_file = sys.argv[1] if sys.argv[1:] else "CurveIntersection.png"
 
 
 def closed_curve(function, count):

@@ -11,11 +11,14 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
         picture.png
 """
 
+import os
 import sys
 
 from paraview import servermanager, simple
 
-neuron_file, region_file, picture_file = sys.argv[1:4]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+neuron_file, region_file, picture_file = sys.argv[1:4] or (
+    os.path.join(DATA, "fly_brain_neuron.vtp"), os.path.join(DATA, "fly_brain_lateral_horn.vtp"), "CurveSurfaceIntersection.png")
 
 neuron = simple.OpenDataFile(neuron_file)
 region = simple.OpenDataFile(region_file)

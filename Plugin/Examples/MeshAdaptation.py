@@ -11,6 +11,7 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython MeshAdaptation.py Data/earth_relief.vti picture.png
 """
 
+import os
 import sys
 
 import numpy
@@ -20,7 +21,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStructuredGrid
 
-relief_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+relief_file, picture_file = sys.argv[1:3] or (
+    os.path.join(DATA, "earth_relief.vti"), "MeshAdaptation.png")
 
 REGIONS = {"Alps": (4, 17, 43, 49), "Himalayas": (75, 100, 26, 38), "Andes": (-76, -64, -35, 0)}
 

@@ -10,6 +10,7 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython MeshRefinement.py Data/earth_relief.vti picture.png
 """
 
+import os
 import sys
 
 import numpy
@@ -22,7 +23,9 @@ from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-relief_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+relief_file, picture_file = sys.argv[1:3] or (
+    os.path.join(DATA, "earth_relief.vti"), "MeshRefinement.png")
 
 
 def as_source(data, name):

@@ -15,7 +15,8 @@ import sys
 
 from paraview import simple
 
-data_folder, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+data_folder, picture_file = sys.argv[1:3] or (DATA, "PointInOut.png")
 
 brain = simple.OpenDataFile(os.path.join(data_folder, "fly_brain_neuropil.vtp"))
 region = simple.OpenDataFile(os.path.join(data_folder, "fly_brain_lateral_horn.vtp"))

@@ -11,11 +11,13 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython Remap.py Data/earth_relief.vti picture.png
 """
 
+import os
 import sys
 
 from paraview import simple
 
-data_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+data_file, picture_file = sys.argv[1:3] or (os.path.join(DATA, "earth_relief.vti"), "Remap.png")
 
 relief = simple.OpenDataFile(data_file)
 fine = simple.Sphere(Radius=1, ThetaResolution=96, PhiResolution=49)

@@ -10,11 +10,13 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython SpatialQuery.py Data/disk_flow.vtu picture.png
 """
 
+import os
 import sys
 
 from paraview import servermanager, simple
 
-data_file, picture_file = sys.argv[1:3]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+data_file, picture_file = sys.argv[1:3] or (os.path.join(DATA, "disk_flow.vtu"), "SpatialQuery.png")
 flow = simple.OpenDataFile(data_file)
 outside = simple.PointSource(Center=[7, -5, 8], Radius=0, NumberOfPoints=1)
 

@@ -13,7 +13,7 @@ import sys
 
 from paraview import servermanager, simple
 
-picture_file = sys.argv[1]
+picture_file = sys.argv[1] if sys.argv[1:] else "SplitSurfaces.png"
 
 ball = simple.Sphere(Radius=1, ThetaResolution=48, PhiResolution=32)
 pipe = simple.Transform(Input=simple.Cylinder(Radius=0.45, Height=4, Resolution=40, Capping=0))

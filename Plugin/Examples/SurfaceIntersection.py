@@ -9,11 +9,14 @@ Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython SurfaceIntersection.py Data/fly_brain_neuropil.vtp Data/fly_brain_lateral_horn.vtp picture.png
 """
 
+import os
 import sys
 
 from paraview import simple
 
-brain_file, region_file, picture_file = sys.argv[1:4]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+brain_file, region_file, picture_file = sys.argv[1:4] or (
+    os.path.join(DATA, "fly_brain_neuropil.vtp"), os.path.join(DATA, "fly_brain_lateral_horn.vtp"), "SurfaceIntersection.png")
 STEPS, SHOWN, SHIFT = 9, 5, -9000.0
 
 brain = simple.OpenDataFile(brain_file)
