@@ -121,6 +121,21 @@ SkdBadEdges BadEdgesOf(const SkdBooleanResult& result)
   }
   return SkdFindBadEdges(triangles.data(), triangles.size());
 }
+
+void ReportSolids(vtkSkdTreeBooleanOperation* self, const SkdPlacement& placement,
+  const SkdBooleanResult& result, vtkPolyData* output, SkdReport& report)
+{
+  const SkdBadEdges bad = BadEdgesOf(result);
+  if (bad.Count > 0)
+  {
+    WarnOfBadEdges(self, bad, output);
+  }
+  const double cube = 6.0 * placement.Scale * placement.Scale * placement.Scale;
+  report.AddMeasure("InputVolume", std::abs(SkdSixVolumes(placement.First)) / cube);
+  report.AddMeasure("SourceVolume", std::abs(SkdSixVolumes(placement.GetSecond())) / cube);
+  report.AddMeasure("Volume", SixVolumesOf(result) / cube);
+  report.AddCount("BadEdges", bad.Count);
+}
 }
 
 vtkSkdTreeBooleanOperation::vtkSkdTreeBooleanOperation()
@@ -178,18 +193,9 @@ int vtkSkdTreeBooleanOperation::RequestData(
   }
   SkdWarnAboutRefused(this, refused);
 
-  const SkdBadEdges bad = BadEdgesOf(result);
-  if (bad.Count > 0)
-  {
-    WarnOfBadEdges(this, bad, output);
-  }
-  const double cube = 6.0 * placement.Scale * placement.Scale * placement.Scale;
   SkdReport report(output);
-  report.AddMeasure("InputVolume", std::abs(SkdSixVolumes(placement.First)) / cube);
-  report.AddMeasure("SourceVolume", std::abs(SkdSixVolumes(placement.GetSecond())) / cube);
-  report.AddMeasure("Volume", SixVolumesOf(result) / cube);
+  ReportSolids(this, placement, result, output, report);
   report.AddCount("TrianglesSplit", split[0].NumberSplit + split[1].NumberSplit);
-  report.AddCount("BadEdges", bad.Count);
   report.AddMeasure("Seconds", watch.Lap());
   return 1;
 }

@@ -56,8 +56,9 @@ struct SkdBooleanResult
 
 /// What bounds the combination of two solids, with the solid behind each face. Both surfaces must
 /// be closed and oriented; one whose volume is negative is turned over. Regions between contacts
-/// are classified as a whole, by the winding number of the other surface at one point; faces that
-/// coincide by the exact contacts and their orientation, and are there once.
+/// are classified as a whole: by exact signs at an edge in which a piece meets two faces of the
+/// other surface or, without one, by the winding number of the other surface at one point. Faces
+/// that coincide are found by the exact contacts and their orientation, and are there once.
 SkdBooleanResult SkdCombine(const SkdPlacement& placement,
   const std::vector<SkdTrianglePair>& pairs, const SkdContactPoints& contacts,
   const SkdSplitSegments& segments, const std::array<SkdSplitResult, 2>& split,
