@@ -12,7 +12,7 @@ import sys
 
 from paraview import simple
 
-picture_file = sys.argv[1]
+picture_file = sys.argv[1] if sys.argv[1:] else "BooleanOperation.png"
 
 
 def combine(first, second, operation):
