@@ -258,7 +258,7 @@ def main(path, level, folder, picture=None):
         outside = vtk_to_numpy(grid.GetCellData().GetArray("SkdInside")) == 0
         ours = boxes_of(grid)[outside]
         draw(picture, list(slices(base, [("snappyHexMesh, castellated", boxes, levels),
-            ("Skd-Tree AMR, cells with their middle outside", ours,
+            ("SkdTree AMR, cells with their middle outside", ours,
              centres_and_levels(ours, base)[1])])))
 
 

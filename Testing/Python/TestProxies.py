@@ -93,7 +93,7 @@ def test_filters_are_in_the_menu_and_in_python():
     for group, proxy in skdtesting.our_proxies():
         if group == "filters":
             menu = proxy.find("Hints/ShowInMenu")
-            assert menu.get("category") == "skD-Tree"
+            assert menu.get("category") == "SkdTree"
             assert menu.get("icon") == ":/SkdTree/Icons/%s.svg" % proxy.get("name")
             assert callable(getattr(simple, proxy.get("name")))
 
