@@ -58,6 +58,15 @@ def test_every_proxy_and_property_is_documented():
             assert element.get("label"), where
 
 
+def test_ports_say_first_what_they_take():
+    # The tool tips where a port's data is selected. Labels cannot say it: they are names in Python.
+    for _, proxy in skdtesting.our_proxies():
+        ports = [element.find("Documentation").text.split(".")[0].strip()
+            for element in proxy.iter("InputProperty")]
+        assert all(0 < len(port) <= 90 for port in ports), ports
+        assert len(set(ports)) == len(ports), ports
+
+
 def test_property_names_are_their_labels_without_blanks():
     for _, proxy in skdtesting.our_proxies():
         for element in skdtesting.properties_of(proxy):
