@@ -444,6 +444,19 @@ public:
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
 
   /**
+   * Batch of first hits of segments: as IntersectWithLines, with the ends in two arrays, `starts`
+   * and `ends` (3 components each).
+   */
+  vtkIdType IntersectWithSegments(vtkDataArray* starts, vtkDataArray* ends, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+
+  /**
+   * Batch of all hits of segments: as FindAllHits, for the segments of IntersectWithSegments.
+   */
+  vtkIdType FindAllSegmentHits(vtkDataArray* starts, vtkDataArray* ends, vtkIdTypeArray* offsets,
+    vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+
+  /**
    * Batch of first hits of rays from `origins` along `directions` (3 components each; directions of
    * any length but 0): as IntersectWithLines, with distances from the origins in world units
    * instead of parameters. Only hits at a distance of at most `maximum` count. A negative or NaN

@@ -43,7 +43,7 @@ public:
   Line Get(vtkIdType slot) const
   {
     double ends[6];
-    this->Batch.Read(slot, ends);
+    this->Batch.ReadWithEnds(slot, ends);
     return { { ends[0], ends[1], ends[2] }, { ends[3], ends[4], ends[5] }, 1.0 };
   }
 
@@ -173,18 +173,19 @@ vtkIdType FindHitLists(const Asked& asked, const SkdBatch& batch, const Lines& l
   return size;
 }
 
-std::string ReasonAgainstRays(
-  vtkDataArray* origins, vtkDataArray* directions, const SkdOutputs& outputs)
+/// The reason why a batch of two arrays of points, with these names, is invalid.
+std::string ReasonAgainstBoth(vtkDataArray* first, const std::string& firsts, vtkDataArray* second,
+  const std::string& seconds, const SkdOutputs& outputs)
 {
-  std::string reason = SkdReasonAgainst(origins, "origins", SkdBatchOf::Points, outputs);
+  std::string reason = SkdReasonAgainst(first, firsts, SkdBatchOf::Points, outputs);
   if (reason.empty())
   {
-    reason = SkdReasonAgainst(directions, "directions", SkdBatchOf::Points, outputs);
+    reason = SkdReasonAgainst(second, seconds, SkdBatchOf::Points, outputs);
   }
-  if (reason.empty() && directions->GetNumberOfTuples() != origins->GetNumberOfTuples())
+  if (reason.empty() && second->GetNumberOfTuples() != first->GetNumberOfTuples())
   {
-    reason = "there are " + std::to_string(origins->GetNumberOfTuples()) + " origins, but " +
-      std::to_string(directions->GetNumberOfTuples()) + " directions";
+    reason = "there are " + std::to_string(first->GetNumberOfTuples()) + " " + firsts + ", but " +
+      std::to_string(second->GetNumberOfTuples()) + " " + seconds;
   }
   return reason;
 }
@@ -221,12 +222,45 @@ vtkIdType vtkSkdTreeCellLocator::FindAllHits(vtkDataArray* lines, vtkIdTypeArray
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::IntersectWithSegments(vtkDataArray* starts, vtkDataArray* ends,
+  vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol)
+{
+  if (SkdIsRefused(this, "IntersectWithSegments",
+        ReasonAgainstBoth(starts, "starts", ends, "ends", { cellIds, parameters, points })))
+  {
+    return -1;
+  }
+  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(starts, ends);
+  return FindFirstHits(
+    asked, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSkdTreeCellLocator::FindAllSegmentHits(vtkDataArray* starts, vtkDataArray* ends,
+  vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds, vtkDoubleArray* parameters,
+  vtkDoubleArray* points, double tol)
+{
+  if (SkdIsRefused(this, "FindAllSegmentHits",
+        ReasonAgainstBoth(
+          starts, "starts", ends, "ends", { offsets, cellIds, parameters, points })))
+  {
+    return -1;
+  }
+  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const SkdBatch batch(starts, ends);
+  return FindHitLists(
+    asked, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkSkdTreeCellLocator::IntersectWithRays(vtkDataArray* origins, vtkDataArray* directions,
   vtkIdTypeArray* cellIds, vtkDoubleArray* distances, vtkDoubleArray* points, double maximum,
   double tol)
 {
   if (SkdIsRefused(this, "IntersectWithRays",
-        ReasonAgainstRays(origins, directions, { cellIds, distances, points })))
+        ReasonAgainstBoth(
+          origins, "origins", directions, "directions", { cellIds, distances, points })))
   {
     return -1;
   }
@@ -243,7 +277,8 @@ vtkIdType vtkSkdTreeCellLocator::FindAllRayHits(vtkDataArray* origins, vtkDataAr
   vtkDoubleArray* points, double maximum, double tol)
 {
   if (SkdIsRefused(this, "FindAllRayHits",
-        ReasonAgainstRays(origins, directions, { offsets, cellIds, distances, points })))
+        ReasonAgainstBoth(
+          origins, "origins", directions, "directions", { offsets, cellIds, distances, points })))
   {
     return -1;
   }

@@ -75,8 +75,19 @@ private:
 //------------------------------------------------------------------------------
 SkdBatch::SkdBatch(vtkDataArray* queries, SkdBatchOf kind)
   : Queries(queries)
+  , Ends(nullptr)
   , Kind(kind)
   , Count(queries->GetNumberOfTuples())
+{
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+SkdBatch::SkdBatch(vtkDataArray* starts, vtkDataArray* ends)
+  : Queries(starts)
+  , Ends(ends)
+  , Kind(SkdBatchOf::Lines)
+  , Count(starts->GetNumberOfTuples())
 {
   this->Arrange();
 }
@@ -93,7 +104,7 @@ void SkdBatch::Arrange()
     [this](std::size_t slot)
     {
       double tuple[6];
-      this->Read(static_cast<vtkIdType>(slot), tuple);
+      this->ReadWithEnds(static_cast<vtkIdType>(slot), tuple);
       const skd::Vector3 centre = CentreOf(this->Kind, tuple);
       return skd::IsFinite(centre) ? skd::Box3(centre, centre) : skd::Box3();
     });
@@ -116,7 +127,7 @@ void SkdBatch::Arrange()
       double tuple[6];
       for (vtkIdType slot = begin; slot < end; ++slot)
       {
-        this->Read(slot, tuple);
+        this->ReadWithEnds(slot, tuple);
         keys[static_cast<std::size_t>(slot)] = curve.KeyOf(CentreOf(this->Kind, tuple));
       }
     });

@@ -26,18 +26,20 @@ inline int SkdNumberOfComponents(SkdBatchOf kind)
   return kind == SkdBatchOf::Points ? 3 : kind == SkdBatchOf::Spheres ? 4 : 6;
 }
 
-/// The tuples of a numeric array, read without a virtual call if they are doubles. The array must
-/// outlive it. Thread-safe.
+/// The tuples of a numeric array, or of none, read without a virtual call if they are doubles. The
+/// array must outlive it. Thread-safe.
 class SkdTuples
 {
 public:
   explicit SkdTuples(vtkDataArray* array)
     : Array(array)
-    , Components(array->GetNumberOfComponents())
+    , Components(array ? array->GetNumberOfComponents() : 0)
   {
     auto* doubles = vtkDoubleArray::FastDownCast(array);
     this->Doubles = doubles ? doubles->GetPointer(0) : nullptr;
   }
+
+  bool IsGiven() const { return this->Array != nullptr; }
 
   void Read(vtkIdType i, double* tuple) const
   {
@@ -70,11 +72,24 @@ public:
   /// The array must outlive it and have the right number of components.
   SkdBatch(vtkDataArray* queries, SkdBatchOf kind);
 
+  /// Lines from two arrays of the same length, of 3 components each.
+  SkdBatch(vtkDataArray* starts, vtkDataArray* ends);
+
   vtkIdType GetNumberOfQueries() const { return this->Count; }
   vtkIdType GetNumberOfPieces() const { return (this->Count + PieceSize - 1) / PieceSize; }
 
   /// The tuple of a slot. Thread-safe.
   void Read(vtkIdType slot, double* tuple) const { this->Queries.Read(slot, tuple); }
+
+  /// The same for a query of any kind, and for lines from two arrays.
+  void ReadWithEnds(vtkIdType slot, double (&tuple)[6]) const
+  {
+    this->Read(slot, tuple);
+    if (this->Ends.IsGiven())
+    {
+      this->Ends.Read(slot, tuple + 3);
+    }
+  }
 
   /// The slot at an index of the order.
   vtkIdType GetSlot(vtkIdType at) const
@@ -129,6 +144,7 @@ private:
   void SortByCount(const std::vector<std::uint32_t>& keys, std::uint32_t largestKey);
 
   SkdTuples Queries;
+  SkdTuples Ends; // of lines whose ends are in an array of their own
   SkdBatchOf Kind;
   vtkIdType Count;
   std::vector<std::uint32_t> Order; // slots; empty: as they come

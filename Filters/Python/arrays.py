@@ -105,7 +105,7 @@ def _batch(name: str, queries: int) -> Any:
 
 
 for _name, _queries in {"FindClosestPoints": 1, "FindClosestNCells": 1, "FindCells": 1,
-        "FindCellsAndWeights": 1, "IntersectWithLines": 1, "FindAllHits": 1, "IntersectWithRays": 2,
-        "FindAllRayHits": 2, "FindCellsWithinBoxes": 1, "FindCellsWithinSpheres": 1,
+        "FindCellsAndWeights": 1, "IntersectWithLines": 1, "FindAllHits": 1, "IntersectWithSegments": 2,
+        "FindAllSegmentHits": 2, "IntersectWithRays": 2, "FindAllRayHits": 2, "FindCellsWithinBoxes": 1, "FindCellsWithinSpheres": 1,
         "FindPairs": 0}.items():
     setattr(Locator, _name, _batch(_name, _queries))

@@ -289,17 +289,24 @@ class Tree:
     def segments(self, starts: ArrayLike, ends: Optional[ArrayLike] = None,
             all_hits: bool = False, out: Optional[SegmentHits] = None) -> Any:
         """The first hit of each segment from starts to ends, or all hits. Without ends, starts holds
-        both, with the shape (n, 2, 3) or (n, 6), and is not copied."""
-        if ends is not None:
-            start, end = to_rows(starts, "starts", 3), to_rows(ends, "ends", 3)
-            if len(start) != len(end):
-                raise ValueError(f"starts has {len(start)} rows, but ends has {len(end)}")
-            both = numpy.hstack([start, end])
-        else:
-            both = to_numbers(starts, "starts")
-            both = both.reshape(-1, 6) if both.shape[1:] == (2, 3) else both
-            both = to_rows(both, "starts", 6, " without ends, or (n, 2, 3)")
-        lines = to_vtk(both)
+        both, with the shape (n, 2, 3) or (n, 6)."""
+        if ends is None:
+            return self._lines(starts, all_hits, out)
+        start, end = to_rows(starts, "starts", 3), to_rows(ends, "ends", 3)
+        if len(start) != len(end):
+            raise ValueError(f"starts has {len(start)} rows, but ends has {len(end)}")
+        start, end = to_vtk(start), to_vtk(end)
+        if all_hits:
+            return self._ask(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
+                self.locator.FindAllSegmentHits(start, end, offsets, cell, parameter, point)))
+        return self._ask(SegmentHits, out, lambda cell, parameter, point: (
+            self.locator.IntersectWithSegments(start, end, cell, parameter, point)))
+
+    def _lines(self, ends: ArrayLike, all_hits: bool, out: Optional[SegmentHits]) -> Any:
+        """segments() with both ends in one array."""
+        both = to_numbers(ends, "starts")
+        both = both.reshape(-1, 6) if both.shape[1:] == (2, 3) else both
+        lines = to_vtk(to_rows(both, "starts", 6, " without ends, or (n, 2, 3)"))
         if all_hits:
             return self._ask(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
                 self.locator.FindAllHits(lines, offsets, cell, parameter, point)))

@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace skdtest;
 
@@ -185,6 +187,40 @@ TEST_P(BatchesNear, RaysHitWhatLinesHit)
   }
 }
 
+void ExpectSameBytes(vtkDataArray* a, vtkDataArray* b)
+{
+  ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues());
+  const vtkIdType size = a->GetNumberOfValues() * a->GetDataTypeSize();
+  EXPECT_TRUE(size == 0 || !std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), size));
+}
+
+TEST_P(BatchesNear, SegmentsWithEndsInTwoArraysAreLines)
+{
+  std::vector<std::vector<double>> ends = this->Rows, lines;
+  std::rotate(ends.begin(), ends.begin() + 1, ends.end());
+  for (int i = 0; i < NumberOfQueries; ++i)
+  {
+    lines.push_back(this->Rows[i]);
+    lines.back().insert(lines.back().end(), ends[i].begin(), ends[i].end());
+  }
+  vtkNew<vtkIdTypeArray> ids, lineIds, offsets, lineOffsets;
+  vtkNew<vtkDoubleArray> ts, lineTs, xs, lineXs;
+  const auto expectEqual = [&]
+  {
+    ExpectSameBytes(ids, lineIds);
+    ExpectSameBytes(offsets, lineOffsets);
+    ExpectSameBytes(ts, lineTs);
+    ExpectSameBytes(xs, lineXs);
+  };
+  const auto from = ToArray(this->Rows), to = ToArray(ends), both = ToArray(lines);
+  EXPECT_EQ(this->Locator->IntersectWithSegments(from, to, ids, ts, xs, 0.01),
+    this->Locator->IntersectWithLines(both, lineIds, lineTs, lineXs, 0.01));
+  expectEqual();
+  EXPECT_EQ(this->Locator->FindAllSegmentHits(from, to, offsets, ids, ts, xs, 0.01),
+    this->Locator->FindAllHits(both, lineOffsets, lineIds, lineTs, lineXs, 0.01));
+  expectEqual();
+}
+
 TEST(BatchesOfRays, EndWhereTheyMayGoNoFarther)
 {
   const auto locator = MakeLocator(MakeGrid(Hexahedra(2)));
@@ -210,9 +246,11 @@ TEST(BatchesOfRays, AndNeighboursThatCannotBeAskedAreRefused)
   EXPECT_EQ(locator->IntersectWithRays(two, one, nullptr, nullptr, nullptr), -1);
   EXPECT_EQ(locator->IntersectWithRays(one, nullptr, nullptr, nullptr, nullptr), -1);
   EXPECT_EQ(locator->FindAllRayHits(one, wide, nullptr, nullptr, nullptr, nullptr), -1);
+  EXPECT_EQ(locator->IntersectWithSegments(two, one, nullptr, nullptr, nullptr), -1);
+  EXPECT_EQ(locator->FindAllSegmentHits(one, nullptr, nullptr, nullptr, nullptr, nullptr), -1);
   EXPECT_EQ(locator->FindClosestNCells(one, 0, nullptr, nullptr), -1);
   EXPECT_EQ(locator->FindCellsWithinSpheres(one, nullptr, nullptr, nullptr), -1);
   EXPECT_EQ(locator->FindCellsAndWeights(wide, nullptr, nullptr, nullptr, nullptr), -1);
-  EXPECT_EQ(events.Errors, 6);
+  EXPECT_EQ(events.Errors, 8);
 }
 }

@@ -109,6 +109,7 @@ def test_rays_and_segments():
     same(tree.segments(both), ids, numbers, places)
     tree.locator.FindAllHits(numpy_to_vtk(both.reshape(-1, 6)), offsets, ids, numbers, places)
     same(tree.segments(both, all_hits=True), offsets, ids, numbers, places)
+    same(tree.segments(POINTS, -POINTS, all_hits=True), offsets, ids, numbers, places)
 
     hits = tree.rays(POINTS, -7 * POINTS)
     first = tree.segments(POINTS, -1000 * POINTS)
