@@ -14,77 +14,12 @@ import math
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkskdtree import vtkSkdTreeRemap
 
+from sphere_meshes import cubed_sphere, icosahedral_dual, poly_data, unit, with_field
+
 LEVELS = ((15, 16), (30, 32), (60, 64))[:int(sys.argv[1]) if len(sys.argv) > 1 else 3]
-
-
-def unit(x):
-    return x / numpy.linalg.norm(x, axis=-1, keepdims=True)
-
-
-def welded(points, cells):
-    """Points that are equal, to rounding, made one."""
-    _, first, index = numpy.unique(numpy.round(points * 1e9), axis=0, return_index=True,
-        return_inverse=True)
-    index = index.ravel()
-    return points[first], [index[list(cell)] for cell in cells]
-
-
-def cubed_sphere(n):
-    t = numpy.tan(math.pi / 4 * (2 * numpy.arange(n + 1) / n - 1))
-    u, v = (a.ravel() for a in numpy.meshgrid(t, t, indexing="ij"))
-    points, cells = [], []
-    for face in range(6):
-        axis, side = face % 3, 1.0 if face < 3 else -1.0
-        x = numpy.empty((len(u), 3))
-        x[:, axis], x[:, (axis + 1) % 3], x[:, (axis + 2) % 3] = side, side * u, v
-        at = numpy.arange(n)[:, None] * (n + 1) + numpy.arange(n) + face * len(u)
-        cells += numpy.stack([at, at + n + 1, at + n + 2, at + 1], -1).reshape(-1, 4).tolist()
-        points.append(unit(x))
-    return welded(numpy.concatenate(points), cells)
-
-
-def icosahedral_dual(n):
-    g = (1 + math.sqrt(5)) / 2
-    corners = numpy.array([(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
-        (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)])
-    faces = ((0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4),
-        (11, 10, 2), (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9),
-        (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1))
-    tip = math.atan2(1, g)  # corners 0 and 3 turn to the poles
-    turn = numpy.array([[math.cos(tip), math.sin(tip), 0], [-math.sin(tip), math.cos(tip), 0],
-        [0, 0, 1]])
-    corners = (corners @ turn)[:, [2, 0, 1]]
-    points, triangles = [], []
-    for face in faces:
-        place = {}
-        for i in range(n + 1):
-            for j in range(n + 1 - i):
-                place[i, j] = len(points)
-                points.append(
-                    i * corners[face[0]] + j * corners[face[1]] + (n - i - j) * corners[face[2]])
-        for i in range(n):
-            for j in range(n - i):
-                triangles.append((place[i + 1, j], place[i, j + 1], place[i, j]))
-                if i + j + 1 < n:
-                    triangles.append((place[i + 1, j + 1], place[i, j + 1], place[i + 1, j]))
-    points, triangles = welded(unit(numpy.array(points)), triangles)
-    middles = unit(points[numpy.array(triangles)].sum(axis=1))
-    around = [[] for _ in points]
-    for id_, triangle in enumerate(triangles):
-        for corner in triangle:
-            around[corner].append(id_)
-    cells = []
-    for x, ids in zip(points, around):
-        first = middles[ids[0]] - x
-        angles = [math.atan2(x @ numpy.cross(first, middles[i] - x), first @ (middles[i] - x))
-            for i in ids]
-        cells.append([ids[k] for k in numpy.argsort(angles)])
-    return middles, cells
 
 
 def averages(mesh, function):
@@ -137,25 +72,6 @@ def vortex(x):
     return 1 - numpy.tanh(radius / 5 * numpy.sin(turned))
 
 
-def poly_data(mesh, values=None):
-    points, cells = mesh
-    data, vtk_points, polygons = vtkPolyData(), vtkPoints(), vtkCellArray()
-    vtk_points.SetData(numpy_to_vtk(points, deep=1))
-    for cell in cells:
-        polygons.InsertNextCell(len(cell), list(cell))
-    data.SetPoints(vtk_points)
-    data.SetPolys(polygons)
-    return with_field(data, values)
-
-
-def with_field(data, values):
-    if values is not None:
-        array = numpy_to_vtk(values, deep=1)
-        array.SetName("f")
-        data.GetCellData().AddArray(array)
-    return data
-
-
 def remapped(remap):
     remap.Update()
     output = remap.GetOutputDataObject(0)
@@ -188,7 +104,7 @@ def table():
                 remap.SetMethod(method)
                 remap.SetLimiter(limiter)
                 remap.SetInputDataObject(0, poly_data(meshes[level][1]))
-                remap.SetInputDataObject(1, poly_data(meshes[level][0], here))
+                remap.SetInputDataObject(1, with_field(poly_data(meshes[level][0]), here))
                 values, error = remapped(remap)
                 rows.append(errors(values, exact, areas))
                 worst = max(worst, error)
@@ -207,7 +123,7 @@ def drift(cycles=100):
         for remap, source, target in ((go, here, there), (come, there, here)):
             remap.SetMethod(4)
             remap.SetInputDataObject(0, poly_data(target))
-            remap.SetInputDataObject(1, poly_data(source, values))
+            remap.SetInputDataObject(1, with_field(poly_data(source), values))
             values, _ = remapped(remap)
     assert len(back) == len(there[1])
     print("\ndrift of the mass in %d cycles: %.1e" % (cycles, abs(math.fsum(values * areas) / mass - 1)))
