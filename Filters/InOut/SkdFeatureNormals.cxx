@@ -9,6 +9,9 @@
 
 namespace
 {
+/// A parametric weight of at most this is none: the point is on an edge or a vertex, to rounding.
+constexpr double BorderWeight = 1e-12;
+
 skd::Vector3 UnitNormal(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
 {
   const skd::Vector3 across = skd::Cross(b - a, c - a);
@@ -80,17 +83,16 @@ SkdFeatureNormals::Normal SkdFeatureNormals::At(vtkIdType triangle, const double
 {
   const SkdTriangleIds& ids = this->Triangles[triangle];
   const double weights[3] = { 1.0 - pcoords[0] - pcoords[1], pcoords[0], pcoords[1] };
-  constexpr double none = 1e-12;
   for (int i = 0; i < 3; ++i)
   {
-    if (weights[(i + 1) % 3] <= none && weights[(i + 2) % 3] <= none)
+    if (weights[(i + 1) % 3] <= BorderWeight && weights[(i + 2) % 3] <= BorderWeight)
     {
       return { this->PointNormals[ids[i]], false };
     }
   }
   for (int i = 0; i < 3; ++i)
   {
-    if (weights[i] <= none)
+    if (weights[i] <= BorderWeight)
     {
       const Edge& edge = this->EdgeOf(ids[(i + 1) % 3], ids[(i + 2) % 3]);
       return { edge.Sum, edge.Faces % 2 == 1 };

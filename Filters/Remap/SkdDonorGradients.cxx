@@ -5,6 +5,7 @@
 #include "Cells/SkdCellReader.h"
 #include "Cells/SkdForEach.h"
 #include "Pipeline/SkdWeld.h"
+#include "Remap/SkdRemapTolerances.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -28,10 +29,9 @@ std::array<double, 6> PseudoInverse(const std::array<double, 6>& m)
   double* v[3] = { vectors[0], vectors[1], vectors[2] };
   vtkMath::Jacobi(a, values, v); // values descending, vectors in columns
   std::array<double, 6> inverse{};
-  constexpr double rank = 1e-12;
   for (int k = 0; k < 3; ++k)
   {
-    if (values[k] > rank * values[0])
+    if (values[k] > remap_tolerances::Flatness * values[0])
     {
       int at = 0;
       for (int i = 0; i < 3; ++i)

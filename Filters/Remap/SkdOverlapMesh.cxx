@@ -4,6 +4,7 @@
 
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
+#include "Remap/SkdRemapTolerances.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -126,9 +127,6 @@ private:
   Shape& TheShape;
 };
 
-/// What less than this share of the smaller piece is rounding.
-constexpr double LeastShare = 1e-14;
-
 void AddShape(const SkdOverlapSurface& ground, const SkdPieceView& one, const SkdPieceView& other,
   Shape shape, std::vector<Shape>& found)
 {
@@ -136,7 +134,8 @@ void AddShape(const SkdOverlapSurface& ground, const SkdPieceView& one, const Sk
   const Vector3* reference = nullptr;
   const double measure =
     SkdPieceOverlap<Shapes>(ground.GetSpace(), shapes).Find(one, other, reference).Measure;
-  if (measure > LeastShare * std::min(one.Piece.Own.Measure, other.Piece.Own.Measure))
+  const double smaller = std::min(one.Piece.Own.Measure, other.Piece.Own.Measure);
+  if (measure > remap_tolerances::PieceOverlap * smaller)
   {
     shape.Measure = ground.Measure(measure) * one.Piece.Sign * other.Piece.Sign;
     found.push_back(std::move(shape));

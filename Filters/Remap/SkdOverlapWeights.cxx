@@ -5,6 +5,7 @@
 #include "Cells/SkdForEach.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
+#include "Remap/SkdRemapTolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,6 @@
 namespace
 {
 using skd::Vector3;
-
-/// What is less than this share of the smaller cell is rounding.
-constexpr double LeastShare = 2e-15;
 
 /// A pair of cells, as its part of the walk has found it.
 struct Entry
@@ -100,9 +98,11 @@ std::vector<Entry> Sorted(Entries& parts, const std::vector<std::size_t>& places
 /// so that gradients add nothing to integrals.
 void BalanceMoments(SkdOverlapTable& table, SkdOverlapCells& donors)
 {
-  constexpr double rounding = 1e-10; // less is no gap between cells
   const auto isCovered = [&](std::size_t i)
-  { return std::abs(donors.Covered[i] - donors.Measures[i]) <= rounding * donors.Measures[i]; };
+  {
+    const double gap = std::abs(donors.Covered[i] - donors.Measures[i]);
+    return gap <= remap_tolerances::CoverGap * donors.Measures[i];
+  };
   for (std::size_t k = 0; k < table.Columns.size(); ++k)
   {
     const auto column = static_cast<std::size_t>(table.Columns[k]);
@@ -187,9 +187,8 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
     [&](std::size_t part, std::uint32_t a, std::uint32_t b)
     {
       const Entry entry = Overlap(meshes, settings.Space, a, b);
-      const double least =
-        LeastShare * std::min(meshes.Target.MeasureOf(a), meshes.Donor.MeasureOf(b));
-      if (entry.Measure > least)
+      const double smaller = std::min(meshes.Target.MeasureOf(a), meshes.Donor.MeasureOf(b));
+      if (entry.Measure > remap_tolerances::CellOverlap * smaller)
       {
         found[part].push_back(entry);
       }

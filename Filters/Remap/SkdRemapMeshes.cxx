@@ -4,6 +4,7 @@
 
 #include "Cells/SkdCellReader.h"
 #include "Pipeline/SkdLonLat.h"
+#include "Remap/SkdRemapTolerances.h"
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
 #include "vtkGenericCell.h"
@@ -89,8 +90,8 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
   const bool isFlat = bounds[0] == bounds[1] || bounds[2] == bounds[3] || bounds[4] == bounds[5];
   double least = VTK_DOUBLE_MAX, greatest = 0.0, sum = 0.0;
   const vtkIdType n = mesh->GetNumberOfPoints();
-  constexpr double rounding = 1e-5; // of points in single precision, and of a flattened Earth, none
-  for (vtkIdType i = 0; i < n && !isFlat && !(greatest - least > rounding * greatest); ++i)
+  using remap_tolerances::RadiusSpread;
+  for (vtkIdType i = 0; i < n && !isFlat && !(greatest - least > RadiusSpread * greatest); ++i)
   {
     double x[3];
     mesh->GetPoint(i, x);
@@ -99,7 +100,7 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
     greatest = std::max(greatest, radius);
     sum += radius;
   }
-  const bool isSphere = n > 2 && !isFlat && greatest - least <= rounding * greatest;
+  const bool isSphere = n > 2 && !isFlat && greatest - least <= RadiusSpread * greatest;
   return isSphere ? std::optional<double>(sum / n) : std::nullopt;
 }
 

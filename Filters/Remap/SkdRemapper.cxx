@@ -7,6 +7,7 @@
 #include "Remap/SkdContainedFields.h"
 #include "Remap/SkdLumpedPoints.h"
 #include "Remap/SkdRemapMeshes.h"
+#include "Remap/SkdRemapTolerances.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -19,7 +20,6 @@
 
 namespace
 {
-constexpr double CoverageRounding = 1e-5; // as points in single precision leave it
 
 std::vector<double> CosinesOfLatitude(const std::vector<skd::Vector3>& points)
 {
@@ -187,8 +187,8 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
     const bool isValid = share > 0.0 && share >= this->Settings.Conservative.MinimumCoverage;
     valid->SetValue(i, isValid ? 1 : 0);
     this->Findings.EmptyCells += isValid ? 0 : 1;
-    this->Findings.PartlyCovered += isValid && share < 1.0 - CoverageRounding ? 1 : 0;
-    this->Findings.CoveredTwice += share > 1.0 + CoverageRounding ? 1 : 0;
+    this->Findings.PartlyCovered += isValid && share < 1.0 - remap_tolerances::Coverage ? 1 : 0;
+    this->Findings.CoveredTwice += share > 1.0 + remap_tolerances::Coverage ? 1 : 0;
   }
   this->Findings.Cells += n;
   block->GetCellData()->AddArray(coverage);
@@ -205,7 +205,7 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
   this->Findings.InputLeftOut += weights.GetTarget().LeftOut;
   for (std::size_t i = 0; i < donor.Measures.size(); ++i)
   {
-    const bool isTwice = donor.Covered[i] > (1.0 + CoverageRounding) * donor.Measures[i];
+    const bool isTwice = donor.Covered[i] > (1.0 + remap_tolerances::Coverage) * donor.Measures[i];
     this->Findings.SourceCoveredTwice += isTwice ? 1 : 0;
   }
 }
