@@ -4,7 +4,7 @@
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
-#include "vtkCellArray.h"
+#include "Pipeline/SkdMakeMesh.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkIdList.h"
@@ -34,23 +34,12 @@ public:
   {
     const auto old = static_cast<vtkIdType>(this->Set.GetPoints().size());
     const double unscaled = 1.0 / scale;
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(old + static_cast<vtkIdType>(this->Split.Points.size()));
-    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-    {
-      const skd::Vector3& x =
-        i < old ? this->Set.GetPoints()[i] : this->Split.Points[i - old].Position;
-      points->SetPoint(i, (unscaled * x).X);
-    }
-    vtkNew<vtkCellArray> cells;
-    for (const SkdTriangleSet::Corners& triangle : this->Split.Triangles)
-    {
-      cells->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
-        static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
-    }
-    this->To->SetPoints(points);
-    this->To->SetPolys(cells);
+    const auto pointAt = [&](vtkIdType i) {
+      return unscaled * (i < old ? this->Set.GetPoints()[i] : this->Split.Points[i - old].Position);
+    };
+    SkdSetTriangles(
+      this->To, old + static_cast<vtkIdType>(this->Split.Points.size()), pointAt,
+      this->Split.Triangles, [](const SkdTriangleSet::Corners& ids) -> const auto& { return ids; });
   }
 
   void FillCellData(bool isComposite, std::set<std::string>& refused) const
