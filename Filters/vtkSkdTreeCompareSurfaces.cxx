@@ -89,6 +89,14 @@ SkdHausdorffLimits LimitsOf(vtkSkdTreeCompareSurfaces* self, const Size& size)
     self->GetMaximumBisections() };
 }
 
+void EmptyAll(const std::vector<SkdBlock>& blocks)
+{
+  for (const SkdBlock& block : blocks)
+  {
+    block.Mesh->Initialize();
+  }
+}
+
 /// Half of the progress each.
 void Compare(vtkSkdTreeCompareSurfaces* self, SkdComparison& comparison, const Size& size,
   double first, double last)
@@ -158,17 +166,27 @@ int vtkSkdTreeCompareSurfaces::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   SkdStopwatch watch;
+  const bool isLater = SkdIsLaterPiece(outputVector->GetInformationObject(0));
   std::array<SkdComparedInput, 2>& inputs = this->Impl->Inputs;
   std::array<std::vector<SkdBlock>, 2> outputs;
   for (int port = 0; port < 2; ++port)
   {
     vtkDataObject* data = vtkDataObject::GetData(inputVector[port]);
     outputs[port] = SkdMirror(data, vtkDataObject::GetData(outputVector, port));
+    if (isLater)
+    {
+      EmptyAll(outputs[port]);
+      continue;
+    }
     inputs[port].Blocks = SkdBlocksOf(data);
     inputs[port].IsComposite = SkdIsComposite(data);
     inputs[port].Set.Update(
       inputs[port].Blocks, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
     WarnAbout(this, inputs[port], port);
+  }
+  if (isLater)
+  {
+    return 1; // the first process has it all
   }
   const double buildSeconds = watch.Lap();
 

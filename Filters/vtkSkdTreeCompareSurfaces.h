@@ -46,7 +46,7 @@
  *
  * Bad input: an Input or Source without any finite point gives one warning, "none" and NaN. Cells
  * that are not finite are left out. An aborted execution leaves the table empty. Each process
- * needs both inputs as a whole.
+ * needs both inputs as a whole; of several, the first computes all and has all outputs.
  *
  * @sa
  * vtkSkdTreeClosestPoint

@@ -5,6 +5,7 @@
 #include "Adaptation/SkdMeshAdapter.h"
 #include "Cells/SkdCellReader.h"
 #include "Pipeline/SkdLonLat.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdContainedMean.h"
@@ -430,7 +431,7 @@ int vtkSkdTreeMeshAdaptation::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   table->Initialize();
-  if (info->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  if (SkdIsLaterPiece(info))
   {
     output->Initialize(); // the first process has it all
     return 1;

@@ -5,6 +5,7 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdOuterSurface.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
@@ -99,13 +100,6 @@ vtkSmartPointer<vtkMatrix4x4> FindMatrix(vtkSkdTreeSurfaceIntersection* self)
     transform->Concatenate(self->GetTransform());
   }
   return transform->GetMatrix();
-}
-
-bool IsLaterPiece(vtkInformation* output)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  return output->Has(Pipeline::UPDATE_PIECE_NUMBER()) &&
-    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
 /// Ports 0 to 5, where every process has found all.
@@ -274,7 +268,7 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-  if (!source && IsLaterPiece(outputVector->GetInformationObject(0)))
+  if (!source && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
   {
     return 1; // the first piece has all
   }

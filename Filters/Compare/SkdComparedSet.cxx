@@ -4,10 +4,8 @@
 
 #include "Cells/SkdMagnitudes.h"
 #include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Pipeline/SkdMakeMesh.h"
 #include "Pipeline/SkdOuterSurface.h"
-#include "vtkCellArray.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <limits>
@@ -63,10 +61,10 @@ void SkdComparedSet::AddFaces(int block, vtkDataSet* mesh)
   {
     surface.GetPoint(i, this->Points[first + i].X);
   }
-  SkdTriangulation triangulation;
+  FaceBuffers buffers;
   surface.ForEachFace(
     [&](vtkIdType cell, vtkIdType size, const auto* corners) {
-      this->AddFace(triangulation, { block, surface.GetCellId(cell) }, first, size, corners);
+      this->AddFace(buffers, { block, surface.GetCellId(cell) }, first, size, corners);
     });
   if (this->Elements.size() == facesBefore)
   {
@@ -75,10 +73,11 @@ void SkdComparedSet::AddFaces(int block, vtkDataSet* mesh)
 }
 
 template <class Corner>
-void SkdComparedSet::AddFace(SkdTriangulation& triangulation, const Origin& origin, vtkIdType first,
+void SkdComparedSet::AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdType first,
   vtkIdType size, const Corner* corners)
 {
-  std::vector<vtkIdType> ids;
+  std::vector<vtkIdType>& ids = buffers.Ids;
+  ids.clear();
   const auto idOf = [&](vtkIdType corner)
   { return IsUsable(this->Points[first + corner]) ? first + corner : vtkIdType(-1); };
   const int kept = SkdAppendCorners(size, corners, idOf, ids);
@@ -86,7 +85,7 @@ void SkdComparedSet::AddFace(SkdTriangulation& triangulation, const Origin& orig
   {
     return;
   }
-  vtkIdList* cut = triangulation.Cut(
+  vtkIdList* cut = buffers.Triangulation.Cut(
     kept, [&](vtkIdType i) -> const auto& { return this->Points[ids[i]]; });
   for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
   {
@@ -114,23 +113,14 @@ void SkdComparedSet::AddPoints(int block, vtkDataSet* mesh)
 
 vtkSmartPointer<vtkPolyData> SkdComparedSet::MakeMesh() const
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Points.size()));
-  for (std::size_t i = 0; i < this->Points.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), this->Points[i].X);
-  }
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType size = this->Surface ? 3 : 1;
-  cells->AllocateExact(
-    static_cast<vtkIdType>(this->Elements.size()), size * vtkIdType(this->Elements.size()));
-  for (const SkdTriangleIds& element : this->Elements)
-  {
-    cells->InsertNextCell(size, element.data());
-  }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
+  mesh->SetPoints(SkdMakePoints(
+    static_cast<vtkIdType>(this->Points.size()), [this](vtkIdType i) -> const auto& {
+      return this->Points[i];
+    }));
+  const auto cells = SkdMakeCells(
+    this->Surface ? 3 : 1, this->Elements,
+    [](const SkdTriangleIds& ids) -> const auto& { return ids; });
   if (this->Surface)
   {
     mesh->SetPolys(cells);

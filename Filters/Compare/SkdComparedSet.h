@@ -77,10 +77,17 @@ public:
   void Release();
 
 private:
+  /// Reused from face to face, so that none allocates.
+  struct FaceBuffers
+  {
+    SkdTriangulation Triangulation;
+    std::vector<vtkIdType> Ids;
+  };
+
   void AddFaces(int block, vtkDataSet* mesh);
   template <class Corner>
-  void AddFace(SkdTriangulation& triangulation, const Origin& origin, vtkIdType first,
-    vtkIdType size, const Corner* corners);
+  void AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdType first, vtkIdType size,
+    const Corner* corners);
   void AddPoints(int block, vtkDataSet* mesh);
   vtkSmartPointer<vtkPolyData> MakeMesh() const;
 

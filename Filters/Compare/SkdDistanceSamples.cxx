@@ -7,6 +7,10 @@
 
 namespace
 {
+/// Relative: what rounding takes from a sum of 2^24 weights, at random (the square root of their
+/// number times 2^-53 is 4.5e-13). Without it a quantile of equal weights may be the next sample's.
+constexpr double WeightRounding = 1e-12;
+
 /// The elements of a set and where their samples begin.
 class Sampling
 {
@@ -175,7 +179,7 @@ SkdDistanceStatistics SkdDistanceSamples::GetStatistics() const
   {
     below += sample.Weight;
     while (share < SkdQuantileShares.size() &&
-      below >= SkdQuantileShares[share] * statistics.Measure * (1.0 - 1e-12))
+      below >= SkdQuantileShares[share] * statistics.Measure * (1.0 - WeightRounding))
     {
       statistics.Quantiles[share++] = std::abs(sample.Distance);
     }

@@ -53,7 +53,7 @@ public:
   SkdHausdorff Run(vtkAlgorithm* self, double first, double last);
 
 private:
-  Sample Ask(const skd::Vector3& x, double reach) const;
+  Sample FindNearest(const skd::Vector3& x, double reach) const;
   double GetBound(const std::array<Sample, 3>& corners) const;
   Sample Halve(const Piece& piece, int edge) const;
   void Bisect(const Piece& piece, Piece* halves) const;
@@ -72,7 +72,7 @@ private:
   vtkIdType Bisections = 0;
 };
 
-Sample Search::Ask(const skd::Vector3& x, double reach) const
+Sample Search::FindNearest(const skd::Vector3& x, double reach) const
 {
   const auto nearest = this->To.FindNearest(x, reach);
   return nearest ? Sample{ x, std::sqrt(nearest->Distance2), nearest->CellId }
@@ -84,16 +84,16 @@ double Search::GetBound(const std::array<Sample, 3>& corners) const
   double bound = std::numeric_limits<double>::max();
   for (const Sample& corner : corners)
   {
-    double way2 = 0.0;
+    double toCorner2 = 0.0;
     double toNearest2 = 0.0;
     for (const Sample& other : corners)
     {
-      way2 = std::max(way2, skd::Distance2(corner.At, other.At));
+      toCorner2 = std::max(toCorner2, skd::Distance2(corner.At, other.At));
       toNearest2 = std::max(toNearest2,
         other.Nearest == corner.Nearest ? other.Distance * other.Distance
                                         : this->To.GetDistance2(corner.Nearest, other.At));
     }
-    bound = std::min({ bound, corner.Distance + std::sqrt(way2), std::sqrt(toNearest2) });
+    bound = std::min({ bound, corner.Distance + std::sqrt(toCorner2), std::sqrt(toNearest2) });
   }
   return bound;
 }
@@ -109,9 +109,9 @@ Sample Search::Halve(const Piece& piece, int edge) const
   {
     reach2 = std::min(reach2, this->To.GetDistance2(corner.Nearest, middle));
   }
-  const Sample near = this->Ask(middle, SkdRadiusOf(reach2));
+  const Sample near = this->FindNearest(middle, SkdRadiusOf(reach2));
   const bool isMissed = near.Nearest < 0; // the search rounds otherwise
-  return isMissed ? this->Ask(middle, std::numeric_limits<double>::max()) : near;
+  return isMissed ? this->FindNearest(middle, std::numeric_limits<double>::max()) : near;
 }
 
 void Search::Bisect(const Piece& piece, Piece* halves) const
@@ -160,14 +160,14 @@ bool Search::Start(SkdLoop loop)
 {
   const std::vector<skd::Vector3>& points = this->From.GetPoints();
   std::vector<Sample> samples(points.size());
-  const auto ask = [&](vtkIdType begin, vtkIdType end)
+  const auto findNearest = [&](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      samples[i] = this->Ask(points[i], std::numeric_limits<double>::max());
+      samples[i] = this->FindNearest(points[i], std::numeric_limits<double>::max());
     }
   };
-  bool isWhole = loop.For(static_cast<vtkIdType>(samples.size()), ask);
+  bool isWhole = loop.For(static_cast<vtkIdType>(samples.size()), findNearest);
   const std::vector<SkdTriangleIds>& elements = this->From.GetElements();
   Pieces pieces(elements.size());
   const auto bound = [&](vtkIdType begin, vtkIdType end)

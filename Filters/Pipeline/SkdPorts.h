@@ -49,6 +49,15 @@ inline void SkdRequestWhole(vtkAlgorithm* filter, vtkInformationVector** inputs,
   }
 }
 
+/// Whether a filter that computes all in one process leaves this output empty: one of a piece that
+/// is not the first.
+inline bool SkdIsLaterPiece(vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  return output->Has(Pipeline::UPDATE_PIECE_NUMBER()) &&
+    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+
 /// Puts a new data object of the type (VTK_POLY_DATA, say) into an output, unless it has one.
 inline void SkdProvideOutput(vtkInformation* output, int type)
 {

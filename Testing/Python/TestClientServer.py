@@ -93,6 +93,17 @@ def crossings():
     return found
 
 
+def compared():
+    from paraview import servermanager, simple
+
+    compared = simple.SkdTreeCompareSurfaces(
+        Input=simple.Sphere(Radius=3), Source=simple.Sphere(Radius=2.5), SignedDistance=1)
+    compared.UpdatePipeline()
+    table = servermanager.Fetch(compared, idx=2)
+    return [number for column in range(1, table.GetNumberOfColumns()) for row in range(3)
+        for number in table.GetColumn(column).GetTuple(row)]
+
+
 def traced():
     """Streamlines on an attached tree."""
     from paraview import servermanager, simple
@@ -168,7 +179,7 @@ def be_client(port):
     from paraview import simple
 
     questions = (distances, probed, depths, crossings, cells_found, traced, tree_drawn,
-        remapped, adapted)
+        remapped, adapted, compared)
     alone = [ask() for ask in questions]
     assert set(alone[2]) == {0, 1, 2}
     assert len(alone[3]) > 10

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What crosses what in two processes of pvbatch is what crosses in one. Run without an argument this
-starts them; with the name of a file it is one of them, and writes its part of the answers there."""
+"""Intersections and distances of surfaces in two processes of pvbatch are those in one. Run without an
+argument this starts them; with the name of a file it is one of them, and writes its part of the
+answers there."""
 
 import math
 import os
@@ -100,9 +101,25 @@ def split():
     return {"split " + name: answer for name, answer in answers.items()}
 
 
+def compared():
+    """The table of two surfaces, one of them in blocks, and distances of both: in the first process."""
+    from paraview import simple
+
+    blocks = simple.GroupDatasets(Input=[sphere(0.9, 0.3, 0.2), sphere(3, 0, 0)])
+    proxy = simple.SkdTreeCompareSurfaces(Input=sphere(0, 0, 0), Source=blocks, SignedDistance=1)
+    points = output(proxy).GetPointData().GetArray("SkdDistance")
+    table = output(proxy, 2)
+    assert output(proxy, 1).GetNumberOfBlocks() == 2
+    assert proxy.GetDataInformation().GetNumberOfPoints() in (0, output(proxy).GetNumberOfPoints())
+    numbers = [vtk_to_numpy(table.GetColumn(column)).ravel()
+        for column in range(1, table.GetNumberOfColumns())]
+    return numpy.concatenate(numbers + [vtk_to_numpy(points)] if numbers else [[]])
+
+
 def all_answers():
     return {
         **split(),
+        "compared": compared(),
         "crossings": crossings(),
         "hits": hits(),
         "intersection": intersection(sphere(0.9, 0.3, 0.2)),
@@ -116,6 +133,9 @@ def sorted_rows(rows):
 
 def check(alone, parts):
     assert len(alone["crossings"]) == 7, alone["crossings"]
+    assert numpy.isfinite(alone["compared"]).sum() > 1000
+    numpy.testing.assert_array_equal(parts[0]["compared"], alone["compared"])
+    assert parts[1]["compared"].size == 0
     for part in parts:
         numpy.testing.assert_array_equal(part["crossings"], alone["crossings"])
     together = numpy.vstack([part["hits"] for part in parts])
