@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeBooleanOperation.h"
 
+#include "Boolean/SkdBooleanSurface.h"
+#include "Boolean/SkdSheet.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Surfaces/SkdBooleanSurface.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -22,23 +23,7 @@ vtkStandardNewMacro(vtkSkdTreeBooleanOperation);
 
 namespace
 {
-/// An input of the filter.
-struct Surface
-{
-  const char* Name;
-  std::vector<SkdBlock> Blocks;
-  bool IsComposite;
-  SkdTriangleSet Set;
-
-  Surface(const char* name, vtkDataObject* data, double chordalDeviation)
-    : Name(name)
-    , Blocks(SkdBlocksOf(data))
-    , IsComposite(SkdIsComposite(data))
-  {
-    this->Set.Update(this->Blocks, chordalDeviation);
-    this->Set.Complete();
-  }
-};
+using Filter = vtkSkdTreeBooleanOperation;
 
 bool IsLaterPiece(vtkInformation* output)
 {
@@ -47,99 +32,267 @@ bool IsLaterPiece(vtkInformation* output)
     output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
+SkdBooleanBlocks BlocksOf(vtkDataObject* input, vtkDataObject* source)
+{
+  SkdBooleanBlocks blocks{ SkdBlocksOf(input), 0, SkdIsComposite(input) || SkdIsComposite(source) };
+  blocks.FirstOfSource = static_cast<int>(blocks.All.size());
+  const std::vector<SkdBlock> others = SkdBlocksOf(source);
+  blocks.All.insert(blocks.All.end(), others.begin(), others.end());
+  return blocks;
+}
+
 std::string TextOf(const skd::Vector3& x)
 {
   std::ostringstream text;
   text << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
   return text.str();
 }
-
-/// Whether a surface bounds a solid. If not, an error tells why.
-bool IsClosed(vtkSkdTreeBooleanOperation* self, const Surface& surface)
-{
-  const auto& triangles = surface.Set.GetTriangles();
-  const SkdBadEdges bad = SkdFindBadEdges(triangles.data(), triangles.size());
-  if (bad.Count > 0)
-  {
-    const auto& points = surface.Set.GetPoints();
-    vtkErrorWithObjectMacro(self, << surface.Name << " is not a closed, consistently oriented "
-                                  << "surface: " << bad.Count
-                                  << " edges are open or between faces turned against each "
-                                  << "other, the first from " << TextOf(points[bad.First.first])
-                                  << " to " << TextOf(points[bad.First.second])
-                                  << ". There is no output. Close gaps (Fill Holes) or "
-                                  << "orient the faces (Surface Normals with Consistency) before.");
-  }
-  return bad.Count == 0;
 }
 
-void WarnOfOwnContacts(vtkSkdTreeBooleanOperation* self, const Surface& surface, SkdLoop& loop)
+/// The arrangement of the inputs, and the solids that its regions are in: kept while the inputs are
+/// unchanged.
+class vtkSkdTreeBooleanOperation::Internals
 {
-  const SkdPlacement alone = SkdMakePlacement(surface.Set, nullptr, std::nullopt);
-  const SkdPairSearch search{ SkdPairSearch::LowestOnly, 0.0 };
-  const auto pairs = SkdTrianglePairs(alone).FindByTrees(search, loop);
-  if (!pairs.empty())
+public:
+  /// Splits the surfaces along all their intersections, unless that is done. False after an abort.
+  bool Arrange(Filter* self, const SkdBooleanBlocks& blocks);
+
+  /// Finds out which triangles bound which solid: the two inputs; or, without a Source or if the
+  /// operation counts solids, the blocks if there are several, else the pieces.
+  void FindSolids(const SkdBooleanBlocks& blocks, bool areInputs);
+
+  /// Whether all surfaces have an inside; else an error tells which one has not. The Source may be
+  /// open (a sheet) in operations that have a use for it.
+  bool AreClosed(Filter* self) const;
+
+  /// Finds out which solids each region is in, unless that is done.
+  void FindWindings(Filter* self);
+
+  /// The faces of the output.
+  SkdFacetSigns Select(Filter* self) const;
+
+  SkdBooleanRule GetRule(Filter* self) const
   {
-    const auto cellOf = [&](std::uint32_t triangle)
-    { return surface.Set.GetCells()[surface.Set.GetCellOf(triangle)].Id; };
-    vtkWarningWithObjectMacro(self,
-      << surface.Name << " touches or intersects itself, first in "
-      << "cells " << cellOf(pairs[0].First) << " and " << cellOf(pairs[0].Second) << ". What it "
-      << "covers twice counts as its faces say, and the volume of the output may be wrong there. "
-      << "Intersections are shown by Surface Intersection without a Source.");
+    return { static_cast<SkdBooleanOperation>(self->GetOperation()),
+      static_cast<SkdInsideRule>(self->GetInsideRule()), this->Solids.Count,
+      static_cast<std::uint32_t>(self->GetMinimumNumberOfSolids()) };
+  }
+
+  void Fill(Filter* self, const SkdBooleanBlocks& blocks, const SkdFacetSigns& signs,
+    vtkPolyData* output) const;
+  void Report(Filter* self, const SkdFacetSigns& signs, SkdReport& report) const;
+
+  /// The volume and area of what is within solids.
+  template <class IsSolid>
+  SkdBoundaryMeasures Measure(const IsSolid& isSolid) const
+  {
+    return this->Measure(SkdFindBoundary(this->Arrangement, this->Windings, isSolid));
+  }
+  SkdBoundaryMeasures Measure(const SkdFacetSigns& signs) const;
+
+  SkdTriangleSet Set;
+  bool IsNew = false;                    // in this run
+  std::optional<SkdPlacement> Placement; // none: not arranged
+  SkdArrangement Arrangement;
+  SkdSolids Solids;
+  bool AreInputs = false; // the solids
+  std::vector<SkdBadEdges> BadEdges;
+  std::vector<SkdRegionWindings> Windings; // empty: not known
+
+private:
+  std::string NameOf(std::uint32_t solid) const
+  {
+    const char* inputs[2] = { "Input", "Source" };
+    return this->AreInputs ? inputs[solid] : "Solid " + std::to_string(solid);
+  }
+  bool IsSheet(std::uint32_t solid) const
+  {
+    return this->AreInputs && solid == 1 && this->BadEdges[1].Count > 0;
+  }
+  std::string EdgeText(const SkdSplitEdge& edge) const
+  {
+    const double unscaled = 1.0 / this->Placement->Scale;
+    const auto at = [&](std::uint32_t point) {
+      return TextOf(unscaled * this->Arrangement.Facets.GetPosition(this->Placement->First, point));
+    };
+    return at(edge.first) + " to " + at(edge.second);
+  }
+};
+
+bool vtkSkdTreeBooleanOperation::Internals::Arrange(Filter* self, const SkdBooleanBlocks& blocks)
+{
+  this->IsNew = this->Set.Update(blocks.All, self->GetChordalDeviation());
+  if (!this->IsNew && this->Placement)
+  {
+    return true;
+  }
+  this->Placement.reset();
+  this->Windings.clear();
+  this->Solids = {};
+  this->Set.Complete();
+  SkdPlacement placement = SkdMakePlacement(this->Set, nullptr, std::nullopt);
+  SkdLoop loop(self, 0, 0.2, 0.6, 8);
+  const auto pairs = SkdTrianglePairs(placement).FindByTrees({ SkdPairSearch::All, 0.0 }, loop);
+  if (SkdIsAborted(self))
+  {
+    return false;
+  }
+  this->Arrangement = SkdArrange(placement, pairs);
+  this->Placement.emplace(std::move(placement));
+  return true;
+}
+
+void vtkSkdTreeBooleanOperation::Internals::FindSolids(
+  const SkdBooleanBlocks& blocks, bool areInputs)
+{
+  SkdSolids solids =
+    areInputs ? SkdSolidsByInput(this->Set, blocks.FirstOfSource) : SkdSolidsByBlock(this->Set);
+  if (!areInputs && solids.Count < 2)
+  {
+    solids = SkdSolidsByPiece(this->Set);
+  }
+  if (this->Windings.empty() || solids.Of != this->Solids.Of)
+  {
+    this->Solids = std::move(solids);
+    this->AreInputs = areInputs;
+    this->Windings.clear();
+    this->BadEdges = SkdFindBadEdges(this->Arrangement.Facets, this->Solids.Of, this->Solids.Count);
   }
 }
 
-void WarnOfBadEdges(vtkSkdTreeBooleanOperation* self, const SkdBadEdges& bad, vtkPolyData* output)
+bool vtkSkdTreeBooleanOperation::Internals::AreClosed(Filter* self) const
 {
-  double a[3];
-  output->GetPoint(bad.First.first, a);
-  vtkWarningWithObjectMacro(
-    self, << "The output is not closed: " << bad.Count << " edges are open, the first at "
-          << TextOf({ { a[0], a[1], a[2] } })
-          << ". The inputs have triangles without area or intersect themselves there.");
+  const bool maySheet = self->GetOperation() == INTERSECTION || self->GetOperation() == DIFFERENCE;
+  for (std::uint32_t solid = 0; solid < this->Solids.Count; ++solid)
+  {
+    if (this->BadEdges[solid].Count > 0 && !(maySheet && this->IsSheet(solid)))
+    {
+      vtkErrorWithObjectMacro(
+        self, << this->NameOf(solid)
+              << " is not a closed, consistently oriented surface: " << this->BadEdges[solid].Count
+              << " edges are open or between faces of opposite orientation, "
+                 "the first from "
+              << this->EdgeText(this->BadEdges[solid].First)
+              << ". There is no output. Close gaps (Fill Holes) or orient "
+                 "the faces (Surface Normals with Consistency) before.");
+      return false;
+    }
+  }
+  return true;
 }
 
-double SixVolumesOf(const SkdBooleanResult& result)
+void vtkSkdTreeBooleanOperation::Internals::FindWindings(Filter* self)
 {
-  double sum = 0.0;
-  for (const SkdBooleanPiece& piece : result.Pieces)
+  if (!this->Windings.empty())
   {
-    const skd::Vector3& origin = result.Points[0].Position;
-    const auto at = [&](int i) { return result.Points[piece.Corners[i]].Position - origin; };
-    sum += Dot(at(0), Cross(at(1), at(2)));
+    return;
   }
-  return sum;
+  this->Windings =
+    SkdFindWindingNumbers(this->Placement->First, this->Arrangement, this->Solids.Of);
+  const vtkIdType undivided = !this->IsSheet(1)
+    ? 0
+    : SkdPlaceSheet(this->Placement->First, this->Arrangement, this->Solids.Of, 1, this->Windings);
+  if (undivided > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "The Source is open and does not cut through the Input: " << undivided
+            << " parts of it are on both sides and are taken "
+               "as in front. Extend the Source or close it.");
+  }
 }
 
-SkdBadEdges BadEdgesOf(const SkdBooleanResult& result)
+SkdFacetSigns vtkSkdTreeBooleanOperation::Internals::Select(Filter* self) const
 {
-  std::vector<SkdTriangleSet::Corners> triangles;
-  for (const SkdBooleanPiece& piece : result.Pieces)
+  const SkdFacets& facets = this->Arrangement.Facets;
+  if (self->GetOperation() == IMPRINT)
   {
-    triangles.push_back(piece.Corners);
+    return SkdFacetSigns(facets.GetNumberOfFacets(), 1);
   }
-  return SkdFindBadEdges(triangles.data(), triangles.size());
+  const SkdBooleanRule rule = this->GetRule(self);
+  SkdFacetSigns signs = SkdFindBoundary(this->Arrangement, this->Windings,
+    [&rule](const SkdRegionWindings& windings) { return rule.IsSolid(windings); });
+  if (this->AreInputs && this->IsSheet(1) && !self->GetCloseCut())
+  {
+    for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+    {
+      const bool isOfSheet = this->Solids.Of[facets.Parents[facet]] == 1; // the lowest layer
+      signs[facet] = isOfSheet ? static_cast<signed char>(0) : signs[facet];
+    }
+  }
+  return signs;
 }
 
-void ReportSolids(vtkSkdTreeBooleanOperation* self, const SkdPlacement& placement,
-  const SkdBooleanResult& result, vtkPolyData* output, SkdReport& report)
+SkdBoundaryMeasures vtkSkdTreeBooleanOperation::Internals::Measure(const SkdFacetSigns& signs) const
 {
-  const SkdBadEdges bad = BadEdgesOf(result);
-  if (bad.Count > 0)
+  SkdBoundaryMeasures measures =
+    SkdMeasureBoundary(this->Placement->First, this->Arrangement.Facets, signs);
+  measures.Area /= std::pow(this->Placement->Scale, 2);
+  measures.Volume /= std::pow(this->Placement->Scale, 3);
+  return measures;
+}
+
+void vtkSkdTreeBooleanOperation::Internals::Fill(Filter* self, const SkdBooleanBlocks& blocks,
+  const SkdFacetSigns& signs, vtkPolyData* output) const
+{
+  const SkdBooleanRule rule = this->GetRule(self);
+  const bool isImprint = rule.Operation == SkdBooleanOperation::Imprint;
+  std::vector<int> counts(isImprint ? this->Windings.size() : 0);
+  for (std::size_t region = 0; region < counts.size(); ++region)
   {
-    WarnOfBadEdges(self, bad, output);
+    counts[region] = static_cast<int>(rule.CountSolids(this->Windings[region]));
   }
-  const double cube = 6.0 * placement.Scale * placement.Scale * placement.Scale;
-  report.AddMeasure("InputVolume", std::abs(SkdSixVolumes(placement.First)) / cube);
-  report.AddMeasure("SourceVolume", std::abs(SkdSixVolumes(placement.GetSecond())) / cube);
-  report.AddMeasure("Volume", SixVolumesOf(result) / cube);
+  std::set<std::string> refused;
+  SkdFillBooleanSurface(
+    { *this->Placement, this->Arrangement, blocks, signs, this->AreInputs ? nullptr : &this->Solids,
+      counts.empty() ? nullptr : &counts, self->GetKeepPolygons() != 0 },
+    output, refused);
+  for (const char* name : SkdBooleanNames::All)
+  {
+    refused.erase(name); // of an operation before: its ids are of other inputs
+  }
+  SkdWarnAboutRefused(self, refused);
+}
+
+void vtkSkdTreeBooleanOperation::Internals::Report(
+  Filter* self, const SkdFacetSigns& signs, SkdReport& report) const
+{
+  const SkdBooleanRule rule = this->GetRule(self);
+  const auto add = [&report](const std::string& what, const SkdBoundaryMeasures& measures)
+  {
+    report.AddMeasure(what + "Volume", measures.Volume);
+    report.AddMeasure(what + "Area", measures.Area);
+  };
+  const auto isInput = [&](const SkdRegionWindings& windings)
+  { return this->AreInputs ? rule.IsInside(windings, 0) : rule.CountSolids(windings) > 0; };
+  if (!this->Windings.empty())
+  {
+    add("Input", this->Measure(isInput));
+  }
+  if (this->AreInputs && !this->IsSheet(1))
+  {
+    add("Source",
+      this->Measure([&](const SkdRegionWindings& windings) { return rule.IsInside(windings, 1); }));
+  }
+  report.AddCount("TreesBuilt", this->IsNew);
+  report.AddCount("Solids", this->Solids.Count);
+  if (self->GetOperation() == IMPRINT)
+  {
+    return;
+  }
+  add("", this->Measure(signs));
+  const SkdBadEdges bad = SkdFindBadEdges(this->Arrangement.Facets, signs);
   report.AddCount("BadEdges", bad.Count);
-}
+  if (bad.Count > 0 && !(this->IsSheet(1) && !self->GetCloseCut()))
+  {
+    vtkWarningWithObjectMacro(
+      self, << "The output is not closed: " << bad.Count << " edges are open, the first from "
+            << this->EdgeText(bad.First) << ". Please report this, with the inputs.");
+  }
 }
 
 vtkSkdTreeBooleanOperation::vtkSkdTreeBooleanOperation()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { VTK_POLY_DATA })
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { VTK_POLY_DATA })
+  , Impl(new Internals)
 {
   this->WholeInput = true; // all of it bounds the solid
 }
@@ -154,48 +307,32 @@ int vtkSkdTreeBooleanOperation::RequestData(
     return 1; // the first piece has all
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   SkdStopwatch watch;
-  const Surface first("Input", vtkDataObject::GetData(inputVector[0]), this->ChordalDeviation);
-  const Surface second("Source", vtkDataObject::GetData(inputVector[1]), this->ChordalDeviation);
-  for (const Surface* surface : { &first, &second })
-  {
-    SkdWarnAboutCoarseFaces(this, surface->Set.GetNumberOfCoarseFaces(), this->ChordalDeviation);
-    if (!IsClosed(this, *surface))
-    {
-      return 1;
-    }
-  }
-  SkdLoop own(this, 0, 0.2, 0.4, 8);
-  WarnOfOwnContacts(this, first, own);
-  WarnOfOwnContacts(this, second, own);
-
-  const SkdPlacement placement = SkdMakePlacement(first.Set, &second.Set, std::nullopt);
-  SkdLoop loop(this, 0, 0.4, 0.6, 8);
-  const auto pairs = SkdTrianglePairs(placement).FindByTrees({ SkdPairSearch::All, 0.0 }, loop);
-  if (SkdIsAborted(this))
+  Internals& own = *this->Impl;
+  const SkdBooleanBlocks blocks = BlocksOf(vtkDataObject::GetData(inputVector[0]), source);
+  if (!own.Arrange(this, blocks))
   {
     return 1;
   }
-  const SkdContactPoints contacts(placement, pairs);
-  const SkdSplitSegments segments(placement, pairs, contacts);
-  const std::array<SkdSplitResult, 2> split{ SkdSplitTriangles(segments, 0),
-    SkdSplitTriangles(segments, 1) };
   this->UpdateProgress(0.8);
-  const SkdBooleanResult result = SkdCombine(
-    placement, pairs, contacts, segments, split, static_cast<SkdBooleanOperation>(this->Operation));
-  std::set<std::string> refused;
-  SkdFillBooleanSurface(placement, split, result,
-    { { &first.Blocks, &second.Blocks }, first.IsComposite || second.IsComposite }, output,
-    refused);
-  for (const char* own : { SkdBooleanNames::Input, SkdBooleanNames::Cell, SkdBooleanNames::Block })
+  SkdWarnAboutCoarseFaces(this, own.Set.GetNumberOfCoarseFaces(), this->ChordalDeviation);
+  own.FindSolids(blocks, source && this->Operation != AT_LEAST);
+  if (this->Operation != IMPRINT && !own.AreClosed(this))
   {
-    refused.erase(own); // of an operation before: its ids are of other inputs
+    return 1;
   }
-  SkdWarnAboutRefused(this, refused);
-
+  const bool areAllClosed = std::all_of(own.BadEdges.begin(), own.BadEdges.end(),
+    [](const SkdBadEdges& bad) { return bad.Count == 0; });
+  if (this->Operation != IMPRINT || areAllClosed)
+  {
+    own.FindWindings(this);
+  }
+  const SkdFacetSigns signs = own.Select(this);
+  own.Fill(this, blocks, signs, output);
   SkdReport report(output);
-  ReportSolids(this, placement, result, output, report);
-  report.AddCount("TrianglesSplit", split[0].NumberSplit + split[1].NumberSplit);
+  own.Report(this, signs, report);
+  report.AddCount("TrianglesSplit", own.Arrangement.NumberSplit);
   report.AddMeasure("Seconds", watch.Lap());
   return 1;
 }
@@ -203,6 +340,8 @@ int vtkSkdTreeBooleanOperation::RequestData(
 void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  SkdPrint(os, indent, "Operation", this->Operation, "ChordalDeviation", this->ChordalDeviation);
+  SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
+    this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "KeepPolygons", this->KeepPolygons,
+    "CloseCut", this->CloseCut, "ChordalDeviation", this->ChordalDeviation);
 }
 VTK_ABI_NAMESPACE_END

@@ -2,42 +2,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSkdTreeBooleanOperation
- * @brief Union, intersection and differences of two solids
+ * @brief Union, intersection and differences of solids
  *
- * Combines the solids within two closed surfaces, Input (port 0) and Source (port 1). The output is
- * the surface of the combination, triangulated, with the solid behind each face. It is found by
- * exact tests: where surfaces intersect, both are cut at the same points, and faces that coincide
- * are kept once or dropped as the operation says. Inputs may be any data sets or composite data;
- * the outer faces of volume cells are used.
+ * Combines the solids within two closed surfaces, Input (port 0) and Source (port 1). Without a
+ * Source the solids are the blocks of the Input if it has several, else its pieces that edges
+ * connect. The output is the surface of the combination, with the solid behind each face. It is
+ * found by exact tests: all surfaces are split along all their intersections, also with themselves,
+ * and the exact order of the pieces around each edge tells which regions of space they separate.
+ * Faces that coincide are kept once or dropped as the operation says. Inputs may be any data sets
+ * or composite data; the outer faces of volume cells are used.
+ *
+ * Inside of a surface is where its winding number is not 0 (see InsideRule). So a surface may
+ * intersect itself, overlap in parts, have faces twice, or be inside out.
+ *
+ * In an intersection or a difference the Source may be open: then it cuts the Input, and stands for
+ * what is behind it (where its normals do not point). Parts of the Input that it does not meet are
+ * on the side of its nearest triangle.
  *
  * Cell data of the output, besides those that all input data sets have:
  *
- * | name          | type   | meaning                                           |
- * | ------------- | ------ | ------------------------------------------------- |
- * | SkdInputId    | int    | 0 of a face of the Input, 1 of one of the Source  |
- * | SkdCellId     | idtype | the cell that the triangle comes from             |
- * | SkdBlockIndex | int    | flat index of the cell's block, of composite data |
+ * | name             | type   | meaning                                                     |
+ * | ---------------- | ------ | ----------------------------------------------------------- |
+ * | SkdInputId       | int    | 0 of a face of the Input, 1 of one of the Source            |
+ * | SkdSolidId       | int    | the solid of a face, unless the solids are the inputs       |
+ * | SkdCellId        | idtype | the cell that the face comes from                           |
+ * | SkdBlockIndex    | int    | flat index of the cell's block, of composite data           |
+ * | SkdSolidsInFront | int    | of an imprint of closed surfaces: how many solids are there |
+ * | SkdSolidsBehind  | int    | the same behind the face                                    |
  *
- * They replace arrays of these names, such as those of an operation before.
+ * They replace arrays of these names, such as those of an operation before. Of several faces that
+ * coincide the output has the first.
  *
  * Point data that all input data sets have are interpolated within the face that a point is in; a
- * point of both surfaces has those of the Input.
+ * point of several surfaces has those of the first.
  *
- * Field data, one value each: SkdReportInputVolume, SkdReportSourceVolume, SkdReportVolume (of the
- * output), SkdReportTrianglesSplit, SkdReportBadEdges (of the output: 0 of a closed oriented
- * surface), SkdReportSeconds.
+ * Field data, one value each: SkdReportInputVolume, SkdReportInputArea, SkdReportSourceVolume,
+ * SkdReportSourceArea, SkdReportVolume and SkdReportArea (of the output), SkdReportTreesBuilt,
+ * SkdReportSolids, SkdReportTrianglesSplit, SkdReportBadEdges (of the output: 0 of a closed
+ * oriented surface), SkdReportSeconds.
  *
- * Both surfaces must be closed and oriented consistently, cavities against their bodies; a surface
- * whose volume is negative is turned over. A surface must not intersect itself; blocks of one input
- * must not overlap each other.
+ * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. What was found is
+ * kept while the inputs are unchanged, about 150 bytes a triangle: then another operation costs
+ * O(n). The result does not depend on the number of threads. Of several processes the first
+ * computes all.
  *
- * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. The result does
- * not depend on the number of threads. Of several processes the first computes all.
- *
- * Bad input: a surface that is open or has faces turned against each other is an error that tells
- * where, and there is no output. A surface that intersects itself gives a warning: then what it
- * covers twice counts as its faces say. Should the output have bad edges nevertheless, a warning
- * tells where.
+ * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
+ * that tells where, and there is no output. Triangles without area are left out. An open Source
+ * that does not cut through gives a warning.
  *
  * @sa
  * vtkSkdTreeSurfaceIntersection
@@ -50,6 +61,8 @@
 #include "vtkSkdTreeSetWithin.h"     // For properties that have a range
 #include "vtkSkdTreeSourceAlgorithm.h"
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -66,27 +79,77 @@ public:
     INTERSECTION = 1,
     DIFFERENCE = 2,
     REVERSE_DIFFERENCE = 3,
-    SYMMETRIC_DIFFERENCE = 4
+    SYMMETRIC_DIFFERENCE = 4,
+    AT_LEAST = 5,
+    IMPRINT = 6
+  };
+  enum InsideRules
+  {
+    NONZERO = 0,
+    ODD = 1,
+    POSITIVE = 2
   };
 
   //@{
   /**
-   * What is solid: what is in the Input or the Source (union), in both (intersection), in the Input
-   * only (difference), in the Source only (reverse difference), or in exactly one of them
-   * (symmetric difference). Default UNION.
+   * What is solid: what is in any of the solids (union), in all of them (intersection), in the
+   * first only (difference), in others only (reverse difference), in an odd number of them, of two
+   * in exactly one (symmetric difference), or in at least MinimumNumberOfSolids of them (then also
+   * blocks or pieces of two inputs count). An imprint keeps all faces, split along all
+   * intersections, each place once; surfaces may be open. Default UNION.
    */
-  vtkSkdTreeChoiceMacro(Operation, UNION, SYMMETRIC_DIFFERENCE);
+  vtkSkdTreeChoiceMacro(Operation, UNION, IMPRINT);
   void SetOperationToUnion() { this->SetOperation(UNION); }
   void SetOperationToIntersection() { this->SetOperation(INTERSECTION); }
   void SetOperationToDifference() { this->SetOperation(DIFFERENCE); }
   void SetOperationToReverseDifference() { this->SetOperation(REVERSE_DIFFERENCE); }
   void SetOperationToSymmetricDifference() { this->SetOperation(SYMMETRIC_DIFFERENCE); }
+  void SetOperationToAtLeast() { this->SetOperation(AT_LEAST); }
+  void SetOperationToImprint() { this->SetOperation(IMPRINT); }
+  //@}
+
+  //@{
+  /**
+   * In how many solids a place must be to be solid, for AT_LEAST. Default 2.
+   */
+  vtkSkdTreeWithinMacro(MinimumNumberOfSolids, int, 1, VTK_INT_MAX);
+  //@}
+
+  //@{
+  /**
+   * Inside of a surface is where its winding number is not 0 (NONZERO), is odd (ODD: what it covers
+   * twice is outside) or is positive (POSITIVE: what is inside out is empty). Default NONZERO.
+   */
+  vtkSkdTreeChoiceMacro(InsideRule, NONZERO, POSITIVE);
+  void SetInsideRuleToNonZero() { this->SetInsideRule(NONZERO); }
+  void SetInsideRuleToOdd() { this->SetInsideRule(ODD); }
+  void SetInsideRuleToPositive() { this->SetInsideRule(POSITIVE); }
+  //@}
+
+  //@{
+  /**
+   * Whether quads and polygons that are not cut stay such. Otherwise, and of those that are cut,
+   * the output has triangles. Default on.
+   */
+  vtkSetMacro(KeepPolygons, vtkTypeBool);
+  vtkGetMacro(KeepPolygons, vtkTypeBool);
+  vtkBooleanMacro(KeepPolygons, vtkTypeBool);
+  //@}
+
+  //@{
+  /**
+   * Whether the cut by an open Source is closed by what of the Source is within the Input. Default
+   * on.
+   */
+  vtkSetMacro(CloseCut, vtkTypeBool);
+  vtkGetMacro(CloseCut, vtkTypeBool);
+  vtkBooleanMacro(CloseCut, vtkTypeBool);
   //@}
 
   //@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
-   * its surface, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   * both inputs: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}
@@ -98,11 +161,18 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Operation = UNION;
+  int MinimumNumberOfSolids = 2;
+  int InsideRule = NONZERO;
+  vtkTypeBool KeepPolygons = 1;
+  vtkTypeBool CloseCut = 1;
   double ChordalDeviation = 1e-4;
 
 private:
   vtkSkdTreeBooleanOperation(const vtkSkdTreeBooleanOperation&) = delete;
   void operator=(const vtkSkdTreeBooleanOperation&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
 };
 
 VTK_ABI_NAMESPACE_END

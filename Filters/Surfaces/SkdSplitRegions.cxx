@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitRegions.h"
 
+#include "Surfaces/SkdDisjointSets.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace
 {
@@ -35,23 +35,12 @@ std::vector<EdgeOf> ListEdges(const std::vector<SkdTriangleSet::Corners>& triang
   vtkSMPTools::Sort(edges.begin(), edges.end());
   return edges;
 }
-
-std::uint32_t FindFirst(std::vector<std::uint32_t>& same, std::uint32_t i)
-{
-  while (same[i] != i)
-  {
-    same[i] = same[same[i]];
-    i = same[i];
-  }
-  return i;
-}
 }
 
 std::vector<std::uint32_t> SkdFindSplitRegions(
   const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders)
 {
-  std::vector<std::uint32_t> same(triangles.size());
-  std::iota(same.begin(), same.end(), 0u);
+  SkdDisjointSets regions(triangles.size());
   vtkSMPTools::Sort(borders.begin(), borders.end());
   const std::vector<EdgeOf> edges = ListEdges(triangles);
   for (std::size_t i = 1; i < edges.size(); ++i)
@@ -59,17 +48,8 @@ std::vector<std::uint32_t> SkdFindSplitRegions(
     if (edges[i].Edge == edges[i - 1].Edge &&
       !std::binary_search(borders.begin(), borders.end(), edges[i].Edge))
     {
-      const std::uint32_t a = FindFirst(same, edges[i - 1].Triangle);
-      const std::uint32_t b = FindFirst(same, edges[i].Triangle);
-      same[std::max(a, b)] = std::min(a, b);
+      regions.Unite(edges[i - 1].Triangle, edges[i].Triangle);
     }
   }
-  std::vector<std::uint32_t> regions(same.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t i = 0; i < same.size(); ++i) // the first of a region comes before the others
-  {
-    const std::uint32_t first = FindFirst(same, i);
-    regions[i] = first == i ? count++ : regions[first];
-  }
-  return regions;
+  return regions.Number();
 }

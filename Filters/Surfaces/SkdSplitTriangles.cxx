@@ -34,20 +34,26 @@ public:
       static_cast<vtkIdType>(works.size()), [&](vtkIdType i) { this->DoWork(works[i]); }, 1);
     SkdSplitResult result;
     result.NumberSplit = static_cast<vtkIdType>(works.size());
+    std::size_t count = n - works.size();
+    std::for_each(
+      works.begin(), works.end(), [&](const Work& work) { count += work.Pieces.size(); });
+    result.Triangles.reserve(count);
+    result.Parents.reserve(count);
     auto work = works.begin();
     for (std::uint32_t triangle = 0; triangle < n; ++triangle)
     {
       if (work != works.end() && work->Triangle == triangle)
       {
         result.Triangles.insert(result.Triangles.end(), work->Pieces.begin(), work->Pieces.end());
+        result.Parents.insert(result.Parents.end(), work->Pieces.size(), triangle);
         result.Curves.insert(result.Curves.end(), work->Curves.begin(), work->Curves.end());
         ++work;
       }
       else
       {
         result.Triangles.push_back(this->Side.Set->GetCorners(triangle));
+        result.Parents.push_back(triangle);
       }
-      result.Parents.resize(result.Triangles.size(), triangle);
     }
     this->NumberPoints(works, result);
     return result;
@@ -86,7 +92,7 @@ private:
       {
         ++element;
       }
-      if (this->Side.Set->HasArea(triangle) && (first != element || this->HasEdgePoints(triangle)))
+      if ((first != element || this->HasEdgePoints(triangle)) && this->Side.Set->HasArea(triangle))
       {
         works.push_back({ triangle, {}, {}, {} });
       }

@@ -35,6 +35,10 @@ public:
     {
       std::swap(first, second);
     }
+    if (this->IsOfOne && this->AreOnlyNeighbours(first, second))
+    {
+      return true;
+    }
     return this->Visit(first, this->First.GetInPlane(first), second, found);
   }
 
@@ -75,6 +79,26 @@ private:
       (this->Clearance2 > 0.0 && numberShared == 0 &&
         skd::ClosestPoints(first.Corners, second).Dist2 <= this->Clearance2 &&
         this->First.HasArea(pair.First) && this->Second.HasArea(pair.Second));
+  }
+
+  /// Whether two triangles of one surface share corners, and surely nothing else: true of most that
+  /// are looked at, so this comes first.
+  bool AreOnlyNeighbours(std::uint32_t first, std::uint32_t second) const
+  {
+    const SkdTriangleSet::Corners& a = this->First.GetCorners(first);
+    const SkdTriangleSet::Corners& b = this->First.GetCorners(second);
+    unsigned sharedOfFirst = 0;
+    unsigned sharedOfSecond = 0;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const unsigned same = (a[i] == b[0]) | (a[i] == b[1]) << 1 | (a[i] == b[2]) << 2;
+      sharedOfFirst |= (same != 0) << i;
+      sharedOfSecond |= same;
+    }
+    const skd::Vector3* points = this->First.GetPoints().data();
+    return sharedOfFirst != 0 &&
+      skd::HaveOnlyCornersInCommon({ points + a[0], points + a[1], points + a[2] }, sharedOfFirst,
+        { points + b[0], points + b[1], points + b[2] }, sharedOfSecond);
   }
 
   int FindShared(const SkdTrianglePair& pair, skd::SharedCorners& shared) const

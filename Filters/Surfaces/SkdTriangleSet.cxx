@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace
 {
@@ -160,15 +161,27 @@ void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
 }
 
 //------------------------------------------------------------------------------
+// Points are counted first: most have one origin, so sorting them costs next to nothing.
 std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
 {
-  std::vector<Origin> origins;
-  origins.reserve(this->PointOf.size());
+  std::vector<std::size_t> next(this->Read.Points.size() + 1, 0);
+  for (const std::uint32_t point : this->PointOf)
+  {
+    ++next[point + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Origin> origins(this->PointOf.size());
   for (std::size_t i = 0; i < this->PointOf.size(); ++i)
   {
-    origins.push_back({ this->PointOf[i], this->Read.Origins[i].Block, this->Read.Origins[i].Id });
+    origins[next[this->PointOf[i]]++] = { this->PointOf[i], this->Read.Origins[i].Block,
+      this->Read.Origins[i].Id };
   }
-  vtkSMPTools::Sort(origins.begin(), origins.end());
+  for (std::size_t point = 0; point + 1 < next.size(); ++point) // next is now the end of each
+  {
+    const std::size_t first = point > 0 ? next[point - 1] : 0;
+    std::sort(origins.begin() + static_cast<std::ptrdiff_t>(first),
+      origins.begin() + static_cast<std::ptrdiff_t>(next[point]));
+  }
   return origins;
 }
 

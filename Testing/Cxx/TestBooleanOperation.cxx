@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -32,14 +33,31 @@ double ReportOf(vtkPolyData* output, const char* what)
   return array ? array->GetTuple1(0) : vtkMath::Nan();
 }
 
-vtkSmartPointer<vtkPolyData> Combine(vtkDataSet* a, vtkDataSet* b, int operation)
+/// One of the filter's outputs; without a second data set, of the first alone.
+vtkSmartPointer<vtkPolyData> Combine(
+  vtkDataObject* a, vtkDataObject* b, int operation, int insideRule = Filter::NONZERO)
 {
   vtkNew<Filter> filter;
   filter->SetInputDataObject(0, a);
-  filter->SetSourceData(b);
+  if (b)
+  {
+    filter->SetSourceData(b);
+  }
   filter->SetOperation(operation);
+  filter->SetInsideRule(insideRule);
   filter->Update();
   return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+/// The corners of a cell, which is a polygon.
+std::vector<Point> CornersOf(vtkPolyData* surface, vtkIdType cell)
+{
+  std::vector<Point> corners(surface->GetCell(cell)->GetNumberOfPoints());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    surface->GetPoint(surface->GetCell(cell)->GetPointId(i), corners[i].data());
+  }
+  return corners;
 }
 
 /// Six times the volume, by the coordinates alone.
@@ -48,12 +66,11 @@ double SixVolumes(vtkPolyData* surface)
   double sum = 0.0;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
-    Point x[3];
-    for (int i = 0; i < 3; ++i)
+    const std::vector<Point> x = CornersOf(surface, cell);
+    for (std::size_t i = 2; i < x.size(); ++i)
     {
-      surface->GetPoint(surface->GetCell(cell)->GetPointId(i), x[i].data());
+      sum += Dot(x[0], Cross(x[i - 1], x[i]));
     }
-    sum += Dot(x[0], Cross(x[1], x[2]));
   }
   return sum;
 }
@@ -64,11 +81,11 @@ std::size_t CountBadEdges(vtkPolyData* surface)
   std::map<std::pair<Point, Point>, int> passes;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
-    for (int i = 0; i < 3; ++i)
+    const std::vector<Point> x = CornersOf(surface, cell);
+    for (std::size_t i = 0; i < x.size(); ++i)
     {
-      Point a, b;
-      surface->GetPoint(surface->GetCell(cell)->GetPointId(i), a.data());
-      surface->GetPoint(surface->GetCell(cell)->GetPointId((i + 1) % 3), b.data());
+      const Point& a = x[i];
+      const Point& b = x[(i + 1) % x.size()];
       passes[{ std::min(a, b), std::max(a, b) }] += a < b ? 1 : -1;
     }
   }
@@ -161,16 +178,11 @@ TEST(BooleanOperation, BoxesWithCoplanarSides)
   }
   // what is between faces that face each other is gone
   auto both = Combine(a, Cube(2, { 2, 0, 0 }), Filter::UNION);
-  double x[3];
   for (vtkIdType cell = 0; cell < both->GetNumberOfCells(); ++cell)
   {
-    int onWall = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      both->GetPoint(both->GetCell(cell)->GetPointId(i), x);
-      onWall += x[0] == 2.0;
-    }
-    EXPECT_LT(onWall, 3) << cell;
+    const std::vector<Point> x = CornersOf(both, cell);
+    EXPECT_FALSE(std::all_of(x.begin(), x.end(), [](const Point& p) { return p[0] == 2.0; }))
+      << cell;
   }
 }
 
@@ -219,6 +231,242 @@ TEST(BooleanOperation, PassesDataOn)
     { return output->GetCellData()->GetArray(name)->GetTuple1(i); };
     EXPECT_EQ(at("Label"), 1000.0 * at("SkdInputId") + at("SkdCellId"));
   }
+}
+
+/// Several meshes as one.
+Mesh Together(const std::vector<Mesh>& meshes)
+{
+  Mesh all;
+  for (const Mesh& mesh : meshes)
+  {
+    const auto first = static_cast<vtkIdType>(all.Points.size());
+    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
+    for (auto cell : mesh.Cells)
+    {
+      std::for_each(
+        cell.Points.begin(), cell.Points.end(), [first](vtkIdType& point) { point += first; });
+      all.Cells.push_back(cell);
+    }
+  }
+  return all;
+}
+
+Mesh Reversed(Mesh mesh)
+{
+  for (auto& cell : mesh.Cells)
+  {
+    std::reverse(cell.Points.begin(), cell.Points.end());
+  }
+  return mesh;
+}
+
+double VolumeOf(vtkPolyData* output)
+{
+  EXPECT_EQ(CountBadEdges(output), 0u);
+  EXPECT_EQ(ReportOf(output, "BadEdges"), 0.0);
+  const double volume = SixVolumes(output) / 6.0;
+  EXPECT_NEAR(ReportOf(output, "Volume"), volume, 1e-13 * (1 + volume));
+  return volume;
+}
+
+/// Boxes [0, 2], [1, 3] and [1.5, 4] along x, 2 x 2 across: their volumes are 8, 8, 10.
+Mesh ThreeBoxes()
+{
+  Mesh third = Placed(CubeQuads(1), 2, { 1.5, 0, 0 });
+  for (Point& x : third.Points)
+  {
+    x[0] = x[0] > 2 ? 4 : x[0];
+  }
+  return Together({ Placed(CubeQuads(1), 2, { 0, 0, 0 }), Placed(CubeQuads(1), 2, { 1, 1, 0 }),
+    Placed(third, 1, { 0, 0, 0 }) });
+}
+
+TEST(BooleanOperation, WithoutSourcePiecesAreSolids)
+{
+  auto boxes = MakePolyData(ThreeBoxes());
+  // by hand: the second is at y in [1, 3], so pairs have 2 (1 and 2), 2 (1 and 3) and 3 (2 and 3)
+  const double one = 8, two = 8, three = 10, oneTwo = 2, oneThree = 2, twoThree = 3, all = 1;
+  const double atLeastTwo = oneTwo + oneThree + twoThree - 2 * all;
+  const double any = one + two + three - oneTwo - oneThree - twoThree + all;
+  EXPECT_NEAR(VolumeOf(Combine(boxes, nullptr, Filter::UNION)), any, 1e-13);
+  EXPECT_NEAR(VolumeOf(Combine(boxes, nullptr, Filter::INTERSECTION)), all, 1e-13);
+  EXPECT_NEAR(VolumeOf(Combine(boxes, nullptr, Filter::AT_LEAST)), atLeastTwo, 1e-13);
+  EXPECT_NEAR(
+    VolumeOf(Combine(boxes, nullptr, Filter::DIFFERENCE)), one - oneTwo - oneThree + all, 1e-13);
+  EXPECT_NEAR(VolumeOf(Combine(boxes, nullptr, Filter::REVERSE_DIFFERENCE)), any - one, 1e-13);
+  EXPECT_NEAR(
+    VolumeOf(Combine(boxes, nullptr, Filter::SYMMETRIC_DIFFERENCE)), any - atLeastTwo + all, 1e-13);
+  auto output = Combine(boxes, nullptr, Filter::UNION);
+  EXPECT_EQ(ReportOf(output, "Solids"), 3.0);
+  EXPECT_EQ(output->GetCellData()->GetArray("SkdSolidId")->GetRange()[1], 2.0);
+}
+
+TEST(BooleanOperation, SelfIntersectionsAreResolved)
+{
+  auto boxes = MakePolyData(ThreeBoxes()); // one input that overlaps itself
+  auto far = Cube(1, { 10, 0, 0 });
+  EXPECT_NEAR(VolumeOf(Combine(boxes, far, Filter::DIFFERENCE)), 20.0, 1e-13);
+  EXPECT_NEAR(VolumeOf(Combine(boxes, far, Filter::DIFFERENCE, Filter::ODD)), 16.0, 1e-13);
+  ExpectVolumesAddUp(boxes, Cube(2, { 0.5, 0.25, 0.125 }));
+}
+
+TEST(BooleanOperation, DuplicatedAndReversedFaces)
+{
+  const Mesh cube = Placed(CubeQuads(1), 2, { 0, 0, 0 });
+  auto far = Cube(1, { 10, 0, 0 });
+  auto twice = MakePolyData(Together({ cube, cube }));
+  EXPECT_NEAR(VolumeOf(Combine(twice, far, Filter::DIFFERENCE)), 8.0, 1e-13);
+  EXPECT_NEAR(VolumeOf(Combine(twice, far, Filter::DIFFERENCE, Filter::ODD)), 0.0, 1e-13);
+  auto nothing = MakePolyData(Together({ cube, Reversed(cube) }));
+  EXPECT_EQ(Combine(nothing, far, Filter::DIFFERENCE)->GetNumberOfCells(), 0);
+  auto insideOut = MakePolyData(Reversed(cube));
+  EXPECT_NEAR(VolumeOf(Combine(insideOut, far, Filter::DIFFERENCE)), 8.0, 1e-13);
+  EXPECT_EQ(Combine(insideOut, far, Filter::DIFFERENCE, Filter::POSITIVE)->GetNumberOfCells(), 0);
+}
+
+/// Shells in shells: which are within which is not known from edges.
+TEST(BooleanOperation, NestedShells)
+{
+  std::vector<Mesh> shells;
+  for (int i = 1; i <= 5; ++i)
+  {
+    const Mesh cube = Placed(CubeQuads(1), 2.0 * i, { -1.0 * i, -1.0 * i, -1.0 * i });
+    shells.push_back(i % 2 == 0 ? Reversed(cube) : cube);
+  }
+  std::vector<Mesh> outward;
+  for (const Mesh& shell : shells)
+  {
+    outward.push_back(outward.size() % 2 == 1 ? Reversed(shell) : shell);
+  }
+  const double hollow = 8.0 * (125 - 64 + 27 - 8 + 1);
+  auto far = Cube(1, { 20, 0, 0 });
+  EXPECT_NEAR(
+    VolumeOf(Combine(MakePolyData(Together(shells)), far, Filter::DIFFERENCE)), hollow, 1e-12);
+  auto nested = MakePolyData(Together(outward));
+  EXPECT_NEAR(VolumeOf(Combine(nested, far, Filter::DIFFERENCE)), 1000.0, 1e-12);
+  EXPECT_NEAR(VolumeOf(Combine(nested, far, Filter::DIFFERENCE, Filter::ODD)), hollow, 1e-12);
+  EXPECT_NEAR(VolumeOf(Combine(nested, nullptr, Filter::SYMMETRIC_DIFFERENCE)), hollow, 1e-12);
+}
+
+/// Many bubbles in a cube: winding numbers by the tree.
+TEST(BooleanOperation, ManyBubbles)
+{
+  std::vector<Mesh> meshes{ Placed(CubeQuads(1), 10, { -0.25, -0.25, -0.25 }) };
+  for (int i = 0; i < 64; ++i)
+  {
+    meshes.push_back(
+      Placed(CubeQuads(1), 0.5, { 1.0 * (i % 4), 1.0 * (i / 4 % 4), 1.0 * (i / 16) }));
+  }
+  auto input = MakePolyData(Together(meshes));
+  auto output = Combine(input, nullptr, Filter::DIFFERENCE);
+  EXPECT_NEAR(VolumeOf(output), 1000.0 - 64 * 0.125, 1e-11);
+  EXPECT_NEAR(VolumeOf(Combine(input, nullptr, Filter::AT_LEAST)), 64 * 0.125, 1e-12);
+}
+
+/// A cube whose side has two triangles on the one side and one on the other of an edge: closed in
+/// space, though not by its points.
+TEST(BooleanOperation, EdgesWithPointsOnOneSideOnly)
+{
+  Mesh cube = CubeTriangles(1);
+  auto& cells = cube.Cells;
+  const std::vector<vtkIdType> split = cells.back().Points;
+  const Point a = cube.Points[split[0]];
+  const Point b = cube.Points[split[1]];
+  cube.Points.push_back({ (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 });
+  const auto middle = static_cast<vtkIdType>(cube.Points.size()) - 1;
+  cells.back().Points = { split[0], middle, split[2] };
+  cells.push_back(cells.back());
+  cells.back().Points = { middle, split[1], split[2] };
+  EXPECT_NEAR(VolumeOf(Combine(MakePolyData(cube), Cube(1, { 0.5, 0.5, 0.5 }), Filter::UNION)),
+    2 - 0.125, 1e-14);
+}
+
+TEST(BooleanOperation, ImprintKeepsAllFacesOnce)
+{
+  auto output = Combine(Cube(2, { 0, 0, 0 }), Cube(2, { 2, 0.5, 0 }), Filter::IMPRINT);
+  double area = 0.0;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const std::vector<Point> x = CornersOf(output, cell);
+    for (std::size_t i = 2; i < x.size(); ++i)
+    {
+      const Point normal = Cross(x[i - 1] - x[0], x[i] - x[0]);
+      area += 0.5 * std::sqrt(Dot(normal, normal));
+    }
+  }
+  EXPECT_NEAR(area, 48 - 3, 1e-13); // 3 are in both
+  const auto count = [&](const char* name)
+  { return output->GetCellData()->GetArray(name)->GetRange()[1]; };
+  EXPECT_EQ(count("SkdSolidsBehind"), 1.0);
+  EXPECT_EQ(count("SkdSolidsInFront"), 1.0); // where they meet
+  auto sheets = Combine(MakePolyData(Sheet(2, VTK_TRIANGLE)),
+    MakePolyData(Placed(Sheet(1, VTK_TRIANGLE), 1, { 0.5, 0.5, 0 })), Filter::IMPRINT);
+  EXPECT_GT(sheets->GetNumberOfCells(), 8);
+}
+
+TEST(BooleanOperation, PolygonsStayUnlessTheyAreCut)
+{
+  auto a = MakePolyData(Placed(CubeQuads(4), 1, { 0, 0, 0 }));
+  auto output = Combine(a, Cube(1, { 3.5, 3.5, 3.5 }), Filter::UNION);
+  int quads = 0;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    quads += output->GetCell(cell)->GetNumberOfPoints() == 4;
+  }
+  EXPECT_EQ(quads, 6 * 16 - 3 + 3); // three are cut of each
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, a);
+  filter->SetSourceData(Cube(1, { 9, 9, 9 }));
+  filter->KeepPolygonsOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 6 * 34);
+}
+
+/// A sheet below the middle of a cube, its normals up: behind it is the lower part.
+TEST(BooleanOperation, OpenSourceCuts)
+{
+  auto cube = Cube(2, { 0.5, 0.5, -0.5 });
+  auto sheet = MakePolyData(Sheet(3, VTK_TRIANGLE));
+  EXPECT_NEAR(VolumeOf(Combine(cube, sheet, Filter::DIFFERENCE)), 6.0, 1e-13);
+  EXPECT_NEAR(VolumeOf(Combine(cube, sheet, Filter::INTERSECTION)), 2.0, 1e-13);
+  auto above = Cube(1, { 1, 1, 1 }); // what it does not meet
+  EXPECT_NEAR(VolumeOf(Combine(above, sheet, Filter::DIFFERENCE)), 1.0, 1e-13);
+  EXPECT_EQ(Combine(above, sheet, Filter::INTERSECTION)->GetNumberOfCells(), 0);
+
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, cube);
+  filter->SetSourceData(sheet);
+  filter->SetOperationToDifference();
+  filter->CloseCutOff();
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Warnings + events.Errors, 0);
+  EXPECT_GT(CountBadEdges(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))), 4u);
+
+  filter->SetSourceData(MakePolyData(Sheet(1, VTK_TRIANGLE))); // does not cut through
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("does not cut through"), std::string::npos) << events.Warning;
+}
+
+TEST(BooleanOperation, KeepsWhatIsFoundWhileInputsAreUnchanged)
+{
+  auto a = MakePolyData(SphereTriangles(6));
+  auto b = MakePolyData(Placed(SphereTriangles(6), 1, { 0.5, 0.25, 0.125 }));
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, a);
+  filter->SetSourceData(b);
+  for (const int operation :
+    { Filter::UNION, Filter::AT_LEAST, Filter::DIFFERENCE, Filter::IMPRINT, Filter::INTERSECTION })
+  {
+    filter->SetOperation(operation);
+    filter->Update();
+    auto output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_EQ(SixVolumes(output), SixVolumes(Combine(a, b, operation))) << operation;
+  }
+  filter->SetSourceData(MakePolyData(Placed(SphereTriangles(6), 1, { 9, 9, 9 })));
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
 }
 
 TEST(BooleanOperation, OpenSurfacesAreAnError)

@@ -7,7 +7,6 @@
 
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
-#include "vtkSkdTreeBooleanOperation.h"
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveSurfaceIntersection.h"
@@ -28,9 +27,9 @@ class UnsetSource : public testing::Test
 {
 };
 
-using Filters = testing::Types<vtkSkdTreeBooleanOperation, vtkSkdTreeClosestPoint,
-  vtkSkdTreeCompareSurfaces, vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeMeshAdaptation,
-  vtkSkdTreePointInOut, vtkSkdTreeProbe, vtkSkdTreeRemap>;
+using Filters = testing::Types<vtkSkdTreeClosestPoint, vtkSkdTreeCompareSurfaces,
+  vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeMeshAdaptation, vtkSkdTreePointInOut,
+  vtkSkdTreeProbe, vtkSkdTreeRemap>;
 TYPED_TEST_SUITE(UnsetSource, Filters);
 
 TYPED_TEST(UnsetSource, IsOneMessage)

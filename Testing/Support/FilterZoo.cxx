@@ -11,6 +11,7 @@
 #include "vtkHyperTreeGrid.h"
 #include "vtkSkdTreeAMR.h"
 #include "vtkSkdTreeAttach.h"
+#include "vtkSkdTreeBooleanOperation.h"
 #include "vtkSkdTreeClosestPoint.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkSkdTreeCurveIntersection.h"
@@ -151,6 +152,14 @@ AlgorithmPointer MakeIntersectionOf(vtkDataObject* input, vtkDataObject* source)
   return filter;
 }
 
+AlgorithmPointer MakeBooleanOf(vtkDataObject* input, vtkDataObject* source, int operation)
+{
+  const auto filter = MakeOf<vtkSkdTreeBooleanOperation>(input, source);
+  filter->SetChordalDeviation(Coarse);
+  filter->SetOperation(operation);
+  return filter;
+}
+
 AlgorithmPointer MakeCurves(vtkDataObject* input, vtkDataObject* source)
 {
   const auto filter = MakeOf<vtkSkdTreeCurveIntersection>(input, source);
@@ -218,6 +227,27 @@ std::vector<FilterSetup> MakeDistances()
   };
 }
 
+std::vector<FilterSetup> MakeIntersections()
+{
+  using Data = vtkDataObject;
+  return {
+    { "SurfaceIntersection", [](Data* mesh) { return MakeIntersectionOf(mesh, SomeSurface()); } },
+    { "SurfaceWithItself", [](Data* mesh) { return MakeIntersectionOf(mesh, nullptr); } },
+    { "BooleanDifference",
+      [](Data* mesh)
+      { return MakeBooleanOf(mesh, SomeSurface(), vtkSkdTreeBooleanOperation::DIFFERENCE); } },
+    { "BooleanCut",
+      [](Data* mesh)
+      { return MakeBooleanOf(SomeVolumes(), mesh, vtkSkdTreeBooleanOperation::INTERSECTION); } },
+    { "Imprint",
+      [](Data* mesh)
+      { return MakeBooleanOf(mesh, nullptr, vtkSkdTreeBooleanOperation::IMPRINT); } },
+    { "CurveIntersection", [](Data* mesh) { return MakeCurves(mesh, SomeLines()); } },
+    { "CurveOnSurface", [](Data* mesh) { return MakeCurveSurface(SomeLines(), mesh); } },
+    { "CurveThrough", [](Data* mesh) { return MakeCurveSurface(mesh, SomeSurface()); } },
+  };
+}
+
 std::vector<FilterSetup> MakeSetups()
 {
   using InOut = vtkSkdTreePointInOut;
@@ -258,11 +288,6 @@ std::vector<FilterSetup> MakeSetups()
       { return MakeQueryOf(SomeVolumes(), mesh, Query::SOURCE_CELLS, Query::OVERLAP); } },
     { "QueryAdjacent",
       [](Data* mesh) { return MakeQueryOf(mesh, mesh, Query::SOURCE_CELLS, Query::ADJACENCY); } },
-    { "SurfaceIntersection", [](Data* mesh) { return MakeIntersectionOf(mesh, SomeSurface()); } },
-    { "SurfaceWithItself", [](Data* mesh) { return MakeIntersectionOf(mesh, nullptr); } },
-    { "CurveIntersection", [](Data* mesh) { return MakeCurves(mesh, SomeLines()); } },
-    { "CurveOnSurface", [](Data* mesh) { return MakeCurveSurface(SomeLines(), mesh); } },
-    { "CurveThrough", [](Data* mesh) { return MakeCurveSurface(mesh, SomeSurface()); } },
     { "AMRGrid", [](Data* mesh) { return MakeAMROf(mesh, vtkSkdTreeAMR::UNSTRUCTURED_GRID); } },
     { "AMRTree", [](Data* mesh) { return MakeAMROf(mesh, vtkSkdTreeAMR::HYPER_TREE_GRID); } },
     { "RefinementOf", [](Data* mesh) { return MakeRefinementOf(mesh, SomeSurface(), nullptr); } },
@@ -330,8 +355,10 @@ const std::vector<FilterSetup>& AllFilterSetups()
   static const std::vector<FilterSetup> setups = []
   {
     std::vector<FilterSetup> all = MakeDistances();
-    const std::vector<FilterSetup> others = MakeSetups();
-    all.insert(all.end(), others.begin(), others.end());
+    for (const std::vector<FilterSetup>& others : { MakeIntersections(), MakeSetups() })
+    {
+      all.insert(all.end(), others.begin(), others.end());
+    }
     return all;
   }();
   return setups;

@@ -432,6 +432,46 @@ private:
 /// What two triangles have in common, boundaries included, exactly: no tolerance. See Orient3D.h
 /// for the range of coordinates. A triangle whose corners lie on one line has nothing in common
 /// with any. `shared` only spares work.
+/// Three corners, where they are stored. Masks of corners have a bit for each.
+using CornerPointers = std::array<const Vector3*, 3>;
+
+namespace detail
+{
+
+/// Whether the corners of a triangle that are not in a plane's triangle are surely on one side.
+inline bool AreOthersOnOneSide(
+  const CornerPointers& plane, const CornerPointers& corners, unsigned shared)
+{
+  const FloatingPlane of(*plane[0], *plane[1], *plane[2]);
+  int side = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if ((shared >> i & 1u) == 0)
+    {
+      const int next = of.SureSideOf(*corners[i]);
+      if (next == 0 || next == -side)
+      {
+        return false;
+      }
+      side = next;
+    }
+  }
+  return side != 0;
+}
+
+}
+
+/// Whether two triangles that share one or two corners (those in the masks) surely have nothing
+/// else in common, since the others of one of them are on one side of the other's plane: true of
+/// most pairs of neighbours in a surface, and found in a fraction of the time that FindContact()
+/// takes.
+inline bool HaveOnlyCornersInCommon(const CornerPointers& first, unsigned sharedOfFirst,
+  const CornerPointers& second, unsigned sharedOfSecond)
+{
+  return detail::AreOthersOnOneSide(first, second, sharedOfSecond) ||
+    detail::AreOthersOnOneSide(second, first, sharedOfFirst);
+}
+
 inline TriangleContact FindContact(const TriangleInPlane& first,
   const std::array<Vector3, 3>& second, const SharedCorners& shared = NoSharedCorners)
 {

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Boolean/SkdArrangement.h"
+
+#include "Boolean/SkdEdgeFan.h"
+#include "Surfaces/SkdDisjointSets.h"
+
+namespace
+{
+/// @{ The sides of a facet at an edge: a turn around the edge, counterclockwise as seen from its
+/// higher end, leaves a facet at the one and reaches the next one at the other.
+std::uint32_t SideLeft(const SkdEdgeUse& use)
+{
+  return 2 * use.Triangle + (use.IsForward ? 0 : 1);
+}
+
+std::uint32_t SideReached(const SkdEdgeUse& use)
+{
+  return 2 * use.Triangle + (use.IsForward ? 1 : 0);
+}
+/// @}
+
+void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
+{
+  SkdDisjointSets sides(2 * arrangement.Facets.GetNumberOfFacets());
+  std::vector<SkdEdgeUse> uses;
+  arrangement.Facets.Edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      if (last - first > 2) // the order of two does not matter
+      {
+        uses.assign(first, last);
+        fan.Sort(low, uses);
+        first = uses.data();
+        last = first + uses.size();
+      }
+      for (const SkdEdgeUse* use = first; use != last; ++use)
+      {
+        sides.Unite(SideLeft(*use), SideReached(use + 1 == last ? *first : use[1]));
+      }
+    });
+  arrangement.Regions = sides.Number();
+  for (const std::uint32_t region : arrangement.Regions)
+  {
+    arrangement.NumberOfRegions = std::max(arrangement.NumberOfRegions, region + 1);
+  }
+}
+}
+
+SkdArrangement SkdArrange(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
+{
+  const SkdContactPoints contacts(placement, pairs);
+  const SkdSplitSegments segments(placement, pairs, contacts);
+  SkdSplitResult split = SkdSplitTriangles(segments, 0);
+  const SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
+  const std::vector<std::uint32_t> ids = std::move(split.Ids);
+  const vtkIdType numberSplit = split.NumberSplit;
+  SkdArrangement arrangement{ SkdFacets(segments, std::move(split), overlaps), {}, 0, numberSplit };
+  FindRegions(
+    SkdEdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), arrangement);
+  return arrangement;
+}

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Boolean/SkdBooleanFaces.h"
+
+#include <algorithm>
+
+namespace
+{
+using Corners = SkdTriangleSet::Corners;
+
+class FaceMaker
+{
+public:
+  FaceMaker(const SkdTriangleSet& set, const SkdFacets& facets, const SkdFacetSigns& signs,
+    const std::vector<bool>& isPolygon)
+    : Set(set)
+    , Facets(facets)
+    , Signs(signs)
+    , IsPolygon(isPolygon)
+  {
+  }
+
+  SkdBooleanFaces Make()
+  {
+    this->Faces.Starts.push_back(0);
+    const auto n = static_cast<std::uint32_t>(this->Facets.GetNumberOfFacets());
+    for (std::uint32_t facet = 0; facet < n;)
+    {
+      const std::uint32_t end = this->FindEndOfPolygon(facet);
+      if (end > facet + 1 && this->AddOutline(facet, end))
+      {
+        facet = end;
+        continue;
+      }
+      if (this->Signs[facet] != 0)
+      {
+        const Corners corners = this->CornersOf(facet);
+        this->Add(facet, corners.begin(), corners.end());
+      }
+      ++facet;
+    }
+    return std::move(this->Faces);
+  }
+
+private:
+  std::uint32_t CellOf(std::uint32_t facet) const
+  {
+    return this->Set.GetCellOf(this->Facets.Parents[facet]);
+  }
+
+  Corners CornersOf(std::uint32_t facet) const
+  {
+    Corners corners = this->Facets.Corners[facet];
+    if (this->Signs[facet] < 0)
+    {
+      std::swap(corners[1], corners[2]);
+    }
+    return corners;
+  }
+
+  /// The end of a cell's facets that begin here, if these are all of its triangles, not split, and
+  /// of one sign; else the facet itself.
+  std::uint32_t FindEndOfPolygon(std::uint32_t facet) const
+  {
+    const std::uint32_t cell = this->CellOf(facet);
+    const std::uint32_t parent = this->Facets.Parents[facet];
+    const bool isFirst = parent == 0 || this->Set.GetCellOf(parent - 1) != cell;
+    if (!this->IsPolygon[cell] || !isFirst || this->Signs[facet] == 0)
+    {
+      return facet;
+    }
+    std::uint32_t end = facet;
+    for (std::uint32_t triangle = parent;
+         triangle < this->Set.GetTriangles().size() && this->Set.GetCellOf(triangle) == cell;
+         ++triangle, ++end)
+    {
+      if (end == this->Facets.GetNumberOfFacets() || this->Facets.Parents[end] != triangle ||
+        this->Signs[end] != this->Signs[facet] ||
+        this->Facets.Corners[end] != this->Set.GetTriangles()[triangle])
+      {
+        return facet;
+      }
+    }
+    return end;
+  }
+
+  /// Adds the outline of facets as a face, if it is one loop that passes no point twice.
+  bool AddOutline(std::uint32_t first, std::uint32_t end)
+  {
+    this->Edges.clear();
+    for (std::uint32_t facet = first; facet < end; ++facet)
+    {
+      const Corners corners = this->CornersOf(facet);
+      for (int i = 0; i < 3; ++i)
+      {
+        const SkdSplitEdge edge{ corners[i], corners[(i + 1) % 3] };
+        const auto opposite = std::find(
+          this->Edges.begin(), this->Edges.end(), SkdSplitEdge{ edge.second, edge.first });
+        if (opposite != this->Edges.end())
+        {
+          this->Edges.erase(opposite);
+        }
+        else
+        {
+          this->Edges.push_back(edge);
+        }
+      }
+    }
+    this->Loop.clear();
+    std::uint32_t at = this->Edges.empty() ? 0 : this->Edges[0].first;
+    while (this->Loop.size() < this->Edges.size() &&
+      std::find(this->Loop.begin(), this->Loop.end(), at) == this->Loop.end())
+    {
+      const auto next = std::find_if(this->Edges.begin(), this->Edges.end(),
+        [at](const SkdSplitEdge& edge) { return edge.first == at; });
+      if (next == this->Edges.end())
+      {
+        return false;
+      }
+      this->Loop.push_back(at);
+      at = next->second;
+    }
+    const bool isLoop = this->Loop.size() == end - first + 2 && at == this->Loop[0];
+    if (isLoop)
+    {
+      this->Add(first, this->Loop.begin(), this->Loop.end());
+    }
+    return isLoop;
+  }
+
+  template <class Iterator>
+  void Add(std::uint32_t facet, Iterator first, Iterator last)
+  {
+    this->Faces.Facets.push_back(facet);
+    this->Faces.Corners.insert(this->Faces.Corners.end(), first, last);
+    this->Faces.Starts.push_back(static_cast<std::uint32_t>(this->Faces.Corners.size()));
+  }
+
+  const SkdTriangleSet& Set;
+  const SkdFacets& Facets;
+  const SkdFacetSigns& Signs;
+  const std::vector<bool>& IsPolygon;
+  SkdBooleanFaces Faces;
+  std::vector<SkdSplitEdge> Edges; // of an outline
+  std::vector<std::uint32_t> Loop;
+};
+}
+
+SkdBooleanFaces SkdMakeBooleanFaces(const SkdTriangleSet& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const std::vector<bool>& isPolygon)
+{
+  return FaceMaker(set, facets, signs, isPolygon).Make();
+}

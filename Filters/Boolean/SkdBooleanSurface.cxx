@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Boolean/SkdBooleanSurface.h"
+
+#include "Boolean/SkdBooleanFaces.h"
+#include "Cells/SkdForEach.h"
+#include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPThreadLocalObject.h"
+
+#include <algorithm>
+
+namespace
+{
+using Origin = SkdTriangleSet::Origin;
+
+/// Of each cell of the set, whether it is a polygon of more than three corners.
+std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts& parts)
+{
+  std::vector<bool> isPolygon(set.GetCells().size(), false);
+  for (std::size_t cell = 0; parts.KeepsPolygons && cell < isPolygon.size(); ++cell)
+  {
+    const SkdTriangleSet::Cell& of = set.GetCells()[cell];
+    const int type = parts.Blocks.All[of.Block].Mesh->GetCellType(of.Id);
+    isPolygon[cell] = type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
+  }
+  return isPolygon;
+}
+
+class Output
+{
+public:
+  Output(const SkdBooleanParts& parts, vtkPolyData* output)
+    : Parts(parts)
+    , Placed(parts.Placement.First)
+    , Set(this->Placed.GetSet())
+    , Facets(parts.Arrangement.Facets)
+    , Faces(
+        SkdMakeBooleanFaces(this->Set, this->Facets, parts.Signs, FindPolygons(this->Set, parts)))
+    , To(output)
+  {
+    this->NumberPoints();
+  }
+
+  void FillShape() const
+  {
+    auto coordinates =
+      SkdMakeArray<vtkDoubleArray>("Points", 3, static_cast<vtkIdType>(this->Points.size()));
+    const double unscaled = 1.0 / this->Parts.Placement.Scale;
+    SkdForEach(static_cast<vtkIdType>(this->Points.size()),
+      [&](vtkIdType i)
+      {
+        const skd::Vector3 x = unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]);
+        std::copy_n(x.X, 3, coordinates->GetPointer(3 * i));
+      });
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    auto starts =
+      SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(this->Faces.Starts.size()));
+    auto corners = SkdMakeArray<vtkIdTypeArray>(
+      "connectivity", 1, static_cast<vtkIdType>(this->Faces.Corners.size()));
+    std::copy(this->Faces.Starts.begin(), this->Faces.Starts.end(), starts->GetPointer(0));
+    std::transform(this->Faces.Corners.begin(), this->Faces.Corners.end(), corners->GetPointer(0),
+      [&](std::uint32_t corner) { return static_cast<vtkIdType>(this->Numbers[corner]); });
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(starts, corners);
+    this->To->SetPoints(points);
+    this->To->SetPolys(cells);
+  }
+
+  void FillCellData(std::set<std::string>& refused) const
+  {
+    const auto n = static_cast<vtkIdType>(this->Faces.Facets.size());
+    vtkCellData* data = this->To->GetCellData();
+    this->AddIds(n, data);
+    if (this->Parts.SolidCounts)
+    {
+      this->AddSolidCounts(n, data);
+    }
+    SkdArrayGather gather =
+      SkdGatherInto(data, n, this->Parts.Blocks.All, vtkDataObject::CELL, refused);
+    SkdForEach(gather.GetNumberOfArrays() > 0 ? n : 0,
+      [&](vtkIdType i)
+      {
+        const SkdTriangleSet::Cell& cell = this->CellOf(this->ParentOf(i));
+        gather.Take(i, cell.Block, cell.Id);
+      });
+  }
+
+  void FillPointData(std::set<std::string>& refused) const
+  {
+    const auto n = static_cast<vtkIdType>(this->Points.size());
+    SkdArrayGather gather = SkdGatherInto(
+      this->To->GetPointData(), n, this->Parts.Blocks.All, vtkDataObject::POINT, refused);
+    if (gather.GetNumberOfArrays() == 0)
+    {
+      return;
+    }
+    const std::vector<Origin> origins = this->Set.FindOrigins();
+    const std::size_t given = this->Placed.GetPoints().size();
+    vtkSMPThreadLocalObject<vtkIdList> ids;
+    SkdForEach(n,
+      [&](vtkIdType i)
+      {
+        const std::uint32_t point = this->Points[i];
+        if (point >= given)
+        {
+          Interpolate(i, this->Facets.NewPoints[point - given], origins, gather, ids.Local());
+        }
+        else if (const Origin* origin = FindOrigin(origins, { point, 0, 0 }))
+        {
+          gather.Take(i, origin->Block, origin->Id);
+        }
+      });
+  }
+
+private:
+  std::uint32_t ParentOf(vtkIdType face) const
+  {
+    return this->Facets.Parents[this->Faces.Facets[face]];
+  }
+
+  const SkdTriangleSet::Cell& CellOf(std::uint32_t triangle) const
+  {
+    return this->Set.GetCells()[this->Set.GetCellOf(triangle)];
+  }
+
+  /// The points that faces have, in the order of the arrangement's.
+  void NumberPoints()
+  {
+    constexpr std::uint32_t none = 0xffffffffu;
+    this->Numbers.assign(this->Placed.GetPoints().size() + this->Facets.NewPoints.size(), none);
+    for (const std::uint32_t corner : this->Faces.Corners)
+    {
+      this->Numbers[corner] = 0;
+    }
+    for (std::uint32_t point = 0; point < this->Numbers.size(); ++point)
+    {
+      if (this->Numbers[point] != none)
+      {
+        this->Numbers[point] = static_cast<std::uint32_t>(this->Points.size());
+        this->Points.push_back(point);
+      }
+    }
+  }
+
+  void AddIds(vtkIdType n, vtkCellData* data) const
+  {
+    auto inputs = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Input, 1, n);
+    auto ids = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Cell, 1, n);
+    auto solids = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Solid, 1, n);
+    auto blocks = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Block, 1, n);
+    SkdForEach(n,
+      [&](vtkIdType i)
+      {
+        const std::uint32_t parent = this->ParentOf(i);
+        const SkdTriangleSet::Cell& cell = this->CellOf(parent);
+        inputs->SetValue(i, cell.Block < this->Parts.Blocks.FirstOfSource ? 0 : 1);
+        ids->SetValue(i, cell.Id);
+        solids->SetValue(
+          i, this->Parts.Solids ? static_cast<int>(this->Parts.Solids->Of[parent]) : 0);
+        blocks->SetValue(i, this->Parts.Blocks.All[cell.Block].BlockIndex);
+      });
+    data->AddArray(inputs);
+    data->AddArray(ids);
+    if (this->Parts.Solids)
+    {
+      data->AddArray(solids);
+    }
+    if (this->Parts.Blocks.IsComposite)
+    {
+      data->AddArray(blocks);
+    }
+  }
+
+  void AddSolidCounts(vtkIdType n, vtkCellData* data) const
+  {
+    auto inFront = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Front, 1, n);
+    auto behind = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Back, 1, n);
+    const std::vector<int>& counts = *this->Parts.SolidCounts;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      const std::uint32_t facet = this->Faces.Facets[i];
+      inFront->SetValue(i, counts[this->Parts.Arrangement.GetFront(facet)]);
+      behind->SetValue(i, counts[this->Parts.Arrangement.GetBack(facet)]);
+    }
+    data->AddArray(inFront);
+    data->AddArray(behind);
+  }
+
+  /// The first at or after one, of the same point.
+  static const Origin* FindOrigin(const std::vector<Origin>& origins, const Origin& least)
+  {
+    const auto at = std::lower_bound(origins.begin(), origins.end(), least);
+    return at != origins.end() && at->Point == least.Point ? &*at : nullptr;
+  }
+
+  /// The corners as the data set has them that the point's own triangle is of.
+  void Interpolate(vtkIdType to, const SkdSplitPoint& point, const std::vector<Origin>& origins,
+    SkdArrayGather& gather, vtkIdList* ids) const
+  {
+    const int block = this->CellOf(point.Parent).Block;
+    double weights[3];
+    ids->SetNumberOfIds(3);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Origin* origin = FindOrigin(origins, { point.Corners[i], block, 0 });
+      if (!origin || origin->Block != block)
+      {
+        return;
+      }
+      ids->SetId(i, origin->Id);
+      weights[i] = point.Weights[i];
+    }
+    gather.Interpolate(to, block, ids, weights);
+  }
+
+  const SkdBooleanParts& Parts;
+  const SkdPlacedTriangles& Placed;
+  const SkdTriangleSet& Set;
+  const SkdFacets& Facets;
+  const SkdBooleanFaces Faces;
+  std::vector<std::uint32_t> Numbers; // of the arrangement's points in the output
+  std::vector<std::uint32_t> Points;  // of the output, in the arrangement
+  vtkPolyData* To;
+};
+}
+
+void SkdFillBooleanSurface(
+  const SkdBooleanParts& parts, vtkPolyData* output, std::set<std::string>& refused)
+{
+  const Output to(parts, output);
+  to.FillShape();
+  to.FillCellData(refused);
+  to.FillPointData(refused);
+}

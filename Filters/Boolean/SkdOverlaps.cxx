@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Boolean/SkdOverlaps.h"
+
+#include "Core/Predicates/Orient3D.h"
+
+#include <algorithm>
+
+namespace
+{
+using Corners = SkdTriangleSet::Corners;
+constexpr std::uint32_t None = SkdSplitSegments::None;
+
+class Search
+{
+public:
+  Search(const std::vector<SkdTrianglePair>& pairs, const SkdContactPoints& contacts,
+    const SkdSplitSegments& segments, const SkdSplitResult& split)
+    : Pairs(pairs)
+    , Contacts(contacts)
+    , Points(segments.GetPoints())
+    , Set(*segments.GetSide(0).Set)
+    , Split(split)
+    , PointOf(this->Set.GetPoints().size(), None)
+  {
+    const std::vector<std::uint32_t>& cornerOf = segments.GetSide(0).CornerOf;
+    for (std::uint32_t point = 0; point < this->Points.GetNumberOfPoints(); ++point)
+    {
+      if (cornerOf[point] != None)
+      {
+        this->PointOf[cornerOf[point]] = this->Points.Find(point);
+      }
+    }
+  }
+
+  void Add(std::size_t pair, SkdOverlaps& overlaps) const
+  {
+    const std::uint32_t lower = this->Pairs[pair].First;
+    const std::uint32_t higher = this->Pairs[pair].Second;
+    const int axis = this->Set.Get(lower).Axis;
+    const int sign = this->TurnOf(lower, axis) * this->TurnOf(higher, axis);
+    this->ForEachPieceIn(pair, lower, axis,
+      [&](std::uint32_t piece) {
+        overlaps.Layers.push_back({ piece, higher, sign });
+      });
+    this->ForEachPieceIn(
+      pair, higher, axis, [&](std::uint32_t piece) { overlaps.IsHigher[piece] = true; });
+  }
+
+private:
+  int TurnOf(std::uint32_t triangle, int axis) const
+  {
+    const auto x = this->Set.GetCornerPoints(triangle);
+    return skd::Orient2D(x[0], x[1], x[2], axis);
+  }
+
+  /// The pieces of a triangle within the overlap of a pair.
+  template <class Visit>
+  void ForEachPieceIn(std::size_t pair, std::uint32_t triangle, int axis, const Visit& visit) const
+  {
+    const std::vector<std::uint32_t>& parents = this->Split.Parents;
+    const auto range = std::equal_range(parents.begin(), parents.end(), triangle);
+    for (auto at = range.first; at != range.second; ++at)
+    {
+      const auto piece = static_cast<std::uint32_t>(at - parents.begin());
+      if (this->IsInside(this->Split.Triangles[piece], pair, axis))
+      {
+        visit(piece);
+      }
+    }
+  }
+
+  bool IsInside(const Corners& piece, std::size_t pair, int axis) const
+  {
+    const int count = this->Pairs[pair].Contact.Count;
+    bool isLeft = false;
+    bool isRight = false;
+    for (const std::uint32_t corner : piece)
+    {
+      const std::uint32_t point = this->PointAt(corner);
+      if (point == None)
+      {
+        return false;
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        const int side = this->Points.Orient(this->Contacts.GetPoint(pair, i),
+          this->Contacts.GetPoint(pair, (i + 1) % count), point, axis);
+        isLeft = isLeft || side > 0;
+        isRight = isRight || side < 0;
+      }
+    }
+    return !(isLeft && isRight);
+  }
+
+  /// A point of the contacts, or None.
+  std::uint32_t PointAt(std::uint32_t corner) const
+  {
+    const std::size_t given = this->PointOf.size();
+    return corner < given ? this->PointOf[corner] : this->Split.Ids[corner - given];
+  }
+
+  const std::vector<SkdTrianglePair>& Pairs;
+  const SkdContactPoints& Contacts;
+  const SkdSplitPoints& Points;
+  const SkdPlacedTriangles& Set;
+  const SkdSplitResult& Split;
+  std::vector<std::uint32_t> PointOf; // of each corner
+};
+}
+
+SkdOverlaps SkdFindOverlaps(const std::vector<SkdTrianglePair>& pairs,
+  const SkdContactPoints& contacts, const SkdSplitSegments& segments, const SkdSplitResult& split)
+{
+  SkdOverlaps overlaps{ std::vector<bool>(split.Triangles.size(), false), {} };
+  const Search search(pairs, contacts, segments, split);
+  for (std::size_t pair = 0; pair < pairs.size(); ++pair)
+  {
+    if (pairs[pair].Contact.Count > 2)
+    {
+      search.Add(pair, overlaps);
+    }
+  }
+  std::sort(overlaps.Layers.begin(), overlaps.Layers.end());
+  return overlaps;
+}

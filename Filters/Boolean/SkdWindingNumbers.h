@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdWindingNumbers.h
+ * @brief How often each surface of an arrangement winds around its regions.
+ */
+
+#ifndef SkdWindingNumbers_h
+#define SkdWindingNumbers_h
+
+#include "Boolean/SkdArrangement.h"
+
+/// The winding number of one of several surfaces, if it is not 0.
+struct SkdWindingOf
+{
+  std::uint32_t Surface;
+  int Number;
+
+  bool operator<(const SkdWindingOf& other) const { return this->Surface < other.Surface; }
+};
+
+/// Of a region: those of all surfaces around it, ascending.
+using SkdRegionWindings = std::vector<SkdWindingOf>;
+
+/// The winding numbers of all regions. `surfaceOf` is the surface of each triangle of the set; all
+/// of them are closed. The numbers of regions that facets connect follow from each other exactly;
+/// one for each connected set of facets is found by solid angles. O(n), and O(log n) for each set
+/// of facets that is in the box of another one.
+std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacedTriangles& set,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
+
+#endif
