@@ -132,12 +132,12 @@ bool vtkSkdTreeBooleanOperation::Internals::Arrange(Filter* self, const SkdBoole
   this->Set.Complete();
   SkdPlacement placement = SkdMakePlacement(this->Set, nullptr, std::nullopt);
   SkdLoop loop(self, 0, 0.2, 0.6, 8);
-  const auto pairs = SkdTrianglePairs(placement).FindByTrees({ SkdPairSearch::All, 0.0 }, loop);
+  auto pairs = SkdTrianglePairs(placement).FindByTrees({ SkdPairSearch::All, 0.0 }, loop);
   if (SkdIsAborted(self))
   {
     return false;
   }
-  this->Arrangement = SkdArrange(placement, pairs);
+  this->Arrangement = SkdArrange(placement, std::move(pairs));
   this->Placement.emplace(std::move(placement));
   return true;
 }

@@ -47,12 +47,17 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
 }
 }
 
-SkdArrangement SkdArrange(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
+SkdArrangement SkdArrange(const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs)
 {
+  const std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
   const SkdContactPoints contacts(placement, pairs);
   const SkdSplitSegments segments(placement, pairs, contacts);
   SkdSplitResult split = SkdSplitTriangles(segments, 0);
-  const SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
+  SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
+  if (!duplicates.empty())
+  {
+    overlaps.Add(duplicates, split);
+  }
   const std::vector<std::uint32_t> ids = std::move(split.Ids);
   const vtkIdType numberSplit = split.NumberSplit;
   SkdArrangement arrangement{ SkdFacets(segments, std::move(split), overlaps), {}, 0, numberSplit };

@@ -31,6 +31,6 @@ struct SkdArrangement
 
 /// Splits a set along all its intersections with itself: `pairs` are all of them. O(n), plus exact
 /// tests at edges in which more than two facets meet.
-SkdArrangement SkdArrange(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs);
+SkdArrangement SkdArrange(const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs);
 
 #endif

@@ -109,6 +109,39 @@ private:
 };
 }
 
+void SkdOverlaps::Add(const std::vector<SkdDuplicate>& duplicates, const SkdSplitResult& split)
+{
+  std::vector<SkdFacetLayer> more;
+  const auto addAt = [&](std::uint32_t piece, std::uint32_t original, int sign)
+  {
+    auto at =
+      std::lower_bound(duplicates.begin(), duplicates.end(), SkdDuplicate{ original, 0, 0 });
+    for (; at != duplicates.end() && at->Original == original; ++at)
+    {
+      more.push_back({ piece, at->Triangle, sign * at->Sign });
+    }
+  };
+  for (const SkdFacetLayer& layer : this->Layers)
+  {
+    addAt(layer.Facet, layer.Parent, layer.Sign);
+  }
+  std::vector<bool> isDuplicate;
+  for (const SkdDuplicate& duplicate : duplicates)
+  {
+    isDuplicate.resize(std::max<std::size_t>(isDuplicate.size(), duplicate.Triangle + 1), false);
+    isDuplicate[duplicate.Triangle] = true;
+  }
+  for (std::uint32_t piece = 0; piece < split.Triangles.size(); ++piece)
+  {
+    const std::uint32_t parent = split.Parents[piece];
+    this->IsHigher[piece] =
+      this->IsHigher[piece] || (parent < isDuplicate.size() && isDuplicate[parent]);
+    addAt(piece, parent, 1);
+  }
+  this->Layers.insert(this->Layers.end(), more.begin(), more.end());
+  std::sort(this->Layers.begin(), this->Layers.end());
+}
+
 SkdOverlaps SkdFindOverlaps(const std::vector<SkdTrianglePair>& pairs,
   const SkdContactPoints& contacts, const SkdSplitSegments& segments, const SkdSplitResult& split)
 {

@@ -3,6 +3,7 @@
 #ifndef SkdOverlaps_h
 #define SkdOverlaps_h
 
+#include "Boolean/SkdDuplicates.h"
 #include "Surfaces/SkdSplitTriangles.h"
 
 /// A further triangle that a piece or facet lies in: with its orientation (1) or the opposite (-1).
@@ -24,6 +25,9 @@ struct SkdOverlaps
 {
   std::vector<bool> IsHigher;        ///< of each piece, whether it lies in a lower triangle, too
   std::vector<SkdFacetLayer> Layers; ///< the higher triangles that others lie in, ascending
+
+  /// Adds duplicates, which were not among the pairs, to what their originals are in.
+  void Add(const std::vector<SkdDuplicate>& duplicates, const SkdSplitResult& split);
 };
 
 /// Triangles overlap in convex polygons, which no piece leaves: exact signs tell the pieces in
