@@ -142,7 +142,7 @@ void Report(vtkDataObject* output, const SkdSource& source,
 }
 
 vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA })
+  : vtkSkdTreeFacetAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA })
   , Impl(new Internals)
 {
 }
@@ -194,6 +194,6 @@ void vtkSkdTreeClosestPoint::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "MaximumDistance", this->MaximumDistance, "SignedDistance",
     this->SignedDistance, "InterpolateSourceData", this->InterpolateSourceData, "GenerateLines",
-    this->GenerateLines, "ChordalDeviation", this->ChordalDeviation, "Epsilon", this->Epsilon);
+    this->GenerateLines);
 }
 VTK_ABI_NAMESPACE_END

@@ -46,18 +46,18 @@
 #define vtkSkdTreeClosestPoint_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeFacetAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeClosestPoint : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeClosestPoint : public vtkSkdTreeFacetAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeClosestPoint, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreeClosestPoint, vtkSkdTreeFacetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeClosestPoint* New();
 
@@ -107,21 +107,6 @@ public:
   vtkSkdTreeSwitchMacro(GenerateLines);
   //@}
 
-  //@{
-  /**
-   * The largest distance of facets from a curved face for signed distances, relative to the
-   * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
-   */
-  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  //@}
-
-  //@{
-  /**
-   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
-   */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
-  //@}
-
 protected:
   vtkSkdTreeClosestPoint();
   ~vtkSkdTreeClosestPoint() override;
@@ -132,8 +117,6 @@ protected:
   bool SignedDistance = false;
   bool InterpolateSourceData = false;
   bool GenerateLines = false;
-  double ChordalDeviation = 1e-4;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeClosestPoint(const vtkSkdTreeClosestPoint&) = delete;

@@ -142,7 +142,7 @@ void Report(vtkDataObject* output, const std::array<SkdComparedInput, 2>& inputs
 }
 
 vtkSkdTreeCompareSurfaces::vtkSkdTreeCompareSurfaces()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, LIKE_INPUT, VTK_TABLE })
+  : vtkSkdTreeFacetAlgorithm(SourceUse::Required, { LIKE_INPUT, LIKE_INPUT, VTK_TABLE })
   , Impl(new Internals)
 {
   this->WholeInput = true; // the largest distance may be anywhere in either
@@ -216,7 +216,6 @@ void vtkSkdTreeCompareSurfaces::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Tolerance", this->Tolerance, "MaximumBisections", this->MaximumBisections,
-    "SampleSpacing", this->SampleSpacing, "SignedDistance", this->SignedDistance,
-    "ChordalDeviation", this->ChordalDeviation, "Epsilon", this->Epsilon);
+    "SampleSpacing", this->SampleSpacing, "SignedDistance", this->SignedDistance);
 }
 VTK_ABI_NAMESPACE_END

@@ -56,18 +56,18 @@
 #define vtkSkdTreeCompareSurfaces_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeFacetAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCompareSurfaces : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCompareSurfaces : public vtkSkdTreeFacetAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeCompareSurfaces, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreeCompareSurfaces, vtkSkdTreeFacetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCompareSurfaces* New();
 
@@ -108,21 +108,6 @@ public:
   vtkSkdTreeSwitchMacro(SignedDistance);
   //@}
 
-  //@{
-  /**
-   * The largest distance of facets from a curved face, relative to the diagonal of the bounds: see
-   * vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
-   */
-  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  //@}
-
-  //@{
-  /**
-   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
-   */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
-  //@}
-
 protected:
   vtkSkdTreeCompareSurfaces();
   ~vtkSkdTreeCompareSurfaces() override;
@@ -134,8 +119,6 @@ protected:
   int MaximumBisections = 10000000;
   double SampleSpacing = 0.01;
   bool SignedDistance = false;
-  double ChordalDeviation = 1e-4;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeCompareSurfaces(const vtkSkdTreeCompareSurfaces&) = delete;

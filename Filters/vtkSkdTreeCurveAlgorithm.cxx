@@ -46,6 +46,6 @@ void vtkSkdTreeCurveAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "PolylineForm", this->PolylineForm, "Tension", this->Tension, "Bias",
     this->Bias, "Continuity", this->Continuity, "InterpolateData", this->InterpolateData,
-    "ChordTolerance", this->ChordTolerance, "Epsilon", this->Epsilon);
+    "ChordTolerance", this->ChordTolerance);
 }
 VTK_ABI_NAMESPACE_END

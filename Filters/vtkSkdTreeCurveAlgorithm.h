@@ -12,9 +12,9 @@
 #define vtkSkdTreeCurveAlgorithm_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSearchAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <string> // For std::string
 #include <vector> // For std::vector
@@ -23,10 +23,10 @@ struct SkdPolylineForm;
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveAlgorithm : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeCurveAlgorithm : public vtkSkdTreeSearchAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkSkdTreeCurveAlgorithm, vtkSkdTreeSourceAlgorithm);
+  vtkAbstractTypeMacro(vtkSkdTreeCurveAlgorithm, vtkSkdTreeSearchAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -78,17 +78,8 @@ public:
   vtkSkdTreeWithinMacro(ChordTolerance, double, 0.0, 1.0);
   //@}
 
-  //@{
-  /**
-   * Safety boxes are inflated by twice this value on each side, relative to the diagonal of the
-   * bounds of what is searched: curves or surfaces. It affects the search only, never an answer.
-   * Default 1e-9.
-   */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
-  //@}
-
 protected:
-  using vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm;
+  using vtkSkdTreeSearchAlgorithm::vtkSkdTreeSearchAlgorithm;
 
   SkdPolylineForm FindPolylineForm() const;
 
@@ -105,7 +96,6 @@ protected:
   double Continuity = 0.0;
   bool InterpolateData = true;
   double ChordTolerance = 1e-3;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeCurveAlgorithm(const vtkSkdTreeCurveAlgorithm&) = delete;

@@ -103,8 +103,7 @@ public:
    * What Source's coordinates are: AS_GIVEN (default), those of Input, or LONGITUDE_LATITUDE, x and
    * y in degrees on the sphere that Input is on, north at positive z.
    */
-  vtkSetClampMacro(SourceCoordinates, int, AS_GIVEN, LONGITUDE_LATITUDE);
-  vtkGetMacro(SourceCoordinates, int);
+  vtkSkdTreeChoiceMacro(SourceCoordinates, AS_GIVEN, LONGITUDE_LATITUDE);
   //@}
 
   enum SampleWeightsType
@@ -121,8 +120,7 @@ public:
    * poles as elsewhere. AUTOMATIC_WEIGHTS (default): by the cosine where SourceCoordinates are
    * LONGITUDE_LATITUDE, or a structured Source lies around the sphere that Input is on, else equal.
    */
-  vtkSetClampMacro(SampleWeights, int, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
-  vtkGetMacro(SampleWeights, int);
+  vtkSkdTreeChoiceMacro(SampleWeights, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
   //@}
 
   enum MonitorType
@@ -138,16 +136,14 @@ public:
    * or VALUE, the field itself, which should be greater than 0. g is the length of the field's
    * gradient along the surface, relative to its mean over the mesh as it was given.
    */
-  vtkSetClampMacro(Monitor, int, ARC_LENGTH, VALUE);
-  vtkGetMacro(Monitor, int);
+  vtkSkdTreeChoiceMacro(Monitor, ARC_LENGTH, VALUE);
   //@}
 
   //@{
   /**
    * See SetMonitor. 0 and more, default 10: 0 moves nothing, larger values make cells differ more.
    */
-  vtkSkdTreeSetWithinMacro(Strength, double, 0.0, 1e6);
-  vtkGetMacro(Strength, double);
+  vtkSkdTreeWithinMacro(Strength, double, 0.0, 1e6);
   //@}
 
   //@{
@@ -164,8 +160,7 @@ public:
    * The largest ratio of the monitor's values: smaller ones are raised. It limits how much areas
    * differ. 1 and more, default 100.
    */
-  vtkSkdTreeSetWithinMacro(MaximumRatio, double, 1.0, 1e9);
-  vtkGetMacro(MaximumRatio, double);
+  vtkSkdTreeWithinMacro(MaximumRatio, double, 1.0, 1e9);
   //@}
 
   enum SurfaceType
@@ -182,8 +177,7 @@ public:
    * nearest point of the mesh as it was given, or AUTOMATIC_SURFACE (default), the first of these
    * that all points are on, to a part in 10^6 (planes) or 10^5 (spheres).
    */
-  vtkSetClampMacro(Surface, int, AUTOMATIC_SURFACE, INPUT_SURFACE);
-  vtkGetMacro(Surface, int);
+  vtkSkdTreeChoiceMacro(Surface, AUTOMATIC_SURFACE, INPUT_SURFACE);
   //@}
 
   enum BordersType
@@ -196,8 +190,7 @@ public:
   /**
    * Whether points of borders SLIDE along them (default) or STAY. Corners stay, see FeatureAngle.
    */
-  vtkSetClampMacro(Borders, int, SLIDE, STAY);
-  vtkGetMacro(Borders, int);
+  vtkSkdTreeChoiceMacro(Borders, SLIDE, STAY);
   //@}
 
   //@{
@@ -205,8 +198,7 @@ public:
    * A border or crease that turns by more has a corner, and cells whose normals differ by more meet
    * in a crease, which points slide along like a border. Degrees, 0 to 180, default 40.
    */
-  vtkSkdTreeSetWithinMacro(FeatureAngle, double, 0.0, 180.0);
-  vtkGetMacro(FeatureAngle, double);
+  vtkSkdTreeWithinMacro(FeatureAngle, double, 0.0, 180.0);
   //@}
 
   enum TargetSizesType
@@ -220,8 +212,7 @@ public:
    * What areas would be for a monitor that is the same everywhere: RELATIVE_TO_INPUT (default), as
    * they are in Input, or UNIFORM, all the same.
    */
-  vtkSetClampMacro(TargetSizes, int, RELATIVE_TO_INPUT, UNIFORM);
-  vtkGetMacro(TargetSizes, int);
+  vtkSkdTreeChoiceMacro(TargetSizes, RELATIVE_TO_INPUT, UNIFORM);
   //@}
 
   //@{
@@ -237,8 +228,7 @@ public:
   /**
    * The measure of equidistribution that is small enough (see above). Default 0.01.
    */
-  vtkSkdTreeSetWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Tolerance, double);
+  vtkSkdTreeWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
   //@{
@@ -246,8 +236,7 @@ public:
    * Which part of Newton's step is made in each iteration. 0.01 to 1, default 0.5: 1 is faster for
    * smooth fields, less is better for those that are rough at the scale of cells.
    */
-  vtkSkdTreeSetWithinMacro(Relaxation, double, 0.01, 1.0);
-  vtkGetMacro(Relaxation, double);
+  vtkSkdTreeWithinMacro(Relaxation, double, 0.01, 1.0);
   //@}
 
   //@{
@@ -256,8 +245,7 @@ public:
    * relative to that of the regular polygon, 1 of a regular cell, 0 of one with a flat corner. 0 to
    * 0.9, default 0.1.
    */
-  vtkSkdTreeSetWithinMacro(MinimumQuality, double, 0.0, 0.9);
-  vtkGetMacro(MinimumQuality, double);
+  vtkSkdTreeWithinMacro(MinimumQuality, double, 0.0, 0.9);
   //@}
 
   //@{
@@ -265,9 +253,7 @@ public:
    * Offer the iterations as time steps: time 0 is the mesh as it was given, time k the mesh after k
    * iterations, times after the last the last. Else the output is the best iteration. Default off.
    */
-  vtkSetMacro(AnimateIterations, bool);
-  vtkGetMacro(AnimateIterations, bool);
-  vtkBooleanMacro(AnimateIterations, bool);
+  vtkSkdTreeSwitchMacro(AnimateIterations);
   //@}
 
 protected:

@@ -183,7 +183,7 @@ SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
 }
 
 vtkSkdTreePointInOut::vtkSkdTreePointInOut()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, GRID_OR_BLOCKS })
+  : vtkSkdTreeFacetAlgorithm(SourceUse::Required, { LIKE_INPUT, GRID_OR_BLOCKS })
   , Impl(new Internals)
 {
 }
@@ -376,7 +376,6 @@ void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)
     "Method", this->Method, "NumberOfRays", this->NumberOfRays, "Seed", this->Seed,
     "WindingTolerance", this->WindingTolerance, "Ask", this->Ask, "BoundaryBand",
     this->BoundaryBand, "UseOuterFaces", this->UseOuterFaces, "RepairOrientation",
-    this->RepairOrientation, "Extract", this->Extract, "ChordalDeviation", this->ChordalDeviation,
-    "Epsilon", this->Epsilon);
+    this->RepairOrientation, "Extract", this->Extract);
 }
 VTK_ABI_NAMESPACE_END

@@ -58,9 +58,9 @@
 #define vtkSkdTreePointInOut_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeFacetAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -73,10 +73,10 @@ struct SkdBlock;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreePointInOut : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreePointInOut : public vtkSkdTreeFacetAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreePointInOut, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreePointInOut, vtkSkdTreeFacetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreePointInOut* New();
 
@@ -242,27 +242,6 @@ public:
   vtkSkdTreeChoiceMacro(Extract, NOTHING, OUTSIDE);
   //@}
 
-  //@{
-  /**
-   * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
-   * the whole Source. Faces of quadratic, Lagrange and Bezier cells are approximated by flat facets
-   * without gaps, at most 128 along a side, and the filter is exact for these; a warning counts the
-   * faces that need more. A face that is flat within the deviation is one polygon. It has no effect
-   * on linear cells. The number of facets is
-   * inversely proportional to the deviation: about 10^4 for a sphere by default. If there are
-   * curved cells, SkdReportChordalLength is the deviation as a length. Range [1e-7, 1], default
-   * 1e-4.
-   */
-  vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
-  //@}
-
-  //@{
-  /**
-   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
-   */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
-  //@}
-
 protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
@@ -281,8 +260,6 @@ protected:
   bool UseOuterFaces = true;
   bool RepairOrientation = false;
   int Extract = NOTHING;
-  double ChordalDeviation = 1e-4;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreePointInOut(const vtkSkdTreePointInOut&) = delete;

@@ -130,7 +130,7 @@ void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
 }
 
 vtkSkdTreeProbe::vtkSkdTreeProbe()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA, VTK_TABLE })
+  : vtkSkdTreeSearchAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA, VTK_TABLE })
   , Impl(new Internals)
 {
 }
@@ -225,7 +225,7 @@ void vtkSkdTreeProbe::PrintSelf(ostream& os, vtkIndent indent)
   SkdPrint(os, indent, "RelativeTolerance", this->RelativeTolerance, "AbsoluteTolerance",
     this->AbsoluteTolerance, "OutsidePoints", this->OutsidePoints, "MaximumDistance",
     this->MaximumDistance, "UseFillValue", this->UseFillValue, "FillValue", this->FillValue,
-    "PassInputData", this->PassInputData, "ProbeLines", this->ProbeLines, "Epsilon", this->Epsilon);
+    "PassInputData", this->PassInputData, "ProbeLines", this->ProbeLines);
   for (const std::string& name : this->Impl->Names.Categorical)
   {
     SkdPrint(os, indent, "CategoricalArray", name);

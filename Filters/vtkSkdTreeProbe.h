@@ -60,18 +60,18 @@
 #define vtkSkdTreeProbe_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSearchAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeProbe : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeProbe : public vtkSkdTreeSearchAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeProbe, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreeProbe, vtkSkdTreeSearchAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeProbe* New();
 
@@ -180,13 +180,6 @@ public:
   vtkSkdTreeSwitchMacro(ProbeLines);
   //@}
 
-  //@{
-  /**
-   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
-   */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
-  //@}
-
 protected:
   vtkSkdTreeProbe();
   ~vtkSkdTreeProbe() override;
@@ -201,7 +194,6 @@ protected:
   double FillValue = 0.0;
   bool PassInputData = true;
   bool ProbeLines = false;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeProbe(const vtkSkdTreeProbe&) = delete;

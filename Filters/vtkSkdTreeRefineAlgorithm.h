@@ -187,7 +187,7 @@ public:
   //@{
   /**
    * The largest distance of facets from a curved face of the parts in inside tests, relative to the
-   * diagonal of the bounds: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   * diagonal of the bounds: see vtkSkdTreeFacetAlgorithm::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}

@@ -81,6 +81,14 @@ private:
 
 namespace
 {
+void AddName(vtkObject* self, std::set<std::string>& names, const char* name)
+{
+  if (name && names.insert(name).second)
+  {
+    self->Modified();
+  }
+}
+
 /// The part of an algorithm's progress that another one's is, and its abort.
 struct Passing
 {
@@ -518,10 +526,7 @@ void vtkSkdTreeRemap::SetText(std::string& property, const char* text)
 
 void vtkSkdTreeRemap::AddExtensiveArray(const char* name)
 {
-  if (name && this->Impl->Extensive.insert(name).second)
-  {
-    this->Modified();
-  }
+  AddName(this, this->Impl->Extensive, name);
 }
 
 void vtkSkdTreeRemap::ClearExtensiveArrays()
@@ -532,10 +537,7 @@ void vtkSkdTreeRemap::ClearExtensiveArrays()
 
 void vtkSkdTreeRemap::AddGradientArray(const char* name)
 {
-  if (name && this->Impl->Gradients.insert(name).second)
-  {
-    this->Modified();
-  }
+  AddName(this, this->Impl->Gradients, name);
 }
 
 void vtkSkdTreeRemap::ClearGradientArrays()

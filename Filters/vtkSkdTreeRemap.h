@@ -95,8 +95,7 @@ public:
    * interpolation; where cells of Input and Source are not of one dimension, or surfaces are in no
    * common plane or sphere, all by interpolation.
    */
-  vtkSetClampMacro(Method, int, AUTOMATIC_METHOD, CONSERVATIVE_SECOND_ORDER);
-  vtkGetMacro(Method, int);
+  vtkSkdTreeChoiceMacro(Method, AUTOMATIC_METHOD, CONSERVATIVE_SECOND_ORDER);
   //@}
 
   enum ResultsOnType
@@ -113,8 +112,7 @@ public:
    * cell gives equal shares of its measure (or, CONTAINED, of one) to its corners, and a point has
    * the mean by these.
    */
-  vtkSetClampMacro(ResultsOn, int, AUTOMATIC_RESULTS, POINTS);
-  vtkGetMacro(ResultsOn, int);
+  vtkSkdTreeChoiceMacro(ResultsOn, AUTOMATIC_RESULTS, POINTS);
   //@}
 
   enum GeometryType
@@ -132,8 +130,7 @@ public:
    * Input's cells; surfaces are on a sphere if all points of both meshes are equally far from the
    * origin, to a part in 10^5.
    */
-  vtkSetClampMacro(Geometry, int, AUTOMATIC_GEOMETRY, VOLUME);
-  vtkGetMacro(Geometry, int);
+  vtkSkdTreeChoiceMacro(Geometry, AUTOMATIC_GEOMETRY, VOLUME);
   //@}
 
   enum CoordinatesType
@@ -147,8 +144,7 @@ public:
    * Whether the source's points are Cartesian (AS_GIVEN, default) or longitude and latitude in
    * degrees (x and y; z does not count), which are then moved to Input's sphere.
    */
-  vtkSetClampMacro(SourceCoordinates, int, AS_GIVEN, LONGITUDE_LATITUDE);
-  vtkGetMacro(SourceCoordinates, int);
+  vtkSkdTreeChoiceMacro(SourceCoordinates, AS_GIVEN, LONGITUDE_LATITUDE);
   //@}
 
   //@{
@@ -157,12 +153,8 @@ public:
    * these instead of by great circles. Of conservative methods, and of Input's cells with
    * CONTAINED. Default off.
    */
-  vtkSetMacro(SourceEdgesAlongParallels, bool);
-  vtkGetMacro(SourceEdgesAlongParallels, bool);
-  vtkBooleanMacro(SourceEdgesAlongParallels, bool);
-  vtkSetMacro(InputEdgesAlongParallels, bool);
-  vtkGetMacro(InputEdgesAlongParallels, bool);
-  vtkBooleanMacro(InputEdgesAlongParallels, bool);
+  vtkSkdTreeSwitchMacro(SourceEdgesAlongParallels);
+  vtkSkdTreeSwitchMacro(InputEdgesAlongParallels);
   //@}
 
   enum StatisticType
@@ -180,8 +172,7 @@ public:
    * What CONTAINED makes of the values in a cell. The array SkdCount has their number. The standard
    * deviation is that of the values there are, not an estimate. Default MEAN.
    */
-  vtkSetClampMacro(Statistic, int, MEAN, MEDIAN);
-  vtkGetMacro(Statistic, int);
+  vtkSkdTreeChoiceMacro(Statistic, MEAN, MEDIAN);
   //@}
 
   enum SampleWeightsType
@@ -198,8 +189,7 @@ public:
    * drawn towards them. AUTOMATIC_WEIGHTS (default): COSINE_OF_LATITUDE where a structured source
    * is on a sphere, else EQUAL.
    */
-  vtkSetClampMacro(SampleWeights, int, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
-  vtkGetMacro(SampleWeights, int);
+  vtkSkdTreeChoiceMacro(SampleWeights, AUTOMATIC_WEIGHTS, COSINE_OF_LATITUDE);
   //@}
 
   enum EmptyCellsType
@@ -217,8 +207,7 @@ public:
    * until there are values (of INTERPOLATION the same as NEAREST). SkdValid is 0 for cells all the
    * same. A SUM over an empty cell is 0. Conservative methods leave cells that are not covered.
    */
-  vtkSetClampMacro(EmptyCells, int, LEAVE, ENCLOSING_BOX);
-  vtkGetMacro(EmptyCells, int);
+  vtkSkdTreeChoiceMacro(EmptyCells, LEAVE, ENCLOSING_BOX);
   //@}
 
   enum LimiterType
@@ -234,8 +223,7 @@ public:
    * does its field leave what the averages around are between; extremes of smooth fields lose by
    * it.
    */
-  vtkSetClampMacro(Limiter, int, NO_LIMITER, BARTH_JESPERSEN);
-  vtkGetMacro(Limiter, int);
+  vtkSkdTreeChoiceMacro(Limiter, NO_LIMITER, BARTH_JESPERSEN);
   //@}
 
   enum NormalizationType
@@ -250,8 +238,7 @@ public:
    * that constants stay; WHOLE, the whole cell as if the field were 0 elsewhere, so that the
    * integral over whole cells is kept.
    */
-  vtkSetClampMacro(Normalization, int, COVERED, WHOLE);
-  vtkGetMacro(Normalization, int);
+  vtkSkdTreeChoiceMacro(Normalization, COVERED, WHOLE);
   //@}
 
   //@{
@@ -259,8 +246,7 @@ public:
    * Cells of which a lesser share is covered by what counts get no value. Conservative methods;
    * range [0, 1], default 0: any overlap will do.
    */
-  vtkSkdTreeSetWithinMacro(MinimumCoverage, double, 0.0, 1.0);
-  vtkGetMacro(MinimumCoverage, double);
+  vtkSkdTreeWithinMacro(MinimumCoverage, double, 0.0, 1.0);
   //@}
 
   enum MissingValuesType
@@ -274,17 +260,14 @@ public:
    * What becomes of the source's values that are NaN: MASK (default), they count as not there;
    * SPREAD, everything that has a share of them is NaN. INTERPOLATION always spreads them.
    */
-  vtkSetClampMacro(MissingValues, int, MASK, SPREAD);
-  vtkGetMacro(MissingValues, int);
+  vtkSkdTreeChoiceMacro(MissingValues, MASK, SPREAD);
   //@}
 
   //@{
   /**
    * Whether values equal to MissingValue count as NaN. Default off, and -9999.
    */
-  vtkSetMacro(UseMissingValue, bool);
-  vtkGetMacro(UseMissingValue, bool);
-  vtkBooleanMacro(UseMissingValue, bool);
+  vtkSkdTreeSwitchMacro(UseMissingValue);
   vtkSetMacro(MissingValue, double);
   vtkGetMacro(MissingValue, double);
   //@}
@@ -313,9 +296,7 @@ public:
    * conservative methods turn from where the source cell is to where the target cell is. Else they
    * are mapped by components. Default on.
    */
-  vtkSetMacro(RotateVectors, bool);
-  vtkGetMacro(RotateVectors, bool);
-  vtkBooleanMacro(RotateVectors, bool);
+  vtkSkdTreeSwitchMacro(RotateVectors);
   //@}
 
   //@{
@@ -331,21 +312,15 @@ public:
    * Pass the input's own point and cell data. A source's array whose name is in use by then is left
    * out, with a warning. Default on.
    */
-  vtkSetMacro(PassInputData, bool);
-  vtkGetMacro(PassInputData, bool);
-  vtkBooleanMacro(PassInputData, bool);
+  vtkSkdTreeSwitchMacro(PassInputData);
   //@}
 
   //@{
   /**
    * Whether conservative methods give their weights (port 1) and overlaps (port 2). Default off.
    */
-  vtkSetMacro(GenerateWeights, bool);
-  vtkGetMacro(GenerateWeights, bool);
-  vtkBooleanMacro(GenerateWeights, bool);
-  vtkSetMacro(GenerateOverlapMesh, bool);
-  vtkGetMacro(GenerateOverlapMesh, bool);
-  vtkBooleanMacro(GenerateOverlapMesh, bool);
+  vtkSkdTreeSwitchMacro(GenerateWeights);
+  vtkSkdTreeSwitchMacro(GenerateOverlapMesh);
   //@}
 
   enum WeightsFileFormatType
@@ -369,8 +344,7 @@ public:
     this->SetText(this->WeightsFileName, name);
   }
   VTK_FILEPATH const char* GetWeightsFileName() const { return this->WeightsFileName.c_str(); }
-  vtkSetClampMacro(WeightsFileFormat, int, ESMF, SCRIP);
-  vtkGetMacro(WeightsFileFormat, int);
+  vtkSkdTreeChoiceMacro(WeightsFileFormat, ESMF, SCRIP);
   //@}
 
 protected:

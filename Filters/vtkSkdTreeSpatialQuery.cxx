@@ -145,7 +145,7 @@ void ExtractTo(vtkDataObject* output, vtkDataObject* input, Extraction& extracti
 
 //------------------------------------------------------------------------------
 vtkSkdTreeSpatialQuery::vtkSkdTreeSpatialQuery()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { LIKE_INPUT, VTK_SELECTION, VTK_TABLE })
+  : vtkSkdTreeSearchAlgorithm(SourceUse::Optional, { LIKE_INPUT, VTK_SELECTION, VTK_TABLE })
   , Impl(new Internals)
 {
 }
@@ -379,7 +379,6 @@ void vtkSkdTreeSpatialQuery::PrintSelf(ostream& os, vtkIndent indent)
     this->BoxRotation, "UseReferenceBounds", this->UseReferenceBounds, "ReferenceBounds",
     this->ReferenceBounds, "SphereCenter", this->SphereCenter, "SphereRadius", this->SphereRadius,
     "PlaneOrigin", this->PlaneOrigin, "PlaneNormal", this->PlaneNormal, "LinePoint1",
-    this->LinePoint1, "LinePoint2", this->LinePoint2, "Tolerance", this->Tolerance, "Epsilon",
-    this->Epsilon);
+    this->LinePoint1, "LinePoint2", this->LinePoint2, "Tolerance", this->Tolerance);
 }
 VTK_ABI_NAMESPACE_END

@@ -86,18 +86,18 @@
 #define vtkSkdTreeSpatialQuery_h
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
-#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
-#include "vtkSkdTreeSourceAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSearchAlgorithm.h"
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSpatialQuery : public vtkSkdTreeSourceAlgorithm
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSpatialQuery : public vtkSkdTreeSearchAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSkdTreeSpatialQuery, vtkSkdTreeSourceAlgorithm);
+  vtkTypeMacro(vtkSkdTreeSpatialQuery, vtkSkdTreeSearchAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeSpatialQuery* New();
 
@@ -243,13 +243,6 @@ public:
   vtkSkdTreeWithinMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   //@}
 
-  //@{
-  /**
-   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
-   */
-  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
-  //@}
-
 protected:
   vtkSkdTreeSpatialQuery();
   ~vtkSkdTreeSpatialQuery() override;
@@ -276,7 +269,6 @@ protected:
   double LinePoint1[3] = { 0.0, 0.0, 0.0 };
   double LinePoint2[3] = { 1.0, 0.0, 0.0 };
   double Tolerance = 0.0;
-  double Epsilon = 1e-9;
 
 private:
   vtkSkdTreeSpatialQuery(const vtkSkdTreeSpatialQuery&) = delete;

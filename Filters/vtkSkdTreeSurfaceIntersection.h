@@ -157,7 +157,7 @@ public:
   //@{
   /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
-   * its surface, Input or Source: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
+   * its surface, Input or Source: see vtkSkdTreeFacetAlgorithm::SetChordalDeviation. Default 1e-4.
    */
   vtkSkdTreeWithinMacro(ChordalDeviation, double, 1e-7, 1.0);
   //@}

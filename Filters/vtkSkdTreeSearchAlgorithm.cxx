@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeSearchAlgorithm.h"
+
+#include "Pipeline/SkdPrint.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+void vtkSkdTreeSearchAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  SkdPrint(os, indent, "Epsilon", this->Epsilon);
+}
+VTK_ABI_NAMESPACE_END
