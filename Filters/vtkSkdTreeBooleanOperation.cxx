@@ -61,6 +61,8 @@ public:
   /// operation counts solids, the blocks if there are several, else the pieces.
   void FindSolids(const SkdBooleanBlocks& blocks, bool areInputs);
 
+  void WarnOfNoFaces(Filter* self, const SkdBooleanBlocks& blocks) const;
+
   /// Whether all surfaces have an inside; else an error tells which one has not. The Source may be
   /// open (a sheet) in operations that have a use for it.
   bool AreClosed(Filter* self) const;
@@ -157,6 +159,28 @@ void vtkSkdTreeBooleanOperation::Internals::FindSolids(
     this->AreInputs = areInputs;
     this->Windings.clear();
     this->BadEdges = SkdFindBadEdges(this->Arrangement.Facets, this->Solids.Of, this->Solids.Count);
+  }
+}
+
+void vtkSkdTreeBooleanOperation::Internals::WarnOfNoFaces(
+  Filter* self, const SkdBooleanBlocks& blocks) const
+{
+  for (const bool isSource : { false, true })
+  {
+    const auto isOfInput = [&](int block) { return (block >= blocks.FirstOfSource) == isSource; };
+    bool hasCells = false;
+    for (int block = 0; block < static_cast<int>(blocks.All.size()); ++block)
+    {
+      hasCells = hasCells || (isOfInput(block) && blocks.All[block].Mesh->GetNumberOfCells() > 0);
+    }
+    const auto& cells = this->Set.GetCells();
+    const bool hasFaces = std::any_of(cells.begin(), cells.end(),
+      [&](const SkdTriangleSet::Cell& cell) { return isOfInput(cell.Block); });
+    if (hasCells && !hasFaces)
+    {
+      vtkWarningWithObjectMacro(
+        self, << (isSource ? "Source" : "Input") << " has no faces; it is taken as empty.");
+    }
   }
 }
 
@@ -317,6 +341,7 @@ int vtkSkdTreeBooleanOperation::RequestData(
   }
   this->UpdateProgress(0.8);
   SkdWarnAboutCoarseFaces(this, own.Set.GetNumberOfCoarseFaces(), this->ChordalDeviation);
+  own.WarnOfNoFaces(this, blocks);
   own.FindSolids(blocks, source && this->Operation != AT_LEAST);
   if (this->Operation != IMPRINT && !own.AreClosed(this))
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boolean/SkdOverlaps.h"
 
+#include "Core/Predicates/ExactPoint.h"
 #include "Core/Predicates/Orient3D.h"
 
 #include <algorithm>
@@ -70,27 +71,65 @@ private:
     }
   }
 
+  /// No piece crosses a side of the overlap, so its centroid decides, unless rounding could matter.
   bool IsInside(const Corners& piece, std::size_t pair, int axis) const
   {
-    const int count = this->Pairs[pair].Contact.Count;
-    bool isLeft = false;
-    bool isRight = false;
-    for (const std::uint32_t corner : piece)
+    std::array<std::uint32_t, 3> points;
+    skd::Vector3 centroid{ { 0.0, 0.0, 0.0 } };
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      const std::uint32_t point = this->PointAt(corner);
-      if (point == None)
+      points[i] = this->PointAt(piece[i]);
+      if (points[i] == None)
       {
         return false;
       }
-      for (int i = 0; i < count; ++i)
-      {
-        const int side = this->Points.Orient(this->Contacts.GetPoint(pair, i),
-          this->Contacts.GetPoint(pair, (i + 1) % count), point, axis);
-        isLeft = isLeft || side > 0;
-        isRight = isRight || side < 0;
-      }
+      centroid = centroid + (1.0 / 3.0) * this->Points.GetPosition(points[i]);
     }
-    return !(isLeft && isRight);
+    const double error = 2.0 * this->Points.GetError();
+    const auto sureSide = [&](std::uint32_t a, std::uint32_t b)
+    {
+      return skd::FilteredOrient2D(
+        this->Points.GetPosition(a), this->Points.GetPosition(b), centroid, axis, error);
+    };
+    Sides sides;
+    const bool isSure = this->AddSides(pair, sureSide, sides);
+    if (isSure || sides.AreBoth())
+    {
+      return !sides.AreBoth();
+    }
+    for (const std::uint32_t point : points)
+    {
+      this->AddSides(
+        pair,
+        [&](std::uint32_t a, std::uint32_t b)
+        { return point == a || point == b ? 0 : this->Points.Orient(a, b, point, axis); },
+        sides);
+    }
+    return !sides.AreBoth();
+  }
+
+  struct Sides
+  {
+    bool IsLeft = false;
+    bool IsRight = false;
+    bool AreBoth() const { return this->IsLeft && this->IsRight; }
+  };
+
+  /// On which sides of the sides of an overlap something is. Returns whether it is on none of them.
+  template <class SideOf>
+  bool AddSides(std::size_t pair, const SideOf& sideOf, Sides& sides) const
+  {
+    const int count = this->Pairs[pair].Contact.Count;
+    bool isOff = true;
+    for (int i = 0; i < count && !sides.AreBoth(); ++i)
+    {
+      const int side = sideOf(this->Points.Find(this->Contacts.GetPoint(pair, i)),
+        this->Points.Find(this->Contacts.GetPoint(pair, (i + 1) % count)));
+      sides.IsLeft = sides.IsLeft || side > 0;
+      sides.IsRight = sides.IsRight || side < 0;
+      isOff = isOff && side != 0;
+    }
+    return isOff;
   }
 
   /// A point of the contacts, or None.

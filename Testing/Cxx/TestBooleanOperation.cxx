@@ -469,6 +469,25 @@ TEST(BooleanOperation, KeepsWhatIsFoundWhileInputsAreUnchanged)
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
 }
 
+TEST(BooleanOperation, InputsWithoutFacesAreEmpty)
+{
+  auto cube = Cube(2, { 0, 0, 0 });
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, MakePolyData(Helix(5, VTK_LINE)));
+  filter->SetSourceData(cube);
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_EQ(events.Warning.find("Input has no faces") == std::string::npos, false);
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 6);
+  vtkNew<vtkPolyData> nothing;
+  filter->SetInputDataObject(0, nothing);
+  filter->SetOperationToIntersection();
+  filter->Update();
+  EXPECT_EQ(events.Warnings + events.Errors, 1); // no more
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
+}
+
 TEST(BooleanOperation, OpenSurfacesAreAnError)
 {
   vtkNew<Filter> filter;
