@@ -84,7 +84,7 @@ public:
   //@{
   /**
    * The largest number of bisections of triangles a direction. When it is reached before the
-   * tolerance is, there is a warning, and HausdorffUpperBound tells what is known. About 0.4
+   * tolerance is, there is a warning, and HausdorffUpperBound states what is known. About 0.4
    * kilobytes of memory each at most. Default 10 million.
    */
   vtkSkdTreeWithinMacro(MaximumBisections, int, 0, 1000000000);
@@ -94,7 +94,7 @@ public:
   /**
    * The distance of the places at which means and quantiles are taken, relative to the diagonal of
    * the bounds of both inputs: each triangle is divided into equal ones whose edges are no longer,
-   * and asked at their centroids. With more than 16 million it grows. Default 0.01.
+   * and evaluated at their centroids. With more than 16 million it grows. Default 0.01.
    */
   vtkSkdTreeWithinMacro(SampleSpacing, double, 1e-6, 1.0);
   //@}

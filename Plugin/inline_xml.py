@@ -22,7 +22,7 @@ ARRAY = re.compile(rb'<(DataArray|Array)\b[^>]*\bformat="appended"[^>]*>')
 
 
 class Appended:
-    """What stands behind the XML: arrays at offsets, each with a header that tells its sizes."""
+    """What stands behind the XML: arrays at offsets, each with a header of its sizes."""
 
     def __init__(self, root, encoding, text):
         self.is_raw = encoding == b"raw"

@@ -32,8 +32,8 @@ class SkdDistanceSamples
 {
 public:
   /// Each triangle is divided into n * n of its shape, n the least for which edges are no longer
-  /// than the spacing (a length), and asked at their centroids: an error of the second order. With
-  /// more than 16 million samples the spacing grows. Of points, each is a sample of weight 1.
+  /// than the spacing (a length), and evaluated at their centroids: an error of the second order.
+  /// With more than 16 million samples the spacing grows. Of points, each is a sample of weight 1.
   bool Add(const SkdComparedSet& from, const SkdComparedSet& to, double spacing, SkdLoop& loop);
 
   /// Appends those of another.

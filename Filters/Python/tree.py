@@ -222,7 +222,7 @@ class Tree:
             out: Optional[Closest] = None) -> Closest:
         """The nearest point of the mesh to each point, at a distance of at most maximum."""
         at = to_vtk(to_rows(points, "points", 3))
-        return self._ask(Closest, out, lambda point, distance, cell: (
+        return self._run(Closest, out, lambda point, distance, cell: (
             self.locator.FindClosestPoints(at, cell, point, distance, _length(maximum, "maximum"))))
 
     def k_nearest(self, points: ArrayLike, k: int, maximum: float = INFINITY,
@@ -231,7 +231,7 @@ class Tree:
         at = to_vtk(to_rows(points, "points", 3))
         if k < 1:
             raise ValueError(f"k is {k}, at least 1 is needed")
-        found = self._ask(Nearest, out, lambda distance, cell: (
+        found = self._run(Nearest, out, lambda distance, cell: (
             self.locator.FindClosestNCells(at, k, cell, distance, _length(maximum, "maximum"))))
         return found if found.cell.ndim == 2 else Nearest(*(a.reshape(-1, k) for a in found))
 
@@ -244,7 +244,7 @@ class Tree:
         spheres = numpy.empty((len(at), 4))
         spheres[:, :3] = at
         spheres[:, 3] = radii
-        return self._ask(NearLists, None, lambda offsets, cell, distance: (
+        return self._run(NearLists, None, lambda offsets, cell, distance: (
             self.locator.FindCellsWithinSpheres(to_vtk(spheres), offsets, cell, distance)))
 
     # Lines
@@ -273,9 +273,9 @@ class Tree:
         limit = _length(maximum, "maximum")
         start, along = to_vtk(start), to_vtk(along)
         if all_hits:
-            return self._ask(RayHitLists, _none(out), lambda offsets, cell, distance, point: (
+            return self._run(RayHitLists, _none(out), lambda offsets, cell, distance, point: (
                 self.locator.FindAllRayHits(start, along, offsets, cell, distance, point, limit)))
-        return self._ask(RayHits, out, lambda cell, distance, point: (
+        return self._run(RayHits, out, lambda cell, distance, point: (
             self.locator.IntersectWithRays(start, along, cell, distance, point, limit)))
 
     @overload
@@ -291,27 +291,20 @@ class Tree:
         """The first hit of each segment from starts to ends, or all hits. Without ends, starts holds
         both, with the shape (n, 2, 3) or (n, 6)."""
         if ends is None:
-            return self._lines(starts, all_hits, out)
-        start, end = to_rows(starts, "starts", 3), to_rows(ends, "ends", 3)
-        if len(start) != len(end):
-            raise ValueError(f"starts has {len(start)} rows, but ends has {len(end)}")
-        start, end = to_vtk(start), to_vtk(end)
+            queries: tuple[Any, ...] = (to_vtk(_lines(starts)), )
+            find_all, find_first = self.locator.FindAllHits, self.locator.IntersectWithLines
+        else:
+            start, end = to_rows(starts, "starts", 3), to_rows(ends, "ends", 3)
+            if len(start) != len(end):
+                raise ValueError(f"starts has {len(start)} rows, but ends has {len(end)}")
+            queries = (to_vtk(start), to_vtk(end))
+            find_all = self.locator.FindAllSegmentHits
+            find_first = self.locator.IntersectWithSegments
         if all_hits:
-            return self._ask(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
-                self.locator.FindAllSegmentHits(start, end, offsets, cell, parameter, point)))
-        return self._ask(SegmentHits, out, lambda cell, parameter, point: (
-            self.locator.IntersectWithSegments(start, end, cell, parameter, point)))
-
-    def _lines(self, ends: ArrayLike, all_hits: bool, out: Optional[SegmentHits]) -> Any:
-        """segments() with both ends in one array."""
-        both = to_numbers(ends, "starts")
-        both = both.reshape(-1, 6) if both.shape[1:] == (2, 3) else both
-        lines = to_vtk(to_rows(both, "starts", 6, " without ends, or (n, 2, 3)"))
-        if all_hits:
-            return self._ask(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
-                self.locator.FindAllHits(lines, offsets, cell, parameter, point)))
-        return self._ask(SegmentHits, out, lambda cell, parameter, point: (
-            self.locator.IntersectWithLines(lines, cell, parameter, point)))
+            return self._run(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
+                find_all(*queries, offsets, cell, parameter, point)))
+        return self._run(SegmentHits, out, lambda cell, parameter, point: (
+            find_first(*queries, cell, parameter, point)))
 
     # Cells at places
 
@@ -322,7 +315,7 @@ class Tree:
         the interpolated ones are (v[found.point_ids] * found.weights).sum(1)."""
         at = to_vtk(to_rows(points, "points", 3))
         reach2 = _length(tolerance, "tolerance")**2
-        found = self._ask(Cells, out, lambda cell, pcoords, point_ids, weights: (
+        found = self._run(Cells, out, lambda cell, pcoords, point_ids, weights: (
             self.locator.FindCellsAndWeights(at, cell, pcoords, point_ids, weights, reach2)))
         rows = (len(found.cell), -1 if len(found.cell) else 1)  # where all cells are points, too
         return Cells(*found[:2], *(array.reshape(rows) for array in found[2:]))
@@ -355,7 +348,7 @@ class Tree:
         if given.shape[1:] == (2, 3):
             given = given.transpose(0, 2, 1).reshape(-1, 6)
         bounds = to_vtk(to_rows(given, "boxes", 6, ", or (n, 2, 3)"))
-        return self._ask(CellLists, None, lambda offsets, cell: (
+        return self._run(CellLists, None, lambda offsets, cell: (
             self.locator.FindCellsWithinBoxes(bounds, offsets, cell)))
 
     def pairs(self, other: Any) -> CellLists:
@@ -363,7 +356,7 @@ class Tree:
         bounds overlap its own."""
         if not isinstance(other, Tree):
             other = Tree(other)
-        return self._ask(CellLists, None, lambda offsets, cell: (
+        return self._run(CellLists, None, lambda offsets, cell: (
             self.locator.FindPairs(other.locator, offsets, cell)))
 
     # Inside or outside
@@ -416,7 +409,7 @@ class Tree:
                 raise RuntimeError(text)
             warnings.warn(text, RuntimeWarning, stacklevel=4)
 
-    def _ask(self, kind: Any, out: Any, batch: Any) -> Any:
+    def _run(self, kind: Any, out: Any, batch: Any) -> Any:
         """Calls batch with one VTK array per field of a kind of result, and returns the result."""
         if out is None:
             arrays = [vtkIdTypeArray() if name in _IDS else vtkDoubleArray() for name in kind._fields]
@@ -438,8 +431,8 @@ class Tree:
     def _filter(self, kind: Any, points: ArrayLike, names: list[str],
             source: Optional[vtkDataSet] = None, **properties: Any) -> list[Any]:
         """Point arrays of the output of a filter for points. Filters are kept, with their trees."""
-        asked = vtkPolyData()
-        asked.SetPoints(_vtk_points(to_rows(points, "points", 3)))
+        queries = vtkPolyData()
+        queries.SetPoints(_vtk_points(to_rows(points, "points", 3)))
         key = (kind, properties.get("Method"))
         if key not in self._filters:
             self._filters[key] = self._heard(kind())
@@ -447,17 +440,24 @@ class Tree:
         made.SetSourceData(self.mesh if source is None else source)
         for name, value in properties.items():
             getattr(made, "Set" + name)(value)
-        made.SetInputData(asked)
+        made.SetInputData(queries)
         made.Update()
         output = made.GetOutputDataObject(0)
         answers = [vtk_to_numpy(output.GetPointData().GetArray(name)) for name in names]
-        output.Initialize()  # releases what was not asked for
+        output.Initialize()  # releases all other arrays
         made.SetInputData(vtkPolyData())
         self._raise()
         return answers
 
 
 _IDS = {"cell", "offsets", "point_ids"}
+
+
+def _lines(ends: Any) -> numpy.ndarray:
+    """Both ends of lines, of the shape (n, 2, 3) or (n, 6), with the shape (n, 6)."""
+    both = to_numbers(ends, "starts")
+    both = both.reshape(-1, 6) if both.shape[1:] == (2, 3) else both
+    return to_rows(both, "starts", 6, " without ends, or (n, 2, 3)")
 
 
 def _length(value: Any, name: str) -> float:

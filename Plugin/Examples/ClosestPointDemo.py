@@ -20,12 +20,12 @@ from paraview import servermanager, simple
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 
-COLUMNS = ("asked", "source", "points", "cells", "build s", "queries s", "us/point", "from", "to")
+COLUMNS = ("queries", "source", "points", "cells", "build s", "queries s", "us/point", "from", "to")
 REACH = 6000  # colours and level lines end at this distance
 
 
 class ProgressBar:
-    """What the server tells of its progress, as a bar in the terminal (in a file, its end only)."""
+    """The server's progress, as a bar in the terminal (in a file, its end only)."""
 
     WIDTH = 40
 
@@ -77,7 +77,7 @@ def grid_around(surface, resolution):
     return grid
 
 
-def ask(what, points, source_name, source):
+def query(what, points, source_name, source):
     """The filter on points and source, computed under a progress bar, and its row of the table."""
     closest = simple.SkdTreeClosestPoint(Input=points, Source=source, SignedDistance=1)
     with ProgressBar(f"{what} to {source_name}"):
@@ -180,15 +180,15 @@ def main():
     if options.server:
         host, port = options.server.rsplit(":", 1)
         if not simple.Connect(host, int(port)):
-            sys.exit(f"No server answers at {options.server}")
+            sys.exit(f"No server responds at {options.server}")
     surface = read(options.data, "fly_brain_neuropil.vtp")
     region = read(options.data, "fly_brain_lateral_horn.vtp")
     neuron = read(options.data, "fly_brain_neuron.vtp")
     grid = grid_around(surface, options.resolution)
 
-    field, field_row = ask("grid", grid, "brain surface", surface)
-    depth, depth_row = ask("neuron", neuron, "brain surface", surface)
-    _, region_row = ask("neuron", neuron, "lateral horn", region)
+    field, field_row = query("grid", grid, "brain surface", surface)
+    depth, depth_row = query("neuron", neuron, "brain surface", surface)
+    _, region_row = query("neuron", neuron, "lateral horn", region)
 
     where = options.server or "this process"
     print(f"\nAnswered by {where}, {servermanager.vtkSMProxyManager.GetVersionMajor()}."

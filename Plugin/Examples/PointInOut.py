@@ -3,7 +3,7 @@
 """Which region of a brain a voxel is in.
 
 The parts are scanned surfaces, one within the other: a fruit fly's brain and one of its regions, the
-lateral horn. The voxels of a grid are asked by their centres: they are outside (depth 0), in the brain
+lateral horn. The voxels of a grid are classified by their centres: they are outside (depth 0), in the brain
 (1) or in the lateral horn, too (2).
 
 Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):

@@ -28,16 +28,16 @@ coarser = simple.SkdTreeRemap(Input=coarse, Source=means, Method="Conservative F
 coarser.UpdatePipeline()
 
 
-def told(proxy, name):
+def reported(proxy, name):
     return proxy.FieldData["SkdReport" + name].GetRange()[0]
 
 
 print("%d triangles, %d of them without a height" % (
-    told(means, "InputCells"), told(means, "InputCellsEmpty")))
+    reported(means, "InputCells"), reported(means, "InputCellsEmpty")))
 area = 4 * 3.141592653589793
 print("mean height of the fine sphere %.2f m, of the coarse one %.2f m" % (
-    told(coarser, "SourceIntegral") / area, told(coarser, "TargetIntegral") / area))
-print("conservation error below 1e-13: %s" % (told(coarser, "ConservationError") < 1e-13))
+    reported(coarser, "SourceIntegral") / area, reported(coarser, "TargetIntegral") / area))
+print("conservation error below 1e-13: %s" % (reported(coarser, "ConservationError") < 1e-13))
 
 view = simple.CreateRenderView(ViewSize=[1100, 600], OrientationAxesVisibility=0,
     UseColorPaletteForBackground=0, Background=[1, 1, 1])

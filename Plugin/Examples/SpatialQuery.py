@@ -4,7 +4,7 @@
 
 The mesh has hexahedra around a disk. Found in it are, from below: the cells that a turned box overlaps
 (orange), those that a sphere encloses (blue), those along a line (green), and of those farther up the
-forty that are nearest to a point outside (red). A mesh is searched by one tree, whatever is asked.
+forty that are nearest to a point outside (red). A mesh is searched by one tree, whatever the query.
 
 Run by pvpython, with the plugin SkdTree loaded (by PV_PLUGIN_PATH, say):
     pvpython SpatialQuery.py Data/disk_flow.vtu picture.png

@@ -23,7 +23,7 @@ namespace
 using Locator = vtkSkdTreeCellLocator;
 using Numbers = vtkSmartPointer<vtkDoubleArray>;
 
-/// The arrays that answers go to; each batch fills those that it has.
+/// The arrays that results go to; each batch fills those that it has.
 struct Answers
 {
   vtkNew<vtkIdTypeArray> Offsets;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// skdtree_grid_benchmark surface [level ...]: vtkSkdTreeAMR around a surface, tree and output and
-/// all, beside recursion from the same base cells that asks vtkStaticCellLocator's
+/// all, beside recursion from the same base cells by vtkStaticCellLocator's
 /// FindCellsWithinBounds for each box: boxes that cells' bounds meet are divided by eight. (It
 /// tests nothing exactly, and makes no output.) Prints a table of processor seconds of one thread;
 /// ours are medians of three, the other's are of one run.

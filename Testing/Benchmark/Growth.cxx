@@ -12,7 +12,7 @@ namespace skdbench
 namespace
 {
 
-/// What cannot be asked.
+/// Queries that are not supported.
 class Nothing : public Structure
 {
 public:

@@ -5,10 +5,10 @@
 /// VTK's filter and, where it is found, CGAL. A half of the points is anywhere near the bounds, the
 /// other close to the surface. Prints a table of processor microseconds a point, searching
 /// structures and all (medians of runs that take turns), of how many times the time of axis rays
-/// that is, and of the answers that are not those of CGAL, or without it of random rays, at points
-/// that are farther from the surface than rounding. VTK is asked for 200 thousand of them at most.
+/// that is, and of the results that are not those of CGAL, or without it of random rays, at points
+/// that are farther from the surface than rounding. VTK gets 200 thousand of them at most.
 /// With
-/// --answers everyone but VTK is asked once, for the sake of the last column.
+/// --answers all but VTK run once, for the sake of the last column.
 #include "InOut.h"
 #include "ProcessorTime.h"
 
@@ -48,7 +48,7 @@ struct Contender
 {
   const char* Name;
   std::function<Sides(vtkDataSet*, vtkPolyData*)> Ask;
-  std::size_t Most; // points that it is asked for
+  std::size_t Most; // points that it gets
   Sides Answers = {};
   std::vector<double> Seconds = {};
 };
@@ -111,7 +111,7 @@ std::vector<Point> MakePointsNear(vtkPolyData* surface, int count)
   return points;
 }
 
-/// The points whose answer may be either.
+/// The points whose result may be either.
 std::vector<bool> AtSurface(vtkDataSet* points, vtkPolyData* surface)
 {
   Bounds box;

@@ -28,7 +28,8 @@ std::vector<Kind> AllKinds()
 
 double LineTolerance(vtkDataSet* data)
 {
-  // Not zero: with zero vtkTriangle asks its own hit to lie exactly in its plane and loses most.
+  // Not zero: with zero vtkTriangle requires its own hit to lie exactly in its plane and loses
+  // most.
   return 1e-8 * data->GetLength();
 }
 

@@ -4,7 +4,7 @@
  * @file LocatorStructure.h
  * @brief any vtkAbstractCellLocator as a Structure
  *
- * Every locator is asked by the same short forms of vtkAbstractCellLocator, with its own default
+ * Every locator is called by the same short forms of vtkAbstractCellLocator, with its own default
  * settings. The one form that VTK's versions declare in different places, all hits of a line, is
  * behind AllHits.
  */

@@ -23,7 +23,7 @@ namespace skdbench
 struct Cost
 {
   std::optional<double> Value; // median, in the row's unit; none: it cannot do this work
-  int Compared = 0;            // answers that the referee saw
+  int Compared = 0;            // results that the referee saw
   int Wrong = 0;
 };
 

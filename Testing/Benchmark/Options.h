@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Options.h
- * @brief what the command line asks for
+ * @brief the options of the command line
  */
 #ifndef skdbench_Options_h
 #define skdbench_Options_h
@@ -28,7 +28,7 @@ struct Options
   int Repetitions = 5;
   double Seconds = 0.05; // a repetition lasts at least
   int Queries = 4096;
-  int Checks = 300;          // answers compared for each kind of work
+  int Checks = 300;          // results compared for each kind of work
   double CheckSeconds = 2.0; // for each kind of work at most
   double SlowBuild = 4.0;    // seconds: a build that takes longer is timed once
   int Threads = 1;
@@ -41,7 +41,7 @@ struct Options
   std::vector<std::string> Files;
 };
 
-/// None when the command line is wrong or asks for help: both are told on the console.
+/// None when the command line is wrong or requests help: both are printed on the console.
 std::optional<Options> ParseOptions(int argc, char* argv[]);
 
 /// Whether a name passes a filter.

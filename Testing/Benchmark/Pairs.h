@@ -27,7 +27,7 @@ class PairFinder
 public:
   virtual ~PairFinder() = default;
 
-  /// Builds what is there before pairs of boxes are asked for; nothing for those without trees.
+  /// Builds what is there before pairs of boxes are searched; nothing for those without trees.
   virtual bool Build(vtkDataSet* first, vtkDataSet* second) = 0;
 
   /// Finds the pairs of cells whose boxes overlap, and keeps them in its own way: then they are

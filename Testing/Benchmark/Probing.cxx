@@ -24,7 +24,7 @@ using namespace skdtest;
 
 namespace
 {
-/// The data set that has the answers.
+/// The data set that has the results.
 using ProbeAnswer = std::function<vtkDataSet*(vtkDataSet* points, vtkDataSet* source)>;
 
 struct Contender

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file QueryKind.h
- * @brief queries of a search structure, and their answers
+ * @brief queries of a search structure, and their results
  */
 #ifndef skdbench_QueryKind_h
 #define skdbench_QueryKind_h
@@ -41,7 +41,7 @@ struct Query
   double Radius = 0.0;
 };
 
-/// One answer. A structure that lists cells keeps the list: it is valid until the next query.
+/// One result. A structure that lists cells keeps the list: it is valid until the next query.
 struct Answer
 {
   vtkIdType Cell = -1;

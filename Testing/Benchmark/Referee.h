@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Referee.h
- * @brief compares the answers of all structures to one query, and reports wrong ones
+ * @brief compares the results of all structures for one query, and reports wrong ones
  *
  * No structure is trusted. An answer counts when the cell that it names bears it out, by VTK's own
  * test of that one cell; the best that counts is the truth, and who says otherwise is wrong. An
  * answer within rounding of the truth is right, and so is the truth itself only known to within the
- * rounding of who told it.
+ * rounding of the structure.
  */
 #ifndef skdbench_Referee_h
 #define skdbench_Referee_h

@@ -25,7 +25,7 @@ struct Scene
 
 enum class Size
 {
-  Tiny,  // seconds in all, to see that everything answers
+  Tiny,  // seconds in all, to see that everything runs
   Usual, // in and out of cache
   Large  // a million cells each
 };

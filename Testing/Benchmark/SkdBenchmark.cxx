@@ -53,7 +53,7 @@ std::vector<Scene> ChosenScenes(const Options& options)
   return scenes;
 }
 
-/// The console, and the file if one is asked for.
+/// The console, and the file if one is given.
 void Show(const Options& options, const std::string& text, bool first = false)
 {
   std::cout << text << std::flush;

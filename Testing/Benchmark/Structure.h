@@ -54,7 +54,7 @@ struct Kind
   Family Of;
   std::function<std::unique_ptr<Structure>()> Make;
   bool ForMillions = true;  // ten million cells are built in seconds
-  double MostCells = 1e300; // that are asked of it where sizes grow: its memory per cell is large
+  double MostCells = 1e300; // at most, where sizes grow: its memory per cell is large
 };
 
 /// The skD-tree first, then VTK's locators, then whatever else was found at configure time.

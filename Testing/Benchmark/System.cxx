@@ -81,7 +81,7 @@ double TimeOf(void (*factor)(Matrix&))
   return least;
 }
 
-/// No VTK tells how it was compiled, so one of its loops is raced: 1.3 times ours where it is
+/// No VTK reports how it was compiled, so one of its loops is raced: 1.3 times ours where it is
 /// optimised, 7 times where it is not.
 bool IsVtkOptimised()
 {

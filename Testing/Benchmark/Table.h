@@ -20,7 +20,7 @@ void PrintHeader(std::ostream& out, const Options& options);
 /// One data set: absolute costs of the skD-tree, all others as multiples of it.
 void PrintScene(std::ostream& out, const SceneResult& result, const std::vector<Kind>& kinds);
 
-/// Where the skD-tree is slower than the best of VTK, and who answered wrongly how often.
+/// Where the skD-tree is slower than the best of VTK, and which was wrong how often.
 void PrintSummary(std::ostream& out, const Results& results);
 
 /// A table for each kind, a row for each size.
@@ -29,7 +29,7 @@ void PrintGrowth(std::ostream& out, const Results& growth);
 /// Every number, one a line, after a line that names the columns.
 void PrintCsv(std::ostream& out, const std::vector<Results>& all);
 
-/// The answers of the skD-tree that the referee found wrong.
+/// The results of the skD-tree that the referee found wrong.
 int CountOurErrors(const Results& results);
 
 }

@@ -30,7 +30,7 @@ struct Task
 /// Median nanoseconds a run of each task; the repetitions of the tasks take turns.
 std::vector<double> MedianNanoseconds(const std::vector<Task>& tasks, const Options& options);
 
-/// Bytes on this process's heap, where the system tells.
+/// Bytes on this process's heap, where the system reports them.
 std::optional<double> BytesOnHeap();
 
 }

@@ -8,7 +8,7 @@ deviation), so the thresholds are chosen for about as many leaves. Then vtkSkdTr
 of triangles, and Resample on the points of the same sphere, where any point is in a cell. Processor
 seconds of all that an update takes, trees too; medians of five, the two in turn.
 
-Of files it tells how many more leaves the blind test makes than the exact one, at levels 5 to 8.
+Of files it prints how many more leaves the blind test makes than the exact one, at levels 5 to 8.
 
 Run by pvpython with the plugins SkdTree and HyperTreeGridADR (by PV_PLUGIN_PATH, say):
     amr_speed.py [surface ...]
@@ -24,7 +24,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 
 def resample(source, **properties):
-    blocks = simple.GroupDatasets(Input=[source])  # asked directly, it wants blocks
+    blocks = simple.GroupDatasets(Input=[source])  # called directly, it needs blocks
     return servermanager.filters.ResampleToHyperTreeGrid(Input=blocks, **properties)
 
 

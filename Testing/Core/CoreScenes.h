@@ -141,7 +141,7 @@ skd::Box<D> Around(const Boxes<D>& boxes)
                           : bounds.Inflated(size > 0.0 ? 0.5 * size : 1.0);
 }
 
-/// Boxes in about [-1, 1], as many as asked, by a rule for the i-th of n.
+/// Boxes in about [-1, 1], n of them, by a rule for the i-th.
 template <int D, class Rule>
 Boxes<D> Generate(std::size_t n, Rule rule)
 {
@@ -181,7 +181,7 @@ Boxes<D> EqualBoxes(std::size_t n)
   return Boxes<D>(n, BoxAround(Filled<D>(0.25), Filled<D>(0.5)));
 }
 
-/// Nested about one centre: no median tells them apart.
+/// Nested about one centre: no median separates them.
 template <int D>
 Boxes<D> NestedBoxes(std::size_t n)
 {
@@ -322,7 +322,7 @@ std::vector<Scene<D>> AllScenes(std::size_t n, bool withUnsquarable)
   return scenes;
 }
 
-/// Points to ask about: around and inside, at corners and in boxes, at the middle, and far away.
+/// Query points: around and inside, at corners and in boxes, at the middle, and far away.
 template <int D>
 std::vector<skd::Vector<D>> QueryPoints(const Boxes<D>& boxes)
 {

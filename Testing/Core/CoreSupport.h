@@ -176,8 +176,8 @@ inline void ExpectReached(const Ids& reached, const Ids& must, const Ids& may)
                                 << " reached needlessly, one of them: " << needless.front();
 }
 
-/// Elements that a query reaches. `make(visitor)` gives the query; the visitor answers every
-/// element with `answer`: go on, or the limit.
+/// Elements that a query reaches. `make(visitor)` gives the query; the visitor returns `answer`
+/// for each: whether to go on, or the limit.
 template <class Answer, class Tree, class Make>
 Ids Reached(const Tree& tree, Answer answer, Make make)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What closest points and inverse maps are compared with: the same questions answered in long
+/// What closest points and inverse maps are compared with: the same computed in long
 /// double, by dense sampling and local descent, with no thought for speed.
 #ifndef coretest_GeometryReference_h
 #define coretest_GeometryReference_h

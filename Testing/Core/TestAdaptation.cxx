@@ -164,7 +164,7 @@ TEST(Adaptation, FixedBordersStay)
   EXPECT_LT(outcome.Rows[outcome.Best].Measure, outcome.Rows[0].Measure / 5.0);
 }
 
-// Noise asks for what no mesh can do: it must stay valid (Adapt looks), and the best is kept.
+// Noise needs what no mesh can do: it must stay valid (Adapt looks), and the best is kept.
 TEST(Adaptation, NoiseSpoilsNoCell)
 {
   std::mt19937 random(7);

@@ -17,7 +17,7 @@ using skd::Overlaps;
 using skd::Vector3;
 using Corners = std::vector<Vector3>;
 
-/// What a box leaves of a convex polygon (Sutherland and Hodgman), an independent way to tell.
+/// What a box leaves of a convex polygon (Sutherland and Hodgman), an independent method.
 Corners Clipped(Corners polygon, const Box3& box)
 {
   for (int side = 0; side < 6; ++side)

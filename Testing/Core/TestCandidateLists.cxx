@@ -31,7 +31,7 @@ skd::Box<D> Part(const skd::Box<D>& box, unsigned child)
   return part;
 }
 
-/// A family of boxes, each asked in full, and followed into a few of its parts.
+/// A family of boxes, each searched in full, and followed into a few of its parts.
 template <int D, class Tree>
 class Family
 {
@@ -88,7 +88,7 @@ TYPED_TEST(CandidateListsTest, WhatFailsTheTestIsNoCandidate)
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
   const skd::Tree<D> tree(InputOf(boxes, 8));
-  // The tree cannot tell a thin box from what its node holds: cut across a box of the set.
+  // The tree cannot exclude a thin box from what its node holds: cut across a box of the set.
   skd::Box<D> thin = tree.GetBounds();
   thin.Min = thin.Max = boxes[17].Centroid();
   const List all = skd::AllCandidates();

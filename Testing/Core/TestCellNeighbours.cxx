@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that fill space leave no gap: whatever point is asked for, on shared faces, edges and
+// Cells that fill space leave no gap: whatever the query point, on shared faces, edges and
 // corners too, one of them holds it to within the rounding of its coordinates.
 #include "GeometryReference.h"
 

@@ -195,7 +195,7 @@ TYPED_TEST(CoarseBinsTest, AnswerManyThreadsAtOnce)
       threads.emplace_back(
         [&, thread]
         {
-          Random random(static_cast<std::uint64_t>(thread / 2)); // two ask the same
+          Random random(static_cast<std::uint64_t>(thread / 2)); // two have the same queries
           for (int i = 0; i < 10; ++i)
           {
             const skd::Vector<D> q = random.Point<D>(-1.0, 1.0);

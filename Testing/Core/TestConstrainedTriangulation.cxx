@@ -107,7 +107,7 @@ TEST(ConstrainedTriangulation, BorderPointsComeInTurn)
   EXPECT_TRUE(HasEdge(edges, 3, 5) && HasEdge(edges, 6, 3));
 }
 
-TEST(ConstrainedTriangulation, APointThatIsThereIsTold)
+TEST(ConstrainedTriangulation, APointThatIsThereIsReported)
 {
   auto points = BigTriangle(12);
   points.push_back({ 3, 3 });

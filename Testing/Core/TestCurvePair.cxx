@@ -312,7 +312,7 @@ TEST(CurvePair, CrossingsAtSmallAnglesAreFoundWhereverTheCurveIsCut)
         coretest::Power(2, k / 8.0, slope, 0.0, 1); // also crosses at k / 8 - slope
       const std::size_t expected = k / 8.0 > slope ? 2 : 1;
       ASSERT_EQ(SolveBothWays(curve, Axis).size(), expected) << k << " with " << slope;
-      for (const double end : { 0.0, 1.0 }) // each part tells it
+      for (const double end : { 0.0, 1.0 }) // each part reports it
       {
         if (k / 8.0 != end)
         {

@@ -126,7 +126,7 @@ TEST(CurvePatch, ALineMeetsATorusInAFourfoldRoot)
 {
   const Found found = OnTorus(LineFrom({ { -2, 1, .25 } }, { { 1, 0, 0 } }, 4.3));
   ASSERT_EQ(found.T.size(), 1u);
-  EXPECT_NEAR(4.3 * found.T[0], 2.0, 1e-5); // the fourth root of rounding is what it can be told to
+  EXPECT_NEAR(4.3 * found.T[0], 2.0, 1e-5); // it is known to the fourth root of rounding
   EXPECT_EQ(found.Kinds[0], IntersectionKind::Touching);
 }
 
@@ -274,7 +274,7 @@ TEST(CurvePatch, RootsOfAnyOrderAreOnePosition)
   }
 }
 
-// A curve through a point of a patch at a given angle, wherever on both, is told to pass there.
+// A curve through a point of a patch at a given angle, wherever on both, is found to pass there.
 TEST(CurvePatch, NoCrossingAtASmallAngleIsLost)
 {
   std::mt19937 engine(1);

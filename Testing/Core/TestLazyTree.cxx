@@ -127,7 +127,7 @@ TYPED_TEST(LazyTreeTest, AnswersManyThreadsAtOnceAsATreeDoes)
   }
 }
 
-/// All threads ask the same of a tree not yet begun: they meet at every node.
+/// All threads run the same query on a tree not yet begun: they meet at every node.
 TYPED_TEST(LazyTreeTest, IsSplitOnceThoughAllThreadsWantTheSameNode)
 {
   constexpr int D = TypeParam::Value;

@@ -223,7 +223,7 @@ TEST_P(LeafFilters, NoHitIsMissed)
     }
   }
   EXPECT_GT(hits, 500);
-  if (GetParam().Smallness > 1e-9) // else they are about as small as the grid can tell apart
+  if (GetParam().Smallness > 1e-9) // else they are about as small as the grid resolves
   {
     EXPECT_LT(passed, 3000 * Width * 3 / 4);
   }

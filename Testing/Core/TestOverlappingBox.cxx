@@ -116,7 +116,7 @@ TYPED_TEST(OverlappingBoxTest, ReportsWhatOverlapsEachOnce)
   }
 }
 
-// Boxes that touch the query box, or miss it by less than a float can tell.
+// Boxes that touch the query box, or miss it by less than a float resolves.
 TYPED_TEST(OverlappingBoxTest, IsExactAtTheFacesOfTheBox)
 {
   constexpr int D = TypeParam::value;
@@ -156,7 +156,7 @@ TYPED_TEST(OverlappingBoxTest, OnlyALayerIsInDoubt)
   EXPECT_LE(doubtful, static_cast<int>(found) / 4 + 40);
 }
 
-TYPED_TEST(OverlappingBoxTest, EndsWhenToldSo)
+TYPED_TEST(OverlappingBoxTest, EndsWhenRequested)
 {
   constexpr int D = TypeParam::value;
   const auto boxes = this->RandomBoxes(1000, 0.1);

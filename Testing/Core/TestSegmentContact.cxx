@@ -77,7 +77,7 @@ TEST(SegmentContact, AgreesWithWholeNumbers)
   EXPECT_GT(counts[2], 500);
 }
 
-TEST(SegmentContact, EndsAreTold)
+TEST(SegmentContact, EndsAreReported)
 {
   const Vector3 corner{ { 23, 26, 0 } }; // on the line of the others
   const Vector3 a{ { 376, -316, 0 } };

@@ -36,7 +36,7 @@ Box3 Cube(double low, double high)
   return { { { low, low, low } }, { { high, high, high } } };
 }
 
-/// A box that is not known to be convex, so that all witnesses are asked.
+/// A box that is not known to be convex, so that all witnesses are tested.
 SimplexSet Plain(const Box3& box)
 {
   SimplexSet set = skd::MakeBox(box);

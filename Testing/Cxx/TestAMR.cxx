@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreeAMR: which cells there are, against recursion that asks every cell of the parts.
+// vtkSkdTreeAMR: which cells there are, against recursion that tests every cell of the parts.
 
 #include "Support/AMRRun.h"
 #include "Support/BoxReference.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreeAMR: input that has nothing, is not finite or asks too much; limits, aborts, kept
+// vtkSkdTreeAMR: input that has nothing, is not finite or needs too much; limits, aborts, kept
 // trees.
 
 #include "Support/AMRRun.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreeAMR: what else decides on the cells, and what it tells of them.
+// vtkSkdTreeAMR: the other criteria, and what it reports.
 
 #include "Support/AMRRun.h"
 #include "Support/BruteForce.h"
@@ -97,7 +97,7 @@ TEST(AMRCriteria, PartsHaveLevelsOfTheirOwn)
   filter->SetBalance(vtkSkdTreeAMR::CORNER);
   const std::vector<Leaf> close = RunLeaves(filter);
   ExpectBalanced(close, 3);
-  // The arrays are those of a run that is told to go as deep everywhere.
+  // The arrays are those of a run that refines as deep everywhere.
   const std::vector<double> candidates = CellArray(filter, "SkdCandidates");
   filter->RemoveAllPartLevels();
   filter->SetBalance(vtkSkdTreeAMR::NONE);

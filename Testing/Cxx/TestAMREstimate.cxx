@@ -91,7 +91,7 @@ TEST(AMREstimate, OfMemoryIsWithinAFactorOfTwo)
 }
 
 /// The progress text when the refinement begins.
-TEST(AMREstimate, IsToldBeforeItStarts)
+TEST(AMREstimate, IsReportedBeforeItStarts)
 {
   AMRPointer filter = MakeAMR(MakeTorus(), 6);
   std::vector<std::string> told;

@@ -139,7 +139,7 @@ InOut Combined(int operation, InOut a, InOut b)
   };
 }
 
-/// Where answers must agree: anywhere around both, and near middles of their faces.
+/// Where results must agree: anywhere around both, and near middles of their faces.
 std::vector<Point> MakeQueries(Random& random, const std::vector<const Mesh*>& solids)
 {
   std::vector<Point> queries;

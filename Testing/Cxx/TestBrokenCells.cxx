@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every type of cell in every filter and the locator, whole and harmed: no crash; cells that are
-// broken are named once, and the answers are those without them. SKDTREE_ALL_HARMS=all runs all
+// broken are named once, and the results are those without them. SKDTREE_ALL_HARMS=all runs all
 // combinations, or those of one type by its number; by default each filter gets a part of 32.
 
 #include "Support/EventCounter.h"

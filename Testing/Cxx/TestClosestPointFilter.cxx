@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreeClosestPoint: what it answers, of any data set and of composite ones.
+// vtkSkdTreeClosestPoint: its results, of any data set and of composite ones.
 
 #include "Support/BruteForce.h"
 #include "Support/ClosestPointRun.h"

@@ -278,7 +278,7 @@ TEST(CompareSurfaces, BlocksAreOneSurface)
   EXPECT_EQ(Reported(parts, "TreesBuilt"), 0);
 }
 
-TEST(CompareSurfaces, ALimitOfBisectionsIsToldWithWhatIsKnown)
+TEST(CompareSurfaces, ALimitOfBisectionsIsReportedWithWhatIsKnown)
 {
   auto filter =
     MakeFilter(MakePolyData(TorusTriangles(9, 6)), Turned(TorusTriangles(9, 6), 0.3, 0.1));

@@ -107,7 +107,8 @@ TEST(CurveCandidates, EachIntersectionIsInARegionThatCountsIt)
   }
 }
 
-// Two waves that come near, but do not meet: with a clearance, all places where they do are told.
+// Two waves that come near, but do not meet: with a clearance, all places where they do are
+// reported.
 TEST(CurveCandidates, WithAClearanceAllNearPositionsAreInRegions)
 {
   const double gap = 0.01;

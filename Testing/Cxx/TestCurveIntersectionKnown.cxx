@@ -228,7 +228,7 @@ Numbers KindsBothWays(vtkDataObject* curves, vtkDataObject* others)
 
 }
 
-// They are cut at eighths, and where the chord tolerance asks for it.
+// They are cut at eighths, and where the chord tolerance requires it.
 TEST(CurveIntersectionKnown, CrossingsAtSmallAnglesAreFoundWhereACurveIsCut)
 {
   const PolyDataPointer axis = MakePolyline({ { -1.25, 0, 0 }, { 2, 0, 0 } });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves made of several cells or pieces: what they meet in a joint is told once, and is what it
-// would be on one curve.
+// Curves made of several cells or pieces: an intersection in a joint is reported once, and is what
+// it would be on one curve.
 
 #include "Support/CurveRun.h"
 
@@ -87,7 +87,7 @@ PolyDataPointer Fan()
 
 }
 
-TEST(CurveJoints, ACrossingInAJointIsToldOnce)
+TEST(CurveJoints, ACrossingInAJointIsReportedOnce)
 {
   const std::vector<Point> bent{ { -1, -1, 0 }, { 0, 0, 0 }, { 2, 1, 0 } };
   const std::vector<Point> across{ { -1, 1, 0 }, { 0, 0, 0 }, { 1, -1, 0 } };
@@ -104,7 +104,7 @@ TEST(CurveJoints, ACrossingInAJointIsToldOnce)
   EXPECT_EQ(OutputPoints(filter).size(), 4u); // each cell for itself
 }
 
-TEST(CurveJoints, ACrossingOfASetWithItselfInAJointIsToldOnce)
+TEST(CurveJoints, ACrossingOfASetWithItselfInAJointIsReportedOnce)
 {
   Mesh mesh;
   AddLines(mesh, { { -1, -1, 0 }, { 0, 0, 0 }, { 2, 1, 0 } });

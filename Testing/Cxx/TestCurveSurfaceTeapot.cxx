@@ -170,7 +170,7 @@ TEST(CurveSurfaceTeapot, LinesHitThePatchesWhereTheyHitAThousandTrianglesOfEach)
     }
   }
   EXPECT_GT(compared, count / 2);
-  // What is told of a point is that of the patch itself.
+  // The arrays of a point are those of the patch itself.
   ASSERT_FALSE(exact.Points.empty());
   for (std::size_t i = 0; i < exact.Points.size(); ++i)
   {

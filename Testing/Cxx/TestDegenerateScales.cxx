@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tiny, huge and far meshes answer as the same mesh at home does.
+// Tiny, huge and far meshes have the results of the same mesh at home.
 
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
@@ -24,7 +24,7 @@ std::vector<std::pair<const char*, std::function<Mesh()>>> Shapes()
     { "Polygons", [] { return Hexagons(4); } } };
 }
 
-/// Powers of two: a scaled mesh is exactly the same mesh, so its answers are the same scaled.
+/// Powers of two: a scaled mesh is exactly the same mesh, so its results are the same scaled.
 class Scales : public testing::TestWithParam<int>
 {
 protected:

@@ -76,7 +76,7 @@ TEST(Extremes, NearestCellsAreNoneOrThoseOfTheSameMeshAtHome)
   }
 }
 
-TEST(Extremes, ShapesThatReachTooFarAreTold)
+TEST(Extremes, ShapesThatReachTooFarAreReported)
 {
   for (const double far : { 1e60, 1e160, 1e300 })
   {

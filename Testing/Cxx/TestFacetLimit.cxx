@@ -50,7 +50,7 @@ void ExpectWarningOf(Filter* filter, const std::string& faces)
 
 const std::vector<Point> Asked = { { 0.1, 0.1, 0.1 }, { 2, 2, 2 } };
 
-TEST(FacetLimit, IsToldOfSignedDistances)
+TEST(FacetLimit, IsReportedOfSignedDistances)
 {
   ExpectWarningOf(MakeSignedFilter(MakeQueries(Asked), BentTetrahedron()).Get(), "2");
 }
@@ -64,12 +64,12 @@ TEST(FacetLimit, DoesNotMatterWithoutASide)
   EXPECT_EQ(events.Warnings, 0) << events.Warning;
 }
 
-TEST(FacetLimit, IsToldOfPartsThatHoldPoints)
+TEST(FacetLimit, IsReportedOfPartsThatHoldPoints)
 {
   ExpectWarningOf(MakeInOut(MakeQueries(Asked), BentTetrahedron()).Get(), "2");
 }
 
-TEST(FacetLimit, IsToldOnceOfBothSurfaces)
+TEST(FacetLimit, IsReportedOnceOfBothSurfaces)
 {
   vtkNew<vtkSkdTreeSurfaceIntersection> filter;
   filter->SetInputData(BentTetrahedron());
@@ -77,7 +77,7 @@ TEST(FacetLimit, IsToldOnceOfBothSurfaces)
   ExpectWarningOf(filter.Get(), "4");
 }
 
-TEST(FacetLimit, IsToldOfPartsWhoseInsideIsRefined)
+TEST(FacetLimit, IsReportedOfPartsWhoseInsideIsRefined)
 {
   vtkNew<vtkSkdTreeAMR> filter;
   filter->SetInputData(BentTetrahedron());

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lagrange and Bezier cells asked by many threads: VTK evaluates all wedges in one static triangle,
-// and its derivatives of some Bezier cells are written past their end. We must touch neither.
+// Lagrange and Bezier cells queried by many threads: VTK evaluates all wedges in one static
+// triangle, and its derivatives of some Bezier cells are written past their end. We must touch
+// neither.
 
 #include "Support/CellZoo.h"
 #include "Support/ClosestPointRun.h"

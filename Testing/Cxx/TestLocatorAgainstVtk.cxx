@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The answers of vtkStaticCellLocator where it is right; where it is not, how often is recorded as
+// The results of vtkStaticCellLocator where it is right; where it is not, how often is recorded as
 // a property of the test.
 
 #include "Support/BruteForce.h"

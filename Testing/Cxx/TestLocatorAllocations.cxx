@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Queries allocate nothing. All of the program's operator new is counted, on the thread that asks.
+// Queries allocate nothing. All of the program's operator new is counted, on the thread of the
+// query.
 
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input is answered as the header says, without a crash.
+// Bad input has the results that the header states, without a crash.
 
 #include "Support/EventCounter.h"
 #include "Support/LocatorCalls.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Batches answer what the queries for one answer, each in its slot, whatever the number of threads.
+// Batches have the results of single queries, each in its slot, whatever the number of threads.
 
 #include "Support/EventCounter.h"
 #include "Support/LocatorCalls.h"
@@ -116,7 +116,7 @@ Doubles ToBoxes(const std::vector<Point>& points, double halfLength)
   return MakeArray(6, values);
 }
 
-/// What all batches answer.
+/// The results of all batches.
 struct Answers
 {
   vtkNew<vtkIdTypeArray> ClosestIds, CellIds, HitIds, HitOffsets, AllHitIds, BoxOffsets, BoxIds;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Batches of neighbours, of weights and of rays answer what the queries for one answer.
+// Batches of neighbours, of weights, of segments and of rays have the results of single queries.
 
 #include "Support/EventCounter.h"
 #include "Support/LocatorCalls.h"

@@ -13,7 +13,7 @@ using namespace skdtest;
 namespace
 {
 
-/// The same answers to a hundred queries of each kind.
+/// The same results of a hundred queries of each kind.
 void ExpectSameAnswers(vtkDataSet* a, vtkDataSet* b)
 {
   const auto locatorA = MakeLocator(a);

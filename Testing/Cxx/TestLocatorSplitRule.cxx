@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the tree's nodes are divided: which rule is taken, and that answers never depend on it.
+// Where the tree's nodes are divided: which rule is taken, and that results never depend on it.
 
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"

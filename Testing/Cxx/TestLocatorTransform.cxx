@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// SetTransform: a moved set answers as the really moved mesh does.
+// SetTransform: a moved set has the results of the mesh with moved points.
 
 #include "Support/BruteForce.h"
 #include "Support/EventCounter.h"

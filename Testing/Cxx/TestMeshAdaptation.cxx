@@ -322,7 +322,7 @@ TEST(MeshAdaptation, CellsThatCannotMoveHoldTheirPoints)
   EXPECT_NE(Complaint(MakeGrid(crossed), ridge).find("cross themselves"), std::string::npos);
 }
 
-TEST(MeshAdaptation, ProgressIsToldAndAbortEndsEarly)
+TEST(MeshAdaptation, ProgressIsReportedAndAbortEndsEarly)
 {
   FilterPointer filter = MakeFilter(MakeSheet(24), MakeRidge());
   ProgressWatch watch(filter, 0.1);

@@ -178,7 +178,7 @@ TEST_P(MeshRefinement, EachRegularLevelHasAFixedNumberOfParts)
   EXPECT_EQ(MeasuresOf(refined).Euler, GetParam().Euler);
 }
 
-/// The least level of the whole mesh is also reached where nothing else asks.
+/// The least level of the whole mesh is also reached where no other criterion does.
 TEST_P(MeshRefinement, ALevelHalvesTheSizeOfCells)
 {
   GridPointer mesh = MakeMesh();

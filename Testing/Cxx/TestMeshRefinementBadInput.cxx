@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreeMeshRefinement: input that has nothing, is odd or asks too much; blocks and seams;
+// vtkSkdTreeMeshRefinement: input that has nothing, is odd or needs too much; blocks and seams;
 // limits, aborts, kept trees.
 
 #include "Support/CellZoo.h"
@@ -76,7 +76,7 @@ TEST(MeshRefinementBadInput, PartsThatMissTheMeshPassItOn)
   EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
   EXPECT_EQ(events.Warnings, 1);
   EXPECT_NE(events.Warning.find("intersect no cell"), std::string::npos) << events.Warning;
-  // With anything else that asks, or nothing to do, that is as it may be.
+  // With any other criterion, or nothing to do, that is as it may be.
   filter->SetMaximumLevel(0);
   filter->Update();
   filter->SetMaximumLevel(3);

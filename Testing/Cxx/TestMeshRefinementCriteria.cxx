@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreeMeshRefinement: what asks for cells, each cell looked at; and where new points go.
+// vtkSkdTreeMeshRefinement: the criteria, each cell examined; and where new points go.
 
 #include "Support/BruteForce.h"
 #include "Support/ClosestPointRun.h"

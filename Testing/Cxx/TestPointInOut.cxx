@@ -183,7 +183,7 @@ TEST(PointInOut, RaysThroughEdgesAndCornersOnPurpose)
   }
 }
 
-TEST(PointInOut, ARemovedCapIsToldAndWrongOnlyWithLowConfidence)
+TEST(PointInOut, ARemovedCapIsReportedAndWrongOnlyWithLowConfidence)
 {
   const Mesh sphere = Outward(Sphere(20, 1.0));
   const Mesh open = Part(
@@ -216,7 +216,7 @@ TEST(PointInOut, ARemovedCapIsToldAndWrongOnlyWithLowConfidence)
 
 TEST(PointInOut, OutsideOfTheBoundsOfAnOpenPartTheConfidenceIsThatOfTheNumber)
 {
-  // Half a sphere, asked just below its opening and farther off.
+  // Half a sphere; points just below its opening and farther off.
   const Mesh half = Part(Outward(Sphere(20, 1.0)),
     [sphere = Outward(Sphere(20, 1.0))](std::size_t cell)
     {

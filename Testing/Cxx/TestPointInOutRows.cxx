@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSkdTreePointInOut as a voxeliser: by rows, with the answers of single points.
+// vtkSkdTreePointInOut as a voxeliser: by rows, with the results of single points.
 
 #include "Support/InOutRun.h"
 #include "Support/StructuredMeshes.h"

@@ -174,7 +174,7 @@ TEST(PolyDataCells, OfDeletedCellsAreLeftOut)
   EXPECT_EQ(locator->GetNumberOfCellsInTree(), mesh->GetNumberOfCells() - 1);
 }
 
-/// The answers to some points, of a mesh with its cells in 64 or 32 bit.
+/// The results of some points, of a mesh with its cells in 64 or 32 bit.
 template <typename Data>
 std::vector<Closest> AnswersOf(Data* data, vtkCellArray* cells, bool in32Bit)
 {

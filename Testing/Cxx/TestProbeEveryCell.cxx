@@ -231,7 +231,7 @@ public:
     this->CheckPositions(probe);
   }
 
-  /// VTK's filters take their time: not all points are asked. Some are near the mesh, not in it;
+  /// VTK's filters take their time: not all points are compared. Some are near the mesh, not in it;
   /// but not near polyhedra, as vtkPolyhedron takes many points for its own that are outside.
   void CompareWithVtk()
   {

@@ -170,7 +170,7 @@ TEST(RemapBadInput, WeightsAreKeptWhileBothMeshesStay)
   EXPECT_EQ(Reported(remap, "WeightsFound"), 1);
 }
 
-TEST(RemapBadInput, AnAbortLeavesNothingWrongAndProgressIsTold)
+TEST(RemapBadInput, AnAbortLeavesNothingWrongAndProgressIsReported)
 {
   const auto source = WithData(MakePolyData(CubedSphere(12)));
   const auto input = MakePolyData(IcosahedralDual(8));

@@ -36,7 +36,7 @@ vtkPolyData* BoxesOf(vtkSkdTreeRepresentation* representation)
   return vtkPolyData::SafeDownCast(representation->GetOutputDataObject(0));
 }
 
-double Told(vtkSkdTreeRepresentation* representation, const char* column, vtkIdType row = 0)
+double Reported(vtkSkdTreeRepresentation* representation, const char* column, vtkIdType row = 0)
 {
   auto* table = vtkTable::SafeDownCast(representation->GetOutputDataObject(1));
   return table->GetValueByName(row, column).ToDouble();
@@ -126,18 +126,18 @@ TEST_P(RepresentationOfMesh, TellsWhatTheTreeIs)
           SharedArea(arrays.S[arrays.L[node]], arrays.S[arrays.L[node] + 1]) / Area(arrays.S[node]);
       }
     });
-  RepresentationPointer told = MakeRepresentation(mesh, 0);
-  told->Update();
-  EXPECT_EQ(Told(told, "Cells"), static_cast<double>(mesh->GetNumberOfCells()));
-  EXPECT_EQ(Told(told, "CellsLeftOut"), 0.0);
-  EXPECT_EQ(Told(told, "PaperNodes"), static_cast<double>(arrays.L.size()));
-  EXPECT_EQ(Told(told, "PaperDepth"), deepest);
-  EXPECT_NEAR(Told(told, "Cost"), cost, 1e-9 * cost);
-  EXPECT_NEAR(Told(told, "Overlap"), overlap / inner, 1e-9);
-  EXPECT_EQ(Told(told, "Nodes"), static_cast<double>(locator->GetNumberOfNodes()));
-  EXPECT_EQ(Told(told, "Depth"), locator->GetDepth());
-  EXPECT_EQ(Told(told, "Bytes"), static_cast<double>(locator->GetMemorySize()));
-  EXPECT_GE(Told(told, "BuildSeconds"), 0.0);
+  RepresentationPointer reported = MakeRepresentation(mesh, 0);
+  reported->Update();
+  EXPECT_EQ(Reported(reported, "Cells"), static_cast<double>(mesh->GetNumberOfCells()));
+  EXPECT_EQ(Reported(reported, "CellsLeftOut"), 0.0);
+  EXPECT_EQ(Reported(reported, "PaperNodes"), static_cast<double>(arrays.L.size()));
+  EXPECT_EQ(Reported(reported, "PaperDepth"), deepest);
+  EXPECT_NEAR(Reported(reported, "Cost"), cost, 1e-9 * cost);
+  EXPECT_NEAR(Reported(reported, "Overlap"), overlap / inner, 1e-9);
+  EXPECT_EQ(Reported(reported, "Nodes"), static_cast<double>(locator->GetNumberOfNodes()));
+  EXPECT_EQ(Reported(reported, "Depth"), locator->GetDepth());
+  EXPECT_EQ(Reported(reported, "Bytes"), static_cast<double>(locator->GetMemorySize()));
+  EXPECT_GE(Reported(reported, "BuildSeconds"), 0.0);
 }
 
 TEST(Representation, OfBlocksEachHasItsTreeAndItsRow)
@@ -152,9 +152,9 @@ TEST(Representation, OfBlocksEachHasItsTreeAndItsRow)
   EXPECT_EQ(blocks->GetTuple1(0), 1);
   EXPECT_EQ(blocks->GetTuple1(6 * 8), 3);
   EXPECT_EQ(cells->GetRange()[1], 7);
-  EXPECT_EQ(Told(drawn, "BlockIndex", 0), 1);
-  EXPECT_EQ(Told(drawn, "BlockIndex", 1), 3);
-  EXPECT_EQ(Told(drawn, "Cells", 1), 8);
+  EXPECT_EQ(Reported(drawn, "BlockIndex", 0), 1);
+  EXPECT_EQ(Reported(drawn, "BlockIndex", 1), 3);
+  EXPECT_EQ(Reported(drawn, "Cells", 1), 8);
 }
 
 TEST(Representation, GhostsAndCellsThatAreNotFiniteAreLeftOutAndCounted)
@@ -164,11 +164,11 @@ TEST(Representation, GhostsAndCellsThatAreNotFiniteAreLeftOutAndCounted)
   MarkGhosts(grid, { 0, 3 }, vtkDataSetAttributes::DUPLICATECELL);
   RepresentationPointer drawn = MakeRepresentation(grid, -1);
   EXPECT_EQ(BoxesOf(drawn)->GetNumberOfCells(), 6 * 6);
-  EXPECT_EQ(Told(drawn, "CellsLeftOut"), 2);
+  EXPECT_EQ(Reported(drawn, "CellsLeftOut"), 2);
   mesh.Points[0] = { NAN, 0, 0 };
   drawn = MakeRepresentation(MakeGrid(mesh), -1);
   EXPECT_EQ(BoxesOf(drawn)->GetNumberOfCells(), 6 * 7);
-  EXPECT_EQ(Told(drawn, "CellsLeftOut"), 1);
+  EXPECT_EQ(Reported(drawn, "CellsLeftOut"), 1);
 }
 
 TEST(Representation, WithoutCellsThereIsARowOfZerosAndNoBox)
@@ -179,7 +179,7 @@ TEST(Representation, WithoutCellsThereIsARowOfZerosAndNoBox)
   EXPECT_EQ(BoxesOf(drawn)->GetNumberOfCells(), 0);
   for (const char* column : { "Cells", "Nodes", "PaperNodes", "PaperDepth", "Overlap", "Cost" })
   {
-    EXPECT_EQ(Told(drawn, column), 0.0) << column;
+    EXPECT_EQ(Reported(drawn, column), 0.0) << column;
   }
   EXPECT_EQ(events.Errors + events.Warnings, 0);
 }

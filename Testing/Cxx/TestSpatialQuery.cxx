@@ -548,7 +548,7 @@ TEST(SpatialQueryBadInput, NumbersOutOfRangeAreTakenForTheNearest)
   EXPECT_EQ(RunQuery(query).size(), 27u);
 }
 
-TEST(SpatialQuery, AbortedExecutionsEndAndProgressIsTold)
+TEST(SpatialQuery, AbortedExecutionsEndAndProgressIsReported)
 {
   QueryPointer query = MakeQuery(MakeGrid(Tetrahedra(12)));
   query->SetShape(SpatialQuery::SOURCE_POINTS);

@@ -163,7 +163,7 @@ TEST_P(LatticeSplit, KeepsAreasAndBorders)
 
 /// Split surfaces that are looked at again meet in whole edges, corners and pieces only: cells that
 /// touch in a segment have it as an edge, those that overlap... on lattices nothing is rounded
-/// away when crossings are, so it is asked of points: no corner lies inside of an edge or piece.
+/// away when crossings are, so points are compared: no corner lies inside of an edge or piece.
 TEST_P(LatticeSplit, PiecesOfOneSurfaceMeetInPoints)
 {
   for (int seed = 0; seed < 10; ++seed)
@@ -392,7 +392,7 @@ TEST(SplitSurfaces, DataArePassedOn)
 }
 
 // Blocks of one surface: points where they meet are of both.
-TEST(SplitSurfaces, BlocksAreToldAndDataAreOfTheBlock)
+TEST(SplitSurfaces, BlocksAreReportedAndDataAreOfTheBlock)
 {
   auto first = MakePolyData(Square(0, 0, 1));
   auto second = MakePolyData(Square(1, 0, 1));

@@ -75,7 +75,7 @@ TEST(SurfaceIntersectionFilter, OfVolumesTheOuterFacesCount)
 }
 
 //------------------------------------------------------------------------------
-TEST(SurfaceIntersectionFilter, BlocksAreTold)
+TEST(SurfaceIntersectionFilter, BlocksAreReported)
 {
   auto near = MakeSphere({ 0.5, 0, 0 });
   auto far = MakeSphere({ 9, 0, 0 });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces that meet for the first time are looked at otherwise than those with trees: by a coarse
-// grid and a packed R-tree of what is near, or trees of it. The answers are the same, to the last
+// grid and a packed R-tree of what is near, or trees of it. The results are the same, to the last
 // bit and in their order.
 
 #include "Support/SurfaceIntersectionRun.h"
@@ -82,7 +82,7 @@ Mesh Apart(const Mesh& mesh)
   return apart;
 }
 
-/// The first look, and one after the surfaces have been asked elsewhere.
+/// The first look, and one after the surfaces have been searched elsewhere.
 void ExpectSame(const Mesh& first, const Mesh& second, double clearance, const Point& shift)
 {
   auto filter = MakeIntersection(MakePolyData(first), MakePolyData(second));

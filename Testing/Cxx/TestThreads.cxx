@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Many threads ask one locator: each gets what it would get alone, of lazy trees too.
+// Many threads query one locator: each gets what it would get alone, of lazy trees too.
 
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
@@ -17,7 +17,7 @@ namespace
 
 constexpr int NumberOfThreads = 8;
 
-/// The answers to one point, of all queries that the header calls thread-safe.
+/// The results of one point, of all queries that the header calls thread-safe.
 struct Answers
 {
   Closest Nearest;
@@ -113,7 +113,7 @@ protected:
     }
   }
 
-  /// Each thread asks everything, each from another start. Returns how many answers were wrong.
+  /// Each thread runs all queries, each from another start. Returns how many results were wrong.
   int AskFromThreads(vtkSkdTreeCellLocator* locator)
   {
     std::atomic<int> wrong(0);

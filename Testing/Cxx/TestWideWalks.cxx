@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches that a processor with AVX2 does eight lanes at once have the same answers, to the last
+// Searches that a processor with AVX2 does eight lanes at once have the same results, to the last
 // bit, as those that run anywhere.
 
 #include "Support/LocatorCalls.h"
@@ -15,7 +15,7 @@ using namespace skdtest;
 namespace
 {
 
-/// What the two kinds of walks answer.
+/// The results of both kinds of walks.
 struct Answers
 {
   Closest Nearest;

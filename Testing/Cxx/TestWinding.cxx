@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// SkdWinding, what Point In Out and others ask where surfaces have gaps: against the plain sum of
+// SkdWinding, which Point In Out and others use where surfaces have gaps: against the plain sum of
 // solid angles.
 
 #include "Pipeline/SkdWinding.h"

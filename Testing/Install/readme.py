@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run what the README and the user guide tell their readers to type.
+"""Run the commands of the README and the user guide.
 
 readme.py <repository> <work folder> <install prefix> <cmake> <python> <pvpython or nothing>
 Python is run as it stands, in the repository; CMake and C++ become a project in the work folder.

@@ -44,7 +44,7 @@ void Count(const char* name, const Body& body)
   CALLGRIND_DUMP_STATS_AT(name);
 }
 
-/// A locator of a mesh, what it is asked, and where the answers go.
+/// A locator of a mesh, its queries, and where the results go.
 class Counted
 {
 public:
@@ -61,7 +61,7 @@ public:
     Count(name, [&] { this->Locator->ForceBuildLocator(); });
   }
 
-  /// Of a tree that is built where it is asked.
+  /// Of a tree that is built on query.
   void CountFirstAnswer(const char* name)
   {
     const Point x = this->Around(0.5, 0.7).front();

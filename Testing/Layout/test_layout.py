@@ -30,7 +30,7 @@ def first_word(plan):
 
 
 def plant(plan):
-    """(what, file, text to append, what must be told)."""
+    """(what, file, text to append, what must be reported)."""
     yield "the core includes VTK", "Filters/Core/Tree/Tree.h", '#include "vtkObject.h"\n', \
         "may not include vtkObject.h"
     yield "the core includes Cells", "Filters/Core/Tree/Node.h", \

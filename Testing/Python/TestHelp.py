@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What help(), editors and type checkers are told: every method of the classes has its comment, every
+"""What help(), editors and type checkers show: every method of the classes has its comment, every
 class its stub, and the layer over them is typed and documented."""
 
 import ast

@@ -43,7 +43,7 @@ def places(data):
 
 
 def crossings():
-    """All of them, in every process: each asks for all curves."""
+    """All of them, in every process: each requests all curves."""
     from paraview import simple
 
     return places(output(simple.SkdTreeCurveIntersection(

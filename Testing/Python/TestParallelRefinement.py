@@ -131,7 +131,7 @@ def refined_by_placements():
 
 
 def refined_by_criteria():
-    """What else may ask for cells, and the limit of them."""
+    """The other criteria, and the limit of cells."""
     from paraview import simple
 
     surface, bricks, _ = meshes()
@@ -153,7 +153,7 @@ def refined_by_criteria():
 
 
 def grids():
-    """Leaves, by each rule and for all that may ask for cells."""
+    """Leaves, by each rule and for all criteria."""
     from paraview import simple
 
     cone = simple.Cone(Height=4, Radius=1.4, Resolution=12, Center=[0.2, 0.3, 0.1])
@@ -183,7 +183,7 @@ def all_rows():
 
 
 def rows_of_two():
-    """What two processes are asked, of all that three are."""
+    """The cases of two processes, of all those of three."""
     return grids()
 
 

@@ -65,7 +65,7 @@ def process_id():
 
 def run_in_parallel(script, argument, processes=2):
     """Runs a script in several processes of pvbatch."""
-    # What MPI told this process about itself is not for others.
+    # MPI's variables of this process are not for others.
     environment = {
         name: value
         for name, value in os.environ.items() if not name.startswith(("OMPI_", "PMIX_"))

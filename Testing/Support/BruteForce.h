@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BruteForce.h
- * @brief every query answered by testing every cell
+ * @brief every query by testing every cell
  */
 #ifndef skdtest_BruteForce_h
 #define skdtest_BruteForce_h

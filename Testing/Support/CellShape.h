@@ -20,7 +20,7 @@ namespace skdtest
 struct CellShape
 {
   int Type = VTK_EMPTY_CELL;
-  bool IsKnown = true;  // else the rest is empty and VTK has to be asked
+  bool IsKnown = true;  // else the rest is empty and VTK's cell has to be used
   bool IsSolid = false; // the triangles and patches are the boundary of a volume
   Bounds Box = EmptyBounds();
   std::vector<Point> Points;

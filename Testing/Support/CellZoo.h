@@ -36,7 +36,7 @@ constexpr int HighestOrder = FewerKinds ? 2 : 4;
 /// How many points a Lagrange or Bezier cell of uniform order has.
 int HigherOrderSize(int type, int order);
 
-/// Cells whose order may differ by direction want to be told that it does not.
+/// For cells whose order may differ by direction: states that it does not.
 void SetUniformOrder(vtkCell* cell, vtkIdType points);
 
 /// The points of a cell that VTK can place itself: its parametric coordinates. Empty if it cannot.

@@ -31,7 +31,7 @@ const std::vector<FilterSetup>& AllFilterSetups();
 /// All outputs of an updated filter by value: points, types and sizes of cells, point ids, arrays.
 std::vector<double> AnswersOf(vtkAlgorithm* filter);
 
-/// What the locator answers to a few queries of all kinds, its tree built beforehand.
+/// The locator's results of a few queries of all kinds, its tree built beforehand.
 std::vector<double> LocatorAnswers(vtkDataSet* mesh);
 
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LocatorCalls.h
- * @brief the locator's methods with their answers as values
+ * @brief the locator's methods with their results as values
  */
 #ifndef skdtest_LocatorCalls_h
 #define skdtest_LocatorCalls_h

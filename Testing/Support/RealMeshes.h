@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RealMeshes.h
- * @brief finds and reads mesh files, and compares answers with a look at all their cells
+ * @brief finds and reads mesh files, and compares results with a look at all their cells
  */
 #ifndef skdtest_RealMeshes_h
 #define skdtest_RealMeshes_h

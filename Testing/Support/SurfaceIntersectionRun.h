@@ -74,7 +74,7 @@ inline std::vector<CellPair> RunPairs(vtkSkdTreeSurfaceIntersection* filter)
   return PairsOf(filter);
 }
 
-/// The same without what is told of each.
+/// The same without the arrays of each.
 inline std::vector<std::pair<vtkIdType, vtkIdType>> RunCellPairs(
   vtkSkdTreeSurfaceIntersection* filter)
 {
