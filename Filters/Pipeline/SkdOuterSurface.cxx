@@ -209,10 +209,13 @@ void Builder::AddLinear(const LinearPart& part, std::set<std::vector<vtkIdType>>
       [&](vtkIdType, const auto* corners, std::size_t size)
       {
         const bool isShown = !ghosts || ghosts->GetValue(cell) == 0;
-        for (std::size_t k = 0; isShown && k < (isStrip ? std::max<std::size_t>(size, 2) - 2 : 1);
-             ++k)
+        if (isShown && !isStrip)
         {
-          add(corners + k, isStrip ? 3 : size);
+          add(corners, size);
+        }
+        for (std::size_t k = 0; isShown && isStrip && k + 2 < size; ++k)
+        {
+          add(SkdStripTriangle(corners, static_cast<std::ptrdiff_t>(k)).data(), 3);
         }
         ++cell;
       });

@@ -23,6 +23,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -38,6 +40,14 @@ double SkdChordalLength(
 
 /// Warns, if there are any, of curved faces whose facets are farther from them than the deviation.
 void SkdWarnAboutCoarseFaces(vtkAlgorithm* self, vtkIdType coarseFaces, double chordalDeviation);
+
+/// A triangle of a strip, oriented as the first: every second one is stored the other way round.
+template <class Id>
+std::array<Id, 3> SkdStripTriangle(const Id* corners, std::ptrdiff_t k)
+{
+  const std::ptrdiff_t turn = k % 2;
+  return { corners[k + turn], corners[k + 1 - turn], corners[k + 2] };
+}
 
 /// The outer faces of one data set, including its surface cells, with the origin of their cells and
 /// points. The surface of a vtkPolyData is itself. All readers of flat faces use this class.
@@ -100,9 +110,13 @@ public:
           const auto size = static_cast<vtkIdType>(number);
           if (!ghosts || ghosts->GetValue(cell) == 0)
           {
-            for (vtkIdType k = 0; k < (isStrip ? size - 2 : 1); ++k)
+            if (!isStrip)
             {
-              visit(cell, isStrip ? 3 : size, corners + k);
+              visit(cell, size, corners);
+            }
+            for (vtkIdType k = 0; isStrip && k + 2 < size; ++k)
+            {
+              visit(cell, 3, SkdStripTriangle(corners, k).data());
             }
           }
         });

@@ -7,6 +7,20 @@
 
 namespace skdtest
 {
+void Append(Mesh& mesh, const Mesh& other)
+{
+  const auto n = static_cast<vtkIdType>(mesh.Points.size());
+  mesh.Points.insert(mesh.Points.end(), other.Points.begin(), other.Points.end());
+  for (CellSpec cell : other.Cells)
+  {
+    for (vtkIdType& id : cell.Points)
+    {
+      id += n;
+    }
+    mesh.Cells.push_back(std::move(cell));
+  }
+}
+
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
@@ -98,20 +112,6 @@ Mesh ConvexHull(Random& random)
     }
   }
   return mesh;
-}
-
-void Append(Mesh& mesh, const Mesh& other)
-{
-  const auto n = static_cast<vtkIdType>(mesh.Points.size());
-  mesh.Points.insert(mesh.Points.end(), other.Points.begin(), other.Points.end());
-  for (CellSpec cell : other.Cells)
-  {
-    for (vtkIdType& id : cell.Points)
-    {
-      id += n;
-    }
-    mesh.Cells.push_back(std::move(cell));
-  }
 }
 
 Mesh Cavity(Random& random)

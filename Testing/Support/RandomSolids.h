@@ -28,6 +28,9 @@ RandomSolid MakeRandomSolid(Random& random);
 /// One to 27 cubes of a lattice of halves, or none: no triangles.
 Mesh RandomCubes(Random& random);
 
+/// Adds a mesh to another, with points of its own.
+void Append(Mesh& mesh, const Mesh& other);
+
 /// A rotation, by any angles or by right ones.
 class RandomRotation
 {

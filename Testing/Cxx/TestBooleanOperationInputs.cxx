@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeBooleanOperation: kinds of cells, and input that is not as it should be: a result that
+// is told in the class's comment, or one error and no output.
+
+#include "Support/SolidRun.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkImageData.h"
+#include "vtkStripper.h"
+
+using namespace skdtest;
+
+namespace
+{
+using Filter = vtkSkdTreeBooleanOperation;
+
+Mesh Ball()
+{
+  return Placed(Outward(SphereTriangles(4)), 1.1, { 0.3, 0.2, 0.1 });
+}
+
+Mesh Block()
+{
+  return BoxTriangles({ -1, -1, -1 }, { 1, 1, 1 });
+}
+
+double UnionWithBlock(vtkDataObject* data)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, data);
+  filter->SetSourceData(MakePolyData(Block()));
+  return Measures(RunSolid(filter)).Volume;
+}
+
+double UnionWithBlock(const Mesh& mesh)
+{
+  return UnionWithBlock(MakePolyData(mesh));
+}
+
+/// One error, and no output.
+std::string ErrorOf(const Mesh& mesh)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakePolyData(mesh));
+  filter->SetSourceData(MakePolyData(Block()));
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Errors, 1);
+  EXPECT_EQ(events.Warnings, 0);
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
+  return events.Error;
+}
+
+TEST(BooleanOperationInputs, StripsKeepTheirOrientation)
+{
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(MakePolyData(Ball()));
+  stripper->Update();
+  ASSERT_GT(stripper->GetOutput()->GetNumberOfStrips(), 0);
+  EXPECT_NEAR(UnionWithBlock(stripper->GetOutput()), UnionWithBlock(Ball()), 1e-13);
+}
+
+TEST(BooleanOperationInputs, WhatIsNoFaceIsPassedOver)
+{
+  const double expected = UnionWithBlock(Ball());
+  Mesh mesh = Ball();
+  mesh.Add(VTK_VERTEX, { mesh.Add(Point{ 5, 5, 5 }) });
+  mesh.Add(VTK_LINE, { 0, 1 });
+  mesh.Add(Point{ 1e30, 0, 0 });
+  mesh.Add(Point{ std::nan(""), 0, 0 });
+  EXPECT_NEAR(UnionWithBlock(mesh), expected, 1e-13);
+}
+
+TEST(BooleanOperationInputs, TrianglesWithoutAreaAreLeftOut)
+{
+  const double expected = UnionWithBlock(Ball());
+  Mesh mesh = Ball();
+  mesh.Add(VTK_TRIANGLE, { 0, 0, 1 });
+  mesh.Add(VTK_TRIANGLE, { 3, 3, 3 });
+  const vtkIdType a = mesh.Add(Point{ 5, 0, 0 });
+  mesh.Add(Point{ 6, 0, 0 });
+  mesh.Add(Point{ 7, 0, 0 });
+  mesh.Add(VTK_TRIANGLE, { a, a + 1, a + 2 });
+  mesh.Add(VTK_TRIANGLE, { a, a + 2, a + 1 });
+  EXPECT_NEAR(UnionWithBlock(mesh), expected, 1e-13);
+}
+
+TEST(BooleanOperationInputs, SolidsThatContainNothing)
+{
+  Mesh flat = Ball();
+  flat.Map([](const Point& p) { return Point{ p[0], p[1], 0.5 }; });
+  EXPECT_NEAR(UnionWithBlock(flat), 8.0, 1e-13);
+  Mesh canceled = Ball();
+  Append(canceled, Turned(Ball()));
+  EXPECT_NEAR(UnionWithBlock(canceled), 8.0, 1e-13);
+  EXPECT_NEAR(UnionWithBlock(Mesh()), 8.0, 1e-13);
+}
+
+TEST(BooleanOperationInputs, VoxelsOfAnImage)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  EXPECT_NEAR(UnionWithBlock(image), 15.0, 1e-13);
+}
+
+TEST(BooleanOperationInputs, OpenSurfacesAreAnError)
+{
+  Mesh open = Ball();
+  open.Cells.pop_back();
+  EXPECT_NE(ErrorOf(open).find("3 edges are open"), std::string::npos);
+  Mesh turned = Ball();
+  std::swap(turned.Cells[7].Points[0], turned.Cells[7].Points[1]);
+  EXPECT_NE(ErrorOf(turned).find("3 edges are open"), std::string::npos);
+  Mesh endless = Ball();
+  endless.Points[5][1] = std::numeric_limits<double>::infinity();
+  EXPECT_NE(ErrorOf(endless).find("not a closed"), std::string::npos);
+}
+
+TEST(BooleanOperationInputs, AnyMagnitude)
+{
+  for (const double scale : { 1e-90, 1e-30, 1e30, 1e90 })
+  {
+    const auto scaled = [&](Mesh mesh) { return Placed(std::move(mesh), scale, { 0, 0, 0 }); };
+    const double volume = Measures(Combine(scaled(Ball()), scaled(Block()), 0)).Volume;
+    const double cube = scale * scale * scale;
+    EXPECT_NEAR(volume / cube, UnionWithBlock(Ball()), 1e-12) << scale;
+  }
+}
+}

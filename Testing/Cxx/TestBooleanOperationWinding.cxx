@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeBooleanOperation: random inputs that intersect themselves, have faces twice or solids
+// inside out: inside is what the rule makes of the winding number. And places in at least k solids.
+//
+// SKDTREE_FUZZ_PAIRS and SKDTREE_FUZZ_FIRST as in TestBooleanOperationRandom.cxx.
+
+#include "Support/SolidRun.h"
+
+#include "vtkMultiBlockDataSet.h"
+
+using namespace skdtest;
+
+namespace
+{
+using Filter = vtkSkdTreeBooleanOperation;
+
+/// One to four solids anywhere, as one surface; some are inside out, or there twice.
+Mesh AnyOverlaps(Random& random, std::string& what)
+{
+  Mesh mesh;
+  const int count = 1 + random.Index(4);
+  for (int i = 0; i < count; ++i)
+  {
+    what += i > 0 ? " + " : "";
+    const Mesh solid = MovedAnywhere(random, AnySolid(random, what), what);
+    const bool isTurned = random.Index(4) == 0;
+    what += isTurned ? ", inside out" : "";
+    Append(mesh, isTurned ? Turned(solid) : solid);
+    if (random.Index(6) == 0)
+    {
+      what += ", twice";
+      Append(mesh, solid);
+    }
+  }
+  return mesh;
+}
+
+void TryPair(int number)
+{
+  Random random(2000000u + static_cast<std::uint64_t>(number));
+  std::string what;
+  const Mesh a = AnyOverlaps(random, what);
+  what += " and ";
+  const Mesh b = AnyOverlaps(random, what);
+  const int rule = random.Index(3);
+  SCOPED_TRACE("pair " + std::to_string(number) + ", rule " + std::to_string(rule) + ": " + what);
+  const InsideTest inA = InsideTestOf(a, rule);
+  const InsideTest inB = InsideTestOf(b, rule);
+  double volume[5];
+  for (int operation = 0; operation < 5; ++operation)
+  {
+    SCOPED_TRACE(operation);
+    const Mesh result = Combine(a, b, operation, rule);
+    volume[operation] = Measures(result).Volume;
+    ExpectSolid(random, { &a, &b }, Combined(operation, inA, inB), result);
+  }
+  const double bound = 1e-13 * (1.0 + volume[0] + volume[1]) + Measures(a).Rounding;
+  EXPECT_NEAR(volume[0], volume[1] + volume[2] + volume[3], bound);
+  EXPECT_NEAR(volume[4], volume[2] + volume[3], bound);
+}
+
+/// Three to six solids, as blocks of one input.
+void TryMany(int number)
+{
+  Random random(3000000u + static_cast<std::uint64_t>(number));
+  std::string what;
+  std::vector<Mesh> solids(3 + random.Index(4));
+  std::vector<const Mesh*> all;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (Mesh& solid : solids)
+  {
+    what += "; ";
+    solid = MovedAnywhere(random, AnySolid(random, what), what);
+    all.push_back(&solid);
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), MakePolyData(solid));
+  }
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, blocks);
+  filter->SetOperationToAtLeast();
+  for (int least = 1; least <= 3; ++least)
+  {
+    SCOPED_TRACE(std::to_string(least) + " of " + std::to_string(number) + what);
+    filter->SetMinimumNumberOfSolids(least);
+    const auto isInside = [&](const Point& x) -> std::optional<bool>
+    {
+      int in = 0;
+      for (const Mesh& solid : solids)
+      {
+        const std::optional<long> winding = WindingAt(solid, x);
+        if (!winding)
+        {
+          return std::nullopt;
+        }
+        in += *winding != 0;
+      }
+      return in >= least;
+    };
+    ExpectSolid(random, all, isInside, RunSolid(filter));
+  }
+}
+
+TEST(BooleanOperationWinding, PairsOfOverlaps)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = SetInEnvironment("SKDTREE_FUZZ_PAIRS", 40) / 4;
+  for (int number = first; number < first + count; ++number)
+  {
+    TryPair(number);
+  }
+}
+
+TEST(BooleanOperationWinding, AtLeastSomeOfMany)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = SetInEnvironment("SKDTREE_FUZZ_PAIRS", 40) / 8;
+  for (int number = first; number < first + count; ++number)
+  {
+    TryMany(number);
+  }
+}
+}
