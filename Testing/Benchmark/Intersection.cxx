@@ -8,6 +8,7 @@
 /// asked for more triangles.
 #include "Intersection.h"
 #include "ProcessorTime.h"
+#include "Sphere.h"
 
 #include "vtkCollisionDetectionFilter.h"
 #include "vtkFieldData.h"
@@ -17,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeSurfaceIntersection.h"
-#include "vtkSphereSource.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -31,19 +31,6 @@ using namespace skdbench;
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeSphere(double triangles, double x)
-{
-  vtkNew<vtkSphereSource> source;
-  const int resolution = std::max(4, static_cast<int>(std::sqrt(0.5 * triangles)) + 1);
-  source->SetThetaResolution(resolution);
-  source->SetPhiResolution(resolution);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->SetRadius(1.0);
-  source->SetCenter(x, 0.31 * x, 0.17 * x);
-  source->Update();
-  return source->GetOutput();
-}
-
 vtkIdType RunSkdTree(vtkPolyData* first, vtkPolyData* second)
 {
   vtkNew<vtkSkdTreeSurfaceIntersection> filter;
