@@ -8,6 +8,7 @@
 #ifndef SkdMakeMesh_h
 #define SkdMakeMesh_h
 
+#include "Cells/SkdForEach.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -18,18 +19,20 @@
 
 #include <algorithm>
 
-/// n points in double precision; pointAt(i) is a skd::Vector3.
+/// n points in double precision; pointAt(i) is a skd::Vector3, computed in parallel.
 template <class PointAt>
 vtkSmartPointer<vtkPoints> SkdMakePoints(vtkIdType n, const PointAt& pointAt)
 {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
   coordinates->SetNumberOfTuples(n);
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const auto& x = pointAt(i);
-    std::copy_n(x.X, 3, coordinates->GetPointer(3 * i));
-  }
+  double* const values = coordinates->GetPointer(0);
+  SkdForEach(n,
+    [&](vtkIdType i)
+    {
+      const auto& x = pointAt(i);
+      std::copy_n(x.X, 3, values + 3 * i);
+    });
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(coordinates);
   return points;
