@@ -111,6 +111,13 @@ private:
   {
     return this->AreInputs && solid == 1 && this->BadEdges[1].Count > 0;
   }
+  std::string LeftOutText() const
+  {
+    const vtkIdType count = this->Set.GetNumberOfFacesLeftOut();
+    return count == 0 ? ""
+                      : " " + std::to_string(count) +
+        " faces are left out: they have points that are not finite, or fewer than three.";
+  }
   std::string EdgeText(const SkdSplitEdge& edge) const
   {
     const double unscaled = 1.0 / this->Placement->Scale;
@@ -198,7 +205,8 @@ bool vtkSkdTreeBooleanOperation::Internals::AreClosed(Filter* self) const
                  "the first from "
               << this->EdgeText(this->BadEdges[solid].First)
               << ". There is no output. Close gaps (Fill Holes) or orient "
-                 "the faces (Surface Normals with Consistency) before.");
+                 "the faces (Surface Normals with Consistency) before."
+              << this->LeftOutText());
       return false;
     }
   }
@@ -299,6 +307,10 @@ void vtkSkdTreeBooleanOperation::Internals::Report(
   }
   report.AddCount("TreesBuilt", this->IsNew);
   report.AddCount("Solids", this->Solids.Count);
+  if (this->IsSheet(1))
+  {
+    report.AddCount("OpenEdges", this->BadEdges[1].Count);
+  }
   if (self->GetOperation() == IMPRINT)
   {
     return;

@@ -469,6 +469,23 @@ TEST(BooleanOperation, KeepsWhatIsFoundWhileInputsAreUnchanged)
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
 }
 
+/// A box around the axis as two strips, a ring and both ends: every second triangle is stored
+/// turning the other way.
+TEST(BooleanOperation, TriangleStripsAreOriented)
+{
+  Mesh box;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double x[4] = { 0, 1, 1, 0 }, y[4] = { 0, 0, 1, 1 };
+    box.Points.push_back({ x[i / 2], y[i / 2], i % 2 == 0 ? 1.0 : 0.0 });
+  }
+  box.Cells.push_back({ VTK_TRIANGLE_STRIP, { 0, 1, 2, 3, 4, 5, 6, 7, 0, 1 } });
+  box.Cells.push_back({ VTK_TRIANGLE_STRIP, { 0, 2, 6, 4 } });
+  box.Cells.push_back({ VTK_TRIANGLE_STRIP, { 1, 7, 3, 5 } });
+  auto output = Combine(MakePolyData(box), Cube(1, { 0.5, 0.5, 0.5 }), Filter::UNION);
+  EXPECT_NEAR(VolumeOf(output), 2 - 0.125, 1e-14);
+}
+
 TEST(BooleanOperation, InputsWithoutFacesAreEmpty)
 {
   auto cube = Cube(2, { 0, 0, 0 });
