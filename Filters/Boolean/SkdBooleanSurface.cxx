@@ -6,6 +6,7 @@
 #include "Cells/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Surfaces/SkdSplitPointData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
@@ -22,8 +23,6 @@
 
 namespace
 {
-using Origin = SkdTriangleSet::Origin;
-
 /// Of each cell of the set, whether it is a polygon of more than three corners.
 std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts& parts)
 {
@@ -106,22 +105,9 @@ public:
     {
       return;
     }
-    const std::vector<Origin> origins = this->Set.FindOrigins();
-    const std::size_t given = this->Placed.GetPoints().size();
+    const SkdSplitPointData data(this->Set, this->Facets.NewPoints);
     vtkSMPThreadLocalObject<vtkIdList> ids;
-    SkdForEach(n,
-      [&](vtkIdType i)
-      {
-        const std::uint32_t point = this->Points[i];
-        if (point >= given)
-        {
-          Interpolate(i, this->Facets.NewPoints[point - given], origins, gather, ids.Local());
-        }
-        else if (const Origin* origin = FindOrigin(origins, { point, 0, 0 }))
-        {
-          gather.Take(i, origin->Block, origin->Id);
-        }
-      });
+    SkdForEach(n, [&](vtkIdType i) { data.Gather(this->Points[i], i, gather, ids.Local()); });
   }
 
 private:
@@ -196,33 +182,6 @@ private:
     }
     data->AddArray(inFront);
     data->AddArray(behind);
-  }
-
-  /// The first at or after one, of the same point.
-  static const Origin* FindOrigin(const std::vector<Origin>& origins, const Origin& least)
-  {
-    const auto at = std::lower_bound(origins.begin(), origins.end(), least);
-    return at != origins.end() && at->Point == least.Point ? &*at : nullptr;
-  }
-
-  /// The corners as the data set has them that the point's own triangle is of.
-  void Interpolate(vtkIdType to, const SkdSplitPoint& point, const std::vector<Origin>& origins,
-    SkdArrayGather& gather, vtkIdList* ids) const
-  {
-    const int block = this->CellOf(point.Parent).Block;
-    double weights[3];
-    ids->SetNumberOfIds(3);
-    for (int i = 0; i < 3; ++i)
-    {
-      const Origin* origin = FindOrigin(origins, { point.Corners[i], block, 0 });
-      if (!origin || origin->Block != block)
-      {
-        return;
-      }
-      ids->SetId(i, origin->Id);
-      weights[i] = point.Weights[i];
-    }
-    gather.Interpolate(to, block, ids, weights);
   }
 
   const SkdBooleanParts& Parts;

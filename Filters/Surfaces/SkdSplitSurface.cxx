@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitSurface.h"
 
+#include "Cells/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdMakeMesh.h"
+#include "Surfaces/SkdSplitPointData.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkIdList.h"
@@ -13,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocalObject.h"
 
 #include <algorithm>
 
@@ -73,53 +76,17 @@ public:
     const auto n = this->To->GetNumberOfPoints();
     SkdArrayGather gather =
       SkdGatherInto(this->To->GetPointData(), n, this->Blocks, vtkDataObject::POINT, refused);
-    const std::vector<Origin> origins = this->Set.GetSet().FindOrigins();
-    for (auto at = origins.begin(); at != origins.end(); ++at)
-    {
-      if (at->Id >= 0 &&
-        (at == origins.begin() || (at - 1)->Point != at->Point || (at - 1)->Id < 0))
-      {
-        gather.Take(at->Point, at->Block, at->Id);
-      }
-    }
-    vtkIdType to = static_cast<vtkIdType>(this->Set.GetPoints().size());
-    for (const SkdSplitPoint& point : this->Split.Points)
-    {
-      this->Interpolate(point, to++, origins, gather);
-    }
+    const SkdSplitPointData data(this->Set.GetSet(), this->Split.Points);
+    vtkSMPThreadLocalObject<vtkIdList> ids;
+    SkdForEach(gather.GetNumberOfArrays() > 0 ? n : 0,
+      [&](vtkIdType i) { data.Gather(static_cast<std::uint32_t>(i), i, gather, ids.Local()); });
   }
 
 private:
-  using Origin = SkdTriangleSet::Origin;
-
   const SkdTriangleSet::Cell& CellOf(vtkIdType triangle) const
   {
     const SkdTriangleSet& set = this->Set.GetSet();
     return set.GetCells()[set.GetCellOf(this->Split.Parents[triangle])];
-  }
-
-  /// The corners as the data set has them that the point's own triangle is of.
-  void Interpolate(const SkdSplitPoint& point, vtkIdType to, const std::vector<Origin>& origins,
-    SkdArrayGather& gather) const
-  {
-    const SkdTriangleSet& set = this->Set.GetSet();
-    const int block = set.GetCells()[set.GetCellOf(point.Parent)].Block;
-    vtkNew<vtkIdList> ids;
-    double weights[3];
-    bool isKnown = true;
-    for (int i = 0; i < 3; ++i)
-    {
-      const Origin least{ point.Corners[i], block, 0 };
-      const auto at = std::lower_bound(origins.begin(), origins.end(), least);
-      isKnown =
-        isKnown && at != origins.end() && at->Point == point.Corners[i] && at->Block == block;
-      ids->InsertNextId(isKnown ? at->Id : -1);
-      weights[i] = point.Weights[i];
-    }
-    if (isKnown)
-    {
-      gather.Interpolate(to, block, ids, weights);
-    }
   }
 
   const SkdPlacedTriangles& Set;
