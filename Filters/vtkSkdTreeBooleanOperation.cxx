@@ -7,13 +7,13 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdOuterSurface.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
 #include <sstream>
@@ -24,13 +24,6 @@ vtkStandardNewMacro(vtkSkdTreeBooleanOperation);
 namespace
 {
 using Filter = vtkSkdTreeBooleanOperation;
-
-bool IsLaterPiece(vtkInformation* output)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  return output->Has(Pipeline::UPDATE_PIECE_NUMBER()) &&
-    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
-}
 
 SkdBooleanBlocks BlocksOf(vtkDataObject* input, vtkDataObject* source)
 {
@@ -338,7 +331,7 @@ vtkSkdTreeBooleanOperation::~vtkSkdTreeBooleanOperation() = default;
 int vtkSkdTreeBooleanOperation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (IsLaterPiece(outputVector->GetInformationObject(0)))
+  if (SkdIsLaterPiece(outputVector->GetInformationObject(0)))
   {
     return 1; // the first piece has all
   }

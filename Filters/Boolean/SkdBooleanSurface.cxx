@@ -6,17 +6,14 @@
 #include "Cells/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdMakeMesh.h"
 #include "Surfaces/SkdSplitPointData.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSMPThreadLocalObject.h"
 
 #include <algorithm>
@@ -53,17 +50,9 @@ public:
 
   void FillShape() const
   {
-    auto coordinates =
-      SkdMakeArray<vtkDoubleArray>("Points", 3, static_cast<vtkIdType>(this->Points.size()));
     const double unscaled = 1.0 / this->Parts.Placement.Scale;
-    SkdForEach(static_cast<vtkIdType>(this->Points.size()),
-      [&](vtkIdType i)
-      {
-        const skd::Vector3 x = unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]);
-        std::copy_n(x.X, 3, coordinates->GetPointer(3 * i));
-      });
-    vtkNew<vtkPoints> points;
-    points->SetData(coordinates);
+    const auto pointAt = [&](vtkIdType i)
+    { return unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]); };
     auto starts =
       SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(this->Faces.Starts.size()));
     auto corners = SkdMakeArray<vtkIdTypeArray>(
@@ -73,7 +62,7 @@ public:
       [&](std::uint32_t corner) { return static_cast<vtkIdType>(this->Numbers[corner]); });
     vtkNew<vtkCellArray> cells;
     cells->SetData(starts, corners);
-    this->To->SetPoints(points);
+    this->To->SetPoints(SkdMakePoints(static_cast<vtkIdType>(this->Points.size()), pointAt));
     this->To->SetPolys(cells);
   }
 
