@@ -269,7 +269,8 @@ void vtkSkdTreeBooleanOperation::Internals::Fill(Filter* self, const SkdBooleanB
   std::set<std::string> refused;
   SkdFillBooleanSurface(
     { *this->Placement, this->Arrangement, blocks, signs, this->AreInputs ? nullptr : &this->Solids,
-      counts.empty() ? nullptr : &counts, self->GetKeepPolygons() != 0 },
+      counts.empty() ? nullptr : &counts, self->GetKeepPolygons() != 0,
+      self->GetMergePieces() != 0 && !isImprint },
     output, refused);
   for (const char* name : SkdBooleanNames::All)
   {
@@ -372,6 +373,7 @@ void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
     this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "KeepPolygons", this->KeepPolygons,
-    "CloseCut", this->CloseCut, "ChordalDeviation", this->ChordalDeviation);
+    "MergePieces", this->MergePieces, "CloseCut", this->CloseCut, "ChordalDeviation",
+    this->ChordalDeviation);
 }
 VTK_ABI_NAMESPACE_END

@@ -129,11 +129,21 @@ public:
   //@{
   /**
    * Whether quads and polygons that are not cut stay such. Otherwise, and of those that are cut,
-   * the output has triangles. Default on.
+   * the output has triangles (see MergePieces). Default on.
    */
   vtkSetMacro(KeepPolygons, vtkTypeBool);
   vtkGetMacro(KeepPolygons, vtkTypeBool);
   vtkBooleanMacro(KeepPolygons, vtkTypeBool);
+  //@}
+
+  //@{
+  /**
+   * Whether pieces of a triangle that is cut are merged into convex polygons, where no other face
+   * of the output meets their common edge. Not in an imprint. Default off.
+   */
+  vtkSetMacro(MergePieces, vtkTypeBool);
+  vtkGetMacro(MergePieces, vtkTypeBool);
+  vtkBooleanMacro(MergePieces, vtkTypeBool);
   //@}
 
   //@{
@@ -164,6 +174,7 @@ protected:
   int MinimumNumberOfSolids = 2;
   int InsideRule = NONZERO;
   vtkTypeBool KeepPolygons = 1;
+  vtkTypeBool MergePieces = 0;
   vtkTypeBool CloseCut = 1;
   double ChordalDeviation = 1e-4;
 

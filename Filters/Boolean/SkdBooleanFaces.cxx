@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boolean/SkdBooleanFaces.h"
 
+#include "Boolean/SkdFacetMerger.h"
+
 #include <algorithm>
 
 namespace
@@ -11,12 +13,14 @@ using Corners = SkdTriangleSet::Corners;
 class FaceMaker
 {
 public:
-  FaceMaker(const SkdTriangleSet& set, const SkdFacets& facets, const SkdFacetSigns& signs,
-    const std::vector<bool>& isPolygon)
-    : Set(set)
+  FaceMaker(const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
+    const SkdFaceOptions& options)
+    : Set(set.GetSet())
     , Facets(facets)
     , Signs(signs)
-    , IsPolygon(isPolygon)
+    , Options(options)
+    , Junctions(options.IsMerged ? this->FindJunctions() : std::vector<SkdSplitEdge>())
+    , Merger(set, facets, this->Junctions)
   {
   }
 
@@ -32,17 +36,75 @@ public:
         facet = end;
         continue;
       }
-      if (this->Signs[facet] != 0)
-      {
-        const Corners corners = this->CornersOf(facet);
-        this->Add(facet, corners.begin(), corners.end());
-      }
-      ++facet;
+      const std::uint32_t next = this->Options.IsMerged ? this->FindEndOfPieces(facet) : facet + 1;
+      this->AddPieces(facet, next);
+      facet = next;
     }
     return std::move(this->Faces);
   }
 
 private:
+  /// The edges, ascending, at which more than two facets of the boundary meet.
+  std::vector<SkdSplitEdge> FindJunctions() const
+  {
+    std::vector<SkdSplitEdge> junctions;
+    this->Facets.Edges.ForEach(
+      [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+      {
+        const auto count = std::count_if(
+          first, last, [this](const SkdEdgeUse& use) { return this->Signs[use.Triangle] != 0; });
+        if (count > 2)
+        {
+          junctions.emplace_back(low, first->High);
+        }
+      });
+    return junctions;
+  }
+
+  std::uint32_t FindEndOfPieces(std::uint32_t facet) const
+  {
+    const auto& parents = this->Facets.Parents;
+    const auto at = parents.begin() + facet;
+    return static_cast<std::uint32_t>(std::upper_bound(at, parents.end(), *at) - parents.begin());
+  }
+
+  /// Adds the pieces of a triangle that are in the boundary, those of each sign by themselves.
+  void AddPieces(std::uint32_t first, std::uint32_t end)
+  {
+    if (end == first + 1)
+    {
+      if (this->Signs[first] != 0)
+      {
+        const Corners corners = this->CornersOf(first);
+        this->Add(first, corners.begin(), corners.end());
+      }
+      return;
+    }
+    for (const int sign : { 1, -1 })
+    {
+      std::vector<std::uint32_t> pieces;
+      for (std::uint32_t facet = first; facet < end; ++facet)
+      {
+        if (this->Signs[facet] == sign)
+        {
+          pieces.push_back(facet);
+        }
+      }
+      if (pieces.empty())
+      {
+        continue;
+      }
+      for (SkdFacetMerger::Polygon& polygon : this->Merger.Merge(pieces))
+      {
+        if (sign < 0)
+        {
+          std::reverse(polygon.begin(), polygon.end());
+        }
+        this->Add(pieces[0], polygon.begin(), polygon.end());
+      }
+    }
+  }
+
   std::uint32_t CellOf(std::uint32_t facet) const
   {
     return this->Set.GetCellOf(this->Facets.Parents[facet]);
@@ -65,7 +127,7 @@ private:
     const std::uint32_t cell = this->CellOf(facet);
     const std::uint32_t parent = this->Facets.Parents[facet];
     const bool isFirst = parent == 0 || this->Set.GetCellOf(parent - 1) != cell;
-    if (!this->IsPolygon[cell] || !isFirst || this->Signs[facet] == 0)
+    if (!this->Options.IsPolygon[cell] || !isFirst || this->Signs[facet] == 0)
     {
       return facet;
     }
@@ -139,15 +201,17 @@ private:
   const SkdTriangleSet& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
-  const std::vector<bool>& IsPolygon;
+  const SkdFaceOptions& Options;
+  const std::vector<SkdSplitEdge> Junctions;
+  const SkdFacetMerger Merger;
   SkdBooleanFaces Faces;
   std::vector<SkdSplitEdge> Edges; // of an outline
   std::vector<std::uint32_t> Loop;
 };
 }
 
-SkdBooleanFaces SkdMakeBooleanFaces(const SkdTriangleSet& set, const SkdFacets& facets,
-  const SkdFacetSigns& signs, const std::vector<bool>& isPolygon)
+SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const SkdFaceOptions& options)
 {
-  return FaceMaker(set, facets, signs, isPolygon).Make();
+  return FaceMaker(set, facets, signs, options).Make();
 }

@@ -14,10 +14,15 @@ struct SkdBooleanFaces
   std::vector<std::uint32_t> Corners;
 };
 
-/// The facets of a boundary, in its orientation. With `isPolygon` (of a cell's place in the set's
-/// list of cells) the facets of a cell become one face if all of the cell is there, not split, and
-/// has one outline.
-SkdBooleanFaces SkdMakeBooleanFaces(const SkdTriangleSet& set, const SkdFacets& facets,
-  const SkdFacetSigns& signs, const std::vector<bool>& isPolygon);
+/// What becomes of facets.
+struct SkdFaceOptions
+{
+  std::vector<bool> IsPolygon; ///< of each cell: all of it, if not split, becomes one face
+  bool IsMerged;               ///< pieces of one triangle become convex polygons
+};
+
+/// The facets of a boundary, in its orientation.
+SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const SkdFaceOptions& options);
 
 #endif

@@ -41,8 +41,8 @@ public:
     , Placed(parts.Placement.First)
     , Set(this->Placed.GetSet())
     , Facets(parts.Arrangement.Facets)
-    , Faces(
-        SkdMakeBooleanFaces(this->Set, this->Facets, parts.Signs, FindPolygons(this->Set, parts)))
+    , Faces(SkdMakeBooleanFaces(this->Placed, this->Facets, parts.Signs,
+        { FindPolygons(this->Set, parts), parts.MergesPieces }))
     , To(output)
   {
     this->NumberPoints();

@@ -43,6 +43,7 @@ struct SkdBooleanParts
   const SkdSolids* Solids;             ///< nullptr: no array tells them
   const std::vector<int>* SolidCounts; ///< of each region; nullptr: no arrays tell them
   bool KeepsPolygons;                  ///< polygons of which no triangle is split stay such
+  bool MergesPieces;                   ///< pieces of one triangle become convex polygons
 };
 
 /// Fills `output` with the facets of a boundary, and with the point and cell data that all data

@@ -422,6 +422,37 @@ TEST(BooleanOperation, PolygonsStayUnlessTheyAreCut)
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 6 * 34);
 }
 
+TEST(BooleanOperation, PiecesAreMergedIntoConvexPolygons)
+{
+  auto a = MakePolyData(SphereTriangles(6));
+  auto b = MakePolyData(Placed(SphereTriangles(5), 0.8, { 0.4, 0.3, 0.2 }));
+  for (int operation = 0; operation < 5; ++operation)
+  {
+    vtkNew<Filter> filter;
+    filter->SetInputDataObject(0, a);
+    filter->SetSourceData(b);
+    filter->SetOperation(operation);
+    filter->Update();
+    const vtkIdType before = filter->GetOutputDataObject(0)->GetNumberOfElements(1);
+    filter->MergePiecesOn();
+    filter->Update();
+    auto output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_LT(output->GetNumberOfCells(), before);
+    VolumeOf(output);
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      const std::vector<Point> x = CornersOf(output, cell);
+      const Point normal = Cross(x[1] - x[0], x.back() - x[0]);
+      for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        const Point next = x[(i + 1) % x.size()];
+        const Point turn = Cross(next - x[i], x[(i + 2) % x.size()] - next);
+        EXPECT_GT(Dot(turn, normal), -1e-15) << cell;
+      }
+    }
+  }
+}
+
 /// A sheet below the middle of a cube, its normals up: behind it is the lower part.
 TEST(BooleanOperation, OpenSourceCuts)
 {
