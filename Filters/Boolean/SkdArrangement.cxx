@@ -3,7 +3,7 @@
 #include "Boolean/SkdArrangement.h"
 
 #include "Boolean/SkdEdgeFan.h"
-#include "Surfaces/SkdDisjointSets.h"
+#include "Core/Geometry/DisjointSets.h"
 
 namespace
 {
@@ -22,7 +22,7 @@ std::uint32_t SideReached(const SkdEdgeUse& use)
 
 void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
 {
-  SkdDisjointSets sides(2 * arrangement.Facets.GetNumberOfFacets());
+  skd::DisjointSets<> sides(2 * arrangement.Facets.GetNumberOfFacets());
   std::vector<SkdEdgeUse> uses;
   arrangement.Facets.Edges.ForEach(
     [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)

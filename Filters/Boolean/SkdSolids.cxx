@@ -3,7 +3,7 @@
 #include "Boolean/SkdSolids.h"
 
 #include "Boolean/SkdFacets.h"
-#include "Surfaces/SkdDisjointSets.h"
+#include "Core/Geometry/DisjointSets.h"
 
 namespace
 {
@@ -48,7 +48,7 @@ SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set)
 {
   const std::vector<SkdTriangleSet::Corners> triangles(
     set.GetTriangles().begin(), set.GetTriangles().end());
-  SkdDisjointSets pieces(triangles.size());
+  skd::DisjointSets<> pieces(triangles.size());
   SkdFacetEdges(triangles, set.GetPoints().size())
     .ForEach(
       [&](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)

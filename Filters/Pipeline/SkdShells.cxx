@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdShells.h"
 
+#include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Predicates/ExactScale.h"
 #include "Core/Queries/OverlappingPairs.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 
 //------------------------------------------------------------------------------
 /// Of each edge of each triangle the triangle beyond.
@@ -321,24 +321,14 @@ std::vector<skd::Box3> BoxesOf(const SkdShells& shells)
 std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles, const SkdShells& shells)
 {
-  std::vector<int> groups(shells.Get().size()); // of a shell another of its group, or itself
-  std::iota(groups.begin(), groups.end(), 0);
-  const auto find = [&](int shell)
-  {
-    while (groups[shell] != shell)
-    {
-      shell = groups[shell] = groups[groups[shell]];
-    }
-    return shell;
-  };
+  skd::DisjointSets<int> groups(shells.Get().size());
   ShellTrees trees(points, triangles, shells);
   auto join = [&](std::uint32_t a, std::uint32_t b)
   {
-    const int groupA = find(static_cast<int>(a));
-    const int groupB = find(static_cast<int>(b));
-    if (groupA != groupB && trees.Touch(a, b))
+    const int pair[2] = { static_cast<int>(a), static_cast<int>(b) };
+    if (groups.Find(pair[0]) != groups.Find(pair[1]) && trees.Touch(a, b))
     {
-      groups[std::max(groupA, groupB)] = std::min(groupA, groupB);
+      groups.Unite(pair[0], pair[1]);
     }
     return true;
   };
@@ -347,9 +337,5 @@ std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
   const skd::SameWorld world;
   Query query(boxes.GetFrame(), boxes.GetFrame(), world, join);
   skd::PairWalk<Tree, Tree, Query>(boxes, query).Run();
-  for (std::size_t i = 0; i < groups.size(); ++i)
-  {
-    groups[i] = find(static_cast<int>(i));
-  }
-  return groups;
+  return groups.Representatives();
 }

@@ -2,44 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refine/SkdGridInside.h"
 
+#include "Core/Geometry/DisjointSets.h"
 #include "Core/Grid/Balance.h"
 #include "Pipeline/SkdLoop.h"
 #include "Refine/SkdEnclosure.h"
 
-#include <numeric>
-
 namespace
 {
-/// Sets of numbers that grow together. The least number stands for a set.
-class Unions
-{
-public:
-  explicit Unions(std::size_t n)
-    : Above(n)
-  {
-    std::iota(this->Above.begin(), this->Above.end(), std::size_t(0));
-  }
-
-  std::size_t Find(std::size_t i)
-  {
-    while (this->Above[i] != i)
-    {
-      this->Above[i] = this->Above[this->Above[i]];
-      i = this->Above[i];
-    }
-    return i;
-  }
-
-  void Join(std::size_t i, std::size_t j)
-  {
-    i = this->Find(i);
-    j = this->Find(j);
-    this->Above[std::max(i, j)] = std::min(i, j);
-  }
-
-private:
-  std::vector<std::size_t> Above;
-};
+using Unions = skd::DisjointSets<std::size_t>;
 
 /// All cells in a row, level after level.
 class Row
@@ -87,7 +57,7 @@ Unions JoinFreeLeaves(const SkdGrid& grid, const Row& row)
         const skd::Forest::Node there = grid.Forest.Find(at.Level, place);
         if (there.Level >= 0 && row.IsFree(there.Level, there.Index))
         {
-          unions.Join(row.IndexOf(at.Level, at.Index), row.IndexOf(there.Level, there.Index));
+          unions.Unite(row.IndexOf(at.Level, at.Index), row.IndexOf(there.Level, there.Index));
         }
       });
   }
@@ -117,11 +87,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
 {
   const Row row(grid);
   Unions unions = enclosure.IsClosed() ? JoinFreeLeaves(grid, row) : Unions(row.Cells.size());
-  std::vector<std::size_t> asked(row.Cells.size());
-  for (std::size_t i = 0; i < asked.size(); ++i)
-  {
-    asked[i] = unions.Find(i);
-  }
+  const std::vector<std::size_t> asked = unions.Representatives();
 
   std::vector<unsigned char> answers(row.Cells.size(), 0);
   SkdLoop loop(algorithm, static_cast<vtkIdType>(answers.size()), first, last);

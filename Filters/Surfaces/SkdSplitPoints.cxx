@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 
 namespace
 {
@@ -34,7 +33,6 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
   {
     this->Positions[point] = placement.Scale * contacts.GetPosition(point);
   }
-  std::iota(this->Same.begin(), this->Same.end(), 0u);
 }
 
 SkdSplitPoints::~SkdSplitPoints()
@@ -51,25 +49,18 @@ std::uint32_t SkdSplitPoints::AddCrossing(const std::array<std::uint32_t, 4>& en
   this->Crossings.push_back({ ends, axis });
   this->Exact.emplace_back(nullptr);
   this->Positions.push_back(this->GetExact(point).Rounded());
-  this->Same.push_back(point);
+  this->Same.Add();
   return point;
 }
 
 bool SkdSplitPoints::Unite(std::uint32_t a, std::uint32_t b)
 {
-  a = this->Find(a);
-  b = this->Find(b);
-  this->Same[std::max(a, b)] = std::min(a, b);
-  return a != b;
+  return this->Same.Unite(a, b);
 }
 
 std::uint32_t SkdSplitPoints::Find(std::uint32_t point) const
 {
-  while (this->Same[point] != point)
-  {
-    point = this->Same[point];
-  }
-  return point;
+  return this->Same.Find(point);
 }
 
 // Of two threads that make one the first keeps its own.

@@ -9,6 +9,7 @@
 #ifndef SkdSplitPoints_h
 #define SkdSplitPoints_h
 
+#include "Core/Geometry/DisjointSets.h"
 #include "Surfaces/SkdContactPoints.h"
 
 #include <array>
@@ -24,7 +25,7 @@ public:
   SkdSplitPoints(const SkdSplitPoints&) = delete;
   SkdSplitPoints& operator=(const SkdSplitPoints&) = delete;
 
-  std::uint32_t GetNumberOfPoints() const { return static_cast<std::uint32_t>(this->Same.size()); }
+  std::uint32_t GetNumberOfPoints() const { return static_cast<std::uint32_t>(this->Same.Size()); }
 
   /// Adds the point where the segment between two contact points crosses another of the same plane,
   /// which has an area along the axis.
@@ -65,7 +66,7 @@ private:
   std::vector<Crossing> Crossings;
   std::vector<skd::Vector3> Positions;
   mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact; // nullptr: not known yet
-  std::vector<std::uint32_t> Same; // a lower point of the same place, or the point itself
+  skd::DisjointSets<> Same;                                      // points of one place
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitRegions.h"
 
-#include "Surfaces/SkdDisjointSets.h"
+#include "Core/Geometry/DisjointSets.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<EdgeOf> ListEdges(const std::vector<SkdTriangleSet::Corners>& triang
 std::vector<std::uint32_t> SkdFindSplitRegions(
   const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders)
 {
-  SkdDisjointSets regions(triangles.size());
+  skd::DisjointSets<> regions(triangles.size());
   vtkSMPTools::Sort(borders.begin(), borders.end());
   const std::vector<EdgeOf> edges = ListEdges(triangles);
   for (std::size_t i = 1; i < edges.size(); ++i)

@@ -3,6 +3,7 @@
 #ifndef skd_Adaptation_Equidistribution_h
 #define skd_Adaptation_Equidistribution_h
 
+#include "../Geometry/DisjointSets.h"
 #include "ConjugateResiduals.h"
 #include "EdgeLaplacian.h"
 #include "FeatureCurves.h"
@@ -122,34 +123,19 @@ inline void Equidistribution::BeginAt(const SurfaceMesh& mesh, const FeatureCurv
 
 inline void Equidistribution::FindParts(const SurfaceMesh& mesh)
 {
-  std::vector<std::uint32_t>& part = this->PartOfCell;
-  part.resize(mesh.Cells.size());
-  for (std::uint32_t cell = 0; cell < part.size(); ++cell)
-  {
-    part[cell] = cell;
-  }
-  const auto root = [&part](std::uint32_t cell)
-  {
-    while (part[cell] != cell)
-    {
-      cell = part[cell] = part[part[cell]];
-    }
-    return cell;
-  };
+  DisjointSets<> parts(mesh.Cells.size());
   for (const MeshEdge& edge : mesh.Edges)
   {
     if (edge.Cells[1] != MeshEdge::None)
     {
-      const std::uint32_t a = root(edge.Cells[0]);
-      const std::uint32_t b = root(edge.Cells[1]);
-      part[std::max(a, b)] = std::min(a, b);
+      parts.Unite(edge.Cells[0], edge.Cells[1]);
     }
   }
-  this->PartWeights.assign(part.size(), 0.0);
-  for (std::uint32_t cell = 0; cell < part.size(); ++cell)
+  this->PartOfCell = parts.Representatives();
+  this->PartWeights.assign(this->PartOfCell.size(), 0.0);
+  for (std::size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
   {
-    part[cell] = root(cell);
-    this->PartWeights[part[cell]] += this->Weights[cell];
+    this->PartWeights[this->PartOfCell[cell]] += this->Weights[cell];
   }
 }
 
