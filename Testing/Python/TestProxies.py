@@ -103,8 +103,8 @@ def test_filters_are_in_the_menu_and_in_python():
         if group == "filters":
             menu = proxy.find("Hints/ShowInMenu")
             assert menu.get("category") == menu.get("menu_label") == "SkdTree"
-            # One spelling, which the quick launch finds by "skd", "skd tree" and "skdtree"; since
-            # ParaView 5.12 it also looks into the short help, which has the hyphen.
+            # One spelling, which the quick launch finds by "skd", "skd tree" and "skdtree"; that
+            # of newer versions also looks into the short help, which has the hyphen.
             assert proxy.get("label").startswith("SkdTree ")
             assert "skD-tree" in proxy.find("Documentation").get("short_help"), proxy.get("name")
             assert menu.get("icon") == ":/SkdTree/Icons/%s.svg" % proxy.get("name")
