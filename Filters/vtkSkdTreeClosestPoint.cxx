@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeClosestPoint.h"
 
-#include "Cells/SkdCellWeights.h"
 #include "Closest/SkdClosestArrays.h"
-#include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSource.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -50,46 +48,24 @@ SkdClosestArrays FindNearest(
   return answers;
 }
 
-void InterpolateFor(vtkDataSet* output, const SkdSource& source, const SkdClosestArrays& answers,
-  std::set<std::string>& refused, SkdLoop& loop)
-{
-  const auto gather = [&](int type)
-  {
-    return SkdGatherInto(
-      output->GetPointData(), output->GetNumberOfPoints(), source.GetBlocks(), type, refused);
-  };
-  SkdArrayGather points = gather(vtkDataObject::POINT);
-  SkdArrayGather cells = gather(vtkDataObject::CELL);
-  loop.For(output->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      SkdCellWeights weights;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const int block = answers.GetBlock(i);
-        if (block >= 0)
-        {
-          weights.Evaluate(source.GetMesh(block), answers.GetCellId(i), answers.GetPoint(i));
-          points.Interpolate(i, block, weights.GetPointIds(), weights.GetWeights());
-          cells.Take(i, block, answers.GetCellId(i));
-        }
-      }
-    });
-}
-
 void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& outputs,
   const SkdSource& source, const std::vector<SkdClosestArrays>& answers)
 {
-  vtkNew<vtkGenericCell> cell;
+  const auto meshOf = [&](int block) { return source.GetMesh(block); };
   for (std::size_t block = 0; block < source.GetBlocks().size(); ++block)
   {
-    source.GetMesh(static_cast<int>(block))->GetCell(0, cell); // makes GetCell thread-safe
+    SkdTouchCells(meshOf(static_cast<int>(block)));
   }
   std::set<std::string> refused;
   SkdLoop loop(self, SkdCountPoints(outputs), 0.7, 1.0);
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
-    InterpolateFor(outputs[i].Mesh, source, answers[i], refused, loop);
+    const SkdClosestArrays& answer = answers[i];
+    const auto placeOf = [&](vtkIdType k) {
+      return SkdSourcePlace{ answer.GetBlock(k), answer.GetCellId(k), answer.GetPoint(k) };
+    };
+    SkdInterpolateInto(outputs[i].Mesh->GetPointData(), answer.GetNumberOfPoints(),
+      source.GetBlocks(), meshOf, placeOf, refused, loop);
   }
   SkdWarnAboutRefused(self, refused);
 }

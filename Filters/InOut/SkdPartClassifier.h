@@ -4,7 +4,7 @@
 #define SkdPartAsker_h
 
 #include "InOut/SkdInOut.h"
-#include "InOut/SkdQueryPoints.h"
+#include "Pipeline/SkdQueryPoints.h"
 
 /// Classifies the query points of a mesh by all parts. One object a thread.
 ///

@@ -56,18 +56,29 @@ public:
   template <typename Body>
   bool For(vtkIdType n, const Body& body)
   {
+    return this->InPieces(n,
+      [&body](vtkIdType begin, vtkIdType end)
+      {
+        if (end - begin > 1)
+        {
+          vtkSMPTools::For(begin, end, body);
+        }
+        else
+        {
+          body(begin, end);
+        }
+      });
+  }
+
+  /// The same from the calling thread, for bodies that are parallel themselves.
+  template <typename Body>
+  bool InPieces(vtkIdType n, const Body& body)
+  {
     const vtkIdType piece = std::max<vtkIdType>(this->Total / 64, this->Fewest);
     for (vtkIdType begin = 0; begin < n && !this->IsStopped(); begin += piece)
     {
       const vtkIdType end = std::min(n, begin + piece);
-      if (end - begin > 1)
-      {
-        vtkSMPTools::For(begin, end, body);
-      }
-      else
-      {
-        body(begin, end);
-      }
+      body(begin, end);
       this->Done += end - begin;
       const double part = static_cast<double>(this->Done) / std::max<vtkIdType>(this->Total, 1);
       this->Algorithm->UpdateProgress(this->First + part * (this->Last - this->First));

@@ -13,6 +13,7 @@
 #include "vtkSkdTreeMeshAdaptation.h"
 #include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeProbe.h"
+#include "vtkSkdTreeRays.h"
 #include "vtkSkdTreeRemap.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ class UnsetSource : public testing::Test
 
 using Filters = testing::Types<vtkSkdTreeClosestPoint, vtkSkdTreeCompareSurfaces,
   vtkSkdTreeCurveSurfaceIntersection, vtkSkdTreeMeshAdaptation, vtkSkdTreePointInOut,
-  vtkSkdTreeProbe, vtkSkdTreeRemap>;
+  vtkSkdTreeProbe, vtkSkdTreeRays, vtkSkdTreeRemap>;
 TYPED_TEST_SUITE(UnsetSource, Filters);
 
 TYPED_TEST(UnsetSource, IsOneMessage)

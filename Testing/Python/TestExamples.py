@@ -68,6 +68,14 @@ def test_compare_surfaces():
     check("CompareSurfaces", [], words, (0.2, 0.9))
 
 
+def test_rays():
+    check("Rays", [], {" rays hit the surface": 1, "at most 6 hits": 1}, (0.2, 0.9))
+
+
+def test_wall_thickness():
+    check("WallThickness", [], {" points, thickness from": 3}, (0.2, 0.9))
+
+
 def test_probe():
     check("Probe", [], {"intervals: 66": 1}, (0.2, 0.8))
 

@@ -42,11 +42,13 @@ PIPELINES = {
     "SkdTreeMeshRefinement": lambda: dict(Input=grid(), Parts=ball(Radius=3)),
     "SkdTreePointInOut": lambda: dict(Input=grid(), Source=ball(Radius=3)),
     "SkdTreeProbe": lambda: dict(Input=ball(Radius=3), Source=grid()),
+    "SkdTreeRays": lambda: dict(Input=ball(), Source=ball(Radius=0.6)),
     "SkdTreeRemap": lambda: dict(
         Input=simple.Plane(XResolution=5), Source=ramp(simple.Plane(XResolution=7))),
     "SkdTreeRepresentation": lambda: dict(Input=ball()),
     "SkdTreeSpatialQuery": lambda: dict(Input=grid()),
     "SkdTreeSurfaceIntersection": lambda: dict(Input=ball(Center=[0.4, 0.1, 0]), Source=ball()),
+    "SkdTreeWallThickness": lambda: dict(Input=ball()),
 }
 
 

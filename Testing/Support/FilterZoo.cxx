@@ -20,10 +20,12 @@
 #include "vtkSkdTreeMeshRefinement.h"
 #include "vtkSkdTreePointInOut.h"
 #include "vtkSkdTreeProbe.h"
+#include "vtkSkdTreeRays.h"
 #include "vtkSkdTreeRemap.h"
 #include "vtkSkdTreeRepresentation.h"
 #include "vtkSkdTreeSpatialQuery.h"
 #include "vtkSkdTreeSurfaceIntersection.h"
+#include "vtkSkdTreeWallThickness.h"
 #include "vtkTable.h"
 
 #include <cstring>
@@ -105,6 +107,26 @@ AlgorithmPointer MakeComparison(vtkDataObject* input, vtkDataObject* source, boo
   filter->SetSignedDistance(isSigned);
   filter->SetChordalDeviation(Coarse);
   filter->SetMaximumBisections(1000);
+  return filter;
+}
+
+AlgorithmPointer MakeRays(vtkDataObject* input, vtkDataObject* source, bool isFromCells)
+{
+  const auto filter = MakeOf<vtkSkdTreeRays>(input, source);
+  filter->SetStart(isFromCells ? vtkSkdTreeRays::CELL_CENTERS : vtkSkdTreeRays::POINTS);
+  filter->SetAlongToDirection();
+  filter->SetDirection(0.3, 0.2, -0.9);
+  filter->BothWaysOn();
+  filter->SetHitsToAllHits();
+  filter->InterpolateSourceDataOn();
+  return filter;
+}
+
+AlgorithmPointer MakeThickness(vtkDataObject* input, vtkDataObject* source, int method)
+{
+  const auto filter = MakeOf<vtkSkdTreeWallThickness>(input, source);
+  filter->SetMethod(method);
+  filter->SetNumberOfRays(3);
   return filter;
 }
 
@@ -222,6 +244,13 @@ std::vector<FilterSetup> MakeDistances()
     { "ClosestPointOn", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, false); } },
     { "ClosestPointSigned", [](Data* mesh) { return MakeClosest(SomePoints(), mesh, true); } },
     { "ClosestPointFrom", [](Data* mesh) { return MakeClosest(mesh, SomeSurface(), true); } },
+    { "RaysOn", [](Data* mesh) { return MakeRays(SomePoints(), mesh, false); } },
+    { "RaysFrom", [](Data* mesh) { return MakeRays(mesh, SomeSurface(), true); } },
+    { "ThicknessOf",
+      [](Data* mesh) { return MakeThickness(mesh, nullptr, vtkSkdTreeWallThickness::SPHERES); } },
+    { "ThicknessTo",
+      [](Data* mesh)
+      { return MakeThickness(SomeSurface(), mesh, vtkSkdTreeWallThickness::RAYS); } },
     { "CompareOf", [](Data* mesh) { return MakeComparison(mesh, SomeSurface(), false); } },
     { "CompareWith", [](Data* mesh) { return MakeComparison(SomeSurface(), mesh, true); } },
   };

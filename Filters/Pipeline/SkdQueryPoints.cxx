@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InOut/SkdQueryPoints.h"
+#include "Pipeline/SkdQueryPoints.h"
 
 #include "Pipeline/SkdBlocks.h"
 #include "vtkImageData.h"

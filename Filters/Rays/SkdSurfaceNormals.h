@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSurfaceNormals_h
+#define SkdSurfaceNormals_h
+
+#include "Core/Geometry/Vector.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkDataSet;
+
+/// The unit normal of a surface cell by its corners, to the side from which they go round
+/// counterclockwise; of a strip that of the triangle nearest to x. 0 of other cells, and of cells
+/// without area. Thread-safe after SkdTouchCells().
+skd::Vector3 SkdNormalOfCell(vtkDataSet* mesh, vtkIdType cell, const skd::Vector3& x);
+
+/// The same of all cells; of a strip that of its first triangle.
+std::vector<skd::Vector3> SkdNormalsOfCells(vtkDataSet* mesh);
+
+/// Unit normals at points: the mean of those of the surface cells there, weighted by their angles,
+/// so that the division into triangles does not matter (G. Thuermer, C. A. Wuethrich, "Computing
+/// vertex normals from polygonal facets", Journal of Graphics Tools 3 (1998) 43-46). 0 where there
+/// is none.
+std::vector<skd::Vector3> SkdNormalsOfPoints(vtkDataSet* mesh);
+
+/// A vector divided by its length, whatever its magnitude; 0 if it is 0 or not finite.
+skd::Vector3 SkdUnit(const skd::Vector3& vector);
+
+#endif

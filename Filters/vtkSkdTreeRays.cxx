@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeRays.h"
+
+#include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdInterpolate.h"
+#include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReport.h"
+#include "Rays/SkdRayOutputs.h"
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeRays);
+
+class vtkSkdTreeRays::Internals
+{
+public:
+  SkdSourceTrees Trees;
+};
+
+namespace
+{
+bool IsAtPoints(vtkSkdTreeRays* self)
+{
+  return self->GetStart() == vtkSkdTreeRays::POINTS;
+}
+
+vtkDataSetAttributes* DataOf(vtkSkdTreeRays* self, const SkdBlock& block)
+{
+  return IsAtPoints(self) ? static_cast<vtkDataSetAttributes*>(block.Mesh->GetPointData())
+                          : block.Mesh->GetCellData();
+}
+
+SkdRayAim AimOf(vtkSkdTreeRays* self)
+{
+  SkdRayAim aim;
+  aim.Mode = static_cast<SkdRayAim::Along>(self->GetAlong());
+  aim.Array = self->GetDirectionArray();
+  const double* vector =
+    self->GetAlong() == vtkSkdTreeRays::TO_POINT ? self->GetTargetPoint() : self->GetDirection();
+  std::copy_n(vector, 3, aim.Vector.X);
+  aim.IsReversed = self->GetReversed();
+  return aim;
+}
+
+SkdRayLimits LimitsOf(vtkSkdTreeRays* self, double tolerance)
+{
+  return { tolerance, self->GetIncludeStart() ? -tolerance : tolerance, self->GetMaximumLength(),
+    self->GetBothWays() };
+}
+
+std::vector<SkdCastRays> FindStarts(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks)
+{
+  std::vector<SkdCastRays> rays;
+  const auto at = IsAtPoints(self) ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles;
+  const SkdRayAim aim = AimOf(self);
+  for (const SkdBlock& block : blocks)
+  {
+    rays.push_back({ SkdRayStarts(block.Mesh, at, aim), {} });
+  }
+  return rays;
+}
+
+/// One message about starts that have no ray.
+void WarnAbout(
+  vtkSkdTreeRays* self, const std::vector<SkdCastRays>& rays, const SkdTreeCounts& counts)
+{
+  vtkIdType without = 0;
+  for (const SkdCastRays& cast : rays)
+  {
+    if (!cast.Starts.Fault.empty())
+    {
+      vtkErrorWithObjectMacro(self, << cast.Starts.Fault);
+      return;
+    }
+    without += cast.Starts.CountWithoutRay();
+  }
+  if (counts.Cells == 0)
+  {
+    vtkWarningWithObjectMacro(self, "Source has no cells to hit; no ray hits anything.");
+  }
+  else if (without > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      << without << (IsAtPoints(self) ? " points" : " cells")
+      << " have no ray: their position or direction is not finite, or their direction is zero.");
+  }
+}
+
+void InterpolateSource(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks,
+  const std::vector<SkdCastRays>& rays, const SkdRayTarget& target)
+{
+  const auto meshOf = [&](int block) { return target.Trees.GetMesh(block); };
+  std::set<std::string> refused;
+  SkdLoop loop(self, SkdCountStarts(rays), 0.8, 1.0);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    const SkdCastRays& cast = rays[i];
+    const auto placeOf = [&](vtkIdType ray)
+    {
+      thread_local skd::Vector3 place;
+      const SkdRayHit* hit = cast.Lists.GetFirst(ray);
+      place = hit ? cast.PlaceOf(ray, *hit) : skd::Vector3{};
+      return hit ? SkdSourcePlace{ hit->Block, hit->CellId, place.X }
+                 : SkdSourcePlace{ -1, -1, nullptr };
+    };
+    SkdInterpolateInto(DataOf(self, blocks[i]), cast.Starts.GetNumber(), target.Blocks, meshOf,
+      placeOf, refused, loop);
+  }
+  SkdWarnAboutRefused(self, refused);
+}
+
+void Report(
+  vtkDataObject* output, const std::vector<SkdCastRays>& rays, const SkdTreeCounts& counts)
+{
+  vtkIdType hits = 0;
+  vtkIdType withHits = 0;
+  for (const SkdCastRays& cast : rays)
+  {
+    hits += cast.Lists.Offsets.back();
+    for (vtkIdType ray = 0; ray < cast.Starts.GetNumber(); ++ray)
+    {
+      withHits += cast.Lists.GetNumberOfHits(ray) > 0 ? 1 : 0;
+    }
+  }
+  SkdReport report(output);
+  report.AddCount("Rays", SkdCountStarts(rays));
+  report.AddCount("RaysWithHits", withHits);
+  report.AddCount("Hits", hits);
+  report.AddCount("SourceCells", counts.Cells);
+  report.AddCount("SourceCellsLeftOut", counts.CellsLeftOut);
+  report.AddMeasure("Epsilon", counts.Tolerance);
+}
+
+void FillOutputs(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks,
+  const std::vector<SkdCastRays>& rays, const SkdRayTarget& target, vtkPolyData* hits)
+{
+  std::vector<vtkDataSetAttributes*> data;
+  for (const SkdBlock& block : blocks)
+  {
+    data.push_back(DataOf(self, block));
+  }
+  const bool hasHits = self->GetHits() != vtkSkdTreeRays::COUNTS;
+  if (hasHits)
+  {
+    SkdFillHits(hits, rays, data, target, self->GetGenerateLines());
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    if (self->GetHits() != vtkSkdTreeRays::FIRST_HIT)
+    {
+      SkdAddHitCounts(data[i], rays[i]);
+    }
+    if (hasHits)
+    {
+      SkdAddFirstHits(data[i], rays[i], target);
+    }
+  }
+  if (hasHits && self->GetInterpolateSourceData())
+  {
+    InterpolateSource(self, blocks, rays, target);
+  }
+}
+}
+
+vtkSkdTreeRays::vtkSkdTreeRays()
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Required, { LIKE_INPUT, VTK_POLY_DATA })
+  , Impl(new Internals)
+{
+}
+
+vtkSkdTreeRays::~vtkSkdTreeRays() = default;
+
+void vtkSkdTreeRays::SetDirectionArray(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->DirectionArray != wanted)
+  {
+    this->DirectionArray = wanted;
+    this->Modified();
+  }
+}
+
+int vtkSkdTreeRays::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const std::vector<SkdBlock> blocks = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
+  vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);
+  const std::vector<SkdBlock> source = SkdBlocksWithCells(SkdBlocksOf(sourceData));
+  SkdStopwatch watch;
+  SkdSourceTrees& trees = this->Impl->Trees;
+  const int built = trees.Update(source, this->Epsilon);
+  const SkdRayTarget target{ trees, source, SkdIsComposite(sourceData) };
+  target.Touch();
+  const double buildSeconds = watch.Lap();
+
+  std::vector<SkdCastRays> rays = FindStarts(this, blocks);
+  WarnAbout(this, rays, trees.GetCounts());
+  const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
+  const SkdRayCaster caster(trees, static_cast<int>(source.size()), LimitsOf(this, tolerance));
+  SkdLoop loop(this, SkdCountStarts(rays), 0.2, 0.8, 32768);
+  for (SkdCastRays& cast : rays)
+  {
+    cast.Lists = this->Hits == FIRST_HIT
+      ? caster.FindFirst(cast.Starts.Points, cast.Starts.Directions, loop)
+      : caster.FindAll(cast.Starts.Points, cast.Starts.Directions, loop);
+  }
+  SkdReport report(output);
+  report.AddMeasure("Tolerance", tolerance);
+  report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
+  Report(output, rays, trees.GetCounts());
+  FillOutputs(this, blocks, rays, target, vtkPolyData::GetData(outputVector, 1));
+  return 1;
+}
+
+void vtkSkdTreeRays::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  SkdPrint(os, indent, "Start", this->Start, "Along", this->Along, "DirectionArray",
+    this->DirectionArray, "Direction", this->Direction, "TargetPoint", this->TargetPoint,
+    "Reversed", this->Reversed, "BothWays", this->BothWays, "Hits", this->Hits, "MaximumLength",
+    this->MaximumLength, "Tolerance", this->Tolerance, "IncludeStart", this->IncludeStart,
+    "InterpolateSourceData", this->InterpolateSourceData, "GenerateLines", this->GenerateLines,
+    "Epsilon", this->Epsilon);
+}
+VTK_ABI_NAMESPACE_END

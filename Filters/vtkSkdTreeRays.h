@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeRays
+ * @brief   where rays from the points or cells of a mesh hit a source mesh
+ *
+ * Casts a ray from each point or cell centre of Input (port 0, any vtkDataSet or composite of them)
+ * at Source (port 1, any vtkDataSet or composite), by the skD-tree (Algorithm 5.2 of Khamayseh and
+ * Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact tests decide what is hit: no ray passes
+ * between two triangles that share an edge. The answer does not depend on the number of threads or
+ * processes (each needs the whole Source). Volume cells are hit at their faces, vertices and lines
+ * only within rounding.
+ *
+ * Output port 0: the input with the point arrays or, of rays from cell centres, cell arrays
+ * | name             | type   | components | meaning                                   | none |
+ * | ---------------- | ------ | ---------- | ----------------------------------------- | ---- |
+ * | SkdRayHits       | idtype | 1          | number of hits (not of FIRST_HIT)         | 0    |
+ * | SkdRayDistance   | double | 1          | distance of the first hit; negative       | NaN  |
+ * |                  |        |            | against the direction, see BothWays       |      |
+ * | SkdRayHitPoint   | double | 3          | where it is                               | NaN  |
+ * | SkdRayCellId     | idtype | 1          | source cell hit, of several the lowest id | -1   |
+ * | SkdRaySide       | int    | 1          | 1: its front (its normal faces the ray),  | 0    |
+ * |                  |        |            | -1: its back, 0: no surface cell          |      |
+ * | SkdRayBlockIndex | int    | 1          | flat index of its block                   | -1   |
+ * (the last one only for a composite Source; all but the first not of COUNTS) and, optionally, the
+ * source's data at the first hit. The side at a curved cell is that of the polygon of its corners.
+ * Output port 1 (empty for COUNTS): vtkPolyData with a point for each hit or, by choice, a line
+ * from the start to it, with the same data, those of the start, and SkdRayStartId, the id of the
+ * start's point or cell. After an abort the remaining rays have no hits.
+ *
+ * Field data of output port 0, one value each: SkdReportRays, SkdReportRaysWithHits, SkdReportHits,
+ * SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator), SkdReportTolerance
+ * (in world units), SkdReportEpsilon, SkdReportTreesBuilt (0 if all were reused),
+ * SkdReportBuildSeconds, SkdReportQuerySeconds.
+ *
+ * Bad input: a missing array of directions is an error, and there is no hit. Points without a
+ * direction (a zero or non-finite vector, or no surface cell that has a normal) or that are not
+ * finite have no ray; one warning counts them. A Source without valid cells gives a warning, and no
+ * hits. A missing Source is an error of the pipeline.
+ *
+ * @sa
+ * vtkSkdTreeCellLocator vtkSkdTreeClosestPoint
+ */
+
+#ifndef vtkSkdTreeRays_h
+#define vtkSkdTreeRays_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
+#include "vtkSkdTreeSourceAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeRays : public vtkSkdTreeSourceAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeRays, vtkSkdTreeSourceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeRays* New();
+
+  /**
+   * See SetStart.
+   */
+  enum Starts
+  {
+    POINTS = 0,
+    CELL_CENTERS = 1
+  };
+
+  //@{
+  /**
+   * Where rays start: at the points of Input, or at the centres of its cells (the mean of their
+   * points). Default POINTS.
+   */
+  vtkSkdTreeChoiceMacro(Start, POINTS, CELL_CENTERS);
+  void SetStartToPoints() { this->SetStart(POINTS); }
+  void SetStartToCellCenters() { this->SetStart(CELL_CENTERS); }
+  //@}
+
+  /**
+   * See SetAlong.
+   */
+  enum Directions
+  {
+    NORMALS = 0,
+    ARRAY = 1,
+    DIRECTION = 2,
+    TO_POINT = 3
+  };
+
+  //@{
+  /**
+   * Where rays go: along the normals of the points or cells (the active ones or, without them,
+   * those of the surface cells, at points their mean weighted by angles), along the vectors of
+   * DirectionArray, along one Direction, or towards TargetPoint and beyond. Default NORMALS.
+   */
+  vtkSkdTreeChoiceMacro(Along, NORMALS, TO_POINT);
+  void SetAlongToNormals() { this->SetAlong(NORMALS); }
+  void SetAlongToArray() { this->SetAlong(ARRAY); }
+  void SetAlongToDirection() { this->SetAlong(DIRECTION); }
+  void SetAlongToPoint() { this->SetAlong(TO_POINT); }
+  //@}
+
+  //@{
+  /**
+   * For ARRAY: the point (or cell) array of three components, of any length but 0. Default empty:
+   * the active vectors.
+   */
+  void SetDirectionArray(const char* name);
+  const char* GetDirectionArray() const { return this->DirectionArray.c_str(); }
+  //@}
+
+  //@{
+  /**
+   * For DIRECTION: a vector of any length but 0. Default (0, 0, 1).
+   */
+  vtkSkdTreeFinite3Macro(Direction);
+  //@}
+
+  //@{
+  /**
+   * For TO_POINT. Default (0, 0, 0).
+   */
+  vtkSkdTreeFinite3Macro(TargetPoint);
+  //@}
+
+  //@{
+  /**
+   * Turn directions round, for example normals inwards. Default off.
+   */
+  vtkSkdTreeSwitchMacro(Reversed);
+  //@}
+
+  //@{
+  /**
+   * Cast rays in both directions: the first hit is the nearest of either, and distances are
+   * negative against the direction. Default off.
+   */
+  vtkSkdTreeSwitchMacro(BothWays);
+  //@}
+
+  /**
+   * See SetHits.
+   */
+  enum HitKinds
+  {
+    FIRST_HIT = 0,
+    ALL_HITS = 1,
+    COUNTS = 2
+  };
+
+  //@{
+  /**
+   * What is found: the first hit of each ray, all of them, or their number. Where a ray hits
+   * several cells at one place, for example at an edge that they share, that is one hit, also if it
+   * only touches the surface there. Default FIRST_HIT, which takes the least time.
+   */
+  vtkSkdTreeChoiceMacro(Hits, FIRST_HIT, COUNTS);
+  void SetHitsToFirstHit() { this->SetHits(FIRST_HIT); }
+  void SetHitsToAllHits() { this->SetHits(ALL_HITS); }
+  void SetHitsToCounts() { this->SetHits(COUNTS); }
+  //@}
+
+  //@{
+  /**
+   * The length of the rays. Default VTK_DOUBLE_MAX: no limit.
+   */
+  vtkSkdTreeWithinMacro(MaximumLength, double, 0.0, VTK_DOUBLE_MAX);
+  //@}
+
+  //@{
+  /**
+   * Hits at a distance of at most this from the start are left out (see IncludeStart), and hits of
+   * one ray that are no farther apart are one. Relative to the diagonal of the bounds of Source,
+   * and at least 8 units in the last place of the largest coordinate. Default 1e-9.
+   */
+  vtkSkdTreeWithinMacro(Tolerance, double, 0.0, 1.0);
+  //@}
+
+  //@{
+  /**
+   * Count hits within Tolerance of the start, too, on either side of it, which have the distance 0
+   * or up to Tolerance. Default off, for rays that start on Source.
+   */
+  vtkSkdTreeSwitchMacro(IncludeStart);
+  //@}
+
+  //@{
+  /**
+   * Add data of Source at the first hit, see vtkSkdTreeClosestPoint::SetInterpolateSourceData.
+   * Default off.
+   */
+  vtkSkdTreeSwitchMacro(InterpolateSourceData);
+  //@}
+
+  //@{
+  /**
+   * Fill output port 1 with lines from starts to hits instead of points. Default off.
+   */
+  vtkSkdTreeSwitchMacro(GenerateLines);
+  //@}
+
+  //@{
+  /**
+   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
+   */
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  //@}
+
+protected:
+  vtkSkdTreeRays();
+  ~vtkSkdTreeRays() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Start = POINTS;
+  int Along = NORMALS;
+  std::string DirectionArray;
+  double Direction[3] = { 0.0, 0.0, 1.0 };
+  double TargetPoint[3] = { 0.0, 0.0, 0.0 };
+  bool Reversed = false;
+  bool BothWays = false;
+  int Hits = FIRST_HIT;
+  double MaximumLength = VTK_DOUBLE_MAX;
+  double Tolerance = 1e-9;
+  bool IncludeStart = false;
+  bool InterpolateSourceData = false;
+  bool GenerateLines = false;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeRays(const vtkSkdTreeRays&) = delete;
+  void operator=(const vtkSkdTreeRays&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl; // the source's trees, kept while it is unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

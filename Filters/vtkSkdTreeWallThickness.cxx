@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSkdTreeWallThickness.h"
+
+#include "Cells/SkdForEach.h"
+#include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReport.h"
+#include "Rays/SkdRayStarts.h"
+#include "Rays/SkdThickness.h"
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkSkdTreeWallThickness);
+
+class vtkSkdTreeWallThickness::Internals
+{
+public:
+  SkdSourceTrees Trees;
+};
+
+namespace
+{
+using Filter = vtkSkdTreeWallThickness;
+
+bool IsAtPoints(Filter* self)
+{
+  return self->GetStart() == Filter::POINTS;
+}
+
+SkdThicknessRule RuleOf(Filter* self, bool hasSource, double maximum, double rounding)
+{
+  SkdThicknessRule rule;
+  rule.Rays = self->GetNumberOfRays();
+  rule.ConeAngle = vtkMath::RadiansFromDegrees(self->GetConeAngle());
+  rule.BacksOnly = !hasSource && !self->GetReversed();
+  rule.AreSpheres = self->GetMethod() == Filter::SPHERES;
+  rule.Separation = vtkMath::RadiansFromDegrees(self->GetSeparationAngle());
+  rule.Maximum = maximum;
+  rule.Rounding = rounding;
+  return rule;
+}
+
+/// The starts of all blocks; directions are inward.
+std::vector<SkdRayStarts> FindStarts(Filter* self, const std::vector<SkdBlock>& blocks)
+{
+  std::vector<SkdRayStarts> starts;
+  SkdRayAim inward;
+  inward.IsReversed = !self->GetReversed();
+  for (const SkdBlock& block : blocks)
+  {
+    starts.emplace_back(block.Mesh,
+      IsAtPoints(self) ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles, inward);
+  }
+  return starts;
+}
+
+void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answers,
+  const std::vector<SkdBlock>& source, bool isComposite)
+{
+  const auto n = static_cast<vtkIdType>(answers.size());
+  auto values = SkdMakeArray<vtkDoubleArray>("SkdThickness", 1, n, vtkMath::Nan());
+  auto points = SkdMakeArray<vtkDoubleArray>("SkdOppositePoint", 3, n, vtkMath::Nan());
+  auto cells = SkdMakeArray<vtkIdTypeArray>("SkdOppositeCellId", 1, n, -1);
+  std::vector<int> places(answers.size(), -1);
+  SkdForEach(n,
+    [&](vtkIdType i)
+    {
+      const SkdThickness& answer = answers[static_cast<std::size_t>(i)];
+      if (answer.Block >= 0)
+      {
+        values->SetValue(i, answer.Value);
+        points->SetTypedTuple(i, answer.Opposite.X);
+        cells->SetValue(i, answer.CellId);
+        places[static_cast<std::size_t>(i)] = answer.Block;
+      }
+    });
+  data->AddArray(values);
+  data->AddArray(points);
+  data->AddArray(cells);
+  if (isComposite)
+  {
+    data->AddArray(SkdMakeBlockIndices("SkdOppositeBlockIndex", places, source));
+  }
+  data->SetActiveScalars("SkdThickness");
+}
+
+/// Reports, and gives one warning about what has no thickness.
+void Report(Filter* self, SkdReport& report, vtkIdType asked, vtkIdType found)
+{
+  report.AddCount("Points", asked);
+  report.AddCount("PointsFound", found);
+  if (found < asked && !SkdIsAborted(self))
+  {
+    vtkWarningWithObjectMacro(self,
+      << asked - found << " of " << asked << (IsAtPoints(self) ? " points" : " cells")
+      << " have no thickness: nothing is opposite to them, or they have no normal. Is the surface "
+         "closed, and do its normals point outwards (see Reversed)?");
+  }
+}
+
+/// The length that no ray needs to exceed, nor any sphere's diameter.
+double LargestOf(const std::vector<SkdBlock>& source, const std::vector<SkdBlock>& input)
+{
+  return 4.0 * (SkdRayTolerance(1.0, source, {}) + SkdRayTolerance(1.0, input, {}));
+}
+}
+
+vtkSkdTreeWallThickness::vtkSkdTreeWallThickness()
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { LIKE_INPUT })
+  , Impl(new Internals)
+{
+}
+
+vtkSkdTreeWallThickness::~vtkSkdTreeWallThickness() = default;
+
+int vtkSkdTreeWallThickness::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* given = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* against = given ? given : input;
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  const std::vector<SkdBlock> source = SkdBlocksWithCells(SkdBlocksOf(against));
+  const std::vector<SkdBlock> blocks = SkdMirror(input, output);
+  SkdStopwatch watch;
+  SkdSourceTrees& trees = this->Impl->Trees;
+  const int built = trees.Update(source, this->Epsilon);
+  for (std::size_t block = 0; block < source.size(); ++block)
+  {
+    SkdTouchCells(trees.GetMesh(static_cast<int>(block)));
+  }
+  const double buildSeconds = watch.Lap();
+
+  const std::vector<SkdRayStarts> starts = FindStarts(this, blocks);
+  const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
+  const double maximum = std::min(this->MaximumThickness, LargestOf(source, blocks));
+  const SkdRayCaster caster(
+    trees, static_cast<int>(source.size()), { tolerance, tolerance, maximum, false });
+  const SkdThicknessMeasure measure(
+    trees, caster, RuleOf(this, given != nullptr, maximum, SkdRayTolerance(0.0, source, blocks)));
+  vtkIdType asked = 0;
+  vtkIdType found = 0;
+  for (const SkdRayStarts& start : starts)
+  {
+    asked += start.GetNumber();
+  }
+  SkdLoop loop(this, asked, 0.2, 1.0, 8192);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    const auto answers = measure.Measure(starts[i].Points, starts[i].Directions, loop);
+    found += std::count_if(
+      answers.begin(), answers.end(), [](const SkdThickness& answer) { return answer.Block >= 0; });
+    AddArrays(IsAtPoints(this) ? static_cast<vtkDataSetAttributes*>(blocks[i].Mesh->GetPointData())
+                               : blocks[i].Mesh->GetCellData(),
+      answers, source, SkdIsComposite(against));
+  }
+  SkdReport report(output);
+  Report(this, report, asked, found);
+  report.AddMeasure("Epsilon", trees.GetCounts().Tolerance);
+  report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
+  return 1;
+}
+
+void vtkSkdTreeWallThickness::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  SkdPrint(os, indent, "Start", this->Start, "Method", this->Method, "NumberOfRays",
+    this->NumberOfRays, "ConeAngle", this->ConeAngle, "SeparationAngle", this->SeparationAngle,
+    "Reversed", this->Reversed, "MaximumThickness", this->MaximumThickness, "Tolerance",
+    this->Tolerance, "Epsilon", this->Epsilon);
+}
+VTK_ABI_NAMESPACE_END

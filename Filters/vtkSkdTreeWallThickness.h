@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSkdTreeWallThickness
+ * @brief   how thick a body is at each point or cell of its surface
+ *
+ * Measures at each point or cell centre of Input (port 0, a closed surface whose normals point
+ * outwards: any vtkDataSet or composite) how far the opposite side of the body is, by the skD-tree
+ * (Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). The optional Source (port 1) is
+ * the surface to measure against; without it, it is Input itself with all its blocks.
+ *
+ * - RAYS: along the inverted normal or, with NumberOfRays, the median over a cone of rays about it:
+ *   the shape diameter function of L. Shapira, A. Shamir, D. Cohen-Or, The Visual Computer 24
+ * (2008) 249-259. Without a Source only rays count that leave the body, through the front of a
+ * face.
+ * - SPHERES: the diameter of the largest sphere within the body that touches the surface there, by
+ *   the shrinking ball of J. Ma, S. W. Bae, S. Choi, The Visual Computer 28 (2012) 7-19, with the
+ *   exact nearest point of all cells: the sphere overlaps nothing but facets next to the point (see
+ *   SeparationAngle). Never larger than by one ray.
+ *
+ * Normals are the active ones of the points or cells or, without them, those of the surface cells,
+ * at points their mean weighted by angles.
+ *
+ * Output: the input with the point arrays or, at cell centres, cell arrays
+ * | name                  | type   | components | meaning                              | none |
+ * | --------------------- | ------ | ---------- | ------------------------------------ | ---- |
+ * | SkdThickness          | double | 1          | thickness                            | NaN  |
+ * | SkdOppositePoint      | double | 3          | the end of the ray, or where the     | NaN  |
+ * |                       |        |            | sphere touches the opposite side     |      |
+ * | SkdOppositeCellId     | idtype | 1          | its cell, of several the lowest id   | -1   |
+ * | SkdOppositeBlockIndex | int    | 1          | flat index of its block              | -1   |
+ * (the last one only if what is measured against is composite). SkdThickness becomes the active
+ * scalars. The answer does not depend on the number of threads or processes; each needs the whole
+ * surface. After an abort the remaining points have none.
+ *
+ * Field data, one value each: SkdReportPoints, SkdReportPointsFound (with a thickness),
+ * SkdReportEpsilon, SkdReportTreesBuilt (0 if all were reused), SkdReportBuildSeconds,
+ * SkdReportQuerySeconds.
+ *
+ * Bad input: one warning counts the points that have no thickness because nothing is opposite (the
+ * surface is open, or its normals point inwards: see Reversed), because they have no normal, or
+ * because they are not finite. An Input without points gives an output without points.
+ *
+ * @sa
+ * vtkSkdTreeRays vtkSkdTreeClosestPoint
+ */
+
+#ifndef vtkSkdTreeWallThickness_h
+#define vtkSkdTreeWallThickness_h
+
+#include "vtkFiltersSkdTreeModule.h" // For export macro
+#include "vtkSkdTreeSetWithin.h"     // For properties that have a range
+#include "vtkSkdTreeSourceAlgorithm.h"
+#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+
+#include <memory> // For std::unique_ptr
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeWallThickness : public vtkSkdTreeSourceAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSkdTreeWallThickness, vtkSkdTreeSourceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  static vtkSkdTreeWallThickness* New();
+
+  /**
+   * See SetStart.
+   */
+  enum Starts
+  {
+    POINTS = 0,
+    CELL_CENTERS = 1
+  };
+
+  //@{
+  /**
+   * Where thickness is measured: at points, or at the centres of cells (the mean of their points).
+   * Default POINTS.
+   */
+  vtkSkdTreeChoiceMacro(Start, POINTS, CELL_CENTERS);
+  void SetStartToPoints() { this->SetStart(POINTS); }
+  void SetStartToCellCenters() { this->SetStart(CELL_CENTERS); }
+  //@}
+
+  /**
+   * See SetMethod.
+   */
+  enum Methods
+  {
+    RAYS = 0,
+    SPHERES = 1
+  };
+
+  //@{
+  /**
+   * What thickness is: see the description of the class. Default RAYS.
+   */
+  vtkSkdTreeChoiceMacro(Method, RAYS, SPHERES);
+  void SetMethodToRays() { this->SetMethod(RAYS); }
+  void SetMethodToSpheres() { this->SetMethod(SPHERES); }
+  //@}
+
+  //@{
+  /**
+   * For RAYS: how many there are, evenly over the solid angle of the cone, the first along its
+   * axis; of an even number of hits the lower of the two in the middle counts. Default 1: the
+   * inverted normal alone.
+   */
+  vtkSkdTreeWithinMacro(NumberOfRays, int, 1, 1000);
+  //@}
+
+  //@{
+  /**
+   * For several RAYS: the angle between the cone's axis and its side, in degrees. Default 60.
+   */
+  vtkSkdTreeWithinMacro(ConeAngle, double, 0.0, 89.0);
+  //@}
+
+  //@{
+  /**
+   * For SPHERES: places on the surface that the sphere's centre sees at less than this angle, in
+   * degrees, from the point do not bound it. They are on facets next to the point, which, however
+   * fine, leave a sphere no room at a convex edge. Default 60; a body with flatter edges than this
+   * is measured as if they were smooth.
+   */
+  vtkSkdTreeWithinMacro(SeparationAngle, double, 0.0, 180.0);
+  //@}
+
+  //@{
+  /**
+   * Measure along the normals, for surfaces whose normals point inwards. Default off.
+   */
+  vtkSkdTreeSwitchMacro(Reversed);
+  //@}
+
+  //@{
+  /**
+   * Nothing thicker is found. Default VTK_DOUBLE_MAX: no limit.
+   */
+  vtkSkdTreeWithinMacro(MaximumThickness, double, 0.0, VTK_DOUBLE_MAX);
+  //@}
+
+  //@{
+  /**
+   * What is at most this far from the point is not opposite to it. Relative to the diagonal of the
+   * bounds of the surface measured against, and at least 8 units in the last place of the largest
+   * coordinate. Default 1e-9.
+   */
+  vtkSkdTreeWithinMacro(Tolerance, double, 0.0, 1.0);
+  //@}
+
+  //@{
+  /**
+   * See vtkSkdTreeCellLocator::SetEpsilon. Default 1e-9.
+   */
+  vtkSkdTreeWithinMacro(Epsilon, double, 0.0, 1.0);
+  //@}
+
+protected:
+  vtkSkdTreeWallThickness();
+  ~vtkSkdTreeWallThickness() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Start = POINTS;
+  int Method = RAYS;
+  int NumberOfRays = 1;
+  double ConeAngle = 60.0;
+  double SeparationAngle = 60.0;
+  bool Reversed = false;
+  double MaximumThickness = VTK_DOUBLE_MAX;
+  double Tolerance = 1e-9;
+  double Epsilon = 1e-9;
+
+private:
+  vtkSkdTreeWallThickness(const vtkSkdTreeWallThickness&) = delete;
+  void operator=(const vtkSkdTreeWallThickness&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl; // the trees, kept while the surface is unchanged
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

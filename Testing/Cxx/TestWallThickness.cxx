@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeWallThickness: bodies of known thickness, and bad input.
+
+#include "Support/EventCounter.h"
+#include "Support/FilterRun.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkCellData.h"
+#include "vtkSMPTools.h"
+#include "vtkSkdTreeWallThickness.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace skdtest;
+
+namespace
+{
+
+using Filter = vtkSkdTreeWallThickness;
+using FilterPointer = vtkSmartPointer<Filter>;
+
+FilterPointer MakeFilter(vtkDataObject* input, int method)
+{
+  auto filter = FilterPointer::New();
+  filter->SetInputDataObject(0, input);
+  filter->SetMethod(method);
+  return filter;
+}
+
+std::vector<double> Thickness(Filter* filter)
+{
+  filter->Update();
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* data = filter->GetStart() == Filter::POINTS
+    ? static_cast<vtkDataSetAttributes*>(output->GetPointData())
+    : output->GetCellData();
+  std::vector<double> values;
+  vtkDataArray* array = data->GetArray("SkdThickness");
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetTuple1(i));
+  }
+  return values;
+}
+
+void ExpectAll(Filter* filter, double thickness, double tolerance)
+{
+  const std::vector<double> values = Thickness(filter);
+  ASSERT_FALSE(values.empty());
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  EXPECT_NEAR(*low, thickness, tolerance);
+  EXPECT_NEAR(*high, thickness, tolerance);
+  EXPECT_EQ(Reported(filter, "PointsFound"), values.size());
+}
+
+/// A cube about the origin, of half the size 1, whose sides face outwards.
+Mesh Cube(int n)
+{
+  Mesh cube = CubeQuads(n);
+  Bounds box;
+  MakePolyData(cube)->GetBounds(box.data());
+  cube.Map(
+    [&](const Point& p)
+    {
+      Point moved;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        moved[axis] = 2.0 * (p[axis] - box[2 * axis]) / (box[2 * axis + 1] - box[2 * axis]) - 1.0;
+      }
+      return moved;
+    });
+  for (auto& cell : cube.Cells)
+  {
+    const auto at = [&](int i) { return cube.Points[cell.Points[i]]; };
+    if (Dot(Cross(at(1) - at(0), at(2) - at(0)), at(0)) < 0.0)
+    {
+      std::reverse(cell.Points.begin(), cell.Points.end());
+    }
+  }
+  return cube;
+}
+
+/// The outside of a body, and the wall of a cavity in it that is similar about the origin.
+Mesh Hollow(const Mesh& outer, double factor)
+{
+  Mesh hollow = outer;
+  const auto n = static_cast<vtkIdType>(outer.Points.size());
+  for (const Point& p : outer.Points)
+  {
+    hollow.Add(factor * p);
+  }
+  for (const auto& cell : outer.Cells)
+  {
+    Ids ids(cell.Points.rbegin(), cell.Points.rend());
+    for (vtkIdType& id : ids)
+    {
+      id += n;
+    }
+    hollow.Add(cell.Type, ids);
+  }
+  return hollow;
+}
+
+TEST(WallThickness, OfASphereIsItsDiameter)
+{
+  for (const double offset : { 0.0, 1e6 })
+  {
+    const auto sphere = MakePolyData(Placed(SphereTriangles(12), 1.0, { offset, 0, -offset }));
+    for (const int method : { Filter::RAYS, Filter::SPHERES })
+    {
+      auto filter = MakeFilter(sphere, method);
+      ExpectAll(filter, 2.0, 0.1);
+      filter->SetStartToCellCenters();
+      ExpectAll(filter, 2.0, 0.15); // the facets around leave spheres less room
+    }
+  }
+}
+
+TEST(WallThickness, OfATorusIsTheTubesDiameter)
+{
+  const Mesh torus = TorusTriangles(96, 48);
+  double high = 0.0;
+  for (const Point& p : torus.Points)
+  {
+    high = std::max(high, std::abs(p[2]));
+  }
+  for (const int method : { Filter::RAYS, Filter::SPHERES })
+  {
+    ExpectAll(MakeFilter(MakePolyData(torus), method), 2.0 * high, 0.04 * high);
+  }
+}
+
+// Rays at an angle a to the axis travel 2 cos a, and cos a is spread evenly over the solid angle.
+TEST(WallThickness, ConesGiveTheirMedian)
+{
+  auto filter = MakeFilter(MakePolyData(SphereTriangles(24)), Filter::RAYS);
+  filter->SetNumberOfRays(9);
+  filter->SetConeAngle(60.0);
+  ExpectAll(filter, 2.0 * 0.75, 0.03);
+  filter->SetConeAngle(0.0);
+  ExpectAll(filter, 2.0, 0.03);
+}
+
+TEST(WallThickness, OfShellsDownToAMillionth)
+{
+  for (const double thickness : { 0.1, 1e-3, 1e-6 })
+  {
+    for (const double offset : { 0.0, 100.0 })
+    {
+      const auto shell =
+        MakePolyData(Placed(Hollow(Cube(4), 1.0 - thickness), 1.0, { offset, offset, offset }));
+      for (const int method : { Filter::RAYS, Filter::SPHERES })
+      {
+        auto filter = MakeFilter(shell, method);
+        filter->SetStartToCellCenters();
+        ExpectAll(filter, thickness, 1e-14 + 1e-15 * offset);
+      }
+    }
+  }
+}
+
+TEST(WallThickness, SpheresTouchTheNearerOfTwoSides)
+{
+  // A box of 4 x 4 x 1: at the large faces it is 1 thick unless a side is nearer, and at the small
+  // ones a sphere has a diameter of 1 at most, but a ray goes 4.
+  Mesh mesh = Cube(8);
+  mesh.Map(
+    [](const Point& p) {
+      return Point{ 2.0 * (p[0] + 1.0), 2.0 * (p[1] + 1.0), 0.5 * (p[2] + 1.0) };
+    });
+  auto filter = MakeFilter(MakePolyData(mesh), Filter::SPHERES);
+  filter->SetStartToCellCenters();
+  const std::vector<double> spheres = Thickness(filter);
+  filter->SetMethod(Filter::RAYS);
+  const std::vector<double> rays = Thickness(filter);
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    double b[6];
+    output->GetCellBounds(static_cast<vtkIdType>(i), b);
+    const double c[3] = { (b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2 };
+    const bool isLarge = b[5] - b[4] < 1e-9;
+    EXPECT_NEAR(rays[i], isLarge ? 1.0 : 4.0, 1e-12);
+    // The nearest of the sides that the point is not on bounds the sphere's radius.
+    double room = isLarge ? 0.5 : 2.0;
+    const double sizes[3] = { 4, 4, 1 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (b[2 * axis + 1] - b[2 * axis] > 1e-9)
+      {
+        room = std::min({ room, c[axis], sizes[axis] - c[axis] });
+      }
+    }
+    EXPECT_NEAR(spheres[i], 2.0 * room, 1e-6);
+  }
+}
+
+TEST(WallThickness, AgainstASourceAndBlocks)
+{
+  const auto inner = MakePolyData(SphereTriangles(16));
+  const auto outer = MakePolyData(SphereTriangles(16).Map([](const Point& p) { return 3.0 * p; }));
+  auto filter = MakeFilter(outer, Filter::RAYS);
+  filter->SetSourceData(inner);
+  ExpectAll(filter, 2.0, 2e-3);
+  filter->SetSourceData(nullptr);
+  const auto other = MakePolyData(Placed(SphereTriangles(16), 1.0, { 10, 0, 0 }));
+  filter->SetInputDataObject(0, MakeBlocks({ inner, other }));
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "PointsFound"), inner->GetNumberOfPoints() * 2);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 1) << "that of the former Source is kept";
+}
+
+TEST(WallThickness, ThreadsAndTheLimit)
+{
+  const auto torus = MakePolyData(TorusTriangles(60, 30));
+  for (const int method : { Filter::RAYS, Filter::SPHERES })
+  {
+    auto filter = MakeFilter(torus, method);
+    filter->SetNumberOfRays(7);
+    std::vector<double> answers[2];
+    for (const int threads : { 1, 3 })
+    {
+      vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+        [&]
+        {
+          filter->Modified();
+          answers[threads / 3] = Thickness(filter);
+        });
+    }
+    EXPECT_EQ(answers[0], answers[1]);
+    filter->SetMaximumThickness(1e-3);
+    EventCounter events(filter);
+    for (double thickness : Thickness(filter))
+    {
+      EXPECT_TRUE(std::isnan(thickness));
+    }
+    EXPECT_EQ(events.Warnings, 1);
+  }
+}
+
+TEST(WallThickness, WhatHasNoneIsOneWarning)
+{
+  const auto sheet = MakePolyData(Sheet(4, VTK_QUAD));
+  const auto points = MakeQueries({ { 0, 0, 0 }, { NAN, 0, 0 } });
+  const auto sphere = MakePolyData(SphereTriangles(8));
+  for (const int method : { Filter::RAYS, Filter::SPHERES })
+  {
+    for (const auto& mesh : { sheet, points })
+    {
+      auto filter = MakeFilter(mesh, method);
+      EventCounter events(filter);
+      for (double thickness : Thickness(filter))
+      {
+        EXPECT_TRUE(std::isnan(thickness));
+      }
+      EXPECT_EQ(events.Warnings, 1);
+      EXPECT_EQ(events.Errors, 0);
+      const std::string count = std::to_string(mesh->GetNumberOfPoints());
+      const std::string wanted = count + " of " + count + " points have no thickness";
+      EXPECT_NE(events.Warning.find(wanted), std::string::npos) << events.Warning;
+    }
+    auto filter = MakeFilter(sphere, method);
+    EventCounter events(filter);
+    filter->ReversedOn();
+    filter->Update();
+    EXPECT_EQ(events.Warnings, 1);
+    EXPECT_EQ(Reported(filter, "PointsFound"), 0);
+    filter->SetInputDataObject(0, PolyDataPointer::New());
+    filter->Update();
+    EXPECT_EQ(events.Warnings, 1);
+    EXPECT_EQ(events.Errors, 0);
+  }
+}
+
+}
