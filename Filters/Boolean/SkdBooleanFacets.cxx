@@ -13,9 +13,11 @@ SkdBoundaryMeasures SkdMeasureBoundary(
     {
       const std::array<skd::Vector3, 3> x = facets.GetPositions(set, facet);
       const skd::Vector3 normal = Cross(x[1] - x[0], x[2] - x[0]);
-      measures.Volume += signs[facet] * Dot(x[0] - origin, normal) / 6.0;
-      measures.Area += 0.5 * Norm(normal);
+      measures.Volume += signs[facet] * Dot(x[0] - origin, normal);
+      measures.Area += Norm(normal);
     }
   }
+  measures.Volume /= 6.0;
+  measures.Area /= 2.0;
   return measures;
 }

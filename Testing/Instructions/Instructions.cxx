@@ -16,6 +16,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
+#include "vtkSkdTreeBooleanOperation.h"
 #include "vtkSkdTreeCellLocator.h"
 
 #include <iostream>
@@ -227,6 +228,17 @@ void CountSurface()
   surface.CountFirstAnswer("first answer, built on query");
 }
 
+void CountBoolean()
+{
+  vtkNew<vtkSkdTreeBooleanOperation> filter;
+  filter->SetInputData(MakePolyData(SphereTriangles(40).Map(Dented)));
+  filter->SetSourceData(
+    MakePolyData(Placed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 })));
+  Count("union of solids", [&] { filter->Update(); });
+  filter->SetOperationToIntersection();
+  Count("another operation on them", [&] { filter->Update(); });
+}
+
 /// Cells whose pieces must be searched, not gone through one by one.
 void CountExpensiveCells()
 {
@@ -265,6 +277,7 @@ int main()
 #endif
   vtkSMPTools::Initialize(1);
   CountSurface();
+  CountBoolean();
   CountVolume("tetrahedra", Tetrahedra(12));
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));
