@@ -45,6 +45,15 @@ void MoveBoth(Random& random, Pair& pair, bool isTiny)
   pair.What += way < 4 ? names[way] : "";
 }
 
+/// Turned by next to nothing: faces nearly coincide, and meet at any angle down to rounding.
+Mesh Nudged(Random& random, Mesh solid, std::string& what)
+{
+  const double angle = std::pow(10.0, -1.0 - random.Index(16));
+  const Point axis = random.Direction();
+  what += ", turned by " + std::to_string(angle);
+  return solid.Map([&](const Point& p) { return p + angle * Cross(axis, p); });
+}
+
 Pair MakePair(Random& random)
 {
   Pair pair;
@@ -59,6 +68,11 @@ Pair MakePair(Random& random)
   {
     pair.Solids[1] = Placed(std::move(pair.Solids[1]), sizes[smaller], { 0, 0, 0 });
     pair.What += ", smaller";
+  }
+  if (isSame && random.Index(2) == 0)
+  {
+    pair.Solids[1] = Nudged(random, std::move(pair.Solids[1]), pair.What);
+    return pair;
   }
   pair.Solids[1] = MovedAnywhere(random, std::move(pair.Solids[1]), pair.What);
   MoveBoth(random, pair, smaller == 1);

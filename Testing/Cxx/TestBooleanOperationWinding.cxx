@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreeBooleanOperation: random inputs that intersect themselves, have faces twice or solids
-// inside out: inside is what the rule makes of the winding number. And places in at least k solids.
+// inside out: inside is what the rule makes of the winding number. Also cuts by a plane that is
+// open, and places in at least k solids.
 //
 // SKDTREE_FUZZ_PAIRS and SKDTREE_FUZZ_FIRST as in TestBooleanOperationRandom.cxx.
 
 #include "Support/SolidRun.h"
+#include "Support/SurfaceMeshes.h"
 
 #include "vtkMultiBlockDataSet.h"
 
@@ -97,6 +99,53 @@ void TryMany(int number)
       return in >= least;
     };
     ExpectSolid(random, all, isInside, RunSolid(filter));
+  }
+}
+
+/// A solid cut by a plane that is larger: both sides are closed, and together the whole.
+void TryCut(int number)
+{
+  Random random(4000000u + static_cast<std::uint64_t>(number));
+  std::string what;
+  Mesh solid = MovedAnywhere(random, AnySolid(random, what), what);
+  const double height = random.Index(2) ? 0.25 * (random.Index(7) - 3) : random.Between(-1.0, 1.0);
+  Mesh plane = Placed(Sheet(1 + random.Index(4), VTK_TRIANGLE), 8.0, { -4, -4, height });
+  if (random.Index(2) == 0)
+  {
+    const RandomRotation rotation(random, random.Index(2) == 0);
+    solid.Map(rotation);
+    plane.Map(rotation);
+  }
+  const Point& a = plane.Points[plane.Cells[0].Points[0]];
+  const Point normal =
+    Cross(plane.Points[plane.Cells[0].Points[1]] - a, plane.Points[plane.Cells[0].Points[2]] - a);
+  SCOPED_TRACE("cut " + std::to_string(number) + " at " + std::to_string(height) + ": " + what);
+  double sum = 0.0;
+  for (const int operation : { Filter::INTERSECTION, Filter::DIFFERENCE })
+  {
+    const auto isInside = [&](const Point& x) -> std::optional<bool>
+    {
+      const std::optional<long> winding = WindingAt(solid, x);
+      const double above = Dot(normal, x - a) / Length(normal);
+      const bool isSure = winding && std::abs(above) > 1e-9;
+      const bool isOnSide = (above < 0.0) == (operation == Filter::INTERSECTION);
+      return isSure ? std::optional<bool>(*winding != 0 && isOnSide) : std::nullopt;
+    };
+    const Mesh part = Combine(solid, plane, operation);
+    ExpectSolid(random, { &solid }, isInside, part);
+    sum += Measures(part).Volume;
+  }
+  const Measures whole(solid);
+  EXPECT_NEAR(sum, whole.Volume, 1e-13 * whole.Volume + whole.Rounding);
+}
+
+TEST(BooleanOperationWinding, CutByAPlane)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = SetInEnvironment("SKDTREE_FUZZ_PAIRS", 40) / 2;
+  for (int number = first; number < first + count; ++number)
+  {
+    TryCut(number);
   }
 }
 
