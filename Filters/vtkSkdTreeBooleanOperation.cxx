@@ -60,8 +60,9 @@ public:
   /// open (a sheet) in operations that have a use for it.
   bool AreClosed(Filter* self) const;
 
-  /// Finds out which solids each region is in, unless that is done.
-  void FindWindings(Filter* self);
+  /// Finds out which solids each region is in, unless that is done. False, with an error, if it
+  /// could not.
+  bool FindWindings(Filter* self);
 
   /// The faces of the output.
   SkdFacetSigns Select(Filter* self) const;
@@ -206,14 +207,20 @@ bool vtkSkdTreeBooleanOperation::Internals::AreClosed(Filter* self) const
   return true;
 }
 
-void vtkSkdTreeBooleanOperation::Internals::FindWindings(Filter* self)
+bool vtkSkdTreeBooleanOperation::Internals::FindWindings(Filter* self)
 {
   if (!this->Windings.empty())
   {
-    return;
+    return true;
   }
-  this->Windings =
-    SkdFindWindingNumbers(this->Placement->First, this->Arrangement, this->Solids.Of);
+  this->Windings = SkdFindWindingNumbers(*this->Placement, this->Arrangement, this->Solids.Of);
+  if (this->Windings.size() < this->Arrangement.NumberOfRegions)
+  {
+    vtkErrorWithObjectMacro(self,
+      "Which regions are inside could not be found; there is no output. Please report "
+      "this, with the inputs.");
+    return false;
+  }
   const vtkIdType undivided = !this->IsSheet(1)
     ? 0
     : SkdPlaceSheet(this->Placement->First, this->Arrangement, this->Solids.Of, 1, this->Windings);
@@ -224,6 +231,7 @@ void vtkSkdTreeBooleanOperation::Internals::FindWindings(Filter* self)
             << " parts of it are on both sides and are taken "
                "as in front. Extend the Source or close it.");
   }
+  return true;
 }
 
 SkdFacetSigns vtkSkdTreeBooleanOperation::Internals::Select(Filter* self) const
@@ -355,9 +363,9 @@ int vtkSkdTreeBooleanOperation::RequestData(
   }
   const bool areAllClosed = std::all_of(own.BadEdges.begin(), own.BadEdges.end(),
     [](const SkdBadEdges& bad) { return bad.Count == 0; });
-  if (this->Operation != IMPRINT || areAllClosed)
+  if ((this->Operation != IMPRINT || areAllClosed) && !own.FindWindings(this))
   {
-    own.FindWindings(this);
+    return 1;
   }
   const SkdFacetSigns signs = own.Select(this);
   own.Fill(this, blocks, signs, output);

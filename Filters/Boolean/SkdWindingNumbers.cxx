@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boolean/SkdWindingNumbers.h"
 
-#include "Boolean/SkdSolidAngles.h"
+#include "Boolean/SkdLineCrossings.h"
 #include "Cells/SkdForEach.h"
-#include "Core/Tree/PackedRTree.h"
+#include "Core/Predicates/ExactPoint.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace
 {
@@ -29,34 +31,33 @@ void Add(SkdRegionWindings& to, const SkdWindingOf& winding)
   }
 }
 
-/// The area of a triangle by its longest side, squared: large if its centroid is far from its
-/// edges.
-double Height2Of(const std::array<skd::Vector3, 3>& x)
-{
-  const double longest2 = std::max({ Norm2(x[1] - x[0]), Norm2(x[2] - x[1]), Norm2(x[0] - x[2]) });
-  return longest2 > 0.0 ? Norm2(Cross(x[1] - x[0], x[2] - x[0])) / longest2 : 0.0;
-}
-
 /// Facets that are connected by edges.
 struct Component
 {
-  std::uint32_t Facet = None; // the highest, at which winding numbers are found
-  double Height2 = -1.0;
-  skd::Vector3 Centroid; // of that facet
   std::vector<std::uint32_t> Triangles;
+  std::uint32_t Largest = None; // of them
+  double Area = -1.0;
   skd::Box3 Box;
+};
+
+/// A region of a component, and its winding numbers.
+struct Seed
+{
+  std::uint32_t Region = None;
+  SkdRegionWindings Windings;
 };
 
 class Search
 {
 public:
-  Search(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
+  Search(const SkdPlacedTriangles& set, double scale, const SkdArrangement& arrangement,
     const std::vector<std::uint32_t>& surfaceOf)
     : Set(set)
     , Arrangement(arrangement)
     , SurfaceOf(surfaceOf)
     , Windings(arrangement.NumberOfRegions)
     , ComponentOf(arrangement.NumberOfRegions, None)
+    , Error(SkdSplitPoints::ErrorOf(set.GetSet().GetLargestCoordinate() * scale))
   {
   }
 
@@ -64,23 +65,33 @@ public:
   {
     this->SpreadWindings();
     this->CollectComponents();
-    std::vector<SkdRegionWindings> front(this->Components.size());
+    this->PrepareLines();
+    std::vector<SkdRegionWindings> offsets(this->Components.size());
+    std::atomic<bool> areAllFound{ true };
     SkdForEach(
-      static_cast<vtkIdType>(front.size()),
-      [&](vtkIdType i) { front[i] = this->FindOwnWindings(this->Components[i]); }, 1);
-    this->AddNested(front);
-    for (std::size_t i = 0; i < front.size(); ++i)
+      static_cast<vtkIdType>(offsets.size()),
+      [&](vtkIdType i)
+      {
+        Seed seed = this->FindSeed(static_cast<std::uint32_t>(i));
+        if (seed.Region == None)
+        {
+          areAllFound = false;
+          return;
+        }
+        for (const SkdWindingOf& known : this->Windings[seed.Region])
+        {
+          Add(seed.Windings, { known.Surface, -known.Number });
+        }
+        offsets[i] = std::move(seed.Windings);
+      },
+      1);
+    if (!areAllFound)
     {
-      const SkdRegionWindings& known =
-        this->Windings[this->Arrangement.GetFront(this->Components[i].Facet)];
-      std::for_each(known.begin(), known.end(),
-        [&](const SkdWindingOf& w) {
-          Add(front[i], { w.Surface, -w.Number });
-        });
+      return {};
     }
     for (std::uint32_t region = 0; region < this->Windings.size(); ++region)
     {
-      for (const SkdWindingOf& offset : front[this->ComponentOf[region]])
+      for (const SkdWindingOf& offset : offsets[this->ComponentOf[region]])
       {
         Add(this->Windings[region], offset);
       }
@@ -177,107 +188,160 @@ private:
     for (std::uint32_t facet = 0; facet < facets.GetNumberOfFacets(); ++facet)
     {
       Component& component = this->Components[this->ComponentOf[this->Arrangement.GetFront(facet)]];
-      const std::array<skd::Vector3, 3> x = facets.GetPositions(this->Set, facet);
-      const double height2 = Height2Of(x);
-      if (height2 > component.Height2)
-      {
-        component.Facet = facet;
-        component.Height2 = height2;
-        component.Centroid = (1.0 / 3.0) * (x[0] + x[1] + x[2]);
-      }
       facets.ForEachLayer(facet,
         [&](std::uint32_t parent, int)
         {
           if (!isListed[parent])
           {
             isListed[parent] = true;
-            component.Triangles.push_back(parent);
-            component.Box.Add(this->Set.GetBox(parent));
+            this->AddTriangle(parent, component);
           }
         });
     }
   }
 
-  /// The numbers in front of a component's highest facet that its own triangles cause. Half of the
-  /// sum over the facet's layers is missing at its centroid, where these have no solid angle.
-  SkdRegionWindings FindOwnWindings(const Component& component) const
+  void AddTriangle(std::uint32_t triangle, Component& component) const
   {
-    std::vector<std::uint32_t> layers;
-    SkdSolidAngles::Numbers numbers;
-    this->Arrangement.Facets.ForEachLayer(component.Facet,
-      [&](std::uint32_t parent, int sign)
-      {
-        layers.push_back(parent);
-        numbers[this->SurfaceOf[parent]] -= 0.5 * sign;
-      });
-    SkdAddSolidAngles(
-      this->Set, this->SurfaceOf, component.Triangles, layers, component.Centroid, numbers);
-    return Rounded(numbers);
+    const auto x = this->Set.GetCornerPoints(triangle);
+    const double area = Norm2(Cross(x[1] - x[0], x[2] - x[0]));
+    component.Triangles.push_back(triangle);
+    component.Box.Add(this->Set.GetBox(triangle));
+    if (area > component.Area)
+    {
+      component.Area = area;
+      component.Largest = triangle;
+    }
   }
 
-  static SkdRegionWindings Rounded(const SkdSolidAngles::Numbers& numbers)
+  /// Finds out how many lines each component will be crossed by: its own, and those of components
+  /// that begin within its box.
+  void PrepareLines()
   {
-    SkdRegionWindings windings;
-    for (const auto& [surface, number] : numbers)
-    {
-      if (std::abs(number) > 0.5)
-      {
-        windings.push_back({ surface, static_cast<int>(std::lround(number)) });
-      }
-    }
-    return windings;
-  }
-
-  /// Adds the numbers that other components cause.
-  void AddNested(std::vector<SkdRegionWindings>& front) const
-  {
-    if (front.size() < 2)
-    {
-      return;
-    }
     std::vector<skd::Box3> boxes;
     for (const Component& component : this->Components)
     {
       boxes.push_back(component.Box);
     }
-    const skd::PackedRTree tree(boxes);
-    std::vector<std::vector<std::uint32_t>> within(front.size()); // of each, those in its box
-    for (std::uint32_t i = 0; i < front.size(); ++i)
+    std::vector<std::size_t> counts(boxes.size(), 1);
+    this->Boxes.emplace(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
     {
-      skd::Box3 point;
-      point.Add(this->Components[i].Centroid);
-      tree.ForEachOverlapping(point,
-        [&](std::uint32_t other)
-        {
-          if (other != i && boxes[other].Contains(this->Components[i].Centroid))
-          {
-            within[other].push_back(i);
-          }
-        });
+      this->ForEachAround(i, this->LineOf(i, 0), [&](std::uint32_t other) { ++counts[other]; });
     }
-    for (std::uint32_t other = 0; other < front.size(); ++other)
+    for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-      this->AddOf(this->Components[other], within[other], front);
+      this->Lines.push_back(
+        std::make_unique<SkdLineCrossings>(this->Set, this->Components[i].Triangles, counts[i]));
     }
   }
 
-  void AddOf(const Component& component, std::vector<std::uint32_t>& within,
-    std::vector<SkdRegionWindings>& front) const
+  /// Calls visit(other) for other components whose box a line crosses where a component is.
+  template <class Visit>
+  void ForEachAround(std::uint32_t component, const SkdAxisLine& line, const Visit& visit) const
   {
-    const SkdSolidAngles angles(this->Set, this->SurfaceOf, component.Triangles, within.size());
-    std::sort(within.begin(), within.end());
-    SkdForEach(
-      static_cast<vtkIdType>(within.size()),
-      [&](vtkIdType i)
+    skd::Box3 where;
+    where.Add(line.Point);
+    where.Min[line.Axis] = this->Components[component].Box.Min[line.Axis];
+    where.Max[line.Axis] = this->Components[component].Box.Max[line.Axis];
+    this->Boxes->ForEachOverlapping(where,
+      [&](std::uint32_t other)
       {
-        SkdSolidAngles::Numbers numbers;
-        angles.Add(this->Components[within[i]].Centroid, numbers);
-        for (const SkdWindingOf& winding : Rounded(numbers))
+        if (other != component && this->Components[other].Box.Overlaps(where))
         {
-          ::Add(front[within[i]], winding);
+          visit(other);
         }
-      },
-      1);
+      });
+  }
+
+  /// One of many lines, all through a component: through its largest triangle, later through
+  /// others.
+  SkdAxisLine LineOf(std::uint32_t number, int attempt) const
+  {
+    constexpr int throughLargest = 8;
+    const Component& component = this->Components[number];
+    const std::size_t other = 7919 * static_cast<std::size_t>(attempt) % component.Triangles.size();
+    const std::uint32_t triangle =
+      attempt < throughLargest ? component.Largest : component.Triangles[other];
+    const auto x = this->Set.GetCornerPoints(triangle);
+    const double turn = 2.4 * attempt; // around the centroid, never the same place
+    const double a = attempt == 0 ? 1.0 / 3.0 : 1.0 / 3.0 + 0.2 * std::cos(turn);
+    const double b = attempt == 0 ? 1.0 / 3.0 : 1.0 / 3.0 + 0.2 * std::sin(turn);
+    return { std::max(0, this->Set.Get(triangle).Axis), a * x[0] + b * x[1] + (1 - a - b) * x[2] };
+  }
+
+  /// Where a line enters a component the region before it is outside of the component; winding
+  /// numbers there are those that other components cause.
+  Seed FindSeed(std::uint32_t component) const
+  {
+    constexpr int most = 64;
+    for (int attempt = 0; attempt < most; ++attempt)
+    {
+      const SkdAxisLine line = this->LineOf(component, attempt);
+      const auto crossings = this->Lines[component]->Find(line);
+      if (!crossings || crossings->empty())
+      {
+        continue;
+      }
+      const SkdLineCrossing first = *std::min_element(crossings->begin(), crossings->end(),
+        [&](const SkdLineCrossing& a, const SkdLineCrossing& b)
+        { return SkdCompareCrossings(this->Set, a.Triangle, b.Triangle, line) < 0; });
+      Seed seed{ this->RegionBefore(first, line), {} };
+      if (seed.Region != None && this->AddNested(component, first, line, seed))
+      {
+        return seed;
+      }
+    }
+    return {};
+  }
+
+  /// The region that a line leaves where it crosses a triangle, the lowest that is there; None if
+  /// it passes near an edge of its pieces.
+  std::uint32_t RegionBefore(const SkdLineCrossing& crossing, const SkdAxisLine& line) const
+  {
+    const std::vector<std::uint32_t>& parents = this->Arrangement.Facets.Parents;
+    const auto range = std::equal_range(parents.begin(), parents.end(), crossing.Triangle);
+    for (auto at = range.first; at != range.second; ++at)
+    {
+      const auto facet = static_cast<std::uint32_t>(at - parents.begin());
+      const auto x = this->Arrangement.Facets.GetPositions(this->Set, facet);
+      int inside = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        inside += crossing.Sign *
+          skd::FilteredOrient2D(x[i], x[(i + 1) % 3], line.Point, line.Axis, this->Error);
+      }
+      if (inside == 3)
+      {
+        return crossing.Sign > 0 ? this->Arrangement.GetBack(facet)
+                                 : this->Arrangement.GetFront(facet);
+      }
+    }
+    return None;
+  }
+
+  /// Adds the numbers that other components cause just before a crossing. False if the line passes
+  /// through one of their edges.
+  bool AddNested(std::uint32_t component, const SkdLineCrossing& crossing, const SkdAxisLine& line,
+    Seed& seed) const
+  {
+    bool isSure = true;
+    this->ForEachAround(component, line,
+      [&](std::uint32_t other)
+      {
+        const auto crossings = this->Lines[other]->Find(line);
+        isSure = isSure && crossings;
+        for (const SkdLineCrossing& before : isSure ? *crossings : std::vector<SkdLineCrossing>())
+        {
+          const int order =
+            SkdCompareCrossings(this->Set, before.Triangle, crossing.Triangle, line);
+          isSure = isSure && order != 0;
+          if (order < 0)
+          {
+            Add(seed.Windings, { this->SurfaceOf[before.Triangle], -before.Sign });
+          }
+        }
+      });
+    return isSure;
   }
 
   const SkdPlacedTriangles& Set;
@@ -285,12 +349,15 @@ private:
   const std::vector<std::uint32_t>& SurfaceOf;
   std::vector<SkdRegionWindings> Windings;
   std::vector<std::uint32_t> ComponentOf; // of regions
+  const double Error;                     // of new points
   std::vector<Component> Components;
+  std::optional<skd::PackedRTree> Boxes; // of components
+  std::vector<std::unique_ptr<SkdLineCrossings>> Lines;
 };
 }
 
-std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacedTriangles& set,
+std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf)
 {
-  return Search(set, arrangement, surfaceOf).Find();
+  return Search(placement.First, placement.Scale, arrangement, surfaceOf).Find();
 }

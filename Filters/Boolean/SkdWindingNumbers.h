@@ -23,10 +23,11 @@ struct SkdWindingOf
 using SkdRegionWindings = std::vector<SkdWindingOf>;
 
 /// The winding numbers of all regions. `surfaceOf` is the surface of each triangle of the set; all
-/// of them are closed. The numbers of regions that facets connect follow from each other exactly;
-/// one for each connected set of facets is found by solid angles. O(n), and O(log n) for each set
-/// of facets that is in the box of another one.
-std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacedTriangles& set,
+/// of them are closed. The numbers of regions that facets connect follow from each other; those of
+/// one region of each connected set of facets are counted along a line. All of it is exact. O(n),
+/// and O(log n) for each set of facets that is in the box of another one. Empty if no line could be
+/// found that passes no edge, which should not happen.
+std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
 
 #endif

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace
@@ -28,7 +27,7 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
 {
   const double reach = std::max(LargestCoordinateOf(placement.First.GetPoints()),
     LargestCoordinateOf(placement.GetSecond().GetPoints()));
-  this->Error = 16.0 * std::numeric_limits<double>::epsilon() * reach;
+  this->Error = ErrorOf(reach);
   for (std::uint32_t point = 0; point < contacts.GetNumberOfPoints(); ++point)
   {
     this->Positions[point] = placement.Scale * contacts.GetPosition(point);

@@ -15,6 +15,7 @@
 #include <array>
 #include <atomic>
 #include <deque>
+#include <limits>
 
 class SkdSplitPoints
 {
@@ -42,6 +43,12 @@ public:
   const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
   const skd::ExactPoint& GetExact(std::uint32_t point) const;
   double GetError() const { return this->Error; }
+
+  /// That error, for points whose coordinates have magnitudes up to `reach`.
+  static double ErrorOf(double reach)
+  {
+    return 16.0 * std::numeric_limits<double>::epsilon() * reach;
+  }
   ///@}
 
   /// The exact sign of the area of three points as seen along an axis.
