@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
+#include <algorithm>
 #include <set>
 
 namespace
@@ -87,11 +88,8 @@ public:
   void Finish()
   {
     this->LetPointsFollow();
-    vtkPoints* points = this->Weld.GetPoints();
-    for (std::size_t i = 0; i < this->To.Mesh.Points.size(); ++i)
-    {
-      points->GetPoint(static_cast<vtkIdType>(i), this->To.Mesh.Points[i].X);
-    }
+    std::copy_n(
+      this->Weld.GetPoints().begin(), this->To.Mesh.Points.size(), this->To.Mesh.Points.begin());
     this->To.Mesh.FindEdges();
     for (const std::uint32_t node : this->Held)
     {
@@ -103,7 +101,7 @@ private:
   /// Points that were dropped, and those of lines, go with the node where they are, if any.
   void LetPointsFollow()
   {
-    const vtkIdType nodes = this->Weld.GetPoints()->GetNumberOfPoints();
+    const auto nodes = static_cast<vtkIdType>(this->Weld.GetPoints().size());
     for (std::size_t i = 0; i < this->Meshes.size(); ++i)
     {
       std::vector<std::uint32_t>& nodeOf = this->To.Blocks[i].NodeOfPoint;

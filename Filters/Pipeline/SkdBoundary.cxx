@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdBoundary.h"
 
+#include "Pipeline/SkdMakeMesh.h"
 #include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdTriangulation.h"
 #include "Pipeline/SkdWeld.h"
@@ -220,6 +221,7 @@ template <typename Number>
 vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
   const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const
 {
+  const std::vector<skd::Vector3>& points = this->Weld.GetPoints();
   vtkNew<vtkCellArray> cells;
   SkdTriangulation triangulation;
   for (const Face& face : this->Faces)
@@ -230,12 +232,7 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
       continue;
     }
     const vtkIdType* const ids = this->Corners.data() + face.First;
-    const auto cornerOf = [&](vtkIdType i)
-    {
-      skd::Vector3 x;
-      this->Weld.GetPoints()->GetPoint(ids[i], x.X);
-      return x;
-    };
+    const auto cornerOf = [&](vtkIdType i) { return points[static_cast<std::size_t>(ids[i])]; };
     vtkIdList* triangles = triangulation.Cut(face.Size, cornerOf);
     for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
     {
@@ -256,7 +253,8 @@ vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
     }
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(this->Weld.GetPoints());
+  surface->SetPoints(SkdMakePoints(static_cast<vtkIdType>(points.size()),
+    [&points](vtkIdType i) { return points[static_cast<std::size_t>(i)]; }));
   surface->SetPolys(cells);
   return surface;
 }

@@ -3,10 +3,9 @@
 #ifndef SkdWeld_h
 #define SkdWeld_h
 
-#include "vtkPoints.h"
-#include "vtkSmartPointer.h"
+#include "Core/Geometry/Vector.h"
+#include "vtkType.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,39 +16,47 @@
 class SkdWeld
 {
 public:
-  SkdWeld()
-    : Points(vtkSmartPointer<vtkPoints>::New())
+  SkdWeld() = default;
+
+  /// Prepared for a number of different points.
+  explicit SkdWeld(std::size_t expected)
   {
-    this->Points->SetDataTypeToDouble();
+    this->Points.reserve(expected);
+    std::size_t slots = Fewest;
+    while (slots < 2 * (expected + 1))
+    {
+      slots *= 2;
+    }
+    this->Slots.assign(slots, -1);
   }
 
   /// The id of the point at x, a new one if there is none.
   vtkIdType GetId(const double x[3])
   {
-    if (2 * (this->Keys.size() + 1) > this->Slots.size())
+    if (2 * (this->Points.size() + 1) > this->Slots.size())
     {
       this->Grow();
     }
-    const Key key{ x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 }; // + 0 makes -0 equal in its bits, too
-    vtkIdType& slot = this->FindSlot(key);
+    const skd::Vector3 point{ { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 } }; // no -0: its bits differ
+    vtkIdType& slot = this->FindSlot(point);
     if (slot < 0)
     {
-      slot = static_cast<vtkIdType>(this->Keys.size());
-      this->Keys.push_back(key);
-      this->Points->InsertNextPoint(x);
+      slot = static_cast<vtkIdType>(this->Points.size());
+      this->Points.push_back(point);
     }
     return slot;
   }
 
-  vtkPoints* GetPoints() const { return this->Points; }
+  /// By their ids.
+  const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
 
 private:
-  using Key = std::array<double, 3>;
+  static constexpr std::size_t Fewest = 64;
 
-  static std::size_t HashOf(const Key& key)
+  static std::size_t HashOf(const skd::Vector3& point)
   {
     std::uint64_t hash = 0;
-    for (const double coordinate : key)
+    for (const double coordinate : point.X)
     {
       std::uint64_t bits;
       std::memcpy(&bits, &coordinate, sizeof(bits));
@@ -59,12 +66,13 @@ private:
     return static_cast<std::size_t>(hash ^ (hash >> 32));
   }
 
-  /// The slot of the key, or the free one where it belongs.
-  vtkIdType& FindSlot(const Key& key)
+  /// The slot of a point, or the free one where it belongs.
+  vtkIdType& FindSlot(const skd::Vector3& point)
   {
     const std::size_t mask = this->Slots.size() - 1;
-    std::size_t at = HashOf(key) & mask;
-    while (this->Slots[at] >= 0 && this->Keys[static_cast<std::size_t>(this->Slots[at])] != key)
+    std::size_t at = HashOf(point) & mask;
+    while (
+      this->Slots[at] >= 0 && !(this->Points[static_cast<std::size_t>(this->Slots[at])] == point))
     {
       at = (at + 1) & mask;
     }
@@ -73,16 +81,15 @@ private:
 
   void Grow()
   {
-    this->Slots.assign(this->Slots.empty() ? 64 : 2 * this->Slots.size(), -1);
-    for (std::size_t id = 0; id < this->Keys.size(); ++id)
+    this->Slots.assign(this->Slots.empty() ? Fewest : 2 * this->Slots.size(), -1);
+    for (std::size_t id = 0; id < this->Points.size(); ++id)
     {
-      this->FindSlot(this->Keys[id]) = static_cast<vtkIdType>(id);
+      this->FindSlot(this->Points[id]) = static_cast<vtkIdType>(id);
     }
   }
 
-  std::vector<Key> Keys;
+  std::vector<skd::Vector3> Points;
   std::vector<vtkIdType> Slots; // a power of two of them, half of them free; -1: free
-  vtkSmartPointer<vtkPoints> Points;
 };
 
 #endif
