@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace
@@ -57,12 +60,43 @@ void ExpectRight(const BoxList& boxes, const BoxList& asked, double excess)
   }
 }
 
+/// Each pair that overlaps is visited, nothing twice, and none that is farther apart than `excess`.
+void ExpectRightPairs(const BoxList& boxes, double excess)
+{
+  const skd::PackedRTree tree(boxes);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  skd::PackedRTree::OverlapLists lists;
+  for (std::size_t packet = 0; packet < tree.GetNumberOfPackets(); ++packet)
+  {
+    EXPECT_TRUE(tree.ForEachOverlapWithin(packet, lists,
+      [&](std::uint32_t i, const std::vector<std::uint32_t>& others)
+      {
+        for (const std::uint32_t k : others)
+        {
+          EXPECT_TRUE(pairs.insert(std::minmax(i, k)).second) << i << " " << k;
+          EXPECT_TRUE(boxes[i].Inflated(excess).Overlaps(boxes[k])) << i << " " << k;
+        }
+        return true;
+      }));
+  }
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+  {
+    for (std::uint32_t k = i + 1; k < boxes.size(); ++k)
+    {
+      ASSERT_GE(pairs.count({ i, k }), boxes[i].Overlaps(boxes[k]) ? 1u : 0u) << i << " " << k;
+    }
+    ASSERT_EQ(pairs.count({ i, i }), 0u) << i;
+  }
+}
+
 void ExpectRight(const Scene& scene)
 {
   const BoxList boxes = MakeBoxes(scene, 3);
   const double steps = 4.0 / 16000.0; // of the lattice, and its rounding
   ExpectRight(boxes, MakeBoxes({ 300, 0.3, scene.Shift, scene.Scale, scene.IsFlat }, 5),
     steps * scene.Scale * (1.0 + scene.Size));
+  const BoxList few(boxes.begin(), boxes.begin() + std::min<std::ptrdiff_t>(700, scene.Count));
+  ExpectRightPairs(few, 2.0 * steps * scene.Scale * (1.0 + scene.Size));
 }
 }
 
@@ -103,6 +137,7 @@ TEST(PackedRTree, EqualOnesAreAllVisited)
 {
   const Box3 box({ { 1.0, 2.0, 3.0 } }, { { 1.5, 2.0, 3.0 } });
   ExpectRight(BoxList(77, box), { box }, 0.0);
+  ExpectRightPairs(BoxList(77, box), 0.0);
   const Box3 point({ { 1.0, 2.0, 3.0 } }, { { 1.0, 2.0, 3.0 } });
   ExpectRight(BoxList(77, point), { box, point }, 0.0);
 }
@@ -119,9 +154,43 @@ TEST(PackedRTree, WhatIsFarAwayVisitsNone)
 }
 
 //------------------------------------------------------------------------------
+TEST(PackedRTree, PairsEndWhenNoMoreAreWanted)
+{
+  const skd::PackedRTree tree(MakeBoxes({ 100, 1.0 }, 3));
+  int visits = 0;
+  skd::PackedRTree::OverlapLists lists;
+  EXPECT_FALSE(tree.ForEachOverlapWithin(
+    0, lists, [&](std::uint32_t, const std::vector<std::uint32_t>&) { return ++visits < 3; }));
+  EXPECT_EQ(visits, 3);
+}
+
+//------------------------------------------------------------------------------
+TEST(PackedRTree, KeysOfARadixSortAscend)
+{
+  std::mt19937 random(4);
+  for (const std::size_t count : { 0, 1, 255, 256, 70000 })
+  {
+    for (const std::uint32_t most : { 1u, 1000u, 0x3fffffffu })
+    {
+      std::uniform_int_distribution<std::uint32_t> key(0, most);
+      std::vector<std::uint64_t> keys(count);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        keys[i] = static_cast<std::uint64_t>(key(random)) << 32 | i;
+      }
+      std::vector<std::uint64_t> sorted = keys;
+      std::sort(sorted.begin(), sorted.end());
+      skd::SortByHighWord(keys);
+      EXPECT_EQ(keys, sorted);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(PackedRTree, OfNoneThereIsNone)
 {
   const skd::PackedRTree tree{ BoxList() };
+  EXPECT_EQ(tree.GetNumberOfPackets(), 0u);
   tree.ForEachOverlapping(
     { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } } }, [](std::uint32_t) { FAIL(); });
 }

@@ -6,6 +6,7 @@
 #include "../Geometry/MortonCode.h"
 #include "Frame.h"
 #include "Lanes.h"
+#include "RadixSort.h"
 #include "ShortLanes.h"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ namespace skd
 
 /// A packed R-tree with 16-bit boxes, for one-shot searches: boxes are rounded to a grid of 2^15
 /// steps over all of them; eight consecutive boxes along a Morton curve form a packet, eight
-/// packets one of the next level, and so on. Built in O(n log n), in less than half of the time of
-/// a tree; efficient if boxes are small, but larger than the steps of the grid.
+/// packets one of the next level, and so on. Built in O(n), in less than half of the time of a
+/// tree; efficient if boxes are small, but larger than the steps of the grid.
 class PackedRTree
 {
 public:
@@ -45,44 +46,45 @@ public:
   template <class Visit>
   SKD_IN_ONE_PIECE void ForEachOverlapping(const Box3& box, const Visit& visit) const
   {
-    if (this->Levels.empty())
+    if (!this->Levels.empty())
     {
-      return;
+      this->Descend(
+        WantedBox(this->Rounded(box)), 0, 0, [&](std::size_t at) { visit(this->Order[at]); });
     }
-    const WantedBox wanted(this->Rounded(box));
-    struct Open
+  }
+
+  std::size_t GetNumberOfPackets() const
+  {
+    return this->Levels.empty() ? 0 : this->Levels[0].size();
+  }
+
+  /// Lists of boxes, for ForEachOverlapWithin: one for each lane of a packet.
+  using OverlapLists = std::array<std::vector<std::uint32_t>, 8>;
+
+  /// For each box i of a packet, calls visit(i, others) with the boxes after it along the curve
+  /// that overlap it on the grid, if there are any. All packets together give each pair of
+  /// overlapping boxes once. Stops when `visit` returns false, and returns false.
+  template <class Visit>
+  bool ForEachOverlapWithin(std::size_t packet, OverlapLists& lists, const Visit& visit) const
+  {
+    for (std::vector<std::uint32_t>& list : lists)
     {
-      std::size_t Packet;
-      unsigned Lanes; // that are left
-    };
-    std::array<Open, MostLevels> open; // one packet a level
-    std::size_t level = this->Levels.size() - 1;
-    open[level] = { 0, this->Levels[level][0].Overlapping(wanted) };
-    while (level < this->Levels.size())
+      list.clear();
+    }
+    this->ListOverlaps(packet, lists);
+    for (std::size_t lane = 0; lane < Width; ++lane)
     {
-      unsigned& lanes = open[level].Lanes;
-      if (lanes == 0)
+      if (!lists[lane].empty() && !visit(this->Order[packet * Width + lane], lists[lane]))
       {
-        ++level;
-        continue;
-      }
-      const std::size_t at =
-        open[level].Packet * Width + static_cast<std::size_t>(LowestBit(lanes));
-      lanes &= lanes - 1;
-      if (level > 0)
-      {
-        --level;
-        open[level] = { at, this->Levels[level][at].Overlapping(wanted) };
-      }
-      else
-      {
-        visit(this->Order[at]);
+        return false;
       }
     }
+    return true;
   }
 
 private:
   static constexpr std::size_t Width = 8;
+  static constexpr std::size_t Log2Width = 3;
   static constexpr std::size_t MostLevels = 11; // 8^11 = 2^33
   static constexpr double Steps = 16000.0;      // from the middle of the frame to its end
 
@@ -98,6 +100,7 @@ private:
     EightShorts Min[3];
     EightShorts Max[3];
 
+    WantedBox() = default;
     explicit WantedBox(const ShortBox& box)
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -133,6 +136,17 @@ private:
       return box;
     }
 
+    ShortBox Get(std::size_t lane) const
+    {
+      ShortBox box;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        box.Min[axis] = this->Min[axis][lane];
+        box.Max[axis] = this->Max[axis][lane];
+      }
+      return box;
+    }
+
     unsigned Overlapping(const WantedBox& box) const
     {
       const auto apart = [&](int axis)
@@ -143,6 +157,78 @@ private:
       return 0xffu & ~NegativeLanes(apart(0) | apart(1) | apart(2));
     }
   };
+
+  /// Calls visit(i) for the boxes of a level, from number `from` on, that overlap one: those that
+  /// the tree is of at level 0, the packets of the level below at others.
+  template <class Visit>
+  void Descend(
+    const WantedBox& wanted, std::size_t bottom, std::size_t from, const Visit& visit) const
+  {
+    struct Open
+    {
+      std::size_t Packet;
+      unsigned Lanes; // that are left
+    };
+    std::array<Open, MostLevels> open; // one packet a level
+    std::size_t level = this->Levels.size() - 1;
+    const auto enter = [&](std::size_t packet)
+    {
+      const std::size_t first = from >> (Log2Width * (level - bottom)); // that `from` is in
+      const std::size_t before = first > packet * Width ? first - packet * Width : 0;
+      open[level] = { packet, this->Levels[level][packet].Overlapping(wanted) & (~0u << before) };
+    };
+    enter(0);
+    while (level < this->Levels.size())
+    {
+      unsigned& lanes = open[level].Lanes;
+      if (lanes == 0)
+      {
+        ++level;
+        continue;
+      }
+      const std::size_t at =
+        open[level].Packet * Width + static_cast<std::size_t>(LowestBit(lanes));
+      lanes &= lanes - 1;
+      if (level > bottom)
+      {
+        --level;
+        enter(at);
+      }
+      else
+      {
+        visit(at);
+      }
+    }
+  }
+
+  SKD_IN_ONE_PIECE void ListOverlaps(std::size_t packet, OverlapLists& lists) const
+  {
+    const Packet& boxes = this->Levels[0][packet];
+    std::array<WantedBox, Width> wanted;
+    for (std::size_t lane = 0; lane < Width; ++lane)
+    {
+      wanted[lane] = WantedBox(boxes.Get(lane));
+      this->List(packet, boxes.Overlapping(wanted[lane]) & (~1u << lane), lists[lane]);
+    }
+    if (this->Levels.size() == 1)
+    {
+      return;
+    }
+    const auto enclosure = [this](std::size_t i)
+    { return WantedBox(this->Levels[1][i / Width].Get(i % Width)); };
+    this->Descend(enclosure(packet), 1, packet + 1,
+      [&](std::size_t other)
+      {
+        const Packet& others = this->Levels[0][other];
+        ForEachLane(boxes.Overlapping(enclosure(other)),
+          [&](int lane) { this->List(other, others.Overlapping(wanted[lane]), lists[lane]); });
+      });
+  }
+
+  void List(std::size_t packet, unsigned lanes, std::vector<std::uint32_t>& list) const
+  {
+    ForEachLane(lanes, [&](int lane) { list.push_back(this->Order[packet * Width + lane]); });
+  }
 
   static Box3 BoundsOf(const std::vector<Box3>& boxes)
   {
@@ -184,7 +270,7 @@ private:
       rounded[i] = this->Rounded(boxes[i]);
       keys[i] = PlaceOnCurve(rounded[i]) << 32 | i;
     }
-    std::sort(keys.begin(), keys.end());
+    SortByHighWord(keys);
     std::vector<ShortBox> sorted(boxes.size());
     this->Order.resize(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
