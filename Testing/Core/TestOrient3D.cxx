@@ -113,6 +113,25 @@ TEST_P(Orient3DTest, SignIsExactForPointsNearlyInAPlane)
   EXPECT_GT(flat, 1000);
 }
 
+TEST_P(Orient3DTest, TwoPointsAreOnASideIfBothAre)
+{
+  std::mt19937_64 random(4);
+  std::array<int, 3> counts{};
+  for (int run = 0; run < 20000; ++run)
+  {
+    const Points p = AsPoints(NearlyFlat(random, run % 2 == 0 ? 1 << 20 : 3, GetParam()));
+    const Points q = AsPoints(NearlyFlat(random, run % 2 == 0 ? 1 << 20 : 3, GetParam()));
+    const skd::FloatingPlane plane(p[0], p[1], p[2]);
+    const int first = plane.SureSideOf(p[3]);
+    const int second = plane.SureSideOf(q[0]);
+    const int both = first == second ? first : 0;
+    ASSERT_EQ(plane.SureSideOfBoth(p[3], q[0]), both) << "run " << run;
+    ASSERT_EQ(plane.SureSideOfBoth(q[0], p[3]), both) << "run " << run;
+    ++counts[static_cast<std::size_t>(both + 1)];
+  }
+  EXPECT_GT(counts[1], 100);
+}
+
 TEST_P(Orient3DTest, SignTurnsWithTheOrderOfThePoints)
 {
   std::mt19937_64 random(2);

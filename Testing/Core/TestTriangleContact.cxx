@@ -248,6 +248,48 @@ TEST(TriangleContact, KnownSharedCornersChangeNothing)
   }
 }
 
+// What the fast test of neighbours is sure of is so. Of those of one plane on either side of their
+// edge it is sure.
+TEST(TriangleContact, WhatNeighboursSurelyHaveInCommonIsAllThatTheyHave)
+{
+  std::mt19937 random(10);
+  std::uniform_int_distribution<int> corner(0, 2);
+  int sure = 0;
+  for (int run = 0; run < 40000; ++run)
+  {
+    const int size = run % 3 == 0 ? 2 : 9;
+    const Corners a = RandomTriangle(random, size, run % 2 == 0);
+    Corners b = RandomTriangle(random, size, run % 2 == 0);
+    b[corner(random)] = a[corner(random)];
+    b[corner(random)] = a[corner(random)];
+    unsigned masks[2] = { 0, 0 };
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      masks[0] |= static_cast<unsigned>(std::count(b.begin(), b.end(), a[i]) > 0) << i;
+      masks[1] |= static_cast<unsigned>(std::count(a.begin(), a.end(), b[i]) > 0) << i;
+    }
+    const skd::CornerPointers atA = { &a[0], &a[1], &a[2] };
+    const skd::CornerPointers atB = { &b[0], &b[1], &b[2] };
+    if (skd::HaveOnlyCornersInCommon(atA, masks[0], atB, masks[1]))
+    {
+      ++sure;
+      const int shared = static_cast<int>(std::count_if(a.begin(), a.end(),
+        [&b](const Vector3& x) { return std::count(b.begin(), b.end(), x) > 0; }));
+      ASSERT_LE(skd::FindContact(a, b).Count, shared) << "run " << run;
+    }
+  }
+  EXPECT_GT(sure, 10000);
+  for (const double z : { 0.0, 0.3, -1e9 })
+  {
+    const Vector3 x[4] = { { { 0.1, 0.0, z } }, { { 1.0, 0.2, z } }, { { 0.3, 0.9, z } },
+      { { 0.4, -0.8, z } } };
+    EXPECT_TRUE(
+      skd::HaveOnlyCornersInCommon({ &x[0], &x[1], &x[2] }, 3u, { &x[3], &x[1], &x[0] }, 6u));
+    EXPECT_FALSE(
+      skd::HaveOnlyCornersInCommon({ &x[0], &x[1], &x[2] }, 3u, { &x[2], &x[1], &x[0] }, 6u));
+  }
+}
+
 // One unit in the last place decides, far from the origin, too.
 TEST(TriangleContact, OneUlpDecides)
 {

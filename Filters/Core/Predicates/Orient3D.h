@@ -10,6 +10,7 @@
 
 #include "../Geometry/Tolerances.h"
 #include "Expansion.h"
+#include "TwoDoubles.h"
 
 #include <array>
 #include <limits>
@@ -27,6 +28,9 @@ inline int SignOf(double value)
 
 /// Half a unit in the last place of 1: Shewchuk's epsilon.
 constexpr double HalfUlp = 0.5 * std::numeric_limits<double>::epsilon();
+
+/// What rounding may do to an area, relative to the magnitudes that it is summed of.
+constexpr double Orient2DBound = (3.0 + 16.0 * HalfUlp) * HalfUlp;
 
 /// What rounding may do to a volume, relative to the magnitudes that it is summed of.
 constexpr double Orient3DBound = (8.0 + 64.0 * HalfUlp) * HalfUlp;
@@ -65,8 +69,7 @@ inline int Orient2D(const Vector3& a, const Vector3& b, const Vector3& c, int ax
   const double right = (b[v] - a[v]) * (c[u] - a[u]);
   const double area = left - right;
   const double magnitude = std::abs(left) + std::abs(right);
-  constexpr double bound = (3.0 + 16.0 * detail::HalfUlp) * detail::HalfUlp;
-  if (!(std::abs(area) <= bound * magnitude) || magnitude == 0.0) // also of NaN
+  if (!(std::abs(area) <= detail::Orient2DBound * magnitude) || magnitude == 0.0) // also of NaN
   {
     return detail::SignOf(area);
   }
@@ -106,6 +109,21 @@ public:
     const Volume volume = this->VolumeTo(x);
     const double rounding = detail::Orient3DBound * volume.Magnitude;
     return (volume.Value > rounding) - (volume.Value < -rounding);
+  }
+
+  /// Whether two points are surely on one side, the same for both: 1 or -1; else 0.
+  int SureSideOfBoth(const Vector3& x, const Vector3& y) const
+  {
+    const auto along = [&](int axis)
+    { return TwoDoubles(x[axis], y[axis]) - TwoDoubles(this->A[axis]); };
+    const TwoDoubles ax[3] = { along(0), along(1), along(2) };
+    const TwoDoubles value = ax[0] * TwoDoubles(this->Normal[0]) +
+      ax[1] * TwoDoubles(this->Normal[1]) + ax[2] * TwoDoubles(this->Normal[2]);
+    const TwoDoubles magnitude = Abs(ax[0]) * TwoDoubles(this->Magnitude[0]) +
+      Abs(ax[1]) * TwoDoubles(this->Magnitude[1]) + Abs(ax[2]) * TwoDoubles(this->Magnitude[2]);
+    const TwoDoubles rounding = magnitude * TwoDoubles(detail::Orient3DBound);
+    constexpr unsigned both = 3;
+    return (Above(value, rounding) == both) - (Above(TwoDoubles(0.0) - rounding, value) == both);
   }
 
 private:
