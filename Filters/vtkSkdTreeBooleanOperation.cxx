@@ -132,15 +132,21 @@ bool vtkSkdTreeBooleanOperation::Internals::Arrange(Filter* self, const SkdBoole
   this->Placement.reset();
   this->Windings.clear();
   this->Solids = {};
-  this->Set.Complete();
+  this->Set.MergePoints();
   SkdPlacement placement = SkdMakePlacement(this->Set, nullptr, std::nullopt);
   SkdLoop loop(self, 0, 0.2, 0.6, 8);
-  auto pairs = SkdTrianglePairs(placement).FindByTrees({ SkdPairSearch::All, 0.0 }, loop);
+  const SkdPairSearch search{ SkdPairSearch::All, 0.0 };
+  auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(search, loop);
+  if (!pairs)
+  {
+    this->Set.Complete();
+    pairs = SkdTrianglePairs(placement).FindByTrees(search, loop);
+  }
   if (SkdIsAborted(self))
   {
     return false;
   }
-  this->Arrangement = SkdArrange(placement, std::move(pairs));
+  this->Arrangement = SkdArrange(placement, *std::move(pairs));
   this->Placement.emplace(std::move(placement));
   return true;
 }

@@ -164,6 +164,16 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
       return contacts;
     }
   }
+  if (!second && clearance == 0.0 && !first.Set.IsComplete())
+  {
+    first.Set.MergePoints();
+    Contacts contacts{ SkdMakePlacement(first.Set, nullptr, motion), {} };
+    if (auto pairs = SkdTrianglePairs(contacts.Placement).FindSelfIntersections(search, loop))
+    {
+      contacts.Pairs = *std::move(pairs);
+      return contacts;
+    }
+  }
   Contacts contacts{ Complete(first, second, motion), {} };
   contacts.Pairs = SkdTrianglePairs(contacts.Placement).FindByTrees(search, loop);
   return contacts;

@@ -20,15 +20,21 @@
 
 namespace
 {
-/// Of each cell of the set, whether it is a polygon of more than three corners.
+/// Of each cell of the set, whether it is a polygon of several triangles. Only these are asked for
+/// their type: a vtkPolyData has to build a list of types for that.
 std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts& parts)
 {
   std::vector<bool> isPolygon(set.GetCells().size(), false);
-  for (std::size_t cell = 0; parts.KeepsPolygons && cell < isPolygon.size(); ++cell)
+  const auto n = static_cast<std::uint32_t>(set.GetTriangles().size());
+  for (std::uint32_t triangle = 1; parts.KeepsPolygons && triangle < n; ++triangle)
   {
-    const SkdTriangleSet::Cell& of = set.GetCells()[cell];
-    const int type = parts.Blocks.All[of.Block].Mesh->GetCellType(of.Id);
-    isPolygon[cell] = type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
+    const std::uint32_t cell = set.GetCellOf(triangle);
+    if (cell == set.GetCellOf(triangle - 1) && !isPolygon[cell])
+    {
+      const SkdTriangleSet::Cell& of = set.GetCells()[cell];
+      const int type = parts.Blocks.All[of.Block].Mesh->GetCellType(of.Id);
+      isPolygon[cell] = type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
+    }
   }
   return isPolygon;
 }

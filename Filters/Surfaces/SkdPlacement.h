@@ -55,7 +55,10 @@ public:
   }
 
   /// False for a degenerate triangle, whose corners are collinear; it is ignored.
-  bool HasArea(std::uint32_t triangle) const { return this->Get(triangle).Axis >= 0; }
+  bool HasArea(std::uint32_t triangle) const
+  {
+    return this->HaveAllArea || this->Get(triangle).Axis >= 0;
+  }
   vtkIdType CountWithoutArea() const;
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdTrianglePairs.h"
 
+#include "Cells/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestTriangles.h"
 #include "Core/Queries/OverlappingPairs.h"
 #include "Core/Tree/PackedRTree.h"
@@ -51,7 +52,37 @@ public:
       [&](std::uint32_t second) { return this->Visit(first, triangle, second, found); });
   }
 
+  /// The same of one triangle of a surface and several others of it. Most share corners with it or
+  /// are on one side of its plane, so that is looked at first.
+  SKD_IN_ONE_PIECE bool VisitWithin(std::uint32_t first, const std::vector<std::uint32_t>& others,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const skd::Vector3* const points = this->First.GetPoints().data();
+    const SkdTriangleSet::Corners& a = this->First.GetCorners(first);
+    const skd::FloatingPlane plane(points[a[0]], points[a[1]], points[a[2]]);
+    for (const std::uint32_t second : others)
+    {
+      const SkdTriangleSet::Corners& b = this->First.GetCorners(second);
+      const auto isShared = [&a](std::uint32_t corner) -> unsigned
+      { return (corner == a[0]) | (corner == a[1]) | (corner == a[2]); };
+      const unsigned shared = isShared(b[0]) | isShared(b[1]) << 1 | isShared(b[2]) << 2;
+      if (!skd::AreOthersOnOneSide(
+            plane, { points + b[0], points + b[1], points + b[2] }, shared) &&
+        !this->VisitClosely(first, second, found))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
 private:
+  SKD_APART bool VisitClosely(
+    std::uint32_t first, std::uint32_t second, std::vector<SkdTrianglePair>& found)
+  {
+    return this->Visit(first, second, found);
+  }
+
   bool Visit(std::uint32_t first, const skd::TriangleInPlane& triangle, std::uint32_t second,
     std::vector<SkdTrianglePair>& found)
   {
@@ -242,50 +273,112 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   return Gather(found, search);
 }
 
+/// A search in a packed R-tree, in parts. It stops after too many looks: that is for trees.
+class SkdTrianglePairs::PackedSearch
+{
+public:
+  PackedSearch(std::size_t numberOfParts, std::size_t numberOfTriangles)
+    : Found(numberOfParts)
+    , Most(64 * numberOfTriangles)
+  {
+  }
+
+  /// Calls visit(part, found) for all parts.
+  template <class VisitPart>
+  void ForEachPart(SkdLoop& loop, const VisitPart& visit)
+  {
+    const auto parts = static_cast<vtkIdType>(this->Found.size());
+    loop.SetTotal(parts);
+    loop.For(parts,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
+             ++part)
+        {
+          visit(part, this->Found[part]);
+        }
+      });
+  }
+
+  /// False if these are too many.
+  bool Affords(std::size_t looks) { return (this->Looks += looks) <= this->Most; }
+
+  std::optional<std::vector<SkdTrianglePair>> Take(const SkdPairSearch& search) const
+  {
+    return this->Looks > this->Most ? std::nullopt
+                                    : std::make_optional(Gather(this->Found, search));
+  }
+
+private:
+  std::vector<std::vector<SkdTrianglePair>> Found;
+  std::size_t Most;
+  std::atomic<std::size_t> Looks{ 0 };
+};
+
 //------------------------------------------------------------------------------
 std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
   const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
 {
   constexpr std::size_t size = 16; // of a part, in triangles of the first set
   const std::size_t count = near.First.Triangles.size();
-  const std::size_t most = 64 * (count + near.Second.Triangles.size()); // looks: more is for trees
   const skd::PackedRTree boxes(near.Second.Boxes);
   Search state(this->Placement, search);
-  std::atomic<std::size_t> looks{ 0 };
-  std::vector<std::vector<SkdTrianglePair>> found((count + size - 1) / size);
-  const auto visitPart = [&](std::size_t part)
-  {
-    std::vector<std::uint32_t> others; // that a triangle's box overlaps
-    bool goesOn = true;
-    for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+  PackedSearch parts((count + size - 1) / size, count + near.Second.Triangles.size());
+  parts.ForEachPart(loop,
+    [&](std::size_t part, std::vector<SkdTrianglePair>& found)
     {
-      std::size_t some = 0;
-      others.clear();
-      boxes.ForEachOverlapping(near.First.Boxes[i],
-        [&](std::uint32_t k)
-        {
-          ++some;
-          if (near.First.Boxes[i].Overlaps(near.Second.Boxes[k]))
-          {
-            others.push_back(near.Second.Triangles[k]);
-          }
-        });
-      looks += some;
-      goesOn = looks <= most &&
-        (others.empty() || state.VisitAll(near.First.Triangles[i], others, found[part]));
-    }
-  };
-  const auto parts = static_cast<vtkIdType>(found.size());
-  loop.SetTotal(parts);
-  loop.For(parts,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType part = begin; part < end; ++part)
+      std::vector<std::uint32_t> others; // that a triangle's box overlaps
+      bool goesOn = true;
+      for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
       {
-        visitPart(static_cast<std::size_t>(part));
+        std::size_t looks = 0;
+        others.clear();
+        boxes.ForEachOverlapping(near.First.Boxes[i],
+          [&](std::uint32_t k)
+          {
+            ++looks;
+            if (near.First.Boxes[i].Overlaps(near.Second.Boxes[k]))
+            {
+              others.push_back(near.Second.Triangles[k]);
+            }
+          });
+        goesOn = parts.Affords(looks) &&
+          (others.empty() || state.VisitAll(near.First.Triangles[i], others, found));
       }
     });
-  return looks > most ? std::nullopt : std::make_optional(Gather(found, search));
+  return parts.Take(search);
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersections(
+  const SkdPairSearch& search, SkdLoop& loop) const
+{
+  constexpr std::size_t size = 16; // of a part, in packets
+  std::vector<skd::Box3> boxes(this->Placement.First.GetSet().GetTriangles().size());
+  SkdForEach(static_cast<vtkIdType>(boxes.size()),
+    [&](vtkIdType i) { boxes[i] = this->Placement.First.GetBox(static_cast<std::uint32_t>(i)); });
+  const skd::PackedRTree tree(boxes);
+  const std::size_t count = tree.GetNumberOfPackets();
+  Search state(this->Placement, search);
+  PackedSearch parts((count + size - 1) / size, boxes.size());
+  parts.ForEachPart(loop,
+    [&](std::size_t part, std::vector<SkdTrianglePair>& found)
+    {
+      skd::PackedRTree::OverlapLists lists;
+      bool goesOn = true;
+      for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+      {
+        std::size_t looks = 0;
+        goesOn = tree.ForEachOverlapWithin(i, lists,
+                   [&](std::uint32_t triangle, const std::vector<std::uint32_t>& others)
+                   {
+                     looks += others.size();
+                     return state.VisitWithin(triangle, others, found);
+                   }) &&
+          parts.Affords(looks);
+      }
+    });
+  return parts.Take(search);
 }
 
 //------------------------------------------------------------------------------

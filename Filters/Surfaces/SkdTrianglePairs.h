@@ -61,8 +61,15 @@ public:
   std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
     const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
 
+  /// Of one surface that is searched for the first time: searches a packed R-tree of all its
+  /// triangles. The clearance must be 0. The set's points must be merged; a tree is not needed.
+  /// Empty if boxes overlap so much that trees are faster.
+  std::optional<std::vector<SkdTrianglePair>> FindSelfIntersections(
+    const SkdPairSearch& search, SkdLoop& loop) const;
+
 private:
   class Search;
+  class PackedSearch;
   struct Moved;
   struct Block;
 

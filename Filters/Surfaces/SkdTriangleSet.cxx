@@ -91,12 +91,24 @@ bool SkdTriangleSet::Update(
 //------------------------------------------------------------------------------
 void SkdTriangleSet::Complete()
 {
-  if (this->HasTree)
+  if (!this->HasTree)
+  {
+    this->MergePoints();
+    this->BuildTree();
+    this->HasTree = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::MergePoints()
+{
+  if (this->IsMerged)
   {
     return;
   }
-  SkdWeld weld;
+  this->IsMerged = true;
   PointList& points = this->Read.Points;
+  SkdWeld weld(points.size());
   this->PointOf.resize(points.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -116,14 +128,12 @@ void SkdTriangleSet::Complete()
       corner = this->PointOf[corner];
     }
   }
-  this->BuildTree();
-  this->HasTree = true;
 }
 
 //------------------------------------------------------------------------------
 void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
 {
-  if (this->HasTree || triangles.empty())
+  if (this->IsMerged || triangles.empty())
   {
     return;
   }

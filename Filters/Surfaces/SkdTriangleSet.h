@@ -24,7 +24,7 @@
 /// ignored.
 ///
 /// A set is first only read; only a completed set has a tree and merged points of equal
-/// coordinates, also of different blocks.
+/// coordinates, also of different blocks. Points can be merged without a tree.
 class SkdTriangleSet
 {
 public:
@@ -43,6 +43,9 @@ public:
 
   /// See SkdBlockSurface.
   vtkIdType GetNumberOfCoarseFaces() const { return this->Read.CoarseFaces; }
+
+  /// Merges equal points, unless done before. O(n).
+  void MergePoints();
 
   /// @{ Merges equal points and begins the tree, unless done before. O(n).
   void Complete();
@@ -102,8 +105,9 @@ private:
   SkdKeptBlocks Meshes;
   double ChordalLength = 0.0;
   SkdReadTriangles Read;
-  std::vector<std::uint32_t> PointOf; // of each point that was read, when complete
+  std::vector<std::uint32_t> PointOf; // of each point that was read, when merged
   bool IsRead = false;
+  bool IsMerged = false;
   bool HasTree = false;
   skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
 };

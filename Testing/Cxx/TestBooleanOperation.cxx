@@ -233,24 +233,6 @@ TEST(BooleanOperation, PassesDataOn)
   }
 }
 
-/// Several meshes as one.
-Mesh Together(const std::vector<Mesh>& meshes)
-{
-  Mesh all;
-  for (const Mesh& mesh : meshes)
-  {
-    const auto first = static_cast<vtkIdType>(all.Points.size());
-    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
-    for (auto cell : mesh.Cells)
-    {
-      std::for_each(
-        cell.Points.begin(), cell.Points.end(), [first](vtkIdType& point) { point += first; });
-      all.Cells.push_back(cell);
-    }
-  }
-  return all;
-}
-
 Mesh Reversed(Mesh mesh)
 {
   for (auto& cell : mesh.Cells)

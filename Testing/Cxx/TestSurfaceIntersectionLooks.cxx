@@ -165,6 +165,31 @@ TEST(SurfaceIntersectionLooks, AFirstLookAtTinyAndFarSurfacesIsAsALaterOne)
 }
 
 //------------------------------------------------------------------------------
+// The intersections of one surface with itself: by a packed R-tree, and by a tree that the set has
+// from a search with a clearance, or because boxes overlap too much on the grid of the packed one.
+TEST(SurfaceIntersectionLooks, ASurfaceMeetsItselfByAPackedRTreeAsByATree)
+{
+  const auto spheres = [](double scale)
+  {
+    return Together({ Placed(SphereTriangles(24), scale, { 0, 0, 0 }),
+      Placed(SphereTriangles(31), scale, { 0.9 * scale, 0.2 * scale, 0 }) });
+  };
+  Mesh uneven = spheres(1e-6); // tiny beside one triangle
+  uneven.Add(VTK_TRIANGLE,
+    { uneven.Add({ -50, -50, -50 }), uneven.Add({ 90, 0, 1 }), uneven.Add({ 0, 90, 7 }) });
+  for (const Mesh& mesh : { spheres(1.0), Apart(spheres(1.0)), spheres(1e-30), uneven,
+         LatticeTriangles(400, 6, 3), LatticeTriangles(400, 3, 4), SphereTriangles(40) })
+  {
+    auto filter = MakeIntersection(MakePolyData(mesh), nullptr);
+    const Everything atFirst = RunAll(filter);
+    filter->SetClearance(1e-300); // for the tree
+    filter->Update();
+    filter->SetClearance(0.0);
+    EXPECT_TRUE(RunAll(filter) == atFirst) << mesh.Cells.size() << " cells";
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(SurfaceIntersectionLooks, TrianglesThatLoseTheirAreaByAMotionAreLeftOut)
 {
   Mesh sliver;

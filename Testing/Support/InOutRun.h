@@ -48,25 +48,6 @@ inline std::vector<Point> PointsAround(double radius, int count, int seed = 41)
   return points;
 }
 
-inline Mesh Together(const std::vector<Mesh>& meshes)
-{
-  Mesh all;
-  for (const Mesh& mesh : meshes)
-  {
-    const auto first = static_cast<vtkIdType>(all.Points.size());
-    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
-    for (CellSpec cell : mesh.Cells)
-    {
-      for (vtkIdType& id : cell.Points)
-      {
-        id += first;
-      }
-      all.Cells.push_back(cell);
-    }
-  }
-  return all;
-}
-
 inline Mesh Sphere(int n, double radius, const Point& centre = { 0, 0, 0 })
 {
   return SphereTriangles(n).Map([=](const Point& p) { return (radius / Length(p)) * p + centre; });

@@ -227,4 +227,23 @@ Mesh TriangleSoup(int n, double size)
   return mesh;
 }
 
+Mesh Together(const std::vector<Mesh>& meshes)
+{
+  Mesh all;
+  for (const Mesh& mesh : meshes)
+  {
+    const auto first = static_cast<vtkIdType>(all.Points.size());
+    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
+    for (CellSpec cell : mesh.Cells)
+    {
+      for (vtkIdType& id : cell.Points)
+      {
+        id += first;
+      }
+      all.Cells.push_back(cell);
+    }
+  }
+  return all;
+}
+
 }

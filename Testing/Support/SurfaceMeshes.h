@@ -50,6 +50,9 @@ Mesh Cloud(int n, int type);
 /// n random triangles of edge length about `size` in the unit cube: they overlap.
 Mesh TriangleSoup(int n, double size);
 
+/// Several meshes as one.
+Mesh Together(const std::vector<Mesh>& meshes);
+
 }
 
 #endif
