@@ -35,7 +35,9 @@ for place, (name, properties) in enumerate(ways):
     found = thickness.FieldData["SkdReportPointsFound"].GetRange()[0]
     low, high = thickness.PointData["SkdThickness"].GetRange()
     print("%-13s %d points, thickness from %.1f to %.1f" % (name, found, low, high))
-    display = simple.Show(thickness, view, Position=[0, -1.1 * place * (y1 - y0), 0])
+    placed = simple.Transform(Input=thickness, Transform="Transform")
+    placed.Transform.Translate = [0, -1.1 * place * (y1 - y0), 0]
+    display = simple.Show(placed, view)
     simple.ColorBy(display, ("POINTS", "SkdThickness"))
 colours.RescaleTransferFunction(0, 0.6 * (y1 - y0))
 display.SetScalarBarVisibility(view, True)
