@@ -111,6 +111,13 @@ def test_intersections_stand_out_of_opaque_inputs():
         simple.ResetSession()
 
 
+def test_hits_of_rays_can_be_seen():
+    made, view, _ = apply("SkdTreeRays")
+    hits = simple.GetRepresentation(simple.OutputPort(made, 1), view)
+    assert hits.Representation == "Thick Lines"
+    simple.ResetSession()
+
+
 def test_thick_lines_have_settings_of_their_own():
     made, view, _ = apply("SkdTreeSurfaceIntersection")
     shown = simple.GetRepresentation(made, view)

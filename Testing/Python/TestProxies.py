@@ -67,6 +67,25 @@ def test_ports_say_first_what_they_take():
         assert len(set(ports)) == len(ports), ports
 
 
+def test_optional_inputs_are_chosen_in_the_panel():
+    # ParaView's dialog asks for those only that are required.
+    for _, proxy in skdtesting.our_proxies():
+        for port in proxy.findall("InputProperty"):
+            if port.find("Hints/Optional") is not None:
+                where = proxy.get("name") + "." + port.get("name")
+                assert port.get("panel_widget") == "input_selector", where
+
+
+def test_settings_of_the_search_are_in_groups():
+    for _, proxy in skdtesting.our_proxies():
+        advanced = [element.get("name") for element in skdtesting.properties_of(proxy)
+            if element.get("panel_visibility") == "advanced"]
+        grouped = {element.get("name") for element in proxy.findall("PropertyGroup/Property")}
+        assert proxy.tag != "SourceProxy" or len(advanced) < 2 or any(
+            name in grouped for name in advanced), (proxy.get("name"), advanced)
+        assert len(advanced) < 2 or "Epsilon" not in advanced or "Epsilon" in grouped, proxy.get("name")
+
+
 def test_property_names_are_their_labels_without_blanks():
     for _, proxy in skdtesting.our_proxies():
         for element in skdtesting.properties_of(proxy):
