@@ -38,7 +38,7 @@ vtkDataSetAttributes* DataOf(vtkSkdTreeRays* self, const SkdBlock& block)
                           : block.Mesh->GetCellData();
 }
 
-SkdRayAim AimOf(vtkSkdTreeRays* self)
+SkdRayAim AimOf(vtkSkdTreeRays* self, const SkdSourceTrees& trees)
 {
   SkdRayAim aim;
   aim.Mode = static_cast<SkdRayAim::Along>(self->GetAlong());
@@ -46,6 +46,7 @@ SkdRayAim AimOf(vtkSkdTreeRays* self)
   const double* vector =
     self->GetAlong() == vtkSkdTreeRays::TO_POINT ? self->GetTargetPoint() : self->GetDirection();
   std::copy_n(vector, 3, aim.Vector.X);
+  aim.Source = &trees;
   aim.IsReversed = self->GetReversed();
   return aim;
 }
@@ -56,11 +57,12 @@ SkdRayLimits LimitsOf(vtkSkdTreeRays* self, double tolerance)
     self->GetBothWays() };
 }
 
-std::vector<SkdCastRays> FindStarts(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks)
+std::vector<SkdCastRays> FindStarts(
+  vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks, const SkdSourceTrees& trees)
 {
   std::vector<SkdCastRays> rays;
   const auto at = IsAtPoints(self) ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles;
-  const SkdRayAim aim = AimOf(self);
+  const SkdRayAim aim = AimOf(self, trees);
   for (const SkdBlock& block : blocks)
   {
     rays.push_back({ SkdRayStarts(block.Mesh, at, aim), {} });
@@ -90,7 +92,8 @@ void WarnAbout(
   {
     vtkWarningWithObjectMacro(self,
       << without << (IsAtPoints(self) ? " points" : " cells")
-      << " have no ray: their position or direction is not finite, or their direction is zero.");
+      << " have no ray: their position or direction is not finite, or their direction is zero, or "
+         "they have no normal.");
   }
 }
 
@@ -202,7 +205,7 @@ int vtkSkdTreeRays::RequestData(
   target.Touch();
   const double buildSeconds = watch.Lap();
 
-  std::vector<SkdCastRays> rays = FindStarts(this, blocks);
+  std::vector<SkdCastRays> rays = FindStarts(this, blocks, trees);
   WarnAbout(this, rays, trees.GetCounts());
   const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
   const SkdRayCaster caster(trees, static_cast<int>(source.size()), LimitsOf(this, tolerance));

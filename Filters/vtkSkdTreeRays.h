@@ -8,8 +8,9 @@
  * at Source (port 1, any vtkDataSet or composite), by the skD-tree (Algorithm 5.2 of Khamayseh and
  * Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact tests decide what is hit: no ray passes
  * between two triangles that share an edge. The answer does not depend on the number of threads or
- * processes (each needs the whole Source). Volume cells are hit at their faces, vertices and lines
- * only within rounding.
+ * processes (each needs the whole Source). Each volume cell is hit once, at the face where the ray
+ * enters it or, if it starts within, leaves it (a voxel then where the ray starts, as in VTK);
+ * vertices and lines only within rounding. A ray in the plane of a cell does not hit it.
  *
  * Output port 0: the input with the point arrays or, of rays from cell centres, cell arrays
  * | name             | type   | components | meaning                                   | none |
@@ -33,9 +34,10 @@
  * (in world units), SkdReportEpsilon, SkdReportTreesBuilt (0 if all were reused),
  * SkdReportBuildSeconds, SkdReportQuerySeconds.
  *
- * Bad input: a missing array of directions is an error, and there is no hit. Points without a
- * direction (a zero or non-finite vector, or no surface cell that has a normal) or that are not
- * finite have no ray; one warning counts them. A Source without valid cells gives a warning, and no
+ * Bad input: an array of directions that is missing or has not a vector for each start is an
+ * error, and there is no hit. Points without a direction (a zero or non-finite vector, or no
+ * surface cell that has a normal) or that are not finite have no ray; one warning counts them,
+ * except points within a mesh of volume cells. A Source without valid cells gives a warning, and no
  * hits. A missing Source is an error of the pipeline.
  *
  * @sa
@@ -89,26 +91,34 @@ public:
     NORMALS = 0,
     ARRAY = 1,
     DIRECTION = 2,
-    TO_POINT = 3
+    TO_POINT = 3,
+    TO_POSITIONS = 4,
+    TO_NEAREST = 5
   };
 
   //@{
   /**
    * Where rays go: along the normals of the points or cells (the active ones or, without them,
-   * those of the surface cells, at points their mean weighted by angles), along the vectors of
-   * DirectionArray, along one Direction, or towards TargetPoint and beyond. Default NORMALS.
+   * those of the surface cells or of the outer faces of linear volume cells, at points their mean
+   * weighted by angles), along the vectors of DirectionArray, along one Direction; or towards
+   * TargetPoint, towards the positions in DirectionArray, or each towards the nearest point of
+   * Source, and beyond. Towards the nearest point on the border of an open surface, rounding
+   * decides whether a ray hits. Default NORMALS.
    */
-  vtkSkdTreeChoiceMacro(Along, NORMALS, TO_POINT);
+  vtkSkdTreeChoiceMacro(Along, NORMALS, TO_NEAREST);
   void SetAlongToNormals() { this->SetAlong(NORMALS); }
   void SetAlongToArray() { this->SetAlong(ARRAY); }
   void SetAlongToDirection() { this->SetAlong(DIRECTION); }
   void SetAlongToPoint() { this->SetAlong(TO_POINT); }
+  void SetAlongToPositions() { this->SetAlong(TO_POSITIONS); }
+  void SetAlongToNearest() { this->SetAlong(TO_NEAREST); }
   //@}
 
   //@{
   /**
    * For ARRAY: the point (or cell) array of three components, of any length but 0. Default empty:
-   * the active vectors.
+   * the active vectors. For TO_POSITIONS: the array of positions, for example of the corresponding
+   * points of another mesh; it must be named.
    */
   void SetDirectionArray(const char* name);
   const char* GetDirectionArray() const { return this->DirectionArray.c_str(); }

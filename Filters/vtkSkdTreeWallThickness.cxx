@@ -8,6 +8,7 @@
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Rays/SkdRayStarts.h"
+#include "Rays/SkdSurfaceBlocks.h"
 #include "Rays/SkdThickness.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -17,6 +18,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeWallThickness);
@@ -24,6 +26,7 @@ vtkStandardNewMacro(vtkSkdTreeWallThickness);
 class vtkSkdTreeWallThickness::Internals
 {
 public:
+  SkdSurfaceBlocks Surfaces;
   SkdSourceTrees Trees;
 };
 
@@ -64,7 +67,7 @@ std::vector<SkdRayStarts> FindStarts(Filter* self, const std::vector<SkdBlock>& 
 }
 
 void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answers,
-  const std::vector<SkdBlock>& source, bool isComposite)
+  const std::vector<SkdBlock>& source, const SkdSurfaceBlocks& surfaces, bool isComposite)
 {
   const auto n = static_cast<vtkIdType>(answers.size());
   auto values = SkdMakeArray<vtkDoubleArray>("SkdThickness", 1, n, vtkMath::Nan());
@@ -79,7 +82,7 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
       {
         values->SetValue(i, answer.Value);
         points->SetTypedTuple(i, answer.Opposite.X);
-        cells->SetValue(i, answer.CellId);
+        cells->SetValue(i, surfaces.GetCellId(answer.Block, answer.CellId));
         places[static_cast<std::size_t>(i)] = answer.Block;
       }
     });
@@ -93,17 +96,42 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
   data->SetActiveScalars("SkdThickness");
 }
 
-/// Reports, and gives one warning about what has no thickness.
-void Report(Filter* self, SkdReport& report, vtkIdType asked, vtkIdType found)
+/// How many places there are on the surface, how many of these have no ray, and how many of the
+/// others a thickness.
+struct Numbers
 {
-  report.AddCount("Points", asked);
-  report.AddCount("PointsFound", found);
-  if (found < asked && !SkdIsAborted(self))
+  vtkIdType Asked = 0;
+  vtkIdType WithoutRay = 0;
+  vtkIdType Found = 0;
+};
+
+/// One message about what has no thickness.
+void WarnAbout(Filter* self, const std::vector<SkdRayStarts>& starts, const Numbers& numbers)
+{
+  for (const SkdRayStarts& start : starts)
   {
-    vtkWarningWithObjectMacro(self,
-      << asked - found << " of " << asked << (IsAtPoints(self) ? " points" : " cells")
-      << " have no thickness: nothing is opposite to them, or they have no normal. Is the surface "
-         "closed, and do its normals point outwards (see Reversed)?");
+    if (!start.Fault.empty())
+    {
+      vtkErrorWithObjectMacro(self, << start.Fault);
+      return;
+    }
+  }
+  const vtkIdType alone = numbers.Asked - numbers.WithoutRay - numbers.Found;
+  if (alone + numbers.WithoutRay > 0 && !SkdIsAborted(self))
+  {
+    const std::string without = std::to_string(numbers.WithoutRay) +
+      " have no normal (no surface cell, or no outer face of a linear volume cell, has them) or "
+      "are "
+      "not finite";
+    const std::string nothing = std::to_string(alone) +
+      " have nothing opposite to them: is the surface closed, and do its normals point outwards "
+      "(see "
+      "Reversed)?";
+    vtkWarningWithObjectMacro(
+      self, << alone + numbers.WithoutRay << " of " << numbers.Asked
+            << (IsAtPoints(self) ? " points" : " cells") << " have no thickness. "
+            << (numbers.WithoutRay > 0 ? without + (alone > 0 ? "; " : ".") : "")
+            << (alone > 0 ? nothing : ""));
   }
 }
 
@@ -129,7 +157,8 @@ int vtkSkdTreeWallThickness::RequestData(
   vtkDataObject* given = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* against = given ? given : input;
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
-  const std::vector<SkdBlock> source = SkdBlocksWithCells(SkdBlocksOf(against));
+  SkdSurfaceBlocks& surfaces = this->Impl->Surfaces;
+  const std::vector<SkdBlock> source = surfaces.Update(SkdBlocksWithCells(SkdBlocksOf(against)));
   const std::vector<SkdBlock> blocks = SkdMirror(input, output);
   SkdStopwatch watch;
   SkdSourceTrees& trees = this->Impl->Trees;
@@ -147,24 +176,28 @@ int vtkSkdTreeWallThickness::RequestData(
     trees, static_cast<int>(source.size()), { tolerance, tolerance, maximum, false });
   const SkdThicknessMeasure measure(
     trees, caster, RuleOf(this, given != nullptr, maximum, SkdRayTolerance(0.0, source, blocks)));
-  vtkIdType asked = 0;
-  vtkIdType found = 0;
+  Numbers numbers;
+  vtkIdType places = 0;
   for (const SkdRayStarts& start : starts)
   {
-    asked += start.GetNumber();
+    places += start.GetNumber();
+    numbers.Asked += start.GetNumber() - start.Inner;
+    numbers.WithoutRay += start.CountWithoutRay();
   }
-  SkdLoop loop(this, asked, 0.2, 1.0, 8192);
+  SkdLoop loop(this, places, 0.2, 1.0, 8192);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const auto answers = measure.Measure(starts[i].Points, starts[i].Directions, loop);
-    found += std::count_if(
+    numbers.Found += std::count_if(
       answers.begin(), answers.end(), [](const SkdThickness& answer) { return answer.Block >= 0; });
     AddArrays(IsAtPoints(this) ? static_cast<vtkDataSetAttributes*>(blocks[i].Mesh->GetPointData())
                                : blocks[i].Mesh->GetCellData(),
-      answers, source, SkdIsComposite(against));
+      answers, source, surfaces, SkdIsComposite(against));
   }
   SkdReport report(output);
-  Report(this, report, asked, found);
+  report.AddCount("Points", places);
+  report.AddCount("PointsFound", numbers.Found);
+  WarnAbout(this, starts, numbers);
   report.AddMeasure("Epsilon", trees.GetCounts().Tolerance);
   report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
   return 1;

@@ -5,9 +5,10 @@
  * @brief   how thick a body is at each point or cell of its surface
  *
  * Measures at each point or cell centre of Input (port 0, a closed surface whose normals point
- * outwards: any vtkDataSet or composite) how far the opposite side of the body is, by the skD-tree
- * (Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). The optional Source (port 1) is
- * the surface to measure against; without it, it is Input itself with all its blocks.
+ * outwards, or a body of volume cells: any vtkDataSet or composite) how far the opposite side of
+ * the body is, by the skD-tree (Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). The
+ * optional Source (port 1) is the surface to measure against; without it, it is Input itself with
+ * all its blocks.
  *
  * - RAYS: along the inverted normal or, with NumberOfRays, the median over a cone of rays about it:
  *   the shape diameter function of L. Shapira, A. Shamir, D. Cohen-Or, The Visual Computer 24
@@ -18,8 +19,10 @@
  *   exact nearest point of all cells: the sphere overlaps nothing but facets next to the point (see
  *   SeparationAngle). Never larger than by one ray.
  *
- * Normals are the active ones of the points or cells or, without them, those of the surface cells,
- * at points their mean weighted by angles.
+ * Normals are the active ones of the points or cells or, without them, those of the surface cells
+ * or of the outer faces of linear volume cells, at points their mean weighted by angles. What is
+ * measured against is the outer faces of volume cells, of curved ones as flat facets within 1e-4 of
+ * the diagonal.
  *
  * Output: the input with the point arrays or, at cell centres, cell arrays
  * | name                  | type   | components | meaning                              | none |
@@ -38,8 +41,10 @@
  * SkdReportQuerySeconds.
  *
  * Bad input: one warning counts the points that have no thickness because nothing is opposite (the
- * surface is open, or its normals point inwards: see Reversed), because they have no normal, or
- * because they are not finite. An Input without points gives an output without points.
+ * surface is open, or its normals point inwards: see Reversed), and because they have no normal or
+ * are not finite. Points within a mesh of volume cells have none without a warning. Active normals
+ * that are not as many as the points or cells are an error. An Input without points gives an output
+ * without points.
  *
  * @sa
  * vtkSkdTreeRays vtkSkdTreeClosestPoint

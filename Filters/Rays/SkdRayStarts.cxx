@@ -3,12 +3,14 @@
 #include "Rays/SkdRayStarts.h"
 
 #include "Cells/SkdForEach.h"
+#include "Rays/SkdSurfaceBlocks.h"
 #include "Rays/SkdSurfaceNormals.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -35,16 +37,17 @@ SkdRayStarts::SkdRayStarts(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRay
       this->UseNormals(mesh, at);
       break;
     case SkdRayAim::Along::Array:
-      this->UseArray(mesh, at, aim.Array);
+    case SkdRayAim::Along::ToPositions:
+      this->UseArray(mesh, at, aim);
       break;
     case SkdRayAim::Along::Direction:
       this->Directions.assign(this->Points.size(), SkdUnit(aim.Vector));
       break;
     case SkdRayAim::Along::ToPoint:
-      for (const Vector3& point : this->Points)
-      {
-        this->Directions.push_back(SkdUnit(aim.Vector - point));
-      }
+      this->Face(std::vector<Vector3>(this->Points.size(), aim.Vector));
+      break;
+    case SkdRayAim::Along::ToNearest:
+      this->FaceNearest(*aim.Source);
       break;
   }
   if (aim.IsReversed)
@@ -64,7 +67,7 @@ vtkIdType SkdRayStarts::CountWithoutRay() const
     const bool hasRay = skd::IsFinite(this->Points[i]) && skd::Norm2(this->Directions[i]) > 0.0;
     count += hasRay ? 0 : 1;
   }
-  return count;
+  return count - this->Inner;
 }
 
 void SkdRayStarts::ReadPoints(vtkDataSet* mesh, SkdQueryPoints::At at)
@@ -80,32 +83,79 @@ void SkdRayStarts::UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at)
   vtkDataArray* given = DataOf(mesh, at)->GetNormals();
   if (AreVectors(given))
   {
-    this->Read(given);
+    this->Read(given, "normals");
     return;
   }
-  this->Directions =
-    at == SkdQueryPoints::At::Points ? SkdNormalsOfPoints(mesh) : SkdNormalsOfCells(mesh);
+  const bool atPoints = at == SkdQueryPoints::At::Points;
+  this->Directions = atPoints ? SkdNormalsOfPoints(mesh) : SkdNormalsOfCells(mesh);
+  if (atPoints && SkdHasVolumeCells(mesh))
+  {
+    const vtkIdType without = this->CountWithoutRay();
+    this->Inner = without < this->GetNumber() ? without : 0;
+  }
 }
 
-void SkdRayStarts::UseArray(vtkDataSet* mesh, SkdQueryPoints::At at, const std::string& name)
+void SkdRayStarts::UseArray(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRayAim& aim)
 {
   vtkDataSetAttributes* data = DataOf(mesh, at);
-  vtkDataArray* array = name.empty() ? data->GetVectors() : data->GetArray(name.c_str());
-  if (AreVectors(array))
+  const std::string& name = aim.Array;
+  const bool arePositions = aim.Mode == SkdRayAim::Along::ToPositions;
+  vtkDataArray* array =
+    name.empty() && !arePositions ? data->GetVectors() : data->GetArray(name.c_str());
+  const std::string kind = at == SkdQueryPoints::At::Points ? "point" : "cell";
+  if (!AreVectors(array))
   {
-    this->Read(array);
+    this->Directions.assign(this->Points.size(), Vector3{ { 0.0, 0.0, 0.0 } });
+    this->Fault = name.empty()
+      ? "Input has no active vectors in its " + kind + " data; set DirectionArray."
+      : "Input has no " + kind + " array \"" + name + "\" of three components; set DirectionArray.";
+    this->Fault = name.empty() && arePositions
+      ? "Set DirectionArray to the " + kind + " array of the positions that rays go to."
+      : this->Fault;
     return;
   }
-  const std::string kind = at == SkdQueryPoints::At::Points ? "point" : "cell";
-  this->Directions.assign(this->Points.size(), Vector3{ { 0.0, 0.0, 0.0 } });
-  this->Fault = name.empty()
-    ? "Input has no active vectors in its " + kind + " data; set DirectionArray."
-    : "Input has no " + kind + " array \"" + name + "\" of three components; set DirectionArray.";
+  if (this->Read(array, kind + " array \"" + name + "\"") && arePositions)
+  {
+    std::vector<Vector3> targets(this->Points.size());
+    SkdForEach(targets.size(),
+      [&](std::size_t i) { array->GetTuple(static_cast<vtkIdType>(i), targets[i].X); });
+    this->Face(targets);
+  }
 }
 
-void SkdRayStarts::Read(vtkDataArray* vectors)
+/// Of a point that is not finite, or a Source without cells, there is none.
+void SkdRayStarts::FaceNearest(const SkdSourceTrees& source)
+{
+  std::vector<Vector3> targets(this->Points);
+  SkdForEach(targets.size(),
+    [&](std::size_t i)
+    {
+      const double reach = std::numeric_limits<double>::infinity();
+      if (const auto nearest = source.FindNearest(this->Points[i].X, reach))
+      {
+        std::copy_n(nearest->Point, 3, targets[i].X);
+      }
+    });
+  this->Face(targets);
+}
+
+void SkdRayStarts::Face(const std::vector<Vector3>& targets)
 {
   this->Directions.resize(this->Points.size());
+  SkdForEach(this->Directions.size(),
+    [&](std::size_t i) { this->Directions[i] = SkdUnit(targets[i] - this->Points[i]); });
+}
+
+/// Returns whether there is a vector for each start; otherwise there is none, and a fault.
+bool SkdRayStarts::Read(vtkDataArray* vectors, const std::string& what)
+{
+  this->Directions.assign(this->Points.size(), Vector3{ { 0.0, 0.0, 0.0 } });
+  if (vectors->GetNumberOfTuples() != this->GetNumber())
+  {
+    this->Fault = "Input has " + std::to_string(vectors->GetNumberOfTuples()) + " vectors for " +
+      std::to_string(this->GetNumber()) + " places in its " + what + "; there must be as many.";
+    return false;
+  }
   SkdForEach(this->Directions.size(),
     [&](std::size_t i)
     {
@@ -113,4 +163,5 @@ void SkdRayStarts::Read(vtkDataArray* vectors)
       vectors->GetTuple(static_cast<vtkIdType>(i), vector.X);
       this->Directions[i] = SkdUnit(vector);
     });
+  return true;
 }

@@ -5,6 +5,7 @@
 
 #include "Core/Geometry/Vector.h"
 #include "Pipeline/SkdQueryPoints.h"
+#include "Pipeline/SkdSourceTrees.h"
 
 #include <string>
 #include <vector>
@@ -17,12 +18,15 @@ struct SkdRayAim
     Normals,
     Array,
     Direction,
-    ToPoint
+    ToPoint,
+    ToPositions,
+    ToNearest
   };
 
   Along Mode = Along::Normals;
-  std::string Array;     // of Array; empty: the active vectors
-  skd::Vector3 Vector{}; // the direction, or the point
+  std::string Array;                      // of Array, empty: the active vectors; of ToPositions
+  skd::Vector3 Vector{};                  // the direction, or the point
+  const SkdSourceTrees* Source = nullptr; // of ToNearest
   bool IsReversed = false;
 };
 
@@ -40,14 +44,19 @@ public:
 
   vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Points.size()); }
 
-  /// The number of starts that are not finite or have no direction.
+  /// The points within a mesh of volume cells, which have no normal.
+  vtkIdType Inner = 0;
+
+  /// The number of starts that are not finite or have no direction, without inner points.
   vtkIdType CountWithoutRay() const;
 
 private:
   void ReadPoints(vtkDataSet* mesh, SkdQueryPoints::At at);
   void UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at);
-  void UseArray(vtkDataSet* mesh, SkdQueryPoints::At at, const std::string& name);
-  void Read(vtkDataArray* vectors);
+  void UseArray(vtkDataSet* mesh, SkdQueryPoints::At at, const SkdRayAim& aim);
+  void FaceNearest(const SkdSourceTrees& source);
+  bool Read(vtkDataArray* vectors, const std::string& what);
+  void Face(const std::vector<skd::Vector3>& targets);
 };
 
 #endif

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/SkdSurfaceNormals.h"
 
+#include "Cells/SkdCurvedFaces.h"
 #include "Cells/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestPoint.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Rays/SkdSurfaceBlocks.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -166,12 +169,13 @@ std::vector<Vector3> SkdNormalsOfCells(vtkDataSet* mesh)
   return normals;
 }
 
-//------------------------------------------------------------------------------
-// In one thread, so that sums do not depend on the number of threads.
-std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
+namespace
 {
-  std::vector<Vector3> normals(
-    static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector3{ { 0.0, 0.0, 0.0 } });
+/// Calls add(point, normal times angle) for all points of all surface cells.
+template <class Add>
+void ForEachNormal(vtkDataSet* mesh, const Add& add)
+{
+  vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     ForEachFacet(mesh, cell,
@@ -184,10 +188,46 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
           const Vector3& x = facet[i].Point;
           const double angle =
             AngleBetween(facet[(i + 1) % n].Point - x, facet[(i + n - 1) % n].Point - x);
-          Vector3& sum = normals[static_cast<std::size_t>(facet[i].Id)];
-          sum = sum + angle * normal;
+          add(facet[i].Id, angle * normal);
+        }
+        mesh->GetCellPoints(cell, ids);
+        const bool isCurved = SkdIsCurvedCellType(mesh->GetCellType(cell));
+        for (vtkIdType i = static_cast<vtkIdType>(n); isCurved && i < ids->GetNumberOfIds(); ++i)
+        {
+          add(ids->GetId(i), vtkMath::Pi() * normal);
         }
       });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// In one thread, so that sums do not depend on the number of threads.
+std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
+{
+  std::vector<Vector3> normals(
+    static_cast<std::size_t>(mesh->GetNumberOfPoints()), Vector3{ { 0.0, 0.0, 0.0 } });
+  const auto add = [&](vtkIdType point, const Vector3& normal)
+  {
+    Vector3& sum = normals[static_cast<std::size_t>(point)];
+    sum = sum + normal;
+  };
+  if (SkdHasVolumeCells(mesh))
+  {
+    const SkdBlockSurface outer(
+      mesh, SkdChordalLength({ { mesh, 0 } }, SkdDefaultChordalDeviation));
+    ForEachNormal(outer.Get(),
+      [&](vtkIdType point, const Vector3& normal)
+      {
+        if (outer.GetPointId(point) >= 0)
+        {
+          add(outer.GetPointId(point), normal);
+        }
+      });
+  }
+  else
+  {
+    ForEachNormal(mesh, add);
   }
   for (Vector3& normal : normals)
   {

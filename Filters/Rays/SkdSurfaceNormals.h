@@ -20,8 +20,10 @@ std::vector<skd::Vector3> SkdNormalsOfCells(vtkDataSet* mesh);
 
 /// Unit normals at points: the mean of those of the surface cells there, weighted by their angles,
 /// so that the division into triangles does not matter (G. Thuermer, C. A. Wuethrich, "Computing
-/// vertex normals from polygonal facets", Journal of Graphics Tools 3 (1998) 43-46). 0 where there
-/// is none.
+/// vertex normals from polygonal facets", Journal of Graphics Tools 3 (1998) 43-46). At the other
+/// points of a curved cell its polygon counts as at a point within an edge. Of a mesh with volume
+/// cells, the normals of its outer faces as well; of curved volume cells these are not known.
+/// 0 where there is none.
 std::vector<skd::Vector3> SkdNormalsOfPoints(vtkDataSet* mesh);
 
 /// A vector divided by its length, whatever its magnitude; 0 if it is 0 or not finite.

@@ -4,6 +4,13 @@
 
 import numpy
 from paraview import simple
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TRIANGLE, vtkImageData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkskdtree import Tree, vtkSkdTreeRays
 
 import skdtesting
 
@@ -42,6 +49,85 @@ def test_blocks_are_told_apart():
     lines = simple.OutputPort(rays, 1)
     lines.UpdatePipeline()
     assert lines.CellData["SkdRayBlockIndex"].GetRange() == (1, 2)
+
+
+
+def cast(mesh, source, **properties):
+    """The filter after its execution, and the text of its errors and warnings."""
+    texts = []
+
+    @calldata_type(VTK_STRING)
+    def hear(_caller, _event, text):
+        texts.append(text)
+
+    rays = vtkSkdTreeRays()
+    rays.AddObserver("ErrorEvent", hear)
+    rays.AddObserver("WarningEvent", hear)
+    rays.SetInputData(mesh)
+    rays.SetSourceData(source)
+    for name, value in properties.items():
+        getattr(rays, "Set" + name)(value)
+    rays.Update()
+    return rays.GetOutputDataObject(0), "".join(texts)
+
+
+def sphere_mesh(radius):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(24)
+    source.Update()
+    return source.GetOutput()
+
+
+def with_array(mesh, values):
+    copy = mesh.NewInstance()
+    copy.ShallowCopy(mesh)
+    array = numpy_to_vtk(numpy.ascontiguousarray(values, float), deep=True)
+    array.SetName("array")
+    copy.GetPointData().AddArray(array)
+    return copy
+
+
+def distances(output):
+    return vtk_to_numpy(output.GetPointData().GetArray("SkdRayDistance"))
+
+
+def test_too_few_directions_are_refused():
+    mesh = with_array(sphere_mesh(1), numpy.ones((3, 3)))
+    output, text = cast(mesh, sphere_mesh(2), Along=vtkSkdTreeRays.ARRAY, DirectionArray="array")
+    assert "3 vectors for" in text and numpy.isnan(distances(output)).all(), text
+
+
+def test_towards_positions_and_the_nearest_point():
+    inner, outer = sphere_mesh(1), sphere_mesh(2)
+    corners = vtk_to_numpy(outer.GetPoints().GetData()).astype(float)
+    gaps = numpy.linalg.norm(corners - vtk_to_numpy(inner.GetPoints().GetData()), axis=1)
+    output, text = cast(with_array(inner, corners), outer, Along=vtkSkdTreeRays.TO_POSITIONS,
+        DirectionArray="array")
+    numpy.testing.assert_allclose(distances(output), gaps, rtol=1e-12)
+    assert not text
+    assert "Set DirectionArray" in cast(inner, outer, Along=vtkSkdTreeRays.TO_POSITIONS)[1]
+    output, text = cast(inner, outer, Along=vtkSkdTreeRays.TO_NEAREST)
+    nearest = Tree(outer).closest(vtk_to_numpy(inner.GetPoints().GetData())).distance
+    numpy.testing.assert_allclose(distances(output), nearest, rtol=1e-12)
+    assert not text
+
+
+def test_normals_of_volumes_and_of_nodes_on_edges():
+    image = vtkImageData()
+    image.SetDimensions(3, 3, 3)
+    image.SetOrigin(-1, -1, -1)
+    output, text = cast(image, sphere_mesh(9))
+    assert not text and numpy.isnan(distances(output)).nonzero()[0].tolist() == [13]
+    curved = vtkUnstructuredGrid()
+    points = vtkPoints()
+    for point in ([0, 0, 0], [1, 0, 0], [0, 1, 0], [.5, 0, 0], [.5, .5, 0], [0, .5, 0]):
+        points.InsertNextPoint(point)
+    curved.SetPoints(points)
+    curved.InsertNextCell(VTK_QUADRATIC_TRIANGLE, 6, range(6))
+    output, text = cast(curved, sphere_mesh(9))
+    assert not text and (distances(output) > 8).all()
 
 
 skdtesting.run_tests(globals())

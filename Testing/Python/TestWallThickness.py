@@ -40,4 +40,16 @@ def test_spheres_are_never_thicker_than_a_ray():
     assert 0.1 < numpy.median(spheres[both] / rays[both]) < 1
 
 
+
+def test_bodies_of_volume_cells():
+    body = simple.Wavelet(WholeExtent=[0, 3, 0, 3, 0, 3])
+    surface = simple.ExtractSurface(Input=body)
+    for measured in (simple.SkdTreeWallThickness(Input=surface, Source=body),
+            simple.SkdTreeWallThickness(Input=surface)):
+        thickness = skdtesting.point_array(measured, "SkdThickness")
+        assert numpy.nanmin(thickness) > 2.9, thickness
+    own = skdtesting.point_array(simple.SkdTreeWallThickness(Input=body), "SkdThickness")
+    assert numpy.isnan(own).sum() == 8 and numpy.nanmin(own) > 2.9, own
+
+
 skdtesting.run_tests(globals())
