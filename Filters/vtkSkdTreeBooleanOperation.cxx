@@ -146,7 +146,13 @@ bool vtkSkdTreeBooleanOperation::Internals::Arrange(Filter* self, const SkdBoole
   {
     return false;
   }
-  this->Arrangement = SkdArrange(placement, *std::move(pairs));
+  SkdLoop splitLoop(self, 0, 0.6, 0.8, 64);
+  auto arrangement = SkdArrange(placement, *std::move(pairs), splitLoop);
+  if (!arrangement)
+  {
+    return false;
+  }
+  this->Arrangement = *std::move(arrangement);
   this->Placement.emplace(std::move(placement));
   return true;
 }
@@ -359,7 +365,6 @@ int vtkSkdTreeBooleanOperation::RequestData(
   {
     return 1;
   }
-  this->UpdateProgress(0.8);
   SkdWarnAboutCoarseFaces(this, own.Set.GetNumberOfCoarseFaces(), this->ChordalDeviation);
   own.WarnOfNoFaces(this, blocks);
   own.FindSolids(blocks, source && this->Operation != AT_LEAST);

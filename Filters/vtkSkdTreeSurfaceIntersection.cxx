@@ -206,8 +206,9 @@ struct SplitOutput
       return;
     }
     std::set<std::string> refused;
-    const vtkIdType count = SkdFillSplitSurface(
-      this->Segments, side, surface->Blocks, surface->IsComposite, this->Scale, output, refused);
+    SkdLoop loop(this->Self, 0, 0.8 + 0.1 * side, 0.9 + 0.1 * side, 64);
+    const vtkIdType count = SkdFillSplitSurface(this->Segments, side, surface->Blocks,
+      surface->IsComposite, this->Scale, output, refused, loop);
     this->Report.AddCount(side == 0 ? "InputTrianglesSplit" : "SourceTrianglesSplit", count);
     SkdWarnAboutRefused(this->Self, refused);
   }

@@ -47,12 +47,18 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
 }
 }
 
-SkdArrangement SkdArrange(const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs)
+std::optional<SkdArrangement> SkdArrange(
+  const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs, SkdLoop& loop)
 {
   const std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
   const SkdContactPoints contacts(placement, pairs);
   const SkdSplitSegments segments(placement, pairs, contacts);
-  SkdSplitResult split = SkdSplitTriangles(segments, 0);
+  std::optional<SkdSplitResult> done = SkdSplitTriangles(segments, 0, loop);
+  if (!done)
+  {
+    return std::nullopt;
+  }
+  SkdSplitResult& split = *done;
   SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
   if (!duplicates.empty())
   {

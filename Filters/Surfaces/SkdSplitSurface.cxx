@@ -98,15 +98,19 @@ private:
 
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
   const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
-  std::set<std::string>& refused)
+  std::set<std::string>& refused, SkdLoop& loop)
 {
-  const SkdSplitResult split = SkdSplitTriangles(segments, side);
-  const Output to(*segments.GetSide(side).Set, split, blocks, output);
+  const std::optional<SkdSplitResult> split = SkdSplitTriangles(segments, side, loop);
+  if (!split)
+  {
+    return 0;
+  }
+  const Output to(*segments.GetSide(side).Set, *split, blocks, output);
   to.FillShape(scale);
   if (!blocks.empty())
   {
     to.FillCellData(isComposite, refused);
     to.FillPointData(refused);
   }
-  return split.NumberSplit;
+  return split->NumberSplit;
 }

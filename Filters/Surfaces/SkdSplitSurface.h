@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+class SkdLoop;
 class vtkPolyData;
 
 /// Arrays of a split surface: of each triangle the cell that it comes from, that cell's block (of
@@ -22,9 +23,9 @@ struct SkdSplitNames
 /// Fills `output` with the triangles of a side of a placement, split. Points have the data of the
 /// first data set that has them, new ones the mean of their triangle's corners; triangles have the
 /// data of their cell. Names of arrays that are already in use are inserted into `refused`. Returns
-/// the number of triangles that are split.
+/// the number of triangles that are split. After an abort the output is empty.
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
   const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
-  std::set<std::string>& refused);
+  std::set<std::string>& refused, SkdLoop& loop);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdSplitTriangles.h"
 
-#include "Cells/SkdForEach.h"
+#include "Pipeline/SkdLoop.h"
 #include "Surfaces/SkdTriangleSplitter.h"
 
 #include <algorithm>
@@ -26,12 +26,39 @@ public:
     }
   }
 
-  SkdSplitResult Split()
+  std::optional<SkdSplitResult> Split(SkdLoop& loop)
   {
     const std::size_t n = this->Side.Set->GetSet().GetTriangles().size();
     std::vector<Work> works = this->ListWorks(n);
-    SkdForEach(
-      static_cast<vtkIdType>(works.size()), [&](vtkIdType i) { this->DoWork(works[i]); }, 1);
+    const auto count = static_cast<vtkIdType>(works.size());
+    loop.SetTotal(count);
+    const bool isDone = loop.For(count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          this->DoWork(works[i]);
+        }
+      });
+    return isDone ? std::make_optional(this->Gather(works, n)) : std::nullopt;
+  }
+
+private:
+  struct NewPoint
+  {
+    std::uint32_t Id;
+    SkdSplitPoint Point;
+  };
+  struct Work
+  {
+    std::uint32_t Triangle;
+    std::vector<Corners> Pieces;
+    std::vector<NewPoint> Points;
+    std::vector<SkdSplitEdge> Curves;
+  };
+
+  SkdSplitResult Gather(std::vector<Work>& works, std::size_t n) const
+  {
     SkdSplitResult result;
     result.NumberSplit = static_cast<vtkIdType>(works.size());
     std::size_t count = n - works.size();
@@ -58,20 +85,6 @@ public:
     this->NumberPoints(works, result);
     return result;
   }
-
-private:
-  struct NewPoint
-  {
-    std::uint32_t Id;
-    SkdSplitPoint Point;
-  };
-  struct Work
-  {
-    std::uint32_t Triangle;
-    std::vector<Corners> Pieces;
-    std::vector<NewPoint> Points;
-    std::vector<SkdSplitEdge> Curves;
-  };
 
   bool HasEdgePoints(std::uint32_t triangle) const
   {
@@ -195,7 +208,8 @@ private:
 };
 }
 
-SkdSplitResult SkdSplitTriangles(const SkdSplitSegments& segments, int side)
+std::optional<SkdSplitResult> SkdSplitTriangles(
+  const SkdSplitSegments& segments, int side, SkdLoop& loop)
 {
-  return SideSplitting(segments, side).Split();
+  return SideSplitting(segments, side).Split(loop);
 }

@@ -11,6 +11,10 @@
 #include "Surfaces/SkdSplitRegions.h"
 #include "Surfaces/SkdSplitSegments.h"
 
+#include <optional>
+
+class SkdLoop;
+
 /// A new point: its position (with the placement's scale), and its weights for three of the set's
 /// points.
 struct SkdSplitPoint
@@ -35,6 +39,8 @@ struct SkdSplitResult
 /// Splits a set along all segments: each triangle with segments, or with points on an edge, is
 /// replaced by their constrained triangulation, with its orientation; adjacent triangles have the
 /// same points on the common edge. Other triangles, including degenerate ones, are not changed.
-SkdSplitResult SkdSplitTriangles(const SkdSplitSegments& segments, int side);
+/// Empty after an abort.
+std::optional<SkdSplitResult> SkdSplitTriangles(
+  const SkdSplitSegments& segments, int side, SkdLoop& loop);
 
 #endif

@@ -3,11 +3,14 @@
 // vtkSkdTreeBooleanOperation: kinds of cells, and input that is not as it should be: a result that
 // is told in the class's comment, or one error and no output.
 
+#include "Support/FilterRun.h"
 #include "Support/SolidRun.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkImageData.h"
 #include "vtkStripper.h"
+
+#include <algorithm>
 
 using namespace skdtest;
 
@@ -126,5 +129,18 @@ TEST(BooleanOperationInputs, AnyMagnitude)
     const double cube = scale * scale * scale;
     EXPECT_NEAR(volume / cube, UnionWithBlock(Ball()), 1e-12) << scale;
   }
+}
+
+TEST(BooleanOperationInputs, AnAbortWhileSurfacesAreSplitLeavesNothing)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, MakePolyData(Outward(SphereTriangles(40))));
+  filter->SetSourceData(MakePolyData(Placed(Outward(SphereTriangles(37)), 1.0, { 0.5, 0.3, 0.1 })));
+  const std::vector<double> seen = AbortAt(filter, 0.65);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  const auto isLate = [](double progress) { return progress > 0.7 && progress < 1.0; };
+  EXPECT_TRUE(std::none_of(seen.begin(), seen.end(), isLate));
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
+  EXPECT_GT(Measures(RunSolid(filter)).Volume, 5.0);
 }
 }
