@@ -5,6 +5,7 @@
 #include "Curves/SkdCurveHitArrays.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkInformation.h"
@@ -57,6 +58,10 @@ int vtkSkdTreeCurveIntersection::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (SkdIsLaterPiece(outputVector->GetInformationObject(0)))
+  {
+    return 1; // the first piece has all
+  }
   const std::vector<SkdBlock> blocks = SkdBlocksOf(input);
   const std::vector<SkdBlock> otherBlocks = SkdBlocksOf(source ? source : input);
   SkdStopwatch watch;

@@ -74,7 +74,7 @@
  * boxes.
  *
  * The tree is reused while the points and cells of its curves keep their values. The answer does
- * not depend on the number of threads or processes (each needs the whole of both inputs).
+ * not depend on the number of threads. Of several processes the first has all.
  *
  * Bad input: cells that are not curves, curves with zero length or a length outside 1e-140 to
  * 1e140, coordinates that are not finite, Bezier weights that are not positive and degrees above 10

@@ -5,6 +5,7 @@
 #include "Cells/SkdForEach.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Rays/SkdRayStarts.h"
@@ -155,6 +156,10 @@ int vtkSkdTreeWallThickness::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* given = vtkDataObject::GetData(inputVector[1]);
+  if (!given && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
+  {
+    return 1; // the first piece has all
+  }
   vtkDataObject* against = given ? given : input;
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   SkdSurfaceBlocks& surfaces = this->Impl->Surfaces;

@@ -43,7 +43,7 @@ def places(data):
 
 
 def crossings():
-    """All of them, in every process: each requests all curves."""
+    """All of them, in the first process."""
     from paraview import simple
 
     return places(output(simple.SkdTreeCurveIntersection(
@@ -116,6 +116,15 @@ def compared():
     return numpy.concatenate(numbers + [vtk_to_numpy(points)] if numbers else [[]])
 
 
+def thickness():
+    """Of a surface alone, in the first process."""
+    from paraview import simple
+
+    found = output(simple.SkdTreeWallThickness(Input=sphere(0.1, 0.2, 0)))
+    array = found.GetPointData().GetArray("SkdThickness")
+    return vtk_to_numpy(array) if array else numpy.empty(0)
+
+
 def all_answers():
     return {
         **split(),
@@ -123,7 +132,8 @@ def all_answers():
         "crossings": crossings(),
         "hits": hits(),
         "intersection": intersection(sphere(0.9, 0.3, 0.2)),
-        "itself": intersection(None)
+        "itself": intersection(None),
+        "thickness": thickness()
     }
 
 
@@ -136,8 +146,9 @@ def check(alone, parts):
     assert numpy.isfinite(alone["compared"]).sum() > 1000
     numpy.testing.assert_array_equal(parts[0]["compared"], alone["compared"])
     assert parts[1]["compared"].size == 0
-    for part in parts:
-        numpy.testing.assert_array_equal(part["crossings"], alone["crossings"])
+    for name in ("crossings", "thickness"):
+        numpy.testing.assert_array_equal(parts[0][name], alone[name])
+        assert parts[1][name].size == 0, name
     together = numpy.vstack([part["hits"] for part in parts])
     assert len(alone["hits"]) > 2
     numpy.testing.assert_array_equal(sorted_rows(together), sorted_rows(alone["hits"]))
