@@ -171,14 +171,14 @@ TEST(SurfaceIntersectionLooks, ASurfaceMeetsItselfByAPackedRTreeAsByATree)
 {
   const auto spheres = [](double scale)
   {
-    return Together({ Placed(SphereTriangles(24), scale, { 0, 0, 0 }),
-      Placed(SphereTriangles(31), scale, { 0.9 * scale, 0.2 * scale, 0 }) });
+    return Together({ Placed(SphereTriangles(16), scale, { 0, 0, 0 }),
+      Placed(SphereTriangles(19), scale, { 0.9 * scale, 0.2 * scale, 0 }) });
   };
-  Mesh uneven = spheres(1e-6); // tiny beside one triangle
+  Mesh uneven = spheres(1e-4); // tiny beside one triangle
   uneven.Add(VTK_TRIANGLE,
     { uneven.Add({ -50, -50, -50 }), uneven.Add({ 90, 0, 1 }), uneven.Add({ 0, 90, 7 }) });
   for (const Mesh& mesh : { spheres(1.0), Apart(spheres(1.0)), spheres(1e-30), uneven,
-         LatticeTriangles(400, 6, 3), LatticeTriangles(400, 3, 4), SphereTriangles(40) })
+         LatticeTriangles(150, 6, 3), LatticeTriangles(150, 3, 4), SphereTriangles(40) })
   {
     auto filter = MakeIntersection(MakePolyData(mesh), nullptr);
     const Everything atFirst = RunAll(filter);
