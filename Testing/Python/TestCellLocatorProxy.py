@@ -103,8 +103,10 @@ def tracked(locator):
 def lines_of(paths):
     """The points of each line, by their first: with threads lines are in no order."""
     points = vtk_to_numpy(paths.GetPoints().GetData())
-    cells = [paths.GetCell(i).GetPointIds() for i in range(paths.GetNumberOfCells())]
-    lines = [points[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]] for ids in cells]
+    lines = []
+    for i in range(paths.GetNumberOfCells()):
+        ids = paths.GetCell(i).GetPointIds()  # the same object for all cells
+        lines.append(points[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]])
     return sorted(lines, key=lambda line: tuple(line[0]))
 
 
