@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeRefineAlgorithm.h"
 
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
-#include "Pipeline/SkdValidInput.h"
 #include "Refine/SkdRefineState.h"
 #include "vtkInformation.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkSkdTreeRefineAlgorithm::vtkSkdTreeRefineAlgorithm(int inputPorts, int firstWholePort)
   : State(new SkdRefineState)
-  , FirstWholePort(firstWholePort)
+  , Inputs(new SkdFilterInputs(this, [firstWholePort](int port) { return port >= firstWholePort; }))
 {
   this->SetNumberOfInputPorts(inputPorts);
   this->SetNumberOfOutputPorts(1);
@@ -75,8 +75,9 @@ void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()
 vtkTypeBool vtkSkdTreeRefineAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const SkdValidInput valid(this, request, inputVector);
-  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+  return this->Inputs->Process(request, inputVector, outputVector,
+    [&](vtkInformationVector** inputs)
+    { return this->Superclass::ProcessRequest(request, inputs, outputVector); });
 }
 
 void vtkSkdTreeRefineAlgorithm::PassOptions()
@@ -113,9 +114,9 @@ int vtkSkdTreeRefineAlgorithm::FillOutputPortInformation(int, vtkInformation* in
 }
 
 int vtkSkdTreeRefineAlgorithm::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  SkdRequestWhole(this, inputVector, this->FirstWholePort);
+  this->Inputs->RequestUpdateExtent(request, inputVector, outputVector);
   return 1;
 }
 

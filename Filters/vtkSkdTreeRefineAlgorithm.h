@@ -18,6 +18,7 @@
 
 #include <memory> // For std::unique_ptr
 
+class SkdFilterInputs;
 class SkdRefineState;
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -206,8 +207,9 @@ public:
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
-  /// So many input ports, and one output. The inputs from a port on are requested whole, whatever
-  /// piece is wanted: any of it may matter to it.
+  /// So many input ports, and one output. The inputs from a port on are needed whole, whatever
+  /// piece is requested: any of it may matter to it. Times and pieces are handled as by
+  /// vtkSkdTreeSourceAlgorithm.
   vtkSkdTreeRefineAlgorithm(int inputPorts, int firstWholePort);
   ~vtkSkdTreeRefineAlgorithm() override;
 
@@ -241,7 +243,7 @@ private:
   vtkSkdTreeRefineAlgorithm(const vtkSkdTreeRefineAlgorithm&) = delete;
   void operator=(const vtkSkdTreeRefineAlgorithm&) = delete;
 
-  int FirstWholePort;
+  std::unique_ptr<SkdFilterInputs> Inputs;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSourceAlgorithm.h"
 
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
-#include "Pipeline/SkdValidInput.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
   SourceUse use, std::initializer_list<int> outputTypes)
-  : Use(use)
+  : Inputs(new SkdFilterInputs(this, [this](int port) { return this->NeedsWhole(port); }))
+  , Use(use)
   , OutputTypes(outputTypes)
 {
   this->SetNumberOfInputPorts(2);
@@ -39,8 +40,14 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
     vtkErrorMacro("Source is not set: connect the mesh to search to input port 1.");
     return 1; // the outputs are empty
   }
-  const SkdValidInput valid(this, request, inputVector);
-  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+  return this->Inputs->Process(request, inputVector, outputVector,
+    [&](vtkInformationVector** inputs)
+    { return this->Superclass::ProcessRequest(request, inputs, outputVector); });
+}
+
+bool vtkSkdTreeSourceAlgorithm::NeedsWhole(int port)
+{
+  return port > 0 || this->WholeInput || this->GetNumberOfInputConnections(1) == 0;
 }
 
 int vtkSkdTreeSourceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -87,17 +94,9 @@ int vtkSkdTreeSourceAlgorithm::RequestDataObject(
 }
 
 int vtkSkdTreeSourceAlgorithm::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const bool hasSource = inputVector[1]->GetNumberOfInformationObjects() > 0;
-  if (hasSource)
-  {
-    SkdRequestWhole(inputVector[1]->GetInformationObject(0));
-  }
-  if (this->WholeInput || !hasSource)
-  {
-    SkdRequestWhole(inputVector[0]->GetInformationObject(0));
-  }
+  this->Inputs->RequestUpdateExtent(request, inputVector, outputVector);
   return 1;
 }
 VTK_ABI_NAMESPACE_END

@@ -5,9 +5,17 @@
  * @brief   base class of filters that search a second mesh
  *
  * Two input ports, each any vtkDataSet or composite of them: the Input, which has the queries, and
- * the Source, which is searched. Each process requests the whole Source, whatever piece of the
- * output is requested, because the answer may be anywhere in it. Without a Source the Input is
- * searched and requested as a whole.
+ * the Source, which is searched. Without a Source the Input is searched.
+ *
+ * Time: the outputs have the time steps of all inputs together, and each input is asked for the
+ * requested time.
+ *
+ * Several processes: each process asks the pipeline for its own piece of all inputs, as VTK's
+ * filters do. What is searched is gathered from the pieces of all processes, because an answer may
+ * be anywhere in it, and kept while no piece changes: memory for all of it on each process. Ghost
+ * cells, and cells and points that several pieces have, count once; ids of cells are those of the
+ * pieces in the order of the processes. Where the output's pieces are not those of the processes,
+ * the pipeline is asked for the whole.
  *
  * A subclass defines its output ports and implements RequestData.
  */
@@ -20,7 +28,10 @@
 #include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
 
 #include <initializer_list> // For std::initializer_list
+#include <memory>           // For std::unique_ptr
 #include <vector>           // For std::vector
+
+class SkdFilterInputs;
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -67,6 +78,12 @@ protected:
 
   /// For subclasses in which each process needs the whole Input, too.
   bool WholeInput = false;
+
+  /// Whether an input is needed as a whole: the Source, the Input if there is no Source, and where
+  /// WholeInput is set.
+  virtual bool NeedsWhole(int port);
+
+  std::unique_ptr<SkdFilterInputs> Inputs;
 
 private:
   static int TypeFor(int outputType, vtkDataObject* input);

@@ -171,18 +171,10 @@ int vtkSkdTreeSpatialQuery::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
-int vtkSkdTreeSpatialQuery::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+// Each process answers for its own piece, but which cells are the nearest depends on all of them.
+bool vtkSkdTreeSpatialQuery::NeedsWhole(int port)
 {
-  if (inputVector[1]->GetNumberOfInformationObjects() > 0)
-  {
-    SkdRequestWhole(inputVector[1]->GetInformationObject(0));
-  }
-  if (this->Relation == NEAREST)
-  {
-    SkdRequestWhole(inputVector[0]->GetInformationObject(0));
-  }
-  return 1;
+  return port > 0 || this->Relation == NEAREST;
 }
 
 //------------------------------------------------------------------------------

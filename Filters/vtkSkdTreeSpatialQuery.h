@@ -248,7 +248,7 @@ protected:
   ~vtkSkdTreeSpatialQuery() override;
 
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool NeedsWhole(int port) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Relation = OVERLAP;

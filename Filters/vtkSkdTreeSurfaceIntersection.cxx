@@ -268,11 +268,9 @@ bool vtkSkdTreeSurfaceIntersection::IsSplitting() const
 }
 
 // What the Source is cut along is where it meets all of the Input.
-int vtkSkdTreeSurfaceIntersection::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkSkdTreeSurfaceIntersection::NeedsWhole(int port)
 {
-  this->WholeInput = this->IsSplitting();
-  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  return this->IsSplitting() || this->Superclass::NeedsWhole(port);
 }
 
 int vtkSkdTreeSurfaceIntersection::RequestData(

@@ -187,7 +187,7 @@ protected:
   vtkSkdTreeSurfaceIntersection();
   ~vtkSkdTreeSurfaceIntersection() override;
 
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool NeedsWhole(int port) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Pairs = ALL_PAIRS;

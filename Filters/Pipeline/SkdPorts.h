@@ -37,16 +37,14 @@ inline void SkdRequestWhole(vtkInformation* input)
   }
 }
 
-/// The same of all inputs of a filter's ports from the first on.
-inline void SkdRequestWhole(vtkAlgorithm* filter, vtkInformationVector** inputs, int first)
+/// Requests of an input the piece that is requested of an output, of whatever extent the input is.
+inline void SkdRequestSamePiece(vtkInformation* output, vtkInformation* input)
 {
-  for (int port = first; port < filter->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      SkdRequestWhole(inputs[port]->GetInformationObject(i));
-    }
-  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  SkdRequestWhole(input);
+  input->CopyEntry(output, Pipeline::UPDATE_PIECE_NUMBER());
+  input->CopyEntry(output, Pipeline::UPDATE_NUMBER_OF_PIECES());
+  input->CopyEntry(output, Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
 }
 
 /// Whether a filter that computes all in one process leaves this output empty: one of a piece that

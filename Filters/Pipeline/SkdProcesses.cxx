@@ -66,15 +66,21 @@ private:
 };
 }
 
-std::unique_ptr<skd::Processes> SkdProcessesOf(vtkInformation* output)
+vtkMultiProcessController* SkdControllerOf(vtkInformation* requested)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const int count = controller ? controller->GetNumberOfProcesses() : 1;
-  const bool isShared = count > 1 && output->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
-    output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == count &&
-    output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
-  return isShared ? std::make_unique<ControlledProcesses>(controller) : nullptr;
+  const bool isShared = count > 1 && requested->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
+    requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == count &&
+    requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
+  return isShared ? controller : nullptr;
+}
+
+std::unique_ptr<skd::Processes> SkdProcessesOf(vtkInformation* output)
+{
+  vtkMultiProcessController* controller = SkdControllerOf(output);
+  return controller ? std::make_unique<ControlledProcesses>(controller) : nullptr;
 }
 
 SkdShare SkdShare::Of(vtkInformationVector* outputs)

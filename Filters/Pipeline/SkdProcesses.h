@@ -17,8 +17,13 @@
 
 class vtkInformation;
 class vtkInformationVector;
+class vtkMultiProcessController;
 class vtkPolyData;
 class vtkTable;
+
+/// The global controller, if it has several processes and this one's own piece is requested of this
+/// output or input; else nullptr.
+vtkMultiProcessController* SkdControllerOf(vtkInformation* requested);
 
 /// The processes of the global controller, if there are several and each one requests its own
 /// piece; else nullptr.

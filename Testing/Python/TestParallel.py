@@ -10,6 +10,7 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import skdpieces
 import skdtesting
 
 
@@ -17,6 +18,11 @@ def lattice():
     from paraview import simple
 
     return simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+
+
+def ball(radius, **arguments):
+    """A source whose cells have the same ids on any number of processes."""
+    return skdpieces.source("sphere", "runs", radius=radius, **arguments)
 
 
 def answers(proxy, arrays):
@@ -61,7 +67,7 @@ def all_answers():
         FileName=[os.path.join(skdtesting.DATA_DIR, "fly_brain_lateral_horn.vtp")])
     flow = simple.XMLUnstructuredGridReader(
         FileName=[os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu")])
-    sphere = simple.Sphere(Radius=4, ThetaResolution=50, PhiResolution=50)
+    sphere = ball(4.0, theta=50, phi=50)
     return [nearest(sphere), nearest(brain), probed(flow), inside(sphere), inside(flow)]
 
 
@@ -70,7 +76,7 @@ def centres_found(**asked):
     from paraview import simple
 
     query = simple.SkdTreeSpatialQuery(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]),
-        Source=simple.Sphere(Radius=3), **asked)
+        Source=ball(3.0, theta=8, phi=8), **asked)
     query.UpdatePipeline()
     data = query.GetClientSideObject().GetOutputDataObject(0)
     boxes = numpy.array([data.GetCell(i).GetBounds() for i in range(data.GetNumberOfCells())])
@@ -106,12 +112,12 @@ def all_refined():
     from paraview import simple
 
     image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
-    ball = simple.Sphere(Radius=2.3, Center=[0.3, 0.2, 0.4])
+    parts = ball(2.3, center=(0.3, 0.2, 0.4), theta=8, phi=8)
     return [
-        cells_of(simple.SkdTreeMeshRefinement(Input=image, Parts=ball, MaximumLevel=2)),
+        cells_of(simple.SkdTreeMeshRefinement(Input=image, Parts=parts, MaximumLevel=2)),
         cells_of(simple.SkdTreeMeshRefinement(
-            Input=image, Parts=ball, MaximumLevel=1, GrowingLayers=1)),
-        cells_of(simple.SkdTreeAMR(Input=ball, OutputType="Unstructured Grid", Balance="Face",
+            Input=image, Parts=parts, MaximumLevel=1, GrowingLayers=1)),
+        cells_of(simple.SkdTreeAMR(Input=parts, OutputType="Unstructured Grid", Balance="Face",
             BaseDimensions=[3, 2, 2])),
     ]
 

@@ -12,6 +12,7 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import skdpieces
 import skdtesting
 
 BALANCES = ("None", "Face", "Edge", "Corner")
@@ -42,6 +43,11 @@ def rows_of(proxy, names):
     for i, name in enumerate(names):
         rows[:, 25 + i] = vtk_to_numpy(data.GetCellData().GetArray(name))
     return rows
+
+
+def sphere(radius, **arguments):
+    """A source whose cells have the same ids on any number of processes."""
+    return skdpieces.source("sphere", "runs", radius=radius, **arguments)
 
 
 # What each process runs to have its share of the tetrahedra. (RedistributeDataSet would do, but hands
@@ -108,7 +114,7 @@ def refined_by_rules():
     """By each rule, around a ball that is in several pieces."""
     from paraview import simple
 
-    ball = simple.Sphere(Radius=0.7, Center=[0.6, 0.1, 2.4])
+    ball = sphere(0.7, center=(0.6, 0.1, 2.4), theta=8, phi=8)
     rules = [{"Method": "Bisection", "GrowingLayers": layers} for layers in (0, 2)]
     rules += [{"Method": "Regular", "Balance": balance, "GrowingLayers": layers}
         for balance, layers in itertools.product(BALANCES, (0, 1))]
@@ -121,8 +127,8 @@ def refined_by_placements():
     from paraview import simple
 
     surface, bricks, flow = meshes()
-    ball = simple.Sphere(Radius=0.7, Center=[0.6, 0.1, 2.4])
-    around = simple.Sphere(Radius=6, ThetaResolution=32, PhiResolution=32)
+    ball = sphere(0.7, center=(0.6, 0.1, 2.4), theta=8, phi=8)
+    around = sphere(6.0, theta=32, phi=32)
     return [refined(mesh, Parts=ball, MaximumLevel=2, Method=method, **placement)
         for mesh in (surface, bricks)
         for method in ("Bisection", "Regular")

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdFilterInputs.h"
+
+#include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdProcesses.h"
+#include "Pipeline/SkdTimes.h"
+#include "Pipeline/SkdValidInput.h"
+#include "vtkAlgorithm.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+
+int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const std::function<int(vtkInformationVector** inputs)>& process)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    SkdUniteTimes(inputs, this->Filter->GetNumberOfInputPorts(), outputs);
+  }
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return process(inputs);
+  }
+  const int result = this->ProcessData(request, inputs, process);
+  SkdMarkRequestedTime(outputs);
+  return result;
+}
+
+int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector** inputs,
+  const std::function<int(vtkInformationVector** inputs)>& process)
+{
+  const SkdValidInput valid(this->Filter, request, inputs);
+  std::vector<vtkSmartPointer<vtkInformationVector>> kept;
+  std::vector<vtkInformationVector*> whole;
+  for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
+  {
+    kept.push_back(vtkSmartPointer<vtkInformationVector>::New());
+    kept.back()->Copy(valid.Get()[port]);
+    this->GatherInto(kept.back(), port);
+    whole.push_back(kept.back());
+  }
+  return process(whole.data());
+}
+
+// What was requested of the input says whether it is this process's piece.
+void SkdFilterInputs::GatherInto(vtkInformationVector* inputs, int port)
+{
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* input = inputs->GetInformationObject(i);
+    vtkDataObject* piece = vtkDataObject::GetData(input);
+    vtkMultiProcessController* controller =
+      piece && this->NeedsWhole(port) ? SkdControllerOf(input) : nullptr;
+    if (!controller)
+    {
+      this->Whole.erase({ port, i });
+      continue;
+    }
+    vtkNew<vtkInformation> gathered;
+    gathered->Copy(input);
+    gathered->Set(vtkDataObject::DATA_OBJECT(), this->Whole[{ port, i }].Update(piece, controller));
+    inputs->SetInformationObject(i, gathered);
+  }
+}
+
+void SkdFilterInputs::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) const
+{
+  const int from = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+    ? request->Get(vtkExecutive::FROM_OUTPUT_PORT())
+    : 0;
+  vtkInformation* output = outputs->GetInformationObject(std::max(from, 0));
+  const bool isOwnPiece = SkdControllerOf(output) != nullptr;
+  for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      if (this->NeedsWhole(port) && !isOwnPiece)
+      {
+        SkdRequestWhole(input);
+      }
+      else if (port > 0)
+      {
+        SkdRequestSamePiece(output, input);
+      }
+    }
+  }
+}
+
+const std::vector<SkdPieceCell>* SkdFilterInputs::GetOrigins(int port, std::size_t block) const
+{
+  const auto found = this->Whole.find({ port, 0 });
+  return found == this->Whole.end() ? nullptr : &found->second.GetOrigins(block);
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdFilterInputs.h
+ * @brief What the base classes of filters do with inputs in each request of the pipeline: which
+ * times and pieces are requested, and what RequestData gets.
+ */
+
+#ifndef SkdFilterInputs_h
+#define SkdFilterInputs_h
+
+#include "Exchange/SkdWholeInput.h"
+
+#include <functional>
+#include <map>
+#include <utility>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+class SkdFilterInputs
+{
+public:
+  /// Which input ports a filter needs as a whole, whatever piece of the output is requested.
+  using IsWhole = std::function<bool(int port)>;
+
+  SkdFilterInputs(vtkAlgorithm* filter, IsWhole isWhole)
+    : Filter(filter)
+    , NeedsWhole(std::move(isWhole))
+  {
+  }
+
+  /// For ProcessRequest: calls `process` with the inputs that the filter is to have.
+  /// - REQUEST_INFORMATION: the outputs get the times of all inputs (SkdUniteTimes).
+  /// - REQUEST_DATA: inputs without broken cells (SkdValidInput), and whole where they are needed
+  ///   whole: gathered from all processes (SkdWholeInput). The outputs get the requested time.
+  int Process(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
+    const std::function<int(vtkInformationVector** inputs)>& process);
+
+  /// For RequestUpdateExtent. Inputs that are needed whole: each process's own piece, to be
+  /// gathered; where the output's pieces are not those of the processes, the whole.
+  void RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) const;
+
+  /// Where the cells of a block of a port's whole came from, by the block's place in SkdBlocksOf;
+  /// nullptr if it was not gathered.
+  const std::vector<SkdPieceCell>* GetOrigins(int port, std::size_t block) const;
+
+private:
+  int ProcessData(vtkInformation* request, vtkInformationVector** inputs,
+    const std::function<int(vtkInformationVector** inputs)>& process);
+  void GatherInto(vtkInformationVector* inputs, int port);
+
+  vtkAlgorithm* Filter;
+  IsWhole NeedsWhole;
+  std::map<std::pair<int, int>, SkdWholeInput> Whole; // by port and connection
+};
+
+#endif

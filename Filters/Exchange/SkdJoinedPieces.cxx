@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdJoinedPieces.h"
+
+#include "Cells/SkdCellReader.h"
+#include "Exchange/SkdJoinedGrids.h"
+#include "Exchange/SkdPiecePoints.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+
+namespace
+{
+/// The kinds of cells in the order of vtkPolyData's ids.
+constexpr int NumberOfKinds = 4;
+
+/// The cells of pieces with their joined points.
+class CellJoin
+{
+public:
+  explicit CellJoin(const SkdPieces& pieces);
+
+  /// In the order of ids of the joined mesh.
+  const std::vector<SkdPieceCell>& GetCells() const { return this->Cells; }
+
+  vtkSmartPointer<vtkPolyData> MakeSurface() const;
+  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid() const;
+
+  /// Gives the mesh the points and all arrays.
+  void Finish(vtkPointSet* mesh) const;
+
+private:
+  int TypeOf(const SkdPieceCell& cell) const
+  {
+    return this->Readers[static_cast<std::size_t>(cell.Piece)].TypeOf(cell.CellId);
+  }
+  vtkIdType GlobalIdOf(const SkdPieceCell& cell) const
+  {
+    vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
+    return static_cast<vtkIdType>(piece->GetCellData()->GetGlobalIds()->GetTuple1(cell.CellId));
+  }
+  void ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const;
+  void ReadFaces(const SkdPieceCell& cell, vtkIdList* stream) const;
+
+  void AddCellsOf(int piece);
+  bool IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids);
+  void SortByGlobalIds();
+  void SortByKinds();
+
+  SkdPieces Pieces;
+  SkdPiecePoints Points;
+  std::vector<SkdCellReader> Readers;
+  std::vector<SkdPieceCell> Cells;
+  bool HaveGlobalIds;
+  vtkNew<vtkIdList> Own; // of a cell's points in its piece
+
+  /// How often a piece has a cell, and any earlier one.
+  struct Count
+  {
+    int Piece = -1;
+    int Here = 0;
+    int Before = 0;
+  };
+  std::map<std::vector<vtkIdType>, Count> SharedCells; // by type and points, or by global id
+};
+
+CellJoin::CellJoin(const SkdPieces& pieces)
+  : Pieces(pieces)
+  , Points(this->Pieces)
+{
+  for (vtkDataSet* piece : this->Pieces)
+  {
+    this->Readers.emplace_back(piece);
+  }
+  this->HaveGlobalIds = std::all_of(this->Pieces.begin(), this->Pieces.end(),
+    [](vtkDataSet* piece)
+    { return piece->GetNumberOfCells() == 0 || piece->GetCellData()->GetGlobalIds(); });
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    this->AddCellsOf(static_cast<int>(piece));
+  }
+  this->SortByGlobalIds();
+  this->SortByKinds();
+}
+
+// Cells whose points other pieces have, too, may be there as well.
+void CellJoin::AddCellsOf(int piece)
+{
+  vtkDataSet* mesh = this->Pieces[static_cast<std::size_t>(piece)];
+  const unsigned char* ghosts = SkdGhostsOf(mesh, vtkDataObject::CELL);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  {
+    const SkdPieceCell cell{ piece, id };
+    if (ghosts && (ghosts[id] & vtkDataSetAttributes::DUPLICATECELL))
+    {
+      continue;
+    }
+    this->Readers[static_cast<std::size_t>(piece)].VisitPoints(id, ids,
+      [&](const auto* points, std::size_t size)
+      {
+        std::for_each(points, points + size,
+          [&](auto point) { this->Points.AddUsed(piece, static_cast<vtkIdType>(point)); });
+      });
+    this->ReadPoints(cell, ids);
+    if (!this->IsOfEarlier(cell, ids))
+    {
+      this->Cells.push_back(cell);
+    }
+  }
+}
+
+bool CellJoin::IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids)
+{
+  const bool mayBe = std::all_of(
+    ids->begin(), ids->end(), [this](vtkIdType id) { return this->Points.IsShared(id); });
+  if (!mayBe)
+  {
+    return false;
+  }
+  std::vector<vtkIdType> key{ this->TypeOf(cell) };
+  if (this->HaveGlobalIds)
+  {
+    key = { this->GlobalIdOf(cell) };
+  }
+  else
+  {
+    key.insert(key.end(), ids->begin(), ids->end());
+  }
+  Count& count = this->SharedCells[key];
+  if (count.Piece != cell.Piece)
+  {
+    count.Before = std::max(count.Before, count.Here);
+    count.Here = 0;
+    count.Piece = cell.Piece;
+  }
+  return ++count.Here <= count.Before;
+}
+
+void CellJoin::ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const
+{
+  this->Readers[static_cast<std::size_t>(cell.Piece)].VisitPoints(cell.CellId, this->Own,
+    [&](const auto* points, std::size_t size)
+    {
+      ids->SetNumberOfIds(static_cast<vtkIdType>(size));
+      std::transform(points, points + size, ids->begin(),
+        [&](auto point) { return this->Points.IdOf(cell.Piece, static_cast<vtkIdType>(point)); });
+    });
+}
+
+// VTK's stream: the number of faces, then of each its size and points.
+void CellJoin::ReadFaces(const SkdPieceCell& cell, vtkIdList* stream) const
+{
+  vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
+  vtkUnstructuredGrid::SafeDownCast(piece)->GetFaceStream(cell.CellId, stream);
+  for (vtkIdType at = 1; at < stream->GetNumberOfIds(); at += 1 + stream->GetId(at))
+  {
+    const auto first = stream->begin() + at + 1;
+    std::transform(first, first + stream->GetId(at), first,
+      [&](vtkIdType point) { return this->Points.IdOf(cell.Piece, point); });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The kind of a vtkPolyData's cell.
+int KindOf(vtkPolyData* mesh, vtkIdType cell)
+{
+  vtkCellArray* const kinds[NumberOfKinds] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
+    mesh->GetStrips() };
+  int kind = 0;
+  while (kind < NumberOfKinds - 1 && cell >= kinds[kind]->GetNumberOfCells())
+  {
+    cell -= kinds[kind]->GetNumberOfCells();
+    ++kind;
+  }
+  return kind;
+}
+
+bool AreSurfaces(const SkdPieces& pieces)
+{
+  return std::all_of(pieces.begin(), pieces.end(),
+    [](vtkDataSet* piece) { return vtkPolyData::SafeDownCast(piece) != nullptr; });
+}
+
+// So that their order, which decides ties, does not depend on the partition.
+void CellJoin::SortByGlobalIds()
+{
+  if (this->HaveGlobalIds)
+  {
+    std::stable_sort(this->Cells.begin(), this->Cells.end(),
+      [this](const SkdPieceCell& a, const SkdPieceCell& b)
+      { return this->GlobalIdOf(a) < this->GlobalIdOf(b); });
+  }
+}
+
+// The ids of a vtkPolyData's cells are by kind.
+void CellJoin::SortByKinds()
+{
+  if (!AreSurfaces(this->Pieces))
+  {
+    return;
+  }
+  const auto kindOf = [this](const SkdPieceCell& cell)
+  {
+    return KindOf(
+      vtkPolyData::SafeDownCast(this->Pieces[static_cast<std::size_t>(cell.Piece)]), cell.CellId);
+  };
+  std::stable_sort(this->Cells.begin(), this->Cells.end(),
+    [&](const SkdPieceCell& a, const SkdPieceCell& b) { return kindOf(a) < kindOf(b); });
+}
+
+vtkSmartPointer<vtkPolyData> CellJoin::MakeSurface() const
+{
+  vtkNew<vtkCellArray> kinds[NumberOfKinds];
+  vtkNew<vtkIdList> ids;
+  for (const SkdPieceCell& cell : this->Cells)
+  {
+    vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
+    this->ReadPoints(cell, ids);
+    kinds[KindOf(vtkPolyData::SafeDownCast(piece), cell.CellId)]->InsertNextCell(ids);
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetVerts(kinds[0]);
+  surface->SetLines(kinds[1]);
+  surface->SetPolys(kinds[2]);
+  surface->SetStrips(kinds[3]);
+  return surface;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> CellJoin::MakeGrid() const
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->Allocate(static_cast<vtkIdType>(this->Cells.size()));
+  vtkNew<vtkIdList> ids;
+  for (const SkdPieceCell& cell : this->Cells)
+  {
+    const int type = this->TypeOf(cell);
+    if (type == VTK_POLYHEDRON)
+    {
+      this->ReadFaces(cell, ids);
+    }
+    else
+    {
+      this->ReadPoints(cell, ids);
+    }
+    grid->InsertNextCell(type, ids);
+  }
+  return grid;
+}
+
+void CellJoin::Finish(vtkPointSet* mesh) const
+{
+  std::vector<SkdPieceTuples> cells(this->Pieces.size());
+  for (std::size_t id = 0; id < this->Cells.size(); ++id)
+  {
+    const SkdPieceCell& cell = this->Cells[id];
+    cells[static_cast<std::size_t>(cell.Piece)].Add(cell.CellId, static_cast<vtkIdType>(id));
+  }
+  const std::vector<SkdPieceTuples>& points = this->Points.GetTuples();
+  const vtkIdType number = this->Points.GetNumber();
+  mesh->SetPoints(SkdJoinPoints(this->Pieces, points, number));
+  SkdJoinArrays(this->Pieces, points, vtkDataObject::POINT, number, mesh->GetPointData());
+  SkdJoinArrays(this->Pieces, cells, vtkDataObject::CELL,
+    static_cast<vtkIdType>(this->Cells.size()), mesh->GetCellData());
+}
+
+//------------------------------------------------------------------------------
+SkdJoinedPieces JoinAnyCells(const SkdPieces& pieces)
+{
+  const CellJoin join(pieces);
+  vtkSmartPointer<vtkPointSet> mesh;
+  if (AreSurfaces(pieces))
+  {
+    mesh = join.MakeSurface();
+  }
+  else
+  {
+    mesh = join.MakeGrid();
+  }
+  join.Finish(mesh);
+  return { mesh, join.GetCells() };
+}
+
+bool HasDuplicates(vtkDataSet* piece)
+{
+  for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    const unsigned char* ghosts = SkdGhostsOf(piece, type);
+    const vtkIdType number = ghosts ? piece->GetNumberOfElements(type) : 0;
+    if (std::any_of(ghosts, ghosts + number,
+          [](unsigned char mark) { return (mark & vtkDataSetAttributes::DUPLICATECELL) != 0; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+SkdJoinedPieces AsOne(vtkDataSet* mesh)
+{
+  SkdJoinedPieces joined{ mesh, {} };
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    joined.Origins.push_back({ 0, cell });
+  }
+  return joined;
+}
+
+/// Of pieces that are not empty.
+SkdJoinedPieces Join(const SkdPieces& pieces)
+{
+  if (pieces.size() == 1 && !HasDuplicates(pieces.front()))
+  {
+    return AsOne(pieces.front());
+  }
+  SkdJoinedPieces joined;
+  if (!SkdJoinGrids(pieces, joined))
+  {
+    joined = JoinAnyCells(pieces);
+  }
+  joined.Mesh->SetFieldData(pieces.front()->GetFieldData());
+  return joined;
+}
+}
+
+// Empty pieces may be of another type than the others, and lack their arrays.
+SkdJoinedPieces SkdJoinPieces(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
+{
+  SkdPieces full;
+  std::vector<int> numbers;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    if (pieces[piece]->GetNumberOfPoints() > 0 || pieces[piece]->GetNumberOfCells() > 0)
+    {
+      full.push_back(pieces[piece]);
+      numbers.push_back(static_cast<int>(piece));
+    }
+  }
+  if (full.empty())
+  {
+    return AsOne(pieces.front());
+  }
+  SkdJoinedPieces joined = Join(full);
+  for (SkdPieceCell& origin : joined.Origins)
+  {
+    origin.Piece = numbers[static_cast<std::size_t>(origin.Piece)];
+  }
+  return joined;
+}

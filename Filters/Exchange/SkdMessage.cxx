@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdMessage.h"
+
+#include "Exchange/SkdCompositePieces.h"
+#include "Exchange/SkdPackedMesh.h"
+#include "vtkCharArray.h"
+#include "vtkCommunicator.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+
+namespace
+{
+/// MPI counts in int.
+constexpr vtkIdType LargestTransfer = vtkIdType(1) << 30;
+
+const char* const PathName = "path";
+
+/// The first block is the structure of composite data, the others are the data sets.
+void Pack(vtkDataObject* object, vtkCharArray* message)
+{
+  vtkNew<vtkMultiBlockDataSet> all;
+  const std::vector<SkdLeaf> leaves = SkdLeavesOf(object);
+  all->SetNumberOfBlocks(static_cast<unsigned int>(leaves.size()) + 1);
+  all->SetBlock(0, SkdStructureOf(object));
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    const vtkSmartPointer<vtkTable> packed = SkdPack(leaves[i].Mesh);
+    vtkNew<vtkIntArray> path;
+    path->SetName(PathName);
+    path->SetNumberOfValues(static_cast<vtkIdType>(leaves[i].Path.size()));
+    std::copy(leaves[i].Path.begin(), leaves[i].Path.end(), path->GetPointer(0));
+    packed->GetFieldData()->AddArray(path);
+    all->SetBlock(static_cast<unsigned int>(i) + 1, packed);
+  }
+  vtkCommunicator::MarshalDataObject(all, message);
+}
+
+vtkSmartPointer<vtkDataObject> Unpack(vtkCharArray* message)
+{
+  vtkNew<vtkMultiBlockDataSet> all;
+  vtkCommunicator::UnMarshalDataObject(message, all);
+  vtkSmartPointer<vtkDataObject> object = all->GetBlock(0);
+  for (unsigned int i = 1; i < all->GetNumberOfBlocks(); ++i)
+  {
+    auto* packed = vtkTable::SafeDownCast(all->GetBlock(i));
+    auto* path = vtkIntArray::SafeDownCast(packed->GetFieldData()->GetAbstractArray(PathName));
+    const int* const first = path->GetPointer(0);
+    const SkdLeafPath place(first, first + path->GetNumberOfValues());
+    const vtkSmartPointer<vtkDataSet> mesh = SkdUnpack(packed);
+    if (object && !place.empty())
+    {
+      SkdSetLeaf(object, place, mesh);
+    }
+    else
+    {
+      object = mesh;
+    }
+  }
+  return object;
+}
+
+/// Sends a message of one process to all.
+void Broadcast(vtkCharArray* message, int sender, vtkMultiProcessController* controller)
+{
+  vtkIdType size = message->GetNumberOfValues();
+  controller->Broadcast(&size, 1, sender);
+  if (controller->GetLocalProcessId() != sender)
+  {
+    message->SetNumberOfValues(size);
+  }
+  for (vtkIdType sent = 0; sent < size; sent += LargestTransfer)
+  {
+    controller->Broadcast(
+      message->GetPointer(sent), std::min(size - sent, LargestTransfer), sender);
+  }
+}
+}
+
+std::vector<vtkSmartPointer<vtkDataObject>> SkdExchangeAll(
+  vtkDataObject* own, vtkMultiProcessController* controller)
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> objects;
+  for (int sender = 0; sender < controller->GetNumberOfProcesses(); ++sender)
+  {
+    const bool isOwn = sender == controller->GetLocalProcessId();
+    vtkNew<vtkCharArray> message;
+    if (isOwn)
+    {
+      Pack(own, message);
+    }
+    Broadcast(message, sender, controller);
+    objects.push_back(isOwn ? vtkSmartPointer<vtkDataObject>(own) : Unpack(message));
+  }
+  return objects;
+}

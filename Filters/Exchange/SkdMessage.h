@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMessage_h
+#define SkdMessage_h
+
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkMultiProcessController;
+
+/// Sends each process's data object, a data set or composite of them, to all others. Returns those
+/// of all processes in their order; the own one is not copied. All processes must call it together.
+/// Memory beside the results: twice the largest of the objects.
+std::vector<vtkSmartPointer<vtkDataObject>> SkdExchangeAll(
+  vtkDataObject* own, vtkMultiProcessController* controller);
+
+#endif

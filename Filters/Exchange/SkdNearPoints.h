@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdNearPoints_h
+#define SkdNearPoints_h
+
+#include "Core/Geometry/Vector.h"
+#include "Exchange/SkdPieceArrays.h"
+
+#include <vector>
+
+/// Where pieces meet, a source may compute the same point twice with different rounding, as VTK's
+/// own sphere does. Given all different points of some pieces, and which of them each point of a
+/// piece is, this makes those one that lie within 4 units in the last place of the largest
+/// coordinate, at the precision of the pieces' points, and of which no piece has two. `keys` is
+/// changed accordingly: to the lower number. O(n log n).
+void SkdMergeNearPoints(const SkdPieces& pieces, const std::vector<skd::Vector3>& points,
+  std::vector<std::vector<vtkIdType>>& keys);
+
+#endif

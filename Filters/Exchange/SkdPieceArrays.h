@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdPieceArrays_h
+#define SkdPieceArrays_h
+
+#include "vtkDataSet.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+/// Which tuple of a joined array each tuple of a piece becomes.
+struct SkdPieceTuples
+{
+  std::vector<vtkIdType> From;
+  std::vector<vtkIdType> To;
+
+  void Add(vtkIdType from, vtkIdType to)
+  {
+    this->From.push_back(from);
+    this->To.push_back(to);
+  }
+};
+
+using SkdPieces = std::vector<vtkSmartPointer<vtkDataSet>>;
+
+/// Joins the arrays of the pieces' points or cells (vtkDataObject's type), with their attributes.
+/// Marks of duplicates are removed from ghost arrays: joined, each counts once. O(tuples).
+void SkdJoinArrays(const SkdPieces& pieces, const std::vector<SkdPieceTuples>& tuples, int type,
+  vtkIdType number, vtkDataSetAttributes* into);
+
+/// Joins the points' coordinates, in double precision if any piece's are.
+vtkSmartPointer<vtkPoints> SkdJoinPoints(
+  const SkdPieces& pieces, const std::vector<SkdPieceTuples>& tuples, vtkIdType number);
+
+/// The ghost marks of a piece's points or cells, nullptr if there are none.
+const unsigned char* SkdGhostsOf(vtkDataSet* piece, int type);
+
+#endif

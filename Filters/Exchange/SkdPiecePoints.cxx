@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdPiecePoints.h"
+
+#include "Exchange/SkdNearPoints.h"
+#include "Pipeline/SkdWeld.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+SkdPiecePoints::SkdPiecePoints(const SkdPieces& pieces)
+  : Pieces(pieces)
+  , Keys(pieces.size())
+  , Ids(pieces.size())
+  , Tuples(pieces.size())
+{
+  this->FindKeys();
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    const vtkIdType number = pieces[piece]->GetNumberOfPoints();
+    const unsigned char* ghosts = SkdGhostsOf(pieces[piece], vtkDataObject::POINT);
+    this->Ids[piece].assign(static_cast<std::size_t>(number), -1);
+    for (vtkIdType point = 0; point < number; ++point)
+    {
+      if (!ghosts || !(ghosts[point] & vtkDataSetAttributes::DUPLICATEPOINT))
+      {
+        this->Add(static_cast<int>(piece), point);
+      }
+    }
+  }
+}
+
+void SkdPiecePoints::FindKeys()
+{
+  const bool haveGlobalIds = std::all_of(this->Pieces.begin(), this->Pieces.end(),
+    [](vtkDataSet* piece)
+    { return piece->GetNumberOfPoints() == 0 || piece->GetPointData()->GetGlobalIds(); });
+  if (haveGlobalIds)
+  {
+    this->FindKeysByGlobalIds();
+  }
+  else
+  {
+    this->FindKeysByCoordinates();
+  }
+}
+
+void SkdPiecePoints::FindKeysByGlobalIds()
+{
+  std::unordered_map<vtkIdType, vtkIdType> keys;
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    vtkDataArray* ids = this->Pieces[piece]->GetPointData()->GetGlobalIds();
+    for (vtkIdType point = 0; point < this->Pieces[piece]->GetNumberOfPoints(); ++point)
+    {
+      const auto id = static_cast<vtkIdType>(ids->GetTuple1(point));
+      this->Keys[piece].push_back(
+        keys.emplace(id, static_cast<vtkIdType>(keys.size())).first->second);
+    }
+  }
+  this->Places.resize(keys.size());
+}
+
+void SkdPiecePoints::FindKeysByCoordinates()
+{
+  SkdWeld weld;
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    for (vtkIdType point = 0; point < this->Pieces[piece]->GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      this->Pieces[piece]->GetPoint(point, x);
+      this->Keys[piece].push_back(weld.GetId(x));
+    }
+  }
+  this->Places.resize(weld.GetPoints().size());
+  if (this->Pieces.size() > 1)
+  {
+    SkdMergeNearPoints(this->Pieces, weld.GetPoints(), this->Keys);
+  }
+}
+
+// The n-th point of a piece with a key is one with the n-th of other pieces.
+vtkIdType SkdPiecePoints::Add(int piece, vtkIdType point)
+{
+  const auto at = static_cast<std::size_t>(piece);
+  Place& place =
+    this->Places[static_cast<std::size_t>(this->Keys[at][static_cast<std::size_t>(point)])];
+  const bool isFirst = place.Piece != piece;
+  vtkIdType id = isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)];
+  if (id >= 0)
+  {
+    this->Shared[static_cast<std::size_t>(id)] = 1;
+  }
+  else
+  {
+    id = this->NewPoint(piece, point);
+    (isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)]) = id;
+  }
+  place.Last = id;
+  place.Piece = piece;
+  this->Ids[at][static_cast<std::size_t>(point)] = id;
+  return id;
+}
+
+vtkIdType SkdPiecePoints::NewPoint(int piece, vtkIdType point)
+{
+  const vtkIdType id = this->GetNumber();
+  this->Shared.push_back(0);
+  this->Next.push_back(-1);
+  this->Tuples[static_cast<std::size_t>(piece)].Add(point, id);
+  return id;
+}

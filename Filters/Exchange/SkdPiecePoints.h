@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdPiecePoints_h
+#define SkdPiecePoints_h
+
+#include "Exchange/SkdPieceArrays.h"
+
+#include <vector>
+
+/// Which points of several pieces are one: see SkdJoinPieces.
+class SkdPiecePoints
+{
+public:
+  explicit SkdPiecePoints(const SkdPieces& pieces);
+
+  vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Shared.size()); }
+
+  /// The joined point that a point of a piece becomes; -1 for ghost points until they are added.
+  vtkIdType IdOf(int piece, vtkIdType point) const
+  {
+    return this->Ids[static_cast<std::size_t>(piece)][static_cast<std::size_t>(point)];
+  }
+
+  /// The same of a point that a cell uses, which may be a ghost point.
+  vtkIdType AddUsed(int piece, vtkIdType point)
+  {
+    const vtkIdType id = this->IdOf(piece, point);
+    return id >= 0 ? id : this->Add(piece, point);
+  }
+
+  /// Whether several pieces have a joined point.
+  bool IsShared(vtkIdType id) const { return this->Shared[static_cast<std::size_t>(id)] != 0; }
+
+  /// Which joined point is made of which points.
+  const std::vector<SkdPieceTuples>& GetTuples() const { return this->Tuples; }
+
+private:
+  void FindKeys();
+  void FindKeysByGlobalIds();
+  void FindKeysByCoordinates();
+  vtkIdType Add(int piece, vtkIdType point);
+  vtkIdType NewPoint(int piece, vtkIdType point);
+
+  /// The joined points with one key: the first, and the last that this piece has.
+  struct Place
+  {
+    vtkIdType First = -1;
+    vtkIdType Last = -1;
+    int Piece = -1;
+  };
+
+  const SkdPieces& Pieces;
+  std::vector<std::vector<vtkIdType>> Keys; // of each piece's points: equal where they may be one
+  std::vector<std::vector<vtkIdType>> Ids;  // of each piece's points, joined
+  std::vector<Place> Places;                // by key
+  std::vector<vtkIdType> Next;              // the next joined point with the same key, or -1
+  std::vector<unsigned char> Shared;        // by joined point
+  std::vector<SkdPieceTuples> Tuples;
+};
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdWholeInput.h
+ * @brief The whole of a filter's input of which each process has a piece.
+ *
+ * A filter that searches all of a mesh asks the pipeline for this process's piece alone, as VTK's
+ * filters do, and gathers the others from the processes that have them. To ask the pipeline for the
+ * whole is wrong: a mesh that is spread in memory cannot be delivered whole, and two requests for
+ * different pieces that meet at one reader are answered alike.
+ */
+
+#ifndef SkdWholeInput_h
+#define SkdWholeInput_h
+
+#include "Exchange/SkdJoinedPieces.h"
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+#include <utility>
+#include <vector>
+
+class vtkMultiProcessController;
+
+class SkdWholeInput
+{
+public:
+  /// The pieces of all processes as one data object: see SkdJoinPieces; of composite data the
+  /// pieces of each block, by the blocks' places. All processes must call it together. The same
+  /// object again, without an exchange of data, if the pieces of all of them are unchanged.
+  vtkDataObject* Update(vtkDataObject* piece, vtkMultiProcessController* controller);
+
+  /// Where the cells of a block, by its place in SkdBlocksOf(), come from: SkdPieceCell::Piece is
+  /// the process. Cells of a process have ascending ids in its own piece.
+  const std::vector<SkdPieceCell>& GetOrigins(std::size_t block) const
+  {
+    return this->Origins[block];
+  }
+
+private:
+  using Stamp = std::vector<std::pair<void*, vtkMTimeType>>;
+
+  static Stamp StampOf(vtkDataObject* piece);
+  void Join(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, int own);
+
+  Stamp Known;                          // what the own piece was
+  vtkSmartPointer<vtkDataObject> Piece; // kept, so that its address is not used again
+  vtkSmartPointer<vtkDataObject> Whole;
+  std::vector<std::vector<SkdPieceCell>> Origins; // one list a block
+};
+
+#endif

@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes that lie in pieces on several processes, as a simulation leaves them: their source gives
+each process its own piece, whatever piece the pipeline asks for. In one process it gives all."""
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+try:
+    from vtkmodules.vtkFiltersCore import vtkExtractCells
+except ImportError: # VTK 9.1
+    from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+
+# Cells sorted along x and cut into runs; runs of ids; every n-th; all on the last process; with the
+# neighbours on other processes, marked as ghosts or not; all of it everywhere; and by global ids.
+PARTITIONS = ("cuts", "runs", "round robin", "one process", "cuts, ghosts", "cuts, doubled",
+    "everywhere", "round robin, global ids")
+
+
+def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetCenter(center)
+    source.SetThetaResolution(theta)
+    source.SetPhiResolution(phi)
+    field = vtkElevationFilter()
+    field.SetInputConnection(source.GetOutputPort())
+    field.Update()
+    return field.GetOutput()
+
+
+def tetrahedra(size=4):
+    image = vtkRTAnalyticSource()
+    image.SetWholeExtent(-size, size, -size, size, -size, size)
+    cells = vtkDataSetTriangleFilter()
+    cells.SetInputConnection(image.GetOutputPort())
+    cells.Update()
+    cells.GetOutput().GetPointData().GetArray("RTData").SetName("Field")
+    return cells.GetOutput()
+
+
+def source(maker, partition, **arguments):
+    """A ParaView source of a mesh of one of the functions above, by its name. (A programmable source
+    would import numpy's names into the script.)"""
+    from paraview import simple
+
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(piece(globals()[maker](**arguments), partition))
+    return producer
+
+
+def process():
+    from paraview import servermanager
+
+    module = servermanager.vtkProcessModule.GetProcessModule()
+    return module.GetPartitionId(), module.GetNumberOfLocalPartitions()
+
+
+def points_of(mesh, cell):
+    ids = vtkIdList()
+    mesh.GetCellPoints(int(cell), ids)
+    return [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+
+
+def owners(mesh, partition, processes):
+    cells = numpy.arange(mesh.GetNumberOfCells())
+    if partition.startswith("cuts"):
+        middles = [sum(mesh.GetCell(cell).GetBounds()[:2]) for cell in cells]
+        places = numpy.argsort(numpy.argsort(middles, kind="stable"))
+        return places * processes // len(cells)
+    if partition.startswith("round robin"):
+        return cells % processes
+    if partition == "one process":
+        return 0 * cells + processes - 1
+    return cells * processes // len(cells)
+
+
+def neighbours(mesh, own):
+    """Whether each cell has a point of one of ours."""
+    used = {point for cell in numpy.flatnonzero(own) for point in points_of(mesh, cell)}
+    return numpy.array([any(point in used for point in points_of(mesh, cell))
+        for cell in range(mesh.GetNumberOfCells())])
+
+
+def set_global_ids(mesh):
+    for data, number in ((mesh.GetPointData(), mesh.GetNumberOfPoints()),
+        (mesh.GetCellData(), mesh.GetNumberOfCells())):
+        ids = numpy_to_vtk(numpy.arange(number), deep=1)
+        ids.SetName("GlobalIds")
+        data.SetGlobalIds(ids)
+
+
+def extract(mesh, cells):
+    ids = vtkIdList()
+    for cell in cells:
+        ids.InsertNextId(int(cell))
+    extraction = vtkExtractCells()
+    extraction.SetInputData(mesh)
+    extraction.SetCellList(ids)
+    extraction.Update()
+    grid = extraction.GetOutput()
+    if not mesh.IsA("vtkPolyData"):
+        return grid
+    surface = vtkPolyData()
+    surface.SetPoints(grid.GetPoints())
+    surface.SetPolys(grid.GetCells())
+    surface.GetPointData().ShallowCopy(grid.GetPointData())
+    surface.GetCellData().ShallowCopy(grid.GetCellData())
+    return surface
+
+
+def piece(mesh, partition):
+    """This process's piece of a mesh that all processes have."""
+    rank, processes = process()
+    if partition.endswith("global ids"):
+        set_global_ids(mesh)
+    if partition == "everywhere" or processes == 1:
+        return mesh
+    own = owners(mesh, partition, processes) == rank
+    if not own.any():
+        return mesh.NewInstance()
+    if not partition.endswith(("ghosts", "doubled")):
+        return extract(mesh, numpy.flatnonzero(own))
+    chosen = numpy.flatnonzero(neighbours(mesh, own))
+    part = extract(mesh, chosen)
+    if partition.endswith("ghosts"):
+        marks = numpy.where(own[chosen], 0, vtkDataSetAttributes.DUPLICATECELL)
+        array = numpy_to_vtk(marks.astype(numpy.uint8), deep=1, array_type=VTK_UNSIGNED_CHAR)
+        array.SetName(vtkDataSetAttributes.GhostArrayName())
+        part.GetCellData().AddArray(array)
+    return part
