@@ -3,17 +3,18 @@
 #include "vtkSkdTreeSpatialQuery.h"
 
 #include "Cells/SkdLocatorState.h"
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdParts.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
-#include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Relations/SkdRelationOutputs.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkSelection.h"
 #include "vtkTable.h"
@@ -262,17 +263,31 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
 }
 
 //------------------------------------------------------------------------------
-// Each process has found the nearest of all; together they give each once.
-void vtkSkdTreeSpatialQuery::KeepShare(vtkInformationVector* outputs)
+// Each process has found the nearest cells of all pieces; it gives those of its own piece.
+vtkDataObject* vtkSkdTreeSpatialQuery::KeepOwn(const SkdWholeInput& whole)
 {
-  const SkdShare share = SkdShare::Of(outputs);
-  if (this->Relation == NEAREST && !share.IsAll())
+  Internals& internals = *this->Impl;
+  const int process = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
+  SkdRelatedCells own;
+  for (SkdRelatedCell pair : internals.Pairs)
   {
-    SkdRelatedCells& pairs = this->Impl->Pairs;
-    const auto size = static_cast<vtkIdType>(pairs.size());
-    pairs =
-      SkdRelatedCells(pairs.begin() + share.FirstOf(size), pairs.begin() + share.LastOf(size));
+    const int block = internals.Blocks[pair.Part].BlockIndex;
+    const SkdPieceCell& origin = whole.GetOrigins(block)[static_cast<std::size_t>(pair.CellId)];
+    if (origin.Piece == process)
+    {
+      pair.CellId = origin.CellId;
+      own.push_back(pair);
+    }
   }
+  internals.Pairs = std::move(own);
+  const std::vector<SkdBlock> pieces = SkdBlocksOf(whole.GetPiece());
+  for (SkdBlock& block : internals.Blocks)
+  {
+    const auto found = std::find_if(pieces.begin(), pieces.end(),
+      [&](const SkdBlock& piece) { return piece.BlockIndex == block.BlockIndex; });
+    block.Mesh = found == pieces.end() ? nullptr : found->Mesh;
+  }
+  return whole.GetPiece();
 }
 
 //------------------------------------------------------------------------------
@@ -299,7 +314,10 @@ int vtkSkdTreeSpatialQuery::RequestData(
   if (this->MakeQueries(source))
   {
     this->FindPairs();
-    this->KeepShare(outputVector);
+  }
+  if (const SkdWholeInput* whole = this->Inputs->GetWhole(0))
+  {
+    input = this->KeepOwn(*whole);
   }
   const double querySeconds = watch.Lap();
 

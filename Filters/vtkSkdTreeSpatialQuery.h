@@ -92,6 +92,8 @@
 
 #include <memory> // For std::unique_ptr
 
+class SkdWholeInput;
+
 VTK_ABI_NAMESPACE_BEGIN
 
 class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSpatialQuery : public vtkSkdTreeSearchAlgorithm
@@ -278,7 +280,7 @@ private:
   void WarnAboutCells();
   bool MakeQueries(vtkDataObject* source);
   void FindPairs();
-  void KeepShare(vtkInformationVector* outputs);
+  vtkDataObject* KeepOwn(const SkdWholeInput& whole);
   void FillOutputs(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector);
   void Report(vtkDataObject* output, double buildSeconds, double querySeconds);
 

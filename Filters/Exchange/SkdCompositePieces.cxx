@@ -108,7 +108,7 @@ private:
   vtkPartitionedDataSet* Partitions;
 };
 
-void AddLeavesOf(vtkDataObject* object, SkdLeafPath& path, std::vector<SkdLeaf>& leaves)
+void AddLeavesOf(vtkDataObject* object, SkdBlockPath& path, std::vector<SkdPlacedBlock>& leaves)
 {
   if (auto* mesh = vtkDataSet::SafeDownCast(object))
   {
@@ -130,9 +130,9 @@ bool IsTree(vtkDataObject* object)
 }
 }
 
-std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object)
+std::vector<SkdPlacedBlock> SkdPlacedBlocksOf(vtkDataObject* object)
 {
-  std::vector<SkdLeaf> leaves;
+  std::vector<SkdPlacedBlock> leaves;
   if (SkdIsComposite(object) && !IsTree(object))
   {
     for (const SkdBlock& block : SkdBlocksOf(object))
@@ -141,7 +141,7 @@ std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object)
     }
     return leaves;
   }
-  SkdLeafPath path;
+  SkdBlockPath path;
   AddLeavesOf(object, path, leaves);
   return leaves;
 }
@@ -179,7 +179,7 @@ void SkdUniteStructures(vtkDataObject* into, vtkDataObject* from)
   }
 }
 
-void SkdSetLeaf(vtkDataObject* composite, const SkdLeafPath& path, vtkDataSet* mesh)
+void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet* mesh)
 {
   if (IsTree(composite))
   {

@@ -16,16 +16,16 @@
 
 /// From the root to a data set: the indices of children. Empty if the data set is the object
 /// itself; of AMR data the flat index. In lexicographic order they are in that of flat indices.
-using SkdLeafPath = std::vector<int>;
+using SkdBlockPath = std::vector<int>;
 
-struct SkdLeaf
+struct SkdPlacedBlock
 {
-  SkdLeafPath Path;
+  SkdBlockPath Path;
   vtkSmartPointer<vtkDataSet> Mesh;
 };
 
 /// The data sets in an object, composite or not.
-std::vector<SkdLeaf> SkdLeavesOf(vtkDataObject* object);
+std::vector<SkdPlacedBlock> SkdPlacedBlocksOf(vtkDataObject* object);
 
 /// A copy of a composite data set without its data sets; nullptr of other objects.
 vtkSmartPointer<vtkDataObject> SkdStructureOf(vtkDataObject* object);
@@ -35,6 +35,6 @@ vtkSmartPointer<vtkDataObject> SkdStructureOf(vtkDataObject* object);
 void SkdUniteStructures(vtkDataObject* into, vtkDataObject* from);
 
 /// Puts a data set in its place.
-void SkdSetLeaf(vtkDataObject* composite, const SkdLeafPath& path, vtkDataSet* mesh);
+void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet* mesh);
 
 #endif

@@ -93,8 +93,8 @@ void SkdFilterInputs::RequestUpdateExtent(
   }
 }
 
-const std::vector<SkdPieceCell>* SkdFilterInputs::GetOrigins(int port, std::size_t block) const
+const SkdWholeInput* SkdFilterInputs::GetWhole(int port) const
 {
   const auto found = this->Whole.find({ port, 0 });
-  return found == this->Whole.end() ? nullptr : &found->second.GetOrigins(block);
+  return found == this->Whole.end() ? nullptr : &found->second;
 }

@@ -43,9 +43,8 @@ public:
   void RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) const;
 
-  /// Where the cells of a block of a port's whole came from, by the block's place in SkdBlocksOf;
-  /// nullptr if it was not gathered.
-  const std::vector<SkdPieceCell>* GetOrigins(int port, std::size_t block) const;
+  /// How an input was gathered in this REQUEST_DATA; nullptr if it was not.
+  const SkdWholeInput* GetWhole(int port) const;
 
 private:
   int ProcessData(vtkInformation* request, vtkInformationVector** inputs,

@@ -3,7 +3,7 @@
 #ifndef SkdJoinedGrids_h
 #define SkdJoinedGrids_h
 
-#include "Exchange/SkdJoinedPieces.h"
+#include "Exchange/SkdJoinedMesh.h"
 
 /// Joins pieces that are parts of one image, rectilinear or structured grid by their extents.
 /// Returns false, and does nothing, unless all are of one such type, have points and the same

@@ -8,23 +8,7 @@
 #ifndef SkdJoinedPieces_h
 #define SkdJoinedPieces_h
 
-#include "vtkDataSet.h"
-#include "vtkSmartPointer.h"
-
-#include <vector>
-
-/// A cell of a piece.
-struct SkdPieceCell
-{
-  int Piece;
-  vtkIdType CellId;
-};
-
-struct SkdJoinedPieces
-{
-  vtkSmartPointer<vtkDataSet> Mesh;
-  std::vector<SkdPieceCell> Origins; ///< where each cell of the mesh comes from
-};
+#include "Exchange/SkdJoinedMesh.h"
 
 /// Joins the pieces of a mesh. Cells with global ids are in their order; others, and points, keep
 /// the order that they have, those of the first piece first. Each counts once:

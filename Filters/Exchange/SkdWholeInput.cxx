@@ -3,17 +3,17 @@
 #include "Exchange/SkdWholeInput.h"
 
 #include "Exchange/SkdCompositePieces.h"
+#include "Exchange/SkdJoinedPieces.h"
 #include "Exchange/SkdMessage.h"
+#include "Pipeline/SkdBlocks.h"
 #include "vtkCommunicator.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 
-#include <map>
-
 SkdWholeInput::Stamp SkdWholeInput::StampOf(vtkDataObject* piece)
 {
   Stamp stamp{ { piece, piece->GetMTime() } };
-  for (const SkdLeaf& leaf : SkdLeavesOf(piece))
+  for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(piece))
   {
     stamp.emplace_back(leaf.Mesh.Get(), leaf.Mesh->GetMTime());
   }
@@ -42,19 +42,19 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
     std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
     std::vector<int> Processes;
   };
-  std::map<SkdLeafPath, Parts> places;
+  std::map<SkdBlockPath, Parts> places;
   vtkDataObject* ours = pieces[static_cast<std::size_t>(own)];
   this->Whole = SkdStructureOf(ours);
   for (std::size_t process = 0; process < pieces.size(); ++process)
   {
     SkdUniteStructures(this->Whole, pieces[process]);
-    for (const SkdLeaf& leaf : SkdLeavesOf(pieces[process]))
+    for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(pieces[process]))
     {
       places[leaf.Path].Meshes.push_back(leaf.Mesh);
       places[leaf.Path].Processes.push_back(static_cast<int>(process));
     }
   }
-  this->Origins.clear();
+  std::vector<std::vector<SkdPieceCell>> origins;
   for (const auto& [path, parts] : places)
   {
     SkdJoinedPieces joined = SkdJoinPieces(parts.Meshes);
@@ -62,15 +62,21 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
     {
       origin.Piece = parts.Processes[static_cast<std::size_t>(origin.Piece)];
     }
-    this->Origins.push_back(std::move(joined.Origins));
+    origins.push_back(std::move(joined.Origins));
     if (this->Whole && !path.empty())
     {
-      SkdSetLeaf(this->Whole, path, joined.Mesh);
+      SkdSetBlock(this->Whole, path, joined.Mesh);
     }
     else
     {
       this->Whole = joined.Mesh;
     }
+  }
+  this->Origins.clear();
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Whole); // in the order of their places
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->Origins[blocks[i].BlockIndex] = std::move(origins[i]);
   }
   if (this->Whole != ours)
   {

@@ -13,10 +13,11 @@
 #ifndef SkdWholeInput_h
 #define SkdWholeInput_h
 
-#include "Exchange/SkdJoinedPieces.h"
+#include "Exchange/SkdJoinedMesh.h"
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -30,11 +31,14 @@ public:
   /// object again, without an exchange of data, if the pieces of all of them are unchanged.
   vtkDataObject* Update(vtkDataObject* piece, vtkMultiProcessController* controller);
 
-  /// Where the cells of a block, by its place in SkdBlocksOf(), come from: SkdPieceCell::Piece is
-  /// the process. Cells of a process have ascending ids in its own piece.
-  const std::vector<SkdPieceCell>& GetOrigins(std::size_t block) const
+  /// The own piece of the last Update().
+  vtkDataObject* GetPiece() const { return this->Piece; }
+
+  /// Where the cells of a block come from, by its flat index in composite data, else 0;
+  /// SkdPieceCell::Piece is the process.
+  const std::vector<SkdPieceCell>& GetOrigins(int blockIndex) const
   {
-    return this->Origins[block];
+    return this->Origins.at(blockIndex);
   }
 
 private:
@@ -46,7 +50,7 @@ private:
   Stamp Known;                          // what the own piece was
   vtkSmartPointer<vtkDataObject> Piece; // kept, so that its address is not used again
   vtkSmartPointer<vtkDataObject> Whole;
-  std::vector<std::vector<SkdPieceCell>> Origins; // one list a block
+  std::map<int, std::vector<SkdPieceCell>> Origins; // of each block's cells
 };
 
 #endif

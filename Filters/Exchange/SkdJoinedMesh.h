@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdJoinedMesh_h
+#define SkdJoinedMesh_h
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+/// A cell of a piece.
+struct SkdPieceCell
+{
+  int Piece;
+  vtkIdType CellId;
+};
+
+struct SkdJoinedPieces
+{
+  vtkSmartPointer<vtkDataSet> Mesh;
+  std::vector<SkdPieceCell> Origins; ///< where each cell of the mesh comes from
+};
+
+#endif
