@@ -191,9 +191,18 @@ void vtkSkdTreeRays::SetDirectionArray(const char* name)
   }
 }
 
+bool vtkSkdTreeRays::NeedsWhole(int port)
+{
+  return (this->Along == NORMALS && this->Start == POINTS) || this->Superclass::NeedsWhole(port);
+}
+
 int vtkSkdTreeRays::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->IsLeftToFirst(outputVector))
+  {
+    return 1;
+  }
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const std::vector<SkdBlock> blocks = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
   vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);

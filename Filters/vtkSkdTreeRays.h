@@ -227,6 +227,9 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// Normals of points may depend on cells of other pieces.
+  bool NeedsWhole(int port) override;
+
   int Start = POINTS;
   int Along = NORMALS;
   std::string DirectionArray;

@@ -474,7 +474,9 @@ void vtkSkdTreeRemap::Internals::Run(
   this->Settings = this->MakeSettings();
   this->Settings.WeighsByCosine = this->WeighsByCosine(source);
   const bool hasCells = this->FindSpace();
-  const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
+  const auto processes = this->Self->NeedsWhole(0)
+    ? nullptr // this one has all
+    : SkdProcessesOf(outputVector->GetInformationObject(0));
   this->Begin(hasCells, processes != nullptr);
   if (hasCells || !this->IsConservative())
   {
@@ -546,9 +548,19 @@ void vtkSkdTreeRemap::ClearGradientArrays()
   this->Modified();
 }
 
+bool vtkSkdTreeRemap::NeedsWhole(int port)
+{
+  return (this->ResultsOn == POINTS && this->Method != INTERPOLATION) ||
+    this->Superclass::NeedsWhole(port);
+}
+
 int vtkSkdTreeRemap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->IsLeftToFirst(outputVector))
+  {
+    return 1;
+  }
   this->Impl->Run(
     vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), outputVector);
   return 1;

@@ -354,6 +354,9 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  /// Results of points depend on all cells around them, unless they are interpolated.
+  bool NeedsWhole(int port) override;
+
   int Method = AUTOMATIC_METHOD;
   int ResultsOn = AUTOMATIC_RESULTS;
   int Geometry = AUTOMATIC_GEOMETRY;

@@ -50,6 +50,11 @@ bool vtkSkdTreeSourceAlgorithm::NeedsWhole(int port)
   return port > 0 || this->WholeInput || this->GetNumberOfInputConnections(1) == 0;
 }
 
+bool vtkSkdTreeSourceAlgorithm::IsLeftToFirst(vtkInformationVector* outputs)
+{
+  return this->NeedsWhole(0) && SkdIsLaterPiece(outputs->GetInformationObject(0));
+}
+
 int vtkSkdTreeSourceAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   SkdAcceptMeshes(info);

@@ -80,8 +80,11 @@ protected:
   bool WholeInput = false;
 
   /// Whether an input is needed as a whole: the Source, the Input if there is no Source, and where
-  /// WholeInput is set.
+  /// WholeInput is set. The same on all processes.
   virtual bool NeedsWhole(int port);
+
+  /// Whether the Input is needed as a whole and this is not the first process, which outputs all.
+  bool IsLeftToFirst(vtkInformationVector* outputs);
 
   std::unique_ptr<SkdFilterInputs> Inputs;
 

@@ -151,14 +151,19 @@ vtkSkdTreeWallThickness::vtkSkdTreeWallThickness()
 
 vtkSkdTreeWallThickness::~vtkSkdTreeWallThickness() = default;
 
+bool vtkSkdTreeWallThickness::NeedsWhole(int port)
+{
+  return IsAtPoints(this) || this->Superclass::NeedsWhole(port);
+}
+
 int vtkSkdTreeWallThickness::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* given = vtkDataObject::GetData(inputVector[1]);
-  if (!given && SkdIsLaterPiece(outputVector->GetInformationObject(0)))
+  if (this->IsLeftToFirst(outputVector))
   {
-    return 1; // the first piece has all
+    return 1;
   }
   vtkDataObject* against = given ? given : input;
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);

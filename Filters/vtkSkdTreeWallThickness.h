@@ -169,6 +169,9 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// Normals of points may depend on cells of other pieces.
+  bool NeedsWhole(int port) override;
+
   int Start = POINTS;
   int Method = RAYS;
   int NumberOfRays = 1;

@@ -86,6 +86,9 @@ def answers(partition):
         simple.SkdTreePointInOut(Input=image, Source=cells), ["SkdInside", "SkdConfidence"])
     yield "probe", rows(simple.SkdTreeProbe(Input=image, Source=cells), ["Field"])
     yield "rays", rows(simple.SkdTreeRays(Input=other, Source=ball), ["SkdRayDistance"])
+    yield "rays along normals found", rows(
+        simple.SkdTreeRays(Input=skdpieces.source("sphere", partition, has_normals=False),
+            Source=other), ["SkdRayDistance"])
     yield "thickness", rows(simple.SkdTreeWallThickness(Input=ball), ["SkdThickness"])
     yield "thickness to", rows(
         simple.SkdTreeWallThickness(Input=other, Source=ball), ["SkdThickness"])
@@ -101,6 +104,16 @@ def answers(partition):
         of_cells=True)
     yield "remap", rows(simple.SkdTreeRemap(Input=cells, Source=image), ["RTData"])
     yield "remap from pieces", rows(simple.SkdTreeRemap(Input=image, Source=cells), ["Field"])
+    yield "remap conservatively", rows(
+        simple.SkdTreeRemap(Input=image, Source=cells, Method="Conservative Second Order",
+            ResultsOn="Cells"), ["Field"], of_cells=True)
+    yield "remap to points", rows(
+        simple.SkdTreeRemap(Input=cells, Source=image, Method="Conservative First Order",
+            ResultsOn="Points"), ["RTData"])
+    blocks = simple.GroupDatasets(Input=[ball, other])
+    yield "blocks", rows(
+        simple.SkdTreeClosestPoint(Input=image, Source=blocks),
+        ["SkdDistance", "SkdClosestBlockIndex"])
     yield "nearest cells", rows(
         simple.SkdTreeSpatialQuery(Input=cells, Relation="Nearest", Shape="Sphere",
             SphereCenter=[0.2, 0.3, 0.4], SphereRadius=0, NumberOfNearestCells=50),
@@ -110,8 +123,8 @@ def answers(partition):
             Input=cells, Source=ball, Relation="Overlap", Shape="Source Cells"), [],
         of_cells=True)
     yield "grid", rows(
-        simple.SkdTreeAMR(Input=ball, OutputType="Unstructured Grid", MaximumLevel=3), [],
-        of_cells=True)
+        simple.SkdTreeAMR(Input=ball, Field=cells, FieldArrays=["Field"], ComputeInside=1,
+            OutputType="Unstructured Grid", MaximumLevel=3), ["SkdInside"], of_cells=True)
     yield "refined", rows(
         simple.SkdTreeMeshRefinement(Input=cells, Parts=ball, MaximumLevel=1), [], of_cells=True)
 

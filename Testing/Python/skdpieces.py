@@ -23,7 +23,7 @@ PARTITIONS = ("cuts", "runs", "round robin", "one process", "cuts, ghosts", "cut
     "everywhere", "round robin, global ids")
 
 
-def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24):
+def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24, has_normals=True):
     source = vtkSphereSource()
     source.SetRadius(radius)
     source.SetCenter(center)
@@ -32,10 +32,13 @@ def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24):
     field = vtkElevationFilter()
     field.SetInputConnection(source.GetOutputPort())
     field.Update()
+    if not has_normals:
+        field.GetOutput().GetPointData().RemoveArray("Normals")
     return field.GetOutput()
 
 
 def tetrahedra(size=4):
+    """With the field of ParaView's Wavelet."""
     image = vtkRTAnalyticSource()
     image.SetWholeExtent(-size, size, -size, size, -size, size)
     cells = vtkDataSetTriangleFilter()
