@@ -7,7 +7,7 @@
  * Finds, for each point of Input (port 0, any vtkDataSet or composite of them), the nearest point
  * on the cells of Source (port 1, any vtkDataSet or composite), by the skD-tree (sections 4, 5 and
  * 6.4 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact in double precision;
- * the answer does not depend on the number of threads or processes (each needs the whole Source).
+ * the answer does not depend on the number of threads or processes (each gathers the whole Source).
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
  * other arrays: further time steps cost queries only, unless points move.

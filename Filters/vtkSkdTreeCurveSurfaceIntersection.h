@@ -63,7 +63,7 @@
  * Output port 2: the Input with the cell array SkdNumberOfHits (idtype; 0 for other cells).
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values. The answer
- * does not depend on the number of threads or processes (each needs the whole Source).
+ * does not depend on the number of threads or processes (each gathers the whole Source).
  *
  * Bad input: cells that are not curves in Input or not surfaces in Source, curves with zero length
  * or a length outside 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not

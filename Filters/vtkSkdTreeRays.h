@@ -8,7 +8,8 @@
  * at Source (port 1, any vtkDataSet or composite), by the skD-tree (Algorithm 5.2 of Khamayseh and
  * Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact tests decide what is hit: no ray passes
  * between two triangles that share an edge. The answer does not depend on the number of threads or
- * processes (each needs the whole Source). Each volume cell is hit once, at the face where the ray
+ * processes (each gathers the whole Source; along normals at points, which other pieces' cells may
+ * determine, the first process has all). Each volume cell is hit once, at the face where the ray
  * enters it or, if it starts within, leaves it (a voxel then where the ray starts, as in VTK);
  * vertices and lines only within rounding. A ray in the plane of a cell does not hit it.
  *

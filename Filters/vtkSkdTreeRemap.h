@@ -15,8 +15,9 @@
  *
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further
- * time steps only cost the sums. Each process asks for the whole Source; counts in the report are
- * of its part of Input, integrals and coverage of all processes together.
+ * time steps only cost the sums. Each process gathers the whole Source; counts in the report are
+ * of its piece of Input, integrals and coverage of all processes together. Results on points that
+ * are not interpolated depend on all cells around them: the first process then has all.
  *
  * Output port 0: the input with the source's arrays and these
  * | name        | of     | type   | meaning                                              |

@@ -33,8 +33,8 @@
  * cells that are found or near the query's boundary. The first query of an Input by one shape,
  * except NEAREST, builds no tree: it tests all cells, O(N), in a fraction of the time of a build.
  * Answers are the same with and without a tree, and do not depend on the number of threads or
- * processes (each needs the whole Source, and for NEAREST the whole Input, of whose result it
- * outputs a share). Ghost and blanked cells are ignored.
+ * processes (each gathers the whole Source, and for NEAREST the whole Input, of whose result it
+ * outputs what is of its own piece). Ghost and blanked cells are ignored.
  *
  * Output port 0: the cells found, by ascending id, with all data of the Input; a
  * vtkUnstructuredGrid, for a composite Input composite data of the same structure (for AMR data a

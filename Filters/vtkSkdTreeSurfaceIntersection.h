@@ -75,7 +75,7 @@
  * Rotation or SetTransform) requires no new tree. One-shot intersections use a packed R-tree of
  * those triangles only that share a cell of a coarse grid with the other surface; a whole tree is
  * built when a surface is searched again. The result does not depend on the number of threads. Of
- * several processes each computes the result for its piece of Input and needs the whole Source;
+ * several processes each computes the result for its piece of Input and gathers the whole Source;
  * without a Source the first process computes all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping

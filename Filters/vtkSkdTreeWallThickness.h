@@ -34,7 +34,8 @@
  * | SkdOppositeBlockIndex | int    | 1          | flat index of its block              | -1   |
  * (the last one only if what is measured against is composite). SkdThickness becomes the active
  * scalars. The answer does not depend on the number of threads or processes. Of several processes
- * the first has all; with a Source each has its own part of the Input, and needs the whole Source.
+ * the first has all; with a Source and at cell centers each has its own piece of the Input, and
+ * gathers the whole Source.
  * After an abort the remaining points have none.
  *
  * Field data, one value each: SkdReportPoints, SkdReportPointsFound (with a thickness),

@@ -135,6 +135,10 @@ bool CellJoin::IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids)
   else
   {
     key.insert(key.end(), ids->begin(), ids->end());
+    if (key.front() == VTK_POLYHEDRON) // VTK has its points in the order of their ids
+    {
+      std::sort(key.begin() + 1, key.end());
+    }
   }
   Count& count = this->SharedCells[key];
   if (count.Piece != cell.Piece)
