@@ -3,6 +3,7 @@
 #include "vtkSkdTreeBooleanOperation.h"
 
 #include "Boolean/SkdBooleanSurface.h"
+#include "Boolean/SkdRoundedFacets.h"
 #include "Boolean/SkdSheet.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
@@ -67,6 +68,9 @@ public:
   /// The faces of the output.
   SkdFacetSigns Select(Filter* self) const;
 
+  /// These as they are stored; nothing if that makes no difference.
+  std::optional<SkdRoundedFacets> Round(Filter* self, const SkdFacetSigns& signs) const;
+
   SkdBooleanRule GetRule(Filter* self) const
   {
     return { static_cast<SkdBooleanOperation>(self->GetOperation()),
@@ -74,9 +78,10 @@ public:
       static_cast<std::uint32_t>(self->GetMinimumNumberOfSolids()) };
   }
 
-  void Fill(Filter* self, const SkdBooleanBlocks& blocks, const SkdFacetSigns& signs,
-    vtkPolyData* output) const;
-  void Report(Filter* self, const SkdFacetSigns& signs, SkdReport& report) const;
+  void Fill(Filter* self, const SkdBooleanBlocks& blocks, const SkdFacets& facets,
+    const SkdFacetSigns& signs, vtkPolyData* output) const;
+  void Report(
+    Filter* self, const SkdFacets& facets, const SkdFacetSigns& signs, SkdReport& report) const;
 
   /// The volume and area of what is within solids.
   template <class IsSolid>
@@ -90,6 +95,7 @@ public:
   bool IsNew = false;                    // in this run
   std::optional<SkdPlacement> Placement; // none: not arranged
   SkdArrangement Arrangement;
+  std::vector<std::uint32_t> EqualPoints; // see SkdFindEqualPoints
   SkdSolids Solids;
   bool AreInputs = false; // the solids
   std::vector<SkdBadEdges> BadEdges;
@@ -154,6 +160,7 @@ bool vtkSkdTreeBooleanOperation::Internals::Arrange(Filter* self, const SkdBoole
   }
   this->Arrangement = *std::move(arrangement);
   this->Placement.emplace(std::move(placement));
+  this->EqualPoints = SkdFindEqualPoints(*this->Placement, this->Arrangement.Facets);
   return true;
 }
 
@@ -267,6 +274,15 @@ SkdFacetSigns vtkSkdTreeBooleanOperation::Internals::Select(Filter* self) const
   return signs;
 }
 
+std::optional<SkdRoundedFacets> vtkSkdTreeBooleanOperation::Internals::Round(
+  Filter* self, const SkdFacetSigns& signs) const
+{
+  return this->EqualPoints.empty()
+    ? std::nullopt
+    : std::make_optional(SkdUniteEqualPoints(
+        this->Arrangement.Facets, this->EqualPoints, signs, self->GetOperation() == IMPRINT));
+}
+
 SkdBoundaryMeasures vtkSkdTreeBooleanOperation::Internals::Measure(const SkdFacetSigns& signs) const
 {
   SkdBoundaryMeasures measures =
@@ -277,7 +293,7 @@ SkdBoundaryMeasures vtkSkdTreeBooleanOperation::Internals::Measure(const SkdFace
 }
 
 void vtkSkdTreeBooleanOperation::Internals::Fill(Filter* self, const SkdBooleanBlocks& blocks,
-  const SkdFacetSigns& signs, vtkPolyData* output) const
+  const SkdFacets& facets, const SkdFacetSigns& signs, vtkPolyData* output) const
 {
   const SkdBooleanRule rule = this->GetRule(self);
   const bool isImprint = rule.Operation == SkdBooleanOperation::Imprint;
@@ -288,9 +304,9 @@ void vtkSkdTreeBooleanOperation::Internals::Fill(Filter* self, const SkdBooleanB
   }
   std::set<std::string> refused;
   SkdFillBooleanSurface(
-    { *this->Placement, this->Arrangement, blocks, signs, this->AreInputs ? nullptr : &this->Solids,
-      counts.empty() ? nullptr : &counts, self->GetKeepPolygons() != 0,
-      self->GetMergePieces() != 0 && !isImprint },
+    { *this->Placement, this->Arrangement, facets, blocks, signs,
+      this->AreInputs ? nullptr : &this->Solids, counts.empty() ? nullptr : &counts,
+      self->GetKeepPolygons() != 0, self->GetMergePieces() != 0 && !isImprint },
     output, refused);
   for (const char* name : SkdBooleanNames::All)
   {
@@ -300,7 +316,7 @@ void vtkSkdTreeBooleanOperation::Internals::Fill(Filter* self, const SkdBooleanB
 }
 
 void vtkSkdTreeBooleanOperation::Internals::Report(
-  Filter* self, const SkdFacetSigns& signs, SkdReport& report) const
+  Filter* self, const SkdFacets& facets, const SkdFacetSigns& signs, SkdReport& report) const
 {
   const SkdBooleanRule rule = this->GetRule(self);
   const auto add = [&report](const std::string& what, const SkdBoundaryMeasures& measures)
@@ -330,7 +346,7 @@ void vtkSkdTreeBooleanOperation::Internals::Report(
     return;
   }
   add("", this->Measure(signs));
-  const SkdBadEdges bad = SkdFindBadEdges(this->Arrangement.Facets, signs);
+  const SkdBadEdges bad = SkdFindBadEdges(facets, signs);
   report.AddCount("BadEdges", bad.Count);
   if (bad.Count > 0 && !(this->IsSheet(1) && !self->GetCloseCut()))
   {
@@ -378,10 +394,14 @@ int vtkSkdTreeBooleanOperation::RequestData(
   {
     return 1;
   }
-  const SkdFacetSigns signs = own.Select(this);
-  own.Fill(this, blocks, signs, output);
+  const SkdFacetSigns selected = own.Select(this);
+  const std::optional<SkdRoundedFacets> rounded = own.Round(this, selected);
+  const SkdFacets& facets = rounded ? rounded->Facets : own.Arrangement.Facets;
+  const SkdFacetSigns& signs = rounded ? rounded->Signs : selected;
+  own.Fill(this, blocks, facets, signs, output);
   SkdReport report(output);
-  own.Report(this, signs, report);
+  own.Report(this, facets, signs, report);
+  report.AddCount("TrianglesFolded", rounded ? rounded->NumberFolded : 0);
   report.AddCount("TrianglesSplit", own.Arrangement.NumberSplit);
   report.AddMeasure("Seconds", watch.Lap());
   return 1;

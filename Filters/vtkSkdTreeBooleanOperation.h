@@ -38,8 +38,9 @@
  *
  * Field data, one value each: SkdReportInputVolume, SkdReportInputArea, SkdReportSourceVolume,
  * SkdReportSourceArea, SkdReportVolume and SkdReportArea (of the output), SkdReportTreesBuilt,
- * SkdReportSolids, SkdReportTrianglesSplit, SkdReportBadEdges (of the output: 0 of a closed
- * oriented surface), SkdReportSeconds.
+ * SkdReportSolids, SkdReportTrianglesSplit, SkdReportTrianglesFolded (pieces that rounding has made
+ * flat), SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
+ * SkdReportSeconds.
  *
  * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. All pieces are
  * made, also those within other solids: where k solids overlap, there are up to O(k^3) of them, at
@@ -130,8 +131,8 @@ public:
 
   //@{
   /**
-   * Whether quads and polygons that are not cut stay such. Otherwise, and of those that are cut,
-   * the output has triangles (see MergePieces). Default on.
+   * Whether quads and polygons that are not cut stay such, if VTK can triangulate them. Otherwise,
+   * and of those that are cut, the output has triangles (see MergePieces). Default on.
    */
   vtkSetMacro(KeepPolygons, vtkTypeBool);
   vtkGetMacro(KeepPolygons, vtkTypeBool);
@@ -141,7 +142,8 @@ public:
   //@{
   /**
    * Whether pieces of a triangle that is cut are merged into convex polygons, where no other face
-   * of the output meets their common edge. Not in an imprint. Default off.
+   * of the output meets their common edge, and where VTK can triangulate the polygon without losing
+   * an edge of it. Not in an imprint. Default off.
    */
   vtkSetMacro(MergePieces, vtkTypeBool);
   vtkGetMacro(MergePieces, vtkTypeBool);

@@ -5,6 +5,8 @@
 #include "Boolean/SkdFacetMerger.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace
 {
@@ -15,7 +17,8 @@ class FaceMaker
 public:
   FaceMaker(const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
     const SkdFaceOptions& options)
-    : Set(set.GetSet())
+    : Placed(set)
+    , Set(set.GetSet())
     , Facets(facets)
     , Signs(signs)
     , Options(options)
@@ -146,7 +149,8 @@ private:
     return end;
   }
 
-  /// Adds the outline of facets as a face, if it is one loop that passes no point twice.
+  /// Adds the outline of facets as a face, if it is one loop that passes no point twice, and that
+  /// VTK can triangulate.
   bool AddOutline(std::uint32_t first, std::uint32_t end)
   {
     this->Edges.clear();
@@ -182,12 +186,52 @@ private:
       this->Loop.push_back(at);
       at = next->second;
     }
-    const bool isLoop = this->Loop.size() == end - first + 2 && at == this->Loop[0];
-    if (isLoop)
+    const bool isFace =
+      this->Loop.size() == end - first + 2 && at == this->Loop[0] && this->IsLoopCutByVtk();
+    if (isFace)
     {
       this->Add(first, this->Loop.begin(), this->Loop.end());
     }
-    return isLoop;
+    return isFace;
+  }
+
+  bool IsLoopCutByVtk()
+  {
+    const auto cornerOf = [this](vtkIdType i)
+    { return this->Facets.GetPosition(this->Placed, this->Loop[static_cast<std::size_t>(i)]); };
+    return this->IsPlainQuad(cornerOf) ||
+      this->Triangulation.IsCutByVtk(static_cast<vtkIdType>(this->Loop.size()), cornerOf);
+  }
+
+  /// Quads with corners far from straight and sides that do not differ much need no closer look.
+  template <class CornerOf>
+  bool IsPlainQuad(const CornerOf& cornerOf) const
+  {
+    constexpr double leastSine2 = 1e-4;
+    constexpr double leastRatio2 = 1e-6; // of a side to the longest
+    if (this->Loop.size() != 4)
+    {
+      return false;
+    }
+    std::array<skd::Vector3, 4> sides;
+    double longest2 = 0.0;
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      sides[i] = cornerOf((i + 1) % 4) - cornerOf(i);
+      longest2 = std::max(longest2, Norm2(sides[i]));
+    }
+    const double unit = 1.0 / std::sqrt(longest2); // so that no product overflows
+    std::for_each(sides.begin(), sides.end(), [unit](skd::Vector3& side) { side = unit * side; });
+    const skd::Vector3 normal = Cross(sides[0] + sides[1], sides[1] + sides[2]);
+    bool isPlain = true;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const skd::Vector3& next = sides[(i + 1) % 4];
+      const double turn = Dot(Cross(sides[i], next), normal);
+      isPlain = isPlain && turn > 0.0 && Norm2(sides[i]) > leastRatio2 &&
+        turn * turn > leastSine2 * Norm2(sides[i]) * Norm2(next) * Norm2(normal);
+    }
+    return isPlain;
   }
 
   template <class Iterator>
@@ -198,12 +242,14 @@ private:
     this->Faces.Starts.push_back(static_cast<std::uint32_t>(this->Faces.Corners.size()));
   }
 
+  const SkdPlacedTriangles& Placed;
   const SkdTriangleSet& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
   const SkdFaceOptions& Options;
   const std::vector<SkdSplitEdge> Junctions;
-  const SkdFacetMerger Merger;
+  SkdFacetMerger Merger;
+  SkdTriangulation Triangulation;
   SkdBooleanFaces Faces;
   std::vector<SkdSplitEdge> Edges; // of an outline
   std::vector<std::uint32_t> Loop;

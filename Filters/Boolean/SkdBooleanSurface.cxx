@@ -46,7 +46,7 @@ public:
     : Parts(parts)
     , Placed(parts.Placement.First)
     , Set(this->Placed.GetSet())
-    , Facets(parts.Arrangement.Facets)
+    , Facets(parts.Facets)
     , Faces(SkdMakeBooleanFaces(this->Placed, this->Facets, parts.Signs,
         { FindPolygons(this->Set, parts), parts.MergesPieces }))
     , To(output)

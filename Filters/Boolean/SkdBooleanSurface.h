@@ -38,6 +38,7 @@ struct SkdBooleanParts
 {
   const SkdPlacement& Placement;
   const SkdArrangement& Arrangement;
+  const SkdFacets& Facets; ///< of the arrangement, or as they are stored
   const SkdBooleanBlocks& Blocks;
   const SkdFacetSigns& Signs;
   const SkdSolids* Solids;             ///< nullptr: no array tells them

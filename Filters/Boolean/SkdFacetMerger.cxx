@@ -23,8 +23,7 @@ struct SkdFacetMerger::View
   }
 };
 
-std::vector<SkdFacetMerger::Polygon> SkdFacetMerger::Merge(
-  const std::vector<std::uint32_t>& facets) const
+std::vector<SkdFacetMerger::Polygon> SkdFacetMerger::Merge(const std::vector<std::uint32_t>& facets)
 {
   std::vector<Polygon> polygons;
   for (const std::uint32_t facet : facets)
@@ -51,8 +50,9 @@ std::vector<SkdFacetMerger::Polygon> SkdFacetMerger::Merge(
   return polygons;
 }
 
-/// Merges two polygons that have one edge in common, unless the result is not convex.
-bool SkdFacetMerger::MergeTwo(Polygon& into, Polygon& other, const View& view) const
+/// Merges two polygons that have one edge in common, unless the result is not convex or could not
+/// be triangulated.
+bool SkdFacetMerger::MergeTwo(Polygon& into, Polygon& other, const View& view)
 {
   const std::size_t n = into.size();
   const std::size_t m = other.size();
@@ -86,7 +86,8 @@ bool SkdFacetMerger::MergeTwo(Polygon& into, Polygon& other, const View& view) c
   {
     merged.push_back(other[(opposite + k) % m]);
   }
-  if (!this->IsConvexAt(merged, 0, view) || !this->IsConvexAt(merged, n - 1, view))
+  if (!this->IsConvexAt(merged, 0, view) || !this->IsConvexAt(merged, n - 1, view) ||
+    !this->IsCutByVtk(merged))
   {
     return false;
   }
@@ -104,4 +105,14 @@ bool SkdFacetMerger::IsConvexAt(const Polygon& polygon, std::size_t corner, cons
   const skd::Vector3 after = at(corner + 1) - at(corner);
   const double turn = view.Sign * (before[view.U] * after[view.V] - before[view.V] * after[view.U]);
   return turn >= -rounding * std::sqrt(Norm2(before) * Norm2(after));
+}
+
+bool SkdFacetMerger::IsCutByVtk(const Polygon& polygon)
+{
+  Polygon sorted = polygon;
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end() &&
+    this->Triangulation.IsCutByVtk(static_cast<vtkIdType>(polygon.size()),
+      [&](vtkIdType i)
+      { return this->Facets.GetPosition(this->Set, polygon[static_cast<std::size_t>(i)]); });
 }

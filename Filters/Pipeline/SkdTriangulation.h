@@ -31,16 +31,32 @@ public:
   {
     if (size > 3)
     {
-      this->Polygon->Points->SetNumberOfPoints(size);
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        this->Polygon->Points->SetPoint(i, skd::Vector3(cornerOf(i)).X);
-      }
+      this->SetCorners(size, cornerOf);
     }
     return this->CutPolygon(size);
   }
 
+  /// Whether VTK's filters divide a polygon of more than three corners into triangles that have all
+  /// its edges. They leave out corners that are too near to each other, and may stop early.
+  template <class CornerOf>
+  bool IsCutByVtk(vtkIdType size, const CornerOf& cornerOf)
+  {
+    this->SetCorners(size, cornerOf);
+    this->Triangles->Reset();
+    return this->ClipEars(size);
+  }
+
 private:
+  template <class CornerOf>
+  void SetCorners(vtkIdType size, const CornerOf& cornerOf)
+  {
+    this->Polygon->Points->SetNumberOfPoints(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Polygon->Points->SetPoint(i, skd::Vector3(cornerOf(i)).X);
+    }
+  }
+
   vtkIdList* CutPolygon(vtkIdType size);
   void AddFan(vtkIdType size, vtkIdType first);
   vtkIdType GetFirstOfQuad() const;

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeBooleanOperation: the output is closed as it is stored, when VTK triangulates it, and
+// when equal points are merged; and no edge has the same coordinates at both ends.
+//
+// SKDTREE_FUZZ_PAIRS in the environment sets how many runs are tried, SKDTREE_FUZZ_FIRST which is
+// the first; a failure names its run.
+
+#include "Support/SolidRun.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkTriangleFilter.h"
+
+#include <cmath>
+
+using namespace skdtest;
+
+namespace
+{
+using Filter = vtkSkdTreeBooleanOperation;
+using Surface = vtkSmartPointer<vtkPolyData>;
+
+struct EdgeCounts
+{
+  std::size_t Open = 0;       // not passed as often in one direction as in the other
+  std::size_t OnlyOnce = 0;   // of one face
+  std::size_t ZeroLength = 0; // between equal coordinates
+};
+
+EdgeCounts CountEdges(vtkPolyData* surface)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, std::pair<int, int>> passes;
+  EdgeCounts counts;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+  {
+    surface->GetPolys()->GetCellAtId(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType a = ids->GetId(i);
+      const vtkIdType b = ids->GetId((i + 1) % ids->GetNumberOfIds());
+      auto& [sum, count] = passes[{ std::min(a, b), std::max(a, b) }];
+      sum += a < b ? 1 : -1;
+      ++count;
+      Point x, y;
+      surface->GetPoint(a, x.data());
+      surface->GetPoint(b, y.data());
+      counts.ZeroLength += x == y;
+    }
+  }
+  for (const auto& edge : passes)
+  {
+    counts.Open += edge.second.first != 0;
+    counts.OnlyOnce += edge.second.second == 1;
+  }
+  return counts;
+}
+
+Surface Triangulated(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(surface);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+Surface Cleaned(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> filter;
+  filter->SetInputData(surface);
+  filter->ToleranceIsAbsoluteOn();
+  filter->SetAbsoluteTolerance(0.0);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+void ExpectClosed(vtkPolyData* output)
+{
+  const Surface ways[] = { output, Triangulated(output), Cleaned(output),
+    Cleaned(Triangulated(output)), Triangulated(Cleaned(output)) };
+  for (int way = 0; way < 5; ++way)
+  {
+    SCOPED_TRACE("way " + std::to_string(way));
+    const EdgeCounts counts = CountEdges(ways[way]);
+    EXPECT_EQ(counts.Open, 0u);
+    EXPECT_EQ(counts.OnlyOnce, 0u);
+    EXPECT_EQ(counts.ZeroLength, 0u);
+    EXPECT_EQ(ways[way]->GetNumberOfPoints(), output->GetNumberOfPoints()); // no two are equal
+  }
+}
+
+/// By all ways of output. Returns the volume.
+double ExpectClosed(Filter* filter)
+{
+  double volumes[2];
+  for (const int merges : { 0, 1 })
+  {
+    SCOPED_TRACE(merges ? "pieces merged" : "pieces");
+    filter->SetMergePieces(merges);
+    EventCounter events(filter);
+    filter->Update();
+    EXPECT_EQ(events.Errors + events.Warnings, 0) << events.Error << events.Warning;
+    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_EQ(output->GetFieldData()->GetArray("SkdReportBadEdges")->GetTuple1(0), 0.0);
+    ExpectClosed(output);
+    const Measures measures(MeshOf(Triangulated(output)));
+    volumes[merges] = measures.Volume;
+  }
+  EXPECT_NEAR(volumes[0], volumes[1], 1e-13 * std::max(1.0, volumes[0]));
+  return volumes[0];
+}
+
+/// Cubes about one centre, each turned by an angle more.
+Mesh TurnedCubes(int count, double degrees, const Point& axis)
+{
+  Mesh cubes;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = degrees * 0.017453292519943295 * i;
+    const Point u = (1.0 / Length(axis)) * axis;
+    Append(cubes,
+      Placed(CubeQuads(1), 1.0, { -0.5, -0.5, -0.5 })
+        .Map(
+          [&](const Point& p)
+          {
+            return std::cos(angle) * p + std::sin(angle) * Cross(u, p) +
+              ((1.0 - std::cos(angle)) * Dot(u, p)) * u;
+          }));
+  }
+  return cubes;
+}
+
+TEST(BooleanOperationRounded, CubesTurnedAboutAnAxis)
+{
+  const auto expectClosed = [](int count, double degrees, const Point& axis)
+  {
+    SCOPED_TRACE(count);
+    vtkNew<Filter> filter;
+    filter->SetInputData(MakePolyData(TurnedCubes(count, degrees, axis)));
+    EXPECT_GT(ExpectClosed(filter), 1.0);
+  };
+  expectClosed(3, 5.6, { 0, 0, 1 });
+  expectClosed(3, 5.6, { 1, 1, 1 });
+  expectClosed(8, 11.25, { 1, 2, 3 });
+  expectClosed(9, 5.6, { 0, 0, 1 });
+}
+
+/// The faces of these are where the corners of others are.
+TEST(BooleanOperationRounded, ManyCubesAtRandom)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = SetInEnvironment("SKDTREE_FUZZ_PAIRS", 8);
+  for (int number = first; number < first + count; ++number)
+  {
+    SCOPED_TRACE(number);
+    Random random(static_cast<std::uint64_t>(number));
+    Mesh cubes;
+    for (int i = 3 + random.Index(5); i > 0; --i)
+    {
+      const double tilt = std::pow(10.0, -random.Index(17));
+      const Point axis = random.Direction();
+      const double shift = 0.25 * random.Index(3);
+      Append(cubes,
+        Placed(CubeQuads(1), 1.0, { shift, 0.0, 0.0 })
+          .Map([&](const Point& p) { return p + tilt * Cross(axis, p); }));
+    }
+    vtkNew<Filter> filter;
+    filter->SetInputData(MakePolyData(cubes));
+    ExpectClosed(filter);
+    filter->SetOperation(Filter::AT_LEAST);
+    ExpectClosed(filter);
+  }
+}
+
+/// What an operation makes goes into the next, together with something new.
+TEST(BooleanOperationRounded, TreesOfOperations)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = SetInEnvironment("SKDTREE_FUZZ_PAIRS", 8);
+  for (int number = first; number < first + count; ++number)
+  {
+    SCOPED_TRACE(number);
+    Random random(static_cast<std::uint64_t>(number));
+    std::string what;
+    Surface made = MakePolyData(MovedAnywhere(random, AnySolid(random, what), what));
+    for (int step = 0; step < 4 && made->GetNumberOfCells() > 0; ++step)
+    {
+      SCOPED_TRACE(what);
+      vtkNew<Filter> filter;
+      filter->SetInputData(made);
+      filter->SetSourceData(MakePolyData(MovedAnywhere(random, AnySolid(random, what), what)));
+      filter->SetOperation(std::array<int, 4>{ 0, 2, 3, 4 }[random.Index(4)]);
+      ExpectClosed(filter);
+      made = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+    }
+  }
+}
+
+/// Polygons that VTK cannot triangulate without losing an edge are given as triangles.
+TEST(BooleanOperationRounded, PolygonsThatVtkWouldOpenBecomeTriangles)
+{
+  Mesh prism;
+  Ids bottom, top;
+  for (const Point& p : { Point{ 0, 0, 0 }, Point{ 1, 0, 0 }, Point{ 1, 1e-10, 0 },
+         Point{ 1, 1, 0 }, Point{ 0, 1, 0 } })
+  {
+    bottom.insert(bottom.begin(), prism.Add(p));
+    top.push_back(prism.Add(p + Point{ 0, 0, 1 }));
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    const vtkIdType a = 2 * i, b = 2 * ((i + 1) % 5);
+    prism.Add(VTK_QUAD, { a, b, b + 1, a + 1 });
+  }
+  prism.Add(VTK_POLYGON, bottom);
+  prism.Add(VTK_POLYGON, top);
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakePolyData(prism));
+  filter->SetSourceData(MakePolyData(Placed(CubeQuads(1), 1.0, { 3, 0, 0 })));
+  EXPECT_NEAR(ExpectClosed(filter), 2.0, 1e-13);
+}
+}
