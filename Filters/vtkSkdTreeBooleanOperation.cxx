@@ -35,6 +35,25 @@ SkdBooleanBlocks BlocksOf(vtkDataObject* input, vtkDataObject* source)
   return blocks;
 }
 
+constexpr const char* OrientAdvice =
+  " Orient the faces (Generate Surface Normals with Consistency).";
+
+// What was tried on scans: vtkFillHolesFilter fills some holes in part, and its faces may be
+// turned.
+constexpr const char* CloseAdvice =
+  " Close the holes, for example by vtkFillHolesFilter with a HoleSize larger than the surface, "
+  "again and again until no edge is open, and then orient the faces (Generate Surface Normals with "
+  "Consistency). If edges remain (Feature Edges shows them), repair the surface where they are, in "
+  "another program. An open surface can be the Source of an intersection or a difference, which it "
+  "then cuts.";
+
+void TellNotFound(Filter* self)
+{
+  vtkErrorWithObjectMacro(self,
+    "Which regions are inside could not be found; there is no output. Please report "
+    "this, with the inputs.");
+}
+
 std::string TextOf(const skd::Vector3& x)
 {
   std::ostringstream text;
@@ -102,6 +121,7 @@ public:
   std::vector<SkdRegionWindings> Windings; // empty: not known
 
 private:
+  bool PlaceSheet(Filter* self);
   std::string NameOf(std::uint32_t solid) const
   {
     const char* inputs[2] = { "Input", "Source" };
@@ -209,17 +229,15 @@ bool vtkSkdTreeBooleanOperation::Internals::AreClosed(Filter* self) const
   const bool maySheet = self->GetOperation() == INTERSECTION || self->GetOperation() == DIFFERENCE;
   for (std::uint32_t solid = 0; solid < this->Solids.Count; ++solid)
   {
-    if (this->BadEdges[solid].Count > 0 && !(maySheet && this->IsSheet(solid)))
+    const SkdBadEdges& bad = this->BadEdges[solid];
+    if (bad.Count > 0 && !(maySheet && this->IsSheet(solid)))
     {
-      vtkErrorWithObjectMacro(
-        self, << this->NameOf(solid)
-              << " is not a closed, consistently oriented surface: " << this->BadEdges[solid].Count
-              << " edges are open or between faces of opposite orientation, "
-                 "the first from "
-              << this->EdgeText(this->BadEdges[solid].First)
-              << ". There is no output. Close gaps (Fill Holes) or orient "
-                 "the faces (Surface Normals with Consistency) before."
-              << this->LeftOutText());
+      vtkErrorWithObjectMacro(self,
+        << this->NameOf(solid) << " is not a closed, consistently oriented surface: " << bad.Open
+        << " edges are open and " << bad.Count - bad.Open
+        << " are between faces of opposite orientation, the first from "
+        << this->EdgeText(bad.First) << ". There is no output."
+        << (bad.Open > 0 ? CloseAdvice : OrientAdvice) << this->LeftOutText());
       return false;
     }
   }
@@ -235,20 +253,37 @@ bool vtkSkdTreeBooleanOperation::Internals::FindWindings(Filter* self)
   this->Windings = SkdFindWindingNumbers(*this->Placement, this->Arrangement, this->Solids.Of);
   if (this->Windings.size() < this->Arrangement.NumberOfRegions)
   {
-    vtkErrorWithObjectMacro(self,
-      "Which regions are inside could not be found; there is no output. Please report "
-      "this, with the inputs.");
+    TellNotFound(self);
     return false;
   }
-  const vtkIdType undivided = !this->IsSheet(1)
-    ? 0
-    : SkdPlaceSheet(this->Placement->First, this->Arrangement, this->Solids.Of, 1, this->Windings);
-  if (undivided > 0)
+  return !this->IsSheet(1) || this->PlaceSheet(self);
+}
+
+bool vtkSkdTreeBooleanOperation::Internals::PlaceSheet(Filter* self)
+{
+  const std::vector<std::uint32_t> parts =
+    SkdFindPartsOfSpace(*this->Placement, this->Arrangement, this->Solids.Of);
+  if (parts.empty())
+  {
+    this->Windings.clear();
+    TellNotFound(self);
+    return false;
+  }
+  const SkdSheetFaults faults = SkdPlaceSheet(
+    this->Placement->First, this->Arrangement, parts, this->Solids.Of, 1, this->Windings);
+  if (faults.Undivided > 0)
   {
     vtkWarningWithObjectMacro(
-      self, << "The Source is open and does not cut through the Input: " << undivided
-            << " parts of it are on both sides and are taken "
-               "as in front. Extend the Source or close it.");
+      self, << "The Source is open and does not cut through the Input: " << faults.Undivided
+            << " parts of the Input have some of it within. That cuts "
+               "nothing off. Extend the Source or close it.");
+  }
+  if (faults.Contradictory > 0)
+  {
+    vtkWarningWithObjectMacro(self, << "The Source is open, and " << faults.Contradictory
+                                    << " parts of the Input are both in front of it and behind; "
+                                       "they are taken as in front. Orient its faces "
+                                       "(Generate Surface Normals with Consistency).");
   }
   return true;
 }

@@ -16,8 +16,17 @@
  * intersect itself, overlap in parts, have faces twice, or be inside out.
  *
  * In an intersection or a difference the Source may be open: then it cuts the Input, and stands for
- * what is behind it (where its normals do not point). Parts of the Input that it does not meet are
- * on the side of its nearest triangle.
+ * what is behind it (where its normals do not point). Several sheets may cut it into several parts:
+ * a winding number grows by 1 from in front of each sheet to behind it, and is 0 where it is least.
+ * What of the Source does not divide the Input, as its border is within it, counts for nothing,
+ * with a warning: an Input that is not divided stays whole in a difference, and is not in an
+ * intersection. Parts of the Input that the Source does not meet are on the side of its nearest
+ * triangle.
+ *
+ * Points that round to the same coordinates are one. Pieces that become flat by that, or come to
+ * lie face to face, are not in the output. So it is closed as it is stored, and stays closed when
+ * it is triangulated by vtkTriangleFilter or equal points are merged (vtkCleanPolyData with a
+ * tolerance of 0); no edge has the length 0.
  *
  * Cell data of the output, besides those that all input data sets have:
  *

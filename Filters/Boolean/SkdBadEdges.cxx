@@ -2,16 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boolean/SkdBadEdges.h"
 
+#include <algorithm>
 #include <map>
 
 namespace
 {
-void Add(SkdBadEdges& bad, std::uint32_t low, std::uint32_t high)
+/// The triangles at an edge.
+struct Passes
 {
+  int Sum = 0; // in one direction less the other
+  int Count = 0;
+
+  void Add(int sign)
+  {
+    this->Sum += sign;
+    ++this->Count;
+  }
+};
+
+void Add(SkdBadEdges& bad, std::uint32_t low, std::uint32_t high, const Passes& passes)
+{
+  if (passes.Sum == 0)
+  {
+    return;
+  }
   if (bad.Count++ == 0)
   {
     bad.First = { low, high };
   }
+  bad.Open += passes.Count == 1;
 }
 }
 
@@ -26,7 +45,7 @@ std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
       surfaceOf[facets.Parents[first[1].Triangle]] &&
       facets.Layers.empty();
   };
-  std::map<std::uint32_t, int> sums; // of surfaces
+  std::map<std::uint32_t, Passes> passesOf; // of surfaces
   facets.Edges.ForEach(
     [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
     {
@@ -34,19 +53,16 @@ std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
       {
         return;
       }
-      sums.clear();
+      passesOf.clear();
       for (const SkdEdgeUse* use = first; use != last; ++use)
       {
         facets.ForEachLayer(use->Triangle,
           [&](std::uint32_t parent, int sign)
-          { sums[surfaceOf[parent]] += use->IsForward ? sign : -sign; });
+          { passesOf[surfaceOf[parent]].Add(use->IsForward ? sign : -sign); });
       }
-      for (const auto& [surface, sum] : sums)
+      for (const auto& [surface, passes] : passesOf)
       {
-        if (sum != 0)
-        {
-          Add(bad[surface], low, first->High);
-        }
+        Add(bad[surface], low, first->High, passes);
       }
     });
   return bad;
@@ -65,7 +81,9 @@ SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed ch
       }
       if (sum != 0)
       {
-        Add(bad, low, first->High);
+        const auto count = std::count_if(
+          first, last, [&signs](const SkdEdgeUse& use) { return signs[use.Triangle] != 0; });
+        Add(bad, low, first->High, { sum, static_cast<int>(count) });
       }
     });
   return bad;

@@ -10,6 +10,7 @@
 struct SkdBadEdges
 {
   vtkIdType Count = 0;
+  vtkIdType Open = 0; ///< of these, that only one triangle has
   SkdSplitEdge First{ 0, 0 };
 };
 

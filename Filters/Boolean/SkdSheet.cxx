@@ -10,29 +10,6 @@
 
 namespace
 {
-constexpr unsigned InFront = 1;
-constexpr unsigned Behind = 2;
-
-/// The sides of the sheet that each region is at.
-std::vector<unsigned> FindSides(const SkdArrangement& arrangement,
-  const std::vector<std::uint32_t>& surfaceOf, std::uint32_t sheet)
-{
-  std::vector<unsigned> sides(arrangement.NumberOfRegions, 0);
-  for (std::uint32_t facet = 0; facet < arrangement.Facets.GetNumberOfFacets(); ++facet)
-  {
-    arrangement.Facets.ForEachLayer(facet,
-      [&](std::uint32_t parent, int sign)
-      {
-        if (surfaceOf[parent] == sheet)
-        {
-          sides[arrangement.GetFront(facet)] |= sign > 0 ? InFront : Behind;
-          sides[arrangement.GetBack(facet)] |= sign > 0 ? Behind : InFront;
-        }
-      });
-  }
-  return sides;
-}
-
 /// A point at each region: the centroid of its first facet.
 std::vector<skd::Vector3> FindPoints(
   const SkdPlacedTriangles& set, const SkdArrangement& arrangement)
@@ -48,9 +25,9 @@ std::vector<skd::Vector3> FindPoints(
   return points;
 }
 
-/// The side of the sheet's nearest triangle that a point is at; of several that are as near, as at
-/// a common edge, that of the one that faces the point most. O(n).
-unsigned FindNearestSide(
+/// Whether a point is behind the sheet's nearest triangle; of several that are as near, as at a
+/// common edge, behind the one that faces the point most. O(n).
+bool IsBehindNearest(
   const SkdPlacedTriangles& set, const std::vector<std::uint32_t>& triangles, const skd::Vector3& x)
 {
   constexpr double same = 1.0 + 1e-12; // of squared distances
@@ -74,7 +51,7 @@ unsigned FindNearestSide(
     }
     nearest2 = std::min(nearest2, dist2);
   }
-  return facing < 0.0 ? Behind : InFront;
+  return facing < 0.0;
 }
 
 std::vector<std::uint32_t> TrianglesOf(
@@ -90,35 +67,163 @@ std::vector<std::uint32_t> TrianglesOf(
   }
   return triangles;
 }
+
+/// A facet of the sheet, from the part of space in front of it to that behind.
+struct Step
+{
+  std::uint32_t From;
+  std::uint32_t To;
+  int Number; // of layers of the sheet
+
+  bool operator<(const Step& other) const { return this->From < other.From; }
+};
+
+/// How often the sheet winds around the parts of the first solid.
+class SheetNumbers
+{
+public:
+  SheetNumbers(const SkdArrangement& arrangement, const std::vector<std::uint32_t>& parts,
+    const std::vector<std::uint32_t>& surfaceOf, std::uint32_t sheet,
+    const std::vector<SkdRegionWindings>& windings)
+    : IsInSolid(1 + *std::max_element(parts.begin(), parts.end()), false)
+    , IsTouched(this->IsInSolid.size(), false)
+    , Numbers(this->IsInSolid.size(), 0)
+  {
+    for (std::size_t region = 0; region < windings.size(); ++region)
+    {
+      const bool isIn = std::any_of(windings[region].begin(), windings[region].end(),
+        [sheet](const SkdWindingOf& winding) { return winding.Surface != sheet; });
+      this->IsInSolid[parts[region]] = this->IsInSolid[parts[region]] || isIn;
+    }
+    this->ListSteps(arrangement, parts, surfaceOf, sheet);
+    this->Spread();
+  }
+
+  bool IsTouchedBySheet(std::uint32_t part) const { return this->IsTouched[part]; }
+  bool IsWithinSolid(std::uint32_t part) const { return this->IsInSolid[part]; }
+  int GetNumber(std::uint32_t part) const { return this->Numbers[part]; }
+  const SkdSheetFaults& GetFaults() const { return this->Faults; }
+
+private:
+  /// Those that divide something, in both directions.
+  void ListSteps(const SkdArrangement& arrangement, const std::vector<std::uint32_t>& parts,
+    const std::vector<std::uint32_t>& surfaceOf, std::uint32_t sheet)
+  {
+    std::vector<bool> isUndivided(this->IsInSolid.size(), false);
+    for (std::uint32_t facet = 0; facet < arrangement.Facets.GetNumberOfFacets(); ++facet)
+    {
+      Step step{ parts[arrangement.GetFront(facet)], parts[arrangement.GetBack(facet)], 0 };
+      bool isOfSheet = false;
+      arrangement.Facets.ForEachLayer(facet,
+        [&](std::uint32_t parent, int sign)
+        {
+          isOfSheet = isOfSheet || surfaceOf[parent] == sheet;
+          step.Number += surfaceOf[parent] == sheet ? sign : 0;
+        });
+      if (!isOfSheet || !(this->IsInSolid[step.From] || this->IsInSolid[step.To]))
+      {
+        continue;
+      }
+      this->IsTouched[step.From] = this->IsTouched[step.To] = true;
+      if (step.From != step.To)
+      {
+        this->Steps.push_back(step);
+        this->Steps.push_back({ step.To, step.From, -step.Number });
+      }
+      else if (!isUndivided[step.From])
+      {
+        isUndivided[step.From] = true;
+        ++this->Faults.Undivided;
+      }
+    }
+    std::stable_sort(this->Steps.begin(), this->Steps.end());
+  }
+
+  void Spread()
+  {
+    std::vector<bool> isKnown(this->IsInSolid.size(), false);
+    for (std::uint32_t part = 0; part < isKnown.size(); ++part)
+    {
+      if (this->IsInSolid[part] && this->IsTouched[part] && !isKnown[part])
+      {
+        this->SpreadFrom(part, isKnown);
+      }
+    }
+  }
+
+  /// Numbers all parts of the solid that facets of the sheet connect with one; the least number
+  /// beside any of these facets is 0.
+  void SpreadFrom(std::uint32_t start, std::vector<bool>& isKnown)
+  {
+    std::vector<std::uint32_t> reached{ start };
+    isKnown[start] = true;
+    int least = 0;
+    bool isContradictory = false;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      const std::uint32_t from = reached[i];
+      auto step = std::lower_bound(this->Steps.begin(), this->Steps.end(), Step{ from, 0, 0 });
+      for (; step != this->Steps.end() && step->From == from; ++step)
+      {
+        const int number = this->Numbers[from] + step->Number;
+        least = std::min(least, number);
+        if (!this->IsInSolid[step->To])
+        {
+          continue;
+        }
+        if (!isKnown[step->To])
+        {
+          isKnown[step->To] = true;
+          this->Numbers[step->To] = number;
+          reached.push_back(step->To);
+        }
+        isContradictory = isContradictory || this->Numbers[step->To] != number;
+      }
+    }
+    this->Faults.Contradictory += isContradictory ? static_cast<vtkIdType>(reached.size()) : 0;
+    for (const std::uint32_t part : reached)
+    {
+      this->Numbers[part] = isContradictory ? 0 : this->Numbers[part] - least;
+    }
+  }
+
+  std::vector<bool> IsInSolid;
+  std::vector<bool> IsTouched;
+  std::vector<int> Numbers;
+  std::vector<Step> Steps; // by where they are from
+  SkdSheetFaults Faults;
+};
 }
 
-vtkIdType SkdPlaceSheet(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
-  const std::vector<std::uint32_t>& surfaceOf, std::uint32_t sheet,
-  std::vector<SkdRegionWindings>& windings)
+SkdSheetFaults SkdPlaceSheet(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
+  const std::vector<std::uint32_t>& parts, const std::vector<std::uint32_t>& surfaceOf,
+  std::uint32_t sheet, std::vector<SkdRegionWindings>& windings)
 {
-  std::vector<unsigned> sides = FindSides(arrangement, surfaceOf, sheet);
+  const SheetNumbers numbers(arrangement, parts, surfaceOf, sheet, windings);
   const std::vector<skd::Vector3> points = FindPoints(set, arrangement);
   const std::vector<std::uint32_t> triangles = TrianglesOf(surfaceOf, sheet);
-  vtkIdType undivided = 0;
+  std::vector<int> numberOf(parts.size(), -1); // of parts
   for (std::uint32_t region = 0; region < windings.size(); ++region)
   {
+    const std::uint32_t part = parts[region];
     SkdRegionWindings& of = windings[region];
     of.erase(std::remove_if(of.begin(), of.end(),
                [&](const SkdWindingOf& winding) { return winding.Surface == sheet; }),
       of.end());
-    if (of.empty())
+    if (!numbers.IsWithinSolid(part))
     {
-      continue; // outside
+      continue;
     }
-    if (sides[region] == 0)
+    if (numberOf[part] < 0)
     {
-      sides[region] = FindNearestSide(set, triangles, points[region]);
+      numberOf[part] = numbers.IsTouchedBySheet(part)
+        ? numbers.GetNumber(part)
+        : IsBehindNearest(set, triangles, points[region]);
     }
-    undivided += sides[region] == (InFront | Behind);
-    if (sides[region] == Behind)
+    if (numberOf[part] > 0)
     {
-      of.push_back({ sheet, 1 });
+      of.push_back({ sheet, numberOf[part] });
     }
   }
-  return undivided;
+  return numbers.GetFaults();
 }

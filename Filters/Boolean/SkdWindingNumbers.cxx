@@ -4,6 +4,7 @@
 
 #include "Boolean/SkdLineCrossings.h"
 #include "Cells/SkdForEach.h"
+#include "Core/Geometry/DisjointSets.h"
 #include "Core/Predicates/ExactPoint.h"
 
 #include <algorithm>
@@ -47,6 +48,22 @@ struct Seed
   SkdRegionWindings Windings;
 };
 
+/// Where a line last crosses another component before it enters one, and the region after that.
+struct EnclosingRegion
+{
+  std::uint32_t Component;
+  std::uint32_t Triangle;
+  std::uint32_t Region;
+};
+
+/// Where a line enters a component: the region before it, and others that may be around that.
+struct Entrance
+{
+  std::uint32_t Region = None;
+  SkdAxisLine Line;
+  std::vector<EnclosingRegion> Around;
+};
+
 class Search
 {
 public:
@@ -63,9 +80,7 @@ public:
 
   std::vector<SkdRegionWindings> Find()
   {
-    this->SpreadWindings();
-    this->CollectComponents();
-    this->PrepareLines();
+    this->Prepare();
     std::vector<SkdRegionWindings> offsets(this->Components.size());
     std::atomic<bool> areAllFound{ true };
     SkdForEach(
@@ -99,6 +114,26 @@ public:
     return std::move(this->Windings);
   }
 
+  std::vector<std::uint32_t> FindParts()
+  {
+    this->Prepare();
+    std::vector<Entrance> entrances(this->Components.size());
+    SkdForEach(
+      static_cast<vtkIdType>(entrances.size()),
+      [&](vtkIdType i) { entrances[i] = this->FindEntrance(static_cast<std::uint32_t>(i)); }, 1);
+    const auto outside = static_cast<std::uint32_t>(this->Windings.size());
+    skd::DisjointSets<> parts(outside + std::size_t(1));
+    for (const Entrance& entrance : entrances)
+    {
+      if (entrance.Region == None)
+      {
+        return {};
+      }
+      parts.Unite(entrance.Region, this->RegionAround(entrance, entrances, outside));
+    }
+    return parts.Number();
+  }
+
 private:
   /// A facet between two regions, as seen from one of them.
   struct Link
@@ -114,6 +149,13 @@ private:
     }
     bool ConnectsAs(const Link& o) const { return this->From == o.From && this->To == o.To; }
   };
+
+  void Prepare()
+  {
+    this->SpreadWindings();
+    this->CollectComponents();
+    this->PrepareLines();
+  }
 
   std::vector<Link> ListLinks() const
   {
@@ -269,9 +311,10 @@ private:
     return { std::max(0, this->Set.Get(triangle).Axis), a * x[0] + b * x[1] + (1 - a - b) * x[2] };
   }
 
-  /// Where a line enters a component the region before it is outside of the component; winding
-  /// numbers there are those that other components cause.
-  Seed FindSeed(std::uint32_t component) const
+  /// Calls visit(line, first crossing of the component, region before it) for lines through a
+  /// component until that returns true.
+  template <class Visit>
+  void ForEachEntrance(std::uint32_t component, const Visit& visit) const
   {
     constexpr int most = 64;
     for (int attempt = 0; attempt < most; ++attempt)
@@ -285,18 +328,115 @@ private:
       const SkdLineCrossing first = *std::min_element(crossings->begin(), crossings->end(),
         [&](const SkdLineCrossing& a, const SkdLineCrossing& b)
         { return SkdCompareCrossings(this->Set, a.Triangle, b.Triangle, line) < 0; });
-      Seed seed{ this->RegionBefore(first, line), {} };
-      if (seed.Region != None && this->AddNested(component, first, line, seed))
+      const std::uint32_t region = this->RegionBefore(first, line);
+      if (region != None && visit(line, first, region))
       {
-        return seed;
+        return;
       }
     }
-    return {};
   }
 
-  /// The region that a line leaves where it crosses a triangle, the lowest that is there; None if
-  /// it passes near an edge of its pieces.
+  /// Where a line enters a component the region before it is outside of the component; winding
+  /// numbers there are those that other components cause.
+  Seed FindSeed(std::uint32_t component) const
+  {
+    Seed found;
+    this->ForEachEntrance(component,
+      [&](const SkdAxisLine& line, const SkdLineCrossing& first, std::uint32_t region)
+      {
+        Seed seed{ region, {} };
+        const bool isSure = this->AddNested(component, first, line, seed);
+        found = isSure ? std::move(seed) : Seed();
+        return isSure;
+      });
+    return found;
+  }
+
+  Entrance FindEntrance(std::uint32_t component) const
+  {
+    Entrance found;
+    this->ForEachEntrance(component,
+      [&](const SkdAxisLine& line, const SkdLineCrossing& first, std::uint32_t region)
+      {
+        Entrance entrance{ region, line, {} };
+        const bool isSure = this->AddEnclosing(component, first, entrance);
+        found = isSure ? std::move(entrance) : Entrance();
+        return isSure;
+      });
+    return found;
+  }
+
+  /// A component is within a bounded region of another one, or in none. Of those that it is in, the
+  /// innermost is the one that the line left last: no other one that is around is between.
+  std::uint32_t RegionAround(
+    const Entrance& entrance, const std::vector<Entrance>& entrances, std::uint32_t outside) const
+  {
+    const EnclosingRegion* innermost = nullptr;
+    for (const EnclosingRegion& other : entrance.Around)
+    {
+      const bool isBounded = other.Region != entrances[other.Component].Region;
+      if (isBounded &&
+        (!innermost ||
+          SkdCompareCrossings(this->Set, innermost->Triangle, other.Triangle, entrance.Line) < 0))
+      {
+        innermost = &other;
+      }
+    }
+    return innermost ? innermost->Region : outside;
+  }
+
+  /// Adds the last crossings of other components before one. False if the line passes through an
+  /// edge of theirs.
+  bool AddEnclosing(
+    std::uint32_t component, const SkdLineCrossing& crossing, Entrance& entrance) const
+  {
+    const SkdAxisLine& line = entrance.Line;
+    bool isSure = true;
+    this->ForEachAround(component, line,
+      [&](std::uint32_t other)
+      {
+        const auto crossings = this->Lines[other]->Find(line);
+        isSure = isSure && crossings;
+        const SkdLineCrossing* last = nullptr;
+        for (std::size_t i = 0; isSure && i < crossings->size(); ++i)
+        {
+          const SkdLineCrossing& before = (*crossings)[i];
+          const int order =
+            SkdCompareCrossings(this->Set, before.Triangle, crossing.Triangle, line);
+          isSure = order != 0;
+          const bool isLater = order < 0 &&
+            (!last || SkdCompareCrossings(this->Set, last->Triangle, before.Triangle, line) < 0);
+          last = isLater ? &before : last;
+        }
+        if (isSure && last)
+        {
+          const std::uint32_t region = this->RegionAfter(*last, line);
+          isSure = region != None;
+          entrance.Around.push_back({ other, last->Triangle, region });
+        }
+      });
+    return isSure;
+  }
+
+  /// @{ The region that a line leaves, or enters, where it crosses a triangle, the lowest that is
+  /// there; None if it passes near an edge of its pieces.
   std::uint32_t RegionBefore(const SkdLineCrossing& crossing, const SkdAxisLine& line) const
+  {
+    const std::uint32_t facet = this->FacetAt(crossing, line);
+    return facet == None  ? None
+      : crossing.Sign > 0 ? this->Arrangement.GetBack(facet)
+                          : this->Arrangement.GetFront(facet);
+  }
+  std::uint32_t RegionAfter(const SkdLineCrossing& crossing, const SkdAxisLine& line) const
+  {
+    const std::uint32_t facet = this->FacetAt(crossing, line);
+    return facet == None  ? None
+      : crossing.Sign > 0 ? this->Arrangement.GetFront(facet)
+                          : this->Arrangement.GetBack(facet);
+  }
+  ///@}
+
+  std::uint32_t FacetAt(const SkdLineCrossing& crossing, const SkdAxisLine& line) const
   {
     const std::vector<std::uint32_t>& parents = this->Arrangement.Facets.Parents;
     const auto range = std::equal_range(parents.begin(), parents.end(), crossing.Triangle);
@@ -312,8 +452,7 @@ private:
       }
       if (inside == 3)
       {
-        return crossing.Sign > 0 ? this->Arrangement.GetBack(facet)
-                                 : this->Arrangement.GetFront(facet);
+        return facet;
       }
     }
     return None;
@@ -354,6 +493,12 @@ private:
   std::optional<skd::PackedRTree> Boxes; // of components
   std::vector<std::unique_ptr<SkdLineCrossings>> Lines;
 };
+}
+
+std::vector<std::uint32_t> SkdFindPartsOfSpace(const SkdPlacement& placement,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf)
+{
+  return Search(placement.First, placement.Scale, arrangement, surfaceOf).FindParts();
 }
 
 std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,

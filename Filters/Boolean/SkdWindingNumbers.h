@@ -30,4 +30,10 @@ using SkdRegionWindings = std::vector<SkdWindingOf>;
 std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
 
+/// The part of space that each region is in, numbered from 0: regions of sets of facets that are
+/// not connected are the same part where no facet is between them. Surfaces may be open. Cost and
+/// empty result as above.
+std::vector<std::uint32_t> SkdFindPartsOfSpace(const SkdPlacement& placement,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
+
 #endif

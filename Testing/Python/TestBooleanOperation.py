@@ -2,8 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Boolean operations by ParaView's simple API."""
 
+import os
+
 import numpy
 from paraview import simple
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkFiltersModeling import vtkFillHolesFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkskdtree.vtkFiltersSkdTree import vtkSkdTreeBooleanOperation
 
 import skdtesting
 
@@ -28,6 +35,48 @@ def test_an_operation_on_the_output_of_another():
     two = simple.SkdTreeBooleanOperation(Input=simple.Box(), Source=simple.Box(Center=[1, 0, 0]))
     third = simple.Box(Center=[1.5, 0, 0], YLength=2)
     numpy.testing.assert_allclose(volume(Input=two, Source=third), 3.5, rtol=1e-14)
+
+
+def output_of(filter_, data, **properties):
+    filter_.SetInputData(data)
+    for name, value in properties.items():
+        getattr(filter_, "Set" + name)(value)
+    filter_.Update()
+    return filter_.GetOutput()
+
+
+def count_open_edges(surface):
+    return output_of(vtkFeatureEdges(), surface, FeatureEdges=0, NonManifoldEdges=0).GetNumberOfCells()
+
+
+def as_the_error_says(surface):
+    """The holes of a surface filled again and again, and then its faces oriented."""
+    size = 10 * surface.GetLength()
+    while count_open_edges(surface) > 0:
+        surface = output_of(vtkFillHolesFilter(), surface, HoleSize=size)
+    return output_of(vtkPolyDataNormals(), surface, Consistency=1)
+
+
+def test_what_the_error_about_open_scans_says_closes_them():
+    scan = os.path.join(os.environ["SKDTREE_EXTRA_DATA_DIR"], "A_surface", "bunny.stl")
+    if not os.path.exists(scan):
+        return
+    reader = vtkSTLReader()
+    reader.SetFileName(scan)
+    reader.Update()
+    bunny = reader.GetOutput()
+    assert count_open_edges(bunny) > 0
+    closed = as_the_error_says(bunny)
+    ball = vtkSphereSource()
+    ball.SetCenter(closed.GetCenter())
+    ball.SetRadius(closed.GetLength() / 8)
+    ball.Update()
+    combined = vtkSkdTreeBooleanOperation()
+    combined.SetSourceData(ball.GetOutput())
+    report = output_of(combined, closed, Operation=2).GetFieldData()
+    value = lambda name: report.GetArray("SkdReport" + name).GetValue(0)
+    assert value("BadEdges") == 0
+    assert 0 < value("Volume") < value("InputVolume")
 
 
 skdtesting.run_tests(globals())
