@@ -417,6 +417,7 @@ int vtkSkdTreeBooleanOperation::RequestData(
     return 1;
   }
   SkdWarnAboutCoarseFaces(this, own.Set.GetNumberOfCoarseFaces(), this->ChordalDeviation);
+  SkdWarnAboutTinyPoints(this, *own.Placement);
   own.WarnOfNoFaces(this, blocks);
   own.FindSolids(blocks, source && this->Operation != AT_LEAST);
   if (this->Operation != IMPRINT && !own.AreClosed(this))

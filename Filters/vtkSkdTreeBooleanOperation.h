@@ -60,7 +60,8 @@
  *
  * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
  * that tells where, and there is no output. Triangles without area are left out. An open Source
- * that does not cut through gives a warning.
+ * that does not cut through gives a warning, and so do coordinates smaller than 1e-80 times the
+ * largest, which are taken as 0: exact tests have no room for both.
  *
  * @sa
  * vtkSkdTreeSurfaceIntersection

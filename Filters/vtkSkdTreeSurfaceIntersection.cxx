@@ -306,6 +306,7 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
 
   const auto [placement, pairs] = FindPairs(this, first, source ? &other : nullptr,
     source && !matrix->IsIdentity() ? motion : std::nullopt);
+  SkdWarnAboutTinyPoints(this, placement);
   const SkdContacts contacts(
     { first.Blocks, first.IsComposite }, { second.Blocks, second.IsComposite }, placement, pairs);
   FillContacts(contacts, this->JoinCurves, outputVector, report);

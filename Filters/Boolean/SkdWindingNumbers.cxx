@@ -444,11 +444,14 @@ private:
     {
       const auto facet = static_cast<std::uint32_t>(at - parents.begin());
       const auto x = this->Arrangement.Facets.GetPositions(this->Set, facet);
+      const SkdTriangleSet::Corners& corners = this->Arrangement.Facets.Corners[facet];
       int inside = 0;
       for (int i = 0; i < 3; ++i)
       {
+        const int k = (i + 1) % 3;
+        const bool areGiven = std::max(corners[i], corners[k]) < this->Set.GetPoints().size();
         inside += crossing.Sign *
-          skd::FilteredOrient2D(x[i], x[(i + 1) % 3], line.Point, line.Axis, this->Error);
+          skd::FilteredOrient2D(x[i], x[k], line.Point, line.Axis, areGiven ? 0.0 : this->Error);
       }
       if (inside == 3)
       {

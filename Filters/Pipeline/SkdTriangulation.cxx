@@ -7,7 +7,38 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+namespace
+{
+/// Coordinates whose products of four would overflow or underflow are scaled by a power of two,
+/// which changes no angle.
+void ScaleIntoRange(vtkPoints* points)
+{
+  constexpr double least = 1e-60;
+  constexpr double largest = 1e60;
+  double reach = 0.0;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    points->GetPoint(i, x);
+    reach = std::max({ reach, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+  }
+  if ((reach < least || reach > largest) && reach > 0.0)
+  {
+    int exponent = 0;
+    std::frexp(reach, &exponent);
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      points->GetPoint(i, x);
+      points->SetPoint(
+        i, std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent));
+    }
+  }
+}
+}
 
 SkdTriangulation::SkdTriangulation()
 {
@@ -17,6 +48,10 @@ SkdTriangulation::SkdTriangulation()
 vtkIdList* SkdTriangulation::CutPolygon(vtkIdType size)
 {
   this->Triangles->Reset();
+  if (size > 3)
+  {
+    ScaleIntoRange(this->Polygon->Points);
+  }
   if (size == 4)
   {
     this->AddFan(size, this->GetFirstOfQuad());

@@ -4,6 +4,7 @@
 
 #include "Cells/SkdForEach.h"
 #include "Core/Predicates/ExactScale.h"
+#include "vtkObject.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -14,20 +15,23 @@
 //------------------------------------------------------------------------------
 // A motion rounds each corner, by less than `rounding`. That takes the area of no triangle which is
 // much wider.
-SkdPlacedTriangles::SkdPlacedTriangles(
-  const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion, double scale)
+SkdPlacedTriangles::SkdPlacedTriangles(const SkdTriangleSet& set,
+  const std::optional<skd::RigidMotion>& motion, double scale, double least)
   : Set(&set)
-  , IsElsewhere(motion || scale != 1.0)
+  , IsElsewhere(motion || scale != 1.0 || set.GetLeastCoordinate() < least)
   , Points(this->IsElsewhere ? set.GetPoints().size() : 0)
 {
   const double reach = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
-  this->HaveAllArea = scale == 1.0 && set.GetLeastWidth() > 64.0 * rounding;
+  this->HaveAllArea =
+    scale == 1.0 && !(set.GetLeastCoordinate() < least) && set.GetLeastWidth() > 64.0 * rounding;
   SkdForEach(static_cast<vtkIdType>(this->Points.size()),
     [&](vtkIdType i)
     {
       const skd::Vector3& point = set.GetPoints()[i];
-      this->Points[i] = scale * (motion ? motion->Forward(point) : point);
+      skd::Vector3 placed = scale * (motion ? motion->Forward(point) : point);
+      skd::TakeTinyAsZero(placed, scale * least);
+      this->Points[i] = placed;
     });
 }
 
@@ -63,12 +67,31 @@ SkdPlacement SkdMakePlacement(const SkdTriangleSet& first, const SkdTriangleSet*
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
-  const double scale = skd::ExactScale(
-    std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift }));
+  const double reach =
+    std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift });
+  const double scale = skd::ExactScale(reach);
+  const double least = skd::LeastExactCoordinate * reach;
+  const auto hasTiny = [least](const SkdTriangleSet& set)
+  { return set.GetNumberOfTinyPoints() > 0 || set.GetLeastCoordinate() < least; };
   std::optional<SkdPlacedTriangles> placed;
   if (other)
   {
-    placed.emplace(*other, motion, scale);
+    placed.emplace(*other, motion, scale, least);
   }
-  return { SkdPlacedTriangles(first, std::nullopt, scale), std::move(placed), motion, scale };
+  return { SkdPlacedTriangles(first, std::nullopt, scale, least), std::move(placed), motion, scale,
+    hasTiny(first) || (other && hasTiny(*other)) };
+}
+
+//------------------------------------------------------------------------------
+void SkdWarnAboutTinyPoints(vtkObject* self, const SkdPlacement& placement)
+{
+  if (placement.HasTinyPoints)
+  {
+    vtkWarningWithObjectMacro(self,
+      "Coordinates smaller than "
+        << skd::LeastExactCoordinate
+        << " times the largest one are taken as 0, for exact signs have no room for both. What "
+           "becomes flat by that is left out. Remove the points that are so far away, or scale "
+           "the data sets to a common size.");
+  }
 }

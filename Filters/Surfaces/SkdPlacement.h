@@ -9,13 +9,16 @@
 
 #include <optional>
 
+class vtkObject;
+
 /// A set of triangles after a placement: its points are moved, rounded once, and scaled by a power
 /// of two. Tests are exact for these points.
 class SkdPlacedTriangles
 {
 public:
-  SkdPlacedTriangles(
-    const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion, double scale);
+  /// Coordinates that are smaller than `least` (before the scale) become 0.
+  SkdPlacedTriangles(const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion,
+    double scale, double least);
 
   const SkdTriangleSet& GetSet() const { return *this->Set; }
   const SkdTriangleSet::PointList& GetPoints() const
@@ -75,6 +78,7 @@ struct SkdPlacement
   std::optional<SkdPlacedTriangles> Other; ///< none: one alone
   std::optional<skd::RigidMotion> Motion;  ///< of the other
   double Scale;                            ///< of both
+  bool HasTinyPoints;                      ///< some coordinates of the sets were taken as 0
 
   bool IsOfOne() const { return !this->Other; }
   const SkdPlacedTriangles& GetSecond() const { return this->Other ? *this->Other : this->First; }
@@ -82,7 +86,12 @@ struct SkdPlacement
 };
 
 /// Places two sets, or with `other` = nullptr one, at a scale at which exact signs are exact.
+/// Coordinates for which they would not be, as they are too small beside the largest of both,
+/// become 0 (skd::LeastExactCoordinate).
 SkdPlacement SkdMakePlacement(const SkdTriangleSet& first, const SkdTriangleSet* other,
   const std::optional<skd::RigidMotion>& motion);
+
+/// Warns of coordinates that were taken as 0.
+void SkdWarnAboutTinyPoints(vtkObject* self, const SkdPlacement& placement);
 
 #endif

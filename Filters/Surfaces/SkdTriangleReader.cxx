@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/SkdTriangleReader.h"
 
+#include "Core/Predicates/ExactScale.h"
 #include "Pipeline/SkdOuterSurface.h"
 
 #include <algorithm>
@@ -13,6 +14,12 @@ namespace
 bool IsFinite(const skd::Vector3& x)
 {
   return 0.0 * x[0] + 0.0 * x[1] + 0.0 * x[2] == 0.0;
+}
+
+double LeastOf(double least, double coordinate)
+{
+  const double magnitude = std::abs(coordinate);
+  return magnitude > 0.0 ? std::min(least, magnitude) : least;
 }
 }
 
@@ -134,6 +141,7 @@ void SkdTriangleReader::ReadPoints(int block, const SkdBlockSurface& surface)
   this->To.Points.resize(count + this->Ids.size());
   this->To.Origins.resize(count + this->Ids.size());
   skd::Box3 bounds = this->To.Bounds;
+  double least = this->To.LeastCoordinate;
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (ids[i] == Used)
@@ -145,6 +153,7 @@ void SkdTriangleReader::ReadPoints(int block, const SkdBlockSurface& surface)
       {
         ids[i] = static_cast<std::uint32_t>(count);
         bounds.Add(x);
+        least = LeastOf(LeastOf(LeastOf(least, x[0]), x[1]), x[2]);
         this->To.Points[count] = x;
         this->To.Origins[count] = { block, surface.GetPointId(i) };
         ++count;
@@ -152,6 +161,7 @@ void SkdTriangleReader::ReadPoints(int block, const SkdBlockSurface& surface)
     }
   }
   this->To.Bounds = bounds;
+  this->To.LeastCoordinate = least;
   this->To.Points.resize(count);
   this->To.Origins.resize(count);
 }
@@ -205,7 +215,40 @@ SkdReadTriangles SkdTriangleReader::Take()
   {
     this->Sort();
   }
+  this->TakeTinyAsZero();
   return std::move(this->To);
+}
+
+//------------------------------------------------------------------------------
+// Triangles whose corners become equal are left out.
+void SkdTriangleReader::TakeTinyAsZero()
+{
+  SkdReadTriangles& to = this->To;
+  const double least = skd::LeastExactCoordinate * skd::LargestCoordinate(to.Bounds);
+  if (!(to.LeastCoordinate < least))
+  {
+    return;
+  }
+  to.Bounds = {};
+  to.LeastArea = 0.0;
+  to.LeastCoordinate = least;
+  for (skd::Vector3& x : to.Points)
+  {
+    to.TinyPoints += skd::TakeTinyAsZero(x, least);
+    to.Bounds.Add(x);
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < to.Triangles.size(); ++i)
+  {
+    if (!this->HasEqualCorners(to.Triangles[i]))
+    {
+      to.Triangles[count] = to.Triangles[i];
+      to.CellOf[count++] = to.CellOf[i];
+    }
+  }
+  to.LeftOut += static_cast<vtkIdType>(to.Triangles.size() - count);
+  to.Triangles.resize(count);
+  to.CellOf.resize(count);
 }
 
 //------------------------------------------------------------------------------

@@ -55,10 +55,14 @@ struct SkdReadTriangles
   vtkIdType LeftOut = 0;                    ///< faces that are none
   vtkIdType CoarseFaces = 0;                ///< see SkdBlockSurface
   skd::Box3 Bounds;                         ///< of the points
+  vtkIdType TinyPoints = 0;                 ///< points with coordinates that were taken as 0
 
   /// No triangle has less than about this as twice its area, seen along the axis where that is
   /// largest.
   double LeastArea = std::numeric_limits<double>::infinity();
+
+  /// The least magnitude of coordinates other than 0.
+  double LeastCoordinate = std::numeric_limits<double>::infinity();
 };
 
 /// Reads SkdBlockSurface as SkdBoundary does, but welds no points and compares no faces: surfaces
@@ -69,7 +73,8 @@ public:
   /// Curved faces as facets no farther from them than a length (SkdChordalLength).
   void Read(int block, vtkDataSet* mesh, double chordalLength);
 
-  /// What was read, in order.
+  /// What was read, in order. Coordinates so small beside the largest one that signs would not be
+  /// exact (skd::LeastExactCoordinate) are taken as 0.
   SkdReadTriangles Take();
 
 private:
@@ -88,6 +93,7 @@ private:
   void AddPolygon(const SkdTriangleCell& cell, vtkIdType size, const Corner* corners);
   void Append(const SkdTriangleCell& cell, const Corners& corners, bool hasArea);
   void Sort();
+  void TakeTinyAsZero();
 
   SkdReadTriangles To; // has room for more while a data set is read
   std::size_t NumberOfTriangles = 0;

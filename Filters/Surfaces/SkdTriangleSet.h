@@ -91,6 +91,12 @@ public:
   /// Faces that have points that are not finite, or fewer than three different ones.
   vtkIdType GetNumberOfFacesLeftOut() const { return this->Read.LeftOut; }
 
+  /// Points with coordinates that were taken as 0: see SkdTriangleReader.
+  vtkIdType GetNumberOfTinyPoints() const { return this->Read.TinyPoints; }
+
+  /// The least magnitude of coordinates other than 0.
+  double GetLeastCoordinate() const { return this->Read.LeastCoordinate; }
+
   const skd::Box3& GetBounds() const { return this->Read.Bounds; }
 
   /// The largest magnitude of a coordinate.

@@ -124,14 +124,53 @@ TEST(BooleanOperationInputs, OpenSurfacesAreAnError)
   EXPECT_NE(ErrorOf(endless).find("not a closed"), std::string::npos);
 }
 
+/// The volume of a union, in units of `scale`, which may be out of range to the third power.
+double UnionInUnitsOf(double scale, const Mesh& a, const Mesh& b)
+{
+  const auto scaled = [scale](const Mesh& mesh) { return Placed(mesh, scale, { 0, 0, 0 }); };
+  Mesh result = Combine(scaled(a), scaled(b), 0);
+  result.Map([scale](const Point& p) { return Point{ p[0] / scale, p[1] / scale, p[2] / scale }; });
+  return Measures(result).Volume;
+}
+
 TEST(BooleanOperationInputs, AnyMagnitude)
 {
-  for (const double scale : { 1e-90, 1e-30, 1e30, 1e90 })
+  for (const double scale : { 1e-300, 1e-160, 1e-90, 1e-30, 1e30, 1e90, 1e160, 1e300 })
   {
-    const auto scaled = [&](Mesh mesh) { return Placed(std::move(mesh), scale, { 0, 0, 0 }); };
-    const double volume = Measures(Combine(scaled(Ball()), scaled(Block()), 0)).Volume;
-    const double cube = scale * scale * scale;
-    EXPECT_NEAR(volume / cube, UnionWithBlock(Ball()), 1e-12) << scale;
+    EXPECT_NEAR(UnionInUnitsOf(scale, Ball(), Block()), UnionWithBlock(Ball()), 1e-12) << scale;
+  }
+}
+
+/// Beyond what exact signs have room for: one warning, which tells that, and what is large is
+/// right.
+TEST(BooleanOperationInputs, WhatIsTooSmallBesideTheLargestIsLeftOutWithAWarning)
+{
+  for (const double scale : { 1e60, 1e100, 1e150, 1e300 })
+  {
+    vtkNew<Filter> filter;
+    filter->SetInputData(MakePolyData(Ball()));
+    filter->SetSourceData(MakePolyData(Placed(Block(), scale, { 3 * scale, 0, 0 })));
+    EventCounter events(filter);
+    filter->Update();
+    EXPECT_EQ(events.Errors, 0) << events.Error;
+    const bool isBeyond = scale > 1e79;
+    EXPECT_EQ(events.Warnings, isBeyond ? 1 : 0) << events.Warning;
+    EXPECT_EQ(events.Warning.find("1e-80 times the largest") != std::string::npos, isBeyond);
+    const auto cells = static_cast<vtkIdType>(Block().Cells.size());
+    EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL),
+      isBeyond ? cells : cells + static_cast<vtkIdType>(Ball().Cells.size()));
+  }
+}
+
+/// A body that is small beside others, but within the range of exact signs, is not lost.
+TEST(BooleanOperationInputs, SizesMayDifferByManyOrders)
+{
+  for (const double scale : { 1e8, 1e12, 1e16, 1e40 })
+  {
+    const Mesh large = Placed(Block(), scale, { 3 * scale, 0, 0 });
+    const Mesh both = Combine(Ball(), large, 0);
+    EXPECT_EQ(both.Cells.size(), Ball().Cells.size() + Block().Cells.size()) << scale;
+    EXPECT_EQ(Combine(Ball(), large, 1).Cells.size(), 0u) << scale;
   }
 }
 

@@ -383,6 +383,38 @@ TEST(SurfaceIntersection, OfRealSurfacesPairsAreAsManyAsOthersCount)
   }
 }
 
+/// A needle meets a star in its middle, none of those between its tips does, at any magnitude.
+TEST(SurfaceIntersection, ConcavePolygonsOfAnyMagnitudeAreCutAlike)
+{
+  for (const double scale : { 1e-300, 1e-170, 1e-90, 1.0, 1e90, 1e170, 1e300 })
+  {
+    SCOPED_TRACE(scale);
+    Mesh star;
+    Ids corners;
+    for (int i = 0; i < 10; ++i)
+    {
+      const double radius = i % 2 == 0 ? 1.0 : 0.2;
+      const double angle = 0.62831853071795865 * i;
+      corners.push_back(star.Add({ radius * std::cos(angle), radius * std::sin(angle), 0.0 }));
+    }
+    star.Add(VTK_POLYGON, corners);
+    Mesh needles;
+    for (int i = 0; i < 6; ++i)
+    {
+      const double angle = 0.62831853071795865 * (2 * i + 1);
+      const double radius = i == 5 ? 0.0 : 0.5; // between tips, but for the last
+      const Point at{ radius * std::cos(angle), radius * std::sin(angle), -1.0 };
+      const vtkIdType first = needles.Add(at);
+      needles.Add(at + Point{ 0.01, 0.0, 2.0 });
+      needles.Add(at + Point{ 0.0, 0.01, 2.0 });
+      needles.Add(VTK_TRIANGLE, { first, first + 1, first + 2 });
+    }
+    auto filter = MakeIntersection(MakePolyData(Placed(star, scale, { 0, 0, 0 })),
+      MakePolyData(Placed(needles, scale, { 0, 0, 0 })));
+    EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 0, 5 } }));
+  }
+}
+
 // Its faces of many corners are not flat. Cut along short diagonals, as the filter does, they pass
 // each other; cut as vtkTriangleFilter does, they do not.
 TEST(SurfaceIntersection, FacesThatAreNotFlatMeetAsTheyAreCut)
