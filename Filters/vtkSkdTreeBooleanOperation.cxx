@@ -158,7 +158,7 @@ bool vtkSkdTreeBooleanOperation::Internals::Arrange(Filter* self, const SkdBoole
   this->Placement.reset();
   this->Windings.clear();
   this->Solids = {};
-  this->Set.MergePoints();
+  this->Set.LeaveOutCopies(1);
   SkdPlacement placement = SkdMakePlacement(this->Set, nullptr, std::nullopt);
   SkdLoop loop(self, 0, 0.2, 0.6, 8);
   const SkdPairSearch search{ SkdPairSearch::All, 0.0 };

@@ -55,8 +55,8 @@
  * made, also those within other solids: where k solids overlap, there are up to O(k^3) of them, at
  * about 6 us each (a hundred spheres of 448 triangles within each other's reach: 1.8 million). What
  * was found is kept while the inputs are unchanged, about 150 bytes a triangle: then another
- * operation costs O(n). The result does not depend on the number of threads. Of several processes
- * the first computes all.
+ * operation costs O(n). Triangles that are there many times cost what others do. The result does
+ * not depend on the number of threads. Of several processes the first computes all.
  *
  * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
  * that tells where, and there is no output. Triangles without area are left out. An open Source

@@ -134,6 +134,7 @@ struct Contacts
 {
   SkdPlacement Placement;
   std::vector<SkdTrianglePair> Pairs;
+  bool AreCopiesLeftOut = false;
 };
 
 /// `second` is nullptr when there is but one.
@@ -159,6 +160,7 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
     if (pairs)
     {
       contacts.Pairs = *std::move(pairs);
+      contacts.AreCopiesLeftOut = near->HasCopies;
       first.Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::First));
       second->Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::Second));
       return contacts;
@@ -166,8 +168,8 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   }
   if (!second && clearance == 0.0 && !first.Set.IsComplete())
   {
-    first.Set.MergePoints();
-    Contacts contacts{ SkdMakePlacement(first.Set, nullptr, motion), {} };
+    const bool hasCopies = !first.Set.LeaveOutCopies(SkdManyCopies).empty();
+    Contacts contacts{ SkdMakePlacement(first.Set, nullptr, motion), {}, hasCopies };
     if (auto pairs = SkdTrianglePairs(contacts.Placement).FindSelfIntersections(search, loop))
     {
       contacts.Pairs = *std::move(pairs);
@@ -176,6 +178,8 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
   }
   Contacts contacts{ Complete(first, second, motion), {} };
   contacts.Pairs = SkdTrianglePairs(contacts.Placement).FindByTrees(search, loop);
+  contacts.AreCopiesLeftOut =
+    !first.Set.GetCopiesLeftOut().empty() || (second && !second->Set.GetCopiesLeftOut().empty());
   return contacts;
 }
 
@@ -304,9 +308,15 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   SkdReport report(vtkPolyData::GetData(outputVector, 0));
   report.AddMeasure("BuildSeconds", watch.Lap());
 
-  const auto [placement, pairs] = FindPairs(this, first, source ? &other : nullptr,
-    source && !matrix->IsIdentity() ? motion : std::nullopt);
+  const auto [placement, pairs, areCopiesLeftOut] = FindPairs(this, first,
+    source ? &other : nullptr, source && !matrix->IsIdentity() ? motion : std::nullopt);
   SkdWarnAboutTinyPoints(this, placement);
+  if (areCopiesLeftOut)
+  {
+    vtkWarningMacro("Some triangles are there more than "
+      << SkdManyCopies << " times. Of each the first " << SkdManyCopies
+      << " are used, the others are left out. Remove cells that are there several times.");
+  }
   const SkdContacts contacts(
     { first.Blocks, first.IsComposite }, { second.Blocks, second.IsComposite }, placement, pairs);
   FillContacts(contacts, this->JoinCurves, outputVector, report);

@@ -83,7 +83,9 @@
  *
  * Bad input: degenerate triangles, whose vertices are collinear, and faces with points that are not
  * finite are ignored and counted. An Input or Source without faces gives a warning and empty
- * outputs. The tests are exact if coordinates other than 0 span less than 80 orders of magnitude.
+ * outputs. Coordinates smaller than 1e-80 times the largest are taken as 0, with a warning: the
+ * tests would not be exact with them. Of more than 64 triangles with the same corners the first 64
+ * are used, with a warning: all pairs of n copies would be n^2 / 2.
  * An aborted execution gives the results found until then; VTK 9.3 and later then empties the
  * output.
  *

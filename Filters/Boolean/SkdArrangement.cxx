@@ -5,6 +5,8 @@
 #include "Boolean/SkdEdgeFan.h"
 #include "Core/Geometry/DisjointSets.h"
 
+#include <algorithm>
+
 namespace
 {
 /// @{ The sides of a facet at an edge: a turn around the edge, counterclockwise as seen from its
@@ -50,7 +52,10 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
 std::optional<SkdArrangement> SkdArrange(
   const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs, SkdLoop& loop)
 {
-  const std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
+  std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
+  const std::vector<SkdDuplicate>& copies = placement.First.GetSet().GetCopiesLeftOut();
+  duplicates.insert(duplicates.end(), copies.begin(), copies.end());
+  std::sort(duplicates.begin(), duplicates.end());
   const SkdContactPoints contacts(placement, pairs);
   const SkdSplitSegments segments(placement, pairs, contacts);
   std::optional<SkdSplitResult> done = SkdSplitTriangles(segments, 0, loop);

@@ -29,7 +29,8 @@ struct SkdArrangement
   std::uint32_t GetBack(std::uint32_t facet) const { return this->Regions[2 * facet + 1]; }
 };
 
-/// Splits a set along all its intersections with itself: `pairs` are all of them. O(n) for n
+/// Splits a set along all its intersections with itself: `pairs` are all of them,
+/// but for copies that the set leaves out. O(n) for n
 /// facets, plus exact tests at edges in which more than two of them meet; a few microseconds for
 /// each that is a piece of a triangle. Empty after an abort.
 std::optional<SkdArrangement> SkdArrange(

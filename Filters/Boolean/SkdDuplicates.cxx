@@ -13,13 +13,6 @@ Corners Sorted(Corners corners)
   std::sort(corners.begin(), corners.end());
   return corners;
 }
-
-/// 1 if two triangles with the same corners turn the same way, else -1.
-int SignOf(const Corners& a, const Corners& b)
-{
-  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
-  return b[static_cast<std::size_t>((first + 1) % 3)] == a[1] ? 1 : -1;
-}
 }
 
 // Pairs are ascending, so the first pair that has a triangle as its second is with its original.
@@ -35,7 +28,7 @@ std::vector<SkdDuplicate> SkdTakeDuplicates(
     if (pair.Contact.Count == 3 && !isDuplicate[pair.Second] && Sorted(first) == Sorted(second))
     {
       isDuplicate[pair.Second] = true;
-      duplicates.push_back({ pair.First, pair.Second, SignOf(first, second) });
+      duplicates.push_back({ pair.First, pair.Second, SkdSignOfCopy(first, second) });
     }
   }
   const auto isOfDuplicate = [&](const SkdTrianglePair& pair)

@@ -50,9 +50,7 @@ public:
   /// By their ids.
   const std::vector<skd::Vector3>& GetPoints() const { return this->Points; }
 
-private:
-  static constexpr std::size_t Fewest = 64;
-
+  /// Of coordinates that are not -0.
   static std::size_t HashOf(const skd::Vector3& point)
   {
     std::uint64_t hash = 0;
@@ -65,6 +63,9 @@ private:
     }
     return static_cast<std::size_t>(hash ^ (hash >> 32));
   }
+
+private:
+  static constexpr std::size_t Fewest = 64;
 
   /// The slot of a point, or the free one where it belongs.
   vtkIdType& FindSlot(const skd::Vector3& point)

@@ -3,6 +3,7 @@
 #include "Surfaces/SkdNearTriangles.h"
 
 #include "Core/LeafFilters/CoarseCells.h"
+#include "Pipeline/SkdWeld.h"
 
 #include <algorithm>
 #include <cmath>
@@ -175,6 +176,58 @@ void AddBoxes(const SkdPlacedTriangles& set, double margin, SkdNearTriangles& ne
   }
 }
 
+/// Whether many triangles may be the same: false of ordinary surfaces, by the corners of boxes.
+bool MayHaveCopies(const SkdNearTriangles& near)
+{
+  std::size_t slots = 64;
+  while (slots < near.Boxes.size())
+  {
+    slots *= 2;
+  }
+  std::vector<std::uint32_t> counts(slots, 0);
+  bool areMany = false;
+  for (const skd::Box3& box : near.Boxes)
+  {
+    areMany = ++counts[SkdWeld::HashOf(box.Min) & (slots - 1)] > SkdManyCopies || areMany;
+  }
+  return areMany;
+}
+
+/// Leaves out all but the first SkdManyCopies of each triangle, as SkdTriangleSet::Complete does.
+bool LeaveOutCopies(const SkdPlacedTriangles& set, SkdNearTriangles& near)
+{
+  if (!MayHaveCopies(near))
+  {
+    return false;
+  }
+  SkdWeld weld(3 * near.Triangles.size());
+  skd::RawVector<SkdTriangleSet::Corners> triangles(near.Triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const auto corners = set.GetCornerPoints(near.Triangles[i]);
+    std::transform(corners.begin(), corners.end(), triangles[i].begin(),
+      [&](const skd::Vector3& x) { return static_cast<std::uint32_t>(weld.GetId(x.X)); });
+  }
+  std::vector<bool> isCopy(triangles.size(), false);
+  const auto copies = SkdFindCopies(triangles, weld.GetPoints().size(), SkdManyCopies);
+  for (const SkdDuplicate& copy : copies)
+  {
+    isCopy[copy.Triangle] = true;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < isCopy.size(); ++i)
+  {
+    if (!isCopy[i])
+    {
+      near.Triangles[count] = near.Triangles[i];
+      near.Boxes[count++] = near.Boxes[i];
+    }
+  }
+  near.Triangles.resize(count);
+  near.Boxes.resize(count);
+  return !copies.empty();
+}
+
 struct SetPair
 {
   const SkdPlacement& Placement;
@@ -232,5 +285,7 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   }
   AddBoxes(first, 0.0, near.First);
   AddBoxes(second, margin, near.Second);
+  const bool hasFirst = LeaveOutCopies(first, near.First);
+  near.HasCopies = LeaveOutCopies(second, near.Second) || hasFirst;
   return near;
 }

@@ -24,6 +24,7 @@ struct SkdNearSets
 {
   SkdNearTriangles First;
   SkdNearTriangles Second; ///< its boxes are larger by the clearance, and a little more
+  bool HasCopies = false;  ///< some triangles are left out: see SkdFindCopies
 };
 
 /// The triangles of both sets of a placement that share a cell of a coarse grid with the other set,

@@ -76,7 +76,7 @@ private:
         result.Curves.insert(result.Curves.end(), work->Curves.begin(), work->Curves.end());
         ++work;
       }
-      else
+      else if (this->Side.Set->GetSet().IsSearched(triangle))
       {
         result.Triangles.push_back(this->Side.Set->GetCorners(triangle));
         result.Parents.push_back(triangle);
@@ -105,7 +105,8 @@ private:
       {
         ++element;
       }
-      if ((first != element || this->HasEdgePoints(triangle)) && this->Side.Set->HasArea(triangle))
+      if ((first != element || this->HasEdgePoints(triangle)) &&
+        this->Side.Set->HasArea(triangle) && this->Side.Set->GetSet().IsSearched(triangle))
       {
         works.push_back({ triangle, {}, {}, {} });
       }

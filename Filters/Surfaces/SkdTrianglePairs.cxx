@@ -189,10 +189,13 @@ struct SkdTrianglePairs::Block
 {
   Search& State;
   std::vector<SkdTrianglePair>& Found;
+  const std::vector<std::uint32_t>& First; // that are in the trees, or empty: all
+  const std::vector<std::uint32_t>& Second;
 
   bool operator()(std::uint32_t a, std::uint32_t b) const
   {
-    return this->State.Visit(a, b, this->Found);
+    return this->State.Visit(this->First.empty() ? a : this->First[a],
+      this->Second.empty() ? b : this->Second[b], this->Found);
   }
 };
 
@@ -246,7 +249,8 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   Search state(this->Placement, search);
   const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
   {
-    Block block{ state, found };
+    Block block{ state, found, this->Placement.First.GetSet().GetSearched(),
+      this->Placement.GetSecond().GetSet().GetSearched() };
     Query query(first.GetFrame(), second.GetFrame(), toFirst, block);
     Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
     body(walk);
@@ -354,9 +358,13 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
   const SkdPairSearch& search, SkdLoop& loop) const
 {
   constexpr std::size_t size = 16; // of a part, in packets
-  std::vector<skd::Box3> boxes(this->Placement.First.GetSet().GetTriangles().size());
+  const SkdTriangleSet& set = this->Placement.First.GetSet();
+  const std::vector<std::uint32_t>& some = set.GetSearched();
+  std::vector<skd::Box3> boxes(some.empty() ? set.GetTriangles().size() : some.size());
+  const auto triangleOf = [&some](std::uint32_t i) { return some.empty() ? i : some[i]; };
   SkdForEach(static_cast<vtkIdType>(boxes.size()),
-    [&](vtkIdType i) { boxes[i] = this->Placement.First.GetBox(static_cast<std::uint32_t>(i)); });
+    [&](vtkIdType i)
+    { boxes[i] = this->Placement.First.GetBox(triangleOf(static_cast<std::uint32_t>(i))); });
   const skd::PackedRTree tree(boxes);
   const std::size_t count = tree.GetNumberOfPackets();
   Search state(this->Placement, search);
@@ -370,10 +378,14 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
       {
         std::size_t looks = 0;
         goesOn = tree.ForEachOverlapWithin(i, lists,
-                   [&](std::uint32_t triangle, const std::vector<std::uint32_t>& others)
+                   [&](std::uint32_t triangle, std::vector<std::uint32_t>& others)
                    {
                      looks += others.size();
-                     return state.VisitWithin(triangle, others, found);
+                     if (!some.empty())
+                     {
+                       std::transform(others.begin(), others.end(), others.begin(), triangleOf);
+                     }
+                     return state.VisitWithin(triangleOf(triangle), others, found);
                    }) &&
           parts.Affords(looks);
       }

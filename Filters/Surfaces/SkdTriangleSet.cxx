@@ -38,7 +38,7 @@ void SkdTriangleSet::Complete()
 {
   if (!this->HasTree)
   {
-    this->MergePoints();
+    this->LeaveOutCopies(SkdManyCopies);
     this->BuildTree();
     this->HasTree = true;
   }
@@ -73,6 +73,34 @@ void SkdTriangleSet::MergePoints()
       corner = this->PointOf[corner];
     }
   }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdDuplicate>& SkdTriangleSet::LeaveOutCopies(std::size_t kept)
+{
+  if (this->AreCopiesKnown)
+  {
+    return this->Copies;
+  }
+  this->MergePoints();
+  this->AreCopiesKnown = true;
+  this->Copies = SkdFindCopies(this->Read.Triangles, this->Read.Points.size(), kept);
+  if (!this->Copies.empty())
+  {
+    std::vector<bool> isCopy(this->Read.Triangles.size(), false);
+    for (const SkdDuplicate& copy : this->Copies)
+    {
+      isCopy[copy.Triangle] = true;
+    }
+    for (std::uint32_t triangle = 0; triangle < isCopy.size(); ++triangle)
+    {
+      if (!isCopy[triangle])
+      {
+        this->Searched.push_back(triangle);
+      }
+    }
+  }
+  return this->Copies;
 }
 
 //------------------------------------------------------------------------------
@@ -159,11 +187,13 @@ double SkdTriangleSet::GetLeastWidth() const
 void SkdTriangleSet::BuildTree()
 {
   std::vector<skd::Box3> boxes;
-  boxes.reserve(this->Read.Triangles.size());
-  for (const Corners& triangle : this->Read.Triangles)
+  const bool areSome = !this->Searched.empty();
+  const std::size_t count = areSome ? this->Searched.size() : this->Read.Triangles.size();
+  boxes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
   {
     skd::Box3 box;
-    for (const std::uint32_t corner : triangle)
+    for (const std::uint32_t corner : this->Read.Triangles[areSome ? this->Searched[i] : i])
     {
       box.Add(this->Read.Points[corner]);
     }

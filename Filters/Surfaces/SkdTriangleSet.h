@@ -13,8 +13,10 @@
 #include "Core/Tree/LazyTree.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptMesh.h"
+#include "Surfaces/SkdCopies.h"
 #include "Surfaces/SkdTriangleReader.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -47,7 +49,24 @@ public:
   /// Merges equal points, unless done before. O(n).
   void MergePoints();
 
-  /// @{ Merges equal points and begins the tree, unless done before. O(n).
+  /// Leaves triangles of which there are very many out of all searches, and of the pieces that the
+  /// set is split into: all but the first `kept` of each (SkdFindCopies). Merges points, too.
+  /// Returns them.
+  const std::vector<SkdDuplicate>& LeaveOutCopies(std::size_t kept);
+
+  const std::vector<SkdDuplicate>& GetCopiesLeftOut() const { return this->Copies; }
+
+  /// @{ The triangles that are searched, ascending; empty if these are all.
+  const std::vector<std::uint32_t>& GetSearched() const { return this->Searched; }
+  bool IsSearched(std::uint32_t triangle) const
+  {
+    return this->Searched.empty() ||
+      std::binary_search(this->Searched.begin(), this->Searched.end(), triangle);
+  }
+  ///@}
+
+  /// @{ Merges equal points, leaves out copies but for SkdManyCopies of each, and begins the tree,
+  /// unless done before. O(n).
   void Complete();
   bool IsComplete() const { return this->HasTree; }
   ///@}
@@ -60,7 +79,7 @@ public:
 
   const PointList& GetPoints() const { return this->Read.Points; }
   const TriangleList& GetTriangles() const { return this->Read.Triangles; }
-  const skd::LazyTree<3>& GetTree() const { return this->Tree; }
+  const skd::LazyTree<3>& GetTree() const { return this->Tree; } ///< of those that are searched
 
   /// @{ The cells that have triangles, by ascending (block, id), and the index of each triangle's
   /// cell. Triangles are in the order of their cells.
@@ -115,6 +134,9 @@ private:
   bool IsRead = false;
   bool IsMerged = false;
   bool HasTree = false;
+  bool AreCopiesKnown = false;
+  std::vector<SkdDuplicate> Copies;    // that are not searched
+  std::vector<std::uint32_t> Searched; // the others, if there are copies
   skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
 };
 
