@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAttach.h"
 
+#include "Cells/SkdKeptMesh.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
@@ -68,6 +68,7 @@ void vtkSkdTreeAttach::Internals::Update(Tree& tree, vtkPointSet* mesh, vtkSkdTr
     tree.Locator->SetSkipGhostCells(self->GetSkipGhostCells());
   }
   this->Built += SkdBuildLocator(tree.Locator, self->GetEpsilon(), !isSame);
+  tree.Locator->BuildLocator(); // which makes it note what mesh it was built on
 }
 
 // Trees are kept on a data set of their own; each output gets a locator that shares the tree.
@@ -91,8 +92,9 @@ int vtkSkdTreeAttach::RequestData(
     internals.Update(tree, mesh, this);
     vtkNew<vtkSkdTreeCellLocator> locator;
     locator->ShallowCopy(tree.Locator);
-    locator->SetDataSet(mesh); // the same as that which was kept: the existing structure is used
+    locator->SetDataSet(mesh);
     mesh->SetCellLocator(locator);
+    locator->BuildLocator(); // which finds that the mesh is that of the tree, until it changes
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(blocks.size()));
   }
   return 1;

@@ -18,7 +18,9 @@
  * grids have no locator and are passed on unchanged.
  *
  * The tree is reused while the input's points, cells and ghost marks keep their values: no build in
- * further time steps.
+ * further time steps. Where they are modified in place, by a source that reuses its output say, the
+ * attached locator builds a tree of its own at the next query: see
+ * vtkSkdTreeCellLocator::BuildLocator.
  *
  * Bad input: none is rejected. The locator of a mesh without cells finds nothing. After an aborted
  * execution, blocks that were not processed have no locator.

@@ -79,24 +79,54 @@ vtkSkdTreeCellLocator::~vtkSkdTreeCellLocator()
 }
 
 //------------------------------------------------------------------------------
+// Reads only where nothing is to be done: VTK's filters call it from several threads.
 void vtkSkdTreeCellLocator::BuildLocator()
 {
-  if (!this->IsUpToDate())
+  const bool isValid = this->HasValidTree();
+  if (!isValid)
   {
     this->BuildLocatorInternal();
+  }
+  if (!isValid || !this->Impl->HasKept() || !this->IsUpToDate())
+  {
+    this->Impl->Keep(this->DataSet);
   }
 }
 
 //------------------------------------------------------------------------------
+// More than queries ask for: whether arrays were modified of which the data set does not know.
+bool vtkSkdTreeCellLocator::HasValidTree()
+{
+  if (!this->Impl->GetTree() || !this->Impl->HasKept())
+  {
+    return this->Impl->GetTree() && this->IsNewerThanData();
+  }
+  return (this->UseExistingSearchStructure || this->IsNewerThanData()) &&
+    this->Impl->IsBuiltOn(this->DataSet);
+}
+
+//------------------------------------------------------------------------------
+// Without a mesh that was kept, as after ForceBuildLocator, an existing structure is used as it is.
 bool vtkSkdTreeCellLocator::IsUpToDate()
 {
   if (!this->Impl->GetTree())
   {
     return false;
   }
-  return this->UseExistingSearchStructure ||
-    (this->BuildTime > this->MTime &&
-      (!this->DataSet || this->BuildTime > this->DataSet->GetMTime()));
+  if (this->UseExistingSearchStructure)
+  {
+    const vtkMTimeType checked = this->Impl->GetCheckTime();
+    return checked == 0 || !this->DataSet ||
+      (checked > this->MTime && checked > this->DataSet->GetMTime());
+  }
+  return this->IsNewerThanData();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSkdTreeCellLocator::IsNewerThanData()
+{
+  return this->BuildTime > this->MTime &&
+    (!this->DataSet || this->BuildTime > this->DataSet->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -160,6 +190,7 @@ void vtkSkdTreeCellLocator::CacheBounds()
 void vtkSkdTreeCellLocator::FreeSearchStructure()
 {
   this->Impl->SetTree(nullptr);
+  this->Impl->Forget();
   this->FreeCellBounds();
 }
 
@@ -536,7 +567,7 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
   {
     this->SetDataSet(other->GetDataSet());
   }
-  const bool isNew = other->IsUpToDate() && this->IsOlderThanTreeOf(other);
+  const bool isShared = other->HasTreeOf(this->DataSet);
   this->SetEpsilon(other->Epsilon);
   this->SetLazyBuild(other->LazyBuild);
   this->SetSplitRule(other->SplitRule);
@@ -547,8 +578,9 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
   this->Impl->Motion = other->Impl->Motion;
   this->Impl->Matrix->DeepCopy(other->Impl->Matrix);
   this->FreeSearchStructure();
-  if (isNew)
+  if (isShared)
   {
+    this->Impl->KeepAs(*other->Impl);
     this->Impl->BuildSeconds = other->Impl->BuildSeconds;
     this->Impl->SetTree(other->Impl->ShareTree());
     this->BuildTime.Modified();
@@ -556,11 +588,11 @@ void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
 }
 
 //------------------------------------------------------------------------------
-// Whether a tree that is up to date is so of our data set, too. (VTK's own locators share what they
-// have in any case, but it is bins or boxes alone: cells are read from their own data set.)
-bool vtkSkdTreeCellLocator::IsOlderThanTreeOf(vtkSkdTreeCellLocator* other)
+// Of another data set a tree serves if it has the same points and cells. (VTK's own locators share
+// what they have in any case, but it is bins or boxes alone: cells are read from their data set.)
+bool vtkSkdTreeCellLocator::HasTreeOf(vtkDataSet* data)
 {
-  return this->DataSet == other->DataSet || this->DataSet->GetMTime() < other->BuildTime;
+  return this->HasValidTree() && (data == this->DataSet || this->Impl->IsBuiltOn(data));
 }
 
 //------------------------------------------------------------------------------

@@ -525,8 +525,13 @@ public:
   //@{
   /**
    * See vtkLocator. BuildLocator builds if there is no tree, or if the data set or this object's
-   * settings changed after the last build; with UseExistingSearchStructure on, only if there is no
-   * tree. ForceBuildLocator always builds.
+   * settings changed after the last build. With UseExistingSearchStructure on, it builds only if
+   * there is no tree, or if the points or cells are others than those of the tree, or were modified
+   * in place: changes of data arrays and settings, and data sets with equal points and cells, are
+   * served by the existing tree. ForceBuildLocator always builds; with UseExistingSearchStructure
+   * on, queries after it use the tree unchecked until the next BuildLocator. Queries notice what
+   * BuildLocator does, but for arrays of cells whose data set was not Modified(). To notice
+   * changes, the locator holds references to the arrays of points and cells.
    */
   void BuildLocator() override;
   void ForceBuildLocator() VTK_SKD_OVERRIDE_SINCE_92;
@@ -540,10 +545,11 @@ public:
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 
   /**
-   * Share the tree and copy the settings of another vtkSkdTreeCellLocator, in O(1). The data set is
-   * copied only if this locator has none. A tree that is outdated, or older than the last change of
-   * this locator's own data set, is not shared; a new one is built when needed, because answers
-   * refer to this locator's data set, as in VTK's own locators.
+   * Share the tree and copy the settings of another vtkSkdTreeCellLocator. The data set is
+   * copied only if this locator has none. A tree that is outdated, or whose points or cells are not
+   * those of this locator's own data set, is not shared; a new one is built when needed, because
+   * answers refer to this locator's data set, as in VTK's own locators. O(n) if the arrays of the
+   * two data sets are not the same and must be compared.
    */
   void ShallowCopy(vtkAbstractCellLocator* locator) VTK_SKD_OVERRIDE_SINCE_92;
 
@@ -562,8 +568,10 @@ private:
   vtkSkdTreeCellLocator(const vtkSkdTreeCellLocator&) = delete;
   void operator=(const vtkSkdTreeCellLocator&) = delete;
 
+  bool HasValidTree();
   bool IsUpToDate();
-  bool IsOlderThanTreeOf(vtkSkdTreeCellLocator* other);
+  bool IsNewerThanData();
+  bool HasTreeOf(vtkDataSet* data);
   void CacheBounds();
   const SkdCellTree& GetTree();
 

@@ -5,12 +5,14 @@
 
 #include "Cells/SkdCellReader.h"
 #include "Cells/SkdCellTree.h"
+#include "Cells/SkdKeptMesh.h"
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <atomic>
@@ -60,6 +62,41 @@ public:
     this->Ready.store(this->Tree.get(), std::memory_order_release);
   }
 
+  ///@{
+  /// The mesh that the tree was built on, in order to notice later that it changed. Kept is false
+  /// without a data set, and of types that cannot be compared. CheckTime is when the data set was
+  /// last found to be that mesh; thread-safe.
+  void Keep(vtkDataSet* mesh)
+  {
+    auto kept = std::make_shared<SkdKeptMesh>();
+    if (mesh)
+    {
+      kept->Keep(mesh);
+    }
+    const bool isComparable = mesh && kept->IsSameAs(mesh);
+    this->Kept = isComparable ? std::move(kept) : nullptr;
+    vtkTimeStamp now;
+    now.Modified();
+    this->CheckTime = isComparable ? now.GetMTime() : 0;
+  }
+  void Forget()
+  {
+    this->Kept = nullptr;
+    this->CheckTime = 0;
+  }
+  void KeepAs(const SkdLocatorState& other)
+  {
+    this->Kept = other.Kept;
+    this->CheckTime = other.CheckTime.load();
+  }
+  bool HasKept() const { return this->Kept != nullptr; }
+  bool IsBuiltOn(vtkDataSet* mesh) const
+  {
+    return this->Kept && mesh && this->Kept->IsSameAs(mesh);
+  }
+  vtkMTimeType GetCheckTime() const { return this->CheckTime; }
+  ///@}
+
   skd::Vector3 ToTree(const double x[3]) const
   {
     return this->Motion ? this->Motion->Back(SkdVector(x)) : SkdVector(x);
@@ -103,6 +140,8 @@ public:
 private:
   std::shared_ptr<const SkdCellTree> Tree;
   std::atomic<const SkdCellTree*> Ready{ nullptr };
+  std::shared_ptr<const SkdKeptMesh> Kept; // shared with shallow copies
+  std::atomic<vtkMTimeType> CheckTime{ 0 };
 };
 
 #endif

@@ -14,7 +14,7 @@
 #include "Core/Tree/Tree.h"
 #include "Core/Tree/Walk.h"
 #include "Curves/SkdCurveSet.h"
-#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdKeptBlocks.h"
 
 /// A part of a piece that is within `Deviation` of its chord and turns by less than 45 degrees.
 struct SkdCurveSpan

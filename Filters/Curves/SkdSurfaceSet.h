@@ -16,7 +16,7 @@
 #include "Core/Tree/Walk.h"
 #include "Curves/SkdSurfaceReader.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdKeptBlocks.h"
 
 #include <string>
 #include <vector>

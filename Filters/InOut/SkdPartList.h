@@ -9,7 +9,7 @@
 #define SkdPartList_h
 
 #include "InOut/SkdPart.h"
-#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdKeptBlocks.h"
 
 #include <string>
 #include <vector>

@@ -10,9 +10,9 @@
 #define SkdParts_h
 
 #include "Cells/SkdCellTree.h"
+#include "Cells/SkdKeptMesh.h"
 #include "Core/Geometry/Simplices/SimplexSet.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptMesh.h"
 #include "Pipeline/SkdSourceTrees.h"
 
 #include <memory>

@@ -10,7 +10,7 @@
 #define SkdSignedSource_h
 
 #include "Pipeline/SkdBoundary.h"
-#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdKeptBlocks.h"
 #include "Pipeline/SkdSolid.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkSkdTreeCellLocator.h"

@@ -8,8 +8,8 @@
 #ifndef SkdSourceTrees_h
 #define SkdSourceTrees_h
 
+#include "Cells/SkdKeptMesh.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptMesh.h"
 #include "vtkSkdTreeCellLocator.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #define SkdSurfaceBlocks_h
 
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptMesh.h"
+#include "Pipeline/SkdKeptBlocks.h"
 #include "Pipeline/SkdOuterSurface.h"
 
 #include <optional>

@@ -47,10 +47,14 @@ def as_polyhedra(reader):
     return producer
 
 
-def streamlines(name, mesh):
+def streamlines(name, mesh, on_tree):
     """The streamlines through a mesh, whose pipeline is up to date but for an attached tree."""
     tracer = simple.StreamTracer(Input=mesh, Vectors=["POINTS", "V"], SeedType="Line",
-        InterpolatorType="Interpolator with Cell Locator", MaximumStreamlineLength=40)
+        MaximumStreamlineLength=40)
+    if "CellLocator" not in tracer.ListProperties():  # up to ParaView 6.1: the one that is attached
+        tracer.InterpolatorType = "Interpolator with Cell Locator"
+    elif on_tree:
+        tracer.CellLocator = "SkdTreeCellLocator"
     tracer.SeedType.Point1, tracer.SeedType.Point2 = [-5, -2, 0.5], [5, 2, 9]
     tracer.SeedType.Resolution = 10
     start = time.process_time()
@@ -90,6 +94,6 @@ for name, mesh in (("hexahedra", hexahedra), ("polyhedra", polyhedra)):
         view = simple.CreateView("RenderView", OrientationAxesVisibility=0,
             UseColorPaletteForBackground=0, Background=[1, 1, 1])
         layout.AssignView(next(places), view)
-        show(streamlines("%s, %s:" % (name, how), searched), boxes, view)
+        show(streamlines("%s, %s:" % (name, how), searched, how == "with"), boxes, view)
 layout.SetSize(900, 700)
 simple.SaveScreenshot(picture_file, layout, ImageResolution=[900, 700])

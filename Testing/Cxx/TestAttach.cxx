@@ -8,14 +8,18 @@
 #include "Support/VolumeMeshes.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkSkdTreeAttach.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkStaticCellLocator.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #if __has_include("vtkCellLocatorStrategy.h")
 #include "vtkCellLocatorStrategy.h" // deprecated in VTK 9.7
@@ -165,6 +169,120 @@ TEST(Attach, InATimeSeriesTheTreeIsKeptUntilPointsMove)
   EXPECT_EQ(attach->GetTreesBuilt(), 1);
   Point here = { 2.1, 2.1, 2.1 };
   EXPECT_LT(LocatorOf(OutputOf(attach))->FindCell(here.data()), 0);
+}
+
+// What sources that reuse their output do. Points of single precision are copied by the tree, those
+// of double precision shared.
+TEST(Attach, PointsThatMoveInPlaceAreSearchedWhereTheyAre)
+{
+  for (int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    const GridPointer grid = MakeGrid(Hexahedra(4).Map(Bent));
+    vtkNew<vtkPoints> points;
+    points->SetDataType(type);
+    points->DeepCopy(grid->GetPoints());
+    grid->SetPoints(points);
+    AttachPointer attach = MakeAttach(grid);
+    vtkPointSet* output = OutputOf(attach);
+    Point here = { 2.1, 2.1, 2.1 };
+    Point there = { 102.1, 2.1, 2.1 };
+    EXPECT_GE(LocatorOf(output)->FindCell(here.data()), 0);
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      points->GetPoint(i, p.data());
+      p[0] += 100.0;
+      points->SetPoint(i, p.data());
+    }
+    points->Modified();
+    EXPECT_GE(LocatorOf(output)->FindCell(there.data()), 0) << "without an update";
+    EXPECT_LT(LocatorOf(output)->FindCell(here.data()), 0);
+
+    attach->SetInputDataObject(DeepCopyOf(grid)); // equal to what was kept, which has changed
+    EXPECT_GE(LocatorOf(OutputOf(attach))->FindCell(there.data()), 0);
+    EXPECT_EQ(attach->GetTreesBuilt(), 1);
+  }
+}
+
+TEST(Attach, WhatChangesTheDataAloneDoesNotBuildATree)
+{
+  const GridPointer grid = WithData(MakeGrid(Hexahedra(4).Map(Bent)));
+  AttachPointer attach = MakeAttach(grid);
+  vtkPointSet* output = OutputOf(attach);
+  const vtkMTimeType built = LocatorOf(output)->GetBuildTime();
+  output->GetPointData()->SetActiveScalars("Linear");
+  output->GetPointData()->RemoveArray("Linear");
+  output->Modified();
+  Point x = { 2.1, 2.1, 2.1 };
+  EXPECT_GE(LocatorOf(output)->FindCell(x.data()), 0);
+  LocatorOf(output)->BuildLocator();
+  EXPECT_EQ(LocatorOf(output)->GetBuildTime(), built);
+}
+
+// As vtkParticleTracer does with meshes of the same topology: one data set, its points and vectors
+// replaced at each step, and a locator on it that is told to use what it has.
+TEST(Attach, ParticlesInARotatingMeshStayInIt)
+{
+  const GridPointer grid = MakeGrid(Tetrahedra(6));
+  vtkNew<vtkPoints> start;
+  start->DeepCopy(grid->GetPoints());
+  const double omega = 0.05;
+  const Point centre = { 3, 3, 0 };
+  const auto turned = [&](const Point& p, double angle)
+  {
+    const Point d = p - centre;
+    return centre +
+      Point{ std::cos(angle) * d[0] - std::sin(angle) * d[1],
+        std::sin(angle) * d[0] + std::cos(angle) * d[1], d[2] };
+  };
+  const auto moveTo = [&](double time)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkDoubleArray> vectors;
+    vectors->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < start->GetNumberOfPoints(); ++i)
+    {
+      Point p;
+      start->GetPoint(i, p.data());
+      p = turned(p, omega * time);
+      points->InsertNextPoint(p.data());
+      vectors->InsertNextTuple3(-omega * (p[1] - centre[1]), omega * (p[0] - centre[0]), 0.0);
+    }
+    grid->SetPoints(points);
+    grid->GetPointData()->SetVectors(vectors);
+  };
+  moveTo(0.0);
+  AttachPointer attach = MakeAttach(grid);
+  vtkPointSet* output = OutputOf(attach);
+  LocatorOf(output)->UseExistingSearchStructureOn();
+  const auto velocity = [&](Point x)
+  {
+    int subId;
+    double pcoords[3], weights[8];
+    vtkNew<vtkGenericCell> cell;
+    const vtkIdType id = LocatorOf(output)->FindCell(x.data(), 0.0, cell, subId, pcoords, weights);
+    Point v = { NAN, NAN, NAN };
+    for (vtkIdType i = 0; id >= 0 && i < cell->GetNumberOfPoints(); ++i)
+    {
+      Point at;
+      output->GetPointData()->GetVectors()->GetTuple(cell->GetPointId(i), at.data());
+      v = (i == 0 ? Point{ 0, 0, 0 } : v) + weights[i] * at;
+    }
+    return v;
+  };
+  const Point seed = { 4.1, 3.2, 2.9 };
+  Point x = seed;
+  for (int step = 1; step <= 40; ++step)
+  {
+    const Point half = x + 0.5 * velocity(x);
+    x = x + velocity(half);
+    moveTo(step);
+    output->SetPoints(grid->GetPoints());
+    output->GetPointData()->SetVectors(grid->GetPointData()->GetVectors());
+    LocatorOf(output)->BuildLocator();
+  }
+  EXPECT_LT(Distance(x, turned(seed, 40 * omega)), 1e-3);
 }
 
 // VTK 9.6 stores the types of such a grid otherwise than one by one.

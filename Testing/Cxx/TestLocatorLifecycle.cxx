@@ -7,7 +7,9 @@
 #include "Support/NamedMeshes.h"
 #include "Support/VolumeMeshes.h"
 
+#include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkWeakPointer.h"
 
@@ -90,6 +92,104 @@ TEST_F(Lifecycle, UseExistingSearchStructureKeepsTheTree)
   this->Locator->BuildLocator();
   EXPECT_EQ(this->Locator->GetBuildTime(), built);
   EXPECT_EQ(this->Locator->GetNumberOfCellsInTree(), this->Data->GetNumberOfCells());
+}
+
+/// A sphere whose points are of single precision, which the tree copies, or of double, which it
+/// shares.
+PolyDataPointer SphereOf(int pointType, double shift = 0.0)
+{
+  const auto sphere = MakePolyData(Placed(SphereTriangles(8), 1.0, { shift, 0, 0 }));
+  vtkNew<vtkPoints> points;
+  points->SetDataType(pointType);
+  points->DeepCopy(sphere->GetPoints());
+  sphere->SetPoints(points);
+  return sphere;
+}
+
+// VTK's own read cells from the data set, so that an old structure costs them few answers.
+TEST(UseExistingSearchStructure, DoesNotKeepTheTreeOfPointsThatMove)
+{
+  enum Change
+  {
+    IN_PLACE,
+    NEW_POINTS,
+    ANOTHER_MESH
+  };
+  for (int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    for (Change change : { IN_PLACE, NEW_POINTS, ANOTHER_MESH })
+    {
+      for (bool asksToBuild : { true, false })
+      {
+        auto mesh = SphereOf(type);
+        const auto locator = MakeLocator(mesh);
+        locator->UseExistingSearchStructureOn();
+        locator->BuildLocator();
+        const auto moved = SphereOf(type, 100.0);
+        if (change == IN_PLACE)
+        {
+          mesh->GetPoints()->GetData()->DeepCopy(moved->GetPoints()->GetData());
+          mesh->GetPoints()->Modified();
+        }
+        else if (change == NEW_POINTS)
+        {
+          mesh->SetPoints(moved->GetPoints());
+        }
+        else
+        {
+          locator->SetDataSet(moved);
+        }
+        if (asksToBuild)
+        {
+          locator->BuildLocator();
+        }
+        EXPECT_EQ(
+          FindClosest(locator, { 103, 1, 2 }), FindClosest(MakeLocator(moved), { 103, 1, 2 }))
+          << type << " " << change << " " << asksToBuild;
+      }
+    }
+  }
+}
+
+TEST(UseExistingSearchStructure, NoticesCellsThatChangeInPlace)
+{
+  const GridPointer grid = MakeGrid(Tetrahedra(2));
+  const auto locator = MakeLocator(grid);
+  for (bool existing : { true, false })
+  {
+    locator->SetUseExistingSearchStructure(existing);
+    locator->BuildLocator();
+    auto* ids = vtkDataArray::SafeDownCast(grid->GetCells()->GetConnectivityArray());
+    const double first = ids->GetTuple1(0);
+    ids->SetTuple1(0, ids->GetTuple1(1)); // the first cell is flat now
+    ids->Modified();
+    locator->BuildLocator();
+    Bounds box;
+    MakeGrid(Tetrahedra(2))->GetCellBounds(0, box.data());
+    Point inFirst = Center(box);
+    EXPECT_EQ(locator->FindCell(inFirst.data()), MakeLocator(grid)->FindCell(inFirst.data()));
+    ids->SetTuple1(0, first);
+    ids->Modified();
+  }
+}
+
+TEST(UseExistingSearchStructure, KeepsTheTreeWhileDataChange)
+{
+  auto mesh = SphereOf(VTK_FLOAT);
+  const auto locator = MakeLocator(mesh);
+  locator->UseExistingSearchStructureOn();
+  const vtkMTimeType built = locator->GetBuildTime();
+  for (int step = 0; step < 3; ++step)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("Step");
+    mesh->GetPointData()->AddArray(array);
+    mesh->Modified();
+    FindClosest(locator, { 3, 1, 2 });
+    locator->SetDataSet(SphereOf(VTK_FLOAT)); // equal points and cells
+    locator->BuildLocator();
+    EXPECT_EQ(locator->GetBuildTime(), built);
+  }
 }
 
 TEST_F(Lifecycle, UseExistingSearchStructureBuildsAFirstTree)
@@ -188,6 +288,14 @@ TEST_F(Lifecycle, ShallowCopyDoesNotPassATreeOnToWhatChangedLater)
 {
   const auto moved = MakePolyData(Placed(SphereTriangles(8), 1.0, { 100, 0, 0 }));
   EXPECT_NEAR(FindClosest(CopyFor(moved, this->Locator), { 105, 0, 0 }).Dist2, 16, 0.1);
+}
+
+TEST_F(Lifecycle, ShallowCopyDoesNotPassATreeOnToAnotherMeshThatIsOlder)
+{
+  const auto older = MakePolyData(Placed(SphereTriangles(8), 1.0, { 100, 0, 0 }));
+  this->Data->Modified();
+  this->Locator->BuildLocator();
+  EXPECT_NEAR(FindClosest(CopyFor(older, this->Locator), { 105, 0, 0 }).Dist2, 16, 0.1);
 }
 
 // VTK's own, since 9.4, share their bins or boxes, but read cells from the data set of the copy.

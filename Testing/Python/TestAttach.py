@@ -6,9 +6,14 @@ import os
 
 import numpy
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkUnstructuredGrid
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_POLYHEDRON, VTK_TETRA, vtkDataObject, vtkImageData, vtkPolyData,
+    vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersFlowPaths import vtkParticleTracer
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 
 import vtkskdtree
 
@@ -19,9 +24,13 @@ def flow():
     return simple.OpenDataFile(os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"))
 
 
-def trace(source, interpolator="Interpolator with Cell Locator"):
+def trace(source):
     tracer = simple.StreamTracer(Input=source, Vectors=["POINTS", "V"], SeedType="Line",
-        InterpolatorType=interpolator, MaximumStreamlineLength=20)
+        MaximumStreamlineLength=20)
+    if "CellLocator" not in tracer.ListProperties():  # up to ParaView 6.1: the one that is attached
+        tracer.InterpolatorType = "Interpolator with Cell Locator"
+    elif source.SMProxy.GetXMLName() == "SkdTreeAttach":
+        tracer.CellLocator = "SkdTreeCellLocator"
     tracer.SeedType.Point1, tracer.SeedType.Point2 = [-4, -4, 1], [4, 4, 8]
     tracer.SeedType.Resolution = 20
     tracer.UpdatePipeline()
@@ -111,6 +120,81 @@ def test_in_a_time_series_the_tree_is_kept():
         lengths.append(trace(attached).GetNumberOfPoints())
     assert built == [1, 0, 0], built
     assert min(lengths) > 100, lengths
+
+
+class Rotating(VTKPythonAlgorithmBase):
+    """Tetrahedra that rotate, and the velocity of their points; one data set for all times if it is reused."""
+
+    OMEGA, END = 0.3, 0.7
+
+    def __init__(self, reused):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+        image = vtkImageData()
+        image.SetDimensions(9, 9, 4)
+        image.SetOrigin(-1, -1, -0.3)
+        image.SetSpacing(0.25, 0.25, 0.2)
+        tetrahedra = vtkDataSetTriangleFilter()
+        tetrahedra.SetInputData(image)
+        tetrahedra.Update()
+        self.grid = tetrahedra.GetOutput()
+        self.start = points_of(self.grid).astype(float)
+        self.reused = vtkUnstructuredGrid() if reused else None
+
+    @classmethod
+    def turned(cls, points, time):
+        cosine, sine = numpy.cos(cls.OMEGA * time), numpy.sin(cls.OMEGA * time)
+        return points @ numpy.array([[cosine, sine, 0], [-sine, cosine, 0], [0, 0, 1]])
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        times = numpy.linspace(0, self.END, 8).tolist()
+        info = outputs.GetInformationObject(0)
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), times, len(times))
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [0, self.END], 2)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        if self.reused:
+            info.Set(vtkDataObject.DATA_OBJECT(), self.reused)
+        output = vtkUnstructuredGrid.GetData(outputs)
+        places = self.turned(self.start, time)
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(places, deep=True))
+        output.SetPoints(points)
+        output.SetCells(VTK_TETRA, self.grid.GetCells())
+        velocity = numpy_to_vtk(self.OMEGA * numpy.cross([0, 0, 1], places), deep=True)
+        velocity.SetName("V")
+        output.GetPointData().SetVectors(velocity)
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return 1
+
+
+def test_particles_stay_in_a_mesh_that_rotates():
+    seeds = vtkPolyData()
+    seeds.SetPoints(vtkPoints())
+    for radius in (0.2, 0.5, 0.7):
+        seeds.GetPoints().InsertNextPoint(radius, 0.03, 0.011)
+    for reused in (False, True):
+        for topology in (vtkParticleTracer.DIFFERENT, vtkParticleTracer.SAME_TOPOLOGY):
+            source = Rotating(reused)
+            attach = vtkskdtree.vtkSkdTreeAttach()
+            attach.SetInputConnection(source.GetOutputPort())
+            tracer = vtkParticleTracer()
+            tracer.SetInputConnection(0, attach.GetOutputPort())
+            tracer.SetInputDataObject(1, seeds)
+            tracer.SetInputArrayToProcess(0, 0, 0, 0, "V")
+            tracer.SetMeshOverTime(topology)
+            if hasattr(tracer, "SetCellLocator"):  # since VTK 9.7
+                tracer.SetCellLocator(vtkskdtree.vtkSkdTreeCellLocator())
+            else:
+                tracer.SetInterpolatorTypeToCellLocator()
+            tracer.UpdateTimeStep(Rotating.END)
+            traced = tracer.GetOutput()
+            begin = points_of(seeds)[vtk_to_numpy(traced.GetPointData().GetArray("InjectedPointId"))]
+            assert traced.GetNumberOfPoints() == 3
+            error = abs(points_of(traced) - Rotating.turned(begin.astype(float), Rotating.END)).max()
+            assert error < 1e-6, (reused, topology, error)
 
 
 def test_images_and_blocks_are_passed():

@@ -110,8 +110,11 @@ def traced():
 
     flow = simple.OpenDataFile(os.path.join(skdtesting.DATA_DIR, "disk_flow.vtu"))
     tracer = simple.StreamTracer(Input=simple.SkdTreeAttach(Input=flow), Vectors=["POINTS", "V"],
-        SeedType="Line", InterpolatorType="Interpolator with Cell Locator",
-        MaximumStreamlineLength=5)
+        SeedType="Line", MaximumStreamlineLength=5)
+    if "CellLocator" in tracer.ListProperties():  # since ParaView 6.2
+        tracer.CellLocator = "SkdTreeCellLocator"
+    else:
+        tracer.InterpolatorType = "Interpolator with Cell Locator"
     tracer.SeedType.Point1, tracer.SeedType.Point2 = [-4, -4, 1], [4, 4, 8]
     tracer.SeedType.Resolution = 5
     tracer.UpdatePipeline()

@@ -14,11 +14,8 @@
 #ifndef SkdKeptMesh_h
 #define SkdKeptMesh_h
 
-#include "Pipeline/SkdBlocks.h"
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
-
-#include <vector>
 
 class SkdKeptMesh
 {
@@ -28,7 +25,8 @@ public:
 
   /// Whether `mesh` has the stored structure: the same arrays, not modified since, or others with
   /// equal values. O(n) if values must be compared. Conservative: false for unknown types of data
-  /// sets, and for polyhedra in new arrays.
+  /// sets, for polyhedra in new arrays, and when a stored array was modified by whoever shares it,
+  /// because what it held is not known any more.
   bool IsSameAs(vtkDataSet* mesh) const;
 
   /// A data set of the type of the original with its structure alone; nullptr before Keep(). It
@@ -38,24 +36,6 @@ public:
 private:
   vtkSmartPointer<vtkDataSet> Mesh;
   vtkMTimeType Time = 0;
-};
-
-/// The same of all blocks of a data object together.
-class SkdKeptBlocks
-{
-public:
-  /// Keeps the structures of the blocks. Returns these, in the order and with the indices of the
-  /// blocks.
-  std::vector<SkdBlock> Keep(const std::vector<SkdBlock>& blocks);
-
-  /// Whether there are as many blocks, and each has the structure that is kept in its place.
-  bool AreSameAs(const std::vector<SkdBlock>& blocks) const;
-
-  /// What is kept of a block.
-  vtkDataSet* Get(int block) const { return this->Meshes[static_cast<std::size_t>(block)].Get(); }
-
-private:
-  std::vector<SkdKeptMesh> Meshes;
 };
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdKeptMesh.h"
+#include "Cells/SkdKeptMesh.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -56,9 +56,17 @@ public:
 
   bool SameArrays(vtkDataArray* kept, vtkDataArray* now) const
   {
-    if (!kept || !now || kept == now)
+    if (!kept || !now)
     {
-      return kept == now && (!now || now->GetMTime() <= this->Time);
+      return kept == now;
+    }
+    if (this->IsModified(kept))
+    {
+      return false;
+    }
+    if (kept == now)
+    {
+      return true;
     }
     if (kept->GetDataType() != now->GetDataType() ||
       kept->GetNumberOfComponents() != now->GetNumberOfComponents())
@@ -77,8 +85,7 @@ public:
     {
       return kept == now;
     }
-    return this->SameArrays(kept->GetData(), now->GetData()) &&
-      (kept != now || now->GetMTime() <= this->Time);
+    return !this->IsModified(kept) && this->SameArrays(kept->GetData(), now->GetData());
   }
 
   bool SameCells(vtkCellArray* kept, vtkCellArray* now) const
@@ -91,9 +98,9 @@ public:
     {
       return true; // vtkPolyData has one empty array for all, of whatever time
     }
-    return this->SameArrays(kept->GetOffsetsArray(), now->GetOffsetsArray()) &&
-      this->SameArrays(kept->GetConnectivityArray(), now->GetConnectivityArray()) &&
-      (kept != now || now->GetMTime() <= this->Time);
+    return !this->IsModified(kept) &&
+      this->SameArrays(kept->GetOffsetsArray(), now->GetOffsetsArray()) &&
+      this->SameArrays(kept->GetConnectivityArray(), now->GetConnectivityArray());
   }
 
   bool SameShaping(vtkDataSetAttributes* kept, vtkDataSetAttributes* now) const
@@ -107,6 +114,8 @@ public:
   bool SameStructure(vtkDataSet* kept, vtkDataSet* now) const;
 
 private:
+  /// Whoever shares what was kept has changed it in place.
+  bool IsModified(vtkObject* kept) const { return kept->GetMTime() > this->Time; }
   bool SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const;
   bool SameImage(vtkImageData* kept, vtkImageData* now) const;
 
@@ -216,22 +225,4 @@ bool SkdKeptMesh::IsSameAs(vtkDataSet* mesh) const
     comparison.SameShaping(this->Mesh->GetCellData(), mesh->GetCellData()) &&
     comparison.SameShaping(this->Mesh->GetPointData(), mesh->GetPointData()) &&
     comparison.SameStructure(this->Mesh, mesh);
-}
-
-std::vector<SkdBlock> SkdKeptBlocks::Keep(const std::vector<SkdBlock>& blocks)
-{
-  std::vector<SkdBlock> structures = blocks;
-  this->Meshes.resize(blocks.size());
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    this->Meshes[i].Keep(blocks[i].Mesh);
-    structures[i].Mesh = this->Meshes[i].Get();
-  }
-  return structures;
-}
-
-bool SkdKeptBlocks::AreSameAs(const std::vector<SkdBlock>& blocks) const
-{
-  return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-    [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/SkdKeptBlocks.h"
+
+#include <algorithm>
+
+std::vector<SkdBlock> SkdKeptBlocks::Keep(const std::vector<SkdBlock>& blocks)
+{
+  std::vector<SkdBlock> structures = blocks;
+  this->Meshes.resize(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->Meshes[i].Keep(blocks[i].Mesh);
+    structures[i].Mesh = this->Meshes[i].Get();
+  }
+  return structures;
+}
+
+bool SkdKeptBlocks::AreSameAs(const std::vector<SkdBlock>& blocks) const
+{
+  return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
+    [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
+}

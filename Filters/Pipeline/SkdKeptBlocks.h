@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdKeptBlocks.h
+ * @brief What SkdKeptMesh is to a mesh, of all blocks of a data object together.
+ */
+
+#ifndef SkdKeptBlocks_h
+#define SkdKeptBlocks_h
+
+#include "Cells/SkdKeptMesh.h"
+#include "Pipeline/SkdBlocks.h"
+
+#include <vector>
+
+class SkdKeptBlocks
+{
+public:
+  /// Keeps the structures of the blocks. Returns these, in the order and with the indices of the
+  /// blocks.
+  std::vector<SkdBlock> Keep(const std::vector<SkdBlock>& blocks);
+
+  /// Whether there are as many blocks, and each has the structure that is kept in its place.
+  bool AreSameAs(const std::vector<SkdBlock>& blocks) const;
+
+  /// What is kept of a block.
+  vtkDataSet* Get(int block) const { return this->Meshes[static_cast<std::size_t>(block)].Get(); }
+
+private:
+  std::vector<SkdKeptMesh> Meshes;
+};
+
+#endif
