@@ -28,7 +28,7 @@ endif ()
 
 set(sources "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Python")
 set(python_package "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}/vtkskdtree")
-set(layer arrays.py py.typed tree.py)
+set(layer arrays.py meshes.py py.typed tree.py)
 configure_file("${sources}/__init__.py.in" "${python_package}/__init__.py" @ONLY)
 foreach (file IN LISTS layer)
   configure_file("${sources}/${file}" "${python_package}/${file}" COPYONLY)
@@ -40,16 +40,16 @@ install(FILES "${python_package}/__init__.py" ${layer}
 # Stubs of the classes, by VTK's generator, which imports the module.
 find_package(Python3 COMPONENTS Interpreter)
 set(python_path "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}:$ENV{PYTHONPATH}")
-set(generate_stubs "${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_path}"
-  "${Python3_EXECUTABLE}" -m vtkmodules.generate_pyi)
-execute_process(COMMAND ${generate_stubs} --help RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+set(python "${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_path}" "${Python3_EXECUTABLE}")
+execute_process(COMMAND ${python} -m vtkmodules.generate_pyi --help
+  RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
 if (failed)
   message(STATUS "vtkmodules.generate_pyi does not run: there are no type stubs of the classes")
 else ()
   set(stubs "${python_package}/vtkFiltersSkdTree.pyi")
   add_custom_command(OUTPUT "${stubs}"
-    COMMAND ${generate_stubs} -p vtkskdtree -o "${python_package}" vtkFiltersSkdTree
-    DEPENDS vtkFiltersSkdTreePython "${python_package}/__init__.py"
+    COMMAND ${python} "${sources}/stubs.py" vtkskdtree "${python_package}" vtkFiltersSkdTree
+    DEPENDS vtkFiltersSkdTreePython "${python_package}/__init__.py" "${sources}/stubs.py"
     COMMENT "Generating type stubs of vtkskdtree"
     VERBATIM)
   add_custom_target(SkdTreePythonStubs ALL DEPENDS "${stubs}")

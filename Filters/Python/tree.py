@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import re
 import warnings
@@ -13,11 +14,14 @@ import numpy
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkPoints, vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 from .arrays import FLOAT, ID, Locator, check_outputs, output, to_numbers, to_rows, to_vtk
-from .vtkFiltersSkdTree import vtkSkdTreeClosestPoint, vtkSkdTreePointInOut, vtkSkdTreeProbe
+from .meshes import from_text, mesh_of, to_text, vtk_points
+from .vtkFiltersSkdTree import (vtkSkdTreeClosestPoint, vtkSkdTreePointInOut, vtkSkdTreeProbe,
+    vtkSkdTreeRays)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -69,7 +73,11 @@ class RayHitLists(NamedTuple):
     cell: Ids  #: (m,)
     distance: Floats  #: (m,) from the origin, ascending for each ray
     point: Floats  #: (m, 3)
-    query = property(_queries_of, doc="(m,) the ray of each hit")
+
+    @property
+    def query(self) -> Ids:
+        """(m,) the ray of each hit"""
+        return _queries_of(self)
 
 
 class SegmentHits(NamedTuple):
@@ -85,14 +93,22 @@ class SegmentHitLists(NamedTuple):
     cell: Ids  #: (m,)
     parameter: Floats  #: (m,) 0 at the start, 1 at the end, ascending for each segment
     point: Floats  #: (m, 3)
-    query = property(_queries_of, doc="(m,) the segment of each hit")
+
+    @property
+    def query(self) -> Ids:
+        """(m,) the segment of each hit"""
+        return _queries_of(self)
 
 
 class CellLists(NamedTuple):
     """A list of cells per query: cell[offsets[i]:offsets[i + 1]] for query i."""
     offsets: Ids  #: (n + 1,)
     cell: Ids  #: (m,)
-    query = property(_queries_of, doc="(m,) the query of each cell")
+
+    @property
+    def query(self) -> Ids:
+        """(m,) the query of each cell"""
+        return _queries_of(self)
 
 
 class NearLists(NamedTuple):
@@ -100,7 +116,11 @@ class NearLists(NamedTuple):
     offsets: Ids  #: (n + 1,)
     cell: Ids  #: (m,) ascending for each query
     distance: Floats  #: (m,)
-    query = property(_queries_of, doc="(m,) the query of each cell")
+
+    @property
+    def query(self) -> Ids:
+        """(m,) the query of each cell"""
+        return _queries_of(self)
 
 
 def _use_all_processors() -> None:
@@ -109,74 +129,21 @@ def _use_all_processors() -> None:
         vtkSMPTools.SetBackend("STDThread")
 
 
-def _vtk_points(points: numpy.ndarray) -> vtkPoints:
-    if points.dtype.kind != "f":
-        points = points.astype(FLOAT)
-    made = vtkPoints()
-    made.SetData(to_vtk(points))
-    return made
-
-
-def _surface(points: Any, triangles: Any) -> vtkPolyData:
-    """Triangles, or without these one vertex cell per point."""
-    points = to_rows(points, "points", 3)
-    if triangles is None:
-        corners = numpy.arange(len(points), dtype=ID).reshape(-1, 1)
-    else:
-        corners = to_rows(triangles, "triangles", 3)
-        if corners.dtype.kind == "f" and corners.size:
-            raise TypeError(f"triangles holds {corners.dtype}: numbers of points, integers, are needed")
-        if corners.size and not 0 <= corners.min() <= corners.max() < len(points):
-            raise ValueError(f"triangles names points {corners.min()} to {corners.max()}, but points "
-                f"has {len(points)} rows")
-        corners = numpy.ascontiguousarray(corners, ID)
-    mesh = vtkPolyData()
-    mesh.SetPoints(_vtk_points(points))
-    cells = vtkCellArray()
-    if corners.size:
-        cells.SetData(corners.shape[1], to_vtk(corners.reshape(-1)))
-    if triangles is None:
-        mesh.SetVerts(cells)
-    else:
-        mesh.SetPolys(cells)
-    mesh._skd_corners = corners  # vtkCellArray shares its memory, but holds no reference to it
-    return mesh
-
-
-def _mesh_of(mesh: Any) -> vtkDataSet:
-    """The data set that an object is, produces or contains, or that is made from its arrays."""
-    if hasattr(mesh, "GetOutputDataObject"):  # a reader, a source, a filter
-        mesh.Update()
-        mesh = mesh.GetOutputDataObject(0)
-    mesh = getattr(mesh, "VTKObject", mesh)  # vtkmodules.numpy_interface.dataset_adapter
-    if isinstance(mesh, vtkDataSet):
-        return mesh
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):  # trimesh and similar
-        return _surface(mesh.vertices, mesh.faces)
-    if isinstance(mesh, tuple) and len(mesh) == 2:
-        return _surface(*mesh)
-    if hasattr(mesh, "IsA"):
-        raise TypeError(f"mesh is a {mesh.GetClassName()}: a vtkDataSet is needed; of blocks take one, "
-            "or append them")
-    try:
-        return _surface(mesh, None)
-    except (TypeError, ValueError) as error:
-        raise type(error)("mesh is neither a vtkDataSet, nor a tuple (points, triangles), nor points: "
-            + str(error)) from None
-
-
 class Tree:
     """Spatial queries on a mesh, by its skD-tree, for numpy arrays of points, rays or boxes.
 
     mesh may be
 
     - a vtkDataSet (PyVista's meshes are data sets), or a VTK reader, source or filter;
-    - a tuple (points, triangles) of arrays with the shapes (n, 3) and (m, 3), or an object that has
-      such arrays as .vertices and .faces (like trimesh's meshes);
+    - a pair (points, faces), a tuple or a list, of arrays: points with the shape (n, 3), faces with the
+      shape (m, 3), triangles, or (m, 4), quadrilaterals, or all faces in one row, each after its number
+      of points (as PyVista has them);
+    - an object that has such arrays as .vertices and .faces (like trimesh's meshes) or .triangles
+      (like Open3D's);
     - an array of points with the shape (n, 3): cell i is then point i.
 
-    Data sets, points of type float64 or float32 and triangles of type int64 are not copied; call
-    update() after changing them.
+    Data sets, points of type float64 or float32 and faces of type int64 with the shape (m, 3) or (m, 4)
+    are not copied; call update() after changing them.
 
     Queries are arrays (or lists) of numbers, one row per query; contiguous arrays are not copied.
     Results are named tuples of arrays in the order of the queries, with the ids of cells and points
@@ -187,6 +154,9 @@ class Tree:
     Queries of wrong shape raise ValueError, queries of wrong type TypeError. Warnings of VTK, for
     example about a surface that is not closed, become Python warnings, errors RuntimeError.
 
+    Trees can be pickled and copied: with the mesh and the settings of the locator; the tree is built
+    again when it is needed. Only copy.copy() shares the mesh.
+
     The first query builds the tree, in O(N log N). signed_distance(), contains(), winding_number() and
     interpolate() build trees of their own on first use.
     """
@@ -196,7 +166,7 @@ class Tree:
 
     def __init__(self, mesh: Any) -> None:
         _use_all_processors()
-        self.mesh = _mesh_of(mesh)
+        self.mesh = mesh_of(mesh, "mesh")
         self._messages: list[tuple[bool, str]] = []
         self._filters: dict[Any, Any] = {}
         self.locator = self._heard(Locator())
@@ -208,6 +178,32 @@ class Tree:
 
     def __repr__(self) -> str:
         return f"Tree({self.mesh.GetClassName()} of {len(self)} cells)"
+
+    def __getstate__(self) -> dict[str, Any]:
+        state = {name: getattr(self.locator, "Get" + name)() for name in _SETTINGS}
+        motion = self.locator.GetTransform()
+        if motion is not None:
+            state["Transform"] = [motion.GetElement(i, j) for i in range(4) for j in range(4)]
+        return {"mesh": to_text(self.mesh), "settings": state}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__init__(from_text(*state["mesh"]))  # type: ignore[misc]
+        self._set(dict(state["settings"]))
+
+    def __copy__(self) -> Tree:
+        copied = Tree(self.mesh)
+        copied.locator.ShallowCopy(self.locator)
+        return copied
+
+    def _set(self, settings: dict[str, Any]) -> None:
+        """Settings of the locator, by name."""
+        transform = settings.pop("Transform", None)
+        for name, value in settings.items():
+            getattr(self.locator, "Set" + name)(value)
+        if transform is not None:
+            motion = vtkMatrix4x4()
+            motion.DeepCopy(transform)
+            self.locator.SetTransform(motion)
 
     def update(self) -> None:
         """Must be called after points or cells were changed in place: the next query rebuilds the tree."""
@@ -229,8 +225,7 @@ class Tree:
             out: Optional[Nearest] = None) -> Nearest:
         """The k nearest cells to each point, at a distance of at most maximum; ties by id."""
         at = to_vtk(to_rows(points, "points", 3))
-        if k < 1:
-            raise ValueError(f"k is {k}, at least 1 is needed")
+        k = _count(k, "k")
         found = self._run(Nearest, out, lambda distance, cell: (
             self.locator.FindClosestNCells(at, k, cell, distance, _length(maximum, "maximum"))))
         return found if found.cell.ndim == 2 else Nearest(*(a.reshape(-1, k) for a in found))
@@ -241,6 +236,8 @@ class Tree:
         radii = to_numbers(radius, "radius")
         if radii.shape not in ((), (1, ), (len(at), )):
             raise ValueError(f"radius has the shape {radii.shape}, () or ({len(at)},) is needed")
+        if (radii < 0).any():
+            raise ValueError(f"radius is {radii.min()}, it must not be negative")
         spheres = numpy.empty((len(at), 4))
         spheres[:, :3] = at
         spheres[:, 3] = radii
@@ -262,7 +259,9 @@ class Tree:
         """The first hit of each ray, or all hits, at a distance of at most maximum from its origin.
         directions has one row per ray, or is one direction for all; their lengths do not matter.
 
-        Each cell is hit at most once. A ray through an edge hits all cells at this edge."""
+        A ray hits each cell at most once. Several cells at one place, as at a shared edge, are one hit
+        of the first of them: places closer than 1e-9 of the diagonal of the mesh's bounds are one, as
+        in vtkSkdTreeRays. locator.FindAllRayHits() has a hit for each cell."""
         start = to_rows(origins, "origins", 3)
         along = to_numbers(directions, "directions")
         if along.shape == (3, ):
@@ -273,8 +272,9 @@ class Tree:
         limit = _length(maximum, "maximum")
         start, along = to_vtk(start), to_vtk(along)
         if all_hits:
-            return self._run(RayHitLists, _none(out), lambda offsets, cell, distance, point: (
+            found = self._run(RayHitLists, _none(out), lambda offsets, cell, distance, point: (
                 self.locator.FindAllRayHits(start, along, offsets, cell, distance, point, limit)))
+            return _merged(found, found.distance, self._tolerance(vtk_to_numpy(start)))
         return self._run(RayHits, out, lambda cell, distance, point: (
             self.locator.IntersectWithRays(start, along, cell, distance, point, limit)))
 
@@ -288,10 +288,12 @@ class Tree:
 
     def segments(self, starts: ArrayLike, ends: Optional[ArrayLike] = None,
             all_hits: bool = False, out: Optional[SegmentHits] = None) -> Any:
-        """The first hit of each segment from starts to ends, or all hits. Without ends, starts holds
-        both, with the shape (n, 2, 3) or (n, 6)."""
+        """The first hit of each segment from starts to ends, or all hits, of which those at one place
+        are one as in rays(). Without ends, starts holds both, with the shape (n, 2, 3) or (n, 6)."""
         if ends is None:
-            queries: tuple[Any, ...] = (to_vtk(_lines(starts)), )
+            both = _lines(starts)
+            start, end = both[:, :3], both[:, 3:]
+            queries: tuple[Any, ...] = (to_vtk(both), )
             find_all, find_first = self.locator.FindAllHits, self.locator.IntersectWithLines
         else:
             start, end = to_rows(starts, "starts", 3), to_rows(ends, "ends", 3)
@@ -301,8 +303,10 @@ class Tree:
             find_all = self.locator.FindAllSegmentHits
             find_first = self.locator.IntersectWithSegments
         if all_hits:
-            return self._run(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
+            found = self._run(SegmentHitLists, _none(out), lambda offsets, cell, parameter, point: (
                 find_all(*queries, offsets, cell, parameter, point)))
+            length = numpy.linalg.norm(end.astype(FLOAT) - start, axis=1)
+            return _merged(found, found.parameter * length[found.query], self._tolerance(start))
         return self._run(SegmentHits, out, lambda cell, parameter, point: (
             find_first(*queries, cell, parameter, point)))
 
@@ -324,6 +328,8 @@ class Tree:
         """The values of an array of the mesh at points: interpolated point data, or else cell data. A
         point outside all cells gets NaN, or 0 in integer arrays, unless outside is true: then it gets
         the values at the nearest point of the mesh. Raises KeyError if there is no such array."""
+        if not isinstance(name, str):
+            raise TypeError(f"name is {name!r}: the name of an array, a str, is needed")
         source = self.mesh.NewInstance()
         source.CopyStructure(self.mesh)
         for get in ("GetPointData", "GetCellData"):
@@ -355,7 +361,7 @@ class Tree:
         """For each cell of this mesh, the cells of another one (a Tree, or a mesh as for Tree) whose
         bounds overlap its own."""
         if not isinstance(other, Tree):
-            other = Tree(other)
+            other = Tree(mesh_of(other, "other"))
         return self._run(CellLists, None, lambda offsets, cell: (
             self.locator.FindPairs(other.locator, offsets, cell)))
 
@@ -392,7 +398,7 @@ class Tree:
 
         @calldata_type(VTK_STRING)
         def hear(_caller: Any, event: str, text: str) -> None:
-            messages.append((event == "ErrorEvent", re.sub(r"^.*?\(0x\w+\): ", "", text, flags=re.S).strip()))
+            messages.append((event == "ErrorEvent", _in_python(text)))
 
         source.AddObserver("WarningEvent", hear)
         source.AddObserver("ErrorEvent", hear)
@@ -414,6 +420,8 @@ class Tree:
         if out is None:
             arrays = [vtkIdTypeArray() if name in _IDS else vtkDoubleArray() for name in kind._fields]
         else:
+            if not isinstance(out, (tuple, list)):
+                raise TypeError(f"out is {type(out).__name__}: an earlier result is needed, a {kind.__name__}")
             if len(out) != len(kind._fields):
                 raise ValueError(f"out has {len(out)} arrays, a {kind.__name__} has {kind._fields}")
             for name, array in zip(kind._fields, out):
@@ -428,11 +436,21 @@ class Tree:
             for name, array, written in zip(kind._fields, out, arrays)])
         return kind(*out)
 
+    def _tolerance(self, starts: numpy.ndarray) -> float:
+        """Hits within this distance are one, as for vtkSkdTreeRays: its own, and that of rounding."""
+        bounds = numpy.array(self.mesh.GetBounds()).reshape(3, 2)
+        if not (bounds[:, 0] <= bounds[:, 1]).all():
+            return 0.0
+        known = starts[numpy.isfinite(starts)]
+        largest = max(abs(bounds).max(), abs(known).max() if known.size else 0.0)
+        return float(max(vtkSkdTreeRays().GetTolerance() * numpy.linalg.norm(bounds[:, 1] - bounds[:, 0]),
+            8 * numpy.finfo(FLOAT).eps * largest))
+
     def _filter(self, kind: Any, points: ArrayLike, names: list[str],
             source: Optional[vtkDataSet] = None, **properties: Any) -> list[Any]:
         """Point arrays of the output of a filter for points. Filters are kept, with their trees."""
         queries = vtkPolyData()
-        queries.SetPoints(_vtk_points(to_rows(points, "points", 3)))
+        queries.SetPoints(vtk_points(to_rows(points, "points", 3)))
         key = (kind, properties.get("Method"))
         if key not in self._filters:
             self._filters[key] = self._heard(kind())
@@ -451,6 +469,34 @@ class Tree:
 
 
 _IDS = {"cell", "offsets", "point_ids"}
+_SETTINGS = ("Epsilon", "LazyBuild", "SplitRule", "SkipGhostCells", "NumberOfCellsPerNode",
+    "CacheCellBounds", "UseExistingSearchStructure")
+
+
+def _in_python(text: str) -> str:
+    """A message of VTK without what it says of its objects, the mesh called what it is here."""
+    said = re.sub(r"^.*?\(0x\w+\): ", "", text, flags=re.S).strip()
+    said = re.sub(r"; see Skd\w+", "", said)
+    return re.sub(r"\bSource\b", "the mesh", re.sub(r"^Source\b", "The mesh", said))
+
+
+def _merged(found: Any, places: numpy.ndarray, tolerance: float) -> Any:
+    """Lists of hits, sorted along each line, with one hit for those within a tolerance of its first."""
+    first = numpy.zeros(len(places), bool)
+    begins = found.offsets[:-1][numpy.diff(found.offsets) > 0]
+    first[begins] = True
+    first[1:] |= numpy.diff(places) > tolerance
+    while True:  # a row of close hits may be longer than the tolerance
+        start = numpy.maximum.accumulate(numpy.where(first, numpy.arange(len(places)), 0))
+        beyond = places - places[start] > tolerance
+        if not beyond.any():
+            break
+        at = numpy.nonzero(beyond)[0]
+        first[at[numpy.unique(start[at], return_index=True)[1]]] = True
+    if first.all():
+        return found
+    offsets = numpy.concatenate([[0], numpy.cumsum(first)]).astype(ID)[found.offsets]
+    return type(found)(offsets, *(values[first] for values in found[1:]))
 
 
 def _lines(ends: Any) -> numpy.ndarray:
@@ -469,6 +515,17 @@ def _length(value: Any, name: str) -> float:
     if not length >= 0.0:
         raise ValueError(f"{name} is {length}, it must not be negative")
     return length
+
+
+def _count(value: Any, name: str) -> int:
+    """A number from 1 on that VTK can count to."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r}, an integer is needed") from None
+    if not 1 <= number < 2**31:
+        raise ValueError(f"{name} is {number}, at least 1 is needed" + (", and less than 2**31" if number > 1 else ""))
+    return number
 
 
 def _none(out: Any) -> None:

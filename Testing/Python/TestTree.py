@@ -3,19 +3,24 @@
 """Tree: numpy in, numpy out. Answers are those of the locator's batches and of the filters, to the bit;
 memory is shared; what is wrong is refused by name."""
 
+import copy
 import gc
 import itertools
+import pickle
 import warnings
 
 import numpy
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_TETRA, vtkImageData, vtkMultiBlockDataSet,
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_QUAD, VTK_TETRA, vtkImageData, vtkMultiBlockDataSet,
     vtkPolyData, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkskdtree import Locator, Tree, vtkSkdTreeCellLocator, vtkSkdTreeClosestPoint, vtkSkdTreePointInOut
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkskdtree import (Locator, Tree, vtkSkdTreeCellLocator, vtkSkdTreeClosestPoint, vtkSkdTreePointInOut,
+    vtkSkdTreeRays)
 
 random = numpy.random.default_rng(17)
 POINTS = random.uniform(-1, 1, (3000, 3))
@@ -218,6 +223,23 @@ class Like:
         self.vertices, self.faces = vertices, faces
 
 
+class Vectors:
+    """What Open3D's arrays are: no arrays, but numpy makes such of them."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def __array__(self, dtype=None, copy=None):
+        return numpy.array(self.values, dtype)
+
+
+class LikeOpen3D:
+    """What Open3D's meshes have."""
+
+    def __init__(self, vertices, triangles):
+        self.vertices, self.triangles = Vectors(vertices), Vectors(triangles)
+
+
 class Derived(vtkPolyData):
     """What PyVista's meshes are."""
 
@@ -231,9 +253,11 @@ def test_what_trees_are_made_of():
     corners = vtk_to_numpy(mesh.GetPoints().GetData())
     faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     expected = tree.closest(POINTS)
+    flat = numpy.insert(faces, 0, 3, axis=1).reshape(-1)
     for made_of in (mesh, derived, source, dataset_adapter.WrapDataObject(mesh), (corners, faces),
+            [corners, faces], [corners.tolist(), faces.tolist()], (corners, flat), [corners, flat.tolist()],
             (corners.astype(float), faces.astype(numpy.int32)), (corners.tolist(), faces.tolist()),
-            Like(corners, faces)):
+            Like(corners, faces), Like(corners, flat), LikeOpen3D(corners, faces)):
         same(Tree(made_of).closest(POINTS), *expected)
     normals = Tree(derived).interpolate("Normals", POINTS, outside=True)
     same([normals], tree.interpolate("Normals", POINTS, outside=True))
@@ -247,6 +271,109 @@ def test_what_trees_are_made_of():
     assert tree.k_nearest([], 3).cell.shape == (0, 3) and tree.find_cells([]).cell.shape == (0, )
 
 
+def test_faces_of_four_and_more_points():
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0], [3, 0.5, 0]], float)
+    quads = numpy.array([[0, 1, 2, 3], [1, 4, 5, 2]])
+    at = [[0.5, 0.5, 1], [1.5, 0.5, 2], [2.5, 0.5, 3]]
+    for faces in (quads, quads.astype(numpy.uint8), numpy.insert(quads, 0, 4, axis=1).reshape(-1)):
+        made = Tree((corners, faces))
+        assert len(made) == 2 and made.mesh.GetCellType(1) == VTK_QUAD
+        assert made.closest(at).cell.tolist() == [0, 1, 1]
+    mixed = Tree((corners, [4, 0, 1, 2, 3, 4, 1, 4, 5, 2, 3, 4, 6, 5]))
+    gc.collect()
+    numpy.random.default_rng(1).random(1000)
+    assert mixed.closest(at).cell.tolist() == [0, 1, 2] and mixed.closest(at).distance.tolist() == [1, 2, 3]
+    assert len(Tree(([], []))) == len(Tree([[], []])) == 0
+    assert len(Tree([[0, 0, 0], [1, 1, 1]])) == len(Tree(([0, 0, 0], [1, 1, 1], [2, 2, 2]))) - 1 == 2
+
+
+def cube():
+    """Twelve triangles, so that the middle of each side is on an edge."""
+    source = vtkCubeSource()
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(source.GetOutputPort())
+    return triangles
+
+
+def test_hits_of_several_cells_at_one_place_are_one():
+    whole = Tree(cube())
+    origins = numpy.array([[0, 0, -3], [-3, -3, -3], [0.2, 0.1, -3], [-3, 0, 0], [9, 9, 9], [0.1, 0.1, -0.5]], float)
+    along = numpy.array([[0, 0, 2], [1, 1, 1], [0, 0, 1], [5, 0, 0], [0, 0, 1], [0, 0, 1]], float)
+    edge_on = random.uniform(-1, 1, (200, 3))
+    edge_on[:, 1] = edge_on[:, 0]
+    origins = numpy.vstack([origins, edge_on + [0, 0, -3]])
+    along = numpy.vstack([along, numpy.tile([0.0, 0, 1], (200, 1))])
+    points = vtkPolyData()
+    points.SetPoints(vtkPoints())
+    points.GetPoints().SetData(numpy_to_vtk(origins, deep=True))
+    directions = numpy_to_vtk(along, deep=True)
+    directions.SetName("along")
+    points.GetPointData().AddArray(directions)
+    rays = vtkSkdTreeRays()
+    rays.SetInputDataObject(0, points)
+    rays.SetInputDataObject(1, whole.mesh)
+    rays.SetAlongToArray()
+    rays.SetDirectionArray("along")
+    rays.SetHitsToAllHits()
+    rays.IncludeStartOn()
+    rays.Update()
+    counts = vtk_to_numpy(rays.GetOutputDataObject(0).GetPointData().GetArray("SkdRayHits"))
+    found = whole.rays(origins, along, all_hits=True)
+    assert numpy.diff(found.offsets).tolist() == counts.tolist()
+    assert counts[:6].tolist() == [2, 2, 2, 2, 0, 2], counts[:6]
+    assert found.cell[found.offsets[0]] == whole.rays(origins, along).cell[0]
+    assert len(vtk_to_numpy(ids)) and whole.locator.FindAllRayHits(origins, along, offsets, ids, numbers, None) > len(found.cell)
+    between = whole.segments(origins, origins + 10 * along, all_hits=True)
+    assert numpy.array_equal(between.cell, found.cell) and numpy.array_equal(between.offsets, found.offsets)
+    nothing = whole.rays(numpy.full((3, 3), 7.0), [1, 0, 0], all_hits=True)
+    assert nothing.offsets.tolist() == [0, 0, 0, 0] and len(nothing.point) == 0
+
+
+def test_a_row_of_close_hits_is_divided_by_the_tolerance():
+    sheets = 7
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]] * sheets, float)
+    corners[:, 2] = numpy.repeat(numpy.arange(sheets) * 0.6e-9, 3)
+    corners = numpy.vstack([corners, [[0, 0, 1], [0.01, 0, 1], [0, 0.01, 1]]])
+    stack = Tree((corners, numpy.arange(len(corners)).reshape(-1, 3)))
+    found = stack.rays([[0.2, 0.2, -1]], [0, 0, 1], all_hits=True)  # the diagonal is sqrt(3)
+    kept = [0.0]
+    for z in corners[:-3:3, 2]:
+        kept += [z] if z - kept[-1] > 1e-9 * 3**0.5 else []
+    assert numpy.allclose(found.point[:, 2], kept, atol=1e-15), (found.point, kept)
+
+
+def test_pickled_and_copied():
+    image = vtkImageData()
+    image.SetDimensions(4, 5, 6)
+    image.SetSpacing(0.1, 1 / 3, 0.7)
+    marked = grid()
+    ghosts = numpy_to_vtk(numpy.array([1, 0], numpy.uint8), deep=True)
+    ghosts.SetName("vtkGhostType")
+    marked.GetCellData().AddArray(ghosts)
+    large = numpy_to_vtk(numpy.array([2**40 + 1, -5]), deep=True)
+    large.SetName("large")
+    marked.GetCellData().AddArray(large)
+    for made in (tree, Tree((random.uniform(-1, 1, (300, 3)), numpy.arange(300).reshape(-1, 3))), Tree(image),
+            Tree(marked), Tree(POINTS[8:50]), Tree(vtkPolyData())):
+        for copied in (pickle.loads(pickle.dumps(made)), copy.deepcopy(made), copy.copy(made)):
+            same(copied.closest(POINTS), *made.closest(POINTS))
+            same(copied.rays(POINTS, -POINTS, all_hits=True), *made.rays(POINTS, -POINTS, all_hits=True))
+            assert repr(copied) == repr(made)
+    assert copy.copy(tree).mesh is tree.mesh and copy.deepcopy(tree).mesh is not tree.mesh
+    again = pickle.loads(pickle.dumps(Tree(marked)))
+    same([again.interpolate("field", [[1.2, 0.2, 0.1]])], Tree(marked).interpolate("field", [[1.2, 0.2, 0.1]]))
+    assert vtk_to_numpy(again.mesh.GetCellData().GetArray("large")).tolist() == [2**40 + 1, -5]
+    made = Tree(sphere())
+    made.locator.SetEpsilon(1e-4)
+    made.locator.SkipGhostCellsOff()
+    motion = vtkMatrix4x4()
+    motion.SetElement(0, 3, 0.25)
+    made.locator.SetTransform(motion)
+    for copied in (pickle.loads(pickle.dumps(made)), copy.deepcopy(made), copy.copy(made)):
+        assert copied.locator.GetEpsilon() == 1e-4 and not copied.locator.GetSkipGhostCells()
+        same(copied.closest(POINTS), *made.closest(POINTS))
+
+
 def test_memory_is_shared_and_kept():
     corners = random.uniform(-1, 1, (300, 3))
     faces = numpy.arange(300).reshape(-1, 3)
@@ -257,12 +384,12 @@ def test_memory_is_shared_and_kept():
     made.update()
     moved = made.closest(POINTS + 0.5)
     assert numpy.array_equal(moved.cell[8:], expected.cell[8:])
-    copy = faces.copy(), corners.copy()
+    copied = faces.copy(), corners.copy()
     mesh = made.mesh
     del made, faces, corners
     gc.collect()
     numpy.random.default_rng(1).random(10000)
-    same(Tree(mesh).closest(POINTS), *Tree((copy[1], copy[0])).closest(POINTS))
+    same(Tree(mesh).closest(POINTS), *Tree((copied[1], copied[0])).closest(POINTS))
 
     answer = tree.closest(POINTS)
     again = tree.closest(POINTS[::-1], out=answer)
@@ -315,10 +442,21 @@ def test_wrong_queries_are_refused_by_name():
             (ValueError, "out.point has the shape (3000, 3), (5, 3)", lambda: tree.closest(POINTS[:5], out=closest)),
             (TypeError, "out.cell is no array of int64", lambda: tree.closest(POINTS, out=(*closest[:2], closest[1]))),
             (ValueError, "not known", lambda: tree.rays(POINTS, POINTS, all_hits=True, out=closest)),
-            (ValueError, "triangles names points 0 to 3", lambda: Tree((numpy.eye(3), [[0, 1, 3]]))),
-            (TypeError, "triangles holds float64", lambda: Tree((numpy.eye(3), [[0.0, 1.0, 2.0]]))),
+            (ValueError, "radius is -1, it must not be negative", lambda: tree.within(POINTS, -1)),
+            (ValueError, "radius is -0.5, it", lambda: tree.within(POINTS[:2], [1.0, -0.5])),
+            (TypeError, "k is 2.5, an integer is needed", lambda: tree.k_nearest(POINTS, 2.5)),
+            (ValueError, "less than 2**31", lambda: tree.k_nearest(POINTS, 2**40)),
+            (TypeError, "name is 3", lambda: tree.interpolate(3, POINTS)),
+            (TypeError, "out is int: an earlier result", lambda: tree.closest(POINTS, out=5)),
+            (TypeError, "other is none of", lambda: tree.pairs(None)),
+            (ValueError, "faces names points 0 to 3, but there are 3 points", lambda: Tree((numpy.eye(3), [[0, 1, 3]]))),
+            (ValueError, "faces names points 0 to 3", lambda: Tree([numpy.eye(3), [3, 0, 1, 3]])),
+            (TypeError, "faces holds float64", lambda: Tree((numpy.eye(3), [[0.0, 1.0, 2.0]]))),
+            (ValueError, "faces has the shape (1, 5), (n, 3) is needed, or (n, 4)", lambda: Tree((numpy.eye(3), [[0] * 5]))),
+            (ValueError, "faces[4] is 4, and 3 follow", lambda: Tree((numpy.eye(3), [3, 0, 1, 2, 4, 0, 1, 2]))),
+            (ValueError, "faces[0] is 2", lambda: Tree((numpy.eye(3), [2, 0, 1]))),
             (TypeError, "vtkMultiBlockDataSet: a vtkDataSet is needed", lambda: Tree(vtkMultiBlockDataSet())),
-            (TypeError, "mesh is neither", lambda: Tree("sphere.vtp"))):
+            (TypeError, "mesh is none of a vtkDataSet, a pair", lambda: Tree("sphere.vtp"))):
         refused(kind, text, ask)
 
 
@@ -328,6 +466,13 @@ def test_what_vtk_says_is_pythons():
         warnings.simplefilter("always")
         half.contains(POINTS)
     assert len(caught) == 1 and "3 open edges" in str(caught[0].message), caught
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        half.signed_distance(POINTS)
+        Tree(vtkPolyData()).signed_distance(POINTS)
+        Tree(vtkPolyData()).contains(POINTS)
+    texts = [str(warning.message) for warning in caught + said]
+    assert len(texts) == 4 and not any(name in text for text in texts for name in ("Source", "Input", "Skd")), texts
     assert caught[0].filename == __file__ and issubclass(caught[0].category, RuntimeWarning)
     image = vtkImageData()
     image.SetDimensions(3, 3, 3)
