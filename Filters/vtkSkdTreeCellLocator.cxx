@@ -3,7 +3,6 @@
 #include "vtkSkdTreeCellLocator.h"
 
 #include "Cells/SkdLocatorState.h"
-#include "Cells/SkdMendedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -11,12 +10,10 @@
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkTimerLog.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeCellLocator);
@@ -79,33 +76,6 @@ vtkSkdTreeCellLocator::~vtkSkdTreeCellLocator()
 }
 
 //------------------------------------------------------------------------------
-// Reads only where nothing is to be done: VTK's filters call it from several threads.
-void vtkSkdTreeCellLocator::BuildLocator()
-{
-  const bool isValid = this->HasValidTree();
-  if (!isValid)
-  {
-    this->BuildLocatorInternal();
-  }
-  if (!isValid || !this->Impl->HasKept() || !this->IsUpToDate())
-  {
-    this->Impl->Keep(this->DataSet);
-  }
-}
-
-//------------------------------------------------------------------------------
-// More than queries ask for: whether arrays were modified of which the data set does not know.
-bool vtkSkdTreeCellLocator::HasValidTree()
-{
-  if (!this->Impl->GetTree() || !this->Impl->HasKept())
-  {
-    return this->Impl->GetTree() && this->IsNewerThanData();
-  }
-  return (this->UseExistingSearchStructure || this->IsNewerThanData()) &&
-    this->Impl->IsBuiltOn(this->DataSet);
-}
-
-//------------------------------------------------------------------------------
 // Without a mesh that was kept, as after ForceBuildLocator, an existing structure is used as it is.
 bool vtkSkdTreeCellLocator::IsUpToDate()
 {
@@ -127,63 +97,6 @@ bool vtkSkdTreeCellLocator::IsNewerThanData()
 {
   return this->BuildTime > this->MTime &&
     (!this->DataSet || this->BuildTime > this->DataSet->GetMTime());
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCellLocator::ForceBuildLocator()
-{
-  this->BuildLocatorInternal();
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCellLocator::BuildLocatorInternal()
-{
-  const double start = vtkTimerLog::GetUniversalTime();
-  SkdTreeSettings settings;
-  settings.Epsilon = this->Epsilon;
-  settings.Capacity = std::min(this->NumberOfCellsPerNode, skd::Node<3>::Width);
-  settings.IsLazy = this->LazyBuild;
-  settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
-  settings.SkipsGhosts = this->SkipGhostCells;
-  this->FreeSearchStructure();
-  const SkdMendedMesh mended = this->DataSet ? SkdMend(this->DataSet) : SkdMendedMesh();
-  std::shared_ptr<const SkdCellTree> tree;
-  try
-  {
-    tree = std::make_shared<const SkdCellTree>(mended.Mesh, settings);
-  }
-  catch (const std::length_error& error)
-  {
-    vtkErrorMacro("The tree cannot be built: " << error.what() << ".");
-    tree = std::make_shared<const SkdCellTree>(nullptr, settings);
-  }
-  const vtkIdType notFinite = tree->Cells().LeftOut().NotFinite;
-  if (notFinite > 0)
-  {
-    vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
-                    << " cells are ignored: " << SkdWhyCellsAreLeftOut());
-  }
-  if (mended.Fault.empty())
-  {
-    this->CacheBounds();
-  }
-  else
-  {
-    vtkWarningMacro(<< mended.Fault); // their bounds must not be computed
-  }
-  this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;
-  this->BuildTime.Modified();
-  this->Impl->SetTree(tree); // last: from here on other threads use it
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCellLocator::CacheBounds()
-{
-  if (this->CacheCellBounds && this->DataSet && this->DataSet->GetNumberOfCells() > 0)
-  {
-    this->FreeCellBounds();
-    this->StoreCellBounds();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -553,46 +466,6 @@ bool vtkSkdTreeCellLocator::InsideCellBounds(double x[3], vtkIdType cellId)
   constexpr double tol = 0.0;
 #endif
   return this->GetTree().BoundsHold(SkdVector(x), cellId, tol, this->Impl->GetMotion());
-}
-
-//------------------------------------------------------------------------------
-void vtkSkdTreeCellLocator::ShallowCopy(vtkAbstractCellLocator* locator)
-{
-  auto* other = vtkSkdTreeCellLocator::SafeDownCast(locator);
-  if (!other || other == this)
-  {
-    return;
-  }
-  if (!this->DataSet)
-  {
-    this->SetDataSet(other->GetDataSet());
-  }
-  const bool isShared = other->HasTreeOf(this->DataSet);
-  this->SetEpsilon(other->Epsilon);
-  this->SetLazyBuild(other->LazyBuild);
-  this->SetSplitRule(other->SplitRule);
-  this->SetSkipGhostCells(other->SkipGhostCells);
-  this->SetNumberOfCellsPerNode(other->NumberOfCellsPerNode);
-  this->SetCacheCellBounds(other->CacheCellBounds);
-  this->SetUseExistingSearchStructure(other->UseExistingSearchStructure);
-  this->Impl->Motion = other->Impl->Motion;
-  this->Impl->Matrix->DeepCopy(other->Impl->Matrix);
-  this->FreeSearchStructure();
-  if (isShared)
-  {
-    this->Impl->KeepAs(*other->Impl);
-    this->Impl->BuildSeconds = other->Impl->BuildSeconds;
-    this->Impl->SetTree(other->Impl->ShareTree());
-    this->BuildTime.Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-// Of another data set a tree serves if it has the same points and cells. (VTK's own locators share
-// what they have in any case, but it is bins or boxes alone: cells are read from their data set.)
-bool vtkSkdTreeCellLocator::HasTreeOf(vtkDataSet* data)
-{
-  return this->HasValidTree() && (data == this->DataSet || this->Impl->IsBuiltOn(data));
 }
 
 //------------------------------------------------------------------------------

@@ -12,8 +12,8 @@
 #include "Core/Mesh/Processes.h"
 #include "Core/Tree/LazyTree.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Surfaces/SkdCopies.h"
 #include "Pipeline/SkdKeptBlocks.h"
+#include "Surfaces/SkdCopies.h"
 #include "Surfaces/SkdTriangleReader.h"
 
 #include <algorithm>

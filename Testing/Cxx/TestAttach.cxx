@@ -219,70 +219,80 @@ TEST(Attach, WhatChangesTheDataAloneDoesNotBuildATree)
   EXPECT_EQ(LocatorOf(output)->GetBuildTime(), built);
 }
 
-// As vtkParticleTracer does with meshes of the same topology: one data set, its points and vectors
-// replaced at each step, and a locator on it that is told to use what it has.
-TEST(Attach, ParticlesInARotatingMeshStayInIt)
+/// Tetrahedra that rotate about an axis, and the velocity of their points, in one data set for all
+/// times, as of a source that reuses its output.
+struct RotatingMesh
 {
-  const GridPointer grid = MakeGrid(Tetrahedra(6));
-  vtkNew<vtkPoints> start;
-  start->DeepCopy(grid->GetPoints());
-  const double omega = 0.05;
-  const Point centre = { 3, 3, 0 };
-  const auto turned = [&](const Point& p, double angle)
+  static constexpr double Omega = 0.05;
+  GridPointer Grid = MakeGrid(Tetrahedra(6));
+  vtkNew<vtkPoints> Start;
+
+  RotatingMesh() { this->Start->DeepCopy(this->Grid->GetPoints()); }
+
+  static Point Turned(const Point& p, double time)
   {
+    const Point centre = { 3, 3, 0 };
+    const double angle = Omega * time;
     const Point d = p - centre;
     return centre +
       Point{ std::cos(angle) * d[0] - std::sin(angle) * d[1],
         std::sin(angle) * d[0] + std::cos(angle) * d[1], d[2] };
-  };
-  const auto moveTo = [&](double time)
+  }
+
+  void MoveTo(double time, vtkPointSet* mesh) const
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkDoubleArray> vectors;
     vectors->SetNumberOfComponents(3);
-    for (vtkIdType i = 0; i < start->GetNumberOfPoints(); ++i)
+    for (vtkIdType i = 0; i < this->Start->GetNumberOfPoints(); ++i)
     {
       Point p;
-      start->GetPoint(i, p.data());
-      p = turned(p, omega * time);
+      this->Start->GetPoint(i, p.data());
+      p = Turned(p, time);
       points->InsertNextPoint(p.data());
-      vectors->InsertNextTuple3(-omega * (p[1] - centre[1]), omega * (p[0] - centre[0]), 0.0);
+      vectors->InsertNextTuple3(-Omega * (p[1] - 3.0), Omega * (p[0] - 3.0), 0.0);
     }
-    grid->SetPoints(points);
-    grid->GetPointData()->SetVectors(vectors);
-  };
-  moveTo(0.0);
-  AttachPointer attach = MakeAttach(grid);
-  vtkPointSet* output = OutputOf(attach);
-  LocatorOf(output)->UseExistingSearchStructureOn();
-  const auto velocity = [&](Point x)
+    mesh->SetPoints(points);
+    mesh->GetPointData()->SetVectors(vectors);
+  }
+};
+
+/// NaN outside.
+Point VelocityAt(vtkPointSet* mesh, Point x)
+{
+  int subId;
+  double pcoords[3], weights[8];
+  vtkNew<vtkGenericCell> cell;
+  const vtkIdType id = LocatorOf(mesh)->FindCell(x.data(), 0.0, cell, subId, pcoords, weights);
+  Point sum = { id < 0 ? NAN : 0.0, 0, 0 };
+  for (vtkIdType i = 0; id >= 0 && i < cell->GetNumberOfPoints(); ++i)
   {
-    int subId;
-    double pcoords[3], weights[8];
-    vtkNew<vtkGenericCell> cell;
-    const vtkIdType id = LocatorOf(output)->FindCell(x.data(), 0.0, cell, subId, pcoords, weights);
-    Point v = { NAN, NAN, NAN };
-    for (vtkIdType i = 0; id >= 0 && i < cell->GetNumberOfPoints(); ++i)
-    {
-      Point at;
-      output->GetPointData()->GetVectors()->GetTuple(cell->GetPointId(i), at.data());
-      v = (i == 0 ? Point{ 0, 0, 0 } : v) + weights[i] * at;
-    }
-    return v;
-  };
+    Point v;
+    mesh->GetPointData()->GetVectors()->GetTuple(cell->GetPointId(i), v.data());
+    sum = sum + weights[i] * v;
+  }
+  return sum;
+}
+
+// What vtkParticleTracer does with meshes of the same topology.
+TEST(Attach, ParticlesInARotatingMeshStayInIt)
+{
+  const RotatingMesh rotating;
+  rotating.MoveTo(0.0, rotating.Grid);
+  AttachPointer attach = MakeAttach(rotating.Grid);
+  vtkPointSet* mesh = OutputOf(attach);
+  LocatorOf(mesh)->UseExistingSearchStructureOn();
   const Point seed = { 4.1, 3.2, 2.9 };
   Point x = seed;
   for (int step = 1; step <= 40; ++step)
   {
-    const Point half = x + 0.5 * velocity(x);
-    x = x + velocity(half);
-    moveTo(step);
-    output->SetPoints(grid->GetPoints());
-    output->GetPointData()->SetVectors(grid->GetPointData()->GetVectors());
-    LocatorOf(output)->BuildLocator();
+    const Point half = x + 0.5 * VelocityAt(mesh, x);
+    x = x + VelocityAt(mesh, half);
+    rotating.MoveTo(step, mesh);
+    LocatorOf(mesh)->BuildLocator();
   }
-  EXPECT_LT(Distance(x, turned(seed, 40 * omega)), 1e-3);
+  EXPECT_LT(Distance(x, RotatingMesh::Turned(seed, 40)), 1e-3);
 }
 
 // VTK 9.6 stores the types of such a grid otherwise than one by one.
