@@ -104,8 +104,10 @@ def test_intersections_stand_out_of_opaque_inputs():
         made, view, _ = apply(name)
         shown = simple.GetRepresentation(made, view)
         assert shown.Representation == "Thick Lines", name
-        found = number_of_pixels(view, is_coloured)
-        assert found > pixels, (name, found)
+        for parallel in (1, 0):
+            view.CameraParallelProjection = parallel
+            found = number_of_pixels(view, is_coloured)
+            assert found > pixels, (name, parallel, found)
         shown.Representation = "Surface"
         assert number_of_pixels(view, is_coloured) < found, name
         simple.ResetSession()
