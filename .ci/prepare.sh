@@ -24,7 +24,7 @@ case $(. /etc/os-release && echo "${VERSION_ID:-later}") in
 esac
 test_packages=(
   libgtest-dev libbenchmark-dev libexpat1-dev libjpeg-dev liblzma-dev zlib1g-dev dpkg-dev file
-  clang-format clang-tidy mypy valgrind python3-numpy python3-venv)
+  clang-format clang-tidy git mypy valgrind python3-numpy python3-venv)
 
 say() { printf '\n== %s\n' "$*"; }
 
