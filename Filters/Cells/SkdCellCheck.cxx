@@ -35,6 +35,13 @@ bool HasMoreRules(int cellType)
     cellType >= VTK_LAGRANGE_CURVE;
 }
 
+/// Whether VTK can make a cell of this type.
+bool HasClass(int cellType)
+{
+  const SkdCellSizes sizes = SkdSizesOfCellType(cellType);
+  return sizes.Least <= sizes.Most;
+}
+
 SizeTable MakeSizes(bool lookAgain)
 {
   constexpr SkdCellSizes none{ std::numeric_limits<vtkIdType>::max(), 0 };
@@ -247,6 +254,10 @@ std::string Part::FaultOf(vtkIdType id) const
       else if (bad != ids + size)
       {
         fault << "uses point " << *bad << " of " << this->NumberOfPoints;
+      }
+      else if (!HasClass(this->TypeOf(cell)))
+      {
+        fault << "has the type " << this->TypeOf(cell) << ", of which VTK has no cells";
       }
       else if (!this->HasItsPoints(cell, size))
       {

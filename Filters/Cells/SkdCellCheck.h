@@ -13,6 +13,7 @@ class vtkDataSet;
 /// The cells of a data set that must not be read, in particular by VTK. A cell is broken if
 /// - its points are not in the list of all cells' points: offsets that decrease or end beyond it,
 /// - it uses a point id out of range,
+/// - VTK has no class for its type: types that it declares or reserves only, and unknown ones,
 /// - it has too few points for its type, or more than its type has; of a cell of vtkPolyData that
 ///   has none nothing is missing: it is empty,
 /// - it is a polyhedron whose faces are not polygons of its points.

@@ -16,6 +16,9 @@ namespace
 {
 constexpr vtkIdType Any = std::numeric_limits<vtkIdType>::max();
 
+/// Of types that VTK has no class for: no number of points is right.
+constexpr SkdCellSizes NoSizes{ Any, 0 };
+
 /// The number of points of a cell of this type, or 0 if it varies.
 vtkIdType SizeWhenMade(int cellType)
 {
@@ -53,6 +56,10 @@ SkdCellSizes FindSizes(int cellType)
     return { leastOfHigherOrder[static_cast<int>(kind)], Any };
   }
   const SkdShape shape = SkdShapeOfCellType(cellType);
+  if (shape == SkdShape::None)
+  {
+    return cellType == VTK_EMPTY_CELL ? SkdCellSizes{ 0, 0 } : NoSizes;
+  }
   const vtkIdType fixed =
     shape == SkdShape::Generic ? SizeWhenMade(cellType) : SkdNumberOfPoints(shape);
   if (fixed > 0)
@@ -154,7 +161,7 @@ SkdCellSizes SkdSizesOfCellType(int cellType)
     return sizes;
   }();
   const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
-  return isKnown ? table[static_cast<std::size_t>(cellType)] : SkdCellSizes{ 0, Any };
+  return isKnown ? table[static_cast<std::size_t>(cellType)] : NoSizes;
 }
 
 //------------------------------------------------------------------------------

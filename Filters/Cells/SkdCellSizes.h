@@ -13,8 +13,8 @@ struct SkdCellSizes
 };
 
 /// Those of a cell of this VTK type, whatever its number. Some numbers between are none of a
-/// Lagrange, Bezier or quadratic polygon's: see SkdFitsCellType. Any number of empty cells' and of
-/// types that VTK does not know.
+/// Lagrange, Bezier or quadratic polygon's: see SkdFitsCellType. None, that is Least > Most, of
+/// types that VTK has no class for: its functions call the missing object.
 SkdCellSizes SkdSizesOfCellType(int cellType);
 
 /// Whether a cell of this type may have this number of points. `degrees` are the three of a cell

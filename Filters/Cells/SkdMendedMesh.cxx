@@ -12,6 +12,8 @@
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -148,11 +150,27 @@ vtkSmartPointer<vtkDataSet> Mend(vtkExplicitStructuredGrid* grid, const Ids& bro
   mended->GetCellData()->AddArray(ghosts);
   return mended;
 }
+
+/// With an empty list of points if there are cells, but none: VTK reads cells through it, even
+/// those without points.
+vtkSmartPointer<vtkDataSet> WithPoints(vtkDataSet* data)
+{
+  auto* set = vtkPointSet::SafeDownCast(data);
+  if (!set || set->GetPoints() || set->GetNumberOfCells() == 0)
+  {
+    return data;
+  }
+  const auto copy = vtkSmartPointer<vtkPointSet>::Take(set->NewInstance());
+  copy->ShallowCopy(set);
+  copy->SetPoints(vtkNew<vtkPoints>());
+  return copy;
+}
 }
 
 //------------------------------------------------------------------------------
-SkdMendedMesh SkdMend(vtkDataSet* data)
+SkdMendedMesh SkdMend(vtkDataSet* given)
 {
+  const vtkSmartPointer<vtkDataSet> data = WithPoints(given);
   const SkdBrokenCells broken = SkdFindBrokenCells(data);
   if (broken.Ids.empty())
   {

@@ -12,14 +12,15 @@
 class vtkDataSet;
 
 /// A valid version of a data set: itself or, if cells are broken (SkdCellCheck.h), one of the same
-/// type, points and data in which these are empty. All cells keep their ids.
+/// type, points and data in which these are empty. All cells keep their ids. One that has cells but
+/// no vtkPoints gets an empty one, without a word, for cells without points are valid.
 struct SkdMendedMesh
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   std::string Fault; ///< the warning about broken cells; empty if there is none
 };
 
-/// `data` must not be nullptr. Copies connectivity only if cells are broken.
-SkdMendedMesh SkdMend(vtkDataSet* data);
+/// `given` must not be nullptr. Copies connectivity only if cells are broken.
+SkdMendedMesh SkdMend(vtkDataSet* given);
 
 #endif

@@ -66,19 +66,23 @@ public:
       {
         mended = SkdMend(block.Mesh);
       }
-      if (mended.Fault.empty())
+      if (mended.Mesh == block.Mesh)
       {
         wholeMeshes.Add(block.Mesh);
       }
       else
       {
+        this->Changed = true;
         this->Tell(block, mended.Fault);
       }
       this->Meshes.push_back(mended.Mesh);
     }
   }
 
-  /// What is wrong: empty if nothing is.
+  /// Whether any differs from the given one, which does not always need a warning.
+  bool AreChanged() const { return this->Changed; }
+
+  /// The warning; empty if there is none.
   std::string GetFaults() const { return this->Faults.str(); }
 
   vtkSmartPointer<vtkDataObject> PutInto(vtkDataObject* object) const;
@@ -86,8 +90,8 @@ public:
 private:
   void Tell(const SkdBlock& block, const std::string& fault)
   {
-    this->Faults << " ";
-    if (block.BlockIndex > 0)
+    this->Faults << (fault.empty() ? "" : " ");
+    if (!fault.empty() && block.BlockIndex > 0)
     {
       this->Faults << "Block " << block.BlockIndex << ": ";
     }
@@ -95,6 +99,7 @@ private:
   }
 
   std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
+  bool Changed = false;
   std::ostringstream Faults;
 };
 
@@ -155,7 +160,7 @@ std::string SkdValidInput::Mend(vtkInformationVector* to)
     vtkDataObject* object = vtkDataObject::GetData(to, i);
     const MendedBlocks blocks(object);
     faults += blocks.GetFaults();
-    if (!blocks.GetFaults().empty())
+    if (blocks.AreChanged())
     {
       vtkNew<vtkInformation> mended;
       mended->Copy(to->GetInformationObject(i));

@@ -8,10 +8,9 @@
 #include "Support/FilterRun.h"
 #include "Support/FilterZoo.h"
 #include "Support/HarmedMeshes.h"
+#include "Support/QuietWindow.h"
 
-#include "vtkOutputWindow.h"
 #include "vtkSkdTreeCellLocator.h"
-#include "vtkStringOutputWindow.h"
 
 #include <gtest/gtest.h>
 
@@ -23,18 +22,6 @@ using namespace skdtest;
 
 namespace
 {
-
-/// As long as it lives nothing is written that nobody observes.
-class QuietWindow
-{
-public:
-  QuietWindow() { vtkOutputWindow::SetInstance(this->Quiet); }
-  ~QuietWindow() { vtkOutputWindow::SetInstance(this->Usual); }
-
-private:
-  vtkSmartPointer<vtkOutputWindow> Usual = vtkOutputWindow::GetInstance();
-  vtkNew<vtkStringOutputWindow> Quiet;
-};
 
 /// Counts the messages about broken cells.
 class BrokenCounter
@@ -109,7 +96,8 @@ protected:
   QuietWindow Quiet;
 };
 
-INSTANTIATE_TEST_SUITE_P(Filters, HarmedCells, testing::Range<std::size_t>(0, 30),
+INSTANTIATE_TEST_SUITE_P(Filters, HarmedCells,
+  testing::Range<std::size_t>(0, AllFilterSetups().size()),
   [](const auto& info) { return AllFilterSetups()[info.param].Name; });
 
 TEST_P(HarmedCells, DoNoHarm)

@@ -212,6 +212,20 @@ AlgorithmPointer MakeAMROf(vtkDataObject* parts, int type)
   return filter;
 }
 
+/// Refines the input where another mesh has certain values.
+template <class Filter>
+AlgorithmPointer MakeByField(vtkDataObject* input, vtkDataObject* field)
+{
+  const auto filter = MakeOf<Filter>(input, nullptr);
+  filter->SetMaximumLevel(1);
+  filter->SetFieldData(field);
+  filter->AddFieldArray("Linear");
+  filter->AddFieldArray("Number");
+  filter->SetFieldTest(Filter::VALUE);
+  filter->SetFieldRange(7.0, 20.0);
+  return filter;
+}
+
 AlgorithmPointer MakeRefinementOf(vtkDataObject* mesh, vtkDataObject* parts, vtkDataObject* surface)
 {
   const auto filter = MakeOf<vtkSkdTreeMeshRefinement>(mesh, parts);
@@ -325,6 +339,17 @@ std::vector<FilterSetup> MakeSetups()
     { "RefinementOnto",
       [](Data* mesh) { return MakeRefinementOf(SomeVolumes(), SomeSurface(), mesh); } },
     { "AdaptationOf", [](Data* mesh) { return MakeAdaptationOf(mesh, SomeSurface()); } },
+    { "CurveIntersectionBy", [](Data* mesh) { return MakeCurves(SomeLines(), mesh); } },
+    { "CurveWithItself", [](Data* mesh) { return MakeCurves(mesh, nullptr); } },
+    { "ThicknessSpheresTo",
+      [](Data* mesh)
+      { return MakeThickness(SomeSurface(), mesh, vtkSkdTreeWallThickness::SPHERES); } },
+    { "ThicknessAlone",
+      [](Data* mesh) { return MakeThickness(mesh, nullptr, vtkSkdTreeWallThickness::RAYS); } },
+    { "AMRField", [](Data* mesh) { return MakeByField<vtkSkdTreeAMR>(SomeSurface(), mesh); } },
+    { "RefinementField",
+      [](Data* mesh) { return MakeByField<vtkSkdTreeMeshRefinement>(SomeVolumes(), mesh); } },
+    { "AdaptationTo", [](Data* mesh) { return MakeAdaptationOf(SomeSurface(), mesh); } },
     { "Representation", MakeAlone<vtkSkdTreeRepresentation> },
     { "Attach", MakeAlone<vtkSkdTreeAttach> },
   };
