@@ -4,6 +4,7 @@
 
 #include "Adaptation/SkdMeshAdapter.h"
 #include "Cells/SkdCellReader.h"
+#include "Cells/SkdMagnitudes.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
@@ -41,6 +42,15 @@ struct Samples
   std::vector<double> Values; // NaN where there is none
   std::vector<double> Weights;
   bool IsStructured = false;
+  vtkIdType TooLarge = 0; // values whose squares are no numbers: they count as none
+
+  void Add(const skd::Vector3& place, double value)
+  {
+    const bool isTooLarge = std::abs(value) > SkdComparable.Largest;
+    this->TooLarge += isTooLarge;
+    this->Places.push_back(place);
+    this->Values.push_back(isTooLarge ? vtkMath::Nan() : value);
+  }
 };
 
 /// The named array, or else the first of numbers, that is no mark of ghosts.
@@ -108,8 +118,7 @@ void AddSamples(vtkDataSet* mesh, int type, vtkDataArray* array, Samples& sample
       x = MiddleOf(mesh, i, cell);
     }
     const bool counts = ghosts == none || ghosts->GetValue(i) == 0;
-    samples.Places.push_back(x);
-    samples.Values.push_back(counts ? MagnitudeOf(array, i) : vtkMath::Nan());
+    samples.Add(x, counts ? MagnitudeOf(array, i) : vtkMath::Nan());
   }
   samples.IsStructured = samples.IsStructured || SkdIsStructured(mesh);
 }
@@ -158,6 +167,7 @@ public:
 
   SkdMeshAdapter Adapter;
   std::size_t NumberOfSamples = 0;
+  vtkIdType NumberOfTooLarge = 0;
   double Seconds = 0.0;
 
   /// Whether there is an outcome to show: the last one, if nothing has changed since.
@@ -286,6 +296,13 @@ bool vtkSkdTreeMeshAdaptation::Internals::Run(
   }
   Samples samples = ReadSamples(source, self->FieldArray);
   this->NumberOfSamples = samples.Places.size();
+  this->NumberOfTooLarge = samples.TooLarge;
+  if (samples.TooLarge > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      "" << samples.TooLarge << " values of Source's field are infinite or beyond "
+         << SkdComparable.Largest << " and are ignored: bring the field into another unit.");
+  }
   if (!HasAny(samples.Values))
   {
     vtkErrorWithObjectMacro(self,
@@ -369,6 +386,10 @@ void vtkSkdTreeMeshAdaptation::Internals::Report(vtkDataObject* output) const
   report.AddMeasure("SmallestQuality", outcome.Rows[outcome.Best].SmallestQuality);
   report.AddCount("MovedCells", static_cast<vtkIdType>(this->Adapter.GetMesh().Mesh.Cells.size()));
   report.AddCount("Samples", static_cast<vtkIdType>(this->NumberOfSamples));
+  if (this->NumberOfTooLarge > 0)
+  {
+    report.AddCount("ValuesIgnored", this->NumberOfTooLarge);
+  }
   report.AddMeasure("Seconds", this->Seconds);
 }
 

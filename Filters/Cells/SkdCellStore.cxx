@@ -15,6 +15,7 @@
 #include "vtkSMPThreadLocalObject.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,56 @@ SkdCellStore::SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitude
   if (this->Count > 0)
   {
     this->FindBounds();
+  }
+}
+
+//------------------------------------------------------------------------------
+SkdCellStore::SkdCellStore(const SkdCellStore& whole, const std::vector<std::uint32_t>& cells)
+  : Magnitudes(whole.Magnitudes)
+  , Count(static_cast<std::uint32_t>(cells.size()))
+  , CommonShape(whole.CommonShape)
+  , CommonSize(whole.CommonSize)
+  , Largest(whole.Largest)
+  , Bounds(whole.Bounds)
+  , Coordinates(whole.Coordinates)
+  , NumberOfPoints(whole.NumberOfPoints)
+  , AreFloats(whole.AreFloats)
+{
+  const auto copyIf = [&cells](const auto& from, auto& to)
+  {
+    if (!from.empty())
+    {
+      to.reserve(cells.size());
+      std::transform(cells.begin(), cells.end(), std::back_inserter(to),
+        [&from](std::uint32_t cell) { return from[cell]; });
+    }
+  };
+  copyIf(whole.Shapes, this->Shapes);
+  copyIf(whole.CurvedExtents, this->CurvedExtents);
+  for (const std::uint32_t cell : cells)
+  {
+    this->Ids.push_back(static_cast<std::uint32_t>(whole.IdOf(cell)));
+    if (!whole.Offsets.empty())
+    {
+      this->Offsets.push_back(this->PointIds.size());
+    }
+    if (!whole.FaceOffsets.empty())
+    {
+      this->FaceOffsets.push_back(this->FaceStream.size());
+      this->FaceStream.insert(this->FaceStream.end(),
+        whole.FaceStream.begin() + static_cast<std::ptrdiff_t>(whole.FaceOffsets[cell]),
+        whole.FaceStream.begin() + static_cast<std::ptrdiff_t>(whole.FaceOffsets[cell + 1]));
+    }
+    const std::uint32_t* ids = whole.PointIdsOf(cell);
+    this->PointIds.insert(this->PointIds.end(), ids, ids + whole.SizeOf(cell));
+  }
+  if (!whole.Offsets.empty())
+  {
+    this->Offsets.push_back(this->PointIds.size());
+  }
+  if (!whole.FaceOffsets.empty())
+  {
+    this->FaceOffsets.push_back(this->FaceStream.size());
   }
 }
 

@@ -33,6 +33,12 @@ public:
   /// there are more cells or points than 32-bit numbers can count.
   SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes);
 
+  /// Some cells of another store, ascending, which must outlive this one: it has the points.
+  SkdCellStore(const SkdCellStore& whole, const std::vector<std::uint32_t>& cells);
+  SkdCellStore(SkdCellStore&&) = default;
+  SkdCellStore(const SkdCellStore&) = delete; // the points may be its own
+  SkdCellStore& operator=(const SkdCellStore&) = delete;
+
   std::uint32_t NumberOfCells() const { return this->Count; }
   const LeftOutCounts& LeftOut() const { return this->Missing; }
 

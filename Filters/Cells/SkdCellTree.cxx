@@ -13,7 +13,29 @@ constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
 
 //------------------------------------------------------------------------------
 SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
-  : Store(data, settings.SkipsGhosts, settings.Magnitudes)
+  : SkdCellTree(SkdCellStore(data, settings.SkipsGhosts, settings.Magnitudes), settings)
+{
+  if (!this->Lazy && !this->Bare && SkdEqualCells::AreLikely(this->Eager))
+  {
+    this->FindEqualCells(settings);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindEqualCells(const SkdTreeSettings& settings)
+{
+  auto equal = std::make_unique<SkdEqualCells>(this->Store);
+  if (equal->GetFirsts().size() < this->Store.NumberOfCells())
+  {
+    this->Equal = std::move(equal);
+    this->Distinct.reset(
+      new SkdCellTree(SkdCellStore(this->Store, this->Equal->GetFirsts()), settings));
+  }
+}
+
+//------------------------------------------------------------------------------
+SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
+  : Store(std::move(store))
   , Bare(settings.IsBare)
   , TheRounding(Ulps * this->Store.LargestCoordinate())
   , TheEpsilon(settings.Epsilon)
@@ -103,5 +125,7 @@ skd::SplitRule SkdCellTree::Rule() const
 std::size_t SkdCellTree::MemorySize() const
 {
   return sizeof(*this) + this->Store.MemorySize() + this->LeafFilters.MemorySize() +
-    this->Runs.MemorySize() + (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
+    this->Runs.MemorySize() + (this->Equal ? this->Equal->MemorySize() : 0) +
+    (this->Distinct ? this->Distinct->MemorySize() : 0) +
+    (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
 }

@@ -4,6 +4,7 @@
 #define SkdCellTree_h
 
 #include "Cells/SkdCellStore.h"
+#include "Cells/SkdEqualCells.h"
 #include "Cells/SkdGenericKernel.h"
 #include "Cells/SkdLeafFilters.h"
 #include "Cells/SkdPieceRuns.h"
@@ -109,6 +110,8 @@ public:
   int Depth() const;
   std::size_t MemorySize() const;
   skd::SplitRule Rule() const; ///< what divided it: never Automatic
+  /// So many do queries that need one of equal cells look at (SkdEqualCells), instead of all.
+  std::uint32_t NumberOfDistinctCells() const { return this->WithoutEqual().Store.NumberOfCells(); }
   ///@}
 
   ///@{
@@ -244,7 +247,12 @@ public:
 private:
   using EagerTree = skd::Tree<3>;
 
+  SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings);
+
   skd::ReadInput<3> MakeInput(const SkdTreeSettings& settings);
+  void FindEqualCells(const SkdTreeSettings& settings);
+  /// The tree for queries that need one of equal cells only.
+  const SkdCellTree& WithoutEqual() const { return this->Distinct ? *this->Distinct : *this; }
 
   /// Runs a query on whichever tree there is.
   template <class Query>
@@ -321,6 +329,8 @@ private:
   EagerTree Eager;
   SkdLeafFilters LeafFilters;             // of Eager
   std::unique_ptr<skd::LazyTree<3>> Lazy; // instead of Eager
+  std::unique_ptr<SkdEqualCells> Equal;   // with the next; nullptr where there are few
+  std::unique_ptr<SkdCellTree> Distinct;  // of the first of each group of equal cells
 };
 
 #endif

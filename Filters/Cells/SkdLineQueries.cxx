@@ -192,6 +192,10 @@ bool SkdCellTree::VisitTriangleHits(
 SkdHitCell SkdCellTree::FindFirstHit(
   const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
 {
+  if (this->Distinct)
+  {
+    return this->Distinct->FindFirstHit(segment, tolerance, source);
+  }
   SkdHitCell first;
   const double reach = std::max(tolerance, 0.0);
   const auto take = [&](std::uint32_t cell, const SkdLineHit& hit)

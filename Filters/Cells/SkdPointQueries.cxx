@@ -85,6 +85,10 @@ void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Visitor& vis
 SkdFoundCell SkdCellTree::FindNearest(
   const skd::Vector3& x, double limit2, const SkdCellSource& source) const
 {
+  if (this->Distinct)
+  {
+    return this->Distinct->FindNearest(x, limit2, source);
+  }
   BestCell best(limit2);
   if (!skd::IsFinite(x) || !(limit2 >= 0.0))
   {
@@ -128,6 +132,10 @@ SkdFoundCell SkdCellTree::FindContaining(
       return best.Found;
     }
   }
+  if (this->Distinct)
+  {
+    return this->Distinct->FindContaining(x, tolerance2, -1, source);
+  }
   auto tryCell = [&](std::uint32_t cell)
   {
     const vtkIdType id = this->Store.IdOf(cell);
@@ -164,13 +172,12 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
     return heap;
   }
   const auto limit = [&]() { return heap.size() < number ? limit2 : heap.front().first; };
-  auto visitor = [&](std::uint32_t cell)
+  const auto offer = [&](double dist2, std::uint32_t cell)
   {
-    const double dist2 = this->Measure(cell, x, limit(), source).Dist2;
     const std::pair<double, vtkIdType> candidate(dist2, this->Store.IdOf(cell));
     if (!(dist2 <= limit()) || (heap.size() == number && !(candidate < heap.front())))
     {
-      return limit();
+      return false;
     }
     if (heap.size() == number)
     {
@@ -179,9 +186,23 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
     }
     heap.push_back(candidate);
     std::push_heap(heap.begin(), heap.end());
+    return true;
+  };
+  const SkdCellTree& tree = this->WithoutEqual();
+  auto visitor = [&](std::uint32_t cell)
+  {
+    const double dist2 = tree.Measure(cell, x, limit(), source).Dist2;
+    if (this->Equal)
+    {
+      this->Equal->VisitGroup(cell, [&](std::uint32_t one) { return offer(dist2, one); });
+    }
+    else
+    {
+      offer(dist2, cell);
+    }
     return limit();
   };
-  this->WalkNearest<false>(x, limit2, visitor);
+  tree.WalkNearest<false>(x, limit2, visitor);
   std::sort_heap(heap.begin(), heap.end());
   return heap;
 }

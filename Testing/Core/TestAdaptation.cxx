@@ -190,6 +190,26 @@ TEST(Adaptation, AMonitorThatIsNoneMovesNothing)
   EXPECT_EQ(Adapt(MakeSquare(1), [](const Vector3& x) { return x[0]; }).Outcome.Rows.size(), 1u);
 }
 
+// Means of so large numbers are no numbers: that must not go on for ever.
+TEST(Adaptation, FieldsNearTheLargestNumberEnd)
+{
+  for (const double value : { 1e300, 1.7e308 })
+  {
+    const auto field = [value](const Vector3& x) {
+      return x[0] < 0.4 ? value : x[0] < 0.8 ? std::nan("") : 0.5 * value;
+    };
+    for (const skd::MonitorKind kind :
+      { skd::MonitorKind::ArcLength, skd::MonitorKind::Gradient, skd::MonitorKind::Value })
+    {
+      AdaptRules rules = Given();
+      rules.Monitor.Kind = kind;
+      rules.Iterations = 2;
+      const Moved moved = Adapt(MakeSquare(8), field, rules);
+      EXPECT_LE(moved.Outcome.Rows.size(), 3u);
+    }
+  }
+}
+
 TEST(Adaptation, GradientsMakeMonitorsInAnyUnit)
 {
   AdaptRules rules = Given();

@@ -296,6 +296,41 @@ TEST(MeshAdaptation, BadInputGivesOneClearMessage)
   EXPECT_EQ(Complaint(MakeSheet(1), ridge), "");
 }
 
+TEST(MeshAdaptation, ValuesTooLargeToBeSquaredCountAsNone)
+{
+  PolyDataPointer sheet = MakeSheet(8);
+  for (const double value : { 1e160, 1e300, 1.7e308, HUGE_VAL })
+  {
+    PolyDataPointer ridge = MakeRidge();
+    vtkDataArray* field = ridge->GetPointData()->GetArray(0);
+    field->Fill(value);
+    const std::string complaint = Complaint(sheet, ridge);
+    EXPECT_NE(complaint.find("finite value"), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("10201 values"), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("1e+152"), std::string::npos) << complaint;
+  }
+  for (const double value : { 1.7e308, double(vtkMath::Nan()) }) // as if they had none
+  {
+    PolyDataPointer ridge = MakeRidge();
+    PolyDataPointer holes = MakeRidge();
+    for (vtkIdType i = 0; i < 300; i += 3)
+    {
+      ridge->GetPointData()->GetArray(0)->SetTuple1(i, value);
+      holes->GetPointData()->GetArray(0)->SetTuple1(i, vtkMath::Nan());
+    }
+    FilterPointer filter = MakeFilter(sheet, ridge);
+    FilterPointer expected = MakeFilter(sheet, holes);
+    EventCounter events(filter);
+    filter->Update();
+    expected->Update();
+    EXPECT_EQ(events.Errors, 0);
+    EXPECT_EQ(events.Warnings, vtkMath::IsNan(value) ? 0 : 1);
+    EXPECT_EQ(Reported(filter, "ValuesIgnored"), vtkMath::IsNan(value) ? -1.0 : 100.0);
+    EXPECT_FALSE(HasMoved(MeshOf(filter), MeshOf(expected)));
+    EXPECT_TRUE(HasMoved(MeshOf(filter), sheet));
+  }
+}
+
 // Lines only; three cells at an edge; a tetrahedron; a quad that crosses itself.
 TEST(MeshAdaptation, CellsThatCannotMoveHoldTheirPoints)
 {

@@ -258,6 +258,22 @@ void CountExpensiveCells()
   Count("adjacency, curved hexahedra", [&] { query->Update(); });
 }
 
+/// Equal cells, which no box tells apart: see SkdEqualCells.
+void CountEqualCells()
+{
+  Mesh mesh = SphereTriangles(10);
+  for (int i = 0; i < 4000; ++i)
+  {
+    mesh.Add(VTK_TRIANGLE, mesh.Cells[7].Points);
+    mesh.Add(VTK_VERTEX, { 3 });
+  }
+  const auto grid = MakeGrid(mesh);
+  Counted cells(grid);
+  cells.CountBuild("build, equal cells");
+  cells.CountClosest("closest point, equal cells", 0.5, 0.7);
+  cells.CountFirstHits("first hit, equal cells");
+}
+
 void CountVolume(const char* kind, Mesh mesh)
 {
   const auto grid = MakeGrid(mesh.Map(Bent));
@@ -282,5 +298,6 @@ int main()
   CountVolume("hexahedra", Hexahedra(16));
   CountVolume("mixed cells", MixedCells(12));
   CountExpensiveCells();
+  CountEqualCells();
   return 0;
 }

@@ -82,7 +82,7 @@ inline bool Monitor::Fill(const SurfaceMesh& mesh, std::vector<double>& field)
       if (!std::isfinite(field[cell]) && counts[cell] > 0)
       {
         field[cell] = sums[cell] / counts[cell];
-        isAny = true;
+        isAny = isAny || std::isfinite(field[cell]); // sums of large numbers are not
       }
     }
   }
