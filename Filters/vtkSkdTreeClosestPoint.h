@@ -31,8 +31,8 @@
  * SkdReportChordalLength for curved cells (see SetChordalDeviation).
  *
  * Output port 1: optional (see GenerateLines), vtkPolyData with a line from each point with a
- * result to its nearest point, with the point's arrays as cell data (of a composite Input those
- * that all its blocks have; ghost marks are not passed on).
+ * result to its nearest point, with the point's arrays as cell data (ghost marks are not passed
+ * on).
  *
  * Bad input: a Source without valid cells gives a warning and "none" everywhere. A missing Source
  * is an error of the pipeline. See SetSignedDistance for a Source that is not closed. An Input
@@ -91,8 +91,9 @@ public:
   /**
    * Interpolate the source's point data at the nearest point by the cell's weights, exactly for
    * linear fields, and copy its cell data; both become point arrays of the output with their own
-   * names and types (rounded for integers). Of a composite Source, only arrays that all its blocks
-   * have are used. An array whose name is already in use is not added, with a warning: the Input's
+   * names and types (rounded for integers). An array that only some blocks of a composite Source
+   * have is NaN (0 if of integers) at points nearest to others, and an array SkdValid_ with its
+   * name marks by 1 where it has a value; SkdReportPartialArrays lists them. An array whose name is already in use is not added, with a warning: the Input's
    * arrays take precedence over the Source's, and its point data over its cell data. Ghost marks
    * and point ids are not passed on. Points without a result get NaN, or 0 in integer arrays.
    * Default off.

@@ -3,6 +3,7 @@
 #include "vtkSkdTreeRemap.h"
 
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"
@@ -73,6 +74,7 @@ private:
   std::vector<SkdBlock> Inputs;  // of the input
   std::vector<SkdBlock> Outputs; // the same, to add arrays to
   vtkSmartPointer<vtkDataSet> Donor;
+  std::set<std::string> PartialArrays; // of the donor
   SkdRemapSettings Settings;
   bool IsComposite = false;
   int Method = AUTOMATIC_METHOD;
@@ -158,7 +160,7 @@ bool vtkSkdTreeRemap::Internals::IsOfOneDimension() const
 //------------------------------------------------------------------------------
 void vtkSkdTreeRemap::Internals::PrepareDonor(vtkDataObject* source)
 {
-  this->Donor = SkdJoinBlocks(SkdBlocksOf(source));
+  this->Donor = SkdJoinBlocks(SkdBlocksOf(source), this->PartialArrays);
   if (this->Self->SourceCoordinates == LONGITUDE_LATITUDE)
   {
     const double radius = this->RadiusOfInput();
@@ -411,6 +413,7 @@ void vtkSkdTreeRemap::Internals::Report(vtkDataObject* output, double seconds) c
     cells += block.Mesh->GetNumberOfCells();
   }
   SkdReport report(output);
+  SkdReportPartialArrays(this->PartialArrays, output);
   report.AddCount("SourceCells", this->Donor->GetNumberOfCells());
   report.AddCount("InputCells", cells);
   report.AddCount("InputCellsEmpty", found.EmptyCells);

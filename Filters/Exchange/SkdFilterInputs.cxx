@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdFilterInputs.h"
 
+#include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdTimes.h"
@@ -28,6 +29,7 @@ int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inp
   }
   const int result = this->ProcessData(request, inputs, process);
   SkdMarkRequestedTime(outputs);
+  SkdReportPartialArrays(outputs);
   return result;
 }
 

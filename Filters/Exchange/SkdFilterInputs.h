@@ -34,7 +34,8 @@ public:
   /// For ProcessRequest: calls `process` with the inputs that the filter is to have.
   /// - REQUEST_INFORMATION: the outputs get the times of all inputs (SkdUniteTimes).
   /// - REQUEST_DATA: inputs without broken cells (SkdValidInput), and whole where they are needed
-  ///   whole: gathered from all processes (SkdWholeInput). The outputs get the requested time.
+  ///   whole: gathered from all processes (SkdWholeInput). The outputs get the requested
+  ///   time, and in the report the names of arrays that are not complete (SkdPartialArrays).
   int Process(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
 

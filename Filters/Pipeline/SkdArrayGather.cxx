@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdArrayGather.h"
 
+#include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdPartialArrays.h"
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -136,28 +138,32 @@ bool IsPlain(vtkAbstractArray* array)
 SkdArrayGather::SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
   const std::function<bool(vtkAbstractArray*)>& isWanted)
 {
-  const int candidates = sets.empty() ? 0 : sets.front()->GetNumberOfArrays();
-  for (int i = 0; i < candidates; ++i)
+  std::set<std::string> known;
+  for (vtkDataSetAttributes* set : sets)
   {
-    vtkAbstractArray* first = sets.front()->GetAbstractArray(i);
-    if (!IsGatherable(first) || !isWanted(first))
+    for (int i = 0; set && i < set->GetNumberOfArrays(); ++i)
     {
-      continue;
-    }
-    Array array;
-    for (vtkDataSetAttributes* set : sets)
-    {
-      vtkAbstractArray* source = set->GetAbstractArray(first->GetName());
-      if (IsAlike(source, first))
+      vtkAbstractArray* array = set->GetAbstractArray(i);
+      if (IsGatherable(array) && known.insert(array->GetName()).second && isWanted(array))
       {
-        array.Sources.push_back(source);
+        this->Arrays.push_back(Find(sets, array));
       }
     }
-    if (array.Sources.size() == sets.size())
-    {
-      this->Arrays.push_back(array);
-    }
   }
+}
+
+SkdArrayGather::Array SkdArrayGather::Find(
+  const std::vector<vtkDataSetAttributes*>& sets, vtkAbstractArray* first)
+{
+  Array array;
+  array.First = first;
+  for (vtkDataSetAttributes* set : sets)
+  {
+    vtkAbstractArray* source = set ? set->GetAbstractArray(first->GetName()) : nullptr;
+    array.Sources.push_back(IsAlike(source, first) ? source : nullptr);
+    array.IsPartial = array.IsPartial || (set && !array.Sources.back());
+  }
+  return array;
 }
 
 void SkdArrayGather::ChooseFunctions(Array& array)
@@ -165,14 +171,15 @@ void SkdArrayGather::ChooseFunctions(Array& array)
   const bool isConverted = array.Result->IsNumeric() &&
     std::any_of(array.Sources.begin(), array.Sources.end(),
       [&array](vtkAbstractArray* source)
-      { return source->GetDataType() != array.Result->GetDataType(); });
+      { return source && source->GetDataType() != array.Result->GetDataType(); });
   array.Interpolate = isConverted ? &InterpolateNumbers : &InterpolateAny;
   array.Take = isConverted ? &TakeNumbers : &TakeAny;
   const auto choose = [&](auto value)
   {
     using Value = decltype(value);
     const bool isPlain = IsPlain<Value>(array.Result) &&
-      std::all_of(array.Sources.begin(), array.Sources.end(), &IsPlain<Value>);
+      std::all_of(array.Sources.begin(), array.Sources.end(),
+        [](vtkAbstractArray* source) { return !source || IsPlain<Value>(source); });
     if (isPlain)
     {
       array.Interpolate = &InterpolatePlain<Value>;
@@ -191,16 +198,35 @@ void SkdArrayGather::Allocate(vtkIdType n, double fill, bool isDouble)
 {
   for (Array& array : this->Arrays)
   {
-    array.Result = MakeResult(array.Sources.front(), n, fill, isDouble);
+    array.Result = MakeResult(array.First, n, fill, isDouble);
     ChooseFunctions(array);
+    if (array.IsPartial)
+    {
+      const std::string name = std::string(SkdPartialMarkPrefix) + array.First->GetName();
+      array.Marks = SkdMakeArray<vtkUnsignedCharArray>(name.c_str(), 1, n, 0);
+    }
   }
+}
+
+// nullptr if there is none; else marks that there is a value.
+vtkAbstractArray* SkdArrayGather::SourceOf(const Array& array, vtkIdType to, int set)
+{
+  vtkAbstractArray* source = array.Sources[set];
+  if (source && array.Marks)
+  {
+    array.Marks->SetValue(to, 1);
+  }
+  return source;
 }
 
 void SkdArrayGather::Interpolate(vtkIdType to, int set, vtkIdList* ids, double* weights)
 {
   for (Array& array : this->Arrays)
   {
-    array.Interpolate(array.Result, to, array.Sources[set], ids, weights);
+    if (vtkAbstractArray* source = SourceOf(array, to, set))
+    {
+      array.Interpolate(array.Result, to, source, ids, weights);
+    }
   }
 }
 
@@ -208,7 +234,10 @@ void SkdArrayGather::Take(vtkIdType to, int set, vtkIdType from)
 {
   for (Array& array : this->Arrays)
   {
-    array.Take(array.Result, to, array.Sources[set], from);
+    if (vtkAbstractArray* source = SourceOf(array, to, set))
+    {
+      array.Take(array.Result, to, source, from);
+    }
   }
 }
 
@@ -217,6 +246,10 @@ void SkdArrayGather::AddTo(vtkDataSetAttributes* attributes) const
   for (const Array& array : this->Arrays)
   {
     attributes->AddArray(array.Result);
+    if (array.Marks && !attributes->HasArray(array.Marks->GetName()))
+    {
+      attributes->AddArray(array.Marks);
+    }
   }
 }
 
@@ -234,14 +267,19 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
   std::vector<vtkDataSetAttributes*> sets;
   for (const SkdBlock& block : blocks)
   {
-    sets.push_back(block.Mesh->GetAttributes(type));
+    const bool isEmpty = block.Mesh->GetNumberOfElements(type) == 0;
+    sets.push_back(isEmpty ? nullptr : block.Mesh->GetAttributes(type));
   }
   const auto isWanted = [&](vtkAbstractArray* array)
   {
-    vtkDataSetAttributes* first = sets.front();
     const bool isOfPoints = type == vtkDataObject::POINT &&
-      (array == first->GetGlobalIds() || array == first->GetPedigreeIds() ||
-        array == first->GetRationalWeights());
+      std::any_of(sets.begin(), sets.end(),
+        [array](vtkDataSetAttributes* set)
+        {
+          return set &&
+            (array == set->GetGlobalIds() || array == set->GetPedigreeIds() ||
+              array == set->GetRationalWeights());
+        });
     const std::string name = array->GetName();
     if (isOfPoints || name == vtkDataSetAttributes::GhostArrayName() || !isNamed(name))
     {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdArrayGather.h
- * @brief Arrays common to several data sets, gathered tuple by tuple.
+ * @brief Arrays of several data sets, gathered tuple by tuple.
  *
- * Arrays are common if all data sets have one of that name and number of components, all numeric or
- * all strings. The result has the type of the first data set's (a bit array becomes unsigned char,
- * whose values can be written in parallel).
+ * Arrays of one name are one array if they have the same number of components and are all numeric
+ * or all strings; of others the first counts. The result has the type of the first (a bit array
+ * becomes unsigned char, whose values can be written in parallel). Where a data set does not have
+ * it, tuples stay as they were allocated, and a second array marks where there is a value: see
+ * SkdPartialArrays.h.
  */
 
 #ifndef SkdArrayGather_h
@@ -16,6 +18,7 @@
 #include "vtkAbstractArray.h"
 #include "vtkMath.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <functional>
 #include <set>
@@ -29,8 +32,8 @@ class vtkIdList;
 class SkdArrayGather
 {
 public:
-  /// Finds the arrays that all `sets` have and for which `isWanted` returns true. No sets: no
-  /// arrays.
+  /// Finds the arrays for which `isWanted` returns true, in the order of their first data set. In
+  /// place of a data set that has no elements may be nullptr.
   SkdArrayGather(const std::vector<vtkDataSetAttributes*>& sets,
     const std::function<bool(vtkAbstractArray*)>& isWanted);
 
@@ -45,13 +48,15 @@ public:
   void Take(vtkIdType to, int set, vtkIdType from);
   ///@}
 
-  /// Adds the resulting arrays.
+  /// Adds the resulting arrays and the marks of partial ones.
   void AddTo(vtkDataSetAttributes* attributes) const;
 
   ///@{
   /// The resulting arrays one by one.
   int GetNumberOfArrays() const { return static_cast<int>(this->Arrays.size()); }
   vtkAbstractArray* GetResult(int i) const { return this->Arrays[i].Result; }
+  vtkAbstractArray* GetFirst(int i) const { return this->Arrays[i].First; }
+  /// nullptr if that data set does not have it.
   vtkAbstractArray* GetSource(int i, int set) const { return this->Arrays[i].Sources[set]; }
   ///@}
 
@@ -65,19 +70,24 @@ private:
 
   struct Array
   {
+    vtkAbstractArray* First = nullptr;
     std::vector<vtkAbstractArray*> Sources; // one a set
+    bool IsPartial = false;
     vtkSmartPointer<vtkAbstractArray> Result;
+    vtkSmartPointer<vtkUnsignedCharArray> Marks; // of a partial one
     InterpolateFunction Interpolate = nullptr;
     TakeFunction Take = nullptr;
   };
 
+  static Array Find(const std::vector<vtkDataSetAttributes*>& sets, vtkAbstractArray* first);
   static void ChooseFunctions(Array& array);
+  static vtkAbstractArray* SourceOf(const Array& array, vtkIdType to, int set);
 
   std::vector<Array> Arrays;
 };
 
-/// The arrays (of points or cells, vtkDataObject's type) that all blocks have, made for `n` tuples
-/// of "none" and added to `target`: all but ghost marks, and points' ids and rational weights.
+/// The arrays (of points or cells, vtkDataObject's type) of the blocks, made for `n` tuples of
+/// "none" and added to `target`: all but ghost marks, and points' ids and rational weights.
 /// Names that are already in use are not added but inserted into `refused`.
 SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
   const std::vector<SkdBlock>& blocks, int type, std::set<std::string>& refused);

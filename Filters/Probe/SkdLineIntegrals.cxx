@@ -114,9 +114,9 @@ void AddCellIntegrals(const SkdLineOutput& output, const Rows& rows, vtkTable* t
     {
       const SkdLineInterval& interval = output.Intervals[i];
       auto* source = static_cast<vtkDataArray*>(gather.GetSource(k, interval.Block));
-      return source->GetComponent(interval.CellId, c);
+      return source ? source->GetComponent(interval.CellId, c) : 0.0;
     };
-    AddSums(output, rows, gather.GetSource(k, 0), value, table);
+    AddSums(output, rows, gather.GetFirst(k), value, table);
   }
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Cells/SkdCellReader.h"
 #include "Pipeline/SkdLonLat.h"
+#include "Pipeline/SkdPartialArrays.h"
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
@@ -31,19 +32,19 @@ vtkSmartPointer<vtkUnstructuredGrid> Append(const std::vector<vtkDataSet*>& mesh
 }
 }
 
-vtkSmartPointer<vtkDataSet> SkdJoinBlocks(const std::vector<SkdBlock>& blocks)
+vtkSmartPointer<vtkDataSet> SkdJoinBlocks(
+  const std::vector<SkdBlock>& blocks, std::set<std::string>& partial)
 {
+  partial.clear();
   if (blocks.size() == 1)
   {
     return blocks.front().Mesh;
   }
   std::vector<vtkDataSet*> meshes;
-  for (const SkdBlock& block : blocks)
+  const std::vector<SkdBlock> completed = SkdCompleteArrays(blocks, partial);
+  for (const SkdBlock& block : completed)
   {
-    if (block.Mesh->GetNumberOfPoints() > 0)
-    {
-      meshes.push_back(block.Mesh);
-    }
+    meshes.push_back(block.Mesh);
   }
   return meshes.empty() ? vtkSmartPointer<vtkUnstructuredGrid>::New() : Append(meshes);
 }

@@ -13,12 +13,15 @@
 #include "Remap/SkdOverlapWeights.h"
 
 #include <optional>
+#include <set>
+#include <string>
 
 class vtkPolyData;
 
-/// The blocks as one mesh, with the arrays that all have; the mesh itself if there is but one, and
-/// an empty one if there is none.
-vtkSmartPointer<vtkDataSet> SkdJoinBlocks(const std::vector<SkdBlock>& blocks);
+/// The blocks as one mesh; the mesh itself if there is but one, and an empty one if there is none.
+/// Arrays of numbers that only some have are NaN elsewhere; `partial` becomes their names.
+vtkSmartPointer<vtkDataSet> SkdJoinBlocks(
+  const std::vector<SkdBlock>& blocks, std::set<std::string>& partial);
 
 /// A mesh whose points are longitude and latitude in degrees, moved to a sphere about the origin.
 /// The arrays are the old ones.
