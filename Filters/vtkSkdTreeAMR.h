@@ -159,9 +159,8 @@ public:
   /**
    * Compute SkdInside: 1 for cells whose centre is inside the closed surface that Input is, or that
    * bounds it. This is exact, including overlapping bodies. For a surface with open edges, which a
-   * warning counts, the generalized winding number decides, with its triangles oriented
-   * consistently. For a refined cell: whether more than half of its children are inside. Default
-   * off.
+   * warning counts, the answer is that of the method AUTOMATIC of vtkSkdTreePointInOut. For a
+   * refined cell: whether more than half of its children are inside. Default off.
    */
   vtkSkdTreeSwitchMacro(ComputeInside);
   //@}

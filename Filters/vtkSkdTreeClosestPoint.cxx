@@ -83,9 +83,8 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
   else if (source.GetNumberOfOpenEdges() > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "Source is not closed: it has "
-        << source.GetNumberOfOpenEdges()
-        << " open edges. Signs are decided by a vote of several rays and may be wrong near gaps.");
+      "Source is not closed: it has " << source.GetNumberOfOpenEdges()
+                                      << " open edges. Signs may be wrong near gaps.");
   }
 }
 

@@ -81,8 +81,8 @@ public:
    * levels of an AMR data set) are. The sign is exact, as with the method AUTOMATIC of
    * vtkSkdTreePointInOut: orientation does not matter, and overlaps of bodies are inside. A surface
    * with open edges (used by an odd number of faces) gives one warning that counts them; the sign
-   * is then a vote of seven rays. A Source without a surface gives a warning and unsigned
-   * distances. Default off.
+   * is then that of AUTOMATIC, which may be wrong near gaps. A Source without a surface gives a
+   * warning and unsigned distances. Default off.
    */
   vtkSkdTreeSwitchMacro(SignedDistance);
   //@}

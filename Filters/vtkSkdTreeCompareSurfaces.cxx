@@ -47,9 +47,9 @@ void WarnAbout(vtkSkdTreeCompareSurfaces* self, const SkdComparedInput& input, i
   }
   else if (set.GetNumberOfOpenEdges() > 0)
   {
-    vtkWarningWithObjectMacro(self,
-      << PortNames[port] << " is not closed: it has " << set.GetNumberOfOpenEdges()
-      << " open edges. Signs are decided by a vote of several rays and may be wrong near gaps.");
+    vtkWarningWithObjectMacro(self, << PortNames[port] << " is not closed: it has "
+                                    << set.GetNumberOfOpenEdges()
+                                    << " open edges. Signs may be wrong near gaps.");
   }
   SkdWarnAboutCoarseFaces(self, set.GetNumberOfCoarseFaces(), self->GetChordalDeviation());
 }

@@ -138,8 +138,15 @@ public:
    *   within two, for about the cost of a build. The confidence is 1, but 1/2 if the orientation of
    *   the triangles contradicts the result (a nested shell of the same orientation, overlapping
    *   bodies one of which is inside out) or they cannot be oriented consistently, and 3/4 where
-   *   bodies overlap whose triangles are not oriented consistently. A part with gaps uses
-   *   WINDING_NUMBER, as if RepairOrientation were on.
+   *   bodies overlap whose triangles are not oriented consistently. In a part with gaps these are
+   *   closed first: a missing triangle by itself, a larger gap by a fan of triangles about its
+   *   middle. Then the test is the same, and the confidence is at most 1 minus the share of
+   *   directions in which the point sees gaps. Where the gaps of some component have more than a
+   *   third of its area, WINDING_NUMBER decides, with an orientation that is consistent within each
+   *   component. Of the given one and one outward by the parity of lines (wrong where bodies
+   *   overlap) the number farther from 1/2 counts; the confidence is 1/2 if they contradict, else
+   *   that of WINDING_NUMBER, and at most the share of seven lines whose directed crossings say the
+   *   same.
    * - AXIS_RAYS: the parity of the crossings of a ray along an axis, in the direction of the
    *   shortest way out of the bounds; overlaps of two bodies of a part are outside. For a surface
    *   with gaps, a vote of up to six rays, and a seventh in case of a tie.

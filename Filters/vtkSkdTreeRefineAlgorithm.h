@@ -106,8 +106,8 @@ public:
   /**
    * Refine cells whose centre is inside the closed surface that the parts are, or that bounds them,
    * to this level, at most MaximumLevel. This is exact, including overlapping bodies; for a surface
-   * with open edges, which a warning counts, the winding number decides. Default 0: not a
-   * criterion.
+   * with open edges, which a warning counts, as with the method AUTOMATIC of
+   * vtkSkdTreePointInOut. Default 0: not a criterion.
    */
   vtkSkdTreeChoiceMacro(InsideLevel, 0, 30);
   //@}

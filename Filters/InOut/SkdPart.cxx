@@ -110,10 +110,14 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
   {
     this->Solid = std::make_unique<SkdSolid>(this->Boundary, this->Surface);
   }
-  const bool repairs = settings.RepairsOrientation || settings.Method == SkdInsideMethod::Automatic;
+  const SkdInsideMethod method = settings.Method;
+  if (!this->Solid && (settings.RepairsOrientation || method == SkdInsideMethod::Automatic))
+  {
+    this->OpenSolid =
+      std::make_unique<SkdOpenSolid>(this->Boundary, this->Surface, settings.Epsilon);
+  }
   const auto turnedOf = [&](vtkPolyData* surface)
-  { return repairs ? this->FindReversed(surface) : std::vector<bool>(); };
-  const SkdInsideMethod method = this->Resolved(settings.Method);
+  { return settings.RepairsOrientation ? this->FindReversed(surface) : std::vector<bool>(); };
   if (method == SkdInsideMethod::WindingNumber)
   {
     vtkPolyData* surface = this->Boundary.Surface;
@@ -128,12 +132,13 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
 
 std::vector<bool> SkdPart::FindReversed(vtkPolyData* surface) const
 {
+  if (this->OpenSolid)
+  {
+    return this->OpenSolid->FindOutward(surface);
+  }
   return SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
     [this](const skd::Vector3& x)
-    {
-      return this->BoundsHold(x.X) &&
-        (this->Solid ? this->AskSolid(x.X) : this->VoteAlongAxes(x.X)).IsInside;
-    });
+    { return this->BoundsHold(x.X) && this->AskSolid(x.X).IsInside; });
 }
 
 bool SkdPart::BoundsHold(const double x[3]) const
@@ -148,9 +153,10 @@ SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::ui
   {
     return this->AskWithin(x, rules, point);
   }
-  const SkdInsideMethod method = this->Resolved(rules.Method);
-  const bool isAsked = method == SkdInsideMethod::WindingNumber ||
-    (method == SkdInsideMethod::NearestFeature && !this->Solid);
+  const bool isAsked = rules.Method == SkdInsideMethod::WindingNumber ||
+    (!this->Solid &&
+      (rules.Method == SkdInsideMethod::NearestFeature ||
+        rules.Method == SkdInsideMethod::Automatic));
   if (!isAsked || this->GetNumberOfFaces() == 0)
   {
     return SkdSide(); // a ray that leads away from the bounds meets nothing
@@ -164,10 +170,10 @@ SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::ui
 SkdSide SkdPart::AskWithin(
   const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
 {
-  switch (this->Resolved(rules.Method))
+  switch (rules.Method)
   {
     case SkdInsideMethod::Automatic:
-      return this->AskSolid(x);
+      return this->Solid ? this->AskSolid(x) : this->OpenSolid->Ask(x, rules.WindingTolerance);
     case SkdInsideMethod::AxisRays:
       return this->VoteAlongAxes(x);
     case SkdInsideMethod::RandomRays:
@@ -255,9 +261,7 @@ SkdSide SkdPart::VoteAtRandom(
 
 SkdSide SkdPart::AskWinding(const double x[3], double tolerance) const
 {
-  const skd::WindingNumber::Sum sum = this->Winding->Ask(x, tolerance);
-  const double beyond = std::abs(sum.Number) - 0.5;
-  return { beyond >= 0.0, 0.5 + std::min(0.5, std::abs(beyond)), sum.Number, sum.Bound };
+  return SkdSideOf(this->Winding->Ask(x, tolerance));
 }
 
 SkdSide SkdPart::AskNearest(const double x[3]) const

@@ -11,6 +11,7 @@
 #include "Core/Geometry/Vector.h"
 #include "InOut/SkdFeatureNormals.h"
 #include "Pipeline/SkdBoundary.h"
+#include "Pipeline/SkdOpenSolid.h"
 #include "Pipeline/SkdSolid.h"
 #include "Pipeline/SkdWinding.h"
 #include "vtkSkdTreeCellLocator.h"
@@ -25,7 +26,7 @@ enum class SkdInsideMethod
   RandomRays,
   WindingNumber,
   NearestFeature,
-  Automatic // SkdSolid where the boundary is closed, else the winding number, orientation repaired
+  Automatic // SkdSolid where the boundary is closed, else SkdOpenSolid
 };
 
 struct SkdInsideRules
@@ -70,9 +71,9 @@ public:
   /// Whether the part contains x. Points outside its bounds are outside; for an open boundary the
   /// confidence there is that of the method's result, or 1/2 if the method contradicts. The test is
   /// exact for a closed boundary: see SkdSolid, or by parity alone for methods with rays; for an
-  /// open one rays vote until the vote is decided. Orientation matters for the winding number (at
-  /// least one half in absolute value) and for the nearest feature (whose normal must point
-  /// outward). `point` is the seed of random directions. Thread-safe.
+  /// open one see SkdOpenSolid, or rays vote until the vote is decided. Orientation matters for the
+  /// winding number (at least one half in absolute value) and for the nearest feature (whose normal
+  /// must point outward). `point` is the seed of random directions. Thread-safe.
   SkdSide AskSide(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
 
   /// The crossings of a line through the boundary, as ascending distances from a point along a unit
@@ -85,12 +86,6 @@ public:
   bool IsNear(const double x[3], double distance) const;
 
 private:
-  /// What it is to this part.
-  SkdInsideMethod Resolved(SkdInsideMethod method) const
-  {
-    return method == SkdInsideMethod::Automatic && !this->Solid ? SkdInsideMethod::WindingNumber
-                                                                : method;
-  }
   std::vector<bool> FindReversed(vtkPolyData* surface) const;
   SkdSide AskWithin(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
   SkdSide AskSolid(const double x[3]) const
@@ -112,6 +107,7 @@ private:
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Diagonal = 0.0;
   std::unique_ptr<SkdSolid> Solid;            // of Surface, or nullptr of an open boundary
+  std::unique_ptr<SkdOpenSolid> OpenSolid;    // of an open one, if it is needed
   std::unique_ptr<SkdWinding> Winding;        // of Surface, or nullptr
   std::unique_ptr<SkdFeatureNormals> Normals; // of Faces, or nullptr
 };

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdSignedSource.h"
 
-#include <algorithm>
-#include <cstddef>
-
 int SkdSignedSource::Update(
   const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation)
 {
@@ -21,6 +18,10 @@ int SkdSignedSource::Update(
   {
     built += SkdBuildLocator(this->Surface, epsilon, !isSame);
   }
+  if (!this->Solid && built > 0)
+  {
+    this->OpenSolid = std::make_unique<SkdOpenSolid>(this->Boundary, this->Surface, epsilon);
+  }
   return built;
 }
 
@@ -34,6 +35,7 @@ void SkdSignedSource::MakeBoundary(const std::vector<SkdBlock>& blocks)
   this->Solid = this->Boundary.OpenEdges == 0
     ? std::make_unique<SkdSolid>(this->Boundary, this->Surface)
     : nullptr;
+  this->OpenSolid.reset();
 }
 
 std::optional<SkdNearest> SkdSignedSource::FindNearest(
@@ -53,14 +55,12 @@ std::optional<SkdNearest> SkdSignedSource::FindNearest(
   return nearest;
 }
 
-bool SkdSignedSource::HasOddCrossings(const double x[3], const SkdRayEnd& way) const
-{
-  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
-  return this->Surface->CountCrossings(x, end) % 2 == 1;
-}
-
 bool SkdSignedSource::IsInside(const double x[3]) const
 {
+  if (this->OpenSolid)
+  {
+    return this->OpenSolid->IsInside(x);
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!(x[axis] >= this->Bounds[2 * axis] && x[axis] <= this->Bounds[2 * axis + 1]))
@@ -68,14 +68,7 @@ bool SkdSignedSource::IsInside(const double x[3]) const
       return false;
     }
   }
-  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
-  if (this->Solid)
-  {
-    return this->Solid->Ask(x, ways[0]).IsInside;
-  }
-  const auto votes = std::count_if(
-    ways.begin(), ways.end(), [&](const SkdRayEnd& way) { return this->HasOddCrossings(x, way); });
-  return 2 * votes > static_cast<std::ptrdiff_t>(ways.size());
+  return this->Solid->Ask(x, SkdRayEndsAlongAxes(this->Bounds, x)[0]).IsInside;
 }
 
 SkdTreeCounts SkdSignedSource::GetCounts() const

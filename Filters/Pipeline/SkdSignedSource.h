@@ -11,6 +11,7 @@
 
 #include "Pipeline/SkdBoundary.h"
 #include "Pipeline/SkdKeptBlocks.h"
+#include "Pipeline/SkdOpenSolid.h"
 #include "Pipeline/SkdSolid.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkSkdTreeCellLocator.h"
@@ -48,8 +49,8 @@ public:
   /// As SkdSourceTrees::FindNearest, on the boundary: the cell is that of the face.
   std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
 
-  /// Whether x is inside the boundary, see SkdSolid; for an open boundary by a vote of seven rays.
-  /// Points on the boundary may be either. Thread-safe.
+  /// Whether x is inside the boundary, see SkdSolid, of an open one SkdOpenSolid. Points on the
+  /// boundary may be either. Thread-safe.
   bool IsInside(const double x[3]) const;
 
   /// The mesh of a block: its structure alone.
@@ -59,7 +60,6 @@ public:
 
 private:
   void MakeBoundary(const std::vector<SkdBlock>& blocks);
-  bool HasOddCrossings(const double x[3], const SkdRayEnd& way) const;
 
   SkdKeptBlocks Meshes;
   double ChordalLength = 0.0; // 0 where no cell is curved
@@ -67,6 +67,7 @@ private:
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
   vtkSmartPointer<vtkSkdTreeCellLocator> Surface; // often the same as Faces
   std::unique_ptr<SkdSolid> Solid;                // of the surface, or nullptr of an open boundary
+  std::unique_ptr<SkdOpenSolid> OpenSolid;        // of an open one, or nullptr
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the surface
 };
 

@@ -23,6 +23,7 @@ public:
   /// (their solid angles cancel only if they are oriented against each other). `isReversed` marks
   /// those to be reversed, one value a triangle (see SkdFindReversed), or is empty.
   explicit SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isReversed = {});
+  explicit SkdWinding(const std::vector<skd::WindingNumber::Triangle>& triangles);
 
   SkdWinding(const SkdWinding&) = delete;
   void operator=(const SkdWinding&) = delete;
@@ -35,12 +36,17 @@ public:
   /// The number of Ask(), whatever tolerance is the fastest.
   double At(const double x[3]) const;
 
+  /// At least the share of directions in which x sees the triangles, overlapping ones counted
+  /// repeatedly, but at most 1/2.
+  double BoundShare(const double x[3]) const
+  {
+    return this->Number.BoundMagnitudes({ { x[0], x[1], x[2] } });
+  }
+
   /// Whether the number is at least 1/2, or at most -1/2, so that inward orientation is accepted.
   bool IsInside(const double x[3]) const;
 
 private:
-  SkdWinding(const std::vector<skd::WindingNumber::Triangle>& triangles);
-
   skd::Tree<3> Tree;
   skd::WindingNumber Number; // refers to Tree
 };

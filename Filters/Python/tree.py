@@ -370,7 +370,8 @@ class Tree:
     def signed_distance(self, points: ArrayLike, maximum: float = INFINITY) -> Closest:
         """The nearest point on the boundary of the mesh (the outer faces of its volume cells, or else
         its surface cells), with a distance that is negative inside. The sign is exact for closed
-        surfaces of any orientation. For others there is a warning, and rays in seven directions vote."""
+        surfaces of any orientation. For others there is a warning, and gaps are closed first, as in
+        contains()."""
         limit = min(_length(maximum, "maximum"), FARTHEST)
         return Closest(*self._filter(vtkSkdTreeClosestPoint, points,
             ["SkdClosestPoint", "SkdDistance", "SkdClosestCellId"], SignedDistance=True,
@@ -378,7 +379,8 @@ class Tree:
 
     def contains(self, points: ArrayLike) -> NDArray[numpy.bool_]:
         """Whether each point is inside the boundary of the mesh. This is exact for closed surfaces of
-        any orientation. For others there is a warning, and the winding number decides."""
+        any orientation. For others there is a warning: small gaps are closed first; where they are
+        large, the winding number decides. Points near gaps may be classified wrongly."""
         inside, = self._filter(vtkSkdTreePointInOut, points, ["SkdInside"])
         return inside.view(numpy.bool_)
 

@@ -222,6 +222,35 @@ TEST(WindingNumber, WhetherItIsAtLeastOneHalfIsExact)
   EXPECT_GT(wouldBeWrong, 0);
 }
 
+TEST(WindingNumber, TheSumOfMagnitudesIsBoundedFromAbove)
+{
+  Random random(31);
+  Triangles triangles = Sphere(3);
+  triangles.resize(triangles.size() / 3);
+  const skd::Tree<3> tree = TreeOf(triangles);
+  const skd::WindingNumber winding(tree, triangles);
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector3 x = random.In(0.0, 20.0) * random.Direction<3>();
+    double exact = 0.0, facing = 0.0; // the latter as if all of it faced x
+    for (const auto& t : triangles)
+    {
+      exact += std::abs(skd::SolidAngle(t[0], t[1], t[2], x)) / (4.0 * std::acos(-1.0));
+      const double area = 0.5 * skd::Norm(skd::Cross(t[1] - t[0], t[2] - t[0]));
+      double distance2 = skd::Norm2(t[0] - x);
+      for (const Vector3& p : t)
+      {
+        distance2 = std::min(distance2, skd::Norm2(p - x));
+      }
+      facing += area / (4.0 * std::acos(-1.0) * distance2);
+    }
+    const double bound = winding.BoundMagnitudes(x);
+    ASSERT_GE(bound, std::min(0.5, exact) - 1e-12);
+    ASSERT_LE(bound, 0.5);
+    ASSERT_LE(bound, std::max(exact, 1.7 * facing) + 1e-12);
+  }
+}
+
 TEST(WindingNumber, OnATriangleNothingIsRefined)
 {
   const Triangles sphere = Sphere(6);

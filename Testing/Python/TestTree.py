@@ -460,6 +460,24 @@ def test_wrong_queries_are_refused_by_name():
         refused(kind, text, ask)
 
 
+def test_a_gap_far_away_changes_nothing_where_bodies_overlap():
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(40)
+    sphere.SetPhiResolution(20)
+    sphere.Update()
+    points = 2 * vtk_to_numpy(sphere.GetOutput().GetPoints().GetData())
+    triangles = vtk_to_numpy(sphere.GetOutput().GetPolys().GetConnectivityArray())
+    triangles = triangles.reshape(-1, 3)
+    farthest = points[triangles].mean(axis=1)[:, 0].argmin()
+    tree = Tree((numpy.concatenate([points, 0.3 * points + [0.9, 0, 0]]),
+        numpy.concatenate([numpy.delete(triangles, farthest, 0), triangles + len(points)])))
+    both = numpy.random.default_rng(3).uniform([0.7, -0.2, -0.2], [0.9, 0.2, 0.2], (400, 3))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert tree.contains(both).all()
+        assert (tree.signed_distance(both).distance < 0).all()
+
+
 def test_what_vtk_says_is_pythons():
     half = Tree((numpy.eye(3), [[0, 1, 2]]))
     with warnings.catch_warnings(record=True) as caught:

@@ -129,6 +129,47 @@ public:
     return sum;
   }
 
+  /// At least the sum of the magnitudes of all triangles' numbers, but at most 1/2: what is far
+  /// away counts by its area, as if all of it faced x.
+  double BoundMagnitudes(const Vector3& x) const
+  {
+    constexpr double far2 = 64.0; // the area counts at most (8 / 7)^2 times
+    constexpr double half = 6.283185307179586477;
+    double sum = 0.0;
+    std::uint32_t stack[StackSize];
+    int top = 0;
+    if (!this->Moments.empty())
+    {
+      stack[top++] = 0;
+    }
+    while (top > 0 && sum < half)
+    {
+      const std::uint32_t index = stack[--top];
+      const Moment& moment = this->Moments[index];
+      const double distance2 = Distance2(x, moment.Centre);
+      if (distance2 > far2 * moment.Radius2)
+      {
+        const double least = std::sqrt(distance2) - moment.Radius;
+        sum += moment.Area / (least * least);
+        continue;
+      }
+      const Node<3>& node = this->TheTree.Open(index);
+      for (std::uint32_t i = node.First; i < node.First + node.Count; ++i)
+      {
+        if (node.IsLeaf)
+        {
+          const Triangle& t = this->Triangles[i];
+          sum += std::abs(SeeAngle(t[0], t[1], t[2], x).Angle);
+        }
+        else
+        {
+          stack[top++] = i;
+        }
+      }
+    }
+    return std::min(0.5, 0.5 * sum / half);
+  }
+
 private:
   static constexpr int StackSize = 96; // as for a walk
 
