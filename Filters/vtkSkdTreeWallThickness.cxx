@@ -29,7 +29,28 @@ class vtkSkdTreeWallThickness::Internals
 public:
   SkdSurfaceBlocks Surfaces;
   SkdSourceTrees Trees;
+  std::unique_ptr<SkdBodyExit> Exits; // of these
+
+  /// Updates all to the blocks that have cells. Returns the number of trees built.
+  int Update(const std::vector<SkdBlock>& source, double epsilon, double tolerance);
 };
+
+// What is known of open edges is kept with the trees.
+int vtkSkdTreeWallThickness::Internals::Update(
+  const std::vector<SkdBlock>& source, double epsilon, double tolerance)
+{
+  const int built = this->Trees.Update(source, epsilon);
+  for (std::size_t block = 0; block < source.size(); ++block)
+  {
+    SkdTouchCells(this->Trees.GetMesh(static_cast<int>(block)));
+  }
+  if (!this->Exits || built > 0 || !this->Exits->IsOf(source.size(), tolerance))
+  {
+    this->Exits = std::make_unique<SkdBodyExit>(
+      this->Trees, static_cast<int>(source.size()), tolerance, this->Surfaces.GetChordalLength());
+  }
+  return built;
+}
 
 namespace
 {
@@ -40,12 +61,11 @@ bool IsAtPoints(Filter* self)
   return self->GetStart() == Filter::POINTS;
 }
 
-SkdThicknessRule RuleOf(Filter* self, bool hasSource, double maximum, double rounding)
+SkdThicknessRule RuleOf(Filter* self, double maximum, double rounding)
 {
   SkdThicknessRule rule;
   rule.Rays = self->GetNumberOfRays();
   rule.ConeAngle = vtkMath::RadiansFromDegrees(self->GetConeAngle());
-  rule.BacksOnly = !hasSource && !self->GetReversed();
   rule.AreSpheres = self->GetMethod() == Filter::SPHERES;
   rule.Separation = vtkMath::RadiansFromDegrees(self->GetSeparationAngle());
   rule.Maximum = maximum;
@@ -172,20 +192,18 @@ int vtkSkdTreeWallThickness::RequestData(
   const std::vector<SkdBlock> blocks = SkdMirror(input, output);
   SkdStopwatch watch;
   SkdSourceTrees& trees = this->Impl->Trees;
-  const int built = trees.Update(source, this->Epsilon);
-  for (std::size_t block = 0; block < source.size(); ++block)
-  {
-    SkdTouchCells(trees.GetMesh(static_cast<int>(block)));
-  }
+  const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
+  const int built = this->Impl->Update(source, this->Epsilon, tolerance);
   const double buildSeconds = watch.Lap();
 
   const std::vector<SkdRayStarts> starts = FindStarts(this, blocks);
-  const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
   const double maximum = std::min(this->MaximumThickness, LargestOf(source, blocks));
   const SkdRayCaster caster(
     trees, static_cast<int>(source.size()), { tolerance, tolerance, maximum, false });
-  const SkdThicknessMeasure measure(
-    trees, caster, RuleOf(this, given != nullptr, maximum, SkdRayTolerance(0.0, source, blocks)));
+  const SkdTiedNearest nearest(trees, static_cast<int>(source.size()));
+  const SkdThicknessMeasure measure(nearest, caster,
+    given || this->Reversed ? nullptr : this->Impl->Exits.get(),
+    RuleOf(this, maximum, SkdRayTolerance(0.0, source, blocks)));
   Numbers numbers;
   vtkIdType places = 0;
   for (const SkdRayStarts& start : starts)

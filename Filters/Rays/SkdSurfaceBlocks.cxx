@@ -21,12 +21,14 @@ std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& bloc
   {
     const double chordalLength = SkdChordalLength(blocks, SkdDefaultChordalDeviation);
     this->Surfaces.clear();
+    this->ChordalLength = 0.0;
     for (const SkdBlock& kept : this->Kept.Keep(blocks))
     {
       auto& surface = this->Surfaces.emplace_back();
       if (SkdHasVolumeCells(kept.Mesh))
       {
         surface.emplace(kept.Mesh, chordalLength);
+        this->ChordalLength = chordalLength;
       }
     }
   }

@@ -29,8 +29,12 @@ public:
     return surface ? surface->GetCellId(cell) : cell;
   }
 
+  /// How far facets may be from the curved faces of volume cells; 0 if there are none.
+  double GetChordalLength() const { return this->ChordalLength; }
+
 private:
   SkdKeptBlocks Kept;
+  double ChordalLength = 0.0;
   std::vector<std::optional<SkdBlockSurface>> Surfaces; // none of blocks without volume cells
 };
 

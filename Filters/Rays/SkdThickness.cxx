@@ -49,10 +49,11 @@ double RadiusThrough(const Vector3& chord, const Vector3& normal)
 }
 }
 
-SkdThicknessMeasure::SkdThicknessMeasure(
-  const SkdSourceTrees& trees, const SkdRayCaster& caster, const SkdThicknessRule& rule)
-  : Trees(trees)
+SkdThicknessMeasure::SkdThicknessMeasure(const SkdTiedNearest& nearest, const SkdRayCaster& caster,
+  const SkdBodyExit* exits, const SkdThicknessRule& rule)
+  : Nearest(nearest)
   , Caster(caster)
+  , Exits(exits)
   , Rule(rule)
   , Cone(MakeCone(rule.AreSpheres ? 1 : rule.Rays, rule.ConeAngle))
 {
@@ -81,13 +82,14 @@ std::vector<SkdThickness> SkdThicknessMeasure::Measure(
           rays[i] = skd::Norm2(inward[point]) > 0.0 ? rays[i] : inward[point];
         });
       this->Caster.FindFirstOf(starts, rays, 0, static_cast<vtkIdType>(starts.size()), hits);
+      const bool areTied = this->Rule.AreSpheres && this->AreTied(starts, rays, hits);
       SkdForEach(
         number,
         [&](std::size_t i)
         {
           const std::size_t first = i * each;
           answers[static_cast<std::size_t>(begin) + i] = this->Rule.AreSpheres
-            ? this->Shrink(starts[first], rays[first], hits[first])
+            ? this->Shrink(starts[first], rays[first], hits[first], areTied)
             : this->FindMedian(&starts[first], &rays[first], &hits[first]);
         },
         64);
@@ -95,28 +97,27 @@ std::vector<SkdThickness> SkdThicknessMeasure::Measure(
   return answers;
 }
 
-/// Rays that begin outside, as those across the edge of a wedge do, enter the body through a front.
-bool SkdThicknessMeasure::Counts(
-  const SkdRayHit& hit, const Vector3& start, const Vector3& ray) const
+/// Rays that begin outside, as those across the edge of a wedge do, have none.
+SkdRayHit SkdThicknessMeasure::FindEnd(
+  const SkdRayHit& first, const Vector3& start, const Vector3& ray) const
 {
-  if (hit.Block < 0 || !this->Rule.BacksOnly)
-  {
-    return hit.Block >= 0;
-  }
-  const Vector3 place = start + hit.Distance * ray;
-  return skd::Dot(SkdNormalOfCell(this->Trees.GetMesh(hit.Block), hit.CellId, place), ray) >= 0.0;
+  const SkdRayHit end = this->Exits ? this->Exits->Find(start, ray, first) : first;
+  return end.Block >= 0 && end.Distance <= this->Rule.Maximum ? end : SkdRayHit{ 0.0, -1, -1 };
 }
 
 SkdThickness SkdThicknessMeasure::FindMedian(
   const Vector3* starts, const Vector3* rays, const SkdRayHit* hits) const
 {
   thread_local std::vector<std::pair<double, std::size_t>> distances;
+  thread_local std::vector<SkdRayHit> ends;
   distances.clear();
+  ends.resize(this->Cone.size());
   for (std::size_t i = 0; i < this->Cone.size(); ++i)
   {
-    if (this->Counts(hits[i], starts[i], rays[i]))
+    ends[i] = this->FindEnd(hits[i], starts[i], rays[i]);
+    if (ends[i].Block >= 0)
     {
-      distances.emplace_back(hits[i].Distance, i);
+      distances.emplace_back(ends[i].Distance, i);
     }
   }
   if (distances.empty())
@@ -126,12 +127,32 @@ SkdThickness SkdThicknessMeasure::FindMedian(
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>((distances.size() - 1) / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   const auto [distance, i] = *middle;
-  return { distance, starts[i] + distance * rays[i], hits[i].CellId, hits[i].Block };
+  return { distance, starts[i] + distance * rays[i], ends[i].CellId, ends[i].Block };
+}
+
+/// Whether many of the spheres that rays bound have much of the surface about equally near to their
+/// centres. A few are tried.
+bool SkdThicknessMeasure::AreTied(const SkdRayCaster::Vectors& starts,
+  const SkdRayCaster::Vectors& rays, const std::vector<SkdRayHit>& hits) const
+{
+  constexpr std::size_t step = 61;
+  std::size_t tried = 0;
+  std::size_t tied = 0;
+  for (std::size_t i = 0; i < hits.size(); i += step)
+  {
+    if (hits[i].Block >= 0)
+    {
+      const double radius = hits[i].Distance / 2.0;
+      tied += this->Nearest.AreMany(starts[i] + radius * rays[i], radius) ? 1 : 0;
+      ++tried;
+    }
+  }
+  return 4 * tied > tried;
 }
 
 /// Any point of the surface that is inside a sphere bounds it: the first is where the normal hits.
 SkdThickness SkdThicknessMeasure::Shrink(
-  const Vector3& point, const Vector3& inward, const SkdRayHit& bound) const
+  const Vector3& point, const Vector3& inward, const SkdRayHit& first, bool areTied) const
 {
   constexpr int most = 100; // each step but the last few halves the sphere, or more
   SkdThickness thickness;
@@ -139,6 +160,8 @@ SkdThickness SkdThicknessMeasure::Shrink(
   {
     return thickness;
   }
+  const bool mayBeOwn = this->Exits && this->Exits->HasOwnHits();
+  const SkdRayHit bound = mayBeOwn ? this->FindEnd(first, point, inward) : first;
   double radius = this->Rule.Maximum / 2.0;
   if (bound.Block >= 0)
   {
@@ -148,7 +171,8 @@ SkdThickness SkdThicknessMeasure::Shrink(
   for (int i = 0; i < most; ++i)
   {
     const Vector3 centre = point + radius * inward;
-    const auto nearest = this->Trees.FindNearest(centre.X, radius);
+    const auto nearest =
+      areTied ? this->Nearest.Find(centre, radius) : this->Nearest.FindExact(centre, radius);
     const double slack = std::max(1e-9 * radius, this->Rule.Rounding);
     if (!nearest || std::sqrt(nearest->Distance2) >= radius - slack)
     {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreeWallThickness: bodies of known thickness, and bad input.
 
+#include "Rays/SkdTiedNearest.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
+#include "Support/IntegerBodies.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkCellData.h"
@@ -239,6 +241,104 @@ TEST(WallThickness, ThreadsAndTheLimit)
       EXPECT_TRUE(std::isnan(thickness));
     }
     EXPECT_EQ(events.Warnings, 1);
+  }
+}
+
+// All of a sphere is equally far from its middle: the search for what is nearest is shared there,
+// so that it does not look at all cells for each point.
+TEST(WallThickness, SpheresInABallShareWhatIsNearest)
+{
+  const auto ball = MakePolyData(SphereTriangles(40)); // 10240 triangles or more
+  SkdSourceTrees trees;
+  trees.Update({ { ball, 0 } }, 1e-9);
+  const SkdTiedNearest tied(trees, 1);
+  Random random(12);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Point p = random.InBox({ -5e-4, 5e-4, -5e-4, 5e-4, -5e-4, 5e-4 });
+    const skd::Vector3 centre{ { p[0], p[1], p[2] } };
+    ASSERT_TRUE(tied.AreMany(centre, 1.1));
+    const auto shared = tied.Find(centre, 1.1);
+    const auto exact = tied.FindExact(centre, 1.1);
+    ASSERT_TRUE(shared && exact);
+    EXPECT_GE(shared->Distance2, exact->Distance2);
+    EXPECT_LE(std::sqrt(shared->Distance2), std::sqrt(exact->Distance2) + 2.0 * 0.866 / 1024);
+  }
+  EXPECT_LE(tied.GetNumberShared(), 27u);
+  EXPECT_FALSE(tied.AreMany({ { 0.5, 0.0, 0.0 } }, 1.0));
+  auto filter = MakeFilter(ball, Filter::SPHERES);
+  ExpectAll(filter, 2.0, 0.01);
+  const std::vector<double> values = Thickness(filter);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(3),
+    [&]
+    {
+      filter->Modified();
+      filter->Update();
+    });
+  EXPECT_EQ(Thickness(filter), values);
+}
+
+using Boxes = std::vector<std::pair<Point, Point>>; // low and high corners
+
+/// How far a ray along an axis goes within some of the boxes, from a place on the side of one.
+double ThicknessOfUnion(const Boxes& boxes, const Point& x, int axis, double way)
+{
+  double end = 0.0; // the ray is within something until there
+  for (std::size_t pass = 0; pass <= boxes.size(); ++pass)
+  {
+    for (const auto& [low, high] : boxes)
+    {
+      const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+      const bool isMet = x[b] > low[b] && x[b] < high[b] && x[c] > low[c] && x[c] < high[c];
+      const double from = way * ((way > 0.0 ? low : high)[axis] - x[axis]);
+      const double to = way * ((way > 0.0 ? high : low)[axis] - x[axis]);
+      end = isMet && from <= end + 1e-9 ? std::max(end, to) : end;
+    }
+  }
+  return end;
+}
+
+// Boxes that overlap, in one mesh or in blocks; with a hole in a body apart, too.
+TEST(WallThickness, WhereShellsOverlapTheRayEndsWhereItLeavesTheLast)
+{
+  for (int run = 0; run < 60; ++run)
+  {
+    Random random(9100 + static_cast<std::uint64_t>(run));
+    Boxes boxes;
+    std::vector<Mesh> meshes;
+    const int number = 2 + random.Index(5);
+    for (int i = 0; i < number; ++i)
+    {
+      const Point low = random.InBox({ -1, 1, -1, 1, -1, 1 });
+      const Point size = random.InBox({ 0.2, 1.5, 0.2, 1.5, 0.2, 1.5 });
+      boxes.emplace_back(low, low + size);
+      meshes.push_back(BoxTriangles(low, low + size));
+    }
+    Mesh apart = BoxTriangles({ 20, 20, 20 }, { 21, 21, 21 });
+    apart.Cells.pop_back();
+    std::vector<PolyDataPointer> inputs{ MakePolyData(Together(meshes)) };
+    inputs.push_back(MakePolyData(Together({ Together(meshes), apart })));
+    for (const PolyDataPointer& input : inputs)
+    {
+      auto filter = MakeFilter(input, Filter::RAYS);
+      filter->SetStartToCellCenters();
+      const std::vector<double> values = Thickness(filter);
+      for (std::size_t i = 0; i < 12 * boxes.size(); ++i)
+      {
+        const Mesh& mesh = meshes[i / 12];
+        const Ids& ids = mesh.Cells[i % 12].Points;
+        const Point& a = mesh.Points[ids[0]];
+        const Point normal = Cross(mesh.Points[ids[1]] - a, mesh.Points[ids[2]] - a);
+        const Point middle = (1.0 / 3.0) * (a + mesh.Points[ids[1]] + mesh.Points[ids[2]]);
+        const int axis =
+          static_cast<int>(std::max_element(normal.begin(), normal.end(),
+                             [](double p, double q) { return std::abs(p) < std::abs(q); }) -
+            normal.begin());
+        const double way = normal[axis] > 0.0 ? -1.0 : 1.0;
+        ASSERT_NEAR(values[i], ThicknessOfUnion(boxes, middle, axis, way), 1e-12)
+          << run << " " << i;
+      }
+    }
   }
 }
 
