@@ -89,8 +89,11 @@ public:
    * truly contains, not those in its box.
    * INTERPOLATION: the source's data at target points or cell centres, see vtkSkdTreeProbe.
    * CONSERVATIVE_FIRST_ORDER: averages over target cells by the exact overlaps of both meshes'
-   * cells: integrals are kept, and bounds. Point data are integrated exactly, as linear between the
-   * points.
+   * cells: integrals are kept, and of cell data bounds. Point data are integrated exactly, as
+   * linear between the points. A warped face is the triangles of its edges and the mean of its
+   * corners. A curved side is cut into 8 parts along each parameter, whichever cell has it; the
+   * field is linear on the pieces of curved cells, with the values of the cell's own functions on
+   * its sides and the same integral over the cell (of what is quadratic on each piece).
    * CONSERVATIVE_SECOND_ORDER: the same with a gradient in each source cell, see SetLimiter.
    * AUTOMATIC_METHOD (default): cell data conservatively, of first order, and point data by
    * interpolation; where cells of Input and Source are not of one dimension, or surfaces are in no

@@ -19,9 +19,8 @@
 #include <limits>
 #include <numeric>
 
-void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double at[3])
+void SkdCellWeights::Load(vtkDataSet* mesh, vtkIdType cellId)
 {
-  const Vector x{ { at[0], at[1], at[2] } };
   SkdLoadCell(mesh, cellId, this->Cell);
   this->Corners.resize(this->Cell->GetNumberOfPoints());
   for (std::size_t i = 0; i < this->Corners.size(); ++i)
@@ -29,6 +28,21 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
     this->Cell->GetPoints()->GetPoint(static_cast<vtkIdType>(i), this->Corners[i].X);
   }
   this->Weights.assign(this->Corners.size(), 0.0);
+}
+
+void SkdCellWeights::EvaluateFrom(const double pcoords[3], const double at[3])
+{
+  const Vector x{ { at[0], at[1], at[2] } };
+  std::copy(pcoords, pcoords + 3, this->PCoords);
+  SkdCellFunctions::Interpolate(this->Cell, this->PCoords, this->Weights.data());
+  this->Improve(x, 1);
+  this->Shift(this->GetResidual(x, this->Weights));
+}
+
+void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double at[3])
+{
+  const Vector x{ { at[0], at[1], at[2] } };
+  this->Load(mesh, cellId);
   const auto isMeasurable = [](const Vector& corner)
   { return SkdIsWithin(corner, SkdMeasurable.Largest); };
   if (!std::all_of(this->Corners.begin(), this->Corners.end(), isMeasurable))
@@ -40,7 +54,7 @@ void SkdCellWeights::Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double a
   const double sum = std::accumulate(this->Weights.begin(), this->Weights.end(), 0.0);
   if (std::abs(sum - 1.0) < 0.5)
   {
-    this->Improve(x);
+    this->Improve(x, 8);
   }
   else if (!this->UseEdge(x))
   {
@@ -101,11 +115,11 @@ void SkdCellWeights::EvaluateInHull(const Vector& x)
 
 // VTK's cells stop Newton's method early, and approximate a warped quad by its plane. Further
 // steps, while they get nearer to x, make the weights exact.
-void SkdCellWeights::Improve(const Vector& x)
+void SkdCellWeights::Improve(const Vector& x, int steps)
 {
   Vector residual = this->GetResidual(x, this->Weights);
   const double enough = 4.0 * std::numeric_limits<double>::epsilon() * Norm(x);
-  for (int step = 0; step < 8 && Norm(residual) > enough; ++step)
+  for (int step = 0; step < steps && Norm(residual) > enough; ++step)
   {
     if (!this->MakeStep(residual))
     {

@@ -21,6 +21,13 @@ public:
   /// or, failing that, uses its nearest corner.
   void Evaluate(vtkDataSet* mesh, vtkIdType cellId, const double x[3]);
 
+  ///@{
+  /// The same at points of one cell that has parametric coordinates (VTK's), which are about known:
+  /// by one step of Newton's method, and then the least change that makes them give the point.
+  void Load(vtkDataSet* mesh, vtkIdType cellId);
+  void EvaluateFrom(const double pcoords[3], const double x[3]);
+  ///@}
+
   vtkIdList* GetPointIds() { return this->Cell->GetPointIds(); }
   double* GetWeights() { return this->Weights.data(); }
 
@@ -29,7 +36,7 @@ private:
 
   void EvaluateByCell(const Vector& x);
   void EvaluateInHull(const Vector& x);
-  void Improve(const Vector& x);
+  void Improve(const Vector& x, int steps);
   Vector GetResidual(const Vector& x, const std::vector<double>& weights) const;
   bool MakeStep(const Vector& residual);
   void Shift(const Vector& residual);

@@ -18,10 +18,11 @@ public:
   static constexpr int Parts = 8;
   using Place = std::array<int, 3>;
 
-  CurvedCell(vtkCell* cell, const skd::Box3& bounds, SimplexSet& set)
+  CurvedCell(vtkCell* cell, const skd::Box3& bounds, SimplexSet& set, std::vector<Vector3>* found)
     : Origin(bounds.Centroid())
     , Cell(cell, this->Origin)
     , Set(set)
+    , Found(found)
   {
   }
 
@@ -116,6 +117,10 @@ private:
       constexpr double part = 1.0 / Parts;
       const Vector3 parameters{ { part * place[0], part * place[1], part * place[2] } };
       number = this->Set.Add(this->Origin + this->Cell.Value(parameters)) + 1;
+      if (this->Found)
+      {
+        this->Found->push_back(parameters);
+      }
     }
     return number - 1;
   }
@@ -123,12 +128,14 @@ private:
   Vector3 Origin;
   SkdParametricCell Cell;
   SimplexSet& Set;
+  std::vector<Vector3>* Found;                       // parameters of points
   int Numbers[Parts + 1][Parts + 1][Parts + 1] = {}; // of points that are there, from 1
 };
 }
 
 //------------------------------------------------------------------------------
-void SkdReadCurved(skd::SimplexSet& set, vtkCell* cell, const skd::Box3& bounds)
+void SkdReadCurved(skd::SimplexSet& set, vtkCell* cell, const skd::Box3& bounds,
+  std::vector<skd::Vector3>* parameters)
 {
-  CurvedCell(cell, bounds, set).Read();
+  CurvedCell(cell, bounds, set, parameters).Read();
 }

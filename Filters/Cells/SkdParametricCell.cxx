@@ -113,9 +113,9 @@ SkdParametricCell::SkdParametricCell(vtkCell* cell, const skd::Vector3& origin)
 //------------------------------------------------------------------------------
 // Cubic lines go from -1 to 1. The pyramid of 19 points has a pyramid for a domain, with its base
 // at height 0.5 and its tip at 1; it is seen as a cube whose top is drawn together.
-skd::Vector3 SkdParametricCell::ToVTK(const skd::Vector3& p) const
+skd::Vector3 SkdParametricCell::ToVTK(int cellType, const skd::Vector3& p)
 {
-  switch (this->Type)
+  switch (cellType)
   {
     case VTK_CUBIC_LINE:
       return { { 2.0 * p[0] - 1.0, 0.0, 0.0 } };

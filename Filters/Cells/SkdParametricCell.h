@@ -36,7 +36,11 @@ public:
   void Tangents(const skd::Vector3& p, skd::Vector3 (&tangents)[3]) const;
   ///@}
 
-  skd::Vector3 ToVTK(const skd::Vector3& p) const;
+  ///@{
+  /// VTK's parametric coordinates.
+  skd::Vector3 ToVTK(const skd::Vector3& p) const { return ToVTK(this->Type, p); }
+  static skd::Vector3 ToVTK(int cellType, const skd::Vector3& p);
+  ///@}
 
   /// 8 units in the last place of the largest coordinate of the cell and of the origin: smaller
   /// distances count as 0.

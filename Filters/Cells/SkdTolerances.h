@@ -15,6 +15,9 @@ constexpr double FirstDifference = 1e-5;
 constexpr double DeviationStep = 1e-4;
 /// Of the squared distance of a piece of a cell, relative to it.
 constexpr double PieceDistance2 = 1e-14;
+/// Of the length of an edge, or the size of a side, of a curved cell: those that depart less from a
+/// straight one are straight. Far above what single precision leaves of the points.
+constexpr double StraightSide = 1e-6;
 /// Of the degree that a number of points makes, a whole number.
 constexpr double Degree = 1e-9;
 

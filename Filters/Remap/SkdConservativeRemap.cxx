@@ -39,6 +39,7 @@ struct SkdConservativeRemap::Shares
   const std::vector<double>& Measures;
   const Gradients& Slopes;                 ///< with the moments of the table of cells
   const std::vector<skd::Vector3>& Places; ///< where vectors are turned from; empty: they are not
+  bool IsSigned;                           ///< whether there are negative measures that count
 };
 
 /// What one cell is made of. One a thread.
@@ -46,6 +47,9 @@ struct SkdConservativeRemap::Row
 {
   double* Tuple = nullptr; // the result
   double Covered = 0.0;
+  bool HasParts = false;
+  bool IsWhole = true; // all of its parts count
+  bool HasNegative = false;
   std::vector<double> First{}; // values that others are taken relative to, so constants stay so
   std::vector<double> Sums{};
   std::vector<double> Least{};
@@ -89,8 +93,9 @@ void SkdConservativeRemap::TakePart(
       shares.Places[static_cast<std::size_t>(donor)], this->Weights.GetTarget().Centroids[target]);
     std::copy(turned.X, turned.X + 3, row.Part.begin());
   }
-  if (row.Covered == 0.0)
+  if (!row.HasParts)
   {
+    row.HasParts = true;
     row.First = row.Least = row.Greatest = row.Part;
   }
 }
@@ -101,15 +106,21 @@ void SkdConservativeRemap::MapRow(const Shares& shares, std::size_t target, Row&
   const std::vector<skd::Vector3>& moments = this->Weights.GetTable().Moments;
   const auto components = static_cast<std::size_t>(shares.Field.Components);
   row.Covered = 0.0;
+  row.HasParts = false;
+  row.IsWhole = true;
+  row.HasNegative = false;
   row.Sums.assign(components, 0.0);
   row.Part.resize(components);
   for (std::size_t k = shares.Rows[target]; k < shares.Rows[target + 1]; ++k)
   {
     const auto donor = static_cast<std::size_t>(shares.Columns[k]);
-    if (shares.Field.Counts[donor] == 0 || !(shares.Measures[k] > 0.0))
+    const bool isPart = shares.Measures[k] > 0.0 || (shares.IsSigned && shares.Measures[k] < 0.0);
+    if (shares.Field.Counts[donor] == 0 || !isPart)
     {
+      row.IsWhole = row.IsWhole && !isPart;
       continue;
     }
+    row.HasNegative = row.HasNegative || shares.Measures[k] < 0.0;
     this->TakePart(shares, target, shares.Columns[k], row);
     row.Covered += shares.Measures[k];
     for (std::size_t c = 0; c < components; ++c)
@@ -131,11 +142,14 @@ void SkdConservativeRemap::Finish(const Shares& shares, std::size_t target, Row&
     return;
   }
   const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
+  // With negative parts a mean may be beyond the values; with some of the parts missing it is out
+  // of all proportion.
+  const bool isBounded = shares.Slopes.empty() && !(row.HasNegative && row.IsWhole);
   for (std::size_t c = 0; c < row.Sums.size(); ++c)
   {
     const double total = row.First[c] * row.Covered + row.Sums[c];
     double mean = row.First[c] + row.Sums[c] / row.Covered;
-    if (shares.Slopes.empty() && !std::isnan(mean))
+    if (isBounded && !std::isnan(mean))
     {
       mean = std::clamp(mean, row.Least[c], row.Greatest[c]);
     }
@@ -181,7 +195,7 @@ SkdRemappedField SkdConservativeRemap::Map(
   const SkdOverlapTable& table = this->Weights.GetTable();
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped = this->MapShares({ density, table.Rows, table.Columns, table.Measures,
-    slopes, this->IsReversed(field) ? this->Weights.GetDonor().Centroids : none });
+    slopes, this->IsReversed(field) ? this->Weights.GetDonor().Centroids : none, table.IsSigned });
   this->AddDonor(density, slopes, mapped);
   return mapped;
 }
@@ -244,20 +258,27 @@ SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
 {
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped = this->MapShares({ field, table.Rows, table.Columns, table.Weights,
-    Gradients(), this->IsReversed(field) ? points : none });
+    Gradients(), this->IsReversed(field) ? points : none, table.IsSigned });
+  const auto valueOf = [&](vtkIdType point, std::size_t c)
+  {
+    const bool counts = field.Counts[static_cast<std::size_t>(point)] != 0;
+    return counts ? field.Get(point, static_cast<int>(c)) : 0.0;
+  };
   for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
   {
-    SkdCompensatedSum source, absolute;
+    SkdCompensatedSum source, overlap, absolute;
+    for (std::size_t i = 0; i < table.Masses.size(); ++i)
+    {
+      const double part = table.Masses[i] * valueOf(static_cast<vtkIdType>(i), c);
+      source.Add(part);
+      absolute.Add(std::abs(part));
+    }
     for (std::size_t k = 0; k < table.Columns.size(); ++k)
     {
-      if (field.Counts[static_cast<std::size_t>(table.Columns[k])] != 0)
-      {
-        const double part = table.Weights[k] * field.Get(table.Columns[k], static_cast<int>(c));
-        source.Add(part);
-        absolute.Add(std::abs(part));
-      }
+      overlap.Add(table.Weights[k] * valueOf(table.Columns[k], c));
     }
-    mapped.Integrals[c].Source = mapped.Integrals[c].Overlap = source.Get();
+    mapped.Integrals[c].Source = source.Get();
+    mapped.Integrals[c].Overlap = overlap.Get();
     mapped.Integrals[c].Absolute = absolute.Get();
   }
   return mapped;

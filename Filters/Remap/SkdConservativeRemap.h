@@ -65,8 +65,8 @@ public:
   SkdRemappedField Map(
     const SkdDonorField& field, const SkdDonorGradients* gradients, bool isLimited) const;
 
-  /// A field of points, linear between them, intensive; `points` are where they are. The integral
-  /// over the source is that of what of it is covered.
+  /// A field of points, as the functions of the table make it, intensive; `points` are where they
+  /// are.
   SkdRemappedField MapPoints(const SkdDonorField& field, const SkdOverlapPointTable& table,
     const std::vector<skd::Vector3>& points) const;
 

@@ -38,8 +38,17 @@ struct SkdOverlapBlock
   std::vector<std::uint32_t> FirstPiece; ///< of each cell, and one more
   std::vector<SkdOverlapPiece> Pieces;
   std::vector<skd::Vector3> Corners;
-  std::vector<vtkIdType> PointIds;           ///< of the corners, if requested
   std::deque<skd::SolidTopology> Topologies; ///< of polyhedra that are no tetrahedra and so on
+
+  ///@{
+  /// If requested: the point of each corner, or -1 - (where in Weights those of its cell's points
+  /// begin) of a corner that is none. OwnPoints are the points of cells that have such corners,
+  /// from FirstOwnPoint of each cell on.
+  std::vector<vtkIdType> PointIds;
+  std::vector<double> Weights;
+  std::vector<vtkIdType> OwnPoints;
+  std::vector<std::size_t> FirstOwnPoint;
+  ///@}
 };
 
 /// What is to be read of a mesh.
@@ -47,7 +56,7 @@ struct SkdOverlapReading
 {
   bool IsLonLat = false;
   bool SkipsGhosts = true;
-  bool IntoSimplices = false; ///< triangles and tetrahedra of the cells' own points, with their ids
+  bool IntoSimplices = false; ///< with the points, or their weights, of the simplices' corners
 };
 
 #endif

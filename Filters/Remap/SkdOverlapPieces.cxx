@@ -56,6 +56,7 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
     SkdOverlapReader reader(tree, source, ground, reading, block);
     const std::uint32_t last = std::min(count, (number + 1) * BlockSize);
     block.FirstPiece.push_back(0);
+    block.FirstOwnPoint.push_back(0);
     for (std::uint32_t cell = number * BlockSize; cell < last; ++cell)
     {
       reader.Read(cell);
@@ -65,6 +66,7 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
         AddBounds(block, block.Pieces[i], isSphere, this->Bounds[cell]);
       }
       block.FirstPiece.push_back(static_cast<std::uint32_t>(block.Pieces.size()));
+      block.FirstOwnPoint.push_back(block.OwnPoints.size());
     }
   };
   const auto blocks = static_cast<vtkIdType>(this->Blocks.size());

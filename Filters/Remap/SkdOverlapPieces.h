@@ -47,6 +47,20 @@ public:
     return { first[cell % BlockSize], first[cell % BlockSize + 1] };
   }
 
+  /// If requested: the points of a cell with corners that are none of them (SkdOverlapBlock); of
+  /// another cell there are none.
+  struct PointRange
+  {
+    const vtkIdType* First;
+    std::size_t Size;
+  };
+  PointRange OwnPointsOf(std::uint32_t cell) const
+  {
+    const SkdOverlapBlock& block = this->BlockOf(cell);
+    const std::size_t first = block.FirstOwnPoint[cell % BlockSize];
+    return { block.OwnPoints.data() + first, block.FirstOwnPoint[cell % BlockSize + 1] - first };
+  }
+
   ///@{
   /// Of whole cells, on the ground, when they are measured.
   double MeasureOf(std::uint32_t cell) const { return this->Measures[cell]; }

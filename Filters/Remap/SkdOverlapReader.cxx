@@ -3,60 +3,11 @@
 #include "Remap/SkdOverlapReader.h"
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 
 namespace
 {
 using skd::Vector3;
-using Faces = std::vector<std::vector<int>>;
-
-/// Turns triangles so that neighbours go along their edge in opposite directions.
-void TurnAlike(Faces& triangles)
-{
-  std::map<std::pair<int, int>, std::vector<std::size_t>> users;
-  const auto edgeOf = [&](std::size_t i, int k)
-  { return std::make_pair(triangles[i][k], triangles[i][(k + 1) % 3]); };
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto edge = edgeOf(i, k);
-      users[std::minmax(edge.first, edge.second)].push_back(i);
-    }
-  }
-  std::vector<bool> isDone(triangles.size());
-  for (std::size_t first = 0; first < triangles.size(); ++first)
-  {
-    std::vector<std::size_t> open{ first };
-    isDone[first] = true;
-    while (!open.empty())
-    {
-      const std::size_t at = open.back();
-      open.pop_back();
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto edge = edgeOf(at, k);
-        for (const std::size_t other : users[std::minmax(edge.first, edge.second)])
-        {
-          if (isDone[other])
-          {
-            continue;
-          }
-          for (int m = 0; m < 3; ++m)
-          {
-            if (edgeOf(other, m) == edge)
-            {
-              std::swap(triangles[other][0], triangles[other][1]);
-              break;
-            }
-          }
-          isDone[other] = true;
-          open.push_back(other);
-        }
-      }
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -133,8 +84,10 @@ void SkdOverlapReader::Read(std::uint32_t cell)
       }
       return;
     case SkdShape::Strip:
-    case SkdShape::Generic:
       this->ReadSimplices(cell);
+      return;
+    case SkdShape::Generic:
+      this->ReadGeneric(cell);
       return;
     default:
       return;
@@ -142,43 +95,61 @@ void SkdOverlapReader::Read(std::uint32_t cell)
 }
 
 //------------------------------------------------------------------------------
+// Of strips: the set has the cell's points in their order.
 void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
 {
-  this->Tree.GetSimplices(cell, this->Source, this->Simplices);
+  const SkdOverlapSpace space = this->Ground.GetSpace();
+  if (space == SkdOverlapSpace::Plane || space == SkdOverlapSpace::Sphere)
+  {
+    this->Tree.GetSimplices(cell, this->Source, this->Simplices);
+    this->AddSimplices();
+  }
+}
+
+// Of the points that were seen.
+void SkdOverlapReader::AddSimplices()
+{
   const skd::SimplexSet& set = this->Simplices;
-  const int wanted = this->Ground.GetSpace() == SkdOverlapSpace::Volume ? 3
-    : this->Ground.GetSpace() == SkdOverlapSpace::Line                  ? 1
-                                                                        : 2;
-  if (set.Dimension != wanted)
-  {
-    return;
-  }
-  this->Seen.clear();
-  for (const Vector3& x : set.Points)
-  {
-    this->Seen.push_back({ this->Ground.Seen(x), -1 });
-  }
-  if (wanted == 3)
-  {
-    Faces faces;
-    for (const auto& simplex : set.Simplices)
-    {
-      faces.push_back({ simplex[0], simplex[1], simplex[2] });
-    }
-    TurnAlike(faces);
-    this->AddHull(std::move(faces));
-    return;
-  }
   for (const auto& simplex : set.Simplices)
   {
     Corners corners{ this->Seen[simplex[0]], this->Seen[simplex[1]], this->Seen[simplex[2]] };
-    if (wanted == 1)
+    if (set.Dimension == 1)
     {
       this->AddSegment(corners[0], corners[1]);
     }
-    else
+    else if (set.Dimension == 2)
     {
       this->AddPolygon(corners);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::size_t SkdOverlapReader::NumberOfOwnPoints() const
+{
+  return this->Block.OwnPoints.size() - this->Block.FirstOwnPoint.back();
+}
+
+vtkIdType SkdOverlapReader::AddWeights(const double* weights)
+{
+  std::vector<double>& all = this->Block.Weights;
+  const auto first = static_cast<vtkIdType>(all.size());
+  all.insert(all.end(), weights, weights + this->NumberOfOwnPoints());
+  return -1 - first;
+}
+
+// The points seen are the cell's own.
+vtkIdType SkdOverlapReader::AddMeanOf(const std::vector<int>& corners)
+{
+  if (this->NumberOfOwnPoints() == 0)
+  {
+    std::transform(this->Seen.begin(), this->Seen.end(), std::back_inserter(this->Block.OwnPoints),
+      [](const Corner& corner) { return corner.Id; });
+  }
+  std::vector<double> weights(this->NumberOfOwnPoints(), 0.0);
+  for (const int corner : corners)
+  {
+    weights[static_cast<std::size_t>(corner)] += 1.0 / static_cast<double>(corners.size());
+  }
+  return this->AddWeights(weights.data());
 }

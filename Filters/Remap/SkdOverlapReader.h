@@ -9,6 +9,8 @@
 #define SkdOverlapReader_h
 
 #include "Cells/SkdCellTree.h"
+#include "Cells/SkdCellWeights.h"
+#include "Cells/SkdCurvedSides.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Remap/SkdOverlapBlock.h"
 #include "Remap/SkdOverlapSurface.h"
@@ -34,12 +36,38 @@ private:
   struct Corner
   {
     skd::Vector3 X;
-    vtkIdType Id; ///< -1 of one that is no point of the mesh
+    vtkIdType Id; ///< negative of one that is no point of the mesh (SkdOverlapBlock::PointIds)
   };
   using Corners = std::vector<Corner>;
 
   void Gather(std::uint32_t cell);
   void ReadSimplices(std::uint32_t cell);
+  void AddSimplices();
+
+  ///@{
+  /// SkdOverlapCurved.cxx: cells that VTK's own class knows
+  void ReadGeneric(std::uint32_t cell);
+  void AddPrism(std::uint32_t cell, vtkCell* loaded);
+  void AddQuadraticPolygon();
+  void AddCurved(std::uint32_t cell, vtkCell* loaded);
+  void AddCurvedSolid(vtkCell* loaded);
+  ///@}
+
+  ///@{
+  /// SkdOverlapCurved.cxx: corners that are no points of the mesh
+  void WeighCorners(int cellType, const std::vector<skd::Vector3>& parameters);
+  void WeighSides(Corners& corners);
+  vtkIdType WeighMiddle(const Corners& corners);
+  const double* WeightsOf(const Corner& corner) const;
+  const double* WeightsAt(const skd::Vector3& pcoords, const skd::Vector3& x);
+  ///@}
+
+  ///@{
+  /// Weights of the cell's points, as corners have them that are no points.
+  vtkIdType AddWeights(const double* weights);
+  vtkIdType AddMeanOf(const std::vector<int>& corners);
+  std::size_t NumberOfOwnPoints() const;
+  ///@}
 
   ///@{
   /// SkdOverlapPolygons.cxx
@@ -60,8 +88,10 @@ private:
   void AddSolid(const skd::SolidTopology& topology, bool isOwn);
   void AddPolyhedron(const SkdPolyCell& cell);
   void AddHull(std::vector<std::vector<int>> faces);
+  bool AreFlat(const std::vector<std::vector<int>>& faces) const;
   void AddTetrahedra(const std::vector<std::vector<int>>& faces);
   void AddTetrahedron(const Corner (&corners)[4], std::int8_t sign);
+  void AddSigned(const Corner& apex, const Corner& a, const Corner& b, const Corner& c);
   ///@}
 
   SkdOverlapPiece& Add(const Corner* corners, std::size_t size);
@@ -74,6 +104,8 @@ private:
   Corners Seen;                   ///< the cell's points, on the ground
   std::vector<skd::Vector3> Flat; ///< a polygon's corners in its frame
   skd::SimplexSet Simplices;
+  SkdCurvedSides Sides;
+  SkdCellWeights Functions;
 };
 
 #endif

@@ -33,15 +33,41 @@ double SixfoldVolume(const Corners& corners, const Faces& faces)
   return sum;
 }
 
-/// Whether all corners are on the inner side of the planes of all faces, and those of a face on it.
 template <class Corners>
-bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
+double ExtentOf(const Corners& corners)
 {
   double extent = 0.0;
   for (const auto& corner : corners)
   {
     extent = std::max(extent, Norm(corner.X - corners[0].X));
   }
+  return extent;
+}
+
+constexpr double Flatness = 16.0; // of what a cut takes for contact
+
+/// Whether the corners of a face are in its plane. Four whose diagonals are parallel are.
+template <class Corners>
+bool IsFlat(const Corners& corners, const std::vector<int>& face)
+{
+  std::vector<Vector3> seen;
+  for (const int corner : face)
+  {
+    seen.push_back(corners[corner].X - corners[0].X);
+  }
+  const skd::HalfSpace inside = skd::InsideOf([&](int i) -> const Vector3& { return seen[i]; },
+    static_cast<int>(seen.size()), ExtentOf(corners));
+  const auto isInPlane = [&](const Vector3& x)
+  { return std::abs(Dot(inside.Normal, x) + inside.Offset) <= Flatness * inside.Tolerance; };
+  return (inside.Tolerance > 0.0 || seen.size() == 4) &&
+    std::all_of(seen.begin(), seen.end(), isInPlane);
+}
+
+/// Whether all corners are on the inner side of the planes of all faces, and those of a face on it.
+template <class Corners>
+bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
+{
+  const double extent = ExtentOf(corners);
   std::vector<Vector3> seen;
   for (const auto& corner : corners)
   {
@@ -52,7 +78,7 @@ bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
     const skd::HalfSpace inside =
       skd::InsideOf([&](int i) -> const Vector3& { return seen[face[i]]; },
         static_cast<int>(face.size()), extent);
-    const double tolerance = 16.0 * inside.Tolerance;
+    const double tolerance = Flatness * inside.Tolerance;
     for (std::size_t i = 0; i < seen.size(); ++i)
     {
       const double side = Dot(inside.Normal, seen[i]) + inside.Offset;
@@ -171,9 +197,11 @@ void SkdOverlapReader::AddHull(Faces faces)
 
 //------------------------------------------------------------------------------
 // About the mean of the corners, and of each face of more than three about its own: both cells of a
-// face cut it alike. In simplices of the mesh's points, about the first corner.
+// face cut it alike. In simplices of the mesh's points about the first corner, and faces that are
+// flat as well: then it does not matter how they are cut.
 void SkdOverlapReader::AddTetrahedra(const Faces& faces)
 {
+  const bool isOfPoints = this->Reading.IntoSimplices;
   const auto meanOf = [&](const auto& numbers)
   {
     Vector3 sum{ { 0.0, 0.0, 0.0 } };
@@ -182,35 +210,46 @@ void SkdOverlapReader::AddTetrahedra(const Faces& faces)
     {
       sum = sum + (this->Seen[number].X - first);
     }
-    return Corner{ first + (1.0 / static_cast<double>(numbers.size())) * sum, -1 };
+    return Corner{ first + (1.0 / static_cast<double>(numbers.size())) * sum,
+      isOfPoints ? this->AddMeanOf(numbers) : -1 };
   };
   std::vector<int> all;
   for (int i = 0; i < static_cast<int>(this->Seen.size()); ++i)
   {
     all.push_back(i);
   }
-  const bool isOfPoints = this->Reading.IntoSimplices;
   const Corner apex = isOfPoints ? this->Seen[0] : meanOf(all);
-  const auto add = [&](const Corner& a, const Corner& b, const Corner& c)
-  {
-    const double volume = SixfoldVolume(apex.X, a.X, b.X, c.X);
-    if (volume > 0.0)
-    {
-      this->AddTetrahedron({ apex, a, b, c }, 1);
-    }
-    else if (volume < 0.0)
-    {
-      this->AddTetrahedron({ apex, a, c, b }, -1);
-    }
-  };
   for (const std::vector<int>& face : faces)
   {
-    const bool isFan = isOfPoints || face.size() == 3;
+    const bool isFan = face.size() == 3 || (isOfPoints && IsFlat(this->Seen, face));
     const Corner middle = isFan ? this->Seen[face[0]] : meanOf(face);
     for (std::size_t i = isFan ? 1 : 0; i + (isFan ? 1 : 0) < face.size(); ++i)
     {
-      add(middle, this->Seen[face[i]], this->Seen[face[(i + 1) % face.size()]]);
+      this->AddSigned(apex, middle, this->Seen[face[i]], this->Seen[face[(i + 1) % face.size()]]);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdOverlapReader::AreFlat(const Faces& faces) const
+{
+  return std::all_of(faces.begin(), faces.end(),
+    [this](const std::vector<int>& face) { return IsFlat(this->Seen, face); });
+}
+
+//------------------------------------------------------------------------------
+// What is turned inside out counts negative.
+void SkdOverlapReader::AddSigned(
+  const Corner& apex, const Corner& a, const Corner& b, const Corner& c)
+{
+  const double volume = SixfoldVolume(apex.X, a.X, b.X, c.X);
+  if (volume > 0.0)
+  {
+    this->AddTetrahedron({ apex, a, b, c }, 1);
+  }
+  else if (volume < 0.0)
+  {
+    this->AddTetrahedron({ apex, a, c, b }, -1);
   }
 }
 

@@ -54,15 +54,26 @@ struct SkdOverlapCells
 };
 
 /// Rows of target cells, columns of donor points, ascending (CSR): the integral over the target
-/// cell of the function that is 1 at the point, 0 at all others, and linear on the simplices that
-/// the donor's cells are cut into. Triangles, tetrahedra and lines are their own; others are cut
-/// between their points. A row sums up to what of the cell is covered. On a sphere linear means: as
-/// on the flat triangle of the three points, constant along its normal.
+/// cell of a point's function. A row sums up to what of the cell is covered; the sum over a target
+/// that covers the donor is the integral over the donor, whatever the target.
+///
+/// Of lines, triangles, tetrahedra, and cells with flat faces the function is 1 at the point, 0 at
+/// all others, and linear on simplices between the points. A warped face is the four triangles (of
+/// a polygon: as many as it has edges) of its edges and the mean of its corners, where the
+/// function has the mean of its values there. On a sphere linear means: as on the flat triangle of
+/// the three points, constant along its normal.
+///
+/// Of curved cells it is linear on the simplices that they are cut into, with the values of the
+/// cell's own functions at corners on the cell's sides, and so much more, at the corner in the
+/// middle of a volume cell, at all corners of another, that its integral over the cell is that of
+/// the cell's own function (of what is quadratic on each simplex exactly).
 struct SkdOverlapPointTable
 {
   std::vector<std::size_t> Rows; ///< one more than there are target cells
   std::vector<vtkIdType> Columns;
   std::vector<double> Weights;
+  std::vector<double> Masses; ///< of each point: the integral of its function over the donor
+  bool IsSigned = false;      ///< whether weights are negative, and not for rounding
 };
 
 #endif

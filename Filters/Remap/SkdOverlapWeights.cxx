@@ -142,6 +142,7 @@ void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& gr
     table.Columns[i] = column;
     table.Measures[i] = measure;
     table.Moments[i] = ground.Moment(entry.Moment);
+    table.IsSigned = table.IsSigned || measure < 0.0;
     targets.Covered[row] += measure;
     donors.Covered[static_cast<std::size_t>(column)] += measure;
     Vector3& sum = donors.CoveredMoments[static_cast<std::size_t>(column)];
@@ -188,7 +189,7 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
     {
       const Entry entry = Overlap(meshes, settings.Space, a, b);
       const double smaller = std::min(meshes.Target.MeasureOf(a), meshes.Donor.MeasureOf(b));
-      if (entry.Measure > remap_tolerances::CellOverlap * smaller)
+      if (std::abs(entry.Measure) > remap_tolerances::CellOverlap * smaller)
       {
         found[part].push_back(entry);
       }

@@ -21,7 +21,8 @@ class vtkAlgorithm;
 class vtkDataSet;
 
 /// Rows of target cells, columns of donor cells (CSR): of row i the entries Rows[i] .. Rows[i + 1],
-/// by ascending donor id. Overlaps that are nothing but rounding are left out.
+/// by ascending donor id. Overlaps that are nothing but rounding are left out. Of cells that are
+/// partly turned inside out, or whose sides pass each other, they may be negative.
 struct SkdOverlapTable
 {
   std::vector<std::size_t> Rows;  ///< one more than there are target cells
@@ -30,6 +31,7 @@ struct SkdOverlapTable
   /// The integral of x - (centroid of the donor cell) over the overlap. A field that is
   /// f + g . (x - centroid) in the donor cell has the integral f * measure + g . moment.
   std::vector<skd::Vector3> Moments;
+  bool IsSigned = false; ///< whether there are negative ones
 };
 
 /// All overlaps of two meshes. Results do not depend on the number of threads. About a microsecond

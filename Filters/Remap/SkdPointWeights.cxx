@@ -5,10 +5,13 @@
 #include "Cells/SkdForEach.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
+#include "Remap/SkdRemapTolerances.h"
 
 #include "vtkDataSet.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -38,20 +41,127 @@ Vector3 GradientOf(const Vector3* p, int size, int k)
   return (1.0 / Dot(normal, way)) * normal;
 }
 
-/// The overlap of a piece of the target and a simplex of the donor, given to its corners.
-void AddWeights(const SkdPieceView& simplex, const vtkIdType* ids, const skd::Moments& moments,
-  const Vector3& reference, Entry entry, std::vector<Entry>& found)
+/// The integrals of the functions of a simplex's corners over a part of it, by its moments. Of one
+/// so flat that these functions have no gradients equal parts.
+std::array<double, 4> IntegralsOf(
+  const SkdPieceView& simplex, const skd::Moments& moments, const Vector3& reference)
 {
   const Vector3* p = simplex.Corners;
   const int size = simplex.Piece.Size;
+  std::array<double, 4> integrals{};
+  bool isFinite = true;
   for (int k = 0; k < size; ++k)
   {
     const Vector3 gradient = GradientOf(p, size, k);
     const double atReference = Dot(gradient, reference - p[(k + 1) % size]);
-    entry.Point = ids[k];
-    found.push_back(entry);
-    found.back().Weight *= moments.Measure * atReference + Dot(gradient, moments.First);
+    integrals[k] = moments.Measure * atReference + Dot(gradient, moments.First);
+    isFinite = isFinite && std::isfinite(integrals[k]);
   }
+  if (!isFinite)
+  {
+    std::fill_n(integrals.begin(), size, moments.Measure / size);
+  }
+  return integrals;
+}
+
+/// What a part of a donor's cell adds to the weights of its points.
+class Weighing
+{
+public:
+  Weighing(const SkdOverlapPieces& donors, std::uint32_t cell)
+    : Block(donors.BlockOf(cell))
+    , Own(donors.OwnPointsOf(cell))
+    , Sums(Buffer())
+  {
+    this->Sums.assign(this->Own.Size, 0.0);
+  }
+
+  /// Of a part of a simplex: visit(point, weight) for points that are its corners.
+  template <class Visit>
+  void Add(const SkdPieceView& simplex, const skd::Moments& moments, const Vector3& reference,
+    double scale, const Visit& visit)
+  {
+    const std::array<double, 4> integrals = IntegralsOf(simplex, moments, reference);
+    const vtkIdType* ids = this->Block.PointIds.data() + simplex.Piece.FirstCorner;
+    for (int k = 0; k < simplex.Piece.Size; ++k)
+    {
+      const double weight = scale * integrals[k];
+      if (ids[k] >= 0)
+      {
+        visit(ids[k], weight);
+        continue;
+      }
+      const double* of = this->Block.Weights.data() + (-1 - ids[k]);
+      for (std::size_t i = 0; i < this->Own.Size; ++i)
+      {
+        this->Sums[i] += weight * of[i];
+      }
+    }
+  }
+
+  /// After all parts, of the other corners.
+  template <class Visit>
+  void Finish(const Visit& visit) const
+  {
+    for (std::size_t i = 0; i < this->Own.Size; ++i)
+    {
+      if (this->Sums[i] != 0.0)
+      {
+        visit(this->Own.First[i], this->Sums[i]);
+      }
+    }
+  }
+
+private:
+  static std::vector<double>& Buffer()
+  {
+    thread_local std::vector<double> buffer; // keeps its memory
+    return buffer;
+  }
+
+  const SkdOverlapBlock& Block;
+  SkdOverlapPieces::PointRange Own;
+  std::vector<double>& Sums;
+};
+
+/// The integrals of the points' functions over the whole donor.
+std::vector<double> FindMasses(
+  const SkdOverlapPieces& donors, vtkIdType numberOfPoints, const SkdOverlapSurface& ground)
+{
+  std::vector<double> masses(static_cast<std::size_t>(numberOfPoints), 0.0);
+  const auto add = [&](vtkIdType point, double weight)
+  { masses[static_cast<std::size_t>(point)] += weight; };
+  for (std::uint32_t cell = 0; cell < donors.GetNumberOfCells(); ++cell)
+  {
+    Weighing weighing(donors, cell);
+    const SkdOverlapPieces::Range pieces = donors.PiecesOf(cell);
+    for (std::uint32_t i = pieces.First; i < pieces.Last; ++i)
+    {
+      const SkdPieceView simplex(donors.BlockOf(cell), i);
+      const SkdOverlapPiece& piece = simplex.Piece;
+      weighing.Add(simplex, piece.Own, piece.Reference, ground.Measure(piece.Sign), add);
+    }
+    weighing.Finish(add);
+  }
+  return masses;
+}
+
+/// Negative weights that are nothing but rounding become 0. Returns whether there are others.
+bool DropRounding(SkdOverlapPointTable& table)
+{
+  bool hasNegative = false;
+  for (std::size_t row = 0; row + 1 < table.Rows.size(); ++row)
+  {
+    const auto begin = table.Weights.begin() + static_cast<std::ptrdiff_t>(table.Rows[row]);
+    const auto end = table.Weights.begin() + static_cast<std::ptrdiff_t>(table.Rows[row + 1]);
+    const double greatest = begin == end ? 0.0 : *std::max_element(begin, end);
+    const double rounding = remap_tolerances::PointWeight * std::abs(greatest);
+    std::replace_if(
+      begin, end, [&](double weight) { return weight < 0.0 && weight >= -rounding; }, 0.0);
+    hasNegative =
+      hasNegative || std::any_of(begin, end, [](double weight) { return weight < 0.0; });
+  }
+  return hasNegative;
 }
 
 /// By rows, then points; those of one place are summed up in the order of the parts.
@@ -66,7 +176,6 @@ void FillTable(
   std::stable_sort(all.begin(), all.end(),
     [](const Entry& a, const Entry& b)
     { return a.Row != b.Row ? a.Row < b.Row : a.Point < b.Point; });
-  table = {};
   table.Rows.assign(static_cast<std::size_t>(numberOfRows) + 1, 0);
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -81,6 +190,7 @@ void FillTable(
     ++table.Rows[static_cast<std::size_t>(entry.Row) + 1];
   }
   std::partial_sum(table.Rows.begin(), table.Rows.end(), table.Rows.begin());
+  table.IsSigned = DropRounding(table);
 }
 }
 
@@ -102,27 +212,29 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
   {
     return false;
   }
+  table = {};
+  table.Masses = FindMasses(donors, donor->GetNumberOfPoints(), ground);
   const SkdNoShapes noShapes;
   const SkdPieceOverlap<SkdNoShapes> overlap(settings.Space, noShapes);
   std::vector<std::vector<Entry>> found;
   const auto visitPieces = [&](std::size_t part, std::uint32_t a, std::uint32_t b)
   {
-    const SkdOverlapBlock& block = donors.BlockOf(b);
+    Weighing weighing(donors, b);
+    const auto add = [&](vtkIdType point, double weight) {
+      found[part].push_back({ targets.IdOf(a), point, weight });
+    };
     SkdForEachPiecePair(targets, a, donors, b,
       [&](const SkdPieceView& one, const SkdPieceView& simplex)
       {
-        const vtkIdType* ids = block.PointIds.data() + simplex.Piece.FirstCorner;
-        const bool isOfPoints =
-          std::all_of(ids, ids + simplex.Piece.Size, [](vtkIdType id) { return id >= 0; });
         const Vector3* reference = nullptr;
-        const skd::Moments moments =
-          isOfPoints ? overlap.Find(one, simplex, reference) : skd::Moments();
+        const skd::Moments moments = overlap.Find(one, simplex, reference);
         if (moments.Measure > 0.0)
         {
           const double scale = ground.Measure(one.Piece.Sign * simplex.Piece.Sign);
-          AddWeights(simplex, ids, moments, *reference, { targets.IdOf(a), 0, scale }, found[part]);
+          weighing.Add(simplex, moments, *reference, scale, add);
         }
       });
+    weighing.Finish(add);
   };
   const bool isDone = SkdForEachCandidatePair(
     SkdOverlapTree(targets), SkdOverlapTree(donors), ofPairs,

@@ -10,9 +10,9 @@
 
 #include "Remap/SkdOverlapWeights.h"
 
-/// Fills the table. Curved cells of the donor have no weights; its edges on a sphere are arcs of
-/// great circles. Results do not depend on the number of threads. False if the algorithm was
-/// aborted, or if the weights of these meshes would have a problem.
+/// Fills the table. Edges of the donor on a sphere are arcs of great circles. Results do not depend
+/// on the number of threads. False if the algorithm was aborted, or if the weights of these meshes
+/// would have a problem.
 bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
   SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first = 0.0, double last = 1.0);
 

@@ -65,9 +65,7 @@ SkdRemapTally::Row& SkdRemapTally::RowOf(const SkdDonorField& field, std::size_t
 {
   const std::string name =
     field.Components > 1 ? field.Name + " " + std::to_string(component) : field.Name;
-  Row& row = this->Rows[name];
-  row.IsOfPoints = field.IsOfPoints;
-  return row;
+  return this->Rows[name];
 }
 
 void SkdRemapTally::Expect(const SkdDonorField& field)
@@ -83,9 +81,8 @@ void SkdRemapTally::Add(const SkdDonorField& field, const std::vector<SkdRemapIn
   for (std::size_t c = 0; c < integrals.size(); ++c)
   {
     Row& row = this->RowOf(field, c);
-    // Of cells over the whole donor, the same for every block; of points over what a block covers.
-    row.Source = field.IsOfPoints ? row.Source + integrals[c].Source : integrals[c].Source;
-    row.Absolute = field.IsOfPoints ? row.Absolute + integrals[c].Absolute : integrals[c].Absolute;
+    row.Source = integrals[c].Source; // over the whole donor, the same for every block
+    row.Absolute = integrals[c].Absolute;
     row.Overlap += integrals[c].Overlap;
     row.Target += integrals[c].Target;
     row.Covered += integrals[c].Covered;
@@ -106,8 +103,8 @@ void SkdRemapTally::AddOthers(const skd::Processes& processes)
   std::size_t at = 0;
   for (auto& [name, row] : this->Rows)
   {
-    row.Source = row.IsOfPoints ? SumOf(all, at) : AnyOf(all, at);
-    row.Absolute = row.IsOfPoints ? SumOf(all, at + 1) : AnyOf(all, at + 1);
+    row.Source = AnyOf(all, at);
+    row.Absolute = AnyOf(all, at + 1);
     row.Overlap = SumOf(all, at + 2);
     row.Target = SumOf(all, at + 3);
     row.Covered = SumOf(all, at + 4);

@@ -35,10 +35,7 @@ public:
   void AddTo(vtkDataObject* output) const;
 
 private:
-  struct Row : SkdRemapIntegrals
-  {
-    bool IsOfPoints = false;
-  };
+  using Row = SkdRemapIntegrals;
 
   Row& RowOf(const SkdDonorField& field, std::size_t component);
 

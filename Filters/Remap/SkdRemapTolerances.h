@@ -13,6 +13,7 @@ constexpr double StraightAngle = 1e-13; ///< the sine of a reflex angle that cou
 constexpr double Hemisphere = 1e-3;     ///< of the radius: the mean corner of half a sphere
 constexpr double CellOverlap = 2e-15;   ///< of the smaller cell: less measure is rounding
 constexpr double PieceOverlap = 1e-14;  ///< of the smaller piece, whose cuts round more: the same
+constexpr double PointWeight = 1e-12;   ///< of the largest of a cell: a negative one is rounding
 constexpr double CoverGap = 1e-10;      ///< of a cell's measure: less is no gap in its cover
 constexpr double Flatness = 1e-12;      ///< of the largest eigenvalue: less spans no direction
 constexpr double RadiusSpread = 1e-5;   ///< of the radius: of a sphere, not of a flattened Earth
