@@ -93,10 +93,10 @@ public:
    * linear fields, and copy its cell data; both become point arrays of the output with their own
    * names and types (rounded for integers). An array that only some blocks of a composite Source
    * have is NaN (0 if of integers) at points nearest to others, and an array SkdValid_ with its
-   * name marks by 1 where it has a value; SkdReportPartialArrays lists them. An array whose name is already in use is not added, with a warning: the Input's
-   * arrays take precedence over the Source's, and its point data over its cell data. Ghost marks
-   * and point ids are not passed on. Points without a result get NaN, or 0 in integer arrays.
-   * Default off.
+   * name marks by 1 where it has a value; SkdReportPartialArrays lists them. An array whose name is
+   * already in use is not added, with a warning: the Input's arrays take precedence over the
+   * Source's, and its point data over its cell data. Ghost marks and point ids are not passed on.
+   * Points without a result get NaN, or 0 in integer arrays. Default off.
    */
   vtkSkdTreeSwitchMacro(InterpolateSourceData);
   //@}

@@ -25,7 +25,9 @@
  * |                  |        |            | -1: its back, 0: no surface cell          |      |
  * | SkdRayBlockIndex | int    | 1          | flat index of its block                   | -1   |
  * (the last one only for a composite Source; all but the first not of COUNTS) and, optionally, the
- * source's data at the first hit. The side at a curved cell is that of the polygon of its corners.
+ * source's data at the first hit. Rays from curved
+ * faces start on the faces themselves: for a control point of a Bezier cell stands the place on the
+ * face at its parameters, for the centre of a curved cell that in the middle of its parameters.
  * Output port 1 (empty for COUNTS): vtkPolyData with a point for each hit or, by choice, a line
  * from the start to it, with the same data, those of the start, and SkdRayStartId, the id of the
  * start's point or cell. After an abort the remaining rays have no hits.
@@ -100,7 +102,7 @@ public:
   //@{
   /**
    * Where rays go: along the normals of the points or cells (the active ones or, without them,
-   * those of the surface cells or of the outer faces of linear volume cells, at points their mean
+   * those of the surface cells or of the outer faces of volume cells, at points their mean
    * weighted by angles), along the vectors of DirectionArray, along one Direction; or towards
    * TargetPoint, towards the positions in DirectionArray, or each towards the nearest point of
    * Source, and beyond. Towards the nearest point on the border of an open surface, rounding

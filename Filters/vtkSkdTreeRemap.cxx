@@ -4,6 +4,7 @@
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdPartialArrays.h"
+#include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"
@@ -572,38 +573,23 @@ int vtkSkdTreeRemap::RequestData(
 void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto tell = [&](const char* name, const auto& value)
-  { os << indent << name << ": " << value << "\n"; };
-  const auto tellSwitch = [&](const char* name, bool value) { tell(name, value ? "On" : "Off"); };
-  tell("Method", this->Method);
-  tell("ResultsOn", this->ResultsOn);
-  tell("Geometry", this->Geometry);
-  tell("SourceCoordinates", this->SourceCoordinates);
-  tellSwitch("SourceEdgesAlongParallels", this->SourceEdgesAlongParallels);
-  tellSwitch("InputEdgesAlongParallels", this->InputEdgesAlongParallels);
-  tell("Statistic", this->Statistic);
-  tell("SampleWeights", this->SampleWeights);
-  tell("EmptyCells", this->EmptyCells);
-  tell("Limiter", this->Limiter);
-  tell("Normalization", this->Normalization);
-  tell("MinimumCoverage", this->MinimumCoverage);
-  tell("MissingValues", this->MissingValues);
-  tellSwitch("UseMissingValue", this->UseMissingValue);
-  tell("MissingValue", this->MissingValue);
-  tell("MaskArray", this->MaskArray);
-  tellSwitch("RotateVectors", this->RotateVectors);
-  tellSwitch("PassInputData", this->PassInputData);
-  tellSwitch("GenerateWeights", this->GenerateWeights);
-  tellSwitch("GenerateOverlapMesh", this->GenerateOverlapMesh);
-  tell("WeightsFileName", this->WeightsFileName);
-  tell("WeightsFileFormat", this->WeightsFileFormat);
+  SkdPrint(os, indent, "Method", this->Method, "ResultsOn", this->ResultsOn, "Geometry",
+    this->Geometry, "SourceCoordinates", this->SourceCoordinates, "SourceEdgesAlongParallels",
+    this->SourceEdgesAlongParallels, "InputEdgesAlongParallels", this->InputEdgesAlongParallels,
+    "Statistic", this->Statistic, "SampleWeights", this->SampleWeights, "EmptyCells",
+    this->EmptyCells, "Limiter", this->Limiter, "Normalization", this->Normalization,
+    "MinimumCoverage", this->MinimumCoverage, "MissingValues", this->MissingValues,
+    "UseMissingValue", this->UseMissingValue, "MissingValue", this->MissingValue, "MaskArray",
+    this->MaskArray, "RotateVectors", this->RotateVectors, "PassInputData", this->PassInputData,
+    "GenerateWeights", this->GenerateWeights, "GenerateOverlapMesh", this->GenerateOverlapMesh,
+    "WeightsFileName", this->WeightsFileName, "WeightsFileFormat", this->WeightsFileFormat);
   for (const std::string& name : this->Impl->Extensive)
   {
-    tell("ExtensiveArray", name);
+    SkdPrint(os, indent, "ExtensiveArray", name);
   }
   for (const std::string& name : this->Impl->Gradients)
   {
-    tell("GradientArray", name);
+    SkdPrint(os, indent, "GradientArray", name);
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -141,7 +141,7 @@ void WarnAbout(Filter* self, const std::vector<SkdRayStarts>& starts, const Numb
   if (alone + numbers.WithoutRay > 0 && !SkdIsAborted(self))
   {
     const std::string without = std::to_string(numbers.WithoutRay) +
-      " have no normal (no surface cell, or no outer face of a linear volume cell, has them) or "
+      " have no normal (no surface cell, or no outer face of a volume cell, has them) or "
       "are "
       "not finite";
     const std::string nothing = std::to_string(alone) +

@@ -12,17 +12,23 @@
  *
  * - RAYS: along the inverted normal or, with NumberOfRays, the median over a cone of rays about it:
  *   the shape diameter function of L. Shapira, A. Shamir, D. Cohen-Or, The Visual Computer 24
- * (2008) 249-259. Without a Source only rays count that leave the body, through the front of a
- * face.
+ *   (2008) 249-259. Without a Source a ray ends where it leaves the body: where the winding number
+ *   of the surface returns to 0, also through shells that overlap. Of a surface with open edges the
+ *   generalized winding number at the start is rounded, and at least 1.
  * - SPHERES: the diameter of the largest sphere within the body that touches the surface there, by
  *   the shrinking ball of J. Ma, S. W. Bae, S. Choi, The Visual Computer 28 (2012) 7-19, with the
  *   exact nearest point of all cells: the sphere overlaps nothing but facets next to the point (see
- *   SeparationAngle). Never larger than by one ray.
+ *   SeparationAngle). Where a quarter of more than 8192 cells is about equally near to the centres
+ *   of many spheres, as in a ball, nearest points are those of points of a lattice, and spheres
+ *   may reach through the surface by 0.002 of their radius. Faces within the body, of shells that
+ *   overlap, bound spheres, too. Never larger than by one ray to the first face.
  *
  * Normals are the active ones of the points or cells or, without them, those of the surface cells
- * or of the outer faces of linear volume cells, at points their mean weighted by angles. What is
- * measured against is the outer faces of volume cells, of curved ones as flat facets within 1e-4 of
- * the diagonal.
+ * or of the outer faces of volume cells, at points their mean weighted by angles. Points and
+ * normals of curved faces are those of the faces themselves: for a control point of a Bezier cell
+ * stands the place on the face at its parameters, for the centre of a curved cell that in the
+ * middle of its parameters. What is measured against is the outer faces of volume cells, of curved
+ * ones as flat facets within 1e-4 of the diagonal.
  *
  * Output: the input with the point arrays or, at cell centres, cell arrays
  * | name                  | type   | components | meaning                              | none |
@@ -82,7 +88,8 @@ public:
 
   //@{
   /**
-   * Where thickness is measured: at points, or at the centres of cells (the mean of their points).
+   * Where thickness is measured: at points, or at the centres of cells (the mean of their points,
+   * of curved surface cells the middle of their parameters).
    * Default POINTS.
    */
   vtkSkdTreeChoiceMacro(Start, POINTS, CELL_CENTERS);

@@ -51,9 +51,9 @@ SkdRayHit SkdBodyExit::Find(const Vector3& from, const Vector3& along, const Skd
     return none;
   }
   const Vector3 begin = from + this->Start * along;
-  vtkIdType number = this->IsSimple() ? this->CountAround(begin) : 0;
   if (this->IsSimple())
   {
+    const vtkIdType number = this->CountAround(begin);
     const Vector3 normal = SkdNormalOfCell(
       this->Trees.GetMesh(first.Block), first.CellId, from + first.Distance * along);
     const bool isOut = skd::Dot(normal, along) >= 0.0;
@@ -61,18 +61,27 @@ SkdRayHit SkdBodyExit::Find(const Vector3& from, const Vector3& along, const Skd
     {
       return isOut ? first : none;
     }
+    return this->FindLast(begin, this->FindPasses(begin, along), number, first);
   }
   const std::vector<Pass>& passes = this->FindPasses(begin, along);
+  vtkIdType number = 0;
   for (const Pass& pass : passes)
   {
-    number += this->IsSimple() ? 0 : pass.Way;
+    number += pass.Way;
   }
-  number = this->Corrected(number, begin);
+  return this->FindLast(begin, passes, number, first);
+}
+
+SkdRayHit SkdBodyExit::FindLast(const Vector3& begin, const std::vector<Pass>& passes,
+  vtkIdType number, const SkdRayHit& first) const
+{
+  const bool isKnown = !passes.empty() && number == (passes.front().Way > 0 ? 1 : 0);
+  number = isKnown ? number : this->Corrected(number, begin);
   for (const Pass& pass : passes)
   {
     if (number <= 0)
     {
-      return none;
+      break;
     }
     const bool isEnd = pass.Way > 0 && number == 1;
     number -= pass.Way;
@@ -82,7 +91,7 @@ SkdRayHit SkdBodyExit::Find(const Vector3& from, const Vector3& along, const Skd
       return isFirst ? first : SkdRayHit{ this->Start + pass.Distance, pass.CellId, pass.Block };
     }
   }
-  return none;
+  return { 0.0, -1, -1 };
 }
 
 // All lines to the outside say the same of a closed surface: the shortest costs least.
@@ -106,7 +115,8 @@ vtkIdType SkdBodyExit::Corrected(vtkIdType number, const Vector3& x) const
   std::call_once(this->OpenFlag,
     [this]
     {
-      const SkdBoundary boundary = SkdBoundaryOf(this->Surfaces, this->Own);
+      const SkdBoundary boundary =
+        SkdBoundaryOf(this->Surfaces, SkdChordalLength(this->Surfaces, SkdDefaultChordalDeviation));
       if (boundary.OpenEdges > 0)
       {
         this->Winding = std::make_unique<SkdWinding>(boundary.Surface);

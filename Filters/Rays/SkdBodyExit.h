@@ -49,6 +49,8 @@ private:
   };
 
   bool IsSimple() const { return !this->IsCurved && !this->HasOwnHits(); }
+  SkdRayHit FindLast(const skd::Vector3& begin, const std::vector<Pass>& passes, vtkIdType number,
+    const SkdRayHit& first) const;
   vtkIdType CountAround(const skd::Vector3& x) const;
   vtkIdType Corrected(vtkIdType number, const skd::Vector3& x) const;
   const std::vector<Pass>& FindPasses(const skd::Vector3& from, const skd::Vector3& along) const;

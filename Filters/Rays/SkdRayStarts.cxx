@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rays/SkdRayStarts.h"
 
+#include "Cells/SkdCurvedFaces.h"
 #include "Cells/SkdForEach.h"
+#include "Rays/SkdCurvedPlaces.h"
 #include "Rays/SkdSurfaceBlocks.h"
 #include "Rays/SkdSurfaceNormals.h"
 #include "vtkCellData.h"
@@ -76,6 +78,19 @@ void SkdRayStarts::ReadPoints(vtkDataSet* mesh, SkdQueryPoints::At at)
   this->Points.resize(static_cast<std::size_t>(starts.GetNumber()));
   SkdForEach(this->Points.size(),
     [&](std::size_t i) { starts.GetPoint(static_cast<vtkIdType>(i), this->Points[i].X); });
+  if (at == SkdQueryPoints::At::Points)
+  {
+    SkdPutControlPointsOnFaces(mesh, this->Points);
+  }
+  else if (SkdHasCurvedCells(mesh))
+  {
+    SkdForEach(this->Points.size(),
+      [&](std::size_t i)
+      {
+        const auto middle = SkdMiddleOfCurvedCell(mesh, static_cast<vtkIdType>(i));
+        this->Points[i] = middle ? middle->Point : this->Points[i];
+      });
+  }
 }
 
 void SkdRayStarts::UseNormals(vtkDataSet* mesh, SkdQueryPoints::At at)

@@ -6,6 +6,7 @@
 #include "Cells/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestPoint.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Rays/SkdCurvedPlaces.h"
 #include "Rays/SkdSurfaceBlocks.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
@@ -130,6 +131,10 @@ Vector3 SkdUnit(const Vector3& vector)
 //------------------------------------------------------------------------------
 Vector3 SkdNormalOfCell(vtkDataSet* mesh, vtkIdType cell, const Vector3& x)
 {
+  if (const auto place = SkdNearestOnCurvedCell(mesh, cell, x))
+  {
+    return place->Normal;
+  }
   Vector3 normal{ { 0.0, 0.0, 0.0 } };
   double least = std::numeric_limits<double>::infinity();
   const bool isStrip = mesh->GetCellType(cell) == VTK_TRIANGLE_STRIP;
@@ -164,20 +169,26 @@ std::vector<Vector3> SkdNormalsOfCells(vtkDataSet* mesh)
           normal = isFirst ? NormalOf(facet) : normal;
           isFirst = false;
         });
-      normals[static_cast<std::size_t>(cell)] = normal;
+      const auto place = SkdMiddleOfCurvedCell(mesh, cell);
+      normals[static_cast<std::size_t>(cell)] = place ? place->Normal : normal;
     });
   return normals;
 }
 
 namespace
 {
-/// Calls add(point, normal times angle) for all points of all surface cells.
-template <class Add>
-void ForEachNormal(vtkDataSet* mesh, const Add& add)
+/// Calls add(point, normal times angle) for all points of those surface cells that `counts` and
+/// that have corners only.
+template <class Counts, class Add>
+void ForEachNormal(vtkDataSet* mesh, const Counts& counts, const Add& add)
 {
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
+    if (!counts(cell))
+    {
+      continue;
+    }
     ForEachFacet(mesh, cell,
       [&](const Facet& facet)
       {
@@ -191,8 +202,8 @@ void ForEachNormal(vtkDataSet* mesh, const Add& add)
           add(facet[i].Id, angle * normal);
         }
         mesh->GetCellPoints(cell, ids);
-        const bool isCurved = SkdIsCurvedCellType(mesh->GetCellType(cell));
-        for (vtkIdType i = static_cast<vtkIdType>(n); isCurved && i < ids->GetNumberOfIds(); ++i)
+        const bool hasMiddles = mesh->GetCellType(cell) == VTK_QUADRATIC_POLYGON;
+        for (vtkIdType i = static_cast<vtkIdType>(n); hasMiddles && i < ids->GetNumberOfIds(); ++i)
         {
           add(ids->GetId(i), vtkMath::Pi() * normal);
         }
@@ -212,11 +223,16 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
     Vector3& sum = normals[static_cast<std::size_t>(point)];
     sum = sum + normal;
   };
+  const auto isFlat = [mesh](vtkIdType cell)
+  {
+    const int type = mesh->GetCellType(cell);
+    return !SkdIsCurvedCellType(type) || type == VTK_QUADRATIC_POLYGON;
+  };
   if (SkdHasVolumeCells(mesh))
   {
-    const SkdBlockSurface outer(
-      mesh, SkdChordalLength({ { mesh, 0 } }, SkdDefaultChordalDeviation));
-    ForEachNormal(outer.Get(),
+    const SkdBlockSurface outer(mesh, SkdChordalLength({ { mesh, 0 } }, 1.0)); // flat faces count
+    ForEachNormal(
+      outer.Get(), [&](vtkIdType face) { return isFlat(outer.GetCellId(face)); },
       [&](vtkIdType point, const Vector3& normal)
       {
         if (outer.GetPointId(point) >= 0)
@@ -227,7 +243,13 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
   }
   else
   {
-    ForEachNormal(mesh, add);
+    ForEachNormal(mesh, isFlat, add);
+  }
+  if (SkdHasCurvedCells(mesh))
+  {
+    SkdVisitCurvedPlaces(mesh,
+      [&](vtkIdType point, const SkdCurvedPlace& place)
+      { add(point, place.Angle * place.Normal); });
   }
   for (Vector3& normal : normals)
   {

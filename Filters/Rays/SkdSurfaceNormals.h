@@ -11,19 +11,20 @@
 class vtkDataSet;
 
 /// The unit normal of a surface cell by its corners, to the side from which they go round
-/// counterclockwise; of a strip that of the triangle nearest to x. 0 of other cells, and of cells
+/// counterclockwise; of a strip that of the triangle nearest to x, of a curved cell that at the
+/// place nearest to x. 0 of other cells, and of cells
 /// without area. Thread-safe after SkdTouchCells().
 skd::Vector3 SkdNormalOfCell(vtkDataSet* mesh, vtkIdType cell, const skd::Vector3& x);
 
-/// The same of all cells; of a strip that of its first triangle.
+/// The same of all cells; of a strip that of its first triangle, of a curved cell that in the
+/// middle of its parameters.
 std::vector<skd::Vector3> SkdNormalsOfCells(vtkDataSet* mesh);
 
 /// Unit normals at points: the mean of those of the surface cells there, weighted by their angles,
 /// so that the division into triangles does not matter (G. Thuermer, C. A. Wuethrich, "Computing
-/// vertex normals from polygonal facets", Journal of Graphics Tools 3 (1998) 43-46). At the other
-/// points of a curved cell its polygon counts as at a point within an edge. Of a mesh with volume
-/// cells, the normals of its outer faces as well; of curved volume cells these are not known.
-/// 0 where there is none.
+/// vertex normals from polygonal facets", Journal of Graphics Tools 3 (1998) 43-46). Of curved
+/// cells they are those of the surface itself at the points' parameters. Of a mesh with volume
+/// cells, the normals of its outer faces as well. 0 where there is none.
 std::vector<skd::Vector3> SkdNormalsOfPoints(vtkDataSet* mesh);
 
 /// A vector divided by its length, whatever its magnitude; 0 if it is 0 or not finite.

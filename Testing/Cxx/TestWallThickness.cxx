@@ -3,12 +3,14 @@
 // vtkSkdTreeWallThickness: bodies of known thickness, and bad input.
 
 #include "Rays/SkdTiedNearest.h"
+#include "Support/CurveRun.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
 #include "Support/IntegerBodies.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkCellData.h"
+#include "vtkHigherOrderHexahedron.h"
 #include "vtkSMPTools.h"
 #include "vtkSkdTreeWallThickness.h"
 
@@ -276,6 +278,100 @@ TEST(WallThickness, SpheresInABallShareWhatIsNearest)
       filter->Update();
     });
   EXPECT_EQ(Thickness(filter), values);
+}
+
+// Bezier cells have control points, which are not on the surface: places on it stand for them.
+TEST(WallThickness, OfRationalSurfacesIsThatOfTheTrueOnes)
+{
+  for (const int start : { Filter::POINTS, Filter::CELL_CENTERS })
+  {
+    for (const int method : { Filter::RAYS, Filter::SPHERES })
+    {
+      auto sphere = MakeFilter(BezierSphere(1.0), method);
+      sphere->SetStart(start);
+      ExpectAll(sphere, 2.0, 1e-6);
+    }
+    auto torus = MakeFilter(BezierTorus(3.0, 1.0), Filter::RAYS);
+    torus->SetStart(start);
+    ExpectAll(torus, 2.0, 1e-6);
+  }
+}
+
+/// A ring about z, of quarters that are rational Bezier hexahedra of degree 2: from radius 1 to 2.
+GridPointer BezierRing()
+{
+  Mesh mesh;
+  std::vector<double> weights;
+  const int order[3] = { 2, 2, 2 };
+  for (int quarter = 0; quarter < 4; ++quarter)
+  {
+    Ids ids(27);
+    for (int n = 0; n < 27; ++n)
+    {
+      const int i = n % 3, j = n / 3 % 3, k = n / 9;
+      const auto [c, s, w] = QuarterCircle(j, quarter);
+      const double r = 1.0 + 0.5 * i;
+      const int place = vtkHigherOrderHexahedron::PointIndexFromIJK(i, j, k, order);
+      ids[static_cast<std::size_t>(place)] = mesh.Add({ r * c, r * s, 0.5 * k });
+      weights.push_back(w);
+    }
+    mesh.Add(VTK_BEZIER_HEXAHEDRON, ids);
+  }
+  GridPointer grid = MakeGrid(mesh);
+  SetRationalWeights(grid, weights);
+  return grid;
+}
+
+TEST(WallThickness, OfRationalBodiesIsThatOfTheTrueOnes)
+{
+  const auto ring = BezierRing();
+  auto filter = MakeFilter(ring, Filter::RAYS);
+  const std::vector<double> values = Thickness(filter);
+  const double chord = 1e-4 * std::sqrt(16.0 + 16.0 + 1.0);
+  int checked = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double* p = ring->GetPoint(static_cast<vtkIdType>(i));
+    const double z = p[2];
+    const std::size_t radius = i % 3;       // 1, 1.5 and 2
+    const bool isInMiddle = i / 3 % 3 == 1; // of a quarter: quarters do not share their ends
+    if (isInMiddle && z == 0.5 && radius != 1)
+    {
+      EXPECT_NEAR(values[i], 1.0, 2.0 * chord) << i;
+      ++checked;
+    }
+    if (isInMiddle && z != 0.5 && radius == 1)
+    {
+      EXPECT_NEAR(values[i], 1.0, 1e-12) << i;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 4 * (2 + 2));
+}
+
+// Quadratic cells go through their points: normals are those of the surface, not of its corners.
+TEST(WallThickness, OfQuadraticSurfacesNormalsAreTheSurfaces)
+{
+  Mesh sphere = Outward(SphereTriangles(6));
+  Mesh quadratic;
+  for (const CellSpec& cell : sphere.Cells)
+  {
+    Ids ids;
+    for (int i = 0; i < 6; ++i)
+    {
+      const Point& a = sphere.Points[cell.Points[static_cast<std::size_t>(i % 3)]];
+      const Point& b = sphere.Points[cell.Points[static_cast<std::size_t>((i + 1) % 3)]];
+      const Point p = i < 3 ? a : a + b;
+      ids.push_back(quadratic.Add((1.0 / Length(p)) * p));
+    }
+    quadratic.Add(VTK_QUADRATIC_TRIANGLE, ids);
+  }
+  for (const int start : { Filter::POINTS, Filter::CELL_CENTERS })
+  {
+    auto filter = MakeFilter(MakeGrid(quadratic), Filter::RAYS);
+    filter->SetStart(start);
+    ExpectAll(filter, 2.0, 2e-3);
+  }
 }
 
 using Boxes = std::vector<std::pair<Point, Point>>; // low and high corners

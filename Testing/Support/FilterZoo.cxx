@@ -331,6 +331,13 @@ std::vector<FilterSetup> MakeSetups()
       { return MakeQueryOf(SomeVolumes(), mesh, Query::SOURCE_CELLS, Query::OVERLAP); } },
     { "QueryAdjacent",
       [](Data* mesh) { return MakeQueryOf(mesh, mesh, Query::SOURCE_CELLS, Query::ADJACENCY); } },
+  };
+}
+
+std::vector<FilterSetup> MakeMeshes()
+{
+  using Data = vtkDataObject;
+  return {
     { "AMRGrid", [](Data* mesh) { return MakeAMROf(mesh, vtkSkdTreeAMR::UNSTRUCTURED_GRID); } },
     { "AMRTree", [](Data* mesh) { return MakeAMROf(mesh, vtkSkdTreeAMR::HYPER_TREE_GRID); } },
     { "RefinementOf", [](Data* mesh) { return MakeRefinementOf(mesh, SomeSurface(), nullptr); } },
@@ -409,7 +416,8 @@ const std::vector<FilterSetup>& AllFilterSetups()
   static const std::vector<FilterSetup> setups = []
   {
     std::vector<FilterSetup> all = MakeDistances();
-    for (const std::vector<FilterSetup>& others : { MakeIntersections(), MakeSetups() })
+    for (const std::vector<FilterSetup>& others :
+      { MakeIntersections(), MakeSetups(), MakeMeshes() })
     {
       all.insert(all.end(), others.begin(), others.end());
     }
