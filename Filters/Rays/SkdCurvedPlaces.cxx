@@ -7,7 +7,7 @@
 #include "Cells/SkdLocatorState.h"
 #include "Cells/SkdParametricCell.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Rays/SkdSurfaceNormals.h"
+#include "Rays/SkdUnitVector.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"

@@ -7,6 +7,7 @@
 #include "Rays/SkdCurvedPlaces.h"
 #include "Rays/SkdSurfaceBlocks.h"
 #include "Rays/SkdSurfaceNormals.h"
+#include "Rays/SkdUnitVector.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -8,6 +8,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Rays/SkdCurvedPlaces.h"
 #include "Rays/SkdSurfaceBlocks.h"
+#include "Rays/SkdUnitVector.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
@@ -112,20 +113,6 @@ void ForEachFacet(vtkDataSet* mesh, vtkIdType cell, const Visit& visit)
     visit(facet);
   }
 }
-}
-
-//------------------------------------------------------------------------------
-Vector3 SkdUnit(const Vector3& vector)
-{
-  const double largest =
-    std::max({ std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2]) });
-  if (!(largest > 0.0) || !skd::IsFinite(vector))
-  {
-    return { { 0.0, 0.0, 0.0 } };
-  }
-  // Divided by the largest first, so that no square overflows or vanishes.
-  const Vector3 scaled{ { vector[0] / largest, vector[1] / largest, vector[2] / largest } };
-  return (1.0 / skd::Norm(scaled)) * scaled;
 }
 
 //------------------------------------------------------------------------------

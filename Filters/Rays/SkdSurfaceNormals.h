@@ -12,8 +12,8 @@ class vtkDataSet;
 
 /// The unit normal of a surface cell by its corners, to the side from which they go round
 /// counterclockwise; of a strip that of the triangle nearest to x, of a curved cell that at the
-/// place nearest to x. 0 of other cells, and of cells
-/// without area. Thread-safe after SkdTouchCells().
+/// place nearest to x. 0 of other cells, and of cells without area. Thread-safe after
+/// SkdTouchCells().
 skd::Vector3 SkdNormalOfCell(vtkDataSet* mesh, vtkIdType cell, const skd::Vector3& x);
 
 /// The same of all cells; of a strip that of its first triangle, of a curved cell that in the
@@ -26,8 +26,5 @@ std::vector<skd::Vector3> SkdNormalsOfCells(vtkDataSet* mesh);
 /// cells they are those of the surface itself at the points' parameters. Of a mesh with volume
 /// cells, the normals of its outer faces as well. 0 where there is none.
 std::vector<skd::Vector3> SkdNormalsOfPoints(vtkDataSet* mesh);
-
-/// A vector divided by its length, whatever its magnitude; 0 if it is 0 or not finite.
-skd::Vector3 SkdUnit(const skd::Vector3& vector);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Cells/SkdForEach.h"
 #include "Rays/SkdSurfaceNormals.h"
+#include "Rays/SkdUnitVector.h"
 #include "vtkMath.h"
 
 #include <algorithm>
