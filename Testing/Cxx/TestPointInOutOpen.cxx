@@ -200,6 +200,8 @@ TEST(PointInOutOpen, WhatIsSaidWithConfidenceIsTheExactWindingNumberOfTheComplet
   }
   EXPECT_EQ(tally.Wrong, 0) << "of " << tally.Asked;
   EXPECT_EQ(tally.WrongSigns, 0) << "of " << tally.Asked;
+  RecordProperty("Asked", tally.Asked);
+  RecordProperty("Sure", tally.Sure);
   EXPECT_GT(tally.Sure, 0.85 * tally.Asked);
 }
 
