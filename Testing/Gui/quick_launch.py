@@ -30,7 +30,7 @@ FIRST_WITH_HYPHENS = (5, 13)  # this ParaView looks for them in labels, 5.11 ign
 HERE = pathlib.Path(__file__).parent
 
 
-def wait_for(what, condition, seconds=30):
+def wait_for(what, condition, seconds=120):  # a busy machine takes a minute to start ParaView
     end = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < end, "waited in vain for " + what
