@@ -82,11 +82,22 @@ struct Size
   }
 };
 
+/// Of distances.
+double RoundingOf(const Size& size)
+{
+  return 64.0 * std::numeric_limits<double>::epsilon() * size.Largest;
+}
+
 SkdHausdorffLimits LimitsOf(vtkSkdTreeCompareSurfaces* self, const Size& size)
 {
-  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
-  return { std::max(self->GetTolerance() * size.Diagonal, rounding * size.Largest),
+  return { std::max(self->GetTolerance() * size.Diagonal, RoundingOf(size)),
     self->GetMaximumBisections() };
+}
+
+SkdSampling SamplingOf(vtkSkdTreeCompareSurfaces* self, const Size& size)
+{
+  return { self->GetSampleSpacing() * size.Diagonal,
+    { self->GetStatisticsTolerance(), RoundingOf(size) } };
 }
 
 void EmptyAll(const std::vector<SkdBlock>& blocks)
@@ -110,8 +121,7 @@ void Compare(vtkSkdTreeCompareSurfaces* self, SkdComparison& comparison, const S
   const double middle = (first + last) / 2.0;
   const SkdHausdorffLimits limits = LimitsOf(self, size);
   comparison.Hausdorff = SkdHausdorffOf(from, to, limits, self, first, middle);
-  SkdLoop loop(self, 0, middle, last, 1024);
-  comparison.Samples.Add(from, to, self->GetSampleSpacing() * size.Diagonal, loop);
+  comparison.Samples.Add(from, to, SamplingOf(self, size), self, middle, last);
 
   const SkdHausdorff& found = comparison.Hausdorff;
   if (found.UpperBound > found.Distance + limits.Tolerance && !SkdIsAborted(self))
@@ -216,6 +226,7 @@ void vtkSkdTreeCompareSurfaces::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Tolerance", this->Tolerance, "MaximumBisections", this->MaximumBisections,
-    "SampleSpacing", this->SampleSpacing, "SignedDistance", this->SignedDistance);
+    "StatisticsTolerance", this->StatisticsTolerance, "SampleSpacing", this->SampleSpacing,
+    "SignedDistance", this->SignedDistance);
 }
 VTK_ABI_NAMESPACE_END

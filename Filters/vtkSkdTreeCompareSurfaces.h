@@ -32,13 +32,18 @@
  * | SignedMean                              | of signed distances, NaN if they are not signed     |
  * | Median, Quantile90, Quantile95, Quantile99 | not exceeded on that share of the area           |
  * | Area                                    | the area, or the number of points                   |
- * | Samples                                 | places at which the mean and quantiles were taken   |
+ * | Samples                                 | distances from which the mean and quantiles are     |
+ * | MeanError, RootMeanSquareError, ...     | of each of these, an estimate of its error          |
  * Block indices are 0 if that input is not composite.
  *
  * The Hausdorff distance is not that of vertices: triangles are bisected wherever bounds do not
  * exclude a larger distance (see SetTolerance). It lies between the two columns; for curved cells
  * within twice SkdReportChordalLength more, because these are flat facets here. A set of points
- * has the exact maximum. Means and quantiles are those of samples: see SetSampleSpacing.
+ * has the exact maximum. Means and quantiles are those of samples, which are taken closer where
+ * that is needed until the estimated errors are within StatisticsTolerance. The estimate is no
+ * bound: it is from the difference to a quarter as many samples, and holds unless distances change
+ * between samples that are SampleSpacing apart without any of these showing it. The row of both
+ * directions has the samples of the two.
  *
  * Field data of port 0: SkdReportTreesBuilt (0 if all were reused), SkdReportBisections,
  * SkdReportEpsilon, SkdReportBuildSeconds, SkdReportQuerySeconds; SkdReportOpenEdges if signed, and
@@ -92,9 +97,20 @@ public:
 
   //@{
   /**
-   * The distance of the places at which means and quantiles are taken, relative to the diagonal of
-   * the bounds of both inputs: each triangle is divided into equal ones whose edges are no longer,
-   * and evaluated at their centroids. With more than 16 million it grows. Default 0.01.
+   * The error up to which means and quantiles are determined, relative to them (of SignedMean and
+   * of quantiles below Mean, to Mean) but at least 64 units in the last place of the largest
+   * coordinate. The cost grows with its inverse. With 2 million divided triangles a direction no
+   * more are divided; columns state the errors that were reached. Default 0.01.
+   */
+  vtkSkdTreeWithinMacro(StatisticsTolerance, double, 1e-6, 1.0);
+  //@}
+
+  //@{
+  /**
+   * About how far apart the first samples are, relative to the diagonal of the bounds of both
+   * inputs: triangles are bisected until their edges are no longer than three times this, or they
+   * are narrow, and each is sampled at ten places. With more than 2 million triangles it grows.
+   * Default 0.01.
    */
   vtkSkdTreeWithinMacro(SampleSpacing, double, 1e-6, 1.0);
   //@}
@@ -117,6 +133,7 @@ protected:
 
   double Tolerance = 1e-5;
   int MaximumBisections = 10000000;
+  double StatisticsTolerance = 0.01;
   double SampleSpacing = 0.01;
   bool SignedDistance = false;
 

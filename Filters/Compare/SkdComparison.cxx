@@ -70,6 +70,11 @@ private:
   {
     this->Get<vtkDoubleArray>(name)->InsertNextValue(number);
   }
+  void AddStatistic(const std::string& name, const SkdStatistic& statistic)
+  {
+    this->AddNumber(name.c_str(), statistic.Value);
+    this->AddNumber((name + "Error").c_str(), statistic.Error);
+  }
   void AddPlace(
     const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at);
   void AddStatistics(const SkdDistanceSamples& samples, bool isSigned);
@@ -111,14 +116,14 @@ void Rows::AddPlace(
 
 void Rows::AddStatistics(const SkdDistanceSamples& samples, bool isSigned)
 {
-  const SkdDistanceStatistics statistics = samples.GetStatistics();
-  this->AddNumber("Mean", statistics.Mean);
-  this->AddNumber("RootMeanSquare", statistics.RootMeanSquare);
-  this->AddNumber("SignedMean", isSigned ? statistics.SignedMean : vtkMath::Nan());
+  const SkdDistanceStatistics& statistics = samples.GetStatistics();
+  this->AddStatistic("Mean", statistics.Mean);
+  this->AddStatistic("RootMeanSquare", statistics.RootMeanSquare);
+  this->AddStatistic("SignedMean", isSigned ? statistics.SignedMean : SkdStatistic());
   constexpr const char* names[] = { "Median", "Quantile90", "Quantile95", "Quantile99" };
   for (std::size_t i = 0; i < SkdQuantileShares.size(); ++i)
   {
-    this->AddNumber(names[i], statistics.Quantiles[i]);
+    this->AddStatistic(names[i], statistics.Quantiles[i]);
   }
   this->AddNumber("Area", statistics.Measure);
   this->Get<vtkIdTypeArray>("Samples")->InsertNextValue(samples.GetNumberOfSamples());

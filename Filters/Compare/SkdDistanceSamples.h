@@ -2,55 +2,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdDistanceSamples.h
- * @brief Distances of a surface from another at places spread over it, and their statistics.
+ * @brief Distances of a surface from another at places spread over it, as many as statistics need.
  */
 
 #ifndef SkdDistanceSamples_h
 #define SkdDistanceSamples_h
 
 #include "Compare/SkdComparedSet.h"
+#include "Compare/SkdDistanceStatistics.h"
 #include "Pipeline/SkdLoop.h"
 
-#include <array>
-#include <limits>
 #include <vector>
 
-/// The shares of the area that quantiles are given of.
-constexpr std::array<double, 4> SkdQuantileShares = { 0.5, 0.9, 0.95, 0.99 };
-
-/// Weighted by area. NaN where there are no samples.
-struct SkdDistanceStatistics
+/// How many samples are taken.
+struct SkdSampling
 {
-  double Mean = std::numeric_limits<double>::quiet_NaN(); // of the unsigned distances
-  double RootMeanSquare = Mean;
-  double SignedMean = Mean;
-  std::array<double, 4> Quantiles{ Mean, Mean, Mean, Mean }; // of the unsigned distances
-  double Measure = 0.0; // the area, or the number of points of a set of points
+  double Spacing; // of the first ones, about, a length
+  SkdStatisticsTolerance Tolerance;
 };
 
 class SkdDistanceSamples
 {
 public:
-  /// Each triangle is divided into n * n of its shape, n the least for which edges are no longer
-  /// than the spacing (a length), and evaluated at their centroids: an error of the second order.
-  /// With more than 16 million samples the spacing grows. Of points, each is a sample of weight 1.
-  bool Add(const SkdComparedSet& from, const SkdComparedSet& to, double spacing, SkdLoop& loop);
+  /// Triangles are bisected until samples are about as close as the spacing, and then divided into
+  /// four where that reduces the errors of the statistics most, until these are within the
+  /// tolerance; with 2 million triangles the spacing grows, and no more are divided. Of points,
+  /// each is a sample of weight 1. Reported as going from `first` to `last` of the algorithm's
+  /// progress. The same for any number of threads.
+  void Add(const SkdComparedSet& from, const SkdComparedSet& to, const SkdSampling& sampling,
+    vtkAlgorithm* self, double first, double last);
 
-  /// Appends those of another.
+  /// Appends those of another, and evaluates all.
   void Add(const SkdDistanceSamples& other);
 
-  vtkIdType GetNumberOfSamples() const { return static_cast<vtkIdType>(this->Samples.size()); }
+  vtkIdType GetNumberOfSamples() const
+  {
+    return static_cast<vtkIdType>(
+      SkdSampledTriangle::Samples * this->Triangles.size() + this->Points.size());
+  }
 
-  /// The same for any number of threads. Cost: a sort.
-  SkdDistanceStatistics GetStatistics() const;
+  const SkdDistanceStatistics& GetStatistics() const { return this->Statistics; }
 
 private:
-  struct Sample
+  std::vector<std::size_t> FindTrianglesToDivide(const SkdStatisticsTolerance& tolerance);
+  bool Divide(const std::vector<std::size_t>& chosen, const SkdComparedSet& to, SkdLoop loop);
+  void Evaluate(bool wantsQuantiles)
   {
-    double Distance; // negative inside
-    double Weight;
-  };
-  std::vector<Sample> Samples;
+    this->Statistics = SkdStatisticsOf(this->Triangles, this->Points, wantsQuantiles);
+  }
+
+  std::vector<SkdSampledTriangle> Triangles;
+  std::vector<double> Points; // of a set of points, their distances
+  SkdDistanceStatistics Statistics;
 };
 
 #endif

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 using namespace skdtest;
 
@@ -183,6 +185,140 @@ TEST(CompareSurfaces, StatisticsAreThoseOfTheArea)
   EXPECT_GT(Cell(filter, FORTH, "Samples"), 1000);
 }
 
+constexpr const char* StatisticColumns[] = { "Mean", "RootMeanSquare", "Median", "Quantile90",
+  "Quantile95", "Quantile99" };
+
+/// The statistics of StatisticColumns, from the centroids of n * n equal parts of each triangle.
+std::vector<double> DenseStatistics(vtkPolyData* from, vtkPolyData* to, int n)
+{
+  const auto locator = LocatorOf(to);
+  std::vector<std::pair<double, double>> samples; // distance, weight
+  for (vtkIdType cell = 0; cell < from->GetNumberOfCells(); ++cell)
+  {
+    Point a, b, c;
+    from->GetPoint(from->GetCell(cell)->GetPointId(0), a.data());
+    from->GetPoint(from->GetCell(cell)->GetPointId(1), b.data());
+    from->GetPoint(from->GetCell(cell)->GetPointId(2), c.data());
+    const double weight = 0.5 * Length(Cross(b - a, c - a)) / (n * n);
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < 2 * (n - i) - 1; ++j)
+      {
+        const double third = j % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+        const double r = (i + third) / n;
+        const double s = (j / 2 + third) / n;
+        samples.emplace_back(DistanceTo(locator, a + r * (b - a) + s * (c - a)), weight);
+      }
+    }
+  }
+  std::sort(samples.begin(), samples.end());
+  double sums[3] = { 0.0, 0.0, 0.0 };
+  for (const auto& [distance, weight] : samples)
+  {
+    sums[0] += weight;
+    sums[1] += weight * distance;
+    sums[2] += weight * distance * distance;
+  }
+  std::vector<double> statistics{ sums[1] / sums[0], std::sqrt(sums[2] / sums[0]) };
+  double below = 0.0;
+  for (const auto& [distance, weight] : samples)
+  {
+    constexpr double shares[] = { 0.5, 0.9, 0.95, 0.99 };
+    below += weight;
+    while (statistics.size() < 6 && below >= shares[statistics.size() - 2] * sums[0] * (1 - 1e-12))
+    {
+      statistics.push_back(distance);
+    }
+  }
+  return statistics;
+}
+
+/// A scan: a sphere with rough radii, the same in each direction whatever the mesh.
+PolyDataPointer RoughSphere(int n)
+{
+  return MakePolyData(SphereTriangles(n).Map(
+    [](const Point& p)
+    {
+      const double rough = std::sin(37.0 * p[0]) + std::sin(41.0 * p[1]) + std::sin(43.0 * p[2]);
+      return (1.0 + 0.004 * rough) * p;
+    }));
+}
+
+// Samples at centroids alone underestimate distances that are least at corners: of a scan from its
+// decimation, whose corners are on it, by 6 %.
+TEST(CompareSurfaces, StatisticsAreThoseOfDenseSamplesWithinTheirErrors)
+{
+  const struct
+  {
+    PolyDataPointer A;
+    PolyDataPointer B;
+    double Spacing;
+  } pairs[] = {
+    { RoughSphere(20), RoughSphere(7), 0.2 },
+    { RoughSphere(18), RoughSphere(6), 0.01 },
+    { MakePolyData(TorusTriangles(40, 24)), MakePolyData(TorusTriangles(13, 8)), 0.3 },
+    { MakePolyData(SphereTriangles(5)), Turned(SphereTriangles(7), 0.7, 0.01), 0.05 },
+    { MakePolyData(Octahedron(1)), Turned(TorusTriangles(8, 5), 1.1, 0.5), 1.0 },
+  };
+  for (const auto& pair : pairs)
+  {
+    auto filter = MakeFilter(pair.A, pair.B);
+    filter->SetSampleSpacing(pair.Spacing);
+    filter->SetTolerance(1e-3);
+    filter->Update();
+    for (int row : { FORTH, BACK })
+    {
+      vtkPolyData* from = row == FORTH ? pair.A : pair.B;
+      const int n = static_cast<int>(std::sqrt(2e5 / from->GetNumberOfCells())) + 1;
+      const auto dense = DenseStatistics(from, row == FORTH ? pair.B : pair.A, n);
+      for (int i = 0; i < 6; ++i)
+      {
+        const double found = Cell(filter, row, StatisticColumns[i]);
+        const double error =
+          Cell(filter, row, (std::string(StatisticColumns[i]) + "Error").c_str());
+        const double tolerance = 0.01 * std::max(found, Cell(filter, row, "Mean"));
+        EXPECT_LE(error, tolerance) << row << " " << StatisticColumns[i];
+        EXPECT_NEAR(found, dense[i], tolerance) << row << " " << StatisticColumns[i];
+      }
+    }
+  }
+}
+
+TEST(CompareSurfaces, ASmallerToleranceTakesMoreSamplesForLessError)
+{
+  auto filter = MakeFilter(RoughSphere(16), RoughSphere(6));
+  filter->SetSampleSpacing(1.0);
+  filter->SetTolerance(1e-2);
+  double samples = 0.0;
+  for (double tolerance : { 1.0, 0.1, 0.01, 0.003 })
+  {
+    filter->SetStatisticsTolerance(tolerance);
+    filter->Update();
+    for (int row : { FORTH, BACK })
+    {
+      EXPECT_LE(Cell(filter, row, "MeanError"), tolerance * Cell(filter, row, "Mean"));
+      EXPECT_LE(
+        Cell(filter, row, "RootMeanSquareError"), tolerance * Cell(filter, row, "RootMeanSquare"));
+    }
+    EXPECT_GE(Cell(filter, BOTH, "Samples"), samples);
+    samples = Cell(filter, BOTH, "Samples");
+  }
+  EXPECT_GT(samples, 30000);
+}
+
+TEST(CompareSurfaces, DistancesOfPointsHaveNoError)
+{
+  auto filter = MakeFilter(MakeQueries({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 4, 0 } }),
+    MakeQueries({ { 0, 0, 0 }, { 1, 0, 1 }, { 0, 2, 0 } }));
+  filter->Update();
+  EXPECT_EQ(Cell(filter, FORTH, "Mean"), 1.0);
+  EXPECT_EQ(Cell(filter, FORTH, "Samples"), 3);
+  for (const char* column : StatisticColumns)
+  {
+    EXPECT_EQ(Cell(filter, BOTH, (std::string(column) + "Error").c_str()), 0.0) << column;
+  }
+}
+
 TEST(CompareSurfaces, HausdorffDistancesEncloseDenseSamples)
 {
   const Mesh coarse = TorusTriangles(9, 6);
@@ -339,8 +475,9 @@ TEST(CompareSurfaces, BitsAreTheSameForAnyNumberOfThreads)
     filter->Modified();
     filter->Update();
     std::vector<double> values = PointArray(filter->GetOutputDataObject(0), "SkdDistance");
-    for (const char* column : { "HausdorffDistance", "HausdorffUpperBound", "FromCellId", "Mean",
-           "SignedMean", "RootMeanSquare", "Quantile95", "Area" })
+    for (const char* column :
+      { "HausdorffDistance", "HausdorffUpperBound", "FromCellId", "Mean", "MeanError", "SignedMean",
+        "SignedMeanError", "RootMeanSquare", "Quantile95", "Quantile95Error", "Samples", "Area" })
     {
       for (int row : { FORTH, BACK, BOTH })
       {
