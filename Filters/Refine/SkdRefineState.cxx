@@ -22,7 +22,7 @@ void WarnAbout(vtkAlgorithm* self, const SkdSignedSource& boundary)
     vtkWarningWithObjectMacro(self,
       "The parts are not closed: they have "
         << boundary.GetNumberOfOpenEdges()
-        << " open edges. What is inside may be wrong near gaps.");
+        << " open edges. The winding number decides what is inside; it may be wrong near gaps.");
   }
 }
 }

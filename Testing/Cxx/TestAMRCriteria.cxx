@@ -273,7 +273,7 @@ TEST(AMRCriteria, TheInsideOfAnOpenSurfaceIsByWindingNumber)
     }
     EXPECT_TRUE(seen[0] > 100 && seen[1] > 100);
     EXPECT_EQ(events.Warnings, 1);
-    EXPECT_NE(events.Warning.find("not closed"), std::string::npos) << events.Warning;
+    EXPECT_NE(events.Warning.find("winding number"), std::string::npos) << events.Warning;
   }
 }
 
