@@ -71,17 +71,21 @@ public:
   Weighing(const SkdOverlapPieces& donors, std::uint32_t cell)
     : Block(donors.BlockOf(cell))
     , Own(donors.OwnPointsOf(cell))
-    , Sums(Buffer())
   {
-    this->Sums.assign(this->Own.Size, 0.0);
+    if (this->Own.Size > 0)
+    {
+      thread_local std::vector<double> buffer; // keeps its memory
+      buffer.assign(this->Own.Size, 0.0);
+      this->Sums = buffer.data();
+    }
   }
 
-  /// Of a part of a simplex: visit(point, weight) for points that are its corners.
+  /// Of a simplex, or a part of it, the integrals of its corners' functions: visit(point, weight)
+  /// for corners that are points.
   template <class Visit>
-  void Add(const SkdPieceView& simplex, const skd::Moments& moments, const Vector3& reference,
-    double scale, const Visit& visit)
+  void Add(const SkdPieceView& simplex, const std::array<double, 4>& integrals, double scale,
+    const Visit& visit)
   {
-    const std::array<double, 4> integrals = IntegralsOf(simplex, moments, reference);
     const vtkIdType* ids = this->Block.PointIds.data() + simplex.Piece.FirstCorner;
     for (int k = 0; k < simplex.Piece.Size; ++k)
     {
@@ -113,15 +117,9 @@ public:
   }
 
 private:
-  static std::vector<double>& Buffer()
-  {
-    thread_local std::vector<double> buffer; // keeps its memory
-    return buffer;
-  }
-
   const SkdOverlapBlock& Block;
   SkdOverlapPieces::PointRange Own;
-  std::vector<double>& Sums;
+  double* Sums = nullptr;
 };
 
 /// The integrals of the points' functions over the whole donor.
@@ -131,6 +129,13 @@ std::vector<double> FindMasses(
   std::vector<double> masses(static_cast<std::size_t>(numberOfPoints), 0.0);
   const auto add = [&](vtkIdType point, double weight)
   { masses[static_cast<std::size_t>(point)] += weight; };
+  const bool isFlat = ground.GetSpace() != SkdOverlapSpace::Sphere; // all corners have the same
+  const auto integralsOver = [isFlat](const SkdPieceView& simplex, const SkdOverlapPiece& piece)
+  {
+    std::array<double, 4> equal;
+    equal.fill(piece.Own.Measure / piece.Size);
+    return isFlat ? equal : IntegralsOf(simplex, piece.Own, piece.Reference);
+  };
   for (std::uint32_t cell = 0; cell < donors.GetNumberOfCells(); ++cell)
   {
     Weighing weighing(donors, cell);
@@ -139,7 +144,7 @@ std::vector<double> FindMasses(
     {
       const SkdPieceView simplex(donors.BlockOf(cell), i);
       const SkdOverlapPiece& piece = simplex.Piece;
-      weighing.Add(simplex, piece.Own, piece.Reference, ground.Measure(piece.Sign), add);
+      weighing.Add(simplex, integralsOver(simplex, piece), ground.Measure(piece.Sign), add);
     }
     weighing.Finish(add);
   }
@@ -149,17 +154,20 @@ std::vector<double> FindMasses(
 /// Negative weights that are nothing but rounding become 0. Returns whether there are others.
 bool DropRounding(SkdOverlapPointTable& table)
 {
+  const auto isNegative = [](double weight) { return weight < 0.0; };
   bool hasNegative = false;
   for (std::size_t row = 0; row + 1 < table.Rows.size(); ++row)
   {
     const auto begin = table.Weights.begin() + static_cast<std::ptrdiff_t>(table.Rows[row]);
     const auto end = table.Weights.begin() + static_cast<std::ptrdiff_t>(table.Rows[row + 1]);
-    const double greatest = begin == end ? 0.0 : *std::max_element(begin, end);
-    const double rounding = remap_tolerances::PointWeight * std::abs(greatest);
+    if (std::none_of(begin, end, isNegative))
+    {
+      continue;
+    }
+    const double rounding = remap_tolerances::PointWeight * std::abs(*std::max_element(begin, end));
     std::replace_if(
-      begin, end, [&](double weight) { return weight < 0.0 && weight >= -rounding; }, 0.0);
-    hasNegative =
-      hasNegative || std::any_of(begin, end, [](double weight) { return weight < 0.0; });
+      begin, end, [&](double weight) { return isNegative(weight) && weight >= -rounding; }, 0.0);
+    hasNegative = hasNegative || std::any_of(begin, end, isNegative);
   }
   return hasNegative;
 }
@@ -231,7 +239,7 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
         if (moments.Measure > 0.0)
         {
           const double scale = ground.Measure(one.Piece.Sign * simplex.Piece.Sign);
-          weighing.Add(simplex, moments, *reference, scale, add);
+          weighing.Add(simplex, IntegralsOf(simplex, moments, *reference), scale, add);
         }
       });
     weighing.Finish(add);
