@@ -286,7 +286,7 @@ void SkdDistanceSamples::Add(const SkdComparedSet& from, const SkdComparedSet& t
   {
     const double begin = first;
     first = (first + last) / 2.0;
-    return SkdLoop(self, static_cast<vtkIdType>(steps), begin, first, 1024);
+    return SkdLoop(self, static_cast<vtkIdType>(steps), begin, first);
   };
   std::vector<double> distances;
   if (!MeasureAll(from, to, loopOf(from.GetPoints().size()), distances))
