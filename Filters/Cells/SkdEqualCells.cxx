@@ -6,6 +6,8 @@
 #include "Cells/SkdForEach.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <utility>
@@ -17,6 +19,15 @@ using HashedCell = std::pair<std::uint64_t, std::uint32_t>;
 bool MayBeEqual(SkdShape shape)
 {
   return shape != SkdShape::Polyhedron && shape != SkdShape::Generic;
+}
+
+using Bits = std::array<std::uint64_t, 3>;
+
+Bits BitsOf(const skd::Vector3& x)
+{
+  Bits bits;
+  std::memcpy(bits.data(), x.X, sizeof(bits));
+  return bits;
 }
 
 std::uint64_t Mixed(std::uint64_t hash, std::uint64_t bits)
@@ -32,8 +43,7 @@ std::uint64_t HashOf(const SkdCellStore& store, std::uint32_t cell)
   auto hash = Mixed(size, static_cast<std::uint64_t>(store.ShapeOf(cell)));
   for (std::uint32_t i = 0; i < size; ++i)
   {
-    std::uint64_t bits[3];
-    std::memcpy(bits, store.Point(ids[i]).X, sizeof(bits));
+    const Bits bits = BitsOf(store.Point(ids[i]));
     hash = Mixed(Mixed(Mixed(hash, bits[0]), bits[1]), bits[2]);
   }
   return hash;
@@ -49,7 +59,7 @@ bool AreEqual(const SkdCellStore& store, std::uint32_t a, std::uint32_t b)
   const std::uint32_t* p = store.PointIdsOf(a);
   return std::equal(p, p + store.SizeOf(a), store.PointIdsOf(b),
     [&store](std::uint32_t i, std::uint32_t k)
-    { return i == k || std::memcmp(store.Point(i).X, store.Point(k).X, 3 * sizeof(double)) == 0; });
+    { return i == k || BitsOf(store.Point(i)) == BitsOf(store.Point(k)); });
 }
 
 bool AreBoxesEqual(const skd::Node<3>& node)
