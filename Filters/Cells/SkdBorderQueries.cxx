@@ -244,7 +244,7 @@ SkdFoundCell SkdCellTree::Evaluate(
 {
   SkdFoundCell found;
   const std::int64_t cell = this->Store.CellOfId(id);
-  if (cell >= 0 && skd::IsFinite(x))
+  if (cell >= 0 && SkdHasDistances(x))
   {
     constexpr double all = std::numeric_limits<double>::infinity();
     static_cast<SkdCellPoint&>(found) =

@@ -122,7 +122,7 @@ void SkdCellTree::FindNearestCandidates(
   const skd::Vector3& x, const skd::Vector3* reference, vtkIdList* ids) const
 {
   ids->Reset();
-  if (!skd::IsFinite(x))
+  if (!SkdHasDistances(x))
   {
     return;
   }
@@ -196,7 +196,7 @@ void SkdCellTree::FindSafetyBoxesWithin(const skd::Box3& box, vtkIdList* ids) co
 void SkdCellTree::FindSafetyBoxesWithin(const skd::Vector3& x, double radius, vtkIdList* ids) const
 {
   ids->Reset();
-  if (!skd::IsFinite(x) || !(radius >= 0.0))
+  if (!SkdHasDistances(x) || !(radius >= 0.0))
   {
     return;
   }
@@ -254,7 +254,7 @@ void SkdCellTree::FindMaybeWithin(const skd::Box3& box, std::vector<std::uint32_
 void SkdCellTree::FindMaybeWithin(
   const skd::Vector3& x, double radius, std::vector<std::uint32_t>& cells) const
 {
-  if (!skd::IsFinite(x) || !(radius >= 0.0))
+  if (!SkdHasDistances(x) || !(radius >= 0.0))
   {
     return;
   }

@@ -116,7 +116,7 @@ public:
 
   ///@{
   /// SkdPointQueries.cxx. Ties go to the lowest id; nothing is found for points that are not
-  /// finite.
+  /// finite or so large that their distances overflow (SkdHasDistances).
   SkdFoundCell FindNearest(const skd::Vector3& x, double limit2, const SkdCellSource& source) const;
   SkdFoundCell FindContaining(
     const skd::Vector3& x, double tolerance2, vtkIdType hint, const SkdCellSource& source) const;

@@ -46,4 +46,10 @@ inline bool SkdIsWithin(const skd::Vector3& x, double largest)
   return std::abs(x[0]) <= largest && std::abs(x[1]) <= largest && std::abs(x[2]) <= largest;
 }
 
+/// Whether what is nearest to a point can be asked: its squared distances do not overflow.
+inline bool SkdHasDistances(const skd::Vector3& x)
+{
+  return SkdIsWithin(x, SkdComparable.Largest);
+}
+
 #endif

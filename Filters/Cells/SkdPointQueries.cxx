@@ -90,7 +90,7 @@ SkdFoundCell SkdCellTree::FindNearest(
     return this->Distinct->FindNearest(x, limit2, source);
   }
   BestCell best(limit2);
-  if (!skd::IsFinite(x) || !(limit2 >= 0.0))
+  if (!SkdHasDistances(x) || !(limit2 >= 0.0))
   {
     return best.Found;
   }
@@ -113,7 +113,7 @@ SkdFoundCell SkdCellTree::FindContaining(
 {
   const double rounding2 = this->TheRounding * this->TheRounding;
   BestCell best(tolerance2 > rounding2 ? tolerance2 : rounding2);
-  if (!skd::IsFinite(x))
+  if (!SkdHasDistances(x))
   {
     return best.Found;
   }
@@ -167,7 +167,7 @@ std::vector<std::pair<double, vtkIdType>>& SkdCellTree::FindNearestCells(
 {
   thread_local std::vector<std::pair<double, vtkIdType>> heap; // the farthest on top
   heap.clear();
-  if (!skd::IsFinite(x) || !(limit2 >= 0.0) || number == 0)
+  if (!SkdHasDistances(x) || !(limit2 >= 0.0) || number == 0)
   {
     return heap;
   }

@@ -107,6 +107,23 @@ TEST(Extremes, CellsThatAreTooFarAreLeftOutAndCounted)
   EXPECT_LT(FindClosest(locator, { 0, 0, 3 }).Cell, good);
 }
 
+// Of points so far away that squares overflow nothing is found, rather than a cell at an infinite
+// distance.
+TEST(Extremes, DistancesAreFiniteOrThereIsNone)
+{
+  const auto data = MakePolyData(SphereTriangles(4));
+  const auto locator = LocatorPointer::New();
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  for (const double far : { 1e10, 1e100, 1e152, 1.1e152, 1e154, 1e200, 1e308 })
+  {
+    const Closest closest = FindClosest(locator, { far, -far, 0.5 * far });
+    EXPECT_EQ(closest.Cell >= 0, far <= 1e152) << far;
+    EXPECT_TRUE(closest.Cell < 0 || std::isfinite(closest.Dist2)) << far;
+    EXPECT_EQ(FindClosestCells(locator, { 0.0, far, 0.0 }, 3).Number > 0, far <= 1e152) << far;
+  }
+}
+
 TEST(Extremes, DataOfAMeshThatIsTooLargeOrSmallAreNone)
 {
   for (const double scale : Extremes)
