@@ -396,6 +396,7 @@ vtkSkdTreeBooleanOperation::vtkSkdTreeBooleanOperation()
   , Impl(new Internals)
 {
   this->WholeInput = true; // all of it bounds the solid
+  this->AnyMagnitude = true;
 }
 
 vtkSkdTreeBooleanOperation::~vtkSkdTreeBooleanOperation() = default;

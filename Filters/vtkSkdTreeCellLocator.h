@@ -73,9 +73,9 @@
  * cells; other cells keep their ids. The check is part of the build and takes at most 2 % of it.
  * Cells with points that are NaN, infinite or beyond 1e50 are not in the tree, nor are cells of a
  * mesh whose largest absolute coordinate is not 0 but less than 1e-50, because products of these
- * coordinates overflow or underflow. One warning counts them. Empty cells and cells of unknown type
- * are ignored without a warning. Query points that are NaN or infinite, and a NaN or negative
- * radius, find nothing; a negative tolerance counts as zero.
+ * coordinates overflow or underflow. One warning counts them. Empty cells are ignored without a
+ * warning; those of types that VTK has no class for are broken cells. Query points that are NaN or
+ * beyond 1e152, and a NaN or negative radius, find nothing; a negative tolerance counts as zero.
  *
  * @sa
  * vtkAbstractCellLocator vtkStaticCellLocator vtkSkdTreeClosestPoint

@@ -21,8 +21,9 @@
  * | SkdClosestBlockIndex | int    | 1          | flat index of the source's block     | -1   |
  * (the last one only for a composite Source) and, optionally, the source's point data interpolated,
  * and its cell data, at the nearest point (see InterpolateSourceData). "None" is for points farther
- * than MaximumDistance or not finite. SkdDistance becomes the active scalars. An aborted execution
- * leaves "none" at points that were not processed; VTK 9.3 and later then empties the output.
+ * than MaximumDistance or not finite (NaN or beyond 1e152). SkdDistance becomes the active scalars.
+ * An aborted execution leaves "none" at points that were not processed; VTK 9.3 and later then
+ * empties the output.
  *
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsFound (with a
  * result), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),

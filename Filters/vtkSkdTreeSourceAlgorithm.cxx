@@ -40,6 +40,7 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
     vtkErrorMacro("Source is not set: connect the mesh to search to input port 1.");
     return 1; // the outputs are empty
   }
+  this->Inputs->SetAnyMagnitude(this->AnyMagnitude);
   return this->Inputs->Process(request, inputVector, outputVector,
     [&](vtkInformationVector** inputs)
     { return this->Superclass::ProcessRequest(request, inputs, outputVector); });

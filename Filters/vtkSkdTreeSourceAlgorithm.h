@@ -88,6 +88,10 @@ protected:
 
   std::unique_ptr<SkdFilterInputs> Inputs;
 
+  /// For subclasses that can use any finite coordinates: others leave out those whose squares
+  /// overflow, which are warned about.
+  bool AnyMagnitude = false;
+
 private:
   static int TypeFor(int outputType, vtkDataObject* input);
 

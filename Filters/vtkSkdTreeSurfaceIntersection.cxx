@@ -240,6 +240,7 @@ vtkSkdTreeSurfaceIntersection::vtkSkdTreeSurfaceIntersection()
       { VTK_POLY_DATA, VTK_POLY_DATA, VTK_TABLE, VTK_POLY_DATA, VTK_POLY_DATA, VTK_POLY_DATA })
   , Impl(new Internals)
 {
+  this->AnyMagnitude = true;
 }
 
 vtkSkdTreeSurfaceIntersection::~vtkSkdTreeSurfaceIntersection() = default;

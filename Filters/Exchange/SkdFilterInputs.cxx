@@ -27,16 +27,16 @@ int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inp
   {
     return process(inputs);
   }
-  const int result = this->ProcessData(request, inputs, process);
+  const int result = this->ProcessData(request, inputs, outputs, process);
   SkdMarkRequestedTime(outputs);
   SkdReportPartialArrays(outputs);
   return result;
 }
 
 int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector** inputs,
-  const std::function<int(vtkInformationVector** inputs)>& process)
+  vtkInformationVector* outputs, const std::function<int(vtkInformationVector** inputs)>& process)
 {
-  const SkdValidInput valid(this->Filter, request, inputs);
+  const SkdValidInput valid(this->Filter, request, inputs, this->AnyMagnitude);
   std::vector<vtkSmartPointer<vtkInformationVector>> kept;
   std::vector<vtkInformationVector*> whole;
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
@@ -46,7 +46,9 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     this->GatherInto(kept.back(), port);
     whole.push_back(kept.back());
   }
-  return process(whole.data());
+  const int result = process(whole.data());
+  valid.Report(outputs);
+  return result;
 }
 
 // What was requested of the input says whether it is this process's piece.

@@ -31,6 +31,9 @@ public:
   {
   }
 
+  /// Whether the filter can use points of any finite coordinates: see SkdValidInput.
+  void SetAnyMagnitude(bool any) { this->AnyMagnitude = any; }
+
   /// For ProcessRequest: calls `process` with the inputs that the filter is to have.
   /// - REQUEST_INFORMATION: the outputs get the times of all inputs (SkdUniteTimes).
   /// - REQUEST_DATA: inputs without broken cells (SkdValidInput), and whole where they are needed
@@ -49,11 +52,13 @@ public:
 
 private:
   int ProcessData(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
   void GatherInto(vtkInformationVector* inputs, int port);
 
   vtkAlgorithm* Filter;
   IsWhole NeedsWhole;
+  bool AnyMagnitude = false;
   std::map<std::pair<int, int>, SkdWholeInput> Whole; // by port and connection
 };
 

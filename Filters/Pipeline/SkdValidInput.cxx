@@ -4,6 +4,8 @@
 
 #include "Cells/SkdMendedMesh.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdUnusablePoints.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
@@ -56,25 +58,30 @@ WholeMeshes& KnownWholeMeshes()
 class MendedBlocks
 {
 public:
-  explicit MendedBlocks(vtkDataObject* object)
+  MendedBlocks(vtkDataObject* object, bool anyMagnitude)
   {
     WholeMeshes& wholeMeshes = KnownWholeMeshes();
     for (const SkdBlock& block : SkdBlocksOf(object))
     {
       SkdMendedMesh mended{ block.Mesh, {} };
+      SkdUnusablePoints points;
       if (!wholeMeshes.Has(block.Mesh))
       {
         mended = SkdMend(block.Mesh);
+        points = SkdFindUnusablePoints(block.Mesh, false);
+        if (mended.Mesh == block.Mesh && points.Count == 0)
+        {
+          wholeMeshes.Add(block.Mesh);
+        }
       }
-      if (mended.Mesh == block.Mesh)
+      if (anyMagnitude && points.Count > 0)
       {
-        wholeMeshes.Add(block.Mesh);
+        points = SkdFindUnusablePoints(block.Mesh, true);
       }
-      else
-      {
-        this->Changed = true;
-        this->Tell(block, mended.Fault);
-      }
+      this->Changed = this->Changed || mended.Mesh != block.Mesh;
+      this->NumberOfPoints += points.Count;
+      Tell(block, mended.Fault, this->Faults);
+      Tell(block, points.Count > 0 ? points.Tell(block.Mesh, anyMagnitude) : "", this->Points);
       this->Meshes.push_back(mended.Mesh);
     }
   }
@@ -82,25 +89,33 @@ public:
   /// Whether any differs from the given one, which does not always need a warning.
   bool AreChanged() const { return this->Changed; }
 
-  /// The warning; empty if there is none.
+  ///@{
+  /// The warnings; empty if there is none.
   std::string GetFaults() const { return this->Faults.str(); }
+  std::string GetPoints() const { return this->Points.str(); }
+  ///@}
+
+  /// Of points that cannot be used.
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
 
   vtkSmartPointer<vtkDataObject> PutInto(vtkDataObject* object) const;
 
 private:
-  void Tell(const SkdBlock& block, const std::string& fault)
+  static void Tell(const SkdBlock& block, const std::string& fault, std::ostringstream& text)
   {
-    this->Faults << (fault.empty() ? "" : " ");
-    if (!fault.empty() && block.BlockIndex > 0)
+    if (!fault.empty())
     {
-      this->Faults << "Block " << block.BlockIndex << ": ";
+      text << " "
+           << (block.BlockIndex > 0 ? "Block " + std::to_string(block.BlockIndex) + ": " : "")
+           << fault;
     }
-    this->Faults << fault;
   }
 
   std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
   bool Changed = false;
+  vtkIdType NumberOfPoints = 0;
   std::ostringstream Faults;
+  std::ostringstream Points;
 };
 
 vtkSmartPointer<vtkDataObject> MendedBlocks::PutInto(vtkDataObject* object) const
@@ -127,39 +142,63 @@ vtkSmartPointer<vtkDataObject> MendedBlocks::PutInto(vtkDataObject* object) cons
 
 //------------------------------------------------------------------------------
 SkdValidInput::SkdValidInput(
-  vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs)
+  vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs, bool anyMagnitude)
   : Inputs(inputs)
 {
   if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     return;
   }
-  std::string faults;
+  Findings all;
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
     this->Mended.push_back(vtkSmartPointer<vtkInformationVector>::New());
     this->Mended.back()->Copy(inputs[port]);
     this->MendedInputs.push_back(this->Mended.back());
-    const std::string fault = Mend(this->Mended.back());
-    faults += fault.empty() ? fault : " Input port " + std::to_string(port) + ":" + fault;
+    const Findings found = Mend(this->Mended.back(), anyMagnitude);
+    const std::string where = " Input port " + std::to_string(port) + ":";
+    all.BrokenCells += found.BrokenCells.empty() ? "" : where + found.BrokenCells;
+    all.Points += found.Points.empty() ? "" : where + found.Points;
+    all.NumberOfPoints += found.NumberOfPoints;
+    this->PointCounts.push_back(found.NumberOfPoints);
   }
   this->Inputs = this->MendedInputs.data();
-  if (!faults.empty())
+  if (!all.BrokenCells.empty())
   {
-    vtkWarningWithObjectMacro(filter, "Broken cells are ignored; repair the mesh." << faults);
+    vtkWarningWithObjectMacro(
+      filter, "Broken cells are ignored; repair the mesh." << all.BrokenCells);
+  }
+  if (all.NumberOfPoints == 0)
+  {
+    this->PointCounts.clear();
+    return;
+  }
+  vtkWarningWithObjectMacro(filter,
+    "Points that are not finite are left out, and cells that have them; repair or scale the mesh."
+      << all.Points);
+}
+
+//------------------------------------------------------------------------------
+void SkdValidInput::Report(vtkInformationVector* outputs) const
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  if (output && !this->PointCounts.empty())
+  {
+    SkdReport(output).AddCounts("PointsNotFinite", this->PointCounts);
   }
 }
 
 //------------------------------------------------------------------------------
-// The warning about it.
-std::string SkdValidInput::Mend(vtkInformationVector* to)
+SkdValidInput::Findings SkdValidInput::Mend(vtkInformationVector* to, bool anyMagnitude)
 {
-  std::string faults;
+  Findings found;
   for (int i = 0; i < to->GetNumberOfInformationObjects(); ++i)
   {
     vtkDataObject* object = vtkDataObject::GetData(to, i);
-    const MendedBlocks blocks(object);
-    faults += blocks.GetFaults();
+    const MendedBlocks blocks(object, anyMagnitude);
+    found.BrokenCells += blocks.GetFaults();
+    found.Points += blocks.GetPoints();
+    found.NumberOfPoints += blocks.GetNumberOfPoints();
     if (blocks.AreChanged())
     {
       vtkNew<vtkInformation> mended;
@@ -168,5 +207,5 @@ std::string SkdValidInput::Mend(vtkInformationVector* to)
       to->SetInformationObject(i, mended);
     }
   }
-  return faults;
+  return found;
 }

@@ -13,21 +13,34 @@ class vtkAlgorithm;
 class vtkInformation;
 
 /// The inputs of a filter for its RequestData, in which broken cells (Cells/SkdCellCheck.h) are
-/// replaced by empty cells with the same ids. The filter warns about them once. A valid mesh is
-/// checked again only when it is modified.
+/// replaced by empty cells with the same ids. The filter warns about them once, and about points
+/// that cannot be used (SkdUnusablePoints), which stay. A valid mesh is checked again only when it
+/// is modified.
 class SkdValidInput
 {
 public:
   /// For ProcessRequest: requests other than REQUEST_DATA get the inputs as they are.
-  SkdValidInput(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs);
+  /// `anyMagnitude`: the filter can use all finite points.
+  SkdValidInput(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
+    bool anyMagnitude = false);
 
   /// Valid for the lifetime of this object.
   vtkInformationVector** Get() const { return this->Inputs; }
 
+  /// Adds SkdReportPointsNotFinite, of each port, to the first output, if there are any.
+  void Report(vtkInformationVector* outputs) const;
+
 private:
-  static std::string Mend(vtkInformationVector* to);
+  struct Findings
+  {
+    std::string BrokenCells; ///< for the warning; empty if there are none
+    std::string Points;
+    vtkIdType NumberOfPoints = 0;
+  };
+  static Findings Mend(vtkInformationVector* to, bool anyMagnitude);
 
   vtkInformationVector** Inputs;
+  std::vector<vtkIdType> PointCounts; // of unusable ones, of each port; empty if there are none
   std::vector<vtkSmartPointer<vtkInformationVector>> Mended;
   std::vector<vtkInformationVector*> MendedInputs;
 };

@@ -4,6 +4,7 @@
 
 #include "Cells/SkdCurvedFaces.h"
 #include "Cells/SkdForEach.h"
+#include "Cells/SkdMagnitudes.h"
 #include "Rays/SkdCurvedPlaces.h"
 #include "Rays/SkdSurfaceBlocks.h"
 #include "Rays/SkdSurfaceNormals.h"
@@ -67,7 +68,7 @@ vtkIdType SkdRayStarts::CountWithoutRay() const
   vtkIdType count = 0;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    const bool hasRay = skd::IsFinite(this->Points[i]) && skd::Norm2(this->Directions[i]) > 0.0;
+    const bool hasRay = SkdHasDistances(this->Points[i]) && skd::Norm2(this->Directions[i]) > 0.0;
     count += hasRay ? 0 : 1;
   }
   return count - this->Inner;

@@ -61,12 +61,6 @@ std::vector<double> RunSetup(const FilterSetup& setup, vtkDataSet* mesh, bool is
   return AnswersOf(filter);
 }
 
-bool AreEqual(const std::vector<double>& a, const std::vector<double>& b)
-{
-  const auto isSame = [](double x, double y) { return x == y || (x != x && y != y); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
-}
-
 /// By default of all combinations so many, the same ones each time.
 bool IsDrawn(std::size_t filter, int type, int harm)
 {

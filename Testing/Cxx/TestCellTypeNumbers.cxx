@@ -137,12 +137,6 @@ void Announce(const std::string& what)
   }
 }
 
-bool AreEqual(const std::vector<double>& a, const std::vector<double>& b)
-{
-  const auto isSame = [](double x, double y) { return x == y || (x != x && y != y); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
-}
-
 class CellTypeNumbers : public testing::TestWithParam<std::size_t>
 {
 protected:

@@ -346,6 +346,14 @@ std::vector<FilterSetup> MakeMeshes()
     { "RefinementOnto",
       [](Data* mesh) { return MakeRefinementOf(SomeVolumes(), SomeSurface(), mesh); } },
     { "AdaptationOf", [](Data* mesh) { return MakeAdaptationOf(mesh, SomeSurface()); } },
+  };
+}
+
+/// Further parts that a mesh may take, and filters that pass it on.
+std::vector<FilterSetup> MakeFurtherSetups()
+{
+  using Data = vtkDataObject;
+  return {
     { "CurveIntersectionBy", [](Data* mesh) { return MakeCurves(SomeLines(), mesh); } },
     { "CurveWithItself", [](Data* mesh) { return MakeCurves(mesh, nullptr); } },
     { "ThicknessSpheresTo",
@@ -416,8 +424,8 @@ const std::vector<FilterSetup>& AllFilterSetups()
   static const std::vector<FilterSetup> setups = []
   {
     std::vector<FilterSetup> all = MakeDistances();
-    for (const std::vector<FilterSetup>& others :
-      { MakeIntersections(), MakeSetups(), MakeMeshes() })
+    for (const auto& others :
+      { MakeIntersections(), MakeSetups(), MakeMeshes(), MakeFurtherSetups() })
     {
       all.insert(all.end(), others.begin(), others.end());
     }
@@ -435,6 +443,12 @@ std::vector<double> AnswersOf(vtkAlgorithm* filter)
     answers.push_back(-1.0 - port);
   }
   return answers;
+}
+
+bool AreEqual(const std::vector<double>& a, const std::vector<double>& b)
+{
+  const auto isSame = [](double x, double y) { return x == y || (x != x && y != y); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), isSame);
 }
 
 std::vector<double> LocatorAnswers(vtkDataSet* mesh)

@@ -31,6 +31,9 @@ const std::vector<FilterSetup>& AllFilterSetups();
 /// All outputs of an updated filter by value: points, types and sizes of cells, point ids, arrays.
 std::vector<double> AnswersOf(vtkAlgorithm* filter);
 
+/// Whether these are the same numbers or NaN in the same places.
+bool AreEqual(const std::vector<double>& a, const std::vector<double>& b);
+
 /// The locator's results of a few queries of all kinds, its tree built beforehand.
 std::vector<double> LocatorAnswers(vtkDataSet* mesh);
 

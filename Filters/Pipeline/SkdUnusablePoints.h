@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdUnusablePoints_h
+#define SkdUnusablePoints_h
+
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataSet;
+
+/// The points of a data set that a filter cannot use: NaN, infinite or, in most filters, so large
+/// that squares of coordinates overflow (Cells/SkdMagnitudes.h). Cells that have them are ignored,
+/// and nothing is found at such points.
+struct SkdUnusablePoints
+{
+  vtkIdType Count = 0;
+  vtkIdType First = -1;
+
+  /// "2 of 9 points are NaN, infinite or beyond 1e+152; the first is point 4."
+  std::string Tell(vtkDataSet* mesh, bool anyMagnitude) const;
+};
+
+/// Looks at each coordinate once, in parallel. The points of images are not looked at.
+/// `anyMagnitude`: all finite ones can be used.
+SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude);
+
+#endif
