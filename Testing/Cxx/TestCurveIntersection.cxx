@@ -274,7 +274,7 @@ TEST(CurveIntersection, LeavesOutWhatCannotBeMeasured)
     EXPECT_EQ(OutputPoints(filter), (std::vector<Point>{ { 1, 0, 0 } }));
     EXPECT_NE(events.Warning.find("2 curves are longer than"), std::string::npos) << events.Warning;
   }
-  EXPECT_EQ(events.Warnings, 3);
+  EXPECT_EQ(events.Warnings, 6); // the others count points beyond 1e152
 }
 
 TEST(CurveIntersection, RefusesWeightsThatAreNotPositive)

@@ -326,7 +326,8 @@ TEST(ProbeLines, WithoutLinesThereIsAWarning)
     ProbePointer probe = MakeProbe(input, source);
     EventCounter events(probe);
     EXPECT_TRUE(Intervals(probe).Cells.empty());
-    EXPECT_EQ(events.Warnings, 1);
+    const bool isFinite = std::isfinite(input->GetPoint(input->GetNumberOfPoints() - 1)[0]);
+    EXPECT_EQ(events.Warnings, isFinite ? 1 : 2);
   }
 }
 

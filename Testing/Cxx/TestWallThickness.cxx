@@ -438,7 +438,7 @@ TEST(WallThickness, WhereShellsOverlapTheRayEndsWhereItLeavesTheLast)
   }
 }
 
-TEST(WallThickness, WhatHasNoneIsOneWarning)
+TEST(WallThickness, WhatHasNoneIsAWarning)
 {
   const auto sheet = MakePolyData(Sheet(4, VTK_QUAD));
   const auto points = MakeQueries({ { 0, 0, 0 }, { NAN, 0, 0 } });
@@ -453,7 +453,7 @@ TEST(WallThickness, WhatHasNoneIsOneWarning)
       {
         EXPECT_TRUE(std::isnan(thickness));
       }
-      EXPECT_EQ(events.Warnings, 1);
+      EXPECT_EQ(events.Warnings, mesh == points ? 2 : 1); // one counts points that are not finite
       EXPECT_EQ(events.Errors, 0);
       const std::string count = std::to_string(mesh->GetNumberOfPoints());
       const std::string wanted = count + " of " + count + " points have no thickness";
