@@ -174,7 +174,8 @@ SkdValidInput::SkdValidInput(
     return;
   }
   vtkWarningWithObjectMacro(filter,
-    "Points that are not finite are left out, and cells that have them; repair or scale the mesh."
+    "Points that are not finite get no answer, and cells that have them are ignored; repair or "
+    "scale the mesh."
       << all.Points);
 }
 

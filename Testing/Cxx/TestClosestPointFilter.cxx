@@ -304,7 +304,7 @@ TEST(ClosestPointFilter, ASourceWithoutCellsGivesAWarningAndNone)
       EXPECT_TRUE(std::isnan(distances[0]) && std::isnan(distances[1]));
       EXPECT_EQ(RunArray(filter, "SkdClosestCellId"), std::vector<double>(2, -1));
       EXPECT_EQ(events.Errors, 0);
-      EXPECT_EQ(events.Warnings, 1);
+      EXPECT_EQ(events.Warnings, source == broken ? 2 : 1); // one counts points
     }
   }
 }

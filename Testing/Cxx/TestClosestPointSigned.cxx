@@ -62,7 +62,7 @@ std::vector<Point> BoxQueries(const Point& size)
   return points;
 }
 
-void ExpectBoxDistances(vtkDataObject* source, const Point& size)
+void ExpectBoxDistances(vtkDataObject* source, const Point& size, int warnings = 0)
 {
   const std::vector<Point> points = BoxQueries(size);
   FilterPointer filter = MakeSignedFilter(MakeQueries(points), source);
@@ -73,7 +73,8 @@ void ExpectBoxDistances(vtkDataObject* source, const Point& size)
     ASSERT_NEAR(distances[i], BoxDistance(size, points[i]), 1e-14)
       << points[i][0] << " " << points[i][1] << " " << points[i][2];
   }
-  EXPECT_EQ(events.Warnings + events.Errors, 0) << events.Warning << events.Error;
+  EXPECT_EQ(events.Warnings, warnings) << events.Warning;
+  EXPECT_EQ(events.Errors, 0) << events.Error;
   EXPECT_EQ(Reported(filter, "OpenEdges"), 0);
 }
 
@@ -412,7 +413,7 @@ TEST(ClosestPointSigned, FacesThatAreNotFiniteAreLeftOut)
   Mesh mesh = CubeTriangles(2);
   const vtkIdType nowhere = mesh.Add(Point{ NAN, 0, 0 });
   mesh.Add(VTK_TRIANGLE, { 0, 1, nowhere });
-  ExpectBoxDistances(MakePolyData(mesh), { 2, 2, 2 });
+  ExpectBoxDistances(MakePolyData(mesh), { 2, 2, 2 }, 1);
 }
 
 TEST(ClosestPointSigned, OfARealSurfaceItIsThatOfTheWindingNumber)

@@ -249,7 +249,7 @@ TEST(CurveIntersection, AnswersTheRestOfBadInput)
   EventCounter events(filter);
   EXPECT_EQ(OutputPoints(filter).size(), 1u);
   EXPECT_EQ(OutputArray(filter, "SkdOtherCurveCellId"), Numbers{ 4 });
-  EXPECT_EQ(events.Warnings, 4);
+  EXPECT_EQ(events.Warnings, 5); // points; no length, not finite, no curve; tolerance
   EXPECT_EQ(events.Errors, 0);
   const FilterPointer empty = MakeFilter(PolyDataPointer::New());
   EventCounter more(empty);

@@ -340,8 +340,8 @@ TEST(CurveSurfaceFilter, AnswersTheRestOfBadInput)
   EventCounter events(filter);
   EXPECT_EQ(OutputArray(filter, "SkdArcLength"), (Numbers{ 1, 3 }));
   EXPECT_EQ(events.Errors, 0);
-  EXPECT_EQ(
-    events.Warnings, 6); // no length, not finite, no curve; not finite, no surface; tolerance
+  // Points; no length, not finite, no curve; not finite, no surface; tolerance.
+  EXPECT_EQ(events.Warnings, 7);
   EXPECT_EQ(OutputCellArray(filter, "SkdNumberOfHits", 2), (Numbers{ 2, 0, 0, 0 }));
 }
 
