@@ -44,11 +44,13 @@ class Output
 public:
   Output(const SkdBooleanParts& parts, vtkPolyData* output)
     : Parts(parts)
-    , Placed(parts.Placement.First)
-    , Set(this->Placed.GetSet())
-    , Facets(parts.Facets)
-    , Faces(SkdMakeBooleanFaces(this->Placed, this->Facets, parts.Signs,
-        { FindPolygons(this->Set, parts), parts.MergesPieces }))
+    , Arrangement(parts.Solids.GetArrangement())
+    , Placed(parts.Solids.GetPlacement().First)
+    , Set(parts.Solids.GetTriangles())
+    , Facets(parts.Boundary.GetFacets(this->Arrangement))
+    , IsImprint(parts.Rule.Operation == SkdBooleanOperation::Imprint)
+    , Faces(SkdMakeBooleanFaces(this->Placed, this->Facets, parts.Boundary.GetSigns(),
+        { FindPolygons(this->Set, parts), parts.MergesPieces && !this->IsImprint }))
     , To(output)
   {
     this->NumberPoints();
@@ -56,7 +58,7 @@ public:
 
   void FillShape() const
   {
-    const double unscaled = 1.0 / this->Parts.Placement.Scale;
+    const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
     const auto pointAt = [&](vtkIdType i)
     { return unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]); };
     auto starts =
@@ -77,7 +79,7 @@ public:
     const auto n = static_cast<vtkIdType>(this->Faces.Facets.size());
     vtkCellData* data = this->To->GetCellData();
     this->AddIds(n, data);
-    if (this->Parts.SolidCounts)
+    if (this->IsImprint && this->Parts.Solids.HasWindings())
     {
       this->AddSolidCounts(n, data);
     }
@@ -137,6 +139,7 @@ private:
 
   void AddIds(vtkIdType n, vtkCellData* data) const
   {
+    const bool hasSolids = !this->Parts.Solids.AreSolidsInputs();
     auto inputs = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Input, 1, n);
     auto ids = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Cell, 1, n);
     auto solids = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Solid, 1, n);
@@ -149,12 +152,12 @@ private:
         inputs->SetValue(i, cell.Block < this->Parts.Blocks.FirstOfSource ? 0 : 1);
         ids->SetValue(i, cell.Id);
         solids->SetValue(
-          i, this->Parts.Solids ? static_cast<int>(this->Parts.Solids->Of[parent]) : 0);
+          i, hasSolids ? static_cast<int>(this->Parts.Solids.GetSolids().Of[parent]) : 0);
         blocks->SetValue(i, this->Parts.Blocks.All[cell.Block].BlockIndex);
       });
     data->AddArray(inputs);
     data->AddArray(ids);
-    if (this->Parts.Solids)
+    if (hasSolids)
     {
       data->AddArray(solids);
     }
@@ -168,21 +171,27 @@ private:
   {
     auto inFront = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Front, 1, n);
     auto behind = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Back, 1, n);
-    const std::vector<int>& counts = *this->Parts.SolidCounts;
+    std::vector<int> counts;
+    for (const SkdRegionWindings& windings : this->Parts.Solids.GetWindings())
+    {
+      counts.push_back(static_cast<int>(this->Parts.Rule.CountSolids(windings)));
+    }
     for (vtkIdType i = 0; i < n; ++i)
     {
       const std::uint32_t facet = this->Faces.Facets[i];
-      inFront->SetValue(i, counts[this->Parts.Arrangement.GetFront(facet)]);
-      behind->SetValue(i, counts[this->Parts.Arrangement.GetBack(facet)]);
+      inFront->SetValue(i, counts[this->Arrangement.GetFront(facet)]);
+      behind->SetValue(i, counts[this->Arrangement.GetBack(facet)]);
     }
     data->AddArray(inFront);
     data->AddArray(behind);
   }
 
   const SkdBooleanParts& Parts;
+  const SkdArrangement& Arrangement;
   const SkdPlacedTriangles& Placed;
   const SkdTriangleSet& Set;
   const SkdFacets& Facets;
+  const bool IsImprint;
   const SkdBooleanFaces Faces;
   std::vector<std::uint32_t> Numbers; // of the arrangement's points in the output
   std::vector<std::uint32_t> Points;  // of the output, in the arrangement
@@ -197,4 +206,8 @@ void SkdFillBooleanSurface(
   to.FillShape();
   to.FillCellData(refused);
   to.FillPointData(refused);
+  for (const char* name : SkdBooleanNames::All)
+  {
+    refused.erase(name);
+  }
 }

@@ -3,8 +3,7 @@
 #ifndef SkdBooleanSurface_h
 #define SkdBooleanSurface_h
 
-#include "Boolean/SkdBooleanFacets.h"
-#include "Boolean/SkdSolids.h"
+#include "Boolean/SkdSolidArrangement.h"
 
 #include <set>
 #include <string>
@@ -25,31 +24,21 @@ struct SkdBooleanNames
   static constexpr const char* All[] = { Input, Solid, Cell, Block, Front, Back };
 };
 
-/// The data sets of the surfaces.
-struct SkdBooleanBlocks
-{
-  std::vector<SkdBlock> All;
-  int FirstOfSource; ///< those before it are of the Input
-  bool IsComposite;
-};
-
-/// What a Boolean combination is made of.
+/// What the output of a Boolean operation is made of.
 struct SkdBooleanParts
 {
-  const SkdPlacement& Placement;
-  const SkdArrangement& Arrangement;
-  const SkdFacets& Facets; ///< of the arrangement, or as they are stored
+  const SkdSolidArrangement& Solids;
   const SkdBooleanBlocks& Blocks;
-  const SkdFacetSigns& Signs;
-  const SkdSolids* Solids;             ///< nullptr: no array tells them
-  const std::vector<int>* SolidCounts; ///< of each region; nullptr: no arrays tell them
-  bool KeepsPolygons;                  ///< polygons of which no triangle is split stay such
-  bool MergesPieces;                   ///< pieces of one triangle become convex polygons
+  const SkdBooleanRule& Rule;
+  const SkdBooleanBoundary& Boundary;
+  bool KeepsPolygons; ///< polygons of which no triangle is split stay such
+  bool MergesPieces;  ///< pieces of one triangle become convex polygons; not in an imprint
 };
 
 /// Fills `output` with the facets of a boundary, and with the point and cell data that all data
 /// sets have: of a face those of its cell, of a new point the mean of its triangle's corners. Names
-/// of arrays that are already in use are inserted into `refused`.
+/// of arrays that are already in use are inserted into `refused`, but for SkdBooleanNames: arrays
+/// of an operation before have ids of other inputs.
 void SkdFillBooleanSurface(
   const SkdBooleanParts& parts, vtkPolyData* output, std::set<std::string>& refused);
 

@@ -21,6 +21,15 @@ SkdSolids NumberSolids(const SkdTriangleSet& set, const NumberOf& numberOf)
 }
 }
 
+SkdBooleanBlocks SkdMakeBooleanBlocks(vtkDataObject* input, vtkDataObject* source)
+{
+  SkdBooleanBlocks blocks{ SkdBlocksOf(input), 0, SkdIsComposite(input) || SkdIsComposite(source) };
+  blocks.FirstOfSource = static_cast<int>(blocks.All.size());
+  const std::vector<SkdBlock> others = SkdBlocksOf(source);
+  blocks.All.insert(blocks.All.end(), others.begin(), others.end());
+  return blocks;
+}
+
 SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource)
 {
   SkdSolids solids = NumberSolids(set,

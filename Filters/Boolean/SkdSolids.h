@@ -5,6 +5,17 @@
 
 #include "Surfaces/SkdTriangleSet.h"
 
+/// The data sets of the surfaces.
+struct SkdBooleanBlocks
+{
+  std::vector<SkdBlock> All;
+  int FirstOfSource; ///< those before it are of the Input
+  bool IsComposite;
+};
+
+/// `source` may be nullptr.
+SkdBooleanBlocks SkdMakeBooleanBlocks(vtkDataObject* input, vtkDataObject* source);
+
 /// The solids that the triangles of a set bound.
 struct SkdSolids
 {
