@@ -42,7 +42,7 @@ private:
   static void Count(vtkObject*, unsigned long, void* self, void* text)
   {
     auto* counter = static_cast<BrokenCounter*>(self);
-    if (std::strstr(static_cast<const char*>(text), "ignored; "))
+    if (std::strstr(static_cast<const char*>(text), "Broken cells are ignored"))
     {
       ++counter->Messages;
       counter->Last = static_cast<const char*>(text);
