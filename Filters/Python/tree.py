@@ -479,6 +479,8 @@ def _in_python(text: str) -> str:
     """A message of VTK without what it says of its objects, the mesh called what it is here."""
     said = re.sub(r"^.*?\(0x\w+\): ", "", text, flags=re.S).strip()
     said = re.sub(r"; see Skd\w+", "", said)
+    for port, name in enumerate(("Of the points,", "Of the mesh,")):
+        said = said.replace("Input port %d:" % port, name)
     return re.sub(r"\bSource\b", "the mesh", re.sub(r"^Source\b", "The mesh", said))
 
 
