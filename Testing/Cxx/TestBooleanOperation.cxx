@@ -5,6 +5,7 @@
 #include "Support/EventCounter.h"
 #include "Support/Folders.h"
 #include "Support/RealMeshes.h"
+#include "Support/Reported.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkCellData.h"
@@ -26,12 +27,6 @@ using namespace skdtest;
 namespace
 {
 using Filter = vtkSkdTreeBooleanOperation;
-
-double ReportOf(vtkPolyData* output, const char* what)
-{
-  vtkDataArray* array = output->GetFieldData()->GetArray((std::string("SkdReport") + what).c_str());
-  return array ? array->GetTuple1(0) : vtkMath::Nan();
-}
 
 /// One of the filter's outputs; without a second data set, of the first alone.
 vtkSmartPointer<vtkPolyData> Combine(
@@ -108,10 +103,10 @@ double ExpectVolumesAddUp(vtkDataSet* a, vtkDataSet* b)
     auto output = Combine(a, b, operation);
     volume[operation] = SixVolumes(output) / 6.0;
     EXPECT_EQ(CountBadEdges(output), 0u) << operation;
-    EXPECT_EQ(ReportOf(output, "BadEdges"), 0.0) << operation;
-    ofA = ReportOf(output, "InputVolume");
-    ofB = ReportOf(output, "SourceVolume");
-    EXPECT_NEAR(ReportOf(output, "Volume"), volume[operation], 1e-12 * (ofA + ofB));
+    EXPECT_EQ(Reported(output, "BadEdges"), 0.0) << operation;
+    ofA = Reported(output, "InputVolume");
+    ofB = Reported(output, "SourceVolume");
+    EXPECT_NEAR(Reported(output, "Volume"), volume[operation], 1e-12 * (ofA + ofB));
   }
   const double bound = 1e-13 * (ofA + ofB);
   EXPECT_NEAR(volume[0] + volume[1], ofA + ofB, bound);
@@ -245,9 +240,9 @@ Mesh Reversed(Mesh mesh)
 double VolumeOf(vtkPolyData* output)
 {
   EXPECT_EQ(CountBadEdges(output), 0u);
-  EXPECT_EQ(ReportOf(output, "BadEdges"), 0.0);
+  EXPECT_EQ(Reported(output, "BadEdges"), 0.0);
   const double volume = SixVolumes(output) / 6.0;
-  EXPECT_NEAR(ReportOf(output, "Volume"), volume, 1e-13 * (1 + volume));
+  EXPECT_NEAR(Reported(output, "Volume"), volume, 1e-13 * (1 + volume));
   return volume;
 }
 
@@ -279,7 +274,7 @@ TEST(BooleanOperation, WithoutSourcePiecesAreSolids)
   EXPECT_NEAR(
     VolumeOf(Combine(boxes, nullptr, Filter::SYMMETRIC_DIFFERENCE)), any - atLeastTwo + all, 1e-13);
   auto output = Combine(boxes, nullptr, Filter::UNION);
-  EXPECT_EQ(ReportOf(output, "Solids"), 3.0);
+  EXPECT_EQ(Reported(output, "Solids"), 3.0);
   EXPECT_EQ(output->GetCellData()->GetArray("SkdSolidId")->GetRange()[1], 2.0);
 }
 
@@ -571,6 +566,6 @@ TEST(BooleanOperation, RealSolidWithFacesThatNearlyCoincide)
     GTEST_SKIP() << "no anchor_dense.vtp in " << ExtraDataFolder();
   }
   auto output = Combine(mesh, Moved(mesh, { 0.125, 0, 0 }), Filter::UNION);
-  EXPECT_EQ(ReportOf(output, "BadEdges"), 0.0);
+  EXPECT_EQ(Reported(output, "BadEdges"), 0.0);
 }
 }

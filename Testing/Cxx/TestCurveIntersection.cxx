@@ -59,7 +59,7 @@ TEST(CurveIntersection, TwoLines)
   EXPECT_EQ(OutputArray(filter, "SkdOtherArcLength"), Numbers{ 1 });
   EXPECT_EQ(OutputArray(filter, "SkdAngle"), Numbers{ 90 });
   EXPECT_EQ(OutputArray(filter, "SkdKind"), Numbers{ 0 });
-  EXPECT_EQ(ReportOf(filter, "Hits"), 1);
+  EXPECT_EQ(Reported(filter, "Hits"), 1);
 }
 
 TEST(CurveIntersection, PolylinesOfMirroredHelicesMissEachOther)
@@ -217,13 +217,13 @@ TEST(CurveIntersection, KeepsItsTrees)
   const PolyDataPointer other = MakePolyline({ { 1, -1, 0 }, { 1, 3, 0 } });
   const FilterPointer filter = MakeFilter(MakePolyline({ { 0, 0, 0 }, { 4, 0, 0 } }), other);
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 2);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 2);
   filter->SetInputDataObject(0, MakePolyline({ { 0, 1, 0 }, { 4, 1, 0 } }));
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 1);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 1);
   filter->SetClearance(1);
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 0);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
 }
 
 TEST(CurveIntersection, CompositeCurvesTellTheirBlocks)
@@ -289,8 +289,8 @@ TEST(CurveIntersection, RefusesWeightsThatAreNotPositive)
     EXPECT_EQ(events.Warnings, 1);
     EXPECT_NE(events.Warning.find("1 curves have a weight that is not positive"), std::string::npos)
       << events.Warning;
-    EXPECT_EQ(ReportOf(filter, "Curves"), 3);
-    EXPECT_EQ(ReportOf(filter, "Hits"), 1); // of the two of whole circles
+    EXPECT_EQ(Reported(filter, "Curves"), 3);
+    EXPECT_EQ(Reported(filter, "Hits"), 1); // of the two of whole circles
   }
 }
 

@@ -155,8 +155,8 @@ TEST(CurveSurfaceFilter, TellsAllAboutAHit)
   EXPECT_EQ(OutputArray(filter, "SkdCurveParameter"), (Numbers{ 0.2, 0.6 }));
   EXPECT_EQ(OutputPoints(filter)[0], (Point{ 0, .5, .75 }));
   EXPECT_EQ(OutputCellArray(filter, "SkdNumberOfHits", 2), Numbers{ 2 });
-  EXPECT_EQ(ReportOf(filter, "Hits"), 2);
-  EXPECT_EQ(ReportOf(filter, "SurfaceElements"), 48);
+  EXPECT_EQ(Reported(filter, "Hits"), 2);
+  EXPECT_EQ(Reported(filter, "SurfaceElements"), 48);
 }
 
 TEST(CurveSurfaceFilter, SelectsHits)
@@ -308,20 +308,20 @@ TEST(CurveSurfaceFilter, KeepsTheTree)
   const PolyDataPointer cube = MakePolyData(CubeTriangles(2));
   const FilterPointer filter = MakeFilter(LineAlongX(), cube);
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 1);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 1);
   filter->SetInputDataObject(0, LineAlongX(0.5));
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 0);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
   PolyDataPointer copy = PolyDataPointer::New();
   copy->DeepCopy(cube);
   filter->SetSourceData(copy);
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 0);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 0);
   copy->GetPoints()->SetPoint(0, 9, 9, 9);
   copy->GetPoints()->Modified();
   copy->Modified();
   filter->Update();
-  EXPECT_EQ(ReportOf(filter, "TreesBuilt"), 1);
+  EXPECT_EQ(Reported(filter, "TreesBuilt"), 1);
 }
 
 TEST(CurveSurfaceFilter, AnswersTheRestOfBadInput)
@@ -356,8 +356,8 @@ TEST(CurveSurfaceFilter, RefusesWeightsThatAreNotPositive)
   filter->Update();
   EXPECT_EQ(events.Warnings, 2);
   EXPECT_NE(events.Warning.find("weight that is not positive"), std::string::npos);
-  EXPECT_EQ(ReportOf(filter, "Curves"), 3);
-  EXPECT_EQ(ReportOf(filter, "SurfaceElements"), 7);
+  EXPECT_EQ(Reported(filter, "Curves"), 3);
+  EXPECT_EQ(Reported(filter, "SurfaceElements"), 7);
 }
 
 TEST(CurveSurfaceFilter, HasAValidOutputWithoutInput)

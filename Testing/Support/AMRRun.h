@@ -9,6 +9,7 @@
 
 #include "Support/EventCounter.h"
 #include "Support/MeshBuilder.h"
+#include "Support/Reported.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkDataArray.h"
@@ -67,18 +68,6 @@ inline std::vector<double> ValuesOf(vtkDataArray* array)
 }
 
 /// The numbers of a report after an update; empty if there are none.
-inline std::vector<double> ReportedRow(vtkSkdTreeAMR* filter, const std::string& what)
-{
-  vtkFieldData* field = filter->GetOutputDataObject(0)->GetFieldData();
-  return ValuesOf(field->GetArray(("SkdReport" + what).c_str()));
-}
-
-inline double Reported(vtkSkdTreeAMR* filter, const std::string& what)
-{
-  const std::vector<double> row = ReportedRow(filter, what);
-  return row.size() == 1 ? row[0] : std::numeric_limits<double>::quiet_NaN();
-}
-
 inline std::vector<double> CellArray(vtkSkdTreeAMR* filter, const char* name)
 {
   return ValuesOf(

@@ -8,6 +8,7 @@
 #define skdtest_CurveRun_h
 
 #include "Support/MeshBuilder.h"
+#include "Support/Reported.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
@@ -240,14 +241,6 @@ inline std::vector<double> PlacesOfPieces(
     positions[i] = from + (cells[i] + positions[i]) * (to - from) / pieces;
   }
   return positions;
-}
-
-/// A number of a filter's report.
-inline double ReportOf(vtkAlgorithm* filter, const std::string& what)
-{
-  vtkDataObject* output = filter->GetOutputDataObject(0);
-  vtkDataArray* array = output->GetFieldData()->GetArray(("SkdReport" + what).c_str());
-  return array ? array->GetTuple1(0) : std::nan("");
 }
 
 }

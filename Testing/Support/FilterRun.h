@@ -8,6 +8,7 @@
 #define skdtest_FilterRun_h
 
 #include "Support/MeshBuilder.h"
+#include "Support/Reported.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -57,14 +58,6 @@ inline std::vector<double> PointArray(vtkDataObject* data, const char* name)
     values.push_back(array->GetVariantValue(i).ToDouble());
   }
   return values;
-}
-
-/// A number of the report, NaN when there is none.
-inline double Reported(vtkAlgorithm* filter, const std::string& what)
-{
-  vtkFieldData* report = filter->GetOutputDataObject(0)->GetFieldData();
-  vtkDataArray* array = report->GetArray(("SkdReport" + what).c_str());
-  return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
 }
 
 inline vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<vtkDataObject*>& meshes)

@@ -8,6 +8,7 @@
 #define skdtest_SurfaceIntersectionRun_h
 
 #include "Support/MeshBuilder.h"
+#include "Support/Reported.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -89,12 +90,6 @@ inline std::vector<std::pair<vtkIdType, vtkIdType>> RunCellPairs(
 inline vtkPolyData* OutputOf(vtkSkdTreeSurfaceIntersection* filter, int port)
 {
   return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
-}
-
-inline double Reported(vtkSkdTreeSurfaceIntersection* filter, const std::string& what)
-{
-  vtkDataArray* array = OutputOf(filter, 0)->GetFieldData()->GetArray(("SkdReport" + what).c_str());
-  return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// A segment of a curve: its ends, the lower first, and its cells.
