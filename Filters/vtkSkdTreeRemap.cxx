@@ -192,7 +192,7 @@ SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
   settings.Conservative.MinimumCoverage = self->MinimumCoverage;
   settings.Conservative.RotatesVectors = self->RotateVectors;
   settings.IsSecondOrder = self->Method == CONSERVATIVE_SECOND_ORDER;
-  settings.IsLimited = self->Limiter == BARTH_JESPERSEN;
+  settings.Limiter = static_cast<SkdLimiter>(self->Limiter);
   settings.Statistic = static_cast<SkdStatistic>(self->Statistic);
   settings.Empty = static_cast<SkdEmptyCells>(self->EmptyCells);
   settings.WithPointFields = self->Method != AUTOMATIC_METHOD;

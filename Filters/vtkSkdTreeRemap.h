@@ -217,17 +217,26 @@ public:
   enum LimiterType
   {
     NO_LIMITER = 0,
-    BARTH_JESPERSEN = 1
+    BARTH_JESPERSEN = 1,
+    CLIP_AND_ASSURED_SUM = 2
   };
 
   //@{
   /**
-   * How gradients of CONSERVATIVE_SECOND_ORDER are limited. NO_LIMITER: they are those of the least
-   * squares fit, exact for linear fields. BARTH_JESPERSEN (default): at no corner of a source cell
-   * does its field leave what the averages around are between; extremes of smooth fields lose by
-   * it.
+   * How results of CONSERVATIVE_SECOND_ORDER are kept within the averages that there are. "Around a
+   * cell" is the cell and all that share a corner with it.
+   * NO_LIMITER: gradients are those of the least squares fit, exact for linear fields.
+   * BARTH_JESPERSEN (default): gradients are shortened until no source cell's field leaves what the
+   * averages around it are between, at its corners and in the mean over any overlap; extremes of
+   * smooth fields lose by it. On a sphere shortened gradients are along it.
+   * CLIP_AND_ASSURED_SUM: gradients are as without a limiter. Results beyond the averages around
+   * the source cells that they are made of are clipped, and what that takes from the integral over
+   * the block, or adds to it, is shared out among the results by the room that they have
+   * (A. M. Bradley et al., SIAM J. Sci. Comput. 41, 2019). Sharper where fields jump. Of several
+   * processes each does so for its part of Input.
+   * With either results are within these bounds to rounding, and integrals are kept.
    */
-  vtkSkdTreeChoiceMacro(Limiter, NO_LIMITER, BARTH_JESPERSEN);
+  vtkSkdTreeChoiceMacro(Limiter, NO_LIMITER, CLIP_AND_ASSURED_SUM);
   //@}
 
   enum NormalizationType

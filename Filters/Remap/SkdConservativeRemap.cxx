@@ -4,11 +4,12 @@
 
 #include "Cells/SkdForEach.h"
 #include "Remap/SkdCompensatedSum.h"
-#include "Remap/SkdDonorGradients.h"
+#include "Remap/SkdRemapTolerances.h"
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -37,9 +38,10 @@ struct SkdConservativeRemap::Shares
   const std::vector<std::size_t>& Rows;
   const std::vector<vtkIdType>& Columns;
   const std::vector<double>& Measures;
-  const Gradients& Slopes;                 ///< with the moments of the table of cells
-  const std::vector<skd::Vector3>& Places; ///< where vectors are turned from; empty: they are not
-  bool IsSigned;                           ///< whether there are negative measures that count
+  const Gradients& Slopes;                  ///< with the moments of the table of cells
+  const std::vector<skd::Vector3>& Places;  ///< where vectors are turned from; empty: they are not
+  bool IsSigned;                            ///< whether there are negative measures that count
+  const std::vector<SkdCellRanges>& Ranges; ///< of each component whose sum is assured, or none
 };
 
 /// What one cell is made of. One a thread.
@@ -157,6 +159,130 @@ void SkdConservativeRemap::Finish(const Shares& shares, std::size_t target, Row&
   }
 }
 
+// What the mean over what of a cell is covered is multiplied by.
+double SkdConservativeRemap::FactorOf(
+  const Shares& shares, std::size_t target, double covered) const
+{
+  const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
+  return shares.Field.IsExtensive ? covered
+    : isWhole                     ? covered / this->Weights.GetTarget().Measures[target]
+                                  : 1.0;
+}
+
+// On a sphere a gradient that has to be limited is limited as one along it: what it has across is
+// out of proportion where the field jumps.
+void SkdConservativeRemap::LimitSlopes(const SkdDonorField& density, int component,
+  const SkdDonorGradients& gradients, const SkdCellRanges& ranges,
+  std::vector<skd::Vector3>& slopes) const
+{
+  const auto limit = [&](std::vector<skd::Vector3>& some)
+  {
+    gradients.Limit(density, component, ranges, some);
+    this->LimitInOverlaps(density, component, ranges, some);
+  };
+  if (!gradients.AreOnSphere())
+  {
+    limit(slopes);
+    return;
+  }
+  const std::vector<skd::Vector3> free = slopes;
+  limit(slopes);
+  std::vector<skd::Vector3> along = gradients.FindTangential(density, component);
+  limit(along);
+  for (std::size_t i = 0; i < slopes.size(); ++i)
+  {
+    slopes[i] = slopes[i] == free[i] ? slopes[i] : along[i];
+  }
+}
+
+// The parts of a target's mean are the values of cells' fields at the centroids of overlaps. Where
+// a cell bulges between its corners these may be beyond what its corners have. Of an overlap that
+// is small the centroid is known the less.
+void SkdConservativeRemap::LimitInOverlaps(const SkdDonorField& density, int component,
+  const SkdCellRanges& ranges, std::vector<skd::Vector3>& slopes) const
+{
+  const SkdOverlapTable& table = this->Weights.GetTable();
+  std::vector<double> shares(slopes.size(), 1.0);
+  for (std::size_t target = 0; target + 1 < table.Rows.size(); ++target)
+  {
+    for (std::size_t k = table.Rows[target]; k < table.Rows[target + 1]; ++k)
+    {
+      const auto donor = static_cast<std::size_t>(table.Columns[k]);
+      const double measure = table.Measures[k];
+      const double smaller = std::min(
+        this->Weights.GetTarget().Measures[target], this->Weights.GetDonor().Measures[donor]);
+      const double step = skd::Norm(table.Moments[k]) / measure;
+      const double change = skd::Dot(slopes[donor], table.Moments[k]) / measure;
+      const double here = density.Get(table.Columns[k], component);
+      const double room = change > 0.0 ? ranges[donor].Greatest - here : here - ranges[donor].Least;
+      const double rounding =
+        remap_tolerances::Centroid * (smaller / measure) * skd::Norm(slopes[donor]) * step;
+      if (density.Counts[donor] != 0 && measure > 0.0 && std::abs(change) > room + rounding)
+      {
+        shares[donor] = std::min(shares[donor], room / std::abs(change));
+      }
+    }
+  }
+  std::transform(shares.begin(), shares.end(), slopes.begin(), slopes.begin(),
+    [](double share, const skd::Vector3& slope) { return share < 1.0 ? share * slope : slope; });
+}
+
+// A. M. Bradley, P. A. Bosler, O. Guba, M. A. Taylor, G. A. Barnett, SIAM J. Sci. Comput. 41
+// (2019). First-order means are within the bounds and have the sum, so there is room for it.
+void SkdConservativeRemap::AssureSum(const Shares& shares, const std::vector<double>& covered,
+  const SkdCellRanges& ranges, std::size_t component, SkdRemappedField& mapped) const
+{
+  std::vector<double> means(covered.size()), rooms(covered.size(), 0.0);
+  SkdCellRanges bounds(covered.size(), { 0.0, 0.0 });
+  const auto valueOf = [&](std::size_t target) -> double&
+  { return mapped.Values[target * mapped.Integrals.size() + component]; };
+  SkdCompensatedSum lost, room;
+  for (std::size_t target = 0; target < covered.size(); ++target)
+  {
+    if (covered[target] > 0.0 && std::isfinite(valueOf(target)))
+    {
+      const double mean = valueOf(target) / this->FactorOf(shares, target, covered[target]);
+      bounds[target] = RangeOf(shares, target, ranges);
+      means[target] = std::clamp(mean, bounds[target].Least, bounds[target].Greatest);
+      lost.Add(covered[target] * (mean - means[target]));
+    }
+  }
+  for (std::size_t target = 0; target < covered.size(); ++target)
+  {
+    rooms[target] = (lost.Get() > 0.0 ? bounds[target].Greatest : bounds[target].Least);
+    rooms[target] -= means[target];
+    room.Add(covered[target] * rooms[target]);
+  }
+  const double share = room.Get() != 0.0 ? std::min(1.0, lost.Get() / room.Get()) : 0.0;
+  for (std::size_t target = 0; target < covered.size(); ++target)
+  {
+    if (covered[target] > 0.0 && std::isfinite(valueOf(target)))
+    {
+      const double mean = std::clamp(
+        means[target] + share * rooms[target], bounds[target].Least, bounds[target].Greatest);
+      valueOf(target) = mean * this->FactorOf(shares, target, covered[target]);
+    }
+  }
+}
+
+/// What the source cells that a target's mean is made of, and those around them, are between.
+SkdCellRange SkdConservativeRemap::RangeOf(
+  const Shares& shares, std::size_t target, const SkdCellRanges& ranges)
+{
+  constexpr double most = std::numeric_limits<double>::infinity();
+  SkdCellRange range{ most, -most };
+  for (std::size_t k = shares.Rows[target]; k < shares.Rows[target + 1]; ++k)
+  {
+    const auto donor = static_cast<std::size_t>(shares.Columns[k]);
+    if (shares.Field.Counts[donor] != 0 && shares.Measures[k] > 0.0)
+    {
+      range.Least = std::min(range.Least, ranges[donor].Least);
+      range.Greatest = std::max(range.Greatest, ranges[donor].Greatest);
+    }
+  }
+  return range;
+}
+
 SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
 {
   const std::size_t n = this->Weights.GetTarget().Measures.size();
@@ -174,6 +300,10 @@ SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
       this->Finish(shares, target, row);
       covered[target] = row.Covered;
     });
+  for (std::size_t c = 0; c < shares.Ranges.size(); ++c)
+  {
+    this->AssureSum(shares, covered, shares.Ranges[c], c, mapped);
+  }
   this->AddTarget(shares.Field, mapped, covered);
   return mapped;
 }
@@ -184,18 +314,30 @@ bool SkdConservativeRemap::IsReversed(const SkdDonorField& field) const
 }
 
 SkdRemappedField SkdConservativeRemap::Map(
-  const SkdDonorField& field, const SkdDonorGradients* gradients, bool isLimited) const
+  const SkdDonorField& field, const SkdDonorGradients* gradients, SkdLimiter limiter) const
 {
   const SkdDonorField density = this->DensityOf(field);
+  const bool isTurned = this->IsReversed(field);
   Gradients slopes;
+  std::vector<SkdCellRanges> assured; // by components, which turned vectors do not keep
   for (int c = 0; c < field.Components && gradients; ++c)
   {
-    slopes.push_back(gradients->Find(density, c, isLimited));
+    slopes.push_back(gradients->Find(density, c));
+    const SkdCellRanges ranges =
+      limiter == SkdLimiter::None ? SkdCellRanges() : gradients->FindRanges(density, c);
+    if (limiter == SkdLimiter::BarthJespersen)
+    {
+      this->LimitSlopes(density, c, *gradients, ranges, slopes.back());
+    }
+    if (limiter == SkdLimiter::ClipAndAssuredSum && !isTurned)
+    {
+      assured.push_back(ranges);
+    }
   }
   const SkdOverlapTable& table = this->Weights.GetTable();
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped = this->MapShares({ density, table.Rows, table.Columns, table.Measures,
-    slopes, this->IsReversed(field) ? this->Weights.GetDonor().Centroids : none, table.IsSigned });
+    slopes, isTurned ? this->Weights.GetDonor().Centroids : none, table.IsSigned, assured });
   this->AddDonor(density, slopes, mapped);
   return mapped;
 }
@@ -257,8 +399,9 @@ SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
   const SkdOverlapPointTable& table, const std::vector<skd::Vector3>& points) const
 {
   const std::vector<skd::Vector3> none;
-  SkdRemappedField mapped = this->MapShares({ field, table.Rows, table.Columns, table.Weights,
-    Gradients(), this->IsReversed(field) ? points : none, table.IsSigned });
+  SkdRemappedField mapped =
+    this->MapShares({ field, table.Rows, table.Columns, table.Weights, Gradients(),
+      this->IsReversed(field) ? points : none, table.IsSigned, std::vector<SkdCellRanges>() });
   const auto valueOf = [&](vtkIdType point, std::size_t c)
   {
     const bool counts = field.Counts[static_cast<std::size_t>(point)] != 0;

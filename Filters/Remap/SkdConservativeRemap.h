@@ -8,7 +8,7 @@
 #ifndef SkdConservativeRemap_h
 #define SkdConservativeRemap_h
 
-#include "Remap/SkdDonorFields.h"
+#include "Remap/SkdDonorGradients.h"
 #include "Remap/SkdPointWeights.h"
 
 #include <vector>
@@ -18,6 +18,14 @@ enum class SkdNormalization
 {
   Covered, ///< what is covered: the mean of what there is
   Whole    ///< the whole cell, nothing being where it is not covered: integrals are kept
+};
+
+/// What keeps results of second order within the averages around them.
+enum class SkdLimiter
+{
+  None,
+  BarthJespersen,   ///< gradients are shortened
+  ClipAndAssuredSum ///< results are clipped, and what that changes of their sum is given back
 };
 
 struct SkdConservativeRules
@@ -47,8 +55,6 @@ struct SkdRemappedField
   std::vector<SkdRemapIntegrals> Integrals; ///< of each component
 };
 
-class SkdDonorGradients;
-
 /// Maps fields by the overlaps of one target with one donor. Fields of cells are averages; with
 /// gradients linear in each donor cell. Intensive fields become averages of the target's cells.
 /// Extensive ones are spread evenly (or by their densities' gradients) over donor cells, and what
@@ -60,10 +66,10 @@ public:
     const SkdOverlapWeights& weights, SkdOverlapSpace space, const SkdConservativeRules& rules);
 
   /// A field of cells, of first order without `gradients`. First order keeps to the bounds of the
-  /// donor's values where it is normalised by what is covered. In parallel; the same to the last
-  /// bit whatever the number of threads.
+  /// donor's values where it is normalised by what is covered, and so does second order with a
+  /// limiter. In parallel; the same to the last bit whatever the number of threads.
   SkdRemappedField Map(
-    const SkdDonorField& field, const SkdDonorGradients* gradients, bool isLimited) const;
+    const SkdDonorField& field, const SkdDonorGradients* gradients, SkdLimiter limiter) const;
 
   /// A field of points, as the functions of the table make it, intensive; `points` are where they
   /// are.
@@ -77,6 +83,15 @@ private:
   bool IsReversed(const SkdDonorField& field) const;
   SkdDonorField DensityOf(const SkdDonorField& field) const;
   SkdRemappedField MapShares(const Shares& shares) const;
+  void LimitSlopes(const SkdDonorField& density, int component, const SkdDonorGradients& gradients,
+    const SkdCellRanges& ranges, std::vector<skd::Vector3>& slopes) const;
+  void LimitInOverlaps(const SkdDonorField& density, int component, const SkdCellRanges& ranges,
+    std::vector<skd::Vector3>& slopes) const;
+  double FactorOf(const Shares& shares, std::size_t target, double covered) const;
+  void AssureSum(const Shares& shares, const std::vector<double>& covered,
+    const SkdCellRanges& ranges, std::size_t component, SkdRemappedField& mapped) const;
+  static SkdCellRange RangeOf(
+    const Shares& shares, std::size_t target, const SkdCellRanges& ranges);
   void TakePart(const Shares& shares, std::size_t target, vtkIdType donor, Row& row) const;
   void MapRow(const Shares& shares, std::size_t target, Row& row) const;
   void Finish(const Shares& shares, std::size_t target, Row& row) const;

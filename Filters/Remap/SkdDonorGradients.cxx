@@ -48,10 +48,11 @@ std::array<double, 6> PseudoInverse(const std::array<double, 6>& m)
 }
 
 SkdDonorGradients::SkdDonorGradients(
-  vtkDataSet* donor, const SkdOverlapCells& cells, const skd::Vector3& normal)
+  vtkDataSet* donor, const SkdOverlapCells& cells, const skd::Vector3& normal, bool isOnSphere)
   : Measures(cells.Measures)
   , Centroids(cells.Centroids)
   , Normal(normal)
+  , IsOnSphere(isOnSphere)
 {
   this->ReadCorners(donor);
   this->FindNeighbours(static_cast<vtkIdType>(this->Points.size()));
@@ -125,15 +126,25 @@ skd::Vector3 SkdDonorGradients::StepTo(vtkIdType cell, const skd::Vector3& x) co
   return step - skd::Dot(step, this->Normal) * this->Normal;
 }
 
+skd::Vector3 SkdDonorGradients::StepTo(
+  vtkIdType cell, const skd::Vector3& x, bool isTangential) const
+{
+  const skd::Vector3& centroid = this->Centroids[static_cast<std::size_t>(cell)];
+  const skd::Vector3 step = this->StepTo(cell, x);
+  return isTangential ? step - (skd::Dot(step, centroid) / skd::Norm2(centroid)) * centroid : step;
+}
+
 template <class Wanted>
-SkdDonorGradients::Matrix SkdDonorGradients::Invert(vtkIdType cell, const Wanted& isWanted) const
+SkdDonorGradients::Matrix SkdDonorGradients::Invert(
+  vtkIdType cell, bool isTangential, const Wanted& isWanted) const
 {
   Matrix sum{};
   const auto at = static_cast<std::size_t>(cell);
   for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
   {
     const vtkIdType other = this->Neighbours[k];
-    const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
+    const skd::Vector3 d =
+      this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)], isTangential);
     const double length2 = skd::Norm2(d);
     if (isWanted(other) && length2 > 0.0)
     {
@@ -149,16 +160,22 @@ SkdDonorGradients::Matrix SkdDonorGradients::Invert(vtkIdType cell, const Wanted
 
 void SkdDonorGradients::InvertAll()
 {
+  const auto isAny = [](vtkIdType) { return true; };
   this->Inverses.resize(this->Measures.size());
+  this->Tangential.resize(this->IsOnSphere ? this->Measures.size() : 0);
   SkdForEach(this->Inverses.size(),
-    [this](std::size_t cell)
+    [&](std::size_t cell)
     {
-      this->Inverses[cell] =
-        this->Invert(static_cast<vtkIdType>(cell), [](vtkIdType) { return true; });
+      this->Inverses[cell] = this->Invert(static_cast<vtkIdType>(cell), false, isAny);
+      if (this->IsOnSphere)
+      {
+        this->Tangential[cell] = this->Invert(static_cast<vtkIdType>(cell), true, isAny);
+      }
     });
 }
 
-skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, int component) const
+skd::Vector3 SkdDonorGradients::Fit(
+  vtkIdType cell, const SkdDonorField& field, int component, bool isTangential) const
 {
   const auto at = static_cast<std::size_t>(cell);
   const auto counts = [&](vtkIdType other)
@@ -169,7 +186,8 @@ skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, 
   for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
   {
     const vtkIdType other = this->Neighbours[k];
-    const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
+    const skd::Vector3 d =
+      this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)], isTangential);
     const double length2 = skd::Norm2(d);
     isWhole = isWhole && counts(other);
     if (counts(other) && length2 > 0.0)
@@ -177,37 +195,64 @@ skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, 
       right = right + ((field.Get(other, component) - here) / length2) * d;
     }
   }
-  return Times(isWhole ? this->Inverses[at] : this->Invert(cell, counts), right);
+  const std::vector<Matrix>& inverses = isTangential ? this->Tangential : this->Inverses;
+  return Times(isWhole ? inverses[at] : this->Invert(cell, isTangential, counts), right);
 }
 
-double SkdDonorGradients::Limit(
-  vtkIdType cell, const SkdDonorField& field, int component, const skd::Vector3& gradient) const
+SkdCellRanges SkdDonorGradients::FindRanges(const SkdDonorField& field, int component) const
+{
+  SkdCellRanges ranges(this->Measures.size());
+  SkdForEach(ranges.size(),
+    [&](std::size_t at)
+    {
+      const double here = field.Get(static_cast<vtkIdType>(at), component);
+      SkdCellRange range{ here, here };
+      for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+      {
+        const vtkIdType other = this->Neighbours[k];
+        if (field.Counts[static_cast<std::size_t>(other)] != 0)
+        {
+          range.Least = std::min(range.Least, field.Get(other, component));
+          range.Greatest = std::max(range.Greatest, field.Get(other, component));
+        }
+      }
+      ranges[at] = range;
+    });
+  return ranges;
+}
+
+double SkdDonorGradients::ShareWithin(
+  vtkIdType cell, double here, const SkdCellRange& range, const skd::Vector3& gradient) const
 {
   const auto at = static_cast<std::size_t>(cell);
-  const double here = field.Get(cell, component);
-  double least = here, greatest = here;
-  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
-  {
-    const vtkIdType other = this->Neighbours[k];
-    if (field.Counts[static_cast<std::size_t>(other)] != 0)
-    {
-      least = std::min(least, field.Get(other, component));
-      greatest = std::max(greatest, field.Get(other, component));
-    }
-  }
   double share = 1.0;
   for (std::size_t k = this->FirstCorner[at]; k < this->FirstCorner[at + 1]; ++k)
   {
     const skd::Vector3& corner = this->Points[static_cast<std::size_t>(this->Corners[k])];
     const double change = skd::Dot(gradient, this->StepTo(cell, corner));
-    const double room = change > 0.0 ? greatest - here : least - here;
+    const double room = change > 0.0 ? range.Greatest - here : range.Least - here;
     share = change != 0.0 ? std::min(share, room / change) : share;
   }
   return share;
 }
 
-std::vector<skd::Vector3> SkdDonorGradients::Find(
-  const SkdDonorField& field, int component, bool isLimited) const
+void SkdDonorGradients::Limit(const SkdDonorField& field, int component,
+  const SkdCellRanges& ranges, std::vector<skd::Vector3>& gradients) const
+{
+  SkdForEach(gradients.size(),
+    [&](std::size_t at)
+    {
+      const auto cell = static_cast<vtkIdType>(at);
+      if (this->Has(cell) && field.Counts[at] != 0)
+      {
+        const double here = field.Get(cell, component);
+        gradients[at] = this->ShareWithin(cell, here, ranges[at], gradients[at]) * gradients[at];
+      }
+    });
+}
+
+std::vector<skd::Vector3> SkdDonorGradients::FitAll(
+  const SkdDonorField& field, int component, bool isTangential) const
 {
   std::vector<skd::Vector3> gradients(this->Measures.size(), skd::Vector3{ { 0.0, 0.0, 0.0 } });
   SkdForEach(gradients.size(),
@@ -216,9 +261,7 @@ std::vector<skd::Vector3> SkdDonorGradients::Find(
       const auto cell = static_cast<vtkIdType>(at);
       if (this->Has(cell) && field.Counts[at] != 0)
       {
-        const skd::Vector3 gradient = this->Fit(cell, field, component);
-        const double share = isLimited ? this->Limit(cell, field, component, gradient) : 1.0;
-        gradients[at] = share * gradient;
+        gradients[at] = this->Fit(cell, field, component, isTangential);
       }
     });
   return gradients;

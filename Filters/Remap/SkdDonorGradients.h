@@ -13,23 +13,49 @@
 
 #include <array>
 
+/// What the averages of a cell and of those around it are between.
+struct SkdCellRange
+{
+  double Least;
+  double Greatest;
+};
+using SkdCellRanges = std::vector<SkdCellRange>; // of each cell
+
 /// Gradients of cell averages: those of the linear fields that fit the averages of a cell and of
 /// all cells that share a corner with it best, by least squares weighted with the inverse squares
 /// of the distances. Exact for fields that are linear in x, y and z, at a border, too. On a sphere
 /// that holds as well: the part of the gradient across it stands for how the field bends along it,
-/// alike in all directions, for centroids lie the deeper the farther they are. Points of equal
+/// alike in all directions, for centroids lie the deeper the farther they are. Where a field jumps
+/// that part is as large as cells are flat: tangential gradients are without it. Points of equal
 /// coordinates count as one. Constant once made.
 class SkdDonorGradients
 {
 public:
   /// `cells` are the donor's, as SkdOverlapWeights measured them, which must live; `normal` is that
   /// of a plane, or zero. O(cells).
-  SkdDonorGradients(vtkDataSet* donor, const SkdOverlapCells& cells, const skd::Vector3& normal);
+  SkdDonorGradients(
+    vtkDataSet* donor, const SkdOverlapCells& cells, const skd::Vector3& normal, bool isOnSphere);
 
-  /// One a cell, of one component; zero of cells that do not count or have no measure. `isLimited`:
-  /// by T. J. Barth, D. C. Jespersen, AIAA paper 89-0366 (1989): at no corner does a cell's linear
-  /// field leave what the averages around it are between. In parallel.
-  std::vector<skd::Vector3> Find(const SkdDonorField& field, int component, bool isLimited) const;
+  bool AreOnSphere() const { return this->IsOnSphere; }
+
+  /// One a cell, of one component; zero of cells that do not count or have no measure. In parallel.
+  std::vector<skd::Vector3> Find(const SkdDonorField& field, int component) const
+  {
+    return this->FitAll(field, component, false);
+  }
+  /// The same along the sphere.
+  std::vector<skd::Vector3> FindTangential(const SkdDonorField& field, int component) const
+  {
+    return this->FitAll(field, component, true);
+  }
+
+  /// In parallel.
+  SkdCellRanges FindRanges(const SkdDonorField& field, int component) const;
+
+  /// Shortens gradients by T. J. Barth, D. C. Jespersen, AIAA paper 89-0366 (1989): at no corner
+  /// does a cell's linear field leave its range. In parallel.
+  void Limit(const SkdDonorField& field, int component, const SkdCellRanges& ranges,
+    std::vector<skd::Vector3>& gradients) const;
 
 private:
   using Matrix = std::array<double, 6>; // symmetric: xx, xy, xz, yy, yz, zz
@@ -38,22 +64,28 @@ private:
   void FindNeighbours(vtkIdType numberOfPoints);
   void InvertAll();
   skd::Vector3 StepTo(vtkIdType cell, const skd::Vector3& x) const;
+  skd::Vector3 StepTo(vtkIdType cell, const skd::Vector3& x, bool isTangential) const;
   template <class Wanted>
-  Matrix Invert(vtkIdType cell, const Wanted& isWanted) const;
-  skd::Vector3 Fit(vtkIdType cell, const SkdDonorField& field, int component) const;
-  double Limit(
-    vtkIdType cell, const SkdDonorField& field, int component, const skd::Vector3& gradient) const;
+  Matrix Invert(vtkIdType cell, bool isTangential, const Wanted& isWanted) const;
+  skd::Vector3 Fit(
+    vtkIdType cell, const SkdDonorField& field, int component, bool isTangential) const;
+  std::vector<skd::Vector3> FitAll(
+    const SkdDonorField& field, int component, bool isTangential) const;
+  double ShareWithin(
+    vtkIdType cell, double here, const SkdCellRange& range, const skd::Vector3& gradient) const;
   bool Has(vtkIdType cell) const { return this->Measures[static_cast<std::size_t>(cell)] > 0.0; }
 
   const std::vector<double>& Measures;
   const std::vector<skd::Vector3>& Centroids;
   skd::Vector3 Normal;
+  bool IsOnSphere;
   std::vector<std::size_t> FirstCorner;
   std::vector<vtkIdType> Corners; // of welded points
   std::vector<skd::Vector3> Points;
   std::vector<std::size_t> FirstNeighbour;
   std::vector<vtkIdType> Neighbours; // ascending, without the cell itself
   std::vector<Matrix> Inverses;      // of the least squares of all neighbours
+  std::vector<Matrix> Tangential;    // the same along a sphere
 };
 
 #endif

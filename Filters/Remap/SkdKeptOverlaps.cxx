@@ -36,8 +36,8 @@ const SkdDonorGradients& SkdKeptOverlaps::GetGradients(vtkDataSet* donor)
 {
   if (!this->Gradients)
   {
-    this->Gradients = std::make_unique<SkdDonorGradients>(
-      donor, this->Weights->GetDonor(), this->Weights->GetNormal());
+    this->Gradients = std::make_unique<SkdDonorGradients>(donor, this->Weights->GetDonor(),
+      this->Weights->GetNormal(), this->Settings.Space == SkdOverlapSpace::Sphere);
   }
   return *this->Gradients;
 }

@@ -14,6 +14,7 @@ constexpr double Hemisphere = 1e-3;     ///< of the radius: the mean corner of h
 constexpr double CellOverlap = 2e-15;   ///< of the smaller cell: less measure is rounding
 constexpr double PieceOverlap = 1e-14;  ///< of the smaller piece, whose cuts round more: the same
 constexpr double PointWeight = 1e-12;   ///< of the largest of a cell: a negative one is rounding
+constexpr double Centroid = 1.5e-14;    ///< of its distance: how well that of an overlap is known
 constexpr double CoverGap = 1e-10;      ///< of a cell's measure: less is no gap in its cover
 constexpr double Flatness = 1e-12;      ///< of the largest eigenvalue: less spans no direction
 constexpr double RadiusSpread = 1e-5;   ///< of the radius: of a sphere, not of a flattened Earth

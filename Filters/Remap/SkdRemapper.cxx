@@ -230,7 +230,7 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double
   };
   for (const SkdDonorField& field : this->CellFields)
   {
-    add(field, remap.Map(field, gradients, this->Settings.IsLimited));
+    add(field, remap.Map(field, gradients, this->Settings.Limiter));
   }
   for (const SkdDonorField& field : this->PointFields)
   {

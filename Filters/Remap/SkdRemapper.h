@@ -24,7 +24,7 @@ struct SkdRemapSettings
   SkdOverlapSettings Overlap;
   SkdConservativeRules Conservative;
   bool IsSecondOrder = false;
-  bool IsLimited = true;
+  SkdLimiter Limiter = SkdLimiter::BarthJespersen;
   SkdStatistic Statistic = SkdStatistic::Mean;
   SkdEmptyCells Empty = SkdEmptyCells::Nearest;
   bool WeighsByCosine = false; ///< of the latitude; on a sphere
