@@ -11,7 +11,8 @@
  *
  * Meshes are curves, surfaces in a plane, surfaces on a sphere about the origin, or volumes, see
  * SetGeometry. On a sphere edges are arcs of great circles or, by choice, run along meridians and
- * parallels; poles and the date line are ordinary; points count by their directions.
+ * parallels; poles and the date line are ordinary; points count by their directions. A polygon is the
+ * smaller of the parts that its edges divide: any simple one up to a hemisphere.
  *
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further

@@ -178,8 +178,7 @@ void SkdOverlapReader::AddCurved(std::uint32_t cell, vtkCell* loaded)
 {
   if (this->Reading.IntoSimplices)
   {
-    std::transform(this->Seen.begin(), this->Seen.end(), std::back_inserter(this->Block.OwnPoints),
-      [](const Corner& corner) { return corner.Id; });
+    this->TakeOwnPoints();
     this->Functions.Load(this->Source.Data, this->Tree.Cells().IdOf(cell));
   }
   if (this->Ground.GetSpace() == SkdOverlapSpace::Volume)

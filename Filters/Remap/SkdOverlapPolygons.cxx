@@ -4,6 +4,7 @@
 
 #include "Remap/SkdRemapTolerances.h"
 
+#include "Core/Geometry/Distance/ClosestPoint.h"
 #include "Core/Geometry/Overlap/LonLatOutline.h"
 #include "Core/Geometry/Overlap/PolygonOverlap.h"
 #include "Core/Geometry/Overlap/SegmentOverlap.h"
@@ -62,6 +63,96 @@ void DropRepeated(Corners& corners)
   {
     corners.pop_back();
   }
+}
+
+/// Twice the area of corners in a frame.
+double AreaInFrame(const std::vector<Vector3>& seen)
+{
+  double area = 0.0;
+  for (std::size_t i = 2; i < seen.size(); ++i)
+  {
+    area += Cross(seen[i - 1] - seen[0], seen[i] - seen[0])[2];
+  }
+  return area;
+}
+
+/// The cosine of how far from the middle of a piece on the sphere its corners may be.
+constexpr double LeastSeen = 0.1;
+
+/// The area of a triangle of the unit sphere, with a sign: less than half of the sphere.
+double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double volume = Dot(a, Cross(b - a, c - a));
+  return 2.0 * std::atan2(volume, 1.0 + Dot(a, b) + Dot(b, c) + Dot(c, a));
+}
+
+/// The area to the left of a simple polygon of the unit sphere: a full turn less the angles by
+/// which its edges turn.
+template <class Corners>
+double AreaOnLeft(const Corners& corners)
+{
+  const std::size_t size = corners.size();
+  double turned = 0.0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vector3& at = corners[(i + 1) % size].X;
+    const Vector3 from = Cross(corners[i].X, at);
+    const Vector3 to = Cross(at, corners[(i + 2) % size].X);
+    turned += std::atan2(Dot(at, Cross(from, to)), Dot(from, to));
+  }
+  return 2.0 * HalfTurn - turned;
+}
+
+/// Directions that are evenly about the sphere.
+std::vector<Vector3> Directions()
+{
+  constexpr int number = 64;
+  const double golden = HalfTurn * (3.0 - std::sqrt(5.0));
+  std::vector<Vector3> directions;
+  for (int i = 0; i < number; ++i)
+  {
+    const double z = (2.0 * i + 1.0) / number - 1.0;
+    const double r = std::sqrt(1.0 - z * z);
+    directions.push_back({ { r * std::cos(golden * i), r * std::sin(golden * i), z } });
+  }
+  return directions;
+}
+
+constexpr double FarEnough2 = 0.1; // squared, on the unit sphere: triangles are not too thin
+
+/// A point about which triangles with the edges of a polygon on the sphere sum up to its area, with
+/// its opposite far from the edges; zero if there is none.
+template <class Corners>
+Vector3 FindApex(const Corners& corners, double area)
+{
+  std::vector<Vector3> directions{ MeanOf(corners), AreaOf(corners) };
+  const std::vector<Vector3> others = Directions();
+  directions.insert(directions.end(), others.begin(), others.end());
+  Vector3 best{ { 0.0, 0.0, 0.0 } };
+  double farthest2 = 0.0;
+  for (const Vector3& direction : directions)
+  {
+    const Vector3 apex = (1.0 / Norm(direction)) * direction;
+    double sum = 0.0;
+    double distance2 = 4.0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const Vector3& a = corners[i].X;
+      const Vector3& b = corners[(i + 1) % corners.size()].X;
+      sum += AreaOf(apex, a, b);
+      distance2 = std::min(distance2, skd::ClosestPointOnSegment(a, b, -1.0 * apex).Dist2);
+    }
+    if (std::abs(sum - area) < remap_tolerances::SphereArea && distance2 > farthest2)
+    {
+      best = apex;
+      farthest2 = distance2;
+    }
+    if (farthest2 > FarEnough2)
+    {
+      return best;
+    }
+  }
+  return best;
 }
 
 /// Of corners in a frame, counter-clockwise as a whole.
@@ -135,17 +226,17 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   {
     middle = area;
   }
-  if (!(Norm2(middle) > 0.0) ||
-    (this->Reading.IsLonLat && !this->Reading.IntoSimplices && this->AddLonLat(corners)))
+  if (this->Reading.IsLonLat && !this->Reading.IntoSimplices && this->AddLonLat(corners))
   {
     return;
   }
   middle = (1.0 / Norm(middle)) * middle;
-  const bool isLarge = std::any_of(corners.begin(), corners.end(),
-    [&](const Corner& corner) { return Dot(corner.X, middle) < 0.2; });
+  const bool isLarge = !IsFinite(middle) ||
+    std::any_of(corners.begin(), corners.end(),
+      [&](const Corner& corner) { return Dot(corner.X, middle) < 0.2; });
   if (isLarge)
   {
-    this->AddFan(corners, this->Reading.IntoSimplices ? corners[0] : Corner{ middle, -1 });
+    this->AddLarge(corners);
   }
   else
   {
@@ -154,13 +245,27 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
 }
 
 //------------------------------------------------------------------------------
-// What is about as large as a hemisphere: triangles about its middle, or a corner.
-void SkdOverlapReader::AddFan(const Corners& corners, const Corner& middle)
+// What has corners that are not seen from its middle: triangles about a point, with signs.
+// Triangles of less than half the sphere never have the point that is opposite to where they meet,
+// so they sum up to the polygon if that is not in it, else to what is left of the sphere,
+// negatively: their area tells.
+void SkdOverlapReader::AddLarge(Corners& corners)
 {
+  const double area = AreaOnLeft(corners);
+  if (area > HalfTurn * 2.0 * (1.0 + remap_tolerances::StraightAngle))
+  {
+    std::reverse(corners.begin(), corners.end());
+  }
+  const Vector3 apex = FindApex(corners, std::min(area, 4.0 * HalfTurn - area));
+  if (!(Norm2(apex) > 0.0))
+  {
+    return;
+  }
+  const Corner middle{ apex, this->Reading.IntoSimplices ? this->AddMeanOf(corners) : -1 };
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     Corners triangle{ middle, corners[i], corners[(i + 1) % corners.size()] };
-    const double side = Dot(middle.X, Cross(triangle[1].X, triangle[2].X));
+    const double side = Dot(apex, Cross(triangle[1].X, triangle[2].X));
     if (std::abs(side) > Rounding)
     {
       const std::int8_t sign = side > 0.0 ? 1 : -1;
@@ -174,6 +279,34 @@ void SkdOverlapReader::AddFan(const Corners& corners, const Corner& middle)
 }
 
 //------------------------------------------------------------------------------
+// Of what is too large to be seen from its middle: a polygon in triangles, a triangle in halves.
+void SkdOverlapReader::AddSplit(const Corners& corners, std::int8_t sign)
+{
+  if (corners.size() > 3)
+  {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+    {
+      this->AddPiece<skd::SphericalFrame>({ corners[0], corners[i - 1], corners[i] }, sign);
+    }
+    return;
+  }
+  const auto length2 = [&](std::size_t i)
+  { return Distance2(corners[i].X, corners[(i + 1) % 3].X); };
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+  {
+    longest = length2(i) > length2(longest) ? i : longest;
+  }
+  const Corners edge{ corners[longest], corners[(longest + 1) % 3] };
+  const Corner& tip = corners[(longest + 2) % 3];
+  const Vector3 sum = edge[0].X + edge[1].X;
+  const Corner middle{ (1.0 / Norm(sum)) * sum,
+    this->Reading.IntoSimplices ? this->AddMeanOf(edge) : -1 };
+  this->AddPiece<skd::SphericalFrame>({ edge[0], middle, tip }, sign);
+  this->AddPiece<skd::SphericalFrame>({ middle, edge[1], tip }, sign);
+}
+
+//------------------------------------------------------------------------------
 template <class Frame>
 void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
 {
@@ -183,6 +316,11 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
   {
     const Vector3 x = frame.Seen(corner.X);
     seen.push_back({ { x[0] / x[2], x[1] / x[2], 0.0 } });
+  }
+  if (this->Ground.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(seen) < 0.0)
+  {
+    std::reverse(corners.begin(), corners.end());
+    std::reverse(seen.begin(), seen.end());
   }
   const bool isTriangle = corners.size() == 3;
   if (isTriangle || (!this->Reading.IntoSimplices && IsConvex(seen)))
@@ -221,8 +359,15 @@ template <class Frame>
 void SkdOverlapReader::AddPiece(const Corners& corners, std::int8_t sign)
 {
   const Vector3 mean = MeanOf(corners);
-  const Frame frame(
-    this->Ground.GetSpace() == SkdOverlapSpace::Sphere ? (1.0 / Norm(mean)) * mean : mean);
+  const bool isSphere = this->Ground.GetSpace() == SkdOverlapSpace::Sphere;
+  const Frame frame(isSphere ? (1.0 / Norm(mean)) * mean : mean);
+  if (isSphere &&
+    !std::all_of(corners.begin(), corners.end(),
+      [&](const Corner& corner) { return Dot(corner.X, frame.Origin) > LeastSeen; }))
+  {
+    this->AddSplit(corners, sign);
+    return;
+  }
   skd::ConvexPolygon polygon;
   double reach2 = 0.0;
   for (const Corner& corner : corners)

@@ -139,17 +139,33 @@ vtkIdType SkdOverlapReader::AddWeights(const double* weights)
 }
 
 // The points seen are the cell's own.
-vtkIdType SkdOverlapReader::AddMeanOf(const std::vector<int>& corners)
+void SkdOverlapReader::TakeOwnPoints()
 {
   if (this->NumberOfOwnPoints() == 0)
   {
     std::transform(this->Seen.begin(), this->Seen.end(), std::back_inserter(this->Block.OwnPoints),
       [](const Corner& corner) { return corner.Id; });
   }
+}
+
+vtkIdType SkdOverlapReader::AddMeanOf(const Corners& corners)
+{
+  this->TakeOwnPoints();
+  const auto first =
+    this->Block.OwnPoints.begin() + static_cast<std::ptrdiff_t>(this->Block.FirstOwnPoint.back());
   std::vector<double> weights(this->NumberOfOwnPoints(), 0.0);
-  for (const int corner : corners)
+  const double share = 1.0 / static_cast<double>(corners.size());
+  for (const Corner& corner : corners)
   {
-    weights[static_cast<std::size_t>(corner)] += 1.0 / static_cast<double>(corners.size());
+    if (corner.Id >= 0)
+    {
+      const auto at = std::find(first, this->Block.OwnPoints.end(), corner.Id);
+      weights[static_cast<std::size_t>(at - first)] += share;
+      continue;
+    }
+    const double* of = this->WeightsOf(corner);
+    std::transform(weights.begin(), weights.end(), of, weights.begin(),
+      [share](double sum, double weight) { return sum + share * weight; });
   }
   return this->AddWeights(weights.data());
 }

@@ -65,7 +65,8 @@ private:
   ///@{
   /// Weights of the cell's points, as corners have them that are no points.
   vtkIdType AddWeights(const double* weights);
-  vtkIdType AddMeanOf(const std::vector<int>& corners);
+  vtkIdType AddMeanOf(const Corners& corners);
+  void TakeOwnPoints();
   std::size_t NumberOfOwnPoints() const;
   ///@}
 
@@ -75,7 +76,8 @@ private:
   void AddPolygon(Corners& corners);
   bool AddLonLat(const Corners& corners);
   void AddLonLatPieces(const skd::LonLatCell& whole);
-  void AddFan(const Corners& corners, const Corner& middle);
+  void AddLarge(Corners& corners);
+  void AddSplit(const Corners& corners, std::int8_t sign);
   template <class Frame>
   void AddPiece(const Corners& corners, std::int8_t sign);
   template <class Frame>

@@ -206,12 +206,14 @@ void SkdOverlapReader::AddTetrahedra(const Faces& faces)
   {
     Vector3 sum{ { 0.0, 0.0, 0.0 } };
     const Vector3& first = this->Seen[numbers[0]].X;
+    Corners corners;
     for (const int number : numbers)
     {
       sum = sum + (this->Seen[number].X - first);
+      corners.push_back(this->Seen[number]);
     }
     return Corner{ first + (1.0 / static_cast<double>(numbers.size())) * sum,
-      isOfPoints ? this->AddMeanOf(numbers) : -1 };
+      isOfPoints ? this->AddMeanOf(corners) : -1 };
   };
   std::vector<int> all;
   for (int i = 0; i < static_cast<int>(this->Seen.size()); ++i)

@@ -15,6 +15,7 @@ constexpr double CellOverlap = 2e-15;   ///< of the smaller cell: less measure i
 constexpr double PieceOverlap = 1e-14;  ///< of the smaller piece, whose cuts round more: the same
 constexpr double PointWeight = 1e-12;   ///< of the largest of a cell: a negative one is rounding
 constexpr double Centroid = 1.5e-14;    ///< of its distance: how well that of an overlap is known
+constexpr double SphereArea = 1e-6;     ///< on the unit sphere: of areas found in two ways
 constexpr double CoverGap = 1e-10;      ///< of a cell's measure: less is no gap in its cover
 constexpr double Flatness = 1e-12;      ///< of the largest eigenvalue: less spans no direction
 constexpr double RadiusSpread = 1e-5;   ///< of the radius: of a sphere, not of a flattened Earth
