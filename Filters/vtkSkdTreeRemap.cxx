@@ -186,6 +186,7 @@ SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
   settings.Fields.MissingValue = self->UseMissingValue ? self->MissingValue : vtkMath::Nan();
   settings.Fields.Mask = self->MaskArray;
   settings.Fields.Extensive = this->Extensive;
+  settings.Fields.RenamesTaken = self->RenameTakenArrays;
   settings.Overlap.DonorIsLonLat = self->SourceEdgesAlongParallels;
   settings.Overlap.TargetIsLonLat = self->InputEdgesAlongParallels;
   settings.Conservative.Normalization = static_cast<SkdNormalization>(self->Normalization);
@@ -210,14 +211,23 @@ void vtkSkdTreeRemap::Internals::TakeProbed(vtkDataSet* block)
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
-    if (to->HasArray(array->GetName()))
+    const std::string name = array->GetName();
+    const bool isOwn = name.compare(0, 3, "Skd") == 0; // about the points, and not of the source
+    const std::string free = SkdResultName(to, name, this->Settings.Fields.RenamesTaken && !isOwn);
+    if (free.empty())
     {
-      this->Refused.insert(array->GetName());
+      this->Refused.insert(name);
+      continue;
     }
-    else
+    if (free == name)
     {
       to->AddArray(array);
+      continue;
     }
+    auto renamed = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+    renamed->DeepCopy(array);
+    renamed->SetName(free.c_str());
+    to->AddArray(renamed);
   }
 }
 
@@ -581,8 +591,9 @@ void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
     "MinimumCoverage", this->MinimumCoverage, "MissingValues", this->MissingValues,
     "UseMissingValue", this->UseMissingValue, "MissingValue", this->MissingValue, "MaskArray",
     this->MaskArray, "RotateVectors", this->RotateVectors, "PassInputData", this->PassInputData,
-    "GenerateWeights", this->GenerateWeights, "GenerateOverlapMesh", this->GenerateOverlapMesh,
-    "WeightsFileName", this->WeightsFileName, "WeightsFileFormat", this->WeightsFileFormat);
+    "RenameTakenArrays", this->RenameTakenArrays, "GenerateWeights", this->GenerateWeights,
+    "GenerateOverlapMesh", this->GenerateOverlapMesh, "WeightsFileName", this->WeightsFileName,
+    "WeightsFileFormat", this->WeightsFileFormat);
   for (const std::string& name : this->Impl->Extensive)
   {
     SkdPrint(os, indent, "ExtensiveArray", name);

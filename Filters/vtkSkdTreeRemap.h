@@ -45,10 +45,10 @@
  * source's absolute values) and SkdReportCoverage (share of Input that is covered).
  *
  * Bad input: arrays of strings are left out, by name, with a warning, as those are whose name is in
- * use. Meshes that have nothing in common, cells of another dimension, degenerate ones (these have
- * no part in it), and cells of one mesh that overlap each other (a coverage above one) are warned
- * of, with their number. Concave cells are cut into convex ones. Cells with points that are not
- * finite count as empty.
+ * use if RenameTakenArrays is off. Meshes that have nothing in common, cells of another dimension,
+ * degenerate ones (these have no part in it), and cells of one mesh that overlap each other (a
+ * coverage above one) are warned of, with their number. Concave cells are cut into convex ones.
+ * Cells with points that are not finite count as empty.
  *
  * @sa
  * vtkSkdTreeProbe vtkSkdTreeCellLocator
@@ -323,10 +323,18 @@ public:
 
   //@{
   /**
-   * Pass the input's own point and cell data. A source's array whose name is in use by then is left
-   * out, with a warning. Default on.
+   * Pass the input's own point and cell data. Default on.
    */
   vtkSkdTreeSwitchMacro(PassInputData);
+  //@}
+
+  //@{
+  /**
+   * Whether a result whose name is in use, say by the input's own data, gets another one: with
+   * "_Remapped" appended, and a number from 2 on if need be. Else it is left out, with a warning.
+   * The report has the source's names. Default on.
+   */
+  vtkSkdTreeSwitchMacro(RenameTakenArrays);
   //@}
 
   //@{
@@ -389,6 +397,7 @@ protected:
   std::string MaskArray;
   bool RotateVectors = true;
   bool PassInputData = true;
+  bool RenameTakenArrays = true;
   bool GenerateWeights = false;
   bool GenerateOverlapMesh = false;
   std::string WeightsFileName;

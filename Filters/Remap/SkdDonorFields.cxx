@@ -125,20 +125,35 @@ void SkdBlankValues(vtkDataSet* mesh, int type, const SkdFieldRules& rules)
       field.Values[i] = field.Counts[i / components] != 0 ? field.Values[i] : vtkMath::Nan();
     }
     data->RemoveArray(field.Name.c_str());
-    SkdAddRemapped(data, field, field.Values, problems);
+    SkdAddRemapped(data, field, field.Values, false, problems);
   }
 }
 
-void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
-  const std::vector<double>& values, SkdFieldProblems& problems)
+std::string SkdResultName(vtkDataSetAttributes* to, const std::string& name, bool renamesTaken)
 {
-  if (to->HasArray(field.Name.c_str()))
+  if (!to->HasArray(name.c_str()))
+  {
+    return name;
+  }
+  std::string other = renamesTaken ? name + "_Remapped" : "";
+  for (int number = 2; !other.empty() && to->HasArray(other.c_str()); ++number)
+  {
+    other = name + "_Remapped" + std::to_string(number);
+  }
+  return other;
+}
+
+void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
+  const std::vector<double>& values, bool renamesTaken, SkdFieldProblems& problems)
+{
+  const std::string name = SkdResultName(to, field.Name, renamesTaken);
+  if (name.empty())
   {
     problems.Refused.insert(field.Name);
     return;
   }
   const auto n = static_cast<vtkIdType>(values.size()) / std::max(field.Components, 1);
-  const auto array = SkdMakeArray<vtkDoubleArray>(field.Name.c_str(), field.Components, n);
+  const auto array = SkdMakeArray<vtkDoubleArray>(name.c_str(), field.Components, n);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   to->AddArray(array);
 }

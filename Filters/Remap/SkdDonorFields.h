@@ -40,6 +40,7 @@ struct SkdFieldRules
   double MissingValue = std::numeric_limits<double>::quiet_NaN(); ///< counts as NaN, too
   std::string Mask;                ///< an array that is 0 where values do not count; "": none
   std::set<std::string> Extensive; ///< amounts a cell, not densities
+  bool RenamesTaken = true;        ///< results whose names are in use (SkdResultName)
 };
 
 /// One array of points or cells.
@@ -80,8 +81,12 @@ std::vector<SkdDonorField> SkdReadDonorFields(
 /// a number that stands for NaN.
 void SkdBlankValues(vtkDataSet* mesh, int type, const SkdFieldRules& rules);
 
-/// Adds a field's values at the target as an array of doubles, unless its name is in use.
+/// The name of a result: the field's, or where that is in use the same with "_Remapped" appended,
+/// and a number from 2 on if need be. Empty if it is in use and not to be changed.
+std::string SkdResultName(vtkDataSetAttributes* to, const std::string& name, bool renamesTaken);
+
+/// Adds a field's values at the target as an array of doubles, unless it has no name.
 void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
-  const std::vector<double>& values, SkdFieldProblems& problems);
+  const std::vector<double>& values, bool renamesTaken, SkdFieldProblems& problems);
 
 #endif

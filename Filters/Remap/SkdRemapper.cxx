@@ -117,11 +117,13 @@ void SkdRemapper::AddFields(vtkDataSet* block, const std::vector<SkdDonorField>&
     if (this->Settings.ToPoints)
     {
       SkdAddRemapped(block->GetPointData(), fields[f],
-        SkdLumpToPoints(block, values[f], fields[f].Components, measures), this->Findings.Fields);
+        SkdLumpToPoints(block, values[f], fields[f].Components, measures),
+        this->Settings.Fields.RenamesTaken, this->Findings.Fields);
     }
     else
     {
-      SkdAddRemapped(block->GetCellData(), fields[f], values[f], this->Findings.Fields);
+      SkdAddRemapped(block->GetCellData(), fields[f], values[f], this->Settings.Fields.RenamesTaken,
+        this->Findings.Fields);
     }
   }
 }

@@ -58,11 +58,30 @@ TEST(RemapBadInput, StringsAndNamesInUseAreLeftOutByName)
   EXPECT_NE(WarningOf(remap).find("labels"), std::string::npos);
   EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>(4, 1.0)));
   remap = MakeRemap(Ones(2, 0.0), Ones(2, 0.0), Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->RenameTakenArraysOff();
   EXPECT_NE(WarningOf(remap).find("The array f"), std::string::npos);
   remap->PassInputDataOff();
   EXPECT_EQ(WarningOf(remap), "");
   remap->AddExtensiveArray("mass");
   EXPECT_NE(WarningOf(remap).find("no array mass"), std::string::npos);
+}
+
+TEST(RemapBadInput, NamesInUseGetASuffix)
+{
+  for (const int method :
+    { Remap::CONTAINED, Remap::INTERPOLATION, Remap::CONSERVATIVE_SECOND_ORDER })
+  {
+    const auto input = WithCellArray(Ones(2, 0.0), "f", { 7, 7, 7, 7 });
+    RemapPointer remap = MakeRemap(input, Ones(2, 0.0), method);
+    remap->SetResultsOn(Remap::CELLS);
+    EXPECT_EQ(WarningOf(remap), "");
+    EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>(4, 7.0)));
+    EXPECT_EQ(RemappedCells(remap, "f_Remapped"), (std::vector<double>(4, 1.0)));
+    WithCellArray(input, "f_Remapped", { 8, 8, 8, 8 });
+    input->Modified();
+    EXPECT_EQ(RemappedCells(remap, "f_Remapped"), (std::vector<double>(4, 8.0)));
+    EXPECT_EQ(RemappedCells(remap, "f_Remapped2"), (std::vector<double>(4, 1.0)));
+  }
 }
 
 TEST(RemapBadInput, CellsThatOverlapEachOtherAreWarnedOf)
