@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -41,7 +42,8 @@ struct SkdConservativeRemap::Shares
   const Gradients& Slopes;                  ///< with the moments of the table of cells
   const std::vector<skd::Vector3>& Places;  ///< where vectors are turned from; empty: they are not
   bool IsSigned;                            ///< whether there are negative measures that count
-  const std::vector<SkdCellRanges>& Ranges; ///< of each component whose sum is assured, or none
+  const std::vector<SkdCellRanges>& Ranges; ///< of each component that has bounds, or none
+  SkdLimiter Limiter;                       ///< how they are kept
 };
 
 /// What one cell is made of. One a thread.
@@ -127,8 +129,10 @@ void SkdConservativeRemap::MapRow(const Shares& shares, std::size_t target, Row&
     row.Covered += shares.Measures[k];
     for (std::size_t c = 0; c < components; ++c)
     {
-      row.Least[c] = std::min(row.Least[c], row.Part[c]);
-      row.Greatest[c] = std::max(row.Greatest[c], row.Part[c]);
+      const SkdCellRange range =
+        shares.Ranges.empty() ? SkdCellRange{ row.Part[c], row.Part[c] } : shares.Ranges[c][donor];
+      row.Least[c] = std::min(row.Least[c], range.Least);
+      row.Greatest[c] = std::max(row.Greatest[c], range.Greatest);
       row.Sums[c] += shares.Measures[k] * (row.Part[c] - row.First[c]);
       row.Sums[c] += shares.Slopes.empty() ? 0.0 : skd::Dot(shares.Slopes[c][donor], moments[k]);
     }
@@ -145,15 +149,18 @@ void SkdConservativeRemap::Finish(const Shares& shares, std::size_t target, Row&
   }
   const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
   // With negative parts a mean may be beyond the values; with some of the parts missing it is out
-  // of all proportion.
-  const bool isBounded = shares.Slopes.empty() && !(row.HasNegative && row.IsWhole);
+  // of all proportion. Limited gradients are beyond the bounds by rounding at most.
+  const bool hasBounds = shares.Slopes.empty() ||
+    (!shares.Ranges.empty() && shares.Limiter == SkdLimiter::BarthJespersen);
+  const bool isBounded = hasBounds && !(row.HasNegative && row.IsWhole);
   for (std::size_t c = 0; c < row.Sums.size(); ++c)
   {
-    const double total = row.First[c] * row.Covered + row.Sums[c];
+    double total = row.First[c] * row.Covered + row.Sums[c];
     double mean = row.First[c] + row.Sums[c] / row.Covered;
-    if (isBounded && !std::isnan(mean))
+    if (isBounded && !(mean >= row.Least[c] && mean <= row.Greatest[c]) && !std::isnan(mean))
     {
       mean = std::clamp(mean, row.Least[c], row.Greatest[c]);
+      total = shares.Slopes.empty() ? total : mean * row.Covered;
     }
     row.Tuple[c] = shares.Field.IsExtensive ? total : isWhole ? total / whole : mean;
   }
@@ -187,17 +194,20 @@ void SkdConservativeRemap::LimitSlopes(const SkdDonorField& density, int compone
   }
   const std::vector<skd::Vector3> free = slopes;
   limit(slopes);
-  std::vector<skd::Vector3> along = gradients.FindTangential(density, component);
+  std::vector<char> isLimited(slopes.size());
+  std::transform(slopes.begin(), slopes.end(), free.begin(), isLimited.begin(),
+    [](const skd::Vector3& a, const skd::Vector3& b) { return a == b ? 0 : 1; });
+  std::vector<skd::Vector3> along = gradients.FindTangential(density, component, isLimited);
   limit(along);
   for (std::size_t i = 0; i < slopes.size(); ++i)
   {
-    slopes[i] = slopes[i] == free[i] ? slopes[i] : along[i];
+    slopes[i] = isLimited[i] != 0 ? along[i] : slopes[i];
   }
 }
 
 // The parts of a target's mean are the values of cells' fields at the centroids of overlaps. Where
 // a cell bulges between its corners these may be beyond what its corners have. Of an overlap that
-// is small the centroid is known the less.
+// is small the centroid is known the less: what is beyond by no more than that is clipped later.
 void SkdConservativeRemap::LimitInOverlaps(const SkdDonorField& density, int component,
   const SkdCellRanges& ranges, std::vector<skd::Vector3>& slopes) const
 {
@@ -209,22 +219,45 @@ void SkdConservativeRemap::LimitInOverlaps(const SkdDonorField& density, int com
     {
       const auto donor = static_cast<std::size_t>(table.Columns[k]);
       const double measure = table.Measures[k];
-      const double smaller = std::min(
-        this->Weights.GetTarget().Measures[target], this->Weights.GetDonor().Measures[donor]);
-      const double step = skd::Norm(table.Moments[k]) / measure;
-      const double change = skd::Dot(slopes[donor], table.Moments[k]) / measure;
+      const double change = skd::Dot(slopes[donor], table.Moments[k]);
       const double here = density.Get(table.Columns[k], component);
       const double room = change > 0.0 ? ranges[donor].Greatest - here : here - ranges[donor].Least;
-      const double rounding =
-        remap_tolerances::Centroid * (smaller / measure) * skd::Norm(slopes[donor]) * step;
-      if (density.Counts[donor] != 0 && measure > 0.0 && std::abs(change) > room + rounding)
+      const double most = measure * room;
+      if (density.Counts[donor] == 0 || !(measure > 0.0 && std::abs(change) > most))
       {
-        shares[donor] = std::min(shares[donor], room / std::abs(change));
+        continue;
+      }
+      const double smaller = std::min(
+        this->Weights.GetTarget().Measures[target], this->Weights.GetDonor().Measures[donor]);
+      const double rounding = remap_tolerances::Centroid * (smaller / measure) *
+        skd::Norm(slopes[donor]) * skd::Norm(table.Moments[k]);
+      if (std::abs(change) > most + rounding)
+      {
+        shares[donor] = std::min(shares[donor], most / std::abs(change));
       }
     }
   }
   std::transform(shares.begin(), shares.end(), slopes.begin(), slopes.begin(),
     [](double share, const skd::Vector3& slope) { return share < 1.0 ? share * slope : slope; });
+}
+
+// Of cells that are covered in part gradients change the sum: within the bounds there is room for
+// it if these are limited.
+void SkdConservativeRemap::LimitUncovered(const SkdDonorField& density, int component,
+  const SkdDonorGradients& gradients, const SkdCellRanges& ranges,
+  std::vector<skd::Vector3>& slopes) const
+{
+  const std::vector<skd::Vector3>& moments = this->Weights.GetDonor().CoveredMoments;
+  const auto isUncovered = [](const skd::Vector3& moment) { return skd::Norm2(moment) > 0.0; };
+  if (std::any_of(moments.begin(), moments.end(), isUncovered))
+  {
+    std::vector<skd::Vector3> limited = slopes;
+    this->LimitSlopes(density, component, gradients, ranges, limited);
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+    {
+      slopes[i] = isUncovered(moments[i]) ? limited[i] : slopes[i];
+    }
+  }
 }
 
 // A. M. Bradley, P. A. Bosler, O. Guba, M. A. Taylor, G. A. Barnett, SIAM J. Sci. Comput. 41
@@ -300,7 +333,8 @@ SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
       this->Finish(shares, target, row);
       covered[target] = row.Covered;
     });
-  for (std::size_t c = 0; c < shares.Ranges.size(); ++c)
+  const bool isAssured = shares.Limiter == SkdLimiter::ClipAndAssuredSum;
+  for (std::size_t c = 0; c < shares.Ranges.size() && isAssured; ++c)
   {
     this->AssureSum(shares, covered, shares.Ranges[c], c, mapped);
   }
@@ -319,25 +353,33 @@ SkdRemappedField SkdConservativeRemap::Map(
   const SkdDonorField density = this->DensityOf(field);
   const bool isTurned = this->IsReversed(field);
   Gradients slopes;
-  std::vector<SkdCellRanges> assured; // by components, which turned vectors do not keep
+  std::vector<SkdCellRanges> bounds; // by components, which turned vectors do not keep
   for (int c = 0; c < field.Components && gradients; ++c)
   {
     slopes.push_back(gradients->Find(density, c));
-    const SkdCellRanges ranges =
-      limiter == SkdLimiter::None ? SkdCellRanges() : gradients->FindRanges(density, c);
+    if (limiter == SkdLimiter::None)
+    {
+      continue;
+    }
+    SkdCellRanges ranges = gradients->FindRanges(density, c);
     if (limiter == SkdLimiter::BarthJespersen)
     {
       this->LimitSlopes(density, c, *gradients, ranges, slopes.back());
     }
-    if (limiter == SkdLimiter::ClipAndAssuredSum && !isTurned)
+    else if (!isTurned)
     {
-      assured.push_back(ranges);
+      this->LimitUncovered(density, c, *gradients, ranges, slopes.back());
+    }
+    if (!isTurned)
+    {
+      bounds.push_back(std::move(ranges));
     }
   }
   const SkdOverlapTable& table = this->Weights.GetTable();
   const std::vector<skd::Vector3> none;
-  SkdRemappedField mapped = this->MapShares({ density, table.Rows, table.Columns, table.Measures,
-    slopes, isTurned ? this->Weights.GetDonor().Centroids : none, table.IsSigned, assured });
+  SkdRemappedField mapped =
+    this->MapShares({ density, table.Rows, table.Columns, table.Measures, slopes,
+      isTurned ? this->Weights.GetDonor().Centroids : none, table.IsSigned, bounds, limiter });
   this->AddDonor(density, slopes, mapped);
   return mapped;
 }
@@ -399,9 +441,9 @@ SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
   const SkdOverlapPointTable& table, const std::vector<skd::Vector3>& points) const
 {
   const std::vector<skd::Vector3> none;
-  SkdRemappedField mapped =
-    this->MapShares({ field, table.Rows, table.Columns, table.Weights, Gradients(),
-      this->IsReversed(field) ? points : none, table.IsSigned, std::vector<SkdCellRanges>() });
+  SkdRemappedField mapped = this->MapShares({ field, table.Rows, table.Columns, table.Weights,
+    Gradients(), this->IsReversed(field) ? points : none, table.IsSigned,
+    std::vector<SkdCellRanges>(), SkdLimiter::None });
   const auto valueOf = [&](vtkIdType point, std::size_t c)
   {
     const bool counts = field.Counts[static_cast<std::size_t>(point)] != 0;

@@ -87,6 +87,9 @@ private:
     const SkdCellRanges& ranges, std::vector<skd::Vector3>& slopes) const;
   void LimitInOverlaps(const SkdDonorField& density, int component, const SkdCellRanges& ranges,
     std::vector<skd::Vector3>& slopes) const;
+  void LimitUncovered(const SkdDonorField& density, int component,
+    const SkdDonorGradients& gradients, const SkdCellRanges& ranges,
+    std::vector<skd::Vector3>& slopes) const;
   double FactorOf(const Shares& shares, std::size_t target, double covered) const;
   void AssureSum(const Shares& shares, const std::vector<double>& covered,
     const SkdCellRanges& ranges, std::size_t component, SkdRemappedField& mapped) const;

@@ -19,6 +19,17 @@ skd::Vector3 Times(const std::array<double, 6>& m, const skd::Vector3& v)
     m[2] * v[0] + m[4] * v[1] + m[5] * v[2] } };
 }
 
+/// Two directions across one that are across each other.
+std::array<skd::Vector3, 2> AxesAcross(const skd::Vector3& direction)
+{
+  const int axis = std::abs(direction[0]) < std::abs(direction[1]) ? 0 : 1;
+  skd::Vector3 aside{ { 0.0, 0.0, 0.0 } };
+  aside[axis] = 1.0;
+  const skd::Vector3 first = skd::Cross(aside, direction);
+  const skd::Vector3 second = skd::Cross(direction, first);
+  return { (1.0 / skd::Norm(first)) * first, (1.0 / skd::Norm(second)) * second };
+}
+
 /// The inverse on the space that the matrix spans, 0 across it: cells of a surface, or of a layer
 /// one cell thick, have no gradient across.
 std::array<double, 6> PseudoInverse(const std::array<double, 6>& m)
@@ -126,25 +137,15 @@ skd::Vector3 SkdDonorGradients::StepTo(vtkIdType cell, const skd::Vector3& x) co
   return step - skd::Dot(step, this->Normal) * this->Normal;
 }
 
-skd::Vector3 SkdDonorGradients::StepTo(
-  vtkIdType cell, const skd::Vector3& x, bool isTangential) const
-{
-  const skd::Vector3& centroid = this->Centroids[static_cast<std::size_t>(cell)];
-  const skd::Vector3 step = this->StepTo(cell, x);
-  return isTangential ? step - (skd::Dot(step, centroid) / skd::Norm2(centroid)) * centroid : step;
-}
-
 template <class Wanted>
-SkdDonorGradients::Matrix SkdDonorGradients::Invert(
-  vtkIdType cell, bool isTangential, const Wanted& isWanted) const
+SkdDonorGradients::Matrix SkdDonorGradients::Invert(vtkIdType cell, const Wanted& isWanted) const
 {
   Matrix sum{};
   const auto at = static_cast<std::size_t>(cell);
   for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
   {
     const vtkIdType other = this->Neighbours[k];
-    const skd::Vector3 d =
-      this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)], isTangential);
+    const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
     const double length2 = skd::Norm2(d);
     if (isWanted(other) && length2 > 0.0)
     {
@@ -160,22 +161,16 @@ SkdDonorGradients::Matrix SkdDonorGradients::Invert(
 
 void SkdDonorGradients::InvertAll()
 {
-  const auto isAny = [](vtkIdType) { return true; };
   this->Inverses.resize(this->Measures.size());
-  this->Tangential.resize(this->IsOnSphere ? this->Measures.size() : 0);
   SkdForEach(this->Inverses.size(),
-    [&](std::size_t cell)
+    [this](std::size_t cell)
     {
-      this->Inverses[cell] = this->Invert(static_cast<vtkIdType>(cell), false, isAny);
-      if (this->IsOnSphere)
-      {
-        this->Tangential[cell] = this->Invert(static_cast<vtkIdType>(cell), true, isAny);
-      }
+      this->Inverses[cell] =
+        this->Invert(static_cast<vtkIdType>(cell), [](vtkIdType) { return true; });
     });
 }
 
-skd::Vector3 SkdDonorGradients::Fit(
-  vtkIdType cell, const SkdDonorField& field, int component, bool isTangential) const
+skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, int component) const
 {
   const auto at = static_cast<std::size_t>(cell);
   const auto counts = [&](vtkIdType other)
@@ -186,8 +181,7 @@ skd::Vector3 SkdDonorGradients::Fit(
   for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
   {
     const vtkIdType other = this->Neighbours[k];
-    const skd::Vector3 d =
-      this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)], isTangential);
+    const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
     const double length2 = skd::Norm2(d);
     isWhole = isWhole && counts(other);
     if (counts(other) && length2 > 0.0)
@@ -195,8 +189,40 @@ skd::Vector3 SkdDonorGradients::Fit(
       right = right + ((field.Get(other, component) - here) / length2) * d;
     }
   }
-  const std::vector<Matrix>& inverses = isTangential ? this->Tangential : this->Inverses;
-  return Times(isWhole ? inverses[at] : this->Invert(cell, isTangential, counts), right);
+  return Times(isWhole ? this->Inverses[at] : this->Invert(cell, counts), right);
+}
+
+// In two axes across the centroid's direction. Neighbours in one line have no gradient aside of it.
+skd::Vector3 SkdDonorGradients::FitTangential(
+  vtkIdType cell, const SkdDonorField& field, int component) const
+{
+  const auto at = static_cast<std::size_t>(cell);
+  const auto axes = AxesAcross(this->Centroids[at]);
+  const double here = field.Get(cell, component);
+  double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0;
+  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  {
+    const auto other = static_cast<std::size_t>(this->Neighbours[k]);
+    const skd::Vector3 step = this->Centroids[other] - this->Centroids[at];
+    const double u = skd::Dot(step, axes[0]), v = skd::Dot(step, axes[1]);
+    const double length2 = u * u + v * v;
+    if (field.Counts[other] != 0 && length2 > 0.0)
+    {
+      const double change = (field.Get(this->Neighbours[k], component) - here) / length2;
+      xx += u * u / length2;
+      xy += u * v / length2;
+      yy += v * v / length2;
+      x += change * u;
+      y += change * v;
+    }
+  }
+  const double trace = xx + yy, area = xx * yy - xy * xy;
+  if (!(area > remap_tolerances::Flatness * trace * trace))
+  {
+    const double by = trace > 0.0 ? 1.0 / (trace * trace) : 0.0;
+    return (by * (xx * x + xy * y)) * axes[0] + (by * (xy * x + yy * y)) * axes[1];
+  }
+  return ((yy * x - xy * y) / area) * axes[0] + ((xx * y - xy * x) / area) * axes[1];
 }
 
 SkdCellRanges SkdDonorGradients::FindRanges(const SkdDonorField& field, int component) const
@@ -251,8 +277,9 @@ void SkdDonorGradients::Limit(const SkdDonorField& field, int component,
     });
 }
 
+template <class Fitting>
 std::vector<skd::Vector3> SkdDonorGradients::FitAll(
-  const SkdDonorField& field, int component, bool isTangential) const
+  const SkdDonorField& field, const Fitting& fit) const
 {
   std::vector<skd::Vector3> gradients(this->Measures.size(), skd::Vector3{ { 0.0, 0.0, 0.0 } });
   SkdForEach(gradients.size(),
@@ -261,8 +288,25 @@ std::vector<skd::Vector3> SkdDonorGradients::FitAll(
       const auto cell = static_cast<vtkIdType>(at);
       if (this->Has(cell) && field.Counts[at] != 0)
       {
-        gradients[at] = this->Fit(cell, field, component, isTangential);
+        gradients[at] = fit(cell);
       }
     });
   return gradients;
+}
+
+std::vector<skd::Vector3> SkdDonorGradients::Find(const SkdDonorField& field, int component) const
+{
+  return this->FitAll(field, [&](vtkIdType cell) { return this->Fit(cell, field, component); });
+}
+
+std::vector<skd::Vector3> SkdDonorGradients::FindTangential(
+  const SkdDonorField& field, int component, const std::vector<char>& wanted) const
+{
+  const skd::Vector3 none{ { 0.0, 0.0, 0.0 } };
+  return this->FitAll(field,
+    [&](vtkIdType cell)
+    {
+      const bool isWanted = wanted[static_cast<std::size_t>(cell)] != 0;
+      return isWanted ? this->FitTangential(cell, field, component) : none;
+    });
 }

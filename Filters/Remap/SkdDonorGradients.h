@@ -26,7 +26,7 @@ using SkdCellRanges = std::vector<SkdCellRange>; // of each cell
 /// of the distances. Exact for fields that are linear in x, y and z, at a border, too. On a sphere
 /// that holds as well: the part of the gradient across it stands for how the field bends along it,
 /// alike in all directions, for centroids lie the deeper the farther they are. Where a field jumps
-/// that part is as large as cells are flat: tangential gradients are without it. Points of equal
+/// that part is out of proportion: tangential gradients are without it. Points of equal
 /// coordinates count as one. Constant once made.
 class SkdDonorGradients
 {
@@ -39,15 +39,11 @@ public:
   bool AreOnSphere() const { return this->IsOnSphere; }
 
   /// One a cell, of one component; zero of cells that do not count or have no measure. In parallel.
-  std::vector<skd::Vector3> Find(const SkdDonorField& field, int component) const
-  {
-    return this->FitAll(field, component, false);
-  }
-  /// The same along the sphere.
-  std::vector<skd::Vector3> FindTangential(const SkdDonorField& field, int component) const
-  {
-    return this->FitAll(field, component, true);
-  }
+  std::vector<skd::Vector3> Find(const SkdDonorField& field, int component) const;
+
+  /// The same along the sphere, of cells that are wanted; zero of others.
+  std::vector<skd::Vector3> FindTangential(
+    const SkdDonorField& field, int component, const std::vector<char>& wanted) const;
 
   /// In parallel.
   SkdCellRanges FindRanges(const SkdDonorField& field, int component) const;
@@ -64,13 +60,12 @@ private:
   void FindNeighbours(vtkIdType numberOfPoints);
   void InvertAll();
   skd::Vector3 StepTo(vtkIdType cell, const skd::Vector3& x) const;
-  skd::Vector3 StepTo(vtkIdType cell, const skd::Vector3& x, bool isTangential) const;
   template <class Wanted>
-  Matrix Invert(vtkIdType cell, bool isTangential, const Wanted& isWanted) const;
-  skd::Vector3 Fit(
-    vtkIdType cell, const SkdDonorField& field, int component, bool isTangential) const;
-  std::vector<skd::Vector3> FitAll(
-    const SkdDonorField& field, int component, bool isTangential) const;
+  Matrix Invert(vtkIdType cell, const Wanted& isWanted) const;
+  skd::Vector3 Fit(vtkIdType cell, const SkdDonorField& field, int component) const;
+  skd::Vector3 FitTangential(vtkIdType cell, const SkdDonorField& field, int component) const;
+  template <class Fitting>
+  std::vector<skd::Vector3> FitAll(const SkdDonorField& field, const Fitting& fit) const;
   double ShareWithin(
     vtkIdType cell, double here, const SkdCellRange& range, const skd::Vector3& gradient) const;
   bool Has(vtkIdType cell) const { return this->Measures[static_cast<std::size_t>(cell)] > 0.0; }
@@ -85,7 +80,6 @@ private:
   std::vector<std::size_t> FirstNeighbour;
   std::vector<vtkIdType> Neighbours; // ascending, without the cell itself
   std::vector<Matrix> Inverses;      // of the least squares of all neighbours
-  std::vector<Matrix> Tangential;    // the same along a sphere
 };
 
 #endif
