@@ -363,20 +363,10 @@ void vtkSkdTreeRemap::Internals::WarnAboutFields() const
   std::set<std::string> refused = this->Refused;
   refused.insert(problems.Refused.begin(), problems.Refused.end());
   SkdWarnAboutRefused(this->Self, refused);
-  for (const std::string& name : problems.NotNumbers)
+  for (const std::string& warning :
+    problems.GetWarnings(this->Settings.Fields.Missing, this->Method != INTERPOLATION))
   {
-    this->Warn("Source's array " + name + " is left out: it is not of numbers.");
-  }
-  for (const std::string& name : problems.Missing)
-  {
-    this->Warn("Source has no array " + name + " of numbers in all its blocks.");
-  }
-  if (problems.NaNs > 0 && this->Method != INTERPOLATION)
-  {
-    this->Warn(std::to_string(problems.NaNs) + " values of Source are NaN or missing: " +
-      (this->Settings.Fields.Missing == SkdMissingValues::Mask
-          ? "they do not count. Set MissingValues to let them spread."
-          : "what has a share of them is NaN."));
+    this->Warn(warning);
   }
 }
 

@@ -11,8 +11,11 @@
  *
  * Meshes are curves, surfaces in a plane, surfaces on a sphere about the origin, or volumes, see
  * SetGeometry. On a sphere edges are arcs of great circles or, by choice, run along meridians and
- * parallels; poles and the date line are ordinary; points count by their directions. A polygon is the
- * smaller of the parts that its edges divide: any simple one up to a hemisphere.
+ * parallels; poles and the date line are ordinary; points count by their directions. A polygon is
+ * the smaller of the two parts that its edges divide the sphere into: any simple one up to a
+ * hemisphere. One larger than an eighth of the sphere that is ordered the other way round than the
+ * mesh's cells are (clockwise, seen from outside, if it is the only one) is larger than a
+ * hemisphere: it has no part in it, with a warning that names it.
  *
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further
@@ -46,9 +49,9 @@
  *
  * Bad input: arrays of strings are left out, by name, with a warning, as those are whose name is in
  * use if RenameTakenArrays is off. Meshes that have nothing in common, cells of another dimension,
- * degenerate ones (these have no part in it), and cells of one mesh that overlap each other (a
- * coverage above one) are warned of, with their number. Concave cells are cut into convex ones.
- * Cells with points that are not finite count as empty.
+ * degenerate ones (these have no part in it), polygons that cross themselves, and cells of one mesh
+ * that overlap each other (a coverage above one) are warned of, with their number. Concave cells
+ * are cut into convex ones. Cells with points that are not finite count as empty.
  *
  * @sa
  * vtkSkdTreeProbe vtkSkdTreeCellLocator
@@ -233,9 +236,12 @@ public:
    * CLIP_AND_ASSURED_SUM: gradients are as without a limiter. Results beyond the averages around
    * the source cells that they are made of are clipped, and what that takes from the integral over
    * the block, or adds to it, is shared out among the results by the room that they have
-   * (A. M. Bradley et al., SIAM J. Sci. Comput. 41, 2019). Sharper where fields jump. Of several
-   * processes each does so for its part of Input.
-   * With either results are within these bounds to rounding, and integrals are kept.
+   * (A. M. Bradley et al., SIAM J. Sci. Comput. 41, 2019). Sharper where fields jump. Gradients of
+   * source cells that are covered in part are limited as above, so that there is enough room. Of
+   * several processes each does so for its part of Input.
+   * With either results are within these bounds, and integrals are kept to rounding; where
+   * MinimumCoverage leaves cells out bounds go before integrals. Vectors that are turned on a
+   * sphere have limits of their components before they are turned, or none (CLIP_AND_ASSURED_SUM).
    */
   vtkSkdTreeChoiceMacro(Limiter, NO_LIMITER, CLIP_AND_ASSURED_SUM);
   //@}

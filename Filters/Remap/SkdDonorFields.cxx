@@ -73,6 +73,34 @@ bool IsForUse(vtkDataSetAttributes* data, vtkAbstractArray* array)
 }
 }
 
+std::vector<std::string> SkdFieldProblems::GetWarnings(
+  SkdMissingValues missing, bool countsNaNs) const
+{
+  std::vector<std::string> warnings;
+  for (const std::string& name : this->NotNumbers)
+  {
+    warnings.push_back("Source's array " + name + " is left out: it is not of numbers.");
+  }
+  for (const std::string& name : this->Missing)
+  {
+    warnings.push_back("Source has no array " + name + " of numbers in all its blocks.");
+  }
+  for (const std::string& name : this->Empty)
+  {
+    warnings.push_back("No value of Source's array " + name +
+      " counts: all are NaN, missing, masked or of ghosts, and so are its results NaN. Look at "
+      "MaskArray and MissingValue.");
+  }
+  if (this->NaNs > 0 && countsNaNs)
+  {
+    warnings.push_back(std::to_string(this->NaNs) + " values of Source are NaN or missing: " +
+      (missing == SkdMissingValues::Mask
+          ? "they do not count. Set MissingValues to let them spread."
+          : "what has a share of them is NaN."));
+  }
+  return warnings;
+}
+
 std::vector<SkdDonorField> SkdReadDonorFields(
   vtkDataSet* donor, int type, const SkdFieldRules& rules, SkdFieldProblems& problems)
 {
@@ -102,6 +130,12 @@ std::vector<SkdDonorField> SkdReadDonorFields(
       (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
     field.Counts = counts;
     ReadValues(array, rules, field, problems);
+    const bool isEmpty =
+      std::find(field.Counts.begin(), field.Counts.end(), 1) == field.Counts.end();
+    if (n > 0 && isEmpty)
+    {
+      problems.Empty.insert(field.Name);
+    }
     fields.push_back(std::move(field));
   }
   return fields;

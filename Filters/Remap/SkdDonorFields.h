@@ -68,7 +68,11 @@ struct SkdFieldProblems
   std::set<std::string> NotNumbers; ///< arrays of strings and the like
   std::set<std::string> Refused;    ///< whose names are in use
   std::set<std::string> Missing;    ///< named in the rules, and not there
+  std::set<std::string> Empty;      ///< no value of which counts
   vtkIdType NaNs = 0;               ///< tuples that are, or that count as such
+
+  /// What to warn of besides names in use, with what to do.
+  std::vector<std::string> GetWarnings(SkdMissingValues missing, bool countsNaNs) const;
 };
 
 /// The arrays of a mesh's points or cells (vtkDataObject's type) but ghost marks and ids, in their

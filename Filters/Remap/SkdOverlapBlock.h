@@ -32,9 +32,18 @@ struct SkdOverlapPiece
   skd::Moments Own;                   ///< about the reference, without the sign
 };
 
+/// What is known of a polygon by its outline.
+struct SkdPolygonMark
+{
+  std::int8_t Turn = 0; ///< on a sphere 1 if counter-clockwise as it was given, seen from outside
+  bool IsLarge = false; ///< more than an eighth of the sphere
+  bool CrossesItself = false;
+};
+
 /// Some cells that follow each other.
 struct SkdOverlapBlock
 {
+  std::vector<SkdPolygonMark> Marks;     ///< of each cell
   std::vector<std::uint32_t> FirstPiece; ///< of each cell, and one more
   std::vector<SkdOverlapPiece> Pieces;
   std::vector<skd::Vector3> Corners;

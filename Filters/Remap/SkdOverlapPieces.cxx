@@ -71,7 +71,7 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
   };
   const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
   loop.SetTotal(blocks);
-  return loop.For(blocks,
+  const bool isDone = loop.For(blocks,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkNew<vtkGenericCell> scratch;
@@ -80,6 +80,45 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
         readBlock(static_cast<std::uint32_t>(i), { data, scratch });
       }
     });
+  if (isDone)
+  {
+    this->FindFaults();
+  }
+  return isDone;
+}
+
+//------------------------------------------------------------------------------
+// A mesh is ordered one way, seen from outside the sphere counter-clockwise if there is no telling:
+// a large cell that is ordered the other way round is what is left of the sphere. Of small cells
+// that would be nearly all of it.
+void SkdOverlapPieces::FindFaults()
+{
+  const auto markOf = [&](std::uint32_t cell)
+  { return this->BlockOf(cell).Marks[cell % BlockSize]; };
+  vtkIdType turns = 0;
+  for (std::uint32_t cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    turns += markOf(cell).Turn;
+  }
+  const int unusual = turns < -1 ? 1 : -1;
+  for (std::uint32_t cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    const SkdPolygonMark mark = markOf(cell);
+    if (mark.CrossesItself)
+    {
+      this->Crossing.push_back(this->IdOf(cell));
+    }
+    if (mark.IsLarge && mark.Turn == unusual)
+    {
+      this->TooLarge.push_back(this->IdOf(cell));
+      this->Bounds[cell] = {};
+      const Range range = this->PiecesOf(cell);
+      for (std::uint32_t i = range.First; i < range.Last; ++i)
+      {
+        this->Blocks[cell / BlockSize].Pieces[i].Own = {};
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -124,4 +163,9 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells&
       --cells.LeftOut;
     }
   }
+  cells.LeftOut -= static_cast<vtkIdType>(this->TooLarge.size());
+  cells.LeftOut -= std::count_if(this->Crossing.begin(), this->Crossing.end(),
+    [&](vtkIdType id) { return cells.Measures[static_cast<std::size_t>(id)] == 0.0; });
+  cells.TooLarge = this->TooLarge;
+  cells.Crossing = this->Crossing;
 }

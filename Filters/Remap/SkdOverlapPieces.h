@@ -73,6 +73,8 @@ public:
 private:
   static constexpr std::uint32_t BlockSize = 1024;
 
+  void FindFaults();
+
   vtkIdType NumberOfAllCells = 0;
   std::vector<vtkIdType> Ids;
   std::vector<skd::Box3> Bounds;
@@ -80,6 +82,8 @@ private:
   skd::Moments MomentsOf(std::uint32_t cell, const skd::Vector3& reference) const;
 
   std::vector<SkdOverlapBlock> Blocks;
+  std::vector<vtkIdType> Crossing;
+  std::vector<vtkIdType> TooLarge;
   std::vector<double> Measures;
   std::vector<skd::Vector3> Centres;
 };

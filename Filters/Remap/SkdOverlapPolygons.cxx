@@ -155,6 +155,66 @@ Vector3 FindApex(const Corners& corners, double area)
   return best;
 }
 
+/// Whether edges cross each other, in the inside of both and by more than rounding. The side of c
+/// as seen from a to b is side(a, b, c).
+template <class Side>
+bool CrossesItself(std::size_t size, const Side& side)
+{
+  for (std::size_t a = 0; a + 2 < size; ++a)
+  {
+    const std::size_t b = a + 1;
+    for (std::size_t c = a + 2; c < (a == 0 ? size - 1 : size); ++c)
+    {
+      const std::size_t d = (c + 1) % size;
+      const int first = side(a, b, c);
+      if (first != 0 && side(a, b, d) == -first && side(c, d, a) == -first &&
+        side(c, d, b) == first)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The sign of a product of sines, 0 if rounding may have made it.
+int SignOf(double product, double length2, double otherLength2)
+{
+  const double rounding = remap_tolerances::StraightAngle * std::sqrt(length2 * otherLength2);
+  return product > rounding ? 1 : product < -rounding ? -1 : 0;
+}
+
+bool CrossesItselfInFrame(const std::vector<Vector3>& seen)
+{
+  return CrossesItself(seen.size(),
+    [&](std::size_t a, std::size_t b, std::size_t c)
+    {
+      const Vector3 u = seen[b] - seen[a], v = seen[c] - seen[a];
+      return SignOf(Cross(u, v)[2], Norm2(u), Norm2(v));
+    });
+}
+
+template <class Corners>
+bool CrossesItselfOnSphere(const Corners& corners)
+{
+  return CrossesItself(corners.size(),
+    [&](std::size_t a, std::size_t b, std::size_t c)
+    {
+      const Vector3 u = corners[b].X - corners[a].X, v = corners[c].X - corners[a].X;
+      return SignOf(Dot(corners[a].X, Cross(u, v)), Norm2(u), Norm2(v));
+    });
+}
+
+/// Whether there are neighbours between which many arcs run.
+template <class Corners>
+bool HasOpposites(const Corners& corners)
+{
+  const auto isOpposite = [](const auto& a, const auto& b)
+  { return Norm(a.X + b.X) < remap_tolerances::OppositeCorners; };
+  return isOpposite(corners.front(), corners.back()) ||
+    std::adjacent_find(corners.begin(), corners.end(), isOpposite) != corners.end();
+}
+
 /// Of corners in a frame, counter-clockwise as a whole.
 bool IsConvex(const std::vector<Vector3>& seen)
 {
@@ -194,6 +254,29 @@ void SkdOverlapReader::AddSegment(const Corner& a, const Corner& b)
 }
 
 //------------------------------------------------------------------------------
+// The points that were seen, all of a cell. Of the two parts of a sphere that a polygon may be the
+// smaller one is read: how it was ordered tells later if that was right.
+void SkdOverlapReader::AddWholePolygon()
+{
+  const bool isSphere = this->Ground.GetSpace() == SkdOverlapSpace::Sphere;
+  const std::size_t first = this->Block.Pieces.size();
+  this->Mark.Turn = isSphere ? 1 : 0;
+  this->AddPolygon(this->Seen);
+  double area = 0.0;
+  for (std::size_t i = first; i < this->Block.Pieces.size(); ++i)
+  {
+    area += this->Block.Pieces[i].Sign * this->Block.Pieces[i].Own.Measure;
+  }
+  this->Mark.IsLarge = isSphere && area > 0.5 * HalfTurn * (1.0 + remap_tolerances::CoverGap);
+}
+
+void SkdOverlapReader::Reverse(Corners& corners)
+{
+  std::reverse(corners.begin(), corners.end());
+  this->Mark.Turn = static_cast<std::int8_t>(-this->Mark.Turn);
+}
+
+//------------------------------------------------------------------------------
 // A polygon on the sphere is the smaller part of what its edges divide, one in the plane is what it
 // encloses: either is then counter-clockwise.
 void SkdOverlapReader::AddPolygon(Corners& corners)
@@ -219,7 +302,7 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   {
     if (Dot(area, middle) < 0.0)
     {
-      std::reverse(corners.begin(), corners.end());
+      this->Reverse(corners);
     }
   }
   else
@@ -254,10 +337,12 @@ void SkdOverlapReader::AddLarge(Corners& corners)
   const double area = AreaOnLeft(corners);
   if (area > HalfTurn * 2.0 * (1.0 + remap_tolerances::StraightAngle))
   {
-    std::reverse(corners.begin(), corners.end());
+    this->Reverse(corners);
   }
   const Vector3 apex = FindApex(corners, std::min(area, 4.0 * HalfTurn - area));
-  if (!(Norm2(apex) > 0.0))
+  this->Mark.CrossesItself =
+    !(Norm2(apex) > 0.0) || HasOpposites(corners) || CrossesItselfOnSphere(corners);
+  if (this->Mark.CrossesItself)
   {
     return;
   }
@@ -300,6 +385,10 @@ void SkdOverlapReader::AddSplit(const Corners& corners, std::int8_t sign)
   const Corners edge{ corners[longest], corners[(longest + 1) % 3] };
   const Corner& tip = corners[(longest + 2) % 3];
   const Vector3 sum = edge[0].X + edge[1].X;
+  if (!(Norm2(sum) > 0.0))
+  {
+    return; // of opposite ends any point is in the middle
+  }
   const Corner middle{ (1.0 / Norm(sum)) * sum,
     this->Reading.IntoSimplices ? this->AddMeanOf(edge) : -1 };
   this->AddPiece<skd::SphericalFrame>({ edge[0], middle, tip }, sign);
@@ -319,7 +408,7 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
   }
   if (this->Ground.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(seen) < 0.0)
   {
-    std::reverse(corners.begin(), corners.end());
+    this->Reverse(corners);
     std::reverse(seen.begin(), seen.end());
   }
   const bool isTriangle = corners.size() == 3;
@@ -340,6 +429,7 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
     }
     return;
   }
+  this->Mark.CrossesItself = this->Mark.CrossesItself || CrossesItselfInFrame(seen);
   skd::EarClipping<std::vector<Vector3>> ears(seen, static_cast<int>(seen.size()));
   ears.ForEachTriangle(
     [&](int a, int b, int c)

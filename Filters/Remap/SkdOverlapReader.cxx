@@ -43,6 +43,13 @@ void SkdOverlapReader::Gather(std::uint32_t cell)
 //------------------------------------------------------------------------------
 void SkdOverlapReader::Read(std::uint32_t cell)
 {
+  this->Mark = {};
+  this->AddPieces(cell);
+  this->Block.Marks.push_back(this->Mark);
+}
+
+void SkdOverlapReader::AddPieces(std::uint32_t cell)
+{
   const SkdShape shape = this->Tree.Cells().ShapeOf(cell);
   const SkdOverlapSpace space = this->Ground.GetSpace();
   const bool isSurface = space == SkdOverlapSpace::Plane || space == SkdOverlapSpace::Sphere;
@@ -64,7 +71,7 @@ void SkdOverlapReader::Read(std::uint32_t cell)
     case SkdShape::Polygon:
       if (isSurface)
       {
-        this->AddPolygon(this->Seen);
+        this->AddWholePolygon();
       }
       return;
     case SkdShape::Tetrahedron:

@@ -29,7 +29,7 @@ public:
   {
   }
 
-  /// Adds the pieces of a cell: none of one that has no extent, or another dimension.
+  /// Adds the pieces of a cell, none of one that has no extent, or another dimension, and its mark.
   void Read(std::uint32_t cell);
 
 private:
@@ -40,6 +40,7 @@ private:
   };
   using Corners = std::vector<Corner>;
 
+  void AddPieces(std::uint32_t cell);
   void Gather(std::uint32_t cell);
   void ReadSimplices(std::uint32_t cell);
   void AddSimplices();
@@ -73,7 +74,9 @@ private:
   ///@{
   /// SkdOverlapPolygons.cxx
   void AddSegment(const Corner& a, const Corner& b);
+  void AddWholePolygon();
   void AddPolygon(Corners& corners);
+  void Reverse(Corners& corners);
   bool AddLonLat(const Corners& corners);
   void AddLonLatPieces(const skd::LonLatCell& whole);
   void AddLarge(Corners& corners);
@@ -103,6 +106,7 @@ private:
   const SkdOverlapSurface& Ground;
   const SkdOverlapReading& Reading;
   SkdOverlapBlock& Block;
+  SkdPolygonMark Mark;            ///< of the cell
   Corners Seen;                   ///< the cell's points, on the ground
   std::vector<skd::Vector3> Flat; ///< a polygon's corners in its frame
   skd::SimplexSet Simplices;

@@ -50,7 +50,9 @@ struct SkdOverlapCells
   std::vector<double> Covered;         ///< the sum of a cell's overlaps
   /// Of a donor, the sum of their moments (SkdOverlapTable): nothing of a cell that is all covered.
   std::vector<skd::Vector3> CoveredMoments;
-  vtkIdType LeftOut = 0; ///< not finite, empty, ghosts, of another dimension
+  vtkIdType LeftOut = 0;           ///< not finite, empty, ghosts, of another dimension
+  std::vector<vtkIdType> TooLarge; ///< polygons larger than a hemisphere, left out as well
+  std::vector<vtkIdType> Crossing; ///< polygons that cross themselves
 };
 
 /// Rows of target cells, columns of donor points, ascending (CSR): the integral over the target

@@ -4,18 +4,46 @@
 
 #include "Pipeline/SkdReport.h"
 
+namespace
+{
+/// Nothing if there are none.
+void NameFaulty(const SkdFaultyCells& cells, const std::string& mesh, const char* fault,
+  std::vector<std::string>& warnings)
+{
+  if (cells.Count > 0)
+  {
+    warnings.push_back(std::to_string(cells.Count) + " polygons of " + mesh + " (the first: cell " +
+      std::to_string(cells.First) + ") " + fault);
+  }
+}
+
+constexpr const char* TooLarge =
+  "are larger than a hemisphere, by the order of their corners: they have no part in it. Divide "
+  "them, or reverse the order if the smaller part of the sphere is meant.";
+constexpr const char* Crossing =
+  "cross themselves, or their corners are opposite to each other: what they enclose is counted by "
+  "the sense of their outline, or not at all. Mend them.";
+}
+
 std::vector<std::string> SkdRemapFindings::GetWarnings() const
 {
   if (!this->Problem.empty())
   {
     return { this->Problem };
   }
-  if (this->WeightsFound > 0 && this->Overlaps == 0)
+  std::vector<std::string> warnings;
+  NameFaulty(this->SourceTooLarge, "Source", TooLarge, warnings);
+  NameFaulty(this->InputTooLarge, "Input", TooLarge, warnings);
+  NameFaulty(this->SourceCrossing, "Source", Crossing, warnings);
+  NameFaulty(this->InputCrossing, "Input", Crossing, warnings);
+  if (this->WeightsFound > 0 && this->Overlaps == 0 && warnings.empty())
   {
-    return { "Input and Source have nothing in common: no cell gets a value. Look at the bounds of "
-             "both, and at Geometry and SourceCoordinates." };
+    warnings.emplace_back(
+      "Input and Source have nothing in common: no cell gets a value. Look at the bounds of both, "
+      "and at Geometry and SourceCoordinates.");
+    return warnings;
   }
-  return SkdFaultsOf({
+  const std::vector<std::string> others = SkdFaultsOf({
     { this->SourceLeftOut,
       " cells of Source have no part in it: they are degenerate, not finite, ghosts or of another "
       "dimension." },
@@ -32,4 +60,6 @@ std::vector<std::string> SkdRemapFindings::GetWarnings() const
       " cells of Source are covered more than once: cells of Input overlap each other, so the "
       "integral over Input is too large." },
   });
+  warnings.insert(warnings.end(), others.begin(), others.end());
+  return warnings;
 }

@@ -8,6 +8,19 @@
 #include <string>
 #include <vector>
 
+/// Cells that have a fault.
+struct SkdFaultyCells
+{
+  vtkIdType Count = 0;
+  vtkIdType First = 0;
+
+  void Add(const std::vector<vtkIdType>& ids)
+  {
+    this->First = this->Count == 0 && !ids.empty() ? ids.front() : this->First;
+    this->Count += static_cast<vtkIdType>(ids.size());
+  }
+};
+
 /// What a run came upon.
 struct SkdRemapFindings
 {
@@ -17,6 +30,7 @@ struct SkdRemapFindings
   vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
   vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
   vtkIdType Unfit = 0; ///< cells of a type that contains nothing
+  SkdFaultyCells SourceTooLarge, InputTooLarge, SourceCrossing, InputCrossing;
   vtkIdType Overlaps = 0;
   int WeightsFound = 0; ///< for how many blocks they were not kept
 

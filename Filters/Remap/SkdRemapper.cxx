@@ -204,6 +204,12 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
   this->Findings.Overlaps += static_cast<vtkIdType>(weights.GetTable().Columns.size());
   this->Findings.WeightsFound += isNew ? 1 : 0;
   this->Findings.SourceLeftOut = donor.LeftOut;
+  this->Findings.SourceTooLarge = {};
+  this->Findings.SourceCrossing = {};
+  this->Findings.SourceTooLarge.Add(donor.TooLarge);
+  this->Findings.SourceCrossing.Add(donor.Crossing);
+  this->Findings.InputTooLarge.Add(weights.GetTarget().TooLarge);
+  this->Findings.InputCrossing.Add(weights.GetTarget().Crossing);
   this->Findings.InputLeftOut += weights.GetTarget().LeftOut;
   for (std::size_t i = 0; i < donor.Measures.size(); ++i)
   {

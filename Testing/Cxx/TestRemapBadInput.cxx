@@ -134,6 +134,37 @@ TEST(RemapBadInput, ConcaveCellsAreCut)
   EXPECT_NEAR(Reported(remap, "TargetIntegral"), 3.0, 1e-14);
 }
 
+TEST(RemapBadInput, ArraysOfWhichNothingCountsAreNamed)
+{
+  const auto source = Ones(2, 0.0);
+  WithCellArray(source, "mask", { 0, 0, 0, 0 });
+  RemapPointer remap =
+    MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), source, Remap::CONSERVATIVE_SECOND_ORDER);
+  remap->SetMaskArray("mask");
+  EXPECT_NE(WarningOf(remap).find("No value of Source's array f counts"), std::string::npos);
+  EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[3]));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto blank = WithCellArray(Ones(1, 0.0), "f", { nan });
+  for (const int method :
+    { Remap::AUTOMATIC_METHOD, Remap::CONTAINED, Remap::CONSERVATIVE_SECOND_ORDER })
+  {
+    remap = MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), blank, method);
+    const EventCounter events(remap);
+    EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
+    EXPECT_EQ(events.Warnings, 2); // and that 1 value is NaN
+  }
+}
+
+TEST(RemapBadInput, CellsThatCrossThemselvesAreNamed)
+{
+  Mesh mesh = Sheet(2, VTK_QUAD);
+  std::swap(mesh.Cells[2].Points[1], mesh.Cells[2].Points[2]);
+  RemapPointer remap = MakeRemap(MakePolyData(mesh), Ones(2, 0.0), Remap::CONSERVATIVE_FIRST_ORDER);
+  const std::string warning = WarningOf(remap);
+  EXPECT_NE(warning.find("polygons of Input (the first: cell 2) cross"), std::string::npos)
+    << warning;
+}
+
 TEST(RemapBadInput, EmptyInputsGiveEmptyOutputs)
 {
   for (int method = Remap::AUTOMATIC_METHOD; method <= Remap::CONSERVATIVE_SECOND_ORDER; ++method)

@@ -3,6 +3,7 @@
 // vtkSkdTreeRemap of polygons on a sphere that are large, have many corners, or wind about it: any
 // simple one up to a hemisphere.
 
+#include "Support/EventCounter.h"
 #include "Support/RemapRun.h"
 #include "Support/SphereMeshes.h"
 
@@ -113,6 +114,21 @@ struct Band
   }
 };
 
+/// The warning of a remap from a mesh to a sphere, all of whose cells are NaN if there is nothing.
+std::string WarningOf(const GridPointer& source, double expectedArea)
+{
+  WithCellArray(
+    source, "c", std::vector<double>(static_cast<std::size_t>(source->GetNumberOfCells()), 1.0));
+  const RemapPointer remap =
+    MakeRemap(MakeGrid(CubedSphere(4)), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->SetGeometry(Remap::SPHERE);
+  const EventCounter events(remap);
+  const std::vector<double> values = RemappedCells(remap, "c");
+  EXPECT_NEAR(Reported(remap, "TargetIntegral"), expectedArea, 1e-12);
+  EXPECT_EQ(expectedArea == 0.0,
+    std::all_of(values.begin(), values.end(), [](double x) { return std::isnan(x); }));
+  return events.Warning;
+}
 }
 
 TEST(RemapSpherePolygons, RegularOnesUpToAHemisphere)
@@ -132,7 +148,7 @@ TEST(RemapSpherePolygons, RegularOnesUpToAHemisphere)
         area += TriangleArea(
           middle, outline.back(), At(middle, radius, 2.0 * HalfTurn * (i + 1) / corners));
       }
-      if (corners % 2 == 1)
+      if (corners % 2 == 1 && radius < 0.5)
       {
         std::reverse(outline.begin(), outline.end());
       }
@@ -144,6 +160,58 @@ TEST(RemapSpherePolygons, RegularOnesUpToAHemisphere)
       }
     }
   }
+}
+
+/// The order of corners tells that more than a hemisphere is meant.
+TEST(RemapSpherePolygons, LargerOnesAreNamed)
+{
+  for (const double radius : { 1.6, 1.8, 2.2, 2.4 })
+  {
+    std::vector<Point> outline;
+    for (int i = 0; i < 40; ++i)
+    {
+      outline.push_back(At({ 0.6, 0, 0.8 }, radius, 2.0 * HalfTurn * i / 40));
+    }
+    const std::string warning = WarningOf(PolygonOf(outline), 0.0);
+    EXPECT_NE(warning.find("cell 0) are larger than a hemisphere"), std::string::npos) << warning;
+  }
+  Mesh halves = CubedSphere(1); // all of it large, and ordered the other way round
+  for (auto& cell : halves.Cells)
+  {
+    std::reverse(cell.Points.begin(), cell.Points.end());
+  }
+  EXPECT_EQ(WarningOf(MakeGrid(halves), 4.0 * HalfTurn), "");
+  std::reverse(halves.Cells[3].Points.begin(), halves.Cells[3].Points.end());
+  const std::string warning = WarningOf(MakeGrid(halves), 10.0 / 3.0 * HalfTurn);
+  EXPECT_NE(warning.find("cell 3) are larger than a hemisphere"), std::string::npos) << warning;
+}
+
+TEST(RemapSpherePolygons, ThatCrossThemselvesAreNamed)
+{
+  const double s = std::sqrt(0.5);
+  const auto isNamed = [](const std::string& warning)
+  { return warning.find("cell 0) cross themselves") != std::string::npos; };
+  const Covered twist = Cover(PolygonOf({ { 1, 0, 0 }, { 0, 1, 0 }, { s, 0, s }, { 0, s, s } }));
+  EXPECT_LT(twist.OfCells, 1.0);
+  std::vector<Point> star, large; // twice around, small and near a great circle
+  for (int i = 0; i < 5; ++i)
+  {
+    star.push_back(At({ 0, 0.6, 0.8 }, 0.3, 0.8 * HalfTurn * i));
+    large.push_back(At({ 0, 0.6, 0.8 }, 1.5, 0.8 * HalfTurn * i));
+  }
+  for (const GridPointer& mesh : { PolygonOf(star), PolygonOf(large) })
+  {
+    WithCellArray(mesh, "c", { 1.0 });
+    const RemapPointer remap =
+      MakeRemap(MakeGrid(CubedSphere(4)), mesh, Remap::CONSERVATIVE_FIRST_ORDER);
+    remap->SetGeometry(Remap::SPHERE);
+    const EventCounter events(remap);
+    remap->Update();
+    EXPECT_TRUE(isNamed(events.Warning)) << events.Warning;
+  }
+  // Opposite corners next to each other have no edge.
+  EXPECT_TRUE(
+    isNamed(WarningOf(PolygonOf({ { 1, 0, 0 }, { -1, 0, 0 }, { 0, -s, s }, { 0, -1, 0 } }), 0.0)));
 }
 
 /// Concave ones, seen from a point within.
