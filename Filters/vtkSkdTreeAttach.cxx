@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAttach.h"
 
-#include "Cells/SkdKeptMesh.h"
+#include "Cells/Read/SkdKeptMesh.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"

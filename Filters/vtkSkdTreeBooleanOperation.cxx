@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeBooleanOperation.h"
 
-#include "Boolean/SkdBooleanReport.h"
-#include "Boolean/SkdBooleanSurface.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Solids/Boolean/SkdBooleanReport.h"
+#include "Solids/Boolean/SkdBooleanSurface.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/SkdLocatorState.h"
+#include "Cells/Search/SkdLocatorState.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -3,10 +3,10 @@
 // The locator's batches: queries over arrays, in parallel, with results in flat arrays.
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/SkdBatchLists.h"
-#include "Cells/SkdBatchOutputs.h"
-#include "Cells/SkdLocatorState.h"
-#include "Cells/SkdNearestInTurn.h"
+#include "Cells/Search/SkdBatchLists.h"
+#include "Cells/Search/SkdBatchOutputs.h"
+#include "Cells/Search/SkdLocatorState.h"
+#include "Cells/Search/SkdNearestInTurn.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"

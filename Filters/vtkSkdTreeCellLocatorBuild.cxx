@@ -3,8 +3,8 @@
 // When the locator builds its tree, and with which others it shares it.
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/SkdLocatorState.h"
-#include "Cells/SkdMendedMesh.h"
+#include "Cells/Read/SkdMendedMesh.h"
+#include "Cells/Search/SkdLocatorState.h"
 
 #include "vtkTimerLog.h"
 

@@ -3,7 +3,7 @@
 // The locator's queries of single cells, and of their ends.
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/SkdLocatorState.h"
+#include "Cells/Search/SkdLocatorState.h"
 
 #include "vtkDoubleArray.h"
 

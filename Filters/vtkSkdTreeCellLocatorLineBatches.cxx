@@ -3,9 +3,9 @@
 // The locator's batches of lines and rays.
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/SkdBatchLists.h"
-#include "Cells/SkdBatchOutputs.h"
-#include "Cells/SkdLocatorState.h"
+#include "Cells/Search/SkdBatchLists.h"
+#include "Cells/Search/SkdBatchOutputs.h"
+#include "Cells/Search/SkdLocatorState.h"
 
 #include "vtkDoubleArray.h"
 

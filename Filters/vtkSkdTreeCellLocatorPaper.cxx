@@ -3,8 +3,8 @@
 // The paper's own face of the locator: raw queries, the arrays S and L, pictures and statistics.
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/SkdLocatorState.h"
-#include "Cells/SkdRepresentation.h"
+#include "Cells/Search/SkdLocatorState.h"
+#include "Cells/Search/SkdRepresentation.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeClosestPoint.h"
 
-#include "Closest/SkdClosestArrays.h"
+#include "Bodies/SkdSource.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Pipeline/SkdSource.h"
+#include "Search/Closest/SkdClosestArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"

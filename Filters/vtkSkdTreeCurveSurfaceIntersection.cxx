@@ -4,12 +4,12 @@
 
 #include "Curves/SkdCutCurves.h"
 #include "Curves/SkdSurfaceHitArrays.h"
-#include "InOut/SkdPartList.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Search/InOut/SkdPartList.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeMeshAdaptation.h"
 
-#include "Adaptation/SkdMeshAdapter.h"
-#include "Cells/SkdCellReader.h"
-#include "Cells/SkdMagnitudes.h"
+#include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdMagnitudes.h"
+#include "Meshing/Adaptation/SkdMeshAdapter.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreePointInOut.h"
 
-#include "InOut/SkdPartClassifier.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSubset.h"
-#include "Probe/SkdCellFinder.h"
+#include "Search/InOut/SkdPartClassifier.h"
+#include "Search/Probe/SkdCellFinder.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"

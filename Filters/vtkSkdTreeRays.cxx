@@ -6,7 +6,7 @@
 #include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Rays/SkdRayOutputs.h"
+#include "Search/Rays/SkdRayOutputs.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

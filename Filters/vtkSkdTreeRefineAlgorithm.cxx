@@ -3,9 +3,9 @@
 #include "vtkSkdTreeRefineAlgorithm.h"
 
 #include "Exchange/SkdFilterInputs.h"
+#include "Meshing/Refine/SkdRefineState.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
-#include "Refine/SkdRefineState.h"
 #include "vtkInformation.h"
 
 VTK_ABI_NAMESPACE_BEGIN

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSpatialQuery.h"
 
-#include "Cells/SkdLocatorState.h"
+#include "Bodies/SkdParts.h"
+#include "Cells/Search/SkdLocatorState.h"
 #include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdParts.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Relations/SkdRelationOutputs.h"
+#include "Search/Relations/SkdRelationOutputs.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
 #include "vtkInformationVector.h"

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeSurfaceIntersection.h"
 
+#include "Bodies/SkdOuterSurface.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
-#include "Pipeline/SkdOuterSurface.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
-#include "Surfaces/SkdContacts.h"
-#include "Surfaces/SkdSplitSurface.h"
+#include "Solids/Surfaces/SkdContacts.h"
+#include "Solids/Surfaces/SkdSplitSurface.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCurveSet.h"
 
-#include "Cells/SkdBezierCell.h"
+#include "Cells/Curved/SkdBezierCell.h"
 #include "Core/Curves/BernsteinBasis.h"
 #include "Core/Curves/CurveSpans.h"
 #include "Pipeline/SkdReport.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdCurveTree.h"
 
-#include "Cells/SkdForEach.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Core/Curves/CurveSpans.h"
 
 #include <algorithm>

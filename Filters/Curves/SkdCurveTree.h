@@ -10,9 +10,9 @@
 #define SkdCurveTree_h
 
 #include "Core/Geometry/Segment.h"
-#include "Core/Queries/WithinBox.h"
-#include "Core/Tree/Tree.h"
-#include "Core/Tree/Walk.h"
+#include "Core/Search/Queries/WithinBox.h"
+#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/Walk.h"
 #include "Curves/SkdCurveSet.h"
 #include "Pipeline/SkdKeptBlocks.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceHitArrays.h"
 
-#include "Cells/SkdCellWeights.h"
-#include "Cells/SkdMagnitudes.h"
-#include "Cells/SkdPolyKernels.h"
+#include "Cells/Kernels/SkdCellWeights.h"
+#include "Cells/Kernels/SkdPolyKernels.h"
+#include "Cells/Read/SkdMagnitudes.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceReader.h"
 
-#include "Cells/SkdBezierCell.h"
+#include "Cells/Curved/SkdBezierCell.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkCell.h"

@@ -3,8 +3,8 @@
 #ifndef SkdSurfaceReader_h
 #define SkdSurfaceReader_h
 
+#include "Bodies/SkdTriangulation.h"
 #include "Core/Curves/BezierPatch.h"
-#include "Pipeline/SkdTriangulation.h"
 #include "vtkType.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curves/SkdSurfaceSet.h"
 
-#include "Cells/SkdForEach.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Curves/SkdSurfaceReader.h"
 
 #include <algorithm>

@@ -10,10 +10,10 @@
 #define SkdSurfaceSet_h
 
 #include "Core/Curves/BezierPatch.h"
-#include "Core/Queries/AlongSegment.h"
-#include "Core/Queries/WithinBox.h"
-#include "Core/Tree/Tree.h"
-#include "Core/Tree/Walk.h"
+#include "Core/Search/Queries/AlongSegment.h"
+#include "Core/Search/Queries/WithinBox.h"
+#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/Walk.h"
 #include "Curves/SkdSurfaceReader.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdKeptBlocks.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdJoinedPieces.h"
 
-#include "Cells/SkdCellReader.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "Exchange/SkdJoinedGrids.h"
 #include "Exchange/SkdPiecePoints.h"
 #include "vtkCellArray.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdPackedMesh.h"
 
-#include "Cells/SkdCellReader.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdPiecePoints.h"
 
+#include "Bodies/SkdWeld.h"
 #include "Exchange/SkdNearPoints.h"
-#include "Pipeline/SkdWeld.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"

@@ -3,7 +3,7 @@
 #ifndef SkdInterpolate_h
 #define SkdInterpolate_h
 
-#include "Cells/SkdCellWeights.h"
+#include "Cells/Kernels/SkdCellWeights.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
 #include "vtkDataSetAttributes.h"

@@ -8,7 +8,7 @@
 #ifndef SkdKeptBlocks_h
 #define SkdKeptBlocks_h
 
-#include "Cells/SkdKeptMesh.h"
+#include "Cells/Read/SkdKeptMesh.h"
 #include "Pipeline/SkdBlocks.h"
 
 #include <vector>

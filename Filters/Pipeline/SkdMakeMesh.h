@@ -8,7 +8,7 @@
 #ifndef SkdMakeMesh_h
 #define SkdMakeMesh_h
 
-#include "Cells/SkdForEach.h"
+#include "Cells/Read/SkdForEach.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

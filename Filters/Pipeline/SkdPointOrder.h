@@ -3,7 +3,7 @@
 #ifndef SkdPointOrder_h
 #define SkdPointOrder_h
 
-#include "Cells/SkdBatch.h"
+#include "Cells/Search/SkdBatch.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"

@@ -9,7 +9,7 @@
 #ifndef SkdProcesses_h
 #define SkdProcesses_h
 
-#include "Core/Mesh/Processes.h"
+#include "Core/Parallel/Processes.h"
 #include "vtkType.h"
 
 #include <memory>

@@ -8,7 +8,7 @@
 #ifndef SkdSourceTrees_h
 #define SkdSourceTrees_h
 
-#include "Cells/SkdKeptMesh.h"
+#include "Cells/Read/SkdKeptMesh.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkSkdTreeCellLocator.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdUnusablePoints.h"
 
-#include "Cells/SkdMagnitudes.h"
+#include "Cells/Read/SkdMagnitudes.h"
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"

@@ -10,8 +10,8 @@
 class vtkDataSet;
 
 /// The points of a data set that a filter cannot use: NaN, infinite or, in most filters, so large
-/// that squares of coordinates overflow (Cells/SkdMagnitudes.h). Cells that have them are ignored,
-/// and nothing is found at such points.
+/// that squares of coordinates overflow (Cells/Read/SkdMagnitudes.h). Cells that have them are
+/// ignored, and nothing is found at such points.
 struct SkdUnusablePoints
 {
   vtkIdType Count = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdValidInput.h"
 
-#include "Cells/SkdMendedMesh.h"
+#include "Cells/Read/SkdMendedMesh.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdUnusablePoints.h"

@@ -12,10 +12,10 @@
 class vtkAlgorithm;
 class vtkInformation;
 
-/// The inputs of a filter for its RequestData, in which broken cells (Cells/SkdCellCheck.h) are
-/// replaced by empty cells with the same ids. The filter warns about them once, and about points
-/// that cannot be used (SkdUnusablePoints), which stay. A valid mesh is checked again only when it
-/// is modified.
+/// The inputs of a filter for its RequestData, in which broken cells (Cells/Read/SkdCellCheck.h)
+/// are replaced by empty cells with the same ids. The filter warns about them once, and about
+/// points that cannot be used (SkdUnusablePoints), which stay. A valid mesh is checked again only
+/// when it is modified.
 class SkdValidInput
 {
 public:

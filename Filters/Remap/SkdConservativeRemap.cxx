@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdConservativeRemap.h"
 
-#include "Cells/SkdForEach.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Remap/SkdCompensatedSum.h"
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkMath.h"

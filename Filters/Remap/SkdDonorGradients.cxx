@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdDonorGradients.h"
 
-#include "Cells/SkdCellReader.h"
-#include "Cells/SkdForEach.h"
-#include "Pipeline/SkdWeld.h"
+#include "Bodies/SkdWeld.h"
+#include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkMath.h"
 

@@ -3,7 +3,7 @@
 #ifndef SkdKeptOverlaps_h
 #define SkdKeptOverlaps_h
 
-#include "Cells/SkdKeptMesh.h"
+#include "Cells/Read/SkdKeptMesh.h"
 #include "Remap/SkdDonorGradients.h"
 #include "Remap/SkdOverlapWeights.h"
 #include "Remap/SkdPointWeights.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdLumpedPoints.h"
 
-#include "Cells/SkdCellReader.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapReader.h"
 
-#include "Cells/SkdCountedPoints.h"
-#include "Cells/SkdCurvedSimplices.h"
-#include "Cells/SkdParametricCell.h"
+#include "Cells/Curved/SkdCurvedSimplices.h"
+#include "Cells/Kernels/SkdParametricCell.h"
+#include "Cells/Read/SkdCountedPoints.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"

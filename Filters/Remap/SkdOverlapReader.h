@@ -8,9 +8,9 @@
 #ifndef SkdOverlapReader_h
 #define SkdOverlapReader_h
 
-#include "Cells/SkdCellTree.h"
-#include "Cells/SkdCellWeights.h"
-#include "Cells/SkdCurvedSides.h"
+#include "Cells/Curved/SkdCurvedSides.h"
+#include "Cells/Kernels/SkdCellWeights.h"
+#include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Remap/SkdOverlapBlock.h"
 #include "Remap/SkdOverlapSurface.h"

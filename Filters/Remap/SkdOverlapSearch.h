@@ -8,10 +8,10 @@
 #ifndef SkdOverlapSearch_h
 #define SkdOverlapSearch_h
 
-#include "Cells/SkdForEach.h"
-#include "Core/Queries/OverlappingPairs.h"
-#include "Core/Tree/Tree.h"
-#include "Core/Tree/WalkPairs.h"
+#include "Cells/Read/SkdForEach.h"
+#include "Core/Search/Queries/OverlappingPairs.h"
+#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/WalkPairs.h"
 #include "Pipeline/SkdLoop.h"
 #include "Remap/SkdOverlapPieces.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapWeights.h"
 
-#include "Cells/SkdForEach.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
 #include "Remap/SkdRemapTolerances.h"

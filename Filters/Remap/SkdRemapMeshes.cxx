@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapMeshes.h"
 
-#include "Cells/SkdCellReader.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Remap/SkdRemapTolerances.h"

@@ -8,7 +8,7 @@
 #ifndef SkdRemapTables_h
 #define SkdRemapTables_h
 
-#include "Core/Mesh/Processes.h"
+#include "Core/Parallel/Processes.h"
 #include "Remap/SkdConservativeRemap.h"
 
 #include <map>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdSampleTree.h"
 
-#include "Cells/SkdForEach.h"
-#include "Cells/SkdMagnitudes.h"
+#include "Cells/Read/SkdForEach.h"
+#include "Cells/Read/SkdMagnitudes.h"
 
 #include <utility>
 

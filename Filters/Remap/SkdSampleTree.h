@@ -8,10 +8,10 @@
 #ifndef SkdSampleTree_h
 #define SkdSampleTree_h
 
-#include "Core/Queries/Nearest.h"
-#include "Core/Queries/WithinBox.h"
-#include "Core/Tree/Tree.h"
-#include "Core/Tree/Walk.h"
+#include "Core/Search/Queries/Nearest.h"
+#include "Core/Search/Queries/WithinBox.h"
+#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/Walk.h"
 
 #include <cstdint>
 #include <limits>

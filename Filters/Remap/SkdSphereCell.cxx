@@ -3,7 +3,7 @@
 #include "Remap/SkdSphereCell.h"
 
 #include "Core/Geometry/Polygons/EarClipping.h"
-#include "Core/Predicates/Orient3D.h"
+#include "Core/Geometry/Predicates/Orient3D.h"
 
 namespace
 {

@@ -8,8 +8,8 @@
 #ifndef SkdTargetCells_h
 #define SkdTargetCells_h
 
-#include "Cells/SkdCellReader.h"
-#include "Cells/SkdCellTree.h"
+#include "Cells/Read/SkdCellReader.h"
+#include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Remap/SkdSphereCell.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdWeightsFile.h"
 
-#include "Cells/SkdCellReader.h"
+#include "Cells/Read/SkdCellReader.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Remap/SkdNetCdf.h"
 #include "vtkDataSet.h"

@@ -3,8 +3,8 @@
 #ifndef AdaptationScenes_h
 #define AdaptationScenes_h
 
-#include "Core/Adaptation/Adapt.h"
-#include "Core/Adaptation/FitShape.h"
+#include "Core/Meshing/Adaptation/Adapt.h"
+#include "Core/Meshing/Adaptation/FitShape.h"
 
 #include <map>
 

@@ -9,9 +9,9 @@
 #include "CoreScenes.h"
 
 #include "Core/Geometry/Distance/Distance.h"
-#include "Core/Tree/LazyTree.h"
-#include "Core/Tree/Tree.h"
-#include "Core/Tree/Walk.h"
+#include "Core/Search/Tree/LazyTree.h"
+#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/Walk.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #ifndef MeshScenes_h
 #define MeshScenes_h
 
-#include "Core/Mesh/RefinedMesh.h"
+#include "Core/Meshing/Mesh/RefinedMesh.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/AlongSegment.h"
+#include "Core/Search/Queries/AlongSegment.h"
 #include "CoreSupport.h"
 
 using namespace coretest;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/CandidateLists.h"
-#include "Core/Queries/WithinBox.h"
+#include "Core/Search/Queries/CandidateLists.h"
+#include "Core/Search/Queries/WithinBox.h"
 #include "CoreSupport.h"
 
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Trees whose elements are read when they are needed: coarsely sorted ones are divided as others.
-#include "Core/Queries/Nearest.h"
+#include "Core/Search/Queries/Nearest.h"
 #include "CoreSupport.h"
 
 #include <memory>

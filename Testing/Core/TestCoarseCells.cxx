@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/LeafFilters/CoarseCells.h"
+#include "Core/Search/LeafFilters/CoarseCells.h"
 
 #include <gtest/gtest.h>
 

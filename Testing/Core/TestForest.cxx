@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Geometry/Distance/Distance.h"
-#include "Core/Grid/Balance.h"
+#include "Core/Meshing/Grid/Balance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Tree/Lanes.h"
+#include "Core/Search/Tree/Lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/AlongSegment.h"
-#include "Core/Queries/Nearest.h"
-#include "Core/Queries/WithinBox.h"
+#include "Core/Search/Queries/AlongSegment.h"
+#include "Core/Search/Queries/Nearest.h"
+#include "Core/Search/Queries/WithinBox.h"
 #include "CoreSupport.h"
 
 using namespace coretest;

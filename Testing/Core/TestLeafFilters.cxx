@@ -4,9 +4,9 @@
 // are like.
 #include "Core/Geometry/Cells/ClosestPointInCell.h"
 #include "Core/Geometry/Intersection/SegmentTriangle.h"
-#include "Core/LeafFilters/PlaneRow.h"
-#include "Core/LeafFilters/TriangleCrossings.h"
-#include "Core/LeafFilters/TriangleDistances.h"
+#include "Core/Search/LeafFilters/PlaneRow.h"
+#include "Core/Search/LeafFilters/TriangleCrossings.h"
+#include "Core/Search/LeafFilters/TriangleDistances.h"
 #include "GeometryReference.h"
 
 #include <gtest/gtest.h>

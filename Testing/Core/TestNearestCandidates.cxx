@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/Nearest.h"
+#include "Core/Search/Queries/Nearest.h"
 #include "CoreSupport.h"
 
 using namespace coretest;

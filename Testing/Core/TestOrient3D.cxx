@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Predicates/Orient3D.h"
+#include "Core/Geometry/Predicates/Orient3D.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/OverlappingBox.h"
-#include "Core/Tree/LazyTree.h"
-#include "Core/Tree/Walk.h"
+#include "Core/Search/Queries/OverlappingBox.h"
+#include "Core/Search/Tree/LazyTree.h"
+#include "Core/Search/Tree/Walk.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/OverlappingPairs.h"
-#include "Core/Tree/WalkPairs.h"
+#include "Core/Search/Queries/OverlappingPairs.h"
+#include "Core/Search/Tree/WalkPairs.h"
 #include "CoreSupport.h"
 
 using namespace coretest;

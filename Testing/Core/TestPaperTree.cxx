@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Tree/PaperTree.h"
+#include "Core/Search/Tree/PaperTree.h"
 #include "CoreSupport.h"
 
 using namespace coretest;

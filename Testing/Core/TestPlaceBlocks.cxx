@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Grid/PlaceBlocks.h"
+#include "Core/Meshing/Grid/PlaceBlocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Tree/RawVector.h"
+#include "Core/Search/Tree/RawVector.h"
 
 #include <gtest/gtest.h>
 

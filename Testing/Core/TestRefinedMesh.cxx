@@ -3,10 +3,10 @@
 #include "MeshScenes.h"
 
 #include "Core/Geometry/Polygons/Ears.h"
-#include "Core/Mesh/Bisection.h"
-#include "Core/Mesh/HangingNodes.h"
-#include "Core/Mesh/RegularCuts.h"
-#include "Core/Mesh/SmallestAngle.h"
+#include "Core/Meshing/Mesh/Bisection.h"
+#include "Core/Meshing/Mesh/HangingNodes.h"
+#include "Core/Meshing/Mesh/RegularCuts.h"
+#include "Core/Meshing/Mesh/SmallestAngle.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshScenes.h"
 
-#include "Core/Mesh/HangingNodes.h"
-#include "Core/Mesh/MeshLayers.h"
-#include "Core/Mesh/RegularCuts.h"
+#include "Core/Meshing/Mesh/HangingNodes.h"
+#include "Core/Meshing/Mesh/MeshLayers.h"
+#include "Core/Meshing/Mesh/RegularCuts.h"
 
 #include <gtest/gtest.h>
 

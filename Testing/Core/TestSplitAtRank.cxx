@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The split of a range at a rank parts the elements as a sort would.
 
-#include "Core/Tree/SplitAtRank.h"
+#include "Core/Search/Tree/SplitAtRank.h"
 
 #include <gtest/gtest.h>
 

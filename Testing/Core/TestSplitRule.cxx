@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoreSupport.h"
 
-#include "Core/Queries/WithinBox.h"
+#include "Core/Search/Queries/WithinBox.h"
 
 using namespace coretest;
 

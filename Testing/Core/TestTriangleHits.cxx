@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles whose corners lie beside the packets of a tree are hit as each of them is by itself.
-#include "Core/Queries/TriangleHits.h"
-#include "Core/Tree/Tree.h"
+#include "Core/Search/Queries/TriangleHits.h"
+#include "Core/Search/Tree/Tree.h"
 #include "CoreScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/WindingNumber.h"
+#include "Core/Search/Queries/WindingNumber.h"
 #include "CoreSolids.h"
 
 #include <gtest/gtest.h>

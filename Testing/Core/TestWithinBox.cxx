@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Queries/WithinBox.h"
+#include "Core/Search/Queries/WithinBox.h"
 #include "CoreSupport.h"
 
 using namespace coretest;

@@ -7,8 +7,8 @@
 #include "Support/EventCounter.h"
 #include "Support/InOutRun.h"
 
-#include "Cells/SkdCurvedFaces.h"
-#include "Pipeline/SkdBoundary.h"
+#include "Bodies/SkdBoundary.h"
+#include "Cells/Curved/SkdCurvedFaces.h"
 
 #include <gtest/gtest.h>
 

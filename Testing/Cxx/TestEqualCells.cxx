@@ -8,7 +8,7 @@
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
-#include "Cells/SkdCellTree.h"
+#include "Cells/Search/SkdCellTree.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreePointInOut: which part holds a point, by every method.
 
-#include "Pipeline/SkdWinding.h"
+#include "Bodies/SkdWinding.h"
 #include "Support/EventCounter.h"
 #include "Support/InOutRun.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSkdTreeWallThickness: bodies of known thickness, and bad input.
 
-#include "Rays/SkdTiedNearest.h"
+#include "Search/Rays/SkdTiedNearest.h"
 #include "Support/CurveRun.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"

@@ -6,7 +6,7 @@
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
 
-#include "Cells/SkdWideWalks.h"
+#include "Cells/Search/SkdWideWalks.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // SkdWinding, which Point In Out and others use where surfaces have gaps: against the plain sum of
 // solid angles.
 
-#include "Pipeline/SkdWinding.h"
+#include "Bodies/SkdWinding.h"
 #include "Support/InOutRun.h"
 
 #include <gtest/gtest.h>

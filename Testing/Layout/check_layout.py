@@ -6,7 +6,8 @@ Prints "file:line: what is wrong" and returns 1 where the tree departs from the 
 - an include that the table of folders does not allow,
 - a circle of includes (a header and the sources of the same name count as one),
 - a file or a function that is too long,
-- a word that is no longer used.
+- a word that is no longer used,
+- the picture of the folders in Filters/README.md.
 
 Functions are found by a brace scanner: a function is a block in braces that opens in a file, a
 namespace or a class and has a parameter list before it. It is counted from the line on which its
@@ -18,6 +19,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+import picture
 
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 PLAN = pathlib.Path(__file__).resolve().parent / "plan.txt"
@@ -265,6 +268,7 @@ def check(root, plan):
     found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
     found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
     found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]
+    found += ["%s:%d: %s" % each for each in picture.check(plan, root)]
     return found
 
 

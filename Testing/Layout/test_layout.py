@@ -31,26 +31,26 @@ def first_word(plan):
 
 def plant(plan):
     """(what, file, text to append, what must be reported)."""
-    yield "the core includes VTK", "Filters/Core/Tree/Tree.h", '#include "vtkObject.h"\n', \
+    yield "the core includes VTK", "Filters/Core/Search/Tree/Tree.h", '#include "vtkObject.h"\n', \
         "may not include vtkObject.h"
-    yield "the core includes Cells", "Filters/Core/Tree/Node.h", \
-        '#include "Cells/SkdCellTree.h"\n', "may not include Cells/SkdCellTree.h"
-    yield "a feature includes another", "Filters/Relations/SkdQueryList.h", \
-        '#include "Refine/SkdCriteria.h"\n', "may not include Refine/SkdCriteria.h"
+    yield "the core includes Cells", "Filters/Core/Search/Tree/Node.h", \
+        '#include "Cells/Search/SkdCellTree.h"\n', "may not include Cells/Search/SkdCellTree.h"
+    yield "a feature includes another", "Filters/Search/Relations/SkdQueryList.h", \
+        '#include "Meshing/Refine/SkdCriteria.h"\n', "may not include Meshing/Refine/SkdCriteria.h"
     yield "a shared file includes a public class", "Filters/Pipeline/SkdReport.h", \
         '#include "vtkSkdTreeProbe.h"\n', "may not include vtkSkdTreeProbe.h"
     yield "a public header includes a private one", "Filters/vtkSkdTreeProbe.h", \
         '#include "Pipeline/SkdReport.h"\n', "may not include Pipeline/SkdReport.h"
     yield "a circle", "Filters/Core/Geometry/ForEachAxis.h", '#include "Box.h"\n', "a circle of includes"
     yield "a new folder", "Filters/Attic/SkdOld.h", "\n", "is in no folder"
-    yield "a long file", "Filters/Cells/SkdShape.h", 600 * "\n", "the file has"
-    yield "a long function", "Filters/Cells/SkdShape.cxx", \
+    yield "a long file", "Filters/Cells/Read/SkdShape.h", 600 * "\n", "the file has"
+    yield "a long function", "Filters/Cells/Read/SkdShape.cxx", \
         "namespace\n{\ntemplate <class T>\nvoid Long(T t)\n{\n%s}\n}\n" % (60 * "  ++t;\n"), \
         "a function of 6"
     yield "a long method", "Testing/Support/Folders.cxx", \
         "class A\n{\npublic:\n  A()\n    : B{ 1 }\n  {\n%s  }\n  int B;\n};\n" % (60 * "    ++B;\n"), \
         "a function of 6"
-    yield "an old word in code", "Filters/Cells/SkdShape.cxx", \
+    yield "an old word in code", "Filters/Cells/Read/SkdShape.cxx", \
         "// a %s\n" % first_word(plan), "'%s'" % first_word(plan)
     yield "an old word in a document", "Filters/README.md", \
         "A %s.\n" % first_word(plan), "'%s'" % first_word(plan)

@@ -3,7 +3,7 @@
 #ifndef skd_Geometry_Cells_TetrahedronInverse_h
 #define skd_Geometry_Cells_TetrahedronInverse_h
 
-#include "../../Predicates/TripleProduct.h"
+#include "../Predicates/TripleProduct.h"
 #include "../Tolerances.h"
 #include "InverseMap.h"
 #include "LinearShapes.h"

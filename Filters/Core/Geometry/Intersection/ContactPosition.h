@@ -6,7 +6,7 @@
 #ifndef skd_Geometry_Intersection_ContactPosition_h
 #define skd_Geometry_Intersection_ContactPosition_h
 
-#include "../../Predicates/Orient3D.h"
+#include "../Predicates/Orient3D.h"
 #include "../Segment.h"
 
 namespace skd

@@ -6,7 +6,7 @@
 #ifndef skd_Geometry_Intersection_SegmentContact_h
 #define skd_Geometry_Intersection_SegmentContact_h
 
-#include "../../Predicates/ExactOrientation.h"
+#include "../Predicates/ExactOrientation.h"
 #include "../Segment.h"
 #include "../Tolerances.h"
 

@@ -11,7 +11,7 @@
 #ifndef skd_Geometry_Intersection_SegmentFacet_h
 #define skd_Geometry_Intersection_SegmentFacet_h
 
-#include "../../Predicates/ExactOrientation.h"
+#include "../Predicates/ExactOrientation.h"
 #include "../Segment.h"
 
 namespace skd

@@ -9,7 +9,7 @@
 #ifndef skd_Geometry_Intersection_SegmentTriangle_h
 #define skd_Geometry_Intersection_SegmentTriangle_h
 
-#include "../../Predicates/Sign.h"
+#include "../Predicates/Sign.h"
 #include "../Segment.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #ifndef skd_Geometry_Intersection_TriangleContact_h
 #define skd_Geometry_Intersection_TriangleContact_h
 
-#include "../../Predicates/Orient3D.h"
+#include "../Predicates/Orient3D.h"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #ifndef skd_Geometry_Polygons_ConvexHull_h
 #define skd_Geometry_Polygons_ConvexHull_h
 
-#include "../../Predicates/Orient3D.h"
 #include "../Box.h"
+#include "../Predicates/Orient3D.h"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #ifndef skd_Geometry_Polygons_PlanarPolygon_h
 #define skd_Geometry_Polygons_PlanarPolygon_h
 
-#include "../../Predicates/Sign.h"
 #include "../Distance/ClosestPoint.h"
+#include "../Predicates/Sign.h"
 
 #include <algorithm>
 

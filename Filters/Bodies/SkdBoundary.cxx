@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bodies/SkdBoundary.h"
+
+#include "Bodies/SkdOuterSurface.h"
+#include "Bodies/SkdTriangulation.h"
+#include "Bodies/SkdWeld.h"
+#include "Pipeline/SkdMakeMesh.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace
+{
+/// A polygon of welded points.
+struct Face
+{
+  std::size_t First; // of its corners
+  int Size;
+  SkdBoundary::Origin Origin;
+  bool OfVolume;
+  int Copies; // how many of it the boundary has; 0 of an inner face and of a repetition
+  int Net;    // how many of these are oriented like it more than are oriented against it
+};
+
+/// The faces of all blocks, and what becomes of them.
+class FaceList
+{
+public:
+  FaceList(const std::vector<SkdBlock>& blocks, double chordalLength);
+
+  void KeepVolumesOrSurfaces();
+  void SortByOrigin();
+  void CountCopies();
+  void FillBoundary(SkdBoundary& boundary) const;
+
+private:
+  void AddBlock(int block, vtkDataSet* mesh, double chordalLength);
+  template <class Corner>
+  void AddFace(Face face, const SkdBlockSurface& surface, vtkIdType size, const Corner* corners);
+  void CountCopiesOfGroup(const std::vector<std::size_t>& group);
+  bool AreOrientedAlike(const Face& a, const Face& b) const;
+
+  template <typename Predicate>
+  vtkIdType CountOddEdges(const Predicate& isOfSurface) const;
+  std::vector<int> FindRepeats() const;
+  template <typename Number>
+  vtkSmartPointer<vtkPolyData> MakeSurface(
+    const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const;
+
+  SkdWeld Weld;
+  std::vector<Face> Faces;
+  std::vector<vtkIdType> Corners;
+  vtkIdType CoarseFaces = 0;
+};
+
+FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
+{
+  for (std::size_t block = 0; block < blocks.size(); ++block)
+  {
+    if (blocks[block].Mesh->GetNumberOfCells() > 0)
+    {
+      this->AddBlock(static_cast<int>(block), blocks[block].Mesh, chordalLength);
+    }
+  }
+}
+
+void FaceList::AddBlock(int block, vtkDataSet* mesh, double chordalLength)
+{
+  const SkdBlockSurface surface(mesh, chordalLength);
+  this->CoarseFaces += surface.GetNumberOfCoarseFaces();
+  surface.ForEachFace(
+    [&](vtkIdType cell, vtkIdType size, const auto* corners)
+    {
+      const SkdBoundary::Origin origin{ block, surface.GetCellId(cell) };
+      const Face like{ this->Corners.size(), 0, origin, surface.IsOfVolume(cell), 0, 0 };
+      this->AddFace(like, surface, size, corners);
+    });
+}
+
+template <class Corner>
+void FaceList::AddFace(
+  Face face, const SkdBlockSurface& surface, vtkIdType size, const Corner* corners)
+{
+  const auto idOf = [&](vtkIdType corner) -> vtkIdType
+  {
+    double x[3];
+    surface.GetPoint(corner, x);
+    const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+    return isFinite ? this->Weld.GetId(x) : -1;
+  };
+  face.Size = SkdAppendCorners(size, corners, idOf, this->Corners);
+  if (face.Size > 0)
+  {
+    this->Faces.push_back(face);
+  }
+}
+
+void FaceList::KeepVolumesOrSurfaces()
+{
+  const auto isOfVolume = [](const Face& face) { return face.OfVolume; };
+  if (std::any_of(this->Faces.begin(), this->Faces.end(), isOfVolume))
+  {
+    this->Faces.erase(
+      std::remove_if(this->Faces.begin(), this->Faces.end(), std::not_fn(isOfVolume)),
+      this->Faces.end());
+  }
+}
+
+void FaceList::SortByOrigin()
+{
+  std::stable_sort(this->Faces.begin(), this->Faces.end(),
+    [](const Face& a, const Face& b)
+    {
+      return a.Origin.Block != b.Origin.Block ? a.Origin.Block < b.Origin.Block
+                                              : a.Origin.CellId < b.Origin.CellId;
+    });
+}
+
+// Two faces are the same when they have the same corners, wherever they start and turn.
+void FaceList::CountCopies()
+{
+  std::vector<vtkIdType> sorted = this->Corners;
+  for (const Face& face : this->Faces)
+  {
+    std::sort(sorted.begin() + face.First, sorted.begin() + face.First + face.Size);
+  }
+  const auto compare = [&](std::size_t a, std::size_t b)
+  {
+    const auto beginA = sorted.begin() + this->Faces[a].First;
+    const auto beginB = sorted.begin() + this->Faces[b].First;
+    const int sizeA = this->Faces[a].Size;
+    const int sizeB = this->Faces[b].Size;
+    if (sizeA == sizeB)
+    {
+      const auto [atA, atB] = std::mismatch(beginA, beginA + sizeA, beginB);
+      return atA == beginA + sizeA ? 0 : (*atA < *atB ? -1 : 1);
+    }
+    return sizeA < sizeB ? -1 : 1;
+  };
+  std::vector<std::size_t> order(this->Faces.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  vtkSMPTools::Sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      const int difference = compare(a, b);
+      return difference != 0 ? difference < 0 : a < b;
+    });
+
+  std::vector<std::size_t> group;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    group.push_back(order[i]);
+    if (i + 1 == order.size() || compare(order[i], order[i + 1]) != 0)
+    {
+      this->CountCopiesOfGroup(group);
+      group.clear();
+    }
+  }
+}
+
+void FaceList::CountCopiesOfGroup(const std::vector<std::size_t>& group)
+{
+  const int copies = static_cast<int>(group.size());
+  Face& first = this->Faces[group.front()];
+  first.Copies = first.OfVolume ? copies % 2 : copies;
+  first.Net = first.Copies;
+  if (!first.OfVolume)
+  {
+    first.Net = 0;
+    for (const std::size_t face : group)
+    {
+      first.Net += this->AreOrientedAlike(first, this->Faces[face]) ? 1 : -1;
+    }
+  }
+}
+
+// Of faces that have the same corners.
+bool FaceList::AreOrientedAlike(const Face& a, const Face& b) const
+{
+  const vtkIdType* corners = this->Corners.data() + b.First;
+  const vtkIdType* end = corners + b.Size;
+  const vtkIdType* same = std::find(corners, end, this->Corners[a.First]);
+  const vtkIdType before = same == corners ? end[-1] : same[-1];
+  return before != this->Corners[a.First + 1];
+}
+
+template <typename Predicate>
+vtkIdType FaceList::CountOddEdges(const Predicate& isOfSurface) const
+{
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  for (const Face& face : this->Faces)
+  {
+    for (int i = 0; isOfSurface(face) && i < face.Size; ++i)
+    {
+      const vtkIdType a = this->Corners[face.First + i];
+      const vtkIdType b = this->Corners[face.First + (i + 1) % face.Size];
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  vtkSMPTools::Sort(edges.begin(), edges.end());
+  vtkIdType odd = 0;
+  for (auto edge = edges.begin(); edge != edges.end();)
+  {
+    const auto next = std::find_if(edge, edges.end(), [&](const auto& e) { return e != *edge; });
+    odd += (next - edge) % 2;
+    edge = next;
+  }
+  return odd;
+}
+
+// So many copies of each face, of a negative number reversed.
+template <typename Number>
+vtkSmartPointer<vtkPolyData> FaceList::MakeSurface(
+  const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const
+{
+  const std::vector<skd::Vector3>& points = this->Weld.GetPoints();
+  vtkNew<vtkCellArray> cells;
+  SkdTriangulation triangulation;
+  for (const Face& face : this->Faces)
+  {
+    const int number = numberOf(face);
+    if (number == 0)
+    {
+      continue;
+    }
+    const vtkIdType* const ids = this->Corners.data() + face.First;
+    const auto cornerOf = [&](vtkIdType i) { return points[static_cast<std::size_t>(ids[i])]; };
+    vtkIdList* triangles = triangulation.Cut(face.Size, cornerOf);
+    for (vtkIdType i = 0; i < triangles->GetNumberOfIds(); i += 3)
+    {
+      const vtkIdType* cut = triangles->GetPointer(i);
+      vtkIdType corners[3] = { ids[cut[0]], ids[cut[1]], ids[cut[2]] };
+      if (number < 0)
+      {
+        std::swap(corners[1], corners[2]);
+      }
+      for (int copy = 0; copy < std::abs(number); ++copy)
+      {
+        cells->InsertNextCell(3, corners);
+      }
+    }
+    if (origins)
+    {
+      origins->resize(cells->GetNumberOfCells(), face.Origin);
+    }
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(SkdMakePoints(static_cast<vtkIdType>(points.size()),
+    [&points](vtkIdType i) { return points[static_cast<std::size_t>(i)]; }));
+  surface->SetPolys(cells);
+  return surface;
+}
+
+// One number a triangle of all faces that are there.
+std::vector<int> FaceList::FindRepeats() const
+{
+  std::vector<int> repeats;
+  bool isAny = false;
+  for (const Face& face : this->Faces)
+  {
+    if (face.Copies > 0)
+    {
+      const int number = face.Net != 0 ? face.Net : 1;
+      repeats.insert(repeats.end(), static_cast<std::size_t>(face.Size - 2), number);
+      isAny = isAny || number != 1;
+    }
+  }
+  return isAny ? repeats : std::vector<int>();
+}
+
+// Equal faces are either a face between two touching bodies, which must be removed, or duplicates
+// of one face, which must be kept. The alternative that leaves fewer open edges is chosen. For
+// touching bodies with duplicates, the difference of the numbers of both orientations of a face
+// counts.
+void FaceList::FillBoundary(SkdBoundary& boundary) const
+{
+  const auto isThere = [](const Face& face) { return face.Copies > 0; };
+  const auto isOdd = [](const Face& face) { return face.Net % 2 != 0; };
+  boundary.CoarseFaces = this->CoarseFaces;
+  boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
+  boundary.Surface = boundary.Faces;
+  boundary.Repeats = this->FindRepeats();
+  boundary.OpenEdges = this->CountOddEdges(isThere);
+  const vtkIdType others = boundary.OpenEdges > 0 ? this->CountOddEdges(isOdd) : 0;
+  if (others < boundary.OpenEdges)
+  {
+    boundary.Surface = this->MakeSurface([](const Face& face) { return face.Net; }, nullptr);
+    boundary.Repeats.clear();
+    boundary.OpenEdges = others;
+  }
+}
+}
+
+SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength)
+{
+  FaceList faces(blocks, chordalLength);
+  faces.KeepVolumesOrSurfaces();
+  faces.SortByOrigin();
+  faces.CountCopies();
+  SkdBoundary boundary;
+  faces.FillBoundary(boundary);
+  return boundary;
+}

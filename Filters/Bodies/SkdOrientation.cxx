@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bodies/SkdOrientation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+
+namespace
+{
+struct Side
+{
+  vtkIdType Least;
+  vtkIdType Most;
+  bool IsForward; // the triangle goes from the least to the most
+  std::size_t Triangle;
+
+  bool IsSameEdge(const Side& other) const
+  {
+    return this->Least == other.Least && this->Most == other.Most;
+  }
+};
+
+struct Neighbour
+{
+  std::size_t Triangle;
+  bool IsAlike; // both have their normals on the same side of the surface
+};
+
+/// The triangles across those edges that have exactly two.
+class Neighbours
+{
+public:
+  explicit Neighbours(const std::vector<SkdTriangleIds>& triangles)
+    : Lists(triangles.size())
+  {
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const vtkIdType from = triangles[i][k], to = triangles[i][(k + 1) % 3];
+        sides.push_back({ std::min(from, to), std::max(from, to), from < to, i });
+      }
+    }
+    std::sort(sides.begin(), sides.end(),
+      [](const Side& a, const Side& b)
+      { return std::tie(a.Least, a.Most, a.Triangle) < std::tie(b.Least, b.Most, b.Triangle); });
+    for (std::size_t first = 0, end = 0; first < sides.size(); first = end)
+    {
+      while (end < sides.size() && sides[end].IsSameEdge(sides[first]))
+      {
+        ++end;
+      }
+      if (end - first == 2)
+      {
+        this->Join(sides[first], sides[first + 1]);
+      }
+    }
+  }
+
+  const std::vector<Neighbour>& Of(std::size_t triangle) const { return this->Lists[triangle]; }
+
+private:
+  void Join(const Side& a, const Side& b)
+  {
+    const bool isAlike = a.IsForward != b.IsForward;
+    this->Lists[a.Triangle].push_back({ b.Triangle, isAlike });
+    this->Lists[b.Triangle].push_back({ a.Triangle, isAlike });
+  }
+
+  std::vector<std::vector<Neighbour>> Lists;
+};
+
+/// All triangles that are connected to the first, oriented like it.
+std::vector<std::size_t> OrientAlike(std::size_t first, const Neighbours& neighbours,
+  std::vector<bool>& isReversed, std::vector<bool>& isSeen)
+{
+  std::vector<std::size_t> piece{ first };
+  isSeen[first] = true;
+  for (std::size_t next = 0; next < piece.size(); ++next)
+  {
+    for (const Neighbour& other : neighbours.Of(piece[next]))
+    {
+      if (!isSeen[other.Triangle])
+      {
+        isSeen[other.Triangle] = true;
+        isReversed[other.Triangle] = isReversed[piece[next]] == other.IsAlike;
+        piece.push_back(other.Triangle);
+      }
+    }
+  }
+  return piece;
+}
+
+// Distances from a triangle's centre at which both sides are tested, relative to its size: the
+// first is far above rounding error and far below other distances, the last is for thin walls.
+constexpr double FirstStep = 1e-5;
+constexpr double LastStep = 1e-13;
+constexpr double NextStep = 1e-2;
+
+skd::Vector3 AcrossOf(const std::vector<skd::Vector3>& points, const SkdTriangleIds& ids)
+{
+  return skd::Cross(points[ids[1]] - points[ids[0]], points[ids[2]] - points[ids[0]]);
+}
+
+/// Whether the inside is in front of a triangle; nothing if it is on both sides or on neither.
+std::optional<bool> IsInsideInFront(const std::vector<skd::Vector3>& points,
+  const SkdTriangleIds& ids, const std::function<bool(const skd::Vector3&)>& isInside)
+{
+  const skd::Vector3 across = AcrossOf(points, ids);
+  const double size = std::sqrt(skd::Norm(across));
+  const skd::Vector3 middle = 1.0 / 3.0 * (points[ids[0]] + points[ids[1]] + points[ids[2]]);
+  for (double step = FirstStep; size > 0.0 && step >= LastStep; step *= NextStep)
+  {
+    const skd::Vector3 aside = (step / size) * across;
+    const bool isInFront = isInside(middle + aside);
+    if (isInFront != isInside(middle - aside))
+    {
+      return isInFront;
+    }
+  }
+  return std::nullopt;
+}
+}
+
+std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
+  const std::vector<SkdTriangleIds>& triangles,
+  const std::function<bool(const skd::Vector3&)>& isInside)
+{
+  const Neighbours neighbours(triangles);
+  std::vector<bool> isReversed(triangles.size(), false);
+  std::vector<bool> isSeen(triangles.size(), false);
+  const auto area2 = [&](std::size_t i) { return skd::Norm2(AcrossOf(points, triangles[i])); };
+  for (std::size_t first = 0; first < triangles.size(); ++first)
+  {
+    if (isSeen[first])
+    {
+      continue;
+    }
+    const std::vector<std::size_t> piece = OrientAlike(first, neighbours, isReversed, isSeen);
+    const std::size_t largest = *std::max_element(piece.begin(), piece.end(),
+      [&](std::size_t a, std::size_t b) { return area2(a) < area2(b); });
+    const std::optional<bool> isInFront = IsInsideInFront(points, triangles[largest], isInside);
+    if (isInFront && *isInFront != isReversed[largest])
+    {
+      for (const std::size_t i : piece)
+      {
+        isReversed[i] = !isReversed[i];
+      }
+    }
+  }
+  return isReversed;
+}

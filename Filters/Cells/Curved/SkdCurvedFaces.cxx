@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Curved/SkdCurvedFaces.h"
+
+#include "Cells/Read/SkdCellReader.h"
+#include "Core/Geometry/Vector.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGridBase.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <numeric>
+
+namespace
+{
+using DimensionTable = std::array<unsigned char, VTK_NUMBER_OF_CELL_TYPES>;
+
+DimensionTable MakeDimensionTable()
+{
+  DimensionTable table{};
+  for (int type = 0; type < VTK_NUMBER_OF_CELL_TYPES; ++type)
+  {
+    const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+    table[static_cast<std::size_t>(type)] =
+      static_cast<unsigned char>(cell ? cell->GetCellDimension() : 0);
+  }
+  return table;
+}
+
+/// The points of a cell that a face has.
+using FacePoints = std::vector<vtkIdType>;
+
+/// The faces of volume cells by the places of their points in the cell: the same for all cells of a
+/// type, number of points and degrees, so VTK's cell is queried once for each.
+class FaceTable
+{
+public:
+  explicit FaceTable(vtkDataSet* mesh)
+    : Mesh(mesh)
+    , Degrees(mesh->GetCellData()->GetHigherOrderDegrees())
+  {
+  }
+
+  const std::vector<FacePoints>& FacesOf(vtkIdType cellId, int type, std::size_t size)
+  {
+    std::vector<int> key = { type, static_cast<int>(size) };
+    for (int i = 0; this->Degrees && i < this->Degrees->GetNumberOfComponents(); ++i)
+    {
+      key.push_back(static_cast<int>(this->Degrees->GetComponent(cellId, i)));
+    }
+    if (key != this->LastKey)
+    {
+      auto found = this->Tables.find(key);
+      if (found == this->Tables.end())
+      {
+        found = this->Tables.emplace(key, this->Read(cellId)).first;
+      }
+      this->Last = &found->second;
+      this->LastKey = key;
+    }
+    return *this->Last;
+  }
+
+private:
+  std::vector<FacePoints> Read(vtkIdType cellId)
+  {
+    SkdLoadCell(this->Mesh, cellId, this->Scratch);
+    vtkIdList* ids = this->Scratch->GetPointIds();
+    std::iota(ids->begin(), ids->end(), vtkIdType(0));
+    std::vector<FacePoints> faces;
+    for (int i = 0; i < this->Scratch->GetNumberOfFaces(); ++i)
+    {
+      vtkIdList* points = this->Scratch->GetFace(i)->GetPointIds();
+      faces.emplace_back(points->begin(), points->end());
+    }
+    return faces;
+  }
+
+  vtkDataSet* Mesh;
+  vtkDataArray* Degrees; // of Lagrange and Bezier cells, where they differ by direction
+  vtkNew<vtkGenericCell> Scratch;
+  std::map<std::vector<int>, std::vector<FacePoints>> Tables; // which does not move what it holds
+  std::vector<int> LastKey;
+  const std::vector<FacePoints>* Last = nullptr;
+};
+
+/// All faces of the curved volume cells, to find those that no two have.
+class FaceList
+{
+public:
+  explicit FaceList(vtkDataSet* mesh)
+    : Table(mesh)
+  {
+  }
+
+  template <class Id>
+  void AddCell(vtkIdType cellId, int type, const Id* ids, std::size_t size, bool isGhost)
+  {
+    const std::vector<FacePoints>& faces = this->Table.FacesOf(cellId, type, size);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      const std::size_t first = this->Points.size();
+      for (const vtkIdType place : faces[i])
+      {
+        this->Points.push_back(static_cast<vtkIdType>(ids[place]));
+      }
+      std::sort(this->Points.begin() + static_cast<std::ptrdiff_t>(first), this->Points.end());
+      this->Faces.push_back({ this->HashFrom(first), first, this->Points.size() - first,
+        { cellId, static_cast<int>(i) }, isGhost });
+    }
+  }
+
+  /// Of a face that an odd number of cells has the last one shows.
+  void TakeOuter(std::vector<SkdCurvedFace>& outer)
+  {
+    std::sort(this->Faces.begin(), this->Faces.end(),
+      [this](const Face& a, const Face& b) { return this->Compare(a, b) < 0; });
+    for (std::size_t i = 0, next = 0; i < this->Faces.size(); i = next)
+    {
+      for (next = i + 1; next < this->Faces.size() && this->AreSame(i, next);)
+      {
+        ++next;
+      }
+      const Face& last = this->Faces[next - 1];
+      if ((next - i) % 2 == 1 && !last.IsGhost)
+      {
+        outer.push_back(last.Where);
+      }
+    }
+  }
+
+private:
+  struct Face
+  {
+    std::uint64_t Hash;
+    std::size_t First; // of its points
+    std::size_t Size;
+    SkdCurvedFace Where;
+    bool IsGhost;
+  };
+
+  std::uint64_t HashFrom(std::size_t first) const
+  {
+    std::uint64_t hash = 0;
+    for (std::size_t i = first; i < this->Points.size(); ++i)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(this->Points[i])) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+
+  /// By the points alone.
+  int ComparePoints(const Face& a, const Face& b) const
+  {
+    if (a.Hash != b.Hash || a.Size != b.Size)
+    {
+      return a.Hash != b.Hash ? (a.Hash < b.Hash ? -1 : 1) : (a.Size < b.Size ? -1 : 1);
+    }
+    const auto pointsA = this->Points.begin() + static_cast<std::ptrdiff_t>(a.First);
+    const auto pointsB = this->Points.begin() + static_cast<std::ptrdiff_t>(b.First);
+    const auto end = pointsA + static_cast<std::ptrdiff_t>(a.Size);
+    const auto [atA, atB] = std::mismatch(pointsA, end, pointsB);
+    return atA == end ? 0 : (*atA < *atB ? -1 : 1);
+  }
+
+  int Compare(const Face& a, const Face& b) const
+  {
+    const int difference = this->ComparePoints(a, b);
+    if (difference != 0)
+    {
+      return difference;
+    }
+    const bool isBefore = a.Where.CellId != b.Where.CellId ? a.Where.CellId < b.Where.CellId
+                                                           : a.Where.Face < b.Where.Face;
+    return isBefore ? -1 : 1;
+  }
+
+  bool AreSame(std::size_t a, std::size_t b) const
+  {
+    return this->ComparePoints(this->Faces[a], this->Faces[b]) == 0;
+  }
+
+  FaceTable Table;
+  std::vector<vtkIdType> Points;
+  std::vector<Face> Faces;
+};
+
+skd::Vector3 PointOf(vtkCell* cell, vtkIdType i)
+{
+  skd::Vector3 point;
+  cell->GetPoints()->GetPoint(i, point.X);
+  return point;
+}
+
+skd::Vector3 MiddleOf(vtkCell* cell)
+{
+  skd::Vector3 sum{};
+  const vtkIdType size = cell->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    sum = sum + PointOf(cell, i);
+  }
+  return (1.0 / static_cast<double>(size)) * sum;
+}
+
+/// By the corners of the face, which come first, and where the cell's points are.
+bool IsInward(vtkCell* face, vtkCell* cell)
+{
+  const bool isTriangle = face->GetNumberOfEdges() == 3;
+  const skd::Vector3 a = PointOf(face, 0);
+  const skd::Vector3 b = PointOf(face, 1);
+  const skd::Vector3 c = PointOf(face, 2);
+  const skd::Vector3 normal = skd::Cross(c - a, isTriangle ? c - b : PointOf(face, 3) - b);
+  return skd::Dot(normal, MiddleOf(face) - MiddleOf(cell)) < 0.0;
+}
+
+bool IsBefore(const SkdCurvedFace& a, const SkdCurvedFace& b)
+{
+  return a.CellId != b.CellId ? a.CellId < b.CellId : a.Face < b.Face;
+}
+}
+
+//------------------------------------------------------------------------------
+int SkdDimensionOfCellType(int cellType)
+{
+  static const DimensionTable table = MakeDimensionTable();
+  const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
+  return isKnown ? table[static_cast<std::size_t>(cellType)] : 0;
+}
+
+bool SkdIsCurvedCellType(int cellType)
+{
+  return (cellType >= VTK_QUADRATIC_EDGE && cellType <= VTK_TRIQUADRATIC_PYRAMID) ||
+    (cellType >= VTK_LAGRANGE_CURVE && cellType <= VTK_BEZIER_PYRAMID);
+}
+
+// Not by vtkCellTypes: its methods differ between versions of VTK, and some print a warning.
+bool SkdHasCurvedCells(vtkDataSet* mesh)
+{
+  if (!vtkUnstructuredGridBase::SafeDownCast(mesh))
+  {
+    return false;
+  }
+  const SkdCellReader reader(mesh);
+  const vtkIdType size = mesh->GetNumberOfCells();
+  for (vtkIdType id = 0; id < size; ++id)
+  {
+    if (SkdIsCurvedCellType(reader.TypeOf(id)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh)
+{
+  constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  const SkdCellReader reader(mesh);
+  vtkNew<vtkIdList> list;
+  FaceList volumes(mesh);
+  std::vector<SkdCurvedFace> found;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  {
+    const int type = reader.TypeOf(id);
+    const int mark = ghosts ? ghosts->GetValue(id) : 0;
+    if (!SkdIsCurvedCellType(type) || (mark & hidden))
+    {
+      continue;
+    }
+    const int dimension = SkdDimensionOfCellType(type);
+    if (dimension == 2 && mark == 0)
+    {
+      found.push_back({ id, -1 });
+    }
+    if (dimension == 3)
+    {
+      reader.VisitPoints(id, list,
+        [&](const auto* ids, std::size_t size)
+        { volumes.AddCell(id, type, ids, size, mark != 0); });
+    }
+  }
+  volumes.TakeOuter(found);
+  std::sort(found.begin(), found.end(), IsBefore);
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
+  const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit)
+{
+  vtkNew<vtkGenericCell> scratch;
+  vtkIdType loaded = -1;
+  for (const SkdCurvedFace& face : faces)
+  {
+    if (face.CellId != loaded)
+    {
+      SkdLoadCell(mesh, face.CellId, scratch);
+      loaded = face.CellId;
+    }
+    vtkCell* cell = scratch->GetRepresentativeCell();
+    vtkCell* part = face.Face < 0 ? cell : scratch->GetFace(face.Face);
+    visit(face, part, part != cell && IsInward(part, cell));
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdGenericKernel_h
+#define SkdGenericKernel_h
+
+#include "Cells/Kernels/SkdKernels.h"
+
+#include "vtkType.h"
+
+class vtkCell;
+class vtkDataSet;
+class vtkGenericCell;
+
+/// The data set, and a thread-local cell into which cells are loaded.
+struct SkdCellSource
+{
+  vtkDataSet* Data;
+  vtkGenericCell* Scratch;
+
+  vtkCell* Load(vtkIdType id) const;
+};
+
+/// The exact tests of cells without a kernel of their own, by the cell itself.
+namespace SkdGenericKernel
+{
+/// Outside a volume cell the nearest point is sought on its faces: what EvaluatePosition gives
+/// there comes from clamped parametric coordinates and need not be nearest.
+SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
+
+std::optional<SkdLineHit> Intersect(
+  vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
+
+/// The sub-id, parametric coordinates and, unless nullptr, weights at a point of the cell found by
+/// Closest: pass in its sub-id and parametric coordinates.
+void Locate(
+  vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords, double* weights);
+}
+
+#endif

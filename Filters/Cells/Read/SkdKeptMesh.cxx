@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Read/SkdKeptMesh.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArrayRange.h"
+#include "vtkExplicitStructuredGrid.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSkdTreeVersion.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTimeStamp.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+/// Also of arrays that compute their values, as of cells that are all of one type.
+bool AreEqualOneByOne(vtkDataArray* a, vtkDataArray* b)
+{
+  const auto valuesA = vtk::DataArrayValueRange(a);
+  const auto valuesB = vtk::DataArrayValueRange(b);
+  return std::equal(valuesA.begin(), valuesA.end(), valuesB.begin(), valuesB.end());
+}
+
+struct EqualValues
+{
+  bool Equal = false;
+
+  template <typename ArrayA, typename ArrayB>
+  void operator()(ArrayA* a, ArrayB* b)
+  {
+    const auto valuesA = vtk::DataArrayValueRange(a);
+    const auto valuesB = vtk::DataArrayValueRange(b);
+    this->Equal = std::equal(valuesA.begin(), valuesA.end(), valuesB.begin(), valuesB.end());
+  }
+};
+
+/// Compares the parts of two data sets; the first was kept at `Time`.
+class Comparison
+{
+public:
+  explicit Comparison(vtkMTimeType time)
+    : Time(time)
+  {
+  }
+
+  bool SameArrays(vtkDataArray* kept, vtkDataArray* now) const
+  {
+    if (!kept || !now)
+    {
+      return kept == now;
+    }
+    if (this->IsModified(kept))
+    {
+      return false;
+    }
+    if (kept == now)
+    {
+      return true;
+    }
+    if (kept->GetDataType() != now->GetDataType() ||
+      kept->GetNumberOfComponents() != now->GetNumberOfComponents())
+    {
+      return false;
+    }
+    EqualValues equal;
+    return vtkArrayDispatch::Dispatch2SameValueType::Execute(kept, now, equal)
+      ? equal.Equal
+      : AreEqualOneByOne(kept, now);
+  }
+
+  bool SamePoints(vtkPoints* kept, vtkPoints* now) const
+  {
+    if (!kept || !now)
+    {
+      return kept == now;
+    }
+    return !this->IsModified(kept) && this->SameArrays(kept->GetData(), now->GetData());
+  }
+
+  bool SameCells(vtkCellArray* kept, vtkCellArray* now) const
+  {
+    if (!kept || !now)
+    {
+      return kept == now;
+    }
+    if (kept->GetNumberOfCells() == 0 && now->GetNumberOfCells() == 0)
+    {
+      return true; // vtkPolyData has one empty array for all, of whatever time
+    }
+    return !this->IsModified(kept) &&
+      this->SameArrays(kept->GetOffsetsArray(), now->GetOffsetsArray()) &&
+      this->SameArrays(kept->GetConnectivityArray(), now->GetConnectivityArray());
+  }
+
+  bool SameShaping(vtkDataSetAttributes* kept, vtkDataSetAttributes* now) const
+  {
+    const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+    return this->SameArrays(kept->GetArray(ghosts), now->GetArray(ghosts)) &&
+      this->SameArrays(kept->GetRationalWeights(), now->GetRationalWeights()) &&
+      this->SameArrays(kept->GetHigherOrderDegrees(), now->GetHigherOrderDegrees());
+  }
+
+  bool SameStructure(vtkDataSet* kept, vtkDataSet* now) const;
+
+private:
+  /// Whoever shares what was kept has changed it in place.
+  bool IsModified(vtkObject* kept) const { return kept->GetMTime() > this->Time; }
+  bool SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const;
+  bool SameImage(vtkImageData* kept, vtkImageData* now) const;
+
+  vtkMTimeType Time;
+};
+
+bool HasPolyhedra(vtkDataArray* types)
+{
+  const auto values = vtk::DataArrayValueRange<1>(types);
+  return std::find(values.begin(), values.end(), VTK_POLYHEDRON) != values.end();
+}
+
+template <typename Grid>
+bool SameExtent(Grid* kept, Grid* now)
+{
+  return std::equal(kept->GetExtent(), kept->GetExtent() + 6, now->GetExtent());
+}
+
+// The arrays of faces of polyhedra differ between versions of VTK. They are set together with the
+// cells, so comparing the cells' own array is sufficient.
+bool Comparison::SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const
+{
+  vtkDataArray* types = now->VTK_SKD_GET_CELL_TYPES();
+  if (!this->SamePoints(kept->GetPoints(), now->GetPoints()) ||
+    !this->SameCells(kept->GetCells(), now->GetCells()) ||
+    !this->SameArrays(kept->VTK_SKD_GET_CELL_TYPES(), types))
+  {
+    return false;
+  }
+  return kept->GetCells() == now->GetCells() || !types || !HasPolyhedra(types);
+}
+
+bool Comparison::SameImage(vtkImageData* kept, vtkImageData* now) const
+{
+  const double* direction = kept->GetDirectionMatrix()->GetData();
+  return SameExtent(kept, now) &&
+    std::equal(kept->GetOrigin(), kept->GetOrigin() + 3, now->GetOrigin()) &&
+    std::equal(kept->GetSpacing(), kept->GetSpacing() + 3, now->GetSpacing()) &&
+    std::equal(direction, direction + 9, now->GetDirectionMatrix()->GetData());
+}
+
+bool Comparison::SameStructure(vtkDataSet* kept, vtkDataSet* now) const
+{
+  if (auto mesh = vtkPolyData::SafeDownCast(now))
+  {
+    auto former = vtkPolyData::SafeDownCast(kept);
+    return this->SamePoints(former->GetPoints(), mesh->GetPoints()) &&
+      this->SameCells(former->GetVerts(), mesh->GetVerts()) &&
+      this->SameCells(former->GetLines(), mesh->GetLines()) &&
+      this->SameCells(former->GetPolys(), mesh->GetPolys()) &&
+      this->SameCells(former->GetStrips(), mesh->GetStrips());
+  }
+  if (auto grid = vtkUnstructuredGrid::SafeDownCast(now))
+  {
+    return this->SameGrid(vtkUnstructuredGrid::SafeDownCast(kept), grid);
+  }
+  if (auto image = vtkImageData::SafeDownCast(now))
+  {
+    return this->SameImage(vtkImageData::SafeDownCast(kept), image);
+  }
+  if (auto grid = vtkRectilinearGrid::SafeDownCast(now))
+  {
+    auto former = vtkRectilinearGrid::SafeDownCast(kept);
+    return SameExtent(former, grid) &&
+      this->SameArrays(former->GetXCoordinates(), grid->GetXCoordinates()) &&
+      this->SameArrays(former->GetYCoordinates(), grid->GetYCoordinates()) &&
+      this->SameArrays(former->GetZCoordinates(), grid->GetZCoordinates());
+  }
+  if (auto grid = vtkStructuredGrid::SafeDownCast(now))
+  {
+    auto former = vtkStructuredGrid::SafeDownCast(kept);
+    return SameExtent(former, grid) && this->SamePoints(former->GetPoints(), grid->GetPoints());
+  }
+  if (auto grid = vtkExplicitStructuredGrid::SafeDownCast(now))
+  {
+    auto former = vtkExplicitStructuredGrid::SafeDownCast(kept);
+    return SameExtent(former, grid) && this->SamePoints(former->GetPoints(), grid->GetPoints()) &&
+      this->SameCells(former->GetCells(), grid->GetCells());
+  }
+  return false;
+}
+
+// The few attributes that say which cells there are and what shape they have.
+void CopyShaping(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
+{
+  to->AddArray(from->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  to->SetRationalWeights(from->GetRationalWeights());
+  to->SetHigherOrderDegrees(from->GetHigherOrderDegrees());
+}
+}
+
+void SkdKeptMesh::Keep(vtkDataSet* mesh)
+{
+  this->Mesh.TakeReference(mesh->NewInstance());
+  this->Mesh->CopyStructure(mesh);
+  CopyShaping(mesh->GetCellData(), this->Mesh->GetCellData());
+  CopyShaping(mesh->GetPointData(), this->Mesh->GetPointData());
+  vtkTimeStamp now;
+  now.Modified();
+  this->Time = now.GetMTime();
+}
+
+bool SkdKeptMesh::IsSameAs(vtkDataSet* mesh) const
+{
+  const Comparison comparison(this->Time);
+  return this->Mesh && std::strcmp(this->Mesh->GetClassName(), mesh->GetClassName()) == 0 &&
+    comparison.SameShaping(this->Mesh->GetCellData(), mesh->GetCellData()) &&
+    comparison.SameShaping(this->Mesh->GetPointData(), mesh->GetPointData()) &&
+    comparison.SameStructure(this->Mesh, mesh);
+}

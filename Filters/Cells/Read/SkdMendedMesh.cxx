@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Read/SkdMendedMesh.h"
+
+#include "Cells/Read/SkdCellCheck.h"
+#include "Cells/Read/SkdRawCells.h"
+#include "vtkSkdTreeVersion.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExplicitStructuredGrid.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+using Ids = std::vector<vtkIdType>;
+using CellsPointer = vtkSmartPointer<vtkCellArray>;
+
+/// The cells first .. of a data set, but broken ones have `instead`. So many, if there are fewer.
+CellsPointer WithoutBroken(vtkCellArray* cells, vtkIdType first, const Ids& broken,
+  vtkIdType number, const Ids& instead = {})
+{
+  const SkdRawCells raw(cells);
+  auto mended = CellsPointer::New();
+  mended->AllocateExact(number, raw.NumberOfIds());
+  Ids copy;
+  for (vtkIdType cell = 0; cell < number; ++cell)
+  {
+    copy = instead;
+    const bool isBroken = std::binary_search(broken.begin(), broken.end(), first + cell);
+    if (!isBroken && cell < raw.NumberOfCells())
+    {
+      raw.VisitCell(cell, [&](const auto* ids, vtkIdType size) { copy.assign(ids, ids + size); });
+    }
+    mended->InsertNextCell(static_cast<vtkIdType>(copy.size()), copy.data());
+  }
+  return mended;
+}
+
+vtkSmartPointer<vtkDataSet> Mend(vtkPolyData* mesh, const Ids& broken)
+{
+  auto mended = vtkSmartPointer<vtkPolyData>::New();
+  mended->vtkPointSet::ShallowCopy(mesh); // points and data, no cells
+  vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
+    mesh->GetStrips() };
+  CellsPointer cells[4];
+  vtkIdType first = 0;
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    const vtkIdType number = arrays[kind]->GetNumberOfCells();
+    const auto next = std::lower_bound(broken.begin(), broken.end(), first);
+    const bool hasBroken = next != broken.end() && *next < first + number;
+    cells[kind] =
+      hasBroken ? WithoutBroken(arrays[kind], first, broken, number) : CellsPointer(arrays[kind]);
+    first += number;
+  }
+  mended->SetVerts(cells[0]);
+  mended->SetLines(cells[1]);
+  mended->SetPolys(cells[2]);
+  mended->SetStrips(cells[3]);
+  return mended;
+}
+
+/// Copies the faces of another grid's valid polyhedra, and these cells.
+void SetCells(vtkUnstructuredGrid* from, const Ids& broken, vtkUnsignedCharArray* types,
+  vtkCellArray* cells, vtkUnstructuredGrid* to)
+{
+  const vtkIdType number = cells->GetNumberOfCells();
+#if VTK_SKD_FACES_ARE_CELLS
+  vtkCellArray* faces = from->GetPolyhedronFaces();
+  vtkCellArray* facesOfCells = from->GetPolyhedronFaceLocations();
+  if (faces && facesOfCells)
+  {
+    to->SetPolyhedralCells(types, cells, WithoutBroken(facesOfCells, 0, broken, number), faces);
+    return;
+  }
+#else
+  vtkIdTypeArray* faces = from->GetFaces();
+  vtkIdTypeArray* locations = from->GetFaceLocations();
+  if (faces && locations)
+  {
+    vtkNew<vtkIdTypeArray> mended;
+    mended->SetNumberOfValues(number);
+    for (vtkIdType cell = 0; cell < number; ++cell)
+    {
+      mended->SetValue(
+        cell, cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : -1);
+    }
+    for (const vtkIdType cell : broken)
+    {
+      mended->SetValue(cell, -1);
+    }
+    to->SetCells(types, cells, mended, faces);
+    return;
+  }
+#endif
+  to->SetCells(types, cells);
+}
+
+vtkSmartPointer<vtkDataSet> Mend(vtkUnstructuredGrid* grid, const Ids& broken)
+{
+  auto mended = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  mended->vtkPointSet::ShallowCopy(grid); // points and data, no cells
+  const vtkIdType number = grid->GetNumberOfCells();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfValues(number);
+  for (vtkIdType cell = 0; cell < number; ++cell)
+  {
+    const bool isBroken = std::binary_search(broken.begin(), broken.end(), cell);
+    types->SetValue(
+      cell, static_cast<unsigned char>(isBroken ? VTK_EMPTY_CELL : grid->GetCellType(cell)));
+  }
+  SetCells(grid, broken, types, WithoutBroken(grid->GetCells(), 0, broken, number), mended);
+  return mended;
+}
+
+// Its cells all have eight points: broken ones are blanked.
+vtkSmartPointer<vtkDataSet> Mend(vtkExplicitStructuredGrid* grid, const Ids& broken)
+{
+  auto mended = vtkSmartPointer<vtkExplicitStructuredGrid>::New();
+  if (grid->GetNumberOfPoints() == 0)
+  {
+    return mended;
+  }
+  const vtkIdType number = grid->GetNumberOfCells();
+  mended->vtkPointSet::ShallowCopy(grid);
+  mended->SetExtent(grid->GetExtent());
+  mended->SetCells(WithoutBroken(grid->GetCells(), 0, broken, number, Ids(8, 0)));
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(number);
+  ghosts->FillValue(0);
+  if (vtkUnsignedCharArray* old = grid->GetCellGhostArray())
+  {
+    ghosts->DeepCopy(old);
+  }
+  for (const vtkIdType cell : broken)
+  {
+    ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
+  }
+  mended->GetCellData()->AddArray(ghosts);
+  return mended;
+}
+
+/// With an empty list of points if there are cells, but none: VTK reads cells through it, even
+/// those without points.
+vtkSmartPointer<vtkDataSet> WithPoints(vtkDataSet* data)
+{
+  auto* set = vtkPointSet::SafeDownCast(data);
+  if (!set || set->GetPoints() || set->GetNumberOfCells() == 0)
+  {
+    return data;
+  }
+  const auto copy = vtkSmartPointer<vtkPointSet>::Take(set->NewInstance());
+  copy->ShallowCopy(set);
+  copy->SetPoints(vtkNew<vtkPoints>());
+  return copy;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdMendedMesh SkdMend(vtkDataSet* given)
+{
+  const vtkSmartPointer<vtkDataSet> data = WithPoints(given);
+  const SkdBrokenCells broken = SkdFindBrokenCells(data);
+  if (broken.Ids.empty())
+  {
+    return { data, {} };
+  }
+  const std::string fault = broken.Tell(data);
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    return { Mend(mesh, broken.Ids), fault };
+  }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return { Mend(grid, broken.Ids), fault };
+  }
+  return { Mend(vtkExplicitStructuredGrid::SafeDownCast(data), broken.Ids), fault };
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Read/SkdShape.h"
+
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+namespace
+{
+bool IsKnownToVTK(int cellType)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType));
+  return cell != nullptr;
+}
+
+SkdShape FindShape(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_EMPTY_CELL:
+      return SkdShape::None;
+    case VTK_VERTEX:
+      return SkdShape::Vertex;
+    case VTK_LINE:
+      return SkdShape::Line;
+    case VTK_TRIANGLE:
+      return SkdShape::Triangle;
+    case VTK_TRIANGLE_STRIP:
+      return SkdShape::Strip;
+    case VTK_POLYGON:
+      return SkdShape::Polygon;
+    case VTK_POLY_LINE:
+      return SkdShape::PolyLine;
+    case VTK_POLY_VERTEX:
+      return SkdShape::PolyVertex;
+    case VTK_POLYHEDRON:
+    case VTK_CONVEX_POINT_SET: // by its hull
+      return SkdShape::Polyhedron;
+    case VTK_PIXEL:
+      return SkdShape::Pixel;
+    case VTK_QUAD:
+      return SkdShape::Quad;
+    case VTK_TETRA:
+      return SkdShape::Tetrahedron;
+    case VTK_VOXEL:
+      return SkdShape::Voxel;
+    case VTK_HEXAHEDRON:
+      return SkdShape::Hexahedron;
+    case VTK_WEDGE:
+      return SkdShape::Wedge;
+    case VTK_PYRAMID:
+      return SkdShape::Pyramid;
+    default:
+      return IsKnownToVTK(cellType) ? SkdShape::Generic : SkdShape::None;
+  }
+}
+
+std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> MakeShapeTable()
+{
+  std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> table;
+  for (int cellType = 0; cellType < VTK_NUMBER_OF_CELL_TYPES; ++cellType)
+  {
+    table[static_cast<std::size_t>(cellType)] = FindShape(cellType);
+  }
+  return table;
+}
+}
+
+//------------------------------------------------------------------------------
+SkdShape SkdShapeOfCellType(int cellType)
+{
+  static const std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> table = MakeShapeTable();
+  const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
+  return isKnown ? table[static_cast<std::size_t>(cellType)] : SkdShape::None;
+}

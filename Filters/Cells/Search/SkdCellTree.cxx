@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Search/SkdCellTree.h"
+
+#include "Cells/Read/SkdForEach.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
+}
+
+//------------------------------------------------------------------------------
+SkdCellTree::SkdCellTree(vtkDataSet* data, const SkdTreeSettings& settings)
+  : SkdCellTree(SkdCellStore(data, settings.SkipsGhosts, settings.Magnitudes), settings)
+{
+  if (!this->Lazy && !this->Bare && SkdEqualCells::AreLikely(this->Eager))
+  {
+    this->FindEqualCells(settings);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCellTree::FindEqualCells(const SkdTreeSettings& settings)
+{
+  auto equal = std::make_unique<SkdEqualCells>(this->Store);
+  if (equal->GetFirsts().size() < this->Store.NumberOfCells())
+  {
+    this->Equal = std::move(equal);
+    this->Distinct.reset(
+      new SkdCellTree(SkdCellStore(this->Store, this->Equal->GetFirsts()), settings));
+  }
+}
+
+//------------------------------------------------------------------------------
+SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
+  : Store(std::move(store))
+  , Bare(settings.IsBare)
+  , TheRounding(Ulps * this->Store.LargestCoordinate())
+  , TheEpsilon(settings.Epsilon)
+{
+  if (this->Store.NumberOfCells() == 0)
+  {
+    return;
+  }
+  this->Runs = SkdPieceRuns(this->Store, this->TheRounding);
+  const skd::ReadInput<3> input = this->MakeInput(settings);
+  if (settings.IsBare)
+  {
+    return;
+  }
+  if (settings.IsLazy)
+  {
+    this->Lazy = std::make_unique<skd::LazyTree<3>>(input, SkdTreeLoop);
+    return;
+  }
+  this->Eager = EagerTree(input, SkdTreeLoop);
+  this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
+}
+
+//------------------------------------------------------------------------------
+skd::ReadInput<3> SkdCellTree::MakeInput(const SkdTreeSettings& settings)
+{
+  const skd::Box3& bounds = this->Store.GetBounds();
+  this->TheEpsilon = std::max(this->TheEpsilon * bounds.Diagonal(), this->TheRounding);
+
+  skd::ReadInput<3> input;
+  input.Capacity = settings.Capacity;
+  input.Rule = settings.Rule;
+  input.Bounds = bounds.Inflated(2.0 * this->TheEpsilon);
+  input.Frame = skd::Frame<3>::Of(input.Bounds);
+  input.Count = this->Store.NumberOfCells();
+  input.Read = [this, frame = input.Frame](
+                 const std::uint32_t* cells, std::size_t count, skd::Element<3>* to)
+  {
+    const double margin = 2.0 * this->TheEpsilon;
+    std::transform(cells, cells + count, to,
+      [&](std::uint32_t cell) {
+        return skd::Element<3>{ frame.OutwardWithin(this->Store.ExtentOf(cell), margin), cell };
+      });
+  };
+  return input;
+}
+
+//------------------------------------------------------------------------------
+skd::PaperTree<3> SkdCellTree::MakePaperTree() const
+{
+  std::vector<skd::Box3> boxes(this->Store.NumberOfCells());
+  for (std::uint32_t cell = 0; cell < this->Store.NumberOfCells(); ++cell)
+  {
+    boxes[cell] = this->SafetyBoxOf(cell);
+  }
+  return skd::BuildPaperTree(boxes);
+}
+
+//------------------------------------------------------------------------------
+std::size_t SkdCellTree::NumberOfNodes() const
+{
+  return this->Lazy ? this->Lazy->NumberOfNodes() : this->Eager.NumberOfNodes();
+}
+
+//------------------------------------------------------------------------------
+int SkdCellTree::Depth() const
+{
+  if (!this->Lazy)
+  {
+    return this->Eager.Depth();
+  }
+  int depth = 0;
+  for (std::size_t below = this->NumberOfNodes(); below > 0; below /= skd::Node<3>::Width)
+  {
+    ++depth;
+  }
+  return depth;
+}
+
+//------------------------------------------------------------------------------
+skd::SplitRule SkdCellTree::Rule() const
+{
+  return this->Eager.Rule();
+}
+
+//------------------------------------------------------------------------------
+std::size_t SkdCellTree::MemorySize() const
+{
+  return sizeof(*this) + this->Store.MemorySize() + this->LeafFilters.MemorySize() +
+    this->Runs.MemorySize() + (this->Equal ? this->Equal->MemorySize() : 0) +
+    (this->Distinct ? this->Distinct->MemorySize() : 0) +
+    (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdEqualCells_h
+#define SkdEqualCells_h
+
+#include "Core/Search/Tree/Tree.h"
+
+#include <cstdint>
+#include <vector>
+
+class SkdCellStore;
+
+/// The cells of a store in groups of equal ones: of one shape, with the same coordinates in the
+/// same order, so that every kernel gives the same answer for them to the last bit. No box tells
+/// them apart, and a query that needs only one of them, that with the lowest id, would look at all.
+/// Polyhedra and cells of shape Generic, whose coordinates do not say all, are equal to none.
+class SkdEqualCells
+{
+public:
+  /// O(N log N), in parallel for the most part.
+  explicit SkdEqualCells(const SkdCellStore& store);
+
+  /// Whether there may be so many in one place that it matters: some node has equal boxes only. Of
+  /// large trees a sample of the nodes is looked at, in which no group of a thousandth of all cells
+  /// is missed.
+  static bool AreLikely(const skd::Tree<3>& tree);
+
+  /// The first of each group, ascending: as many as the store has if no two are equal.
+  const std::vector<std::uint32_t>& GetFirsts() const { return this->Firsts; }
+
+  /// Calls visit(cell) for the cells of a group, ascending, until it returns false.
+  template <class Visit>
+  void VisitGroup(std::uint32_t group, const Visit& visit) const
+  {
+    bool isGoing = visit(this->Firsts[group]);
+    for (std::uint32_t i = this->Offsets[group]; isGoing && i < this->Offsets[group + 1]; ++i)
+    {
+      isGoing = visit(this->Others[i]);
+    }
+  }
+
+  std::size_t MemorySize() const
+  {
+    return (this->Firsts.capacity() + this->Offsets.capacity() + this->Others.capacity()) *
+      sizeof(std::uint32_t);
+  }
+
+private:
+  void Group(const std::vector<std::uint32_t>& firstOf);
+
+  std::vector<std::uint32_t> Firsts;
+  std::vector<std::uint32_t> Offsets; // of the others of each group
+  std::vector<std::uint32_t> Others;
+};
+
+#endif

@@ -1,0 +1,476 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Search/SkdLeafFilters.h"
+
+#include "Core/Geometry/Cells/CellFaces.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using Node = skd::Node<3>;
+
+skd::QuantizationGrid QuantizationGridOf(const Node& leaf)
+{
+  skd::FloatBox<3> box = leaf.Boxes.Get(0);
+  for (int lane = 1; lane < leaf.Count; ++lane)
+  {
+    skd::Enclose(box, leaf.Boxes.Get(lane));
+  }
+  return skd::QuantizationGrid(box);
+}
+
+template <class Kernel, class Visit>
+void VisitShapeOf(const Kernel&, const Visit&)
+{
+}
+template <class Shape, class Visit>
+void VisitShapeOf(const SkdVolumeKernel<Shape>&, const Visit& visit)
+{
+  visit(Shape());
+}
+
+/// Calls visit(shape) with a linear volume cell that may be turned; a voxel's box says it all.
+template <class Visit>
+void VisitVolume(SkdShape shape, const Visit& visit)
+{
+  SkdVisitKernel(shape, [&](auto kernel) { VisitShapeOf(kernel, visit); });
+}
+
+/// Of a cell; of a polyhedron's faces the others are left out.
+constexpr int MostPlanes = 16;
+
+int NumberOfPlanes(const SkdCellStore& store, std::uint32_t cell)
+{
+  int count = 0;
+  if (store.ShapeOf(cell) == SkdShape::Polyhedron)
+  {
+    const skd::PolyhedronView view = store.GatherPoly(cell).AsPolyhedron();
+    for (const std::uint32_t* at = view.Faces; at != view.End; at += 1 + *at)
+    {
+      ++count;
+    }
+  }
+  VisitVolume(store.ShapeOf(cell), [&](auto shape) { count = shape.NumberOfFaces; });
+  return std::min(count, MostPlanes);
+}
+
+constexpr std::size_t NumberOfPieces = 64;
+
+/// Calls body(piece, first, last) in parallel for pieces of 0 .. count - 1, always the same.
+template <class Body>
+void ForEachPiece(std::uint64_t count, const Body& body)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(NumberOfPieces), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto piece = static_cast<std::uint64_t>(begin); piece < static_cast<std::uint64_t>(end);
+           ++piece)
+      {
+        body(piece, static_cast<std::uint32_t>(count * piece / NumberOfPieces),
+          static_cast<std::uint32_t>(count * (piece + 1) / NumberOfPieces));
+      }
+    });
+}
+
+/// The points of a leaf's triangles, each once.
+struct SharedIds
+{
+  std::uint32_t Ids[3 * skd::TrianglePacket::Width];
+  std::uint32_t Count = 0;
+
+  std::uint8_t SlotOf(std::uint32_t id)
+  {
+    std::uint32_t* const end = this->Ids + this->Count;
+    const auto place = static_cast<std::uint32_t>(std::find(this->Ids, end, id) - this->Ids);
+    if (place == this->Count)
+    {
+      this->Ids[this->Count++] = id;
+    }
+    return static_cast<std::uint8_t>(place);
+  }
+};
+
+/// One leaf's part of the rows, and where its cells are on its grid.
+struct PlaneFiller
+{
+  const SkdCellStore& Store;
+  const skd::Frame<3>& Frame;
+  skd::QuantizationGrid Grid;
+  double Margin;
+  skd::PlaneRow* Rows;
+
+  /// Selects the cells of a node that have the shape of one of them. Returns their bits.
+  unsigned SetLike(int first, const std::uint32_t* cells, unsigned lanes) const
+  {
+    const SkdShape shape = this->Store.ShapeOf(cells[first]);
+    unsigned alike = 0;
+    skd::ForEachLane(lanes,
+      [&](int lane) { alike |= this->Store.ShapeOf(cells[lane]) == shape ? 1u << lane : 0u; });
+    if (shape == SkdShape::Polyhedron)
+    {
+      skd::ForEachLane(alike, [&](int lane) { this->SetPolyhedron(lane, cells[lane]); });
+    }
+    constexpr std::size_t few = 3; // so many cost less one by one than all lanes at once
+    const bool areFew = std::bitset<Node::Width>(alike).count() <= few;
+    VisitVolume(shape,
+      [&](auto kind)
+      {
+        if (areFew)
+        {
+          this->SetEach<decltype(kind)>(cells, alike);
+        }
+        else
+        {
+          this->SetTogether<decltype(kind)>(cells, alike);
+        }
+      });
+    return alike;
+  }
+
+private:
+  template <class Shape>
+  void SetEach(const std::uint32_t* cells, unsigned lanes) const
+  {
+    skd::ForEachLane(lanes,
+      [&](int lane)
+      {
+        skd::Vector3 points[Shape::Size];
+        this->Gather(
+          cells[lane], Shape::Size, [&](int i, const skd::Vector3& place) { points[i] = place; });
+        for (int face = 0; face < Shape::NumberOfFaces; ++face)
+        {
+          this->Rows[face].SetAlongFace(lane, skd::FaceNormal<Shape>(points, face),
+            points[Shape::Faces[face][0]], points, Shape::Size, this->Margin);
+        }
+      });
+  }
+
+  template <class Shape>
+  void SetTogether(const std::uint32_t* cells, unsigned lanes) const
+  {
+    skd::CornerLanes<Shape> corners;
+    skd::ForEachLane(lanes,
+      [&](int lane)
+      {
+        this->Gather(cells[lane], Shape::Size,
+          [&](int i, const skd::Vector3& place) { corners.Set(lane, i, place); });
+      });
+    for (int face = 0; face < Shape::NumberOfFaces; ++face)
+    {
+      this->Rows[face].SetAlongFaces(lanes, face, corners, this->Margin);
+    }
+  }
+
+  /// Of the first faces of a polyhedron.
+  void SetPolyhedron(int lane, std::uint32_t cell) const
+  {
+    const int count = NumberOfPlanes(this->Store, cell);
+    thread_local std::vector<skd::Vector3> points;
+    points.resize(this->Store.SizeOf(cell));
+    this->Gather(cell, static_cast<int>(points.size()),
+      [&](int i, const skd::Vector3& place) { points[static_cast<std::size_t>(i)] = place; });
+    const skd::PolyhedronView view = this->Store.GatherPoly(cell).AsPolyhedron();
+    const std::uint32_t* at = view.Faces;
+    for (int i = 0; i < count; ++i, at += 1 + *at)
+    {
+      this->Rows[i].SetAlongFace(lane, Across(points.data(), at + 1, *at), points[at[1]],
+        points.data(), static_cast<int>(points.size()), this->Margin);
+    }
+  }
+
+  template <class Visit>
+  void Gather(std::uint32_t cell, int count, const Visit& visit) const
+  {
+    const std::uint32_t* ids = this->Store.PointIdsOf(cell);
+    const skd::QuantizationGrid grid = this->Grid; // of our own: its inverse is made once
+    for (int i = 0; i < count; ++i)
+    {
+      const skd::Vector3 world = this->Store.Point(ids[i]);
+      visit(i, grid.Of(this->Frame.Local(world)));
+    }
+  }
+
+  /// Twice the area vector of a face.
+  static skd::Vector3 Across(
+    const skd::Vector3* points, const std::uint32_t* ids, std::uint32_t size)
+  {
+    const skd::Vector3& first = points[ids[0]];
+    skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (std::uint32_t i = 2; i < size; ++i)
+    {
+      sum = sum + skd::Cross(points[ids[i - 1]] - first, points[ids[i]] - first);
+    }
+    return sum;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, double rounding)
+{
+  const bool isInOrder = this->Number(tree, Census(store, tree));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(tree.NumberOfNodes()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+      {
+        const Node& node = tree.Open(i);
+        if (node.IsLeaf && skd::TrianglePackets::Knows(node))
+        {
+          if (isInOrder)
+          {
+            tree.SetTag(i, skd::TrianglePackets::TagOf(tree.NumberOf(node)));
+          }
+          this->FillTriangles(store, tree, node);
+        }
+        else if (node.IsLeaf && HasPlanes(node))
+        {
+          this->FillPlanes(store, tree, node, rounding);
+        }
+        else if (!node.IsLeaf && isInOrder)
+        {
+          tree.SetTag(
+            i, this->PlanePackets.empty() ? skd::TrianglePackets::TagOf(0) : TagOfPlanes(0));
+          tree.SetNote(i, tree.LeavesBelow(node));
+        }
+      }
+    });
+  if (isInOrder && !this->Triangles.empty())
+  {
+    this->FillPoints(store, tree);
+  }
+}
+
+//------------------------------------------------------------------------------
+SkdLeafFilters::Counts SkdLeafFilters::Census(const SkdCellStore& store, skd::Tree<3>& tree)
+{
+  std::array<Counts, NumberOfPieces> pieces;
+  ForEachPiece(tree.NumberOfNodes(),
+    [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
+    {
+      Counts counts;
+      for (std::uint32_t i = first; i < last; ++i)
+      {
+        CountIn(store, tree, i, counts);
+      }
+      pieces[piece] = counts;
+    });
+  Counts all;
+  for (const Counts& counts : pieces)
+  {
+    all.Leaves += counts.Leaves;
+    all.Packets += counts.Packets;
+    all.PlanePackets += counts.PlanePackets;
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void SkdLeafFilters::CountIn(
+  const SkdCellStore& store, skd::Tree<3>& tree, std::uint32_t index, Counts& counts)
+{
+  const Node& node = tree.Open(index);
+  if (!node.IsLeaf)
+  {
+    return;
+  }
+  int least = std::numeric_limits<int>::max();
+  int most = 0;
+  std::uint32_t triangles = 0;
+  for (std::uint32_t lane = 0; lane < node.Count; ++lane)
+  {
+    const std::uint32_t cell = tree.Element(node.First + lane);
+    const int planes = NumberOfPlanes(store, cell);
+    least = std::min(least, planes);
+    most = std::max(most, planes);
+    triangles += store.ShapeOf(cell) == SkdShape::Triangle ? 1 : 0;
+  }
+  ++counts.Leaves;
+  const bool haveRowsNumbers = tree.NumberOfNodes() < Node::NoTag / 2 / MostPlanes;
+  if (triangles == node.Count)
+  {
+    tree.SetTag(index, skd::TrianglePackets::TagOf(0));
+    ++counts.Packets;
+  }
+  else if (most > 0 && least > 0 && haveRowsNumbers)
+  {
+    tree.SetTag(index, TagOfPlanes(static_cast<std::uint32_t>(most)));
+    ++counts.PlanePackets;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdLeafFilters::Number(skd::Tree<3>& tree, const Counts& counts)
+{
+  const bool isInOrder = counts.Packets == counts.Leaves || counts.PlanePackets == counts.Leaves;
+  this->Triangles.resize(counts.Packets);
+  this->PlanePackets.resize(counts.PlanePackets);
+  if (isInOrder && counts.PlanePackets == 0)
+  {
+    return true; // packets are numbered as they are filled
+  }
+  std::uint32_t packets = 0;
+  std::uint32_t planePackets = 0;
+  for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
+  {
+    const Node& node = tree.Open(i);
+    if (!node.IsLeaf)
+    {
+      continue;
+    }
+    if (skd::TrianglePackets::Knows(node))
+    {
+      tree.SetTag(i, skd::TrianglePackets::TagOf(packets++));
+    }
+    else if (HasPlanes(node))
+    {
+      const std::uint32_t number = isInOrder ? tree.NumberOf(node) : planePackets++;
+      this->PlanePackets[number].Count = node.Tag >> 1;
+      tree.SetTag(i, TagOfPlanes(number));
+    }
+  }
+  this->NumberRows();
+  return isInOrder;
+}
+
+//------------------------------------------------------------------------------
+void SkdLeafFilters::NumberRows()
+{
+  std::uint32_t rows = 0;
+  this->CommonRows = this->PlanePackets.empty() ? 0 : this->PlanePackets.front().Count;
+  for (PlanePacket& packet : this->PlanePackets)
+  {
+    packet.FirstRow = rows;
+    rows += packet.Count;
+    this->CommonRows = packet.Count == this->CommonRows ? this->CommonRows : 0;
+  }
+  this->Rows.resize(rows);
+}
+
+//------------------------------------------------------------------------------
+void SkdLeafFilters::FillTriangles(
+  const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf)
+{
+  skd::TrianglePacket& packet = this->Triangles[leaf.Tag >> 1];
+  packet = {};
+  packet.Grid = QuantizationGridOf(leaf);
+  SharedIds shared;
+  for (int lane = 0; lane < leaf.Count; ++lane)
+  {
+    const std::uint32_t* ids =
+      store.PointIdsOf(tree.Element(leaf.First + static_cast<std::uint32_t>(lane)));
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const skd::Vector3 world = store.Point(ids[corner]);
+      packet.Set(corner, lane, tree.GetFrame().Local(world));
+      packet.PointOf[lane][corner] = shared.SlotOf(ids[corner]);
+    }
+  }
+  packet.FirstPoint = shared.Count;
+}
+
+//------------------------------------------------------------------------------
+// So far, packets have said how many points they have.
+void SkdLeafFilters::FillPoints(const SkdCellStore& store, const skd::Tree<3>& tree)
+{
+  std::vector<std::uint64_t> firsts(NumberOfPieces);
+  ForEachPiece(this->Triangles.size(),
+    [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
+    {
+      for (std::uint32_t number = first; number < last; ++number)
+      {
+        firsts[piece] += this->Triangles[number].FirstPoint;
+      }
+    });
+  std::uint64_t points = 0;
+  for (std::uint64_t& first : firsts)
+  {
+    points += std::exchange(first, points);
+  }
+  const std::uint64_t lanes = std::uint64_t(skd::TrianglePacket::Width) * this->Triangles.size();
+  if (std::max(points, lanes) > std::numeric_limits<std::uint32_t>::max())
+  {
+    return; // lines then read the store
+  }
+  if (store.HasFloatPoints())
+  {
+    this->FloatPoints.resize(3 * points);
+    this->CopyPoints(store, tree, firsts, this->FloatPoints);
+  }
+  else
+  {
+    this->Points.resize(3 * points);
+    this->CopyPoints(store, tree, firsts, this->Points);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Real>
+void SkdLeafFilters::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& tree,
+  const std::vector<std::uint64_t>& firsts, skd::RawVector<Real>& points)
+{
+  const auto copy = [&](const skd::TrianglePacket& packet, const skd::ElementRange& elements)
+  {
+    for (std::uint32_t lane = 0; lane < elements.Count; ++lane)
+    {
+      const std::uint32_t* ids = store.PointIdsOf(tree.Element(elements.First + lane));
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const skd::Vector3 x = store.Point(ids[corner]);
+        const std::size_t point = std::size_t(packet.FirstPoint) + packet.PointOf[lane][corner];
+        Real* const at = points.data() + 3 * point;
+        at[0] = static_cast<Real>(x[0]);
+        at[1] = static_cast<Real>(x[1]);
+        at[2] = static_cast<Real>(x[2]);
+      }
+    }
+  };
+  ForEachPiece(this->Triangles.size(),
+    [&](std::size_t piece, std::uint32_t first, std::uint32_t last)
+    {
+      auto next = static_cast<std::uint32_t>(firsts[piece]);
+      for (std::uint32_t number = first; number < last; ++number)
+      {
+        next += std::exchange(this->Triangles[number].FirstPoint, next);
+        copy(this->Triangles[number], tree.LeafAt(number));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void SkdLeafFilters::FillPlanes(
+  const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf, double rounding)
+{
+  PlanePacket& packet = this->PlanePackets[leaf.Tag >> 1];
+  packet.Grid = QuantizationGridOf(leaf);
+  skd::PlaneRow* rows = this->Rows.data() + packet.FirstRow;
+  std::fill_n(rows, packet.Count, skd::PlaneRow());
+  const skd::Frame<3>& frame = tree.GetFrame();
+  const double margin = rounding * frame.Scale / packet.Grid.Unit + skd::PlaneRow::Rounding;
+  const PlaneFiller filler{ store, frame, packet.Grid, margin, rows };
+  std::uint32_t cells[Node::Width];
+  for (int lane = 0; lane < leaf.Count; ++lane)
+  {
+    cells[lane] = tree.Element(leaf.First + static_cast<std::uint32_t>(lane));
+  }
+  for (unsigned left = leaf.Occupied(); left != 0;)
+  {
+    left &= ~filler.SetLike(skd::LowestBit(left), cells, left);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t SkdLeafFilters::MemorySize() const
+{
+  return this->Triangles.capacity() * sizeof(skd::TrianglePacket) +
+    this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
+    this->PlanePackets.capacity() * sizeof(PlanePacket) +
+    this->Rows.capacity() * sizeof(skd::PlaneRow);
+}

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Search/SkdCellTree.h"
+
+#include "Cells/Search/SkdMotion.h"
+#include "Core/Geometry/Intersection/CrossingDirection.h"
+#include "Core/Geometry/Intersection/SegmentPolygon.h"
+#include "Core/Search/Queries/AlongSegment.h"
+#include "Core/Search/Queries/TriangleHits.h"
+
+#include "vtkCell.h"
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace
+{
+bool IsBefore(const SkdHitCell& a, const SkdHitCell& b)
+{
+  return std::tie(a.T, a.Id) < std::tie(b.T, b.Id);
+}
+
+SkdHitCell WithId(const SkdLineHit& hit, vtkIdType id)
+{
+  SkdHitCell found;
+  static_cast<SkdLineHit&>(found) = hit;
+  found.Id = id;
+  return found;
+}
+
+/// A facet of a surface that a segment meets.
+struct FacetHit
+{
+  double T;
+  vtkIdType Id;
+  bool OnEdge;
+  bool Passes;
+};
+
+/// What ForEachFacet() passes on.
+struct Facet
+{
+  double T;
+  bool OnEdge;
+  bool Passes;
+};
+
+/// As CrossingDirection(), of a polygon that is passed through.
+int WayAcross(const skd::Segment<3>& segment, const SkdPolyCell& polygon)
+{
+  skd::Vector3 area{ { 0.0, 0.0, 0.0 } };
+  for (int i = 1; i + 1 < polygon.Size; ++i)
+  {
+    const skd::Vector3& corner = polygon.Points[0];
+    area = area + skd::Cross(polygon.Points[i] - corner, polygon.Points[i + 1] - corner);
+  }
+  return skd::Dot(area, segment.B - segment.A) < 0.0 ? -1 : 1;
+}
+
+/// Facets that share the point of an edge or vertex are one crossing: the parameter there is the
+/// same number for all of them (SegmentTriangle.h).
+void Merge(std::vector<FacetHit>& facets, SkdCrossings& crossings)
+{
+  std::sort(facets.begin(), facets.end(),
+    [](const FacetHit& a, const FacetHit& b)
+    { return std::tie(a.T, b.OnEdge, a.Id) < std::tie(b.T, a.OnEdge, b.Id); });
+  for (const FacetHit& facet : facets)
+  {
+    const bool isSame =
+      facet.OnEdge && !crossings.List.empty() && crossings.List.back().T == facet.T;
+    if (!isSame)
+    {
+      const std::size_t first = crossings.Cells.size();
+      crossings.List.push_back({ facet.T, first, first, false });
+    }
+    SkdCrossing& crossing = crossings.List.back();
+    crossing.Passes ^= facet.Passes;
+    const bool isNew =
+      crossings.Cells.size() == crossing.First || crossings.Cells.back() != facet.Id;
+    if (isNew)
+    {
+      crossings.Cells.push_back(facet.Id);
+    }
+    crossing.Last = crossings.Cells.size();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+/// The triangles of a cell that is a surface, if its shape is one of ours.
+template <class Visit>
+void SkdCellTree::ForEachTriangle(std::uint32_t cell, Visit visit) const
+{
+  const std::uint32_t* ids = this->Store.PointIdsOf(cell);
+  const std::uint32_t size = this->Store.SizeOf(cell);
+  const auto point = [&](std::uint32_t i) { return this->Store.Point(ids[i]); };
+  switch (this->Store.ShapeOf(cell))
+  {
+    case SkdShape::Quad:
+    case SkdShape::Pixel:
+    {
+      const bool isPixel = this->Store.ShapeOf(cell) == SkdShape::Pixel;
+      const skd::Vector3 quad[4] = { point(0), point(1), point(isPixel ? 3 : 2),
+        point(isPixel ? 2 : 3) };
+      for (const auto& triangle : SkdQuadSplit(quad).Triangles)
+      {
+        visit(quad[triangle[0]], quad[triangle[1]], quad[triangle[2]]);
+      }
+      return;
+    }
+    case SkdShape::Strip:
+      for (std::uint32_t i = 0; i + 2 < size; ++i)
+      {
+        visit(point(i), point(i + 1), point(i + 2));
+      }
+      return;
+    case SkdShape::Triangle:
+      visit(point(0), point(1), point(2));
+      return;
+    default:
+      return;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::SegmentView& view,
+  double tolerance, const SkdCellSource& source) const
+{
+  std::optional<SkdLineHit> hit;
+  const SkdShape shape = this->Store.ShapeOf(cell);
+  const SkdReach reach{ tolerance, this->TheRounding };
+  const auto intersect = [&](auto kernel)
+  {
+    skd::Vector3 points[kernel.Size];
+    this->Store.Gather(cell, points);
+    hit = kernel.Intersect(points, view, reach);
+  };
+  if (SkdVisitKernel(shape, intersect))
+  {
+    return hit;
+  }
+  if (shape != SkdShape::Generic)
+  {
+    return SkdPolyKernels::Intersect(this->Store.GatherPoly(cell), view, reach);
+  }
+  return SkdGenericKernel::Intersect(
+    source.Load(this->Store.IdOf(cell)), view.GetSegment(), tolerance);
+}
+
+//------------------------------------------------------------------------------
+template <bool InOrder, class Visitor>
+void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Visitor& visitor) const
+{
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    SkdWideWalks::AlongSegment(
+      tree, segment.A.X, segment.B.X, margin, InOrder, SkdWideVisitor::Of(visitor));
+  };
+  if (!this->WalkWide(wide))
+  {
+    using LeafFilter = skd::LineLeafFilter;
+    skd::AlongSegment<3, Visitor, LeafFilter, InOrder> query(this->GetFrame(), segment, margin,
+      visitor, LeafFilter(this->LeafFilters.Packets(), skd::Shear(segment.B - segment.A)));
+    this->Walk(query);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <bool InOrder, class Visitor>
+bool SkdCellTree::VisitTriangleHits(
+  const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const
+{
+  const skd::TrianglePackets packets = this->LeafFilters.Packets();
+  if (!packets.HavePoints())
+  {
+    return false;
+  }
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    SkdWideWalks::VisitTriangleHits(tree, segment.A.X, segment.B.X, tolerance, InOrder,
+      SkdWideHits::Of<skd::TriangleHit>(visitor));
+  };
+  if (!this->WalkWide(wide))
+  {
+    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packets, segment, tolerance, visitor);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+SkdHitCell SkdCellTree::FindFirstHit(
+  const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
+{
+  if (this->Distinct)
+  {
+    return this->Distinct->FindFirstHit(segment, tolerance, source);
+  }
+  SkdHitCell first;
+  const double reach = std::max(tolerance, 0.0);
+  const auto take = [&](std::uint32_t cell, const SkdLineHit& hit)
+  {
+    const SkdHitCell found = WithId(hit, this->Store.IdOf(cell));
+    if (first.Id < 0 || IsBefore(found, first))
+    {
+      first = found;
+    }
+    return first.T;
+  };
+  auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
+  { return take(cell, SkdTriangleKernel::From(hit)); };
+  if (this->VisitTriangleHits<true>(segment, reach, takeTriangle))
+  {
+    return first;
+  }
+  const skd::SegmentView view(segment);
+  if (!view.IsValid())
+  {
+    return first;
+  }
+  auto visitor = [&](std::uint32_t cell)
+  {
+    const auto hit = this->Hit(cell, view, reach, source);
+    return hit ? take(cell, *hit) : (first.Id < 0 ? 1.0 : first.T);
+  };
+  this->WalkAlong<true>(segment, reach, visitor);
+  return first;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdHitCell>& SkdCellTree::FindHits(
+  const skd::Segment<3>& segment, double tolerance, const SkdCellSource& source) const
+{
+  thread_local std::vector<SkdHitCell> hits;
+  hits.clear();
+  const double reach = std::max(tolerance, 0.0);
+  auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
+  {
+    hits.push_back(WithId(SkdTriangleKernel::From(hit), this->Store.IdOf(cell)));
+    return 1.0;
+  };
+  const skd::SegmentView view(segment);
+  auto visitor = [&](std::uint32_t cell)
+  {
+    if (const auto hit = this->Hit(cell, view, reach, source))
+    {
+      hits.push_back(WithId(*hit, this->Store.IdOf(cell)));
+    }
+    return 1.0;
+  };
+  if (!this->VisitTriangleHits<false>(segment, reach, takeTriangle) && view.IsValid())
+  {
+    this->WalkAlong<false>(segment, reach, visitor);
+  }
+  std::sort(hits.begin(), hits.end(), IsBefore);
+  return hits;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
+  const skd::Segment<3>& segment, double tolerance, const skd::RigidMotion* motion) const
+{
+  thread_local std::vector<SkdHitCell> hits;
+  hits.clear();
+  const double reach = std::max(tolerance, 0.0);
+  const auto clip = [&](std::uint32_t cell)
+  {
+    const skd::Box3 bounds = this->WorldBoundsOf(cell, motion).Inflated(reach);
+    if (const auto inside = skd::Clip(segment, bounds))
+    {
+      hits.push_back(WithId({ inside->Min, { { 0.0, 0.0, 0.0 } } }, this->Store.IdOf(cell)));
+    }
+  };
+  if (motion)
+  {
+    skd::Box3 around;
+    around.Add(segment.A);
+    around.Add(segment.B);
+    this->ForEachNear(around.Inflated(reach), *motion, clip);
+  }
+  else
+  {
+    auto visitor = [&](std::uint32_t cell)
+    {
+      clip(cell);
+      return 1.0;
+    };
+    skd::AlongSegment<3, decltype(visitor), skd::NoLeafFilter, false> query(
+      this->GetFrame(), segment, reach, visitor);
+    this->Walk(query);
+  }
+  std::sort(hits.begin(), hits.end(), IsBefore);
+  return hits;
+}
+
+//------------------------------------------------------------------------------
+/// Calls take(cell, hit, way) for each facet of a surface that the segment hits: way() returns the
+/// direction through the facet, see CrossingDirection().
+template <class Take>
+void SkdCellTree::ForEachFacet(
+  const skd::Segment<3>& segment, const SkdCellSource& source, const Take& take) const
+{
+  auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
+  {
+    const auto point = [&](int i) { return this->Store.Point(this->Store.PointIdsOf(cell)[i]); };
+    take(cell, Facet{ hit.T, hit.OnEdge, hit.Passes },
+      [&]
+      { return skd::CrossingDirection(skd::SegmentView(segment), point(0), point(1), point(2)); });
+    return 1.0;
+  };
+  if (this->VisitTriangleHits<false>(segment, 0.0, takeTriangle))
+  {
+    return;
+  }
+  const skd::SegmentView view(segment);
+  auto visitor = [&](std::uint32_t cell)
+  {
+    if (this->Store.ShapeOf(cell) == SkdShape::Generic)
+    {
+      vtkCell* loaded = source.Load(this->Store.IdOf(cell));
+      const bool isSurface = loaded->GetCellDimension() == 2;
+      const auto hit = isSurface ? SkdGenericKernel::Intersect(loaded, segment, 0.0) : std::nullopt;
+      if (hit)
+      {
+        take(cell, Facet{ hit->T, false, true }, [] { return 0; });
+      }
+      return 1.0;
+    }
+    if (this->Store.ShapeOf(cell) == SkdShape::Polygon)
+    {
+      const SkdPolyCell polygon = this->Store.GatherPoly(cell);
+      if (const auto hit = skd::Intersect(view, polygon.Points, polygon.Size))
+      {
+        take(cell, Facet{ hit->T, hit->OnEdge, hit->Passes },
+          [&] { return hit->Passes ? WayAcross(segment, polygon) : 0; });
+      }
+      return 1.0;
+    }
+    this->ForEachTriangle(cell,
+      [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
+      {
+        if (const auto hit = skd::Intersect(view, a, b, c))
+        {
+          take(cell, Facet{ hit->T, hit->OnEdge, hit->Passes },
+            [&] { return skd::CrossingDirection(view, a, b, c); });
+        }
+      });
+    return 1.0;
+  };
+  if (view.IsValid())
+  {
+    this->WalkAlong<false>(segment, 0.0, visitor);
+  }
+}
+
+//------------------------------------------------------------------------------
+const SkdCrossings& SkdCellTree::FindCrossings(
+  const skd::Segment<3>& segment, const SkdCellSource& source) const
+{
+  thread_local SkdCrossings crossings;
+  thread_local std::vector<FacetHit> facets;
+  crossings.List.clear();
+  crossings.Cells.clear();
+  facets.clear();
+  this->ForEachFacet(segment, source,
+    [&](std::uint32_t cell, const Facet& hit, const auto&) {
+      facets.push_back({ hit.T, this->Store.IdOf(cell), hit.OnEdge, hit.Passes });
+    });
+  Merge(facets, crossings);
+  return crossings;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdPass>& SkdCellTree::FindPasses(
+  const skd::Segment<3>& segment, const SkdCellSource& source) const
+{
+  thread_local std::vector<SkdPass> passes;
+  passes.clear();
+  this->ForEachFacet(segment, source,
+    [&](std::uint32_t cell, const Facet& hit, const auto& way)
+    {
+      if (hit.Passes)
+      {
+        passes.push_back({ hit.T, this->Store.IdOf(cell), way() });
+      }
+    });
+  std::sort(passes.begin(), passes.end(),
+    [](const SkdPass& a, const SkdPass& b) { return std::tie(a.T, a.Id) < std::tie(b.T, b.Id); });
+  return passes;
+}

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdLocatorState_h
+#define SkdLocatorState_h
+
+#include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Search/SkdCellTree.h"
+
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+inline skd::Vector3 SkdVector(const double x[3])
+{
+  return { { x[0], x[1], x[2] } };
+}
+
+inline void SkdStore(const skd::Vector3& from, double to[3])
+{
+  std::copy(from.X, from.X + 3, to);
+}
+
+/// The plane with a normal of any length; one of no length gives a plane that nothing meets.
+inline skd::Plane<3> SkdPlane(const double origin[3], const double normal[3])
+{
+  const skd::Vector3 direction = SkdVector(normal);
+  return { SkdVector(origin), (1.0 / skd::Norm(direction)) * direction };
+}
+
+/// A thread-local cell, for forms of a query without one.
+inline vtkGenericCell* SkdScratchCell()
+{
+  thread_local vtkNew<vtkGenericCell> cell;
+  return cell;
+}
+
+/// The state of a locator: a tree, shared with its shallow copies, and the motion of its set.
+class SkdLocatorState
+{
+public:
+  std::mutex Building;
+  double BuildSeconds = 0.0;
+  std::optional<skd::RigidMotion> Motion;
+  vtkNew<vtkMatrix4x4> Matrix; // of the motion, as it was given
+
+  /// nullptr before a tree is built. Thread-safe, also during a build.
+  const SkdCellTree* GetTree() const { return this->Ready.load(std::memory_order_acquire); }
+  const std::shared_ptr<const SkdCellTree>& ShareTree() const { return this->Tree; }
+  void SetTree(std::shared_ptr<const SkdCellTree> tree)
+  {
+    this->Ready.store(nullptr, std::memory_order_release);
+    this->Tree = std::move(tree);
+    this->Ready.store(this->Tree.get(), std::memory_order_release);
+  }
+
+  ///@{
+  /// The mesh that the tree was built on, in order to notice later that it changed. Kept is false
+  /// without a data set, and of types that cannot be compared. CheckTime is when the data set was
+  /// last found to be that mesh; thread-safe.
+  void Keep(vtkDataSet* mesh)
+  {
+    auto kept = std::make_shared<SkdKeptMesh>();
+    if (mesh)
+    {
+      kept->Keep(mesh);
+    }
+    const bool isComparable = mesh && kept->IsSameAs(mesh);
+    this->Kept = isComparable ? std::move(kept) : nullptr;
+    vtkTimeStamp now;
+    now.Modified();
+    this->CheckTime = isComparable ? now.GetMTime() : 0;
+  }
+  void Forget()
+  {
+    this->Kept = nullptr;
+    this->CheckTime = 0;
+  }
+  void KeepAs(const SkdLocatorState& other)
+  {
+    this->Kept = other.Kept;
+    this->CheckTime = other.CheckTime.load();
+  }
+  bool HasKept() const { return this->Kept != nullptr; }
+  bool IsBuiltOn(vtkDataSet* mesh) const
+  {
+    return this->Kept && mesh && this->Kept->IsSameAs(mesh);
+  }
+  vtkMTimeType GetCheckTime() const { return this->CheckTime; }
+  ///@}
+
+  skd::Vector3 ToTree(const double x[3]) const
+  {
+    return this->Motion ? this->Motion->Back(SkdVector(x)) : SkdVector(x);
+  }
+  skd::Segment<3> ToTree(const double p1[3], const double p2[3]) const
+  {
+    return { this->ToTree(p1), this->ToTree(p2) };
+  }
+  skd::Vector3 ToWorld(const skd::Vector3& x) const
+  {
+    return this->Motion ? this->Motion->Forward(x) : x;
+  }
+  const skd::RigidMotion* GetMotion() const { return this->Motion ? &*this->Motion : nullptr; }
+
+  /// The motion, or the identity.
+  skd::RigidMotion GetMotionOrNone() const
+  {
+    constexpr skd::RigidMotion none{
+      { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } }, { { 0.0, 0.0, 0.0 } }
+    };
+    return this->Motion ? *this->Motion : none;
+  }
+
+  /// Loads a cell of the answer for the caller, transformed by the motion.
+  void Load(vtkDataSet* data, vtkIdType id, vtkGenericCell* cell) const
+  {
+    if (!cell || id < 0)
+    {
+      return;
+    }
+    SkdLoadCell(data, id, cell);
+    vtkPoints* points = cell->GetPoints();
+    for (vtkIdType i = 0; this->Motion && i < points->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      points->GetPoint(i, x);
+      points->SetPoint(i, this->Motion->Forward(SkdVector(x)).X);
+    }
+  }
+
+private:
+  std::shared_ptr<const SkdCellTree> Tree;
+  std::atomic<const SkdCellTree*> Ready{ nullptr };
+  std::shared_ptr<const SkdKeptMesh> Kept; // shared with shallow copies
+  std::atomic<vtkMTimeType> CheckTime{ 0 };
+};
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Queries about two trees of cells (Algorithm 5.4).
+#include "Cells/Search/SkdCellTree.h"
+
+#include "Core/Search/Queries/OverlappingPairs.h"
+#include "Core/Search/Tree/WalkPairs.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+using CellPairs = std::vector<SkdCellTree::CellPair>;
+
+/// Keeps the pairs that are sure or that isPair(a, b) wants.
+template <class IsPair>
+struct Keeper
+{
+  const IsPair& Decide;
+  CellPairs& Found;
+
+  bool operator()(std::uint32_t a, std::uint32_t b, bool isSure) const
+  {
+    if (isSure || this->Decide(a, b))
+    {
+      this->Found.emplace_back(a, b);
+    }
+    return true;
+  }
+};
+
+/// The walk over two trees in parts that are the same whatever the number of threads, in parallel.
+/// isPair(a, b) decides about two cells whose safety boxes overlap, or nearly; what it looks at is
+/// smaller than these by at most `excess`.
+template <class First, class Second, class ToFirst, class IsPair>
+std::vector<CellPairs> WalkInParts(const First& first, const Second& second, const ToFirst& toFirst,
+  const IsPair& isPair, double excess)
+{
+  constexpr std::size_t enough = 256;
+  using Query = skd::OverlappingPairs<3, ToFirst, Keeper<IsPair>>;
+  const auto inWalk = [&](CellPairs& found, const auto& body)
+  {
+    Keeper<IsPair> keeper{ isPair, found };
+    Query query(first.GetFrame(), second.GetFrame(), toFirst, keeper, excess);
+    skd::PairWalk<First, Second, Query> walk(first, second, query);
+    body(walk);
+  };
+  std::vector<typename skd::PairWalk<First, Second, Query>::Pair> starts;
+  CellPairs none; // for splitting finds nothing
+  inWalk(none, [&](auto& walk) { starts = walk.Split(enough); });
+  std::vector<CellPairs> parts(starts.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        inWalk(parts[i], [&](auto& walk) { walk.RunFrom(starts[i]); });
+      }
+    });
+  return parts;
+}
+}
+
+//------------------------------------------------------------------------------
+template <class ToFirst, class IsPair>
+std::vector<CellPairs> SkdCellTree::FindPairs(
+  const SkdCellTree& other, const ToFirst& toFirst, const IsPair& isPair, double excess) const
+{
+  const auto withOther = [&](const auto& mine)
+  {
+    return other.Lazy ? WalkInParts(mine, *other.Lazy, toFirst, isPair, excess)
+                      : WalkInParts(mine, other.Eager, toFirst, isPair, excess);
+  };
+  return this->Lazy ? withOther(*this->Lazy) : withOther(this->Eager);
+}
+
+//------------------------------------------------------------------------------
+std::vector<CellPairs> SkdCellTree::FindBoundsPairs(const SkdCellTree& other) const
+{
+  const bool isWide = this->Store.HasCurvedExtents() || other.Store.HasCurvedExtents();
+  const double excess =
+    isWide ? std::numeric_limits<double>::infinity() : 2.0 * (this->TheEpsilon + other.TheEpsilon);
+  return this->FindPairs(
+    other, skd::SameWorld(),
+    [&](std::uint32_t a, std::uint32_t b)
+    { return this->Store.BoundsOf(a).Overlaps(other.Store.BoundsOf(b)); },
+    excess);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<vtkIdType, vtkIdType>> SkdCellTree::FindOverlappingPairs(
+  const SkdCellTree& other, const skd::RigidMotion& motion) const
+{
+  const auto move = [&motion](const skd::Box3& box) { return motion.Forward(box); };
+  const std::vector<CellPairs> parts = this->FindPairs(
+    other, move,
+    [&](std::uint32_t a, std::uint32_t b)
+    { return this->SafetyBoxOf(a).Overlaps(motion.Forward(other.SafetyBoxOf(b))); },
+    0.0);
+  std::vector<std::pair<vtkIdType, vtkIdType>> pairs;
+  for (const CellPairs& part : parts)
+  {
+    for (const CellPair& pair : part)
+    {
+      pairs.emplace_back(this->Store.IdOf(pair.first), other.Store.IdOf(pair.second));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Search/SkdWideWalks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// The core in another namespace: see SkdWideWalks.h. Only the core is included below.
+#define skd skd_wide
+
+#include "Core/Search/LeafFilters/TriangleLeafFilters.h"
+#include "Core/Search/Queries/AlongSegment.h"
+#include "Core/Search/Queries/Nearest.h"
+#include "Core/Search/Queries/TriangleHits.h"
+#include "Core/Search/Tree/TreeView.h"
+#include "Core/Search/Tree/Walk.h"
+
+namespace
+{
+const skd::TreeView<3>& ViewOf(const SkdWideTree& tree)
+{
+  return *static_cast<const skd::TreeView<3>*>(tree.View);
+}
+
+const skd::TrianglePackets& PacketsOf(const SkdWideTree& tree)
+{
+  return *static_cast<const skd::TrianglePackets*>(tree.Packets);
+}
+
+skd::Vector3 PointAt(const double x[3])
+{
+  return { { x[0], x[1], x[2] } };
+}
+
+template <bool OnlyNearest>
+void WalkNearest(
+  const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideVisitor& visitor)
+{
+  using LeafFilter = skd::DistanceLeafFilter<OnlyNearest>;
+  const skd::TreeView<3>& view = ViewOf(tree);
+  skd::Nearest<3, const SkdWideVisitor, LeafFilter> query(
+    view.GetFrame(), x, limit2, visitor, LeafFilter(PacketsOf(tree), view.GetFrame().Local(x)));
+  skd::Walk(view, query);
+}
+
+template <bool InOrder>
+void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double margin,
+  const SkdWideVisitor& visitor)
+{
+  using LeafFilter = skd::LineLeafFilter;
+  const skd::TreeView<3>& view = ViewOf(tree);
+  skd::AlongSegment<3, const SkdWideVisitor, LeafFilter, InOrder> query(view.GetFrame(), segment,
+    margin, visitor, LeafFilter(PacketsOf(tree), skd::Shear(segment.B - segment.A)));
+  skd::Walk(view, query);
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double limit2,
+  bool onlyNearest, const SkdWideVisitor& visitor)
+{
+  if (onlyNearest)
+  {
+    WalkNearest<true>(tree, PointAt(x), limit2, visitor);
+  }
+  else
+  {
+    WalkNearest<false>(tree, PointAt(x), limit2, visitor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
+  double margin, bool inOrder, const SkdWideVisitor& visitor)
+{
+  const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
+  if (inOrder)
+  {
+    WalkAlong<true>(tree, segment, margin, visitor);
+  }
+  else
+  {
+    WalkAlong<false>(tree, segment, margin, visitor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const double from[3],
+  const double to[3], double tolerance, bool inOrder, const SkdWideHits& visitor)
+{
+  const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
+  auto take = [&visitor](std::uint32_t cell, const skd::TriangleHit& hit)
+  { return visitor.Call(visitor.Self, cell, &hit); };
+  if (inOrder)
+  {
+    skd::VisitTriangleHits<true>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+  }
+  else
+  {
+    skd::VisitTriangleHits<false>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+  }
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The queries of triangles compiled for processors with AVX2 and FMA, with eight lanes a register,
+/// selected at run time. Answers are identical to the last bit: lanes perform the same operations
+/// with the same rounding, however many there are in a register.
+///
+/// SkdWideWalks.cxx is the only file compiled for AVX2. It has the core in its own namespace, so
+/// that no inline function compiled for AVX2 replaces one that must run anywhere. Its interface
+/// therefore uses no type of the core: what `View` and `Packets` point to has the same layout under
+/// both names.
+#ifndef SkdWideWalks_h
+#define SkdWideWalks_h
+
+#include <cstdint>
+
+/// A tree of cells and the packets of its leaves.
+struct SkdWideTree
+{
+  const void* View;    ///< skd::TreeView<3>
+  const void* Packets; ///< skd::TrianglePackets
+};
+
+/// Measures a cell, and returns the new limit of the search.
+struct SkdWideVisitor
+{
+  template <class Visitor>
+  static SkdWideVisitor Of(Visitor& visitor)
+  {
+    return { [](void* self, std::uint32_t cell) -> double
+      { return (*static_cast<Visitor*>(self))(cell); },
+      &visitor };
+  }
+
+  double operator()(std::uint32_t cell) const { return this->Call(this->Self, cell); }
+
+  double (*Call)(void*, std::uint32_t);
+  void* Self;
+};
+
+/// Receives a triangle that is hit, and returns the new limit of the search.
+struct SkdWideHits
+{
+  template <class Hit, class Visitor>
+  static SkdWideHits Of(Visitor& visitor)
+  {
+    return { [](void* self, std::uint32_t cell, const void* hit) -> double
+      { return (*static_cast<Visitor*>(self))(cell, *static_cast<const Hit*>(hit)); },
+      &visitor };
+  }
+
+  /// `hit`: skd::TriangleHit
+  double (*Call)(void*, std::uint32_t cell, const void* hit);
+  void* Self;
+};
+
+/// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the leaf filters of
+/// Core/Search/LeafFilters/TriangleLeafFilters.h.
+class SkdWideWalks
+{
+public:
+  /// Whether this build has them, this processor supports them, and the environment variable
+  /// SKDTREE_BASELINE is not set.
+  static bool AreOn();
+  /// For tests, while no query runs. Has no effect if they are not available.
+  static void TurnOn(bool on);
+
+  static void Nearest(const SkdWideTree& tree, const double x[3], double limit2, bool onlyNearest,
+    const SkdWideVisitor& visitor);
+  static void AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
+    double margin, bool inOrder, const SkdWideVisitor& visitor);
+  static void VisitTriangleHits(const SkdWideTree& tree, const double from[3], const double to[3],
+    double tolerance, bool inOrder, const SkdWideHits& visitor);
+};
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_LeafFilters_TriangleCrossings_h
+#define skd_LeafFilters_TriangleCrossings_h
+
+#include "../../Geometry/Intersection/SegmentTriangle.h"
+#include "../Tree/Tolerances.h"
+#include "TrianglePacket.h"
+
+namespace skd
+{
+
+/// A line for tests with packets: sheared to run along an axis, as in SegmentTriangle.h, in the
+/// tree's frame.
+class TriangleCrossings
+{
+public:
+  explicit TriangleCrossings(const Shear& shear)
+    : TheShear(shear)
+    , SlopeX(static_cast<float>(shear.SlopeX))
+    , SlopeY(static_cast<float>(shear.SlopeY))
+  {
+  }
+
+  /// `local`: a point of the line, in the frame, that is not much farther from the packets than the
+  /// tree is wide, or rounding counts for too little. `margin`: by how much triangles may be
+  /// missed.
+  void Aim(const Vector3& local, double margin)
+  {
+    const Shear& shear = this->TheShear;
+    this->X = local[shear.X] - shear.SlopeX * local[shear.Z];
+    this->Y = local[shear.Y] - shear.SlopeY * local[shear.Z];
+    this->Margin = Frame<3>::RoundUp(margin);
+  }
+
+  /// Bit i: the line may intersect the triangle of lane i.
+  SKD_IN_ONE_PIECE unsigned MayIntersect(const TrianglePacket& packet) const
+  {
+    const Shear& shear = this->TheShear;
+    const float* centre = packet.Grid.Centre;
+    const double z = centre[shear.Z];
+    const float perUnit = 1.0f / packet.Grid.Unit;
+    const float x = perUnit * static_cast<float>(this->X - (centre[shear.X] - shear.SlopeX * z));
+    const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
+    // A corner's error in the plane across the line, and what that does to products of two corners.
+    const float reach = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
+    const float error =
+      2.0f * (static_cast<float>(QuantizationGrid::CornerError) + this->Margin * perUnit) +
+      tolerances::CrossingSum * reach;
+    const float slack =
+      4.0f * error * reach + 2.0f * error * error + tolerances::CrossingSum * reach * reach;
+    unsigned met = 0;
+    for (int first = 0; first < TrianglePacket::Width; first += NativeWidth)
+    {
+      met |= this->Test<NativeWidth>(packet, x, y, slack, first) << first;
+    }
+    return met;
+  }
+
+private:
+  template <int W>
+  struct Across
+  {
+    Lanes<W> X;
+    Lanes<W> Y;
+  };
+
+  template <int W>
+  Across<W> See(const TrianglePacket& packet, int corner, float x, float y, int first) const
+  {
+    using L = Lanes<W>;
+    const L z = packet.Load<W>(corner, this->TheShear.Z, first);
+    return { packet.Load<W>(corner, this->TheShear.X, first) - L(this->SlopeX) * z - L(x),
+      packet.Load<W>(corner, this->TheShear.Y, first) - L(this->SlopeY) * z - L(y) };
+  }
+
+  template <int W>
+  unsigned Test(const TrianglePacket& packet, float x, float y, float slack, int first) const
+  {
+    using L = Lanes<W>;
+    const Across<W> a = this->See<W>(packet, 0, x, y, first);
+    const Across<W> b = this->See<W>(packet, 1, x, y, first);
+    const Across<W> c = this->See<W>(packet, 2, x, y, first);
+    const L u = b.X * c.Y - b.Y * c.X;
+    const L v = c.X * a.Y - c.Y * a.X;
+    const L w = a.X * b.Y - a.Y * b.X;
+    const L least = Min(Min(u, v), w);
+    const L most = Max(Max(u, v), w);
+    return LessEqual(L(-slack), least) | LessEqual(most, L(slack));
+  }
+
+  Shear TheShear;
+  Spread SlopeX;
+  Spread SlopeY;
+  double X = 0.0; ///< where the line meets the plane through the frame's centre, across axis Z
+  double Y = 0.0;
+  float Margin = 0.0f;
+};
+
+}
+
+#endif

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshing/Refine/SkdFieldCriterion.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+std::vector<double> ValuesOf(vtkDataArray* array)
+{
+  const int components = array->GetNumberOfComponents();
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    double sum2 = 0.0;
+    for (int k = 0; k < components; ++k)
+    {
+      const double value = array->GetComponent(static_cast<vtkIdType>(i), k);
+      values[i] = value;
+      sum2 += value * value;
+    }
+    values[i] = components == 1 ? values[i] : std::sqrt(sum2);
+  }
+  return values;
+}
+}
+
+/// The values seen so far in a box, until the test is passed.
+class SkdFieldCriterion::Look
+{
+public:
+  explicit Look(const SkdFieldSettings& settings)
+    : Settings(settings)
+  {
+  }
+
+  void Add(double value)
+  {
+    if (!std::isfinite(value))
+    {
+      return;
+    }
+    this->Low = std::min(this->Low, value);
+    this->High = std::max(this->High, value);
+    this->Passes = this->Passes || this->IsEnough(value);
+  }
+
+  bool Passes = false;
+
+private:
+  bool IsEnough(double value) const
+  {
+    const SkdFieldSettings& settings = this->Settings;
+    return settings.Test == SkdFieldTest::Value
+      ? settings.Range[0] <= value && value <= settings.Range[1]
+      : (settings.Test == SkdFieldTest::Gradient ? value : this->High - this->Low) >
+        settings.Threshold;
+  }
+
+  const SkdFieldSettings& Settings;
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+};
+
+//------------------------------------------------------------------------------
+void SkdFieldCriterion::TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name)
+{
+  vtkDataArray* ofPoints = mesh->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* ofCells = mesh->GetCellData()->GetArray(name.c_str());
+  const bool isGradient = this->Settings.Test == SkdFieldTest::Gradient;
+  if (ofPoints && isGradient)
+  {
+    this->Columns.push_back({ part, false, this->FindGradients(part, ValuesOf(ofPoints)) });
+  }
+  else if (ofPoints)
+  {
+    this->Columns.push_back({ part, true, ValuesOf(ofPoints) });
+  }
+  else if (ofCells && !isGradient)
+  {
+    this->Columns.push_back({ part, false, ValuesOf(ofCells) });
+  }
+  else
+  {
+    return;
+  }
+  this->Missing.erase(name);
+}
+
+/// Of each cell the largest difference of values at two of its points by their distance, 0 of cells
+/// that are not in the tree.
+std::vector<double> SkdFieldCriterion::FindGradients(
+  std::uint32_t part, const std::vector<double>& values) const
+{
+  const SkdCellStore& cells = this->Meshes.GetTree(part).Cells();
+  const auto number =
+    static_cast<std::size_t>(this->Meshes.GetSource(part).Data->GetNumberOfCells());
+  std::vector<double> gradients(number, 0.0);
+  for (std::uint32_t cell = 0; cell < cells.NumberOfCells(); ++cell)
+  {
+    const std::uint32_t* ids = cells.PointIdsOf(cell);
+    double& gradient = gradients[static_cast<std::size_t>(cells.IdOf(cell))];
+    for (std::uint32_t i = 0; i < cells.SizeOf(cell); ++i)
+    {
+      for (std::uint32_t k = 0; k < i; ++k)
+      {
+        const double difference = std::abs(values[ids[i]] - values[ids[k]]);
+        const double here = difference / skd::Norm(cells.Point(ids[i]) - cells.Point(ids[k]));
+        gradient = here > gradient && std::isfinite(here) ? here : gradient;
+      }
+    }
+  }
+  return gradients;
+}
+
+//------------------------------------------------------------------------------
+void SkdFieldCriterion::Update(
+  const std::vector<SkdBlock>& blocks, const SkdFieldSettings& settings, double epsilon)
+{
+  this->Settings = settings;
+  this->Missing = settings.Arrays;
+  this->Columns.clear();
+  this->Meshes.Update(blocks, epsilon, SkdComparable);
+  std::uint32_t part = 0;
+  for (const SkdBlock& block : SkdBlocksWithCells(blocks))
+  {
+    for (const std::string& name : settings.Arrays)
+    {
+      this->TakeArray(part, block.Mesh, name);
+    }
+    ++part;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Every point in the region is one of a cell whose safety box meets the region's box.
+void SkdFieldCriterion::AddListed(const Column& column, const SkdRegion& region, Look& look) const
+{
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  const SkdCellStore& cells = tree.Cells();
+  const skd::CandidateLanes all = skd::AllCandidates().front();
+  tree.VisitCandidates({ &all, &all + 1 }, region.GetBox(),
+    [&](std::uint32_t cell)
+    {
+      if (look.Passes)
+      {
+        return;
+      }
+      bool isThere = !column.IsOfPoints && region.Meets(tree, cell, SkdOverlapTest::Exact);
+      const std::uint32_t* ids = cells.PointIdsOf(cell);
+      for (std::uint32_t i = 0; i < cells.SizeOf(cell) && !isThere; ++i)
+      {
+        const bool isPointThere = region.Contains(cells.Point(ids[i]));
+        if (isPointThere && column.IsOfPoints)
+        {
+          look.Add(column.Values[ids[i]]);
+        }
+        isThere = isPointThere && !column.IsOfPoints;
+      }
+      if (isThere)
+      {
+        look.Add(column.Values[static_cast<std::size_t>(cells.IdOf(cell))]);
+      }
+    });
+}
+
+/// The cell that holds x, or without one the nearest within the reach.
+SkdFoundCell SkdFieldCriterion::FindAt(
+  const Column& column, const skd::Vector3& x, double reach) const
+{
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  const SkdCellSource source = this->Meshes.GetSource(column.Part);
+  return reach > 0.0 ? tree.FindNearest(x, reach * reach, source)
+                     : tree.FindContaining(x, 0.0, -1, source);
+}
+
+/// Where a cell holds the sample, or is near to it.
+void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region, Look& look) const
+{
+  thread_local std::vector<double> weights;
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  for (int sample = 0; sample < region.GetNumberOfSamples() && !look.Passes; ++sample)
+  {
+    SkdFoundCell found = this->FindAt(column, region.GetSample(sample), region.GetSampleRadius());
+    if (found.Id < 0)
+    {
+      continue;
+    }
+    if (!column.IsOfPoints)
+    {
+      look.Add(column.Values[static_cast<std::size_t>(found.Id)]);
+      continue;
+    }
+    const auto cell = static_cast<std::uint32_t>(tree.Cells().CellOfId(found.Id));
+    const std::uint32_t size = tree.Cells().SizeOf(cell);
+    weights.assign(size, 0.0);
+    tree.Interpolate(found, weights.data(), this->Meshes.GetSource(column.Part));
+    double value = 0.0;
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      value += weights[i] * column.Values[tree.Cells().PointIdsOf(cell)[i]];
+    }
+    look.Add(value);
+  }
+}
+
+/// A cell of the field that contains a sample intersects the region, unless it is only near.
+bool SkdFieldCriterion::IsWanted(const SkdRegion& region) const
+{
+  return std::any_of(this->Columns.begin(), this->Columns.end(),
+    [&](const Column& column)
+    {
+      Look look(this->Settings);
+      if (column.IsOfPoints || region.GetSampleRadius() > 0.0)
+      {
+        this->AddSamples(column, region, look);
+      }
+      if (!look.Passes)
+      {
+        this->AddListed(column, region, look);
+      }
+      return look.Passes;
+    });
+}

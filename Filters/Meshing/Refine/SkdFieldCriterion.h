@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdFieldCriterion.h
+ * @brief Whether a field varies within a cell, or has values of interest there.
+ *
+ * The values in a cell are those of the field's points in it, and those interpolated at its corners
+ * and its centre; of cell data those of the field's cells that intersect it. Arrays with several
+ * components use the magnitude. Values that are not finite are ignored. Blocks are tested
+ * separately.
+ */
+
+#ifndef SkdFieldCriterion_h
+#define SkdFieldCriterion_h
+
+#include "Bodies/SkdParts.h"
+#include "Meshing/Refine/SkdRegion.h"
+
+#include <set>
+#include <string>
+
+enum class SkdFieldTest
+{
+  Difference, ///< of two values in the cell: more than the threshold
+  Gradient,   ///< of a field's cell that meets the cell: two of its points differ by more than the
+              ///< threshold times their distance; only of point data
+  Value       ///< one in the range
+};
+
+struct SkdFieldSettings
+{
+  std::set<std::string> Arrays;
+  SkdFieldTest Test = SkdFieldTest::Difference;
+  double Threshold = 0.0;
+  double Range[2] = { 0.0, 1.0 };
+};
+
+class SkdFieldCriterion
+{
+public:
+  /// Reads the arrays of the blocks, point data before cell data. Trees are reused while the meshes
+  /// are unchanged. Throws like SkdParts::Update().
+  void Update(
+    const std::vector<SkdBlock>& blocks, const SkdFieldSettings& settings, double epsilon);
+
+  /// The names of arrays that no block has in the data that the test needs.
+  std::set<std::string> GetMissing() const { return this->Missing; }
+
+  /// Whether one of the arrays passes the test. Thread-safe.
+  bool IsWanted(const SkdRegion& region) const;
+
+private:
+  /// The values of one array of one block.
+  struct Column
+  {
+    std::uint32_t Part;
+    bool IsOfPoints;
+    std::vector<double> Values;
+  };
+  class Look;
+
+  void TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name);
+  std::vector<double> FindGradients(std::uint32_t part, const std::vector<double>& values) const;
+  void AddListed(const Column& column, const SkdRegion& region, Look& look) const;
+  SkdFoundCell FindAt(const Column& column, const skd::Vector3& x, double reach) const;
+  void AddSamples(const Column& column, const SkdRegion& region, Look& look) const;
+
+  SkdParts Meshes;
+  SkdFieldSettings Settings;
+  std::vector<Column> Columns;
+  std::set<std::string> Missing;
+};
+
+#endif

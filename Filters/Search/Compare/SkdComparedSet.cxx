@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search/Compare/SkdComparedSet.h"
+
+#include "Bodies/SkdOuterSurface.h"
+#include "Cells/Read/SkdMagnitudes.h"
+#include "Core/Geometry/Distance/ClosestPoint.h"
+#include "Pipeline/SkdMakeMesh.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+bool IsUsable(const skd::Vector3& x)
+{
+  return SkdIsWithin(x, SkdMeasurable.Largest);
+}
+}
+
+void SkdComparedSet::Update(
+  const std::vector<SkdBlock>& blocks, bool wantsSide, double epsilon, double chordalDeviation)
+{
+  this->Release();
+  this->CoarseFaces = 0;
+  this->ChordalLength = SkdChordalLength(blocks, chordalDeviation);
+  for (std::size_t block = 0; block < blocks.size(); ++block)
+  {
+    this->AddFaces(static_cast<int>(block), blocks[block].Mesh);
+  }
+  this->Surface = !this->Elements.empty();
+  for (std::size_t block = 0; block < blocks.size() && !this->Surface; ++block)
+  {
+    this->AddPoints(static_cast<int>(block), blocks[block].Mesh);
+  }
+  this->TreesBuilt = this->Trees.Update({ { this->MakeMesh(), 0 } }, epsilon);
+  if (wantsSide && this->Surface)
+  {
+    this->TreesBuilt += this->Side.Update(SkdBlocksWithCells(blocks), epsilon, chordalDeviation);
+    this->Sided = this->Side.GetNumberOfFaces() > 0;
+  }
+  else
+  {
+    this->Side.Clear();
+  }
+}
+
+void SkdComparedSet::AddFaces(int block, vtkDataSet* mesh)
+{
+  if (mesh->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  const SkdBlockSurface surface(mesh, this->ChordalLength);
+  this->CoarseFaces += surface.GetNumberOfCoarseFaces();
+  const auto first = static_cast<vtkIdType>(this->Points.size());
+  const vtkIdType number = surface.Get()->GetNumberOfPoints();
+  const std::size_t facesBefore = this->Elements.size();
+  this->Points.resize(this->Points.size() + static_cast<std::size_t>(number));
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    surface.GetPoint(i, this->Points[first + i].X);
+  }
+  FaceBuffers buffers;
+  surface.ForEachFace(
+    [&](vtkIdType cell, vtkIdType size, const auto* corners) {
+      this->AddFace(buffers, { block, surface.GetCellId(cell) }, first, size, corners);
+    });
+  if (this->Elements.size() == facesBefore)
+  {
+    this->Points.resize(static_cast<std::size_t>(first)); // of lines and vertices
+  }
+}
+
+template <class Corner>
+void SkdComparedSet::AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdType first,
+  vtkIdType size, const Corner* corners)
+{
+  std::vector<vtkIdType>& ids = buffers.Ids;
+  ids.clear();
+  const auto idOf = [&](vtkIdType corner)
+  { return IsUsable(this->Points[first + corner]) ? first + corner : vtkIdType(-1); };
+  const int kept = SkdAppendCorners(size, corners, idOf, ids);
+  if (kept == 0)
+  {
+    return;
+  }
+  vtkIdList* cut = buffers.Triangulation.Cut(
+    kept, [&](vtkIdType i) -> const auto& { return this->Points[ids[i]]; });
+  for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
+  {
+    this->Elements.push_back(
+      { ids[cut->GetId(i)], ids[cut->GetId(i + 1)], ids[cut->GetId(i + 2)] });
+    this->Origins.push_back(origin);
+  }
+}
+
+void SkdComparedSet::AddPoints(int block, vtkDataSet* mesh)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    skd::Vector3 x;
+    mesh->GetPoint(i, x.X);
+    if (IsUsable(x))
+    {
+      const auto id = static_cast<vtkIdType>(this->Points.size());
+      this->Points.push_back(x);
+      this->Elements.push_back({ id, id, id });
+      this->Origins.push_back({ block, i });
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> SkdComparedSet::MakeMesh() const
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(SkdMakePoints(
+    static_cast<vtkIdType>(this->Points.size()), [this](vtkIdType i) -> const auto& {
+      return this->Points[i];
+    }));
+  const auto cells = SkdMakeCells(
+    this->Surface ? 3 : 1, this->Elements,
+    [](const SkdTriangleIds& ids) -> const auto& { return ids; });
+  if (this->Surface)
+  {
+    mesh->SetPolys(cells);
+  }
+  else
+  {
+    mesh->SetVerts(cells);
+  }
+  return mesh;
+}
+
+double SkdComparedSet::GetDistance2(vtkIdType element, const skd::Vector3& x) const
+{
+  const skd::Vector3& a = this->GetCorner(element, 0);
+  return this->Surface
+    ? skd::ClosestPointOnTriangle(a, this->GetCorner(element, 1), this->GetCorner(element, 2), x)
+        .Dist2
+    : skd::Distance2(a, x);
+}
+
+void SkdComparedSet::GetBounds(skd::Vector3& low, skd::Vector3& high) const
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  low = { { most, most, most } };
+  high = -1.0 * low;
+  for (const SkdTriangleIds& element : this->Elements)
+  {
+    for (const vtkIdType id : element)
+    {
+      low = skd::Least(low, this->Points[id]);
+      high = skd::Greatest(high, this->Points[id]);
+    }
+  }
+}
+
+void SkdComparedSet::Release()
+{
+  this->Points = {};
+  this->Elements = {};
+  this->Origins = {};
+  this->Sided = false;
+}

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search/Compare/SkdComparison.h"
+
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr const char* DistanceName = "SkdDistance";
+
+void AddDistances(vtkDataSet* mesh, const SkdComparedInput& to, SkdLoop& loop)
+{
+  const vtkIdType n = mesh->GetNumberOfPoints();
+  const auto distances = SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan());
+  const auto points = SkdMakeArray<vtkDoubleArray>("SkdClosestPoint", 3, n, vtkMath::Nan());
+  const auto cells = SkdMakeArray<vtkIdTypeArray>("SkdClosestCellId", 1, n, -1);
+  std::vector<int> blocks(static_cast<std::size_t>(n), -1);
+  loop.For(to.Set.IsEmpty() ? 0 : n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        skd::Vector3 x;
+        mesh->GetPoint(i, x.X);
+        if (const auto nearest = to.Set.FindNearest(x, std::numeric_limits<double>::max()))
+        {
+          const SkdComparedSet::Origin& origin = to.Set.GetOrigin(nearest->CellId);
+          const double distance = std::sqrt(nearest->Distance2);
+          distances->SetValue(i, to.Set.IsInside(x) ? -distance : distance);
+          std::copy_n(nearest->Point, 3, points->GetPointer(3 * i));
+          cells->SetValue(i, origin.CellId);
+          blocks[i] = origin.Block;
+        }
+      }
+    });
+  vtkPointData* data = mesh->GetPointData();
+  data->AddArray(points);
+  data->AddArray(distances);
+  data->AddArray(cells);
+  data->SetActiveScalars(DistanceName);
+  if (to.IsComposite)
+  {
+    data->AddArray(SkdMakeBlockIndices("SkdClosestBlockIndex", blocks, to.Blocks));
+  }
+}
+
+/// The columns of the table, one row after the other.
+class Rows
+{
+public:
+  void Add(const char* direction, const SkdComparison& comparison, const SkdHausdorff& bounds,
+    const SkdDistanceSamples& samples);
+  void MoveTo(vtkTable* table);
+
+private:
+  template <class Array>
+  Array* Get(const char* name, int components = 1);
+  void AddNumber(const char* name, double number)
+  {
+    this->Get<vtkDoubleArray>(name)->InsertNextValue(number);
+  }
+  void AddStatistic(const std::string& name, const SkdStatistic& statistic)
+  {
+    this->AddNumber(name.c_str(), statistic.Value);
+    this->AddNumber((name + "Error").c_str(), statistic.Error);
+  }
+  void AddPlace(
+    const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at);
+  void AddStatistics(const SkdDistanceSamples& samples, bool isSigned);
+
+  vtkNew<vtkFieldData> Columns; // of a table, which would want all to be as long
+};
+
+template <class Array>
+Array* Rows::Get(const char* name, int components)
+{
+  if (!this->Columns->HasArray(name))
+  {
+    this->Columns->AddArray(SkdMakeArray<Array>(name, components, 0));
+  }
+  return Array::SafeDownCast(this->Columns->GetAbstractArray(name));
+}
+
+void Rows::MoveTo(vtkTable* table)
+{
+  for (int i = 0; i < this->Columns->GetNumberOfArrays(); ++i)
+  {
+    table->AddColumn(this->Columns->GetAbstractArray(i));
+  }
+}
+
+void Rows::AddPlace(
+  const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at)
+{
+  const double nan = vtkMath::Nan();
+  const skd::Vector3 none{ { nan, nan, nan } };
+  const bool isPlace = at >= 0;
+  const SkdComparedSet::Origin origin =
+    isPlace ? input.Set.GetOrigin(at) : SkdComparedSet::Origin{ -1, -1 };
+  this->Get<vtkDoubleArray>(name.c_str(), 3)->InsertNextTuple(isPlace ? x.X : none.X);
+  this->Get<vtkIdTypeArray>((name + "CellId").c_str())->InsertNextValue(origin.CellId);
+  this->Get<vtkIntArray>((name + "BlockIndex").c_str())
+    ->InsertNextValue(isPlace ? input.Blocks[origin.Block].BlockIndex : -1);
+}
+
+void Rows::AddStatistics(const SkdDistanceSamples& samples, bool isSigned)
+{
+  const SkdDistanceStatistics& statistics = samples.GetStatistics();
+  this->AddStatistic("Mean", statistics.Mean);
+  this->AddStatistic("RootMeanSquare", statistics.RootMeanSquare);
+  this->AddStatistic("SignedMean", isSigned ? statistics.SignedMean : SkdStatistic());
+  constexpr const char* names[] = { "Median", "Quantile90", "Quantile95", "Quantile99" };
+  for (std::size_t i = 0; i < SkdQuantileShares.size(); ++i)
+  {
+    this->AddStatistic(names[i], statistics.Quantiles[i]);
+  }
+  this->AddNumber("Area", statistics.Measure);
+  this->Get<vtkIdTypeArray>("Samples")->InsertNextValue(samples.GetNumberOfSamples());
+}
+
+void Rows::Add(const char* direction, const SkdComparison& comparison, const SkdHausdorff& bounds,
+  const SkdDistanceSamples& samples)
+{
+  this->Get<vtkStringArray>("Direction")->InsertNextValue(direction);
+  this->AddNumber("HausdorffDistance", bounds.Distance);
+  this->AddNumber("HausdorffUpperBound", bounds.UpperBound);
+  this->AddPlace("From", *comparison.From, bounds.From, bounds.FromElement);
+  this->AddPlace("To", *comparison.To, bounds.To, bounds.ToElement);
+  this->AddStatistics(samples, comparison.To->Set.HasSides());
+}
+}
+
+void SkdAddDistances(
+  const std::vector<SkdBlock>& outputs, const SkdComparedInput& to, SkdLoop& loop)
+{
+  for (const SkdBlock& output : outputs)
+  {
+    AddDistances(output.Mesh, to, loop);
+  }
+}
+
+void SkdFillComparison(const std::array<SkdComparison, 2>& comparisons, vtkTable* table)
+{
+  const auto& [forth, back] = comparisons;
+  Rows rows;
+  rows.Add("Input to Source", forth, forth.Hausdorff, forth.Samples);
+  rows.Add("Source to Input", back, back.Hausdorff, back.Samples);
+
+  const SkdComparison& farther = back.Hausdorff.Distance > forth.Hausdorff.Distance ? back : forth;
+  SkdHausdorff bounds = farther.Hausdorff;
+  bounds.UpperBound = std::max(forth.Hausdorff.UpperBound, back.Hausdorff.UpperBound);
+  SkdDistanceSamples samples = forth.Samples;
+  samples.Add(back.Samples);
+  rows.Add("Both", farther, bounds, samples);
+  rows.MoveTo(table);
+}

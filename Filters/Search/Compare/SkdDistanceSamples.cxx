@@ -1,0 +1,338 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search/Compare/SkdDistanceSamples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double MostTriangles = 1 << 21;
+
+/// Each halves the edges of what makes most of the error, down to the resolution of coordinates.
+constexpr int MostRounds = 48;
+
+/// A place and its distance, negative inside.
+struct Place
+{
+  skd::Vector3 At;
+  double Distance;
+};
+
+using Corners = std::array<Place, 3>;
+
+/// The distance of a place, which that of places nearby limits: it changes no faster than the place
+/// moves, and its sign does not change on a way that is shorter.
+template <class Places>
+Place Measure(const SkdComparedSet& to, const skd::Vector3& x, const Places& nearby)
+{
+  constexpr double rounding = 1e-9;
+  double reach = std::numeric_limits<double>::max();
+  const Place* sameSide = nullptr;
+  for (const Place& place : nearby)
+  {
+    const double way = skd::Norm(x - place.At);
+    reach = std::min(reach, (std::abs(place.Distance) + way) * (1.0 + rounding));
+    sameSide = way < std::abs(place.Distance) * (1.0 - rounding) ? &place : sameSide;
+  }
+  auto nearest = to.FindNearest(x, reach);
+  if (!nearest)
+  {
+    nearest = to.FindNearest(x, std::numeric_limits<double>::max());
+  }
+  const double distance = nearest ? std::sqrt(nearest->Distance2) : 0.0;
+  const bool isInside = to.HasSides() && (sameSide ? sameSide->Distance < 0.0 : to.IsInside(x));
+  return { x, isInside ? -distance : distance };
+}
+
+double AreaOf(const Corners& corners)
+{
+  return 0.5 * skd::Norm(skd::Cross(corners[1].At - corners[0].At, corners[2].At - corners[0].At));
+}
+
+skd::Vector3 CentroidOf(const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)
+{
+  return (1.0 / 3.0) * (a + b + c);
+}
+
+/// The squared length of the longest edge, and which it is.
+std::pair<double, int> LongestEdgeOf(const Corners& corners)
+{
+  std::pair<double, int> longest{ -1.0, 0 };
+  for (int k = 0; k < 3; ++k)
+  {
+    const double length2 = skd::Distance2(corners[k].At, corners[(k + 1) % 3].At);
+    longest = length2 > longest.first ? std::make_pair(length2, k) : longest;
+  }
+  return longest;
+}
+
+/// The ten samples of a triangle are about a third of its longest edge apart.
+constexpr double EdgePerSpacing = 3.0;
+
+/// Whether a triangle is too large for samples so far apart: not if it is long, but so narrow that
+/// its neighbours have samples enough.
+bool IsTooLarge(const Corners& corners, double spacing)
+{
+  const double edge = EdgePerSpacing * spacing;
+  return edge > 0.0 && LongestEdgeOf(corners).first > edge * edge &&
+    AreaOf(corners) > 0.25 * edge * edge;
+}
+
+/// Calls visit(piece) of the pieces of a triangle, bisected while they are too large; measure(x,
+/// corners) is asked for the distance of middles.
+template <class MeasureAt, class Visit>
+void Bisect(const Corners& corners, double spacing, const MeasureAt& measure, const Visit& visit)
+{
+  if (!IsTooLarge(corners, spacing))
+  {
+    visit(corners);
+    return;
+  }
+  const int k = LongestEdgeOf(corners).second;
+  const Place middle = measure(skd::Lerp(corners[k].At, corners[(k + 1) % 3].At, 0.5), corners);
+  for (const int replaced : { (k + 1) % 3, k })
+  {
+    Corners half = corners;
+    half[replaced] = middle;
+    Bisect(half, spacing, measure, visit);
+  }
+}
+
+SkdSampledTriangle Sample(const SkdComparedSet& to, const Corners& corners, const Place& centroid)
+{
+  const std::array<Place, 4> nearby = { corners[0], corners[1], corners[2], centroid };
+  SkdSampledTriangle sampled;
+  std::array<Place, 3> middles;
+  for (int k = 0; k < 3; ++k)
+  {
+    middles[k] = Measure(to, skd::Lerp(corners[k].At, corners[(k + 1) % 3].At, 0.5), nearby);
+    sampled.Corners[k] = corners[k].At;
+    sampled.AtCorners[k] = corners[k].Distance;
+    sampled.AtMiddles[k] = middles[k].Distance;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const Place& a = middles[k];
+    const Place& b = middles[(k + 2) % 3];
+    const std::array<Place, 4> around = { corners[k], a, b, centroid };
+    sampled.AtCentroids[k] = Measure(to, CentroidOf(corners[k].At, a.At, b.At), around).Distance;
+  }
+  sampled.AtCentroids[3] = centroid.Distance;
+  sampled.Area = AreaOf(corners);
+  return sampled;
+}
+
+/// The corners of a part of a triangle, the last one in the middle.
+Corners PartOf(const SkdSampledTriangle& whole, int part)
+{
+  const auto middle = [&](int k)
+  {
+    return Place{ skd::Lerp(whole.Corners[k % 3], whole.Corners[(k + 1) % 3], 0.5),
+      whole.AtMiddles[k % 3] };
+  };
+  return part == 3 ? Corners{ middle(0), middle(1), middle(2) }
+                   : Corners{ Place{ whole.Corners[part], whole.AtCorners[part] }, middle(part),
+                       middle(part + 2) };
+}
+
+/// The triangles of a set that have an area, and where their pieces begin.
+class FirstPieces
+{
+public:
+  FirstPieces(const SkdComparedSet& set, double spacing);
+
+  vtkIdType GetNumberOfPieces() const { return this->Firsts.back(); }
+  vtkIdType GetFirst(vtkIdType i) const { return this->Firsts[i]; }
+  double GetSpacing() const { return this->Spacing; }
+
+  Corners GetCorners(vtkIdType element, const std::vector<double>& distances) const
+  {
+    const SkdTriangleIds& ids = this->Set.GetElements()[element];
+    Corners corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = { this->Set.GetPoints()[ids[k]], distances.empty() ? 0.0 : distances[ids[k]] };
+    }
+    return corners;
+  }
+
+private:
+  double Estimate() const;
+
+  const SkdComparedSet& Set;
+  double Spacing;
+  std::vector<vtkIdType> Firsts{ 0 };
+};
+
+FirstPieces::FirstPieces(const SkdComparedSet& set, double spacing)
+  : Set(set)
+  , Spacing(spacing)
+{
+  while (this->Spacing > 0.0 && this->Estimate() > MostTriangles)
+  {
+    this->Spacing *= 1.5;
+  }
+  const auto number = static_cast<vtkIdType>(set.GetElements().size());
+  for (vtkIdType i = 0; i < number; ++i)
+  {
+    const Corners corners = this->GetCorners(i, {});
+    vtkIdType pieces = 0;
+    if (AreaOf(corners) > 0.0)
+    {
+      Bisect(
+        corners, this->Spacing,
+        [](const skd::Vector3& x, const Corners&) {
+          return Place{ x, 0.0 };
+        },
+        [&](const Corners&) { ++pieces; });
+    }
+    this->Firsts.push_back(this->Firsts.back() + pieces);
+  }
+}
+
+/// About the number of pieces, beside one of each triangle.
+double FirstPieces::Estimate() const
+{
+  double pieces = 0.0;
+  for (std::size_t i = 0; i < this->Set.GetElements().size(); ++i)
+  {
+    const Corners corners = this->GetCorners(static_cast<vtkIdType>(i), {});
+    if (IsTooLarge(corners, this->Spacing))
+    {
+      const double edge = EdgePerSpacing * this->Spacing;
+      pieces += 8.0 * AreaOf(corners) / (edge * edge);
+    }
+  }
+  return pieces;
+}
+
+/// The distances of all points of a set; 0 of those that are not finite.
+bool MeasureAll(const SkdComparedSet& from, const SkdComparedSet& to, SkdLoop loop,
+  std::vector<double>& distances)
+{
+  const std::vector<skd::Vector3>& points = from.GetPoints();
+  distances.resize(points.size());
+  return loop.For(static_cast<vtkIdType>(points.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        distances[i] = Measure(to, points[i], std::array<Place, 0>{}).Distance;
+      }
+    });
+}
+
+Place CentreOf(const SkdComparedSet& to, const Corners& corners)
+{
+  return Measure(to, CentroidOf(corners[0].At, corners[1].At, corners[2].At), corners);
+}
+
+bool SampleAll(const SkdComparedSet& from, const SkdComparedSet& to, double spacing,
+  const std::vector<double>& distances, SkdLoop loop, std::vector<SkdSampledTriangle>& triangles)
+{
+  const FirstPieces pieces(from, spacing);
+  triangles.resize(static_cast<std::size_t>(pieces.GetNumberOfPieces()));
+  const auto measure = [&to](const skd::Vector3& x, const Corners& nearby)
+  { return Measure(to, x, nearby); };
+  return loop.For(static_cast<vtkIdType>(from.GetElements().size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        auto* next = triangles.data() + pieces.GetFirst(i);
+        if (pieces.GetFirst(i + 1) > pieces.GetFirst(i))
+        {
+          Bisect(pieces.GetCorners(i, distances), pieces.GetSpacing(), measure,
+            [&](const Corners& piece) { *next++ = Sample(to, piece, CentreOf(to, piece)); });
+        }
+      }
+    });
+}
+}
+
+// Of what was divided the first part takes its place; the others follow all.
+bool SkdDistanceSamples::Divide(
+  const std::vector<std::size_t>& chosen, const SkdComparedSet& to, SkdLoop loop)
+{
+  std::vector<SkdSampledTriangle> parts(4 * chosen.size());
+  const bool isWhole = loop.For(static_cast<vtkIdType>(chosen.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const SkdSampledTriangle& whole = this->Triangles[chosen[i]];
+        for (int part = 0; part < 4; ++part)
+        {
+          const Corners corners = PartOf(whole, part);
+          const skd::Vector3 centre = CentroidOf(corners[0].At, corners[1].At, corners[2].At);
+          parts[4 * i + part] = Sample(to, corners, { centre, whole.AtCentroids[part] });
+        }
+      }
+    });
+  for (std::size_t i = 0; isWhole && i < chosen.size(); ++i)
+  {
+    this->Triangles[chosen[i]] = parts[4 * i];
+    this->Triangles.insert(this->Triangles.end(), &parts[4 * i + 1], &parts[4 * i] + 4);
+  }
+  return isWhole;
+}
+
+// Each round takes half of the progress that is left, for nobody knows how many there will be.
+void SkdDistanceSamples::Add(const SkdComparedSet& from, const SkdComparedSet& to,
+  const SkdSampling& sampling, vtkAlgorithm* self, double first, double last)
+{
+  const auto loopOf = [&](std::size_t steps)
+  {
+    const double begin = first;
+    first = (first + last) / 2.0;
+    return SkdLoop(self, static_cast<vtkIdType>(steps), begin, first);
+  };
+  std::vector<double> distances;
+  if (!MeasureAll(from, to, loopOf(from.GetPoints().size()), distances))
+  {
+    return;
+  }
+  if (!from.IsSurface())
+  {
+    this->Points = std::move(distances);
+    this->Evaluate(true);
+    return;
+  }
+  bool isGoing = SampleAll(
+    from, to, sampling.Spacing, distances, loopOf(from.GetElements().size()), this->Triangles);
+  for (int round = 0; isGoing && round < MostRounds; ++round)
+  {
+    const std::vector<std::size_t> chosen = this->FindTrianglesToDivide(sampling.Tolerance);
+    isGoing = !chosen.empty() && this->Divide(chosen, to, loopOf(chosen.size()));
+  }
+  if (isGoing)
+  {
+    this->Evaluate(true);
+  }
+}
+
+// Quantiles, which cost most, wait until the means are known well enough.
+std::vector<std::size_t> SkdDistanceSamples::FindTrianglesToDivide(
+  const SkdStatisticsTolerance& tolerance)
+{
+  for (const bool wantsQuantiles : { false, true })
+  {
+    const bool isFull = static_cast<double>(this->Triangles.size()) > MostTriangles;
+    this->Evaluate(wantsQuantiles || isFull);
+    auto chosen = isFull ? std::vector<std::size_t>()
+                         : SkdTrianglesToDivide(this->Triangles, this->Statistics, tolerance);
+    if (isFull || !chosen.empty())
+    {
+      return chosen;
+    }
+  }
+  return {};
+}
+
+void SkdDistanceSamples::Add(const SkdDistanceSamples& other)
+{
+  this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
+  this->Points.insert(this->Points.end(), other.Points.begin(), other.Points.end());
+  this->Evaluate(true);
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdHausdorff.h
+ * @brief The directed Hausdorff distance of two surfaces, by branch and bound.
+ *
+ * The distance of a point x from a set is at most that from one of its triangles, which is a convex
+ * function of x. Over a piece of a triangle it is thus no more than its largest value at the three
+ * corners, for each of the triangles that are nearest to the corners; and, as distances change no
+ * faster than x moves, no more than the distance of a corner and the way from there. Pieces whose
+ * bound exceeds the largest distance found by more than the tolerance are bisected (compare
+ * Tang, Lee, Kim, *Interactive Hausdorff distance computation for general polygonal models*, ACM
+ * TOG 28(3), 2009). The result does not depend on threads.
+ */
+
+#ifndef SkdHausdorff_h
+#define SkdHausdorff_h
+
+#include "Pipeline/SkdLoop.h"
+#include "Search/Compare/SkdComparedSet.h"
+
+#include <limits>
+
+struct SkdHausdorff
+{
+  ///@{
+  /// The largest distance found, and what the supremum of all distances cannot exceed. NaN of an
+  /// empty set.
+  double Distance = std::numeric_limits<double>::quiet_NaN();
+  double UpperBound = std::numeric_limits<double>::quiet_NaN();
+  ///@}
+
+  ///@{
+  /// Where it was found: a point, the nearest one of the other set, and their elements.
+  skd::Vector3 From{};
+  skd::Vector3 To{};
+  vtkIdType FromElement = -1;
+  vtkIdType ToElement = -1;
+  ///@}
+
+  vtkIdType Bisections = 0;
+};
+
+/// How far to go: until the bound is within a tolerance (a length), or so many bisections are made.
+struct SkdHausdorffLimits
+{
+  double Tolerance;
+  vtkIdType Bisections;
+};
+
+/// From all of `from` to the nearest of `to`, reported as going from `first` to `last` of the
+/// algorithm's progress. Where it is stopped, the upper bound is farther away than the tolerance.
+SkdHausdorff SkdHausdorffOf(const SkdComparedSet& from, const SkdComparedSet& to,
+  const SkdHausdorffLimits& limits, vtkAlgorithm* self, double first, double last);
+
+#endif

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search/InOut/SkdPart.h"
+
+#include "Bodies/SkdOrientation.h"
+#include "Pipeline/SkdSourceTrees.h"
+#include "vtkBoundingBox.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+/// A number in [0, 1) from bits that look random (D. Lea's and G. Steele's SplitMix64).
+double Scatter(std::uint64_t& state)
+{
+  state += 0x9e3779b97f4a7c15u;
+  std::uint64_t bits = state;
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  bits ^= bits >> 31;
+  return std::ldexp(static_cast<double>(bits >> 11), -53);
+}
+
+/// Directions uniformly distributed over the sphere for any number of them: the additive sequence
+/// R2, with a different start for each (seed, point).
+class RandomRayEnds
+{
+public:
+  RandomRayEnds(const double bounds[6], std::uint64_t seed, std::uint64_t point);
+
+  SkdRayEnd Next();
+
+private:
+  double Length; // longer than the diagonal
+  double U;
+  double V;
+};
+
+RandomRayEnds::RandomRayEnds(const double bounds[6], std::uint64_t seed, std::uint64_t point)
+  : Length(1.01 * vtkBoundingBox(bounds).GetDiagonalLength())
+{
+  std::uint64_t state = seed;
+  Scatter(state);
+  state ^= point * 0xd1b54a32d192ed03u;
+  this->U = Scatter(state);
+  this->V = Scatter(state);
+}
+
+// R2 of M. Roberts: multiples of the inverses of the plastic number and of its square.
+SkdRayEnd RandomRayEnds::Next()
+{
+  this->U = std::fmod(this->U + 0.75487766624669276005, 1.0);
+  this->V = std::fmod(this->V + 0.56984029099805326591, 1.0);
+  const double z = 1.0 - 2.0 * this->U;
+  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const double angle = 2.0 * vtkMath::Pi() * this->V;
+  return { this->Length * radius * std::cos(angle), this->Length * radius * std::sin(angle),
+    this->Length * z };
+}
+
+/// Of `yes` among `asked` votes.
+SkdSide Counted(int yes, int asked)
+{
+  const bool isInside = 2 * yes > asked;
+  return { isInside, static_cast<double>(isInside ? yes : asked - yes) / asked };
+}
+
+/// Calls vote() until one side has more than half of `count`; of an even vote once more.
+template <class Vote>
+SkdSide Elect(int count, const Vote& vote)
+{
+  int yes = 0;
+  int asked = 0;
+  while (asked < count && 2 * yes <= count && 2 * (asked - yes) <= count)
+  {
+    yes += vote() ? 1 : 0;
+    ++asked;
+  }
+  if (2 * yes == asked)
+  {
+    yes += vote() ? 1 : 0;
+    ++asked;
+  }
+  return Counted(yes, asked);
+}
+}
+
+SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSettings& settings)
+  : Id(id)
+  , Boundary(SkdBoundaryOf(blocks, settings.ChordalLength))
+  , Faces(SkdMakeLocator(this->Boundary.Faces))
+{
+  this->Surface = this->Boundary.Surface == this->Boundary.Faces
+    ? this->Faces
+    : SkdMakeLocator(this->Boundary.Surface);
+  SkdBuildLocator(this->Faces, settings.Epsilon, true);
+  if (this->Surface != this->Faces)
+  {
+    SkdBuildLocator(this->Surface, settings.Epsilon, true);
+  }
+  this->Boundary.Faces->GetCellsBounds(this->Bounds);
+  const vtkBoundingBox box(this->Bounds);
+  this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  if (this->Boundary.OpenEdges == 0)
+  {
+    this->Solid = std::make_unique<SkdSolid>(this->Boundary, this->Surface);
+  }
+  const SkdInsideMethod method = settings.Method;
+  if (!this->Solid && (settings.RepairsOrientation || method == SkdInsideMethod::Automatic))
+  {
+    this->OpenSolid =
+      std::make_unique<SkdOpenSolid>(this->Boundary, this->Surface, settings.Epsilon);
+  }
+  const auto turnedOf = [&](vtkPolyData* surface)
+  { return settings.RepairsOrientation ? this->FindReversed(surface) : std::vector<bool>(); };
+  if (method == SkdInsideMethod::WindingNumber)
+  {
+    vtkPolyData* surface = this->Boundary.Surface;
+    this->Winding = std::make_unique<SkdWinding>(surface, turnedOf(surface));
+  }
+  if (method == SkdInsideMethod::NearestFeature)
+  {
+    vtkPolyData* faces = this->Boundary.Faces;
+    this->Normals = std::make_unique<SkdFeatureNormals>(faces, turnedOf(faces));
+  }
+}
+
+std::vector<bool> SkdPart::FindReversed(vtkPolyData* surface) const
+{
+  if (this->OpenSolid)
+  {
+    return this->OpenSolid->FindOutward(surface);
+  }
+  return SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
+    [this](const skd::Vector3& x)
+    { return this->BoundsHold(x.X) && this->AskSolid(x.X).IsInside; });
+}
+
+bool SkdPart::BoundsHold(const double x[3]) const
+{
+  return x[0] >= this->Bounds[0] && x[0] <= this->Bounds[1] && x[1] >= this->Bounds[2] &&
+    x[1] <= this->Bounds[3] && x[2] >= this->Bounds[4] && x[2] <= this->Bounds[5];
+}
+
+SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
+{
+  if (this->BoundsHold(x))
+  {
+    return this->AskWithin(x, rules, point);
+  }
+  const bool isAsked = rules.Method == SkdInsideMethod::WindingNumber ||
+    (!this->Solid &&
+      (rules.Method == SkdInsideMethod::NearestFeature ||
+        rules.Method == SkdInsideMethod::Automatic));
+  if (!isAsked || this->GetNumberOfFaces() == 0)
+  {
+    return SkdSide(); // a ray that leads away from the bounds meets nothing
+  }
+  SkdSide side = this->AskWithin(x, rules, point);
+  side.Confidence = this->Solid ? 1.0 : side.IsInside ? 0.5 : side.Confidence;
+  side.IsInside = false;
+  return side;
+}
+
+SkdSide SkdPart::AskWithin(
+  const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
+{
+  switch (rules.Method)
+  {
+    case SkdInsideMethod::Automatic:
+      return this->Solid ? this->AskSolid(x) : this->OpenSolid->Ask(x, rules.WindingTolerance);
+    case SkdInsideMethod::AxisRays:
+      return this->VoteAlongAxes(x);
+    case SkdInsideMethod::RandomRays:
+      return this->VoteAtRandom(x, rules, point);
+    case SkdInsideMethod::WindingNumber:
+      return this->AskWinding(x, rules.WindingTolerance);
+    default:
+      return this->AskNearest(x);
+  }
+}
+
+bool SkdPart::IsOdd(const double x[3], const SkdRayEnd& way) const
+{
+  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  return this->Surface->CountCrossings(x, end) % 2 == 1;
+}
+
+void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
+  SkdInsideMethod method, std::vector<SkdPassAlong>& passes) const
+{
+  double start = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double height = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      height += along[axis] * (this->Bounds[2 * axis + (corner >> axis & 1)] - from[axis]);
+    }
+    start = std::min(start, height);
+  }
+  start -= 0.01 * this->Diagonal; // both ends are outside, or beyond all that is wanted
+  const double reach = distance + 0.01 * this->Diagonal;
+  double p1[3], p2[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    p1[axis] = from[axis] + start * along[axis];
+    p2[axis] = from[axis] + reach * along[axis];
+  }
+  if (method == SkdInsideMethod::Automatic)
+  {
+    this->Solid->FindPasses(p1, p2, reach - start, passes);
+  }
+  else
+  {
+    this->FindTurns(p1, p2, reach - start, passes);
+  }
+  for (SkdPassAlong& pass : passes)
+  {
+    pass.At += start;
+  }
+}
+
+// By parity.
+void SkdPart::FindTurns(
+  const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const
+{
+  thread_local vtkNew<vtkDoubleArray> parameters;
+  thread_local vtkNew<vtkIdTypeArray> kinds;
+  const vtkIdType n = this->Surface->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    if (kinds->GetValue(i) == 1)
+    {
+      const int after = passes.size() % 2 == 0 ? 1 : 0;
+      passes.push_back({ parameters->GetValue(i) * length, after });
+    }
+  }
+}
+
+SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
+{
+  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
+  const int count = this->Boundary.OpenEdges == 0 ? 1 : 6;
+  auto way = ways.begin();
+  return Elect(count, [&]() { return this->IsOdd(x, *way++); });
+}
+
+SkdSide SkdPart::VoteAtRandom(
+  const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
+{
+  RandomRayEnds ways(this->Bounds, rules.Seed, point);
+  const int count = this->Boundary.OpenEdges == 0 ? 1 : rules.NumberOfRays;
+  return Elect(count, [&]() { return this->IsOdd(x, ways.Next()); });
+}
+
+SkdSide SkdPart::AskWinding(const double x[3], double tolerance) const
+{
+  return SkdSideOf(this->Winding->Ask(x, tolerance));
+}
+
+SkdSide SkdPart::AskNearest(const double x[3]) const
+{
+  double nearest[3], pcoords[3], dist2;
+  int subId;
+  const vtkIdType face = this->Faces->FindClosestLocation(
+    x, std::numeric_limits<double>::infinity(), nearest, subId, pcoords, dist2, nullptr);
+  if (face < 0)
+  {
+    return SkdSide();
+  }
+  const SkdFeatureNormals::Normal normal = this->Normals->At(face, pcoords);
+  const skd::Vector3 away{ { x[0] - nearest[0], x[1] - nearest[1], x[2] - nearest[2] } };
+  return { skd::Dot(away, normal.Direction) <= 0.0, normal.IsOpen ? 0.5 : 1.0 };
+}
+
+bool SkdPart::IsNear(const double x[3], double distance) const
+{
+  double asked[3] = { x[0], x[1], x[2] };
+  double nearest[3], dist2;
+  vtkIdType face;
+  int subId;
+  return this->Faces->FindClosestPointWithinRadius(
+           asked, distance, nearest, nullptr, face, subId, dist2) != 0;
+}

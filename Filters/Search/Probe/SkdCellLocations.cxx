@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search/Probe/SkdCellLocations.h"
+
+#include "Pipeline/SkdMakeArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr const char* ValidName = "SkdValid";
+constexpr const char* PCoordsName = "SkdParametricCoordinates";
+constexpr const char* DistanceName = "SkdDistance";
+}
+
+SkdCellLocations::SkdCellLocations(vtkIdType n)
+  : Valid(SkdMakeArray<vtkUnsignedCharArray>(ValidName, 1, n, 0))
+  , CellIds(SkdMakeArray<vtkIdTypeArray>(CellIdName, 1, n, -1))
+  , PCoords(SkdMakeArray<vtkDoubleArray>(PCoordsName, 3, n, vtkMath::Nan()))
+  , Distances(SkdMakeArray<vtkDoubleArray>(DistanceName, 1, n, vtkMath::Nan()))
+  , Blocks(n, -1)
+{
+}
+
+void SkdCellLocations::Set(vtkIdType i, const SkdCellLocation& place)
+{
+  this->Valid->SetValue(i, 1);
+  this->CellIds->SetValue(i, place.CellId);
+  std::copy_n(place.PCoords, 3, this->PCoords->GetPointer(3 * i));
+  this->Distances->SetValue(i, place.Distance);
+  this->Blocks[i] = place.Block;
+}
+
+vtkIdType SkdCellLocations::CountValid() const
+{
+  return std::count_if(
+    this->Blocks.begin(), this->Blocks.end(), [](int block) { return block >= 0; });
+}
+
+vtkIdType SkdCellLocations::CountOutside() const
+{
+  const double* distances = this->Distances->GetPointer(0);
+  return std::count_if(distances, distances + this->GetNumberOfPoints(),
+    [](double distance) { return distance > 0.0; });
+}
+
+void SkdCellLocations::AddTo(
+  vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const
+{
+  data->AddArray(this->Valid);
+  data->AddArray(this->CellIds);
+  if (isComposite)
+  {
+    data->AddArray(SkdMakeBlockIndices(BlockIndexName, this->Blocks, source));
+  }
+  data->AddArray(this->PCoords);
+  data->AddArray(this->Distances);
+}

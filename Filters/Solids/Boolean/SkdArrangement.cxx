@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdArrangement.h"
+
+#include "Core/Geometry/DisjointSets.h"
+#include "Solids/Boolean/SkdEdgeFan.h"
+
+#include <algorithm>
+
+namespace
+{
+/// @{ The sides of a facet at an edge: a turn around the edge, counterclockwise as seen from its
+/// higher end, leaves a facet at the one and reaches the next one at the other.
+std::uint32_t SideLeft(const SkdEdgeUse& use)
+{
+  return 2 * use.Triangle + (use.IsForward ? 0 : 1);
+}
+
+std::uint32_t SideReached(const SkdEdgeUse& use)
+{
+  return 2 * use.Triangle + (use.IsForward ? 1 : 0);
+}
+/// @}
+
+void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
+{
+  skd::DisjointSets<> sides(2 * arrangement.Facets.GetNumberOfFacets());
+  std::vector<SkdEdgeUse> uses;
+  arrangement.Facets.Edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      if (last - first > 2) // the order of two does not matter
+      {
+        uses.assign(first, last);
+        fan.Sort(low, uses);
+        first = uses.data();
+        last = first + uses.size();
+      }
+      for (const SkdEdgeUse* use = first; use != last; ++use)
+      {
+        sides.Unite(SideLeft(*use), SideReached(use + 1 == last ? *first : use[1]));
+      }
+    });
+  arrangement.Regions = sides.Number();
+  for (const std::uint32_t region : arrangement.Regions)
+  {
+    arrangement.NumberOfRegions = std::max(arrangement.NumberOfRegions, region + 1);
+  }
+}
+}
+
+std::optional<SkdArrangement> SkdArrange(
+  const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs, SkdLoop& loop)
+{
+  std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
+  const std::vector<SkdDuplicate>& copies = placement.First.GetSet().GetCopiesLeftOut();
+  duplicates.insert(duplicates.end(), copies.begin(), copies.end());
+  std::sort(duplicates.begin(), duplicates.end());
+  const SkdContactPoints contacts(placement, pairs);
+  const SkdSplitSegments segments(placement, pairs, contacts);
+  std::optional<SkdSplitResult> done = SkdSplitTriangles(segments, 0, loop);
+  if (!done)
+  {
+    return std::nullopt;
+  }
+  SkdSplitResult& split = *done;
+  SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
+  if (!duplicates.empty())
+  {
+    overlaps.Add(duplicates, split);
+  }
+  const std::vector<std::uint32_t> ids = std::move(split.Ids);
+  const vtkIdType numberSplit = split.NumberSplit;
+  SkdArrangement arrangement{ SkdFacets(segments, std::move(split), overlaps), {}, 0, numberSplit };
+  FindRegions(
+    SkdEdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), arrangement);
+  return arrangement;
+}

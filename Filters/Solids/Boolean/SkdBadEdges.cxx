@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdBadEdges.h"
+
+#include <algorithm>
+#include <map>
+
+namespace
+{
+/// The triangles at an edge.
+struct Passes
+{
+  int Sum = 0; // in one direction less the other
+  int Count = 0;
+
+  void Add(int sign)
+  {
+    this->Sum += sign;
+    ++this->Count;
+  }
+};
+
+void Add(SkdBadEdges& bad, std::uint32_t low, std::uint32_t high, const Passes& passes)
+{
+  if (passes.Sum == 0)
+  {
+    return;
+  }
+  if (bad.Count++ == 0)
+  {
+    bad.First = { low, high };
+  }
+  bad.Open += passes.Count == 1;
+}
+}
+
+std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
+  const std::vector<std::uint32_t>& surfaceOf, std::uint32_t numberOfSurfaces)
+{
+  std::vector<SkdBadEdges> bad(numberOfSurfaces);
+  const auto isBetweenTwo = [&](const SkdEdgeUse* first, const SkdEdgeUse* last)
+  {
+    return last - first == 2 && first[0].IsForward != first[1].IsForward &&
+      surfaceOf[facets.Parents[first[0].Triangle]] ==
+      surfaceOf[facets.Parents[first[1].Triangle]] &&
+      facets.Layers.empty();
+  };
+  std::map<std::uint32_t, Passes> passesOf; // of surfaces
+  facets.Edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      if (isBetweenTwo(first, last)) // nearly always
+      {
+        return;
+      }
+      passesOf.clear();
+      for (const SkdEdgeUse* use = first; use != last; ++use)
+      {
+        facets.ForEachLayer(use->Triangle,
+          [&](std::uint32_t parent, int sign)
+          { passesOf[surfaceOf[parent]].Add(use->IsForward ? sign : -sign); });
+      }
+      for (const auto& [surface, passes] : passesOf)
+      {
+        Add(bad[surface], low, first->High, passes);
+      }
+    });
+  return bad;
+}
+
+SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed char>& signs)
+{
+  SkdBadEdges bad;
+  facets.Edges.ForEach(
+    [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
+    {
+      int sum = 0;
+      for (const SkdEdgeUse* use = first; use != last; ++use)
+      {
+        sum += use->IsForward ? signs[use->Triangle] : -signs[use->Triangle];
+      }
+      if (sum != 0)
+      {
+        const auto count = std::count_if(
+          first, last, [&signs](const SkdEdgeUse& use) { return signs[use.Triangle] != 0; });
+        Add(bad, low, first->High, { sum, static_cast<int>(count) });
+      }
+    });
+  return bad;
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdBooleanFaces_h
+#define SkdBooleanFaces_h
+
+#include "Solids/Boolean/SkdBooleanFacets.h"
+
+/// The faces of an output: polygons by the points of an arrangement, each with a facet that it
+/// contains.
+struct SkdBooleanFaces
+{
+  std::vector<std::uint32_t> Facets; ///< the first of each face
+  std::vector<std::uint32_t> Starts; ///< of the corners of each face, and the end
+  std::vector<std::uint32_t> Corners;
+};
+
+/// What becomes of facets.
+struct SkdFaceOptions
+{
+  std::vector<bool> IsPolygon; ///< of each cell: all of it, if not split, becomes one face
+  bool IsMerged;               ///< pieces of one triangle become convex polygons
+};
+
+/// The facets of a boundary, in its orientation.
+SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+  const SkdFacetSigns& signs, const SkdFaceOptions& options);
+
+#endif

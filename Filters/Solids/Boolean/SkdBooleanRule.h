@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdBooleanRule_h
+#define SkdBooleanRule_h
+
+#include "Solids/Boolean/SkdWindingNumbers.h"
+
+#include <algorithm>
+
+enum class SkdBooleanOperation
+{
+  Union,
+  Intersection,
+  Difference,
+  ReverseDifference,
+  SymmetricDifference,
+  AtLeast,
+  Imprint
+};
+
+/// The winding numbers of what is inside of a surface.
+enum class SkdInsideRule
+{
+  NonZero,
+  Odd,
+  Positive
+};
+
+/// Which regions are solid after an operation on several solids; the differences are between the
+/// first and the others.
+struct SkdBooleanRule
+{
+  SkdBooleanOperation Operation;
+  SkdInsideRule Inside;
+  std::uint32_t NumberOfSolids;
+  std::uint32_t Least; ///< the number of solids of AtLeast
+
+  bool IsInside(int number) const
+  {
+    switch (this->Inside)
+    {
+      case SkdInsideRule::Odd:
+        return number % 2 != 0;
+      case SkdInsideRule::Positive:
+        return number > 0;
+      default:
+        return number != 0;
+    }
+  }
+
+  bool IsInside(const SkdRegionWindings& windings, std::uint32_t solid) const
+  {
+    return std::any_of(windings.begin(), windings.end(),
+      [&](const SkdWindingOf& winding)
+      { return winding.Surface == solid && this->IsInside(winding.Number); });
+  }
+
+  /// The number of solids that a region is in.
+  std::uint32_t CountSolids(const SkdRegionWindings& windings) const
+  {
+    return static_cast<std::uint32_t>(std::count_if(windings.begin(), windings.end(),
+      [&](const SkdWindingOf& winding) { return this->IsInside(winding.Number); }));
+  }
+
+  bool IsSolid(const SkdRegionWindings& windings) const
+  {
+    const std::uint32_t count = this->CountSolids(windings);
+    const bool isInFirst = this->IsInside(windings, 0);
+    switch (this->Operation)
+    {
+      case SkdBooleanOperation::Intersection:
+        return count == this->NumberOfSolids;
+      case SkdBooleanOperation::Difference:
+        return isInFirst && count == 1;
+      case SkdBooleanOperation::ReverseDifference:
+        return !isInFirst && count > 0;
+      case SkdBooleanOperation::SymmetricDifference:
+        return count % 2 == 1;
+      case SkdBooleanOperation::AtLeast:
+        return count >= this->Least;
+      default:
+        return count > 0;
+    }
+  }
+};
+
+#endif

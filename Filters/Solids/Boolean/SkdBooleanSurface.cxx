@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdBooleanSurface.h"
+
+#include "Cells/Read/SkdForEach.h"
+#include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdMakeArray.h"
+#include "Pipeline/SkdMakeMesh.h"
+#include "Solids/Boolean/SkdBooleanFaces.h"
+#include "Solids/Surfaces/SkdSplitPointData.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkSMPThreadLocalObject.h"
+
+#include <algorithm>
+
+namespace
+{
+/// Of each cell of the set, whether it is a polygon of several triangles. Only these are asked for
+/// their type: a vtkPolyData has to build a list of types for that.
+std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts& parts)
+{
+  std::vector<bool> isPolygon(set.GetCells().size(), false);
+  const auto n = static_cast<std::uint32_t>(set.GetTriangles().size());
+  for (std::uint32_t triangle = 1; parts.KeepsPolygons && triangle < n; ++triangle)
+  {
+    const std::uint32_t cell = set.GetCellOf(triangle);
+    if (cell == set.GetCellOf(triangle - 1) && !isPolygon[cell])
+    {
+      const SkdTriangleSet::Cell& of = set.GetCells()[cell];
+      const int type = parts.Blocks.All[of.Block].Mesh->GetCellType(of.Id);
+      isPolygon[cell] = type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
+    }
+  }
+  return isPolygon;
+}
+
+class Output
+{
+public:
+  Output(const SkdBooleanParts& parts, vtkPolyData* output)
+    : Parts(parts)
+    , Arrangement(parts.Solids.GetArrangement())
+    , Placed(parts.Solids.GetPlacement().First)
+    , Set(parts.Solids.GetTriangles())
+    , Facets(parts.Boundary.GetFacets(this->Arrangement))
+    , IsImprint(parts.Rule.Operation == SkdBooleanOperation::Imprint)
+    , Faces(SkdMakeBooleanFaces(this->Placed, this->Facets, parts.Boundary.GetSigns(),
+        { FindPolygons(this->Set, parts), parts.MergesPieces && !this->IsImprint }))
+    , To(output)
+  {
+    this->NumberPoints();
+  }
+
+  void FillShape() const
+  {
+    const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
+    const auto pointAt = [&](vtkIdType i)
+    { return unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]); };
+    auto starts =
+      SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(this->Faces.Starts.size()));
+    auto corners = SkdMakeArray<vtkIdTypeArray>(
+      "connectivity", 1, static_cast<vtkIdType>(this->Faces.Corners.size()));
+    std::copy(this->Faces.Starts.begin(), this->Faces.Starts.end(), starts->GetPointer(0));
+    std::transform(this->Faces.Corners.begin(), this->Faces.Corners.end(), corners->GetPointer(0),
+      [&](std::uint32_t corner) { return static_cast<vtkIdType>(this->Numbers[corner]); });
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(starts, corners);
+    this->To->SetPoints(SkdMakePoints(static_cast<vtkIdType>(this->Points.size()), pointAt));
+    this->To->SetPolys(cells);
+  }
+
+  void FillCellData(std::set<std::string>& refused) const
+  {
+    const auto n = static_cast<vtkIdType>(this->Faces.Facets.size());
+    vtkCellData* data = this->To->GetCellData();
+    this->AddIds(n, data);
+    if (this->IsImprint && this->Parts.Solids.HasWindings())
+    {
+      this->AddSolidCounts(n, data);
+    }
+    SkdArrayGather gather =
+      SkdGatherInto(data, n, this->Parts.Blocks.All, vtkDataObject::CELL, refused);
+    SkdForEach(gather.GetNumberOfArrays() > 0 ? n : 0,
+      [&](vtkIdType i)
+      {
+        const SkdTriangleSet::Cell& cell = this->CellOf(this->ParentOf(i));
+        gather.Take(i, cell.Block, cell.Id);
+      });
+  }
+
+  void FillPointData(std::set<std::string>& refused) const
+  {
+    const auto n = static_cast<vtkIdType>(this->Points.size());
+    SkdArrayGather gather = SkdGatherInto(
+      this->To->GetPointData(), n, this->Parts.Blocks.All, vtkDataObject::POINT, refused);
+    if (gather.GetNumberOfArrays() == 0)
+    {
+      return;
+    }
+    const SkdSplitPointData data(this->Set, this->Facets.NewPoints);
+    vtkSMPThreadLocalObject<vtkIdList> ids;
+    SkdForEach(n, [&](vtkIdType i) { data.Gather(this->Points[i], i, gather, ids.Local()); });
+  }
+
+private:
+  std::uint32_t ParentOf(vtkIdType face) const
+  {
+    return this->Facets.Parents[this->Faces.Facets[face]];
+  }
+
+  const SkdTriangleSet::Cell& CellOf(std::uint32_t triangle) const
+  {
+    return this->Set.GetCells()[this->Set.GetCellOf(triangle)];
+  }
+
+  /// The points that faces have, in the order of the arrangement's.
+  void NumberPoints()
+  {
+    constexpr std::uint32_t none = 0xffffffffu;
+    this->Numbers.assign(this->Placed.GetPoints().size() + this->Facets.NewPoints.size(), none);
+    for (const std::uint32_t corner : this->Faces.Corners)
+    {
+      this->Numbers[corner] = 0;
+    }
+    for (std::uint32_t point = 0; point < this->Numbers.size(); ++point)
+    {
+      if (this->Numbers[point] != none)
+      {
+        this->Numbers[point] = static_cast<std::uint32_t>(this->Points.size());
+        this->Points.push_back(point);
+      }
+    }
+  }
+
+  void AddIds(vtkIdType n, vtkCellData* data) const
+  {
+    const bool hasSolids = !this->Parts.Solids.AreSolidsInputs();
+    auto inputs = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Input, 1, n);
+    auto ids = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Cell, 1, n);
+    auto solids = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Solid, 1, n);
+    auto blocks = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Block, 1, n);
+    SkdForEach(n,
+      [&](vtkIdType i)
+      {
+        const std::uint32_t parent = this->ParentOf(i);
+        const SkdTriangleSet::Cell& cell = this->CellOf(parent);
+        inputs->SetValue(i, cell.Block < this->Parts.Blocks.FirstOfSource ? 0 : 1);
+        ids->SetValue(i, cell.Id);
+        solids->SetValue(
+          i, hasSolids ? static_cast<int>(this->Parts.Solids.GetSolids().Of[parent]) : 0);
+        blocks->SetValue(i, this->Parts.Blocks.All[cell.Block].BlockIndex);
+      });
+    data->AddArray(inputs);
+    data->AddArray(ids);
+    if (hasSolids)
+    {
+      data->AddArray(solids);
+    }
+    if (this->Parts.Blocks.IsComposite)
+    {
+      data->AddArray(blocks);
+    }
+  }
+
+  void AddSolidCounts(vtkIdType n, vtkCellData* data) const
+  {
+    auto inFront = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Front, 1, n);
+    auto behind = SkdMakeArray<vtkIntArray>(SkdBooleanNames::Back, 1, n);
+    std::vector<int> counts;
+    for (const SkdRegionWindings& windings : this->Parts.Solids.GetWindings())
+    {
+      counts.push_back(static_cast<int>(this->Parts.Rule.CountSolids(windings)));
+    }
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      const std::uint32_t facet = this->Faces.Facets[i];
+      inFront->SetValue(i, counts[this->Arrangement.GetFront(facet)]);
+      behind->SetValue(i, counts[this->Arrangement.GetBack(facet)]);
+    }
+    data->AddArray(inFront);
+    data->AddArray(behind);
+  }
+
+  const SkdBooleanParts& Parts;
+  const SkdArrangement& Arrangement;
+  const SkdPlacedTriangles& Placed;
+  const SkdTriangleSet& Set;
+  const SkdFacets& Facets;
+  const bool IsImprint;
+  const SkdBooleanFaces Faces;
+  std::vector<std::uint32_t> Numbers; // of the arrangement's points in the output
+  std::vector<std::uint32_t> Points;  // of the output, in the arrangement
+  vtkPolyData* To;
+};
+}
+
+void SkdFillBooleanSurface(
+  const SkdBooleanParts& parts, vtkPolyData* output, std::set<std::string>& refused)
+{
+  const Output to(parts, output);
+  to.FillShape();
+  to.FillCellData(refused);
+  to.FillPointData(refused);
+  for (const char* name : SkdBooleanNames::All)
+  {
+    refused.erase(name);
+  }
+}

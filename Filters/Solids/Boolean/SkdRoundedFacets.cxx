@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdRoundedFacets.h"
+
+#include "Bodies/SkdWeld.h"
+#include "Solids/Surfaces/SkdPointFilter.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+namespace
+{
+using Corners = SkdTriangleSet::Corners;
+
+/// A facet of the boundary by its corners, ascending, and which way it faces as seen with these.
+struct Laid
+{
+  Corners Ascending;
+  std::uint32_t Facet;
+  int Sign;
+
+  bool operator<(const Laid& other) const
+  {
+    return this->Ascending != other.Ascending ? this->Ascending < other.Ascending
+                                              : this->Facet < other.Facet;
+  }
+};
+
+bool HasEqualCorners(const Corners& corners)
+{
+  return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+}
+
+/// 1 if the corners are ascending but for where they begin, else -1.
+int TurnOf(const Corners& corners)
+{
+  return (corners[0] < corners[1]) + (corners[1] < corners[2]) + (corners[2] < corners[0]) == 2
+    ? 1
+    : -1;
+}
+
+/// The facets of the boundary with a point that several have become.
+std::vector<Laid> ListLaid(const SkdRoundedFacets& rounded, const std::vector<bool>& isShared)
+{
+  std::vector<Laid> laid;
+  for (std::uint32_t facet = 0; facet < rounded.Signs.size(); ++facet)
+  {
+    const Corners& corners = rounded.Facets.Corners[facet];
+    if (rounded.Signs[facet] != 0 &&
+      (isShared[corners[0]] || isShared[corners[1]] || isShared[corners[2]]))
+    {
+      laid.push_back({ corners, facet, rounded.Signs[facet] * TurnOf(corners) });
+      std::sort(laid.back().Ascending.begin(), laid.back().Ascending.end());
+    }
+  }
+  std::sort(laid.begin(), laid.end());
+  return laid;
+}
+
+/// Of facets that are laid on each other as many stay as face one way more often than the other.
+void TakeOut(const Laid* first, const Laid* last, bool keepsOne, SkdFacetSigns& signs)
+{
+  int sum = 0;
+  std::for_each(first, last, [&sum](const Laid& laid) { sum += laid.Sign; });
+  int left = keepsOne ? 1 : std::abs(sum);
+  for (const Laid* laid = first; laid != last; ++laid)
+  {
+    const bool stays = left > 0 && (keepsOne || (laid->Sign > 0) == (sum > 0));
+    left -= stays;
+    signs[laid->Facet] = stays ? signs[laid->Facet] : static_cast<signed char>(0);
+  }
+}
+}
+
+std::vector<std::uint32_t> SkdFindEqualPoints(
+  const SkdPlacement& placement, const SkdFacets& facets)
+{
+  const SkdPlacedTriangles& set = placement.First;
+  const double unscaled = 1.0 / placement.Scale;
+  const auto given = static_cast<std::uint32_t>(set.GetPoints().size());
+  const auto end = given + static_cast<std::uint32_t>(facets.NewPoints.size());
+  const auto storedAt = [&](std::uint32_t point)
+  { return unscaled * facets.GetPosition(set, point); };
+  SkdPointFilter filter(facets.NewPoints.size());
+  for (std::uint32_t point = given; point < end; ++point)
+  {
+    filter.Add(storedAt(point));
+  }
+  SkdWeld weld(facets.NewPoints.size());
+  std::vector<std::uint32_t> firsts; // of each place
+  std::vector<std::uint32_t> lowest;
+  for (std::uint32_t point = given == end ? end : 0; point < end; ++point)
+  {
+    const skd::Vector3 x = storedAt(point);
+    if (point < given && !filter.MayHave(x))
+    {
+      continue;
+    }
+    const auto place = static_cast<std::size_t>(weld.GetId(x.X));
+    if (place == firsts.size())
+    {
+      firsts.push_back(point);
+      continue;
+    }
+    if (lowest.empty())
+    {
+      lowest.resize(end);
+      std::iota(lowest.begin(), lowest.end(), 0u);
+    }
+    lowest[point] = firsts[place];
+  }
+  return lowest;
+}
+
+SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
+  const std::vector<std::uint32_t>& lowest, const SkdFacetSigns& signs, bool keepsOne)
+{
+  SkdRoundedFacets rounded;
+  rounded.Facets.Corners = facets.Corners;
+  rounded.Facets.Parents = facets.Parents;
+  rounded.Facets.NewPoints = facets.NewPoints;
+  rounded.Signs = signs;
+  std::vector<bool> isShared(lowest.size(), false);
+  for (std::uint32_t point = 0; point < lowest.size(); ++point)
+  {
+    isShared[lowest[point]] = isShared[lowest[point]] || lowest[point] != point;
+  }
+  for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+  {
+    Corners& corners = rounded.Facets.Corners[facet];
+    std::transform(corners.begin(), corners.end(), corners.begin(),
+      [&](std::uint32_t corner) { return lowest[corner]; });
+    rounded.Signs[facet] = HasEqualCorners(corners) ? static_cast<signed char>(0) : signs[facet];
+  }
+  const std::vector<Laid> laid = ListLaid(rounded, isShared);
+  for (const Laid *first = laid.data(), *end = first + laid.size(); first != end;)
+  {
+    const Laid* last = std::find_if(
+      first, end, [&](const Laid& other) { return other.Ascending != first->Ascending; });
+    TakeOut(first, last, keepsOne, rounded.Signs);
+    first = last;
+  }
+  for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+  {
+    rounded.NumberFolded += signs[facet] != rounded.Signs[facet];
+  }
+  rounded.Facets.Edges = SkdFacetEdges(rounded.Facets.Corners, lowest.size());
+  return rounded;
+}

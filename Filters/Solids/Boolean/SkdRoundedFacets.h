@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdRoundedFacets.h
+ * @brief The facets of a boundary as they are stored: points that are different, but round to the
+ * same coordinates, are one.
+ */
+
+#ifndef SkdRoundedFacets_h
+#define SkdRoundedFacets_h
+
+#include "Solids/Boolean/SkdBooleanFacets.h"
+
+/// Of each point of an arrangement the lowest one that has the same coordinates when stored; empty
+/// if all have different ones. O(n), a few nanoseconds for each point that is given.
+std::vector<std::uint32_t> SkdFindEqualPoints(
+  const SkdPlacement& placement, const SkdFacets& facets);
+
+/// A boundary whose points of equal coordinates are one. Facets keep their numbers.
+struct SkdRoundedFacets
+{
+  SkdFacets Facets; ///< without layers
+  SkdFacetSigns Signs;
+  vtkIdType NumberFolded = 0; ///< facets that are no longer in it
+};
+
+/// Facets with equal corners leave the boundary, and facets that are laid on each other face to
+/// face: it passes each edge in both directions as before. With `keepsOne`, for facets that bound
+/// nothing, of those that are laid on each other the first stays. O(n log n).
+SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
+  const std::vector<std::uint32_t>& lowest, const SkdFacetSigns& signs, bool keepsOne);
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdSolidArrangement.h
+ * @brief Boolean operations on solids by the arrangement of their surfaces.
+ *
+ * As in Zhou et al. 2016 (SkdArrangement.h) all surfaces are split along all their intersections
+ * once, winding numbers tell which solids each region of space is in, and an operation keeps the
+ * facets between regions that are solid and regions that are not.
+ */
+
+#ifndef SkdSolidArrangement_h
+#define SkdSolidArrangement_h
+
+#include "Solids/Boolean/SkdRoundedFacets.h"
+#include "Solids/Boolean/SkdSheet.h"
+#include "Solids/Boolean/SkdSolids.h"
+
+#include <optional>
+#include <string>
+
+class vtkAlgorithm;
+
+/// The faces that an operation keeps.
+struct SkdBooleanBoundary
+{
+  SkdFacetSigns Selected;                  ///< of the arrangement
+  std::optional<SkdRoundedFacets> Rounded; ///< these as they are stored, if that makes a difference
+
+  ///@{
+  /// As they are stored.
+  const SkdFacetSigns& GetSigns() const
+  {
+    return this->Rounded ? this->Rounded->Signs : this->Selected;
+  }
+  const SkdFacets& GetFacets(const SkdArrangement& arrangement) const
+  {
+    return this->Rounded ? this->Rounded->Facets : arrangement.Facets;
+  }
+  ///@}
+};
+
+/// The arrangement of the inputs, and the solids that its regions are in: kept while the inputs are
+/// unchanged. To be called in this order: Update, FindSolids, FindWindings, Select.
+class SkdSolidArrangement
+{
+public:
+  /// Splits the surfaces along all their intersections, unless that is done; `filter` gets the
+  /// progress. False after an abort.
+  bool Update(const SkdBooleanBlocks& blocks, double chordalDeviation, vtkAlgorithm* filter);
+
+  /// Finds out which triangles bound which solid: the two inputs; else the blocks if there are
+  /// several, else the pieces.
+  void FindSolids(const SkdBooleanBlocks& blocks, bool areInputs);
+
+  /// The first solid whose surface has no inside; none if all have. The Source may be open (a
+  /// sheet) in operations that have a use for it.
+  std::optional<std::uint32_t> FindUnclosed(SkdBooleanOperation operation) const;
+
+  /// Finds out which solids each region is in, unless that is done. Empty if it could not.
+  std::optional<SkdSheetFaults> FindWindings();
+
+  /// The boundary of what is solid. Facets of a sheet are in it only with `closesCut`.
+  SkdBooleanBoundary Select(const SkdBooleanRule& rule, bool closesCut) const;
+
+  ///@{
+  /// The volume and area of what is within solids, or a boundary.
+  template <class IsSolid>
+  SkdBoundaryMeasures Measure(const IsSolid& isSolid) const
+  {
+    return this->Measure(SkdFindBoundary(this->Arrangement, this->Windings, isSolid));
+  }
+  SkdBoundaryMeasures Measure(const SkdFacetSigns& signs) const;
+  ///@}
+
+  bool HasWindings() const { return !this->Windings.empty(); }
+
+  /// Whether a solid is the Source, and open.
+  bool IsSheet(std::uint32_t solid) const
+  {
+    return this->AreInputs && solid == 1 && this->BadEdges[1].Count > 0;
+  }
+
+  ///@{
+  /// For messages.
+  std::string NameOf(std::uint32_t solid) const;
+  std::string TextOf(const SkdSplitEdge& edge) const;
+  ///@}
+
+  ///@{
+  /// Whether Update split the surfaces; the triangles; where they are; what they are split into.
+  bool IsNew() const { return this->WasSplit; }
+  const SkdTriangleSet& GetTriangles() const { return this->Triangles; }
+  const SkdPlacement& GetPlacement() const { return *this->Placement; }
+  const SkdArrangement& GetArrangement() const { return this->Arrangement; }
+  ///@}
+
+  ///@{
+  /// The solids and whether they are the two inputs; the winding numbers of each region, or none;
+  /// the edges along which the surface of each solid is not closed.
+  const SkdSolids& GetSolids() const { return this->Solids; }
+  bool AreSolidsInputs() const { return this->AreInputs; }
+  const std::vector<SkdRegionWindings>& GetWindings() const { return this->Windings; }
+  const std::vector<SkdBadEdges>& GetBadEdges() const { return this->BadEdges; }
+  ///@}
+
+private:
+  std::optional<SkdSheetFaults> PlaceSheet();
+
+  SkdTriangleSet Triangles;
+  bool WasSplit = false;
+  std::optional<SkdPlacement> Placement; // none: not arranged
+  SkdArrangement Arrangement;
+  std::vector<std::uint32_t> EqualPoints; // see SkdFindEqualPoints
+  SkdSolids Solids;
+  bool AreInputs = false;
+  std::vector<SkdBadEdges> BadEdges;
+  std::vector<SkdRegionWindings> Windings; // empty: not known
+};
+
+#endif

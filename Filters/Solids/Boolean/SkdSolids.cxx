@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdSolids.h"
+
+#include "Core/Geometry/DisjointSets.h"
+#include "Solids/Boolean/SkdFacets.h"
+
+namespace
+{
+template <class NumberOf>
+SkdSolids NumberSolids(const SkdTriangleSet& set, const NumberOf& numberOf)
+{
+  SkdSolids solids;
+  solids.Of.resize(set.GetTriangles().size());
+  for (std::uint32_t triangle = 0; triangle < solids.Of.size(); ++triangle)
+  {
+    solids.Of[triangle] = numberOf(triangle);
+    solids.Count = std::max(solids.Count, solids.Of[triangle] + 1);
+  }
+  return solids;
+}
+}
+
+SkdBooleanBlocks SkdMakeBooleanBlocks(vtkDataObject* input, vtkDataObject* source)
+{
+  SkdBooleanBlocks blocks{ SkdBlocksOf(input), 0, SkdIsComposite(input) || SkdIsComposite(source) };
+  blocks.FirstOfSource = static_cast<int>(blocks.All.size());
+  const std::vector<SkdBlock> others = SkdBlocksOf(source);
+  blocks.All.insert(blocks.All.end(), others.begin(), others.end());
+  return blocks;
+}
+
+SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource)
+{
+  SkdSolids solids = NumberSolids(set,
+    [&](std::uint32_t triangle)
+    { return set.GetCells()[set.GetCellOf(triangle)].Block < firstOfSource ? 0u : 1u; });
+  solids.Count = 2; // also if there are no triangles of one
+  return solids;
+}
+
+SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set)
+{
+  int last = -1;
+  std::uint32_t count = 0;
+  return NumberSolids(set,
+    [&](std::uint32_t triangle)
+    {
+      const int block = set.GetCells()[set.GetCellOf(triangle)].Block;
+      count += block != last;
+      last = block;
+      return count - 1;
+    });
+}
+
+SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set)
+{
+  const std::vector<SkdTriangleSet::Corners> triangles(
+    set.GetTriangles().begin(), set.GetTriangles().end());
+  skd::DisjointSets<> pieces(triangles.size());
+  SkdFacetEdges(triangles, set.GetPoints().size())
+    .ForEach(
+      [&](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)
+      {
+        for (const SkdEdgeUse* use = first + 1; use < last; ++use)
+        {
+          pieces.Unite(first->Triangle, use->Triangle);
+        }
+      });
+  const std::vector<std::uint32_t> numbers = pieces.Number();
+  return NumberSolids(set, [&](std::uint32_t triangle) { return numbers[triangle]; });
+}

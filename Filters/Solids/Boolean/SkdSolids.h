@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSolids_h
+#define SkdSolids_h
+
+#include "Solids/Surfaces/SkdTriangleSet.h"
+
+/// The data sets of the surfaces.
+struct SkdBooleanBlocks
+{
+  std::vector<SkdBlock> All;
+  int FirstOfSource; ///< those before it are of the Input
+  bool IsComposite;
+};
+
+/// `source` may be nullptr.
+SkdBooleanBlocks SkdMakeBooleanBlocks(vtkDataObject* input, vtkDataObject* source);
+
+/// The solids that the triangles of a set bound.
+struct SkdSolids
+{
+  std::vector<std::uint32_t> Of; ///< of each triangle
+  std::uint32_t Count = 0;
+};
+
+/// Two: the blocks before `firstOfSource`, and the others.
+SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource);
+
+/// A solid for each block that has triangles.
+SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set);
+
+/// A solid for each piece that edges connect, in the order of first triangles. O(n).
+SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set);
+
+#endif

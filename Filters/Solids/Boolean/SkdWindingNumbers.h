@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdWindingNumbers.h
+ * @brief How often each surface of an arrangement winds around its regions.
+ */
+
+#ifndef SkdWindingNumbers_h
+#define SkdWindingNumbers_h
+
+#include "Solids/Boolean/SkdArrangement.h"
+
+/// The winding number of one of several surfaces, if it is not 0.
+struct SkdWindingOf
+{
+  std::uint32_t Surface;
+  int Number;
+
+  bool operator<(const SkdWindingOf& other) const { return this->Surface < other.Surface; }
+};
+
+/// Of a region: those of all surfaces around it, ascending.
+using SkdRegionWindings = std::vector<SkdWindingOf>;
+
+/// The winding numbers of all regions. `surfaceOf` is the surface of each triangle of the set; all
+/// of them are closed. The numbers of regions that facets connect follow from each other; those of
+/// one region of each connected set of facets are counted along a line. All of it is exact. O(n),
+/// and O(log n) for each set of facets that is in the box of another one. Empty if no line could be
+/// found that passes no edge, which should not happen.
+std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placement,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
+
+/// The part of space that each region is in, numbered from 0: regions of sets of facets that are
+/// not connected are the same part where no facet is between them. Surfaces may be open. Cost and
+/// empty result as above.
+std::vector<std::uint32_t> SkdFindPartsOfSpace(const SkdPlacement& placement,
+  const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdContactPoints.h"
+
+#include "Cells/Read/SkdForEach.h"
+#include "Core/Geometry/Intersection/ContactPosition.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <numeric>
+
+SkdContactPoints::SkdContactPoints(
+  const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
+  : First(placement.First)
+  , Second(placement.IsOfOne() ? nullptr : &placement.GetSecond())
+{
+  const std::vector<Key> keys = this->MakeKeys(pairs);
+  std::vector<std::uint32_t> order(keys.size());
+  std::iota(order.begin(), order.end(), 0u);
+  vtkSMPTools::Sort(order.begin(), order.end(),
+    [&keys](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+  this->Points.resize(keys.size());
+  for (const std::uint32_t i : order)
+  {
+    if (this->Keys.empty() || !(this->Keys.back() == keys[i]))
+    {
+      this->Keys.push_back(keys[i]);
+    }
+    this->Points[i] = static_cast<std::uint32_t>(this->Keys.size() - 1);
+  }
+  this->Positions.resize(this->Keys.size());
+  const double unscaled = 1.0 / placement.Scale;
+  SkdForEach(this->Keys.size(),
+    [&](std::size_t i) { this->Positions[i] = unscaled * this->FindPosition(this->Keys[i]); });
+}
+
+std::vector<SkdContactPoints::Key> SkdContactPoints::MakeKeys(
+  const std::vector<SkdTrianglePair>& pairs)
+{
+  this->Offsets.reserve(pairs.size() + 1);
+  this->Offsets.push_back(0);
+  for (const SkdTrianglePair& pair : pairs)
+  {
+    this->Offsets.push_back(this->Offsets.back() + static_cast<std::size_t>(pair.Contact.Count));
+  }
+  std::vector<Key> keys(this->Offsets.back());
+  SkdForEach(pairs.size(),
+    [&](std::size_t pair)
+    {
+      for (int i = 0; i < pairs[pair].Contact.Count; ++i)
+      {
+        keys[this->Offsets[pair] + static_cast<std::size_t>(i)] =
+          this->MakeKey(pairs[pair], pairs[pair].Contact.Points[i]);
+      }
+    });
+  if (this->Second)
+  {
+    this->MakeCornersOne(pairs, keys);
+  }
+  return keys;
+}
+
+SkdContactPoints::Feature SkdContactPoints::MakeFeature(
+  bool isOfSecond, std::uint32_t triangle, skd::TriangleFeature feature) const
+{
+  const bool isCountedOn = isOfSecond && this->Second;
+  const SkdPlacedTriangles& set = isCountedOn ? *this->Second : this->First;
+  if (feature == skd::TriangleInside)
+  {
+    const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
+    return { triangle + (isCountedOn ? before : 0), Inside };
+  }
+  const auto before = isCountedOn ? static_cast<std::uint32_t>(this->First.GetPoints().size()) : 0u;
+  const SkdTriangleSet::Corners& corners = set.GetCorners(triangle);
+  const std::uint32_t a = before + corners[feature % 3];
+  const std::uint32_t b =
+    before + (skd::IsCorner(feature) ? corners[feature] : corners[(feature + 1) % 3]);
+  return { std::min(a, b), std::max(a, b) };
+}
+
+SkdContactPoints::Key SkdContactPoints::MakeKey(
+  const SkdTrianglePair& pair, const skd::ContactPoint& point) const
+{
+  const Feature first = this->MakeFeature(false, pair.First, point.First);
+  const Feature second = this->MakeFeature(true, pair.Second, point.Second);
+  if (first.IsCorner())
+  {
+    return { first, first };
+  }
+  if (second.IsCorner())
+  {
+    return { second, second };
+  }
+  const bool isSwapped = first.IsInside() || (!second.IsInside() && second < first);
+  return isSwapped ? Key{ second, first } : Key{ first, second }; // an edge comes first
+}
+
+// A corner of the second set that lies on one of the first is that one. Where it is met by itself
+// (on an edge, say, that has no end there) it must be, too.
+void SkdContactPoints::MakeCornersOne(
+  const std::vector<SkdTrianglePair>& pairs, std::vector<Key>& keys) const
+{
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> same; // (second's, first's)
+  for (const SkdTrianglePair& pair : pairs)
+  {
+    for (int i = 0; i < pair.Contact.Count; ++i)
+    {
+      const skd::ContactPoint& point = pair.Contact.Points[i];
+      if (skd::IsCorner(point.First) && skd::IsCorner(point.Second))
+      {
+        same.emplace_back(this->MakeFeature(true, pair.Second, point.Second).A,
+          this->MakeFeature(false, pair.First, point.First).A);
+      }
+    }
+  }
+  vtkSMPTools::Sort(same.begin(), same.end());
+  SkdForEach(keys.size(),
+    [&](std::size_t i)
+    {
+      Key& key = keys[i];
+      const std::pair<std::uint32_t, std::uint32_t> from(key.first.A, 0u);
+      const auto at = std::lower_bound(same.begin(), same.end(), from);
+      if (key.first.IsCorner() && at != same.end() && at->first == key.first.A)
+      {
+        const Feature corner{ at->second, at->second };
+        key = { corner, corner };
+      }
+    });
+}
+
+const skd::Vector3& SkdContactPoints::CornerAt(std::uint32_t corner) const
+{
+  const auto before = static_cast<std::uint32_t>(this->First.GetPoints().size());
+  return corner < before ? this->First.GetPoints()[corner]
+                         : this->Second->GetPoints()[corner - before];
+}
+
+skd::Segment<3> SkdContactPoints::EdgeAt(const Feature& edge) const
+{
+  return { this->CornerAt(edge.A), this->CornerAt(edge.B) };
+}
+
+std::array<skd::Vector3, 3> SkdContactPoints::TriangleAt(std::uint32_t triangle) const
+{
+  const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());
+  return triangle < before ? this->First.GetCornerPoints(triangle)
+                           : this->Second->GetCornerPoints(triangle - before);
+}
+
+skd::Vector3 SkdContactPoints::FindPosition(const Key& key) const
+{
+  if (key.first.IsCorner())
+  {
+    return this->CornerAt(key.first.A);
+  }
+  if (!key.second.IsInside())
+  {
+    return skd::CrossingWithEdge(this->EdgeAt(key.first), this->EdgeAt(key.second));
+  }
+  const auto [a, b, c] = this->TriangleAt(key.second.A);
+  return skd::CrossingWithPlane(this->EdgeAt(key.first), a, b, c);
+}
+
+skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
+{
+  const Key& key = this->Keys[point];
+  if (key.first.IsCorner())
+  {
+    return skd::ExactPoint(this->CornerAt(key.first.A));
+  }
+  const skd::Segment<3> edge = this->EdgeAt(key.first);
+  if (!key.second.IsInside())
+  {
+    const skd::Segment<3> other = this->EdgeAt(key.second);
+    return skd::ExactCrossingOfEdges(edge.A, edge.B, other.A, other.B);
+  }
+  const auto [a, b, c] = this->TriangleAt(key.second.A);
+  return skd::ExactCrossingWithPlane(edge.A, edge.B, a, b, c);
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdContactPoints.h
+ * @brief The points of contact of pairs of triangles, each of them once.
+ *
+ * Points are identified by the features they lie on (a vertex; two edges; an edge and a triangle),
+ * never by distance, so contacts of adjacent triangles match exactly.
+ */
+
+#ifndef SkdContactPoints_h
+#define SkdContactPoints_h
+
+#include "Core/Geometry/Predicates/ExactPoint.h"
+#include "Core/Geometry/Segment.h"
+#include "Solids/Surfaces/SkdTrianglePairs.h"
+
+#include <utility>
+
+class SkdContactPoints
+{
+public:
+  /// Positions are given without the placement's scale. O(n log n) in the number of pairs.
+  SkdContactPoints(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs);
+
+  std::uint32_t GetNumberOfPoints() const { return static_cast<std::uint32_t>(this->Keys.size()); }
+  const skd::Vector3& GetPosition(std::uint32_t point) const { return this->Positions[point]; }
+
+  /// The exact position of a point, with the placement's scale: slow.
+  skd::ExactPoint GetExact(std::uint32_t point) const;
+
+  /// Point `i` of the contact of a pair.
+  std::uint32_t GetPoint(std::size_t pair, int i) const
+  {
+    return this->Points[this->Offsets[pair] + static_cast<std::size_t>(i)];
+  }
+
+private:
+  /// Two parts, each a corner (c, c), an edge (lower corner, higher corner) or the inside of a
+  /// triangle (t, Inside); twice the same corner of a point that is one. The second set's corners
+  /// and triangles are counted on from the first's.
+  struct Feature
+  {
+    std::uint32_t A;
+    std::uint32_t B;
+
+    bool operator==(const Feature& other) const { return this->A == other.A && this->B == other.B; }
+    /// Insides last: numbers of triangles are not compared with those of corners, of which there
+    /// are more as long as equal points are several.
+    bool operator<(const Feature& other) const
+    {
+      if (this->IsInside() != other.IsInside())
+      {
+        return other.IsInside();
+      }
+      return this->A != other.A ? this->A < other.A : this->B < other.B;
+    }
+    bool IsCorner() const { return this->A == this->B; }
+    bool IsInside() const { return this->B == Inside; }
+  };
+  using Key = std::pair<Feature, Feature>;
+  static constexpr std::uint32_t Inside = 0xffffffffu;
+
+  Feature MakeFeature(bool isOfSecond, std::uint32_t triangle, skd::TriangleFeature feature) const;
+  Key MakeKey(const SkdTrianglePair& pair, const skd::ContactPoint& point) const;
+  std::vector<Key> MakeKeys(const std::vector<SkdTrianglePair>& pairs);
+  void MakeCornersOne(const std::vector<SkdTrianglePair>& pairs, std::vector<Key>& keys) const;
+  skd::Vector3 FindPosition(const Key& key) const;
+  const skd::Vector3& CornerAt(std::uint32_t corner) const;
+  skd::Segment<3> EdgeAt(const Feature& edge) const;
+  std::array<skd::Vector3, 3> TriangleAt(std::uint32_t triangle) const;
+
+  const SkdPlacedTriangles& First;
+  const SkdPlacedTriangles* Second; // nullptr of one alone
+  std::vector<std::size_t> Offsets; // where the points of a pair begin
+  std::vector<std::uint32_t> Points;
+  std::vector<Key> Keys; // ascending
+  std::vector<skd::Vector3> Positions;
+};
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdContacts.h
+ * @brief Pairs of triangles that touch or are near, as output data sets of the filter.
+ */
+
+#ifndef SkdContacts_h
+#define SkdContacts_h
+
+#include "Solids/Surfaces/SkdContactPoints.h"
+#include "Solids/Surfaces/SkdJoinSegments.h"
+
+class vtkDataSetAttributes;
+class vtkFieldData;
+class vtkPolyData;
+class vtkTable;
+
+/// What pairs have in common.
+enum class SkdContactKind
+{
+  Near,
+  Point,
+  Segment,
+  Area
+};
+
+SkdContactKind SkdKindOf(const skd::TriangleContact& contact);
+
+class SkdContacts
+{
+public:
+  ///@{
+  /// Arrays of the outputs.
+  static constexpr const char* FirstCellName = "SkdFirstCellId";
+  static constexpr const char* SecondCellName = "SkdSecondCellId";
+  static constexpr const char* FirstBlockName = "SkdFirstBlockIndex";
+  static constexpr const char* SecondBlockName = "SkdSecondBlockIndex";
+  static constexpr const char* ClosedName = "SkdCurveClosed";
+  static constexpr const char* LengthName = "SkdCurveLength";
+  static constexpr const char* KindName = "SkdContact";
+  static constexpr const char* DistanceName = "SkdDistance";
+  static constexpr const char* FirstPointName = "SkdFirstPoint";
+  static constexpr const char* SecondPointName = "SkdSecondPoint";
+  ///@}
+
+  /// The data sets of a surface. Block indices are output for composite data.
+  struct Side
+  {
+    const std::vector<SkdBlock>& Blocks;
+    bool IsComposite;
+  };
+
+  SkdContacts(const Side& first, const Side& second, const SkdPlacement& placement,
+    const std::vector<SkdTrianglePair>& pairs);
+
+  const SkdContactPoints& GetPoints() const { return this->Points; }
+
+  /// The curves: polylines with the ids of each segment at its first point, or a cell for each
+  /// segment. Isolated points of contact are vertices. Returns the number of curves without
+  /// vertices.
+  vtkIdType FillCurves(vtkPolyData* curves, bool isJoined) const;
+
+  /// The convex polygons in which triangles of one plane overlap.
+  vtkIdType FillOverlaps(vtkPolyData* overlaps) const;
+
+  /// A row for each pair of cells, and for each that is near but does not touch a line between
+  /// their nearest points.
+  void FillPairs(vtkTable* table, vtkPolyData* gaps) const;
+
+private:
+  struct Row
+  {
+    std::uint32_t FirstCell;
+    std::uint32_t SecondCell;
+    SkdContactKind Kind;
+    std::size_t Pair;
+    double Dist2;
+    skd::Vector3 FirstPoint;
+    skd::Vector3 SecondPoint;
+  };
+
+  void AddMeasures(vtkPolyData* curves, const std::vector<SkdEndPair>& segments,
+    const std::vector<SkdPolyline>& lines) const;
+  std::vector<SkdEndPair> FindSegments() const;
+  std::vector<SkdEndPair> FindLonePoints(const std::vector<SkdEndPair>& segments) const;
+  std::vector<Row> FindRows() const;
+  Row MakeRow(std::size_t index) const;
+  void FillGaps(const std::vector<Row>& rows, vtkPolyData* gaps) const;
+  void AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData* to) const;
+  void FillSeparate(vtkPolyData* curves, const std::vector<SkdEndPair>& lone,
+    const std::vector<SkdEndPair>& segments) const;
+  void FillJoined(vtkPolyData* curves, const std::vector<SkdEndPair>& lone,
+    const std::vector<SkdEndPair>& segments, const std::vector<SkdPolyline>& lines) const;
+
+  Side First;
+  Side Second;
+  const SkdPlacement& Placement;
+  const std::vector<SkdTrianglePair>& Pairs;
+  SkdContactPoints Points;
+};
+
+#endif

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdNearTriangles.h"
+
+#include "Bodies/SkdWeld.h"
+#include "Core/Search/LeafFilters/CoarseCells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// Boxes are inflated by the clearance and generous rounding errors: relative to the clearance, and
+/// to the largest coordinate.
+constexpr double ClearanceMargin = 1.000001;
+constexpr double CoordinateMargin = 1e-10;
+
+using Cells = skd::CoarseCells;
+
+std::uint32_t CountOf(const SkdPlacedTriangles& set)
+{
+  return static_cast<std::uint32_t>(set.GetSet().GetTriangles().size());
+}
+
+/// Where the set is placed, or around it.
+skd::Box3 BoundsOf(const SkdPlacement& placement, const SkdPlacedTriangles& set, bool isMoved)
+{
+  const skd::Box3& bounds = set.GetSet().GetBounds();
+  const double reach = set.GetSet().GetLargestCoordinate();
+  const skd::Box3 there = isMoved ? placement.Motion->Forward(bounds) : bounds;
+  const double shift = isMoved ? Norm(placement.Motion->Shift) : 0.0;
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (2.0 * reach + shift);
+  const skd::Box3 around = isMoved ? there.Inflated(rounding) : there;
+  return { placement.Scale * around.Min, placement.Scale * around.Max };
+}
+
+/// The mean of the longest sides of some triangles' boxes, spread over the set.
+double MeanSize(const SkdPlacedTriangles& set)
+{
+  constexpr std::uint32_t some = 64;
+  const std::uint32_t step = 1 + CountOf(set) / some;
+  double sum = 0.0;
+  int count = 0;
+  for (std::uint32_t i = 0; i < CountOf(set); i += step, ++count)
+  {
+    const skd::Box3 box = set.GetBox(i);
+    sum += std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
+  }
+  return sum / count;
+}
+
+/// The triangles of a set as cells see them.
+class SeenByCells
+{
+public:
+  SeenByCells(const SkdPlacedTriangles& set, const Cells& cells, double margin)
+    : Set(set)
+    , TheCells(cells)
+    , Lows(PlacesOf(set, cells, -margin))
+    , Highs(margin > 0.0 ? PlacesOf(set, cells, margin) : CellPositionList())
+    , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
+  {
+  }
+
+  std::uint32_t Count() const { return CountOf(this->Set); }
+
+  Cells::Range RangeOf(std::uint32_t triangle) const
+  {
+    const auto [a, b, c] = this->Set.GetCorners(triangle);
+    return this->TheCells.RangeOf({ this->Lows[a], this->Lows[b], this->Lows[c] },
+      { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
+  }
+
+private:
+  using CellPositionList = skd::RawVector<Cells::CellPosition>;
+
+  static CellPositionList PlacesOf(const SkdPlacedTriangles& set, const Cells& cells, double shift)
+  {
+    const SkdTriangleSet::PointList& points = set.GetPoints();
+    const skd::Vector3 shifts{ { shift, shift, shift } };
+    CellPositionList places(points.size());
+    std::transform(points.begin(), points.end(), places.begin(),
+      [&](const skd::Vector3& x) { return cells.CellPositionOf(x + shifts); });
+    return places;
+  }
+
+  const SkdPlacedTriangles& Set;
+  const Cells& TheCells;
+  CellPositionList Lows;
+  CellPositionList Highs; // empty where these are the lows
+  const Cells::CellPosition* AtHighs;
+};
+
+/// Keeps the work bounded where sizes differ much: stops when triangles cover many cells.
+class CoarseGrid
+{
+public:
+  CoarseGrid(const Cells& cells, std::size_t triangles)
+    : Marked(cells)
+    , Other(cells)
+    , RowsLeft(16 * triangles + 4096)
+  {
+  }
+
+  /// Appends those within the region to `inside`.
+  bool MarkAll(const SeenByCells& set, std::vector<std::uint32_t>& inside)
+  {
+    return this->ForEachRange(set,
+      [&](std::uint32_t i, const Cells::Range& range)
+      {
+        this->Marked.Mark(range);
+        inside.push_back(i);
+      });
+  }
+
+  /// Those of the other set that are in marked cells; marks theirs.
+  bool FindMarked(const SeenByCells& set, std::vector<std::uint32_t>& found)
+  {
+    return this->ForEachRange(set,
+      [&](std::uint32_t i, const Cells::Range& range)
+      {
+        if (this->Marked.HasMarks(range))
+        {
+          this->Other.Mark(range);
+          found.push_back(i);
+        }
+      });
+  }
+
+  void KeepMarked(const SeenByCells& set, std::vector<std::uint32_t>& inside) const
+  {
+    const auto isAlone = [&](std::uint32_t i) { return !this->Other.HasMarks(set.RangeOf(i)); };
+    inside.erase(std::remove_if(inside.begin(), inside.end(), isAlone), inside.end());
+  }
+
+private:
+  /// Calls visit(triangle, its cells) for those within the region; false if there are too many
+  /// cells.
+  template <class Visit>
+  bool ForEachRange(const SeenByCells& set, const Visit& visit)
+  {
+    for (std::uint32_t i = 0; i < set.Count(); ++i)
+    {
+      const Cells::Range range = set.RangeOf(i);
+      if (!range.IsEmpty)
+      {
+        if (!this->Affords(range))
+        {
+          return false;
+        }
+        visit(i, range);
+      }
+    }
+    return true;
+  }
+
+  bool Affords(const Cells::Range& range)
+  {
+    const std::size_t rows = range.CountRows();
+    this->RowsLeft -= std::min(rows, this->RowsLeft);
+    return this->RowsLeft > 0;
+  }
+
+  Cells Marked;
+  Cells Other;
+  std::size_t RowsLeft;
+};
+
+void AddBoxes(const SkdPlacedTriangles& set, double margin, SkdNearTriangles& near)
+{
+  near.Boxes.reserve(near.Triangles.size());
+  for (const std::uint32_t triangle : near.Triangles)
+  {
+    const skd::Box3 box = set.GetBox(triangle);
+    near.Boxes.push_back(margin > 0.0 ? box.Inflated(margin) : box);
+  }
+}
+
+/// Whether many triangles may be the same: false of ordinary surfaces, by the corners of boxes.
+bool MayHaveCopies(const SkdNearTriangles& near)
+{
+  std::size_t slots = 64;
+  while (slots < near.Boxes.size())
+  {
+    slots *= 2;
+  }
+  std::vector<std::uint32_t> counts(slots, 0);
+  bool areMany = false;
+  for (const skd::Box3& box : near.Boxes)
+  {
+    areMany = ++counts[SkdWeld::HashOf(box.Min) & (slots - 1)] > SkdManyCopies || areMany;
+  }
+  return areMany;
+}
+
+/// Leaves out all but the first SkdManyCopies of each triangle, as SkdTriangleSet::Complete does.
+bool LeaveOutCopies(const SkdPlacedTriangles& set, SkdNearTriangles& near)
+{
+  if (!MayHaveCopies(near))
+  {
+    return false;
+  }
+  SkdWeld weld(3 * near.Triangles.size());
+  skd::RawVector<SkdTriangleSet::Corners> triangles(near.Triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const auto corners = set.GetCornerPoints(near.Triangles[i]);
+    std::transform(corners.begin(), corners.end(), triangles[i].begin(),
+      [&](const skd::Vector3& x) { return static_cast<std::uint32_t>(weld.GetId(x.X)); });
+  }
+  std::vector<bool> isCopy(triangles.size(), false);
+  const auto copies = SkdFindCopies(triangles, weld.GetPoints().size(), SkdManyCopies);
+  for (const SkdDuplicate& copy : copies)
+  {
+    isCopy[copy.Triangle] = true;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < isCopy.size(); ++i)
+  {
+    if (!isCopy[i])
+    {
+      near.Triangles[count] = near.Triangles[i];
+      near.Boxes[count++] = near.Boxes[i];
+    }
+  }
+  near.Triangles.resize(count);
+  near.Boxes.resize(count);
+  return !copies.empty();
+}
+
+struct SetPair
+{
+  const SkdPlacement& Placement;
+  skd::Box3 Region; ///< that both are in, the second with a margin
+  double Margin;
+};
+
+/// False when those that are near are not much fewer than all.
+bool FilterByCoarseGrid(const SetPair& pair, SkdNearSets& near)
+{
+  const SkdPlacedTriangles& first = pair.Placement.First;
+  const SkdPlacedTriangles& second = pair.Placement.GetSecond();
+  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
+  const double size = std::max(MeanSize(first), MeanSize(second)) + pair.Margin;
+  const Cells cells(pair.Region, size);
+  const SeenByCells seenFirst(first, cells, 0.0);
+  const SeenByCells seenSecond(second, cells, pair.Margin);
+  CoarseGrid grid(cells, all);
+  if (!grid.MarkAll(seenFirst, near.First.Triangles) ||
+    !grid.FindMarked(seenSecond, near.Second.Triangles))
+  {
+    return false;
+  }
+  grid.KeepMarked(seenFirst, near.First.Triangles);
+  return 4 * (near.First.Triangles.size() + near.Second.Triangles.size()) <= 3 * all;
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance)
+{
+  const SkdPlacedTriangles& first = placement.First;
+  const SkdPlacedTriangles& second = placement.GetSecond();
+  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
+  SkdNearSets near;
+  if (CountOf(first) == 0 || CountOf(second) == 0)
+  {
+    return near;
+  }
+  skd::Box3 region = BoundsOf(placement, first, false);
+  skd::Box3 other = BoundsOf(placement, second, placement.Motion.has_value());
+  const double reach = std::max(skd::LargestCoordinate(region), skd::LargestCoordinate(other));
+  const double margin =
+    clearance > 0.0 ? ClearanceMargin * clearance + CoordinateMargin * reach : 0.0;
+  other = other.Inflated(margin);
+  region = { skd::Greatest(region.Min, other.Min), skd::Least(region.Max, other.Max) };
+  if (region.IsEmpty())
+  {
+    return near;
+  }
+  constexpr std::size_t few = 4096; // for a coarse grid to pay
+  if (all < few || !FilterByCoarseGrid({ placement, region, margin }, near))
+  {
+    return std::nullopt;
+  }
+  AddBoxes(first, 0.0, near.First);
+  AddBoxes(second, margin, near.Second);
+  const bool hasFirst = LeaveOutCopies(first, near.First);
+  near.HasCopies = LeaveOutCopies(second, near.Second) || hasFirst;
+  return near;
+}

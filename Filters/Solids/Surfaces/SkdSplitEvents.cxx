@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells/Read/SkdForEach.h"
+#include "Solids/Surfaces/SkdSplitSegments.h"
+
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+
+namespace
+{
+/// A part of a segment between two points that follow each other, seen along an axis.
+struct Piece
+{
+  std::uint32_t A;
+  std::uint32_t B;
+  std::uint32_t Segment;
+  double Min[2];
+  double Max[2];
+};
+
+/// The intersections of the segments of one triangle.
+class Triangle
+{
+public:
+  Triangle(const SkdSplitSegments& segments, int axis, std::vector<SkdSplitEvent>& events)
+    : Segments(segments)
+    , Points(segments.GetPoints())
+    , Axis(axis)
+    , Events(events)
+  {
+  }
+
+  void Add(std::uint32_t segment)
+  {
+    const std::vector<std::uint32_t> chain = this->Segments.GetChain(segment);
+    this->Pieces.reserve(this->Pieces.size() + chain.size());
+    if (chain.size() == 1)
+    {
+      this->AddPiece(chain[0], chain[0], segment);
+    }
+    for (std::size_t i = 1; i < chain.size(); ++i)
+    {
+      this->AddPiece(chain[i - 1], chain[i], segment);
+    }
+  }
+
+  void Find()
+  {
+    std::sort(this->Pieces.begin(), this->Pieces.end(),
+      [](const Piece& a, const Piece& b) { return a.Min[0] < b.Min[0]; });
+    for (auto piece = this->Pieces.begin(); piece != this->Pieces.end(); ++piece)
+    {
+      for (auto other = piece + 1; other != this->Pieces.end() && other->Min[0] <= piece->Max[0];
+           ++other)
+      {
+        if (other->Min[1] <= piece->Max[1] && piece->Min[1] <= other->Max[1] &&
+          other->Segment != piece->Segment)
+        {
+          this->Meet(*piece, *other);
+        }
+      }
+    }
+  }
+
+private:
+  void AddPiece(std::uint32_t a, std::uint32_t b, std::uint32_t segment)
+  {
+    Piece piece{ a, b, segment, {}, {} };
+    const double margin = 2.0 * this->Points.GetError();
+    for (int i = 0; i < 2; ++i)
+    {
+      const int axis = (this->Axis + 1 + i) % 3;
+      const double atA = this->Points.GetPosition(a)[axis];
+      const double atB = this->Points.GetPosition(b)[axis];
+      piece.Min[i] = std::min(atA, atB) - margin;
+      piece.Max[i] = std::max(atA, atB) + margin;
+    }
+    this->Pieces.push_back(piece);
+  }
+
+  void Meet(const Piece& x, const Piece& y)
+  {
+    const int a = this->SideOf(x.A, y);
+    const int b = x.A == x.B ? a : this->SideOf(x.B, y);
+    const int c = this->SideOf(y.A, x);
+    const int d = y.A == y.B ? c : this->SideOf(y.B, x);
+    if (a * b < 0 && c * d < 0)
+    {
+      this->Events.push_back({ SkdSplitEvent::Cross, std::min(x.Segment, y.Segment),
+        std::max(x.Segment, y.Segment), this->Axis });
+    }
+  }
+
+  /// The side of a piece on which a point lies. 0: on its line, possibly on the piece, which is
+  /// recorded.
+  int SideOf(std::uint32_t point, const Piece& piece)
+  {
+    if (point == piece.A || point == piece.B)
+    {
+      return 0;
+    }
+    const bool isLone = piece.A == piece.B;
+    const int side = isLone ? 0 : this->Points.Orient(piece.A, piece.B, point, this->Axis);
+    if (side == 0)
+    {
+      this->PutDown(point, piece, isLone);
+    }
+    return side;
+  }
+
+  void PutDown(std::uint32_t point, const Piece& piece, bool isLone)
+  {
+    const int axis = this->Points.FindAxis(piece.A, isLone ? point : piece.B);
+    if (isLone || axis < 0)
+    {
+      this->PutDownSame(axis < 0, point, piece.A);
+      return;
+    }
+    const int way = this->Points.Compare(piece.B, piece.A, axis);
+    const int fromA = way * this->Points.Compare(point, piece.A, axis);
+    const int fromB = way * this->Points.Compare(piece.B, point, axis);
+    this->PutDownSame(fromA == 0, point, piece.A);
+    this->PutDownSame(fromB == 0, point, piece.B);
+    if (fromA > 0 && fromB > 0)
+    {
+      this->Events.push_back({ SkdSplitEvent::On, piece.Segment, point, 0 });
+    }
+  }
+
+  void PutDownSame(bool isSame, std::uint32_t a, std::uint32_t b)
+  {
+    if (isSame)
+    {
+      this->Events.push_back({ SkdSplitEvent::Same, std::min(a, b), std::max(a, b), 0 });
+    }
+  }
+
+  const SkdSplitSegments& Segments;
+  const SkdSplitPoints& Points;
+  const int Axis;
+  std::vector<SkdSplitEvent>& Events;
+  std::vector<Piece> Pieces;
+};
+
+using Elements = std::vector<SkdSplitElement>;
+
+/// Where the elements of each triangle begin, and the end.
+std::vector<std::size_t> FindStarts(const Elements& elements)
+{
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    if (i == 0 || elements[i].Triangle != elements[i - 1].Triangle)
+    {
+      starts.push_back(i);
+    }
+  }
+  starts.push_back(elements.size());
+  return starts;
+}
+}
+
+std::vector<SkdSplitEvent> SkdSplitSegments::FindEvents(int number) const
+{
+  const Side& side = this->GetSide(number);
+  const std::vector<std::size_t> starts = FindStarts(side.Elements);
+  const auto isNew = [&](const SkdSplitElement& element)
+  { return this->GetSegment(element.Segment).IsNew; };
+  const auto findIn = [&](std::size_t begin, std::size_t end, std::vector<SkdSplitEvent>& events)
+  {
+    const auto first = side.Elements.begin();
+    if (end - begin > 1 && std::any_of(first + begin, first + end, isNew))
+    {
+      const std::uint32_t at = side.Elements[begin].Triangle;
+      Triangle triangle(*this, side.Set->Get(at).Axis, events);
+      std::for_each(first + begin, first + end,
+        [&](const SkdSplitElement& element) { triangle.Add(element.Segment); });
+      triangle.Find();
+    }
+  };
+  vtkSMPThreadLocal<std::vector<SkdSplitEvent>> found;
+  SkdForEach(
+    static_cast<vtkIdType>(starts.size()) - 1,
+    [&](vtkIdType i) { findIn(starts[i], starts[i + 1], found.Local()); }, 64);
+  std::vector<SkdSplitEvent> all;
+  for (const std::vector<SkdSplitEvent>& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}

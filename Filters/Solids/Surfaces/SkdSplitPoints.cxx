@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdSplitPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace
+{
+double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
+{
+  double reach = 0.0;
+  for (const skd::Vector3& x : points)
+  {
+    reach = std::max({ reach, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+  }
+  return reach;
+}
+}
+
+SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacement& placement)
+  : Contacts(contacts)
+  , Positions(contacts.GetNumberOfPoints())
+  , Exact(contacts.GetNumberOfPoints())
+  , Same(contacts.GetNumberOfPoints())
+{
+  const double reach = std::max(LargestCoordinateOf(placement.First.GetPoints()),
+    LargestCoordinateOf(placement.GetSecond().GetPoints()));
+  this->Error = ErrorOf(reach);
+  for (std::uint32_t point = 0; point < contacts.GetNumberOfPoints(); ++point)
+  {
+    this->Positions[point] = placement.Scale * contacts.GetPosition(point);
+  }
+}
+
+SkdSplitPoints::~SkdSplitPoints()
+{
+  for (const std::atomic<const skd::ExactPoint*>& exact : this->Exact)
+  {
+    delete exact.load();
+  }
+}
+
+std::uint32_t SkdSplitPoints::AddCrossing(const std::array<std::uint32_t, 4>& ends, int axis)
+{
+  const std::uint32_t point = this->GetNumberOfPoints();
+  this->Crossings.push_back({ ends, axis });
+  this->Exact.emplace_back(nullptr);
+  this->Positions.push_back(this->GetExact(point).Rounded());
+  this->Same.Add();
+  return point;
+}
+
+bool SkdSplitPoints::Unite(std::uint32_t a, std::uint32_t b)
+{
+  return this->Same.Unite(a, b);
+}
+
+std::uint32_t SkdSplitPoints::Find(std::uint32_t point) const
+{
+  return this->Same.Find(point);
+}
+
+// Of two threads that make one the first keeps its own.
+const skd::ExactPoint& SkdSplitPoints::GetExact(std::uint32_t point) const
+{
+  std::atomic<const skd::ExactPoint*>& place = this->Exact[point];
+  const skd::ExactPoint* known = place.load();
+  if (!known)
+  {
+    auto made = std::make_unique<const skd::ExactPoint>(this->MakeExact(point));
+    known = place.compare_exchange_strong(known, made.get()) ? made.release() : known;
+  }
+  return *known;
+}
+
+skd::ExactPoint SkdSplitPoints::MakeExact(std::uint32_t point) const
+{
+  const std::uint32_t before = this->Contacts.GetNumberOfPoints();
+  if (point < before)
+  {
+    return this->Contacts.GetExact(point);
+  }
+  const Crossing& crossing = this->Crossings[point - before];
+  const auto end = [&](int i) { return this->GetExact(crossing.Ends[i]); };
+  return skd::ExactCrossing(end(0), end(1), end(2), end(3), crossing.Axis);
+}
+
+int SkdSplitPoints::Orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, int axis) const
+{
+  const int sign = skd::FilteredOrient2D(
+    this->Positions[a], this->Positions[b], this->Positions[c], axis, this->Error);
+  return sign != 0
+    ? sign
+    : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), axis).Sign();
+}
+
+int SkdSplitPoints::Compare(std::uint32_t a, std::uint32_t b, int axis) const
+{
+  const double difference = this->Positions[a][axis] - this->Positions[b][axis];
+  if (std::abs(difference) > 4.0 * this->Error)
+  {
+    return difference > 0.0 ? 1 : -1;
+  }
+  return a == b ? 0 : skd::ExactCompare(this->GetExact(a), this->GetExact(b), axis);
+}
+
+int SkdSplitPoints::FindAxis(std::uint32_t a, std::uint32_t b) const
+{
+  const skd::Vector3 difference = this->Positions[a] - this->Positions[b];
+  int first = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    first = std::abs(difference[axis]) > std::abs(difference[first]) ? axis : first;
+  }
+  for (const int axis : { first, (first + 1) % 3, (first + 2) % 3 })
+  {
+    if (this->Compare(a, b, axis) != 0)
+    {
+      return axis;
+    }
+  }
+  return -1;
+}

@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdSplitSegments.h"
+
+#include <algorithm>
+
+/// A segment of one pair: its ends with their places in the pair's contact.
+struct SkdSplitSegments::PairSegment
+{
+  std::uint32_t A;
+  std::uint32_t B;
+  std::size_t Pair;
+  std::int8_t PlaceOfA;
+  std::int8_t PlaceOfB;
+
+  bool operator<(const PairSegment& o) const
+  {
+    return std::tie(this->A, this->B, this->Pair) < std::tie(o.A, o.B, o.Pair);
+  }
+  bool HasEndsOf(const PairSegment& o) const { return this->A == o.A && this->B == o.B; }
+};
+
+SkdSplitSegments::SkdSplitSegments(const SkdPlacement& placement,
+  const std::vector<SkdTrianglePair>& pairs, const SkdContactPoints& contacts)
+  : Pairs(pairs)
+  , Contacts(contacts)
+  , Points(contacts, placement)
+  , IsOfOne(placement.IsOfOne())
+{
+  this->Sides[0].Set = &placement.First;
+  this->Sides[1].Set = &placement.GetSecond();
+  this->AddElements(this->ListSegments());
+  for (bool isChanged = true; isChanged;)
+  {
+    const std::vector<SkdSplitEvent> events[2] = { this->FindEvents(0), this->FindEvents(1) };
+    for (SkdSplitSegment& segment : this->Segments)
+    {
+      segment.IsNew = false;
+    }
+    isChanged = false;
+    for (int side = 0; side < 2; ++side)
+    {
+      isChanged = this->Apply(events[side]) || isChanged;
+    }
+    for (Side& side : this->Sides)
+    {
+      isChanged = this->MeetAtEdges(side) || isChanged;
+    }
+  }
+  this->UniteCorners();
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkdSplitSegments::PairSegment> SkdSplitSegments::ListSegments() const
+{
+  std::vector<PairSegment> list;
+  for (std::size_t pair = 0; pair < this->Pairs.size(); ++pair)
+  {
+    const int count = this->Pairs[pair].Contact.Count;
+    for (int i = 0; i < (count == 2 ? 1 : count); ++i)
+    {
+      const int k = i + 1 < count ? i + 1 : 0;
+      PairSegment segment{ this->Contacts.GetPoint(pair, i), this->Contacts.GetPoint(pair, k), pair,
+        static_cast<std::int8_t>(i), static_cast<std::int8_t>(k) };
+      if (segment.B < segment.A)
+      {
+        std::swap(segment.A, segment.B);
+        std::swap(segment.PlaceOfA, segment.PlaceOfB);
+      }
+      list.push_back(segment);
+    }
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+void SkdSplitSegments::AddElements(const std::vector<PairSegment>& list)
+{
+  for (Side& side : this->Sides)
+  {
+    side.CornerOf.assign(this->Points.GetNumberOfPoints(), None);
+  }
+  for (auto first = list.begin(); first != list.end();)
+  {
+    const auto number = static_cast<std::uint32_t>(this->Segments.size());
+    int sides = 0; // of areas
+    int lines = 0;
+    auto last = first;
+    for (; last != list.end() && last->HasEndsOf(*first); ++last)
+    {
+      const int count = this->Pairs[last->Pair].Contact.Count;
+      sides += count > 2;
+      lines += count == 2;
+      this->AddElementsOf(*last, number);
+    }
+    const bool isCurve = sides == 1 || (lines > 0 && sides == 0);
+    this->Segments.push_back({ first->A, first->B, isCurve, {} });
+    first = last;
+  }
+  for (Side& side : this->Sides)
+  {
+    std::sort(side.Elements.begin(), side.Elements.end());
+    side.Elements.erase(
+      std::unique(side.Elements.begin(), side.Elements.end()), side.Elements.end());
+  }
+}
+
+void SkdSplitSegments::AddElementsOf(const PairSegment& of, std::uint32_t segment)
+{
+  const SkdTrianglePair& pair = this->Pairs[of.Pair];
+  const skd::ContactPoint& a = pair.Contact.Points[of.PlaceOfA];
+  const skd::ContactPoint& b = pair.Contact.Points[of.PlaceOfB];
+  const auto add = [&](int side, std::uint32_t triangle, skd::TriangleFeature featureOfA,
+                     skd::TriangleFeature featureOfB)
+  {
+    Side& to = this->Sides[side];
+    to.Elements.push_back({ triangle, segment, featureOfA, featureOfB });
+    const SkdTriangleSet::Corners& corners = to.Set->GetCorners(triangle);
+    for (const auto& [point, feature] :
+      { std::pair(of.A, featureOfA), std::pair(of.B, featureOfB) })
+    {
+      if (skd::IsCorner(feature))
+      {
+        to.CornerOf[point] = corners[feature];
+      }
+    }
+  };
+  add(0, pair.First, a.First, b.First);
+  add(this->IsOfOne ? 0 : 1, pair.Second, a.Second, b.Second);
+}
+
+//------------------------------------------------------------------------------
+bool SkdSplitSegments::Apply(const std::vector<SkdSplitEvent>& events)
+{
+  const SkdSplitEvent* last = nullptr;
+  for (const SkdSplitEvent& event : events)
+  {
+    const bool isNext =
+      !last || last->Kind != event.Kind || last->A != event.A || last->B != event.B;
+    last = &event;
+    if (isNext && event.Kind == SkdSplitEvent::Same)
+    {
+      this->Points.Unite(event.A, event.B);
+    }
+    else if (isNext && event.Kind == SkdSplitEvent::On)
+    {
+      this->AddBetween(event.A, event.B);
+    }
+    else if (isNext)
+    {
+      const SkdSplitSegment& a = this->Segments[event.A];
+      const SkdSplitSegment& b = this->Segments[event.B];
+      const std::uint32_t point = this->Points.AddCrossing({ a.A, a.B, b.A, b.B }, event.Axis);
+      this->AddBetween(event.A, point);
+      this->AddBetween(event.B, point);
+    }
+  }
+  for (SkdSplitSegment& segment : this->Segments)
+  {
+    if (segment.IsNew)
+    {
+      this->SortBetween(segment);
+    }
+  }
+  return !events.empty();
+}
+
+void SkdSplitSegments::AddBetween(std::uint32_t segment, std::uint32_t point)
+{
+  this->Segments[segment].Between.push_back(point);
+  this->Segments[segment].IsNew = true;
+}
+
+void SkdSplitSegments::SortBetween(SkdSplitSegment& segment)
+{
+  std::vector<std::uint32_t>& points = segment.Between;
+  const int axis = this->Points.FindAxis(segment.A, segment.B);
+  if (axis < 0)
+  {
+    points.clear();
+    return;
+  }
+  const int way = this->Points.Compare(segment.B, segment.A, axis);
+  std::sort(points.begin(), points.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return way * this->Points.Compare(a, b, axis) < 0; });
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    if (this->Points.Compare(points[i - 1], points[i], axis) == 0)
+    {
+      this->Points.Unite(points[i - 1], points[i]);
+    }
+  }
+}
+
+std::vector<std::uint32_t> SkdSplitSegments::GetChain(std::uint32_t number) const
+{
+  const SkdSplitSegment& segment = this->Segments[number];
+  std::vector<std::uint32_t> chain{ this->Points.Find(segment.A) };
+  const auto add = [&](std::uint32_t point)
+  {
+    point = this->Points.Find(point);
+    if (point != chain.back())
+    {
+      chain.push_back(point);
+    }
+  };
+  std::for_each(segment.Between.begin(), segment.Between.end(), add);
+  add(segment.B);
+  return chain;
+}
+
+//------------------------------------------------------------------------------
+// What lies on an edge is on all segments along it, and the other way round.
+bool SkdSplitSegments::MeetAtEdges(Side& side)
+{
+  this->CollectEdgePoints(side);
+  this->SortEdgePoints(side);
+  bool isChanged = false;
+  for (const SkdSplitElement& element : side.Elements)
+  {
+    const SkdSplitSegment& segment = this->Segments[element.Segment];
+    if (segment.A != segment.B && element.GetEdges() != 0)
+    {
+      isChanged = this->TakeFromEdge(side, element) || isChanged;
+    }
+  }
+  return isChanged;
+}
+
+namespace
+{
+SkdSplitEdgePoint OnEdge(const SkdTriangleSet::Corners& corners, int edge, std::uint32_t point)
+{
+  const std::uint32_t a = corners[edge];
+  const std::uint32_t b = corners[edge == 2 ? 0 : edge + 1];
+  return { std::min(a, b), std::max(a, b), point };
+}
+
+/// The edge of a segment that lies along one.
+int EdgeOf(unsigned edges)
+{
+  return edges & 1u ? 0 : (edges & 2u ? 1 : 2);
+}
+
+bool IsOfLowerEdge(const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
+{
+  return a.From != b.From ? a.From < b.From : a.To < b.To;
+}
+}
+
+void SkdSplitSegments::CollectEdgePoints(Side& side) const
+{
+  for (const SkdSplitElement& element : side.Elements)
+  {
+    const SkdTriangleSet::Corners& corners = side.Set->GetCorners(element.Triangle);
+    const SkdSplitSegment& segment = this->Segments[element.Segment];
+    const auto addEnd = [&](std::uint32_t point, skd::TriangleFeature feature)
+    {
+      if (skd::IsEdge(feature))
+      {
+        side.EdgePoints.push_back(OnEdge(corners, feature - 3, this->Points.Find(point)));
+      }
+    };
+    addEnd(segment.A, element.FeatureOfA);
+    addEnd(segment.B, element.FeatureOfB);
+    if (element.GetEdges() != 0 && segment.A != segment.B)
+    {
+      for (const std::uint32_t point : segment.Between)
+      {
+        side.EdgePoints.push_back(
+          OnEdge(corners, EdgeOf(element.GetEdges()), this->Points.Find(point)));
+      }
+    }
+  }
+}
+
+void SkdSplitSegments::SortEdgePoints(Side& side)
+{
+  const auto compare = [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
+  {
+    const skd::Vector3 way = side.Set->GetPoints()[a.To] - side.Set->GetPoints()[a.From];
+    const int axis = std::abs(way[0]) >= std::abs(way[1])
+      ? (std::abs(way[0]) >= std::abs(way[2]) ? 0 : 2)
+      : (std::abs(way[1]) >= std::abs(way[2]) ? 1 : 2);
+    const int order = this->Points.Compare(a.Point, b.Point, axis);
+    return way[axis] < 0.0 ? -order : order;
+  };
+  auto& points = side.EdgePoints;
+  std::sort(points.begin(), points.end(),
+    [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
+    {
+      const bool isLower = IsOfLowerEdge(a, b);
+      return isLower || IsOfLowerEdge(b, a) ? isLower : compare(a, b) < 0;
+    });
+  const auto last = std::unique(points.begin(), points.end(),
+    [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
+    {
+      const bool isSame = !IsOfLowerEdge(a, b) && !IsOfLowerEdge(b, a) && compare(a, b) == 0;
+      if (isSame)
+      {
+        this->Points.Unite(a.Point, b.Point);
+      }
+      return isSame;
+    });
+  points.erase(last, points.end());
+}
+
+bool SkdSplitSegments::TakeFromEdge(const Side& side, const SkdSplitElement& element)
+{
+  SkdSplitSegment& segment = this->Segments[element.Segment];
+  const SkdTriangleSet::Corners& corners = side.Set->GetCorners(element.Triangle);
+  const auto [first, last] = std::equal_range(side.EdgePoints.begin(), side.EdgePoints.end(),
+    OnEdge(corners, EdgeOf(element.GetEdges()), 0), IsOfLowerEdge);
+  const int axis = first == last ? -1 : this->Points.FindAxis(segment.A, segment.B);
+  if (axis < 0)
+  {
+    return false;
+  }
+  const std::vector<std::uint32_t> chain = this->GetChain(element.Segment);
+  const int way = this->Points.Compare(segment.B, segment.A, axis);
+  bool isChanged = false;
+  for (auto at = first; at != last; ++at)
+  {
+    const std::uint32_t point = this->Points.Find(at->Point);
+    if (std::find(chain.begin(), chain.end(), point) == chain.end() &&
+      way * this->Points.Compare(point, segment.A, axis) > 0 &&
+      way * this->Points.Compare(segment.B, point, axis) > 0)
+    {
+      this->AddBetween(element.Segment, point);
+      isChanged = true;
+    }
+  }
+  if (isChanged)
+  {
+    this->SortBetween(segment);
+  }
+  return isChanged;
+}
+
+void SkdSplitSegments::UniteCorners()
+{
+  for (Side& side : this->Sides)
+  {
+    side.CornerOf.resize(this->Points.GetNumberOfPoints(), None);
+    for (std::uint32_t point = 0; point < this->Points.GetNumberOfPoints(); ++point)
+    {
+      if (side.CornerOf[point] != None)
+      {
+        side.CornerOf[this->Points.Find(point)] = side.CornerOf[point];
+      }
+    }
+  }
+}

@@ -1,0 +1,409 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdTrianglePairs.h"
+
+#include "Cells/Read/SkdForEach.h"
+#include "Core/Geometry/Distance/ClosestTriangles.h"
+#include "Core/Search/Queries/OverlappingPairs.h"
+#include "Core/Search/Tree/PackedRTree.h"
+#include "Core/Search/Tree/WalkPairs.h"
+#include "Pipeline/SkdLoop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+//------------------------------------------------------------------------------
+/// A search on its way, shared by all its parts.
+class SkdTrianglePairs::Search
+{
+public:
+  Search(const SkdPlacement& placement, const SkdPairSearch& search)
+    : First(placement.First)
+    , Second(placement.GetSecond())
+    , IsOfOne(placement.IsOfOne())
+    , Wanted(search.Wanted)
+    , Clearance2(std::pow(search.Clearance * placement.Scale, 2))
+    , Lowest(std::numeric_limits<std::uint64_t>::max())
+  {
+  }
+
+  /// Looks at two triangles whose boxes overlap. False when no more is wanted.
+  bool Visit(std::uint32_t first, std::uint32_t second, std::vector<SkdTrianglePair>& found)
+  {
+    if (this->IsOfOne && second < first)
+    {
+      std::swap(first, second);
+    }
+    if (this->IsOfOne && this->AreOnlyNeighbours(first, second))
+    {
+      return true;
+    }
+    return this->Visit(first, this->First.GetInPlane(first), second, found);
+  }
+
+  /// The same of one triangle of the first set and several of the other.
+  bool VisitAll(std::uint32_t first, const std::vector<std::uint32_t>& others,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const skd::TriangleInPlane triangle = this->First.GetInPlane(first);
+    return std::all_of(others.begin(), others.end(),
+      [&](std::uint32_t second) { return this->Visit(first, triangle, second, found); });
+  }
+
+  /// The same of one triangle of a surface and several others of it. Most share corners with it or
+  /// are on one side of its plane, so that is looked at first.
+  SKD_IN_ONE_PIECE bool VisitWithin(std::uint32_t first, const std::vector<std::uint32_t>& others,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const skd::Vector3* const points = this->First.GetPoints().data();
+    const SkdTriangleSet::Corners& a = this->First.GetCorners(first);
+    const skd::FloatingPlane plane(points[a[0]], points[a[1]], points[a[2]]);
+    for (const std::uint32_t second : others)
+    {
+      const SkdTriangleSet::Corners& b = this->First.GetCorners(second);
+      const auto isShared = [&a](std::uint32_t corner) -> unsigned
+      { return (corner == a[0]) | (corner == a[1]) | (corner == a[2]); };
+      const unsigned shared = isShared(b[0]) | isShared(b[1]) << 1 | isShared(b[2]) << 2;
+      if (!skd::AreOthersOnOneSide(
+            plane, { points + b[0], points + b[1], points + b[2] }, shared) &&
+        !this->VisitClosely(first, second, found))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  SKD_APART bool VisitClosely(
+    std::uint32_t first, std::uint32_t second, std::vector<SkdTrianglePair>& found)
+  {
+    return this->Visit(first, second, found);
+  }
+
+  bool Visit(std::uint32_t first, const skd::TriangleInPlane& triangle, std::uint32_t second,
+    std::vector<SkdTrianglePair>& found)
+  {
+    const std::uint64_t key = (static_cast<std::uint64_t>(first) << 32) | second;
+    if (this->Wanted != SkdPairSearch::All && key >= this->Lowest)
+    {
+      return this->Wanted == SkdPairSearch::LowestOnly;
+    }
+    SkdTrianglePair pair{ first, second, {} };
+    if (this->IsPair(pair, triangle))
+    {
+      this->Keep(key, pair, found);
+    }
+    return true;
+  }
+
+  bool IsPair(SkdTrianglePair& pair, const skd::TriangleInPlane& first) const
+  {
+    const auto second = this->Second.GetCornerPoints(pair.Second);
+    skd::SharedCorners shared = skd::NoSharedCorners;
+    const int numberShared = this->IsOfOne ? this->FindShared(pair, shared) : 0;
+    pair.Contact = skd::FindContact(first, second, shared);
+    const int count = pair.Contact.Count;
+    return count > numberShared || (count == 3 && numberShared == 3) ||
+      (this->Clearance2 > 0.0 && numberShared == 0 &&
+        skd::ClosestPoints(first.Corners, second).Dist2 <= this->Clearance2 &&
+        this->First.HasArea(pair.First) && this->Second.HasArea(pair.Second));
+  }
+
+  /// Whether two triangles of one surface share corners, and surely nothing else: true of most that
+  /// are looked at, so this comes first.
+  bool AreOnlyNeighbours(std::uint32_t first, std::uint32_t second) const
+  {
+    const SkdTriangleSet::Corners& a = this->First.GetCorners(first);
+    const SkdTriangleSet::Corners& b = this->First.GetCorners(second);
+    unsigned sharedOfFirst = 0;
+    unsigned sharedOfSecond = 0;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const unsigned same = (a[i] == b[0]) | (a[i] == b[1]) << 1 | (a[i] == b[2]) << 2;
+      sharedOfFirst |= (same != 0) << i;
+      sharedOfSecond |= same;
+    }
+    const skd::Vector3* points = this->First.GetPoints().data();
+    return sharedOfFirst != 0 &&
+      skd::HaveOnlyCornersInCommon({ points + a[0], points + a[1], points + a[2] }, sharedOfFirst,
+        { points + b[0], points + b[1], points + b[2] }, sharedOfSecond);
+  }
+
+  int FindShared(const SkdTrianglePair& pair, skd::SharedCorners& shared) const
+  {
+    const SkdTriangleSet::Corners& first = this->First.GetCorners(pair.First);
+    const SkdTriangleSet::Corners& second = this->Second.GetCorners(pair.Second);
+    int count = 0;
+    for (std::int8_t i = 0; i < 3; ++i)
+    {
+      for (std::int8_t k = 0; k < 3; ++k)
+      {
+        if (first[i] == second[k])
+        {
+          shared[i] = k;
+          ++count;
+        }
+      }
+    }
+    return count;
+  }
+
+  void Keep(std::uint64_t key, const SkdTrianglePair& pair, std::vector<SkdTrianglePair>& found)
+  {
+    if (this->Wanted != SkdPairSearch::All)
+    {
+      found.clear();
+      std::uint64_t lowest = this->Lowest;
+      const std::uint64_t next = this->Wanted == SkdPairSearch::LowestOnly ? key : 0;
+      while (next < lowest && !this->Lowest.compare_exchange_weak(lowest, next))
+      {
+      }
+    }
+    found.push_back(pair);
+  }
+
+  const SkdPlacedTriangles& First;
+  const SkdPlacedTriangles& Second;
+  const bool IsOfOne;
+  const SkdPairSearch::Extent Wanted;
+  const double Clearance2;
+  std::atomic<std::uint64_t> Lowest; // 0 when any was wanted and one is there
+};
+
+/// A box of the second set as a box around where it is moved to, with a margin.
+struct SkdTrianglePairs::Moved
+{
+  const skd::RigidMotion& Motion;
+  double Margin;
+
+  skd::Box3 operator()(const skd::Box3& box) const
+  {
+    return this->Motion.Forward(box).Inflated(this->Margin);
+  }
+};
+
+struct SkdTrianglePairs::Block
+{
+  Search& State;
+  std::vector<SkdTrianglePair>& Found;
+  const std::vector<std::uint32_t>& First; // that are in the trees, or empty: all
+  const std::vector<std::uint32_t>& Second;
+
+  bool operator()(std::uint32_t a, std::uint32_t b) const
+  {
+    return this->State.Visit(this->First.empty() ? a : this->First[a],
+      this->Second.empty() ? b : this->Second[b], this->Found);
+  }
+};
+
+namespace
+{
+/// All that were found, or the lowest.
+std::vector<SkdTrianglePair> Gather(
+  const std::vector<std::vector<SkdTrianglePair>>& found, const SkdPairSearch& search)
+{
+  std::vector<SkdTrianglePair> all;
+  for (const std::vector<SkdTrianglePair>& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  vtkSMPTools::Sort(all.begin(), all.end(),
+    [](const SkdTrianglePair& a, const SkdTrianglePair& b)
+    { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+  all.resize(
+    search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
+  return all;
+}
+}
+
+//------------------------------------------------------------------------------
+// Boxes are moved with a margin for what rounding does to the points: the largest coordinate before
+// the motion and the shift bound all numbers on the way.
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
+  const SkdPairSearch& search, SkdLoop& loop) const
+{
+  const auto& motion = this->Placement.Motion;
+  if (!motion)
+  {
+    return this->FindByTrees(skd::SameWorld{ search.Clearance }, search, loop);
+  }
+  const double reach =
+    2.0 * this->Placement.GetSecond().GetSet().GetLargestCoordinate() + Norm(motion->Shift);
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
+  return this->FindByTrees(Moved{ *motion, search.Clearance + rounding }, search, loop);
+}
+
+//------------------------------------------------------------------------------
+template <class ToFirst>
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
+  const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  using Query = skd::OverlappingPairs<3, ToFirst, Block>;
+  using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
+  constexpr vtkIdType numberOfParts = 512;
+  const skd::LazyTree<3>& first = this->Placement.First.GetSet().GetTree();
+  const skd::LazyTree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
+  Search state(this->Placement, search);
+  const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
+  {
+    Block block{ state, found, this->Placement.First.GetSet().GetSearched(),
+      this->Placement.GetSecond().GetSet().GetSearched() };
+    Query query(first.GetFrame(), second.GetFrame(), toFirst, block);
+    Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
+    body(walk);
+  };
+
+  std::vector<SkdTrianglePair> onTheWay;
+  std::vector<typename Walk::Pair> starts;
+  inWalk(onTheWay, [&](Walk& walk) { starts = walk.Split(numberOfParts); });
+  std::vector<std::vector<SkdTrianglePair>> found(starts.size());
+  loop.SetTotal(numberOfParts);
+  loop.For(static_cast<vtkIdType>(starts.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      inWalk(found[begin],
+        [&](Walk& walk)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            walk.RunFrom(starts[i]);
+          }
+        });
+    });
+  found.push_back(std::move(onTheWay));
+  return Gather(found, search);
+}
+
+/// A search in a packed R-tree, in parts. It stops after too many looks: that is for trees.
+class SkdTrianglePairs::PackedSearch
+{
+public:
+  PackedSearch(std::size_t numberOfParts, std::size_t numberOfTriangles)
+    : Found(numberOfParts)
+    , Most(64 * numberOfTriangles)
+  {
+  }
+
+  /// Calls visit(part, found) for all parts.
+  template <class VisitPart>
+  void ForEachPart(SkdLoop& loop, const VisitPart& visit)
+  {
+    const auto parts = static_cast<vtkIdType>(this->Found.size());
+    loop.SetTotal(parts);
+    loop.For(parts,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
+             ++part)
+        {
+          visit(part, this->Found[part]);
+        }
+      });
+  }
+
+  /// False if these are too many.
+  bool Affords(std::size_t looks) { return (this->Looks += looks) <= this->Most; }
+
+  std::optional<std::vector<SkdTrianglePair>> Take(const SkdPairSearch& search) const
+  {
+    return this->Looks > this->Most ? std::nullopt
+                                    : std::make_optional(Gather(this->Found, search));
+  }
+
+private:
+  std::vector<std::vector<SkdTrianglePair>> Found;
+  std::size_t Most;
+  std::atomic<std::size_t> Looks{ 0 };
+};
+
+//------------------------------------------------------------------------------
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  constexpr std::size_t size = 16; // of a part, in triangles of the first set
+  const std::size_t count = near.First.Triangles.size();
+  const skd::PackedRTree boxes(near.Second.Boxes);
+  Search state(this->Placement, search);
+  PackedSearch parts((count + size - 1) / size, count + near.Second.Triangles.size());
+  parts.ForEachPart(loop,
+    [&](std::size_t part, std::vector<SkdTrianglePair>& found)
+    {
+      std::vector<std::uint32_t> others; // that a triangle's box overlaps
+      bool goesOn = true;
+      for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+      {
+        std::size_t looks = 0;
+        others.clear();
+        boxes.ForEachOverlapping(near.First.Boxes[i],
+          [&](std::uint32_t k)
+          {
+            ++looks;
+            if (near.First.Boxes[i].Overlaps(near.Second.Boxes[k]))
+            {
+              others.push_back(near.Second.Triangles[k]);
+            }
+          });
+        goesOn = parts.Affords(looks) &&
+          (others.empty() || state.VisitAll(near.First.Triangles[i], others, found));
+      }
+    });
+  return parts.Take(search);
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersections(
+  const SkdPairSearch& search, SkdLoop& loop) const
+{
+  constexpr std::size_t size = 16; // of a part, in packets
+  const SkdTriangleSet& set = this->Placement.First.GetSet();
+  const std::vector<std::uint32_t>& some = set.GetSearched();
+  std::vector<skd::Box3> boxes(some.empty() ? set.GetTriangles().size() : some.size());
+  const auto triangleOf = [&some](std::uint32_t i) { return some.empty() ? i : some[i]; };
+  SkdForEach(static_cast<vtkIdType>(boxes.size()),
+    [&](vtkIdType i)
+    { boxes[i] = this->Placement.First.GetBox(triangleOf(static_cast<std::uint32_t>(i))); });
+  const skd::PackedRTree tree(boxes);
+  const std::size_t count = tree.GetNumberOfPackets();
+  Search state(this->Placement, search);
+  PackedSearch parts((count + size - 1) / size, boxes.size());
+  parts.ForEachPart(loop,
+    [&](std::size_t part, std::vector<SkdTrianglePair>& found)
+    {
+      skd::PackedRTree::OverlapLists lists;
+      bool goesOn = true;
+      for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
+      {
+        std::size_t looks = 0;
+        goesOn = tree.ForEachOverlapWithin(i, lists,
+                   [&](std::uint32_t triangle, std::vector<std::uint32_t>& others)
+                   {
+                     looks += others.size();
+                     if (!some.empty())
+                     {
+                       std::transform(others.begin(), others.end(), others.begin(), triangleOf);
+                     }
+                     return state.VisitWithin(triangleOf(triangle), others, found);
+                   }) &&
+          parts.Affords(looks);
+      }
+    });
+  return parts.Take(search);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> SkdTrianglesOf(
+  const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side)
+{
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(pairs.size());
+  for (const SkdTrianglePair& pair : pairs)
+  {
+    triangles.push_back(pair.*side);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}

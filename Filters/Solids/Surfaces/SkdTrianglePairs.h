@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdTrianglePairs.h
+ * @brief Pairs of triangles of two sets, or of one, that touch or come near: a traversal of both
+ * trees (Algorithm 5.4), or a packed R-tree for one-shot searches, with exact signs.
+ */
+
+#ifndef SkdTrianglePairs_h
+#define SkdTrianglePairs_h
+
+#include "Solids/Surfaces/SkdNearTriangles.h"
+#include "Solids/Surfaces/SkdPlacement.h"
+
+class SkdLoop;
+
+/// Two triangles that touch; or, with a contact of no points, that are near.
+struct SkdTrianglePair
+{
+  std::uint32_t First;
+  std::uint32_t Second;
+  skd::TriangleContact Contact;
+};
+
+/// What is looked for.
+struct SkdPairSearch
+{
+  enum Extent
+  {
+    All,
+    LowestOnly, ///< the pair that is the first in the order of cells, then of triangles
+    WhetherOnly ///< any pair that touches or is near, not always the same
+  };
+  Extent Wanted = All;
+  double Clearance = 0.0; ///< before scaling; 0: those that touch, only
+};
+
+/// The pairs of a placement. Within one surface, triangles that share corners are a pair only if
+/// they have more in common; each pair occurs once, with First < Second. Pairs are sorted by
+/// (First, Second), independent of the number of threads.
+///
+/// There are two ways. To sort a triangle into a tree costs about 16 times as much as to look at it
+/// once, so surfaces that meet for the first time, and in few places, need a packed R-tree of the
+/// triangles near each other only. Surfaces that are searched again keep their trees; small ones,
+/// and those that overlap much, use trees at once, since a packed R-tree gains nothing there.
+/// (Pairs of cells of any type by their bounds are vtkSkdTreeCellLocator::FindPairs, on locators'
+/// trees.)
+class SkdTrianglePairs
+{
+public:
+  explicit SkdTrianglePairs(const SkdPlacement& placement)
+    : Placement(placement)
+  {
+  }
+
+  /// Walks the trees of complete sets together.
+  std::vector<SkdTrianglePair> FindByTrees(const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// Searches a packed R-tree of the second set's triangles that may intersect the first set. Sets
+  /// need not be complete. Empty if boxes overlap so much that trees are faster.
+  std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
+    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
+
+  /// Of one surface that is searched for the first time: searches a packed R-tree of all its
+  /// triangles. The clearance must be 0. The set's points must be merged; a tree is not needed.
+  /// Empty if boxes overlap so much that trees are faster.
+  std::optional<std::vector<SkdTrianglePair>> FindSelfIntersections(
+    const SkdPairSearch& search, SkdLoop& loop) const;
+
+private:
+  class Search;
+  class PackedSearch;
+  struct Moved;
+  struct Block;
+
+  template <class ToFirst>
+  std::vector<SkdTrianglePair> FindByTrees(
+    const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const;
+
+  const SkdPlacement& Placement;
+};
+
+/// The triangles of one side of pairs, each once, ascending.
+std::vector<std::uint32_t> SkdTrianglesOf(
+  const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side);
+
+#endif

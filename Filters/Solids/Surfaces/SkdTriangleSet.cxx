@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdTriangleSet.h"
+
+#include "Bodies/SkdOuterSurface.h"
+#include "Bodies/SkdWeld.h"
+#include "Solids/Surfaces/SkdPointFilter.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+//------------------------------------------------------------------------------
+bool SkdTriangleSet::Update(
+  const std::vector<SkdBlock>& blocks, double chordalDeviation, const skd::Processes* processes)
+{
+  const double chordalLength = SkdChordalLength(blocks, chordalDeviation, processes);
+  if (this->IsRead && this->ChordalLength == chordalLength && this->Meshes.AreSameAs(blocks))
+  {
+    return false;
+  }
+  *this = SkdTriangleSet();
+  this->ChordalLength = chordalLength;
+  SkdTriangleReader reader;
+  int block = 0;
+  for (const SkdBlock& structure : this->Meshes.Keep(blocks))
+  {
+    reader.Read(block++, structure.Mesh, chordalLength);
+  }
+  this->Read = reader.Take();
+  this->IsRead = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::Complete()
+{
+  if (!this->HasTree)
+  {
+    this->LeaveOutCopies(SkdManyCopies);
+    this->BuildTree();
+    this->HasTree = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::MergePoints()
+{
+  if (this->IsMerged)
+  {
+    return;
+  }
+  this->IsMerged = true;
+  PointList& points = this->Read.Points;
+  SkdWeld weld(points.size());
+  this->PointOf.resize(points.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto id = static_cast<std::size_t>(weld.GetId(points[i].X));
+    this->PointOf[i] = static_cast<std::uint32_t>(id);
+    if (id == count)
+    {
+      points[count++] = points[i];
+    }
+  }
+  points.resize(count);
+  for (Corners& triangle : this->Read.Triangles)
+  {
+    for (std::uint32_t& corner : triangle)
+    {
+      corner = this->PointOf[corner];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<SkdDuplicate>& SkdTriangleSet::LeaveOutCopies(std::size_t kept)
+{
+  if (this->AreCopiesKnown)
+  {
+    return this->Copies;
+  }
+  this->MergePoints();
+  this->AreCopiesKnown = true;
+  this->Copies = SkdFindCopies(this->Read.Triangles, this->Read.Points.size(), kept);
+  if (!this->Copies.empty())
+  {
+    std::vector<bool> isCopy(this->Read.Triangles.size(), false);
+    for (const SkdDuplicate& copy : this->Copies)
+    {
+      isCopy[copy.Triangle] = true;
+    }
+    for (std::uint32_t triangle = 0; triangle < isCopy.size(); ++triangle)
+    {
+      if (!isCopy[triangle])
+      {
+        this->Searched.push_back(triangle);
+      }
+    }
+  }
+  return this->Copies;
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
+{
+  if (this->IsMerged || triangles.empty())
+  {
+    return;
+  }
+  SkdPointFilter filter(3 * triangles.size());
+  for (const std::uint32_t triangle : triangles)
+  {
+    for (const std::uint32_t corner : this->Read.Triangles[triangle])
+    {
+      filter.Add(this->Read.Points[corner]);
+    }
+  }
+  SkdWeld weld;
+  std::vector<std::uint32_t> first; // of the points at the places that the weld has
+  skd::RawVector<std::uint32_t> firstLike(this->Read.Points.size()); // set of those in the filter
+  for (std::size_t i = 0; i < this->Read.Points.size(); ++i)
+  {
+    const skd::Vector3& point = this->Read.Points[i];
+    if (filter.MayHave(point))
+    {
+      const auto place = static_cast<std::size_t>(weld.GetId(point.X));
+      if (place == first.size())
+      {
+        first.push_back(static_cast<std::uint32_t>(i));
+      }
+      firstLike[i] = first[place];
+    }
+  }
+  for (const std::uint32_t triangle : triangles)
+  {
+    for (std::uint32_t& corner : this->Read.Triangles[triangle])
+    {
+      corner = firstLike[corner];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Points are counted first: most have one origin, so sorting them costs next to nothing.
+std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
+{
+  std::vector<std::size_t> next(this->Read.Points.size() + 1, 0);
+  for (const std::uint32_t point : this->PointOf)
+  {
+    ++next[point + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Origin> origins(this->PointOf.size());
+  for (std::size_t i = 0; i < this->PointOf.size(); ++i)
+  {
+    origins[next[this->PointOf[i]]++] = { this->PointOf[i], this->Read.Origins[i].Block,
+      this->Read.Origins[i].Id };
+  }
+  for (std::size_t point = 0; point + 1 < next.size(); ++point) // next is now the end of each
+  {
+    const std::size_t first = point > 0 ? next[point - 1] : 0;
+    std::sort(origins.begin() + static_cast<std::ptrdiff_t>(first),
+      origins.begin() + static_cast<std::ptrdiff_t>(next[point]));
+  }
+  return origins;
+}
+
+//------------------------------------------------------------------------------
+double SkdTriangleSet::GetLargestCoordinate() const
+{
+  const skd::Box3& bounds = this->Read.Bounds;
+  return bounds.IsEmpty() ? 0.0 : skd::LargestCoordinate(bounds);
+}
+
+//------------------------------------------------------------------------------
+// A width is an area over the length of an edge, which the bounds have room for.
+double SkdTriangleSet::GetLeastWidth() const
+{
+  const double longest = this->Read.Bounds.Diagonal();
+  return longest > 0.0 ? this->Read.LeastArea / longest : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void SkdTriangleSet::BuildTree()
+{
+  std::vector<skd::Box3> boxes;
+  const bool areSome = !this->Searched.empty();
+  const std::size_t count = areSome ? this->Searched.size() : this->Read.Triangles.size();
+  boxes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    skd::Box3 box;
+    for (const std::uint32_t corner : this->Read.Triangles[areSome ? this->Searched[i] : i])
+    {
+      box.Add(this->Read.Points[corner]);
+    }
+    boxes.push_back(box);
+  }
+  this->Tree = skd::LazyTree<3>(skd::MakeTreeInput(boxes, 0.0));
+}

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdTriangleSet.h
+ * @brief All surfaces of a data object as one set of triangles with a tree, reused while unchanged.
+ */
+
+#ifndef SkdTriangleSet_h
+#define SkdTriangleSet_h
+
+#include "Core/Geometry/Vector.h"
+#include "Core/Parallel/Processes.h"
+#include "Core/Search/Tree/LazyTree.h"
+#include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdKeptBlocks.h"
+#include "Solids/Surfaces/SkdCopies.h"
+#include "Solids/Surfaces/SkdTriangleReader.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// The surface cells of all blocks and the outer faces of their volume cells, triangulated without
+/// new points (polygons by SkdTriangulation, so that adjacent cells still match). Ghost cells are
+/// ignored.
+///
+/// A set is first only read; only a completed set has a tree and merged points of equal
+/// coordinates, also of different blocks. Points can be merged without a tree.
+class SkdTriangleSet
+{
+public:
+  using Corners = SkdReadTriangles::Corners;
+  using Cell = SkdTriangleCell;
+  using PointList = skd::RawVector<skd::Vector3>;
+  using TriangleList = skd::RawVector<Corners>;
+
+  /// Updates the set to `blocks`, with curved faces as facets within a chordal deviation relative
+  /// to the diagonal of all (see SkdChordalLength). Returns whether it was read or is unchanged.
+  bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
+    const skd::Processes* processes = nullptr);
+
+  /// The deviation as a length; 0 if no cell is curved.
+  double GetChordalLength() const { return this->ChordalLength; }
+
+  /// See SkdBlockSurface.
+  vtkIdType GetNumberOfCoarseFaces() const { return this->Read.CoarseFaces; }
+
+  /// Merges equal points, unless done before. O(n).
+  void MergePoints();
+
+  /// Leaves triangles of which there are very many out of all searches, and of the pieces that the
+  /// set is split into: all but the first `kept` of each (SkdFindCopies). Merges points, too.
+  /// Returns them.
+  const std::vector<SkdDuplicate>& LeaveOutCopies(std::size_t kept);
+
+  const std::vector<SkdDuplicate>& GetCopiesLeftOut() const { return this->Copies; }
+
+  /// @{ The triangles that are searched, ascending; empty if these are all.
+  const std::vector<std::uint32_t>& GetSearched() const { return this->Searched; }
+  bool IsSearched(std::uint32_t triangle) const
+  {
+    return this->Searched.empty() ||
+      std::binary_search(this->Searched.begin(), this->Searched.end(), triangle);
+  }
+  ///@}
+
+  /// @{ Merges equal points, leaves out copies but for SkdManyCopies of each, and begins the tree,
+  /// unless done before. O(n).
+  void Complete();
+  bool IsComplete() const { return this->HasTree; }
+  ///@}
+
+  /// Merges points as Complete() does, but only the corners of some triangles: those of equal
+  /// coordinates are replaced by the first of them. The order of point numbers does not change, so
+  /// results in that order are the same. About a nanosecond a point of the set, without a hash
+  /// table of all.
+  void MakeCornersOne(const std::vector<std::uint32_t>& triangles);
+
+  const PointList& GetPoints() const { return this->Read.Points; }
+  const TriangleList& GetTriangles() const { return this->Read.Triangles; }
+  const skd::LazyTree<3>& GetTree() const { return this->Tree; } ///< of those that are searched
+
+  /// @{ The cells that have triangles, by ascending (block, id), and the index of each triangle's
+  /// cell. Triangles are in the order of their cells.
+  const skd::RawVector<Cell>& GetCells() const { return this->Read.Cells; }
+  std::uint32_t GetCellOf(std::uint32_t triangle) const { return this->Read.CellOf[triangle]; }
+  ///@}
+
+  /// The point of a block that corresponds to a point of the set; -1 for one that its surface has
+  /// added.
+  struct Origin
+  {
+    std::uint32_t Point;
+    int Block;
+    vtkIdType Id;
+
+    bool operator<(const Origin& o) const
+    {
+      return this->Point != o.Point
+        ? this->Point < o.Point
+        : (this->Block != o.Block ? this->Block < o.Block : this->Id < o.Id);
+    }
+  };
+
+  /// The origin of the points of a complete set: all points merged into each, ascending. O(n log
+  /// n).
+  std::vector<Origin> FindOrigins() const;
+
+  /// Faces that have points that are not finite, or fewer than three different ones.
+  vtkIdType GetNumberOfFacesLeftOut() const { return this->Read.LeftOut; }
+
+  /// Points with coordinates that were taken as 0: see SkdTriangleReader.
+  vtkIdType GetNumberOfTinyPoints() const { return this->Read.TinyPoints; }
+
+  /// The least magnitude of coordinates other than 0.
+  double GetLeastCoordinate() const { return this->Read.LeastCoordinate; }
+
+  const skd::Box3& GetBounds() const { return this->Read.Bounds; }
+
+  /// The largest magnitude of a coordinate.
+  double GetLargestCoordinate() const;
+
+  /// A lower bound of the width of triangles, smaller than most where triangles are small.
+  double GetLeastWidth() const;
+
+private:
+  void BuildTree();
+
+  SkdKeptBlocks Meshes;
+  double ChordalLength = 0.0;
+  SkdReadTriangles Read;
+  std::vector<std::uint32_t> PointOf; // of each point that was read, when merged
+  bool IsRead = false;
+  bool IsMerged = false;
+  bool HasTree = false;
+  bool AreCopiesKnown = false;
+  std::vector<SkdDuplicate> Copies;    // that are not searched
+  std::vector<std::uint32_t> Searched; // the others, if there are copies
+  skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
+};
+
+#endif

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdTriangleSplitter.h"
+
+#include "Core/Geometry/Polygons/ConstrainedTriangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+constexpr std::uint32_t None = SkdSplitSegments::None;
+}
+
+SkdSplitCorners::SkdSplitCorners(const SkdSplitPoints& points, const skd::SeenTriangle& triangle)
+  : Points(points)
+  , Axis(triangle.Axis)
+  , Sign(skd::Orient2D(triangle[0], triangle[1], triangle[2], triangle.Axis))
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->All.push_back({ triangle[i], None, skd::detail::EdgesAt(static_cast<std::int8_t>(i)) });
+  }
+}
+
+int SkdSplitCorners::Add(std::uint32_t point, unsigned edges)
+{
+  this->All.push_back({ this->Points.GetPosition(point), point, edges });
+  return this->Count() - 1;
+}
+
+int SkdSplitCorners::Orient(int a, int b, int c)
+{
+  const int sign = skd::FilteredOrient2D(
+    (*this)[a].X, (*this)[b].X, (*this)[c].X, this->Axis, this->Points.GetError());
+  return this->Sign *
+    (sign != 0 ? sign
+               : skd::ExactArea(this->GetExact(a), this->GetExact(b), this->GetExact(c), this->Axis)
+                   .Sign());
+}
+
+// Whether the angles at c and d opposite to the edge ab exceed 180 degrees together: then the other
+// diagonal is that of the Delaunay triangulation.
+bool SkdSplitCorners::IsBetter(int a, int b, int c, int d) const
+{
+  const auto see = [&](int from)
+  {
+    const skd::Vector3 toA = (*this)[a].X - (*this)[from].X;
+    const skd::Vector3 toB = (*this)[b].X - (*this)[from].X;
+    const double size = std::sqrt(Norm2(toA) * Norm2(toB));
+    return std::pair(Dot(toA, toB) / size, Norm(Cross(toA, toB)) / size);
+  };
+  constexpr double rounding = 1e-12; // else squares would be flipped without end
+  const auto [cosC, sinC] = see(c);
+  const auto [cosD, sinD] = see(d);
+  return sinC * cosD + cosC * sinD < -rounding;
+}
+
+const skd::ExactPoint& SkdSplitCorners::GetExact(int i)
+{
+  const SkdSplitCorner& local = (*this)[i];
+  if (local.Point != None)
+  {
+    return this->Points.GetExact(local.Point);
+  }
+  std::optional<skd::ExactPoint>& corner = this->ExactCorners[static_cast<std::size_t>(i)];
+  if (!corner)
+  {
+    corner.emplace(local.X);
+  }
+  return *corner;
+}
+
+//------------------------------------------------------------------------------
+SkdTriangleSplitter::SkdTriangleSplitter(
+  const SkdSplitSegments& segments, const SkdSplitSegments::Side& side, std::uint32_t triangle)
+  : Segments(segments)
+  , Side(side)
+  , TriangleCorners(side.Set->GetCorners(triangle))
+  , Corners(segments.GetPoints(), side.Set->Get(triangle))
+{
+}
+
+std::vector<SkdTriangleSet::Corners> SkdTriangleSplitter::Split(
+  const SkdSplitElement* first, const SkdSplitElement* last)
+{
+  this->CollectCorners(first, last);
+  this->CollectEdges();
+  const int onBorder = this->Corners.Count();
+  this->CollectInside(first, last);
+  const auto orient = [this](int a, int b, int c) { return this->Corners.Orient(a, b, c); };
+  const auto isBetter = [this](int a, int b, int c, int d)
+  { return this->Corners.IsBetter(a, b, c, d); };
+  skd::ConstrainedTriangulation<decltype(orient), decltype(isBetter)> made(
+    this->Corners.Count(), orient, isBetter);
+  for (const std::array<int, 3>& added : this->Border)
+  {
+    made.AddOnBorder(added[0], added[1], added[2]);
+  }
+  std::vector<int> places(static_cast<std::size_t>(this->Corners.Count()));
+  std::iota(places.begin(), places.end(), 0);
+  for (int i = onBorder; i < this->Corners.Count(); ++i)
+  {
+    places[i] = made.Add(i);
+  }
+  for (const std::pair<int, int>& edge : this->Inner)
+  {
+    made.Constrain(places[edge.first], places[edge.second]);
+  }
+  std::vector<SkdTriangleSet::Corners> pieces;
+  for (const std::array<int, 3>& piece : made.GetTriangles())
+  {
+    pieces.push_back({ this->IdOf(piece[0]), this->IdOf(piece[1]), this->IdOf(piece[2]) });
+  }
+  return pieces;
+}
+
+std::uint32_t SkdTriangleSplitter::IdOf(int i) const
+{
+  const SkdSplitCorner& local = this->Corners[i];
+  if (local.Point == None)
+  {
+    return this->TriangleCorners[i];
+  }
+  const std::uint32_t corner = this->Side.CornerOf[local.Point];
+  return corner != None
+    ? corner
+    : static_cast<std::uint32_t>(this->Side.Set->GetPoints().size()) + local.Point;
+}
+
+void SkdTriangleSplitter::CollectCorners(const SkdSplitElement* first, const SkdSplitElement* last)
+{
+  for (; first != last; ++first)
+  {
+    const SkdSplitSegment& segment = this->Segments.GetSegment(first->Segment);
+    for (const auto& [point, part] :
+      { std::pair(segment.A, first->FeatureOfA), std::pair(segment.B, first->FeatureOfB) })
+    {
+      if (skd::IsCorner(part))
+      {
+        this->Known[this->Find(point)] = part;
+      }
+    }
+  }
+}
+
+void SkdTriangleSplitter::CollectEdges()
+{
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const int next = edge == 2 ? 0 : edge + 1;
+    const std::uint32_t from = this->TriangleCorners[edge];
+    const std::uint32_t to = this->TriangleCorners[next];
+    const auto [first, last] = std::equal_range(this->Side.EdgePoints.begin(),
+      this->Side.EdgePoints.end(), SkdSplitEdgePoint{ std::min(from, to), std::max(from, to), 0 },
+      [](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
+      { return a.From != b.From ? a.From < b.From : a.To < b.To; });
+    int before = edge;
+    const auto count = last - first;
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+    {
+      const std::uint32_t point = this->Find((from < to ? first[i] : first[count - 1 - i]).Point);
+      const int local = this->Corners.Add(point, 1u << edge);
+      this->Known[point] = local;
+      this->Border.push_back({ local, before, next });
+      before = local;
+    }
+  }
+}
+
+void SkdTriangleSplitter::CollectInside(const SkdSplitElement* first, const SkdSplitElement* last)
+{
+  for (; first != last; ++first)
+  {
+    const bool isOnEdge = first->GetEdges() != 0;
+    const bool isCurve = this->Segments.GetSegment(first->Segment).IsCurve;
+    int before = -1;
+    for (const std::uint32_t point : this->Segments.GetChain(first->Segment))
+    {
+      const auto [known, isNew] = this->Known.emplace(point, this->Corners.Count());
+      if (isNew)
+      {
+        this->Corners.Add(point, 0);
+      }
+      if (before >= 0 && !isOnEdge)
+      {
+        this->Inner.emplace_back(before, known->second);
+      }
+      if (before >= 0 && isCurve)
+      {
+        this->Curves.push_back(SkdMakeSplitEdge(this->IdOf(before), this->IdOf(known->second)));
+      }
+      before = known->second;
+    }
+  }
+}
