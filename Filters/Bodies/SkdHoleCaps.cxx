@@ -2,54 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdHoleCaps.h"
 
-#include "vtkSMPTools.h"
+#include "Bodies/SkdEdgeTable.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <unordered_map>
 
 SkdHoleCaps::SkdHoleCaps(
   const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles)
   : Points(points)
 {
-  this->CloseAll(FindOpen(triangles));
+  this->CloseAll(this->FindOpen(triangles));
 }
 
-std::vector<SkdHoleCaps::Edge> SkdHoleCaps::FindOpen(const std::vector<SkdTriangleIds>& triangles)
+std::vector<SkdHoleCaps::Edge> SkdHoleCaps::FindOpen(
+  const std::vector<SkdTriangleIds>& triangles) const
 {
-  struct Side
-  {
-    vtkIdType Least;
-    vtkIdType Most;
-    bool IsForward;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (const SkdTriangleIds& ids : triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const vtkIdType from = ids[k], to = ids[(k + 1) % 3];
-      sides.push_back({ std::min(from, to), std::max(from, to), from < to });
-    }
-  }
-  vtkSMPTools::Sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.Least, a.Most, a.IsForward) < std::tie(b.Least, b.Most, b.IsForward); });
+  using Use = skd::EdgeUse<vtkIdType>;
   std::vector<Edge> open;
-  for (auto first = sides.begin(); first != sides.end();)
-  {
-    const auto end = std::find_if(first, sides.end(),
-      [&](const Side& side) { return side.Least != first->Least || side.Most != first->Most; });
-    const bool isForward = (first + (end - first) / 2)->IsForward;
-    if ((end - first) % 2 != 0 && first->Least != first->Most)
-    {
-      open.push_back(
-        isForward ? Edge{ first->Least, first->Most } : Edge{ first->Most, first->Least });
-    }
-    first = end;
-  }
+  SkdMakeEdgeTable(triangles, this->Points.size())
+    .ForEach(
+      [&open](vtkIdType low, const Use* first, const Use* last)
+      {
+        const auto forward =
+          std::count_if(first, last, [](const Use& use) { return use.IsForward; });
+        if ((last - first) % 2 != 0 && low != first->High)
+        {
+          open.push_back(
+            2 * forward > last - first ? Edge{ low, first->High } : Edge{ first->High, low });
+        }
+      });
   return open;
 }
 

@@ -29,7 +29,7 @@ private:
     vtkIdType To;
   };
 
-  static std::vector<Edge> FindOpen(const std::vector<SkdTriangleIds>& triangles);
+  std::vector<Edge> FindOpen(const std::vector<SkdTriangleIds>& triangles) const;
   void CloseAll(const std::vector<Edge>& edges);
   void Close(const std::vector<Edge>& loop);
 

@@ -2,26 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdOrientation.h"
 
+#include "Bodies/SkdEdgeTable.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <tuple>
 
 namespace
 {
-struct Side
-{
-  vtkIdType Least;
-  vtkIdType Most;
-  bool IsForward; // the triangle goes from the least to the most
-  std::size_t Triangle;
-
-  bool IsSameEdge(const Side& other) const
-  {
-    return this->Least == other.Least && this->Most == other.Most;
-  }
-};
-
 struct Neighbour
 {
   std::size_t Triangle;
@@ -31,39 +19,27 @@ struct Neighbour
 /// The triangles across those edges that have exactly two.
 class Neighbours
 {
+  using Use = skd::EdgeUse<vtkIdType>;
+
 public:
-  explicit Neighbours(const std::vector<SkdTriangleIds>& triangles)
+  Neighbours(const std::vector<SkdTriangleIds>& triangles, std::size_t numberOfPoints)
     : Lists(triangles.size())
   {
-    std::vector<Side> sides;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const vtkIdType from = triangles[i][k], to = triangles[i][(k + 1) % 3];
-        sides.push_back({ std::min(from, to), std::max(from, to), from < to, i });
-      }
-    }
-    std::sort(sides.begin(), sides.end(),
-      [](const Side& a, const Side& b)
-      { return std::tie(a.Least, a.Most, a.Triangle) < std::tie(b.Least, b.Most, b.Triangle); });
-    for (std::size_t first = 0, end = 0; first < sides.size(); first = end)
-    {
-      while (end < sides.size() && sides[end].IsSameEdge(sides[first]))
-      {
-        ++end;
-      }
-      if (end - first == 2)
-      {
-        this->Join(sides[first], sides[first + 1]);
-      }
-    }
+    SkdMakeEdgeTable(triangles, numberOfPoints)
+      .ForEach(
+        [this](vtkIdType, const Use* first, const Use* last)
+        {
+          if (last - first == 2)
+          {
+            this->Join(first[0], first[1]);
+          }
+        });
   }
 
   const std::vector<Neighbour>& Of(std::size_t triangle) const { return this->Lists[triangle]; }
 
 private:
-  void Join(const Side& a, const Side& b)
+  void Join(const Use& a, const Use& b)
   {
     const bool isAlike = a.IsForward != b.IsForward;
     this->Lists[a.Triangle].push_back({ b.Triangle, isAlike });
@@ -129,7 +105,7 @@ std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles,
   const std::function<bool(const skd::Vector3&)>& isInside)
 {
-  const Neighbours neighbours(triangles);
+  const Neighbours neighbours(triangles, points.size());
   std::vector<bool> isReversed(triangles.size(), false);
   std::vector<bool> isSeen(triangles.size(), false);
   const auto area2 = [&](std::size_t i) { return skd::Norm2(AcrossOf(points, triangles[i])); };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdShells.h"
 
+#include "Bodies/SkdEdgeTable.h"
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Geometry/Predicates/ExactScale.h"
@@ -17,6 +18,8 @@
 /// Of each edge of each triangle the triangle beyond.
 class SkdShells::Pairing
 {
+  using Use = skd::EdgeUse<vtkIdType>;
+
 public:
   Pairing(std::size_t numberOfPoints, const std::vector<SkdTriangleIds>& triangles)
     : Beyond(3 * triangles.size())
@@ -25,19 +28,13 @@ public:
     {
       this->Beyond[side] = side / 3 << 1 | 1u; // itself, of an edge without a length
     }
-    std::vector<std::size_t> first(numberOfPoints + 1, 0);
-    ForEachEdge(triangles, [&](vtkIdType least, const Edge&) { ++first[least + 1]; });
-    for (std::size_t i = 0; i < numberOfPoints; ++i)
-    {
-      first[i + 1] += first[i];
-    }
-    std::vector<Edge> edges(3 * triangles.size());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    ForEachEdge(triangles, [&](vtkIdType least, const Edge& edge) { edges[next[least]++] = edge; });
-    for (std::size_t i = 0; i < numberOfPoints; ++i)
-    {
-      this->PairAll(edges.data() + first[i], edges.data() + first[i + 1]);
-    }
+    SkdMakeEdgeTable(triangles, numberOfPoints)
+      .ForEach(
+        [this](vtkIdType, const Use* first, const Use* last)
+        {
+          this->Same.assign(first, last);
+          this->PairSame(this->Same.data(), this->Same.data() + this->Same.size());
+        });
   }
 
   struct Neighbour
@@ -52,48 +49,13 @@ public:
   }
 
 private:
-  struct Edge
+  void PairSame(Use* begin, Use* end)
   {
-    vtkIdType Most;     // of its points
-    std::uint32_t Side; // 3 times its triangle, and which edge of that it is
-    bool IsForward;     // from the least point to the most
-  };
-
-  template <class Visit>
-  static void ForEachEdge(const std::vector<SkdTriangleIds>& triangles, const Visit& visit)
-  {
-    std::uint32_t side = 0;
-    for (const SkdTriangleIds& ids : triangles)
-    {
-      for (int k = 0; k < 3; ++k, ++side)
-      {
-        const vtkIdType from = ids[k], to = ids[(k + 1) % 3];
-        visit(std::min(from, to), Edge{ std::max(from, to), side, from < to });
-      }
-    }
-  }
-
-  // All edges that have the same least point.
-  void PairAll(Edge* begin, Edge* end)
-  {
-    std::sort(begin, end,
-      [](const Edge& a, const Edge& b)
-      { return a.Most != b.Most ? a.Most < b.Most : a.Side < b.Side; });
-    while (begin != end)
-    {
-      Edge* same = std::find_if(begin, end, [&](const Edge& e) { return e.Most != begin->Most; });
-      this->PairSame(begin, same);
-      begin = same;
-    }
-  }
-
-  void PairSame(Edge* begin, Edge* end)
-  {
-    const auto isForward = [](const Edge& edge) { return edge.IsForward; };
+    const auto isForward = [](const Use& use) { return use.IsForward; };
     const auto forward = std::count_if(begin, end, isForward);
     if (2 * forward == end - begin)
     {
-      Edge* middle = std::stable_partition(begin, end, isForward);
+      Use* middle = std::stable_partition(begin, end, isForward);
       for (; middle != end; ++begin, ++middle)
       {
         this->Join(*begin, *middle);
@@ -106,13 +68,14 @@ private:
     }
   }
 
-  void Join(const Edge& a, const Edge& b)
+  void Join(const Use& a, const Use& b)
   {
     const std::uint32_t alike = a.IsForward != b.IsForward ? 1 : 0;
-    this->Beyond[a.Side] = b.Side / 3 << 1 | alike;
-    this->Beyond[b.Side] = a.Side / 3 << 1 | alike;
+    this->Beyond[3 * a.Triangle + a.Side] = b.Triangle << 1 | alike;
+    this->Beyond[3 * b.Triangle + b.Side] = a.Triangle << 1 | alike;
   }
 
+  std::vector<Use> Same;             // of one edge
   std::vector<std::uint32_t> Beyond; // twice a triangle, and whether it is alike
 };
 

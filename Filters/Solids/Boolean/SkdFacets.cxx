@@ -2,44 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdFacets.h"
 
-#include "Cells/Read/SkdForEach.h"
-
-#include <numeric>
-
-namespace
-{
-using Corners = SkdTriangleSet::Corners;
-}
-
-SkdFacetEdges::SkdFacetEdges(const std::vector<Corners>& triangles, std::size_t numberOfPoints)
-  : Starts(numberOfPoints + 1, 0)
-  , Uses(3 * triangles.size())
-{
-  const auto forEachUse = [&](const auto& visit)
-  {
-    for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        visit(triangle, triangles[triangle][i], triangles[triangle][i == 2 ? 0 : i + 1]);
-      }
-    }
-  };
-  forEachUse(
-    [&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++this->Starts[std::min(a, b) + 1]; });
-  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-  std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
-  forEachUse(
-    [&](std::uint32_t triangle, std::uint32_t a, std::uint32_t b) {
-      this->Uses[next[std::min(a, b)]++] = { std::max(a, b), triangle, a < b };
-    });
-  SkdForEach(static_cast<vtkIdType>(numberOfPoints),
-    [&](vtkIdType low)
-    {
-      std::sort(this->Uses.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
-        this->Uses.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
-    });
-}
+#include "Bodies/SkdEdgeTable.h"
 
 SkdFacets::SkdFacets(
   const SkdSplitSegments& segments, SkdSplitResult split, const SkdOverlaps& overlaps)
@@ -66,5 +29,5 @@ SkdFacets::SkdFacets(
       this->Parents.push_back(split.Parents[piece]);
     }
   }
-  this->Edges = SkdFacetEdges(this->Corners, set.GetPoints().size() + this->NewPoints.size());
+  this->Edges = SkdMakeEdgeTable(this->Corners, set.GetPoints().size() + this->NewPoints.size());
 }

@@ -8,56 +8,12 @@
 #ifndef SkdFacets_h
 #define SkdFacets_h
 
+#include "Core/Geometry/EdgeTable.h"
 #include "Solids/Boolean/SkdOverlaps.h"
 
 #include <algorithm>
 
-/// A triangle at one of its edges.
-struct SkdEdgeUse
-{
-  std::uint32_t High; ///< the higher end of the edge
-  std::uint32_t Triangle;
-  bool IsForward; ///< the triangle has the edge from its lower to its higher end
-
-  bool operator<(const SkdEdgeUse& other) const
-  {
-    return this->High != other.High ? this->High < other.High : this->Triangle < other.Triangle;
-  }
-};
-
-/// The edges of triangles, each with all triangles that have it. O(n), 12 bytes an edge and
-/// triangle.
-class SkdFacetEdges
-{
-public:
-  SkdFacetEdges() = default;
-  SkdFacetEdges(const std::vector<SkdTriangleSet::Corners>& triangles, std::size_t numberOfPoints);
-
-  /// Calls visit(low, first, last) for each edge: its lower end, and its uses by ascending
-  /// triangle.
-  template <class Visit>
-  void ForEach(const Visit& visit) const
-  {
-    for (std::uint32_t low = 0; low + 1 < this->Starts.size(); ++low)
-    {
-      const SkdEdgeUse* const end = this->Uses.data() + this->Starts[low + 1];
-      for (const SkdEdgeUse* first = this->Uses.data() + this->Starts[low]; first != end;)
-      {
-        const SkdEdgeUse* last = first + 1;
-        while (last != end && last->High == first->High)
-        {
-          ++last;
-        }
-        visit(low, first, last);
-        first = last;
-      }
-    }
-  }
-
-private:
-  std::vector<std::size_t> Starts; // of the uses of edges by their lower end
-  std::vector<SkdEdgeUse> Uses;
-};
+using SkdEdgeUse = skd::EdgeUse<>;
 
 /// Facets meet in common edges and points only. Points below the number of the set's points are
 /// these, further ones new. Memory: 56 bytes a facet.
@@ -67,7 +23,7 @@ struct SkdFacets
   std::vector<std::uint32_t> Parents; ///< the lowest triangle that each is a piece of
   std::vector<SkdFacetLayer> Layers;  ///< the others, by ascending facet
   std::vector<SkdSplitPoint> NewPoints;
-  SkdFacetEdges Edges;
+  skd::EdgeTable<> Edges;
 
   SkdFacets() = default;
 

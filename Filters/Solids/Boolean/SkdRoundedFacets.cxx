@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdRoundedFacets.h"
 
+#include "Bodies/SkdEdgeTable.h"
 #include "Bodies/SkdWeld.h"
 #include "Solids/Surfaces/SkdPointFilter.h"
 
@@ -145,6 +146,6 @@ SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
   {
     rounded.NumberFolded += signs[facet] != rounded.Signs[facet];
   }
-  rounded.Facets.Edges = SkdFacetEdges(rounded.Facets.Corners, lowest.size());
+  rounded.Facets.Edges = SkdMakeEdgeTable(rounded.Facets.Corners, lowest.size());
   return rounded;
 }

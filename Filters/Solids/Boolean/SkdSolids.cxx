@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdSolids.h"
 
+#include "Bodies/SkdEdgeTable.h"
 #include "Core/Geometry/DisjointSets.h"
 #include "Solids/Boolean/SkdFacets.h"
 
@@ -58,7 +59,7 @@ SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set)
   const std::vector<SkdTriangleSet::Corners> triangles(
     set.GetTriangles().begin(), set.GetTriangles().end());
   skd::DisjointSets<> pieces(triangles.size());
-  SkdFacetEdges(triangles, set.GetPoints().size())
+  SkdMakeEdgeTable(triangles, set.GetPoints().size())
     .ForEach(
       [&](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)
       {

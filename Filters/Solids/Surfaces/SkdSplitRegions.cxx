@@ -2,54 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdSplitRegions.h"
 
+#include "Bodies/SkdEdgeTable.h"
 #include "Core/Geometry/DisjointSets.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-
-namespace
-{
-struct EdgeOf
-{
-  SkdSplitEdge Edge;
-  std::uint32_t Triangle;
-
-  bool operator<(const EdgeOf& other) const
-  {
-    return this->Edge != other.Edge ? this->Edge < other.Edge : this->Triangle < other.Triangle;
-  }
-};
-
-std::vector<EdgeOf> ListEdges(const std::vector<SkdTriangleSet::Corners>& triangles)
-{
-  std::vector<EdgeOf> edges;
-  edges.reserve(3 * triangles.size());
-  for (std::uint32_t triangle = 0; triangle < triangles.size(); ++triangle)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      edges.push_back(
-        { SkdMakeSplitEdge(triangles[triangle][i], triangles[triangle][(i + 1) % 3]), triangle });
-    }
-  }
-  vtkSMPTools::Sort(edges.begin(), edges.end());
-  return edges;
-}
-}
 
 std::vector<std::uint32_t> SkdFindSplitRegions(
   const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders)
 {
   skd::DisjointSets<> regions(triangles.size());
   vtkSMPTools::Sort(borders.begin(), borders.end());
-  const std::vector<EdgeOf> edges = ListEdges(triangles);
-  for (std::size_t i = 1; i < edges.size(); ++i)
+  std::uint32_t numberOfPoints = 0;
+  for (const SkdTriangleSet::Corners& corners : triangles)
   {
-    if (edges[i].Edge == edges[i - 1].Edge &&
-      !std::binary_search(borders.begin(), borders.end(), edges[i].Edge))
-    {
-      regions.Unite(edges[i - 1].Triangle, edges[i].Triangle);
-    }
+    numberOfPoints =
+      std::max(numberOfPoints, *std::max_element(corners.begin(), corners.end()) + 1);
   }
+  SkdMakeEdgeTable(triangles, numberOfPoints)
+    .ForEach(
+      [&](std::uint32_t low, const skd::EdgeUse<>* first, const skd::EdgeUse<>* last)
+      {
+        const bool isInner = last - first > 1 &&
+          !std::binary_search(borders.begin(), borders.end(), SkdMakeSplitEdge(low, first->High));
+        for (const skd::EdgeUse<>* use = first + 1; isInner && use != last; ++use)
+        {
+          regions.Unite(first->Triangle, use->Triangle);
+        }
+      });
   return regions.Number();
 }
