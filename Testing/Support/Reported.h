@@ -31,11 +31,11 @@ inline std::vector<double> ReportedRow(vtkDataObject* output, const std::string&
   return row;
 }
 
-/// A number of the report; NaN if there is none, or several.
+/// A number of the report, or the first one of a row; NaN if there is none.
 inline double Reported(vtkDataObject* output, const std::string& what)
 {
   const std::vector<double> row = ReportedRow(output, what);
-  return row.size() == 1 ? row[0] : std::numeric_limits<double>::quiet_NaN();
+  return row.empty() ? std::numeric_limits<double>::quiet_NaN() : row[0];
 }
 
 ///@{
