@@ -92,6 +92,7 @@ void vtkSkdTreeRefineAlgorithm::PassOptions()
   options.FieldTest = static_cast<SkdFieldTest>(this->FieldTest);
   options.FieldThreshold = this->FieldThreshold;
   std::copy_n(this->FieldRange, 2, options.FieldRange);
+  options.RelativeFieldThreshold = this->RelativeFieldThreshold;
   options.FieldLevel = this->FieldLevel;
   options.Epsilon = this->Epsilon;
   options.ChordalDeviation = this->ChordalDeviation;
@@ -141,7 +142,8 @@ void vtkSkdTreeRefineAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
     SkdPrint(os, indent, "FieldArray", name);
   }
   SkdPrint(os, indent, "FieldTest", this->FieldTest, "FieldThreshold", this->FieldThreshold,
-    "FieldRange", this->FieldRange, "FieldLevel", this->FieldLevel, "CellLimit", this->CellLimit,
-    "ChordalDeviation", this->ChordalDeviation, "Epsilon", this->Epsilon);
+    "FieldRange", this->FieldRange, "RelativeFieldThreshold", this->RelativeFieldThreshold,
+    "FieldLevel", this->FieldLevel, "CellLimit", this->CellLimit, "ChordalDeviation",
+    this->ChordalDeviation, "Epsilon", this->Epsilon);
 }
 VTK_ABI_NAMESPACE_END

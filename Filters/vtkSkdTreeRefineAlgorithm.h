@@ -38,7 +38,8 @@ public:
   {
     DIFFERENCE = 0,
     GRADIENT = 1,
-    VALUE = 2
+    VALUE = 2,
+    SECOND_DIFFERENCE = 3
   };
   enum Balances
   {
@@ -149,10 +150,13 @@ public:
   /**
    * The condition for refinement: DIFFERENCE (default): two values in the cell differ by more than
    * FieldThreshold; GRADIENT: a cell of the field that intersects it has two points whose values
-   * differ by more than FieldThreshold times their distance (point data only); or VALUE: one value
-   * is in FieldRange.
+   * differ by more than FieldThreshold times their distance (point data only); VALUE: one value is
+   * in FieldRange; SECOND_DIFFERENCE: Loehner's normalised second difference of interpolated
+   * values, at the centre of the cell's box and half a side from it along one or two axes, is more
+   * than FieldThreshold. That is 0 where the field is linear and at most 1 whatever the field's
+   * unit: 0.8 finds shocks and fronts, less finds more. Points outside of the field do not count.
    */
-  vtkSkdTreeChoiceMacro(FieldTest, DIFFERENCE, VALUE);
+  vtkSkdTreeChoiceMacro(FieldTest, DIFFERENCE, SECOND_DIFFERENCE);
   //@}
 
   //@{
@@ -167,6 +171,16 @@ public:
    * See FieldTest; inclusive. Default (0, 1).
    */
   vtkSkdTreeFinite2Macro(FieldRange);
+  //@}
+
+  //@{
+  /**
+   * Whether FieldThreshold and FieldRange are shares of the range of each array's finite values
+   * (over all blocks), so that one value fits several arrays: a difference of 0.1 is a tenth of the
+   * range, a gradient of 1 the range over the diagonal of the field's bounds, a range of (0.5, 1)
+   * the upper half. Of no effect on SECOND_DIFFERENCE. Default off.
+   */
+  vtkSkdTreeSwitchMacro(RelativeFieldThreshold);
   //@}
 
   //@{
@@ -229,6 +243,7 @@ protected:
   int FieldTest = DIFFERENCE;
   double FieldThreshold = 0.0;
   double FieldRange[2] = { 0.0, 1.0 };
+  bool RelativeFieldThreshold = false;
   int FieldLevel = 30;
   vtkIdType CellLimit = 20000000;
   double ChordalDeviation = 1e-4;

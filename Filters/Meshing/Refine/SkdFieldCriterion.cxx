@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshing/Refine/SkdFieldCriterion.h"
 
+#include "Meshing/Refine/SkdSecondDifference.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -34,8 +35,9 @@ std::vector<double> ValuesOf(vtkDataArray* array)
 class SkdFieldCriterion::Look
 {
 public:
-  explicit Look(const SkdFieldSettings& settings)
-    : Settings(settings)
+  Look(SkdFieldTest test, const Column& column)
+    : Test(test)
+    , Limits(column)
   {
   }
 
@@ -55,14 +57,14 @@ public:
 private:
   bool IsEnough(double value) const
   {
-    const SkdFieldSettings& settings = this->Settings;
-    return settings.Test == SkdFieldTest::Value
-      ? settings.Range[0] <= value && value <= settings.Range[1]
-      : (settings.Test == SkdFieldTest::Gradient ? value : this->High - this->Low) >
-        settings.Threshold;
+    const Column& limits = this->Limits;
+    return this->Test == SkdFieldTest::Value
+      ? limits.Range[0] <= value && value <= limits.Range[1]
+      : (this->Test == SkdFieldTest::Gradient ? value : this->High - this->Low) > limits.Threshold;
   }
 
-  const SkdFieldSettings& Settings;
+  SkdFieldTest Test;
+  const Column& Limits;
   double Low = std::numeric_limits<double>::infinity();
   double High = -std::numeric_limits<double>::infinity();
 };
@@ -75,15 +77,15 @@ void SkdFieldCriterion::TakeArray(std::uint32_t part, vtkDataSet* mesh, const st
   const bool isGradient = this->Settings.Test == SkdFieldTest::Gradient;
   if (ofPoints && isGradient)
   {
-    this->Columns.push_back({ part, false, this->FindGradients(part, ValuesOf(ofPoints)) });
+    this->Columns.push_back({ part, name, false, ValuesOf(ofPoints), 0.0, {} });
   }
   else if (ofPoints)
   {
-    this->Columns.push_back({ part, true, ValuesOf(ofPoints) });
+    this->Columns.push_back({ part, name, true, ValuesOf(ofPoints), 0.0, {} });
   }
   else if (ofCells && !isGradient)
   {
-    this->Columns.push_back({ part, false, ValuesOf(ofCells) });
+    this->Columns.push_back({ part, name, false, ValuesOf(ofCells), 0.0, {} });
   }
   else
   {
@@ -135,6 +137,44 @@ void SkdFieldCriterion::Update(
     }
     ++part;
   }
+  this->SetLimits();
+}
+
+/// The thresholds of each array; then gradients, which were values until their range was known.
+void SkdFieldCriterion::SetLimits()
+{
+  const SkdFieldSettings& settings = this->Settings;
+  const bool isGradient = settings.Test == SkdFieldTest::Gradient;
+  const double diagonal = this->Meshes.GetBounds().Diagonal();
+  const bool isRelative = settings.IsRelative && settings.Test != SkdFieldTest::SecondDifference;
+  for (Column& column : this->Columns)
+  {
+    const ValueRange range = isRelative ? this->FindRange(column.Name) : ValueRange{ 0.0, 1.0 };
+    const double unit = range.Most - range.Least;
+    column.Threshold = settings.Threshold * (isRelative && isGradient ? unit / diagonal : unit);
+    column.Range[0] = range.Least + settings.Range[0] * unit;
+    column.Range[1] = range.Least + settings.Range[1] * unit;
+  }
+  for (Column& column : this->Columns)
+  {
+    column.Values = isGradient ? this->FindGradients(column.Part, column.Values) : column.Values;
+  }
+}
+
+/// Of the finite values of an array in all blocks.
+SkdFieldCriterion::ValueRange SkdFieldCriterion::FindRange(const std::string& name) const
+{
+  ValueRange range{ std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+  for (const Column& column : this->Columns)
+  {
+    for (const double value : column.Values)
+    {
+      const bool counts = column.Name == name && std::isfinite(value);
+      range.Least = counts ? std::min(range.Least, value) : range.Least;
+      range.Most = counts ? std::max(range.Most, value) : range.Most;
+    }
+  }
+  return range;
 }
 
 //------------------------------------------------------------------------------
@@ -182,48 +222,62 @@ SkdFoundCell SkdFieldCriterion::FindAt(
 /// Where a cell holds the sample, or is near to it.
 void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region, Look& look) const
 {
-  thread_local std::vector<double> weights;
-  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
   for (int sample = 0; sample < region.GetNumberOfSamples() && !look.Passes; ++sample)
   {
-    SkdFoundCell found = this->FindAt(column, region.GetSample(sample), region.GetSampleRadius());
-    if (found.Id < 0)
-    {
-      continue;
-    }
-    if (!column.IsOfPoints)
-    {
-      look.Add(column.Values[static_cast<std::size_t>(found.Id)]);
-      continue;
-    }
-    const auto cell = static_cast<std::uint32_t>(tree.Cells().CellOfId(found.Id));
-    const std::uint32_t size = tree.Cells().SizeOf(cell);
-    weights.assign(size, 0.0);
-    tree.Interpolate(found, weights.data(), this->Meshes.GetSource(column.Part));
-    double value = 0.0;
-    for (std::uint32_t i = 0; i < size; ++i)
-    {
-      value += weights[i] * column.Values[tree.Cells().PointIdsOf(cell)[i]];
-    }
-    look.Add(value);
+    look.Add(this->InterpolateAt(column, region.GetSample(sample), region.GetSampleRadius()));
   }
+}
+
+/// NaN where no cell is.
+double SkdFieldCriterion::InterpolateAt(
+  const Column& column, const skd::Vector3& x, double reach) const
+{
+  thread_local std::vector<double> weights;
+  SkdFoundCell found = this->FindAt(column, x, reach);
+  if (found.Id < 0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (!column.IsOfPoints)
+  {
+    return column.Values[static_cast<std::size_t>(found.Id)];
+  }
+  const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
+  const auto cell = static_cast<std::uint32_t>(tree.Cells().CellOfId(found.Id));
+  const std::uint32_t size = tree.Cells().SizeOf(cell);
+  weights.assign(size, 0.0);
+  tree.Interpolate(found, weights.data(), this->Meshes.GetSource(column.Part));
+  double value = 0.0;
+  for (std::uint32_t i = 0; i < size; ++i)
+  {
+    value += weights[i] * column.Values[tree.Cells().PointIdsOf(cell)[i]];
+  }
+  return value;
 }
 
 /// A cell of the field that contains a sample intersects the region, unless it is only near.
 bool SkdFieldCriterion::IsWanted(const SkdRegion& region) const
 {
   return std::any_of(this->Columns.begin(), this->Columns.end(),
-    [&](const Column& column)
-    {
-      Look look(this->Settings);
-      if (column.IsOfPoints || region.GetSampleRadius() > 0.0)
-      {
-        this->AddSamples(column, region, look);
-      }
-      if (!look.Passes)
-      {
-        this->AddListed(column, region, look);
-      }
-      return look.Passes;
-    });
+    [&](const Column& column) { return this->IsWanted(column, region); });
+}
+
+bool SkdFieldCriterion::IsWanted(const Column& column, const SkdRegion& region) const
+{
+  if (this->Settings.Test == SkdFieldTest::SecondDifference)
+  {
+    const auto valueAt = [&](const skd::Vector3& x)
+    { return this->InterpolateAt(column, x, region.GetSampleRadius()); };
+    return SkdSecondDifference(region.GetBox(), valueAt).Find() > column.Threshold;
+  }
+  Look look(this->Settings.Test, column);
+  if (column.IsOfPoints || region.GetSampleRadius() > 0.0)
+  {
+    this->AddSamples(column, region, look);
+  }
+  if (!look.Passes)
+  {
+    this->AddListed(column, region, look);
+  }
+  return look.Passes;
 }

@@ -8,6 +8,8 @@
  * and its centre; of cell data those of the field's cells that intersect it. Arrays with several
  * components use the magnitude. Values that are not finite are ignored. Blocks are tested
  * separately.
+ *
+ * The normalised second difference (SkdSecondDifference.h) is that of interpolated values alone.
  */
 
 #ifndef SkdFieldCriterion_h
@@ -24,7 +26,9 @@ enum class SkdFieldTest
   Difference, ///< of two values in the cell: more than the threshold
   Gradient,   ///< of a field's cell that meets the cell: two of its points differ by more than the
               ///< threshold times their distance; only of point data
-  Value       ///< one in the range
+  Value,      ///< one in the range
+  SecondDifference ///< normalised, of values on the points of the cell's box: more than the
+                   ///< threshold
 };
 
 struct SkdFieldSettings
@@ -33,6 +37,7 @@ struct SkdFieldSettings
   SkdFieldTest Test = SkdFieldTest::Difference;
   double Threshold = 0.0;
   double Range[2] = { 0.0, 1.0 };
+  bool IsRelative = false; ///< both are relative to the range of values; see SetLimits
 };
 
 class SkdFieldCriterion
@@ -54,16 +59,28 @@ private:
   struct Column
   {
     std::uint32_t Part;
+    std::string Name;
     bool IsOfPoints;
     std::vector<double> Values;
+    double Threshold;
+    double Range[2];
   };
   class Look;
+  struct ValueRange
+  {
+    double Least;
+    double Most;
+  };
 
   void TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name);
   std::vector<double> FindGradients(std::uint32_t part, const std::vector<double>& values) const;
   void AddListed(const Column& column, const SkdRegion& region, Look& look) const;
   SkdFoundCell FindAt(const Column& column, const skd::Vector3& x, double reach) const;
+  double InterpolateAt(const Column& column, const skd::Vector3& x, double reach) const;
   void AddSamples(const Column& column, const SkdRegion& region, Look& look) const;
+  bool IsWanted(const Column& column, const SkdRegion& region) const;
+  void SetLimits();
+  ValueRange FindRange(const std::string& name) const;
 
   SkdParts Meshes;
   SkdFieldSettings Settings;

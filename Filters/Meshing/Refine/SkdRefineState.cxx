@@ -51,6 +51,7 @@ void SkdRefineState::UpdateField(vtkAlgorithm* self, vtkDataObject* field)
   settings.Test = this->Options.FieldTest;
   settings.Threshold = this->Options.FieldThreshold;
   std::copy_n(this->Options.FieldRange, 2, settings.Range);
+  settings.IsRelative = this->Options.RelativeFieldThreshold;
   this->Field.Update(SkdBlocksOf(field), settings, this->Options.Epsilon);
   for (const std::string& name : this->Field.GetMissing())
   {

@@ -32,6 +32,7 @@ struct SkdRefineOptions
   SkdFieldTest FieldTest = SkdFieldTest::Difference;
   double FieldThreshold = 0.0;
   double FieldRange[2] = { 0.0, 0.0 };
+  bool RelativeFieldThreshold = false;
   int FieldLevel = 0;
   double Epsilon = 0.0;
   double ChordalDeviation = 0.0;
