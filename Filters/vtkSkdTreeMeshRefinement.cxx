@@ -4,6 +4,7 @@
 
 #include "Bodies/SkdSource.h"
 #include "Core/Meshing/Mesh/FindBorder.h"
+#include "Core/Meshing/Mesh/GivenHangingNodes.h"
 #include "Meshing/Refine/SkdMeshOutput.h"
 #include "Meshing/Refine/SkdMeshRefiner.h"
 #include "Meshing/Refine/SkdMeshReport.h"
@@ -75,6 +76,21 @@ void SetPlacement(
   {
     vtkWarningWithObjectMacro(self,
       "There is no surface to project new points to; they stay in the middle of edges and faces.");
+  }
+}
+
+void WarnOfGivenHangingNodes(Filter* self, const skd::RefinedMesh& mesh)
+{
+  const skd::GivenHangingNodes given(mesh);
+  if (given.Count > 0)
+  {
+    const skd::Vector3& x = mesh.FlatPoint(given.First);
+    vtkWarningWithObjectMacro(self,
+      "The mesh has hanging nodes already: "
+        << given.Count << " edges have a node of other cells in their middle, the first at ("
+        << x[0] << ", " << x[1] << ", " << x[2]
+        << "). Bisection keeps them where it does not cut these edges. Use the mesh from before it "
+           "was refined, or the method Regular.");
   }
 }
 
@@ -313,6 +329,10 @@ int vtkSkdTreeMeshRefinement::RequestData(
   SkdMeshSettings settings = MakeSettings(this, *this->State);
   settings.Shared = shared.get();
   WarnAbout(this, settings, read);
+  if (this->Method == BISECTION)
+  {
+    WarnOfGivenHangingNodes(this, read.Mesh);
+  }
   SkdMeshTally tally(read.Mesh);
   const SkdMeshOutcome outcome =
     SkdMeshRefiner(this, 0.1, 0.8, read.Mesh, this->State->Parts, settings).Refine();

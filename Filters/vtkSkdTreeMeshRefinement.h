@@ -73,7 +73,8 @@
  * hexahedra) that are not star-shaped about their centre are not refined and are counted; nodes may
  * hang on them. The same holds for cells about as small as the resolution of their coordinates.
  * Cells of parts that are not finite are ignored and counted; field values that are not finite are
- * ignored.
+ * ignored. A mesh that has hanging nodes already, in the middle of edges of other cells, is warned
+ * of before a bisection, which keeps those on edges that it does not cut.
  *
  * @sa
  * vtkSkdTreeAMR vtkSkdTreeClosestPoint

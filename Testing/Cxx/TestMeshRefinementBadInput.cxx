@@ -56,6 +56,37 @@ TEST(MeshRefinementBadInput, WithoutAnythingToAskForCellsAllAreRefinedOnce)
   EXPECT_EQ(events.Warnings, 0);
 }
 
+TEST(MeshRefinementBadInput, BisectionOfAMeshWithHangingNodesIsWarnedOf)
+{
+  const auto part = MakePolyData(Placed(SphereTriangles(8), 0.2, { 0.2, 0.1, 0.05 }));
+  const DataSetPointer meshes[] = { MakeTorus(), MakeGrid(Tetrahedra(3)), MakeGrid(Hexahedra(3)),
+    MakePolyData(Sheet(5, VTK_QUAD)), MakePolyData(Sheet(5, VTK_TRIANGLE)) };
+  for (const DataSetPointer& mesh : meshes)
+  {
+    for (const int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+    {
+      const auto parts = mesh == meshes[0] ? MakePart() : part;
+      RefinementPointer regular = MakeRefinement(mesh, parts, 2, 1);
+      regular->SetOutputPointsPrecision(precision);
+      vtkDataSet* hanging = RunRefinement(regular);
+      ASSERT_GT(Reported(regular, "HangingPoints"), 0);
+      RefinementPointer bisection = MakeRefinement(hanging, parts, 1, 0);
+      EventCounter events(bisection);
+      bisection->Update();
+      EXPECT_EQ(events.Warnings, 1) << mesh->GetNumberOfCells();
+      EXPECT_NE(events.Warning.find("hanging nodes already"), std::string::npos);
+      RefinementPointer whole = MakeRefinement(mesh, parts, 2, 0);
+      EventCounter none(whole);
+      whole->Update();
+      EXPECT_EQ(none.Warnings, 0) << none.Warning;
+      RefinementPointer again = MakeRefinement(whole->GetOutputDataObject(0), parts, 1, 0);
+      EventCounter noneAgain(again);
+      again->Update();
+      EXPECT_EQ(noneAgain.Warnings, 0) << noneAgain.Warning;
+    }
+  }
+}
+
 TEST(MeshRefinementBadInput, PartsWithoutCellsPassTheMeshOn)
 {
   auto torus = MakeTorus();
