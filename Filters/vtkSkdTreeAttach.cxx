@@ -45,7 +45,9 @@ vtkTypeBool vtkSkdTreeAttach::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const SkdValidInput valid(this, request, inputVector);
-  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+  const vtkTypeBool result = this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+  valid.Report(outputVector);
+  return result;
 }
 
 int vtkSkdTreeAttach::FillInputPortInformation(int, vtkInformation* info)

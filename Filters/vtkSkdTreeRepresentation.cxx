@@ -197,7 +197,9 @@ vtkTypeBool vtkSkdTreeRepresentation::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const SkdValidInput valid(this, request, inputVector);
-  return this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+  const vtkTypeBool result = this->Superclass::ProcessRequest(request, valid.Get(), outputVector);
+  valid.Report(outputVector);
+  return result;
 }
 
 int vtkSkdTreeRepresentation::FillInputPortInformation(int, vtkInformation* info)

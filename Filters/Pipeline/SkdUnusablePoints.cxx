@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdMagnitudes.h"
 #include "vtkAOSDataArrayTemplate.h"
+#include "vtkImageData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
@@ -90,6 +91,13 @@ SkdUnusablePoints Find(vtkDataArray* array, double largest)
   return all;
 }
 
+bool IsUsable(vtkDataSet* mesh, vtkIdType point, double largest)
+{
+  skd::Vector3 x;
+  mesh->GetPoint(point, x.X);
+  return SkdIsWithin(x, largest);
+}
+
 /// A coordinate is that of a whole plane of points.
 SkdUnusablePoints Find(vtkRectilinearGrid* grid, double largest)
 {
@@ -109,9 +117,30 @@ SkdUnusablePoints Find(vtkRectilinearGrid* grid, double largest)
   found.Count = grid->GetNumberOfPoints() - usable;
   for (vtkIdType i = 0; found.Count > 0 && found.First < 0; ++i)
   {
-    skd::Vector3 x;
-    grid->GetPoint(i, x.X);
-    found.First = SkdIsWithin(x, largest) ? -1 : i;
+    found.First = IsUsable(grid, i, largest) ? -1 : i;
+  }
+  return found;
+}
+
+/// Points of a lattice are usable if those at its corners are. If not, each is looked at.
+SkdUnusablePoints Find(vtkImageData* image, double largest)
+{
+  const int* n = image->GetDimensions();
+  bool areUsable = true;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const vtkIdType i = corner & 1 ? n[0] - 1 : 0;
+    const vtkIdType j = corner & 2 ? n[1] - 1 : 0;
+    const vtkIdType k = corner & 4 ? n[2] - 1 : 0;
+    areUsable = areUsable && IsUsable(image, i + n[0] * (j + n[1] * k), largest);
+  }
+  SkdUnusablePoints found;
+  for (vtkIdType i = 0; !areUsable && i < image->GetNumberOfPoints(); ++i)
+  {
+    if (!IsUsable(image, i, largest))
+    {
+      Add({ 1, i }, found);
+    }
   }
   return found;
 }
@@ -126,8 +155,16 @@ SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude)
   {
     return Find(set->GetPoints()->GetData(), largest);
   }
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  if (auto* image = vtkImageData::SafeDownCast(mesh))
+  {
+    return Find(image, largest);
+  }
   auto* grid = vtkRectilinearGrid::SafeDownCast(mesh);
-  return grid && grid->GetNumberOfPoints() > 0 ? Find(grid, largest) : SkdUnusablePoints();
+  return grid ? Find(grid, largest) : SkdUnusablePoints();
 }
 
 //------------------------------------------------------------------------------

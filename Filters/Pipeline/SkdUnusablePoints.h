@@ -21,7 +21,7 @@ struct SkdUnusablePoints
   std::string Tell(vtkDataSet* mesh, bool anyMagnitude) const;
 };
 
-/// Looks at each coordinate once, in parallel. The points of images are not looked at.
+/// Looks at each coordinate once, in parallel; of images at the corners, if these can be used.
 /// `anyMagnitude`: all finite ones can be used.
 SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude);
 
