@@ -236,7 +236,7 @@ class Tree:
         radii = to_numbers(radius, "radius")
         if radii.shape not in ((), (1, ), (len(at), )):
             raise ValueError(f"radius has the shape {radii.shape}, () or ({len(at)},) is needed")
-        if (radii < 0).any():
+        if not (radii >= 0).all():
             raise ValueError(f"radius is {radii.min()}, it must not be negative")
         spheres = numpy.empty((len(at), 4))
         spheres[:, :3] = at

@@ -443,6 +443,8 @@ def test_wrong_queries_are_refused_by_name():
             (TypeError, "out.cell is no array of int64", lambda: tree.closest(POINTS, out=(*closest[:2], closest[1]))),
             (ValueError, "not known", lambda: tree.rays(POINTS, POINTS, all_hits=True, out=closest)),
             (ValueError, "radius is -1, it must not be negative", lambda: tree.within(POINTS, -1)),
+            (ValueError, "radius is nan, it must not be negative",
+                lambda: tree.within(POINTS[:2], [1.0, numpy.nan])),
             (ValueError, "radius is -0.5, it", lambda: tree.within(POINTS[:2], [1.0, -0.5])),
             (TypeError, "k is 2.5, an integer is needed", lambda: tree.k_nearest(POINTS, 2.5)),
             (ValueError, "less than 2**31", lambda: tree.k_nearest(POINTS, 2**40)),
