@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdMendedMesh.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdUnfitArrays.h"
 #include "Pipeline/SkdUnusablePoints.h"
 
 #include "vtkAlgorithm.h"
@@ -65,9 +66,12 @@ public:
     {
       SkdMendedMesh mended{ block.Mesh, {} };
       SkdUnusablePoints points;
+      std::string arrays;
       if (!wholeMeshes.Has(block.Mesh))
       {
-        mended = SkdMend(block.Mesh);
+        const SkdFittingMesh fitting = SkdLeaveOutUnfitArrays(block.Mesh);
+        arrays = fitting.Fault;
+        mended = SkdMend(fitting.Mesh);
         points = SkdFindUnusablePoints(block.Mesh, false);
         if (mended.Mesh == block.Mesh && points.Count == 0)
         {
@@ -81,6 +85,7 @@ public:
       this->Changed = this->Changed || mended.Mesh != block.Mesh;
       this->NumberOfPoints += points.Count;
       Tell(block, mended.Fault, this->Faults);
+      Tell(block, arrays, this->Arrays);
       Tell(block, points.Count > 0 ? points.Tell(block.Mesh, anyMagnitude) : "", this->Points);
       this->Meshes.push_back(mended.Mesh);
     }
@@ -92,6 +97,7 @@ public:
   ///@{
   /// The warnings; empty if there is none.
   std::string GetFaults() const { return this->Faults.str(); }
+  std::string GetArrays() const { return this->Arrays.str(); }
   std::string GetPoints() const { return this->Points.str(); }
   ///@}
 
@@ -115,6 +121,7 @@ private:
   bool Changed = false;
   vtkIdType NumberOfPoints = 0;
   std::ostringstream Faults;
+  std::ostringstream Arrays;
   std::ostringstream Points;
 };
 
@@ -158,6 +165,7 @@ SkdValidInput::SkdValidInput(
     const Findings found = Mend(this->Mended.back(), anyMagnitude);
     const std::string where = " Input port " + std::to_string(port) + ":";
     all.BrokenCells += found.BrokenCells.empty() ? "" : where + found.BrokenCells;
+    all.Arrays += found.Arrays.empty() ? "" : where + found.Arrays;
     all.Points += found.Points.empty() ? "" : where + found.Points;
     all.NumberOfPoints += found.NumberOfPoints;
     this->PointCounts.push_back(found.NumberOfPoints);
@@ -167,6 +175,12 @@ SkdValidInput::SkdValidInput(
   {
     vtkWarningWithObjectMacro(
       filter, "Broken cells are ignored; repair the mesh." << all.BrokenCells);
+  }
+  if (!all.Arrays.empty())
+  {
+    vtkWarningWithObjectMacro(filter,
+      "Arrays that have not one tuple for each point or cell are left out; correct them."
+        << all.Arrays);
   }
   if (all.NumberOfPoints == 0)
   {
@@ -198,6 +212,7 @@ SkdValidInput::Findings SkdValidInput::Mend(vtkInformationVector* to, bool anyMa
     vtkDataObject* object = vtkDataObject::GetData(to, i);
     const MendedBlocks blocks(object, anyMagnitude);
     found.BrokenCells += blocks.GetFaults();
+    found.Arrays += blocks.GetArrays();
     found.Points += blocks.GetPoints();
     found.NumberOfPoints += blocks.GetNumberOfPoints();
     if (blocks.AreChanged())

@@ -13,9 +13,9 @@ class vtkAlgorithm;
 class vtkInformation;
 
 /// The inputs of a filter for its RequestData, in which broken cells (Cells/Read/SkdCellCheck.h)
-/// are replaced by empty cells with the same ids. The filter warns about them once, and about
-/// points that cannot be used (SkdUnusablePoints), which stay. A valid mesh is checked again only
-/// when it is modified.
+/// are replaced by empty cells with the same ids, and without arrays that are too short or too long
+/// (SkdUnfitArrays). The filter warns about these once, and about points that cannot be used
+/// (SkdUnusablePoints), which stay. A valid mesh is checked again only when it is modified.
 class SkdValidInput
 {
 public:
@@ -34,6 +34,7 @@ private:
   struct Findings
   {
     std::string BrokenCells; ///< for the warning; empty if there are none
+    std::string Arrays;
     std::string Points;
     vtkIdType NumberOfPoints = 0;
   };
