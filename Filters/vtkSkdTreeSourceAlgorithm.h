@@ -15,7 +15,9 @@
  * be anywhere in it, and kept while no piece changes: memory for all of it on each process. Ghost
  * cells, and cells and points that several pieces have, count once; ids of cells are those of the
  * pieces in the order of the processes. Where the output's pieces are not those of the processes,
- * the pipeline is asked for the whole.
+ * the pipeline is asked for the whole. All processes must execute together: a source that sets its
+ * data itself calls Modified() on all of them, also where its piece is the same as before; if it
+ * does so on some alone, these wait for the others.
  *
  * A subclass defines its output ports and implements RequestData.
  */
