@@ -9,19 +9,15 @@
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"
 #include "Remap/SkdRemapMeshes.h"
+#include "Remap/SkdRemapProbe.h"
 #include "Remap/SkdRemapper.h"
 #include "Remap/SkdWeightsFile.h"
-#include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkSkdTreeProbe.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -56,9 +52,6 @@ private:
   void MapBlocks();
   void MapBlock(std::size_t block, double first, double last);
   void Interpolate(vtkDataSet* block, bool withCellData, double first, double last);
-  void TakeProbed(vtkDataSet* block);
-  vtkSmartPointer<vtkDataSet> ProbedSource(bool withCellData) const;
-  void SetUpProber();
   void FillWeights(vtkTable* table);
   void FillOverlaps(vtkDataObject* output);
   void WriteWeights(const SkdShare& share);
@@ -68,7 +61,7 @@ private:
 
   vtkSkdTreeRemap* Self;
   SkdRemapper Remapper;
-  vtkNew<vtkSkdTreeProbe> Prober;
+  SkdRemapProbe Probe;
   SkdWeightsFileSettings Written; // the file that there is
 
   // Of one run:
@@ -76,6 +69,7 @@ private:
   std::vector<SkdBlock> Outputs; // the same, to add arrays to
   vtkSmartPointer<vtkDataSet> Donor;
   std::set<std::string> PartialArrays; // of the donor
+  SkdWeightsGrids Grids;
   SkdRemapSettings Settings;
   bool IsComposite = false;
   int Method = AUTOMATIC_METHOD;
@@ -91,26 +85,6 @@ void AddName(vtkObject* self, std::set<std::string>& names, const char* name)
     self->Modified();
   }
 }
-
-/// The part of an algorithm's progress that another one's is, and its abort.
-struct Passing
-{
-  vtkAlgorithm* To;
-  double First;
-  double Last;
-
-  static void Pass(vtkObject* caller, unsigned long, void* self, void*)
-  {
-    const auto* passing = static_cast<Passing*>(self);
-    auto* from = vtkAlgorithm::SafeDownCast(caller);
-    passing->To->UpdateProgress(
-      passing->First + from->GetProgress() * (passing->Last - passing->First));
-    if (SkdIsAborted(passing->To))
-    {
-      from->SetAbortExecute(1);
-    }
-  }
-};
 }
 
 //------------------------------------------------------------------------------
@@ -202,89 +176,18 @@ SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSkdTreeRemap::Internals::TakeProbed(vtkDataSet* block)
-{
-  vtkDataSet* probed = vtkDataSet::SafeDownCast(this->Prober->GetOutputDataObject(0));
-  vtkDataSetAttributes* to = block->GetAttributes(
-    this->Self->ResultsOn == CELLS ? vtkDataObject::CELL : vtkDataObject::POINT);
-  vtkPointData* data = probed->GetPointData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(i);
-    const std::string name = array->GetName();
-    const bool isOwn = name.compare(0, 3, "Skd") == 0; // about the points, and not of the source
-    const std::string free = SkdResultName(to, name, this->Settings.Fields.RenamesTaken && !isOwn);
-    if (free.empty())
-    {
-      this->Refused.insert(name);
-      continue;
-    }
-    if (free == name)
-    {
-      to->AddArray(array);
-      continue;
-    }
-    auto renamed = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-    renamed->DeepCopy(array);
-    renamed->SetName(free.c_str());
-    to->AddArray(renamed);
-  }
-}
-
-/// The donor with or without its cells' data, but for ghost marks.
-vtkSmartPointer<vtkDataSet> vtkSkdTreeRemap::Internals::ProbedSource(bool withCellData) const
-{
-  auto source = vtkSmartPointer<vtkDataSet>::Take(this->Donor->NewInstance());
-  source->ShallowCopy(this->Donor);
-  if (!withCellData)
-  {
-    vtkCellData* data = source->GetCellData();
-    vtkSmartPointer<vtkDataArray> ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
-    data->Initialize();
-    data->AddArray(ghosts);
-  }
-  SkdBlankValues(source, vtkDataObject::CELL, this->Settings.Fields);
-  SkdBlankValues(source, vtkDataObject::POINT, this->Settings.Fields);
-  return source;
-}
-
-// The flat cells of a sphere are below it, by up to a twentieth of the radius for cells of 35
-// degrees: points on it are not outside.
-void vtkSkdTreeRemap::Internals::SetUpProber()
-{
-  const bool isOnSphere = this->Settings.Overlap.Space == SkdOverlapSpace::Sphere;
-  this->Prober->ClearGradientArrays();
-  for (const std::string& name : this->Gradients)
-  {
-    this->Prober->AddGradientArray(name.c_str());
-  }
-  if (isOnSphere)
-  {
-    this->Prober->SetMaximumDistance(0.05 * this->RadiusOfInput());
-  }
-  this->Prober->SetOutsidePoints(this->Self->EmptyCells != LEAVE ? vtkSkdTreeProbe::NEAREST_CELL
-      : isOnSphere ? vtkSkdTreeProbe::NEAREST_CELL_WITHIN_DISTANCE
-                   : vtkSkdTreeProbe::LEAVE);
-  this->Prober->SetAbortExecute(0);
-}
-
-// Asked as points of their own, so that nothing of the block's data is in the way.
 void vtkSkdTreeRemap::Internals::Interpolate(
   vtkDataSet* block, bool withCellData, double first, double last)
 {
-  const bool isOfCells = this->Self->ResultsOn == CELLS;
-  this->SetUpProber();
-  this->Prober->SetInputDataObject(
-    SkdCloudOf(isOfCells ? SkdMiddlesOf(block) : SkdPointsOf(block)));
-  this->Prober->SetSourceData(this->ProbedSource(withCellData));
-  Passing passing{ this->Self, first, last };
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&passing);
-  command->SetCallback(&Passing::Pass);
-  this->Prober->AddObserver(vtkCommand::ProgressEvent, command);
-  this->Prober->Update();
-  this->Prober->RemoveObserver(command);
-  this->TakeProbed(block);
+  SkdProbeSettings settings;
+  settings.Fields = this->Settings.Fields;
+  settings.Gradients = this->Gradients;
+  settings.TakesNearest = this->Self->EmptyCells != LEAVE;
+  settings.IsOnSphere = this->Settings.Overlap.Space == SkdOverlapSpace::Sphere;
+  settings.Radius = settings.IsOnSphere ? this->RadiusOfInput() : 0.0;
+  settings.ToCells = this->Self->ResultsOn == CELLS;
+  this->Probe.Map(
+    block, this->Donor, withCellData, settings, this->Self, first, last, this->Refused);
 }
 
 //------------------------------------------------------------------------------
@@ -391,7 +294,7 @@ void vtkSkdTreeRemap::Internals::WriteWeights(const SkdShare& share)
       blocks.push_back({ this->Inputs[block].Mesh, weights });
     }
   }
-  const std::string problem = SkdWriteWeights(file, this->Donor, blocks);
+  const std::string problem = SkdWriteWeights(file, this->Donor, blocks, this->Grids);
   this->Written = problem.empty() ? file : SkdWeightsFileSettings();
   if (!problem.empty())
   {
@@ -474,15 +377,23 @@ void vtkSkdTreeRemap::Internals::Run(
   {
     SkdDropData(this->Outputs);
   }
+  this->Grids = { SkdGridSizesOf(SkdBlocksOf(source)), SkdGridSizesOf(this->Inputs) };
   this->PrepareDonor(source);
   this->Settings = this->MakeSettings();
   this->Settings.WeighsByCosine = this->WeighsByCosine(source);
+  const bool isByFile = this->Self->Method == WEIGHTS_FROM_FILE;
   const bool hasCells = this->FindSpace();
   const auto processes = this->Self->NeedsWhole(0)
     ? nullptr // this one has all
     : SkdProcessesOf(outputVector->GetInformationObject(0));
   this->Begin(hasCells, processes != nullptr);
-  if (hasCells || !this->IsConservative())
+  if (isByFile)
+  {
+    constexpr int wanted[] = { -1, vtkDataObject::CELL, vtkDataObject::POINT };
+    this->Remapper.MapByFile(
+      this->Self->AppliedWeightsFileName, this->Outputs, wanted[this->Self->ResultsOn]);
+  }
+  else if (hasCells || !this->IsConservative())
   {
     this->MapBlocks();
   }
@@ -555,7 +466,7 @@ void vtkSkdTreeRemap::ClearGradientArrays()
 bool vtkSkdTreeRemap::NeedsWhole(int port)
 {
   return (this->ResultsOn == POINTS && this->Method != INTERPOLATION) ||
-    this->Superclass::NeedsWhole(port);
+    this->Method == WEIGHTS_FROM_FILE || this->Superclass::NeedsWhole(port);
 }
 
 int vtkSkdTreeRemap::RequestData(
@@ -583,7 +494,8 @@ void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
     this->MaskArray, "RotateVectors", this->RotateVectors, "PassInputData", this->PassInputData,
     "RenameTakenArrays", this->RenameTakenArrays, "GenerateWeights", this->GenerateWeights,
     "GenerateOverlapMesh", this->GenerateOverlapMesh, "WeightsFileName", this->WeightsFileName,
-    "WeightsFileFormat", this->WeightsFileFormat);
+    "WeightsFileFormat", this->WeightsFileFormat, "AppliedWeightsFileName",
+    this->AppliedWeightsFileName);
   for (const std::string& name : this->Impl->Extensive)
   {
     SkdPrint(os, indent, "ExtensiveArray", name);

@@ -83,7 +83,8 @@ public:
     CONTAINED = 1,
     INTERPOLATION = 2,
     CONSERVATIVE_FIRST_ORDER = 3,
-    CONSERVATIVE_SECOND_ORDER = 4
+    CONSERVATIVE_SECOND_ORDER = 4,
+    WEIGHTS_FROM_FILE = 5
   };
 
   //@{
@@ -99,11 +100,12 @@ public:
    * field is linear on the pieces of curved cells, with the values of the cell's own functions on
    * its sides and the same integral over the cell (of what is quadratic on each piece).
    * CONSERVATIVE_SECOND_ORDER: the same with a gradient in each source cell, see SetLimiter.
+   * WEIGHTS_FROM_FILE: sums by the weights of a file, see SetAppliedWeightsFileName.
    * AUTOMATIC_METHOD (default): cell data conservatively, of first order, and point data by
    * interpolation; where cells of Input and Source are not of one dimension, or surfaces are in no
    * common plane or sphere, all by interpolation.
    */
-  vtkSkdTreeChoiceMacro(Method, AUTOMATIC_METHOD, CONSERVATIVE_SECOND_ORDER);
+  vtkSkdTreeChoiceMacro(Method, AUTOMATIC_METHOD, WEIGHTS_FROM_FILE);
   //@}
 
   enum ResultsOnType
@@ -363,8 +365,11 @@ public:
    * default. It is written again when a mesh or a property has changed. ESMF (default): row, col
    * and S, of first order. SCRIP, of meshes on a sphere: dst_address, src_address and remap_matrix,
    * at second order with the weights of the gradient, without limiter. Cells count from 1, and on
-   * from block to block. The attribute normalization is fracarea (COVERED) or destarea (WHOLE). Of
-   * several processes each writes the weights of its part of Input, with its number before the
+   * from block to block. The attribute normalization is fracarea (COVERED) or destarea (WHOLE);
+   * remap_order of SCRIP is 1 or 2. The grid dimensions of structured grids are theirs, of other
+   * meshes their number of cells. CDO applies the gradient's weights of sources with two
+   * dimensions, and says that it cannot of others; NCO's ncremap leaves them out without a word.
+   * Of several processes each writes the weights of its part of Input, with its number before the
    * file's extension. Needs a build with VTK's netCDF.
    */
   void SetWeightsFileName(VTK_FILEPATH const char* name)
@@ -373,6 +378,28 @@ public:
   }
   VTK_FILEPATH const char* GetWeightsFileName() const { return this->WeightsFileName.c_str(); }
   vtkSkdTreeChoiceMacro(WeightsFileFormat, ESMF, SCRIP);
+  //@}
+
+  //@{
+  /**
+   * The netCDF file whose weights WEIGHTS_FROM_FILE applies, instead of finding any: row, col and S
+   * as of ESMF, TempestRemap, NCO or this filter, or SCRIP's names as of CDO or this filter. Its
+   * numbers are of Source's and Input's cells, or of their points where there are not as many
+   * cells, in their order, from block to block; results go to what is asked for by ResultsOn. Of
+   * second order (three weights) the gradients are those of Source's cells along the sphere, fitted
+   * without limiter. Values that do not count have no share, and the others have their weight.
+   * None by default. It is read again when it has changed. A file that is cut short or of other
+   * meshes is told of, with the sizes, and nothing is mapped. Of several processes the first one
+   * has all of Input.
+   */
+  void SetAppliedWeightsFileName(VTK_FILEPATH const char* name)
+  {
+    this->SetText(this->AppliedWeightsFileName, name);
+  }
+  VTK_FILEPATH const char* GetAppliedWeightsFileName() const
+  {
+    return this->AppliedWeightsFileName.c_str();
+  }
   //@}
 
 protected:
@@ -408,6 +435,7 @@ protected:
   bool GenerateOverlapMesh = false;
   std::string WeightsFileName;
   int WeightsFileFormat = ESMF;
+  std::string AppliedWeightsFileName;
 
 private:
   vtkSkdTreeRemap(const vtkSkdTreeRemap&) = delete;

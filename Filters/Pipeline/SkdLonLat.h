@@ -32,6 +32,22 @@ inline skd::Vector3 SkdLonLatOf(const skd::Vector3& x)
   return { { longitude < 0.0 ? longitude + 360.0 : longitude, latitude, skd::Norm(x) } };
 }
 
+/// Along the parallel and the meridian, of length 1. A pole's are those of longitude 0.
+struct SkdLonLatAxes
+{
+  skd::Vector3 East;
+  skd::Vector3 North;
+};
+
+inline SkdLonLatAxes SkdLonLatAxesAt(const skd::Vector3& x)
+{
+  const double across = std::hypot(x[0], x[1]);
+  const double cosine = across > 0.0 ? x[0] / across : 1.0;
+  const double sine = across > 0.0 ? x[1] / across : 0.0;
+  const skd::Vector3 east{ { -sine, cosine, 0.0 } };
+  return { east, Cross((1.0 / Norm(x)) * x, east) };
+}
+
 /// The weight of samples at the poles: as good as nothing, but not nothing.
 constexpr double SkdWeightOfPoles = 1e-12;
 

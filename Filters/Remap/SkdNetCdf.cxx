@@ -30,6 +30,11 @@ public:
     {
       this->AddText(NC_GLOBAL, name.c_str(), text);
     }
+    for (const auto& [name, number] : contents.Integers)
+    {
+      this->Try([&, &name = name, &number = number]
+        { return nc_put_att_int(this->Id, NC_GLOBAL, name.c_str(), NC_INT, 1, &number); });
+    }
     for (const SkdNetCdfContents::Variable& variable : contents.Variables)
     {
       this->Define(variable);

@@ -27,6 +27,7 @@ struct SkdNetCdfContents
 
   std::vector<std::pair<std::string, std::size_t>> Dimensions;
   std::vector<std::pair<std::string, std::string>> Attributes; ///< of the whole file
+  std::vector<std::pair<std::string, int>> Integers;           ///< its attributes that are numbers
   std::vector<Variable> Variables;
 };
 

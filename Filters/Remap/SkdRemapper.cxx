@@ -13,6 +13,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <iterator>
@@ -269,6 +270,80 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
   this->Count(overlaps.GetWeights(), overlaps.IsNew());
   this->AddCoverage(block, overlaps.GetWeights());
   return this->MapFields(block, overlaps, middle, last);
+}
+
+//------------------------------------------------------------------------------
+bool SkdRemapper::ReadFile(const std::string& fileName)
+{
+  if (fileName.empty())
+  {
+    this->Findings.Problem = "There are no weights to apply: set AppliedWeightsFileName.";
+    return false;
+  }
+  const long time = vtksys::SystemTools::ModifiedTime(fileName);
+  if (fileName != this->FileWeights.Name || time != this->FileTime)
+  {
+    this->Findings.Problem = this->FileWeights.Read(fileName);
+    this->FileTime = time;
+    this->FileWeights.Name = this->Findings.Problem.empty() ? fileName : std::string();
+  }
+  return this->Findings.Problem.empty();
+}
+
+void SkdRemapper::AddMapped(const std::vector<SkdBlock>& blocks, int type,
+  const SkdDonorField& field, const std::vector<double>& values)
+{
+  auto first = values.begin();
+  for (const SkdBlock& block : blocks)
+  {
+    const auto last = first + block.Mesh->GetNumberOfElements(type) * field.Components;
+    SkdAddRemapped(block.Mesh->GetAttributes(type), field, std::vector<double>(first, last),
+      this->Settings.Fields.RenamesTaken, this->Findings.Fields);
+    first = last;
+  }
+}
+
+void SkdRemapper::AddValid(
+  const std::vector<SkdBlock>& blocks, int type, const std::vector<unsigned char>& isMapped)
+{
+  auto first = isMapped.begin();
+  for (const SkdBlock& block : blocks)
+  {
+    const vtkIdType n = block.Mesh->GetNumberOfElements(type);
+    const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
+    std::copy(first, first + n, valid->GetPointer(0));
+    block.Mesh->GetAttributes(type)->AddArray(valid);
+    first += n;
+  }
+  this->Findings.EmptyCells += std::count(isMapped.begin(), isMapped.end(), 0);
+}
+
+void SkdRemapper::MapByFile(
+  const std::string& fileName, const std::vector<SkdBlock>& blocks, int wanted)
+{
+  if (!this->ReadFile(fileName))
+  {
+    return;
+  }
+  SkdFileRemap remap(this->FileWeights, this->Donor, blocks, this->Algorithm);
+  this->Findings.Problem = remap.Match(wanted);
+  if (!this->Findings.Problem.empty())
+  {
+    return;
+  }
+  const SkdFileMeshes& meshes = remap.GetMeshes();
+  std::vector<unsigned char> isMapped;
+  for (const SkdDonorField& field :
+    meshes.SourceType == vtkDataObject::CELL ? this->CellFields : this->PointFields)
+  {
+    std::vector<unsigned char> isOfField;
+    this->AddMapped(blocks, meshes.TargetType, field, remap.Map(field, isOfField));
+    isMapped = isMapped.empty() ? isOfField : isMapped;
+  }
+  if (!isMapped.empty())
+  {
+    this->AddValid(blocks, meshes.TargetType, isMapped);
+  }
 }
 
 //------------------------------------------------------------------------------

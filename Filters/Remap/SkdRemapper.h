@@ -9,6 +9,7 @@
 #define SkdRemapper_h
 
 #include "Remap/SkdContainedMean.h"
+#include "Remap/SkdFileRemap.h"
 #include "Remap/SkdKeptOverlaps.h"
 #include "Remap/SkdRemapFindings.h"
 
@@ -53,6 +54,11 @@ public:
   bool MapConservative(vtkDataSet* block, std::size_t index, double first, double last);
   ///@}
 
+  /// Applies the weights of a file to all blocks, whose cells or points count on from block to
+  /// block. Results go to what `wanted` says (vtkDataObject's type), or, if it is -1, to what the
+  /// file is of. What is wrong is among the findings.
+  void MapByFile(const std::string& fileName, const std::vector<SkdBlock>& blocks, int wanted);
+
   /// Of a block that was mapped conservatively in this run; nullptr if there are none.
   const SkdOverlapWeights* GetWeights(std::size_t index) const;
 
@@ -75,6 +81,11 @@ private:
   void AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& counts);
   void AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weights);
   void Count(const SkdOverlapWeights& weights, bool isNew);
+  bool ReadFile(const std::string& fileName);
+  void AddMapped(const std::vector<SkdBlock>& blocks, int type, const SkdDonorField& field,
+    const std::vector<double>& values);
+  void AddValid(
+    const std::vector<SkdBlock>& blocks, int type, const std::vector<unsigned char>& isMapped);
   bool MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double first, double last);
 
   vtkSmartPointer<vtkDataSet> Donor;
@@ -87,6 +98,8 @@ private:
   KeptSamples OfCells;
   std::deque<SkdKeptOverlaps> Overlaps; // one a block of the target
   std::vector<bool> HasWeights;
+  SkdFileWeights FileWeights; // kept while the file is the same
+  long FileTime = 0;
 };
 
 #endif

@@ -7,13 +7,17 @@
 #include "Remap/SkdNetCdf.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -63,6 +67,7 @@ struct Grid
   Numbers Areas;
   Numbers Fractions;
   std::vector<int> Mask;
+  std::vector<int> Sizes; ///< along each dimension, the first varies fastest
 
   std::size_t Size() const { return this->Areas.size(); }
 
@@ -83,6 +88,12 @@ struct Grid
       this->Fractions.push_back(whole > 0.0 ? cells.Covered[i] / whole : 0.0);
       this->Mask.push_back(whole > 0.0 ? 1 : 0);
     }
+  }
+
+  /// Of a mesh without dimensions all its cells are along one.
+  void SetSizes(const std::vector<int>& sizes)
+  {
+    this->Sizes = sizes.empty() ? std::vector<int>{ static_cast<int>(this->Size()) } : sizes;
   }
 
   /// Of cells with fewer corners than others the last repeats, of those with none the centre.
@@ -122,12 +133,8 @@ struct Links
   /// The integral of (x - centroid) along the parallel and along the meridian, of the unit sphere.
   static std::array<double, 2> AlongAxes(const Vector3& moment, const Vector3& centroid)
   {
-    const double across = std::hypot(centroid[0], centroid[1]);
-    const double cosine = across > 0.0 ? centroid[0] / across : 1.0;
-    const double sine = across > 0.0 ? centroid[1] / across : 0.0;
-    const Vector3 up = (1.0 / Norm(centroid)) * centroid;
-    const Vector3 east{ { -sine, cosine, 0.0 } };
-    return { Dot(moment, east), Dot(moment, Cross(up, east)) };
+    const SkdLonLatAxes axes = SkdLonLatAxesAt(centroid);
+    return { Dot(moment, axes.East), Dot(moment, axes.North) };
   }
 
   void Add(const SkdOverlapWeights& weights, SkdNormalization normalization, std::size_t firstRow)
@@ -165,7 +172,7 @@ struct Weights
 };
 
 Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks)
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids)
 {
   const bool isOnSphere = settings.Space == SkdOverlapSpace::Sphere;
   Weights all;
@@ -192,6 +199,8 @@ Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
       all.Target.AddCorners(block.Target);
     }
   }
+  all.Source.SetSizes(grids.Source);
+  all.Target.SetSizes(grids.Target);
   return all;
 }
 
@@ -204,10 +213,10 @@ void AddEsmfGrid(
   const std::string rank = suffix == "_a" ? "src_grid_rank" : "dst_grid_rank";
   const std::string units = isOnSphere ? "degrees" : "1";
   contents.Dimensions.emplace_back(cells, grid.Size());
-  contents.Dimensions.emplace_back(rank, 1);
+  contents.Dimensions.emplace_back(rank, grid.Sizes.size());
   auto& variables = contents.Variables;
-  variables.push_back({ suffix == "_a" ? "src_grid_dims" : "dst_grid_dims", { rank }, "",
-    std::vector<int>{ static_cast<int>(grid.Size()) } });
+  variables.push_back(
+    { suffix == "_a" ? "src_grid_dims" : "dst_grid_dims", { rank }, "", std::move(grid.Sizes) });
   variables.push_back({ "xc" + suffix, { cells }, units, std::move(grid.Centres[0]) });
   variables.push_back({ "yc" + suffix, { cells }, units, std::move(grid.Centres[1]) });
   if (isOnSphere)
@@ -248,14 +257,14 @@ void AddScripGrid(Grid& grid, const std::string& prefix, SkdNetCdfContents& cont
   const std::string rank = prefix + "_grid_rank";
   contents.Dimensions.emplace_back(cells, grid.Size());
   contents.Dimensions.emplace_back(corners, grid.CornersPerCell);
-  contents.Dimensions.emplace_back(rank, 1);
+  contents.Dimensions.emplace_back(rank, grid.Sizes.size());
   const auto add =
     [&](const char* name, std::vector<std::string> dimensions, const char* units, auto&& values)
   {
     contents.Variables.push_back(
       { prefix + name, std::move(dimensions), units, std::forward<decltype(values)>(values) });
   };
-  add("_grid_dims", { rank }, "", std::vector<int>{ static_cast<int>(grid.Size()) });
+  add("_grid_dims", { rank }, "", std::move(grid.Sizes));
   add("_grid_center_lat", { cells }, "degrees", std::move(grid.Centres[1]));
   add("_grid_center_lon", { cells }, "degrees", std::move(grid.Centres[0]));
   add("_grid_corner_lat", { cells, corners }, "degrees", std::move(grid.Corners[1]));
@@ -276,6 +285,7 @@ void AddScrip(Weights& all, SkdNetCdfContents& contents)
   contents.Variables.push_back({ "dst_address", { "num_links" }, "", std::move(all.Matrix.Rows) });
   contents.Variables.push_back(
     { "remap_matrix", { "num_links", "num_wgts" }, "", std::move(all.Matrix.Weights) });
+  contents.Integers.emplace_back("remap_order", all.Matrix.WeightsPerLink > 1 ? 2 : 1);
   contents.Attributes.emplace_back("conventions", "SCRIP");
   contents.Attributes.emplace_back("source_grid", "Source");
   contents.Attributes.emplace_back("dest_grid", "Input");
@@ -313,8 +323,33 @@ bool SkdWeightsFileSettings::operator==(const SkdWeightsFileSettings& other) con
     std::tie(other.Name, other.Format, other.Space, other.Normalization, other.WithGradients);
 }
 
+std::vector<int> SkdGridSizesOf(const std::vector<SkdBlock>& blocks)
+{
+  std::vector<int> sizes;
+  if (blocks.size() == 1)
+  {
+    int points[3] = { 1, 1, 1 };
+    if (auto* image = vtkImageData::SafeDownCast(blocks.front().Mesh))
+    {
+      image->GetDimensions(points);
+    }
+    else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(blocks.front().Mesh))
+    {
+      rectilinear->GetDimensions(points);
+    }
+    else if (auto* structured = vtkStructuredGrid::SafeDownCast(blocks.front().Mesh))
+    {
+      structured->GetDimensions(points);
+    }
+    std::transform(points, points + 3, points, [](int number) { return number - 1; });
+    std::copy_if(
+      points, points + 3, std::back_inserter(sizes), [](int number) { return number > 0; });
+  }
+  return sizes.size() == 2 ? sizes : std::vector<int>();
+}
+
 std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks)
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids)
 {
   std::string problem = ProblemOf(settings, donor, blocks);
   if (!problem.empty())
@@ -326,7 +361,7 @@ std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* 
   contents.Attributes = { { "title", "Weights of vtkSkdTreeRemap" },
     { "normalization", isWhole ? "destarea" : "fracarea" },
     { "map_method", "Conservative remapping" } };
-  Weights all = Gather(settings, donor, blocks);
+  Weights all = Gather(settings, donor, blocks, grids);
   if (settings.Format == SkdWeightsFormat::Scrip)
   {
     AddScrip(all, contents);

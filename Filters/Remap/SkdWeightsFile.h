@@ -8,6 +8,7 @@
 #ifndef SkdWeightsFile_h
 #define SkdWeightsFile_h
 
+#include "Pipeline/SkdBlocks.h"
 #include "Remap/SkdConservativeRemap.h"
 
 #include <string>
@@ -40,13 +41,25 @@ struct SkdWeightsBlock
   const SkdOverlapWeights* Weights;
 };
 
+/// What is told of the donor and of the target beside their cells.
+struct SkdWeightsGrids
+{
+  std::vector<int> Source;
+  std::vector<int> Target;
+};
+
+/// How many cells a structured grid of two dimensions has along each, the first varies fastest.
+/// Empty of other meshes, and of several blocks.
+std::vector<int> SkdGridSizesOf(const std::vector<SkdBlock>& blocks);
+
 /// Writes the weights of all blocks of a target, whose cells count on from block to block. Cells
 /// count from 1. On a sphere centres and corners are longitudes and latitudes in degrees and areas
 /// are of the unit sphere; else centres are Cartesian (ESMF only, with zc_a and zc_b) and areas,
 /// lengths or volumes as they are. SCRIP's second and third weight are those of the derivatives by
 /// latitude, and by longitude over the cosine of the latitude, at the Cartesian centroid of the
-/// source cell. What is wrong, a sentence; empty if nothing is.
+/// source cell; the attribute remap_order is then 2, by which other programs know. What is wrong, a
+/// sentence; empty if nothing is.
 std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks);
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids);
 
 #endif

@@ -9,6 +9,8 @@
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
+#include "vtkImageData.h"
+
 #include <gtest/gtest.h>
 
 #ifdef SKDTREE_HAS_NETCDF
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 using namespace skdtest;
 
@@ -86,6 +89,11 @@ struct Pair
   PolyDataPointer Source = WithCellArray(MakePolyData(this->From), "f", this->Averages);
   PolyDataPointer Input = MakePolyData(this->To);
 };
+
+std::vector<double> Ones(std::size_t size)
+{
+  return std::vector<double>(size, 1.0);
+}
 
 RemapPointer WriteFile(
   vtkDataObject* input, vtkDataObject* source, const std::string& name, int method, int format)
@@ -245,6 +253,104 @@ TEST(RemapWeightsFile, IsWrittenAgainOnlyWhenSomethingChanged)
   remap->SetWeightsFileFormat(Remap::SCRIP);
   remap->Update();
   EXPECT_EQ(File(name).Text("conventions"), "SCRIP");
+}
+
+TEST(RemapWeightsFile, GridDimensionsAreThoseOfStructuredGrids)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(4, 3, 1);
+  const std::string name = TemporaryFile("weights_sizes.nc");
+  WriteFile(
+    image, MakePolyData(Sheet(3, VTK_QUAD)), name, Remap::CONSERVATIVE_FIRST_ORDER, Remap::ESMF);
+  const File file(name);
+  EXPECT_EQ(file.Size("src_grid_rank"), 1u);
+  EXPECT_EQ(file.Read("src_grid_dims", 1), (std::vector<double>{ 9 }));
+  EXPECT_EQ(file.Size("dst_grid_rank"), 2u);
+  EXPECT_EQ(file.Read("dst_grid_dims", 2), (std::vector<double>{ 3, 2 }));
+}
+
+namespace
+{
+/// A remap that applies a file, and its warning.
+struct Applied
+{
+  RemapPointer Filter;
+  EventCounter Events;
+
+  Applied(const std::string& name, vtkDataObject* input, vtkDataObject* source)
+    : Filter(MakeRemap(input, source, Remap::WEIGHTS_FROM_FILE))
+    , Events(Filter)
+  {
+    this->Filter->SetAppliedWeightsFileName(name.c_str());
+    this->Filter->Update();
+  }
+};
+}
+
+TEST(RemapWeightsFile, FilesAreApplied)
+{
+  const Pair pair;
+  const std::string name = TemporaryFile("weights_applied.nc");
+  for (const int form : { Remap::ESMF, Remap::SCRIP })
+  {
+    const RemapPointer remap =
+      WriteFile(pair.Input, pair.Source, name, Remap::CONSERVATIVE_FIRST_ORDER, form);
+    const std::vector<double> own = RemappedCells(remap, "f");
+    const Applied applied(name, pair.Input, pair.Source);
+    const std::vector<double> values = RemappedCells(applied.Filter, "f");
+    EXPECT_EQ(applied.Events.Warnings, 0);
+    ASSERT_EQ(values.size(), own.size());
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      ASSERT_NEAR(values[i], own[i], 1e-14);
+    }
+  }
+}
+
+// What does not count has no share, and what is in no entry has no value.
+TEST(RemapWeightsFile, AppliedWithMissingValuesAndWithoutEntries)
+{
+  const Mesh from = Sheet(4, VTK_QUAD);
+  const GridPointer input = MakeGrid(Placed(Sheet(3, VTK_QUAD), 2.0, { 0, 0, 0 }));
+  std::vector<double> values(16, 3.0);
+  values[0] = std::numeric_limits<double>::quiet_NaN();
+  const GridPointer source = WithCellArray(MakeGrid(from), "f", values);
+  const std::string name = TemporaryFile("weights_missing.nc");
+  WriteFile(input, source, name, Remap::CONSERVATIVE_FIRST_ORDER, Remap::ESMF);
+  const Applied applied(name, input, source);
+  const std::vector<double> mapped = RemappedCells(applied.Filter, "f");
+  EXPECT_NEAR(mapped[0], 3.0, 1e-15);
+  EXPECT_TRUE(std::isnan(mapped[2]));
+  EXPECT_EQ(
+    RemappedCells(applied.Filter, "SkdValid"), (std::vector<double>{ 1, 1, 0, 1, 1, 0, 0, 0, 0 }));
+  EXPECT_EQ(Reported(applied.Filter, "InputCellsEmpty"), 5);
+}
+
+TEST(RemapWeightsFile, FilesOfOtherMeshesAndBrokenOnesAreNotApplied)
+{
+  const Pair pair;
+  const std::string name = TemporaryFile("weights_other.nc");
+  WriteFile(pair.Input, pair.Source, name, Remap::CONSERVATIVE_FIRST_ORDER, Remap::ESMF);
+  const PolyDataPointer other = WithCellArray(MakePolyData(CubedSphere(3)), "f", Ones(54));
+  const Applied toOther(name, other, pair.Source);
+  EXPECT_NE(toOther.Events.Warning.find("from 384 to 362 cells or points. Source has 384 cells and "
+                                        "386 points, Input 54 cells and 56 points"),
+    std::string::npos)
+    << toOther.Events.Warning;
+  EXPECT_EQ(Applied(name, pair.Input, other).Events.Warnings, 1);
+  EXPECT_EQ(Applied("", pair.Input, pair.Source).Events.Warnings, 1);
+  EXPECT_EQ(Applied(name + ".none", pair.Input, pair.Source).Events.Warnings, 1);
+  std::ifstream whole(name, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(whole), {});
+  for (const std::size_t less : { 1u, 8u, 700u, 5000u, 40000u })
+  {
+    const std::string cut = TemporaryFile("weights_cut.nc");
+    std::ofstream(cut, std::ios::binary) << bytes.substr(0, bytes.size() - less);
+    const Applied applied(cut, pair.Input, pair.Source);
+    EXPECT_NE(applied.Events.Warning.find("was cut short: it has"), std::string::npos) << less;
+    EXPECT_EQ(applied.Events.Warnings, 1);
+    EXPECT_TRUE(RemappedCells(applied.Filter, "f").empty());
+  }
 }
 
 TEST(RemapWeightsFile, SaysWhyThereIsNone)
