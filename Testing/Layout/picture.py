@@ -65,7 +65,7 @@ def draw(plan):
     lines = ["flowchart TD"]
     for box, name in names.items():
         within = [row.rpartition("/")[2] for row, _ in plan.folders
-            if box_of(row) == box and row.startswith(box + "/")]
+            if box_of(row) == box and row.startswith(box + "/") and "." not in row]
         lines.append('  %s["%s%s"]' % (name, box, "<br>" + ", ".join(within) if within else ""))
     for box, others in arrows.items():
         implied = set().union(*(reach(arrows, other) for other in others)) if others else set()
