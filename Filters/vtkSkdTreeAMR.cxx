@@ -12,10 +12,14 @@
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
+#include "Remap/SkdRemapMeshes.h"
+#include "Remap/SkdRemapper.h"
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -206,6 +210,37 @@ SkdGridEstimate Refine(
   WarnAbout(self, grid, state.Parts, estimate);
   return estimate;
 }
+
+/// The arrays of the field on the cells of the grid.
+std::vector<SkdGridField> FindFields(
+  vtkSkdTreeAMR* self, const SkdGrid& grid, vtkDataObject* field, double first, double last)
+{
+  std::set<std::string> partial;
+  const vtkSmartPointer<vtkDataSet> donor = SkdJoinBlocks(SkdBlocksOf(field), partial);
+  const int dimension = grid.Lattice.Dimension();
+  if (SkdDimensionOf(donor) != dimension)
+  {
+    vtkWarningWithObjectMacro(self,
+      "ComputeField is ignored: the field has no cells of the dimension of the grid, " << dimension
+                                                                                       << ".");
+    return {};
+  }
+  constexpr SkdOverlapSpace spaces[] = { SkdOverlapSpace::Line, SkdOverlapSpace::Line,
+    SkdOverlapSpace::Plane, SkdOverlapSpace::Volume };
+  SkdRemapSettings settings;
+  settings.Overlap.Space = spaces[dimension];
+  settings.IsSecondOrder = true;
+  vtkNew<vtkUnstructuredGrid> leafMesh;
+  const std::vector<SkdGridCell> leaves = SkdMakeUnstructuredGrid(grid, leafMesh);
+  SkdRemapper remapper;
+  remapper.Begin(donor, settings, self);
+  remapper.MapConservative(leafMesh, 0, first, last);
+  for (const std::string& warning : remapper.GetFindings().GetWarnings())
+  {
+    vtkWarningWithObjectMacro(self, "The field on the grid (as Source): " << warning);
+  }
+  return SkdSpreadFields(grid, leaves, leafMesh->GetCellData(), SkdRemapNames::Coverage);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -277,8 +312,12 @@ int vtkSkdTreeAMR::RequestData(
   OwnPiece(*grid, outputVector->GetInformationObject(0));
   const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
   const SkdGridEstimate estimate = Refine(this, state, processes.get(), *grid);
-  const SkdGridExtras extras =
-    SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Enclosure, this, 0.6, 0.9);
+  SkdGridExtras extras =
+    SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Enclosure, this, 0.6, 0.85);
+  if (this->ComputeField)
+  {
+    extras.Fields = FindFields(this, *grid, vtkDataObject::GetData(inputVector[2]), 0.85, 0.95);
+  }
   const double refineSeconds = watch.Lap();
 
   SkdFillGridOutput(*grid, extras, state.Parts.GetBlockIndices(), this->Conforming, output);
@@ -296,6 +335,7 @@ void vtkSkdTreeAMR::PrintSelf(ostream& os, vtkIndent indent)
     "BaseBounds", this->BaseBounds, "BaseDimensions", this->BaseDimensions, "BaseCellSize",
     this->BaseCellSize, "BranchFactor", this->BranchFactor, "ComputeInside", this->ComputeInside,
     "ComputeVolumeFraction", this->ComputeVolumeFraction, "ComputeDistance", this->ComputeDistance,
-    "OutputType", this->OutputType, "Conforming", this->Conforming);
+    "ComputeField", this->ComputeField, "OutputType", this->OutputType, "Conforming",
+    this->Conforming);
 }
 VTK_ABI_NAMESPACE_END

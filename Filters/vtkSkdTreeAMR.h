@@ -37,6 +37,7 @@
  * | SkdInside         | uchar  | by choice, see ComputeInside                                   |
  * | SkdVolumeFraction | double | by choice, see ComputeVolumeFraction                           |
  * | SkdDistance       | double | by choice, see ComputeDistance                                 |
+ * | SkdCoverage       | double | by choice, see ComputeField: the share that the field covers   |
  * (The flat block index is 0 where Input is not composite.)
  *
  * Field data: SkdReportCells (leaves), SkdReportCutCells (cut leaves), SkdReportAllCells (including
@@ -179,6 +180,17 @@ public:
 
   //@{
   /**
+   * Give cells the arrays of the field (all of them, points' and cells', but strings) as arrays of
+   * doubles: their means over the part of the cell that the field covers, conservative of second
+   * order with limited gradients, as by vtkSkdTreeRemap. Integrals over the grid, times
+   * SkdCoverage, are those over the field where the grid is, to rounding; refined cells have the
+   * means of their children. The field must have cells of the grid's dimension. Default off.
+   */
+  vtkSkdTreeSwitchMacro(ComputeField);
+  //@}
+
+  //@{
+  /**
    * Compute SkdDistance: the distance of the centre of each cell from the nearest part. With
    * ComputeInside it is negative inside. Default off.
    */
@@ -220,6 +232,7 @@ protected:
   bool ComputeInside = false;
   bool ComputeVolumeFraction = false;
   bool ComputeDistance = false;
+  bool ComputeField = false;
   int OutputType = HYPER_TREE_GRID;
   bool Conforming = false;
 

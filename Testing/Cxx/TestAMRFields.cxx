@@ -9,6 +9,7 @@
 
 #include "Core/Geometry/Box.h"
 #include "Meshing/Refine/SkdSecondDifference.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -184,4 +185,91 @@ TEST(AMRFields, ConstantAndEmptyArraysRefineNothing)
       EXPECT_EQ(RunLeaves(filter).size(), 64u) << test << name;
     }
   }
+}
+
+namespace
+{
+
+/// The sum of a cell array times volumes and coverages.
+double IntegralOf(vtkDataSet* leaves, const char* name)
+{
+  double sum = 0.0;
+  for (vtkIdType cell = 0; cell < leaves->GetNumberOfCells(); ++cell)
+  {
+    Bounds b;
+    leaves->GetCellBounds(cell, b.data());
+    double volume = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double length = b[2 * axis + 1] - b[2 * axis];
+      volume *= length > 0.0 ? length : 1.0;
+    }
+    const double covered = leaves->GetCellData()->GetArray("SkdCoverage")->GetTuple1(cell);
+    const double value = leaves->GetCellData()->GetArray(name)->GetTuple1(cell);
+    sum += covered > 0.0 ? volume * covered * value : 0.0;
+  }
+  return sum;
+}
+
+}
+
+TEST(AMRFields, CellsHaveTheFieldConservatively)
+{
+  const auto field = MakeFields(12,
+    { { "linear", [](const Point& x) { return 1.0 + x[0] - 2.0 * x[1] + 3.0 * x[2]; } },
+      { "hill", [](const Point& x) { return std::exp(-20.0 * std::pow(x[0] - 0.3, 2)); } } });
+  for (const bool isPartly : { false, true })
+  {
+    AMRPointer filter = MakeAMRIn(MakePolyData(Placed(SphereTriangles(8), 0.2, { 0.3, 0.4, 0.5 })),
+      3, isPartly ? Bounds{ -0.5, 1.25, -0.25, 1.5, -0.125, 1.0 } : Square);
+    filter->SetBaseDimensions(3, 3, 3);
+    filter->SetFieldData(field);
+    filter->ComputeFieldOn();
+    EventCounter events(filter);
+    RunLeaves(filter);
+    EXPECT_EQ(events.Errors, 0);
+    auto* leaves = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    // Of trilinear cells the mean of the points is the mean of the cell.
+    double sums[2] = { 0.0, 0.0 };
+    for (vtkIdType cell = 0; cell < field->GetNumberOfCells(); ++cell)
+    {
+      vtkIdList* ids = field->GetCell(cell)->GetPointIds();
+      for (vtkIdType i = 0; i < 8; ++i)
+      {
+        for (int k = 0; k < 2; ++k)
+        {
+          sums[k] +=
+            field->GetPointData()->GetArray(k)->GetTuple1(ids->GetId(i)) / 8.0 / std::pow(12.0, 3);
+        }
+      }
+    }
+    EXPECT_NEAR(IntegralOf(leaves, "linear"), sums[0], 1e-12);
+    EXPECT_NEAR(IntegralOf(leaves, "hill"), sums[1], 1e-12);
+  }
+}
+
+TEST(AMRFields, RefinedCellsHaveTheMeansOfTheirChildren)
+{
+  const auto field = MakeFields(8, { { "x", [](const Point& x) { return x[0]; } } });
+  AMRPointer filter = MakeAMRIn(MakeQueries({ { 0.1, 0.1, 0.1 } }), 3, Square);
+  filter->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
+  filter->SetBaseDimensions(1, 1, 1);
+  filter->SetFieldData(field);
+  filter->ComputeFieldOn();
+  filter->Update();
+  auto* data = filter->GetOutputDataObject(0)->GetAttributes(vtkDataObject::CELL);
+  ASSERT_TRUE(data->GetArray("x"));
+  EXPECT_NEAR(data->GetArray("x")->GetTuple1(0), 0.5, 1e-14);
+  EXPECT_EQ(data->GetArray("SkdCoverage")->GetTuple1(0), 1.0);
+}
+
+TEST(AMRFields, AFieldOfAnotherDimensionIsWarnedOf)
+{
+  AMRPointer filter = MakeAMRIn(MakePolyData(SphereTriangles(4)), 2, Square);
+  filter->SetFieldData(MakePolyData(SphereTriangles(4)));
+  filter->ComputeFieldOn();
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Warnings, 1);
+  EXPECT_NE(events.Warning.find("ComputeField is ignored"), std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include "Meshing/Refine/SkdGridArrays.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Pipeline/SkdMakeArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkUnsignedCharArray.h"
@@ -28,6 +29,22 @@ vtkSmartPointer<vtkDataArray> MakeArray(
     {
       const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
       array->SetValue(i, value(at.Level, at.Index));
+    });
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> MakeFieldArray(
+  const SkdGridField& field, const std::vector<SkdGridCell>& cells)
+{
+  const auto components = static_cast<std::size_t>(field.Components);
+  const auto array = SkdMakeArray<vtkDoubleArray>(
+    field.Name.c_str(), field.Components, static_cast<vtkIdType>(cells.size()));
+  SkdForEach(array->GetNumberOfTuples(),
+    [&](vtkIdType i)
+    {
+      const SkdGridCell& at = cells[static_cast<std::size_t>(i)];
+      array->SetTypedTuple(
+        i, field.Values[static_cast<std::size_t>(at.Level)].data() + at.Index * components);
     });
   return array;
 }
@@ -67,6 +84,10 @@ std::vector<vtkSmartPointer<vtkDataArray>> SkdGridArrays::Make(const SkdGrid& gr
   {
     arrays.push_back(MakeArray<vtkDoubleArray>(
       DistanceName, cells, [&](int level, Index cell) { return extras.Distances[level][cell]; }));
+  }
+  for (const SkdGridField& field : extras.Fields)
+  {
+    arrays.push_back(MakeFieldArray(field, cells));
   }
   return arrays;
 }

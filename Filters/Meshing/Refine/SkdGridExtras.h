@@ -9,7 +9,7 @@
 #define SkdGridExtras_h
 
 #include "Bodies/SkdParts.h"
-#include "Meshing/Refine/SkdGrid.h"
+#include "Meshing/Refine/SkdGridFields.h"
 
 class SkdEnclosure;
 class vtkAlgorithm;
@@ -20,6 +20,7 @@ struct SkdGridExtras
   std::vector<std::vector<unsigned char>> Inside;
   std::vector<std::vector<double>> Distances; ///< with a sign where Inside is wanted, too
   std::vector<std::vector<double>> Fractions;
+  std::vector<SkdGridField> Fields;
 };
 
 struct SkdGridRequests
