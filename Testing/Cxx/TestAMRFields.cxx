@@ -273,3 +273,21 @@ TEST(AMRFields, AFieldOfAnotherDimensionIsWarnedOf)
   EXPECT_EQ(events.Warnings, 1);
   EXPECT_NE(events.Warning.find("ComputeField is ignored"), std::string::npos);
 }
+
+TEST(AMRFields, TheEstimateOfCellsIsRightToFivePercent)
+{
+  const auto field = MakeFields(
+    48, { { "hill", [](const Point& x) {
+             return std::exp(-30.0 * (std::pow(x[0] - 0.3, 2) + std::pow(x[1] - x[2], 2)));
+           } } });
+  for (const int test : { vtkSkdTreeAMR::DIFFERENCE, vtkSkdTreeAMR::SECOND_DIFFERENCE })
+  {
+    AMRPointer filter = MakeFieldAMR(field, 3);
+    filter->AddFieldArray("hill");
+    filter->SetFieldTest(test);
+    filter->SetFieldThreshold(0.1);
+    filter->Update();
+    EXPECT_GT(Reported(filter, "AllCells"), 5000);
+    EXPECT_NEAR(Reported(filter, "EstimatedCells") / Reported(filter, "AllCells"), 1.0, 0.05);
+  }
+}

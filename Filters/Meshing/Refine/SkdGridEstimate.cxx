@@ -7,7 +7,7 @@
 
 namespace
 {
-constexpr std::size_t SampledFamilies = 512; // of each level
+constexpr std::size_t SampledFamilies = 1536; // of each level
 
 /// All cells, if so many are to be refined at each level.
 double CountCells(
