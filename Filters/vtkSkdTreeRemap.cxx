@@ -45,6 +45,9 @@ private:
   double RadiusOfInput() const;
   bool IsOfOneDimension() const;
   void PrepareDonor(vtkDataObject* source);
+  void PrepareTarget();
+  void FinishTarget();
+  std::string HintOf() const;
   SkdRemapSettings MakeSettings() const;
   bool WeighsByCosine(vtkDataObject* source) const;
   bool IsConservative() const;
@@ -67,6 +70,7 @@ private:
   // Of one run:
   std::vector<SkdBlock> Inputs;  // of the input
   std::vector<SkdBlock> Outputs; // the same, to add arrays to
+  std::vector<SkdBlock> Given;   // the outputs, where these were moved to a sphere
   vtkSmartPointer<vtkDataSet> Donor;
   std::set<std::string> PartialArrays; // of the donor
   SkdWeightsGrids Grids;
@@ -136,11 +140,60 @@ bool vtkSkdTreeRemap::Internals::IsOfOneDimension() const
 void vtkSkdTreeRemap::Internals::PrepareDonor(vtkDataObject* source)
 {
   this->Donor = SkdJoinBlocks(SkdBlocksOf(source), this->PartialArrays);
+  this->PrepareTarget();
   if (this->Self->SourceCoordinates == LONGITUDE_LATITUDE)
   {
     const double radius = this->RadiusOfInput();
     this->Donor = SkdMovedToSphere(this->Donor, radius > 0.0 ? radius : 1.0);
   }
+}
+
+// Results are made on the moved mesh, and go to the one that was given.
+void vtkSkdTreeRemap::Internals::PrepareTarget()
+{
+  this->Given.clear();
+  if (this->Self->InputCoordinates != LONGITUDE_LATITUDE)
+  {
+    return;
+  }
+  const bool isFree = this->Self->SourceCoordinates == LONGITUDE_LATITUDE;
+  const double radius = isFree ? 1.0 : SkdRadiusOf(this->Donor).value_or(1.0);
+  this->Given = this->Outputs;
+  for (std::size_t i = 0; i < this->Outputs.size(); ++i)
+  {
+    this->Inputs[i].Mesh = SkdMovedToSphere(this->Inputs[i].Mesh, radius);
+    this->Outputs[i].Mesh = SkdMovedToSphere(this->Outputs[i].Mesh, radius);
+  }
+}
+
+void vtkSkdTreeRemap::Internals::FinishTarget()
+{
+  for (std::size_t i = 0; i < this->Given.size(); ++i)
+  {
+    for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      this->Given[i].Mesh->GetAttributes(type)->ShallowCopy(
+        this->Outputs[i].Mesh->GetAttributes(type));
+    }
+  }
+  this->Given.clear();
+}
+
+std::string vtkSkdTreeRemap::Internals::HintOf() const
+{
+  const auto isLonLat = [](const SkdBlock& block) { return SkdMayBeLonLat(block.Mesh); };
+  const bool isInputGiven = this->Self->InputCoordinates == AS_GIVEN;
+  const bool isSourceGiven = this->Self->SourceCoordinates == AS_GIVEN;
+  if (isInputGiven && SkdRadiusOf(this->Donor) && !this->Inputs.empty() &&
+    std::all_of(this->Inputs.begin(), this->Inputs.end(), isLonLat))
+  {
+    return " Source is on a sphere and Input may be of longitudes and latitudes: if so, set "
+           "InputCoordinates.";
+  }
+  return isSourceGiven && SkdMayBeLonLat(this->Donor) && this->RadiusOfInput() > 0.0
+    ? " Input is on a sphere and Source may be of longitudes and latitudes: if so, set "
+      "SourceCoordinates."
+    : "";
 }
 
 bool vtkSkdTreeRemap::Internals::WeighsByCosine(vtkDataObject* source) const
@@ -170,6 +223,8 @@ SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
   settings.Limiter = static_cast<SkdLimiter>(self->Limiter);
   settings.Statistic = static_cast<SkdStatistic>(self->Statistic);
   settings.Empty = static_cast<SkdEmptyCells>(self->EmptyCells);
+  settings.Extrapolation = { static_cast<SkdExtrapolationMethod>(self->Extrapolation),
+    self->ExtrapolationConstant, self->ExtrapolationNeighbors };
   settings.WithPointFields = self->Method != AUTOMATIC_METHOD;
   settings.ToPoints = self->ResultsOn == POINTS;
   return settings;
@@ -411,11 +466,12 @@ void vtkSkdTreeRemap::Internals::Run(
   }
   this->WriteWeights(SkdShare::Of(outputVector));
   this->WarnAboutFields();
-  for (const std::string& warning : this->Remapper.GetFindings().GetWarnings())
+  for (const std::string& warning : this->Remapper.GetFindings().GetWarnings(this->HintOf()))
   {
     this->Warn(warning);
   }
   this->Report(output, watch.Lap());
+  this->FinishTarget();
   this->Remapper.End();
   this->Inputs.clear();
   this->Outputs.clear();
@@ -485,17 +541,19 @@ void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Method", this->Method, "ResultsOn", this->ResultsOn, "Geometry",
-    this->Geometry, "SourceCoordinates", this->SourceCoordinates, "SourceEdgesAlongParallels",
-    this->SourceEdgesAlongParallels, "InputEdgesAlongParallels", this->InputEdgesAlongParallels,
-    "Statistic", this->Statistic, "SampleWeights", this->SampleWeights, "EmptyCells",
-    this->EmptyCells, "Limiter", this->Limiter, "Normalization", this->Normalization,
-    "MinimumCoverage", this->MinimumCoverage, "MissingValues", this->MissingValues,
-    "UseMissingValue", this->UseMissingValue, "MissingValue", this->MissingValue, "MaskArray",
-    this->MaskArray, "RotateVectors", this->RotateVectors, "PassInputData", this->PassInputData,
-    "RenameTakenArrays", this->RenameTakenArrays, "GenerateWeights", this->GenerateWeights,
-    "GenerateOverlapMesh", this->GenerateOverlapMesh, "WeightsFileName", this->WeightsFileName,
-    "WeightsFileFormat", this->WeightsFileFormat, "AppliedWeightsFileName",
-    this->AppliedWeightsFileName);
+    this->Geometry, "SourceCoordinates", this->SourceCoordinates, "InputCoordinates",
+    this->InputCoordinates, "SourceEdgesAlongParallels", this->SourceEdgesAlongParallels,
+    "InputEdgesAlongParallels", this->InputEdgesAlongParallels, "Statistic", this->Statistic,
+    "SampleWeights", this->SampleWeights, "EmptyCells", this->EmptyCells, "Extrapolation",
+    this->Extrapolation, "ExtrapolationConstant", this->ExtrapolationConstant,
+    "ExtrapolationNeighbors", this->ExtrapolationNeighbors, "Limiter", this->Limiter,
+    "Normalization", this->Normalization, "MinimumCoverage", this->MinimumCoverage, "MissingValues",
+    this->MissingValues, "UseMissingValue", this->UseMissingValue, "MissingValue",
+    this->MissingValue, "MaskArray", this->MaskArray, "RotateVectors", this->RotateVectors,
+    "PassInputData", this->PassInputData, "RenameTakenArrays", this->RenameTakenArrays,
+    "GenerateWeights", this->GenerateWeights, "GenerateOverlapMesh", this->GenerateOverlapMesh,
+    "WeightsFileName", this->WeightsFileName, "WeightsFileFormat", this->WeightsFileFormat,
+    "AppliedWeightsFileName", this->AppliedWeightsFileName);
   for (const std::string& name : this->Impl->Extensive)
   {
     SkdPrint(os, indent, "ExtensiveArray", name);

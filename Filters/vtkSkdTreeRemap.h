@@ -28,6 +28,8 @@
  * | ----------- | ------ | ------ | ---------------------------------------------------- |
  * | SkdValid    | either | uchar  | 1 where there is an answer                           |
  * | SkdCoverage | cells  | double | share of the cell covered by Source; conservative    |
+ * | SkdFraction | cells  | double | the same by source cells that MaskArray lets count:  |
+ * |             |        |        | frac_b of ESMF; conservative                         |
  * | SkdCount    | cells  | idtype | source points, or cells' middles, in it; contained   |
  * and with interpolation those of vtkSkdTreeProbe.
  *
@@ -159,6 +161,15 @@ public:
 
   //@{
   /**
+   * The same of Input's points: cells are mapped on the sphere that Source is on (of radius 1 if it
+   * is on none, too), and the output has Input's own points. Cells between meridians and parallels
+   * need InputEdgesAlongParallels to be taken as such. Default AS_GIVEN.
+   */
+  vtkSkdTreeChoiceMacro(InputCoordinates, AS_GIVEN, LONGITUDE_LATITUDE);
+  //@}
+
+  //@{
+  /**
    * On a sphere, whether cells whose corners lie on two meridians and two parallels are bounded by
    * these instead of by great circles. Of conservative methods, and of Input's cells with
    * CONTAINED. Default off.
@@ -218,6 +229,29 @@ public:
    * same. A SUM over an empty cell is 0. Conservative methods leave cells that are not covered.
    */
   vtkSkdTreeChoiceMacro(EmptyCells, LEAVE, ENCLOSING_BOX);
+  //@}
+
+  enum ExtrapolationType
+  {
+    NO_EXTRAPOLATION = 0,
+    NEAREST_VALUE = 1,
+    CONSTANT_VALUE = 2,
+    INVERSE_DISTANCE = 3
+  };
+
+  //@{
+  /**
+   * What cells get that conservative methods or the weights of a file leave without a value, since
+   * Source, or what of it counts, is not there: NO_EXTRAPOLATION (default), NaN; NEAREST_VALUE, the
+   * value of the nearest source cell or point; CONSTANT_VALUE, ExtrapolationConstant;
+   * INVERSE_DISTANCE, the mean of the nearest ExtrapolationNeighbors (range [1, 1000], default 8)
+   * by the inverse squares of their distances, as ESMF does. From middle to middle of cells.
+   * Vectors are taken by components. Amounts (AddExtensiveArray) are not extrapolated. SkdValid is
+   * 0 there all the same, and nothing is added to integrals. Other methods have EmptyCells.
+   */
+  vtkSkdTreeChoiceMacro(Extrapolation, NO_EXTRAPOLATION, INVERSE_DISTANCE);
+  vtkSkdTreeWithinMacro(ExtrapolationConstant, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
+  vtkSkdTreeWithinMacro(ExtrapolationNeighbors, int, 1, 1000);
   //@}
 
   enum LimiterType
@@ -416,11 +450,15 @@ protected:
   int ResultsOn = AUTOMATIC_RESULTS;
   int Geometry = AUTOMATIC_GEOMETRY;
   int SourceCoordinates = AS_GIVEN;
+  int InputCoordinates = AS_GIVEN;
   bool SourceEdgesAlongParallels = false;
   bool InputEdgesAlongParallels = false;
   int Statistic = MEAN;
   int SampleWeights = AUTOMATIC_WEIGHTS;
   int EmptyCells = NEAREST;
+  int Extrapolation = NO_EXTRAPOLATION;
+  double ExtrapolationConstant = 0.0;
+  int ExtrapolationNeighbors = 8;
   int Limiter = BARTH_JESPERSEN;
   int Normalization = COVERED;
   double MinimumCoverage = 0.0;

@@ -33,6 +33,7 @@ public:
   /// `weights`: positive, one a point, or none: all are 1. See SkdSampleTree.
   SkdContainedMean(std::vector<skd::Vector3> points, std::vector<double> weights, bool isOnSphere);
 
+  const SkdSampleTree& GetTree() const { return this->Tree; }
   bool IsOnSphere() const { return this->Tree.IsOnSphere(); }
   std::size_t GetNumberOfPoints() const { return this->Tree.GetNumberOfPoints(); }
   double GetWeight(std::uint32_t i) const { return this->Weights.empty() ? 1.0 : this->Weights[i]; }

@@ -16,26 +16,6 @@
 
 namespace
 {
-/// Whether each tuple counts by the ghost marks and the mask.
-std::vector<unsigned char> FindCounts(
-  vtkDataSetAttributes* data, int type, vtkIdType n, const SkdFieldRules& rules)
-{
-  std::vector<unsigned char> counts(static_cast<std::size_t>(n), 1);
-  auto* ghosts =
-    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const int unwanted = type == vtkDataObject::CELL ? vtkDataSetAttributes::DUPLICATECELL |
-      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL
-                                                   : vtkDataSetAttributes::HIDDENPOINT;
-  vtkDataArray* mask = rules.Mask.empty() ? nullptr : data->GetArray(rules.Mask.c_str());
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const bool isGhost = ghosts && (ghosts->GetValue(i) & unwanted) != 0;
-    const bool isMasked = mask && !(mask->GetComponent(i, 0) != 0.0);
-    counts[static_cast<std::size_t>(i)] = isGhost || isMasked ? 0 : 1;
-  }
-  return counts;
-}
-
 void ReadValues(
   vtkDataArray* array, const SkdFieldRules& rules, SkdDonorField& field, SkdFieldProblems& problems)
 {
@@ -69,7 +49,8 @@ bool IsForUse(vtkDataSetAttributes* data, vtkAbstractArray* array)
   }
   const std::string name = array->GetName();
   return name != vtkDataSetAttributes::GhostArrayName() && name != SkdRemapNames::Valid &&
-    name != SkdRemapNames::Coverage && name != SkdRemapNames::Count;
+    name != SkdRemapNames::Coverage && name != SkdRemapNames::Fraction &&
+    name != SkdRemapNames::Count;
 }
 }
 
@@ -101,12 +82,32 @@ std::vector<std::string> SkdFieldProblems::GetWarnings(
   return warnings;
 }
 
+std::vector<unsigned char> SkdFindCounts(vtkDataSet* donor, int type, const SkdFieldRules& rules)
+{
+  vtkDataSetAttributes* data = donor->GetAttributes(type);
+  const vtkIdType n = donor->GetNumberOfElements(type);
+  std::vector<unsigned char> counts(static_cast<std::size_t>(n), 1);
+  auto* ghosts =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const int unwanted = type == vtkDataObject::CELL ? vtkDataSetAttributes::DUPLICATECELL |
+      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL
+                                                   : vtkDataSetAttributes::HIDDENPOINT;
+  vtkDataArray* mask = rules.Mask.empty() ? nullptr : data->GetArray(rules.Mask.c_str());
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const bool isGhost = ghosts && (ghosts->GetValue(i) & unwanted) != 0;
+    const bool isMasked = mask && !(mask->GetComponent(i, 0) != 0.0);
+    counts[static_cast<std::size_t>(i)] = isGhost || isMasked ? 0 : 1;
+  }
+  return counts;
+}
+
 std::vector<SkdDonorField> SkdReadDonorFields(
   vtkDataSet* donor, int type, const SkdFieldRules& rules, SkdFieldProblems& problems)
 {
   vtkDataSetAttributes* data = donor->GetAttributes(type);
   const vtkIdType n = donor->GetNumberOfElements(type);
-  const std::vector<unsigned char> counts = FindCounts(data, type, n, rules);
+  const std::vector<unsigned char> counts = SkdFindCounts(donor, type, rules);
   std::vector<SkdDonorField> fields;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {

@@ -24,6 +24,7 @@ namespace SkdRemapNames
 {
 constexpr const char* Valid = "SkdValid";
 constexpr const char* Coverage = "SkdCoverage";
+constexpr const char* Fraction = "SkdFraction";
 constexpr const char* Count = "SkdCount";
 }
 
@@ -74,6 +75,9 @@ struct SkdFieldProblems
   /// What to warn of besides names in use, with what to do.
   std::vector<std::string> GetWarnings(SkdMissingValues missing, bool countsNaNs) const;
 };
+
+/// Whether each point or cell (vtkDataObject's type) counts by ghost marks and the mask.
+std::vector<unsigned char> SkdFindCounts(vtkDataSet* donor, int type, const SkdFieldRules& rules);
 
 /// The arrays of a mesh's points or cells (vtkDataObject's type) but ghost marks and ids, in their
 /// order. Ghosts (duplicate, hidden or refined) do not count.

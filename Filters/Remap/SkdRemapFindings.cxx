@@ -25,11 +25,11 @@ constexpr const char* Crossing =
   "the sense of their outline, or not at all. Mend them.";
 }
 
-std::vector<std::string> SkdRemapFindings::GetWarnings() const
+std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) const
 {
   if (!this->Problem.empty())
   {
-    return { this->Problem };
+    return { this->Problem + hint };
   }
   std::vector<std::string> warnings;
   NameFaulty(this->SourceTooLarge, "Source", TooLarge, warnings);
@@ -38,9 +38,10 @@ std::vector<std::string> SkdRemapFindings::GetWarnings() const
   NameFaulty(this->InputCrossing, "Input", Crossing, warnings);
   if (this->WeightsFound > 0 && this->Overlaps == 0 && warnings.empty())
   {
-    warnings.emplace_back(
+    warnings.push_back(
       "Input and Source have nothing in common: no cell gets a value. Look at the bounds of both, "
-      "and at Geometry and SourceCoordinates.");
+      "and at Geometry, SourceCoordinates and InputCoordinates." +
+      hint);
     return warnings;
   }
   const std::vector<std::string> others = SkdFaultsOf({

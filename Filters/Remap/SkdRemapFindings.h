@@ -34,8 +34,8 @@ struct SkdRemapFindings
   vtkIdType Overlaps = 0;
   int WeightsFound = 0; ///< for how many blocks they were not kept
 
-  /// What to warn of besides fields, with what to do.
-  std::vector<std::string> GetWarnings() const;
+  /// What to warn of besides fields, with what to do; `hint` is said of meshes that do not meet.
+  std::vector<std::string> GetWarnings(const std::string& hint) const;
 };
 
 #endif

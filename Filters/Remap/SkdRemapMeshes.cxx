@@ -105,6 +105,16 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
   return isSphere ? std::optional<double>(sum / n) : std::nullopt;
 }
 
+bool SkdMayBeLonLat(vtkDataSet* mesh)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  constexpr double radian = 57.3, halfTurn = 180.0, turn = 360.0;
+  const double width = bounds[1] - bounds[0];
+  return mesh->GetNumberOfPoints() > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfTurn &&
+    bounds[3] <= 0.5 * halfTurn && bounds[0] >= -turn && bounds[1] <= 1.5 * turn && width > radian;
+}
+
 SkdOverlapSpace SkdSpaceOf(vtkDataSet* mesh)
 {
   switch (SkdDimensionOf(mesh))

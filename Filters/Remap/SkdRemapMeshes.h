@@ -34,6 +34,10 @@ int SkdDimensionOf(vtkDataSet* mesh);
 /// 10^5, and they are not all in a plane across an axis. Nothing else.
 std::optional<double> SkdRadiusOf(vtkDataSet* mesh);
 
+/// Whether a mesh is flat in z, and x and y may well be longitudes and latitudes in degrees: more
+/// than a radian wide, and between the poles.
+bool SkdMayBeLonLat(vtkDataSet* mesh);
+
 /// The space that a mesh is in: by the dimension of its cells, surfaces by their radius.
 SkdOverlapSpace SkdSpaceOf(vtkDataSet* mesh);
 

@@ -16,11 +16,33 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 namespace
 {
+/// Of all cells' middles or all points.
+std::vector<skd::Vector3> PlacesOf(const std::vector<SkdBlock>& blocks, int type)
+{
+  std::vector<skd::Vector3> places;
+  for (const SkdBlock& block : blocks)
+  {
+    const std::vector<skd::Vector3> some =
+      type == vtkDataObject::CELL ? SkdMiddlesOf(block.Mesh) : SkdPointsOf(block.Mesh);
+    places.insert(places.end(), some.begin(), some.end());
+  }
+  return places;
+}
+
+/// What of each cell is covered.
+std::vector<double> SharesOf(const SkdOverlapCells& cells)
+{
+  std::vector<double> shares(cells.Measures.size());
+  std::transform(cells.Covered.begin(), cells.Covered.end(), cells.Measures.begin(), shares.begin(),
+    [](double covered, double whole) { return whole > 0.0 ? covered / whole : 0.0; });
+  return shares;
+}
 
 std::vector<double> CosinesOfLatitude(const std::vector<skd::Vector3>& points)
 {
@@ -175,17 +197,66 @@ bool SkdRemapper::MapContained(vtkDataSet* block, double first, double last)
 }
 
 //------------------------------------------------------------------------------
+// Amounts are nowhere but where the donor is.
+void SkdRemapper::Extrapolate(const SkdDonorField& field, const std::vector<skd::Vector3>& places,
+  const std::vector<unsigned char>& isWanted, std::vector<double>& values)
+{
+  const int type = field.IsOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL;
+  SkdExtrapolate(
+    this->Settings.Extrapolation, this->SamplesOf(type).GetTree(), field, places, isWanted, values);
+}
+
+// Where values that are NaN spread, what has a share of them is not without a value.
+std::vector<unsigned char> SkdRemapper::FindUncovered(
+  const SkdDonorField& field, const SkdOverlapCells& cells, const std::vector<double>& values) const
+{
+  const bool spreads = this->Settings.Fields.Missing == SkdMissingValues::Spread;
+  const auto components = static_cast<std::size_t>(field.Components);
+  std::vector<unsigned char> isWanted(cells.Measures.size());
+  for (std::size_t i = 0; i < isWanted.size(); ++i)
+  {
+    const bool isEmpty = std::isnan(values[i * components]);
+    isWanted[i] = isEmpty && !(spreads && cells.Covered[i] > 0.0) ? 1 : 0;
+  }
+  return isWanted;
+}
+
+//------------------------------------------------------------------------------
+// What of each cell is covered by cells that count by the mask.
+std::vector<double> SkdRemapper::FractionsOf(const SkdOverlapWeights& weights) const
+{
+  const SkdOverlapTable& table = weights.GetTable();
+  const SkdOverlapCells& cells = weights.GetTarget();
+  const std::vector<unsigned char> counts =
+    SkdFindCounts(this->Donor, vtkDataObject::CELL, this->Settings.Fields);
+  if (std::find(counts.begin(), counts.end(), 0) == counts.end())
+  {
+    return SharesOf(cells);
+  }
+  std::vector<double> fractions(cells.Measures.size(), 0.0);
+  for (std::size_t row = 0; row < fractions.size(); ++row)
+  {
+    for (std::size_t k = table.Rows[row]; k < table.Rows[row + 1]; ++k)
+    {
+      const bool isPart = counts[static_cast<std::size_t>(table.Columns[k])] != 0;
+      fractions[row] += isPart ? table.Measures[k] : 0.0;
+    }
+    fractions[row] /= cells.Measures[row] > 0.0 ? cells.Measures[row] : 1.0;
+  }
+  return fractions;
+}
+
+//------------------------------------------------------------------------------
 void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weights)
 {
   const SkdOverlapCells& cells = weights.GetTarget();
   const auto n = static_cast<vtkIdType>(cells.Measures.size());
   const auto coverage = SkdMakeArray<vtkDoubleArray>(SkdRemapNames::Coverage, 1, n);
   const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
+  const std::vector<double> shares = SharesOf(cells);
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const auto at = static_cast<std::size_t>(i);
-    const double whole = cells.Measures[at];
-    const double share = whole > 0.0 ? cells.Covered[at] / whole : 0.0;
+    const double share = shares[static_cast<std::size_t>(i)];
     coverage->SetValue(i, share);
     const bool isValid = share > 0.0 && share >= this->Settings.Conservative.MinimumCoverage;
     valid->SetValue(i, isValid ? 1 : 0);
@@ -196,6 +267,10 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
   this->Findings.Cells += n;
   block->GetCellData()->AddArray(coverage);
   block->GetCellData()->AddArray(valid);
+  const auto fraction = SkdMakeArray<vtkDoubleArray>(SkdRemapNames::Fraction, 1, n);
+  const std::vector<double> fractions = this->FractionsOf(weights);
+  std::copy(fractions.begin(), fractions.end(), fraction->GetPointer(0));
+  block->GetCellData()->AddArray(fraction);
 }
 
 //------------------------------------------------------------------------------
@@ -232,8 +307,17 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double
     : overlaps.GetPointTable(this->Donor, block, this->Algorithm, first, last);
   const std::vector<skd::Vector3> places =
     points ? SkdPointsOf(this->Donor) : std::vector<skd::Vector3>();
-  const auto add = [&](const SkdDonorField& field, const SkdRemappedField& mapped)
+  const bool extrapolates = this->Settings.Extrapolation.Method != SkdExtrapolationMethod::None;
+  const std::vector<skd::Vector3> middles =
+    extrapolates ? SkdMiddlesOf(block) : std::vector<skd::Vector3>();
+  const auto add = [&](const SkdDonorField& field, SkdRemappedField&& mapped)
   {
+    if (extrapolates && !field.IsExtensive)
+    {
+      const std::vector<unsigned char> isWanted =
+        this->FindUncovered(field, weights.GetTarget(), mapped.Values);
+      this->Extrapolate(field, middles, isWanted, mapped.Values);
+    }
     this->AddFields(block, { field }, { mapped.Values }, weights.GetTarget().Measures);
     this->Findings.Tally.Add(field, mapped.Integrals);
   };
@@ -337,7 +421,15 @@ void SkdRemapper::MapByFile(
     meshes.SourceType == vtkDataObject::CELL ? this->CellFields : this->PointFields)
   {
     std::vector<unsigned char> isOfField;
-    this->AddMapped(blocks, meshes.TargetType, field, remap.Map(field, isOfField));
+    std::vector<double> values = remap.Map(field, isOfField);
+    if (this->Settings.Extrapolation.Method != SkdExtrapolationMethod::None)
+    {
+      std::vector<unsigned char> isWanted(isOfField.size());
+      std::transform(isOfField.begin(), isOfField.end(), isWanted.begin(),
+        [](unsigned char isMapped) { return isMapped != 0 ? 0 : 1; });
+      this->Extrapolate(field, PlacesOf(blocks, meshes.TargetType), isWanted, values);
+    }
+    this->AddMapped(blocks, meshes.TargetType, field, values);
     isMapped = isMapped.empty() ? isOfField : isMapped;
   }
   if (!isMapped.empty())

@@ -9,6 +9,7 @@
 #define SkdRemapper_h
 
 #include "Remap/SkdContainedMean.h"
+#include "Remap/SkdExtrapolation.h"
 #include "Remap/SkdFileRemap.h"
 #include "Remap/SkdKeptOverlaps.h"
 #include "Remap/SkdRemapFindings.h"
@@ -28,9 +29,10 @@ struct SkdRemapSettings
   SkdLimiter Limiter = SkdLimiter::BarthJespersen;
   SkdStatistic Statistic = SkdStatistic::Mean;
   SkdEmptyCells Empty = SkdEmptyCells::Nearest;
-  bool WeighsByCosine = false; ///< of the latitude; on a sphere
-  bool WithPointFields = true; ///< maps the fields of points, too
-  bool ToPoints = false;       ///< results go to the target's points
+  SkdExtrapolationRules Extrapolation; ///< of what is not covered, and of what no weight is for
+  bool WeighsByCosine = false;         ///< of the latitude; on a sphere
+  bool WithPointFields = true;         ///< maps the fields of points, too
+  bool ToPoints = false;               ///< results go to the target's points
 };
 
 /// One donor, block after block of a target. What is made of meshes alone is kept from run to run.
@@ -78,6 +80,11 @@ private:
   const SkdContainedMean& SamplesOf(int type);
   void AddFields(vtkDataSet* block, const std::vector<SkdDonorField>& fields,
     const std::vector<std::vector<double>>& values, const std::vector<double>& measures);
+  void Extrapolate(const SkdDonorField& field, const std::vector<skd::Vector3>& places,
+    const std::vector<unsigned char>& isWanted, std::vector<double>& values);
+  std::vector<unsigned char> FindUncovered(const SkdDonorField& field, const SkdOverlapCells& cells,
+    const std::vector<double>& values) const;
+  std::vector<double> FractionsOf(const SkdOverlapWeights& weights) const;
   void AddCounts(vtkDataSet* block, const std::vector<vtkIdType>& counts);
   void AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weights);
   void Count(const SkdOverlapWeights& weights, bool isNew);

@@ -13,6 +13,7 @@
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/Walk.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -49,6 +50,47 @@ public:
     };
     skd::WithinBox<3, decltype(visitor)> query(this->Tree.GetFrame(), box, visitor);
     skd::Walk(this->Tree, query);
+  }
+
+  /// A point that was found, and its squared distance.
+  struct Near
+  {
+    double Distance2;
+    std::uint32_t Id;
+
+    bool operator<(const Near& other) const
+    {
+      return this->Distance2 < other.Distance2 ||
+        (this->Distance2 == other.Distance2 && this->Id < other.Id);
+    }
+  };
+
+  /// The points nearest to x for which isWanted(i), at most so many; the nearest first, ties to the
+  /// lowest. Thread-safe.
+  template <class Wanted>
+  void FindNearest(
+    const skd::Vector3& x, int most, const Wanted& isWanted, std::vector<Near>& nearest) const
+  {
+    const skd::Vector3 place = this->CoordinatesOf(x);
+    const auto wanted = static_cast<std::size_t>(most);
+    nearest.clear();
+    auto visitor = [&](std::uint32_t i)
+    {
+      const Near one{ skd::Distance2(this->CoordinatesOf(this->Points[i]), place), i };
+      if (isWanted(i) && (nearest.size() < wanted || one < nearest.back()))
+      {
+        nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), one), one);
+        nearest.resize(std::min(nearest.size(), wanted));
+      }
+      return nearest.size() < wanted ? std::numeric_limits<double>::infinity()
+                                     : nearest.back().Distance2;
+    };
+    if (skd::IsFinite(place) && most > 0)
+    {
+      skd::Nearest<3, decltype(visitor)> query(
+        this->Tree.GetFrame(), place, std::numeric_limits<double>::infinity(), visitor);
+      skd::Walk(this->Tree, query);
+    }
   }
 
   /// The point nearest to x for which isWanted(i), ties to the lowest; -1 if none. Thread-safe.

@@ -185,7 +185,8 @@ TEST(Properties, OfFiltersThatAskAMeshRefuseWhatTheyCannotBe)
   }
   {
     using Object = vtkSkdTreeRemap;
-    ExpectRefused<Object>({ WITHIN(MinimumCoverage, 0, 1) });
+    ExpectRefused<Object>({ WITHIN(MinimumCoverage, 0, 1),
+      WITHIN(ExtrapolationConstant, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX) });
   }
   {
     using Object = vtkSkdTreeMeshAdaptation;
