@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdExtrapolation.h"
 
-#include "Cells/SkdForEach.h"
+#include "Cells/Read/SkdForEach.h"
 
 #include <algorithm>
 #include <cmath>

@@ -35,7 +35,7 @@ struct SkdRemapFindings
   int WeightsFound = 0; ///< for how many blocks they were not kept
 
   /// What to warn of besides fields, with what to do; `hint` is said of meshes that do not meet.
-  std::vector<std::string> GetWarnings(const std::string& hint) const;
+  std::vector<std::string> GetWarnings(const std::string& hint = {}) const;
 };
 
 #endif
