@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeMeshAdaptation);
@@ -182,6 +183,7 @@ private:
   skd::AdaptRules MakeRules() const;
   void WarnAboutMesh() const;
   void WarnAboutOutcome() const;
+  void WarnAboutError() const;
 
   vtkSkdTreeMeshAdaptation* Self;
   vtkMTimeType Times[3] = { 0, 0, 0 };
@@ -373,6 +375,43 @@ void vtkSkdTreeMeshAdaptation::Internals::WarnAboutOutcome() const
       "The monitor is not greater than 0 in "
         << outcome.CellsNotPositive << " cells: there it is the largest by MaximumRatio.");
   }
+  this->WarnAboutError();
+}
+
+// Fields of noise leave some error, so that a message is due only where it is not small.
+void vtkSkdTreeMeshAdaptation::Internals::WarnAboutError() const
+{
+  constexpr double small = 0.03;
+  const skd::AdaptOutcome& outcome = this->Adapter.GetOutcome();
+  const bool isStalled = outcome.End == skd::AdaptEnd::Stalled;
+  const bool isCut = outcome.End == skd::AdaptEnd::Iterations && outcome.Rows.size() > 1;
+  if (!(isStalled || isCut) ||
+    !(outcome.Rows[outcome.Best].Measure > std::max(small, this->Self->Tolerance)))
+  {
+    return;
+  }
+  const SkdMovedMesh& mesh = this->Adapter.GetMesh();
+  const skd::MeshMotion::Outcome& last = outcome.Rows.back().Motion;
+  std::ostringstream why;
+  if (last.PointsCutBack > 0)
+  {
+    why << last.PointsCutBack << " points are held back, as else cells would be turned over or "
+        << "worse than MinimumQuality (the first is " << mesh.NameOf(last.SpoiltCell)
+        << "): lower Strength, MaximumRatio or MinimumQuality, or smooth the monitor more.";
+  }
+  else if (isStalled)
+  {
+    why << "steps do not lessen it any more: smooth the monitor more, or lower Relaxation.";
+  }
+  else
+  {
+    why << "MaximumIterations are made: allow more.";
+  }
+  vtkWarningWithObjectMacro(this->Self,
+    "The equidistribution error is "
+      << outcome.Rows[outcome.Best].Measure << " (at first " << outcome.Rows.front().Measure
+      << "), largest in " << mesh.NameOf(outcome.WorstCell) << ", which has " << outcome.WorstRatio
+      << " times its share; " << why.str());
 }
 
 void vtkSkdTreeMeshAdaptation::Internals::Report(vtkDataObject* output) const

@@ -7,6 +7,7 @@
 #include "Core/Meshing/Adaptation/FitShape.h"
 
 #include <map>
+#include <random>
 
 /// Meshes to move, and what is known of where they go.
 namespace adaptation
@@ -85,10 +86,10 @@ inline SurfaceMesh MakeTriangles(int level)
   return mesh;
 }
 
-/// The dual of these: hexagons and twelve pentagons, 10 x 4^level + 2.
-inline SurfaceMesh MakePolygons(int level)
+/// A polygon around each point of triangles, of the middles of their circumcircles (the Voronoi
+/// cells of the points, if the triangles are Delaunay's).
+inline SurfaceMesh MakeDual(const SurfaceMesh& triangles)
 {
-  const SurfaceMesh triangles = MakeTriangles(level);
   SurfaceMesh mesh;
   for (std::uint32_t cell = 0; cell < triangles.Cells.size(); ++cell)
   {
@@ -102,7 +103,8 @@ inline SurfaceMesh MakePolygons(int level)
     std::map<double, std::uint32_t> around;
     for (const std::uint32_t corner : triangles.CellsOfPoint[point])
     {
-      around[std::atan2(Dot(v, mesh.Points[corner]), Dot(u, mesh.Points[corner]))] = corner;
+      const Vector3 to = skd::CornerMean(triangles, corner);
+      around[std::atan2(Dot(v, to), Dot(u, to))] = corner;
     }
     std::vector<std::uint32_t> corners;
     for (const auto& corner : around)
@@ -110,6 +112,53 @@ inline SurfaceMesh MakePolygons(int level)
       corners.push_back(corner.second);
     }
     mesh.Cells.Add(corners.begin(), corners.end());
+  }
+  mesh.FindEdges();
+  return mesh;
+}
+
+/// Hexagons and twelve pentagons, 10 x 4^level + 2.
+inline SurfaceMesh MakePolygons(int level)
+{
+  return MakeDual(MakeTriangles(level));
+}
+
+/// Triangles whose points lie at random by up to an eighth of an edge in each direction.
+inline SurfaceMesh MakeIrregular(int level)
+{
+  SurfaceMesh mesh = MakeTriangles(level);
+  std::mt19937 random(5);
+  const double most = 0.125 * 1.1 / (1 << level);
+  for (Vector3& x : mesh.Points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] += most * (random() / 2147483648.0 - 1.0);
+    }
+    x = (1.0 / skd::Norm(x)) * x;
+  }
+  return mesh;
+}
+
+/// n rows of 2n cells between meridians and parallels, triangles at the poles.
+inline SurfaceMesh MakeLonLat(std::uint32_t n)
+{
+  SurfaceMesh mesh;
+  SpherePoints points(mesh);
+  const auto at = [&](std::uint32_t i, std::uint32_t j)
+  {
+    const double longitude = Pi * (i % (2 * n)) / n;
+    const double latitude = Pi * j / n - 0.5 * Pi;
+    return points.Put({ { std::cos(latitude) * std::cos(longitude),
+      std::cos(latitude) * std::sin(longitude), std::sin(latitude) } });
+  };
+  for (std::uint32_t k = 0; k < 2 * n * n; ++k)
+  {
+    const std::uint32_t i = k % (2 * n);
+    const std::uint32_t j = k / (2 * n);
+    std::vector<std::uint32_t> ids = { at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    mesh.Cells.Add(ids.begin(), ids.end());
   }
   mesh.FindEdges();
   return mesh;

@@ -126,6 +126,47 @@ TEST(Adaptation, TrianglesOfASphereGoWhereTheyShould)
   EXPECT_LT(moved.Outcome.Rows[moved.Outcome.Best].Measure, 0.03);
 }
 
+/// The largest error after moving, cells turned over being told by Adapt.
+void ExpectConverges(const SurfaceMesh& mesh, const char* what)
+{
+  AdaptRules rules = Given();
+  rules.Tolerance = 0.015;
+  rules.Relaxation = 0.5;
+  rules.Iterations = 60;
+  const auto aside = [](const Vector3& x)
+  {
+    return Monitor(std::acos(
+      std::min(std::max(Dot(x, Vector3{ { 0.36, 0.48, 0.8 } }) / skd::Norm(x), -1.0), 1.0)));
+  };
+  const Moved moved = Adapt(mesh, aside, rules);
+  EXPECT_EQ(moved.Outcome.End, skd::AdaptEnd::Reached) << what;
+  EXPECT_GT(moved.Outcome.Rows[0].Measure, 1.0) << what;
+  EXPECT_LT(moved.Outcome.Rows[moved.Outcome.Best].Measure, 0.03) << what;
+  EXPECT_LT(moved.Outcome.Rows.size(), 45u) << what;
+}
+
+TEST(Adaptation, GridsOfLongitudesAndLatitudesConverge)
+{
+  ExpectConverges(MakeLonLat(36), "longitudes and latitudes");
+}
+
+TEST(Adaptation, IrregularTrianglesAndPolygonsConverge)
+{
+  const SurfaceMesh triangles = MakeIrregular(4);
+  ExpectConverges(triangles, "triangles");
+  ExpectConverges(MakeDual(triangles), "polygons");
+}
+
+TEST(Adaptation, IterationsDoNotGrowWithTheNumberOfCells)
+{
+  AdaptRules rules = Given();
+  rules.Tolerance = 0.015;
+  rules.Relaxation = 0.5;
+  const std::size_t coarse = Adapt(MakePolygons(3), OnSphere, rules).Outcome.Rows.size();
+  const std::size_t fine = Adapt(MakePolygons(5), OnSphere, rules).Outcome.Rows.size();
+  EXPECT_LT(fine, coarse + coarse / 2);
+}
+
 // A monitor of x alone: columns stay columns, and where they go is known.
 TEST(Adaptation, OfASquareBordersSlide)
 {
@@ -267,27 +308,75 @@ TEST(CellValidity, ConcaveCellsStaySimple)
   EXPECT_FALSE(cell.IsValid(mesh, 0));
 }
 
-TEST(EdgeLaplacian, GainsAreSolvedFor)
+/// Flows of a mesh of triangles, the same or of random weights, and what cells gain of random y.
+int StepsToSolve(const SurfaceMesh& mesh, bool isRandom, double tolerance, double& worst)
 {
-  const SurfaceMesh mesh = MakeTriangles(2);
   skd::EdgeLaplacian matrix;
   matrix.NumberOfCells = mesh.Cells.size();
   std::mt19937 random(3);
   for (const skd::MeshEdge& edge : mesh.Edges)
   {
-    matrix.Flows.push_back({ { edge.Cells[0], edge.Cells[1] }, 1.0 + random() % 9 });
+    matrix.Flows.push_back(
+      { { edge.Cells[0], edge.Cells[1] }, isRandom ? 1.0 + random() % 9 : 1.0 });
   }
-  std::vector<double> exact(mesh.Cells.size()), losses, found(mesh.Cells.size(), 0.0);
+  std::vector<double> exact(mesh.Cells.size()), losses, found;
   for (double& value : exact)
   {
     value = random() % 1000;
   }
   matrix.Apply(exact, losses);
   skd::detail::Scale(losses, -1.0);
-  skd::SolveForGains(matrix, losses, 1e-13, found);
+  const skd::Aggregation levels(matrix);
+  const int steps = skd::SolveForGains(matrix, levels, losses, tolerance, 100, found);
+  worst = 0.0;
   for (std::size_t i = 0; i < exact.size(); ++i)
   {
-    EXPECT_NEAR(found[i] - found[0], exact[i] - exact[0], 1e-8);
+    worst = std::max(worst, std::abs(found[i] - found[0] - exact[i] + exact[0]));
+  }
+  return steps;
+}
+
+TEST(Aggregation, GainsAreSolvedForInAsManyStepsOnAnyMesh)
+{
+  for (const bool isRandom : { false, true })
+  {
+    int most = 0, least = 1000;
+    for (int level = 2; level < 6; ++level) // 320 to 20480 cells
+    {
+      double worst = 0.0;
+      const int steps = StepsToSolve(MakeTriangles(level), isRandom, 1e-12, worst);
+      EXPECT_LT(worst, 1e-5);
+      most = std::max(most, steps);
+      least = std::min(least, steps);
+    }
+    EXPECT_LT(most, 60);
+    EXPECT_LT(most, 2 * least);
+  }
+}
+
+TEST(QuadraticFit, IsExactForQuadraticsAndFindsNothingAcrossALine)
+{
+  std::mt19937 random(11);
+  const auto uniform = [&] { return random() / 4294967296.0 - 0.5; };
+  for (const double thickness : { 1.0, 0.01, 0.0 })
+  {
+    skd::QuadraticFit fit;
+    std::vector<double> values;
+    for (int i = 0; i < 14; ++i)
+    {
+      const double x = uniform(), y = thickness * uniform();
+      fit.Add(x, y);
+      values.push_back(3.0 + 2.0 * x - y + x * x - 3.0 * x * y + 0.5 * y * y);
+    }
+    double along = 0.0, across = 0.0;
+    const auto weights = fit.FindWeights();
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      along += weights[i][0] * values[i];
+      across += weights[i][1] * values[i];
+    }
+    EXPECT_NEAR(along, 2.0, 1e-4);
+    EXPECT_NEAR(across, thickness > 0.0 ? -1.0 : 0.0, thickness > 0.0 ? 1e-2 : 1e-12);
   }
 }
 

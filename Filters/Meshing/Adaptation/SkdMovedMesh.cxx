@@ -226,6 +226,21 @@ vtkSmartPointer<vtkPolyData> SkdMovedMesh::MakePolyData(const skd::Vector3& orig
   return made;
 }
 
+std::string SkdMovedMesh::NameOf(std::uint32_t cell) const
+{
+  for (std::size_t i = 0; i < this->Blocks.size(); ++i)
+  {
+    const std::vector<std::uint32_t>& cells = this->Blocks[i].CellOfCell;
+    const auto at = std::find(cells.begin(), cells.end(), cell);
+    if (at != cells.end())
+    {
+      const std::string name = "cell " + std::to_string(at - cells.begin());
+      return this->Blocks.size() > 1 ? name + " of block " + std::to_string(i) : name;
+    }
+  }
+  return "a cell";
+}
+
 void SkdMovedMesh::SetPoints(std::size_t block, vtkPointSet* output) const
 {
   const vtkIdType n = output->GetNumberOfPoints();

@@ -12,6 +12,8 @@
 #include "Pipeline/SkdBlocks.h"
 #include "vtkPolyData.h"
 
+#include <string>
+
 /// Triangles, quads, pixels and polygons of all blocks. Points of equal coordinates are one, be
 /// they of different blocks: so seams stay closed. Points of other cells of two dimensions or more
 /// (their number is CellsLeftOut) stay where they are, and so do those of broken polygons.
@@ -32,6 +34,10 @@ public:
   /// A block's cell values as an array, NaN of cells that are none of the mesh's.
   void AddCellArray(std::size_t block, vtkDataSet* output, const char* name,
     const std::vector<double>& values) const;
+
+  /// What a message calls a cell of the mesh: its number in Input, and in which block if there are
+  /// several.
+  std::string NameOf(std::uint32_t cell) const;
 
 private:
   class Reader;

@@ -53,6 +53,8 @@ struct AdaptOutcome
   AdaptEnd End = AdaptEnd::Iterations;
   std::vector<AdaptRow> Rows;
   std::size_t Best = 0; ///< the row with the smallest measure: the mesh is left as it was there
+  std::uint32_t WorstCell = 0;  ///< of the best row: the cell that adds most to the measure
+  double WorstRatio = 1.0;      ///< its monitor x area by its share
   std::size_t InvalidCells = 0; ///< at first; they do not move
   std::size_t CellsWithoutField = 0;
   std::size_t CellsNotPositive = 0;
@@ -61,8 +63,7 @@ struct AdaptOutcome
 /// Moves the points of a mesh so that its cells follow a monitor: steps 2 to 5 of the algorithm of
 /// section 6.6. find(mesh, field) computes the field's mean in each cell, where the mesh is now, or
 /// false to stop; look(state) is called in each iteration, and stops it all by returning false. The
-/// mesh has its edges, and is on the shape. Each iteration takes O(N sqrt(N)) beside what find
-/// does.
+/// mesh has its edges, and is on the shape. Each iteration takes O(N) beside what find does.
 class Adaptation
 {
 public:
@@ -156,6 +157,8 @@ private:
       this->Outcome.Best = rows.size() - 1;
       this->Outcome.CellsWithoutField = this->Function.GetCellsWithoutField();
       this->Outcome.CellsNotPositive = this->Function.GetCellsNotPositive();
+      this->Outcome.WorstCell = this->Shares.GetWorstCell();
+      this->Outcome.WorstRatio = this->Shares.GetWorstRatio();
       this->Best = this->Mesh.Points;
     }
     return true;

@@ -4,11 +4,13 @@
 #define skd_Adaptation_Equidistribution_h
 
 #include "../../Geometry/DisjointSets.h"
+#include "Aggregation.h"
 #include "ConjugateResiduals.h"
-#include "EdgeLaplacian.h"
 #include "FeatureCurves.h"
-#include "PointGradients.h"
+#include "NeighbourMeans.h"
+#include "PotentialGradients.h"
 
+#include <functional>
 #include <numeric>
 
 namespace skd
@@ -27,6 +29,12 @@ namespace skd
 /// Cullen, J. Comput. Phys. 308 (2016) 102-123). Where it comes to rest shares are equal for the
 /// cells as they are, not for a linear model of them. On other surfaces each step begins anew where
 /// points are.
+///
+/// On irregular meshes a potential has an error that differs from cell to cell: of second order,
+/// but its second derivatives, the strain of cells, are then wrong at any size of cells. So
+/// gradients are exact for quadratic potentials, and what points of irregular meshes do is smoothed
+/// in such a way that linear motion stays as it is: what is left of the error falls with the cells'
+/// size.
 class Equidistribution
 {
 public:
@@ -42,6 +50,10 @@ public:
   /// weight; 0 is perfect.
   double GetMeasure() const { return this->Measure; }
 
+  /// The cell that adds most to it, and its monitor x area by its share.
+  std::uint32_t GetWorstCell() const { return this->WorstCell; }
+  double GetWorstRatio() const { return this->WorstRatio; }
+
   /// Whether the last step was towards the monitor itself.
   bool IsComplete() const { return this->Fraction >= 1.0; }
 
@@ -49,7 +61,7 @@ public:
 
   /// Which part of a whole step was made, and for each point where to. At most `part`, and less
   /// where an edge would change by more than a third or so. Fixed points do not move; those on
-  /// curves may be allowed to leave them. O(N sqrt(N)).
+  /// curves may be allowed to leave them. O(N).
   double Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
     const std::vector<double>& monitor, double part, std::vector<Vector3>& places);
 
@@ -71,7 +83,8 @@ private:
   EdgeLaplacian MakeMatrix(const SurfaceMesh& mesh) const;
   Vector3 Move(const Vector3& from, const Vector3& along) const;
   Vector3 DerivativeOfMove(const Vector3& from, const Vector3& along, const Vector3& change) const;
-  Vector3 GradientAt(const std::vector<double>& potential, std::uint32_t point) const;
+  std::vector<Vector3> FindGradients(const std::vector<double>& potential) const;
+  Vector3 Allowed(std::uint32_t point, const Vector3& gradient) const;
   std::vector<Vector3> FindMotion(const std::vector<double>& change) const;
   std::vector<double> FindGains(const std::vector<double>& change) const;
   std::vector<double> FindChange(const SurfaceMesh& mesh) const;
@@ -82,7 +95,9 @@ private:
   std::vector<std::uint32_t> PartOfCell;
   std::vector<double> PartWeights;
   SurfaceMesh First; // where the potential is laid out
-  PointGradients Gradients;
+  PotentialGradients Gradients;
+  NeighbourMeans Means;
+  std::vector<Vector3> Normals;  // where the potential is laid out
   std::vector<Vector3> Tangents; // of points that slide along curves; else 0
   std::vector<double> Potential;
   std::vector<Vector3> Displacements; // its gradient at points
@@ -91,6 +106,8 @@ private:
   std::vector<double> Missing;   // share - monitor x area
   std::vector<double> Densities; // share / area
   double Measure = 0.0;
+  std::uint32_t WorstCell = 0;
+  double WorstRatio = 1.0;
   double Fraction = 0.0; // from a monitor of 1 to the given one
   double WayAtOnce = 0.1;
 };
@@ -109,11 +126,14 @@ inline void Equidistribution::BeginAt(const SurfaceMesh& mesh, const FeatureCurv
   const Vector3 none{ { 0.0, 0.0, 0.0 } };
   this->First = mesh;
   this->Gradients.Build(mesh, this->Shape);
+  this->Means.Build(mesh, this->Shape);
+  this->Normals.resize(mesh.Points.size());
   this->Potential.assign(mesh.Cells.size(), 0.0);
   this->Displacements.assign(mesh.Points.size(), none);
   this->Tangents.assign(mesh.Points.size(), none);
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
+    this->Normals[point] = NormalAt(mesh, this->Shape, point);
     if (mesh.Freedom[point] == PointFreedom::AlongCurve)
     {
       this->Tangents[point] = curves.TangentOf(point);
@@ -165,11 +185,19 @@ inline void Equidistribution::Update(const SurfaceMesh& mesh, const std::vector<
   const std::vector<double> shares = this->FindShares(monitor);
   double sum = 0.0;
   double total = 0.0;
-  for (std::size_t cell = 0; cell < shares.size(); ++cell)
+  double most = -1.0;
+  for (std::uint32_t cell = 0; cell < shares.size(); ++cell)
   {
     const double has = monitor[cell] * this->Areas[cell];
     const double relative = shares[cell] > 0.0 ? has / shares[cell] - 1.0 : 0.0;
-    sum += this->Weights[cell] * relative * relative;
+    const double part = this->Weights[cell] * relative * relative;
+    if (part > most)
+    {
+      most = part;
+      this->WorstCell = cell;
+      this->WorstRatio = 1.0 + relative;
+    }
+    sum += part;
     total += this->Weights[cell];
   }
   this->Measure = total > 0.0 ? std::sqrt(sum / total) : 0.0;
@@ -267,30 +295,45 @@ inline Vector3 Equidistribution::DerivativeOfMove(
     (std::sin(angle) / angle) * (change - part * ahead);
 }
 
-inline Vector3 Equidistribution::GradientAt(
-  const std::vector<double>& potential, std::uint32_t point) const
+/// What of a gradient a point may follow.
+inline Vector3 Equidistribution::Allowed(std::uint32_t point, const Vector3& gradient) const
 {
   if (this->First.Freedom[point] == PointFreedom::Fixed)
   {
     return { { 0.0, 0.0, 0.0 } };
   }
-  const Vector3 gradient = this->Gradients.At(potential, point);
   const Vector3& tangent = this->Tangents[point];
-  return Norm2(tangent) > 0.0 ? Dot(gradient, tangent) * tangent : gradient;
+  const Vector3& normal = this->Normals[point];
+  return Norm2(tangent) > 0.0 ? Dot(gradient, tangent) * tangent
+                              : gradient - Dot(gradient, normal) * normal;
+}
+
+inline std::vector<Vector3> Equidistribution::FindGradients(
+  const std::vector<double>& potential) const
+{
+  const int smoothings = this->Means.IsIrregular() ? 6 : 0;
+  std::vector<Vector3> gradients(this->First.Points.size());
+  for (std::uint32_t point = 0; point < gradients.size(); ++point)
+  {
+    gradients[point] = this->Allowed(point, this->Gradients.At(potential, point));
+  }
+  const auto allow = [this](std::uint32_t point, const Vector3& x)
+  { return this->Allowed(point, x); };
+  this->Means.Smooth(gradients, smoothings, allow);
+  return gradients;
 }
 
 inline std::vector<Vector3> Equidistribution::FindMotion(const std::vector<double>& change) const
 {
-  std::vector<Vector3> motion(this->First.Points.size());
+  std::vector<Vector3> motion = this->FindGradients(change);
   for (std::uint32_t point = 0; point < motion.size(); ++point)
   {
-    motion[point] = this->DerivativeOfMove(
-      this->First.Points[point], this->Displacements[point], this->GradientAt(change, point));
+    motion[point] =
+      this->DerivativeOfMove(this->First.Points[point], this->Displacements[point], motion[point]);
   }
   return motion;
 }
 
-/// What cells gain if the potential changes.
 inline std::vector<double> Equidistribution::FindGains(const std::vector<double>& change) const
 {
   const std::vector<Vector3> motion = this->FindMotion(change);
@@ -305,21 +348,38 @@ inline std::vector<double> Equidistribution::FindGains(const std::vector<double>
 }
 
 // The flows between neighbours, as a preconditioner, take the potential to change along the line
-// between the middles of cells only, which is not so where cells are skew.
+// between the middles of cells only, which is not so where cells are skew. What is missing counts
+// as in the measure: relative to the cell's share.
 inline std::vector<double> Equidistribution::FindChange(const SurfaceMesh& mesh) const
 {
   const EdgeLaplacian matrix = this->MakeMatrix(mesh);
-  const auto estimate = [&](const std::vector<double>& residual)
+  const Aggregation levels(matrix);
+  std::vector<double> roots(this->Missing.size());
+  std::vector<double> missing(this->Missing);
+  for (std::size_t cell = 0; cell < roots.size(); ++cell)
   {
-    std::vector<double> direction(residual.size(), 0.0);
-    SolveForGains(matrix, residual, 0.01, direction);
+    roots[cell] = std::sqrt(std::max(this->Densities[cell] * this->Areas[cell], 1e-300));
+    missing[cell] /= roots[cell];
+  }
+  const auto estimate = [&](std::vector<double> residual)
+  {
+    std::transform(
+      residual.begin(), residual.end(), roots.begin(), residual.begin(), std::multiplies<>());
+    std::vector<double> direction;
+    SolveForGains(matrix, levels, residual, 0.05, 20, direction);
     return direction;
   };
-  const auto apply = [this](const std::vector<double>& change) { return this->FindGains(change); };
-  return SolveByResiduals(this->Missing, apply, estimate, 0.02, 6);
+  const auto apply = [&](const std::vector<double>& change)
+  {
+    std::vector<double> gains = this->FindGains(change);
+    std::transform(gains.begin(), gains.end(), roots.begin(), gains.begin(), std::divides<>());
+    return gains;
+  };
+  return SolveByResiduals(missing, apply, estimate, 0.02, 4);
 }
 
-// Neighbours that move alike may go far.
+// Neighbours that move alike may go far. A few edges may change by more: cells there are mended,
+// and do not hold back all others.
 inline double Equidistribution::LimitOf(
   const SurfaceMesh& mesh, const std::vector<Vector3>& motion, double part) const
 {
@@ -333,14 +393,17 @@ inline double Equidistribution::LimitOf(
       sizes[edge.Cells[1]] += 0.25 * length;
     }
   }
+  std::vector<double> parts;
   for (const MeshEdge& edge : mesh.Edges)
   {
     const std::uint32_t other = edge.Cells[edge.Cells[1] == MeshEdge::None ? 0 : 1];
     const double change = Norm(motion[edge.Points[1]] - motion[edge.Points[0]]);
     const double most = 0.35 * std::min(sizes[edge.Cells[0]], sizes[other]);
-    part = part * change > most ? most / change : part;
+    parts.push_back(part * change > most ? most / change : part);
   }
-  return part;
+  const auto few = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 500);
+  std::nth_element(parts.begin(), few, parts.end());
+  return parts.empty() ? part : *few;
 }
 
 inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
@@ -361,10 +424,10 @@ inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurve
   this->WayAtOnce *= part < wanted ? made : 1.2;
   this->Fraction = begin + part / wanted * (this->Fraction - begin);
   detail::AddTo(this->Potential, part, change);
+  this->Displacements = this->FindGradients(this->Potential);
   places.resize(mesh.Points.size());
   for (std::uint32_t point = 0; point < places.size(); ++point)
   {
-    this->Displacements[point] = this->GradientAt(this->Potential, point);
     places[point] = this->Move(this->First.Points[point], this->Displacements[point]);
   }
   return part;

@@ -19,10 +19,12 @@ public:
   {
     double Step = 0.0; ///< which part of a whole step was meant, see Equidistribution::Step
     double LargestDisplacement = 0.0;
-    std::size_t PointsCutBack = 0; ///< those that went elsewhere, for the sake of cells
+    std::size_t PointsCutBack = 0;             ///< those that went elsewhere, for the sake of cells
+    std::uint32_t SpoiltCell = MeshEdge::None; ///< the first of these cells
   };
 
-  /// A cell may not get worse than this quality (CellValidity), or than it is if it is worse.
+  /// A cell may not get worse than this quality (CellValidity), or than it is if it is worse; of
+  /// cells that are thin at first (at poles, say), than as small a part of what they are.
   /// Points of cells that are not valid at first become fixed; they are counted.
   MeshMotion(
     SurfaceMesh& mesh, const SurfaceShape& shape, FeatureCurves& curves, double leastQuality);
@@ -37,6 +39,11 @@ public:
 private:
   static constexpr Vector3 None{ { 0.0, 0.0, 0.0 } };
 
+  /// Of cells that are half as good as a regular one at first or worse the same part.
+  double LeastOf(std::uint32_t cell) const
+  {
+    return this->LeastQuality * std::min(1.0, 2.0 * std::max(this->First[cell], 0.0));
+  }
   void Place(SurfaceMesh& mesh, std::uint32_t point);
   Vector3 WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const;
   std::vector<std::uint32_t> FindSpoilt(
@@ -49,11 +56,13 @@ private:
   FeatureCurves& Curves;
   double LeastQuality;
   std::vector<CellValidity> Cells;
+  std::vector<double> First;     // qualities, as the mesh was given
   std::vector<double> Qualities; // before the step
   std::vector<Vector3> Before;
   std::vector<bool> Mended;
   std::vector<Vector3> Displacements; // how each point moves
   std::size_t InvalidCells = 0;
+  std::uint32_t SpoiltCell = MeshEdge::None; // of the last step
 };
 
 inline MeshMotion::MeshMotion(
@@ -65,6 +74,7 @@ inline MeshMotion::MeshMotion(
   for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
     this->Cells.emplace_back(mesh, shape, cell);
+    this->First.push_back(this->Cells.back().QualityOf(mesh, cell));
     if (!this->Cells.back().IsValid(mesh, cell))
     {
       ++this->InvalidCells;
@@ -125,7 +135,7 @@ inline std::vector<std::uint32_t> MeshMotion::FindSpoilt(
     const IndexRows::Row corners = mesh.Cells[cell];
     const bool isMoved = std::any_of(corners.begin(), corners.end(),
       [this](std::uint32_t corner) { return !(this->Displacements[corner] == None); });
-    const double least = std::min(this->LeastQuality, this->Qualities[cell]);
+    const double least = std::min(this->LeastOf(cell), this->Qualities[cell]);
     if (isMoved &&
       !(this->Cells[cell].IsValid(mesh, cell) && this->Cells[cell].QualityOf(mesh, cell) >= least))
     {
@@ -156,8 +166,10 @@ inline void MeshMotion::Mend(SurfaceMesh& mesh)
   constexpr int halvings = 6;
   std::vector<std::uint32_t> cells(mesh.Cells.size());
   std::iota(cells.begin(), cells.end(), 0u);
+  this->SpoiltCell = MeshEdge::None;
   for (int round = 0; !(cells = this->FindSpoilt(mesh, cells)).empty(); ++round)
   {
+    this->SpoiltCell = round == 0 ? cells[0] : this->SpoiltCell;
     std::vector<std::uint32_t> points;
     for (const std::uint32_t cell : cells)
     {
@@ -206,6 +218,7 @@ inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector
   }
   this->Mend(mesh);
   Outcome outcome;
+  outcome.SpoiltCell = this->SpoiltCell;
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
     outcome.PointsCutBack += this->Mended[point];
