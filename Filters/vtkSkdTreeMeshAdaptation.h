@@ -31,8 +31,9 @@
  * end when it is at most Tolerance, when it has not fallen for eight iterations, or after
  * MaximumIterations. The output is the iteration where it was least.
  *
- * Cost: O(N) an iteration for N cells, by multigrid, and a query of the tree a cell. The answer does not
- * depend on the number of threads. Of several processes each finds all of it; the first one has it.
+ * Cost: O(N) an iteration for N cells, by multigrid, and a query of the tree a cell. The answer
+ * does not depend on the number of threads. Of several processes each finds all of it; the first
+ * one has it.
  *
  * Output port 0: the input with its points moved (in double precision) and these arrays
  * | name            | of     | meaning                                                      |
@@ -56,9 +57,10 @@
  *
  * Bad input: a mesh without surface cells, a Source without the field or with one that has no
  * finite value, and a monitor that is nowhere greater than 0 give an error or a warning, and the
- * input as it was. Where an error of more than 0.03 (and Tolerance) is left, a warning names the cell
- * that has most of it and what holds points back. Cells that hold no value take the nearest. Cells of other types, broken ones and
- * those that cross themselves give a warning; their points stay.
+ * input as it was. Where an error of more than 0.03 (and Tolerance) is left, a warning names the
+ * cell that has most of it and what holds points back. Cells that hold no value take the nearest.
+ * Cells of other types, broken ones and those that cross themselves give a warning; their points
+ * stay.
  *
  * @sa
  * vtkSkdTreeRemap vtkSkdTreeMeshRefinement vtkSkdTreeCellLocator
@@ -242,9 +244,9 @@ public:
 
   //@{
   /**
-   * The quality that no cell falls below (but those below 0.5 at first, twice that part of it): the least sine of its corners
-   * relative to that of the regular polygon, 1 of a regular cell, 0 of one with a flat corner. 0 to
-   * 0.9, default 0.1.
+   * The quality that no cell falls below (but those below 0.5 at first, twice that part of it): the
+   * least sine of its corners relative to that of the regular polygon, 1 of a regular cell, 0 of
+   * one with a flat corner. 0 to 0.9, default 0.1.
    */
   vtkSkdTreeWithinMacro(MinimumQuality, double, 0.0, 0.9);
   //@}
