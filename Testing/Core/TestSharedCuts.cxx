@@ -442,6 +442,33 @@ TEST(SharedCuts, NodesOfTheBorderAreThoseOfTheWhole)
   }
 }
 
+/// Cells that several pieces have are one cell: their faces are no border for that reason, nor are
+/// they inside for it.
+TEST(SharedCuts, NodesOfTheBorderAreThoseOfTheWholeWhereSeveralHaveACell)
+{
+  for (const bool isRegular : { false, true })
+  {
+    const Task task{ { { 0.1, 1.2, 1.1 } }, 1.0, 2, 0, isRegular, Contact::None, true };
+    for (const RefinedMesh& mesh : { MakeBricks(3), MakeSolids(2, skd::CellKind::Tetrahedron),
+           MakeSolids(2, skd::CellKind::Wedge), MakeSolids(2, skd::CellKind::Pyramid) })
+    {
+      const auto expected = ResultOf(mesh, task).Corners;
+      const std::uint32_t n = mesh.NumberOfCells();
+      const auto some = [&](std::uint32_t first, std::uint32_t last, std::uint32_t step)
+      {
+        return PieceOf(mesh,
+          [=](std::uint32_t cell)
+          { return first <= cell && cell < last && (cell - first) % step == 0; });
+      };
+      EXPECT_EQ(ResultOf({ mesh, mesh }, task).Corners, expected);
+      EXPECT_EQ(ResultOf({ mesh, some(0, n, 2) }, task).Corners, expected);
+      EXPECT_EQ(ResultOf({ some(0, 2 * n / 3, 1), some(n / 3, n, 1) }, task).Corners, expected);
+      EXPECT_EQ(ResultOf({ some(0, n / 2, 1), some(n / 2, n, 1), some(n / 4, n, 3) }, task).Corners,
+        expected);
+    }
+  }
+}
+
 /// A node that is in the middle of an edge from the beginning is not the one that is made there.
 TEST(SharedCuts, NodesThatHangFromTheBeginningStayApart)
 {

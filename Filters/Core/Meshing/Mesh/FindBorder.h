@@ -19,12 +19,12 @@ public:
     for (std::uint32_t cell = 0; cell < mesh.NumberOfCells(); ++cell)
     {
       ForEachFace(mesh[cell].Kind, mesh.NodesOf(cell).First,
-        [this](const FaceNodes& face)
+        [&](const FaceNodes& face)
         {
           const bool isNew = this->Numbers.FindOrAdd(face) == this->Faces.size();
           if (isNew)
           {
-            this->Faces.push_back({ face, true });
+            this->Faces.push_back({ face, cell, true });
           }
           else
           {
@@ -44,6 +44,20 @@ public:
     }
   }
 
+  /// Whether it is a face of several cells, or was left out.
+  bool IsInner(const FaceNodes& face) const
+  {
+    const std::uint32_t number = this->Numbers.Find(face);
+    return number != RefinedMesh::None && !this->Faces[number].IsOuter;
+  }
+
+  /// The first cell that has a face; None if there is none.
+  std::uint32_t CellOf(const FaceNodes& face) const
+  {
+    const std::uint32_t number = this->Numbers.Find(face);
+    return number == RefinedMesh::None ? RefinedMesh::None : this->Faces[number].Cell;
+  }
+
   /// Calls visit(face) in the order in which they were met, their nodes in turn.
   template <class Visit>
   void ForEach(const Visit& visit) const
@@ -61,6 +75,7 @@ private:
   struct Face
   {
     FaceNodes Nodes;
+    std::uint32_t Cell; // the first that has it
     bool IsOuter;
   };
   TupleNumbers<4> Numbers;

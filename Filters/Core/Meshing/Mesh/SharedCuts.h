@@ -56,10 +56,13 @@ private:
 
   static int SizeOf(const FaceNodes& side) { return side[2] == None ? 2 : side[3] == None ? 3 : 4; }
   void Append(std::vector<double>& told, const FaceNodes& side) const;
+  FaceNodes Receive(const std::vector<double>& told, std::size_t& at, bool& isWhole) const;
   template <class Visit>
   void ForEachReceived(const std::vector<double>& told, const Visit& visit);
   template <class Visit>
   void ForEachOfOthers(const std::vector<double>& own, const Visit& visit);
+  FaceNodes BesideOf(const OuterFaces& faces, const FaceNodes& face) const;
+  void LeaveOutWhereOthersContinue(OuterFaces& faces);
   std::vector<double> TellMiddles() const;
   void CutSide(const FaceNodes& side);
   void AgreeOnFacesOfVolumes();
@@ -85,6 +88,21 @@ inline void SharedCuts::Append(std::vector<double>& told, const FaceNodes& side)
   }
 }
 
+/// A side that was appended, None in place of nodes that are not here; and whether all are.
+inline FaceNodes SharedCuts::Receive(
+  const std::vector<double>& told, std::size_t& at, bool& isWhole) const
+{
+  const int size = static_cast<int>(told[at++]);
+  FaceNodes side{ None, None, None, None };
+  isWhole = true;
+  for (int k = 0; k < size; ++k, at += SharedNodes::Size)
+  {
+    side[k] = this->Nodes.Find(&told[at]);
+    isWhole = isWhole && side[k] != None;
+  }
+  return side;
+}
+
 /// Calls visit(side), false to end it, for the sides whose nodes are all here. In turn: what is
 /// made of a side may be nodes of the next one.
 template <class Visit>
@@ -93,14 +111,8 @@ void SharedCuts::ForEachReceived(const std::vector<double>& told, const Visit& v
   bool goesOn = true;
   for (std::size_t i = 0; i < told.size() && goesOn;)
   {
-    const int size = static_cast<int>(told[i++]);
-    FaceNodes side{ None, None, None, None };
     bool isHere = true;
-    for (int k = 0; k < size; ++k, i += SharedNodes::Size)
-    {
-      side[k] = this->Nodes.Find(&told[i]);
-      isHere = isHere && side[k] != None;
-    }
+    const FaceNodes side = this->Receive(told, i, isHere);
     goesOn = !isHere || visit(side);
     this->Nodes.Update();
   }
@@ -243,16 +255,83 @@ inline void SharedCuts::AgreeOnFacesOfVolumes()
     answers, [this](const FaceNodes& side) { this->Mesh.SetFaceOfVolume(side); });
 }
 
-/// What others have a cell beyond of is no border. Edges and faces of theirs that are may be
-/// those of cells here that have no more of the border.
+/// The nodes of the face's cell that are not of the face, ascending: they tell the cells on both
+/// sides of a face apart. A single one is there twice, because sides have two nodes at least.
+inline FaceNodes SharedCuts::BesideOf(const OuterFaces& faces, const FaceNodes& face) const
+{
+  FaceNodes beside{ None, None, None, None };
+  std::size_t count = 0;
+  for (const std::uint32_t node : this->Mesh.NodesOf(faces.CellOf(face)))
+  {
+    if (std::find(face.begin(), face.end(), node) == face.end() && count < beside.size())
+    {
+      beside[count++] = node;
+    }
+  }
+  beside[1] = count == 1 ? beside[0] : beside[1];
+  std::sort(beside.begin(), beside.end());
+  return beside;
+}
+
+/// A face is no border where another process has a cell on its other side; the same cell may be on
+/// several processes. Each face is sent with what its cell has beside it.
+inline void SharedCuts::LeaveOutWhereOthersContinue(OuterFaces& faces)
+{
+  std::vector<double> own;
+  faces.ForEach(
+    [&](const FaceNodes& face)
+    {
+      const std::size_t before = own.size();
+      this->Append(own, face);
+      const std::size_t after = own.size();
+      if (after == before)
+      {
+        return;
+      }
+      this->Append(own, this->BesideOf(faces, face));
+      if (own.size() == after)
+      {
+        own.push_back(0.0); // others have not all of the cell
+      }
+    });
+  for (const std::vector<double>& told : this->Peers.GatherFromOthers(own))
+  {
+    for (std::size_t i = 0; i < told.size();)
+    {
+      bool isWhole = true;
+      const FaceNodes face = this->Receive(told, i, isWhole);
+      const bool isHere = isWhole && faces.CellOf(face) != None;
+      FaceNodes beside = this->Receive(told, i, isWhole);
+      std::sort(beside.begin(), beside.end());
+      if (isHere && beside != this->BesideOf(faces, face))
+      {
+        faces.LeaveOut(face);
+      }
+    }
+  }
+  // Others may have the cells on both sides of a face that seems to be outer here.
+  own.clear();
+  faces.ForEach([&](const FaceNodes& face) { this->Append(own, face); });
+  std::vector<double> inner;
+  this->ForEachOfOthers(own,
+    [&](const FaceNodes& face)
+    {
+      if (faces.IsInner(face))
+      {
+        this->Append(inner, face);
+      }
+    });
+  this->ForEachOfOthers(inner, [&](const FaceNodes& face) { faces.LeaveOut(face); });
+}
+
+/// Edges and faces of others that are of the border may be those of cells here that have no more of
+/// it.
 inline MeshBorder SharedCuts::FindBorder()
 {
   OuterFaces faces(this->Mesh);
+  this->LeaveOutWhereOthersContinue(faces);
   std::vector<double> own;
-  faces.ForEach([&](const FaceNodes& face) { this->Append(own, face); });
-  this->ForEachOfOthers(own, [&](const FaceNodes& face) { faces.LeaveOut(face); });
   MeshBorder border = MakeBorder(this->Mesh, faces);
-  own.clear();
   border.ForEachSide([&](const FaceNodes& side) { this->Append(own, side); });
   this->ForEachOfOthers(own, [&](const FaceNodes& side) { border.AddSide(side); });
   return border;
