@@ -13,11 +13,13 @@
 #include "Remap/SkdRemapper.h"
 #include "Remap/SkdWeightsFile.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
