@@ -378,8 +378,7 @@ inline std::vector<double> Equidistribution::FindChange(const SurfaceMesh& mesh)
   return SolveByResiduals(missing, apply, estimate, 0.02, 4);
 }
 
-// Neighbours that move alike may go far. A few edges may change by more: cells there are mended,
-// and do not hold back all others.
+// Neighbours that move alike may go far.
 inline double Equidistribution::LimitOf(
   const SurfaceMesh& mesh, const std::vector<Vector3>& motion, double part) const
 {
@@ -393,17 +392,14 @@ inline double Equidistribution::LimitOf(
       sizes[edge.Cells[1]] += 0.25 * length;
     }
   }
-  std::vector<double> parts;
   for (const MeshEdge& edge : mesh.Edges)
   {
     const std::uint32_t other = edge.Cells[edge.Cells[1] == MeshEdge::None ? 0 : 1];
     const double change = Norm(motion[edge.Points[1]] - motion[edge.Points[0]]);
     const double most = 0.35 * std::min(sizes[edge.Cells[0]], sizes[other]);
-    parts.push_back(part * change > most ? most / change : part);
+    part = part * change > most ? most / change : part;
   }
-  const auto few = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 500);
-  std::nth_element(parts.begin(), few, parts.end());
-  return parts.empty() ? part : *few;
+  return part;
 }
 
 inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
