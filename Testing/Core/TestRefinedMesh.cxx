@@ -4,6 +4,7 @@
 
 #include "Core/Geometry/Polygons/Ears.h"
 #include "Core/Meshing/Mesh/Bisection.h"
+#include "Core/Meshing/Mesh/GivenHangingNodes.h"
 #include "Core/Meshing/Mesh/HangingNodes.h"
 #include "Core/Meshing/Mesh/RegularCuts.h"
 #include "Core/Meshing/Mesh/SmallestAngle.h"
@@ -32,6 +33,49 @@ std::vector<std::uint32_t> SomeLeaves(const RefinedMesh& mesh, std::mt19937& ran
     }
   }
   return some;
+}
+
+/// Two polygons beside each other and one above both: node 4 is in the middle of its lower edge.
+RefinedMesh TwoBelowOne(const Vector3& lower, const Vector3& middle, const Vector3& upper)
+{
+  RefinedMesh mesh;
+  for (const double y : { 0.0, 1.0 })
+  {
+    for (const Vector3& x : { lower, middle, upper })
+    {
+      mesh.AddNode({ { x[0], x[1] + y, x[2] } });
+    }
+  }
+  mesh.AddNode({ { lower[0], lower[1] + 2.0, lower[2] } });
+  mesh.AddNode({ { upper[0], upper[1] + 2.0, upper[2] } });
+  const std::uint32_t cells[][4] = { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 3, 5, 7, 6 } };
+  for (std::uint32_t i = 0; i < 3; ++i)
+  {
+    mesh.AddCell(CellKind::Polygon, cells[i], 4, i, 0);
+  }
+  return mesh;
+}
+
+TEST(GivenHangingNodes, AreMiddlesInThePrecisionOfTheEnds)
+{
+  const double a = 0.1f;
+  const double b = 0.3f;
+  const auto single = static_cast<double>(static_cast<float>(0.5 * (a + b)));
+  ASSERT_NE(single, 0.5 * (a + b));
+  EXPECT_EQ(
+    skd::GivenHangingNodes(TwoBelowOne({ { a, 0, a } }, { { single, 0, a } }, { { b, 0, a } }))
+      .First,
+    4u);
+  EXPECT_EQ(skd::GivenHangingNodes(
+              TwoBelowOne({ { a, 0, a } }, { { 0.5 * (a + b), 0, a } }, { { b, 0, a } }))
+              .First,
+    4u);
+  // The ends have double precision: what is not their middle in that is not in the middle.
+  const double c = std::nextafter(b, 1.0);
+  EXPECT_EQ(
+    skd::GivenHangingNodes(TwoBelowOne({ { a, 0, a } }, { { single, 0, a } }, { { c, 0, a } }))
+      .Count,
+    0u);
 }
 
 TEST(TupleNumbers, AreThoseOfAMap)

@@ -16,8 +16,8 @@ namespace skd
 /// Nodes of a mesh that has not been cut that are in the middle of an edge of another cell, as the
 /// nodes are that regular refinement leaves. They are looked for where cells have no neighbour:
 /// along the edges of outer faces of volume cells, and those that one surface cell alone has. A
-/// node counts if it is the mean of the edge's ends to the last bit, in double precision or rounded
-/// to single. O(cells), plus O(n log n) for n such edges.
+/// node counts if it is the mean of the edge's ends to the last bit in double precision, or, where
+/// the ends have single precision, in that. O(cells), plus O(n log n) for n such edges.
 class GivenHangingNodes
 {
 public:
@@ -28,8 +28,7 @@ public:
     this->ListNodes();
     for (const auto& [a, b] : this->Edges)
     {
-      const Vector3 middle = 0.5 * (mesh.FlatPoint(a) + mesh.FlatPoint(b));
-      const std::uint32_t node = this->FindNode(middle, a, b);
+      const std::uint32_t node = this->FindMiddle(a, b);
       if (node != RefinedMesh::None)
       {
         this->First = this->Count == 0 ? node : std::min(this->First, node);
@@ -103,21 +102,40 @@ private:
       { return this->Mesh.FlatPoint(a) < this->Mesh.FlatPoint(b); });
   }
 
+  /// Volatile because GCC 12 leaves out this rounding where it does two coordinates at a time.
+  static Vector3 InSinglePrecision(const Vector3& x)
+  {
+    Vector3 rounded;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const volatile float coordinate = static_cast<float>(x[axis]);
+      rounded[axis] = coordinate;
+    }
+    return rounded;
+  }
+
+  std::uint32_t FindMiddle(std::uint32_t a, std::uint32_t b) const
+  {
+    const Vector3& first = this->Mesh.FlatPoint(a);
+    const Vector3& last = this->Mesh.FlatPoint(b);
+    const Vector3 middle = 0.5 * (first + last);
+    const std::uint32_t node = this->FindNode(middle, a, b);
+    // Rounding points of double precision far from the origin would make different ones equal.
+    const bool isSingle = InSinglePrecision(first) == first && InSinglePrecision(last) == last;
+    return node == RefinedMesh::None && isSingle ? this->FindNode(InSinglePrecision(middle), a, b)
+                                                 : node;
+  }
+
   /// The lowest node there but for the ends.
   std::uint32_t FindNode(const Vector3& x, std::uint32_t a, std::uint32_t b) const
   {
-    const Vector3 rounded{ { static_cast<float>(x[0]), static_cast<float>(x[1]),
-      static_cast<float>(x[2]) } };
-    for (const Vector3& wanted : { x, rounded })
+    auto at = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), x,
+      [this](std::uint32_t node, const Vector3& y) { return this->Mesh.FlatPoint(node) < y; });
+    for (; at != this->Nodes.end() && this->Mesh.FlatPoint(*at) == x; ++at)
     {
-      auto at = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), wanted,
-        [this](std::uint32_t node, const Vector3& y) { return this->Mesh.FlatPoint(node) < y; });
-      for (; at != this->Nodes.end() && this->Mesh.FlatPoint(*at) == wanted; ++at)
+      if (*at != a && *at != b)
       {
-        if (*at != a && *at != b)
-        {
-          return *at;
-        }
+        return *at;
       }
     }
     return RefinedMesh::None;
