@@ -3,11 +3,11 @@
 #include "Bodies/SkdShells.h"
 
 #include "Bodies/SkdEdgeTable.h"
+#include "Cells/Search/SkdBuildTree.h"
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Geometry/Predicates/ExactScale.h"
 #include "Core/Search/Queries/OverlappingPairs.h"
-#include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/WalkPairs.h"
 
 #include <algorithm>
@@ -253,7 +253,7 @@ private:
           boxes[i].Add(this->Points[id]);
         }
       }
-      this->Trees[shell] = std::make_unique<Tree>(skd::MakeTreeInput(boxes, 0.0));
+      this->Trees[shell] = std::make_unique<Tree>(SkdBuildLazyTree(skd::MakeTreeInput(boxes, 0.0)));
     }
     return *this->Trees[shell];
   }
@@ -296,7 +296,7 @@ std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
     return true;
   };
   using Query = skd::OverlappingPairs<3, skd::SameWorld, decltype(join)>;
-  const Tree boxes(skd::MakeTreeInput(BoxesOf(shells), 0.0));
+  const Tree boxes = SkdBuildLazyTree(skd::MakeTreeInput(BoxesOf(shells), 0.0));
   const skd::SameWorld world;
   Query query(boxes.GetFrame(), boxes.GetFrame(), world, join);
   skd::PairWalk<Tree, Tree, Query>(boxes, query).Run();

@@ -3,6 +3,7 @@
 #include "Bodies/SkdWinding.h"
 
 #include "Bodies/SkdTriangulation.h"
+#include "Cells/Search/SkdBuildTree.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 
@@ -36,7 +37,7 @@ skd::Tree<3> TreeOf(const std::vector<Triangle>& triangles)
       boxes[i].Add(corner);
     }
   }
-  return skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0));
+  return SkdBuildTreeSerial(skd::MakeTreeInput(boxes, 0.0));
 }
 }
 

@@ -3,6 +3,7 @@
 #include "Curves/SkdCurveTree.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Cells/Search/SkdBuildTree.h"
 #include "Core/Curves/CurveSpans.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ void SkdCurveTree::Build(double epsilon)
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(bounds);
   this->AbsoluteEpsilon = std::max(rounding, epsilon * bounds.Diagonal()); // also of NaN
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon), SkdTreeLoop);
+  this->Tree = SkdBuildTree(skd::MakeTreeInput<3>(this->Boxes, this->AbsoluteEpsilon));
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Curves/SkdSurfaceSet.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Cells/Search/SkdBuildTree.h"
 #include "Curves/SkdSurfaceReader.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ void SkdSurfaceSet::Build(double epsilon)
   const double rounding =
     8.0 * std::numeric_limits<double>::epsilon() * skd::LargestCoordinate(this->Bounds);
   this->AbsoluteEpsilon = std::max(rounding, epsilon * this->Bounds.Diagonal()); // also of NaN
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon), SkdTreeLoop);
+  this->Tree = SkdBuildTree(skd::MakeTreeInput<3>(boxes, this->AbsoluteEpsilon));
 }
 
 //------------------------------------------------------------------------------

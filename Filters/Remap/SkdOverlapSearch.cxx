@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapSearch.h"
 
+#include "Cells/Search/SkdBuildTree.h"
+
 //------------------------------------------------------------------------------
 SkdOverlapTree::SkdOverlapTree(const SkdOverlapPieces& pieces)
 {
@@ -14,5 +16,5 @@ SkdOverlapTree::SkdOverlapTree(const SkdOverlapPieces& pieces)
       this->Cells.push_back(cell);
     }
   }
-  this->Tree = skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0), SkdTreeLoop);
+  this->Tree = SkdBuildTree(skd::MakeTreeInput(boxes, 0.0));
 }

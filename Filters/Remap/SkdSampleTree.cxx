@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Cells/Search/SkdBuildTree.h"
 
 #include <utility>
 
@@ -39,6 +40,6 @@ skd::TreeInput<3> InputOf(const std::vector<skd::Vector3>& points, const SkdSamp
 SkdSampleTree::SkdSampleTree(std::vector<skd::Vector3> points, bool isOnSphere)
   : Points(std::move(points))
   , OnSphere(isOnSphere)
-  , Tree(InputOf(this->Points, *this), SkdTreeLoop)
+  , Tree(SkdBuildTree(InputOf(this->Points, *this)))
 {
 }

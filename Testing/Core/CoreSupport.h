@@ -9,8 +9,8 @@
 #include "CoreScenes.h"
 
 #include "Core/Geometry/Distance/Distance.h"
-#include "Core/Search/Tree/LazyTree.h"
-#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/BuildLazyTree.h"
+#include "Core/Search/Tree/BuildTree.h"
 #include "Core/Search/Tree/Walk.h"
 
 #include <gtest/gtest.h>
@@ -119,9 +119,9 @@ void ForEachTree(bool withUnsquarable, Test test)
     {
       const int capacity = 1 + turn++ % 8;
       SCOPED_TRACE(scene.Name + ", capacity " + std::to_string(capacity));
-      test(scene, skd::Tree<D>(InputOf(scene.Boxes, capacity)));
-      test(scene, skd::Tree<D>(InputOf(scene.Boxes, capacity, skd::SplitRule::SurfaceArea)));
-      test(scene, skd::LazyTree<D>(InputOf(scene.Boxes, capacity)));
+      test(scene, skd::BuildTree<D>(InputOf(scene.Boxes, capacity)));
+      test(scene, skd::BuildTree<D>(InputOf(scene.Boxes, capacity, skd::SplitRule::SurfaceArea)));
+      test(scene, skd::BuildLazyTree<D>(InputOf(scene.Boxes, capacity)));
       if (::testing::Test::HasFailure())
       {
         return;

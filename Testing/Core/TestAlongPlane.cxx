@@ -82,7 +82,7 @@ TYPED_TEST(AlongPlaneTest, OriginMayLieFarAwayInThePlane)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   Random random(2);
   for (const double far : { 1e3, 1e6, 1e9, 1e12 })
   {
@@ -101,7 +101,7 @@ TYPED_TEST(AlongPlaneTest, OriginMayLieFarAwayInThePlane)
 TYPED_TEST(AlongPlaneTest, ReachesNothingBeyondTheTolerance)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8)); // [-0.25, 0.75]
+  const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8)); // [-0.25, 0.75]
   const skd::Plane<D> above{ Filled<D>(1.0), Along<D>(D - 1, 1.0) };
   EXPECT_EQ(ReachedAlong(tree, above, 0.25).size(), 65u);
   EXPECT_TRUE(ReachedAlong(tree, above, 0.2499).empty());
@@ -111,7 +111,7 @@ TYPED_TEST(AlongPlaneTest, ReachesAllOfAFlatSetInThePlane)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = FlatBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   const skd::Plane<D> plane{ Along<D>(D - 1, 0.3), Along<D>(D - 1, 1.0) };
   EXPECT_EQ(ReachedAlong(tree, plane, 0.0).size(), 513u);
 }
@@ -119,7 +119,7 @@ TYPED_TEST(AlongPlaneTest, ReachesAllOfAFlatSetInThePlane)
 TYPED_TEST(AlongPlaneTest, ReachesNothingWithNaN)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(513), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   const skd::Vector<D> bad = Filled<D>(std::numeric_limits<double>::quiet_NaN());
   const skd::Vector<D> up = Along<D>(0, 1.0);
   EXPECT_TRUE(ReachedAlong(tree, skd::Plane<D>{ bad, up }, 0.0).empty());
@@ -130,7 +130,7 @@ TYPED_TEST(AlongPlaneTest, ReachesNothingWithNaN)
 TYPED_TEST(AlongPlaneTest, EndsWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8));
   int reached = 0;
   auto visitor = [&reached](std::uint32_t) { return ++reached < 3; };
   const skd::Plane<D> plane{ Filled<D>(0.25), Along<D>(0, 1.0) };

@@ -228,7 +228,7 @@ TYPED_TEST(AlongSegmentTest, FindsAFlatSetFromAfar)
   constexpr int D = TypeParam::Value;
   const Boxes<D> square{ skd::Box<D>(
     Along<D>(D - 1, 0.3), Filled<D>(1.0) + Along<D>(D - 1, -0.7)) };
-  const skd::Tree<D> tree(InputOf(square, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(square, 8));
   Random random(9);
   for (double far = 1.0; far < 1e13; far *= 10.0)
   {
@@ -264,7 +264,7 @@ TYPED_TEST(AlongSegmentTest, MarginWidensEveryBox)
 TYPED_TEST(AlongSegmentTest, MissesTheTreeWithoutOpeningIt)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(513), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   const skd::Segment<D> beside{ Filled<D>(10.0), Filled<D>(11.0) };
   const CountedTree counted(tree);
   EXPECT_EQ(FirstAlong(counted, RandomBoxes<D>(513), beside), 2.0);
@@ -275,7 +275,7 @@ TYPED_TEST(AlongSegmentTest, OpensAPathOfNodesToTheFirstHit)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LineOfBoxes<D>(32768);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   const CountedTree counted(tree);
   const skd::Segment<D> along{ Along<D>(0, -5.0), Along<D>(0, 40000.0) };
   const double first = FirstAlong(counted, boxes, along);
@@ -288,7 +288,7 @@ TYPED_TEST(AlongSegmentTest, OpensAPathOfNodesToTheFirstHit)
 TYPED_TEST(AlongSegmentTest, ReachesAllThatShareTheFirstHit)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8));
   for (const double far : { 1.0, 1e6, 1e9 })
   {
     const skd::Segment<D> segment{ Filled<D>(-far), Filled<D>(far) };
@@ -308,7 +308,7 @@ TYPED_TEST(AlongSegmentTest, ReachesNothingWithNaN)
 {
   constexpr int D = TypeParam::Value;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(513), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   const skd::Vector<D> bad = Along<D>(D - 1, nan);
   const skd::Vector<D> good = Filled<D>(0.0);
   EXPECT_TRUE(AllAlong(tree, skd::Segment<D>{ bad, good }).empty());

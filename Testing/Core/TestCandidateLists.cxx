@@ -87,7 +87,7 @@ TYPED_TEST(CandidateListsTest, WhatFailsTheTestIsNoCandidate)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   // The tree cannot exclude a thin box from what its node holds: cut across a box of the set.
   skd::Box<D> thin = tree.GetBounds();
   thin.Min = thin.Max = boxes[17].Centroid();
@@ -110,7 +110,7 @@ TYPED_TEST(CandidateListsTest, ABoxAroundAllAsksNothingAndOpensOneNode)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(5000);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   const CountedTree counted(tree);
   const List all = skd::AllCandidates();
   List list;
@@ -125,7 +125,7 @@ TYPED_TEST(CandidateListsTest, AFamilyCostsLessThanSearchesFromTheRoot)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LatticeBoxes<D>(4096);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   const CountedTree counted(tree);
   const CountedTree searched(tree);
   skd::Box<D> box = tree.GetBounds();
@@ -148,8 +148,8 @@ TYPED_TEST(CandidateListsTest, AFamilyCostsLessThanSearchesFromTheRoot)
 TYPED_TEST(CandidateListsTest, AnEmptyTreeOrListOrBoxMeetsNothing)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> empty(InputOf(Boxes<D>{}, 8));
-  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(100), 8));
+  const auto empty = skd::BuildTree<D>(InputOf(Boxes<D>{}, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(100), 8));
   const List all = skd::AllCandidates();
   List list;
   const auto yes = [](std::uint32_t) { return true; };

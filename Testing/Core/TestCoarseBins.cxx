@@ -118,12 +118,13 @@ TYPED_TEST(CoarseBinsTest, MakeTheTreeThatIsBuiltWhole)
   {
     for (const Scene<D>& scene : AllScenes<D>(count, true))
     {
-      const skd::Tree<D> tree(InputOf(scene.Boxes, 5));
+      const auto tree = skd::BuildTree<D>(InputOf(scene.Boxes, 5));
       for (const std::size_t few : { 0, 6, 100 })
       {
-        const skd::LazyTree<D> lazy(ReadInputOf(scene.Boxes, 5, few), skd::SerialLoop());
+        const auto lazy =
+          skd::BuildLazyTree<D>(ReadInputOf(scene.Boxes, 5, few), skd::SerialLoop());
         EXPECT_TRUE(AreSame<D>(tree, lazy)) << scene.Name << ", few " << few;
-        const skd::Tree<D> whole(ReadInputOf(scene.Boxes, 5, few), skd::SerialLoop());
+        const auto whole = skd::BuildTree<D>(ReadInputOf(scene.Boxes, 5, few), skd::SerialLoop());
         EXPECT_TRUE(AreSame<D>(tree, whole)) << scene.Name << ", few " << few;
       }
     }
@@ -136,10 +137,10 @@ TYPED_TEST(CoarseBinsTest, MakeTheSameTreeHoweverTheLoopsRun)
   const Boxes<D> boxes = RandomBoxes<D>(270000);
   const auto source = std::make_shared<Source<D>>(boxes);
   const auto input = ReadInputOf<D>(boxes, 8, 1 << 14, source);
-  const skd::LazyTree<D> serial(input, skd::SerialLoop());
-  const skd::LazyTree<D> threaded(input, ThreadedLoop());
+  const auto serial = skd::BuildLazyTree<D>(input, skd::SerialLoop());
+  const auto threaded = skd::BuildLazyTree<D>(input, ThreadedLoop());
   EXPECT_TRUE(AreSame<D>(serial, threaded));
-  EXPECT_TRUE(AreSame<D>(serial, skd::Tree<D>(input, ThreadedLoop())));
+  EXPECT_TRUE(AreSame<D>(serial, skd::BuildTree<D>(input, ThreadedLoop())));
 }
 
 TYPED_TEST(CoarseBinsTest, TreesByAreaAreThoseOfElementsAtHand)
@@ -151,8 +152,8 @@ TYPED_TEST(CoarseBinsTest, TreesByAreaAreThoseOfElementsAtHand)
     {
       skd::ReadInput<D> input = ReadInputOf(scene.Boxes, 8, 100);
       input.Rule = rule;
-      const skd::Tree<D> tree(InputOf(scene.Boxes, 8, rule));
-      const skd::Tree<D> read(input, skd::SerialLoop());
+      const auto tree = skd::BuildTree<D>(InputOf(scene.Boxes, 8, rule));
+      const auto read = skd::BuildTree<D>(input, skd::SerialLoop());
       EXPECT_EQ(tree.Rule(), read.Rule()) << scene.Name;
       EXPECT_TRUE(AreSame<D>(tree, read)) << scene.Name;
     }
@@ -163,8 +164,8 @@ TYPED_TEST(CoarseBinsTest, LeaveCrowdsToOthers)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = CrowdedBoxes<D>(5000);
-  const skd::LazyTree<D> lazy(ReadInputOf(boxes, 8, 100), skd::SerialLoop());
-  EXPECT_TRUE(AreSame<D>(skd::Tree<D>(InputOf(boxes, 8)), lazy));
+  const auto lazy = skd::BuildLazyTree<D>(ReadInputOf(boxes, 8, 100), skd::SerialLoop());
+  EXPECT_TRUE(AreSame<D>(skd::BuildTree<D>(InputOf(boxes, 8)), lazy));
 }
 
 TYPED_TEST(CoarseBinsTest, ReadAgainOnlyWhatQueriesReach)
@@ -172,11 +173,11 @@ TYPED_TEST(CoarseBinsTest, ReadAgainOnlyWhatQueriesReach)
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(20000);
   const auto source = std::make_shared<Source<D>>(boxes);
-  const skd::LazyTree<D> lazy(ReadInputOf<D>(boxes, 8, 200, source), skd::SerialLoop());
+  const auto lazy = skd::BuildLazyTree<D>(ReadInputOf<D>(boxes, 8, 200, source), skd::SerialLoop());
   const std::size_t before = source->NumberOfReads;
   EXPECT_LE(before, 2 * boxes.size()); // each once, and a sample
   const skd::Vector<D> corner = lazy.GetBounds().Min;
-  EXPECT_EQ(NearTo(lazy, corner), NearTo(skd::Tree<D>(InputOf(boxes, 8)), corner));
+  EXPECT_EQ(NearTo(lazy, corner), NearTo(skd::BuildTree<D>(InputOf(boxes, 8)), corner));
   EXPECT_LT(source->NumberOfReads - before, (D > 2 ? 3 : 1) * boxes.size());
 }
 
@@ -184,10 +185,10 @@ TYPED_TEST(CoarseBinsTest, AnswerManyThreadsAtOnce)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(5000);
-  const skd::Tree<D> tree(InputOf(boxes, 4));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 4));
   for (int round = 0; round < 5; ++round)
   {
-    const skd::LazyTree<D> lazy(ReadInputOf(boxes, 4, 30), skd::SerialLoop());
+    const auto lazy = skd::BuildLazyTree<D>(ReadInputOf(boxes, 4, 30), skd::SerialLoop());
     std::atomic<int> wrong{ 0 };
     std::vector<std::thread> threads;
     for (int thread = 0; thread < 8; ++thread)
@@ -214,7 +215,7 @@ TYPED_TEST(CoarseBinsTest, AnswerManyThreadsAtOnce)
 TYPED_TEST(CoarseBinsTest, OfNothingIsEmpty)
 {
   constexpr int D = TypeParam::Value;
-  const skd::LazyTree<D> lazy(ReadInputOf(Boxes<D>(), 8, 100), skd::SerialLoop());
+  const auto lazy = skd::BuildLazyTree<D>(ReadInputOf(Boxes<D>(), 8, 100), skd::SerialLoop());
   EXPECT_TRUE(lazy.IsEmpty());
   EXPECT_EQ(lazy.NumberOfElements(), 0u);
 }

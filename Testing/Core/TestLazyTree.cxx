@@ -98,8 +98,8 @@ TYPED_TEST(LazyTreeTest, WalksAsATreeThatIsBuiltWhole)
   {
     for (const Scene<D>& scene : AllScenes<D>(count, false))
     {
-      const skd::Tree<D> tree(InputOf(scene.Boxes, 4));
-      const skd::LazyTree<D> lazy(InputOf(scene.Boxes, 4));
+      const auto tree = skd::BuildTree<D>(InputOf(scene.Boxes, 4));
+      const auto lazy = skd::BuildLazyTree<D>(InputOf(scene.Boxes, 4));
       for (const skd::Vector<D>& q : QueryPoints(scene.Boxes))
       {
         EXPECT_EQ(NearestWalk(lazy, q), NearestWalk(tree, q)) << scene.Name;
@@ -113,10 +113,10 @@ TYPED_TEST(LazyTreeTest, AnswersManyThreadsAtOnceAsATreeDoes)
   constexpr int D = TypeParam::Value;
   for (const Boxes<D>& boxes : { RandomBoxes<D>(5000), NestedBoxes<D>(513), LatticeBoxes<D>(4096) })
   {
-    const skd::Tree<D> tree(InputOf(boxes, 4));
+    const auto tree = skd::BuildTree<D>(InputOf(boxes, 4));
     for (int round = 0; round < 5; ++round)
     {
-      const skd::LazyTree<D> lazy(InputOf(boxes, 4));
+      const auto lazy = skd::BuildLazyTree<D>(InputOf(boxes, 4));
       std::vector<std::vector<Ids>> answers(NumberOfThreads);
       OnManyThreads([&](int thread) { answers[thread] = AllWalks<D>(lazy, thread); });
       for (int thread = 0; thread < NumberOfThreads; ++thread)
@@ -132,10 +132,10 @@ TYPED_TEST(LazyTreeTest, IsSplitOnceThoughAllThreadsWantTheSameNode)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(5000);
-  const std::vector<Ids> expected = AllWalks<D>(skd::Tree<D>(InputOf(boxes, 1)), 0);
+  const std::vector<Ids> expected = AllWalks<D>(skd::BuildTree<D>(InputOf(boxes, 1)), 0);
   for (int round = 0; round < 5; ++round)
   {
-    const skd::LazyTree<D> lazy(InputOf(boxes, 1));
+    const auto lazy = skd::BuildLazyTree<D>(InputOf(boxes, 1));
     std::vector<std::vector<Ids>> answers(NumberOfThreads);
     OnManyThreads([&](int thread) { answers[thread] = AllWalks<D>(lazy, 0); });
     EXPECT_EQ(std::count(answers.begin(), answers.end(), expected), NumberOfThreads);
@@ -156,13 +156,13 @@ std::size_t NumberOfMoved(const skd::LazyTree<D>& tree)
 TYPED_TEST(LazyTreeTest, SortsNothingBeforeTheFirstQuery)
 {
   constexpr int D = TypeParam::Value;
-  EXPECT_EQ(NumberOfMoved(skd::LazyTree<D>(InputOf(RandomBoxes<D>(5000), 8))), 0u);
+  EXPECT_EQ(NumberOfMoved(skd::BuildLazyTree<D>(InputOf(RandomBoxes<D>(5000), 8))), 0u);
 }
 
 TYPED_TEST(LazyTreeTest, SortsNothingForQueriesThatMiss)
 {
   constexpr int D = TypeParam::Value;
-  const skd::LazyTree<D> lazy(InputOf(RandomBoxes<D>(5000), 8));
+  const auto lazy = skd::BuildLazyTree<D>(InputOf(RandomBoxes<D>(5000), 8));
   EXPECT_TRUE(SegmentWalk(lazy, Filled<D>(10.0), Filled<D>(11.0)).empty());
   EXPECT_EQ(NumberOfMoved(lazy), 0u);
 }
@@ -174,8 +174,8 @@ TYPED_TEST(LazyTreeTest, SortsOnlyWhatQueriesReach)
   constexpr int D = TypeParam::Value;
   Boxes<D> boxes = LineOfBoxes<D>(4096);
   std::shuffle(boxes.begin(), boxes.end(), std::mt19937_64(1));
-  const skd::Tree<D> whole(InputOf(boxes, 8));
-  const skd::LazyTree<D> lazy(InputOf(boxes, 8));
+  const auto whole = skd::BuildTree<D>(InputOf(boxes, 8));
+  const auto lazy = skd::BuildLazyTree<D>(InputOf(boxes, 8));
   BoxWalk(lazy, Along<D>(0, 0.5));
   const auto sortedAlike = [&](std::uint32_t first, std::uint32_t last)
   {
@@ -193,7 +193,7 @@ TYPED_TEST(LazyTreeTest, SortsOnlyWhatQueriesReach)
 TYPED_TEST(LazyTreeTest, OfNothingIsEmpty)
 {
   constexpr int D = TypeParam::Value;
-  const skd::LazyTree<D> lazy(InputOf(Boxes<D>(), 8));
+  const auto lazy = skd::BuildLazyTree<D>(InputOf(Boxes<D>(), 8));
   EXPECT_TRUE(lazy.IsEmpty());
   EXPECT_EQ(lazy.NumberOfElements(), 0u);
   EXPECT_EQ(lazy.NumberOfNodes(), 0u);
@@ -205,8 +205,8 @@ TYPED_TEST(LazyTreeTest, HasTheFrameBoundsAndSizesOfATree)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 4));
-  const skd::LazyTree<D> lazy(InputOf(boxes, 4));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 4));
+  const auto lazy = skd::BuildLazyTree<D>(InputOf(boxes, 4));
   EXPECT_EQ(lazy.NumberOfElements(), tree.NumberOfElements());
   EXPECT_EQ(lazy.NumberOfNodes(), tree.NumberOfNodes());
   EXPECT_GE(lazy.MemorySize(), tree.NumberOfNodes() * sizeof(skd::Node<D>));

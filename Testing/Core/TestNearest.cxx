@@ -137,7 +137,7 @@ TYPED_TEST(NearestTest, ReachesAllBoxesThatMeetInAPointAtDistanceZero)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LatticeBoxes<D>(729);
-  const skd::Tree<D> tree(InputOf(boxes, 4));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 4));
   const skd::Vector<D> corner = Filled<D>(1.0);
   EXPECT_EQ(Sorted(ReachedWithin(tree, corner, 0.0)),
     Select(boxes, [&](const auto& box) { return box.Contains(corner); }));
@@ -153,7 +153,7 @@ TYPED_TEST(NearestTest, ReachesThoseAtTheLimitWhereSquaresAreDenormal)
     const skd::Vector<D> near = random.In(0.1, 4.0) * Filled<D>(2.65e-23);
     Boxes<D> boxes{ { Filled<D>(-0.9), Filled<D>(-0.9) }, { Filled<D>(0.9), Filled<D>(0.9) },
       { near, near } };
-    const skd::Tree<D> tree(InputOf(boxes, 8));
+    const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
     const Ids reached = ReachedWithin(tree, Filled<D>(0.0), skd::Norm2(near));
     EXPECT_EQ(std::count(reached.begin(), reached.end(), 2u), 1) << near[0];
   }
@@ -163,7 +163,7 @@ TYPED_TEST(NearestTest, KnowingADistanceChangesNoAnswerAndOpensNoMore)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(5000);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (const skd::Vector<D>& q : QueryPoints(boxes))
   {
     const CountedTree ignorant(tree);
@@ -179,7 +179,7 @@ TYPED_TEST(NearestTest, ReachesNothingWithinANegativeOrNaNDistance)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (const double bad : { -1e-6, -Infinity, NaN })
   {
     EXPECT_TRUE(ReachedWithin(tree, boxes[7].Centroid(), bad).empty()) << bad;
@@ -208,7 +208,7 @@ TYPED_TEST(NearestTest, FarPointsFindTheLeastDistance)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   Random random(5);
   for (const double far : { 1e3, 1e6, 1e9, 1e15, 1e30, 1e100 })
   {
@@ -223,7 +223,7 @@ template <int D>
 double AverageOpened(std::size_t count)
 {
   const Boxes<D> boxes = RandomBoxes<D>(count);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   const CountedTree counted(tree);
   Random random(6);
   constexpr int queries = 200;

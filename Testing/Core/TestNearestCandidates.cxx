@@ -117,7 +117,7 @@ TYPED_TEST(NearestCandidatesTest, OfPointsAreTheNearestOnly)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> points = PointBoxes<D>(5000);
-  const skd::Tree<D> tree(InputOf(points, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(points, 8));
   for (const skd::Vector<D>& q : QueryPoints(RandomBoxes<D>(64)))
   {
     const double far = Norm(q - tree.GetFrame().Centre);
@@ -131,7 +131,7 @@ TYPED_TEST(NearestCandidatesTest, EndsForPointsThatAreNotFinite)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), Infinity, -Infinity })
   {
     EXPECT_LE(Candidates(tree, boxes, Filled<D>(bad)).size(), boxes.size());

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Search/Queries/OverlappingBox.h"
-#include "Core/Search/Tree/LazyTree.h"
+#include "Core/Search/Tree/BuildLazyTree.h"
+#include "Core/Search/Tree/BuildTree.h"
 #include "Core/Search/Tree/Walk.h"
 
 #include <gtest/gtest.h>
@@ -100,8 +101,8 @@ TYPED_TEST(OverlappingBoxTest, ReportsWhatOverlapsEachOnce)
   for (const int count : { 0, 1, 8, 9, 100, 3000 })
   {
     const auto boxes = this->RandomBoxes(count, 0.1);
-    const skd::Tree<D> tree(skd::MakeTreeInput<D>(boxes, this->Epsilon));
-    const skd::LazyTree<D> lazy(skd::MakeTreeInput<D>(boxes, this->Epsilon));
+    const auto tree = skd::BuildTree<D>(skd::MakeTreeInput<D>(boxes, this->Epsilon));
+    const auto lazy = skd::BuildLazyTree<D>(skd::MakeTreeInput<D>(boxes, this->Epsilon));
     for (const double size : { 0.0, 0.01, 0.3, 2.0, 4.0 })
     {
       for (int i = 0; i < 20; ++i)
@@ -121,7 +122,7 @@ TYPED_TEST(OverlappingBoxTest, IsExactAtTheFacesOfTheBox)
 {
   constexpr int D = TypeParam::value;
   const auto boxes = this->RandomBoxes(500, 0.1);
-  const skd::Tree<D> tree(skd::MakeTreeInput<D>(boxes, this->Epsilon));
+  const auto tree = skd::BuildTree<D>(skd::MakeTreeInput<D>(boxes, this->Epsilon));
   for (const auto& box : boxes)
   {
     auto query = this->RandomBox(0.5);
@@ -140,7 +141,7 @@ TYPED_TEST(OverlappingBoxTest, OnlyALayerIsInDoubt)
 {
   constexpr int D = TypeParam::value;
   const auto boxes = this->RandomBoxes(3000, 0.1);
-  const skd::Tree<D> tree(skd::MakeTreeInput<D>(boxes, this->Epsilon));
+  const auto tree = skd::BuildTree<D>(skd::MakeTreeInput<D>(boxes, this->Epsilon));
   const double infinity = std::numeric_limits<double>::infinity();
   skd::Box<D> query;
   for (int axis = 0; axis < D; ++axis)
@@ -160,7 +161,7 @@ TYPED_TEST(OverlappingBoxTest, EndsWhenRequested)
 {
   constexpr int D = TypeParam::value;
   const auto boxes = this->RandomBoxes(1000, 0.1);
-  const skd::Tree<D> tree(skd::MakeTreeInput<D>(boxes, this->Epsilon));
+  const auto tree = skd::BuildTree<D>(skd::MakeTreeInput<D>(boxes, this->Epsilon));
   int visits = 0;
   auto few = [&](std::uint32_t) { return ++visits < 5; };
   skd::Box<D> all;

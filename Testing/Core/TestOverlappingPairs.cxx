@@ -111,12 +111,12 @@ Boxes<D> Moved(Boxes<D> boxes, const Motion<D>& motion)
 template <int D, class Test>
 void ForEachKindOfTrees(const Boxes<D>& first, const Boxes<D>& second, Test test)
 {
-  const skd::Tree<D> firstTree(InputOf(first, 8));
-  const skd::Tree<D> secondTree(InputOf(second, 3));
+  const auto firstTree = skd::BuildTree<D>(InputOf(first, 8));
+  const auto secondTree = skd::BuildTree<D>(InputOf(second, 3));
   test(firstTree, secondTree);
-  test(firstTree, skd::LazyTree<D>(InputOf(second, 3)));
-  test(skd::LazyTree<D>(InputOf(first, 1)), secondTree);
-  test(skd::LazyTree<D>(InputOf(first, 1)), skd::LazyTree<D>(InputOf(second, 8)));
+  test(firstTree, skd::BuildLazyTree<D>(InputOf(second, 3)));
+  test(skd::BuildLazyTree<D>(InputOf(first, 1)), secondTree);
+  test(skd::BuildLazyTree<D>(InputOf(first, 1)), skd::BuildLazyTree<D>(InputOf(second, 8)));
 }
 
 template <int D>
@@ -194,8 +194,8 @@ TYPED_TEST(OverlappingPairsTest, TouchThoughOneSetIsHugeAndTheOtherTiny)
   {
     const Boxes<D> tiny{ { Filled<D>(end), Filled<D>(10.0 * end) } };
     const Boxes<D> huge{ { Filled<D>(0.0), Filled<D>(end) }, { Filled<D>(2e9), Filled<D>(2e9) } };
-    const skd::Tree<D> tinyTree(InputOf(tiny, 8));
-    const skd::Tree<D> hugeTree(InputOf(huge, 8));
+    const auto tinyTree = skd::BuildTree<D>(InputOf(tiny, 8));
+    const auto hugeTree = skd::BuildTree<D>(InputOf(huge, 8));
     EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
     EXPECT_EQ(ReachedPairs(hugeTree, tinyTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
     EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
@@ -225,15 +225,15 @@ TYPED_TEST(OverlappingPairsTest, AreFoundThroughARigidMotion)
 TYPED_TEST(OverlappingPairsTest, OfSetsApartAreNone)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> here(InputOf(RandomBoxes<D>(513), 8));
-  const skd::Tree<D> there(InputOf(Placed<D>(RandomBoxes<D>(513), 1.0, 5.0), 8));
+  const auto here = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
+  const auto there = skd::BuildTree<D>(InputOf(Placed<D>(RandomBoxes<D>(513), 1.0, 5.0), 8));
   EXPECT_TRUE(ReachedPairs(here, there, Unmoved()).empty());
 }
 
 TYPED_TEST(OverlappingPairsTest, EndWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(EqualBoxes<D>(65), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8));
   int reached = 0;
   auto visitor = [&reached](std::uint32_t, std::uint32_t) { return ++reached < 3; };
   const Unmoved unmoved;
@@ -248,7 +248,7 @@ TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LineOfBoxes<D>(4096);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   int reached = 0;
   auto visitor = [&reached](std::uint32_t, std::uint32_t) { return ++reached > 0; };
   const Unmoved unmoved;
@@ -287,7 +287,7 @@ TYPED_TEST(OverlappingPairsTest, OfOneTreeAreReachedOnce)
   for (const Boxes<D>& boxes :
     { RandomBoxes<D>(513), EqualBoxes<D>(65), LineOfBoxes<D>(300), RandomBoxes<D>(1), Boxes<D>() })
   {
-    const skd::Tree<D> tree(InputOf(boxes, 8));
+    const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
     Ids expected;
     for (const std::uint32_t pair : ReachedPairs(tree, tree, Unmoved()))
     {
@@ -306,8 +306,8 @@ TYPED_TEST(OverlappingPairsTest, OfOneTreeAreReachedOnce)
 TYPED_TEST(OverlappingPairsTest, OfTwoTreesAreTheSameInParts)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> first(InputOf(RandomBoxes<D>(513), 8));
-  const skd::Tree<D> second(InputOf(RandomBoxes<D>(65, 9), 3));
+  const auto first = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
+  const auto second = skd::BuildTree<D>(InputOf(RandomBoxes<D>(65, 9), 3));
   Ids reached;
   auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {

@@ -76,7 +76,7 @@ Boxes<3> GradedLattice(int n, double growth, double overlap)
 /// How many nodes the searches for the middles of all boxes open, in all.
 std::size_t CountOpened(const Boxes<3>& boxes, Rule rule)
 {
-  const skd::Tree<3> tree(InputOf(boxes, 8, rule));
+  const auto tree = skd::BuildTree<3>(InputOf(boxes, 8, rule));
   const CountedTree<skd::Tree<3>> counted(tree);
   auto visitor = [](std::uint32_t) { return true; };
   for (const skd::Box3& box : boxes)
@@ -141,10 +141,10 @@ TEST(SplitRule, AutomaticIsWhatTheSizesSayAndTheOthersAreThemselves)
 {
   const Boxes<3> even = Bricks(8, 1.0);
   const Boxes<3> uneven = Bricks(8, 2.0);
-  EXPECT_EQ(skd::Tree<3>(InputOf(even, 8, Rule::Automatic)).Rule(), Rule::Median);
-  EXPECT_EQ(skd::Tree<3>(InputOf(even, 8, Rule::SurfaceArea)).Rule(), Rule::SurfaceArea);
-  EXPECT_EQ(skd::Tree<3>(InputOf(uneven, 8, Rule::Automatic)).Rule(), Rule::SurfaceArea);
-  EXPECT_EQ(skd::Tree<3>(InputOf(uneven, 8, Rule::Median)).Rule(), Rule::Median);
+  EXPECT_EQ(skd::BuildTree<3>(InputOf(even, 8, Rule::Automatic)).Rule(), Rule::Median);
+  EXPECT_EQ(skd::BuildTree<3>(InputOf(even, 8, Rule::SurfaceArea)).Rule(), Rule::SurfaceArea);
+  EXPECT_EQ(skd::BuildTree<3>(InputOf(uneven, 8, Rule::Automatic)).Rule(), Rule::SurfaceArea);
+  EXPECT_EQ(skd::BuildTree<3>(InputOf(uneven, 8, Rule::Median)).Rule(), Rule::Median);
 }
 
 TEST(SplitRule, ByAreaSearchesOfUnevenBoxesOpenFewerNodes)

@@ -29,10 +29,11 @@ void ForEachCapacity(Test test)
         if (count <= 65 || capacity == only)
         {
           SCOPED_TRACE(scene.Name + ", capacity " + std::to_string(capacity));
-          test(scene.Boxes, skd::Tree<D>(InputOf(scene.Boxes, capacity)), capacity);
+          test(scene.Boxes, skd::BuildTree<D>(InputOf(scene.Boxes, capacity)), capacity);
           SCOPED_TRACE("by area");
           test(scene.Boxes,
-            skd::Tree<D>(InputOf(scene.Boxes, capacity, skd::SplitRule::SurfaceArea)), capacity);
+            skd::BuildTree<D>(InputOf(scene.Boxes, capacity, skd::SplitRule::SurfaceArea)),
+            capacity);
         }
       }
       if (::testing::Test::HasFailure())
@@ -103,7 +104,7 @@ bool AreEqual(const skd::FloatBox<D>& a, const skd::FloatBox<D>& b)
 TYPED_TEST(TreeTest, OfNothingIsEmpty)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(Boxes<D>(), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(Boxes<D>(), 8));
   EXPECT_TRUE(tree.IsEmpty());
   EXPECT_TRUE(tree.GetBounds().IsEmpty());
   EXPECT_EQ(tree.NumberOfNodes(), 0u);
@@ -225,12 +226,12 @@ TYPED_TEST(TreeTest, IsTheSameWhateverLoopBuildsIt)
   constexpr int D = TypeParam::Value;
   for (const Scene<D>& scene : AllScenes<D>(5000, true))
   {
-    const auto serial = ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3)));
-    EXPECT_EQ(serial, ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3), ReversedLoop())));
-    EXPECT_EQ(serial, ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 3), ThreadedLoop())));
+    const auto serial = ContentOf(skd::BuildTree<D>(InputOf(scene.Boxes, 3)));
+    EXPECT_EQ(serial, ContentOf(skd::BuildTree<D>(InputOf(scene.Boxes, 3), ReversedLoop())));
+    EXPECT_EQ(serial, ContentOf(skd::BuildTree<D>(InputOf(scene.Boxes, 3), ThreadedLoop())));
 
     const auto byArea = [&](auto loop)
-    { return skd::Tree<D>(InputOf(scene.Boxes, 3, skd::SplitRule::SurfaceArea), loop); };
+    { return skd::BuildTree<D>(InputOf(scene.Boxes, 3, skd::SplitRule::SurfaceArea), loop); };
     const auto serialByArea = ContentOf(byArea(skd::SerialLoop()));
     EXPECT_EQ(serialByArea, ContentOf(byArea(ReversedLoop())));
     EXPECT_EQ(serialByArea, ContentOf(byArea(ThreadedLoop())));
@@ -244,8 +245,8 @@ TYPED_TEST(TreeTest, BuiltOnQueryIsTheSame)
   {
     for (const Scene<D>& scene : AllScenes<D>(count, true))
     {
-      EXPECT_EQ(ContentOf(skd::Tree<D>(InputOf(scene.Boxes, 5))),
-        ContentOf(skd::LazyTree<D>(InputOf(scene.Boxes, 5))))
+      EXPECT_EQ(ContentOf(skd::BuildTree<D>(InputOf(scene.Boxes, 5))),
+        ContentOf(skd::BuildLazyTree<D>(InputOf(scene.Boxes, 5))))
         << scene.Name;
     }
   }
@@ -259,7 +260,7 @@ TYPED_TEST(TreeTest, KeepsWhatItsOwnerNotesInANode)
     float Place[4];
     std::uint32_t Count;
   };
-  skd::Tree<D> tree(InputOf(RandomBoxes<D>(65), 8));
+  auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(65), 8));
   const auto before = ContentOf(tree);
   for (std::uint32_t node = 0; node < tree.NumberOfNodes(); ++node)
   {
@@ -286,7 +287,7 @@ TYPED_TEST(TreeTest, NumbersOfLeavesTellTheirElements)
     {
       for (const skd::SplitRule rule : { skd::SplitRule::Median, skd::SplitRule::SurfaceArea })
       {
-        const skd::Tree<D> tree(InputOf(RandomBoxes<D>(count), capacity, rule));
+        const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(count), capacity, rule));
         for (std::uint32_t i = 0; i < tree.NumberOfNodes(); ++i)
         {
           const skd::Node<D>& node = tree.Open(i);
@@ -409,7 +410,7 @@ TYPED_TEST(TreeTest, MediansAlongTheLongestAxesDivideTheCentroids)
   for (const Scene<D>& scene : AllScenes<D>(513, true))
   {
     SCOPED_TRACE(scene.Name);
-    const skd::Tree<D> tree(InputOf(scene.Boxes, 3));
+    const auto tree = skd::BuildTree<D>(InputOf(scene.Boxes, 3));
     ForEachNode(tree,
       [&](std::uint32_t index, int)
       {
@@ -423,7 +424,7 @@ TYPED_TEST(TreeTest, MediansAlongTheLongestAxesDivideTheCentroids)
 TYPED_TEST(TreeTest, SplitsALineIntoRuns)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(LineOfBoxes<D>(5000), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(LineOfBoxes<D>(5000), 8));
   std::uint32_t next = 0;
   ForEachNode(tree,
     [&](std::uint32_t index, int)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles whose corners lie beside the packets of a tree are hit as each of them is by itself.
 #include "Core/Search/Queries/TriangleHits.h"
-#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/BuildTree.h"
 #include "CoreScenes.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ class Packed
 {
 public:
   Packed(const Mesh& mesh, int capacity, double epsilon)
-    : TheTree(InputOf(mesh, capacity, epsilon))
+    : TheTree(skd::BuildTree<3>(InputOf(mesh, capacity, epsilon)))
   {
     for (std::uint32_t i = 0; i < this->TheTree.NumberOfNodes(); ++i)
     {

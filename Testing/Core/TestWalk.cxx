@@ -47,7 +47,7 @@ struct ShuffledLine
     {
       boxes[this->IndexAt[place]] = LineOfBoxes<1>(count)[place];
     }
-    this->Tree = skd::Tree<1>(InputOf(boxes, 3));
+    this->Tree = skd::BuildTree<1>(InputOf(boxes, 3));
   }
 
   Ids IndexAt;

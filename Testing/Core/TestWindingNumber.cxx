@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Search/Queries/WindingNumber.h"
+#include "Core/Search/Tree/BuildTree.h"
 #include "CoreSolids.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ skd::Tree<3> TreeOf(const Triangles& triangles)
     }
     boxes.push_back(box);
   }
-  return skd::Tree<3>(skd::MakeTreeInput(boxes, 0.0));
+  return skd::BuildTree<3>(skd::MakeTreeInput(boxes, 0.0));
 }
 
 /// The octahedron, its faces cut n times and drawn to the unit sphere; normals outward.

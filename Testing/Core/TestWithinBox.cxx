@@ -108,7 +108,7 @@ TYPED_TEST(WithinBoxTest, OfALatticeReachesTheNeighboursOnly)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LatticeBoxes<D>(4096);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (std::size_t i = 0; i < boxes.size(); i += 97)
   {
     EXPECT_EQ(Sorted(ReachedIn(tree, boxes[i])), Overlapping(boxes, boxes[i]));
@@ -136,7 +136,7 @@ TYPED_TEST(WithinBoxTest, ReachesNothingBesideTheBounds)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (int axis = 0; axis < D; ++axis)
   {
     skd::Box<D> beside = tree.GetBounds();
@@ -154,7 +154,7 @@ TYPED_TEST(WithinBoxTest, ReachesNothingWithNaN)
 {
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = RandomBoxes<D>(513);
-  const skd::Tree<D> tree(InputOf(boxes, 8));
+  const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   skd::Box<D> query = tree.GetBounds();
   query.Min[D - 1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(ReachedIn(tree, query).empty());
@@ -167,14 +167,14 @@ TYPED_TEST(WithinBoxTest, ReachesAllInABoxWithoutEnds)
 {
   constexpr int D = TypeParam::Value;
   const double infinity = std::numeric_limits<double>::infinity();
-  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(513), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   EXPECT_EQ(ReachedIn(tree, skd::Box<D>(Filled<D>(-infinity), Filled<D>(infinity))).size(), 513u);
 }
 
 TYPED_TEST(WithinBoxTest, EndsWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
-  const skd::Tree<D> tree(InputOf(RandomBoxes<D>(513), 8));
+  const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   int reached = 0;
   auto visitor = [&reached](std::uint32_t) { return ++reached < 3; };
   skd::WithinBox<D, decltype(visitor)> query(tree.GetFrame(), tree.GetBounds(), visitor);

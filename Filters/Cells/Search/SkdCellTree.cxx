@@ -3,6 +3,7 @@
 #include "Cells/Search/SkdCellTree.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Cells/Search/SkdBuildTree.h"
 
 #include <algorithm>
 
@@ -52,10 +53,10 @@ SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
   }
   if (settings.IsLazy)
   {
-    this->Lazy = std::make_unique<skd::LazyTree<3>>(input, SkdTreeLoop);
+    this->Lazy = std::make_unique<skd::LazyTree<3>>(SkdBuildLazyTree(input));
     return;
   }
-  this->Eager = EagerTree(input, SkdTreeLoop);
+  this->Eager = SkdBuildTree(input);
   this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
 }
 

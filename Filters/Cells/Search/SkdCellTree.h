@@ -15,6 +15,8 @@
 #include "Core/Search/Queries/CandidateLists.h"
 #include "Core/Search/Tree/LazyTree.h"
 #include "Core/Search/Tree/PaperTree.h"
+#include "Core/Search/Tree/Tree.h"
+#include "Core/Search/Tree/TreeInput.h"
 #include "Core/Search/Tree/Walk.h"
 
 #include <functional>

@@ -4,6 +4,7 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Bodies/SkdWeld.h"
+#include "Cells/Search/SkdBuildTree.h"
 #include "Solids/Surfaces/SkdPointFilter.h"
 #include "vtkSMPTools.h"
 
@@ -199,5 +200,5 @@ void SkdTriangleSet::BuildTree()
     }
     boxes.push_back(box);
   }
-  this->Tree = skd::LazyTree<3>(skd::MakeTreeInput(boxes, 0.0));
+  this->Tree = SkdBuildLazyTree(skd::MakeTreeInput(boxes, 0.0));
 }

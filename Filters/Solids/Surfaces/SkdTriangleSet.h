@@ -137,7 +137,7 @@ private:
   bool AreCopiesKnown = false;
   std::vector<SkdDuplicate> Copies;    // that are not searched
   std::vector<std::uint32_t> Searched; // the others, if there are copies
-  skd::LazyTree<3> Tree{ skd::TreeInput<3>{} };
+  skd::LazyTree<3> Tree;
 };
 
 #endif

@@ -30,9 +30,6 @@ template <int D>
 class CoarseBins
 {
 public:
-  /// Up to this number of elements, splits of stored boxes are faster.
-  static constexpr std::size_t Few = std::size_t(1) << 16;
-
   /// All elements, one range. `loop` as in Tree; the result does not depend on it.
   template <class Loop>
   CoarseBins(std::uint32_t count, std::size_t few, ElementReader<D> read, Loop& loop)

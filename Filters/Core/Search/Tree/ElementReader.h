@@ -3,20 +3,14 @@
 #ifndef skd_Tree_ElementReader_h
 #define skd_Tree_ElementReader_h
 
-#include "RawVector.h"
-#include "SplitAtRank.h"
+#include "TreeInput.h"
 
 #include <array>
-#include <functional>
 #include <numeric>
 #include <vector>
 
 namespace skd
 {
-
-/// Reads the elements of some indices, reproducibly: read(indices, count, to). Thread-safe.
-template <int D>
-using ElementReader = std::function<void(const std::uint32_t*, std::size_t, Element<D>*)>;
 
 /// Calls visit(element) for the elements first .. last - 1.
 template <int D, class Visit>

@@ -5,10 +5,10 @@
 
 #include "AreaSplit.h"
 #include "CoarseBins.h"
+#include "ElementSizes.h"
 #include "Node.h"
 #include "RawVector.h"
 #include "SplitAtRank.h"
-#include "SplitRule.h"
 
 #include <atomic>
 #include <map>
@@ -124,6 +124,7 @@ public:
 
   const Node<D>& GetNode(std::uint32_t node) const { return this->Nodes[node]; }
   std::uint32_t ElementAt(std::uint32_t position) const { return this->Elements[position].Index; }
+  const Element<D>* GetElements() const { return this->Elements.data(); }
   std::size_t NumberOfNodes() const { return this->Nodes.size(); }
   std::size_t NumberOfElements() const { return this->Elements.size(); }
 

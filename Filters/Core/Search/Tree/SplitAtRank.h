@@ -3,7 +3,7 @@
 #ifndef skd_Tree_SplitAtRank_h
 #define skd_Tree_SplitAtRank_h
 
-#include "Frame.h"
+#include "Element.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,6 @@
 
 namespace skd
 {
-
-/// An element of a tree: its safety box in the tree's frame, and its index.
-template <int D>
-struct alignas(16) Element
-{
-  FloatBox<D> Box;
-  std::uint32_t Index;
-};
 
 /// std::nth_element for elements by (centroid along an axis, index), two to three times as fast: no
 /// branch depends on a comparison, and what is compared most is 8 bytes, not an element.
