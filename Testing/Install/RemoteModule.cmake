@@ -8,6 +8,8 @@
 set(super "${WORK}/source")
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/RemoteModule/" "${CMAKE_CURRENT_LIST_DIR}/Outside/Outside.cxx"
   DESTINATION "${super}")
+# Files that were renamed since would be built, too.
+file(REMOVE_RECURSE "${super}/Remote")
 foreach (part IN ITEMS CMakeLists.txt vtk.module LICENSE Filters Testing Data)
   file(COPY "${SOURCE}/${part}" DESTINATION "${super}/Remote/SkdTree")
 endforeach ()

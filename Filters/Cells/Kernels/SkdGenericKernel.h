@@ -3,22 +3,11 @@
 #ifndef SkdGenericKernel_h
 #define SkdGenericKernel_h
 
-#include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdCellAnswers.h"
+#include "Cells/Kernels/SkdCellSource.h"
+#include "Core/Geometry/Segment.h"
 
-#include "vtkType.h"
-
-class vtkCell;
-class vtkDataSet;
-class vtkGenericCell;
-
-/// The data set, and a thread-local cell into which cells are loaded.
-struct SkdCellSource
-{
-  vtkDataSet* Data;
-  vtkGenericCell* Scratch;
-
-  vtkCell* Load(vtkIdType id) const;
-};
+#include <optional>
 
 /// The exact tests of cells without a kernel of their own, by the cell itself.
 namespace SkdGenericKernel

@@ -7,22 +7,8 @@
 #define SkdPolyKernels_h
 
 #include "Cells/Kernels/SkdKernels.h"
+#include "Cells/Kernels/SkdPolyCell.h"
 #include "Core/Geometry/Cells/Polyhedron.h"
-
-/// Such a cell, its points gathered. Faces and FacesEnd are those of PolyhedronView.
-struct SkdPolyCell
-{
-  SkdShape Shape;
-  const skd::Vector3* Points;
-  int Size; ///< at least 1
-  const std::uint32_t* Faces;
-  const std::uint32_t* FacesEnd;
-
-  skd::PolyhedronView AsPolyhedron() const
-  {
-    return { this->Points, this->Size, this->Faces, this->FacesEnd };
-  }
-};
 
 namespace SkdPolyKernels
 {

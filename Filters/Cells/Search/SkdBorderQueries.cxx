@@ -3,6 +3,10 @@
 // Where a segment may pass from one cell to another, and what one cell says of a point.
 #include "Cells/Search/SkdCellTree.h"
 
+#include "Cells/Kernels/SkdGenericKernel.h"
+#include "Cells/Kernels/SkdPolyKernels.h"
+#include "Core/Geometry/Cells/LinearShapes.h"
+#include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 #include "Core/Geometry/Intersection/SegmentPatch.h"
 #include "Core/Search/Queries/AlongSegment.h"
 

@@ -3,7 +3,7 @@
 #ifndef SkdCellStore_h
 #define SkdCellStore_h
 
-#include "Cells/Kernels/SkdPolyKernels.h"
+#include "Cells/Kernels/SkdPolyCell.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Core/Geometry/Box.h"
 #include "Core/Search/Tree/RawVector.h"

@@ -3,7 +3,8 @@
 #ifndef SkdCellTree_h
 #define SkdCellTree_h
 
-#include "Cells/Kernels/SkdGenericKernel.h"
+#include "Cells/Kernels/SkdCellAnswers.h"
+#include "Cells/Kernels/SkdCellSource.h"
 #include "Cells/Search/SkdCellStore.h"
 #include "Cells/Search/SkdEqualCells.h"
 #include "Cells/Search/SkdLeafFilters.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdLeafFilters.h"
 
+#include "Cells/Kernels/SkdPolyKernels.h"
 #include "Core/Geometry/Cells/CellFaces.h"
 
 #include "vtkSMPTools.h"

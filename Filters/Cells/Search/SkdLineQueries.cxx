@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdCellTree.h"
 
+#include "Cells/Kernels/SkdGenericKernel.h"
+#include "Cells/Kernels/SkdPolyKernels.h"
 #include "Cells/Search/SkdMotion.h"
 #include "Core/Geometry/Intersection/CrossingDirection.h"
+#include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 #include "Core/Geometry/Intersection/SegmentPolygon.h"
 #include "Core/Search/Queries/AlongSegment.h"
 #include "Core/Search/Queries/TriangleHits.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdPieceRuns.h"
+#include "Cells/Kernels/SkdPolyKernels.h"
 #include "Cells/Read/SkdTolerances.h"
 
 #include "Core/Geometry/Distance/Distance.h"

@@ -9,6 +9,7 @@
 #ifndef SkdPieceRuns_h
 #define SkdPieceRuns_h
 
+#include "Cells/Kernels/SkdCellAnswers.h"
 #include "Cells/Search/SkdCellStore.h"
 
 #include <cstdint>

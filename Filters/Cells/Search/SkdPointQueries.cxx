@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdCellTree.h"
 
+#include "Cells/Kernels/SkdGenericKernel.h"
+#include "Cells/Kernels/SkdPolyKernels.h"
 #include "Core/Search/Queries/Nearest.h"
 #include "Core/Search/Queries/WithinBox.h"
 

@@ -3,6 +3,7 @@
 #include "Cells/Search/SkdRepresentation.h"
 
 #include "Cells/Search/SkdCellTree.h"
+#include "Core/Geometry/Cells/LinearShapes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

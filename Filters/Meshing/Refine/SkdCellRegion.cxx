@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshing/Refine/SkdCellRegion.h"
 
+#include "Cells/Kernels/SkdKernels.h"
 #include "Core/Geometry/Polygons/EarClipping.h"
 #include "Core/Geometry/Polygons/Ears.h"
 
