@@ -26,7 +26,7 @@ vtkIdType SizeWhenMade(int cellType)
   return cell ? cell->GetNumberOfPoints() : 0;
 }
 
-/// Lagrange and Bezier cells of every shape come in this order.
+/// The shapes of Lagrange and Bezier cells, in the order of VTK's types of them.
 enum class HigherOrder
 {
   Curve,
@@ -38,13 +38,21 @@ enum class HigherOrder
   Other
 };
 
+/// VTK numbers the types of Lagrange cells in the order of HigherOrder, then a pyramid without a
+/// class, then those of Bezier cells in the same order, so the distance from the first of a family
+/// is the shape.
 HigherOrder HigherOrderOf(int cellType)
 {
-  const bool isOne = cellType >= VTK_LAGRANGE_CURVE && cellType <= VTK_BEZIER_WEDGE;
-  constexpr int kinds = VTK_BEZIER_CURVE - VTK_LAGRANGE_CURVE;
-  const int kind = (cellType - VTK_LAGRANGE_CURVE) % kinds;
-  return isOne && kind < static_cast<int>(HigherOrder::Other) ? static_cast<HigherOrder>(kind)
-                                                              : HigherOrder::Other;
+  constexpr int shapes = static_cast<int>(HigherOrder::Other);
+  for (const int first : { VTK_LAGRANGE_CURVE, VTK_BEZIER_CURVE })
+  {
+    const int shape = cellType - first;
+    if (shape >= 0 && shape < shapes)
+    {
+      return static_cast<HigherOrder>(shape);
+    }
+  }
+  return HigherOrder::Other;
 }
 
 SkdCellSizes FindSizes(int cellType)

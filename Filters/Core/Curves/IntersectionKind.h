@@ -51,18 +51,22 @@ bool LeaveContact(Hit& hit, double step, double reach, const GapAt& gapAt)
   return false;
 }
 
-/// How far a contact goes on from a place, to within a factor of 2, or an eighth.
+/// How far a contact goes on from a hit, in the parameter of the curve: the larger of the distances
+/// at which LeaveContact sees both apart, forwards and backwards. Its steps double, so this is at
+/// most twice the length of the contact. Hits that are nearer to each other than this are one, so
+/// it is limited: else one long contact would hide all others of the curve.
 template <class Hit, class GapAt>
 double ContactLength(const Hit& hit, double reach, const GapAt& gapAt)
 {
+  constexpr double longest = 0.125;
   double length = 0.0;
   for (const double step : { -tolerances::SameParameter, tolerances::SameParameter })
   {
-    Hit place = hit;
-    LeaveContact(place, step, reach, gapAt);
-    length = std::max(length, std::abs(place.T - hit.T));
+    Hit beyond = hit;
+    LeaveContact(beyond, step, reach, gapAt);
+    length = std::max(length, std::abs(beyond.T - hit.T));
   }
-  return std::min(length, 0.125);
+  return std::min(length, longest);
 }
 
 /// Where a function changes its sign between two places, by bisection; the middle if it does not.

@@ -53,8 +53,9 @@ public:
   }
 
   /// The same of one triangle of a surface and several others of it. Most share corners with it or
-  /// are on one side of its plane, so that is looked at first.
-  SKD_IN_ONE_PIECE bool VisitWithin(std::uint32_t first, const std::vector<std::uint32_t>& others,
+  /// have their other corners strictly on one side of its plane, where nothing but what is shared
+  /// is common: that is looked at first, and inline, for all others at once.
+  SKD_FLATTEN bool VisitWithin(std::uint32_t first, const std::vector<std::uint32_t>& others,
     std::vector<SkdTrianglePair>& found)
   {
     const skd::Vector3* const points = this->First.GetPoints().data();
@@ -63,6 +64,8 @@ public:
     for (const std::uint32_t second : others)
     {
       const SkdTriangleSet::Corners& b = this->First.GetCorners(second);
+      // Bit i is set if the first triangle has corner i, too. Without branches, because
+      // which corners two triangles share can hardly be predicted.
       const auto isShared = [&a](std::uint32_t corner) -> unsigned
       { return (corner == a[0]) | (corner == a[1]) | (corner == a[2]); };
       const unsigned shared = isShared(b[0]) | isShared(b[1]) << 1 | isShared(b[2]) << 2;
@@ -77,7 +80,7 @@ public:
   }
 
 private:
-  SKD_APART bool VisitClosely(
+  SKD_NOINLINE bool VisitClosely(
     std::uint32_t first, std::uint32_t second, std::vector<SkdTrianglePair>& found)
   {
     return this->Visit(first, second, found);

@@ -146,10 +146,11 @@ inline std::optional<FacetHit> MeetFacet(const Segment<3>& segment, const Vector
   {
     return std::nullopt;
   }
-  const Vector3 normal = Cross(p[1] - p[0], p[2] - p[0]);
-  const double fromA = AccurateTripleProduct(p[0] - segment.A, p[1] - p[0], p[2] - p[0]);
-  const double fromB = AccurateTripleProduct(p[0] - segment.B, p[1] - p[0], p[2] - p[0]);
-  const double weight = fromA / (fromA - fromB);
+  // Six times the volumes of the tetrahedra of the triangle with A and with B are the heights of A
+  // and B over the plane, times the same area: the plane is at their ratio along the segment.
+  const double heightA = AccurateTripleProduct(p[0] - segment.A, p[1] - p[0], p[2] - p[0]);
+  const double heightB = AccurateTripleProduct(p[0] - segment.B, p[1] - p[0], p[2] - p[0]);
+  const double weight = heightA / (heightA - heightB);
   if (!std::isfinite(weight))
   {
     return std::nullopt; // not a number among the coordinates
@@ -157,10 +158,13 @@ inline std::optional<FacetHit> MeetFacet(const Segment<3>& segment, const Vector
   FacetHit hit;
   hit.T = std::clamp(detail::FacetParameter(signs, segment, p, weight), 0.0, 1.0);
   const Vector3 x = segment.At(hit.T);
+  // Barycentric coordinates: the areas of the triangles of x with two vertices, over the whole one.
+  const Vector3 normal = Cross(p[1] - p[0], p[2] - p[0]);
   hit.R = Dot(Cross(x - p[0], p[2] - p[0]), normal) / Norm2(normal);
   hit.S = Dot(Cross(p[1] - p[0], x - p[0]), normal) / Norm2(normal);
   hit.OnBoundary =
     signs.Ends[0] * signs.Ends[1] == 0 || signs.Edges[0] * signs.Edges[1] * signs.Edges[2] == 0;
+  // Contact on a boundary is not enough to pass through: the moved segment decides (see above).
   const detail::FacetSigns moved = detail::Moved(signs, segment, p);
   const bool passes = moved.Ends[0] * moved.Ends[1] < 0 && moved.AreAllOnOneSide();
   hit.Passes = passes ? moved.Ends[0] : 0;

@@ -188,6 +188,12 @@ private:
     }
   }
 
+  /// What a directed segment of the surface's cut with the side x = 0 adds: to the area there what
+  /// the integral of (y + length) dz along the segment is (Green's theorem), and, if the segment
+  /// crosses the edge y = 0 at a z, to the length inside on that edge. That length is the whole
+  /// edge if its corner, at z = 0, is inside; and each crossing below the corner turns all that is
+  /// still below it, z + length long, from outside to inside (where y falls along the segment, as
+  /// the inside is to its left) or back.
   void AddSegment(const Vector3& p, const Vector3& q)
   {
     if (this->Dimension >= 2)

@@ -87,7 +87,7 @@ public:
       return isAnyIn ? ClipResult::All : ClipResult::Nothing;
     }
     const int old = this->Size;
-    if (!this->AddCrossings(sides) || !this->Link(old))
+    if (!this->AddCrossings(sides) || !this->LinkCrossings(old))
     {
       this->Size = 0;
       return ClipResult::Nothing;
@@ -160,7 +160,9 @@ private:
     return around[0] == from ? 1 : (around[1] == from ? 2 : 0);
   }
 
-  /// Puts a corner on each edge from a corner that is kept to one that is not.
+  /// Puts a corner on each edge from a corner that is kept to one that is not. Its neighbours: the
+  /// kept corner, and those before and after it around the polygon in which the plane cuts the
+  /// solid, which LinkCrossings finds.
   bool AddCrossings(const std::array<double, Most>& sides)
   {
     const int old = this->Size;
@@ -195,14 +197,25 @@ private:
                                           : b + (atQ / (atQ - atP)) * (a - b);
   }
 
-  /// Around each face that was cut from its new corner on to the other one: these are neighbours.
-  /// False of a graph that is none of a polyhedron any more.
-  bool Link(int old)
+  /// A convex face that is cut has two new corners, which become neighbours across the cut:
+  ///
+  ///     start ------- kept corners ------- end        numbers below `old` are kept corners,
+  ///        \                               /           so the first one from `old` on is the end
+  ///         '- - - -  new edge  - - - - -'
+  ///
+  /// Walking from each new corner into the face on its left and along that face's kept corners
+  /// finds its other end. It passes no corner twice: a walk of more steps than there are corners,
+  /// or a corner without both neighbours, means that rounding has made a graph that is none of a
+  /// polyhedron. Then this is false.
+  bool LinkCrossings(int old)
   {
+    constexpr int toKept = 0;
+    constexpr int before = 1;
+    constexpr int after = 2;
     for (int start = old; start < this->Size; ++start)
     {
       int from = start;
-      int at = this->Neighbours[start][0];
+      int at = this->Neighbours[start][toKept];
       for (int steps = 0; at < old; ++steps)
       {
         const int next = this->Neighbours[at][this->After(at, from)];
@@ -213,11 +226,11 @@ private:
           return false;
         }
       }
-      this->Neighbours[start][2] = static_cast<std::uint8_t>(at);
-      this->Neighbours[at][1] = static_cast<std::uint8_t>(start);
+      this->Neighbours[start][after] = static_cast<std::uint8_t>(at);
+      this->Neighbours[at][before] = static_cast<std::uint8_t>(start);
     }
     return std::all_of(this->Neighbours.begin() + old, this->Neighbours.begin() + this->Size,
-      [](const auto& around) { return around[1] != None && around[2] != None; });
+      [](const auto& around) { return around[before] != None && around[after] != None; });
   }
 
   void Compact(const std::array<double, Most>& sides, int old)

@@ -12,9 +12,9 @@ namespace skd
 {
 
 /// Tells whether a polygon of the unit sphere is a cell between two meridians and two parallels, or
-/// a cap about a pole, from its corners: each edge must be along a side, to 1e-6 of the polygon's
-/// size. Corners on sides count, the date line and poles are nothing special. A cap has at least
-/// seven corners: with fewer it is rather the cell of another kind of grid.
+/// a cap about a pole, from its corners: each edge must be along a side, to RelativeTolerance of
+/// the polygon's size. Corners on sides count, the date line and poles are nothing special. A cap
+/// has at least LeastCapCorners: with fewer it is rather the cell of another kind of grid.
 class LonLatOutline
 {
 public:
@@ -23,8 +23,8 @@ public:
     for (const Vector3& x : corners)
     {
       const double r = std::hypot(x[0], x[1]);
-      this->Places.push_back({ std::atan2(x[1], x[0]), std::atan2(x[2], r), r < 1e-9 });
-      this->Tolerance = std::max(this->Tolerance, 1e-6 * Norm(x - corners[0]));
+      this->Places.push_back({ std::atan2(x[1], x[0]), std::atan2(x[2], r), r < PoleRadius });
+      this->Tolerance = std::max(this->Tolerance, RelativeTolerance * Norm(x - corners[0]));
     }
     this->FollowLongitudes();
   }
@@ -57,6 +57,9 @@ public:
   }
 
 private:
+  static constexpr double RelativeTolerance = 1e-6;
+  static constexpr double PoleRadius = 1e-9; // nearer to the axis, a corner has no longitude
+  static constexpr std::size_t LeastCapCorners = 7;
   static constexpr double Huge = 1e9;
   static constexpr double Turn = 6.28318530717958647692;
 
@@ -114,13 +117,17 @@ private:
     return side + sum / count;
   }
 
-  /// All corners on one parallel, once around it.
+  /// The cell from a parallel to the nearer pole, if all corners are on that parallel (what the
+  /// caller has found) and the polygon goes around it once. Longitudes go on from corner to corner
+  /// (FollowLongitudes), so the last one less the first, and the edge that closes the polygon, add
+  /// up to what it winds about the axis: a turn, east or west, or nothing if it goes back.
   std::optional<LonLatCell> FindCap(const LonLatCell& cell) const
   {
     const double closing =
       std::remainder(this->Places.front().Longitude - this->Places.back().Longitude, Turn);
-    const double turned = this->Places.back().Longitude - this->Places.front().Longitude + closing;
-    if (this->Places.size() < 7 || !(std::abs(std::abs(turned) - Turn) < 1e-6))
+    const double winding = this->Places.back().Longitude - this->Places.front().Longitude + closing;
+    const bool isOnce = std::abs(std::abs(winding) - Turn) < RelativeTolerance;
+    if (this->Places.size() < LeastCapCorners || !isOnce)
     {
       return std::nullopt;
     }

@@ -131,12 +131,19 @@ public:
   }
 
 private:
+  // Computed points are off by up to a few tolerances; those beside a cut must be farther from it.
+  static constexpr double WitnessFactor = 4.0;
+  static constexpr double BesideFactor = 4.0 * WitnessFactor;
+
   bool Holds(const Vector3& x, double tolerance) const
   {
     return IsWithin(this->Whole, x, tolerance);
   }
   /// Of points that were computed.
-  bool HoldsWitness(const Vector3& x) const { return this->Holds(x, 4.0 * this->Tolerance); }
+  bool HoldsWitness(const Vector3& x) const
+  {
+    return this->Holds(x, WitnessFactor * this->Tolerance);
+  }
 
   /// Between two turns an edge is in, or out, all the way.
   bool HoldsEdges() const
@@ -150,7 +157,8 @@ private:
         return;
       }
       turns.assign({ 0.0, 1.0 });
-      ForEachTurn(edge, this->Whole, 4.0 * this->Tolerance, [&](double t) { turns.push_back(t); });
+      ForEachTurn(
+        edge, this->Whole, WitnessFactor * this->Tolerance, [&](double t) { turns.push_back(t); });
       std::sort(turns.begin(), turns.end());
       for (std::size_t i = 1; i < turns.size() && isHeld; ++i)
       {
@@ -164,7 +172,10 @@ private:
     return isHeld;
   }
 
-  /// What of a triangle is out is bounded by cuts; so some point beside a cut is out.
+  /// Whether all triangles of the part are held, whose edges are. What of such a triangle is not
+  /// in the whole is a region of the triangle's plane bounded by where simplices of the whole cut
+  /// that plane. So either no cut bounds it and the centroid tells, or there is a cut with points
+  /// of the region right beside it (HoldsBeside).
   bool HoldsTriangles() const
   {
     for (const SimplexSet::Simplex& simplex : this->Other.Simplices)
@@ -199,6 +210,9 @@ private:
     return isHeld;
   }
 
+  /// Points on both sides of the middle of a cut: at a distance that is safely beyond what
+  /// HoldsWitness forgives, and at one that is a small part of the cut, since of a crowd of cuts
+  /// the nearer point may be between this one and the next.
   bool HoldsBeside(const PlaneTriangle& triangle, const Segment<3>& cut) const
   {
     const std::optional<Interval> kept = triangle.Clip(cut);
@@ -210,7 +224,9 @@ private:
     const double length = Norm(along);
     const Vector3 aside = (1.0 / length) * Cross(triangle.Normal, along);
     const Vector3 middle = cut.At(0.5 * (kept->Min + kept->Max));
-    for (const double step : { 16.0 * this->Tolerance, (kept->Max - kept->Min) * length / 64.0 })
+    constexpr double smallPart = 1.0 / 64.0;
+    const double lengthOfCut = (kept->Max - kept->Min) * length;
+    for (const double step : { BesideFactor * this->Tolerance, smallPart * lengthOfCut })
     {
       for (const double signedStep : { step, -step })
       {
@@ -228,8 +244,9 @@ private:
   bool HasHollow() const
   {
     return std::any_of(this->Whole.Points.begin(), this->Whole.Points.end(),
-      [&](const Vector3& x)
-      { return !IsNear(this->Other, x, 4.0 * this->Tolerance) && Encloses(this->Other, x); });
+      [&](const Vector3& x) {
+        return !IsNear(this->Other, x, WitnessFactor * this->Tolerance) && Encloses(this->Other, x);
+      });
   }
 
   const SimplexSet& Whole;

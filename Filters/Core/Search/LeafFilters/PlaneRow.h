@@ -82,7 +82,7 @@ struct alignas(64) PlaneRow
   }
 
   /// Bit i: x, which is within the grid's reach, may be in the cell of lane i.
-  SKD_IN_ONE_PIECE unsigned MayHold(const float* x) const
+  SKD_FLATTEN unsigned MayHold(const float* x) const
   {
     unsigned held = 0;
     for (int first = 0; first < Width; first += NativeWidth)

@@ -34,7 +34,7 @@ public:
   }
 
   /// Bit i: the line may intersect the triangle of lane i.
-  SKD_IN_ONE_PIECE unsigned MayIntersect(const TrianglePacket& packet) const
+  SKD_FLATTEN unsigned MayIntersect(const TrianglePacket& packet) const
   {
     const Shear& shear = this->TheShear;
     const float* centre = packet.Grid.Centre;

@@ -26,7 +26,7 @@ public:
   float Most[Width];  ///< never below it
 
   /// x in units of the grid.
-  SKD_IN_ONE_PIECE TriangleDistances(const TrianglePacket& packet, const Vector3& x)
+  SKD_FLATTEN TriangleDistances(const TrianglePacket& packet, const Vector3& x)
   {
     // What rounding may do to corners (QuantizationGrid) and to sums of products relative to |x|.
     const double size = std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);

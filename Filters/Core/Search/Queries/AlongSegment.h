@@ -26,7 +26,7 @@ class AlongSegment : public FilteredQuery<AlongSegment<D, Visitor, LeafFilter, I
 public:
   static constexpr bool Ordered = InOrder;
 
-  SKD_APART AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
+  SKD_NOINLINE AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
     Visitor& visitor, const LeafFilter& leafFilter = LeafFilter())
     : FilteredQuery<AlongSegment, LeafFilter>(leafFilter, -1.0f) // less than every key
     , TheVisitor(visitor)
@@ -46,7 +46,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
+  SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
   {
     Lanes<W> enter(0.0f);
     Lanes<W> leave(1.0f);

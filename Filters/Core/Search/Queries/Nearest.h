@@ -87,7 +87,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
+  SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
   {
     const Lanes<W> nearest = this->Point.MinDistances2(boxes);
     nearest.Store(keys);
@@ -124,7 +124,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys)
+  SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys)
   {
     float farthest[W];
     this->Point.MaxDistances2(boxes).Store(farthest);

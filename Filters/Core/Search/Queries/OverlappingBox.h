@@ -31,13 +31,13 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
+  SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
     return this->Outer.Overlapping(boxes);
   }
 
   /// Bit i: all elements below lane i are answers.
-  SKD_IN_ONE_PIECE unsigned SureOf(const Node<D>& node) const
+  SKD_FLATTEN unsigned SureOf(const Node<D>& node) const
   {
     const unsigned inside = this->Inner.Holding(node.Boxes);
     return node.IsLeaf

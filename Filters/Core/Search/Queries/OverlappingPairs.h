@@ -88,8 +88,7 @@ public:
     return seen;
   }
 
-  SKD_IN_ONE_PIECE unsigned Overlapping(
-    const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
+  SKD_FLATTEN unsigned Overlapping(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
     return OverlappingLanes(
       boxes, [&](int axis) { return Lanes<Width>(box.Min[axis]); },
@@ -97,7 +96,7 @@ public:
   }
 
   /// Of boxes seen by ToFirst and a box of the first tree, or the other way round.
-  SKD_IN_ONE_PIECE unsigned SureOf(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
+  SKD_FLATTEN unsigned SureOf(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
   {
     if (!TellsSure || !this->Map.IsFit)
     {

@@ -74,7 +74,7 @@ private:
 
 /// Sets both: whatever overlaps the box overlaps `outer`, and what `inner` holds is within it.
 template <int D>
-SKD_IN_ONE_PIECE void SetAround(
+SKD_FLATTEN void SetAround(
   const Frame<D>& frame, const Box<D>& box, QueryBox<D>& outer, QueryBox<D>& inner)
 {
   ForEachAxis<D>(

@@ -55,7 +55,7 @@ private:
 /// of AlongSegment. `tolerance`: by how much triangles may be missed. A segment of no length, or
 /// one that is not finite, hits nothing.
 template <bool InOrder, class Visitor>
-SKD_IN_ONE_PIECE void VisitTriangleHits(const TreeView<3>& tree, const TrianglePackets& packets,
+SKD_FLATTEN void VisitTriangleHits(const TreeView<3>& tree, const TrianglePackets& packets,
   const Segment<3>& segment, double tolerance, Visitor& visitor)
 {
   const SegmentView view(segment);

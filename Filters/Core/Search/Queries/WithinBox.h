@@ -26,7 +26,7 @@ public:
   }
 
   template <int W>
-  SKD_IN_ONE_PIECE unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
+  SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float*) const
   {
     return this->TheBox.Overlapping(boxes);
   }

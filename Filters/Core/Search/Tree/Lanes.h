@@ -19,17 +19,17 @@
 /// Before a function: inlines everything that it calls. For functions that run at every node, which
 /// should compile to a few instructions.
 #if defined(__GNUC__)
-#define SKD_IN_ONE_PIECE __attribute__((flatten))
+#define SKD_FLATTEN __attribute__((flatten))
 #else
-#define SKD_IN_ONE_PIECE
+#define SKD_FLATTEN
 #endif
 
 /// Before a function: it is never inlined. For functions that run once a query, which would take
 /// registers from those that run at every node.
 #if defined(__GNUC__)
-#define SKD_APART __attribute__((noinline))
+#define SKD_NOINLINE __attribute__((noinline))
 #else
-#define SKD_APART
+#define SKD_NOINLINE
 #endif
 
 namespace skd

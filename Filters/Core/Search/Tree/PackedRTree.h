@@ -44,7 +44,7 @@ public:
   /// Calls visit(i) for each box that overlaps this one on the grid: all that overlap it, and some
   /// that are near.
   template <class Visit>
-  SKD_IN_ONE_PIECE void ForEachOverlapping(const Box3& box, const Visit& visit) const
+  SKD_FLATTEN void ForEachOverlapping(const Box3& box, const Visit& visit) const
   {
     if (!this->Levels.empty())
     {
@@ -201,7 +201,7 @@ private:
     }
   }
 
-  SKD_IN_ONE_PIECE void ListOverlaps(std::size_t packet, OverlapLists& lists) const
+  SKD_FLATTEN void ListOverlaps(std::size_t packet, OverlapLists& lists) const
   {
     const Packet& boxes = this->Levels[0][packet];
     std::array<WantedBox, Width> wanted;
