@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeAttach.h"
 
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPorts.h"
@@ -20,7 +20,7 @@ class vtkSkdTreeAttach::Internals
 public:
   struct Tree
   {
-    SkdKeptMesh Mesh;
+    SkdMeshSnapshot Mesh;
     vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
   };
   std::vector<Tree> Trees; // one a block

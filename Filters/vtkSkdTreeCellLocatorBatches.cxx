@@ -5,8 +5,8 @@
 
 #include "Cells/Search/SkdBatchLists.h"
 #include "Cells/Search/SkdBatchOutputs.h"
+#include "Cells/Search/SkdCoherentNearest.h"
 #include "Cells/Search/SkdLocatorState.h"
-#include "Cells/Search/SkdNearestInTurn.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -173,9 +173,9 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
   return batch.CountTrue(
     [&] {
-      return SkdNearestInTurn(tree, { this->DataSet, SkdScratchCell() }, limit2);
+      return SkdCoherentNearest(tree, { this->DataSet, SkdScratchCell() }, limit2);
     },
-    [&](SkdNearestInTurn& inTurn, vtkIdType slot)
+    [&](SkdCoherentNearest& inTurn, vtkIdType slot)
     {
       double x[3];
       batch.Read(slot, x);

@@ -3,7 +3,7 @@
 // When the locator builds its tree, and with which others it shares it.
 #include "vtkSkdTreeCellLocator.h"
 
-#include "Cells/Read/SkdMendedMesh.h"
+#include "Cells/Read/SkdRepairedMesh.h"
 #include "Cells/Search/SkdLocatorState.h"
 
 #include "vtkTimerLog.h"
@@ -57,7 +57,7 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
   settings.SkipsGhosts = this->SkipGhostCells;
   this->FreeSearchStructure();
-  const SkdMendedMesh mended = this->DataSet ? SkdMend(this->DataSet) : SkdMendedMesh();
+  const SkdRepairedMesh mended = this->DataSet ? SkdRepair(this->DataSet) : SkdRepairedMesh();
   std::shared_ptr<const SkdCellTree> tree;
   try
   {

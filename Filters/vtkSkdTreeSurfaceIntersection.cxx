@@ -161,8 +161,8 @@ Contacts FindPairs(vtkSkdTreeSurfaceIntersection* self, const Surface& first, co
     {
       contacts.Pairs = *std::move(pairs);
       contacts.AreCopiesLeftOut = near->HasCopies;
-      first.Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::First));
-      second->Set.MakeCornersOne(SkdTrianglesOf(contacts.Pairs, &SkdTrianglePair::Second));
+      first.Set.MakeCornersOne(SkdTrianglesInPairs(contacts.Pairs, &SkdTrianglePair::First));
+      second->Set.MakeCornersOne(SkdTrianglesInPairs(contacts.Pairs, &SkdTrianglePair::Second));
       return contacts;
     }
   }

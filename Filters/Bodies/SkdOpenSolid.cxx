@@ -37,7 +37,7 @@ SkdOpenSolid::SkdOpenSolid(
   , Locator(locator)
 {
   this->Surface->GetCellsBounds(this->Bounds);
-  const SkdHoleCaps caps(SkdPointsOf(this->Surface), SkdTrianglesOf(this->Surface));
+  const SkdHoleCaps caps(SkdSurfacePoints(this->Surface), SkdSurfaceTriangles(this->Surface));
   if (!this->Close(boundary, caps, epsilon))
   {
     this->MakeWindings();
@@ -47,7 +47,7 @@ SkdOpenSolid::SkdOpenSolid(
 bool SkdOpenSolid::Close(const SkdBoundary& boundary, const SkdHoleCaps& caps, double epsilon)
 {
   const std::vector<skd::Vector3>& points = caps.GetPoints();
-  std::vector<SkdTriangleIds> triangles = SkdTrianglesOf(this->Surface);
+  std::vector<SkdTriangleIds> triangles = SkdSurfaceTriangles(this->Surface);
   triangles.insert(triangles.end(), caps.GetTriangles().begin(), caps.GetTriangles().end());
   SkdBoundary closed;
   closed.Surface = vtkSmartPointer<vtkPolyData>::New();
@@ -77,8 +77,8 @@ bool SkdOpenSolid::Close(const SkdBoundary& boundary, const SkdHoleCaps& caps, d
 
 bool SkdOpenSolid::IsNearlyClosed(vtkIdType numberOfCaps) const
 {
-  const std::vector<skd::Vector3> points = SkdPointsOf(this->Closed);
-  const std::vector<SkdTriangleIds> triangles = SkdTrianglesOf(this->Closed);
+  const std::vector<skd::Vector3> points = SkdSurfacePoints(this->Closed);
+  const std::vector<SkdTriangleIds> triangles = SkdSurfaceTriangles(this->Closed);
   const SkdShells shells(points, triangles);
   std::vector<double> surface(shells.Get().size(), 0.0);
   std::vector<double> caps(shells.Get().size(), 0.0);
@@ -114,7 +114,7 @@ void SkdOpenSolid::MakeWindings()
 
 std::vector<bool> SkdOpenSolid::FindOutward(vtkPolyData* surface) const
 {
-  return SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
+  return SkdFindReversed(SkdSurfacePoints(surface), SkdSurfaceTriangles(surface),
     [this](const skd::Vector3& x)
     {
       return this->IsInsideBounds(x.X) &&
@@ -125,8 +125,8 @@ std::vector<bool> SkdOpenSolid::FindOutward(vtkPolyData* surface) const
 // Where that is not consistent within a component, most of its area remains as it is.
 std::vector<bool> SkdOpenSolid::FindConsistent(const std::vector<bool>& outward) const
 {
-  const std::vector<skd::Vector3> points = SkdPointsOf(this->Surface);
-  const std::vector<SkdTriangleIds> triangles = SkdTrianglesOf(this->Surface);
+  const std::vector<skd::Vector3> points = SkdSurfacePoints(this->Surface);
+  const std::vector<SkdTriangleIds> triangles = SkdSurfaceTriangles(this->Surface);
   const SkdShells shells(points, triangles);
   std::vector<double> kept(shells.Get().size(), 0.0); // area, minus that turned
   for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -9,7 +9,7 @@
 #ifndef SkdParts_h
 #define SkdParts_h
 
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 #include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Simplices/SimplexSet.h"
 #include "Pipeline/SkdBlocks.h"
@@ -59,7 +59,7 @@ private:
   {
     int BlockIndex = 0;
     double Epsilon = 0.0;
-    SkdKeptMesh Mesh;
+    SkdMeshSnapshot Mesh;
     std::shared_ptr<const SkdCellTree> Tree;
 
     /// Whether a tree was built.

@@ -12,7 +12,7 @@
 #include "Bodies/SkdBoundary.h"
 #include "Bodies/SkdOpenSolid.h"
 #include "Bodies/SkdSolid.h"
-#include "Pipeline/SkdKeptBlocks.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkSkdTreeCellLocator.h"
 
@@ -61,7 +61,7 @@ public:
 private:
   void MakeBoundary(const std::vector<SkdBlock>& blocks);
 
-  SkdKeptBlocks Meshes;
+  SkdBlockSnapshots Meshes;
   double ChordalLength = 0.0; // 0 where no cell is curved
   SkdBoundary Boundary;
   vtkSmartPointer<vtkSkdTreeCellLocator> Faces;

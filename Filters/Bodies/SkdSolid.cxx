@@ -51,8 +51,8 @@ void SkdSolid::FindShells() const
   std::call_once(this->ShellsFlag,
     [this]
     {
-      this->Shells =
-        std::make_unique<SkdShells>(SkdPointsOf(this->Surface), SkdTrianglesOf(this->Surface));
+      this->Shells = std::make_unique<SkdShells>(
+        SkdSurfacePoints(this->Surface), SkdSurfaceTriangles(this->Surface));
       this->HasOneSided = this->Shells->HasOneSided();
       this->HasShells.store(true, std::memory_order_release);
     });
@@ -204,7 +204,7 @@ void SkdSolid::FindGroups() const
     [this]
     {
       std::vector<int> groups = SkdFindShellGroups(
-        SkdPointsOf(this->Surface), SkdTrianglesOf(this->Surface), *this->Shells);
+        SkdSurfacePoints(this->Surface), SkdSurfaceTriangles(this->Surface), *this->Shells);
       this->JoinCavities(groups);
       const std::vector<SkdShells::Shell>& shells = this->Shells->Get();
       std::vector<int> largest(groups.size(), -1); // shell of a group

@@ -116,7 +116,7 @@ bool SkdTriangulation::ClipEars(vtkIdType size)
   return isCut;
 }
 
-std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface)
+std::vector<SkdTriangleIds> SkdSurfaceTriangles(vtkPolyData* surface)
 {
   std::vector<SkdTriangleIds> triangles(surface->GetNumberOfCells());
   vtkNew<vtkIdList> ids;
@@ -128,7 +128,7 @@ std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface)
   return triangles;
 }
 
-std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface)
+std::vector<skd::Vector3> SkdSurfacePoints(vtkPolyData* surface)
 {
   std::vector<skd::Vector3> points(surface->GetNumberOfPoints());
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -71,7 +71,7 @@ private:
 using SkdTriangleIds = std::array<vtkIdType, 3>;
 
 /// The triangles of a surface that has no other cells, and its points.
-std::vector<SkdTriangleIds> SkdTrianglesOf(vtkPolyData* surface);
-std::vector<skd::Vector3> SkdPointsOf(vtkPolyData* surface);
+std::vector<SkdTriangleIds> SkdSurfaceTriangles(vtkPolyData* surface);
+std::vector<skd::Vector3> SkdSurfacePoints(vtkPolyData* surface);
 
 #endif

@@ -16,9 +16,9 @@ using Triangle = skd::WindingNumber::Triangle;
 
 std::vector<Triangle> CornersOf(vtkPolyData* surface, const std::vector<bool>& isReversed)
 {
-  const std::vector<skd::Vector3> points = SkdPointsOf(surface);
+  const std::vector<skd::Vector3> points = SkdSurfacePoints(surface);
   std::vector<Triangle> triangles;
-  for (const SkdTriangleIds& ids : SkdTrianglesOf(surface))
+  for (const SkdTriangleIds& ids : SkdSurfaceTriangles(surface))
   {
     const bool reverses = !isReversed.empty() && isReversed[triangles.size()];
     triangles.push_back(

@@ -14,7 +14,7 @@
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/Walk.h"
 #include "Curves/SkdCurveSet.h"
-#include "Pipeline/SkdKeptBlocks.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 
 /// A part of a piece that is within `Deviation` of its chord and turns by less than 45 degrees.
 struct SkdCurveSpan
@@ -75,7 +75,7 @@ private:
   void Cut(double delta);
   void Build(double epsilon);
 
-  SkdKeptBlocks Meshes;
+  SkdBlockSnapshots Meshes;
   SkdCurveSettings Settings{ {}, -1.0, -1.0 };
   SkdCurveSet Curves;
   std::vector<SkdCurveSpan> Spans;

@@ -15,8 +15,8 @@
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/Walk.h"
 #include "Curves/SkdSurfaceReader.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptBlocks.h"
 
 #include <string>
 #include <vector>
@@ -79,7 +79,7 @@ private:
   void Build(double epsilon);
   skd::Box3 BoundsOf(const SkdSurfaceElement& element) const;
 
-  SkdKeptBlocks Meshes;
+  SkdBlockSnapshots Meshes;
   std::vector<SkdSurfaceElement> Elements;
   std::vector<skd::Vector3> Corners;
   std::vector<skd::Homogeneous> Controls; // of each patch its points, after a point: the origin

@@ -63,7 +63,7 @@ std::optional<SkdNearest> SkdSourceTrees::FindNearest(
     {
       next.Block = static_cast<int>(block);
       best = next;
-      radius = std::min(radius, SkdRadiusOf(next.Distance2));
+      radius = std::min(radius, SkdRadiusIncluding(next.Distance2));
     }
   }
   return best;

@@ -8,7 +8,7 @@
 #ifndef SkdSourceTrees_h
 #define SkdSourceTrees_h
 
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkSkdTreeCellLocator.h"
 
@@ -27,7 +27,7 @@ struct SkdNearest
 };
 
 /// A radius that includes a squared distance: the square of its root may be less.
-inline double SkdRadiusOf(double distance2)
+inline double SkdRadiusIncluding(double distance2)
 {
   return std::nextafter(std::sqrt(distance2), std::numeric_limits<double>::infinity());
 }
@@ -70,7 +70,7 @@ public:
 private:
   struct Tree
   {
-    SkdKeptMesh Mesh;
+    SkdMeshSnapshot Mesh;
     vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
 
     bool Update(vtkDataSet* mesh, double epsilon); // whether it was built

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/SkdValidInput.h"
 
-#include "Cells/Read/SkdMendedMesh.h"
+#include "Cells/Read/SkdRepairedMesh.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdUnfitArrays.h"
@@ -64,14 +64,14 @@ public:
     WholeMeshes& wholeMeshes = KnownWholeMeshes();
     for (const SkdBlock& block : SkdBlocksOf(object))
     {
-      SkdMendedMesh mended{ block.Mesh, {} };
+      SkdRepairedMesh mended{ block.Mesh, {} };
       SkdUnusablePoints points;
       std::string arrays;
       if (!wholeMeshes.Has(block.Mesh))
       {
         const SkdFittingMesh fitting = SkdLeaveOutUnfitArrays(block.Mesh);
         arrays = fitting.Fault;
-        mended = SkdMend(fitting.Mesh);
+        mended = SkdRepair(fitting.Mesh);
         points = SkdFindUnusablePoints(block.Mesh, false);
         if (mended.Mesh == block.Mesh && points.Count == 0)
         {

@@ -3,7 +3,7 @@
 #ifndef SkdKeptOverlaps_h
 #define SkdKeptOverlaps_h
 
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 #include "Remap/SkdDonorGradients.h"
 #include "Remap/SkdOverlapWeights.h"
 #include "Remap/SkdPointWeights.h"
@@ -36,8 +36,8 @@ public:
 private:
   bool IsFor(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings) const;
 
-  SkdKeptMesh Donor;
-  SkdKeptMesh Target;
+  SkdMeshSnapshot Donor;
+  SkdMeshSnapshot Target;
   SkdOverlapSettings Settings;
   bool Known = false;
   bool New = false;

@@ -72,7 +72,7 @@ public:
 private:
   struct KeptSamples
   {
-    SkdKeptMesh Mesh;
+    SkdMeshSnapshot Mesh;
     bool WeighsByCosine = false;
     std::unique_ptr<SkdContainedMean> Samples;
   };

@@ -11,7 +11,7 @@ namespace
 using coretest::Dice;
 using skd::ClosestPointInCell;
 using skd::Evaluate;
-using skd::InvertMap;
+using skd::ParametricCoordinates;
 using skd::Vector3;
 using skd::VolumePoint;
 using Points = std::vector<Vector3>;
@@ -138,7 +138,7 @@ TYPED_TEST(ParametricCells, ThePositionOfAPointInAPlainCellIsFound)
       coretest::PlainCell<TypeParam>(this->Random, this->Random.Point(1.0), 0.1 * this->Bendable);
     const Vector3 position = this->Place();
     const Vector3 x = Evaluate<TypeParam>(points.data(), position, Zero);
-    const std::optional<Vector3> found = InvertMap<TypeParam>(points.data(), x);
+    const std::optional<Vector3> found = ParametricCoordinates<TypeParam>(points.data(), x);
     if (found)
     {
       EXPECT_LE(skd::MaxNorm((1.0 - position[2]) * (*found - position)), 1e-13);
@@ -296,7 +296,7 @@ TYPED_TEST(ParametricCells, NaNAndInfinityGiveNoDistance)
   {
     EXPECT_FALSE(this->Closest(points, { { bad, 0.0, 0.0 } }).Dist2 < 1e300);
     EXPECT_FALSE(this->Closest(points, { { 0.0, 0.0, bad } }, 1.0).Dist2 < 1e300);
-    EXPECT_FALSE(InvertMap<TypeParam>(points.data(), { { 0.0, bad, 0.0 } }));
+    EXPECT_FALSE(ParametricCoordinates<TypeParam>(points.data(), { { 0.0, bad, 0.0 } }));
   }
 }
 

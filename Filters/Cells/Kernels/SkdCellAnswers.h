@@ -24,7 +24,7 @@ struct SkdLineHit
 };
 
 /// The distance up to which a segment hits a cell.
-struct SkdReach
+struct SkdHitTolerance
 {
   double Tolerance; ///< the caller's, of surfaces
   double Rounding;  ///< what rounding alone makes of coordinates: lines and points need it

@@ -28,7 +28,7 @@ struct SkdVertexKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     const skd::Segment<3>& segment = view.GetSegment();
     const auto nearest = skd::ClosestPointOnSegment(segment.A, segment.B, p[0]);
@@ -54,7 +54,7 @@ struct SkdLineKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     const skd::SegmentPair nearest = skd::ClosestPoints(view.GetSegment(), { p[0], p[1] });
     if (!(nearest.Dist2 <= reach.OfLines() * reach.OfLines()))
@@ -83,7 +83,7 @@ struct SkdTriangleKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     const auto hit = skd::IntersectWithin(view, p[0], p[1], p[2], reach.Tolerance);
     return hit ? std::optional<SkdLineHit>(From(*hit)) : std::nullopt;
@@ -134,7 +134,7 @@ private:
 /// The nearest hit of a segment with a face of 3 or 4 points whose parametric coordinates are
 /// given.
 inline void SkdHitFace(const skd::Vector3* p, const skd::Vector3* pcoords, int size,
-  const skd::SegmentView& view, const SkdReach& reach, std::optional<SkdLineHit>& first)
+  const skd::SegmentView& view, const SkdHitTolerance& reach, std::optional<SkdLineHit>& first)
 {
   const auto tryTriangle = [&](int a, int b, int c)
   {
@@ -171,7 +171,7 @@ struct SkdQuadKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     static constexpr skd::Vector3 corners[4] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } },
       { { 1.0, 1.0, 0.0 } }, { { 0.0, 1.0, 0.0 } } };
@@ -203,7 +203,7 @@ struct SkdPixelKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     const skd::Vector3 quad[4] = { p[0], p[1], p[3], p[2] };
     return SkdQuadKernel::Intersect(quad, view, reach);
@@ -249,7 +249,7 @@ struct SkdVolumeKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     std::optional<SkdLineHit> first;
     for (const auto& face : Shape::Faces)
@@ -278,7 +278,7 @@ struct SkdVolumeKernel
 struct SkdVoxelKernel : SkdVolumeKernel<skd::Voxel>
 {
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdReach& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
   {
     const skd::Segment<3>& segment = view.GetSegment();
     const skd::VolumePoint start = skd::ClosestPointInCell<skd::Voxel>(p, segment.A, 0.0);

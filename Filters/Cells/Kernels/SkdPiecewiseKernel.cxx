@@ -125,7 +125,7 @@ skd::Vector3 PCoordsOf(vtkCell* cell, const double* weights)
 // Lines meet a prism's quads, and the fans of triangles that its ends are.
 
 std::optional<SkdLineHit> HitPrism(
-  vtkCell* cell, const skd::SegmentView& view, const SkdReach& reach)
+  vtkCell* cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
 {
   const Pieces& pieces = EmptyPieces(cell);
   const double* ofPoints = cell->GetParametricCoords();
@@ -215,7 +215,7 @@ SkdCellPoint SkdPiecewiseKernel::Closest(vtkCell* cell, const skd::Vector3& x)
 
 //------------------------------------------------------------------------------
 std::optional<SkdLineHit> SkdPiecewiseKernel::Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, const SkdReach& reach)
+  vtkCell* cell, const skd::Segment<3>& segment, const SkdHitTolerance& reach)
 {
   const skd::SegmentView view(segment);
   return cell->GetCellType() == VTK_QUADRATIC_POLYGON

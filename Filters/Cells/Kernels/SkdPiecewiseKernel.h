@@ -17,7 +17,7 @@ bool Knows(int cellType);
 SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 
 std::optional<SkdLineHit> Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, const SkdReach& reach);
+  vtkCell* cell, const skd::Segment<3>& segment, const SkdHitTolerance& reach);
 
 /// The parametric coordinates and, unless nullptr, weights at a point that Closest gave.
 void Locate(vtkCell* cell, SkdCellPoint& found, double* weights);

@@ -39,7 +39,7 @@ SkdCellPoint ClosestPiece(const SkdPolyCell& cell, const skd::Vector3& x, double
 
 template <class Kernel>
 std::optional<SkdLineHit> FirstPieceHit(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdReach& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
 {
   std::optional<SkdLineHit> first;
   for (int i = 0; i < NumberOfPieces(cell, Kernel::Size); ++i)
@@ -138,7 +138,7 @@ SkdCellPoint ClosestOnPolygon(const SkdPolyCell& cell, const skd::Vector3& x)
 }
 
 std::optional<SkdLineHit> HitPolygon(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdReach& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
 {
   const skd::Segment<3>& segment = view.GetSegment();
   if (const auto hit = skd::Intersect(view, cell.Points, cell.Size))
@@ -196,7 +196,7 @@ SkdCellPoint ClosestOnPolyhedron(const SkdPolyCell& cell, const skd::Vector3& x,
 }
 
 std::optional<SkdLineHit> HitPolyhedron(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdReach& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
 {
   const skd::PolyhedronView polyhedron = cell.AsPolyhedron();
   std::optional<SkdLineHit> first;
@@ -268,7 +268,7 @@ SkdCellPoint SkdPolyKernels::Closest(const SkdPolyCell& cell, const skd::Vector3
 
 //------------------------------------------------------------------------------
 std::optional<SkdLineHit> SkdPolyKernels::Intersect(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdReach& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
 {
   std::optional<SkdLineHit> first;
   const auto intersect = [&](auto kernel)

@@ -29,8 +29,8 @@ public:
     vtkIdType Other = 0;     ///< ghost, blanked, empty, of unknown type
   };
 
-  /// `data` may be nullptr; it has no broken cells (SkdMendedMesh.h). Throws std::length_error when
-  /// there are more cells or points than 32-bit numbers can count.
+  /// `data` may be nullptr; it has no broken cells (SkdRepairedMesh.h). Throws std::length_error
+  /// when there are more cells or points than 32-bit numbers can count.
   SkdCellStore(vtkDataSet* data, bool skipGhosts, const SkdMagnitudes& magnitudes);
 
   /// Some cells of another store, ascending, which must outlive this one: it has the points.

@@ -132,7 +132,7 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
 {
   std::optional<SkdLineHit> hit;
   const SkdShape shape = this->Store.ShapeOf(cell);
-  const SkdReach reach{ tolerance, this->TheRounding };
+  const SkdHitTolerance reach{ tolerance, this->TheRounding };
   const auto intersect = [&](auto kernel)
   {
     skd::Vector3 points[kernel.Size];

@@ -4,7 +4,7 @@
 #define SkdLocatorState_h
 
 #include "Cells/Read/SkdCellReader.h"
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 #include "Cells/Search/SkdCellTree.h"
 
 #include "vtkDataSet.h"
@@ -68,7 +68,7 @@ public:
   /// last found to be that mesh; thread-safe.
   void Keep(vtkDataSet* mesh)
   {
-    auto kept = std::make_shared<SkdKeptMesh>();
+    auto kept = std::make_shared<SkdMeshSnapshot>();
     if (mesh)
     {
       kept->Keep(mesh);
@@ -140,7 +140,7 @@ public:
 private:
   std::shared_ptr<const SkdCellTree> Tree;
   std::atomic<const SkdCellTree*> Ready{ nullptr };
-  std::shared_ptr<const SkdKeptMesh> Kept; // shared with shallow copies
+  std::shared_ptr<const SkdMeshSnapshot> Kept; // shared with shallow copies
   std::atomic<vtkMTimeType> CheckTime{ 0 };
 };
 

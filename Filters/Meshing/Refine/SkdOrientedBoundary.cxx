@@ -28,7 +28,7 @@ SkdOrientedBoundary::SkdOrientedBoundary(const SkdSignedSource& boundary, double
         settings.Epsilon = epsilon;
         return settings;
       }())
-  , Reversed(SkdFindReversed(SkdPointsOf(this->Surface), SkdTrianglesOf(this->Surface),
+  , Reversed(SkdFindReversed(SkdSurfacePoints(this->Surface), SkdSurfaceTriangles(this->Surface),
       [&boundary](const skd::Vector3& x) { return boundary.IsInside(x.X); }))
 {
   if (!this->Reversed.empty())

@@ -109,7 +109,7 @@ Sample Search::Halve(const Piece& piece, int edge) const
   {
     reach2 = std::min(reach2, this->To.GetDistance2(corner.Nearest, middle));
   }
-  const Sample near = this->FindNearest(middle, SkdRadiusOf(reach2));
+  const Sample near = this->FindNearest(middle, SkdRadiusIncluding(reach2));
   const bool isMissed = near.Nearest < 0; // the search rounds otherwise
   return isMissed ? this->FindNearest(middle, std::numeric_limits<double>::max()) : near;
 }

@@ -50,10 +50,10 @@ void Merge(std::vector<Edge>& edges)
 }
 
 SkdFeatureNormals::SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isTurned)
-  : Triangles(SkdTrianglesOf(surface))
+  : Triangles(SkdSurfaceTriangles(surface))
   , PointNormals(surface->GetNumberOfPoints(), skd::Vector3{ { 0.0, 0.0, 0.0 } })
 {
-  const std::vector<skd::Vector3> points = SkdPointsOf(surface);
+  const std::vector<skd::Vector3> points = SkdSurfacePoints(surface);
   for (const SkdTriangleIds& ids : this->Triangles)
   {
     const bool turns = !isTurned.empty() && isTurned[this->FaceNormals.size()];

@@ -136,7 +136,7 @@ std::vector<bool> SkdPart::FindReversed(vtkPolyData* surface) const
   {
     return this->OpenSolid->FindOutward(surface);
   }
-  return SkdFindReversed(SkdPointsOf(surface), SkdTrianglesOf(surface),
+  return SkdFindReversed(SkdSurfacePoints(surface), SkdSurfaceTriangles(surface),
     [this](const skd::Vector3& x)
     { return this->BoundsHold(x.X) && this->AskSolid(x.X).IsInside; });
 }

@@ -8,7 +8,7 @@
 #ifndef SkdPartList_h
 #define SkdPartList_h
 
-#include "Pipeline/SkdKeptBlocks.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 #include "Search/InOut/SkdPart.h"
 
 #include <string>
@@ -57,7 +57,7 @@ private:
 
   void MakeByIds(const std::vector<SkdBlock>& blocks);
 
-  SkdKeptBlocks Meshes;
+  SkdBlockSnapshots Meshes;
   Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };
   std::vector<SkdPart> Parts;
 };

@@ -171,7 +171,7 @@ bool SkdCellFinder::FindOutside(const double x[3])
     if (this->FindNext(static_cast<int>(block), x, radius, dist2) && dist2 < least2)
     {
       least2 = dist2;
-      radius = std::min(radius, SkdRadiusOf(dist2));
+      radius = std::min(radius, SkdRadiusIncluding(dist2));
       this->TakeNext();
     }
   }

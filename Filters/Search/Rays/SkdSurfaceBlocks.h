@@ -4,8 +4,8 @@
 #define SkdSurfaceBlocks_h
 
 #include "Bodies/SkdOuterSurface.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptBlocks.h"
 
 #include <optional>
 #include <vector>
@@ -33,7 +33,7 @@ public:
   double GetChordalLength() const { return this->ChordalLength; }
 
 private:
-  SkdKeptBlocks Kept;
+  SkdBlockSnapshots Kept;
   double ChordalLength = 0.0;
   std::vector<std::optional<SkdBlockSurface>> Surfaces; // none of blocks without volume cells
 };

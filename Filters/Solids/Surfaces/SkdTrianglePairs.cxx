@@ -397,7 +397,7 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> SkdTrianglesOf(
+std::vector<std::uint32_t> SkdTrianglesInPairs(
   const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side)
 {
   std::vector<std::uint32_t> triangles;

@@ -81,7 +81,7 @@ private:
 };
 
 /// The triangles of one side of pairs, each once, ascending.
-std::vector<std::uint32_t> SkdTrianglesOf(
+std::vector<std::uint32_t> SkdTrianglesInPairs(
   const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side);
 
 #endif

@@ -11,8 +11,8 @@
 #include "Core/Geometry/Vector.h"
 #include "Core/Parallel/Processes.h"
 #include "Core/Search/Tree/LazyTree.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Pipeline/SkdKeptBlocks.h"
 #include "Solids/Surfaces/SkdCopies.h"
 #include "Solids/Surfaces/SkdTriangleReader.h"
 
@@ -127,7 +127,7 @@ public:
 private:
   void BuildTree();
 
-  SkdKeptBlocks Meshes;
+  SkdBlockSnapshots Meshes;
   double ChordalLength = 0.0;
   SkdReadTriangles Read;
   std::vector<std::uint32_t> PointOf; // of each point that was read, when merged

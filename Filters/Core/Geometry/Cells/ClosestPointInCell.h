@@ -13,7 +13,7 @@
 #include "../Tolerances.h"
 #include "Brick.h"
 #include "CellFaces.h"
-#include "InvertMap.h"
+#include "ParametricCoordinates.h"
 #include "VolumePoint.h"
 
 #include <type_traits>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cells/Read/SkdMendedMesh.h"
+#include "Cells/Read/SkdRepairedMesh.h"
 
 #include "Cells/Read/SkdCellCheck.h"
 #include "Cells/Read/SkdRawCells.h"
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkDataSet> WithPoints(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-SkdMendedMesh SkdMend(vtkDataSet* given)
+SkdRepairedMesh SkdRepair(vtkDataSet* given)
 {
   const vtkSmartPointer<vtkDataSet> data = WithPoints(given);
   const SkdBrokenCells broken = SkdFindBrokenCells(data);

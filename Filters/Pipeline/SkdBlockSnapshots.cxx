@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pipeline/SkdKeptBlocks.h"
+#include "Pipeline/SkdBlockSnapshots.h"
 
 #include <algorithm>
 
-std::vector<SkdBlock> SkdKeptBlocks::Keep(const std::vector<SkdBlock>& blocks)
+std::vector<SkdBlock> SkdBlockSnapshots::Keep(const std::vector<SkdBlock>& blocks)
 {
   std::vector<SkdBlock> structures = blocks;
   this->Meshes.resize(blocks.size());
@@ -16,8 +16,8 @@ std::vector<SkdBlock> SkdKeptBlocks::Keep(const std::vector<SkdBlock>& blocks)
   return structures;
 }
 
-bool SkdKeptBlocks::AreSameAs(const std::vector<SkdBlock>& blocks) const
+bool SkdBlockSnapshots::AreSameAs(const std::vector<SkdBlock>& blocks) const
 {
   return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-    [](const SkdKeptMesh& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
+    [](const SkdMeshSnapshot& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Which parametric coordinates of a volume cell give the point x.
-#ifndef skd_Geometry_Cells_InvertMap_h
-#define skd_Geometry_Cells_InvertMap_h
+#ifndef skd_Geometry_Cells_ParametricCoordinates_h
+#define skd_Geometry_Cells_ParametricCoordinates_h
 
 #include "InverseMap.h"
 #include "LinearShapes.h"
@@ -32,7 +32,7 @@ Vector3 Evaluate(const Vector3* points, const Vector3& p, const Vector3& origin)
 /// give x to within rounding. None if there are none: x is then not in the cell, or the cell has no
 /// volume. Of several (inverted parts, folds) any one.
 template <class Shape>
-std::optional<Vector3> InvertMap(const Vector3* points, const Vector3& x)
+std::optional<Vector3> ParametricCoordinates(const Vector3* points, const Vector3& x)
 {
   if (!IsFinite(x))
   {

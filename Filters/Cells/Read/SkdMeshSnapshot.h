@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SkdKeptMesh.h
+ * @file SkdMeshSnapshot.h
  * @brief The structure of the mesh that a tree was built on, kept to decide whether the tree is
  * still valid.
  *
@@ -11,13 +11,13 @@
  * rational weights and degrees: together the "structure" below.
  */
 
-#ifndef SkdKeptMesh_h
-#define SkdKeptMesh_h
+#ifndef SkdMeshSnapshot_h
+#define SkdMeshSnapshot_h
 
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
-class SkdKeptMesh
+class SkdMeshSnapshot
 {
 public:
   /// Stores the structure of `mesh`, by reference, without its other data.

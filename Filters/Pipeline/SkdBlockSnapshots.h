@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SkdKeptBlocks.h
- * @brief What SkdKeptMesh is to a mesh, of all blocks of a data object together.
+ * @file SkdBlockSnapshots.h
+ * @brief What SkdMeshSnapshot is to a mesh, of all blocks of a data object together.
  */
 
-#ifndef SkdKeptBlocks_h
-#define SkdKeptBlocks_h
+#ifndef SkdBlockSnapshots_h
+#define SkdBlockSnapshots_h
 
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 #include "Pipeline/SkdBlocks.h"
 
 #include <vector>
 
-class SkdKeptBlocks
+class SkdBlockSnapshots
 {
 public:
   /// Keeps the structures of the blocks. Returns these, in the order and with the indices of the
@@ -27,7 +27,7 @@ public:
   vtkDataSet* Get(int block) const { return this->Meshes[static_cast<std::size_t>(block)].Get(); }
 
 private:
-  std::vector<SkdKeptMesh> Meshes;
+  std::vector<SkdMeshSnapshot> Meshes;
 };
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cells/Read/SkdKeptMesh.h"
+#include "Cells/Read/SkdMeshSnapshot.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -207,7 +207,7 @@ void CopyShaping(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 }
 }
 
-void SkdKeptMesh::Keep(vtkDataSet* mesh)
+void SkdMeshSnapshot::Keep(vtkDataSet* mesh)
 {
   this->Mesh.TakeReference(mesh->NewInstance());
   this->Mesh->CopyStructure(mesh);
@@ -218,7 +218,7 @@ void SkdKeptMesh::Keep(vtkDataSet* mesh)
   this->Time = now.GetMTime();
 }
 
-bool SkdKeptMesh::IsSameAs(vtkDataSet* mesh) const
+bool SkdMeshSnapshot::IsSameAs(vtkDataSet* mesh) const
 {
   const Comparison comparison(this->Time);
   return this->Mesh && std::strcmp(this->Mesh->GetClassName(), mesh->GetClassName()) == 0 &&

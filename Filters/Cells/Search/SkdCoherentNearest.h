@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdNearestInTurn_h
-#define SkdNearestInTurn_h
+#ifndef SkdCoherentNearest_h
+#define SkdCoherentNearest_h
 
 #include "Cells/Search/SkdCellTree.h"
 
@@ -10,10 +10,10 @@
 /// Nearest cells to a sequence of points near each other: the answer to the last one is a point of
 /// the set, so the distance to it bounds the next search. Answers are those of
 /// SkdCellTree::FindNearest, including ties. For one thread.
-class SkdNearestInTurn
+class SkdCoherentNearest
 {
 public:
-  SkdNearestInTurn(const SkdCellTree& tree, const SkdCellSource& source, double limit2)
+  SkdCoherentNearest(const SkdCellTree& tree, const SkdCellSource& source, double limit2)
     : Tree(tree)
     , Source(source)
     , Limit2(limit2)

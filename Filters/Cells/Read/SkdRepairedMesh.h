@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdMendedMesh_h
-#define SkdMendedMesh_h
+#ifndef SkdRepairedMesh_h
+#define SkdRepairedMesh_h
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -14,13 +14,13 @@ class vtkDataSet;
 /// A valid version of a data set: itself or, if cells are broken (SkdCellCheck.h), one of the same
 /// type, points and data in which these are empty. All cells keep their ids. One that has cells but
 /// no vtkPoints gets an empty one, without a word, for cells without points are valid.
-struct SkdMendedMesh
+struct SkdRepairedMesh
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   std::string Fault; ///< the warning about broken cells; empty if there is none
 };
 
 /// `given` must not be nullptr. Copies connectivity only if cells are broken.
-SkdMendedMesh SkdMend(vtkDataSet* given);
+SkdRepairedMesh SkdRepair(vtkDataSet* given);
 
 #endif
