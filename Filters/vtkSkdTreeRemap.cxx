@@ -54,7 +54,8 @@ private:
   bool WeighsByCosine(vtkDataObject* source) const;
   bool IsConservative() const;
   void Begin(bool hasCells, bool hasOthers);
-  void MapBlocks();
+  bool IsOfCurvedSurfaces(const skd::Processes* processes);
+  void MapBlocks(double start);
   void MapBlock(std::size_t block, double first, double last);
   void Interpolate(vtkDataSet* block, bool withCellData, double first, double last);
   void FillWeights(vtkTable* table);
@@ -117,7 +118,8 @@ bool vtkSkdTreeRemap::Internals::FindSpace()
   }
   SkdOverlapSpace& space = this->Settings.Overlap.Space;
   constexpr SkdOverlapSpace spaces[] = { SkdOverlapSpace::Line, SkdOverlapSpace::Line,
-    SkdOverlapSpace::Plane, SkdOverlapSpace::Sphere, SkdOverlapSpace::Volume };
+    SkdOverlapSpace::Plane, SkdOverlapSpace::Sphere, SkdOverlapSpace::Volume,
+    SkdOverlapSpace::CurvedSurface };
   space = spaces[this->Self->Geometry];
   if (this->Self->Geometry == AUTOMATIC_GEOMETRY)
   {
@@ -126,6 +128,13 @@ bool vtkSkdTreeRemap::Internals::FindSpace()
     const bool isOnSphere = this->Self->SourceCoordinates == LONGITUDE_LATITUDE ||
       this->Self->Method == CONTAINED || SkdRadiusOf(this->Donor);
     space = space == SkdOverlapSpace::Sphere && !isOnSphere ? SkdOverlapSpace::Plane : space;
+    const bool isExact = this->Self->Method == CONSERVATIVE_FIRST_ORDER ||
+      this->Self->Method == CONSERVATIVE_SECOND_ORDER;
+    if (space == SkdOverlapSpace::Plane && isExact && this->HintOf().empty() &&
+      !SkdAreInOnePlane(this->Donor, this->Inputs))
+    {
+      space = SkdOverlapSpace::CurvedSurface;
+    }
   }
   return true;
 }
@@ -218,6 +227,9 @@ SkdRemapSettings vtkSkdTreeRemap::Internals::MakeSettings() const
   settings.Fields.RenamesTaken = self->RenameTakenArrays;
   settings.Overlap.DonorIsLonLat = self->SourceEdgesAlongParallels;
   settings.Overlap.TargetIsLonLat = self->InputEdgesAlongParallels;
+  settings.Overlap.Facets.Distance = self->SurfaceDistance;
+  settings.Overlap.Facets.LeastCosine =
+    self->SurfaceAngle < 90.0 ? std::cos(vtkMath::RadiansFromDegrees(self->SurfaceAngle)) : 0.0;
   settings.Conservative.Normalization = static_cast<SkdNormalization>(self->Normalization);
   settings.Conservative.MinimumCoverage = self->MinimumCoverage;
   settings.Conservative.RotatesVectors = self->RotateVectors;
@@ -295,7 +307,7 @@ void vtkSkdTreeRemap::Internals::FillOverlaps(vtkDataObject* output)
   {
     const vtkSmartPointer<vtkUnstructuredGrid> mesh = this->Remapper.GetWeights(block)
       ? SkdMakeOverlapMesh(
-          this->Donor, this->Inputs[block].Mesh, this->Settings.Overlap, this->Self)
+          this->Donor, this->Inputs[block].Mesh, this->Remapper.GetOverlapSettings(), this->Self)
       : nullptr;
     if (mesh)
     {
@@ -382,6 +394,11 @@ void vtkSkdTreeRemap::Internals::Report(vtkDataObject* output, double seconds) c
   report.AddCount("Overlaps", found.Overlaps);
   report.AddCount("WeightsFound", found.WeightsFound);
   report.AddMeasure("Seconds", seconds);
+  if (found.Surfaces)
+  {
+    report.AddMeasure("SurfaceGap", found.Surfaces->LargestGap);
+    report.AddMeasure("SourceCoverage", found.Surfaces->SourceCoverage);
+  }
   found.Tally.AddTo(output);
 }
 
@@ -407,12 +424,25 @@ void vtkSkdTreeRemap::Internals::Begin(bool hasCells, bool hasOthers)
   }
 }
 
-void vtkSkdTreeRemap::Internals::MapBlocks()
+// What of Input one process has may be flat, or nothing.
+bool vtkSkdTreeRemap::Internals::IsOfCurvedSurfaces(const skd::Processes* processes)
 {
-  const double step = 1.0 / static_cast<double>(std::max<std::size_t>(this->Outputs.size(), 1));
+  SkdOverlapSpace& space = this->Settings.Overlap.Space;
+  const bool isExact = this->Self->Method == CONSERVATIVE_FIRST_ORDER ||
+    this->Self->Method == CONSERVATIVE_SECOND_ORDER;
+  const bool isHere = isExact && space == SkdOverlapSpace::CurvedSurface;
+  const bool isAny = processes && isExact ? processes->IsAny(isHere) : isHere;
+  space = isAny ? SkdOverlapSpace::CurvedSurface : space;
+  return isAny;
+}
+
+void vtkSkdTreeRemap::Internals::MapBlocks(double start)
+{
+  const double step =
+    (1.0 - start) / static_cast<double>(std::max<std::size_t>(this->Outputs.size(), 1));
   for (std::size_t block = 0; block < this->Outputs.size(); ++block)
   {
-    const double first = static_cast<double>(block) * step;
+    const double first = start + static_cast<double>(block) * step;
     if (!(SkdIsAborted(this->Self)))
     {
       this->MapBlock(block, first, first + step);
@@ -443,7 +473,13 @@ void vtkSkdTreeRemap::Internals::Run(
   const auto processes = this->Self->NeedsWhole(0)
     ? nullptr // this one has all
     : SkdProcessesOf(outputVector->GetInformationObject(0));
+  const bool isCurved = this->IsOfCurvedSurfaces(processes.get());
   this->Begin(hasCells, processes != nullptr);
+  constexpr double matched = 0.7; // of the progress
+  if (isCurved)
+  {
+    this->Remapper.MatchSurfaces(this->Outputs, processes.get(), 0.0, matched);
+  }
   if (isByFile)
   {
     constexpr int wanted[] = { -1, vtkDataObject::CELL, vtkDataObject::POINT };
@@ -452,7 +488,7 @@ void vtkSkdTreeRemap::Internals::Run(
   }
   else if (hasCells || !this->IsConservative())
   {
-    this->MapBlocks();
+    this->MapBlocks(isCurved ? matched : 0.0);
   }
   if (processes)
   {
@@ -543,19 +579,20 @@ void vtkSkdTreeRemap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Method", this->Method, "ResultsOn", this->ResultsOn, "Geometry",
-    this->Geometry, "SourceCoordinates", this->SourceCoordinates, "InputCoordinates",
-    this->InputCoordinates, "SourceEdgesAlongParallels", this->SourceEdgesAlongParallels,
-    "InputEdgesAlongParallels", this->InputEdgesAlongParallels, "Statistic", this->Statistic,
-    "SampleWeights", this->SampleWeights, "EmptyCells", this->EmptyCells, "Extrapolation",
-    this->Extrapolation, "ExtrapolationConstant", this->ExtrapolationConstant,
-    "ExtrapolationNeighbors", this->ExtrapolationNeighbors, "Limiter", this->Limiter,
-    "Normalization", this->Normalization, "MinimumCoverage", this->MinimumCoverage, "MissingValues",
-    this->MissingValues, "UseMissingValue", this->UseMissingValue, "MissingValue",
-    this->MissingValue, "MaskArray", this->MaskArray, "RotateVectors", this->RotateVectors,
-    "PassInputData", this->PassInputData, "RenameTakenArrays", this->RenameTakenArrays,
-    "GenerateWeights", this->GenerateWeights, "GenerateOverlapMesh", this->GenerateOverlapMesh,
-    "WeightsFileName", this->WeightsFileName, "WeightsFileFormat", this->WeightsFileFormat,
-    "AppliedWeightsFileName", this->AppliedWeightsFileName);
+    this->Geometry, "SurfaceDistance", this->SurfaceDistance, "SurfaceAngle", this->SurfaceAngle,
+    "SourceCoordinates", this->SourceCoordinates, "InputCoordinates", this->InputCoordinates,
+    "SourceEdgesAlongParallels", this->SourceEdgesAlongParallels, "InputEdgesAlongParallels",
+    this->InputEdgesAlongParallels, "Statistic", this->Statistic, "SampleWeights",
+    this->SampleWeights, "EmptyCells", this->EmptyCells, "Extrapolation", this->Extrapolation,
+    "ExtrapolationConstant", this->ExtrapolationConstant, "ExtrapolationNeighbors",
+    this->ExtrapolationNeighbors, "Limiter", this->Limiter, "Normalization", this->Normalization,
+    "MinimumCoverage", this->MinimumCoverage, "MissingValues", this->MissingValues,
+    "UseMissingValue", this->UseMissingValue, "MissingValue", this->MissingValue, "MaskArray",
+    this->MaskArray, "RotateVectors", this->RotateVectors, "PassInputData", this->PassInputData,
+    "RenameTakenArrays", this->RenameTakenArrays, "GenerateWeights", this->GenerateWeights,
+    "GenerateOverlapMesh", this->GenerateOverlapMesh, "WeightsFileName", this->WeightsFileName,
+    "WeightsFileFormat", this->WeightsFileFormat, "AppliedWeightsFileName",
+    this->AppliedWeightsFileName);
   for (const std::string& name : this->Impl->Extensive)
   {
     SkdPrint(os, indent, "ExtensiveArray", name);

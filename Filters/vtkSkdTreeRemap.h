@@ -133,16 +133,37 @@ public:
     LINE = 1,
     PLANE = 2,
     SPHERE = 3,
-    VOLUME = 4
+    VOLUME = 4,
+    CURVED_SURFACE = 5
   };
 
   //@{
   /**
    * What the meshes are parts of. AUTOMATIC_GEOMETRY (default) goes by the highest dimension of
    * Input's cells; surfaces are on a sphere if all points of both meshes are equally far from the
-   * origin, to a part in 10^5.
+   * origin, to a part in 10^5. CURVED_SURFACE: two surfaces in space that nearly coincide, say of a
+   * fluid and of the structure in it; CONSERVATIVE_FIRST_ORDER and CONSERVATIVE_SECOND_ORDER take
+   * surfaces in no common plane or sphere as such. Cells of Input are projected onto each cell of
+   * Source along its normal: as one projection takes all of them, the source cell hands out its own
+   * area, all of it where it is covered. Overlaps are measured on Source. So with COVERED constants
+   * stay, and the integral is kept over the areas handed out; with WHOLE the integral over Input's
+   * own areas is that over Source, and constants change as areas do, by the square of the cells'
+   * size. Where Input has folds a source cell's area is shared out among them. Warped polygons are
+   * the triangles of their edges and the mean of their corners. Normals of both meshes must be
+   * alike or opposite throughout, so that the sides of a thin plate are told apart; which of these
+   * the meshes tell themselves, and it is warned of if they do not, as of what has no partner.
    */
-  vtkSkdTreeChoiceMacro(Geometry, AUTOMATIC_GEOMETRY, VOLUME);
+  vtkSkdTreeChoiceMacro(Geometry, AUTOMATIC_GEOMETRY, CURVED_SURFACE);
+  //@}
+
+  //@{
+  /**
+   * Of curved surfaces, how far facets of Input and Source that have to do with each other may be
+   * apart (0, the default: half the diameter of the larger one; in the mean over the overlap, along
+   * the normal), and by how many degrees their normals may differ (range [1, 90], default 90).
+   */
+  vtkSkdTreeWithinMacro(SurfaceDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSkdTreeWithinMacro(SurfaceAngle, double, 1.0, 90.0);
   //@}
 
   enum CoordinatesType
@@ -449,6 +470,8 @@ protected:
   int Method = AUTOMATIC_METHOD;
   int ResultsOn = AUTOMATIC_RESULTS;
   int Geometry = AUTOMATIC_GEOMETRY;
+  double SurfaceDistance = 0.0;
+  double SurfaceAngle = 90.0;
   int SourceCoordinates = AS_GIVEN;
   int InputCoordinates = AS_GIVEN;
   bool SourceEdgesAlongParallels = false;

@@ -142,7 +142,8 @@ void SkdConservativeRemap::MapRow(const Shares& shares, std::size_t target, Row&
 void SkdConservativeRemap::Finish(const Shares& shares, std::size_t target, Row& row) const
 {
   const double whole = this->Weights.GetTarget().Measures[target];
-  if (!(row.Covered > 0.0) || row.Covered < this->Rules.MinimumCoverage * whole)
+  const double own = this->Weights.GetTarget().OwnMeasureOf(target, row.Covered);
+  if (!(row.Covered > 0.0) || own < this->Rules.MinimumCoverage * whole)
   {
     row.Covered = 0.0;
     return;
@@ -418,7 +419,7 @@ void SkdConservativeRemap::AddTarget(
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
     all.Add(measures[i]);
-    some.Add(covered[i]);
+    some.Add(this->Weights.GetTarget().OwnMeasureOf(i, covered[i]));
   }
   for (std::size_t c = 0; c < mapped.Integrals.size(); ++c)
   {

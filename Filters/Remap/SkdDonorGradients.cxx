@@ -62,12 +62,16 @@ SkdDonorGradients::SkdDonorGradients(
   vtkDataSet* donor, const SkdOverlapCells& cells, const skd::Vector3& normal, bool isOnSphere)
   : Measures(cells.Measures)
   , Centroids(cells.Centroids)
+  , Normals(cells.Normals)
   , Normal(normal)
   , IsOnSphere(isOnSphere)
 {
   this->ReadCorners(donor);
   this->FindNeighbours(static_cast<vtkIdType>(this->Points.size()));
-  this->InvertAll();
+  if (this->Normals.empty())
+  {
+    this->InvertAll();
+  }
 }
 
 void SkdDonorGradients::ReadCorners(vtkDataSet* donor)
@@ -192,19 +196,36 @@ skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, 
   return Times(isWhole ? this->Inverses[at] : this->Invert(cell, counts), right);
 }
 
-// In two axes across the centroid's direction. Neighbours in one line have no gradient aside of it.
+std::array<skd::Vector3, 2> SkdDonorGradients::AxesOf(std::size_t cell) const
+{
+  return AxesAcross(this->Normals.empty() ? this->Centroids[cell] : this->Normals[cell]);
+}
+
+// Of a curved surface as long as it is: around a sharp edge the distance counts.
+std::array<double, 2> SkdDonorGradients::FlatStep(
+  std::size_t cell, std::size_t other, const std::array<skd::Vector3, 2>& axes) const
+{
+  const skd::Vector3 step = this->Centroids[other] - this->Centroids[cell];
+  const double u = skd::Dot(step, axes[0]), v = skd::Dot(step, axes[1]);
+  const double flat2 = u * u + v * v;
+  const bool isCurved = !this->Normals.empty() && flat2 > 0.0;
+  const double stretch = isCurved ? std::sqrt(skd::Norm2(step) / flat2) : 1.0;
+  return { stretch * u, stretch * v };
+}
+
+// In two axes across the centroid's direction, or the normal. Neighbours in one line have no
+// gradient aside of it.
 skd::Vector3 SkdDonorGradients::FitTangential(
   vtkIdType cell, const SkdDonorField& field, int component) const
 {
   const auto at = static_cast<std::size_t>(cell);
-  const auto axes = AxesAcross(this->Centroids[at]);
+  const auto axes = this->AxesOf(at);
   const double here = field.Get(cell, component);
   double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0;
   for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
   {
     const auto other = static_cast<std::size_t>(this->Neighbours[k]);
-    const skd::Vector3 step = this->Centroids[other] - this->Centroids[at];
-    const double u = skd::Dot(step, axes[0]), v = skd::Dot(step, axes[1]);
+    const auto [u, v] = this->FlatStep(at, other, axes);
     const double length2 = u * u + v * v;
     if (field.Counts[other] != 0 && length2 > 0.0)
     {
@@ -296,7 +317,13 @@ std::vector<skd::Vector3> SkdDonorGradients::FitAll(
 
 std::vector<skd::Vector3> SkdDonorGradients::Find(const SkdDonorField& field, int component) const
 {
-  return this->FitAll(field, [&](vtkIdType cell) { return this->Fit(cell, field, component); });
+  const bool isCurved = !this->Normals.empty();
+  return this->FitAll(field,
+    [&](vtkIdType cell)
+    {
+      return isCurved ? this->FitTangential(cell, field, component)
+                      : this->Fit(cell, field, component);
+    });
 }
 
 std::vector<skd::Vector3> SkdDonorGradients::FindTangential(

@@ -26,8 +26,10 @@ using SkdCellRanges = std::vector<SkdCellRange>; // of each cell
 /// of the distances. Exact for fields that are linear in x, y and z, at a border, too. On a sphere
 /// that holds as well: the part of the gradient across it stands for how the field bends along it,
 /// alike in all directions, for centroids lie the deeper the farther they are. Where a field jumps
-/// that part is out of proportion: tangential gradients are without it. Points of equal
-/// coordinates count as one. Constant once made.
+/// that part is out of proportion: tangential gradients are without it. Of curved surfaces all are
+/// tangential, and a neighbour counts in its direction as seen along the cell's normal, at its
+/// distance: around a sharp edge, too. Points of equal coordinates count as one. Constant once
+/// made.
 class SkdDonorGradients
 {
 public:
@@ -63,6 +65,9 @@ private:
   template <class Wanted>
   Matrix Invert(vtkIdType cell, const Wanted& isWanted) const;
   skd::Vector3 Fit(vtkIdType cell, const SkdDonorField& field, int component) const;
+  std::array<skd::Vector3, 2> AxesOf(std::size_t cell) const;
+  std::array<double, 2> FlatStep(
+    std::size_t cell, std::size_t other, const std::array<skd::Vector3, 2>& axes) const;
   skd::Vector3 FitTangential(vtkIdType cell, const SkdDonorField& field, int component) const;
   template <class Fitting>
   std::vector<skd::Vector3> FitAll(const SkdDonorField& field, const Fitting& fit) const;
@@ -72,6 +77,7 @@ private:
 
   const std::vector<double>& Measures;
   const std::vector<skd::Vector3>& Centroids;
+  const std::vector<skd::Vector3>& Normals; // of a curved surface, else none
   skd::Vector3 Normal;
   bool IsOnSphere;
   std::vector<std::size_t> FirstCorner;

@@ -10,7 +10,7 @@ bool SkdKeptOverlaps::IsFor(
   return this->Known && settings.Space == this->Settings.Space &&
     settings.DonorIsLonLat == this->Settings.DonorIsLonLat &&
     settings.TargetIsLonLat == this->Settings.TargetIsLonLat &&
-    settings.Radius == this->Settings.Radius &&
+    settings.Radius == this->Settings.Radius && settings.Facets == this->Settings.Facets &&
     settings.SkipsGhosts == this->Settings.SkipsGhosts && this->Donor.IsSameAs(donor) &&
     this->Target.IsSameAs(target);
 }
@@ -25,11 +25,40 @@ bool SkdKeptOverlaps::Update(vtkDataSet* donor, vtkDataSet* target,
     this->PointTable.reset();
     this->Weights = std::make_unique<SkdOverlapWeights>();
     this->Known = this->Weights->Compute(donor, target, settings, algorithm, first, last);
+    this->Covered = this->Weights->GetDonor().Covered;
+    this->Shares.clear();
     this->Settings = settings;
     this->Donor.Keep(donor);
     this->Target.Keep(target);
   }
   return this->Known;
+}
+
+bool SkdKeptOverlaps::TakeShares(const std::vector<double>& shares)
+{
+  if (shares == this->Shares)
+  {
+    return true;
+  }
+  if (!this->Shares.empty())
+  {
+    return false;
+  }
+  this->Weights->ScaleDonors(shares); // that are not empty, as none have been taken
+  this->Shares = shares;
+  this->PointTable.reset();
+  return true;
+}
+
+const SkdSideVotes& SkdKeptOverlaps::GetSides(vtkDataSet* donor, vtkDataSet* target)
+{
+  if (!this->SidesOfDonor.IsSameAs(donor) || !this->SidesOfTarget.IsSameAs(target))
+  {
+    this->Sides = SkdCountSides(donor, target);
+    this->SidesOfDonor.Keep(donor);
+    this->SidesOfTarget.Keep(target);
+  }
+  return this->Sides;
 }
 
 const SkdDonorGradients& SkdKeptOverlaps::GetGradients(vtkDataSet* donor)
@@ -48,7 +77,8 @@ const SkdOverlapPointTable* SkdKeptOverlaps::GetPointTable(
   if (!this->PointTable)
   {
     auto table = std::make_unique<SkdOverlapPointTable>();
-    if (SkdFindPointWeights(donor, target, this->Settings, *table, algorithm, first, last))
+    if (SkdFindPointWeights(
+          donor, target, this->Settings, *table, algorithm, first, last, this->Shares))
     {
       this->PointTable = std::move(table);
     }

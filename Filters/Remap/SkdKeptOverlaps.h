@@ -7,6 +7,7 @@
 #include "Remap/SkdDonorGradients.h"
 #include "Remap/SkdOverlapWeights.h"
 #include "Remap/SkdPointWeights.h"
+#include "Remap/SkdSurfaceSides.h"
 
 #include <memory>
 
@@ -26,6 +27,17 @@ public:
 
   const SkdOverlapWeights& GetWeights() const { return *this->Weights; }
 
+  /// Of curved surfaces, after Update(): multiplies the overlaps of each donor cell; empty shares
+  /// are all 1. False if others have been taken before: Forget() and Update() then.
+  bool TakeShares(const std::vector<double>& shares);
+  void Forget() { this->Known = false; }
+
+  /// What overlaps of each donor cell were before shares were taken.
+  const std::vector<double>& GetCovered() const { return this->Covered; }
+
+  /// Of curved surfaces: how the target's cells face the donor's.
+  const SkdSideVotes& GetSides(vtkDataSet* donor, vtkDataSet* target);
+
   ///@{
   /// Made when they are first wanted. The table is nullptr if the algorithm was aborted.
   const SkdDonorGradients& GetGradients(vtkDataSet* donor);
@@ -44,6 +56,11 @@ private:
   std::unique_ptr<SkdOverlapWeights> Weights = std::make_unique<SkdOverlapWeights>();
   std::unique_ptr<SkdDonorGradients> Gradients;
   std::unique_ptr<SkdOverlapPointTable> PointTable;
+  std::vector<double> Covered;
+  std::vector<double> Shares;
+  SkdMeshSnapshot SidesOfDonor;
+  SkdMeshSnapshot SidesOfTarget;
+  SkdSideVotes Sides;
 };
 
 #endif

@@ -127,13 +127,13 @@ private:
   Shape& TheShape;
 };
 
-void AddShape(const SkdOverlapSurface& ground, const SkdPieceView& one, const SkdPieceView& other,
-  Shape shape, std::vector<Shape>& found)
+void AddShape(const SkdOverlapSurface& ground, const SkdOverlapSettings& settings,
+  const SkdPieceView& one, const SkdPieceView& other, Shape shape, std::vector<Shape>& found)
 {
   const Shapes shapes(ground, shape);
   const Vector3* reference = nullptr;
   const double measure =
-    SkdPieceOverlap<Shapes>(ground.GetSpace(), shapes).Find(one, other, reference).Measure;
+    SkdPieceOverlap<Shapes>(settings, shapes).Find(one, other, reference).Measure;
   const double smaller = std::min(one.Piece.Own.Measure, other.Piece.Own.Measure);
   if (measure > remap_tolerances::PieceOverlap * smaller)
   {
@@ -222,8 +222,10 @@ vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDa
   const auto visit = [&](std::size_t part, std::uint32_t a, std::uint32_t b)
   {
     SkdForEachPiecePair(targets, a, donors, b,
-      [&](const SkdPieceView& one, const SkdPieceView& other) {
-        AddShape(ground, one, other, { targets.IdOf(a), donors.IdOf(b), 0.0, {}, {} }, found[part]);
+      [&](const SkdPieceView& one, const SkdPieceView& other)
+      {
+        AddShape(ground, settings, one, other, { targets.IdOf(a), donors.IdOf(b), 0.0, {}, {} },
+          found[part]);
       });
   };
   if (!SkdForEachCandidatePair(

@@ -4,6 +4,7 @@
 
 #include "Core/Geometry/Overlap/LonLatCell.h"
 #include "Pipeline/SkdLoop.h"
+#include "Remap/SkdFacetOverlap.h"
 #include "Remap/SkdOverlapReader.h"
 #include "Remap/SkdRemapTolerances.h"
 
@@ -16,10 +17,11 @@
 namespace
 {
 /// Of the corners, and of what bulges out between them on a sphere: not farther than a corner's
-/// squared distance from the reference, halved.
-void AddBounds(
-  const SkdOverlapBlock& block, const SkdOverlapPiece& piece, bool isSphere, skd::Box3& box)
+/// squared distance from the reference, halved. Of a curved surface as far as the other one may be.
+void AddBounds(const SkdOverlapBlock& block, const SkdOverlapPiece& piece,
+  const SkdOverlapSurface& ground, skd::Box3& box)
 {
+  const bool isSphere = ground.GetSpace() == SkdOverlapSpace::Sphere;
   const skd::Vector3* corners = block.Corners.data() + piece.FirstCorner;
   if (piece.IsLonLat)
   {
@@ -32,7 +34,10 @@ void AddBounds(
   {
     own.Add(corners[i]);
   }
-  box.Add(isSphere ? own.Inflated(0.5 * piece.Reach * piece.Reach) : own);
+  const bool isCurved = ground.GetSpace() == SkdOverlapSpace::CurvedSurface;
+  const double room = isCurved ? ground.GetFacetRules().DistanceFor(piece.Reach, piece.Reach)
+                               : 0.5 * piece.Reach * piece.Reach;
+  box.Add(isSphere || isCurved ? own.Inflated(room) : own);
 }
 }
 
@@ -45,7 +50,6 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
   settings.SkipsGhosts = reading.SkipsGhosts;
   const SkdCellTree tree(data, settings);
   const std::uint32_t count = tree.Cells().NumberOfCells();
-  const bool isSphere = ground.GetSpace() == SkdOverlapSpace::Sphere;
   this->NumberOfAllCells = data->GetNumberOfCells();
   this->Ids.resize(count);
   this->Bounds.resize(count);
@@ -63,7 +67,7 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
       this->Ids[cell] = tree.Cells().IdOf(cell);
       for (std::size_t i = block.FirstPiece.back(); i < block.Pieces.size(); ++i)
       {
-        AddBounds(block, block.Pieces[i], isSphere, this->Bounds[cell]);
+        AddBounds(block, block.Pieces[i], ground, this->Bounds[cell]);
       }
       block.FirstPiece.push_back(static_cast<std::uint32_t>(block.Pieces.size()));
       block.FirstOwnPoint.push_back(block.OwnPoints.size());
@@ -135,6 +139,19 @@ skd::Moments SkdOverlapPieces::MomentsOf(std::uint32_t cell, const skd::Vector3&
 }
 
 //------------------------------------------------------------------------------
+skd::Vector3 SkdOverlapPieces::NormalOf(std::uint32_t cell) const
+{
+  skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
+  const Range range = this->PiecesOf(cell);
+  for (std::uint32_t i = range.First; i < range.Last; ++i)
+  {
+    const SkdPieceView piece(this->BlockOf(cell), i);
+    sum = sum + static_cast<double>(piece.Piece.Sign) * SkdAreaVectorOf(piece);
+  }
+  return (1.0 / Norm(sum)) * sum;
+}
+
+//------------------------------------------------------------------------------
 void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells& cells)
 {
   const auto number = static_cast<std::size_t>(this->NumberOfAllCells);
@@ -142,6 +159,8 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells&
   cells.Centroids.assign(number, { { 0.0, 0.0, 0.0 } });
   cells.Covered.assign(number, 0.0);
   cells.LeftOut = this->NumberOfAllCells;
+  const bool isCurved = ground.GetSpace() == SkdOverlapSpace::CurvedSurface;
+  cells.Normals.assign(isCurved ? number : 0, { { 0.0, 0.0, 0.0 } });
   this->Measures.assign(this->Ids.size(), 0.0);
   this->Centres.assign(this->Ids.size(), { { 0.0, 0.0, 0.0 } });
   for (std::uint32_t cell = 0; cell < this->GetNumberOfCells(); ++cell)
@@ -160,6 +179,10 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells&
       this->Centres[cell] = reference + (1.0 / moments.Measure) * moments.First;
       cells.Measures[id] = ground.Measure(moments.Measure);
       cells.Centroids[id] = ground.Place(this->Centres[cell]);
+      if (isCurved)
+      {
+        cells.Normals[id] = this->NormalOf(cell);
+      }
       --cells.LeftOut;
     }
   }

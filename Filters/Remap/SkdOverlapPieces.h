@@ -80,6 +80,7 @@ private:
   std::vector<skd::Box3> Bounds;
   /// Of a whole cell, about a point.
   skd::Moments MomentsOf(std::uint32_t cell, const skd::Vector3& reference) const;
+  skd::Vector3 NormalOf(std::uint32_t cell) const;
 
   std::vector<SkdOverlapBlock> Blocks;
   std::vector<vtkIdType> Crossing;

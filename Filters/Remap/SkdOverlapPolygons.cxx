@@ -8,11 +8,13 @@
 #include "Core/Geometry/Overlap/LonLatOutline.h"
 #include "Core/Geometry/Overlap/PolygonOverlap.h"
 #include "Core/Geometry/Overlap/SegmentOverlap.h"
+#include "Core/Geometry/Overlap/TangentFrame.h"
 #include "Core/Geometry/Polygons/EarClipping.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace
 {
@@ -215,6 +217,45 @@ bool HasOpposites(const Corners& corners)
     std::adjacent_find(corners.begin(), corners.end(), isOpposite) != corners.end();
 }
 
+/// The frame of a piece about its mean corner.
+template <class Frame, class Corners>
+Frame FrameOf(const Corners& corners)
+{
+  const Vector3 mean = MeanOf(corners);
+  if constexpr (std::is_same_v<Frame, skd::TangentFrame>)
+  {
+    const Vector3 area = AreaOf(corners);
+    return Frame(mean, (1.0 / Norm(area)) * area);
+  }
+  else
+  {
+    return Frame(std::is_same_v<Frame, skd::SphericalFrame> ? (1.0 / Norm(mean)) * mean : mean);
+  }
+}
+
+template <class Frame, class Corners>
+void SeeIn(const Frame& frame, const Corners& corners, std::vector<Vector3>& seen)
+{
+  seen.clear();
+  for (const auto& corner : corners)
+  {
+    const Vector3 x = frame.Seen(corner.X);
+    seen.push_back({ { x[0] / x[2], x[1] / x[2], 0.0 } });
+  }
+}
+
+template <class Corners>
+bool IsFlat(const skd::TangentFrame& frame, const Corners& corners)
+{
+  double extent = 0.0, height = 0.0;
+  for (const auto& corner : corners)
+  {
+    extent = std::max(extent, Norm(corner.X - frame.Origin));
+    height = std::max(height, std::abs(frame.HeightOf(corner.X)));
+  }
+  return corners.size() == 3 || height <= remap_tolerances::FlatPolygon * extent;
+}
+
 /// Of corners in a frame, counter-clockwise as a whole.
 bool IsConvex(const std::vector<Vector3>& seen)
 {
@@ -286,6 +327,11 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   {
     return;
   }
+  if (this->Ground.GetSpace() == SkdOverlapSpace::CurvedSurface)
+  {
+    this->AddFacets(corners);
+    return;
+  }
   const Vector3 area = AreaOf(corners);
   Vector3 middle = MeanOf(corners);
   const bool isSphere = this->Ground.GetSpace() == SkdOverlapSpace::Sphere;
@@ -324,6 +370,35 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   else
   {
     this->AddSeen(skd::SphericalFrame(middle), corners);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A polygon of a surface in space, with the side up from which it is counter-clockwise. A warped
+// one is the triangles of its edges and the mean of its corners; those turned over count negative.
+void SkdOverlapReader::AddFacets(Corners& corners)
+{
+  const Vector3 area = AreaOf(corners);
+  if (!(Norm2(area) > 0.0))
+  {
+    return;
+  }
+  const skd::TangentFrame frame(MeanOf(corners), (1.0 / Norm(area)) * area);
+  if (IsFlat(frame, corners))
+  {
+    this->AddSeen(frame, corners);
+    return;
+  }
+  SeeIn(frame, corners, this->Flat);
+  this->Mark.CrossesItself = this->Mark.CrossesItself || CrossesItselfInFrame(this->Flat);
+  const Corner middle{ frame.Origin, this->Reading.IntoSimplices ? this->AddMeanOf(corners) : -1 };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Corner& a = corners[i];
+    const Corner& b = corners[(i + 1) % corners.size()];
+    const bool isOver = Dot(Cross(a.X - middle.X, b.X - middle.X), area) < 0.0;
+    this->AddPiece<skd::TangentFrame>(
+      { middle, isOver ? b : a, isOver ? a : b }, static_cast<std::int8_t>(isOver ? -1 : 1));
   }
 }
 
@@ -400,12 +475,7 @@ template <class Frame>
 void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
 {
   std::vector<Vector3>& seen = this->Flat;
-  seen.clear();
-  for (const Corner& corner : corners)
-  {
-    const Vector3 x = frame.Seen(corner.X);
-    seen.push_back({ { x[0] / x[2], x[1] / x[2], 0.0 } });
-  }
+  SeeIn(frame, corners, seen);
   if (this->Ground.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(seen) < 0.0)
   {
     this->Reverse(corners);
@@ -448,10 +518,8 @@ void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
 template <class Frame>
 void SkdOverlapReader::AddPiece(const Corners& corners, std::int8_t sign)
 {
-  const Vector3 mean = MeanOf(corners);
-  const bool isSphere = this->Ground.GetSpace() == SkdOverlapSpace::Sphere;
-  const Frame frame(isSphere ? (1.0 / Norm(mean)) * mean : mean);
-  if (isSphere &&
+  const Frame frame = FrameOf<Frame>(corners);
+  if (std::is_same_v<Frame, skd::SphericalFrame> &&
     !std::all_of(corners.begin(), corners.end(),
       [&](const Corner& corner) { return Dot(corner.X, frame.Origin) > LeastSeen; }))
   {

@@ -52,7 +52,7 @@ void SkdOverlapReader::AddPieces(std::uint32_t cell)
 {
   const SkdShape shape = this->Tree.Cells().ShapeOf(cell);
   const SkdOverlapSpace space = this->Ground.GetSpace();
-  const bool isSurface = space == SkdOverlapSpace::Plane || space == SkdOverlapSpace::Sphere;
+  const bool isSurface = SkdHasPolygons(space);
   this->Gather(cell);
   switch (shape)
   {
@@ -106,7 +106,7 @@ void SkdOverlapReader::AddPieces(std::uint32_t cell)
 void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
 {
   const SkdOverlapSpace space = this->Ground.GetSpace();
-  if (space == SkdOverlapSpace::Plane || space == SkdOverlapSpace::Sphere)
+  if (SkdHasPolygons(space))
   {
     this->Tree.GetSimplices(cell, this->Source, this->Simplices);
     this->AddSimplices();

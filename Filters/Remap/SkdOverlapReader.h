@@ -76,6 +76,7 @@ private:
   void AddSegment(const Corner& a, const Corner& b);
   void AddWholePolygon();
   void AddPolygon(Corners& corners);
+  void AddFacets(Corners& corners);
   void Reverse(Corners& corners);
   bool AddLonLat(const Corners& corners);
   void AddLonLatPieces(const skd::LonLatCell& whole);

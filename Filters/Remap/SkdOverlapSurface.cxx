@@ -79,6 +79,7 @@ double FarthestFrom(vtkDataSet* data, const Vector3& origin, const Vector3& norm
 SkdOverlapSurface::SkdOverlapSurface(
   vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings)
   : Space(settings.Space)
+  , Facets(settings.Facets)
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {
@@ -127,7 +128,7 @@ void SkdOverlapSurface::FindPlane(vtkDataSet* donor, vtkDataSet* target)
     this->Problem = "The meshes are not in one plane: points are off it by up to " +
       std::to_string(farthest / box.Diagonal()) +
       " of the diagonal. Choose the sphere for cells on a sphere about the origin, the volume for "
-      "volume cells, or project both meshes onto a plane.";
+      "volume cells, or the curved surface for surfaces that nearly coincide.";
   }
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkdOverlapSurface.h
- * @brief Where two meshes overlap: a line, a plane with its axes, a sphere with its radius, space.
+ * @brief Where two meshes overlap: a line, a plane with its axes, a sphere with its radius, space,
+ * or two surfaces in space that nearly coincide.
  */
 
 #ifndef SkdOverlapGround_h
@@ -26,6 +27,7 @@ public:
   SkdOverlapSpace GetSpace() const { return this->Space; }
   double GetRadius() const { return this->Radius; }
   const skd::Vector3& GetNormal() const { return this->Normal; }
+  const SkdFacetRules& GetFacetRules() const { return this->Facets; }
   const std::string& GetProblem() const { return this->Problem; }
 
   /// NaN of a point that is on no sphere.
@@ -44,6 +46,7 @@ private:
   void FindRadius(vtkDataSet* donor, double wanted);
 
   SkdOverlapSpace Space;
+  SkdFacetRules Facets;
   skd::Vector3 Origin{ { 0.0, 0.0, 0.0 } };
   skd::Vector3 Axes[2];
   skd::Vector3 Normal{ { 0.0, 0.0, 0.0 } };

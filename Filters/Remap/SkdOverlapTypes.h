@@ -12,7 +12,10 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 /// What the cells of both meshes are pieces of. Cells of another dimension are left out.
@@ -21,7 +24,38 @@ enum class SkdOverlapSpace
   Line,   ///< lines and polylines that lie on each other, straight piece by straight piece: lengths
   Plane,  ///< polygons in one plane, anywhere in space: areas
   Sphere, ///< polygons on a sphere about the origin: areas on it
-  Volume  ///< polyhedra: volumes
+  Volume, ///< polyhedra: volumes
+  CurvedSurface ///< polygons of two surfaces in space that nearly coincide: the donor's areas
+};
+
+inline bool SkdHasPolygons(SkdOverlapSpace space)
+{
+  return space != SkdOverlapSpace::Line && space != SkdOverlapSpace::Volume;
+}
+
+/// Which facets of two surfaces that nearly coincide have anything to do with each other.
+struct SkdFacetRules
+{
+  int Side = 0;             ///< 1 if normals are alike, -1 if they are opposite, 0: either
+  double Distance = 0.0;    ///< at most; 0: half the diameter of the larger one
+  double LeastCosine = 0.0; ///< of the angle between normals, whatever their sense
+
+  bool Faces(double cosine) const
+  {
+    return std::abs(cosine) > this->LeastCosine && this->Side * cosine >= 0.0;
+  }
+
+  /// Of facets that go so far from their middles.
+  double DistanceFor(double reach, double other) const
+  {
+    return this->Distance > 0.0 ? this->Distance : std::max(reach, other);
+  }
+
+  bool operator==(const SkdFacetRules& other) const
+  {
+    return std::tie(this->Side, this->Distance, this->LeastCosine) ==
+      std::tie(other.Side, other.Distance, other.LeastCosine);
+  }
 };
 
 struct SkdOverlapSettings
@@ -39,6 +73,8 @@ struct SkdOverlapSettings
   /// of the donor's points from the origin.
   double Radius = 0.0;
 
+  SkdFacetRules Facets; ///< of curved surfaces
+
   bool SkipsGhosts = true; ///< cells that vtkGhostType marks have no overlap and no measure
 };
 
@@ -48,11 +84,25 @@ struct SkdOverlapCells
   std::vector<double> Measures;        ///< of each cell by its id; 0 of cells left out
   std::vector<skd::Vector3> Centroids; ///< Cartesian; on a sphere within it. Zero of cells left out
   std::vector<double> Covered;         ///< the sum of a cell's overlaps
+  ///@{
+  /// Of curved surfaces, whose overlaps are measured on the donor: of a target's cells, what of
+  /// their own measure is covered; of a donor's the normals, of length 1.
+  std::vector<double> OwnCovered;
+  std::vector<skd::Vector3> Normals;
+  ///@}
   /// Of a donor, the sum of their moments (SkdOverlapTable): nothing of a cell that is all covered.
   std::vector<skd::Vector3> CoveredMoments;
   vtkIdType LeftOut = 0;           ///< not finite, empty, ghosts, of another dimension
   std::vector<vtkIdType> TooLarge; ///< polygons larger than a hemisphere, left out as well
   std::vector<vtkIdType> Crossing; ///< polygons that cross themselves
+
+  /// How much of a target's cell, by its own measure, is where so much of its overlaps is.
+  double OwnMeasureOf(std::size_t cell, double covered) const
+  {
+    return this->OwnCovered.empty() || !(this->Covered[cell] > 0.0)
+      ? covered
+      : covered * (this->OwnCovered[cell] / this->Covered[cell]);
+  }
 };
 
 /// Rows of target cells, columns of donor points, ascending (CSR): the integral over the target

@@ -32,11 +32,11 @@ struct Meshes
 };
 
 /// Sums up the overlaps of all pieces of two cells.
-Entry Overlap(
-  const Meshes& meshes, SkdOverlapSpace space, std::uint32_t target, std::uint32_t donor)
+Entry Overlap(const Meshes& meshes, const SkdOverlapSettings& settings, std::uint32_t target,
+  std::uint32_t donor)
 {
   const SkdNoShapes noShapes;
-  const SkdPieceOverlap<SkdNoShapes> overlap(space, noShapes);
+  const SkdPieceOverlap<SkdNoShapes> overlap(settings, noShapes);
   const Vector3& centre = meshes.Donor.CentreOf(donor);
   skd::Moments sum;
   SkdForEachPiecePair(meshes.Target, target, meshes.Donor, donor,
@@ -53,6 +53,69 @@ Entry Overlap(
 }
 
 using Entries = std::vector<std::vector<Entry>>;
+
+/// What of target cells of a curved surface is covered, by their own measure: projected the other
+/// way round than overlaps are. By the parts of the walk.
+class OwnCover
+{
+public:
+  OwnCover(const Meshes& meshes, const SkdFacetRules& rules)
+    : TheMeshes(meshes)
+    , Rules(rules)
+  {
+  }
+
+  void SetParts(std::size_t parts) { this->Found.resize(parts); }
+
+  void Add(std::size_t part, std::uint32_t target, std::uint32_t donor)
+  {
+    double sum = 0.0;
+    double gap = 0.0;
+    SkdForEachPiecePair(this->TheMeshes.Target, target, this->TheMeshes.Donor, donor,
+      [&](const SkdPieceView& one, const SkdPieceView& other)
+      {
+        SkdFacetOverlap overlap(one, this->Rules);
+        if (overlap.Find(other))
+        {
+          sum += one.Piece.Sign * other.Piece.Sign * overlap.GetMoments().Measure;
+          gap = std::max(gap, overlap.GetGap());
+        }
+      });
+    if (sum != 0.0)
+    {
+      this->Found[part].push_back({ target, sum, gap });
+    }
+  }
+
+  /// The largest gap.
+  double Finish(SkdOverlapCells& targets) const
+  {
+    double gap = 0.0;
+    targets.OwnCovered.assign(targets.Measures.size(), 0.0);
+    for (const std::vector<Own>& part : this->Found)
+    {
+      for (const Own& own : part)
+      {
+        targets.OwnCovered[static_cast<std::size_t>(this->TheMeshes.Target.IdOf(own.Target))] +=
+          own.Measure;
+        gap = std::max(gap, own.Gap);
+      }
+    }
+    return gap;
+  }
+
+private:
+  struct Own
+  {
+    std::uint32_t Target;
+    double Measure;
+    double Gap;
+  };
+
+  const Meshes& TheMeshes;
+  const SkdFacetRules& Rules;
+  std::vector<std::vector<Own>> Found;
+};
 
 /// Where the entries of each target cell begin, and where the last ends.
 std::vector<std::size_t> PlacesOf(const Entries& parts, std::uint32_t numberOfTargets)
@@ -183,11 +246,21 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapTree donors(meshes.Donor);
   const SkdOverlapTree targets(meshes.Target);
   Entries found;
-  const bool isDone = SkdForEachCandidatePair(
-    targets, donors, ofPairs, [&](std::size_t parts) { found.resize(parts); },
+  const bool isCurved = settings.Space == SkdOverlapSpace::CurvedSurface;
+  OwnCover own(meshes, settings.Facets);
+  const auto begin = [&](std::size_t parts)
+  {
+    found.resize(parts);
+    own.SetParts(parts);
+  };
+  const bool isDone = SkdForEachCandidatePair(targets, donors, ofPairs, begin,
     [&](std::size_t part, std::uint32_t a, std::uint32_t b)
     {
-      const Entry entry = Overlap(meshes, settings.Space, a, b);
+      const Entry entry = Overlap(meshes, settings, a, b);
+      if (isCurved)
+      {
+        own.Add(part, a, b);
+      }
       const double smaller = std::min(meshes.Target.MeasureOf(a), meshes.Donor.MeasureOf(b));
       if (std::abs(entry.Measure) > remap_tolerances::CellOverlap * smaller)
       {
@@ -197,6 +270,29 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
   if (isDone)
   {
     FillTable(found, meshes, ground, this->Table, this->Donor, this->Target);
+    this->LargestGap = isCurved ? own.Finish(this->Target) : 0.0;
   }
   return isDone;
+}
+
+//------------------------------------------------------------------------------
+void SkdOverlapWeights::ScaleDonors(const std::vector<double>& shares)
+{
+  std::fill(this->Target.Covered.begin(), this->Target.Covered.end(), 0.0);
+  for (std::size_t row = 0; row + 1 < this->Table.Rows.size(); ++row)
+  {
+    for (std::size_t k = this->Table.Rows[row]; k < this->Table.Rows[row + 1]; ++k)
+    {
+      const double share = shares[static_cast<std::size_t>(this->Table.Columns[k])];
+      this->Table.Measures[k] *= share;
+      this->Table.Moments[k] = share * this->Table.Moments[k];
+      this->Target.Covered[row] += this->Table.Measures[k];
+    }
+  }
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    this->Donor.Covered[i] *= shares[i];
+    this->Donor.CoveredMoments[i] = shares[i] * this->Donor.CoveredMoments[i];
+  }
+  BalanceMoments(this->Table, this->Donor);
 }

@@ -47,6 +47,10 @@ public:
   /// Why nothing was computed, a sentence with what to do; empty if nothing is wrong.
   const std::string& GetProblem() const { return this->Problem; }
 
+  /// Multiplies all overlaps of each donor cell: of curved surfaces that have folds a cell may be
+  /// covered more than once.
+  void ScaleDonors(const std::vector<double>& shares);
+
   const SkdOverlapTable& GetTable() const { return this->Table; }
   const SkdOverlapCells& GetDonor() const { return this->Donor; }
   const SkdOverlapCells& GetTarget() const { return this->Target; }
@@ -57,11 +61,15 @@ public:
   /// The normal of the plane; zero of what is no plane.
   const skd::Vector3& GetNormal() const { return this->Normal; }
 
+  /// Of curved surfaces: how far facets that have to do with each other are apart, at most.
+  double GetLargestGap() const { return this->LargestGap; }
+
 private:
   SkdOverlapTable Table;
   SkdOverlapCells Donor;
   SkdOverlapCells Target;
   double Radius = 1.0;
+  double LargestGap = 0.0;
   skd::Vector3 Normal{ { 0.0, 0.0, 0.0 } };
   std::string Problem;
 };

@@ -11,27 +11,8 @@
 #include "Core/Geometry/Overlap/LonLatOverlap.h"
 #include "Core/Geometry/Overlap/SegmentOverlap.h"
 #include "Core/Geometry/Overlap/SolidOverlap.h"
+#include "Remap/SkdFacetOverlap.h"
 #include "Remap/SkdOverlapPieces.h"
-
-/// A piece and its corners.
-struct SkdPieceView
-{
-  const SkdOverlapPiece& Piece;
-  const skd::Vector3* Corners;
-
-  SkdPieceView(const SkdOverlapBlock& block, std::uint32_t number)
-    : Piece(block.Pieces[number])
-    , Corners(block.Corners.data() + block.Pieces[number].FirstCorner)
-  {
-  }
-
-  skd::PolygonView AsPolygon() const { return { this->Corners, this->Piece.Size }; }
-  skd::SolidView AsSolid() const { return { this->Corners, this->Piece.Topology }; }
-  skd::LonLatCell AsLonLat() const
-  {
-    return { this->Corners[0][0], this->Corners[0][1], this->Corners[1][0], this->Corners[1][1] };
-  }
-};
 
 /// Calls visit(piece of a target cell, piece of a donor cell) for all pairs.
 template <class Visit>
@@ -65,13 +46,14 @@ struct SkdNoShapes
 
 /// Of two pieces, about the reference of the smaller one, which is the one that is cut. Shapes are
 /// shown to `shapes` where there are any. A piece within another is not cut: its own moments are
-/// the answer, to the last bit.
+/// the answer, to the last bit. Of curved surfaces the second piece, the donor's, is the base that
+/// the first one is projected onto (SkdFacetOverlap).
 template <class Shapes>
 class SkdPieceOverlap
 {
 public:
-  SkdPieceOverlap(SkdOverlapSpace space, const Shapes& shapes)
-    : Space(space)
+  SkdPieceOverlap(const SkdOverlapSettings& settings, const Shapes& shapes)
+    : Settings(settings)
     , TheShapes(shapes)
   {
   }
@@ -80,6 +62,10 @@ public:
   skd::Moments Find(
     const SkdPieceView& one, const SkdPieceView& other, const skd::Vector3*& reference) const
   {
+    if (this->Settings.Space == SkdOverlapSpace::CurvedSurface)
+    {
+      return this->OfFacets(one, other, reference);
+    }
     const bool isOneSmaller = one.Piece.Own.Measure <= other.Piece.Own.Measure;
     const SkdPieceView& within = isOneSmaller ? one : other;
     const SkdPieceView& around = isOneSmaller ? other : one;
@@ -89,7 +75,7 @@ public:
     {
       return {};
     }
-    switch (this->Space)
+    switch (this->Settings.Space)
     {
       case SkdOverlapSpace::Line:
         return this->OfSegments(within, around);
@@ -101,11 +87,26 @@ public:
           : this->OfPolygons(skd::SphericalFrame(*reference), within, around);
       case SkdOverlapSpace::Volume:
         return this->OfSolids(within, around);
+      case SkdOverlapSpace::CurvedSurface:
+        break;
     }
     return {};
   }
 
 private:
+  skd::Moments OfFacets(
+    const SkdPieceView& target, const SkdPieceView& donor, const skd::Vector3*& reference) const
+  {
+    reference = &donor.Piece.Reference;
+    SkdFacetOverlap overlap(donor, this->Settings.Facets);
+    if (!overlap.Find(target))
+    {
+      return {};
+    }
+    this->TheShapes.Take(overlap.GetFrame(), overlap.GetCommon());
+    return overlap.GetMoments();
+  }
+
   skd::Moments OfSegments(const SkdPieceView& within, const SkdPieceView& around) const
   {
     const auto common = skd::CommonInterval(
@@ -169,7 +170,7 @@ private:
     return moments;
   }
 
-  SkdOverlapSpace Space;
+  const SkdOverlapSettings& Settings;
   const Shapes& TheShapes;
 };
 

@@ -204,7 +204,8 @@ void FillTable(
 
 //------------------------------------------------------------------------------
 bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
-  SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first, double last)
+  SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first, double last,
+  const std::vector<double>& shares)
 {
   const SkdOverlapSurface ground(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
@@ -223,11 +224,12 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
   table = {};
   table.Masses = FindMasses(donors, donor->GetNumberOfPoints(), ground);
   const SkdNoShapes noShapes;
-  const SkdPieceOverlap<SkdNoShapes> overlap(settings.Space, noShapes);
+  const SkdPieceOverlap<SkdNoShapes> overlap(settings, noShapes);
   std::vector<std::vector<Entry>> found;
   const auto visitPieces = [&](std::size_t part, std::uint32_t a, std::uint32_t b)
   {
     Weighing weighing(donors, b);
+    const double share = shares.empty() ? 1.0 : shares[static_cast<std::size_t>(donors.IdOf(b))];
     const auto add = [&](vtkIdType point, double weight) {
       found[part].push_back({ targets.IdOf(a), point, weight });
     };
@@ -238,7 +240,7 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
         const skd::Moments moments = overlap.Find(one, simplex, reference);
         if (moments.Measure > 0.0)
         {
-          const double scale = ground.Measure(one.Piece.Sign * simplex.Piece.Sign);
+          const double scale = ground.Measure(share * one.Piece.Sign * simplex.Piece.Sign);
           weighing.Add(simplex, IntegralsOf(simplex, moments, *reference), scale, add);
         }
       });

@@ -23,6 +23,10 @@ constexpr const char* TooLarge =
 constexpr const char* Crossing =
   "cross themselves, or their corners are opposite to each other: what they enclose is counted by "
   "the sense of their outline, or not at all. Mend them.";
+
+constexpr const char* FarSurfaces =
+  " Surfaces must nearly coincide: if they are farther apart than their cells are large, set "
+  "SurfaceDistance.";
 }
 
 std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) const
@@ -41,8 +45,12 @@ std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) 
     warnings.push_back(
       "Input and Source have nothing in common: no cell gets a value. Look at the bounds of both, "
       "and at Geometry, SourceCoordinates and InputCoordinates." +
-      hint);
+      std::string(this->Surfaces ? FarSurfaces : "") + hint);
     return warnings;
+  }
+  if (this->Surfaces)
+  {
+    this->Surfaces->AddWarnings(warnings);
   }
   const std::vector<std::string> others = SkdFaultsOf({
     { this->SourceLeftOut,
@@ -54,6 +62,9 @@ std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) 
     { this->Unfit,
       " cells of Input contain nothing: on a sphere only triangles, quads, pixels and polygons do. "
       "Make triangles of strips, and flat cells of curved ones (vtkTessellatorFilter)." },
+    { this->Surfaces ? this->WithoutPartner : 0,
+      " cells of Input are not covered by Source, or in part: no cell of Source faces them there "
+      "within SurfaceDistance (SkdCoverage is below 1)." },
     { this->CoveredTwice,
       " cells of Input are covered more than once (SkdCoverage is above 1): cells of Source "
       "overlap each other, and count as often." },

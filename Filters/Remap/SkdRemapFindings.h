@@ -3,8 +3,10 @@
 #ifndef SkdRemapFindings_h
 #define SkdRemapFindings_h
 
+#include "Remap/SkdMatchedSurfaces.h"
 #include "Remap/SkdRemapTables.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +31,12 @@ struct SkdRemapFindings
   std::string Problem; ///< why there are no results, if so
   vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
   vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
+  vtkIdType WithoutPartner = 0; ///< cells of a curved surface that are not, or far from all, covered
   vtkIdType Unfit = 0; ///< cells of a type that contains nothing
   SkdFaultyCells SourceTooLarge, InputTooLarge, SourceCrossing, InputCrossing;
   vtkIdType Overlaps = 0;
-  int WeightsFound = 0; ///< for how many blocks they were not kept
+  std::optional<SkdSurfaceFindings> Surfaces; ///< of curved ones
+  int WeightsFound = 0;                       ///< for how many blocks they were not kept
 
   /// What to warn of besides fields, with what to do; `hint` is said of meshes that do not meet.
   std::vector<std::string> GetWarnings(const std::string& hint = {}) const;

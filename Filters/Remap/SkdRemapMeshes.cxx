@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdPartialArrays.h"
+#include "Remap/SkdOverlapSurface.h"
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
@@ -113,6 +114,18 @@ bool SkdMayBeLonLat(vtkDataSet* mesh)
   const double width = bounds[1] - bounds[0];
   return mesh->GetNumberOfPoints() > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfTurn &&
     bounds[3] <= 0.5 * halfTurn && bounds[0] >= -turn && bounds[1] <= 1.5 * turn && width > radian;
+}
+
+bool SkdAreInOnePlane(vtkDataSet* donor, const std::vector<SkdBlock>& blocks)
+{
+  SkdOverlapSettings settings;
+  settings.Space = SkdOverlapSpace::Plane;
+  return std::all_of(blocks.begin(), blocks.end(),
+    [&](const SkdBlock& block)
+    {
+      return block.Mesh->GetNumberOfCells() == 0 ||
+        SkdOverlapSurface(donor, block.Mesh, settings).GetProblem().empty();
+    });
 }
 
 SkdOverlapSpace SkdSpaceOf(vtkDataSet* mesh)

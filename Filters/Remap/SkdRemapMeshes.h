@@ -38,6 +38,9 @@ std::optional<double> SkdRadiusOf(vtkDataSet* mesh);
 /// than a radian wide, and between the poles.
 bool SkdMayBeLonLat(vtkDataSet* mesh);
 
+/// Whether a donor and all blocks that have cells are in one plane.
+bool SkdAreInOnePlane(vtkDataSet* donor, const std::vector<SkdBlock>& blocks);
+
 /// The space that a mesh is in: by the dimension of its cells, surfaces by their radius.
 SkdOverlapSpace SkdSpaceOf(vtkDataSet* mesh);
 

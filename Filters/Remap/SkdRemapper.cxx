@@ -39,8 +39,11 @@ std::vector<skd::Vector3> PlacesOf(const std::vector<SkdBlock>& blocks, int type
 std::vector<double> SharesOf(const SkdOverlapCells& cells)
 {
   std::vector<double> shares(cells.Measures.size());
-  std::transform(cells.Covered.begin(), cells.Covered.end(), cells.Measures.begin(), shares.begin(),
-    [](double covered, double whole) { return whole > 0.0 ? covered / whole : 0.0; });
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    const double whole = cells.Measures[i];
+    shares[i] = whole > 0.0 ? cells.OwnMeasureOf(i, cells.Covered[i]) / whole : 0.0;
+  }
   return shares;
 }
 
@@ -241,6 +244,7 @@ std::vector<double> SkdRemapper::FractionsOf(const SkdOverlapWeights& weights) c
       const bool isPart = counts[static_cast<std::size_t>(table.Columns[k])] != 0;
       fractions[row] += isPart ? table.Measures[k] : 0.0;
     }
+    fractions[row] = cells.OwnMeasureOf(row, fractions[row]);
     fractions[row] /= cells.Measures[row] > 0.0 ? cells.Measures[row] : 1.0;
   }
   return fractions;
@@ -262,6 +266,9 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
     valid->SetValue(i, isValid ? 1 : 0);
     this->Findings.EmptyCells += isValid ? 0 : 1;
     this->Findings.PartlyCovered += isValid && share < 1.0 - remap_tolerances::Coverage ? 1 : 0;
+    const bool isCell = cells.Measures[static_cast<std::size_t>(i)] > 0.0;
+    this->Findings.WithoutPartner +=
+      isCell && share < 1.0 - remap_tolerances::SurfaceBorder ? 1 : 0;
     this->Findings.CoveredTwice += share > 1.0 + remap_tolerances::Coverage ? 1 : 0;
   }
   this->Findings.Cells += n;
@@ -333,6 +340,17 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double
     }
   }
   return !SkdIsAborted(this->Algorithm);
+}
+
+//------------------------------------------------------------------------------
+bool SkdRemapper::MatchSurfaces(
+  const std::vector<SkdBlock>& blocks, const skd::Processes* processes, double first, double last)
+{
+  SkdMatchedSurfaces matched(this->Donor, blocks, this->Overlaps, processes);
+  const bool isDone = matched.Match(this->Settings.Overlap, this->Algorithm, first, last);
+  this->Findings.Surfaces = matched.GetFindings();
+  this->Findings.WeightsFound += matched.GetNumberOfNew();
+  return isDone;
 }
 
 //------------------------------------------------------------------------------

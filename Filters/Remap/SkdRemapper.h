@@ -49,6 +49,11 @@ public:
   void AddIntegrals(const skd::Processes& processes);
   ///@}
 
+  /// Of curved surfaces, before any block is mapped: finds how all blocks face the donor, and the
+  /// overlaps. All processes must do so that take part. False if aborted.
+  bool MatchSurfaces(const std::vector<SkdBlock>& blocks, const skd::Processes* processes,
+    double first, double last);
+
   ///@{
   /// Adds the fields to a block, the index-th, and the arrays about each cell. Progress goes from
   /// `first` to `last`. False if aborted.
@@ -63,6 +68,9 @@ public:
 
   /// Of a block that was mapped conservatively in this run; nullptr if there are none.
   const SkdOverlapWeights* GetWeights(std::size_t index) const;
+
+  /// With what was found of surfaces.
+  const SkdOverlapSettings& GetOverlapSettings() const { return this->Settings.Overlap; }
 
   const SkdRemapFindings& GetFindings() const { return this->Findings; }
 
