@@ -109,6 +109,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   static vtkSkdTreeCellLocator* New();
 
+  // --- Settings ----------------------------------------------------------------------------------
+
   //@{
   /**
    * Safety boxes are inflated by twice this value on each side (section 3.1), relative to the
@@ -183,7 +185,9 @@ public:
   vtkMatrix4x4* GetTransform();
   //@}
 
-  // Short forms that are not overridden here.
+  // --- Lines -------------------------------------------------------------------------------------
+
+  // Short forms of VTK that are not overridden here.
   using vtkAbstractCellLocator::FindClosestPoint;
   using vtkAbstractCellLocator::FindClosestPointWithinRadius;
 
@@ -251,6 +255,8 @@ public:
   vtkIdType CountPasses(
     const double p1[3], const double p2[3], vtkUnsignedCharArray* reversed, vtkIdType& sum);
 
+  // --- Nearest points and cells ------------------------------------------------------------------
+
   //@{
   /**
    * Nearest point, see vtkAbstractCellLocator. cellId is -1 if there is no cell. `cell`, unless
@@ -290,6 +296,8 @@ public:
   vtkIdType FindCellsWithinRadius(
     const double x[3], double radius, vtkIdList* cellIds, vtkDoubleArray* distances);
 
+  // --- Cells that contain points -----------------------------------------------------------------
+
   //@{
   /**
    * The cell that contains x or, with a tolerance (tol2, squared distance), the nearest cell within
@@ -328,6 +336,8 @@ public:
   bool EvaluateCell(vtkIdType cellId, const double x[3], double closestPoint[3], int& subId,
     double pcoords[3], double& dist2, double* weights);
   //@}
+
+  // --- Cells along lines and planes, and within boxes --------------------------------------------
 
   /**
    * The parameters (ascending, t in [0, 1] along p1 p2, including 0 and 1) at which the segment may
@@ -371,6 +381,8 @@ public:
 #endif
   //@}
 
+  // --- The paper's queries, whose answers are candidates -----------------------------------------
+
   //@{
   /**
    * Queries without exact tests, as in the paper: the ids of the candidate cells, whose *safety
@@ -395,6 +407,8 @@ public:
   vtkIdType FindOverlappingPairs(
     vtkSkdTreeCellLocator* other, vtkIdList* cellIds, vtkIdList* otherCellIds);
 
+  // --- Batches -----------------------------------------------------------------------------------
+
   /**
    * Batch (see "Batches" in the description of the class): the nearest cell to each of `points` (3
    * components) at a distance of at most `radius`, the nearest point (3 components) and its
@@ -411,67 +425,52 @@ public:
   vtkIdType FindClosestNCells(vtkDataArray* points, int n, vtkIdTypeArray* cellIds,
     vtkDoubleArray* distances, double radius = VTK_DOUBLE_MAX);
 
+  //@{
   /**
-   * Batch of FindCell: the cell that contains each of `points` (3 components) or, with a tolerance
-   * (tol2, squared distance), the nearest cell within it, and the parametric coordinates (3
-   * components).
+   * Batches of FindCell: the cell that contains each of `points` (3 components) or, with a
+   * tolerance (tol2, squared distance), the nearest cell within it, and the parametric coordinates
+   * (3 components). FindCellsAndWeights has the ids of the cell's points and the interpolation
+   * weights, too: both have as many components as the largest cell of the data set has points; for
+   * a smaller cell the remaining ones are -1 and 0.
    */
   vtkIdType FindCells(
     vtkDataArray* points, vtkIdTypeArray* cellIds, vtkDoubleArray* pcoords, double tol2 = 0.0);
-
-  /**
-   * Batch of FindCell with weights: as FindCells, and the ids of the points of the cell and the
-   * interpolation weights. Both have as many components as the largest cell of the data set has
-   * points; for a smaller cell the remaining ones are -1 and 0.
-   */
   vtkIdType FindCellsAndWeights(vtkDataArray* points, vtkIdTypeArray* cellIds,
     vtkDoubleArray* pcoords, vtkIdTypeArray* pointIds, vtkDoubleArray* weights, double tol2 = 0.0);
+  //@}
 
+  //@{
   /**
-   * Batch of first hits: for each of `lines` (6 components: x, y, z of both ends) the first cell
-   * hit, the parameter t in [0, 1] and the point (3 components). `tol` is that of
+   * Batches of first hits: the first cell hit, the parameter t in [0, 1] and the point (3
+   * components) for each of `lines` (6 components: x, y, z of both ends), or of the segments
+   * between `starts` and `ends` (3 components each), or of the rays from `origins` along
+   * `directions` (3 components each; of any length but 0). For rays there are distances from the
+   * origins in world units instead of parameters, and only hits at a distance of at most `maximum`
+   * count: a negative or NaN maximum and a direction of length 0 have none. `tol` is that of
    * IntersectWithLine.
    */
   vtkIdType IntersectWithLines(vtkDataArray* lines, vtkIdTypeArray* cellIds,
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
-
-  /**
-   * Batch of all hits: for each of `lines` (6 components: x, y, z of both ends) a list of the cells
-   * hit, each once, sorted by (t, cell id), with the parameters t in [0, 1] and the points (3
-   * components). `tol` is that of IntersectWithLine.
-   */
-  vtkIdType FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,
-    vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
-
-  /**
-   * Batch of first hits of segments: as IntersectWithLines, with the ends in two arrays, `starts`
-   * and `ends` (3 components each).
-   */
   vtkIdType IntersectWithSegments(vtkDataArray* starts, vtkDataArray* ends, vtkIdTypeArray* cellIds,
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
-
-  /**
-   * Batch of all hits of segments: as FindAllHits, for the segments of IntersectWithSegments.
-   */
-  vtkIdType FindAllSegmentHits(vtkDataArray* starts, vtkDataArray* ends, vtkIdTypeArray* offsets,
-    vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
-
-  /**
-   * Batch of first hits of rays from `origins` along `directions` (3 components each; directions of
-   * any length but 0): as IntersectWithLines, with distances from the origins in world units
-   * instead of parameters. Only hits at a distance of at most `maximum` count. A negative or NaN
-   * maximum and a direction of length 0 have no hits.
-   */
   vtkIdType IntersectWithRays(vtkDataArray* origins, vtkDataArray* directions,
     vtkIdTypeArray* cellIds, vtkDoubleArray* distances, vtkDoubleArray* points,
     double maximum = VTK_DOUBLE_MAX, double tol = 0.0);
+  //@}
 
+  //@{
   /**
-   * Batch of all hits of rays: as FindAllHits, for the rays of IntersectWithRays.
+   * Batches of all hits, of what the batches of first hits take: a list of the cells hit, each
+   * once, sorted by (t, cell id), with the parameters, or distances, and the points.
    */
+  vtkIdType FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,
+    vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
+  vtkIdType FindAllSegmentHits(vtkDataArray* starts, vtkDataArray* ends, vtkIdTypeArray* offsets,
+    vtkIdTypeArray* cellIds, vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
   vtkIdType FindAllRayHits(vtkDataArray* origins, vtkDataArray* directions, vtkIdTypeArray* offsets,
     vtkIdTypeArray* cellIds, vtkDoubleArray* distances, vtkDoubleArray* points,
     double maximum = VTK_DOUBLE_MAX, double tol = 0.0);
+  //@}
 
   /**
    * Batch of FindCellsWithinBounds: for each of `boxes` (6 components: xmin, xmax, ymin, ymax,
@@ -495,6 +494,8 @@ public:
    */
   vtkIdType FindPairs(
     vtkSkdTreeCellLocator* other, vtkIdTypeArray* offsets, vtkIdTypeArray* otherCellIds);
+
+  // --- The tree: what it holds, and its life -----------------------------------------------------
 
   //@{
   /**
