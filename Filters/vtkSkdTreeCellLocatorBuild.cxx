@@ -57,11 +57,11 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
   settings.Rule = static_cast<skd::SplitRule>(this->SplitRule);
   settings.SkipsGhosts = this->SkipGhostCells;
   this->FreeSearchStructure();
-  const SkdRepairedMesh mended = this->DataSet ? SkdRepair(this->DataSet) : SkdRepairedMesh();
+  const SkdRepairedMesh repaired = this->DataSet ? SkdRepair(this->DataSet) : SkdRepairedMesh();
   std::shared_ptr<const SkdCellTree> tree;
   try
   {
-    tree = std::make_shared<const SkdCellTree>(mended.Mesh, settings);
+    tree = std::make_shared<const SkdCellTree>(repaired.Mesh, settings);
   }
   catch (const std::length_error& error)
   {
@@ -74,13 +74,13 @@ void vtkSkdTreeCellLocator::BuildLocatorInternal()
     vtkWarningMacro(<< notFinite << " of " << this->DataSet->GetNumberOfCells()
                     << " cells are ignored: " << SkdWhyCellsAreLeftOut());
   }
-  if (mended.Fault.empty())
+  if (repaired.Fault.empty())
   {
     this->CacheBounds();
   }
   else
   {
-    vtkWarningMacro(<< mended.Fault); // their bounds must not be computed
+    vtkWarningMacro(<< repaired.Fault); // their bounds must not be computed
   }
   this->Impl->BuildSeconds = vtkTimerLog::GetUniversalTime() - start;
   this->BuildTime.Modified();

@@ -55,25 +55,25 @@ WholeMeshes& KnownWholeMeshes()
   return meshes;
 }
 
-/// The mended meshes of a data object, in the order of its blocks.
-class MendedBlocks
+/// The repaired meshes of a data object, in the order of its blocks.
+class RepairedBlocks
 {
 public:
-  MendedBlocks(vtkDataObject* object, bool anyMagnitude)
+  RepairedBlocks(vtkDataObject* object, bool anyMagnitude)
   {
     WholeMeshes& wholeMeshes = KnownWholeMeshes();
     for (const SkdBlock& block : SkdBlocksOf(object))
     {
-      SkdRepairedMesh mended{ block.Mesh, {} };
+      SkdRepairedMesh repaired{ block.Mesh, {} };
       SkdUnusablePoints points;
       std::string arrays;
       if (!wholeMeshes.Has(block.Mesh))
       {
         const SkdFittingMesh fitting = SkdLeaveOutUnfitArrays(block.Mesh);
         arrays = fitting.Fault;
-        mended = SkdRepair(fitting.Mesh);
+        repaired = SkdRepair(fitting.Mesh);
         points = SkdFindUnusablePoints(block.Mesh, false);
-        if (mended.Mesh == block.Mesh && points.Count == 0)
+        if (repaired.Mesh == block.Mesh && points.Count == 0)
         {
           wholeMeshes.Add(block.Mesh);
         }
@@ -82,12 +82,12 @@ public:
       {
         points = SkdFindUnusablePoints(block.Mesh, true);
       }
-      this->Changed = this->Changed || mended.Mesh != block.Mesh;
+      this->Changed = this->Changed || repaired.Mesh != block.Mesh;
       this->NumberOfPoints += points.Count;
-      Tell(block, mended.Fault, this->Faults);
+      Tell(block, repaired.Fault, this->Faults);
       Tell(block, arrays, this->Arrays);
       Tell(block, points.Count > 0 ? points.Tell(block.Mesh, anyMagnitude) : "", this->Points);
-      this->Meshes.push_back(mended.Mesh);
+      this->Meshes.push_back(repaired.Mesh);
     }
   }
 
@@ -125,7 +125,7 @@ private:
   std::ostringstream Points;
 };
 
-vtkSmartPointer<vtkDataObject> MendedBlocks::PutInto(vtkDataObject* object) const
+vtkSmartPointer<vtkDataObject> RepairedBlocks::PutInto(vtkDataObject* object) const
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(object);
   if (!composite)
@@ -159,10 +159,10 @@ SkdValidInput::SkdValidInput(
   Findings all;
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
-    this->Mended.push_back(vtkSmartPointer<vtkInformationVector>::New());
-    this->Mended.back()->Copy(inputs[port]);
-    this->MendedInputs.push_back(this->Mended.back());
-    const Findings found = Mend(this->Mended.back(), anyMagnitude);
+    this->Repaired.push_back(vtkSmartPointer<vtkInformationVector>::New());
+    this->Repaired.back()->Copy(inputs[port]);
+    this->RepairedInputs.push_back(this->Repaired.back());
+    const Findings found = Repair(this->Repaired.back(), anyMagnitude);
     const std::string where = " Input port " + std::to_string(port) + ":";
     all.BrokenCells += found.BrokenCells.empty() ? "" : where + found.BrokenCells;
     all.Arrays += found.Arrays.empty() ? "" : where + found.Arrays;
@@ -170,7 +170,7 @@ SkdValidInput::SkdValidInput(
     all.NumberOfPoints += found.NumberOfPoints;
     this->PointCounts.push_back(found.NumberOfPoints);
   }
-  this->Inputs = this->MendedInputs.data();
+  this->Inputs = this->RepairedInputs.data();
   if (!all.BrokenCells.empty())
   {
     vtkWarningWithObjectMacro(
@@ -204,23 +204,23 @@ void SkdValidInput::Report(vtkInformationVector* outputs) const
 }
 
 //------------------------------------------------------------------------------
-SkdValidInput::Findings SkdValidInput::Mend(vtkInformationVector* to, bool anyMagnitude)
+SkdValidInput::Findings SkdValidInput::Repair(vtkInformationVector* to, bool anyMagnitude)
 {
   Findings found;
   for (int i = 0; i < to->GetNumberOfInformationObjects(); ++i)
   {
     vtkDataObject* object = vtkDataObject::GetData(to, i);
-    const MendedBlocks blocks(object, anyMagnitude);
+    const RepairedBlocks blocks(object, anyMagnitude);
     found.BrokenCells += blocks.GetFaults();
     found.Arrays += blocks.GetArrays();
     found.Points += blocks.GetPoints();
     found.NumberOfPoints += blocks.GetNumberOfPoints();
     if (blocks.AreChanged())
     {
-      vtkNew<vtkInformation> mended;
-      mended->Copy(to->GetInformationObject(i));
-      mended->Set(vtkDataObject::DATA_OBJECT(), blocks.PutInto(object));
-      to->SetInformationObject(i, mended);
+      vtkNew<vtkInformation> repaired;
+      repaired->Copy(to->GetInformationObject(i));
+      repaired->Set(vtkDataObject::DATA_OBJECT(), blocks.PutInto(object));
+      to->SetInformationObject(i, repaired);
     }
   }
   return found;

@@ -38,12 +38,12 @@ private:
     std::string Points;
     vtkIdType NumberOfPoints = 0;
   };
-  static Findings Mend(vtkInformationVector* to, bool anyMagnitude);
+  static Findings Repair(vtkInformationVector* to, bool anyMagnitude);
 
   vtkInformationVector** Inputs;
   std::vector<vtkIdType> PointCounts; // of unusable ones, of each port; empty if there are none
-  std::vector<vtkSmartPointer<vtkInformationVector>> Mended;
-  std::vector<vtkInformationVector*> MendedInputs;
+  std::vector<vtkSmartPointer<vtkInformationVector>> Repaired;
+  std::vector<vtkInformationVector*> RepairedInputs;
 };
 
 #endif

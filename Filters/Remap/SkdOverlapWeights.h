@@ -40,7 +40,7 @@ class SkdOverlapWeights
 {
 public:
   /// Finds them all. Reports progress from `first` to `last`. False if the algorithm was aborted,
-  /// or if GetProblem() says what is wrong. Broken cells must have been mended (SkdValidInput).
+  /// or if GetProblem() says what is wrong. Broken cells must have been repaired (SkdValidInput).
   bool Compute(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings,
     vtkAlgorithm* algorithm, double first = 0.0, double last = 1.0);
 

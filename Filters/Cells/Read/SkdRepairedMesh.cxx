@@ -30,8 +30,8 @@ CellsPointer WithoutBroken(vtkCellArray* cells, vtkIdType first, const Ids& brok
   vtkIdType number, const Ids& instead = {})
 {
   const SkdRawCells raw(cells);
-  auto mended = CellsPointer::New();
-  mended->AllocateExact(number, raw.NumberOfIds());
+  auto repaired = CellsPointer::New();
+  repaired->AllocateExact(number, raw.NumberOfIds());
   Ids copy;
   for (vtkIdType cell = 0; cell < number; ++cell)
   {
@@ -41,15 +41,15 @@ CellsPointer WithoutBroken(vtkCellArray* cells, vtkIdType first, const Ids& brok
     {
       raw.VisitCell(cell, [&](const auto* ids, vtkIdType size) { copy.assign(ids, ids + size); });
     }
-    mended->InsertNextCell(static_cast<vtkIdType>(copy.size()), copy.data());
+    repaired->InsertNextCell(static_cast<vtkIdType>(copy.size()), copy.data());
   }
-  return mended;
+  return repaired;
 }
 
-vtkSmartPointer<vtkDataSet> Mend(vtkPolyData* mesh, const Ids& broken)
+vtkSmartPointer<vtkDataSet> Repair(vtkPolyData* mesh, const Ids& broken)
 {
-  auto mended = vtkSmartPointer<vtkPolyData>::New();
-  mended->vtkPointSet::ShallowCopy(mesh); // points and data, no cells
+  auto repaired = vtkSmartPointer<vtkPolyData>::New();
+  repaired->vtkPointSet::ShallowCopy(mesh); // points and data, no cells
   vtkCellArray* const arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
     mesh->GetStrips() };
   CellsPointer cells[4];
@@ -63,11 +63,11 @@ vtkSmartPointer<vtkDataSet> Mend(vtkPolyData* mesh, const Ids& broken)
       hasBroken ? WithoutBroken(arrays[kind], first, broken, number) : CellsPointer(arrays[kind]);
     first += number;
   }
-  mended->SetVerts(cells[0]);
-  mended->SetLines(cells[1]);
-  mended->SetPolys(cells[2]);
-  mended->SetStrips(cells[3]);
-  return mended;
+  repaired->SetVerts(cells[0]);
+  repaired->SetLines(cells[1]);
+  repaired->SetPolys(cells[2]);
+  repaired->SetStrips(cells[3]);
+  return repaired;
 }
 
 /// Copies the faces of another grid's valid polyhedra, and these cells.
@@ -88,28 +88,28 @@ void SetCells(vtkUnstructuredGrid* from, const Ids& broken, vtkUnsignedCharArray
   vtkIdTypeArray* locations = from->GetFaceLocations();
   if (faces && locations)
   {
-    vtkNew<vtkIdTypeArray> mended;
-    mended->SetNumberOfValues(number);
+    vtkNew<vtkIdTypeArray> repaired;
+    repaired->SetNumberOfValues(number);
     for (vtkIdType cell = 0; cell < number; ++cell)
     {
-      mended->SetValue(
+      repaired->SetValue(
         cell, cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : -1);
     }
     for (const vtkIdType cell : broken)
     {
-      mended->SetValue(cell, -1);
+      repaired->SetValue(cell, -1);
     }
-    to->SetCells(types, cells, mended, faces);
+    to->SetCells(types, cells, repaired, faces);
     return;
   }
 #endif
   to->SetCells(types, cells);
 }
 
-vtkSmartPointer<vtkDataSet> Mend(vtkUnstructuredGrid* grid, const Ids& broken)
+vtkSmartPointer<vtkDataSet> Repair(vtkUnstructuredGrid* grid, const Ids& broken)
 {
-  auto mended = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  mended->vtkPointSet::ShallowCopy(grid); // points and data, no cells
+  auto repaired = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  repaired->vtkPointSet::ShallowCopy(grid); // points and data, no cells
   const vtkIdType number = grid->GetNumberOfCells();
   vtkNew<vtkUnsignedCharArray> types;
   types->SetNumberOfValues(number);
@@ -119,22 +119,22 @@ vtkSmartPointer<vtkDataSet> Mend(vtkUnstructuredGrid* grid, const Ids& broken)
     types->SetValue(
       cell, static_cast<unsigned char>(isBroken ? VTK_EMPTY_CELL : grid->GetCellType(cell)));
   }
-  SetCells(grid, broken, types, WithoutBroken(grid->GetCells(), 0, broken, number), mended);
-  return mended;
+  SetCells(grid, broken, types, WithoutBroken(grid->GetCells(), 0, broken, number), repaired);
+  return repaired;
 }
 
 // Its cells all have eight points: broken ones are blanked.
-vtkSmartPointer<vtkDataSet> Mend(vtkExplicitStructuredGrid* grid, const Ids& broken)
+vtkSmartPointer<vtkDataSet> Repair(vtkExplicitStructuredGrid* grid, const Ids& broken)
 {
-  auto mended = vtkSmartPointer<vtkExplicitStructuredGrid>::New();
+  auto repaired = vtkSmartPointer<vtkExplicitStructuredGrid>::New();
   if (grid->GetNumberOfPoints() == 0)
   {
-    return mended;
+    return repaired;
   }
   const vtkIdType number = grid->GetNumberOfCells();
-  mended->vtkPointSet::ShallowCopy(grid);
-  mended->SetExtent(grid->GetExtent());
-  mended->SetCells(WithoutBroken(grid->GetCells(), 0, broken, number, Ids(8, 0)));
+  repaired->vtkPointSet::ShallowCopy(grid);
+  repaired->SetExtent(grid->GetExtent());
+  repaired->SetCells(WithoutBroken(grid->GetCells(), 0, broken, number, Ids(8, 0)));
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfValues(number);
@@ -147,8 +147,8 @@ vtkSmartPointer<vtkDataSet> Mend(vtkExplicitStructuredGrid* grid, const Ids& bro
   {
     ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
   }
-  mended->GetCellData()->AddArray(ghosts);
-  return mended;
+  repaired->GetCellData()->AddArray(ghosts);
+  return repaired;
 }
 
 /// With an empty list of points if there are cells, but none: VTK reads cells through it, even
@@ -179,11 +179,11 @@ SkdRepairedMesh SkdRepair(vtkDataSet* given)
   const std::string fault = broken.Tell(data);
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
-    return { Mend(mesh, broken.Ids), fault };
+    return { Repair(mesh, broken.Ids), fault };
   }
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    return { Mend(grid, broken.Ids), fault };
+    return { Repair(grid, broken.Ids), fault };
   }
-  return { Mend(vtkExplicitStructuredGrid::SafeDownCast(data), broken.Ids), fault };
+  return { Repair(vtkExplicitStructuredGrid::SafeDownCast(data), broken.Ids), fault };
 }

@@ -37,7 +37,7 @@ constexpr double OnPatch2 = 1e-24;
 constexpr double PlaneGap2 = 1e-14;
 
 // Segments and patches
-/// The longest step that mends a root, in parameters: a longer one leads elsewhere.
+/// The longest step that repairs a root, in parameters: a longer one leads elsewhere.
 constexpr double PolishStep = 1e-3;
 /// A discriminant that may be 0, relative to the square of b.
 constexpr double DoubleRoot = 1e-14;
