@@ -31,7 +31,8 @@ struct SkdRemapFindings
   std::string Problem; ///< why there are no results, if so
   vtkIdType Cells = 0, EmptyCells = 0, PartlyCovered = 0, CoveredTwice = 0;
   vtkIdType SourceLeftOut = 0, InputLeftOut = 0, SourceCoveredTwice = 0;
-  vtkIdType WithoutPartner = 0; ///< cells of a curved surface that are not, or far from all, covered
+  vtkIdType WithoutPartner =
+    0;                 ///< cells of a curved surface that are not, or far from all, covered
   vtkIdType Unfit = 0; ///< cells of a type that contains nothing
   SkdFaultyCells SourceTooLarge, InputTooLarge, SourceCrossing, InputCrossing;
   vtkIdType Overlaps = 0;

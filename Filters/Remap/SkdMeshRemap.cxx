@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdMeshRemap.h"
+
+#include "Pipeline/SkdPartialArrays.h"
+#include "Pipeline/SkdReport.h"
+#include "Remap/SkdOverlapMesh.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void SkdMeshRemap::Run(SkdRemapPair& pair, const SkdRemapRequest& request,
+  const skd::Processes* processes, vtkAlgorithm* algorithm)
+{
+  this->Pair = &pair;
+  this->Request = &request;
+  this->Algorithm = algorithm;
+  this->Refused.clear();
+  this->SetUp(processes);
+  this->Begin(processes != nullptr);
+  this->MapAll(processes);
+  if (processes)
+  {
+    this->Remapper.AddIntegrals(*processes);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SkdMeshRemap::IsOfCurvedSurfaces() const
+{
+  return this->Request->IsConservative() &&
+    this->Settings.Overlap.Space == SkdOverlapSpace::CurvedSurface;
+}
+
+// What of the target one process has may be flat, or nothing, where others have curved surfaces.
+void SkdMeshRemap::SetUp(const skd::Processes* processes)
+{
+  const SkdRemapRequest& request = *this->Request;
+  this->Settings = request.Settings;
+  this->Settings.IsSecondOrder = request.Method == SkdRemapMethod::SecondOrder;
+  this->Settings.WithPointFields = request.Method != SkdRemapMethod::Automatic;
+  this->Settings.ToPoints = request.Results == SkdRemapResults::Points;
+  this->Settings.WeighsByCosine = request.Weighing == SkdSampleWeighing::CosineOfLatitude ||
+    (request.Weighing == SkdSampleWeighing::Automatic && this->Pair->IsDonorStructured());
+  this->Settings.Overlap.Space = this->Pair->FindSpace();
+  if (processes && request.IsConservative() && processes->IsAny(this->IsOfCurvedSurfaces()))
+  {
+    this->Settings.Overlap.Space = SkdOverlapSpace::CurvedSurface;
+  }
+}
+
+// What only the prober maps it reads itself.
+void SkdMeshRemap::Begin(bool hasOthers)
+{
+  const bool hasCells = this->Pair->HasCells();
+  const bool isAutomatic = this->Request->Method == SkdRemapMethod::Automatic;
+  const bool isForced = isAutomatic && (!hasCells || !this->Pair->IsOfOneDimension());
+  this->Method = isForced ? SkdRemapMethod::Interpolation : this->Request->Method;
+  const vtkNew<vtkUnstructuredGrid> nothing;
+  const bool isProbed = this->Method == SkdRemapMethod::Interpolation &&
+    this->Settings.Fields.Mask.empty() && !(isAutomatic && !hasCells && hasOthers);
+  this->Remapper.Begin(
+    isProbed ? nothing.Get() : this->Pair->GetDonor(), this->Settings, this->Algorithm);
+  if (hasOthers && !isProbed && this->Method != SkdRemapMethod::Contained)
+  {
+    this->Remapper.ExpectIntegrals();
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdMeshRemap::MapAll(const skd::Processes* processes)
+{
+  constexpr double matched = 0.7; // of the progress
+  double start = 0.0;
+  if (this->IsOfCurvedSurfaces())
+  {
+    this->Remapper.MatchSurfaces(this->Pair->GetOutputs(), processes, 0.0, matched);
+    start = matched;
+  }
+  if (this->Method == SkdRemapMethod::FromFile)
+  {
+    constexpr int wanted[] = { -1, vtkDataObject::CELL, vtkDataObject::POINT };
+    this->Remapper.MapByFile(this->Request->Applied, this->Pair->GetOutputs(),
+      wanted[static_cast<int>(this->Request->Results)]);
+  }
+  else if (this->Pair->HasCells() || !this->Request->IsConservative())
+  {
+    this->MapBlocks(start);
+  }
+}
+
+void SkdMeshRemap::MapBlocks(double start)
+{
+  const std::size_t blocks = this->Pair->GetOutputs().size();
+  const double step = (1.0 - start) / static_cast<double>(std::max<std::size_t>(blocks, 1));
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    const double first = start + static_cast<double>(block) * step;
+    if (!SkdIsAborted(this->Algorithm))
+    {
+      this->MapBlock(block, first, first + step);
+    }
+  }
+}
+
+void SkdMeshRemap::MapBlock(std::size_t block, double first, double last)
+{
+  vtkDataSet* mesh = this->Pair->GetOutputs()[block].Mesh;
+  switch (this->Method)
+  {
+    case SkdRemapMethod::Contained:
+      this->Remapper.MapContained(mesh, first, last);
+      break;
+    case SkdRemapMethod::Interpolation:
+      this->Interpolate(mesh, true, first, last);
+      break;
+    case SkdRemapMethod::Automatic:
+      this->MapAutomatically(block, first, last);
+      break;
+    default:
+      this->Remapper.MapConservative(mesh, block, first, last);
+  }
+}
+
+void SkdMeshRemap::MapAutomatically(std::size_t block, double first, double last)
+{
+  vtkDataSet* mesh = this->Pair->GetOutputs()[block].Mesh;
+  const double middle = 0.5 * (first + last);
+  if (this->Remapper.MapConservative(mesh, block, first, middle))
+  {
+    const bool isMapped = this->Remapper.GetWeights(block) != nullptr;
+    if (!isMapped || this->Pair->GetDonor()->GetPointData()->GetNumberOfArrays() > 0)
+    {
+      this->Interpolate(mesh, !isMapped, middle, last);
+    }
+  }
+}
+
+void SkdMeshRemap::Interpolate(vtkDataSet* block, bool withCellData, double first, double last)
+{
+  SkdProbeSettings settings;
+  settings.Fields = this->Settings.Fields;
+  settings.Gradients = this->Request->Gradients;
+  settings.TakesNearest = this->Settings.Empty != SkdEmptyCells::Leave;
+  settings.IsOnSphere = this->Settings.Overlap.Space == SkdOverlapSpace::Sphere;
+  settings.Radius = settings.IsOnSphere ? this->Pair->RadiusOfTarget() : 0.0;
+  settings.ToCells = this->Request->Results == SkdRemapResults::Cells;
+  this->Probe.Map(block, this->Pair->GetDonor(), withCellData, settings, this->Algorithm, first,
+    last, this->Refused);
+}
+
+//------------------------------------------------------------------------------
+void SkdMeshRemap::FillWeights(bool withBlocks, vtkTable* table) const
+{
+  const std::vector<SkdBlock>& outputs = this->Pair->GetOutputs();
+  for (std::size_t block = 0; block < outputs.size(); ++block)
+  {
+    if (const SkdOverlapWeights* weights = this->Remapper.GetWeights(block))
+    {
+      SkdAppendWeights(*weights, this->Settings.Conservative.Normalization,
+        outputs[block].BlockIndex, withBlocks, table);
+    }
+  }
+}
+
+void SkdMeshRemap::FillOverlaps(vtkDataObject* overlaps) const
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(overlaps);
+  const std::vector<SkdBlock>& targets = this->Pair->GetTargets();
+  for (std::size_t block = 0; block < targets.size(); ++block)
+  {
+    const vtkSmartPointer<vtkUnstructuredGrid> mesh = this->Remapper.GetWeights(block)
+      ? SkdMakeOverlapMesh(this->Pair->GetDonor(), targets[block].Mesh,
+          this->Remapper.GetOverlapSettings(), this->Algorithm)
+      : nullptr;
+    if (mesh && blocks)
+    {
+      blocks->SetBlock(static_cast<unsigned int>(block), mesh);
+    }
+    else if (mesh)
+    {
+      overlaps->ShallowCopy(mesh);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string SkdMeshRemap::WriteWeights()
+{
+  SkdWeightsFileSettings file = this->Request->Written;
+  file.Space = this->Settings.Overlap.Space;
+  file.Normalization = this->Settings.Conservative.Normalization;
+  file.WithGradients = this->Settings.IsSecondOrder && file.Format == SkdWeightsFormat::Scrip;
+  const bool isSame = file == this->Written && this->Remapper.GetFindings().WeightsFound == 0;
+  if (file.Name.empty() || isSame)
+  {
+    return "";
+  }
+  std::vector<SkdWeightsBlock> blocks;
+  for (std::size_t block = 0; block < this->Pair->GetTargets().size(); ++block)
+  {
+    if (const SkdOverlapWeights* weights = this->Remapper.GetWeights(block))
+    {
+      blocks.push_back({ this->Pair->GetTargets()[block].Mesh, weights });
+    }
+  }
+  const std::string problem =
+    SkdWriteWeights(file, this->Pair->GetDonor(), blocks, this->Pair->GetGrids());
+  this->Written = problem.empty() ? file : SkdWeightsFileSettings();
+  const bool isLess = this->Settings.IsSecondOrder && !file.WithGradients;
+  return !problem.empty() || !isLess ? problem
+                                     : "The weights in " + file.Name +
+      " are of first order: ESMF's form has none of gradients. SCRIP's has.";
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SkdMeshRemap::GetWarnings() const
+{
+  const SkdRemapFindings& found = this->Remapper.GetFindings();
+  std::vector<std::string> warnings = found.Fields.GetWarnings(
+    this->Settings.Fields.Missing, this->Method != SkdRemapMethod::Interpolation);
+  const std::vector<std::string> others = found.GetWarnings(this->Pair->GetHint());
+  warnings.insert(warnings.end(), others.begin(), others.end());
+  return warnings;
+}
+
+std::set<std::string> SkdMeshRemap::GetRefused() const
+{
+  std::set<std::string> refused = this->Refused;
+  const std::set<std::string>& others = this->Remapper.GetFindings().Fields.Refused;
+  refused.insert(others.begin(), others.end());
+  return refused;
+}
+
+void SkdMeshRemap::AddReport(double seconds, vtkDataObject* output) const
+{
+  const SkdRemapFindings& found = this->Remapper.GetFindings();
+  SkdReport report(output);
+  SkdReportPartialArrays(this->Pair->GetPartialArrays(), output);
+  report.AddCount("SourceCells", this->Pair->GetDonor()->GetNumberOfCells());
+  report.AddCount("InputCells", this->Pair->GetNumberOfTargetCells());
+  report.AddCount("InputCellsEmpty", found.EmptyCells);
+  report.AddCount("InputCellsPartlyCovered", found.PartlyCovered);
+  report.AddCount("Overlaps", found.Overlaps);
+  report.AddCount("WeightsFound", found.WeightsFound);
+  report.AddMeasure("Seconds", seconds);
+  if (found.Surfaces)
+  {
+    report.AddMeasure("SurfaceGap", found.Surfaces->LargestGap);
+    report.AddMeasure("SourceCoverage", found.Surfaces->SourceCoverage);
+  }
+  found.Tally.AddTo(output);
+}
+
+void SkdMeshRemap::End()
+{
+  this->Remapper.End();
+  this->Pair = nullptr;
+  this->Request = nullptr;
+}

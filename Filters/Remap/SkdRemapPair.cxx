@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Remap/SkdRemapPair.h"
+
+#include "Pipeline/SkdLonLat.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+
+#include <algorithm>
+
+namespace
+{
+bool AreStructured(const std::vector<SkdBlock>& blocks)
+{
+  return !blocks.empty() &&
+    std::all_of(blocks.begin(), blocks.end(),
+      [](const SkdBlock& block) { return SkdIsStructured(block.Mesh); });
+}
+}
+
+//------------------------------------------------------------------------------
+SkdRemapPair::SkdRemapPair(const std::vector<SkdBlock>& donor, const std::vector<SkdBlock>& targets,
+  const std::vector<SkdBlock>& outputs, const SkdRemapRequest& request)
+  : Request(request)
+  , Targets(targets)
+  , Outputs(outputs)
+  , Grids{ SkdGridSizesOf(donor), SkdGridSizesOf(targets) }
+  , DonorStructured(AreStructured(donor))
+{
+  this->Donor = SkdJoinBlocks(donor, this->PartialArrays);
+  this->MoveToSphere();
+}
+
+// Results are made on the moved mesh, and go to the one that was given.
+void SkdRemapPair::MoveToSphere()
+{
+  if (this->Request.IsTargetInDegrees)
+  {
+    const bool isFree = this->Request.IsDonorInDegrees;
+    const double radius = isFree ? 1.0 : SkdRadiusOf(this->Donor).value_or(1.0);
+    this->Given = this->Outputs;
+    for (std::size_t i = 0; i < this->Outputs.size(); ++i)
+    {
+      this->Targets[i].Mesh = SkdMovedToSphere(this->Targets[i].Mesh, radius);
+      this->Outputs[i].Mesh = SkdMovedToSphere(this->Outputs[i].Mesh, radius);
+    }
+  }
+  if (this->Request.IsDonorInDegrees)
+  {
+    const double radius = this->RadiusOfTarget();
+    this->Donor = SkdMovedToSphere(this->Donor, radius > 0.0 ? radius : 1.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdRemapPair::Finish()
+{
+  for (std::size_t i = 0; i < this->Given.size(); ++i)
+  {
+    for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      this->Given[i].Mesh->GetAttributes(type)->ShallowCopy(
+        this->Outputs[i].Mesh->GetAttributes(type));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// It speaks for all.
+const SkdBlock* SkdRemapPair::FirstWithCells() const
+{
+  const auto found = std::find_if(this->Targets.begin(), this->Targets.end(),
+    [](const SkdBlock& block) { return block.Mesh->GetNumberOfCells() > 0; });
+  return found != this->Targets.end() ? &*found : nullptr;
+}
+
+bool SkdRemapPair::HasCells() const
+{
+  return this->FirstWithCells() != nullptr;
+}
+
+double SkdRemapPair::RadiusOfTarget() const
+{
+  const SkdBlock* block = this->FirstWithCells();
+  return block ? SkdRadiusOf(block->Mesh).value_or(0.0) : 0.0;
+}
+
+vtkIdType SkdRemapPair::GetNumberOfTargetCells() const
+{
+  vtkIdType cells = 0;
+  for (const SkdBlock& block : this->Outputs)
+  {
+    cells += block.Mesh->GetNumberOfCells();
+  }
+  return cells;
+}
+
+bool SkdRemapPair::IsOfOneDimension() const
+{
+  const int dimension = SkdDimensionOf(this->Donor);
+  return std::all_of(this->Targets.begin(), this->Targets.end(),
+    [&](const SkdBlock& block)
+    { return block.Mesh->GetNumberOfCells() == 0 || SkdDimensionOf(block.Mesh) == dimension; });
+}
+
+//------------------------------------------------------------------------------
+SkdOverlapSpace SkdRemapPair::FindSpace() const
+{
+  constexpr SkdOverlapSpace spaces[] = { SkdOverlapSpace::Line, SkdOverlapSpace::Line,
+    SkdOverlapSpace::Plane, SkdOverlapSpace::Sphere, SkdOverlapSpace::Volume,
+    SkdOverlapSpace::CurvedSurface };
+  const SkdBlock* block = this->FirstWithCells();
+  if (!block)
+  {
+    return SkdOverlapSpace::Volume;
+  }
+  if (this->Request.Geometry != SkdRemapGeometry::Automatic)
+  {
+    return spaces[static_cast<int>(this->Request.Geometry)];
+  }
+  const SkdOverlapSpace space = SkdSpaceOf(block->Mesh);
+  if (space != SkdOverlapSpace::Sphere && space != SkdOverlapSpace::Plane)
+  {
+    return space;
+  }
+  // What is contained goes by directions, whatever the distances of the donor's points.
+  const bool isOnSphere = this->Request.IsDonorInDegrees ||
+    this->Request.Method == SkdRemapMethod::Contained || SkdRadiusOf(this->Donor);
+  if (space == SkdOverlapSpace::Sphere && isOnSphere)
+  {
+    return space;
+  }
+  const bool isCurved = this->Request.IsConservative() && this->GetHint().empty() &&
+    !SkdAreInOnePlane(this->Donor, this->Targets);
+  return isCurved ? SkdOverlapSpace::CurvedSurface : SkdOverlapSpace::Plane;
+}
+
+//------------------------------------------------------------------------------
+std::string SkdRemapPair::GetHint() const
+{
+  const auto isLonLat = [](const SkdBlock& block) { return SkdMayBeLonLat(block.Mesh); };
+  if (!this->Request.IsTargetInDegrees && SkdRadiusOf(this->Donor) && !this->Targets.empty() &&
+    std::all_of(this->Targets.begin(), this->Targets.end(), isLonLat))
+  {
+    return " Source is on a sphere and Input may be of longitudes and latitudes: if so, set "
+           "InputCoordinates.";
+  }
+  return !this->Request.IsDonorInDegrees && SkdMayBeLonLat(this->Donor) &&
+      this->RadiusOfTarget() > 0.0
+    ? " Input is on a sphere and Source may be of longitudes and latitudes: if so, set "
+      "SourceCoordinates."
+    : "";
+}
