@@ -127,7 +127,7 @@ void Report(
   vtkIdType withHits = 0;
   for (const SkdCastRays& cast : rays)
   {
-    hits += cast.Lists.Offsets.back();
+    hits += cast.Lists.GetNumberOfHits();
     for (vtkIdType ray = 0; ray < cast.Starts.GetNumber(); ++ray)
     {
       withHits += cast.Lists.GetNumberOfHits(ray) > 0 ? 1 : 0;

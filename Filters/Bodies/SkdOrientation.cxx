@@ -3,6 +3,7 @@
 #include "Bodies/SkdOrientation.h"
 
 #include "Bodies/SkdEdgeTable.h"
+#include "Core/Geometry/Rows.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -17,47 +18,36 @@ struct Neighbour
 };
 
 /// The triangles across those edges that have exactly two.
-class Neighbours
+skd::Rows<Neighbour> NeighboursOf(
+  const std::vector<SkdTriangleIds>& triangles, std::size_t numberOfPoints)
 {
   using Use = skd::EdgeUse<vtkIdType>;
-
-public:
-  Neighbours(const std::vector<SkdTriangleIds>& triangles, std::size_t numberOfPoints)
-    : Lists(triangles.size())
-  {
-    SkdMakeEdgeTable(triangles, numberOfPoints)
-      .ForEach(
-        [this](vtkIdType, const Use* first, const Use* last)
+  const auto edges = SkdMakeEdgeTable(triangles, numberOfPoints);
+  return { triangles.size(),
+    [&edges](const auto& add)
+    {
+      edges.ForEach(
+        [&add](vtkIdType, const Use* first, const Use* last)
         {
           if (last - first == 2)
           {
-            this->Join(first[0], first[1]);
+            const bool isAlike = first[0].IsForward != first[1].IsForward;
+            add(first[0].Triangle, Neighbour{ first[1].Triangle, isAlike });
+            add(first[1].Triangle, Neighbour{ first[0].Triangle, isAlike });
           }
         });
-  }
-
-  const std::vector<Neighbour>& Of(std::size_t triangle) const { return this->Lists[triangle]; }
-
-private:
-  void Join(const Use& a, const Use& b)
-  {
-    const bool isAlike = a.IsForward != b.IsForward;
-    this->Lists[a.Triangle].push_back({ b.Triangle, isAlike });
-    this->Lists[b.Triangle].push_back({ a.Triangle, isAlike });
-  }
-
-  std::vector<std::vector<Neighbour>> Lists;
-};
+    } };
+}
 
 /// All triangles that are connected to the first, oriented like it.
-std::vector<std::size_t> OrientAlike(std::size_t first, const Neighbours& neighbours,
+std::vector<std::size_t> OrientAlike(std::size_t first, const skd::Rows<Neighbour>& neighbours,
   std::vector<bool>& isReversed, std::vector<bool>& isSeen)
 {
   std::vector<std::size_t> piece{ first };
   isSeen[first] = true;
   for (std::size_t next = 0; next < piece.size(); ++next)
   {
-    for (const Neighbour& other : neighbours.Of(piece[next]))
+    for (const Neighbour& other : neighbours[piece[next]])
     {
       if (!isSeen[other.Triangle])
       {
@@ -105,7 +95,7 @@ std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles,
   const std::function<bool(const skd::Vector3&)>& isInside)
 {
-  const Neighbours neighbours(triangles, points.size());
+  const skd::Rows<Neighbour> neighbours = NeighboursOf(triangles, points.size());
   std::vector<bool> isReversed(triangles.size(), false);
   std::vector<bool> isSeen(triangles.size(), false);
   const auto area2 = [&](std::size_t i) { return skd::Norm2(AcrossOf(points, triangles[i])); };

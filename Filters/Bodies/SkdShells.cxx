@@ -7,6 +7,7 @@
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
 #include "Core/Geometry/Predicates/ExactScale.h"
+#include "Core/Geometry/Rows.h"
 #include "Core/Search/Queries/OverlappingPairs.h"
 #include "Core/Search/Tree/WalkPairs.h"
 
@@ -199,7 +200,14 @@ public:
     const SkdShells& shells)
     : Points(points)
     , Triangles(triangles)
-    , Lists(shells.Get().size())
+    , Lists(shells.Get().size(),
+        [&](const auto& add)
+        {
+          for (std::size_t i = 0; i < triangles.size(); ++i)
+          {
+            add(static_cast<std::size_t>(shells.GetShellsOf()[i]), static_cast<std::uint32_t>(i));
+          }
+        })
     , Trees(shells.Get().size())
   {
     double reach = 0.0;
@@ -208,10 +216,6 @@ public:
       reach = std::max({ reach, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
     }
     this->Scale = skd::ExactScale(reach);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      this->Lists[shells.GetShellsOf()[i]].push_back(static_cast<std::uint32_t>(i));
-    }
   }
 
   bool Touch(std::uint32_t a, std::uint32_t b)
@@ -245,10 +249,11 @@ private:
   {
     if (!this->Trees[shell])
     {
-      std::vector<skd::Box3> boxes(this->Lists[shell].size());
+      const skd::IndexRows::Row triangles = this->Lists[shell];
+      std::vector<skd::Box3> boxes(triangles.size());
       for (std::size_t i = 0; i < boxes.size(); ++i)
       {
-        for (const vtkIdType id : this->Triangles[this->Lists[shell][i]])
+        for (const vtkIdType id : this->Triangles[triangles[i]])
         {
           boxes[i].Add(this->Points[id]);
         }
@@ -260,7 +265,7 @@ private:
 
   const std::vector<skd::Vector3>& Points;
   const std::vector<SkdTriangleIds>& Triangles;
-  std::vector<std::vector<std::uint32_t>> Lists; // of triangles
+  skd::IndexRows Lists; // of triangles
   std::vector<std::unique_ptr<Tree>> Trees;
   double Scale = 1.0;
 };

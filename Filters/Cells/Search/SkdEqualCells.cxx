@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <utility>
 
 namespace
@@ -126,19 +125,15 @@ void SkdEqualCells::Group(const std::vector<std::uint32_t>& firstOf)
       this->Firsts.push_back(cell);
     }
   }
-  this->Offsets.assign(this->Firsts.size() + 1, 0);
-  for (std::uint32_t cell = 0; cell < n; ++cell)
-  {
-    this->Offsets[groupOf[firstOf[cell]] + 1] += firstOf[cell] != cell;
-  }
-  std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
-  this->Others.resize(this->Offsets.back());
-  std::vector<std::uint32_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
-  for (std::uint32_t cell = 0; cell < n; ++cell)
-  {
-    if (firstOf[cell] != cell)
+  this->Others = { this->Firsts.size(),
+    [&](const auto& add)
     {
-      this->Others[next[groupOf[firstOf[cell]]]++] = cell;
-    }
-  }
+      for (std::uint32_t cell = 0; cell < n; ++cell)
+      {
+        if (firstOf[cell] != cell)
+        {
+          add(groupOf[firstOf[cell]], cell);
+        }
+      }
+    } };
 }

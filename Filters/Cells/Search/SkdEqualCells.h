@@ -3,6 +3,7 @@
 #ifndef SkdEqualCells_h
 #define SkdEqualCells_h
 
+#include "Core/Geometry/Rows.h"
 #include "Core/Search/Tree/Tree.h"
 
 #include <cstdint>
@@ -32,16 +33,18 @@ public:
   template <class Visit>
   void VisitGroup(std::uint32_t group, const Visit& visit) const
   {
+    const auto others = this->Others[group];
     bool isGoing = visit(this->Firsts[group]);
-    for (std::uint32_t i = this->Offsets[group]; isGoing && i < this->Offsets[group + 1]; ++i)
+    for (const std::uint32_t* other = others.begin(); isGoing && other != others.end(); ++other)
     {
-      isGoing = visit(this->Others[i]);
+      isGoing = visit(*other);
     }
   }
 
   std::size_t MemorySize() const
   {
-    return (this->Firsts.capacity() + this->Offsets.capacity() + this->Others.capacity()) *
+    return (this->Firsts.capacity() + this->Others.GetOffsets().capacity() +
+             this->Others.GetItems().capacity()) *
       sizeof(std::uint32_t);
   }
 
@@ -49,8 +52,7 @@ private:
   void Group(const std::vector<std::uint32_t>& firstOf);
 
   std::vector<std::uint32_t> Firsts;
-  std::vector<std::uint32_t> Offsets; // of the others of each group
-  std::vector<std::uint32_t> Others;
+  skd::Rows<std::uint32_t, std::uint32_t> Others; // of each group
 };
 
 #endif

@@ -8,10 +8,11 @@
 #ifndef skd_Geometry_EdgeTable_h
 #define skd_Geometry_EdgeTable_h
 
+#include "Rows.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace skd
@@ -57,13 +58,13 @@ public:
   template <class Visit>
   void ForEach(const Visit& visit) const
   {
-    for (std::size_t low = 0; low + 1 < this->Starts.size(); ++low)
+    for (std::size_t low = 0; low < this->Uses.size(); ++low)
     {
-      const Use* const end = this->Uses.data() + this->Starts[low + 1];
-      for (const Use* first = this->Uses.data() + this->Starts[low]; first != end;)
+      const typename Rows<Use>::Row uses = this->Uses[low];
+      for (const Use* first = uses.begin(); first != uses.end();)
       {
         const Use* last = first + 1;
-        while (last != end && last->High == first->High)
+        while (last != uses.end() && last->High == first->High)
         {
           ++last;
         }
@@ -83,34 +84,21 @@ private:
       {
         const auto a = static_cast<Index>(triangles[triangle][i]);
         const auto b = static_cast<Index>(triangles[triangle][i == 2 ? 0 : i + 1]);
-        visit(std::min(a, b), Use{ std::max(a, b), triangle, i, a < b });
+        visit(static_cast<std::size_t>(std::min(a, b)), Use{ std::max(a, b), triangle, i, a < b });
       }
     }
   }
 
-  std::vector<std::size_t> Starts; // of the uses of edges by their lower end
-  std::vector<Use> Uses;
+  Rows<Use> Uses; // of edges by their lower end
 };
 
 template <class Index>
 template <class Triangle, class Loop>
 EdgeTable<Index>::EdgeTable(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints, const Loop& loop)
-  : Starts(numberOfPoints + 1, 0)
-  , Uses(3 * triangles.size())
+  : Uses(numberOfPoints, [&](const auto& add) { ForEachSide(triangles, add); })
 {
-  ForEachSide(
-    triangles, [&](Index low, const Use&) { ++this->Starts[static_cast<std::size_t>(low) + 1]; });
-  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-  std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
-  ForEachSide(triangles,
-    [&](Index low, const Use& use) { this->Uses[next[static_cast<std::size_t>(low)]++] = use; });
-  loop(numberOfPoints,
-    [&](std::size_t low)
-    {
-      std::sort(this->Uses.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
-        this->Uses.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
-    });
+  this->Uses.SortEach(loop);
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef SkdCandidateLists_h
 #define SkdCandidateLists_h
 
+#include "Core/Geometry/Rows.h"
 #include "Core/Search/Queries/CandidateLists.h"
 
 #include <vector>
@@ -19,13 +20,7 @@ public:
     std::size_t Last;
   };
 
-  struct Range
-  {
-    const Span* First;
-    const Span* Last;
-    const Span* begin() const { return this->First; }
-    const Span* end() const { return this->Last; }
-  };
+  using Range = skd::Rows<Span>::Row;
 
   /// One box: all of so many parts.
   static SkdCandidateLists OfAll(std::uint32_t parts)
@@ -40,12 +35,8 @@ public:
     return all;
   }
 
-  std::size_t GetNumberOfBoxes() const { return this->Boxes.size() - 1; }
-  Range Of(std::size_t box) const
-  {
-    const Span* spans = this->Spans.data();
-    return { spans + this->Boxes[box], spans + this->Boxes[box + 1] };
-  }
+  std::size_t GetNumberOfBoxes() const { return this->Spans.size(); }
+  Range Of(std::size_t box) const { return this->Spans[box]; }
   const skd::CandidateLanes* GetLanes() const { return this->Lanes.data(); }
 
   ///@{
@@ -54,30 +45,33 @@ public:
   std::size_t GetSize() const { return this->Lanes.size(); }
   void EndSpan(std::uint32_t part, std::size_t first)
   {
-    this->Spans.push_back({ part, first, this->Lanes.size() });
+    this->Open.push_back({ part, first, this->Lanes.size() });
   }
-  void EndBox() { this->Boxes.push_back(this->Spans.size()); }
+  void EndBox()
+  {
+    this->Spans.Add(this->Open.begin(), this->Open.end());
+    this->Open.clear();
+  }
   ///@}
 
   /// Appends the boxes of another sequence.
   void Append(const SkdCandidateLists& other)
   {
     const std::size_t lanes = this->Lanes.size();
-    const std::size_t spans = this->Spans.size();
     this->Lanes.insert(this->Lanes.end(), other.Lanes.begin(), other.Lanes.end());
-    for (const Span& span : other.Spans)
+    for (std::size_t box = 0; box < other.GetNumberOfBoxes(); ++box)
     {
-      this->Spans.push_back({ span.Part, span.First + lanes, span.Last + lanes });
-    }
-    for (std::size_t box = 1; box < other.Boxes.size(); ++box)
-    {
-      this->Boxes.push_back(other.Boxes[box] + spans);
+      for (const Span& span : other.Of(box))
+      {
+        this->Open.push_back({ span.Part, span.First + lanes, span.Last + lanes });
+      }
+      this->EndBox();
     }
   }
 
 private:
-  std::vector<std::size_t> Boxes{ 0 }; // a box has the spans from its entry to the next
-  std::vector<Span> Spans;
+  skd::Rows<Span> Spans;  // of each box
+  std::vector<Span> Open; // of a box that has not ended
   std::vector<skd::CandidateLanes> Lanes;
 };
 

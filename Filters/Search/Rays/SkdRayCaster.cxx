@@ -149,14 +149,10 @@ SkdRayHitLists SkdRayCaster::FindFirst(
       this->FindFirstOf(starts, directions, begin, end, first);
       for (const SkdRayHit& hit : first)
       {
-        if (hit.Block >= 0)
-        {
-          lists.Hits.push_back(hit);
-        }
-        lists.Offsets.push_back(static_cast<vtkIdType>(lists.Hits.size()));
+        lists.Add(&hit, &hit + (hit.Block >= 0 ? 1 : 0));
       }
     });
-  lists.Offsets.resize(starts.size() + 1, lists.Offsets.back());
+  lists.AddEmpty(starts.size() - lists.size()); // where the user has aborted
   return lists;
 }
 
@@ -248,10 +244,9 @@ SkdRayHitLists SkdRayCaster::FindAll(
       for (std::size_t i = 0; i < sizes.size(); ++i)
       {
         const SkdRayHit* first = found.data() + answers.CountBefore(static_cast<vtkIdType>(i));
-        lists.Hits.insert(lists.Hits.end(), first, first + sizes[i]);
-        lists.Offsets.push_back(static_cast<vtkIdType>(lists.Hits.size()));
+        lists.Add(first, first + sizes[i]);
       }
     });
-  lists.Offsets.resize(starts.size() + 1, lists.Offsets.back());
+  lists.AddEmpty(starts.size() - lists.size()); // where the user has aborted
   return lists;
 }

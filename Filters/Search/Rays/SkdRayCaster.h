@@ -3,6 +3,7 @@
 #ifndef SkdRayCaster_h
 #define SkdRayCaster_h
 
+#include "Core/Geometry/Rows.h"
 #include "Core/Geometry/Vector.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdSourceTrees.h"
@@ -17,24 +18,27 @@ struct SkdRayHit
   int Block; // index in the list of the Source's blocks
 };
 
-/// The hits of many rays: those of ray i from Offsets[i] to Offsets[i + 1], the nearest first.
-struct SkdRayHitLists
+/// The hits of many rays, of each ray the nearest first.
+class SkdRayHitLists : public skd::Rows<SkdRayHit>
 {
-  std::vector<vtkIdType> Offsets{ 0 };
-  std::vector<SkdRayHit> Hits;
-
+public:
   vtkIdType GetNumberOfHits(vtkIdType ray) const
   {
-    return this->Offsets[static_cast<std::size_t>(ray) + 1] -
-      this->Offsets[static_cast<std::size_t>(ray)];
+    return static_cast<vtkIdType>((*this)[static_cast<std::size_t>(ray)].size());
   }
+
+  /// Of the hits of all rays, the first of a ray.
+  vtkIdType GetStart(vtkIdType ray) const
+  {
+    return static_cast<vtkIdType>(this->GetOffsets()[static_cast<std::size_t>(ray)]);
+  }
+  vtkIdType GetNumberOfHits() const { return static_cast<vtkIdType>(this->GetItems().size()); }
 
   /// The nearest hit of a ray, or nullptr.
   const SkdRayHit* GetFirst(vtkIdType ray) const
   {
-    return this->GetNumberOfHits(ray) > 0
-      ? &this->Hits[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(ray)])]
-      : nullptr;
+    const Row hits = (*this)[static_cast<std::size_t>(ray)];
+    return hits.size() > 0 ? hits.begin() : nullptr;
   }
 };
 

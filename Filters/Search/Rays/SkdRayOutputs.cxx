@@ -95,7 +95,7 @@ std::vector<vtkIdType> FirstHitsOf(const std::vector<SkdCastRays>& rays)
   std::vector<vtkIdType> first{ 0 };
   for (const SkdCastRays& cast : rays)
   {
-    first.push_back(first.back() + static_cast<vtkIdType>(cast.Lists.Hits.size()));
+    first.push_back(first.back() + cast.Lists.GetNumberOfHits());
   }
   return first;
 }
@@ -118,12 +118,12 @@ void AddStarts(vtkDataSetAttributes* data, const std::vector<SkdCastRays>& rays,
     SkdForEach(rays[block].Starts.GetNumber(),
       [&](vtkIdType ray)
       {
-        const auto& offsets = rays[block].Lists.Offsets;
-        const auto at = static_cast<std::size_t>(ray);
-        for (vtkIdType hit = offsets[at]; hit < offsets[at + 1]; ++hit)
+        const auto& lists = rays[block].Lists;
+        const vtkIdType from = first[block] + lists.GetStart(ray);
+        for (vtkIdType hit = from; hit < from + lists.GetNumberOfHits(ray); ++hit)
         {
-          gather.Take(first[block] + hit, static_cast<int>(block), ray);
-          ids->SetValue(first[block] + hit, ray);
+          gather.Take(hit, static_cast<int>(block), ray);
+          ids->SetValue(hit, ray);
         }
       });
   }
@@ -205,11 +205,10 @@ void SkdFillHits(vtkPolyData* output, const std::vector<SkdCastRays>& rays,
     SkdForEach(cast.Starts.GetNumber(),
       [&](vtkIdType ray)
       {
-        const auto at = static_cast<std::size_t>(ray);
-        for (vtkIdType k = cast.Lists.Offsets[at]; k < cast.Lists.Offsets[at + 1]; ++k)
+        vtkIdType to = first[block] + cast.Lists.GetStart(ray);
+        for (const SkdRayHit& hit : cast.Lists[static_cast<std::size_t>(ray)])
         {
-          arrays.Set(
-            first[block] + k, cast, ray, cast.Lists.Hits[static_cast<std::size_t>(k)], target);
+          arrays.Set(to++, cast, ray, hit, target);
         }
       });
   }

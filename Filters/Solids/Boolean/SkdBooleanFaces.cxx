@@ -29,7 +29,6 @@ public:
 
   SkdBooleanFaces Make()
   {
-    this->Faces.Starts.push_back(0);
     const auto n = static_cast<std::uint32_t>(this->Facets.GetNumberOfFacets());
     for (std::uint32_t facet = 0; facet < n;)
     {
@@ -238,8 +237,7 @@ private:
   void Add(std::uint32_t facet, Iterator first, Iterator last)
   {
     this->Faces.Facets.push_back(facet);
-    this->Faces.Corners.insert(this->Faces.Corners.end(), first, last);
-    this->Faces.Starts.push_back(static_cast<std::uint32_t>(this->Faces.Corners.size()));
+    this->Faces.Corners.Add(first, last);
   }
 
   const SkdPlacedTriangles& Placed;

@@ -3,6 +3,7 @@
 #ifndef SkdBooleanFaces_h
 #define SkdBooleanFaces_h
 
+#include "Core/Geometry/Rows.h"
 #include "Solids/Boolean/SkdBooleanFacets.h"
 
 /// The faces of an output: polygons by the points of an arrangement, each with a facet that it
@@ -10,8 +11,7 @@
 struct SkdBooleanFaces
 {
   std::vector<std::uint32_t> Facets; ///< the first of each face
-  std::vector<std::uint32_t> Starts; ///< of the corners of each face, and the end
-  std::vector<std::uint32_t> Corners;
+  skd::IndexRows Corners;            ///< of each face
 };
 
 /// What becomes of facets.

@@ -61,12 +61,14 @@ public:
     const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
     const auto pointAt = [&](vtkIdType i)
     { return unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]); };
+    const auto& items = this->Faces.Corners.GetItems();
+    const auto& offsets = this->Faces.Corners.GetOffsets();
     auto starts =
-      SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(this->Faces.Starts.size()));
-    auto corners = SkdMakeArray<vtkIdTypeArray>(
-      "connectivity", 1, static_cast<vtkIdType>(this->Faces.Corners.size()));
-    std::copy(this->Faces.Starts.begin(), this->Faces.Starts.end(), starts->GetPointer(0));
-    std::transform(this->Faces.Corners.begin(), this->Faces.Corners.end(), corners->GetPointer(0),
+      SkdMakeArray<vtkIdTypeArray>("offsets", 1, static_cast<vtkIdType>(offsets.size()));
+    auto corners =
+      SkdMakeArray<vtkIdTypeArray>("connectivity", 1, static_cast<vtkIdType>(items.size()));
+    std::copy(offsets.begin(), offsets.end(), starts->GetPointer(0));
+    std::transform(items.begin(), items.end(), corners->GetPointer(0),
       [&](std::uint32_t corner) { return static_cast<vtkIdType>(this->Numbers[corner]); });
     vtkNew<vtkCellArray> cells;
     cells->SetData(starts, corners);
@@ -123,7 +125,7 @@ private:
   {
     constexpr std::uint32_t none = 0xffffffffu;
     this->Numbers.assign(this->Placed.GetPoints().size() + this->Facets.NewPoints.size(), none);
-    for (const std::uint32_t corner : this->Faces.Corners)
+    for (const std::uint32_t corner : this->Faces.Corners.GetItems())
     {
       this->Numbers[corner] = 0;
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdJoinSegments.h"
 
+#include "Core/Geometry/Rows.h"
+
 namespace
 {
 class Joining
@@ -12,50 +14,39 @@ public:
   std::vector<SkdPolyline> Join();
 
 private:
-  std::size_t CountAt(std::uint32_t point) const
-  {
-    return this->Starts[point + 1] - this->Starts[point];
-  }
+  std::size_t CountAt(std::uint32_t point) const { return this->AtPoints[point].size(); }
   SkdPolyline Follow(std::uint32_t start, std::size_t segment);
 
   static constexpr std::size_t None = ~std::size_t(0);
   std::size_t FindUnused(std::uint32_t point) const;
 
   const std::vector<SkdEndPair>& Segments;
-  std::vector<std::size_t> Starts; // of the segments at a point, in AtPoints
-  std::vector<std::size_t> AtPoints;
+  skd::Rows<std::size_t> AtPoints; // the segments at each
   std::vector<bool> Used;
 };
 
 Joining::Joining(const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints)
   : Segments(segments)
-  , Starts(numberOfPoints + 2, 0)
-  , AtPoints(2 * segments.size())
+  , AtPoints(numberOfPoints,
+      [&](const auto& add)
+      {
+        for (std::size_t i = 0; i < segments.size(); ++i)
+        {
+          add(segments[i].A, i);
+          add(segments[i].B, i);
+        }
+      })
   , Used(segments.size(), false)
 {
-  for (const SkdEndPair& segment : segments)
-  {
-    ++this->Starts[segment.A + 2];
-    ++this->Starts[segment.B + 2];
-  }
-  for (std::size_t i = 2; i < this->Starts.size(); ++i)
-  {
-    this->Starts[i] += this->Starts[i - 1];
-  }
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    this->AtPoints[this->Starts[segments[i].A + 1]++] = i;
-    this->AtPoints[this->Starts[segments[i].B + 1]++] = i;
-  }
 }
 
 std::size_t Joining::FindUnused(std::uint32_t point) const
 {
-  for (std::size_t at = this->Starts[point]; at < this->Starts[point + 1]; ++at)
+  for (const std::size_t segment : this->AtPoints[point])
   {
-    if (!this->Used[this->AtPoints[at]])
+    if (!this->Used[segment])
     {
-      return this->AtPoints[at];
+      return segment;
     }
   }
   return None;
@@ -85,7 +76,7 @@ SkdPolyline Joining::Follow(std::uint32_t start, std::size_t segment)
 std::vector<SkdPolyline> Joining::Join()
 {
   std::vector<SkdPolyline> lines;
-  const auto numberOfPoints = static_cast<std::uint32_t>(this->Starts.size() - 2);
+  const auto numberOfPoints = static_cast<std::uint32_t>(this->AtPoints.size());
   for (std::uint32_t point = 0; point < numberOfPoints; ++point)
   {
     if (this->CountAt(point) != 2)

@@ -16,12 +16,10 @@ void SkdSplitPointData::Gather(
     this->Interpolate(this->NewPoints[point - given], to, arrays, ids);
     return;
   }
-  auto at = std::lower_bound(this->Origins.begin(), this->Origins.end(), Origin{ point, 0, 0 });
-  while (at != this->Origins.end() && at->Point == point && at->Id < 0)
-  {
-    ++at; // added by a surface
-  }
-  if (at != this->Origins.end() && at->Point == point)
+  const auto origins = this->Origins[point];
+  const Origin* at = std::find_if(origins.begin(), origins.end(),
+    [](const Origin& origin) { return origin.Id >= 0; }); // not added by a surface
+  if (at != origins.end())
   {
     arrays.Take(to, at->Block, at->Id);
   }
@@ -35,9 +33,9 @@ void SkdSplitPointData::Interpolate(
   ids->SetNumberOfIds(3);
   for (int i = 0; i < 3; ++i)
   {
-    const Origin least{ point.Corners[i], block, 0 };
-    const auto at = std::lower_bound(this->Origins.begin(), this->Origins.end(), least);
-    if (at == this->Origins.end() || at->Point != least.Point || at->Block != block)
+    const auto origins = this->Origins[point.Corners[i]];
+    const Origin* at = std::lower_bound(origins.begin(), origins.end(), Origin{ block, 0 });
+    if (at == origins.end() || at->Block != block)
     {
       return;
     }

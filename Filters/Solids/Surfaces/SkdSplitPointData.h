@@ -33,7 +33,7 @@ private:
 
   const SkdTriangleSet& Set;
   const std::vector<SkdSplitPoint>& NewPoints;
-  std::vector<Origin> Origins; // ascending
+  skd::Rows<Origin> Origins; // of each point
 };
 
 #endif

@@ -4,13 +4,13 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Bodies/SkdWeld.h"
+#include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
 #include "Solids/Surfaces/SkdPointFilter.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 //------------------------------------------------------------------------------
 bool SkdTriangleSet::Update(
@@ -145,27 +145,17 @@ void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
 }
 
 //------------------------------------------------------------------------------
-// Points are counted first: most have one origin, so sorting them costs next to nothing.
-std::vector<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
+skd::Rows<SkdTriangleSet::Origin> SkdTriangleSet::FindOrigins() const
 {
-  std::vector<std::size_t> next(this->Read.Points.size() + 1, 0);
-  for (const std::uint32_t point : this->PointOf)
-  {
-    ++next[point + 1];
-  }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<Origin> origins(this->PointOf.size());
-  for (std::size_t i = 0; i < this->PointOf.size(); ++i)
-  {
-    origins[next[this->PointOf[i]]++] = { this->PointOf[i], this->Read.Origins[i].Block,
-      this->Read.Origins[i].Id };
-  }
-  for (std::size_t point = 0; point + 1 < next.size(); ++point) // next is now the end of each
-  {
-    const std::size_t first = point > 0 ? next[point - 1] : 0;
-    std::sort(origins.begin() + static_cast<std::ptrdiff_t>(first),
-      origins.begin() + static_cast<std::ptrdiff_t>(next[point]));
-  }
+  skd::Rows<Origin> origins(this->Read.Points.size(),
+    [this](const auto& add)
+    {
+      for (std::size_t i = 0; i < this->PointOf.size(); ++i)
+      {
+        add(this->PointOf[i], Origin{ this->Read.Origins[i].Block, this->Read.Origins[i].Id });
+      }
+    });
+  origins.SortEach([](std::size_t n, const auto& body) { SkdForEach(n, body); });
   return origins;
 }
 

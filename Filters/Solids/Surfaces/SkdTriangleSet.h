@@ -8,6 +8,7 @@
 #ifndef SkdTriangleSet_h
 #define SkdTriangleSet_h
 
+#include "Core/Geometry/Rows.h"
 #include "Core/Geometry/Vector.h"
 #include "Core/Parallel/Processes.h"
 #include "Core/Search/Tree/LazyTree.h"
@@ -91,21 +92,18 @@ public:
   /// added.
   struct Origin
   {
-    std::uint32_t Point;
     int Block;
     vtkIdType Id;
 
     bool operator<(const Origin& o) const
     {
-      return this->Point != o.Point
-        ? this->Point < o.Point
-        : (this->Block != o.Block ? this->Block < o.Block : this->Id < o.Id);
+      return this->Block != o.Block ? this->Block < o.Block : this->Id < o.Id;
     }
   };
 
-  /// The origin of the points of a complete set: all points merged into each, ascending. O(n log
-  /// n).
-  std::vector<Origin> FindOrigins() const;
+  /// The origins of each point of a complete set: all points merged into it, ascending. O(n), as
+  /// most points have one origin.
+  skd::Rows<Origin> FindOrigins() const;
 
   /// Faces that have points that are not finite, or fewer than three different ones.
   vtkIdType GetNumberOfFacesLeftOut() const { return this->Read.LeftOut; }

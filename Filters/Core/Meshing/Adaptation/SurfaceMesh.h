@@ -3,8 +3,10 @@
 #ifndef skd_Adaptation_SurfaceMesh_h
 #define skd_Adaptation_SurfaceMesh_h
 
+#include "../../Geometry/Rows.h"
 #include "../../Geometry/Vector.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,67 +15,6 @@
 
 namespace skd
 {
-
-/// Rows of different lengths in one list.
-class IndexRows
-{
-public:
-  struct Row
-  {
-    const std::uint32_t* First;
-    const std::uint32_t* Last;
-
-    const std::uint32_t* begin() const { return this->First; }
-    const std::uint32_t* end() const { return this->Last; }
-    std::size_t size() const { return static_cast<std::size_t>(this->Last - this->First); }
-    std::uint32_t operator[](std::size_t i) const { return this->First[i]; }
-  };
-
-  std::size_t size() const { return this->Offsets.size() - 1; }
-  Row operator[](std::size_t i) const
-  {
-    const std::uint32_t* items = this->Items.data();
-    return { items + this->Offsets[i], items + this->Offsets[i + 1] };
-  }
-
-  template <class Iterator>
-  void Add(Iterator first, Iterator last)
-  {
-    this->Items.insert(this->Items.end(), first, last);
-    this->Offsets.push_back(this->Items.size());
-  }
-
-  /// For each of n items the rows that have it, ascending.
-  IndexRows Inverse(std::size_t n) const;
-
-private:
-  std::vector<std::size_t> Offsets{ 0 };
-  std::vector<std::uint32_t> Items;
-};
-
-inline IndexRows IndexRows::Inverse(std::size_t n) const
-{
-  IndexRows inverse;
-  inverse.Offsets.assign(n + 1, 0);
-  for (const std::uint32_t item : this->Items)
-  {
-    ++inverse.Offsets[item + 1];
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    inverse.Offsets[i + 1] += inverse.Offsets[i];
-  }
-  inverse.Items.resize(this->Items.size());
-  std::vector<std::size_t> next(inverse.Offsets.begin(), inverse.Offsets.end() - 1);
-  for (std::size_t row = 0; row < this->size(); ++row)
-  {
-    for (const std::uint32_t item : (*this)[row])
-    {
-      inverse.Items[next[item]++] = static_cast<std::uint32_t>(row);
-    }
-  }
-  return inverse;
-}
 
 /// An edge of polygons. Of one that a single cell has, the border, Cells[1] is None.
 struct MeshEdge
