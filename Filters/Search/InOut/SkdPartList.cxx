@@ -3,6 +3,7 @@
 #include "Search/InOut/SkdPartList.h"
 
 #include "Bodies/SkdWeld.h"
+#include "Core/Geometry/DisjointSets.h"
 #include "Pipeline/SkdSubset.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -13,37 +14,10 @@
 #include <map>
 #include <unordered_map>
 
-namespace
-{
-/// Sets that are joined.
-class Union
-{
-public:
-  vtkIdType Find(vtkIdType i)
-  {
-    while (static_cast<std::size_t>(i) >= this->Parents.size())
-    {
-      this->Parents.push_back(static_cast<vtkIdType>(this->Parents.size()));
-    }
-    while (this->Parents[i] != i)
-    {
-      i = this->Parents[i] = this->Parents[this->Parents[i]];
-    }
-    return i;
-  }
-
-  void Join(vtkIdType a, vtkIdType b) { this->Parents[this->Find(a)] = this->Find(b); }
-
-private:
-  std::vector<vtkIdType> Parents;
-};
-
-}
-
 std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& blocks)
 {
   SkdWeld weld;
-  Union pieces;
+  skd::DisjointSets<vtkIdType> pieces(0);
   std::vector<std::vector<vtkIdType>> firstPoints(blocks.size());
   vtkNew<vtkIdList> ids;
   for (std::size_t block = 0; block < blocks.size(); ++block)
@@ -58,15 +32,12 @@ std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& 
         double x[3];
         mesh->GetPoint(ids->GetId(i), x);
         const vtkIdType point = weld.GetId(x);
-        pieces.Find(point);
-        if (first < 0)
+        if (static_cast<std::size_t>(point) == pieces.Size())
         {
-          first = point;
+          pieces.Add();
         }
-        else
-        {
-          pieces.Join(point, first);
-        }
+        first = first < 0 ? point : first;
+        pieces.Unite(first, point);
       }
       firstPoints[block].push_back(first);
     }
