@@ -310,11 +310,11 @@ OuterSurface Builder::Take() const
 //------------------------------------------------------------------------------
 /// Faces without points but their corners, as those of linear cells are: of cells of degree 1.
 std::set<std::vector<vtkIdType>> StraightFaces(
-  vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces)
+  vtkDataSet* mesh, const std::vector<SkdCellFace>& faces)
 {
   std::set<std::vector<vtkIdType>> names;
   SkdVisitFaces(mesh, faces,
-    [&](const SkdCurvedFace& face, vtkCell* cell, bool)
+    [&](const SkdCellFace& face, vtkCell* cell, bool)
     {
       vtkIdList* ids = cell->GetPointIds();
       if (face.Face >= 0 && ids->GetNumberOfIds() <= 4)
@@ -329,7 +329,7 @@ std::set<std::vector<vtkIdType>> StraightFaces(
 
 OuterSurface FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
 {
-  const std::vector<SkdCurvedFace> faces = SkdFindCurvedFaces(mesh);
+  const std::vector<SkdCellFace> faces = SkdFindCurvedFaces(mesh);
   Builder builder(mesh, chordalLength);
   const LinearPart linear(mesh);
   std::set<std::vector<vtkIdType>> shared;
@@ -339,7 +339,7 @@ OuterSurface FacetedSurfaceOf(vtkPointSet* mesh, double chordalLength)
     builder.AddLinear(linear, shared);
   }
   SkdVisitFaces(mesh, faces,
-    [&](const SkdCurvedFace& face, vtkCell* cell, bool isInward)
+    [&](const SkdCellFace& face, vtkCell* cell, bool isInward)
     {
       vtkIdList* ids = cell->GetPointIds();
       std::vector<vtkIdType> name;

@@ -3,6 +3,7 @@
 #include "Curves/SkdSurfaceReader.h"
 
 #include "Cells/Curved/SkdBezierCell.h"
+#include "Cells/Read/SkdFaceList.h"
 #include "Core/Geometry/Polygons/ConvexHull.h"
 #include "Pipeline/SkdReport.h"
 #include "vtkCell.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 namespace
 {
@@ -78,15 +78,11 @@ public:
 
   int GetNumberOfFaces() const { return static_cast<int>(this->Triangles.size()); }
 
-  std::vector<vtkIdType> NameOf(int face) const
+  std::array<vtkIdType, 3> PointsOf(int face) const
   {
-    std::vector<vtkIdType> name;
-    for (const std::uint32_t corner : this->Triangles[static_cast<std::size_t>(face)])
-    {
-      name.push_back(this->Cell->GetPointId(static_cast<int>(corner)));
-    }
-    std::sort(name.begin(), name.end());
-    return name;
+    const auto& corners = this->Triangles[static_cast<std::size_t>(face)];
+    return { this->Cell->GetPointId(corners[0]), this->Cell->GetPointId(corners[1]),
+      this->Cell->GetPointId(corners[2]) };
   }
 
   std::array<skd::Vector3, 3> CornersOf(int face) const
@@ -100,15 +96,6 @@ private:
   vtkCell* Cell;
   std::vector<skd::ConvexHull::Triangle> Triangles;
 };
-
-/// The points of a face in ascending order: its key, independent of the cell.
-std::vector<vtkIdType> NameOf(vtkCell* face)
-{
-  vtkIdList* ids = face->GetPointIds();
-  std::vector<vtkIdType> name(ids->begin(), ids->end());
-  std::sort(name.begin(), name.end());
-  return name;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -145,31 +132,25 @@ void SkdSurfaceReader::Read(vtkDataSet* mesh, int block)
 //------------------------------------------------------------------------------
 void SkdSurfaceReader::ReadFaces(vtkDataSet* mesh, const std::vector<vtkIdType>& volumes)
 {
-  std::map<std::vector<vtkIdType>, std::pair<vtkIdType, int>> open;
+  SkdFaceList faces;
   for (const vtkIdType cellId : volumes)
   {
     vtkCell* cell = mesh->GetCell(cellId);
     const bool isHull = cell->GetCellType() == VTK_CONVEX_POINT_SET;
     const HullOfCell hull(isHull ? cell : nullptr);
-    const int number = isHull ? hull.GetNumberOfFaces() : cell->GetNumberOfFaces();
-    for (int i = 0; i < number; ++i)
+    for (int i = 0; i < hull.GetNumberOfFaces(); ++i)
     {
-      const auto [entry, isNew] =
-        open.emplace(isHull ? hull.NameOf(i) : NameOf(cell->GetFace(i)), std::pair(cellId, i));
-      if (!isNew)
-      {
-        open.erase(entry);
-      }
+      const auto points = hull.PointsOf(i);
+      faces.Add({ cellId, i }, points.begin(), points.end());
+    }
+    for (int i = 0; !isHull && i < cell->GetNumberOfFaces(); ++i)
+    {
+      vtkIdList* points = cell->GetFace(i)->GetPointIds();
+      faces.Add({ cellId, i }, points->begin(), points->end());
     }
   }
-  std::vector<std::pair<vtkIdType, int>> outer;
-  for (const auto& entry : open)
-  {
-    outer.push_back(entry.second);
-  }
-  std::sort(outer.begin(), outer.end());
   this->IsWhole = false;
-  for (const auto& [cellId, face] : outer)
+  for (const auto& [cellId, face] : faces.TakeOuter())
   {
     this->CellId = cellId;
     vtkCell* cell = mesh->GetCell(cellId);

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <map>
 #include <numeric>
 
@@ -95,108 +94,6 @@ private:
   const std::vector<FacePoints>* Last = nullptr;
 };
 
-/// All faces of the curved volume cells, to find those that no two have.
-class FaceList
-{
-public:
-  explicit FaceList(vtkDataSet* mesh)
-    : Table(mesh)
-  {
-  }
-
-  template <class Id>
-  void AddCell(vtkIdType cellId, int type, const Id* ids, std::size_t size, bool isGhost)
-  {
-    const std::vector<FacePoints>& faces = this->Table.FacesOf(cellId, type, size);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      const std::size_t first = this->Points.size();
-      for (const vtkIdType place : faces[i])
-      {
-        this->Points.push_back(static_cast<vtkIdType>(ids[place]));
-      }
-      std::sort(this->Points.begin() + static_cast<std::ptrdiff_t>(first), this->Points.end());
-      this->Faces.push_back({ this->HashFrom(first), first, this->Points.size() - first,
-        { cellId, static_cast<int>(i) }, isGhost });
-    }
-  }
-
-  /// Of a face that an odd number of cells has the last one shows.
-  void TakeOuter(std::vector<SkdCurvedFace>& outer)
-  {
-    std::sort(this->Faces.begin(), this->Faces.end(),
-      [this](const Face& a, const Face& b) { return this->Compare(a, b) < 0; });
-    for (std::size_t i = 0, next = 0; i < this->Faces.size(); i = next)
-    {
-      for (next = i + 1; next < this->Faces.size() && this->AreSame(i, next);)
-      {
-        ++next;
-      }
-      const Face& last = this->Faces[next - 1];
-      if ((next - i) % 2 == 1 && !last.IsGhost)
-      {
-        outer.push_back(last.Where);
-      }
-    }
-  }
-
-private:
-  struct Face
-  {
-    std::uint64_t Hash;
-    std::size_t First; // of its points
-    std::size_t Size;
-    SkdCurvedFace Where;
-    bool IsGhost;
-  };
-
-  std::uint64_t HashFrom(std::size_t first) const
-  {
-    std::uint64_t hash = 0;
-    for (std::size_t i = first; i < this->Points.size(); ++i)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(this->Points[i])) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 29;
-    }
-    return hash;
-  }
-
-  /// By the points alone.
-  int ComparePoints(const Face& a, const Face& b) const
-  {
-    if (a.Hash != b.Hash || a.Size != b.Size)
-    {
-      return a.Hash != b.Hash ? (a.Hash < b.Hash ? -1 : 1) : (a.Size < b.Size ? -1 : 1);
-    }
-    const auto pointsA = this->Points.begin() + static_cast<std::ptrdiff_t>(a.First);
-    const auto pointsB = this->Points.begin() + static_cast<std::ptrdiff_t>(b.First);
-    const auto end = pointsA + static_cast<std::ptrdiff_t>(a.Size);
-    const auto [atA, atB] = std::mismatch(pointsA, end, pointsB);
-    return atA == end ? 0 : (*atA < *atB ? -1 : 1);
-  }
-
-  int Compare(const Face& a, const Face& b) const
-  {
-    const int difference = this->ComparePoints(a, b);
-    if (difference != 0)
-    {
-      return difference;
-    }
-    const bool isBefore = a.Where.CellId != b.Where.CellId ? a.Where.CellId < b.Where.CellId
-                                                           : a.Where.Face < b.Where.Face;
-    return isBefore ? -1 : 1;
-  }
-
-  bool AreSame(std::size_t a, std::size_t b) const
-  {
-    return this->ComparePoints(this->Faces[a], this->Faces[b]) == 0;
-  }
-
-  FaceTable Table;
-  std::vector<vtkIdType> Points;
-  std::vector<Face> Faces;
-};
-
 skd::Vector3 PointOf(vtkCell* cell, vtkIdType i)
 {
   skd::Vector3 point;
@@ -224,11 +121,6 @@ bool IsInward(vtkCell* face, vtkCell* cell)
   const skd::Vector3 c = PointOf(face, 2);
   const skd::Vector3 normal = skd::Cross(c - a, isTriangle ? c - b : PointOf(face, 3) - b);
   return skd::Dot(normal, MiddleOf(face) - MiddleOf(cell)) < 0.0;
-}
-
-bool IsBefore(const SkdCurvedFace& a, const SkdCurvedFace& b)
-{
-  return a.CellId != b.CellId ? a.CellId < b.CellId : a.Face < b.Face;
 }
 }
 
@@ -266,14 +158,15 @@ bool SkdHasCurvedCells(vtkDataSet* mesh)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh)
+std::vector<SkdCellFace> SkdFindCurvedFaces(vtkDataSet* mesh)
 {
   constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   const SkdCellReader reader(mesh);
   vtkNew<vtkIdList> list;
-  FaceList volumes(mesh);
-  std::vector<SkdCurvedFace> found;
+  FaceTable table(mesh);
+  SkdFaceList volumes;
+  std::vector<SkdCellFace> found;
   for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
   {
     const int type = reader.TypeOf(id);
@@ -291,21 +184,31 @@ std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh)
     {
       reader.VisitPoints(id, list,
         [&](const auto* ids, std::size_t size)
-        { volumes.AddCell(id, type, ids, size, mark != 0); });
+        {
+          int face = 0;
+          for (FacePoints points : table.FacesOf(id, type, size))
+          {
+            std::transform(points.begin(), points.end(), points.begin(),
+              [ids](vtkIdType place) { return static_cast<vtkIdType>(ids[place]); });
+            volumes.Add({ id, face++ }, points.begin(), points.end(), mark != 0);
+          }
+        });
     }
   }
-  volumes.TakeOuter(found);
-  std::sort(found.begin(), found.end(), IsBefore);
+  const std::vector<SkdCellFace> outer = volumes.TakeOuter();
+  const auto cells = static_cast<std::ptrdiff_t>(found.size());
+  found.insert(found.end(), outer.begin(), outer.end());
+  std::inplace_merge(found.begin(), found.begin() + cells, found.end());
   return found;
 }
 
 //------------------------------------------------------------------------------
-void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
-  const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit)
+void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCellFace>& faces,
+  const std::function<void(const SkdCellFace&, vtkCell*, bool)>& visit)
 {
   vtkNew<vtkGenericCell> scratch;
   vtkIdType loaded = -1;
-  for (const SkdCurvedFace& face : faces)
+  for (const SkdCellFace& face : faces)
   {
     if (face.CellId != loaded)
     {

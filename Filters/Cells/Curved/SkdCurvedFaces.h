@@ -13,7 +13,7 @@
 #ifndef SkdCurvedFaces_h
 #define SkdCurvedFaces_h
 
-#include "vtkType.h"
+#include "Cells/Read/SkdFaceList.h"
 
 #include <functional>
 #include <vector>
@@ -30,20 +30,13 @@ bool SkdIsCurvedCellType(int cellType);
 /// Whether some cell of the data set is of such a type. O(n) in a grid, else O(1).
 bool SkdHasCurvedCells(vtkDataSet* mesh);
 
-/// A face, or a cell.
-struct SkdCurvedFace
-{
-  vtkIdType CellId;
-  int Face; ///< -1: the cell itself
-};
-
 /// By ascending cell id and face. O(n log n).
-std::vector<SkdCurvedFace> SkdFindCurvedFaces(vtkDataSet* mesh);
+std::vector<SkdCellFace> SkdFindCurvedFaces(vtkDataSet* mesh);
 
 /// Calls visit(face, cell, isInward) for each, the cell being that face as VTK has it, its point
 /// ids those of the data set. Valid until the next one. VTK's types do not agree on the orientation
 /// of faces, so `isInward` returns whether the face of a volume cell is oriented inward.
-void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCurvedFace>& faces,
-  const std::function<void(const SkdCurvedFace&, vtkCell*, bool)>& visit);
+void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCellFace>& faces,
+  const std::function<void(const SkdCellFace&, vtkCell*, bool)>& visit);
 
 #endif

@@ -128,7 +128,7 @@ void SkdVisitCurvedPlaces(
   vtkDataSet* mesh, const std::function<void(vtkIdType, const SkdCurvedPlace&)>& visit)
 {
   SkdVisitFaces(mesh, SkdFindCurvedFaces(mesh),
-    [&](const SkdCurvedFace&, vtkCell* cell, bool isInward)
+    [&](const SkdCellFace&, vtkCell* cell, bool isInward)
     {
       if (!IsParametricFace(cell) || cell->GetNumberOfPoints() == 0)
       {
