@@ -9,14 +9,9 @@
 #ifndef SkdSignedSource_h
 #define SkdSignedSource_h
 
-#include "Bodies/SkdBoundary.h"
-#include "Bodies/SkdOpenSolid.h"
-#include "Bodies/SkdSolid.h"
+#include "Bodies/SkdBody.h"
 #include "Pipeline/SkdBlockSnapshots.h"
-#include "Pipeline/SkdSourceTrees.h"
-#include "vtkSkdTreeCellLocator.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,22 +27,25 @@ public:
   void Clear() { *this = SkdSignedSource(); }
 
   /// The number of faces; if it is 0 nothing is inside.
-  vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
+  vtkIdType GetNumberOfFaces() const { return this->GetBoundary().Faces->GetNumberOfCells(); }
 
   /// See SkdBoundary.
-  vtkPolyData* GetSurface() const { return this->Boundary.Surface; }
+  vtkPolyData* GetSurface() const { return this->GetBoundary().Surface; }
 
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }
 
   /// See SkdBlockSurface.
-  vtkIdType GetNumberOfCoarseFaces() const { return this->Boundary.CoarseFaces; }
+  vtkIdType GetNumberOfCoarseFaces() const { return this->GetBoundary().CoarseFaces; }
 
   /// Edges at which the boundary is open.
-  vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
+  vtkIdType GetNumberOfOpenEdges() const { return this->GetBoundary().OpenEdges; }
 
   /// As SkdSourceTrees::FindNearest, on the boundary: the cell is that of the face.
-  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
+  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const
+  {
+    return this->Body.FindNearest(x, maximumDistance);
+  }
 
   /// Whether x is inside the boundary, see SkdSolid, of an open one SkdOpenSolid. Points on the
   /// boundary may be either. Thread-safe.
@@ -59,15 +57,11 @@ public:
   SkdTreeCounts GetCounts() const;
 
 private:
-  void MakeBoundary(const std::vector<SkdBlock>& blocks);
+  const SkdBoundary& GetBoundary() const { return this->Body.GetBoundary(); }
 
   SkdBlockSnapshots Meshes;
   double ChordalLength = 0.0; // 0 where no cell is curved
-  SkdBoundary Boundary;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Surface; // often the same as Faces
-  std::unique_ptr<SkdSolid> Solid;                // of the surface, or nullptr of an open boundary
-  std::unique_ptr<SkdOpenSolid> OpenSolid;        // of an open one, or nullptr
+  SkdBody Body;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the surface
 };
 

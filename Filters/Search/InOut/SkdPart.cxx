@@ -3,7 +3,6 @@
 #include "Search/InOut/SkdPart.h"
 
 #include "Bodies/SkdOrientation.h"
-#include "Pipeline/SkdSourceTrees.h"
 #include "vtkBoundingBox.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -92,49 +91,33 @@ SkdSide Elect(int count, const Vote& vote)
 
 SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSettings& settings)
   : Id(id)
-  , Boundary(SkdBoundaryOf(blocks, settings.ChordalLength))
-  , Faces(SkdMakeLocator(this->Boundary.Faces))
+  , Body(blocks, settings.ChordalLength)
 {
-  this->Surface = this->Boundary.Surface == this->Boundary.Faces
-    ? this->Faces
-    : SkdMakeLocator(this->Boundary.Surface);
-  SkdBuildLocator(this->Faces, settings.Epsilon, true);
-  if (this->Surface != this->Faces)
-  {
-    SkdBuildLocator(this->Surface, settings.Epsilon, true);
-  }
-  this->Boundary.Faces->GetCellsBounds(this->Bounds);
+  const SkdInsideMethod method = settings.Method;
+  this->Body.Build(
+    settings.Epsilon, settings.RepairsOrientation || method == SkdInsideMethod::Automatic);
+  this->GetBoundary().Faces->GetCellsBounds(this->Bounds);
   const vtkBoundingBox box(this->Bounds);
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
-  if (this->Boundary.OpenEdges == 0)
-  {
-    this->Solid = std::make_unique<SkdSolid>(this->Boundary, this->Surface);
-  }
-  const SkdInsideMethod method = settings.Method;
-  if (!this->Solid && (settings.RepairsOrientation || method == SkdInsideMethod::Automatic))
-  {
-    this->OpenSolid =
-      std::make_unique<SkdOpenSolid>(this->Boundary, this->Surface, settings.Epsilon);
-  }
   const auto turnedOf = [&](vtkPolyData* surface)
   { return settings.RepairsOrientation ? this->FindReversed(surface) : std::vector<bool>(); };
   if (method == SkdInsideMethod::WindingNumber)
   {
-    vtkPolyData* surface = this->Boundary.Surface;
+    vtkPolyData* surface = this->GetBoundary().Surface;
     this->Winding = std::make_unique<SkdWinding>(surface, turnedOf(surface));
   }
   if (method == SkdInsideMethod::NearestFeature)
   {
-    vtkPolyData* faces = this->Boundary.Faces;
+    vtkPolyData* faces = this->GetBoundary().Faces;
     this->Normals = std::make_unique<SkdFeatureNormals>(faces, turnedOf(faces));
   }
 }
 
 std::vector<bool> SkdPart::FindReversed(vtkPolyData* surface) const
 {
-  if (this->OpenSolid)
+  if (this->Body.GetOpenSolid())
   {
-    return this->OpenSolid->FindOutward(surface);
+    return this->Body.GetOpenSolid()->FindOutward(surface);
   }
   return SkdFindReversed(SkdSurfacePoints(surface), SkdSurfaceTriangles(surface),
     [this](const skd::Vector3& x)
@@ -154,7 +137,7 @@ SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::ui
     return this->AskWithin(x, rules, point);
   }
   const bool isAsked = rules.Method == SkdInsideMethod::WindingNumber ||
-    (!this->Solid &&
+    (!this->Body.GetSolid() &&
       (rules.Method == SkdInsideMethod::NearestFeature ||
         rules.Method == SkdInsideMethod::Automatic));
   if (!isAsked || this->GetNumberOfFaces() == 0)
@@ -162,7 +145,7 @@ SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::ui
     return SkdSide(); // a ray that leads away from the bounds meets nothing
   }
   SkdSide side = this->AskWithin(x, rules, point);
-  side.Confidence = this->Solid ? 1.0 : side.IsInside ? 0.5 : side.Confidence;
+  side.Confidence = this->Body.GetSolid() ? 1.0 : side.IsInside ? 0.5 : side.Confidence;
   side.IsInside = false;
   return side;
 }
@@ -173,7 +156,8 @@ SkdSide SkdPart::AskWithin(
   switch (rules.Method)
   {
     case SkdInsideMethod::Automatic:
-      return this->Solid ? this->AskSolid(x) : this->OpenSolid->Ask(x, rules.WindingTolerance);
+      return this->Body.GetSolid() ? this->AskSolid(x)
+                                   : this->Body.GetOpenSolid()->Ask(x, rules.WindingTolerance);
     case SkdInsideMethod::AxisRays:
       return this->VoteAlongAxes(x);
     case SkdInsideMethod::RandomRays:
@@ -188,7 +172,7 @@ SkdSide SkdPart::AskWithin(
 bool SkdPart::IsOdd(const double x[3], const SkdRayEnd& way) const
 {
   const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
-  return this->Surface->CountCrossings(x, end) % 2 == 1;
+  return this->Body.GetSurface()->CountCrossings(x, end) % 2 == 1;
 }
 
 void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
@@ -214,7 +198,7 @@ void SkdPart::FindPasses(const double from[3], const double along[3], double dis
   }
   if (method == SkdInsideMethod::Automatic)
   {
-    this->Solid->FindPasses(p1, p2, reach - start, passes);
+    this->Body.GetSolid()->FindPasses(p1, p2, reach - start, passes);
   }
   else
   {
@@ -232,7 +216,8 @@ void SkdPart::FindTurns(
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
   thread_local vtkNew<vtkIdTypeArray> kinds;
-  const vtkIdType n = this->Surface->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
+  const vtkIdType n =
+    this->Body.GetSurface()->FindCrossings(p1, p2, parameters, nullptr, nullptr, kinds);
   for (vtkIdType i = 0; i < n; ++i)
   {
     if (kinds->GetValue(i) == 1)
@@ -246,7 +231,7 @@ void SkdPart::FindTurns(
 SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
 {
   const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
-  const int count = this->Boundary.OpenEdges == 0 ? 1 : 6;
+  const int count = this->GetBoundary().OpenEdges == 0 ? 1 : 6;
   auto way = ways.begin();
   return Elect(count, [&]() { return this->IsOdd(x, *way++); });
 }
@@ -255,7 +240,7 @@ SkdSide SkdPart::VoteAtRandom(
   const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
 {
   RandomRayEnds ways(this->Bounds, rules.Seed, point);
-  const int count = this->Boundary.OpenEdges == 0 ? 1 : rules.NumberOfRays;
+  const int count = this->GetBoundary().OpenEdges == 0 ? 1 : rules.NumberOfRays;
   return Elect(count, [&]() { return this->IsOdd(x, ways.Next()); });
 }
 
@@ -268,7 +253,7 @@ SkdSide SkdPart::AskNearest(const double x[3]) const
 {
   double nearest[3], pcoords[3], dist2;
   int subId;
-  const vtkIdType face = this->Faces->FindClosestLocation(
+  const vtkIdType face = this->Body.GetFaces()->FindClosestLocation(
     x, std::numeric_limits<double>::infinity(), nearest, subId, pcoords, dist2, nullptr);
   if (face < 0)
   {
@@ -277,14 +262,4 @@ SkdSide SkdPart::AskNearest(const double x[3]) const
   const SkdFeatureNormals::Normal normal = this->Normals->At(face, pcoords);
   const skd::Vector3 away{ { x[0] - nearest[0], x[1] - nearest[1], x[2] - nearest[2] } };
   return { skd::Dot(away, normal.Direction) <= 0.0, normal.IsOpen ? 0.5 : 1.0 };
-}
-
-bool SkdPart::IsNear(const double x[3], double distance) const
-{
-  double asked[3] = { x[0], x[1], x[2] };
-  double nearest[3], dist2;
-  vtkIdType face;
-  int subId;
-  return this->Faces->FindClosestPointWithinRadius(
-           asked, distance, nearest, nullptr, face, subId, dist2) != 0;
 }

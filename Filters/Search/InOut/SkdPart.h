@@ -8,13 +8,10 @@
 #ifndef SkdPart_h
 #define SkdPart_h
 
-#include "Bodies/SkdBoundary.h"
-#include "Bodies/SkdOpenSolid.h"
-#include "Bodies/SkdSolid.h"
+#include "Bodies/SkdBody.h"
 #include "Bodies/SkdWinding.h"
 #include "Core/Geometry/Vector.h"
 #include "Search/InOut/SkdFeatureNormals.h"
-#include "vtkSkdTreeCellLocator.h"
 
 #include <memory>
 #include <vector>
@@ -60,11 +57,11 @@ public:
   SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSettings& settings);
 
   int GetId() const { return this->Id; }
-  vtkIdType GetNumberOfFaces() const { return this->Boundary.Faces->GetNumberOfCells(); }
-  vtkIdType GetNumberOfOpenEdges() const { return this->Boundary.OpenEdges; }
-  vtkIdType GetNumberOfCoarseFaces() const { return this->Boundary.CoarseFaces; }
+  vtkIdType GetNumberOfFaces() const { return this->GetBoundary().Faces->GetNumberOfCells(); }
+  vtkIdType GetNumberOfOpenEdges() const { return this->GetBoundary().OpenEdges; }
+  vtkIdType GetNumberOfCoarseFaces() const { return this->GetBoundary().CoarseFaces; }
   double GetDiagonal() const { return this->Diagonal; }
-  double GetAbsoluteEpsilon() const { return this->Faces->GetAbsoluteEpsilon(); }
+  double GetAbsoluteEpsilon() const { return this->Body.GetFaces()->GetAbsoluteEpsilon(); }
 
   bool BoundsHold(const double x[3]) const;
 
@@ -83,14 +80,18 @@ public:
     SkdInsideMethod method, std::vector<SkdPassAlong>& passes) const;
 
   /// Whether the boundary is within a distance of x. Thread-safe.
-  bool IsNear(const double x[3], double distance) const;
+  bool IsNear(const double x[3], double distance) const
+  {
+    return this->Body.FindNearest(x, distance).has_value();
+  }
 
 private:
+  const SkdBoundary& GetBoundary() const { return this->Body.GetBoundary(); }
   std::vector<bool> FindReversed(vtkPolyData* surface) const;
   SkdSide AskWithin(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
   SkdSide AskSolid(const double x[3]) const
   {
-    return this->Solid->Ask(x, SkdRayEndsAlongAxes(this->Bounds, x)[0]);
+    return this->Body.GetSolid()->Ask(x, SkdRayEndsAlongAxes(this->Bounds, x)[0]);
   }
   void FindTurns(
     const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const;
@@ -101,15 +102,11 @@ private:
   SkdSide AskNearest(const double x[3]) const;
 
   int Id;
-  SkdBoundary Boundary;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Faces;
-  vtkSmartPointer<vtkSkdTreeCellLocator> Surface; // often the same as Faces
+  SkdBody Body;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Diagonal = 0.0;
-  std::unique_ptr<SkdSolid> Solid;            // of Surface, or nullptr of an open boundary
-  std::unique_ptr<SkdOpenSolid> OpenSolid;    // of an open one, if it is needed
-  std::unique_ptr<SkdWinding> Winding;        // of Surface, or nullptr
-  std::unique_ptr<SkdFeatureNormals> Normals; // of Faces, or nullptr
+  std::unique_ptr<SkdWinding> Winding;        // of the boundary's surface, or nullptr
+  std::unique_ptr<SkdFeatureNormals> Normals; // of its faces, or nullptr
 };
 
 #endif
