@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Queries/OverlappingPairs.h"
 #include "Core/Search/Tree/WalkPairs.h"
 #include "CoreSupport.h"
@@ -262,22 +263,19 @@ TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
 
 /// A tree against itself, in at least so many parts.
 template <int D>
-Ids PairsWithin(const skd::Tree<D>& tree, std::size_t parts)
+Ids PairsWithin(const skd::Tree<D>& tree, std::size_t enough)
 {
   Ids reached;
-  auto visitor = [&](std::uint32_t a, std::uint32_t b)
+  const auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
     reached.push_back(Pair(std::min(a, b), std::max(a, b)));
     return true;
   };
+  using Tree = skd::Tree<D>;
   const Unmoved unmoved;
-  using Query = skd::OverlappingPairs<D, Unmoved, decltype(visitor)>;
-  Query query(tree.GetFrame(), tree.GetFrame(), unmoved, visitor);
-  skd::PairWalk<skd::Tree<D>, skd::Tree<D>, Query> walk(tree, query);
-  for (const auto& start : walk.Split(parts))
-  {
-    walk.RunFrom(start);
-  }
+  const skd::OverlapParts<D, Tree, Tree, Unmoved, decltype(visitor)> parts(
+    tree, tree, unmoved, enough, visitor, true);
+  parts.Visit(0, parts.size(), visitor);
   return reached;
 }
 
@@ -309,21 +307,20 @@ TYPED_TEST(OverlappingPairsTest, OfTwoTreesAreTheSameInParts)
   const auto first = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   const auto second = skd::BuildTree<D>(InputOf(RandomBoxes<D>(65, 9), 3));
   Ids reached;
-  auto visitor = [&](std::uint32_t a, std::uint32_t b)
+  const auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
     reached.push_back(Pair(a, b));
     return true;
   };
+  using Tree = skd::Tree<D>;
   const Unmoved unmoved;
-  using Query = skd::OverlappingPairs<D, Unmoved, decltype(visitor)>;
-  Query query(first.GetFrame(), second.GetFrame(), unmoved, visitor);
-  skd::PairWalk<skd::Tree<D>, skd::Tree<D>, Query> walk(first, second, query);
-  const auto starts = walk.Split(50);
-  EXPECT_GE(starts.size(), 50u);
+  const skd::OverlapParts<D, Tree, Tree, Unmoved, decltype(visitor)> parts(
+    first, second, unmoved, 50, visitor, false);
+  EXPECT_GE(parts.size(), 50u);
   EXPECT_TRUE(reached.empty());
-  for (const auto& start : starts)
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    EXPECT_TRUE(walk.RunFrom(start));
+    parts.Visit(i, i + 1, visitor);
   }
   EXPECT_EQ(Sorted(reached), Sorted(ReachedPairs(first, second, Unmoved())));
 }

@@ -3,8 +3,7 @@
 // Queries about two trees of cells (Algorithm 5.4).
 #include "Cells/Search/SkdCellTree.h"
 
-#include "Core/Search/Queries/OverlappingPairs.h"
-#include "Core/Search/Tree/WalkPairs.h"
+#include "Core/Search/Queries/OverlapParts.h"
 
 #include "vtkSMPTools.h"
 
@@ -39,28 +38,20 @@ template <class First, class Second, class ToFirst, class IsPair>
 std::vector<CellPairs> WalkInParts(const First& first, const Second& second, const ToFirst& toFirst,
   const IsPair& isPair, double excess)
 {
+  using Parts = skd::OverlapParts<3, First, Second, ToFirst, Keeper<IsPair>>;
   constexpr std::size_t enough = 256;
-  using Query = skd::OverlappingPairs<3, ToFirst, Keeper<IsPair>>;
-  const auto inWalk = [&](CellPairs& found, const auto& body)
-  {
-    Keeper<IsPair> keeper{ isPair, found };
-    Query query(first.GetFrame(), second.GetFrame(), toFirst, keeper, excess);
-    skd::PairWalk<First, Second, Query> walk(first, second, query);
-    body(walk);
-  };
-  std::vector<typename skd::PairWalk<First, Second, Query>::Pair> starts;
   CellPairs none; // for splitting finds nothing
-  inWalk(none, [&](auto& walk) { starts = walk.Split(enough); });
-  std::vector<CellPairs> parts(starts.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()), 1,
+  const Parts parts(first, second, toFirst, enough, { isPair, none }, false, excess);
+  std::vector<CellPairs> found(parts.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(parts.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        inWalk(parts[i], [&](auto& walk) { walk.RunFrom(starts[i]); });
+        parts.Visit(i, i + 1, { isPair, found[i] });
       }
     });
-  return parts;
+  return found;
 }
 }
 

@@ -4,9 +4,8 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestTriangles.h"
-#include "Core/Search/Queries/OverlappingPairs.h"
+#include "Core/Search/Queries/OverlapParts.h"
 #include "Core/Search/Tree/PackedRTree.h"
-#include "Core/Search/Tree/WalkPairs.h"
 #include "Pipeline/SkdLoop.h"
 
 #include <algorithm>
@@ -244,39 +243,26 @@ template <class ToFirst>
 std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   const ToFirst& toFirst, const SkdPairSearch& search, SkdLoop& loop) const
 {
-  using Query = skd::OverlappingPairs<3, ToFirst, Block>;
-  using Walk = skd::PairWalk<skd::LazyTree<3>, skd::LazyTree<3>, Query>;
-  constexpr vtkIdType numberOfParts = 512;
-  const skd::LazyTree<3>& first = this->Placement.First.GetSet().GetTree();
-  const skd::LazyTree<3>& second = this->Placement.GetSecond().GetSet().GetTree();
+  using Tree = skd::LazyTree<3>;
+  constexpr vtkIdType enough = 512;
+  const SkdTriangleSet& first = this->Placement.First.GetSet();
+  const SkdTriangleSet& second = this->Placement.GetSecond().GetSet();
   Search state(this->Placement, search);
-  const auto inWalk = [&](std::vector<SkdTrianglePair>& found, const auto& body)
-  {
-    Block block{ state, found, this->Placement.First.GetSet().GetSearched(),
-      this->Placement.GetSecond().GetSet().GetSearched() };
-    Query query(first.GetFrame(), second.GetFrame(), toFirst, block);
-    Walk walk = this->Placement.IsOfOne() ? Walk(first, query) : Walk(first, second, query);
-    body(walk);
+  const auto blockOf = [&](std::vector<SkdTrianglePair>& found) {
+    return Block{ state, found, first.GetSearched(), second.GetSearched() };
   };
 
-  std::vector<SkdTrianglePair> onTheWay;
-  std::vector<typename Walk::Pair> starts;
-  inWalk(onTheWay, [&](Walk& walk) { starts = walk.Split(numberOfParts); });
-  std::vector<std::vector<SkdTrianglePair>> found(starts.size());
-  loop.SetTotal(numberOfParts);
-  loop.For(static_cast<vtkIdType>(starts.size()),
+  std::vector<SkdTrianglePair> none; // for splitting finds nothing
+  const skd::OverlapParts<3, Tree, Tree, ToFirst, Block> parts(
+    first.GetTree(), second.GetTree(), toFirst, enough, blockOf(none), this->Placement.IsOfOne());
+  std::vector<std::vector<SkdTrianglePair>> found(parts.size());
+  loop.SetTotal(enough);
+  loop.For(static_cast<vtkIdType>(parts.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      inWalk(found[begin],
-        [&](Walk& walk)
-        {
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            walk.RunFrom(starts[i]);
-          }
-        });
+      parts.Visit(static_cast<std::size_t>(begin), static_cast<std::size_t>(end),
+        blockOf(found[static_cast<std::size_t>(begin)]));
     });
-  found.push_back(std::move(onTheWay));
   return Gather(found, search);
 }
 
