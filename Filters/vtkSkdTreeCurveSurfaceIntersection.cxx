@@ -9,6 +9,7 @@
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSetText.h"
 #include "Search/InOut/SkdPartList.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -142,12 +143,7 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
 //------------------------------------------------------------------------------
 void vtkSkdTreeCurveSurfaceIntersection::SetPartArray(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (this->PartArray != wanted)
-  {
-    this->PartArray = wanted;
-    this->Modified();
-  }
+  SkdSetText(this, name, this->PartArray);
 }
 
 //------------------------------------------------------------------------------

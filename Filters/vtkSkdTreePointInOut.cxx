@@ -6,6 +6,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSetText.h"
 #include "Pipeline/SkdSubset.h"
 #include "Search/InOut/SkdPartClassifier.h"
 #include "Search/Probe/SkdCellFinder.h"
@@ -192,12 +193,7 @@ vtkSkdTreePointInOut::~vtkSkdTreePointInOut() = default;
 
 void vtkSkdTreePointInOut::SetPartArray(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (this->PartArray != wanted)
-  {
-    this->PartArray = wanted;
-    this->Modified();
-  }
+  SkdSetText(this, name, this->PartArray);
 }
 
 bool vtkSkdTreePointInOut::CheckSource()

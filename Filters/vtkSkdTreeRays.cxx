@@ -6,6 +6,7 @@
 #include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSetText.h"
 #include "Search/Rays/SkdRayOutputs.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -183,12 +184,7 @@ vtkSkdTreeRays::~vtkSkdTreeRays() = default;
 
 void vtkSkdTreeRays::SetDirectionArray(const char* name)
 {
-  const std::string wanted = name ? name : "";
-  if (this->DirectionArray != wanted)
-  {
-    this->DirectionArray = wanted;
-    this->Modified();
-  }
+  SkdSetText(this, name, this->DirectionArray);
 }
 
 bool vtkSkdTreeRays::NeedsWhole(int port)
