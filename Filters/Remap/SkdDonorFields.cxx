@@ -22,6 +22,7 @@ void ReadValues(
   const vtkIdType n = array->GetNumberOfTuples();
   const auto components = static_cast<std::size_t>(field.Components);
   field.Values.resize(static_cast<std::size_t>(n) * components);
+  bool hasInfinite = false;
   for (vtkIdType i = 0; i < n; ++i)
   {
     double* tuple = field.Values.data() + static_cast<std::size_t>(i) * components;
@@ -31,6 +32,7 @@ void ReadValues(
     {
       tuple[c] = tuple[c] == rules.MissingValue ? vtkMath::Nan() : tuple[c];
       isMissing = isMissing || std::isnan(tuple[c]);
+      hasInfinite = hasInfinite || std::isinf(tuple[c]);
     }
     problems.NaNs += isMissing ? 1 : 0;
     if (isMissing && rules.Missing == SkdMissingValues::Mask)
@@ -38,6 +40,24 @@ void ReadValues(
       field.Counts[static_cast<std::size_t>(i)] = 0;
     }
   }
+  if (hasInfinite)
+  {
+    problems.Infinite.insert(field.Name);
+  }
+}
+
+bool HasValue(vtkDataArray* array)
+{
+  std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    array->GetTuple(i, tuple.data());
+    if (std::none_of(tuple.begin(), tuple.end(), [](double x) { return std::isnan(x); }))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool IsForUse(vtkDataSetAttributes* data, vtkAbstractArray* array)
@@ -71,6 +91,12 @@ std::vector<std::string> SkdFieldProblems::GetWarnings(
     warnings.push_back("No value of Source's array " + name +
       " counts: all are NaN, missing, masked or of ghosts, and so are its results NaN. Look at "
       "MaskArray and MissingValue.");
+  }
+  for (const std::string& name : this->Infinite)
+  {
+    warnings.push_back("Source's array " + name +
+      " has infinite values: what has a share of them is infinite or NaN. Let MissingValue or "
+      "MaskArray name them.");
   }
   if (this->NaNs > 0 && countsNaNs)
   {
@@ -140,6 +166,24 @@ std::vector<SkdDonorField> SkdReadDonorFields(
     fields.push_back(std::move(field));
   }
   return fields;
+}
+
+std::set<std::string> SkdFindEmptyFields(vtkDataSet* donor)
+{
+  std::set<std::string> names;
+  for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* data = donor->GetAttributes(type);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      if (array && IsForUse(data, array) && array->GetNumberOfTuples() > 0 && !HasValue(array))
+      {
+        names.insert(array->GetName());
+      }
+    }
+  }
+  return names;
 }
 
 void SkdBlankValues(vtkDataSet* mesh, int type, const SkdFieldRules& rules)

@@ -70,6 +70,7 @@ struct SkdFieldProblems
   std::set<std::string> Refused;    ///< whose names are in use
   std::set<std::string> Missing;    ///< named in the rules, and not there
   std::set<std::string> Empty;      ///< no value of which counts
+  std::set<std::string> Infinite;   ///< with values that are
   vtkIdType NaNs = 0;               ///< tuples that are, or that count as such
 
   /// What to warn of besides names in use, with what to do.
@@ -83,6 +84,10 @@ std::vector<unsigned char> SkdFindCounts(vtkDataSet* donor, int type, const SkdF
 /// order. Ghosts (duplicate, hidden or refined) do not count.
 std::vector<SkdDonorField> SkdReadDonorFields(
   vtkDataSet* donor, int type, const SkdFieldRules& rules, SkdFieldProblems& problems);
+
+/// The arrays without a value that is not NaN, of points and of cells: for those who do not read
+/// them.
+std::set<std::string> SkdFindEmptyFields(vtkDataSet* donor);
 
 /// Makes the arrays of a mesh's points or cells such that what does not count by the rules is NaN,
 /// and takes the mask away: for those who know NaN only. Nothing happens without a mask and without

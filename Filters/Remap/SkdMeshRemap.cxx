@@ -22,6 +22,7 @@ void SkdMeshRemap::Run(SkdRemapPair& pair, const SkdRemapRequest& request,
   this->Request = &request;
   this->Algorithm = algorithm;
   this->Refused.clear();
+  this->Empty.clear();
   this->SetUp(processes);
   this->Begin(processes != nullptr);
   this->MapAll(processes);
@@ -67,6 +68,10 @@ void SkdMeshRemap::Begin(bool hasOthers)
     this->Settings.Fields.Mask.empty() && !(isAutomatic && !hasCells && hasOthers);
   this->Remapper.Begin(
     isProbed ? nothing.Get() : this->Pair->GetDonor(), this->Settings, this->Algorithm);
+  if (isProbed)
+  {
+    this->Empty = SkdFindEmptyFields(this->Pair->GetDonor());
+  }
   if (hasOthers && !isProbed && this->Method != SkdRemapMethod::Contained)
   {
     this->Remapper.ExpectIntegrals();
@@ -223,7 +228,9 @@ std::string SkdMeshRemap::WriteWeights()
 std::vector<std::string> SkdMeshRemap::GetWarnings() const
 {
   const SkdRemapFindings& found = this->Remapper.GetFindings();
-  std::vector<std::string> warnings = found.Fields.GetWarnings(
+  SkdFieldProblems fields = found.Fields;
+  fields.Empty.insert(this->Empty.begin(), this->Empty.end());
+  std::vector<std::string> warnings = fields.GetWarnings(
     this->Settings.Fields.Missing, this->Method != SkdRemapMethod::Interpolation);
   const std::vector<std::string> others = found.GetWarnings(this->Pair->GetHint());
   warnings.insert(warnings.end(), others.begin(), others.end());

@@ -66,6 +66,7 @@ private:
   SkdRemapSettings Settings;
   SkdRemapMethod Method = SkdRemapMethod::Automatic; // as the meshes are
   std::set<std::string> Refused;
+  std::set<std::string> Empty; // arrays that are interpolated and have no value
 };
 
 #endif

@@ -130,7 +130,10 @@ void SkdNetCdfReader::Try(int status)
 {
   if (this->Problem.empty() && status != NC_NOERR)
   {
-    this->Problem = "The file " + this->Name + " could not be read: " + nc_strerror(status) + ".";
+    const auto length = vtksys::SystemTools::FileLength(this->Name);
+    const std::string size = " It has " + std::to_string(length) + " bytes: it may be cut short.";
+    this->Problem = "The file " + this->Name + " could not be read: " + nc_strerror(status) + "." +
+      (vtksys::SystemTools::FileExists(this->Name, true) ? size : "");
   }
 }
 

@@ -381,6 +381,9 @@ void SkdOverlapReader::AddFacets(Corners& corners)
   const Vector3 area = AreaOf(corners);
   if (!(Norm2(area) > 0.0))
   {
+    // What encloses nothing as a whole: two halves of opposite senses, if it is not in one line.
+    this->Mark.CrossesItself =
+      Norm2(Cross(corners[1].X - corners[0].X, corners[2].X - corners[0].X)) > 0.0;
     return;
   }
   const skd::TangentFrame frame(MeanOf(corners), (1.0 / Norm(area)) * area);

@@ -132,8 +132,8 @@ SkdOverlapSpace SkdRemapPair::FindSpace() const
   {
     return space;
   }
-  const bool isCurved = this->Request.IsConservative() && this->GetHint().empty() &&
-    !SkdAreInOnePlane(this->Donor, this->Targets);
+  const bool isCurved = this->Request.IsConservative() && SkdDimensionOf(this->Donor) == 2 &&
+    this->GetHint().empty() && !SkdAreInOnePlane(this->Donor, this->Targets);
   return isCurved ? SkdOverlapSpace::CurvedSurface : SkdOverlapSpace::Plane;
 }
 

@@ -258,11 +258,14 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
   const auto coverage = SkdMakeArray<vtkDoubleArray>(SkdRemapNames::Coverage, 1, n);
   const auto valid = SkdMakeArray<vtkUnsignedCharArray>(SkdRemapNames::Valid, 1, n);
   const std::vector<double> shares = SharesOf(cells);
+  const std::vector<double> fractions = this->FractionsOf(weights);
+  const std::vector<double>& counting = this->CellFields.empty() ? shares : fractions;
   for (vtkIdType i = 0; i < n; ++i)
   {
     const double share = shares[static_cast<std::size_t>(i)];
     coverage->SetValue(i, share);
-    const bool isValid = share > 0.0 && share >= this->Settings.Conservative.MinimumCoverage;
+    const double answered = counting[static_cast<std::size_t>(i)];
+    const bool isValid = answered > 0.0 && answered >= this->Settings.Conservative.MinimumCoverage;
     valid->SetValue(i, isValid ? 1 : 0);
     this->Findings.EmptyCells += isValid ? 0 : 1;
     this->Findings.PartlyCovered += isValid && share < 1.0 - remap_tolerances::Coverage ? 1 : 0;
@@ -275,7 +278,6 @@ void SkdRemapper::AddCoverage(vtkDataSet* block, const SkdOverlapWeights& weight
   block->GetCellData()->AddArray(coverage);
   block->GetCellData()->AddArray(valid);
   const auto fraction = SkdMakeArray<vtkDoubleArray>(SkdRemapNames::Fraction, 1, n);
-  const std::vector<double> fractions = this->FractionsOf(weights);
   std::copy(fractions.begin(), fractions.end(), fraction->GetPointer(0));
   block->GetCellData()->AddArray(fraction);
 }

@@ -134,6 +134,24 @@ TEST(RemapBadInput, ConcaveCellsAreCut)
   EXPECT_NEAR(Reported(remap, "TargetIntegral"), 3.0, 1e-14);
 }
 
+TEST(RemapBadInput, InfiniteValuesAreToldOf)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto source = WithCellArray(Ones(2, 0.0), "f", { 1, 1, infinite, 1 });
+  for (const int method : { Remap::CONTAINED, Remap::CONSERVATIVE_SECOND_ORDER })
+  {
+    const RemapPointer remap = MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), source, method);
+    EXPECT_NE(WarningOf(remap).find("f has infinite values"), std::string::npos);
+    EXPECT_FALSE(std::isfinite(RemappedCells(remap, "f")[2]));
+  }
+  const RemapPointer remap =
+    MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->UseMissingValueOn();
+  remap->SetMissingValue(infinite);
+  EXPECT_EQ(WarningOf(remap).find("infinite"), std::string::npos);
+  EXPECT_EQ(RemappedCells(remap, "f")[0], 1.0);
+}
+
 TEST(RemapBadInput, ArraysOfWhichNothingCountsAreNamed)
 {
   const auto source = Ones(2, 0.0);
@@ -143,6 +161,8 @@ TEST(RemapBadInput, ArraysOfWhichNothingCountsAreNamed)
   remap->SetMaskArray("mask");
   EXPECT_NE(WarningOf(remap).find("No value of Source's array f counts"), std::string::npos);
   EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[3]));
+  EXPECT_EQ(RemappedCells(remap, "SkdValid"), std::vector<double>(4, 0.0));
+  EXPECT_EQ(Reported(remap, "InputCellsEmpty"), 4);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto blank = WithCellArray(Ones(1, 0.0), "f", { nan });
   for (const int method :
@@ -153,6 +173,8 @@ TEST(RemapBadInput, ArraysOfWhichNothingCountsAreNamed)
     EXPECT_TRUE(std::isnan(RemappedCells(remap, "f")[0]));
     EXPECT_EQ(events.Warnings, 2); // and that 1 value is NaN
   }
+  remap = MakeRemap(MakePolyData(Sheet(2, VTK_QUAD)), blank, Remap::INTERPOLATION);
+  EXPECT_NE(WarningOf(remap).find("No value of Source's array f counts"), std::string::npos);
 }
 
 TEST(RemapBadInput, CellsThatCrossThemselvesAreNamed)

@@ -3,13 +3,18 @@
 // vtkSkdTreeRemap between surfaces in space that nearly coincide.
 
 #include "Support/EventCounter.h"
+#include "Support/Folders.h"
+#include "Support/RealMeshes.h"
 #include "Support/RemapRun.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkMultiBlockDataSet.h"
+#include "vtkQuadricDecimation.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 using namespace skdtest;
 
@@ -453,4 +458,47 @@ TEST(RemapNearSurfaces, AmountsAreKept)
     sum += amount;
   }
   EXPECT_NEAR(sum, 2.0 * from.Cells.size(), 1e-11);
+}
+
+// Also one whose halves are equal, so that it has no area and no normal.
+TEST(RemapNearSurfaces, PolygonsThatCrossThemselvesAreToldOf)
+{
+  const Mesh from = Tube(17, 6, 0.0, 0.0, false);
+  Mesh to = Tube(23, 9, 0.3, 0.0, true);
+  const Ids ids{ to.Add(Point{ 0.5, 0, 1 }), to.Add(Point{ 0.5, 0.25, 1.25 }),
+    to.Add(Point{ 0.5, 0.25, 1 }), to.Add(Point{ 0.5, 0, 1.25 }) };
+  to.Add(VTK_POLYGON, ids);
+  const RemapPointer remap = RemapOf(from, At(from, Smooth), to);
+  const std::string warning = WarningsOf(remap);
+  EXPECT_NE(
+    warning.find("1 polygons of Input (the first: cell 414) cross themselves"), std::string::npos)
+    << warning;
+}
+
+TEST(RemapNearSurfaces, AScanAndItsDecimation)
+{
+  const std::string file = ExtraDataFolder() + "/A_surface/bunny.stl";
+  if (!std::filesystem::exists(file))
+  {
+    GTEST_SKIP() << "there is no " << file;
+  }
+  const DataSetPointer scan = ReadMesh(file);
+  vtkNew<vtkQuadricDecimation> decimation;
+  decimation->SetInputData(scan);
+  decimation->SetTargetReduction(0.95);
+  decimation->Update();
+  vtkNew<vtkPolyData> coarse;
+  coarse->ShallowCopy(decimation->GetOutput());
+  coarse->GetCellData()->AddArray(MakeArray(
+    "f", coarse->GetNumberOfCells(), [](vtkIdType i) { return 1.0 + std::sin(double(i)); }));
+  coarse->GetCellData()->AddArray(
+    MakeArray("one", coarse->GetNumberOfCells(), [](vtkIdType) { return 0.3; }));
+  const RemapPointer remap = MakeRemap(scan, coarse, Remap::CONSERVATIVE_FIRST_ORDER);
+  for (const double value : RemappedCells(remap, "one"))
+  {
+    EXPECT_TRUE(value == 0.3 || std::isnan(value));
+  }
+  EXPECT_LE(Reported(remap, "ConservationError"), 1e-13);
+  EXPECT_GT(Reported(remap, "SourceCoverage"), 0.995);
+  EXPECT_LT(Reported(remap, "InputCellsEmpty"), 70);
 }

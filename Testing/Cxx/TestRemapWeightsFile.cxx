@@ -351,6 +351,16 @@ TEST(RemapWeightsFile, FilesOfOtherMeshesAndBrokenOnesAreNotApplied)
     EXPECT_EQ(applied.Events.Warnings, 1);
     EXPECT_TRUE(RemappedCells(applied.Filter, "f").empty());
   }
+  for (const std::size_t left : { 3u, 200u })
+  {
+    const std::string cut = TemporaryFile("weights_cut.nc");
+    std::ofstream(cut, std::ios::binary) << bytes.substr(0, left);
+    const Applied applied(cut, pair.Input, pair.Source);
+    EXPECT_NE(
+      applied.Events.Warning.find("has " + std::to_string(left) + " bytes"), std::string::npos)
+      << applied.Events.Warning;
+    EXPECT_EQ(applied.Events.Warnings, 1);
+  }
 }
 
 TEST(RemapWeightsFile, SaysWhyThereIsNone)

@@ -69,6 +69,8 @@ def all_remapped():
     return {
         "volume": remapped(image, finer),
         "sphere": remapped(sphere(20, 14), ball, WeightsFileName=file),
+        "sphere as curved": remapped(
+            sphere(20, 14), ball, Geometry="Curved Surface", Normalization="Whole"),
         "plane": remapped(plane, tiles)
     }
 
