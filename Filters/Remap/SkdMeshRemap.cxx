@@ -33,12 +33,6 @@ void SkdMeshRemap::Run(SkdRemapPair& pair, const SkdRemapRequest& request,
 }
 
 //------------------------------------------------------------------------------
-bool SkdMeshRemap::IsOfCurvedSurfaces() const
-{
-  return this->Request->IsConservative() &&
-    this->Settings.Overlap.Space == SkdOverlapSpace::CurvedSurface;
-}
-
 // What of the target one process has may be flat, or nothing, where others have curved surfaces.
 void SkdMeshRemap::SetUp(const skd::Processes* processes)
 {
@@ -49,11 +43,14 @@ void SkdMeshRemap::SetUp(const skd::Processes* processes)
   this->Settings.ToPoints = request.Results == SkdRemapResults::Points;
   this->Settings.WeighsByCosine = request.Weighing == SkdSampleWeighing::CosineOfLatitude ||
     (request.Weighing == SkdSampleWeighing::Automatic && this->Pair->IsDonorStructured());
-  this->Settings.Overlap.Space = this->Pair->FindSpace();
-  if (processes && request.IsConservative() && processes->IsAny(this->IsOfCurvedSurfaces()))
-  {
-    this->Settings.Overlap.Space = SkdOverlapSpace::CurvedSurface;
-  }
+  SkdOverlapSpace& space = this->Settings.Overlap.Space;
+  space = this->Pair->FindSpace();
+  const bool mayBeCurved = request.IsConservative() ||
+    (request.Method == SkdRemapMethod::Automatic &&
+      request.Geometry == SkdRemapGeometry::CurvedSurface);
+  const bool isCurved = mayBeCurved && space == SkdOverlapSpace::CurvedSurface;
+  this->AreCurved = processes && mayBeCurved ? processes->IsAny(isCurved) : isCurved;
+  space = this->AreCurved ? SkdOverlapSpace::CurvedSurface : space;
 }
 
 // What only the prober maps it reads itself.
@@ -83,7 +80,7 @@ void SkdMeshRemap::MapAll(const skd::Processes* processes)
 {
   constexpr double matched = 0.7; // of the progress
   double start = 0.0;
-  if (this->IsOfCurvedSurfaces())
+  if (this->AreCurved)
   {
     this->Remapper.MatchSurfaces(this->Pair->GetOutputs(), processes, 0.0, matched);
     start = matched;

@@ -53,7 +53,6 @@ private:
   void MapBlock(std::size_t block, double first, double last);
   void MapAutomatically(std::size_t block, double first, double last);
   void Interpolate(vtkDataSet* block, bool withCellData, double first, double last);
-  bool IsOfCurvedSurfaces() const;
 
   SkdRemapper Remapper;
   SkdRemapProbe Probe;
@@ -65,6 +64,7 @@ private:
   vtkAlgorithm* Algorithm = nullptr;
   SkdRemapSettings Settings;
   SkdRemapMethod Method = SkdRemapMethod::Automatic; // as the meshes are
+  bool AreCurved = false;
   std::set<std::string> Refused;
   std::set<std::string> Empty; // arrays that are interpolated and have no value
 };
