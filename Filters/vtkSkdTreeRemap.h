@@ -10,12 +10,12 @@
  * of double of the same name; NaN where there is no answer.
  *
  * Meshes are curves, surfaces in a plane, surfaces on a sphere about the origin, volumes, or curved
- * surfaces that nearly coincide, see SetGeometry. On a sphere edges are arcs of great circles or, by choice, run along meridians and
- * parallels; poles and the date line are ordinary; points count by their directions. A polygon is
- * the smaller of the two parts that its edges divide the sphere into: any simple one up to a
- * hemisphere. One larger than an eighth of the sphere that is ordered the other way round than the
- * mesh's cells are (clockwise, seen from outside, if it is the only one) is larger than a
- * hemisphere: it has no part in it, with a warning that names it.
+ * surfaces that nearly coincide, see SetGeometry. On a sphere edges are arcs of great circles or,
+ * by choice, run along meridians and parallels; poles and the date line are ordinary; points count
+ * by their directions. A polygon is the smaller of the two parts that its edges divide the sphere
+ * into: any simple one up to a hemisphere. One larger than an eighth of the sphere that is ordered
+ * the other way round than the mesh's cells are (clockwise, seen from outside, if it is the only
+ * one) is larger than a hemisphere: it has no part in it, with a warning that names it.
  *
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further
@@ -48,13 +48,13 @@
  * (over Source), SkdReportOverlapIntegral (over what of it Input covers), SkdReportTargetIntegral,
  * SkdReportConservationError (the difference of the last two, relative to the integral of the
  * source's absolute values) and SkdReportCoverage (share of Input that is covered). Of curved
- * surfaces also SkdReportSurfaceGap (the largest distance of facets that have to do with each other)
- * and SkdReportSourceCoverage (the share of Source's area that is handed out).
+ * surfaces also SkdReportSurfaceGap (the largest distance of facets that have to do with each
+ * other) and SkdReportSourceCoverage (the share of Source's area that is handed out).
  *
  * Bad input: arrays of strings are left out, by name, with a warning, as those are whose name is in
  * use if RenameTakenArrays is off; arrays with infinite values, or of which nothing counts, are
- * named. Meshes that have nothing in common, cells of another dimension, degenerate ones (these have
- * no part in it), polygons that cross themselves, cells of one mesh that overlap each other (a
+ * named. Meshes that have nothing in common, cells of another dimension, degenerate ones (these
+ * have no part in it), polygons that cross themselves, cells of one mesh that overlap each other (a
  * coverage above one), and of curved surfaces what has no partner, are warned of, with their
  * number. Concave cells are cut into convex ones. Cells with points that are not finite count as
  * empty.
