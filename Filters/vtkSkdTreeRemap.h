@@ -39,7 +39,8 @@
  * Of a composite Source, Column counts on from block to block.
  *
  * Output port 2, with GenerateOverlapMesh: the overlaps as cells with the cell arrays TargetCell,
- * DonorCell and Measure; blocks where Input is composite.
+ * DonorCell and Measure; blocks where Input is composite. Of curved surfaces they are in the planes
+ * of the source's cells, and where Input has folds as they were before they were shared out.
  *
  * Field data of output port 0: SkdReportSourceCells, SkdReportInputCells, SkdReportInputCellsEmpty
  * (without an answer), SkdReportInputCellsPartlyCovered, SkdReportOverlaps, SkdReportWeightsFound
