@@ -5,23 +5,19 @@
 from __future__ import annotations
 
 import operator
-import os
-import re
-import warnings
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional, overload
 
 import numpy
-from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkSMPTools
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 from .arrays import FLOAT, ID, Locator, check_outputs, output, to_numbers, to_rows, to_vtk
+from .filters import Filter, Messages, use_all_processors
 from .meshes import from_text, mesh_of, to_text, vtk_points
 from .vtkFiltersSkdTree import (vtkSkdTreeClosestPoint, vtkSkdTreePointInOut, vtkSkdTreeProbe,
-    vtkSkdTreeRays)
+    vtkSkdTreeRays, vtkSkdTreeSurfaceIntersection)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -123,12 +119,6 @@ class NearLists(NamedTuple):
         return _queries_of(self)
 
 
-def _use_all_processors() -> None:
-    """Unless the user has chosen a backend, VTK's parallel loops shall not run sequentially."""
-    if vtkSMPTools.GetBackend() == "Sequential" and "VTK_SMP_BACKEND_IN_USE" not in os.environ:
-        vtkSMPTools.SetBackend("STDThread")
-
-
 class Tree:
     """Spatial queries on a mesh, by its skD-tree, for numpy arrays of points, rays or boxes.
 
@@ -165,11 +155,11 @@ class Tree:
     locator: Locator  #: its locator, for settings and single queries
 
     def __init__(self, mesh: Any) -> None:
-        _use_all_processors()
+        use_all_processors()
         self.mesh = mesh_of(mesh, "mesh")
-        self._messages: list[tuple[bool, str]] = []
+        self._messages = Messages(("the points", "the mesh"), {"Source": "the mesh"})
         self._filters: dict[Any, Any] = {}
-        self.locator = self._heard(Locator())
+        self.locator = self._messages.hear(Locator())
         self.locator.SetDataSet(self.mesh)
 
     def __len__(self) -> int:
@@ -365,6 +355,34 @@ class Tree:
         return self._run(CellLists, None, lambda offsets, cell: (
             self.locator.FindPairs(other.locator, offsets, cell)))
 
+    @overload
+    def collide(self, other: Any, transform: Optional[ArrayLike] = ...,
+        pairs: Literal[False] = ...) -> bool: ...
+
+    @overload
+    def collide(self, other: Any, transform: Optional[ArrayLike] = ..., *, pairs: Literal[True]) -> Ids: ...
+
+    def collide(self, other: Any, transform: Optional[ArrayLike] = None, pairs: bool = False) -> Any:
+        """Whether the surfaces of this mesh and another one (a Tree, or a mesh as for Tree) have a point in
+        common, by exact tests of their triangles; or, with pairs, the cells that have, as rows (cell,
+        cell of the other one), ascending. The other one is moved first by a rigid transform, of the shape
+        (4, 4). One body within the other does not collide: see contains()."""
+        if "collide" not in self._filters:
+            self._filters["collide"] = Filter(
+                vtkSkdTreeSurfaceIntersection(), {"Input": "the mesh", "Source": "other"})
+        running = self._filters["collide"]
+        running.filter.SetInputData(self.mesh)
+        running.filter.SetSourceData(other.mesh if isinstance(other, Tree) else mesh_of(other, "other"))
+        running.filter.SetTransform(_matrix(transform, "transform"))
+        running.filter.SetPairs(running.filter.ALL_PAIRS if pairs else running.filter.WHETHER_ANY)
+        table = running.output(2)
+        if not pairs:
+            return table.GetNumberOfRows() > 0
+        columns = [table.GetColumnByName(name) for name in ("SkdFirstCellId", "SkdSecondCellId")]
+        if None in columns:
+            return numpy.empty((0, 2), ID)
+        return numpy.stack([vtk_to_numpy(column) for column in columns], 1)
+
     # Inside or outside
 
     def signed_distance(self, points: ArrayLike, maximum: float = INFINITY) -> Closest:
@@ -394,29 +412,6 @@ class Tree:
 
     # Implementation
 
-    def _heard(self, source: Any) -> Any:
-        """The given VTK object, its warnings and errors recorded for _raise()."""
-        messages = self._messages
-
-        @calldata_type(VTK_STRING)
-        def hear(_caller: Any, event: str, text: str) -> None:
-            messages.append((event == "ErrorEvent", _in_python(text)))
-
-        source.AddObserver("WarningEvent", hear)
-        source.AddObserver("ErrorEvent", hear)
-        if hasattr(source, "GetExecutive"):
-            source.GetExecutive().AddObserver("ErrorEvent", hear)
-        return source
-
-    def _raise(self) -> None:
-        """Raises recorded errors, and issues recorded warnings."""
-        messages = list(self._messages)
-        self._messages.clear()
-        for is_error, text in messages:
-            if is_error:
-                raise RuntimeError(text)
-            warnings.warn(text, RuntimeWarning, stacklevel=4)
-
     def _run(self, kind: Any, out: Any, batch: Any) -> Any:
         """Calls batch with one VTK array per field of a kind of result, and returns the result."""
         if out is None:
@@ -431,7 +426,7 @@ class Tree:
                     raise TypeError(f"out.{name} is no array of {ID if name in _IDS else FLOAT}")
             arrays = [output(array, f"out.{name}") for name, array in zip(kind._fields, out)]
         batch(*arrays)
-        self._raise()
+        self._messages.raise_them()
         if out is None:
             return kind(*map(vtk_to_numpy, arrays))
         check_outputs([(f"out.{name}", array, written)
@@ -455,7 +450,7 @@ class Tree:
         queries.SetPoints(vtk_points(to_rows(points, "points", 3)))
         key = (kind, properties.get("Method"))
         if key not in self._filters:
-            self._filters[key] = self._heard(kind())
+            self._filters[key] = self._messages.hear(kind())
         made = self._filters[key]
         made.SetSourceData(self.mesh if source is None else source)
         for name, value in properties.items():
@@ -466,22 +461,13 @@ class Tree:
         answers = [vtk_to_numpy(output.GetPointData().GetArray(name)) for name in names]
         output.Initialize()  # releases all other arrays
         made.SetInputData(vtkPolyData())
-        self._raise()
+        self._messages.raise_them()
         return answers
 
 
 _IDS = {"cell", "offsets", "point_ids"}
 _SETTINGS = ("Epsilon", "LazyBuild", "SplitRule", "SkipGhostCells", "NumberOfCellsPerNode",
     "CacheCellBounds", "UseExistingSearchStructure")
-
-
-def _in_python(text: str) -> str:
-    """A message of VTK without what it says of its objects, the mesh called what it is here."""
-    said = re.sub(r"^.*?\(0x\w+\): ", "", text, flags=re.S).strip()
-    said = re.sub(r"; see Skd\w+", "", said)
-    for port, name in enumerate(("Of the points,", "Of the mesh,")):
-        said = said.replace("Input port %d:" % port, name)
-    return re.sub(r"\bSource\b", "the mesh", re.sub(r"^Source\b", "The mesh", said))
 
 
 def _merged(found: Any, places: numpy.ndarray, tolerance: float) -> Any:
@@ -519,6 +505,18 @@ def _length(value: Any, name: str) -> float:
     if not length >= 0.0:
         raise ValueError(f"{name} is {length}, it must not be negative")
     return length
+
+
+def _matrix(values: Any, name: str) -> Optional[vtkMatrix4x4]:
+    """A matrix of VTK, or None."""
+    if values is None:
+        return None
+    given = to_rows(values, name, 4)
+    if len(given) != 4:
+        raise ValueError(f"{name} has the shape {given.shape}, (4, 4) is needed")
+    matrix = vtkMatrix4x4()
+    matrix.DeepCopy(given.reshape(-1).tolist())
+    return matrix
 
 
 def _count(value: Any, name: str) -> int:

@@ -64,13 +64,13 @@ def test_what_is_missing_is_named():
 
 
 def test_all_names_are_exported():
-    result = run("from vtkskdtree import *\nprint(Tree.__name__, Locator.__name__, vtkSkdTreeRays.__name__)")
-    assert result.stdout.split() == ["Tree", "Locator", "vtkSkdTreeRays"], result.stderr
+    result = run("from vtkskdtree import *\nprint(Tree.__name__, Locator.__name__, vtkSkdTreeRays.__name__, union.__name__)")
+    assert result.stdout.split() == ["Tree", "Locator", "vtkSkdTreeRays", "union"], result.stderr
 
 
 USER = """
 import numpy
-from vtkskdtree import Locator, Tree, vtkSkdTreeClosestPoint
+from vtkskdtree import Locator, Tree, collide, compare, split, union, vtkSkdTreeClosestPoint
 
 tree = Tree([numpy.eye(3), [3, 0, 1, 2]])
 number: int = 1
@@ -78,6 +78,12 @@ number = tree.rays(numpy.eye(3), numpy.eye(3), all_hits=True).query  # numpy.nda
 number = tree.rays(numpy.eye(3), numpy.eye(3)).distance  # numpy.ndarray
 number = vtkSkdTreeClosestPoint().GetEpsilon()  # float
 locator: Locator = tree.locator
+box = (numpy.eye(3), [[0, 1, 2]])
+number = union(box, box, union(box, box)).points  # numpy.ndarray
+number = compare(box, tree).a_to_b.rms  # float
+number = collide(box, box)
+number = tree.collide(box, numpy.eye(4), pairs=True)  # numpy.ndarray
+number = split(box, ((0, 0, 0), (0, 0, 1)))  # vtkskdtree.operations.Parts
 """
 
 
