@@ -82,6 +82,13 @@ class Filter:
         self._messages = Messages(tuple(names.values()), names)
         self.filter = self._messages.hear(made)
 
+    def take(self, mesh: Any, source: Any = None) -> None:
+        """The Input and the Source. Arrays of Python whose memory they share are kept with them."""
+        self._taken = (mesh, source)
+        self.filter.SetInputData(mesh)
+        if source is not None:
+            self.filter.SetSourceData(source)
+
     def output(self, port: int = 0) -> Any:
         """An output, which later ones do not change."""
         self.filter.Update()

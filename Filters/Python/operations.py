@@ -167,9 +167,7 @@ def intersection_curves(a: Any, b: Any = None) -> Any:
     curves the last point is the first, isolated points have n = 1. For data sets it is a vtkPolyData with
     the arrays of vtkSkdTreeSurfaceIntersection. Areas in which the surfaces coincide have no curves."""
     running = Filter(vtkSkdTreeSurfaceIntersection(), {"Input": "a", "Source": "b"})
-    running.filter.SetInputData(_mesh(a, "a"))
-    if b is not None:
-        running.filter.SetSourceData(_cutter(b, a, "b"))
+    running.take(_mesh(a, "a"), None if b is None else _cutter(b, a, "b"))
     found = running.output()
     if not _is_arrays(a):
         return _returned(found, a)
@@ -198,8 +196,7 @@ def compare(a: Any, b: Any, signed: bool = False, tolerance: float = 1e-5) -> Co
     faces, not of vertices only, within tolerance times the size of both; means and quantiles by area, within
     about 1 %. If signed, signed_mean is of distances that are negative inside the other surface."""
     running = Filter(vtkSkdTreeCompareSurfaces(), {"Input": "a", "Source": "b"})
-    running.filter.SetInputData(_mesh(a, "a"))
-    running.filter.SetSourceData(_mesh(b, "b"))
+    running.take(_mesh(a, "a"), _mesh(b, "b"))
     running.filter.SetSignedDistance(bool(signed))
     running.filter.SetTolerance(_length(tolerance, "tolerance"))
     table = running.output(2)
@@ -215,7 +212,7 @@ def thickness(mesh: Any, at: str = "points", method: str = "rays", rays: int = 1
     for a data set, a copy of it with the arrays SkdThickness, SkdOppositePoint and SkdOppositeCellId."""
     running = Filter(vtkSkdTreeWallThickness(), {"Input": "mesh"})
     measuring = running.filter
-    measuring.SetInputData(_mesh(mesh, "mesh"))
+    running.take(_mesh(mesh, "mesh"))
     measuring.SetStart(_choice(at, "at", ("points", "cells")))
     measuring.SetMethod(_choice(method, "method", ("rays", "spheres")))
     measuring.SetNumberOfRays(_within(_count(rays, "rays"), "rays", measuring.GetNumberOfRaysMaxValue()))
@@ -245,8 +242,7 @@ def remap(source: Any, target: Any, arrays: Union[None, Sequence[str], Mapping[s
     running.filter.SetMethod(_choice(method, "method", methods))
     running.filter.SetResultsOn(_choice(on, "on", ("automatic", "cells", "points")))
     given = _with_arrays(_mesh(source, "source"), arrays)
-    running.filter.SetSourceData(given)
-    running.filter.SetInputData(_mesh(target, "target"))
+    running.take(_mesh(target, "target"), given)
     found = running.output()
     if not _is_arrays(target):
         return _returned(found, target)
@@ -266,8 +262,7 @@ class _Boolean(Filter):
 
     def __init__(self, a: Any, a_name: str, b: vtkDataSet, b_name: str) -> None:
         super().__init__(vtkSkdTreeBooleanOperation(), {"Input": a_name, "Source": b_name})
-        self.filter.SetInputData(_mesh(a, a_name))
-        self.filter.SetSourceData(b)
+        self.take(_mesh(a, a_name), b)
         self.filter.SetKeepPolygons(not _is_arrays(a))
 
     def run(self, operation: str) -> vtkPolyData:

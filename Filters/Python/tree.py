@@ -371,8 +371,7 @@ class Tree:
             self._filters["collide"] = Filter(
                 vtkSkdTreeSurfaceIntersection(), {"Input": "the mesh", "Source": "other"})
         running = self._filters["collide"]
-        running.filter.SetInputData(self.mesh)
-        running.filter.SetSourceData(other.mesh if isinstance(other, Tree) else mesh_of(other, "other"))
+        running.take(self.mesh, other.mesh if isinstance(other, Tree) else mesh_of(other, "other"))
         running.filter.SetTransform(_matrix(transform, "transform"))
         running.filter.SetPairs(running.filter.ALL_PAIRS if pairs else running.filter.WHETHER_ANY)
         table = running.output(2)

@@ -3,6 +3,8 @@
 """Operations on meshes from Python: volumes, areas and distances are those of formulas, results are of the
 caller's kind and can be combined again, what is wrong is refused by name."""
 
+import os
+import re
 import sys
 import types
 import warnings
@@ -378,6 +380,20 @@ def test_what_is_wrong_is_named():
     refused(TypeError, ["arrays is 't'"], lambda: vtkskdtree.remap(a, a, "t"))
     refused(KeyError, ["source has no array", "'t'"], lambda: vtkskdtree.remap(a, a, ["t"]))
     refused(ValueError, ["method", "second_order"], lambda: vtkskdtree.remap(a, a, method="exact"))
+
+
+def test_examples_of_the_guide():
+    page = os.path.join(os.environ["SKDTREE_SOURCE_DIR"], "Plugin", "Documentation", "Python.md")
+    with open(page, encoding="utf-8") as file:
+        codes = re.findall(r"^```python\n(.*?)^```$", file.read(), re.MULTILINE | re.DOTALL)
+    codes = [code for code in codes if re.search(r"import .*\b(union|remap)\b", code, re.DOTALL)]
+    assert len(codes) == 2
+    found = {}
+    for code in codes:
+        exec(compile(code, page, "exec"), found)
+    near(volume(found["plate"]), 6.0)
+    near([volume(found["left"]), volume(found["right"])], 3.0)
+    near(vtk_to_numpy(found["mapped"].GetCellData().GetArray("heat")).mean(), 7.5)
 
 
 for name, test in list(globals().items()):
