@@ -165,7 +165,7 @@ def intersection_curves(a: Any, b: Any = None) -> Any:
     """The curves in which two surfaces, which may be open, intersect, or a with itself if b is None; b may
     also be a plane, a pair (origin, normal). For arrays it is a list of arrays of points, (n, 3): of closed
     curves the last point is the first, isolated points have n = 1. For data sets it is a vtkPolyData with
-    the arrays of vtkSkdTreeSurfaceIntersection. Areas in which the surfaces coincide have no curves."""
+    the arrays of vtkSkdTreeSurfaceIntersection. Within areas in which the surfaces coincide there are none."""
     running = Filter(vtkSkdTreeSurfaceIntersection(), {"Input": "a", "Source": "b"})
     running.take(_mesh(a, "a"), None if b is None else _cutter(b, a, "b"))
     found = running.output()
