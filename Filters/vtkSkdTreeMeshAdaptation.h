@@ -18,7 +18,11 @@
  * Points move along the gradient of a potential, in a plane straight, on a sphere along great
  * circles: of all meshes of equal shares this is the one whose points move least (optimal
  * transport). The potential solves the equation of Monge and Ampere for the cells as they are; its
- * error falls with the square of the cells' size. On other surfaces each step is along the gradient
+ * error falls with the square of the cells' size. There the first iteration goes nearly all the
+ * way: in the opposite problem, of cells with the monitor's integrals that are to have the areas of
+ * before, the monitor does not change with the cells, so Newton's method solves it in few steps;
+ * its answer is then turned around by Legendre's transform (McCann 2001). The other iterations are
+ * Newton's steps for what discretization leaves. On other surfaces each step is along the gradient
  * of a potential.
  *
  * No cell is ever flipped or crosses itself: all corners of all cells are looked at in each
@@ -246,7 +250,9 @@ public:
   /**
    * The quality that no cell falls below (but those below 0.5 at first, twice that part of it): the
    * least sine of its corners relative to that of the regular polygon, 1 of a regular cell, 0 of
-   * one with a flat corner. 0 to 0.9, default 0.1.
+   * one with a flat corner. 0 to 0.9, default 0.02: a
+   * larger one may keep irregular meshes, whose cells are far from regular at first, from reaching
+   * equal shares.
    */
   vtkSkdTreeWithinMacro(MinimumQuality, double, 0.0, 0.9);
   //@}
@@ -283,7 +289,7 @@ protected:
   int MaximumIterations = 50;
   double Tolerance = 0.01;
   double Relaxation = 0.5;
-  double MinimumQuality = 0.1;
+  double MinimumQuality = 0.02;
   bool AnimateIterations = false;
 
 private:

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// This file is compiled for AVX2. The core's inline functions must then have other names than in the
-// files that are not: the linker keeps one of each name, and might keep the one that not every
+// This file is compiled for AVX2. The core's inline functions must then have other names than in
+// the files that are not: the linker keeps one of each name, and might keep the one that not every
 // processor can run. So what is included below, which is the core alone, is in namespace skd_avx2.
 #define skd skd_avx2
 

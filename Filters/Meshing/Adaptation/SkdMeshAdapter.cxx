@@ -151,7 +151,7 @@ void SkdMeshAdapter::FillTable(vtkTable* table) const
   const std::vector<skd::AdaptRow>& rows = this->Outcome.Rows;
   const auto n = static_cast<vtkIdType>(rows.size());
   const auto numbers = SkdMakeArray<vtkIdTypeArray>("SkdIteration", 1, n);
-  const auto mended = SkdMakeArray<vtkIdTypeArray>("SkdPointsCutBack", 1, n);
+  const auto repaired = SkdMakeArray<vtkIdTypeArray>("SkdPointsCutBack", 1, n);
   const auto measures = SkdMakeArray<vtkDoubleArray>("SkdEquidistributionError", 1, n);
   const auto moves = SkdMakeArray<vtkDoubleArray>("SkdLargestDisplacement", 1, n);
   const auto qualities = SkdMakeArray<vtkDoubleArray>("SkdSmallestQuality", 1, n);
@@ -164,10 +164,10 @@ void SkdMeshAdapter::FillTable(vtkTable* table) const
     moves->SetValue(i, row.Motion.LargestDisplacement);
     qualities->SetValue(i, row.SmallestQuality);
     steps->SetValue(i, row.Motion.Step);
-    mended->SetValue(i, static_cast<vtkIdType>(row.Motion.PointsCutBack));
+    repaired->SetValue(i, static_cast<vtkIdType>(row.Motion.PointsCutBack));
   }
   for (vtkDataArray* array :
-    std::initializer_list<vtkDataArray*>{ numbers, measures, moves, qualities, steps, mended })
+    std::initializer_list<vtkDataArray*>{ numbers, measures, moves, qualities, steps, repaired })
   {
     table->AddColumn(array);
   }

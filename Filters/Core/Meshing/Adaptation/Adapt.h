@@ -17,7 +17,7 @@ struct AdaptRules
   int Iterations = 30;         ///< at most
   double Tolerance = 0.01;     ///< of the measure of equidistribution
   double Relaxation = 1.0;     ///< which part of Newton's step is made
-  double LeastQuality = 0.1;   ///< that a cell may come to, see MeshMotion
+  double LeastQuality = 0.02;  ///< that a cell may come to, see MeshMotion
   bool AreSharesEqual = false; ///< of all cells, not by their areas at first
 };
 
@@ -102,11 +102,12 @@ public:
       {
         break;
       }
-      std::vector<Vector3> places;
-      const double part =
-        this->Shares.Step(this->Mesh, this->Curves, this->Values, this->Relaxation, places);
-      step = this->Motion.Move(this->Mesh, places);
-      step.Step = part;
+      const bool canStart = this->Shape.What != SurfaceShape::Kind::Other;
+      if (canStart && iteration == 1 && this->Outcome.Best == 0)
+      {
+        this->UndoStart();
+      }
+      step = canStart && iteration == 0 ? this->BeginByTransport() : this->Step();
     }
     if (!this->Best.empty())
     {
@@ -132,6 +133,68 @@ private:
       weight = std::max(weight, largest > 0.0 ? 1e-12 * largest : 1.0);
     }
     return weights;
+  }
+
+  MeshMotion::Outcome Step()
+  {
+    std::vector<Vector3> places;
+    const double part =
+      this->Shares.Step(this->Mesh, this->Curves, this->Values, this->Relaxation, places);
+    MeshMotion::Outcome step = this->Motion.Move(this->Mesh, places);
+    step.Step = part;
+    return step;
+  }
+
+  /// Where the transport of the monitor that the mesh has now to equal shares takes points that go
+  /// the other way. It is as good as cells resolve the monitor where they are now.
+  MeshMotion::Outcome BeginByTransport()
+  {
+    this->FirstValues = this->Values;
+    const std::vector<double> weights = this->Shares.GetWeights();
+    std::vector<double> integrals(this->Shares.GetAreas());
+    std::transform(integrals.begin(), integrals.end(), this->Values.begin(), integrals.begin(),
+      std::multiplies<>());
+    this->Shares.Restart(integrals);
+    const std::vector<Vector3> places = this->Shares.Invert(this->FindImage());
+    this->Shares.SetWeights(weights);
+    MeshMotion::Outcome step = this->Motion.Move(this->Mesh, places);
+    step.Step = 1.0;
+    return step;
+  }
+
+  /// The mesh in which the area of each cell is its weight. The monitor is 1 here, wherever cells
+  /// go, so that Newton's method converges in few steps.
+  SurfaceMesh FindImage()
+  {
+    constexpr int most = 20;
+    constexpr double enough = 0.05;
+    SurfaceMesh image = this->Mesh;
+    FeatureCurves curves = this->Curves;
+    MeshMotion motion(image, this->Shape, curves, 0.0);
+    const std::vector<double> ones(this->Values.size(), 1.0);
+    double before = HUGE_VAL;
+    this->Shares.Update(image, ones);
+    for (int step = 0;
+         step<most&& this->Shares.GetMeasure()> enough && this->Shares.GetMeasure() < 0.95 * before;
+         ++step)
+    {
+      before = this->Shares.GetMeasure();
+      std::vector<Vector3> places;
+      this->Shares.Step(image, curves, ones, 1.0, places);
+      motion.Move(image, places);
+      this->Shares.Update(image, ones);
+    }
+    return image;
+  }
+
+  /// To the mesh as it was given, where the start was none: a monitor that differs from cell to
+  /// cell cannot be told where cells will be.
+  void UndoStart()
+  {
+    this->Mesh.Points = this->Best;
+    this->Values = this->FirstValues;
+    this->Shares.Restart(std::vector<double>(this->Shares.GetWeights()));
+    this->Shares.Update(this->Mesh, this->Values);
   }
 
   template <class Find>
@@ -168,19 +231,23 @@ private:
   bool IsAtEnd(int iteration)
   {
     constexpr std::size_t patience = 8;
+    constexpr double progress = 0.99;
     const std::vector<AdaptRow>& rows = this->Outcome.Rows;
     if (rows.back().Measure <= this->Rules.Tolerance)
     {
       this->Outcome.End = AdaptEnd::Reached;
       return true;
     }
-    if (rows.size() > this->Outcome.Best + patience)
+    if (rows.back().Measure < progress * rows[this->LastProgress].Measure)
+    {
+      this->LastProgress = rows.size() - 1;
+    }
+    if (rows.size() > this->LastProgress + patience)
     {
       this->Outcome.End = AdaptEnd::Stalled;
       return true;
     }
-    if (this->Shares.IsComplete() && rows.size() > 1 &&
-      rows.back().Measure > rows[rows.size() - 2].Measure)
+    if (rows.size() > 2 && rows.back().Measure > rows[rows.size() - 2].Measure)
     {
       this->Relaxation = std::max(0.7 * this->Relaxation, 0.1 * this->Rules.Relaxation);
     }
@@ -196,8 +263,10 @@ private:
   Equidistribution Shares;
   AdaptOutcome Outcome;
   std::vector<double> Values;
+  std::vector<double> FirstValues;
   std::vector<Vector3> Best;
   double Relaxation;
+  std::size_t LastProgress = 0; // the row
 };
 
 }

@@ -45,7 +45,8 @@ inline void Scale(std::vector<double>& a, double factor)
 /// The x for which apply(x) is `wanted`, by generalised conjugate residuals (S. C. Eisenstat, H. C.
 /// Elman, M. H. Schultz, SIAM J. Numer. Anal. 20 (1983) 345-357): of a matrix that need not be
 /// symmetric, nor have an inverse. estimate(r) is about the x for which apply(x) is r. Ends after
-/// at most `steps`, or when the residual, which never grows, is `tolerance` of what was wanted.
+/// at most `steps`, or when the residual, which never grows, is `tolerance` of what was wanted, or
+/// hardly falls: what the matrix cannot make would only be sought with ever larger x.
 template <class Apply, class Estimate>
 std::vector<double> SolveByResiduals(const std::vector<double>& wanted, const Apply& apply,
   const Estimate& estimate, double tolerance, int steps)
@@ -53,6 +54,7 @@ std::vector<double> SolveByResiduals(const std::vector<double>& wanted, const Ap
   std::vector<double> x(wanted.size(), 0.0);
   std::vector<double> residual = wanted;
   std::vector<std::vector<double>> directions, images;
+  constexpr double least = 0.02; // of the residual's square, taken by a step
   const double enough = tolerance * tolerance * detail::DotOf(wanted, wanted);
   for (int step = 0; step < steps && detail::DotOf(residual, residual) > enough; ++step)
   {
@@ -72,6 +74,10 @@ std::vector<double> SolveByResiduals(const std::vector<double>& wanted, const Ap
     detail::Scale(direction, 1.0 / length);
     detail::Scale(image, 1.0 / length);
     const double part = detail::DotOf(residual, image);
+    if (!(part * part > least * detail::DotOf(residual, residual)))
+    {
+      break;
+    }
     detail::AddTo(x, part, direction);
     detail::AddTo(residual, -part, image);
     directions.push_back(std::move(direction));

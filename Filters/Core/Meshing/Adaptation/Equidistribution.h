@@ -5,6 +5,7 @@
 
 #include "../../Geometry/DisjointSets.h"
 #include "Aggregation.h"
+#include "ConjugatePotential.h"
 #include "ConjugateResiduals.h"
 #include "FeatureCurves.h"
 #include "NeighbourMeans.h"
@@ -54,9 +55,6 @@ public:
   std::uint32_t GetWorstCell() const { return this->WorstCell; }
   double GetWorstRatio() const { return this->WorstRatio; }
 
-  /// Whether the last step was towards the monitor itself.
-  bool IsComplete() const { return this->Fraction >= 1.0; }
-
   const std::vector<double>& GetAreas() const { return this->Areas; }
 
   /// Which part of a whole step was made, and for each point where to. At most `part`, and less
@@ -64,6 +62,16 @@ public:
   /// curves may be allowed to leave them. O(N).
   double Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
     const std::vector<double>& monitor, double part, std::vector<Vector3>& places);
+
+  const std::vector<double>& GetWeights() const { return this->Weights; }
+  void SetWeights(std::vector<double> weights);
+
+  /// Has points begin anew where they were at first, with other weights.
+  void Restart(std::vector<double> weights);
+
+  /// Where points go that come from the mesh at first as those of `image`, which has been moved by
+  /// steps, have come from it: the way back. From there the next step goes on.
+  std::vector<Vector3> Invert(const SurfaceMesh& image);
 
 private:
   /// An edge between two cells, and what goes through it per length that its ends move.
@@ -77,12 +85,12 @@ private:
   void FindParts(const SurfaceMesh& mesh);
   void BeginAt(const SurfaceMesh& mesh, const FeatureCurves& curves);
   std::vector<double> FindShares(const std::vector<double>& monitor) const;
-  std::vector<double> Blend(const std::vector<double>& monitor) const;
   void FindMissing(const std::vector<double>& monitor);
   void FindCrossedEdges(const SurfaceMesh& mesh);
   EdgeLaplacian MakeMatrix(const SurfaceMesh& mesh) const;
   Vector3 Move(const Vector3& from, const Vector3& along) const;
   Vector3 DerivativeOfMove(const Vector3& from, const Vector3& along, const Vector3& change) const;
+  std::vector<Vector3> FindPlaces();
   std::vector<Vector3> FindGradients(const std::vector<double>& potential) const;
   Vector3 Allowed(std::uint32_t point, const Vector3& gradient) const;
   std::vector<Vector3> FindMotion(const std::vector<double>& change) const;
@@ -108,17 +116,15 @@ private:
   double Measure = 0.0;
   std::uint32_t WorstCell = 0;
   double WorstRatio = 1.0;
-  double Fraction = 0.0; // from a monitor of 1 to the given one
-  double WayAtOnce = 0.1;
 };
 
 inline Equidistribution::Equidistribution(const SurfaceMesh& mesh, const SurfaceShape& shape,
   const FeatureCurves& curves, std::vector<double> weights)
   : Shape(shape)
-  , Weights(std::move(weights))
 {
   this->FindParts(mesh);
   this->BeginAt(mesh, curves);
+  this->Restart(std::move(weights));
 }
 
 inline void Equidistribution::BeginAt(const SurfaceMesh& mesh, const FeatureCurves& curves)
@@ -152,11 +158,6 @@ inline void Equidistribution::FindParts(const SurfaceMesh& mesh)
     }
   }
   this->PartOfCell = parts.Representatives();
-  this->PartWeights.assign(this->PartOfCell.size(), 0.0);
-  for (std::size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
-  {
-    this->PartWeights[this->PartOfCell[cell]] += this->Weights[cell];
-  }
 }
 
 inline std::vector<double> Equidistribution::FindShares(const std::vector<double>& monitor) const
@@ -203,28 +204,13 @@ inline void Equidistribution::Update(const SurfaceMesh& mesh, const std::vector<
   this->Measure = total > 0.0 ? std::sqrt(sum / total) : 0.0;
 }
 
-/// The monitor on the way from what would be equally distributed at first, all 1.
-inline std::vector<double> Equidistribution::Blend(const std::vector<double>& monitor) const
-{
-  const double mean = detail::DotOf(monitor, this->Areas) /
-    std::max(std::accumulate(this->Areas.begin(), this->Areas.end(), 0.0), 1e-300);
-  std::vector<double> blended(monitor);
-  for (double& value : blended)
-  {
-    value = mean + this->Fraction * (value - mean);
-  }
-  return blended;
-}
-
 inline void Equidistribution::FindMissing(const std::vector<double>& monitor)
 {
   const std::vector<double> shares = this->FindShares(monitor);
-  const double largest = *std::max_element(this->Areas.begin(), this->Areas.end());
+  this->Densities = monitor;
   this->Missing.resize(shares.size());
-  this->Densities.resize(shares.size());
   for (std::size_t cell = 0; cell < shares.size(); ++cell)
   {
-    this->Densities[cell] = shares[cell] / std::max(this->Areas[cell], 1e-12 * largest);
     this->Missing[cell] = shares[cell] - monitor[cell] * this->Areas[cell];
   }
 }
@@ -311,7 +297,7 @@ inline Vector3 Equidistribution::Allowed(std::uint32_t point, const Vector3& gra
 inline std::vector<Vector3> Equidistribution::FindGradients(
   const std::vector<double>& potential) const
 {
-  const int smoothings = this->Means.IsIrregular() ? 6 : 0;
+  const int smoothings = this->Means.IsIrregular() ? 8 : 0;
   std::vector<Vector3> gradients(this->First.Points.size());
   for (std::uint32_t point = 0; point < gradients.size(); ++point)
   {
@@ -366,7 +352,7 @@ inline std::vector<double> Equidistribution::FindChange(const SurfaceMesh& mesh)
     std::transform(
       residual.begin(), residual.end(), roots.begin(), residual.begin(), std::multiplies<>());
     std::vector<double> direction;
-    SolveForGains(matrix, levels, residual, 0.05, 20, direction);
+    SolveForGains(matrix, levels, residual, 0.3, 20, direction);
     return direction;
   };
   const auto apply = [&](const std::vector<double>& change)
@@ -375,7 +361,7 @@ inline std::vector<double> Equidistribution::FindChange(const SurfaceMesh& mesh)
     std::transform(gains.begin(), gains.end(), roots.begin(), gains.begin(), std::divides<>());
     return gains;
   };
-  return SolveByResiduals(missing, apply, estimate, 0.02, 4);
+  return SolveByResiduals(missing, apply, estimate, 0.02, 10);
 }
 
 // Neighbours that move alike may go far.
@@ -409,24 +395,69 @@ inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurve
   {
     this->BeginAt(mesh, curves);
   }
-  const double begin = this->Fraction;
-  this->Fraction = std::min(1.0, begin + this->WayAtOnce);
-  this->FindMissing(this->Blend(monitor));
+  this->FindMissing(monitor);
   this->FindCrossedEdges(mesh);
   const std::vector<double> change = this->FindChange(mesh);
-  const double wanted = part;
   part = this->LimitOf(mesh, this->FindMotion(change), part);
-  const double made = std::max(part / wanted, 0.5);
-  this->WayAtOnce *= part < wanted ? made : 1.2;
-  this->Fraction = begin + part / wanted * (this->Fraction - begin);
   detail::AddTo(this->Potential, part, change);
+  places = this->FindPlaces();
+  return part;
+}
+
+/// Where the potential takes points.
+inline std::vector<Vector3> Equidistribution::FindPlaces()
+{
   this->Displacements = this->FindGradients(this->Potential);
-  places.resize(mesh.Points.size());
+  std::vector<Vector3> places(this->Displacements.size());
   for (std::uint32_t point = 0; point < places.size(); ++point)
   {
     places[point] = this->Move(this->First.Points[point], this->Displacements[point]);
   }
-  return part;
+  return places;
+}
+
+inline void Equidistribution::SetWeights(std::vector<double> weights)
+{
+  this->Weights = std::move(weights);
+  this->PartWeights.assign(this->PartOfCell.size(), 0.0);
+  for (std::size_t cell = 0; cell < this->PartOfCell.size(); ++cell)
+  {
+    this->PartWeights[this->PartOfCell[cell]] += this->Weights[cell];
+  }
+}
+
+inline void Equidistribution::Restart(std::vector<double> weights)
+{
+  this->SetWeights(std::move(weights));
+  std::fill(this->Potential.begin(), this->Potential.end(), 0.0);
+  this->FindPlaces();
+}
+
+inline std::vector<Vector3> Equidistribution::Invert(const SurfaceMesh& image)
+{
+  std::vector<Vector3> middles;
+  for (std::uint32_t cell = 0; cell < image.Cells.size(); ++cell)
+  {
+    middles.push_back(this->Gradients.GetMiddle(cell));
+  }
+  const ConjugatePotential back(image, this->Shape, middles, this->Potential);
+  this->Potential = back.FindAll(middles);
+  for (int round = 0; round < 3; ++round)
+  {
+    this->FindPlaces();
+    std::vector<Vector3> gradients;
+    for (std::uint32_t cell = 0; cell < image.Cells.size(); ++cell)
+    {
+      Vector3 sum{ { 0.0, 0.0, 0.0 } };
+      for (const std::uint32_t corner : image.Cells[cell])
+      {
+        sum = sum + this->Displacements[corner];
+      }
+      gradients.push_back((1.0 / static_cast<double>(image.Cells[cell].size())) * sum);
+    }
+    SmoothPotential(this->First.Edges, middles, gradients, 4, this->Potential);
+  }
+  return this->FindPlaces();
 }
 
 }

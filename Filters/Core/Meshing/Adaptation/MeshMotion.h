@@ -48,7 +48,8 @@ private:
   Vector3 WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const;
   std::vector<std::uint32_t> FindSpoilt(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells) const;
-  void Mend(SurfaceMesh& mesh);
+  bool Go(SurfaceMesh& mesh, const std::vector<Vector3>& places, double part);
+  void Repair(SurfaceMesh& mesh);
   std::vector<std::uint32_t> CellsAround(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const;
 
@@ -59,10 +60,10 @@ private:
   std::vector<double> First;     // qualities, as the mesh was given
   std::vector<double> Qualities; // before the step
   std::vector<Vector3> Before;
-  std::vector<bool> Mended;
+  std::vector<bool> Repaired;
   std::vector<Vector3> Displacements; // how each point moves
   std::size_t InvalidCells = 0;
-  std::uint32_t SpoiltCell = MeshEdge::None; // of the last step
+  std::vector<std::uint32_t> Spoilt; // cells, as they are now
 };
 
 inline MeshMotion::MeshMotion(
@@ -160,18 +161,14 @@ inline std::vector<std::uint32_t> MeshMotion::CellsAround(
 
 // Points that do not move at all stay so, and where nothing has moved cells are as they were: this
 // comes to an end.
-inline void MeshMotion::Mend(SurfaceMesh& mesh)
+inline void MeshMotion::Repair(SurfaceMesh& mesh)
 {
   constexpr int smoothings = 20;
   constexpr int halvings = 6;
-  std::vector<std::uint32_t> cells(mesh.Cells.size());
-  std::iota(cells.begin(), cells.end(), 0u);
-  this->SpoiltCell = MeshEdge::None;
-  for (int round = 0; !(cells = this->FindSpoilt(mesh, cells)).empty(); ++round)
+  for (int round = 0; !this->Spoilt.empty(); ++round)
   {
-    this->SpoiltCell = round == 0 ? cells[0] : this->SpoiltCell;
     std::vector<std::uint32_t> points;
-    for (const std::uint32_t cell : cells)
+    for (const std::uint32_t cell : this->Spoilt)
     {
       points.insert(points.end(), mesh.Cells[cell].begin(), mesh.Cells[cell].end());
     }
@@ -189,19 +186,17 @@ inline void MeshMotion::Mend(SurfaceMesh& mesh)
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       this->Displacements[points[i]] = ways[i];
-      this->Mended[points[i]] = true;
+      this->Repaired[points[i]] = true;
       this->Place(mesh, points[i]);
     }
-    cells = this->CellsAround(mesh, points);
+    this->Spoilt = this->FindSpoilt(mesh, this->CellsAround(mesh, points));
   }
 }
 
-inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+/// Goes a part of the way that is left; false if cells are spoilt then.
+inline bool MeshMotion::Go(SurfaceMesh& mesh, const std::vector<Vector3>& places, double part)
 {
   this->Before = mesh.Points;
-  this->Displacements.resize(mesh.Points.size());
-  this->Mended.assign(mesh.Points.size(), false);
-  this->Qualities.resize(mesh.Cells.size());
   for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
     if (this->Shape.What == SurfaceShape::Kind::Other)
@@ -213,17 +208,41 @@ inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
     const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
-    this->Displacements[point] = isFixed ? None : places[point] - mesh.Points[point];
+    this->Displacements[point] = isFixed ? None : part * (places[point] - mesh.Points[point]);
     this->Place(mesh, point);
   }
-  this->Mend(mesh);
+  this->Spoilt.resize(mesh.Cells.size());
+  std::iota(this->Spoilt.begin(), this->Spoilt.end(), 0u);
+  this->Spoilt = this->FindSpoilt(mesh, this->Spoilt);
+  return this->Spoilt.empty();
+}
+
+// In one go if no cell is spoilt then, else in parts: points that go a small part of their way are
+// soon repaired, and hold few others back.
+inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+{
+  constexpr int parts = 8;
+  const std::vector<Vector3> first = mesh.Points;
+  this->Displacements.resize(mesh.Points.size());
+  this->Repaired.assign(mesh.Points.size(), false);
+  this->Qualities.resize(mesh.Cells.size());
   Outcome outcome;
-  outcome.SpoiltCell = this->SpoiltCell;
+  if (!this->Go(mesh, places, 1.0))
+  {
+    outcome.SpoiltCell = this->Spoilt.front();
+    mesh.Points = first;
+    for (int left = parts; left > 0; --left)
+    {
+      this->Go(mesh, places, 1.0 / left);
+      this->Repaired.assign(mesh.Points.size(), false); // by the last is what counts
+      this->Repair(mesh);
+    }
+  }
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
-    outcome.PointsCutBack += this->Mended[point];
+    outcome.PointsCutBack += this->Repaired[point];
     outcome.LargestDisplacement =
-      std::max(outcome.LargestDisplacement, Norm(mesh.Points[point] - this->Before[point]));
+      std::max(outcome.LargestDisplacement, Norm(mesh.Points[point] - first[point]));
   }
   return outcome;
 }

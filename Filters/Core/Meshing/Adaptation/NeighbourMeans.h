@@ -21,8 +21,8 @@ public:
   /// all others that are not Free, and those at a corner of more than 180 degrees, stay. O(N).
   void Build(const SurfaceMesh& mesh, const SurfaceShape& shape);
 
-  /// Whether more than a few points are not amid their neighbours, or much nearer to some.
-  bool IsIrregular() const { return 100 * this->Irregular > this->Offsets.size(); }
+  /// Whether more than a tenth of the points are not amid their neighbours, or much nearer to some.
+  bool IsIrregular() const { return 10 * this->Irregular > this->Offsets.size(); }
 
   /// Calls finish(point, sum) for each smoothed vector; it returns what is kept of it.
   template <class Finish>

@@ -41,6 +41,29 @@ struct SurfaceShape
     }
     return this->FindClosest ? this->FindClosest(x) : x;
   }
+
+  /// The direction off a plane or sphere at a point of it.
+  Vector3 NormalOf(const Vector3& x) const
+  {
+    return this->What == Kind::Sphere ? (1.0 / Norm(x - this->Centre)) * (x - this->Centre)
+                                      : this->Normal;
+  }
+
+  /// The way from one point of a plane or sphere to another one, of its length and with the
+  /// direction that it begins with: on a sphere along a great circle.
+  Vector3 Along(const Vector3& from, const Vector3& to) const
+  {
+    if (this->What != Kind::Sphere)
+    {
+      return to - from;
+    }
+    const Vector3 up = this->NormalOf(from);
+    const Vector3 r = to - this->Centre;
+    const Vector3 across = r - Dot(r, up) * up;
+    const double length = Norm(across);
+    const double angle = std::atan2(length, Dot(r, up));
+    return length > 0.0 ? (this->Radius * angle / length) * across : across;
+  }
 };
 
 /// Half the sum of the cross products of a cell's corners: its area times its normal.
