@@ -461,7 +461,8 @@ public:
   //@{
   /**
    * Batches of all hits, of what the batches of first hits take: a list of the cells hit, each
-   * once, sorted by (t, cell id), with the parameters, or distances, and the points.
+   * once, sorted by (t, cell id), with the parameters, or distances, and the points. `tol` is that
+   * of IntersectWithLine.
    */
   vtkIdType FindAllHits(vtkDataArray* lines, vtkIdTypeArray* offsets, vtkIdTypeArray* cellIds,
     vtkDoubleArray* parameters, vtkDoubleArray* points, double tol = 0.0);
