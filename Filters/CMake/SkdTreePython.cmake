@@ -28,7 +28,7 @@ endif ()
 
 set(sources "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Python")
 set(python_package "${CMAKE_BINARY_DIR}/${SKDTREE_PYTHON_DESTINATION}/vtkskdtree")
-set(layer arrays.py filters.py meshes.py operations.py py.typed tree.py)
+set(layer accessor.py arrays.py filters.py meshes.py operations.py py.typed tree.py)
 configure_file("${sources}/__init__.py.in" "${python_package}/__init__.py" @ONLY)
 foreach (file IN LISTS layer)
   configure_file("${sources}/${file}" "${python_package}/${file}" COPYONLY)

@@ -51,6 +51,7 @@ def main(folder, licence, library, version, summary, *requirements):
     contents[f"{about}/METADATA"] = metadata(version, summary, requirements).encode()
     contents[f"{about}/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: wheel.py\nRoot-Is-Purelib: false\n"
         f"Tag: {tag()}\n").encode()
+    contents[f"{about}/entry_points.txt"] = f"[pyvista.accessors]\nskd = {NAME}.accessor\n".encode()
     with open(licence, "rb") as file:
         contents[f"{about}/LICENSE"] = file.read()
     record = ""

@@ -18,4 +18,6 @@ unset LD_LIBRARY_PATH
 cd /
 "$environment/bin/python" "$script" "$environment"
 "$environment/bin/pip" show --files vtkskdtree | grep -x "  vtkskdtree/py.typed"
+"$environment/bin/python" -c 'import importlib.metadata as metadata
+assert any(one.value == "vtkskdtree.accessor" for one in metadata.distribution("vtkskdtree").entry_points)'
 "$environment/bin/pip" uninstall --yes --disable-pip-version-check vtkskdtree

@@ -315,8 +315,9 @@ class Mesh(vtkPolyData):
 Mesh.__module__ = "pyvista.core.pointset"
 
 
-def test_meshes_of_pyvista_give_such():
-    stand_in = types.ModuleType("pyvista")
+def stand_in_for_pyvista():
+    """Its parts that vtkskdtree uses."""
+    stand_in, accessors = types.ModuleType("pyvista"), {}
 
     def wrap(mesh):
         made = Mesh()
@@ -324,7 +325,47 @@ def test_meshes_of_pyvista_give_such():
         return made
 
     stand_in.wrap = wrap
+    stand_in.DataSet = Mesh
+    stand_in.register_dataset_accessor = lambda name, target: lambda kind: accessors.update({(name, target): kind})
     sys.modules["pyvista"] = stand_in
+    return stand_in, accessors
+
+
+def test_accessor():
+    """With PyVista 0.48 or later itself, where it is installed for the Python that runs this, else a stand-in."""
+    pyvista = pyvista_with_accessors()
+    if pyvista:
+        import vtkskdtree.accessor
+        mesh, kind = pyvista.Cube(center=(0.5, 0.5, 0.5)).triangulate(), pyvista.PolyData
+        skd = mesh.skd
+    else:
+        print("PyVista 0.48 or later is not here: a stand-in for it")
+        stand_in, accessors = stand_in_for_pyvista()
+        import vtkskdtree.accessor
+        mesh, kind = stand_in.wrap(cube(0, 1)), Mesh
+        skd = accessors["skd", Mesh](mesh)
+    near(skd.closest([[2.0, 0.5, 0.5]]).distance, [1.0])
+    assert skd.tree is skd.tree and skd.contains([[0.5, 0.5, 0.5], [2, 0, 0]]).tolist() == [True, False]
+    assert skd.collide(cube(0.5, 2)) and not skd.collide(cube(2, 3))
+    united = skd.union(cube(0.5, 2))
+    assert isinstance(united, kind)
+    near(reported(united), 1 + 1.5 ** 3 - 0.125)
+    assert "within any of the meshes" in skd.union.__doc__
+    if not pyvista:
+        del sys.modules["pyvista"], sys.modules["vtkskdtree.accessor"]
+
+
+def pyvista_with_accessors():
+    try:
+        import pyvista
+    except ImportError:
+        return None
+    return pyvista if hasattr(pyvista, "register_dataset_accessor") else None
+
+
+def test_meshes_of_pyvista_give_such():
+    stand_in, _ = stand_in_for_pyvista()
+    wrap = stand_in.wrap
     mesh, other = wrap(cube(0, 1)), cube(0.5, 2)
     for made in (vtkskdtree.union(mesh, other), *vtkskdtree.split(mesh, other), vtkskdtree.section(mesh, other),
             vtkskdtree.intersection_curves(mesh, other), vtkskdtree.thickness(mesh, at="cells"),
