@@ -99,7 +99,7 @@ private:
 };
 
 /// The locator that is queried.
-struct Asked
+struct LineQueries
 {
   const SkdCellTree& Tree;
   const SkdLocatorState& State;
@@ -120,17 +120,18 @@ struct HitOutputs
 
 template <class Lines>
 vtkIdType FindFirstHits(
-  const Asked& asked, const SkdBatch& batch, const Lines& lines, const HitOutputs& outputs)
+  const LineQueries& queries, const SkdBatch& batch, const Lines& lines, const HitOutputs& outputs)
 {
   const vtkIdType size = batch.GetNumberOfQueries();
   vtkIdType* ids = SkdPrepare(outputs.CellIds, "SkdCellId", 1, size);
   double* ts = SkdPrepare(outputs.Parameters, outputs.ParameterName, 1, size);
   double* xs = SkdPrepare(outputs.Points, "SkdPoint", 3, size);
-  return batch.CountTrue([&] { return asked.Source(); },
+  return batch.CountTrue([&] { return queries.Source(); },
     [&](const SkdCellSource& source, vtkIdType slot)
     {
       const Line line = lines.Get(slot);
-      const SkdHitCell hit = asked.Tree.FindFirstHit(asked.Segment(line), asked.Tolerance, source);
+      const SkdHitCell hit =
+        queries.Tree.FindFirstHit(queries.Segment(line), queries.Tolerance, source);
       const bool isHit = hit.Id >= 0;
       SkdStoreAt(ids, slot, hit.Id);
       SkdStoreAt(ts, slot, isHit ? hit.T * line.Scale : vtkMath::Nan());
@@ -146,14 +147,15 @@ struct Hit
 };
 
 template <class Lines>
-vtkIdType FindHitLists(const Asked& asked, const SkdBatch& batch, const Lines& lines,
+vtkIdType FindHitLists(const LineQueries& queries, const SkdBatch& batch, const Lines& lines,
   vtkIdTypeArray* offsets, const HitOutputs& outputs)
 {
   const SkdBatchLists<Hit> hits(batch, offsets,
     [&](vtkIdType slot, std::vector<Hit>& values)
     {
-      const skd::Segment<3> segment = asked.Segment(lines.Get(slot));
-      for (const SkdHitCell& hit : asked.Tree.FindHits(segment, asked.Tolerance, asked.Source()))
+      const skd::Segment<3> segment = queries.Segment(lines.Get(slot));
+      for (const SkdHitCell& hit :
+        queries.Tree.FindHits(segment, queries.Tolerance, queries.Source()))
       {
         values.push_back({ hit.Id, hit.T });
       }
@@ -200,10 +202,10 @@ vtkIdType vtkSkdTreeCellLocator::IntersectWithLines(vtkDataArray* lines, vtkIdTy
   {
     return -1;
   }
-  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
   const SkdBatch batch(lines, SkdBatchOf::Lines);
   return FindFirstHits(
-    asked, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
+    queries, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
 }
 
 //------------------------------------------------------------------------------
@@ -215,10 +217,10 @@ vtkIdType vtkSkdTreeCellLocator::FindAllHits(vtkDataArray* lines, vtkIdTypeArray
   {
     return -1;
   }
-  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
   const SkdBatch batch(lines, SkdBatchOf::Lines);
   return FindHitLists(
-    asked, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
+    queries, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
 }
 
 //------------------------------------------------------------------------------
@@ -230,10 +232,10 @@ vtkIdType vtkSkdTreeCellLocator::IntersectWithSegments(vtkDataArray* starts, vtk
   {
     return -1;
   }
-  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
   const SkdBatch batch(starts, ends);
   return FindFirstHits(
-    asked, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
+    queries, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
 }
 
 //------------------------------------------------------------------------------
@@ -247,10 +249,10 @@ vtkIdType vtkSkdTreeCellLocator::FindAllSegmentHits(vtkDataArray* starts, vtkDat
   {
     return -1;
   }
-  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
   const SkdBatch batch(starts, ends);
   return FindHitLists(
-    asked, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
+    queries, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
 }
 
 //------------------------------------------------------------------------------
@@ -264,11 +266,11 @@ vtkIdType vtkSkdTreeCellLocator::IntersectWithRays(vtkDataArray* origins, vtkDat
   {
     return -1;
   }
-  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
   const SkdBatch batch(origins, SkdBatchOf::Points);
   const LinesOfRays lines(
-    batch, directions, asked.Tree.Cells().GetBounds(), asked.State, maximum, tol);
-  return FindFirstHits(asked, batch, lines, { cellIds, distances, "SkdDistance", points });
+    batch, directions, queries.Tree.Cells().GetBounds(), queries.State, maximum, tol);
+  return FindFirstHits(queries, batch, lines, { cellIds, distances, "SkdDistance", points });
 }
 
 //------------------------------------------------------------------------------
@@ -282,10 +284,11 @@ vtkIdType vtkSkdTreeCellLocator::FindAllRayHits(vtkDataArray* origins, vtkDataAr
   {
     return -1;
   }
-  const Asked asked{ this->GetTree(), *this->Impl, this->DataSet, tol };
+  const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
   const SkdBatch batch(origins, SkdBatchOf::Points);
   const LinesOfRays lines(
-    batch, directions, asked.Tree.Cells().GetBounds(), asked.State, maximum, tol);
-  return FindHitLists(asked, batch, lines, offsets, { cellIds, distances, "SkdDistance", points });
+    batch, directions, queries.Tree.Cells().GetBounds(), queries.State, maximum, tol);
+  return FindHitLists(
+    queries, batch, lines, offsets, { cellIds, distances, "SkdDistance", points });
 }
 VTK_ABI_NAMESPACE_END

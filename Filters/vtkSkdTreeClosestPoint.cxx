@@ -61,11 +61,11 @@ void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
     const SkdClosestArrays& answer = answers[i];
-    const auto placeOf = [&](vtkIdType k) {
-      return SkdSourcePlace{ answer.GetBlock(k), answer.GetCellId(k), answer.GetPoint(k) };
+    const auto locationOf = [&](vtkIdType k) {
+      return SkdSourceLocation{ answer.GetBlock(k), answer.GetCellId(k), answer.GetPoint(k) };
     };
     SkdInterpolateInto(outputs[i].Mesh->GetPointData(), answer.GetNumberOfPoints(),
-      source.GetBlocks(), meshOf, placeOf, refused, loop);
+      source.GetBlocks(), meshOf, locationOf, refused, loop);
   }
   SkdWarnAboutRefused(self, refused);
 }

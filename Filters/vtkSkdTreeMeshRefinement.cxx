@@ -240,8 +240,8 @@ void PutBlocks(const std::vector<SkdReadMesh::Block>& blocks,
     std::size_t next = 0; // blocks are in the order of the iterator
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
-      const int place = static_cast<int>(iterator->GetCurrentFlatIndex());
-      if (next < blocks.size() && blocks[next].Input.BlockIndex == place)
+      const int flatIndex = static_cast<int>(iterator->GetCurrentFlatIndex());
+      if (next < blocks.size() && blocks[next].Input.BlockIndex == flatIndex)
       {
         to->SetDataSet(iterator, meshes[next++]);
       }

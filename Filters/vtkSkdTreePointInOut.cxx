@@ -126,11 +126,11 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
     answer.Confidence = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]) ? 1 : 0;
     if (finder->Find(x))
     {
-      const SkdCellLocation& place = finder->GetLocation();
+      const SkdCellLocation& location = finder->GetLocation();
       answer.IsInside = true;
       answer.Depth = 1;
-      answer.PartId = this->PartIds.empty() ? this->Blocks[place.Block].BlockIndex
-                                            : this->PartIds[place.Block][place.CellId];
+      answer.PartId = this->PartIds.empty() ? this->Blocks[location.Block].BlockIndex
+                                            : this->PartIds[location.Block][location.CellId];
     }
     return answer;
   };
@@ -144,9 +144,9 @@ void vtkSkdTreePointInOut::Internals::Ask(
     [&](vtkIdType begin, vtkIdType end)
     {
       const Answer answer = this->MakeAnswer(model, queryPoints);
-      for (vtkIdType place = begin; place < end; ++place)
+      for (vtkIdType index = begin; index < end; ++index)
       {
-        const vtkIdType queryPoint = queryPoints.GetQueryPoint(place);
+        const vtkIdType queryPoint = queryPoints.GetQueryPoint(index);
         set(queryPoint, answer(queryPoint));
       }
     });
@@ -287,16 +287,16 @@ int vtkSkdTreePointInOut::RequestData(
 
   const std::vector<SkdBlock> outputs = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
   SkdLoop loop(this, this->CountQueryPoints(outputs), 0.2, 1.0);
-  vtkIdType asked = 0;
+  vtkIdType points = 0;
   vtkIdType inside = 0;
   for (const SkdBlock& block : outputs)
   {
     const SkdInOuts answers = this->AskMesh(block.Mesh, loop);
     this->ExtractFrom(block.Mesh, answers, outputVector);
-    asked += answers.GetNumber();
+    points += answers.GetNumber();
     inside += answers.CountInside();
   }
-  this->Report(output, asked, inside, buildSeconds, watch.Lap());
+  this->Report(output, points, inside, buildSeconds, watch.Lap());
   internals.Blocks.clear();
   return 1;
 }
@@ -341,7 +341,7 @@ vtkIdType vtkSkdTreePointInOut::CountQueryPoints(const std::vector<SkdBlock>& bl
   return queryPoints;
 }
 
-void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside,
+void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType points, vtkIdType inside,
   double buildSeconds, double querySeconds)
 {
   vtkIdType edges = 0;
@@ -352,7 +352,7 @@ void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType asked, vtkIdT
     open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
   }
   SkdReport report(output);
-  report.AddCount("Points", asked);
+  report.AddCount("Points", points);
   report.AddCount("PointsInside", inside);
   report.AddCount("Parts", static_cast<vtkIdType>(this->Impl->Parts.Get().size()));
   report.AddCount("OpenParts", open);

@@ -279,7 +279,7 @@ private:
   SkdInOuts AskMesh(vtkDataSet* mesh, SkdLoop& loop);
   void ExtractFrom(vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector);
   vtkIdType CountQueryPoints(const std::vector<SkdBlock>& blocks) const;
-  void Report(vtkDataObject* output, vtkIdType asked, vtkIdType inside, double buildSeconds,
+  void Report(vtkDataObject* output, vtkIdType points, vtkIdType inside, double buildSeconds,
     double querySeconds);
 
   std::unique_ptr<Internals> Impl; // the parts, kept while the source is unchanged

@@ -107,16 +107,16 @@ void InterpolateSource(vtkSkdTreeRays* self, const std::vector<SkdBlock>& blocks
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const SkdCastRays& cast = rays[i];
-    const auto placeOf = [&](vtkIdType ray)
+    const auto locationOf = [&](vtkIdType ray)
     {
-      thread_local skd::Vector3 place;
+      thread_local skd::Vector3 location;
       const SkdRayHit* hit = cast.Lists.GetFirst(ray);
-      place = hit ? cast.PlaceOf(ray, *hit) : skd::Vector3{};
-      return hit ? SkdSourcePlace{ hit->Block, hit->CellId, place.X }
-                 : SkdSourcePlace{ -1, -1, nullptr };
+      location = hit ? cast.PointOf(ray, *hit) : skd::Vector3{};
+      return hit ? SkdSourceLocation{ hit->Block, hit->CellId, location.X }
+                 : SkdSourceLocation{ -1, -1, nullptr };
     };
     SkdInterpolateInto(DataOf(self, blocks[i]), cast.Starts.GetNumber(), target.Blocks, meshOf,
-      placeOf, refused, loop);
+      locationOf, refused, loop);
   }
   SkdWarnAboutRefused(self, refused);
 }

@@ -54,17 +54,17 @@ namespace
 SkdQueryShape BoxOf(const double bounds[6], const double position[3], const double rotation[3],
   const double length[3])
 {
-  vtkNew<vtkTransform> turn;
-  turn->RotateZ(rotation[2]);
-  turn->RotateX(rotation[0]);
-  turn->RotateY(rotation[1]);
+  vtkNew<vtkTransform> transform;
+  transform->RotateZ(rotation[2]);
+  transform->RotateX(rotation[0]);
+  transform->RotateY(rotation[1]);
   skd::Vector3 corner = SkdVector(position);
   skd::Vector3 edges[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     skd::Vector3 along{ { 0.0, 0.0, 0.0 } };
     along[axis] = length[axis];
-    turn->TransformVector(along.X, along.X);
+    transform->TransformVector(along.X, along.X);
     corner = corner + bounds[2 * axis] * along;
     edges[axis] = (bounds[2 * axis + 1] - bounds[2 * axis]) * along;
   }
@@ -186,7 +186,7 @@ void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* so
   const bool isOfOne =
     this->Shape != SOURCE_POINTS && this->Shape != SOURCE_CELLS && this->Relation != NEAREST;
   internals.Built = internals.Mesh.Update(internals.Blocks, this->Epsilon, SkdMeasurable,
-    isOfOne ? SkdTreeWanted::IfSeenBefore : SkdTreeWanted::AtOnce);
+    isOfOne ? SkdTreeWanted::IfUsedBefore : SkdTreeWanted::AtOnce);
   const bool needsCells = source && this->Shape == SOURCE_CELLS;
   const std::vector<SkdBlock> sourceBlocks =
     needsCells ? SkdBlocksWithCells(SkdBlocksOf(source)) : std::vector<SkdBlock>();

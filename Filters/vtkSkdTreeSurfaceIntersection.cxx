@@ -83,16 +83,16 @@ SkdPlacement Complete(
 vtkSmartPointer<vtkMatrix4x4> FindMatrix(vtkSkdTreeSurfaceIntersection* self)
 {
   const double* shift = self->GetTranslation();
-  const double* turn = self->GetRotation();
+  const double* rotation = self->GetRotation();
   const double* centre = self->GetRotationCenter();
   vtkNew<vtkTransform> transform;
   transform->Translate(shift);
-  if (turn[0] != 0.0 || turn[1] != 0.0 || turn[2] != 0.0)
+  if (rotation[0] != 0.0 || rotation[1] != 0.0 || rotation[2] != 0.0)
   {
     transform->Translate(centre);
-    transform->RotateZ(turn[2]);
-    transform->RotateX(turn[0]);
-    transform->RotateY(turn[1]);
+    transform->RotateZ(rotation[2]);
+    transform->RotateX(rotation[0]);
+    transform->RotateY(rotation[1]);
     transform->Translate(-centre[0], -centre[1], -centre[2]);
   }
   if (self->GetTransform())

@@ -34,12 +34,12 @@ int SkdBody::Build(double epsilon, bool wantsOpenSolid)
 //------------------------------------------------------------------------------
 std::optional<SkdNearest> SkdBody::FindNearest(const double x[3], double maximumDistance) const
 {
-  double asked[3] = { x[0], x[1], x[2] };
+  double query[3] = { x[0], x[1], x[2] };
   SkdNearest nearest;
   vtkIdType face;
   int subId;
   if (!this->Faces->FindClosestPointWithinRadius(
-        asked, maximumDistance, nearest.Point, nullptr, face, subId, nearest.Distance2))
+        query, maximumDistance, nearest.Point, nullptr, face, subId, nearest.Distance2))
   {
     return std::nullopt;
   }

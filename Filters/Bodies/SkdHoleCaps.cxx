@@ -47,7 +47,7 @@ void SkdHoleCaps::CloseAll(const std::vector<Edge>& edges)
   std::vector<char> isUsed(edges.size(), 0);
   std::vector<Edge> path;
   std::vector<vtkIdType> visited; // where each edge of the path begins
-  std::unordered_map<vtkIdType, std::size_t> placeOf;
+  std::unordered_map<vtkIdType, std::size_t> positionOf;
   const auto follow = [&](vtkIdType at)
   {
     std::vector<std::size_t>& those = edgesAt[at];
@@ -61,7 +61,7 @@ void SkdHoleCaps::CloseAll(const std::vector<Edge>& edges)
     }
     const std::size_t edge = those.back();
     isUsed[edge] = 1;
-    placeOf[at] = path.size();
+    positionOf[at] = path.size();
     visited.push_back(at);
     path.push_back(edges[edge]);
     return edges[edge].From == at ? edges[edge].To : edges[edge].From;
@@ -70,14 +70,14 @@ void SkdHoleCaps::CloseAll(const std::vector<Edge>& edges)
   {
     for (vtkIdType at = follow(first.From); at >= 0; at = follow(at))
     {
-      const auto place = placeOf.find(at);
-      if (place != placeOf.end())
+      const auto position = positionOf.find(at);
+      if (position != positionOf.end())
       {
-        const auto begin = static_cast<std::ptrdiff_t>(place->second);
+        const auto begin = static_cast<std::ptrdiff_t>(position->second);
         this->Close({ path.begin() + begin, path.end() });
         path.erase(path.begin() + begin, path.end());
         std::for_each(
-          visited.begin() + begin, visited.end(), [&](vtkIdType id) { placeOf.erase(id); });
+          visited.begin() + begin, visited.end(), [&](vtkIdType id) { positionOf.erase(id); });
         visited.erase(visited.begin() + begin, visited.end());
       }
     }

@@ -45,8 +45,8 @@ void SkdWarnAboutCoarseFaces(vtkAlgorithm* self, vtkIdType coarseFaces, double c
 template <class Id>
 std::array<Id, 3> SkdStripTriangle(const Id* corners, std::ptrdiff_t k)
 {
-  const std::ptrdiff_t turn = k % 2;
-  return { corners[k + turn], corners[k + 1 - turn], corners[k + 2] };
+  const std::ptrdiff_t swap = k % 2;
+  return { corners[k + swap], corners[k + 1 - swap], corners[k + 2] };
 }
 
 /// The outer faces of one data set, including its surface cells, with the origin of their cells and

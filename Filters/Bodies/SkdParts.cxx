@@ -21,7 +21,7 @@ bool SkdParts::Part::Update(
   SkdTreeSettings settings;
   settings.Epsilon = epsilon;
   settings.Magnitudes = magnitudes;
-  settings.IsBare = !isSame && wanted == SkdTreeWanted::IfSeenBefore;
+  settings.IsBare = !isSame && wanted == SkdTreeWanted::IfUsedBefore;
   this->Tree = std::make_shared<SkdCellTree>(this->Mesh.Get(), settings);
   if (block.Mesh->GetNumberOfCells() > 0)
   {

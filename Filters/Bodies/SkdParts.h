@@ -23,7 +23,7 @@
 enum class SkdTreeWanted
 {
   AtOnce,
-  IfSeenBefore ///< until then the tree is bare
+  IfUsedBefore ///< until then the tree is bare
 };
 
 class SkdParts

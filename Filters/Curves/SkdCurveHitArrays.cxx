@@ -60,14 +60,14 @@ void AddVertices(const std::vector<SkdCurveHit>& hits, vtkPolyData* output)
 
 /// The arrays of one side: "SkdCurve..." of the first, "SkdOtherCurve..." of the other.
 void AddSide(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
-  SkdCurveLocation SkdCurveHit::*place, const std::string& prefix, vtkDataSetAttributes* to)
+  SkdCurveLocation SkdCurveHit::*location, const std::string& prefix, vtkDataSetAttributes* to)
 {
   using Hit = SkdCurveHit;
   const SkdCurveSet& curves = side.Tree.GetCurves();
-  const auto curveOf = [&, place](const Hit& hit) -> const SkdCurve&
-  { return curves.GetCurves()[(hit.*place).Curve]; };
+  const auto curveOf = [&, location](const Hit& hit) -> const SkdCurve&
+  { return curves.GetCurves()[(hit.*location).Curve]; };
   AddColumn<vtkIdTypeArray>(to, hits, prefix + "CurveId",
-    [=](const Hit& hit) { return static_cast<vtkIdType>((hit.*place).Curve); });
+    [=](const Hit& hit) { return static_cast<vtkIdType>((hit.*location).Curve); });
   AddColumn<vtkIdTypeArray>(
     to, hits, prefix + "CurveCellId", [&](const Hit& hit) { return curveOf(hit).CellId; });
   if (side.IsComposite)
@@ -77,13 +77,15 @@ void AddSide(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
       { return side.Blocks[static_cast<std::size_t>(curveOf(hit).Block)].BlockIndex; });
   }
   AddColumn<vtkDoubleArray>(to, hits, prefix + "CurveParameter",
-    [&, place](const Hit& hit) { return curves.GetParameter((hit.*place).Piece, (hit.*place).T); });
+    [&, location](const Hit& hit)
+    { return curves.GetParameter((hit.*location).Piece, (hit.*location).T); });
   AddColumn<vtkDoubleArray>(to, hits, prefix + "ArcLength",
-    [&, place](const Hit& hit) { return curves.GetArcLength((hit.*place).Piece, (hit.*place).T); });
+    [&, location](const Hit& hit)
+    { return curves.GetArcLength((hit.*location).Piece, (hit.*location).T); });
 }
 
 void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
-  SkdCurveLocation SkdCurveHit::*place, vtkPolyData* output, std::set<std::string>& refused)
+  SkdCurveLocation SkdCurveHit::*location, vtkPolyData* output, std::set<std::string>& refused)
 {
   const auto n = static_cast<vtkIdType>(hits.size());
   const auto gather = [&](int type)
@@ -95,7 +97,7 @@ void AddDataOf(const std::vector<SkdCurveHit>& hits, const SkdCurveSide& side,
   std::vector<double> weights;
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const SkdCurveLocation& at = hits[static_cast<std::size_t>(i)].*place;
+    const SkdCurveLocation& at = hits[static_cast<std::size_t>(i)].*location;
     const SkdCurve& curve = curves.GetCurves()[at.Curve];
     curves.GetWeights(at.Piece, at.T, ids, weights);
     points.Interpolate(i, curve.Block, ids, weights.data());
@@ -206,15 +208,15 @@ void SkdStoreIntervals(const SkdCurveHitTable& table, double delta, vtkPolyData*
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  const auto addIds =
-    [&](const SkdCurveSide& side, SkdCurveLocation SkdCurveHit::*place, const std::string& prefix)
+  const auto addIds = [&](const SkdCurveSide& side, SkdCurveLocation SkdCurveHit::*location,
+                        const std::string& prefix)
   {
     vtkCellData* to = output->GetCellData();
     AddColumn<vtkIdTypeArray>(to, intervals, prefix + "CurveId",
-      [=](const Interval& one) { return static_cast<vtkIdType>((one.Begin.*place).Curve); });
+      [=](const Interval& one) { return static_cast<vtkIdType>((one.Begin.*location).Curve); });
     AddColumn<vtkIdTypeArray>(to, intervals, prefix + "CurveCellId",
-      [&, place](const Interval& one)
-      { return side.Tree.GetCurves().GetCurves()[(one.Begin.*place).Curve].CellId; });
+      [&, location](const Interval& one)
+      { return side.Tree.GetCurves().GetCurves()[(one.Begin.*location).Curve].CellId; });
   };
   addIds(table.First, &SkdCurveHit::First, "Skd");
   addIds(table.Second, &SkdCurveHit::Second, "SkdOther");

@@ -110,9 +110,9 @@ struct Group
 };
 
 /// Whether a place is where a closed curve ends and begins, seen from before.
-bool IsBeforeStart(const SkdCurveLocation& place)
+bool IsBeforeStart(const SkdCurveLocation& location)
 {
-  return place.Period > 0.0 && place.Period - place.U <= place.Slack;
+  return location.Period > 0.0 && location.Period - location.U <= location.Slack;
 }
 
 /// Merges the intersections at both ends of a closed curve, which are not adjacent in order. In

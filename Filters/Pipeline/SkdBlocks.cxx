@@ -86,12 +86,12 @@ std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output)
 }
 
 vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
-  const char* name, const std::vector<int>& places, const std::vector<SkdBlock>& blocks)
+  const char* name, const std::vector<int>& positions, const std::vector<SkdBlock>& blocks)
 {
-  auto indices = SkdMakeArray<vtkIntArray>(name, 1, static_cast<vtkIdType>(places.size()));
-  std::transform(places.begin(), places.end(), indices->GetPointer(0),
-    [&](int place)
-    { return place >= 0 ? blocks[static_cast<std::size_t>(place)].BlockIndex : -1; });
+  auto indices = SkdMakeArray<vtkIntArray>(name, 1, static_cast<vtkIdType>(positions.size()));
+  std::transform(positions.begin(), positions.end(), indices->GetPointer(0),
+    [&](int position)
+    { return position >= 0 ? blocks[static_cast<std::size_t>(position)].BlockIndex : -1; });
   return indices;
 }
 

@@ -38,7 +38,7 @@ std::vector<SkdBlock> SkdMirror(vtkDataObject* input, vtkDataObject* output);
 /// An array of the flat indices of some blocks, which are given by their places in a list; -1 where
 /// the place is -1.
 vtkSmartPointer<vtkIntArray> SkdMakeBlockIndices(
-  const char* name, const std::vector<int>& places, const std::vector<SkdBlock>& blocks);
+  const char* name, const std::vector<int>& positions, const std::vector<SkdBlock>& blocks);
 
 /// Removes the point and cell data of the blocks, except ghost marks.
 void SkdDropData(const std::vector<SkdBlock>& blocks);

@@ -9,7 +9,7 @@
 #include "vtkDataSetAttributes.h"
 
 /// A place in a Source: a point of a cell of one of its blocks; none if Block < 0.
-struct SkdSourcePlace
+struct SkdSourceLocation
 {
   int Block;
   vtkIdType CellId;
@@ -19,9 +19,9 @@ struct SkdSourcePlace
 /// Adds n tuples of a Source's data to `output`: tuple i is its point data interpolated, and its
 /// cell data, at the place placeOf(i). meshOf(block) is the mesh of a block, see SkdTouchCells().
 /// Names of arrays that are not added are inserted into `refused`.
-template <class PlaceOf, class MeshOf>
+template <class LocationOf, class MeshOf>
 void SkdInterpolateInto(vtkDataSetAttributes* output, vtkIdType n,
-  const std::vector<SkdBlock>& source, const MeshOf& meshOf, const PlaceOf& placeOf,
+  const std::vector<SkdBlock>& source, const MeshOf& meshOf, const LocationOf& locationOf,
   std::set<std::string>& refused, SkdLoop& loop)
 {
   SkdArrayGather points = SkdGatherInto(output, n, source, vtkDataObject::POINT, refused);
@@ -32,12 +32,12 @@ void SkdInterpolateInto(vtkDataSetAttributes* output, vtkIdType n,
       SkdCellWeights weights;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const SkdSourcePlace place = placeOf(i);
-        if (place.Block >= 0)
+        const SkdSourceLocation location = locationOf(i);
+        if (location.Block >= 0)
         {
-          weights.Evaluate(meshOf(place.Block), place.CellId, place.Point);
-          points.Interpolate(i, place.Block, weights.GetPointIds(), weights.GetWeights());
-          cells.Take(i, place.Block, place.CellId);
+          weights.Evaluate(meshOf(location.Block), location.CellId, location.Point);
+          points.Interpolate(i, location.Block, weights.GetPointIds(), weights.GetWeights());
+          cells.Take(i, location.Block, location.CellId);
         }
       }
     });

@@ -28,15 +28,15 @@ public:
   }
 
   /// The point at an index of the order. Thread-safe.
-  vtkIdType GetPoint(vtkIdType place) const
+  vtkIdType GetPoint(vtkIdType index) const
   {
-    return this->Scattered ? this->Scattered->GetSlot(place) : place;
+    return this->Scattered ? this->Scattered->GetSlot(index) : index;
   }
 
   /// The same, with its coordinates.
-  vtkIdType GetPoint(vtkIdType place, double x[3]) const
+  vtkIdType GetPoint(vtkIdType index, double x[3]) const
   {
-    const vtkIdType id = this->GetPoint(place);
+    const vtkIdType id = this->GetPoint(index);
     if (this->Scattered)
     {
       this->Scattered->Read(id, x);

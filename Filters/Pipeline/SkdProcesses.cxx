@@ -133,12 +133,12 @@ void SkdShare::Keep(vtkPolyData* cells) const
   cells->GetPointData()->CopyAllocate(all->GetPointData());
   cells->GetCellData()->CopyAllOn();
   cells->GetCellData()->CopyAllocate(all->GetCellData());
-  vtkNew<vtkIdList> kept;
+  vtkNew<vtkIdList> selected;
   for (vtkIdType cell = this->FirstOf(count); cell < this->LastOf(count); ++cell)
   {
-    kept->InsertNextId(cell);
+    selected->InsertNextId(cell);
   }
-  cells->CopyCells(all, kept);
+  cells->CopyCells(all, selected);
 }
 
 void SkdShare::Keep(vtkTable* rows) const
@@ -149,7 +149,7 @@ void SkdShare::Keep(vtkTable* rows) const
   }
   const vtkIdType count = rows->GetNumberOfRows();
   const vtkIdType first = this->FirstOf(count);
-  vtkNew<vtkTable> kept;
+  vtkNew<vtkTable> selected;
   for (vtkIdType i = 0; i < rows->GetNumberOfColumns(); ++i)
   {
     vtkAbstractArray* column = rows->GetColumn(i);
@@ -158,8 +158,8 @@ void SkdShare::Keep(vtkTable* rows) const
     part->SetNumberOfComponents(column->GetNumberOfComponents());
     part->SetNumberOfTuples(this->LastOf(count) - first);
     part->InsertTuples(0, this->LastOf(count) - first, first, column);
-    kept->AddColumn(part);
+    selected->AddColumn(part);
   }
-  kept->SetFieldData(rows->GetFieldData());
-  rows->ShallowCopy(kept);
+  selected->SetFieldData(rows->GetFieldData());
+  rows->ShallowCopy(selected);
 }

@@ -20,9 +20,9 @@ public:
   vtkIdType GetNumber() const;
 
   /// The query point at an index of the processing order, see SkdPointOrder. Thread-safe.
-  vtkIdType GetQueryPoint(vtkIdType place) const
+  vtkIdType GetQueryPoint(vtkIdType index) const
   {
-    return this->Order ? this->Order->GetPoint(place) : place;
+    return this->Order ? this->Order->GetPoint(index) : index;
   }
 
   /// The coordinates of query point i; NaN for a cell without points. Thread-safe.

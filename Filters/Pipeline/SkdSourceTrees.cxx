@@ -50,7 +50,7 @@ int SkdSourceTrees::Update(const std::vector<SkdBlock>& blocks, double epsilon)
 std::optional<SkdNearest> SkdSourceTrees::FindNearest(
   const double x[3], double maximumDistance) const
 {
-  double asked[3] = { x[0], x[1], x[2] };
+  double query[3] = { x[0], x[1], x[2] };
   double radius = maximumDistance;
   std::optional<SkdNearest> best;
   for (std::size_t block = 0; block < this->Trees.size(); ++block)
@@ -58,7 +58,7 @@ std::optional<SkdNearest> SkdSourceTrees::FindNearest(
     SkdNearest next;
     int subId;
     const bool found = this->Trees[block].Locator->FindClosestPointWithinRadius(
-      asked, radius, next.Point, nullptr, next.CellId, subId, next.Distance2);
+      query, radius, next.Point, nullptr, next.CellId, subId, next.Distance2);
     if (found && (!best || next.Distance2 < best->Distance2))
     {
       next.Block = static_cast<int>(block);

@@ -33,7 +33,7 @@ vtkSmartPointer<vtkIdList> ListOf(const std::vector<vtkIdType>& ids)
 }
 
 /// 0, 1, ... n - 1.
-vtkSmartPointer<vtkIdList> ListInTurn(vtkIdType n)
+vtkSmartPointer<vtkIdList> FirstIds(vtkIdType n)
 {
   auto list = vtkSmartPointer<vtkIdList>::New();
   list->SetNumberOfIds(n);
@@ -48,7 +48,7 @@ void CopyTuples(
   const auto n = static_cast<vtkIdType>(ids.size());
   into->CopyAllOn();
   into->CopyAllocate(from, n);
-  into->CopyData(from, ListOf(ids), ListInTurn(n));
+  into->CopyData(from, ListOf(ids), FirstIds(n));
 }
 }
 

@@ -151,12 +151,12 @@ std::vector<double> SkdFileRemap::Expand(const SkdDonorField& field) const
 {
   SkdOverlapSettings settings;
   settings.Space = SkdOverlapSpace::Sphere;
-  const SkdOverlapSurface ground(this->Donor, this->Donor, settings);
+  const SkdOverlapSurface surface(this->Donor, this->Donor, settings);
   SkdOverlapPieces pieces;
   SkdOverlapCells cells;
   SkdLoop loop(this->Algorithm, 0, 0.0, 0.5, 8);
-  pieces.Read(this->Donor, ground, { false, settings.SkipsGhosts }, loop);
-  pieces.Measure(ground, cells);
+  pieces.Read(this->Donor, surface, { false, settings.SkipsGhosts }, loop);
+  pieces.Measure(surface, cells);
   const SkdDonorGradients gradients(this->Donor, cells, { { 0.0, 0.0, 0.0 } }, true);
   const std::vector<char> all(cells.Measures.size(), 1);
   const auto components = static_cast<std::size_t>(field.Components);
@@ -171,8 +171,8 @@ std::vector<double> SkdFileRemap::Expand(const SkdDonorField& field) const
       {
         const auto axes = SkdLonLatAxesAt(cells.Centroids[i]);
         double* two = derivatives.data() + 2 * (i * components + c);
-        two[0] = ground.GetRadius() * skd::Dot(slopes[i], axes.North);
-        two[1] = ground.GetRadius() * skd::Dot(slopes[i], axes.East);
+        two[0] = surface.GetRadius() * skd::Dot(slopes[i], axes.North);
+        two[1] = surface.GetRadius() * skd::Dot(slopes[i], axes.East);
       }
     }
   }

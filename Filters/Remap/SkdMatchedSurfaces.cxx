@@ -76,7 +76,7 @@ void SkdMatchedSurfaces::FindSide(SkdFacetRules& rules)
 bool SkdMatchedSurfaces::Update(std::size_t block, const SkdOverlapSettings& settings,
   vtkAlgorithm* algorithm, double first, double last)
 {
-  SkdKeptOverlaps& overlaps = this->Overlaps[block];
+  SkdOverlapCache& overlaps = this->Overlaps[block];
   const bool isDone =
     overlaps.Update(this->Donor, this->Blocks[block].Mesh, settings, algorithm, first, last);
   this->NumberOfNew += overlaps.IsNew() ? 1 : 0;

@@ -10,7 +10,7 @@
 
 #include "Core/Parallel/Processes.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Remap/SkdKeptOverlaps.h"
+#include "Remap/SkdOverlapCache.h"
 
 #include <deque>
 #include <string>
@@ -37,7 +37,7 @@ class SkdMatchedSurfaces
 public:
   /// `overlaps` are those of the blocks; `processes` all that take part, or nullptr.
   SkdMatchedSurfaces(vtkDataSet* donor, const std::vector<SkdBlock>& blocks,
-    std::deque<SkdKeptOverlaps>& overlaps, const skd::Processes* processes)
+    std::deque<SkdOverlapCache>& overlaps, const skd::Processes* processes)
     : Donor(donor)
     , Blocks(blocks)
     , Overlaps(overlaps)
@@ -62,7 +62,7 @@ private:
 
   vtkDataSet* Donor;
   const std::vector<SkdBlock>& Blocks;
-  std::deque<SkdKeptOverlaps>& Overlaps;
+  std::deque<SkdOverlapCache>& Overlaps;
   const skd::Processes* Processes;
   SkdSurfaceFindings Findings;
   int NumberOfNew = 0;

@@ -119,7 +119,7 @@ constexpr double LeastWhole = 0.1;
 void SkdOverlapReader::ReadGeneric(std::uint32_t cell)
 {
   vtkCell* loaded = this->Source.Load(this->Tree.Cells().IdOf(cell));
-  if (loaded->GetCellDimension() != DimensionOf(this->Ground.GetSpace()))
+  if (loaded->GetCellDimension() != DimensionOf(this->Surface.GetSpace()))
   {
     return;
   }
@@ -181,7 +181,7 @@ void SkdOverlapReader::AddCurved(std::uint32_t cell, vtkCell* loaded)
     this->TakeOwnPoints();
     this->Functions.Load(this->Source.Data, this->Tree.Cells().IdOf(cell));
   }
-  if (this->Ground.GetSpace() == SkdOverlapSpace::Volume)
+  if (this->Surface.GetSpace() == SkdOverlapSpace::Volume)
   {
     this->AddCurvedSolid(loaded);
     return;
@@ -191,7 +191,7 @@ void SkdOverlapReader::AddCurved(std::uint32_t cell, vtkCell* loaded)
   this->Seen.clear();
   for (const Vector3& x : this->Simplices.Points)
   {
-    this->Seen.push_back({ this->Ground.Seen(x), -1 });
+    this->Seen.push_back({ this->Surface.Seen(x), -1 });
   }
   if (this->Reading.IntoSimplices)
   {

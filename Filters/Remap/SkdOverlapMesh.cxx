@@ -35,8 +35,8 @@ struct Shape
 class Shapes
 {
 public:
-  Shapes(const SkdOverlapSurface& ground, Shape& shape)
-    : Ground(ground)
+  Shapes(const SkdOverlapSurface& surface, Shape& shape)
+    : Surface(surface)
     , TheShape(shape)
   {
   }
@@ -99,7 +99,7 @@ public:
 private:
   static constexpr int Steps = 8;
 
-  void Add(const Vector3& x) const { this->TheShape.Points.push_back(this->Ground.Place(x)); }
+  void Add(const Vector3& x) const { this->TheShape.Points.push_back(this->Surface.Place(x)); }
 
   /// Where sign * z is at least `least`.
   static std::vector<Vector3> Cut(const std::vector<Vector3>& outline, double sign, double least)
@@ -123,21 +123,21 @@ private:
     return kept;
   }
 
-  const SkdOverlapSurface& Ground;
+  const SkdOverlapSurface& Surface;
   Shape& TheShape;
 };
 
-void AddShape(const SkdOverlapSurface& ground, const SkdOverlapSettings& settings,
+void AddShape(const SkdOverlapSurface& surface, const SkdOverlapSettings& settings,
   const SkdPieceView& one, const SkdPieceView& other, Shape shape, std::vector<Shape>& found)
 {
-  const Shapes shapes(ground, shape);
+  const Shapes shapes(surface, shape);
   const Vector3* reference = nullptr;
   const double measure =
     SkdPieceOverlap<Shapes>(settings, shapes).Find(one, other, reference).Measure;
   const double smaller = std::min(one.Piece.Own.Measure, other.Piece.Own.Measure);
   if (measure > remap_tolerances::PieceOverlap * smaller)
   {
-    shape.Measure = ground.Measure(measure) * one.Piece.Sign * other.Piece.Sign;
+    shape.Measure = surface.Measure(measure) * one.Piece.Sign * other.Piece.Sign;
     found.push_back(std::move(shape));
   }
 }
@@ -205,16 +205,16 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
 vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
 {
-  const SkdOverlapSurface ground(donor, target, settings);
+  const SkdOverlapSurface surface(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
   SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
   SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
   SkdLoop ofPairs(algorithm, 0, at(0.2), at(0.9), 8);
   SkdOverlapPieces donors;
   SkdOverlapPieces targets;
-  if (!ground.GetProblem().empty() ||
-    !donors.Read(donor, ground, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
-    !targets.Read(target, ground, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
+  if (!surface.GetProblem().empty() ||
+    !donors.Read(donor, surface, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
+    !targets.Read(target, surface, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
   {
     return nullptr;
   }
@@ -224,7 +224,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDa
     SkdForEachPiecePair(targets, a, donors, b,
       [&](const SkdPieceView& one, const SkdPieceView& other)
       {
-        AddShape(ground, settings, one, other, { targets.IdOf(a), donors.IdOf(b), 0.0, {}, {} },
+        AddShape(surface, settings, one, other, { targets.IdOf(a), donors.IdOf(b), 0.0, {}, {} },
           found[part]);
       });
   };

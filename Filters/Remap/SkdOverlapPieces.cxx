@@ -16,12 +16,16 @@
 
 namespace
 {
-/// Of the corners, and of what bulges out between them on a sphere: not farther than a corner's
-/// squared distance from the reference, halved. Of a curved surface as far as the other one may be.
+/// Adds the box of a piece's corners, and what of the piece lies outside of it:
+/// - On the unit sphere a point p of the piece is q / |q|, q in the corners' convex hull. All
+/// corners
+///   are within Reach = 2 sin(a / 2) of the reference r, so q.r >= cos(a), and p is no farther from
+///   q than 1 - |q| <= 1 - cos(a) = Reach^2 / 2.
+/// - Of a curved surface: as far as the other surface may be.
 void AddBounds(const SkdOverlapBlock& block, const SkdOverlapPiece& piece,
-  const SkdOverlapSurface& ground, skd::Box3& box)
+  const SkdOverlapSurface& surface, skd::Box3& box)
 {
-  const bool isSphere = ground.GetSpace() == SkdOverlapSpace::Sphere;
+  const bool isSphere = surface.GetSpace() == SkdOverlapSpace::Sphere;
   const skd::Vector3* corners = block.Corners.data() + piece.FirstCorner;
   if (piece.IsLonLat)
   {
@@ -34,15 +38,17 @@ void AddBounds(const SkdOverlapBlock& block, const SkdOverlapPiece& piece,
   {
     own.Add(corners[i]);
   }
-  const bool isCurved = ground.GetSpace() == SkdOverlapSpace::CurvedSurface;
-  const double room = isCurved ? ground.GetFacetRules().DistanceFor(piece.Reach, piece.Reach)
+  const bool isCurved = surface.GetSpace() == SkdOverlapSpace::CurvedSurface;
+  const double room = isCurved ? surface.GetFacetRules().DistanceFor(piece.Reach, piece.Reach)
                                : 0.5 * piece.Reach * piece.Reach;
   box.Add(isSphere || isCurved ? own.Inflated(room) : own);
 }
 }
 
 //------------------------------------------------------------------------------
-bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
+// The tree is bare: no search, only which cells count, their ids and readers by type. Cells are
+// read in blocks, whose lists no other thread touches.
+bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& surface,
   const SkdOverlapReading& reading, SkdLoop& loop)
 {
   SkdTreeSettings settings;
@@ -54,25 +60,6 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
   this->Ids.resize(count);
   this->Bounds.resize(count);
   this->Blocks.resize((count + BlockSize - 1) / BlockSize);
-  const auto readBlock = [&](std::uint32_t number, const SkdCellSource& source)
-  {
-    SkdOverlapBlock& block = this->Blocks[number];
-    SkdOverlapReader reader(tree, source, ground, reading, block);
-    const std::uint32_t last = std::min(count, (number + 1) * BlockSize);
-    block.FirstPiece.push_back(0);
-    block.FirstOwnPoint.push_back(0);
-    for (std::uint32_t cell = number * BlockSize; cell < last; ++cell)
-    {
-      reader.Read(cell);
-      this->Ids[cell] = tree.Cells().IdOf(cell);
-      for (std::size_t i = block.FirstPiece.back(); i < block.Pieces.size(); ++i)
-      {
-        AddBounds(block, block.Pieces[i], ground, this->Bounds[cell]);
-      }
-      block.FirstPiece.push_back(static_cast<std::uint32_t>(block.Pieces.size()));
-      block.FirstOwnPoint.push_back(block.OwnPoints.size());
-    }
-  };
   const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
   loop.SetTotal(blocks);
   const bool isDone = loop.For(blocks,
@@ -81,7 +68,8 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
       vtkNew<vtkGenericCell> scratch;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        readBlock(static_cast<std::uint32_t>(i), { data, scratch });
+        this->ReadBlock(
+          static_cast<std::uint32_t>(i), { tree, { data, scratch }, surface, reading });
       }
     });
   if (isDone)
@@ -89,6 +77,29 @@ bool SkdOverlapPieces::Read(vtkDataSet* data, const SkdOverlapSurface& ground,
     this->FindFaults();
   }
   return isDone;
+}
+
+//------------------------------------------------------------------------------
+// The pieces of cell i of the block, which its reader appends, are FirstPiece[i] ..
+// FirstPiece[i+1]; so are the points of its own.
+void SkdOverlapPieces::ReadBlock(std::uint32_t number, const ReadFrom& from)
+{
+  SkdOverlapBlock& block = this->Blocks[number];
+  SkdOverlapReader reader(from.Tree, from.Source, from.Surface, from.Reading, block);
+  const std::uint32_t last = std::min(this->GetNumberOfCells(), (number + 1) * BlockSize);
+  block.FirstPiece.push_back(0);
+  block.FirstOwnPoint.push_back(0);
+  for (std::uint32_t cell = number * BlockSize; cell < last; ++cell)
+  {
+    reader.Read(cell);
+    this->Ids[cell] = from.Tree.Cells().IdOf(cell);
+    for (std::size_t i = block.FirstPiece.back(); i < block.Pieces.size(); ++i)
+    {
+      AddBounds(block, block.Pieces[i], from.Surface, this->Bounds[cell]);
+    }
+    block.FirstPiece.push_back(static_cast<std::uint32_t>(block.Pieces.size()));
+    block.FirstOwnPoint.push_back(block.OwnPoints.size());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -152,14 +163,14 @@ skd::Vector3 SkdOverlapPieces::NormalOf(std::uint32_t cell) const
 }
 
 //------------------------------------------------------------------------------
-void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells& cells)
+void SkdOverlapPieces::Measure(const SkdOverlapSurface& surface, SkdOverlapCells& cells)
 {
   const auto number = static_cast<std::size_t>(this->NumberOfAllCells);
   cells.Measures.assign(number, 0.0);
   cells.Centroids.assign(number, { { 0.0, 0.0, 0.0 } });
   cells.Covered.assign(number, 0.0);
   cells.LeftOut = this->NumberOfAllCells;
-  const bool isCurved = ground.GetSpace() == SkdOverlapSpace::CurvedSurface;
+  const bool isCurved = surface.GetSpace() == SkdOverlapSpace::CurvedSurface;
   cells.Normals.assign(isCurved ? number : 0, { { 0.0, 0.0, 0.0 } });
   this->Measures.assign(this->Ids.size(), 0.0);
   this->Centres.assign(this->Ids.size(), { { 0.0, 0.0, 0.0 } });
@@ -177,8 +188,8 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& ground, SkdOverlapCells&
       const auto id = static_cast<std::size_t>(this->Ids[cell]);
       this->Measures[cell] = moments.Measure;
       this->Centres[cell] = reference + (1.0 / moments.Measure) * moments.First;
-      cells.Measures[id] = ground.Measure(moments.Measure);
-      cells.Centroids[id] = ground.Place(this->Centres[cell]);
+      cells.Measures[id] = surface.Measure(moments.Measure);
+      cells.Centroids[id] = surface.Place(this->Centres[cell]);
       if (isCurved)
       {
         cells.Normals[id] = this->NormalOf(cell);

@@ -8,6 +8,7 @@
 #ifndef SkdOverlapPieces_h
 #define SkdOverlapPieces_h
 
+#include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Box.h"
 #include "Remap/SkdOverlapBlock.h"
 #include "Remap/SkdOverlapSurface.h"
@@ -23,7 +24,7 @@ class SkdOverlapPieces
 {
 public:
   /// Reads all cells in parallel. False if stopped.
-  bool Read(vtkDataSet* data, const SkdOverlapSurface& ground, const SkdOverlapReading& reading,
+  bool Read(vtkDataSet* data, const SkdOverlapSurface& surface, const SkdOverlapReading& reading,
     SkdLoop& loop);
 
   /// Cells that are not left out, in the order of their ids.
@@ -62,17 +63,25 @@ public:
   }
 
   ///@{
-  /// Of whole cells, on the ground, when they are measured.
+  /// Of whole cells, on the surface, when they are measured.
   double MeasureOf(std::uint32_t cell) const { return this->Measures[cell]; }
   const skd::Vector3& CentreOf(std::uint32_t cell) const { return this->Centres[cell]; }
   ///@}
 
   /// Finds measures and centroids; `cells` gets them as the world has them. O(n).
-  void Measure(const SkdOverlapSurface& ground, SkdOverlapCells& cells);
+  void Measure(const SkdOverlapSurface& surface, SkdOverlapCells& cells);
 
 private:
   static constexpr std::uint32_t BlockSize = 1024;
 
+  struct ReadFrom
+  {
+    const SkdCellTree& Tree;
+    SkdCellSource Source;
+    const SkdOverlapSurface& Surface;
+    const SkdOverlapReading& Reading;
+  };
+  void ReadBlock(std::uint32_t number, const ReadFrom& from);
   void FindFaults();
 
   vtkIdType NumberOfAllCells = 0;

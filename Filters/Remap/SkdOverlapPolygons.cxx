@@ -79,7 +79,7 @@ double AreaInFrame(const std::vector<Vector3>& seen)
 }
 
 /// The cosine of how far from the middle of a piece on the sphere its corners may be.
-constexpr double LeastSeen = 0.1;
+constexpr double LeastCosine = 0.1;
 
 /// The area of a triangle of the unit sphere, with a sign: less than half of the sphere.
 double AreaOf(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -299,7 +299,7 @@ void SkdOverlapReader::AddSegment(const Corner& a, const Corner& b)
 // smaller one is read: how it was ordered tells later if that was right.
 void SkdOverlapReader::AddWholePolygon()
 {
-  const bool isSphere = this->Ground.GetSpace() == SkdOverlapSpace::Sphere;
+  const bool isSphere = this->Surface.GetSpace() == SkdOverlapSpace::Sphere;
   const std::size_t first = this->Block.Pieces.size();
   this->Mark.Turn = isSphere ? 1 : 0;
   this->AddPolygon(this->Seen);
@@ -327,21 +327,21 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   {
     return;
   }
-  if (this->Ground.GetSpace() == SkdOverlapSpace::CurvedSurface)
+  if (this->Surface.GetSpace() == SkdOverlapSpace::CurvedSurface)
   {
     this->AddFacets(corners);
     return;
   }
   const Vector3 area = AreaOf(corners);
   Vector3 middle = MeanOf(corners);
-  const bool isSphere = this->Ground.GetSpace() == SkdOverlapSpace::Sphere;
+  const bool isSphere = this->Surface.GetSpace() == SkdOverlapSpace::Sphere;
   if (!isSphere)
   {
     if (area[2] < 0.0)
     {
       std::reverse(corners.begin(), corners.end());
     }
-    this->AddSeen(skd::PlanarFrame(middle), corners);
+    this->AddVisible(skd::PlanarFrame(middle), corners);
     return;
   }
   if (Norm(middle) > remap_tolerances::Hemisphere)
@@ -369,7 +369,7 @@ void SkdOverlapReader::AddPolygon(Corners& corners)
   }
   else
   {
-    this->AddSeen(skd::SphericalFrame(middle), corners);
+    this->AddVisible(skd::SphericalFrame(middle), corners);
   }
 }
 
@@ -389,7 +389,7 @@ void SkdOverlapReader::AddFacets(Corners& corners)
   const skd::TangentFrame frame(MeanOf(corners), (1.0 / Norm(area)) * area);
   if (IsFlat(frame, corners))
   {
-    this->AddSeen(frame, corners);
+    this->AddVisible(frame, corners);
     return;
   }
   SeeIn(frame, corners, this->Flat);
@@ -475,11 +475,11 @@ void SkdOverlapReader::AddSplit(const Corners& corners, std::int8_t sign)
 
 //------------------------------------------------------------------------------
 template <class Frame>
-void SkdOverlapReader::AddSeen(const Frame& frame, Corners& corners)
+void SkdOverlapReader::AddVisible(const Frame& frame, Corners& corners)
 {
   std::vector<Vector3>& seen = this->Flat;
   SeeIn(frame, corners, seen);
-  if (this->Ground.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(seen) < 0.0)
+  if (this->Surface.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(seen) < 0.0)
   {
     this->Reverse(corners);
     std::reverse(seen.begin(), seen.end());
@@ -524,7 +524,7 @@ void SkdOverlapReader::AddPiece(const Corners& corners, std::int8_t sign)
   const Frame frame = FrameOf<Frame>(corners);
   if (std::is_same_v<Frame, skd::SphericalFrame> &&
     !std::all_of(corners.begin(), corners.end(),
-      [&](const Corner& corner) { return Dot(corner.X, frame.Origin) > LeastSeen; }))
+      [&](const Corner& corner) { return Dot(corner.X, frame.Origin) > LeastCosine; }))
   {
     this->AddSplit(corners, sign);
     return;

@@ -36,7 +36,7 @@ void SkdOverlapReader::Gather(std::uint32_t cell)
   for (std::uint32_t i = 0; i < store.SizeOf(cell); ++i)
   {
     this->Seen.push_back(
-      { this->Ground.Seen(store.Point(ids[i])), static_cast<vtkIdType>(ids[i]) });
+      { this->Surface.Seen(store.Point(ids[i])), static_cast<vtkIdType>(ids[i]) });
   }
 }
 
@@ -51,7 +51,7 @@ void SkdOverlapReader::Read(std::uint32_t cell)
 void SkdOverlapReader::AddPieces(std::uint32_t cell)
 {
   const SkdShape shape = this->Tree.Cells().ShapeOf(cell);
-  const SkdOverlapSpace space = this->Ground.GetSpace();
+  const SkdOverlapSpace space = this->Surface.GetSpace();
   const bool isSurface = SkdHasPolygons(space);
   this->Gather(cell);
   switch (shape)
@@ -105,7 +105,7 @@ void SkdOverlapReader::AddPieces(std::uint32_t cell)
 // Of strips: the set has the cell's points in their order.
 void SkdOverlapReader::ReadSimplices(std::uint32_t cell)
 {
-  const SkdOverlapSpace space = this->Ground.GetSpace();
+  const SkdOverlapSpace space = this->Surface.GetSpace();
   if (SkdHasPolygons(space))
   {
     this->Tree.GetSimplices(cell, this->Source, this->Simplices);

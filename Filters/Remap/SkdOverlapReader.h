@@ -20,10 +20,10 @@ class SkdOverlapReader
 {
 public:
   SkdOverlapReader(const SkdCellTree& tree, const SkdCellSource& source,
-    const SkdOverlapSurface& ground, const SkdOverlapReading& reading, SkdOverlapBlock& block)
+    const SkdOverlapSurface& surface, const SkdOverlapReading& reading, SkdOverlapBlock& block)
     : Tree(tree)
     , Source(source)
-    , Ground(ground)
+    , Surface(surface)
     , Reading(reading)
     , Block(block)
   {
@@ -85,7 +85,7 @@ private:
   template <class Frame>
   void AddPiece(const Corners& corners, std::int8_t sign);
   template <class Frame>
-  void AddSeen(const Frame& frame, Corners& corners);
+  void AddVisible(const Frame& frame, Corners& corners);
   ///@}
 
   ///@{
@@ -104,11 +104,11 @@ private:
 
   const SkdCellTree& Tree;
   const SkdCellSource& Source;
-  const SkdOverlapSurface& Ground;
+  const SkdOverlapSurface& Surface;
   const SkdOverlapReading& Reading;
   SkdOverlapBlock& Block;
   SkdPolygonMark Mark;            ///< of the cell
-  Corners Seen;                   ///< the cell's points, on the ground
+  Corners Seen;                   ///< the cell's points, on the surface
   std::vector<skd::Vector3> Flat; ///< a polygon's corners in its frame
   skd::SimplexSet Simplices;
   SkdCurvedSides Sides;

@@ -40,13 +40,17 @@ void AddPoints(skd::Box3& box, vtkDataSet* data)
   }
 }
 
-/// As long as twice the area of the largest of the first cells.
-Vector3 NormalOf(vtkDataSet* data)
+/// The normal of the plane through the first three corners of a cell, twice as long as their
+/// triangle's area: of those of the first thousand cells the longest, whose direction rounding
+/// changes least. Any cell of a mesh in a plane would do; that all points lie in it is tested
+/// after.
+Vector3 PlaneNormalOf(vtkDataSet* data)
 {
+  constexpr vtkIdType mostCells = 1000; // enough to meet one that is no sliver
   Vector3 largest{ { 0.0, 0.0, 0.0 } };
   vtkNew<vtkIdList> ids;
   std::vector<Vector3> points;
-  const vtkIdType last = std::min<vtkIdType>(data->GetNumberOfCells(), 1000);
+  const vtkIdType last = std::min(data->GetNumberOfCells(), mostCells);
   for (vtkIdType cell = 0; cell < last; ++cell)
   {
     data->GetCellPoints(cell, ids);
@@ -111,8 +115,8 @@ void SkdOverlapSurface::FindPlane(vtkDataSet* donor, vtkDataSet* target)
       return;
     }
   }
-  Vector3 normal = NormalOf(donor);
-  const Vector3 other = NormalOf(target);
+  Vector3 normal = PlaneNormalOf(donor);
+  const Vector3 other = PlaneNormalOf(target);
   normal = Norm2(normal) >= Norm2(other) ? normal : other;
   if (!(Norm2(normal) > 0.0))
   {

@@ -185,7 +185,7 @@ void BalanceMoments(SkdOverlapTable& table, SkdOverlapCells& donors)
 }
 
 /// Rows are of all cells of the target, in the order of their ids.
-void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& ground,
+void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& surface,
   SkdOverlapTable& table, SkdOverlapCells& donors, SkdOverlapCells& targets)
 {
   const std::vector<Entry> entries =
@@ -200,11 +200,11 @@ void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& gr
     const Entry& entry = entries[i];
     const auto row = static_cast<std::size_t>(meshes.Target.IdOf(entry.Target));
     const vtkIdType column = meshes.Donor.IdOf(entry.Donor);
-    const double measure = ground.Measure(entry.Measure);
+    const double measure = surface.Measure(entry.Measure);
     ++table.Rows[row + 1];
     table.Columns[i] = column;
     table.Measures[i] = measure;
-    table.Moments[i] = ground.Moment(entry.Moment);
+    table.Moments[i] = surface.Moment(entry.Moment);
     table.IsSigned = table.IsSigned || measure < 0.0;
     targets.Covered[row] += measure;
     donors.Covered[static_cast<std::size_t>(column)] += measure;
@@ -220,11 +220,11 @@ void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& gr
 bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
 {
-  const SkdOverlapSurface ground(donor, target, settings);
+  const SkdOverlapSurface surface(donor, target, settings);
   this->Table = {};
-  this->Radius = ground.GetRadius();
-  this->Normal = ground.GetNormal();
-  this->Problem = ground.GetProblem();
+  this->Radius = surface.GetRadius();
+  this->Normal = surface.GetNormal();
+  this->Problem = surface.GetProblem();
   if (!this->Problem.empty())
   {
     return false;
@@ -235,14 +235,14 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
   SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
   SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
   if (!meshes.Donor.Read(
-        donor, ground, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
+        donor, surface, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
     !meshes.Target.Read(
-      target, ground, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
+      target, surface, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
   {
     return false;
   }
-  meshes.Donor.Measure(ground, this->Donor);
-  meshes.Target.Measure(ground, this->Target);
+  meshes.Donor.Measure(surface, this->Donor);
+  meshes.Target.Measure(surface, this->Target);
   const SkdOverlapTree donors(meshes.Donor);
   const SkdOverlapTree targets(meshes.Target);
   Entries found;
@@ -269,7 +269,7 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
     });
   if (isDone)
   {
-    FillTable(found, meshes, ground, this->Table, this->Donor, this->Target);
+    FillTable(found, meshes, surface, this->Table, this->Donor, this->Target);
     this->LargestGap = isCurved ? own.Finish(this->Target) : 0.0;
   }
   return isDone;

@@ -124,12 +124,12 @@ private:
 
 /// The integrals of the points' functions over the whole donor.
 std::vector<double> FindMasses(
-  const SkdOverlapPieces& donors, vtkIdType numberOfPoints, const SkdOverlapSurface& ground)
+  const SkdOverlapPieces& donors, vtkIdType numberOfPoints, const SkdOverlapSurface& surface)
 {
   std::vector<double> masses(static_cast<std::size_t>(numberOfPoints), 0.0);
   const auto add = [&](vtkIdType point, double weight)
   { masses[static_cast<std::size_t>(point)] += weight; };
-  const bool isFlat = ground.GetSpace() != SkdOverlapSpace::Sphere; // all corners have the same
+  const bool isFlat = surface.GetSpace() != SkdOverlapSpace::Sphere; // all corners have the same
   const auto integralsOver = [isFlat](const SkdPieceView& simplex, const SkdOverlapPiece& piece)
   {
     std::array<double, 4> equal;
@@ -144,7 +144,7 @@ std::vector<double> FindMasses(
     {
       const SkdPieceView simplex(donors.BlockOf(cell), i);
       const SkdOverlapPiece& piece = simplex.Piece;
-      weighing.Add(simplex, integralsOver(simplex, piece), ground.Measure(piece.Sign), add);
+      weighing.Add(simplex, integralsOver(simplex, piece), surface.Measure(piece.Sign), add);
     }
     weighing.Finish(add);
   }
@@ -207,7 +207,7 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
   SkdOverlapPointTable& table, vtkAlgorithm* algorithm, double first, double last,
   const std::vector<double>& shares)
 {
-  const SkdOverlapSurface ground(donor, target, settings);
+  const SkdOverlapSurface surface(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
   SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
   SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
@@ -216,13 +216,13 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
   SkdOverlapPieces targets;
   const SkdOverlapReading simplices{ false, settings.SkipsGhosts, true };
   const SkdOverlapReading cells{ settings.TargetIsLonLat, settings.SkipsGhosts, false };
-  if (!ground.GetProblem().empty() || !donors.Read(donor, ground, simplices, ofDonor) ||
-    !targets.Read(target, ground, cells, ofTarget))
+  if (!surface.GetProblem().empty() || !donors.Read(donor, surface, simplices, ofDonor) ||
+    !targets.Read(target, surface, cells, ofTarget))
   {
     return false;
   }
   table = {};
-  table.Masses = FindMasses(donors, donor->GetNumberOfPoints(), ground);
+  table.Masses = FindMasses(donors, donor->GetNumberOfPoints(), surface);
   const SkdNoShapes noShapes;
   const SkdPieceOverlap<SkdNoShapes> overlap(settings, noShapes);
   std::vector<std::vector<Entry>> found;
@@ -240,7 +240,7 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
         const skd::Moments moments = overlap.Find(one, simplex, reference);
         if (moments.Measure > 0.0)
         {
-          const double scale = ground.Measure(share * one.Piece.Sign * simplex.Piece.Sign);
+          const double scale = surface.Measure(share * one.Piece.Sign * simplex.Piece.Sign);
           weighing.Add(simplex, IntegralsOf(simplex, moments, *reference), scale, add);
         }
       });

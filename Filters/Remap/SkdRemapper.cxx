@@ -304,7 +304,7 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
 }
 
 //------------------------------------------------------------------------------
-bool SkdRemapper::MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double first, double last)
+bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double first, double last)
 {
   const SkdOverlapWeights& weights = overlaps.GetWeights();
   const SkdConservativeRemap remap(
@@ -363,7 +363,7 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
     this->Overlaps.emplace_back();
   }
   this->HasWeights.resize(this->Overlaps.size(), false);
-  SkdKeptOverlaps& overlaps = this->Overlaps[index];
+  SkdOverlapCache& overlaps = this->Overlaps[index];
   const double middle = this->PointFields.empty() ? last : 0.5 * (first + last);
   if (!overlaps.Update(this->Donor, block, this->Settings.Overlap, this->Algorithm, first, middle))
   {

@@ -11,7 +11,7 @@
 #include "Remap/SkdContainedMean.h"
 #include "Remap/SkdExtrapolation.h"
 #include "Remap/SkdFileRemap.h"
-#include "Remap/SkdKeptOverlaps.h"
+#include "Remap/SkdOverlapCache.h"
 #include "Remap/SkdRemapFindings.h"
 
 #include <deque>
@@ -101,7 +101,7 @@ private:
     const std::vector<double>& values);
   void AddValid(
     const std::vector<SkdBlock>& blocks, int type, const std::vector<unsigned char>& isMapped);
-  bool MapFields(vtkDataSet* block, SkdKeptOverlaps& overlaps, double first, double last);
+  bool MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double first, double last);
 
   vtkSmartPointer<vtkDataSet> Donor;
   SkdRemapSettings Settings;
@@ -111,7 +111,7 @@ private:
   SkdRemapFindings Findings;
   KeptSamples OfPoints;
   KeptSamples OfCells;
-  std::deque<SkdKeptOverlaps> Overlaps; // one a block of the target
+  std::deque<SkdOverlapCache> Overlaps; // one a block of the target
   std::vector<bool> HasWeights;
   SkdFileWeights FileWeights; // kept while the file is the same
   long FileTime = 0;

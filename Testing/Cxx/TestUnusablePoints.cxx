@@ -70,7 +70,7 @@ DataSetPointer MakeMesh(Kind kind, double bad)
     : kind == Kind::Volume          ? Placed(Hexahedra(2), 1.1, { 0.02, 0.02, 0.01 })
                                     : Mesh();
   Random random(5);
-  for (int i = 0; mesh.Points.size() < 13; ++i)
+  while (mesh.Points.size() < 13)
   {
     mesh.Add(random.InBox({ 0, 2.5, 0, 2.5, 0, 2.5 }));
   }

@@ -189,7 +189,7 @@ std::vector<SkdCellFace> SkdFindCurvedFaces(vtkDataSet* mesh)
           for (FacePoints points : table.FacesOf(id, type, size))
           {
             std::transform(points.begin(), points.end(), points.begin(),
-              [ids](vtkIdType place) { return static_cast<vtkIdType>(ids[place]); });
+              [ids](vtkIdType corner) { return static_cast<vtkIdType>(ids[corner]); });
             volumes.Add({ id, face++ }, points.begin(), points.end(), mark != 0);
           }
         });

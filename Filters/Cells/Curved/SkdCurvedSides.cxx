@@ -152,8 +152,8 @@ bool SkdCurvedSides::StraightenEdge(Side& side, int edge) const
     const int back = Parts - k;
     const int quad[4][2] = { { k, 0 }, { Parts, k }, { back, Parts }, { 0, back } };
     const int triangle[3][2] = { { k, 0 }, { back, k }, { 0, back } };
-    const int* place = side.Size == 3 ? triangle[edge] : quad[edge];
-    return side.X[place[0]][place[1]];
+    const int* gridPoint = side.Size == 3 ? triangle[edge] : quad[edge];
+    return side.X[gridPoint[0]][gridPoint[1]];
   };
   const Vector3 start = at(0);
   const Vector3 end = at(Parts);
@@ -313,9 +313,9 @@ void SkdCurvedSides::CutStraight(const Side& side, int parts)
   Point mean{ { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 0.0 } } };
   for (int k = 0; k < side.Size; ++k)
   {
-    const int places[4][2] = { { 0, 0 }, { Parts, 0 }, { Parts, Parts }, { 0, Parts } };
-    const int* place = places[side.Size == 3 && k == 2 ? 3 : k];
-    corners[k] = { side.X[place[0]][place[1]], this->ReferenceOf(side.Corners[k]) };
+    const int gridPoints[4][2] = { { 0, 0 }, { Parts, 0 }, { Parts, Parts }, { 0, Parts } };
+    const int* gridPoint = gridPoints[side.Size == 3 && k == 2 ? 3 : k];
+    corners[k] = { side.X[gridPoint[0]][gridPoint[1]], this->ReferenceOf(side.Corners[k]) };
     mean.X = mean.X + (1.0 / side.Size) * (corners[k].X - corners[0].X);
     mean.Reference = mean.Reference + (1.0 / side.Size) * corners[k].Reference;
   }

@@ -16,7 +16,7 @@ class CurvedCell
 {
 public:
   static constexpr int Parts = 8;
-  using Place = std::array<int, 3>;
+  using GridPoint = std::array<int, 3>;
 
   CurvedCell(vtkCell* cell, const skd::Box3& bounds, SimplexSet& set, std::vector<Vector3>* found)
     : Origin(bounds.Centroid())
@@ -72,7 +72,7 @@ private:
       const bool isTriangle = face[3] < 0;
       const double* corners[3] = { Shape::Corners[face[0]], Shape::Corners[face[1]],
         Shape::Corners[isTriangle ? face[2] : face[3]] };
-      Place first, alongR, alongS;
+      GridPoint first, alongR, alongS;
       for (int axis = 0; axis < 3; ++axis)
       {
         const auto from = static_cast<int>(corners[0][axis]);
@@ -84,16 +84,17 @@ private:
     }
   }
 
-  void AddPatch(const Place& first, const Place& alongR, const Place& alongS, bool isTriangle)
+  void AddPatch(
+    const GridPoint& first, const GridPoint& alongR, const GridPoint& alongS, bool isTriangle)
   {
     const auto at = [&](int r, int s)
     {
-      Place place;
+      GridPoint gridPoint;
       for (int axis = 0; axis < 3; ++axis)
       {
-        place[axis] = first[axis] + r * alongR[axis] + s * alongS[axis];
+        gridPoint[axis] = first[axis] + r * alongR[axis] + s * alongS[axis];
       }
-      return this->At(place);
+      return this->At(gridPoint);
     };
     for (int r = 0; r < Parts; ++r)
     {
@@ -109,13 +110,13 @@ private:
     }
   }
 
-  int At(const Place& place)
+  int At(const GridPoint& gridPoint)
   {
-    int& number = this->Numbers[place[0]][place[1]][place[2]];
+    int& number = this->Numbers[gridPoint[0]][gridPoint[1]][gridPoint[2]];
     if (number == 0)
     {
       constexpr double part = 1.0 / Parts;
-      const Vector3 parameters{ { part * place[0], part * place[1], part * place[2] } };
+      const Vector3 parameters{ { part * gridPoint[0], part * gridPoint[1], part * gridPoint[2] } };
       number = this->Set.Add(this->Origin + this->Cell.Value(parameters)) + 1;
       if (this->Found)
       {

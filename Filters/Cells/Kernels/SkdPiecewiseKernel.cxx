@@ -159,32 +159,32 @@ std::optional<SkdLineHit> HitPrism(
 //------------------------------------------------------------------------------
 // Quadratic polygons: the corners come first, then what is between them.
 
-int PlaceInTurn(int i, int size)
+int CyclicIndex(int i, int size)
 {
   return i % 2 == 0 ? i / 2 : size / 2 + i / 2;
 }
 
-SkdPolyCell PointsInTurn(vtkCell* cell)
+SkdPolyCell PointsInCyclicOrder(vtkCell* cell)
 {
   thread_local std::vector<skd::Vector3> points;
   const int size = static_cast<int>(cell->GetNumberOfPoints());
   points.resize(static_cast<std::size_t>(size));
   for (int i = 0; i < size; ++i)
   {
-    cell->GetPoints()->GetPoint(PlaceInTurn(i, size), points[static_cast<std::size_t>(i)].X);
+    cell->GetPoints()->GetPoint(CyclicIndex(i, size), points[static_cast<std::size_t>(i)].X);
   }
   return { SkdShape::Polygon, points.data(), size, nullptr, nullptr };
 }
 
-void LocateInTurn(vtkCell* cell, SkdCellPoint& found, double* weights)
+void LocateInCyclicOrder(vtkCell* cell, SkdCellPoint& found, double* weights)
 {
   thread_local std::vector<double> inTurn;
-  const SkdPolyCell polygon = PointsInTurn(cell);
+  const SkdPolyCell polygon = PointsInCyclicOrder(cell);
   inTurn.resize(static_cast<std::size_t>(polygon.Size));
   SkdPolyKernels::Locate(polygon, found, weights ? inTurn.data() : nullptr);
   for (int i = 0; weights && i < polygon.Size; ++i)
   {
-    weights[PlaceInTurn(i, polygon.Size)] = inTurn[static_cast<std::size_t>(i)];
+    weights[CyclicIndex(i, polygon.Size)] = inTurn[static_cast<std::size_t>(i)];
   }
 }
 }
@@ -201,7 +201,7 @@ SkdCellPoint SkdPiecewiseKernel::Closest(vtkCell* cell, const skd::Vector3& x)
 {
   if (cell->GetCellType() == VTK_QUADRATIC_POLYGON)
   {
-    return SkdPolyKernels::Closest(PointsInTurn(cell), x, Infinity);
+    return SkdPolyKernels::Closest(PointsInCyclicOrder(cell), x, Infinity);
   }
   const Pieces& pieces = PiecesOf(cell);
   const PiecePoint best = FindNearest(pieces, x);
@@ -219,7 +219,7 @@ std::optional<SkdLineHit> SkdPiecewiseKernel::Intersect(
 {
   const skd::SegmentView view(segment);
   return cell->GetCellType() == VTK_QUADRATIC_POLYGON
-    ? SkdPolyKernels::Intersect(PointsInTurn(cell), view, reach)
+    ? SkdPolyKernels::Intersect(PointsInCyclicOrder(cell), view, reach)
     : HitPrism(cell, view, reach);
 }
 
@@ -228,7 +228,7 @@ void SkdPiecewiseKernel::Locate(vtkCell* cell, SkdCellPoint& found, double* weig
 {
   if (cell->GetCellType() == VTK_QUADRATIC_POLYGON)
   {
-    LocateInTurn(cell, found, weights);
+    LocateInCyclicOrder(cell, found, weights);
     return;
   }
   thread_local std::vector<double> spare;

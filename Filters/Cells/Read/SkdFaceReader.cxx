@@ -204,16 +204,16 @@ void SkdFaceReader::CollectEdges()
 std::uint32_t SkdFaceReader::RootOf(std::uint32_t face)
 {
   std::uint32_t root = face;
-  char turn = 0;
+  char orientation = 0;
   while (this->Parents[root] != root)
   {
-    turn ^= this->Turns[root];
+    orientation ^= this->Turns[root];
     root = this->Parents[root];
   }
   if (root != face)
   {
     this->Parents[face] = root;
-    this->Turns[face] = turn;
+    this->Turns[face] = orientation;
   }
   return root;
 }

@@ -54,70 +54,70 @@ public:
   {
   }
 
-  bool SameArrays(vtkDataArray* kept, vtkDataArray* now) const
+  bool SameArrays(vtkDataArray* stored, vtkDataArray* now) const
   {
-    if (!kept || !now)
+    if (!stored || !now)
     {
-      return kept == now;
+      return stored == now;
     }
-    if (this->IsModified(kept))
+    if (this->IsModified(stored))
     {
       return false;
     }
-    if (kept == now)
+    if (stored == now)
     {
       return true;
     }
-    if (kept->GetDataType() != now->GetDataType() ||
-      kept->GetNumberOfComponents() != now->GetNumberOfComponents())
+    if (stored->GetDataType() != now->GetDataType() ||
+      stored->GetNumberOfComponents() != now->GetNumberOfComponents())
     {
       return false;
     }
     EqualValues equal;
-    return vtkArrayDispatch::Dispatch2SameValueType::Execute(kept, now, equal)
+    return vtkArrayDispatch::Dispatch2SameValueType::Execute(stored, now, equal)
       ? equal.Equal
-      : AreEqualOneByOne(kept, now);
+      : AreEqualOneByOne(stored, now);
   }
 
-  bool SamePoints(vtkPoints* kept, vtkPoints* now) const
+  bool SamePoints(vtkPoints* stored, vtkPoints* now) const
   {
-    if (!kept || !now)
+    if (!stored || !now)
     {
-      return kept == now;
+      return stored == now;
     }
-    return !this->IsModified(kept) && this->SameArrays(kept->GetData(), now->GetData());
+    return !this->IsModified(stored) && this->SameArrays(stored->GetData(), now->GetData());
   }
 
-  bool SameCells(vtkCellArray* kept, vtkCellArray* now) const
+  bool SameCells(vtkCellArray* stored, vtkCellArray* now) const
   {
-    if (!kept || !now)
+    if (!stored || !now)
     {
-      return kept == now;
+      return stored == now;
     }
-    if (kept->GetNumberOfCells() == 0 && now->GetNumberOfCells() == 0)
+    if (stored->GetNumberOfCells() == 0 && now->GetNumberOfCells() == 0)
     {
       return true; // vtkPolyData has one empty array for all, of whatever time
     }
-    return !this->IsModified(kept) &&
-      this->SameArrays(kept->GetOffsetsArray(), now->GetOffsetsArray()) &&
-      this->SameArrays(kept->GetConnectivityArray(), now->GetConnectivityArray());
+    return !this->IsModified(stored) &&
+      this->SameArrays(stored->GetOffsetsArray(), now->GetOffsetsArray()) &&
+      this->SameArrays(stored->GetConnectivityArray(), now->GetConnectivityArray());
   }
 
-  bool SameShaping(vtkDataSetAttributes* kept, vtkDataSetAttributes* now) const
+  bool SameShaping(vtkDataSetAttributes* stored, vtkDataSetAttributes* now) const
   {
     const char* ghosts = vtkDataSetAttributes::GhostArrayName();
-    return this->SameArrays(kept->GetArray(ghosts), now->GetArray(ghosts)) &&
-      this->SameArrays(kept->GetRationalWeights(), now->GetRationalWeights()) &&
-      this->SameArrays(kept->GetHigherOrderDegrees(), now->GetHigherOrderDegrees());
+    return this->SameArrays(stored->GetArray(ghosts), now->GetArray(ghosts)) &&
+      this->SameArrays(stored->GetRationalWeights(), now->GetRationalWeights()) &&
+      this->SameArrays(stored->GetHigherOrderDegrees(), now->GetHigherOrderDegrees());
   }
 
-  bool SameStructure(vtkDataSet* kept, vtkDataSet* now) const;
+  bool SameStructure(vtkDataSet* stored, vtkDataSet* now) const;
 
 private:
   /// Whoever shares what was kept has changed it in place.
-  bool IsModified(vtkObject* kept) const { return kept->GetMTime() > this->Time; }
-  bool SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const;
-  bool SameImage(vtkImageData* kept, vtkImageData* now) const;
+  bool IsModified(vtkObject* stored) const { return stored->GetMTime() > this->Time; }
+  bool SameGrid(vtkUnstructuredGrid* stored, vtkUnstructuredGrid* now) const;
+  bool SameImage(vtkImageData* stored, vtkImageData* now) const;
 
   vtkMTimeType Time;
 };
@@ -129,39 +129,39 @@ bool HasPolyhedra(vtkDataArray* types)
 }
 
 template <typename Grid>
-bool SameExtent(Grid* kept, Grid* now)
+bool SameExtent(Grid* stored, Grid* now)
 {
-  return std::equal(kept->GetExtent(), kept->GetExtent() + 6, now->GetExtent());
+  return std::equal(stored->GetExtent(), stored->GetExtent() + 6, now->GetExtent());
 }
 
 // The arrays of faces of polyhedra differ between versions of VTK. They are set together with the
 // cells, so comparing the cells' own array is sufficient.
-bool Comparison::SameGrid(vtkUnstructuredGrid* kept, vtkUnstructuredGrid* now) const
+bool Comparison::SameGrid(vtkUnstructuredGrid* stored, vtkUnstructuredGrid* now) const
 {
   vtkDataArray* types = now->VTK_SKD_GET_CELL_TYPES();
-  if (!this->SamePoints(kept->GetPoints(), now->GetPoints()) ||
-    !this->SameCells(kept->GetCells(), now->GetCells()) ||
-    !this->SameArrays(kept->VTK_SKD_GET_CELL_TYPES(), types))
+  if (!this->SamePoints(stored->GetPoints(), now->GetPoints()) ||
+    !this->SameCells(stored->GetCells(), now->GetCells()) ||
+    !this->SameArrays(stored->VTK_SKD_GET_CELL_TYPES(), types))
   {
     return false;
   }
-  return kept->GetCells() == now->GetCells() || !types || !HasPolyhedra(types);
+  return stored->GetCells() == now->GetCells() || !types || !HasPolyhedra(types);
 }
 
-bool Comparison::SameImage(vtkImageData* kept, vtkImageData* now) const
+bool Comparison::SameImage(vtkImageData* stored, vtkImageData* now) const
 {
-  const double* direction = kept->GetDirectionMatrix()->GetData();
-  return SameExtent(kept, now) &&
-    std::equal(kept->GetOrigin(), kept->GetOrigin() + 3, now->GetOrigin()) &&
-    std::equal(kept->GetSpacing(), kept->GetSpacing() + 3, now->GetSpacing()) &&
+  const double* direction = stored->GetDirectionMatrix()->GetData();
+  return SameExtent(stored, now) &&
+    std::equal(stored->GetOrigin(), stored->GetOrigin() + 3, now->GetOrigin()) &&
+    std::equal(stored->GetSpacing(), stored->GetSpacing() + 3, now->GetSpacing()) &&
     std::equal(direction, direction + 9, now->GetDirectionMatrix()->GetData());
 }
 
-bool Comparison::SameStructure(vtkDataSet* kept, vtkDataSet* now) const
+bool Comparison::SameStructure(vtkDataSet* stored, vtkDataSet* now) const
 {
   if (auto mesh = vtkPolyData::SafeDownCast(now))
   {
-    auto former = vtkPolyData::SafeDownCast(kept);
+    auto former = vtkPolyData::SafeDownCast(stored);
     return this->SamePoints(former->GetPoints(), mesh->GetPoints()) &&
       this->SameCells(former->GetVerts(), mesh->GetVerts()) &&
       this->SameCells(former->GetLines(), mesh->GetLines()) &&
@@ -170,15 +170,15 @@ bool Comparison::SameStructure(vtkDataSet* kept, vtkDataSet* now) const
   }
   if (auto grid = vtkUnstructuredGrid::SafeDownCast(now))
   {
-    return this->SameGrid(vtkUnstructuredGrid::SafeDownCast(kept), grid);
+    return this->SameGrid(vtkUnstructuredGrid::SafeDownCast(stored), grid);
   }
   if (auto image = vtkImageData::SafeDownCast(now))
   {
-    return this->SameImage(vtkImageData::SafeDownCast(kept), image);
+    return this->SameImage(vtkImageData::SafeDownCast(stored), image);
   }
   if (auto grid = vtkRectilinearGrid::SafeDownCast(now))
   {
-    auto former = vtkRectilinearGrid::SafeDownCast(kept);
+    auto former = vtkRectilinearGrid::SafeDownCast(stored);
     return SameExtent(former, grid) &&
       this->SameArrays(former->GetXCoordinates(), grid->GetXCoordinates()) &&
       this->SameArrays(former->GetYCoordinates(), grid->GetYCoordinates()) &&
@@ -186,12 +186,12 @@ bool Comparison::SameStructure(vtkDataSet* kept, vtkDataSet* now) const
   }
   if (auto grid = vtkStructuredGrid::SafeDownCast(now))
   {
-    auto former = vtkStructuredGrid::SafeDownCast(kept);
+    auto former = vtkStructuredGrid::SafeDownCast(stored);
     return SameExtent(former, grid) && this->SamePoints(former->GetPoints(), grid->GetPoints());
   }
   if (auto grid = vtkExplicitStructuredGrid::SafeDownCast(now))
   {
-    auto former = vtkExplicitStructuredGrid::SafeDownCast(kept);
+    auto former = vtkExplicitStructuredGrid::SafeDownCast(stored);
     return SameExtent(former, grid) && this->SamePoints(former->GetPoints(), grid->GetPoints()) &&
       this->SameCells(former->GetCells(), grid->GetCells());
   }

@@ -23,11 +23,11 @@ public:
     : Batch(batch)
     , Pieces(static_cast<std::size_t>(batch.GetNumberOfPieces()))
   {
-    vtkIdTypeArray* kept = offsets ? offsets : this->OwnOffsets.Get();
-    kept->SetName("SkdOffsets");
-    kept->SetNumberOfComponents(1);
-    kept->SetNumberOfTuples(batch.GetNumberOfQueries() + 1);
-    this->Offsets = kept->GetPointer(0);
+    vtkIdTypeArray* array = offsets ? offsets : this->OwnOffsets.Get();
+    array->SetName("SkdOffsets");
+    array->SetNumberOfComponents(1);
+    array->SetNumberOfTuples(batch.GetNumberOfQueries() + 1);
+    this->Offsets = array->GetPointer(0);
     batch.ForEachPiece(
       [&](vtkIdType piece)
       {

@@ -214,7 +214,7 @@ std::int64_t SkdCellStore::CellOfId(vtkIdType id) const
     return id >= 0 && id < static_cast<vtkIdType>(this->Count) ? id : -1;
   }
   const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), id,
-    [](std::uint32_t kept, vtkIdType sought) { return static_cast<vtkIdType>(kept) < sought; });
+    [](std::uint32_t stored, vtkIdType sought) { return static_cast<vtkIdType>(stored) < sought; });
   const bool isKept = found != this->Ids.end() && static_cast<vtkIdType>(*found) == id;
   return isKept ? found - this->Ids.begin() : -1;
 }

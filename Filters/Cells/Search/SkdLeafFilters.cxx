@@ -89,12 +89,12 @@ struct SharedIds
   std::uint8_t SlotOf(std::uint32_t id)
   {
     std::uint32_t* const end = this->Ids + this->Count;
-    const auto place = static_cast<std::uint32_t>(std::find(this->Ids, end, id) - this->Ids);
-    if (place == this->Count)
+    const auto slot = static_cast<std::uint32_t>(std::find(this->Ids, end, id) - this->Ids);
+    if (slot == this->Count)
     {
       this->Ids[this->Count++] = id;
     }
-    return static_cast<std::uint8_t>(place);
+    return static_cast<std::uint8_t>(slot);
   }
 };
 
@@ -144,7 +144,7 @@ private:
       {
         skd::Vector3 points[Shape::Size];
         this->Gather(
-          cells[lane], Shape::Size, [&](int i, const skd::Vector3& place) { points[i] = place; });
+          cells[lane], Shape::Size, [&](int i, const skd::Vector3& point) { points[i] = point; });
         for (int face = 0; face < Shape::NumberOfFaces; ++face)
         {
           this->Rows[face].SetAlongFace(lane, skd::FaceNormal<Shape>(points, face),
@@ -161,7 +161,7 @@ private:
       [&](int lane)
       {
         this->Gather(cells[lane], Shape::Size,
-          [&](int i, const skd::Vector3& place) { corners.Set(lane, i, place); });
+          [&](int i, const skd::Vector3& point) { corners.Set(lane, i, point); });
       });
     for (int face = 0; face < Shape::NumberOfFaces; ++face)
     {
@@ -176,7 +176,7 @@ private:
     thread_local std::vector<skd::Vector3> points;
     points.resize(this->Store.SizeOf(cell));
     this->Gather(cell, static_cast<int>(points.size()),
-      [&](int i, const skd::Vector3& place) { points[static_cast<std::size_t>(i)] = place; });
+      [&](int i, const skd::Vector3& point) { points[static_cast<std::size_t>(i)] = point; });
     const skd::PolyhedronView view = this->Store.GatherPoly(cell).AsPolyhedron();
     const std::uint32_t* at = view.Faces;
     for (int i = 0; i < count; ++i, at += 1 + *at)

@@ -116,12 +116,12 @@ inline unsigned SkdLeafFilters::Point::Pass(
   const PlanePacket& packet = this->LeafFilters.PlanePackets[number];
   const skd::PlaneRow* row = this->LeafFilters.Rows.data() + packet.FirstRow;
   const skd::Vector3 x = packet.Grid.Of(this->Local);
-  const float place[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
+  const float rounded[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
     static_cast<float>(x[2]) };
   unsigned passed = skd::LowBits(count);
   for (std::uint32_t i = 0; i < packet.Count && passed != 0; ++i)
   {
-    passed &= row[i].MayHold(place);
+    passed &= row[i].MayHold(rounded);
   }
   return passed;
 }

@@ -380,11 +380,11 @@ const std::vector<SkdPass>& SkdCellTree::FindPasses(
   thread_local std::vector<SkdPass> passes;
   passes.clear();
   this->ForEachFacet(segment, source,
-    [&](std::uint32_t cell, const Facet& hit, const auto& way)
+    [&](std::uint32_t cell, const Facet& hit, const auto& sideOfPass)
     {
       if (hit.Passes)
       {
-        passes.push_back({ hit.T, this->Store.IdOf(cell), way() });
+        passes.push_back({ hit.T, this->Store.IdOf(cell), sideOfPass() });
       }
     });
   std::sort(passes.begin(), passes.end(),

@@ -68,13 +68,13 @@ public:
   /// last found to be that mesh; thread-safe.
   void Keep(vtkDataSet* mesh)
   {
-    auto kept = std::make_shared<SkdMeshSnapshot>();
+    auto snapshot = std::make_shared<SkdMeshSnapshot>();
     if (mesh)
     {
-      kept->Keep(mesh);
+      snapshot->Keep(mesh);
     }
-    const bool isComparable = mesh && kept->IsSameAs(mesh);
-    this->Kept = isComparable ? std::move(kept) : nullptr;
+    const bool isComparable = mesh && snapshot->IsSameAs(mesh);
+    this->Kept = isComparable ? std::move(snapshot) : nullptr;
     vtkTimeStamp now;
     now.Modified();
     this->CheckTime = isComparable ? now.GetMTime() : 0;

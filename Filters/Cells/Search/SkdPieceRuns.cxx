@@ -107,7 +107,7 @@ public:
       keys[i] =
         (1.0 - SkdTolerances::PieceDistance2) * skd::MinDistance2(this->X, this->Boxes[first + i]);
     }
-    for (std::size_t turn = 0; turn < count; ++turn)
+    for (std::size_t visited = 0; visited < count; ++visited)
     {
       double* const least = std::min_element(keys, keys + count);
       if (!(*least <= this->Limit2))

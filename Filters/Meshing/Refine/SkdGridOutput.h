@@ -43,9 +43,9 @@ struct SkdGridBlock
 bool SkdIsUniform(const skd::Lattice& lattice);
 
 /// Fills the AMR data set with one block of all base cells, and on further levels blocks of the
-/// children of refined cells, joined to larger ones (see skd::JoinPlaces). Refined cells are marked
-/// as in VTK (vtkDataSetAttributes::REFINEDCELL). Returns the blocks with their cells: with n
-/// processes, each has every n-th block.
+/// children of refined cells, joined to larger ones (see skd::JoinIntoBlocks). Refined cells are
+/// marked as in VTK (vtkDataSetAttributes::REFINEDCELL). Returns the blocks with their cells: with
+/// n processes, each has every n-th block.
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output);
 
 /// The grid as the output's type, one of the above, with the arrays of its cells. `blockIndices`

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshing/Refine/SkdGridOutput.h"
 
-#include "Core/Meshing/Grid/PlaceBlocks.h"
+#include "Core/Meshing/Grid/LatticeBlocks.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkAMRBox.h"
 #include "vtkCellData.h"
@@ -42,7 +42,7 @@ skd::Vector3 SpacingOf(const skd::Lattice& lattice, int level)
   return spacing;
 }
 
-std::vector<skd::PlaceBlock> BlocksOf(const SkdGrid& grid, int level)
+std::vector<skd::LatticeBlock> BlocksOf(const SkdGrid& grid, int level)
 {
   if (level == 0)
   {
@@ -57,8 +57,8 @@ std::vector<skd::PlaceBlock> BlocksOf(const SkdGrid& grid, int level)
   {
     parents.push_back(grid.Forest.LatticePointOf(level - 1, grid.Forest.Parent(level, cell)));
   }
-  std::vector<skd::PlaceBlock> ranges = skd::JoinPlaces(parents);
-  for (skd::PlaceBlock& range : ranges)
+  std::vector<skd::LatticeBlock> ranges = skd::JoinIntoBlocks(parents);
+  for (skd::LatticeBlock& range : ranges)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -69,7 +69,7 @@ std::vector<skd::PlaceBlock> BlocksOf(const SkdGrid& grid, int level)
   return ranges;
 }
 
-vtkAMRBox BoxOf(const skd::PlaceBlock& range, const skd::Lattice& lattice)
+vtkAMRBox BoxOf(const skd::LatticeBlock& range, const skd::Lattice& lattice)
 {
   int low[3];
   int high[3];
@@ -81,10 +81,10 @@ vtkAMRBox BoxOf(const skd::PlaceBlock& range, const skd::Lattice& lattice)
   return vtkAMRBox(low, high); // along an axis without cells, high is low - 1
 }
 
-std::vector<SkdGridCell> CellsOf(const skd::PlaceBlock& range, const SkdGrid& grid, int level)
+std::vector<SkdGridCell> CellsOf(const skd::LatticeBlock& range, const SkdGrid& grid, int level)
 {
   std::vector<SkdGridCell> cells;
-  cells.reserve(static_cast<std::size_t>(range.NumberOfPlaces()));
+  cells.reserve(static_cast<std::size_t>(range.NumberOfPoints()));
   skd::LatticePoint place;
   for (place[2] = range.Low[2]; place[2] < range.High[2]; ++place[2])
   {
@@ -113,7 +113,7 @@ void MarkRefined(const SkdGridBlock& block, const SkdGrid& grid)
 }
 
 vtkSmartPointer<vtkUniformGrid> MakeMesh(
-  const skd::PlaceBlock& range, const skd::Lattice& lattice, int level)
+  const skd::LatticeBlock& range, const skd::Lattice& lattice, int level)
 {
   int dimensions[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -128,14 +128,14 @@ vtkSmartPointer<vtkUniformGrid> MakeMesh(
   return mesh;
 }
 
-SkdGridBlock MakeBlock(const skd::PlaceBlock& range, const SkdGrid& grid, int level)
+SkdGridBlock MakeBlock(const skd::LatticeBlock& range, const SkdGrid& grid, int level)
 {
   SkdGridBlock block{ MakeMesh(range, grid.Lattice, level), CellsOf(range, grid, level) };
   MarkRefined(block, grid);
   return block;
 }
 
-void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::PlaceBlock>>& ranges,
+void SetLevels(const SkdGrid& grid, const std::vector<std::vector<skd::LatticeBlock>>& ranges,
   vtkOverlappingAMR* output)
 {
 #if VTK_SKD_AMR_TAKES_VECTOR
@@ -188,7 +188,7 @@ bool SkdIsUniform(const skd::Lattice& lattice)
 
 std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlappingAMR* output)
 {
-  std::vector<std::vector<skd::PlaceBlock>> ranges;
+  std::vector<std::vector<skd::LatticeBlock>> ranges;
   for (int level = 0; level < grid.Forest.NumberOfLevels(); ++level)
   {
     ranges.push_back(BlocksOf(grid, level));
@@ -200,7 +200,7 @@ std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlapp
   {
     for (unsigned int i = 0; i < ranges[level].size(); ++i)
     {
-      const skd::PlaceBlock& range = ranges[level][i];
+      const skd::LatticeBlock& range = ranges[level][i];
       output->SetAMRBox(level, i, BoxOf(range, grid.Lattice));
       if (number++ % grid.Pieces == grid.Piece)
       {

@@ -75,7 +75,7 @@ private:
     this->AddNumber(name.c_str(), statistic.Value);
     this->AddNumber((name + "Error").c_str(), statistic.Error);
   }
-  void AddPlace(
+  void AddLocation(
     const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at);
   void AddStatistics(const SkdDistanceSamples& samples, bool isSigned);
 
@@ -100,18 +100,18 @@ void Rows::MoveTo(vtkTable* table)
   }
 }
 
-void Rows::AddPlace(
+void Rows::AddLocation(
   const std::string& name, const SkdComparedInput& input, const skd::Vector3& x, vtkIdType at)
 {
   const double nan = vtkMath::Nan();
   const skd::Vector3 none{ { nan, nan, nan } };
-  const bool isPlace = at >= 0;
+  const bool isLocated = at >= 0;
   const SkdComparedSet::Origin origin =
-    isPlace ? input.Set.GetOrigin(at) : SkdComparedSet::Origin{ -1, -1 };
-  this->Get<vtkDoubleArray>(name.c_str(), 3)->InsertNextTuple(isPlace ? x.X : none.X);
+    isLocated ? input.Set.GetOrigin(at) : SkdComparedSet::Origin{ -1, -1 };
+  this->Get<vtkDoubleArray>(name.c_str(), 3)->InsertNextTuple(isLocated ? x.X : none.X);
   this->Get<vtkIdTypeArray>((name + "CellId").c_str())->InsertNextValue(origin.CellId);
   this->Get<vtkIntArray>((name + "BlockIndex").c_str())
-    ->InsertNextValue(isPlace ? input.Blocks[origin.Block].BlockIndex : -1);
+    ->InsertNextValue(isLocated ? input.Blocks[origin.Block].BlockIndex : -1);
 }
 
 void Rows::AddStatistics(const SkdDistanceSamples& samples, bool isSigned)
@@ -135,8 +135,8 @@ void Rows::Add(const char* direction, const SkdComparison& comparison, const Skd
   this->Get<vtkStringArray>("Direction")->InsertNextValue(direction);
   this->AddNumber("HausdorffDistance", bounds.Distance);
   this->AddNumber("HausdorffUpperBound", bounds.UpperBound);
-  this->AddPlace("From", *comparison.From, bounds.From, bounds.FromElement);
-  this->AddPlace("To", *comparison.To, bounds.To, bounds.ToElement);
+  this->AddLocation("From", *comparison.From, bounds.From, bounds.FromElement);
+  this->AddLocation("To", *comparison.To, bounds.To, bounds.ToElement);
   this->AddStatistics(samples, comparison.To->Set.HasSides());
 }
 }

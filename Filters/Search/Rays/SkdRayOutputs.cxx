@@ -51,13 +51,13 @@ public:
   void Set(vtkIdType i, const SkdCastRays& rays, vtkIdType ray, const SkdRayHit& hit,
     const SkdRayTarget& target)
   {
-    const skd::Vector3 place = rays.PlaceOf(ray, hit);
+    const skd::Vector3 point = rays.PointOf(ray, hit);
     const double way = std::signbit(hit.Distance) ? -1.0 : 1.0;
     const double along = way *
-      skd::Dot(SkdNormalOfCell(target.Trees.GetMesh(hit.Block), hit.CellId, place),
+      skd::Dot(SkdNormalOfCell(target.Trees.GetMesh(hit.Block), hit.CellId, point),
         rays.Starts.Directions[static_cast<std::size_t>(ray)]);
     this->Distances->SetValue(i, hit.Distance);
-    this->Points->SetTypedTuple(i, place.X);
+    this->Points->SetTypedTuple(i, point.X);
     this->CellIds->SetValue(i, hit.CellId);
     this->Sides->SetValue(i, (along < 0.0) - (along > 0.0));
     this->Blocks[static_cast<std::size_t>(i)] = hit.Block;

@@ -20,7 +20,7 @@ struct SkdCastRays
   SkdRayHitLists Lists;
 
   /// Where a hit of a ray is.
-  skd::Vector3 PlaceOf(vtkIdType ray, const SkdRayHit& hit) const
+  skd::Vector3 PointOf(vtkIdType ray, const SkdRayHit& hit) const
   {
     const auto i = static_cast<std::size_t>(ray);
     return this->Starts.Points[i] + hit.Distance * this->Starts.Directions[i];

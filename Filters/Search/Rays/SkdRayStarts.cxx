@@ -5,7 +5,7 @@
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Read/SkdMagnitudes.h"
-#include "Search/Rays/SkdCurvedPlaces.h"
+#include "Search/Rays/SkdCurvedFacePoints.h"
 #include "Search/Rays/SkdSurfaceBlocks.h"
 #include "Search/Rays/SkdSurfaceNormals.h"
 #include "Search/Rays/SkdUnitVector.h"

@@ -6,7 +6,7 @@
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestPoint.h"
 #include "Pipeline/SkdBlocks.h"
-#include "Search/Rays/SkdCurvedPlaces.h"
+#include "Search/Rays/SkdCurvedFacePoints.h"
 #include "Search/Rays/SkdSurfaceBlocks.h"
 #include "Search/Rays/SkdUnitVector.h"
 #include "vtkCellType.h"
@@ -118,9 +118,9 @@ void ForEachFacet(vtkDataSet* mesh, vtkIdType cell, const Visit& visit)
 //------------------------------------------------------------------------------
 Vector3 SkdNormalOfCell(vtkDataSet* mesh, vtkIdType cell, const Vector3& x)
 {
-  if (const auto place = SkdNearestOnCurvedCell(mesh, cell, x))
+  if (const auto facePoint = SkdNearestOnCurvedCell(mesh, cell, x))
   {
-    return place->Normal;
+    return facePoint->Normal;
   }
   Vector3 normal{ { 0.0, 0.0, 0.0 } };
   double least = std::numeric_limits<double>::infinity();
@@ -156,8 +156,8 @@ std::vector<Vector3> SkdNormalsOfCells(vtkDataSet* mesh)
           normal = isFirst ? NormalOf(facet) : normal;
           isFirst = false;
         });
-      const auto place = SkdMiddleOfCurvedCell(mesh, cell);
-      normals[static_cast<std::size_t>(cell)] = place ? place->Normal : normal;
+      const auto facePoint = SkdMiddleOfCurvedCell(mesh, cell);
+      normals[static_cast<std::size_t>(cell)] = facePoint ? facePoint->Normal : normal;
     });
   return normals;
 }
@@ -234,9 +234,9 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
   }
   if (SkdHasCurvedCells(mesh))
   {
-    SkdVisitCurvedPlaces(mesh,
-      [&](vtkIdType point, const SkdCurvedPlace& place)
-      { add(point, place.Angle * place.Normal); });
+    SkdVisitCurvedFacePoints(mesh,
+      [&](vtkIdType point, const SkdCurvedFacePoint& facePoint)
+      { add(point, facePoint.Angle * facePoint.Normal); });
   }
   for (Vector3& normal : normals)
   {

@@ -226,9 +226,9 @@ private:
     for (std::size_t i = 0; i < 4; ++i)
     {
       const skd::Vector3& next = sides[(i + 1) % 4];
-      const double turn = Dot(Cross(sides[i], next), normal);
-      isPlain = isPlain && turn > 0.0 && Norm2(sides[i]) > leastRatio2 &&
-        turn * turn > leastSine2 * Norm2(sides[i]) * Norm2(next) * Norm2(normal);
+      const double cross = Dot(Cross(sides[i], next), normal);
+      isPlain = isPlain && cross > 0.0 && Norm2(sides[i]) > leastRatio2 &&
+        cross * cross > leastSine2 * Norm2(sides[i]) * Norm2(next) * Norm2(normal);
     }
     return isPlain;
   }

@@ -25,8 +25,8 @@ void SkdEdgeFan::Sort(std::uint32_t low, std::vector<SkdEdgeUse>& uses) const
       {
         return a.Half < b.Half;
       }
-      const int turn = this->TurnOf(low, a.Use, b.Use);
-      return turn != 0 ? turn > 0 : a.Use.Triangle < b.Use.Triangle;
+      const int order = this->TurnOf(low, a.Use, b.Use);
+      return order != 0 ? order > 0 : a.Use.Triangle < b.Use.Triangle;
     });
   for (std::size_t i = 1; i < uses.size(); ++i)
   {
@@ -50,14 +50,14 @@ int SkdEdgeFan::SideOf(std::uint32_t low, const SkdEdgeUse& use, std::uint32_t p
   const std::array<skd::Vector3, 3> x = this->Set.GetCornerPoints(triangle);
   const std::array<skd::Vector3, 3> p = this->Set.GetCornerPoints(plane);
   const int axis = this->Set.Get(triangle).Axis;
-  const int seen = skd::Orient2D(x[0], x[1], x[2], axis);
+  const int facing = skd::Orient2D(x[0], x[1], x[2], axis);
   for (const skd::Vector3& corner : x)
   {
     const int above = skd::Orient3D(p[0], p[1], p[2], corner);
     if (above != 0)
     {
       const int left = this->SideOfLine(low, use.High, corner, axis);
-      return above * (use.IsForward ? left : -left) * seen;
+      return above * (use.IsForward ? left : -left) * facing;
     }
   }
   return 0;

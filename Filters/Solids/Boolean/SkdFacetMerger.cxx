@@ -103,8 +103,9 @@ bool SkdFacetMerger::IsConvexAt(const Polygon& polygon, std::size_t corner, cons
   { return this->Facets.GetPosition(this->Set, polygon[i % n]); };
   const skd::Vector3 before = at(corner) - at(corner + n - 1);
   const skd::Vector3 after = at(corner + 1) - at(corner);
-  const double turn = view.Sign * (before[view.U] * after[view.V] - before[view.V] * after[view.U]);
-  return turn >= -rounding * std::sqrt(Norm2(before) * Norm2(after));
+  const double cross =
+    view.Sign * (before[view.U] * after[view.V] - before[view.V] * after[view.U]);
+  return cross >= -rounding * std::sqrt(Norm2(before) * Norm2(after));
 }
 
 bool SkdFacetMerger::IsCutByVtk(const Polygon& polygon)

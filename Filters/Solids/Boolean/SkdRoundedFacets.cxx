@@ -98,8 +98,8 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
     {
       continue;
     }
-    const auto place = static_cast<std::size_t>(weld.GetId(x.X));
-    if (place == firsts.size())
+    const auto welded = static_cast<std::size_t>(weld.GetId(x.X));
+    if (welded == firsts.size())
     {
       firsts.push_back(point);
       continue;
@@ -109,7 +109,7 @@ std::vector<std::uint32_t> SkdFindEqualPoints(
       lowest.resize(end);
       std::iota(lowest.begin(), lowest.end(), 0u);
     }
-    lowest[point] = firsts[place];
+    lowest[point] = firsts[welded];
   }
   return lowest;
 }

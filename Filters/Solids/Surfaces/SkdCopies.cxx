@@ -46,7 +46,7 @@ int SkdSignOfCopy(const Corners& a, const Corners& b)
 }
 
 std::vector<SkdDuplicate> SkdFindCopies(
-  const skd::RawVector<Corners>& triangles, std::size_t numberOfPoints, std::size_t kept)
+  const skd::RawVector<Corners>& triangles, std::size_t numberOfPoints, std::size_t mostCopies)
 {
   const std::vector<Named> suspects = ListSuspects(triangles, numberOfPoints);
   std::vector<SkdDuplicate> copies;
@@ -57,7 +57,7 @@ std::vector<SkdDuplicate> SkdFindCopies(
       ++last;
     }
     const std::uint32_t original = suspects[first].second;
-    for (std::size_t i = first + kept; last - first > SkdManyCopies && i < last; ++i)
+    for (std::size_t i = first + mostCopies; last - first > SkdManyCopies && i < last; ++i)
     {
       const std::uint32_t copy = suspects[i].second;
       copies.push_back({ original, copy, SkdSignOfCopy(triangles[original], triangles[copy]) });

@@ -41,6 +41,6 @@ int SkdSignOfCopy(const std::array<std::uint32_t, 3>& a, const std::array<std::u
 /// Points of equal coordinates are one. A few nanoseconds for each triangle of others.
 std::vector<SkdDuplicate> SkdFindCopies(
   const skd::RawVector<std::array<std::uint32_t, 3>>& triangles, std::size_t numberOfPoints,
-  std::size_t kept);
+  std::size_t mostCopies);
 
 #endif

@@ -117,9 +117,9 @@ private:
       this->PutDownSame(axis < 0, point, piece.A);
       return;
     }
-    const int way = this->Points.Compare(piece.B, piece.A, axis);
-    const int fromA = way * this->Points.Compare(point, piece.A, axis);
-    const int fromB = way * this->Points.Compare(piece.B, point, axis);
+    const int sign = this->Points.Compare(piece.B, piece.A, axis);
+    const int fromA = sign * this->Points.Compare(point, piece.A, axis);
+    const int fromB = sign * this->Points.Compare(piece.B, point, axis);
     this->PutDownSame(fromA == 0, point, piece.A);
     this->PutDownSame(fromB == 0, point, piece.B);
     if (fromA > 0 && fromB > 0)

@@ -65,12 +65,12 @@ std::uint32_t SkdSplitPoints::Find(std::uint32_t point) const
 // Of two threads that make one the first keeps its own.
 const skd::ExactPoint& SkdSplitPoints::GetExact(std::uint32_t point) const
 {
-  std::atomic<const skd::ExactPoint*>& place = this->Exact[point];
-  const skd::ExactPoint* known = place.load();
+  std::atomic<const skd::ExactPoint*>& slot = this->Exact[point];
+  const skd::ExactPoint* known = slot.load();
   if (!known)
   {
     auto made = std::make_unique<const skd::ExactPoint>(this->MakeExact(point));
-    known = place.compare_exchange_strong(known, made.get()) ? made.release() : known;
+    known = slot.compare_exchange_strong(known, made.get()) ? made.release() : known;
   }
   return *known;
 }

@@ -180,9 +180,9 @@ void SkdSplitSegments::SortBetween(SkdSplitSegment& segment)
     points.clear();
     return;
   }
-  const int way = this->Points.Compare(segment.B, segment.A, axis);
+  const int sign = this->Points.Compare(segment.B, segment.A, axis);
   std::sort(points.begin(), points.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return way * this->Points.Compare(a, b, axis) < 0; });
+    [&](std::uint32_t a, std::uint32_t b) { return sign * this->Points.Compare(a, b, axis) < 0; });
   for (std::size_t i = 1; i < points.size(); ++i)
   {
     if (this->Points.Compare(points[i - 1], points[i], axis) == 0)
@@ -278,12 +278,12 @@ void SkdSplitSegments::SortEdgePoints(Side& side)
 {
   const auto compare = [&](const SkdSplitEdgePoint& a, const SkdSplitEdgePoint& b)
   {
-    const skd::Vector3 way = side.Set->GetPoints()[a.To] - side.Set->GetPoints()[a.From];
-    const int axis = std::abs(way[0]) >= std::abs(way[1])
-      ? (std::abs(way[0]) >= std::abs(way[2]) ? 0 : 2)
-      : (std::abs(way[1]) >= std::abs(way[2]) ? 1 : 2);
+    const skd::Vector3 direction = side.Set->GetPoints()[a.To] - side.Set->GetPoints()[a.From];
+    const int axis = std::abs(direction[0]) >= std::abs(direction[1])
+      ? (std::abs(direction[0]) >= std::abs(direction[2]) ? 0 : 2)
+      : (std::abs(direction[1]) >= std::abs(direction[2]) ? 1 : 2);
     const int order = this->Points.Compare(a.Point, b.Point, axis);
-    return way[axis] < 0.0 ? -order : order;
+    return direction[axis] < 0.0 ? -order : order;
   };
   auto& points = side.EdgePoints;
   std::sort(points.begin(), points.end(),
@@ -317,14 +317,14 @@ bool SkdSplitSegments::TakeFromEdge(const Side& side, const SkdSplitElement& ele
     return false;
   }
   const std::vector<std::uint32_t> chain = this->GetChain(element.Segment);
-  const int way = this->Points.Compare(segment.B, segment.A, axis);
+  const int sign = this->Points.Compare(segment.B, segment.A, axis);
   bool isChanged = false;
   for (auto at = first; at != last; ++at)
   {
     const std::uint32_t point = this->Points.Find(at->Point);
     if (std::find(chain.begin(), chain.end(), point) == chain.end() &&
-      way * this->Points.Compare(point, segment.A, axis) > 0 &&
-      way * this->Points.Compare(segment.B, point, axis) > 0)
+      sign * this->Points.Compare(point, segment.A, axis) > 0 &&
+      sign * this->Points.Compare(segment.B, point, axis) > 0)
     {
       this->AddBetween(element.Segment, point);
       isChanged = true;

@@ -158,8 +158,8 @@ private:
     {
       std::swap(a, b);
     }
-    const skd::Vector3 way = at(b) - at(a);
-    const double t = std::clamp(Dot(local.X - at(a), way) / Norm2(way), 0.0, 1.0);
+    const skd::Vector3 along = at(b) - at(a);
+    const double t = std::clamp(Dot(local.X - at(a), along) / Norm2(along), 0.0, 1.0);
     return { local.X, { corners[a], corners[b], corners[b] }, { 1.0 - t, t, 0.0 }, triangle };
   }
 

@@ -77,7 +77,7 @@ void SkdTriangleSet::MergePoints()
 }
 
 //------------------------------------------------------------------------------
-const std::vector<SkdDuplicate>& SkdTriangleSet::LeaveOutCopies(std::size_t kept)
+const std::vector<SkdDuplicate>& SkdTriangleSet::LeaveOutCopies(std::size_t mostCopies)
 {
   if (this->AreCopiesKnown)
   {
@@ -85,7 +85,7 @@ const std::vector<SkdDuplicate>& SkdTriangleSet::LeaveOutCopies(std::size_t kept
   }
   this->MergePoints();
   this->AreCopiesKnown = true;
-  this->Copies = SkdFindCopies(this->Read.Triangles, this->Read.Points.size(), kept);
+  this->Copies = SkdFindCopies(this->Read.Triangles, this->Read.Points.size(), mostCopies);
   if (!this->Copies.empty())
   {
     std::vector<bool> isCopy(this->Read.Triangles.size(), false);
@@ -127,12 +127,12 @@ void SkdTriangleSet::MakeCornersOne(const std::vector<std::uint32_t>& triangles)
     const skd::Vector3& point = this->Read.Points[i];
     if (filter.MayHave(point))
     {
-      const auto place = static_cast<std::size_t>(weld.GetId(point.X));
-      if (place == first.size())
+      const auto welded = static_cast<std::size_t>(weld.GetId(point.X));
+      if (welded == first.size())
       {
         first.push_back(static_cast<std::uint32_t>(i));
       }
-      firstLike[i] = first[place];
+      firstLike[i] = first[welded];
     }
   }
   for (const std::uint32_t triangle : triangles)

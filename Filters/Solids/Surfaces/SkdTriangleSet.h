@@ -53,7 +53,7 @@ public:
   /// Leaves triangles of which there are very many out of all searches, and of the pieces that the
   /// set is split into: all but the first `kept` of each (SkdFindCopies). Merges points, too.
   /// Returns them.
-  const std::vector<SkdDuplicate>& LeaveOutCopies(std::size_t kept);
+  const std::vector<SkdDuplicate>& LeaveOutCopies(std::size_t mostCopies);
 
   const std::vector<SkdDuplicate>& GetCopiesLeftOut() const { return this->Copies; }
 

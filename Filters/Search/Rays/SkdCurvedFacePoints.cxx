@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Search/Rays/SkdCurvedPlaces.h"
+#include "Search/Rays/SkdCurvedFacePoints.h"
 
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Kernels/SkdParametricCell.h"
@@ -89,15 +89,15 @@ double AngleAt(const SkdParametricCell& face, const Vector3& p)
 }
 
 /// The parameters and all else are relative to the origin that the face has.
-SkdCurvedPlace PlaceAt(
+SkdCurvedFacePoint PointAt(
   const SkdParametricCell& face, const Vector3& origin, const Vector3& p, bool isInward)
 {
   Vector3 normal = NormalAt(face, p);
   double angle = AngleAt(face, p);
   if (!(skd::Norm2(normal) > 0.0))
   {
-    const Vector3 way = BesideDegenerate * (MiddleOf(face) - p);
-    normal = SkdUnit(2.0 * NormalAt(face, p + 0.5 * way) - NormalAt(face, p + way));
+    const Vector3 toMiddle = BesideDegenerate * (MiddleOf(face) - p);
+    normal = SkdUnit(2.0 * NormalAt(face, p + 0.5 * toMiddle) - NormalAt(face, p + toMiddle));
     angle = vtkMath::Pi();
   }
   return { origin + face.Value(p), (isInward ? -1.0 : 1.0) * normal, angle };
@@ -124,8 +124,8 @@ bool IsBezier(int type)
 }
 
 //------------------------------------------------------------------------------
-void SkdVisitCurvedPlaces(
-  vtkDataSet* mesh, const std::function<void(vtkIdType, const SkdCurvedPlace&)>& visit)
+void SkdVisitCurvedFacePoints(
+  vtkDataSet* mesh, const std::function<void(vtkIdType, const SkdCurvedFacePoint&)>& visit)
 {
   SkdVisitFaces(mesh, SkdFindCurvedFaces(mesh),
     [&](const SkdCellFace&, vtkCell* cell, bool isInward)
@@ -138,12 +138,12 @@ void SkdVisitCurvedPlaces(
       const SkdParametricCell face(cell, origin);
       for (int i = 0; i < face.NumberOfPoints(); ++i)
       {
-        visit(cell->GetPointId(i), PlaceAt(face, origin, face.ParametersOfPoint(i), isInward));
+        visit(cell->GetPointId(i), PointAt(face, origin, face.ParametersOfPoint(i), isInward));
       }
     });
 }
 
-std::optional<SkdCurvedPlace> SkdMiddleOfCurvedCell(vtkDataSet* mesh, vtkIdType cell)
+std::optional<SkdCurvedFacePoint> SkdMiddleOfCurvedCell(vtkDataSet* mesh, vtkIdType cell)
 {
   vtkCell* loaded = LoadFace(mesh, cell);
   if (!loaded)
@@ -152,10 +152,10 @@ std::optional<SkdCurvedPlace> SkdMiddleOfCurvedCell(vtkDataSet* mesh, vtkIdType 
   }
   const Vector3 origin = FirstPointOf(loaded);
   const SkdParametricCell face(loaded, origin);
-  return PlaceAt(face, origin, MiddleOf(face), false);
+  return PointAt(face, origin, MiddleOf(face), false);
 }
 
-std::optional<SkdCurvedPlace> SkdNearestOnCurvedCell(
+std::optional<SkdCurvedFacePoint> SkdNearestOnCurvedCell(
   vtkDataSet* mesh, vtkIdType cell, const Vector3& x)
 {
   vtkCell* loaded = LoadFace(mesh, cell);
@@ -164,7 +164,7 @@ std::optional<SkdCurvedPlace> SkdNearestOnCurvedCell(
     return std::nullopt;
   }
   const Vector3 vtkParameters = SkdParametricKernel::Closest(loaded, x).PCoords;
-  return PlaceAt(SkdParametricCell(loaded, x), x, vtkParameters, false);
+  return PointAt(SkdParametricCell(loaded, x), x, vtkParameters, false);
 }
 
 void SkdPutControlPointsOnFaces(vtkDataSet* mesh, std::vector<Vector3>& points)
@@ -180,13 +180,13 @@ void SkdPutControlPointsOnFaces(vtkDataSet* mesh, std::vector<Vector3>& points)
     return;
   }
   std::vector<char> isPut(points.size(), 0);
-  SkdVisitCurvedPlaces(mesh,
-    [&](vtkIdType id, const SkdCurvedPlace& place)
+  SkdVisitCurvedFacePoints(mesh,
+    [&](vtkIdType id, const SkdCurvedFacePoint& onFace)
     {
       const auto point = static_cast<std::size_t>(id);
       if (!isPut[point])
       {
-        points[point] = place.Point;
+        points[point] = onFace.Point;
         isPut[point] = 1;
       }
     });

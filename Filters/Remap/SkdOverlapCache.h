@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdKeptOverlaps_h
-#define SkdKeptOverlaps_h
+#ifndef SkdOverlapCache_h
+#define SkdOverlapCache_h
 
 #include "Cells/Read/SkdMeshSnapshot.h"
 #include "Remap/SkdDonorGradients.h"
@@ -13,7 +13,7 @@
 
 /// The overlaps of one target with the donor, and what else is made of both meshes alone: kept
 /// while these and the settings are the same.
-class SkdKeptOverlaps
+class SkdOverlapCache
 {
 public:
   /// Makes it that of these meshes. Reports progress from `first` to `last`. False if the algorithm

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Remap/SkdKeptOverlaps.h"
+#include "Remap/SkdOverlapCache.h"
 
 #include "Remap/SkdPointWeights.h"
 
-bool SkdKeptOverlaps::IsFor(
+bool SkdOverlapCache::IsFor(
   vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings) const
 {
   return this->Known && settings.Space == this->Settings.Space &&
@@ -15,7 +15,7 @@ bool SkdKeptOverlaps::IsFor(
     this->Target.IsSameAs(target);
 }
 
-bool SkdKeptOverlaps::Update(vtkDataSet* donor, vtkDataSet* target,
+bool SkdOverlapCache::Update(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first, double last)
 {
   this->New = !this->IsFor(donor, target, settings);
@@ -34,7 +34,7 @@ bool SkdKeptOverlaps::Update(vtkDataSet* donor, vtkDataSet* target,
   return this->Known;
 }
 
-bool SkdKeptOverlaps::TakeShares(const std::vector<double>& shares)
+bool SkdOverlapCache::TakeShares(const std::vector<double>& shares)
 {
   if (shares == this->Shares)
   {
@@ -50,7 +50,7 @@ bool SkdKeptOverlaps::TakeShares(const std::vector<double>& shares)
   return true;
 }
 
-const SkdSideVotes& SkdKeptOverlaps::GetSides(vtkDataSet* donor, vtkDataSet* target)
+const SkdSideVotes& SkdOverlapCache::GetSides(vtkDataSet* donor, vtkDataSet* target)
 {
   if (!this->SidesOfDonor.IsSameAs(donor) || !this->SidesOfTarget.IsSameAs(target))
   {
@@ -61,7 +61,7 @@ const SkdSideVotes& SkdKeptOverlaps::GetSides(vtkDataSet* donor, vtkDataSet* tar
   return this->Sides;
 }
 
-const SkdDonorGradients& SkdKeptOverlaps::GetGradients(vtkDataSet* donor)
+const SkdDonorGradients& SkdOverlapCache::GetGradients(vtkDataSet* donor)
 {
   if (!this->Gradients)
   {
@@ -71,7 +71,7 @@ const SkdDonorGradients& SkdKeptOverlaps::GetGradients(vtkDataSet* donor)
   return *this->Gradients;
 }
 
-const SkdOverlapPointTable* SkdKeptOverlaps::GetPointTable(
+const SkdOverlapPointTable* SkdOverlapCache::GetPointTable(
   vtkDataSet* donor, vtkDataSet* target, vtkAlgorithm* algorithm, double first, double last)
 {
   if (!this->PointTable)
