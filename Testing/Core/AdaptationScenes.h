@@ -140,6 +140,80 @@ inline SurfaceMesh MakeIrregular(int level)
   return mesh;
 }
 
+/// Delaunay's triangles of points of the unit sphere, which some tetrahedron of the first four
+/// begins: each further point takes the place of the triangles whose circles it is in.
+inline SurfaceMesh MakeDelaunay(const std::vector<Vector3>& points)
+{
+  using Triangle = std::array<std::uint32_t, 3>;
+  std::vector<Triangle> triangles{ { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } };
+  for (std::uint32_t next = 4; next < points.size(); ++next)
+  {
+    const auto isAway = [&](const Triangle& t)
+    {
+      const Vector3& a = points[t[0]];
+      return Dot(Cross(points[t[1]] - a, points[t[2]] - a), points[next] - a) <= 0.0;
+    };
+    const auto gone = std::partition(triangles.begin(), triangles.end(), isAway);
+    std::map<std::array<std::uint32_t, 2>, int> sides;
+    for (auto t = gone; t != triangles.end(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        sides[{ (*t)[k], (*t)[(k + 1) % 3] }] = 1;
+      }
+    }
+    triangles.erase(gone, triangles.end());
+    for (const auto& side : sides)
+    {
+      if (sides.count({ side.first[1], side.first[0] }) == 0)
+      {
+        triangles.push_back({ side.first[0], side.first[1], next });
+      }
+    }
+  }
+  SurfaceMesh mesh;
+  mesh.Points = points;
+  for (const Triangle& t : triangles)
+  {
+    mesh.Cells.Add(t.begin(), t.end());
+  }
+  mesh.FindEdges();
+  return mesh;
+}
+
+/// Those of n points at random, each of which goes to the middle of its Voronoi cell some times.
+inline SurfaceMesh MakeRandomTriangles(std::size_t n, int times)
+{
+  const double s = std::sqrt(1.0 / 3.0);
+  std::vector<Vector3> points{ { { s, s, s } }, { { s, -s, -s } }, { { -s, s, -s } },
+    { { -s, -s, s } } };
+  std::mt19937 random(5);
+  while (points.size() < n)
+  {
+    Vector3 x;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = random() / 2147483648.0 - 1.0;
+    }
+    if (skd::Norm(x) < 1.0)
+    {
+      points.push_back((1.0 / skd::Norm(x)) * x);
+    }
+  }
+  SurfaceMesh mesh = MakeDelaunay(points);
+  for (; times > 0; --times)
+  {
+    const SurfaceMesh dual = MakeDual(mesh);
+    for (std::uint32_t i = 4; i < points.size(); ++i)
+    {
+      const Vector3 mean = skd::CornerMean(dual, i);
+      points[i] = (1.0 / skd::Norm(mean)) * mean;
+    }
+    mesh = MakeDelaunay(points);
+  }
+  return mesh;
+}
+
 /// n rows of 2n cells between meridians and parallels, triangles at the poles.
 inline SurfaceMesh MakeLonLat(std::uint32_t n)
 {

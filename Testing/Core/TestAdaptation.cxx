@@ -162,6 +162,16 @@ TEST(Adaptation, IrregularTrianglesAndPolygonsConverge)
   ExpectConverges(MakeDual(triangles), "polygons");
 }
 
+// What a potential has at the scale of single cells must not grow from step to step.
+TEST(Adaptation, TrianglesOfRandomPointsConverge)
+{
+  AdaptRules rules = Given();
+  rules.Relaxation = 0.5;
+  const Moved moved = Adapt(MakeRandomTriangles(2500, 3), OnSphere, rules);
+  EXPECT_LT(moved.Outcome.Rows[moved.Outcome.Best].Measure, 0.03);
+  EXPECT_EQ(moved.Outcome.Rows.back().Motion.PointsCutBack, 0u);
+}
+
 TEST(Adaptation, IterationsDoNotGrowWithTheNumberOfCells)
 {
   AdaptRules rules = Given();
@@ -386,6 +396,86 @@ TEST(QuadraticFit, IsExactForQuadraticsAndFindsNothingAcrossALine)
     EXPECT_NEAR(along, 2.0, 1e-4);
     EXPECT_NEAR(across, thickness > 0.0 ? -1.0 : 0.0, thickness > 0.0 ? 1e-2 : 1e-12);
   }
+}
+
+/// 0.3 x^2 - 0.1 x y + 0.2 y^2 + 0.05 x
+double QuadraticAt(const Vector3& x)
+{
+  return 0.3 * x[0] * x[0] - 0.1 * x[0] * x[1] + 0.2 * x[1] * x[1] + 0.05 * x[0];
+}
+
+Vector3 SlopeAt(const Vector3& x)
+{
+  return { { 0.6 * x[0] - 0.1 * x[1] + 0.05, 0.4 * x[1] - 0.1 * x[0], 0.0 } };
+}
+
+std::vector<Vector3> MiddlesOf(const SurfaceMesh& mesh)
+{
+  std::vector<Vector3> middles;
+  for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    middles.push_back(skd::CornerMean(mesh, cell));
+  }
+  return middles;
+}
+
+// Where x goes to y = x + slope(x) the way back from y is x - y, the gradient of a quadratic.
+TEST(ConjugatePotential, IsExactForQuadratics)
+{
+  SurfaceShape plane;
+  plane.What = SurfaceShape::Kind::Plane;
+  SurfaceMesh image = MakeSquare(9);
+  const std::vector<Vector3> from = MiddlesOf(image);
+  std::vector<double> values;
+  for (const Vector3& x : from)
+  {
+    values.push_back(QuadraticAt(x));
+  }
+  for (Vector3& x : image.Points)
+  {
+    x = x + SlopeAt(x);
+  }
+  const skd::ConjugatePotential back(image, plane, from, values);
+  std::vector<Vector3> at;
+  for (const Vector3& x : from)
+  {
+    at.push_back(x + Vector3{ { 0.03, 0.01, 0.0 } }); // elsewhere than cells have gone
+  }
+  const std::vector<double> found = back.FindAll(at);
+  for (std::size_t i = 0; i < at.size(); ++i)
+  {
+    const double x = at[i][0] - 0.05; // (1 + A) x for the x that goes to `at`
+    const double y = at[i][1];
+    const double determinant = 1.6 * 1.4 - 0.01;
+    const Vector3 source{ { (1.4 * x + 0.1 * y) / determinant, (1.6 * y + 0.1 * x) / determinant,
+      0.0 } };
+    EXPECT_NEAR(found[i], -QuadraticAt(source) - 0.5 * skd::Distance2(source, at[i]), 1e-13);
+  }
+}
+
+TEST(SmoothPotential, KeepsQuadraticsAndTakesWhatGradientsDoNotTell)
+{
+  const SurfaceMesh mesh = MakeRandomTriangles(200, 1);
+  std::vector<Vector3> middles = MiddlesOf(mesh), slopes;
+  std::vector<double> exact, values;
+  std::mt19937 random(1);
+  for (Vector3& x : middles)
+  {
+    x[2] = 0.0;
+    slopes.push_back(SlopeAt(x));
+    exact.push_back(QuadraticAt(x));
+    values.push_back(exact.back() + (random() % 2 == 0 ? 0.1 : -0.1));
+  }
+  std::vector<double> kept = exact;
+  skd::SmoothPotential(mesh.Edges, middles, slopes, 4, kept);
+  skd::SmoothPotential(mesh.Edges, middles, slopes, 20, values);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    EXPECT_NEAR(kept[i], exact[i], 1e-13);
+    sum += (values[i] - exact[i]) * (values[i] - exact[i]);
+  }
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(exact.size())), 0.04);
 }
 
 TEST(FitShape, PlanesAndSpheresAreFound)

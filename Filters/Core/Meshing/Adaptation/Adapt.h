@@ -181,7 +181,7 @@ private:
       before = this->Shares.GetMeasure();
       std::vector<Vector3> places;
       this->Shares.Step(image, curves, ones, 1.0, places);
-      motion.Move(image, places);
+      motion.Move(image, this->Shares.Smooth(2)); // a start need not be right for single cells
       this->Shares.Update(image, ones);
     }
     return image;

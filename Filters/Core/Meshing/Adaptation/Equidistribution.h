@@ -73,6 +73,10 @@ public:
   /// steps, have come from it: the way back. From there the next step goes on.
   std::vector<Vector3> Invert(const SurfaceMesh& image);
 
+  /// Takes from the potential what it has at the scale of single cells, and tells where points go
+  /// then.
+  std::vector<Vector3> Smooth(int rounds);
+
 private:
   /// An edge between two cells, and what goes through it per length that its ends move.
   struct CrossedEdge
@@ -297,7 +301,6 @@ inline Vector3 Equidistribution::Allowed(std::uint32_t point, const Vector3& gra
 inline std::vector<Vector3> Equidistribution::FindGradients(
   const std::vector<double>& potential) const
 {
-  const int smoothings = this->Means.IsIrregular() ? 8 : 0;
   std::vector<Vector3> gradients(this->First.Points.size());
   for (std::uint32_t point = 0; point < gradients.size(); ++point)
   {
@@ -305,7 +308,7 @@ inline std::vector<Vector3> Equidistribution::FindGradients(
   }
   const auto allow = [this](std::uint32_t point, const Vector3& x)
   { return this->Allowed(point, x); };
-  this->Means.Smooth(gradients, smoothings, allow);
+  this->Means.Smooth(gradients, this->Means.GetTimes(), allow);
   return gradients;
 }
 
@@ -433,6 +436,31 @@ inline void Equidistribution::Restart(std::vector<double> weights)
   this->FindPlaces();
 }
 
+inline std::vector<Vector3> Equidistribution::Smooth(int rounds)
+{
+  std::vector<Vector3> middles, gradients(this->First.Cells.size());
+  for (std::uint32_t cell = 0; cell < gradients.size(); ++cell)
+  {
+    middles.push_back(this->Gradients.GetMiddle(cell));
+  }
+  for (; rounds > 0; --rounds)
+  {
+    for (std::uint32_t cell = 0; cell < gradients.size(); ++cell)
+    {
+      const IndexRows::Row corners = this->First.Cells[cell];
+      Vector3 sum{ { 0.0, 0.0, 0.0 } };
+      for (const std::uint32_t corner : corners)
+      {
+        sum = sum + this->Displacements[corner];
+      }
+      gradients[cell] = (1.0 / static_cast<double>(corners.size())) * sum;
+    }
+    SmoothPotential(this->First.Edges, middles, gradients, 4, this->Potential);
+    this->FindPlaces();
+  }
+  return this->FindPlaces();
+}
+
 inline std::vector<Vector3> Equidistribution::Invert(const SurfaceMesh& image)
 {
   std::vector<Vector3> middles;
@@ -442,22 +470,8 @@ inline std::vector<Vector3> Equidistribution::Invert(const SurfaceMesh& image)
   }
   const ConjugatePotential back(image, this->Shape, middles, this->Potential);
   this->Potential = back.FindAll(middles);
-  for (int round = 0; round < 3; ++round)
-  {
-    this->FindPlaces();
-    std::vector<Vector3> gradients;
-    for (std::uint32_t cell = 0; cell < image.Cells.size(); ++cell)
-    {
-      Vector3 sum{ { 0.0, 0.0, 0.0 } };
-      for (const std::uint32_t corner : image.Cells[cell])
-      {
-        sum = sum + this->Displacements[corner];
-      }
-      gradients.push_back((1.0 / static_cast<double>(image.Cells[cell].size())) * sum);
-    }
-    SmoothPotential(this->First.Edges, middles, gradients, 4, this->Potential);
-  }
-  return this->FindPlaces();
+  this->FindPlaces();
+  return this->Smooth(3);
 }
 
 }

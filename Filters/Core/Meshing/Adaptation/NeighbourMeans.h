@@ -21,8 +21,14 @@ public:
   /// all others that are not Free, and those at a corner of more than 180 degrees, stay. O(N).
   void Build(const SurfaceMesh& mesh, const SurfaceShape& shape);
 
-  /// Whether more than a tenth of the points are not amid their neighbours, or much nearer to some.
-  bool IsIrregular() const { return 10 * this->Irregular > this->Offsets.size(); }
+  /// How often to smooth: not at all unless some points are not amid their neighbours, or much
+  /// nearer to some; most often where many are.
+  int GetTimes() const
+  {
+    return 10 * this->Irregular > this->Offsets.size() ? 8
+      : 100 * this->Irregular > this->Offsets.size()   ? 6
+                                                       : 0;
+  }
 
   /// Calls finish(point, sum) for each smoothed vector; it returns what is kept of it.
   template <class Finish>
