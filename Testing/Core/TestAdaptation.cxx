@@ -172,6 +172,33 @@ TEST(Adaptation, TrianglesOfRandomPointsConverge)
   EXPECT_EQ(moved.Outcome.Rows.back().Motion.PointsCutBack, 0u);
 }
 
+// A few cells that would come too near the bound must not hold all others back.
+TEST(Adaptation, FewCellsAtTheBoundOfQualityStopNoOthers)
+{
+  AdaptRules rules = Given();
+  rules.Relaxation = 0.5;
+  rules.LeastQuality = 0.3;
+  const Moved triangles = Adapt(MakeRandomTriangles(2500, 3), OnSphere, rules);
+  EXPECT_LT(triangles.Outcome.Rows[triangles.Outcome.Best].Measure, 0.03);
+  EXPECT_GT(triangles.Outcome.Rows[1].Motion.PointsCutBack, 0u);
+  rules.LeastQuality = 0.5;
+  const Moved polygons = Adapt(MakeDual(MakeIrregular(4)), OnSphere, rules);
+  EXPECT_LT(polygons.Outcome.Rows[polygons.Outcome.Best].Measure, 0.03);
+  EXPECT_GE(polygons.Outcome.Rows.back().SmallestQuality, 0.5);
+}
+
+// Where the bound forbids what shares need, a part of the first step is better than none.
+TEST(Adaptation, BoundsThatForbidEqualSharesLeaveAPartOfTheWay)
+{
+  AdaptRules rules = Given();
+  rules.Relaxation = 0.5;
+  rules.LeastQuality = 0.6;
+  rules.Iterations = 3;
+  const Moved moved = Adapt(MakeDual(MakeIrregular(4)), OnSphere, rules);
+  EXPECT_LT(moved.Outcome.Rows[1].Motion.Step, 1.0);
+  EXPECT_LT(moved.Outcome.Rows[moved.Outcome.Best].Measure, 0.5 * moved.Outcome.Rows[0].Measure);
+}
+
 TEST(Adaptation, IterationsDoNotGrowWithTheNumberOfCells)
 {
   AdaptRules rules = Given();

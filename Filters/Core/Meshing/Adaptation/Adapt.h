@@ -146,19 +146,32 @@ private:
   }
 
   /// Where the transport of the monitor that the mesh has now to equal shares takes points that go
-  /// the other way. It is as good as cells resolve the monitor where they are now.
+  /// the other way. It is as good as cells resolve the monitor where they are now. Where cells
+  /// would be spoilt a part of the way is a beginning, too.
   MeshMotion::Outcome BeginByTransport()
   {
+    constexpr double least = 0.2; // of the way
+    constexpr double shorter = 0.75;
     this->FirstValues = this->Values;
     const std::vector<double> weights = this->Shares.GetWeights();
     std::vector<double> integrals(this->Shares.GetAreas());
     std::transform(integrals.begin(), integrals.end(), this->Values.begin(), integrals.begin(),
       std::multiplies<>());
     this->Shares.Restart(integrals);
-    const std::vector<Vector3> places = this->Shares.Invert(this->FindImage());
+    std::vector<Vector3> places = this->Shares.Invert(this->FindImage());
     this->Shares.SetWeights(weights);
-    MeshMotion::Outcome step = this->Motion.Move(this->Mesh, places);
+    MeshMotion::Outcome step;
     step.Step = 1.0;
+    while (!this->Motion.MoveWhole(this->Mesh, places, step))
+    {
+      step.Step *= shorter;
+      if (!(step.Step > least))
+      {
+        this->Shares.Restart(std::vector<double>(weights));
+        return this->Step();
+      }
+      places = this->Shares.Shorten(shorter);
+    }
     return step;
   }
 

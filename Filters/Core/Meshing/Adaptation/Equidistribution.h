@@ -73,6 +73,9 @@ public:
   /// steps, have come from it: the way back. From there the next step goes on.
   std::vector<Vector3> Invert(const SurfaceMesh& image);
 
+  /// Where points go with a potential that is this part of what it is.
+  std::vector<Vector3> Shorten(double part);
+
   /// Takes from the potential what it has at the scale of single cells, and tells where points go
   /// then.
   std::vector<Vector3> Smooth(int rounds);
@@ -434,6 +437,12 @@ inline void Equidistribution::Restart(std::vector<double> weights)
   this->SetWeights(std::move(weights));
   std::fill(this->Potential.begin(), this->Potential.end(), 0.0);
   this->FindPlaces();
+}
+
+inline std::vector<Vector3> Equidistribution::Shorten(double part)
+{
+  detail::Scale(this->Potential, part);
+  return this->FindPlaces();
 }
 
 inline std::vector<Vector3> Equidistribution::Smooth(int rounds)

@@ -32,7 +32,11 @@ public:
   std::size_t GetNumberOfInvalidCells() const { return this->InvalidCells; }
   double FindSmallestQuality(const SurfaceMesh& mesh) const;
 
-  /// Moves points towards places. Where cells would not be valid their points go along with their
+  /// Moves points to places. Where a few cells would be spoilt the points around go amid their
+  /// neighbours instead. False, and nothing has moved, if this does not help.
+  bool MoveWhole(SurfaceMesh& mesh, const std::vector<Vector3>& places, Outcome& outcome);
+
+  /// The same, or else towards places: where cells would be spoilt their points go along with their
   /// neighbours instead; where this does not help half as far, then not at all.
   Outcome Move(SurfaceMesh& mesh, const std::vector<Vector3>& places);
 
@@ -48,8 +52,15 @@ private:
   Vector3 WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const;
   std::vector<std::uint32_t> FindSpoilt(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells) const;
+  static std::vector<std::uint32_t> CornersOf(
+    const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells);
+  static Vector3 AmidNeighbours(const SurfaceMesh& mesh, std::uint32_t point);
   bool Go(SurfaceMesh& mesh, const std::vector<Vector3>& places, double part);
+  void Displace(
+    SurfaceMesh& mesh, const std::vector<std::uint32_t>& points, const std::vector<Vector3>& ways);
+  bool RoundOff(SurfaceMesh& mesh);
   void Repair(SurfaceMesh& mesh);
+  void Count(const SurfaceMesh& mesh, const std::vector<Vector3>& first, Outcome& outcome) const;
   std::vector<std::uint32_t> CellsAround(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const;
 
@@ -159,6 +170,78 @@ inline std::vector<std::uint32_t> MeshMotion::CellsAround(
   return cells;
 }
 
+inline std::vector<std::uint32_t> MeshMotion::CornersOf(
+  const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells)
+{
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t cell : cells)
+  {
+    points.insert(points.end(), mesh.Cells[cell].begin(), mesh.Cells[cell].end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Half of the way to the mean of the other ends of its edges.
+inline Vector3 MeshMotion::AmidNeighbours(const SurfaceMesh& mesh, std::uint32_t point)
+{
+  Vector3 sum = None;
+  for (const std::uint32_t cell : mesh.CellsOfPoint[point])
+  {
+    const IndexRows::Row corners = mesh.Cells[cell];
+    const std::size_t n = corners.size();
+    const auto at =
+      static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
+    sum = sum + mesh.Points[corners[(at + 1) % n]] + mesh.Points[corners[(at + n - 1) % n]];
+  }
+  const auto count = 2.0 * static_cast<double>(mesh.CellsOfPoint[point].size());
+  return 0.5 * (mesh.Points[point] + (1.0 / count) * sum);
+}
+
+inline void MeshMotion::Displace(
+  SurfaceMesh& mesh, const std::vector<std::uint32_t>& points, const std::vector<Vector3>& ways)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    this->Displacements[points[i]] = ways[i];
+    this->Repaired[points[i]] = true;
+    this->Place(mesh, points[i]);
+  }
+  this->Spoilt = this->FindSpoilt(mesh, this->CellsAround(mesh, points));
+}
+
+// Cells that are stretched evenly stay as they are, and those among them that are worse become like
+// them. Points farther and farther around give way.
+inline bool MeshMotion::RoundOff(SurfaceMesh& mesh)
+{
+  constexpr std::size_t few = 10; // a part of the cells
+  constexpr int rounds = 200;
+  constexpr int roundsOfRing = 20;
+  std::size_t work = 4 * mesh.Points.size(); // points that may move, all rounds together
+  for (int round = 0; round < rounds && !this->Spoilt.empty(); ++round)
+  {
+    std::vector<std::uint32_t> points = CornersOf(mesh, this->Spoilt);
+    for (int ring = 0; ring < round / roundsOfRing; ++ring)
+    {
+      points = CornersOf(mesh, this->CellsAround(mesh, points));
+    }
+    if (few * this->Spoilt.size() > mesh.Cells.size() || points.size() > work)
+    {
+      return false;
+    }
+    work -= points.size();
+    std::vector<Vector3> ways;
+    for (const std::uint32_t point : points)
+    {
+      const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
+      ways.push_back(isFixed ? None : AmidNeighbours(mesh, point) - this->Before[point]);
+    }
+    this->Displace(mesh, points, ways);
+  }
+  return this->Spoilt.empty();
+}
+
 // Points that do not move at all stay so, and where nothing has moved cells are as they were: this
 // comes to an end.
 inline void MeshMotion::Repair(SurfaceMesh& mesh)
@@ -167,13 +250,7 @@ inline void MeshMotion::Repair(SurfaceMesh& mesh)
   constexpr int halvings = 6;
   for (int round = 0; !this->Spoilt.empty(); ++round)
   {
-    std::vector<std::uint32_t> points;
-    for (const std::uint32_t cell : this->Spoilt)
-    {
-      points.insert(points.end(), mesh.Cells[cell].begin(), mesh.Cells[cell].end());
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const std::vector<std::uint32_t> points = CornersOf(mesh, this->Spoilt);
     std::vector<Vector3> ways;
     for (const std::uint32_t point : points)
     {
@@ -183,13 +260,7 @@ inline void MeshMotion::Repair(SurfaceMesh& mesh)
           : round < smoothings ? this->WayOfNeighbours(mesh, point)
                                : part * this->Displacements[point]);
     }
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      this->Displacements[points[i]] = ways[i];
-      this->Repaired[points[i]] = true;
-      this->Place(mesh, points[i]);
-    }
-    this->Spoilt = this->FindSpoilt(mesh, this->CellsAround(mesh, points));
+    this->Displace(mesh, points, ways);
   }
 }
 
@@ -217,32 +288,53 @@ inline bool MeshMotion::Go(SurfaceMesh& mesh, const std::vector<Vector3>& places
   return this->Spoilt.empty();
 }
 
-// In one go if no cell is spoilt then, else in parts: points that go a small part of their way are
-// soon repaired, and hold few others back.
-inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+inline void MeshMotion::Count(
+  const SurfaceMesh& mesh, const std::vector<Vector3>& first, Outcome& outcome) const
 {
-  constexpr int parts = 8;
+  outcome.PointsCutBack = 0;
+  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    outcome.PointsCutBack += this->Repaired[point];
+    outcome.LargestDisplacement =
+      std::max(outcome.LargestDisplacement, Norm(mesh.Points[point] - first[point]));
+  }
+}
+
+inline bool MeshMotion::MoveWhole(
+  SurfaceMesh& mesh, const std::vector<Vector3>& places, Outcome& outcome)
+{
   const std::vector<Vector3> first = mesh.Points;
   this->Displacements.resize(mesh.Points.size());
   this->Repaired.assign(mesh.Points.size(), false);
   this->Qualities.resize(mesh.Cells.size());
-  Outcome outcome;
   if (!this->Go(mesh, places, 1.0))
   {
     outcome.SpoiltCell = this->Spoilt.front();
-    mesh.Points = first;
+    if (!this->RoundOff(mesh))
+    {
+      mesh.Points = first;
+      return false;
+    }
+  }
+  this->Count(mesh, first, outcome);
+  return true;
+}
+
+// In parts: points that go a small part of their way are soon repaired, and hold few others back.
+inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+{
+  constexpr int parts = 8;
+  const std::vector<Vector3> first = mesh.Points;
+  Outcome outcome;
+  if (!this->MoveWhole(mesh, places, outcome))
+  {
     for (int left = parts; left > 0; --left)
     {
       this->Go(mesh, places, 1.0 / left);
       this->Repaired.assign(mesh.Points.size(), false); // by the last is what counts
       this->Repair(mesh);
     }
-  }
-  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
-  {
-    outcome.PointsCutBack += this->Repaired[point];
-    outcome.LargestDisplacement =
-      std::max(outcome.LargestDisplacement, Norm(mesh.Points[point] - first[point]));
+    this->Count(mesh, first, outcome);
   }
   return outcome;
 }
