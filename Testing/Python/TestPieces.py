@@ -12,6 +12,7 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import skdcases
 import skdpieces
 import skdtesting
 
@@ -19,7 +20,7 @@ import skdtesting
 RUNS = {
     2: ("everywhere", "cuts, ghosts", "one process"),
     3: ("cuts", "round robin, global ids", "one reader"),
-    4: ("runs", "round robin", "cuts, doubled"),
+    4: ("runs", "round robin", "cuts, doubled", "some empty"),
 }
 WITHOUT_VALUE = 12345.0 # stands for NaN, which is not equal to itself
 
@@ -46,93 +47,11 @@ def rows(proxy, arrays, port=0, of_cells=False):
     return result if ghosts is None else result[vtk_to_numpy(ghosts) & 1 == 0]
 
 
-def answers_of_one_reader():
-    """Input and Source come of the same source, which can give any piece."""
-    from paraview import simple
-
-    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
-    contour = simple.Contour(Input=image, ContourBy=["POINTS", "RTData"], Isosurfaces=[157.0])
-    cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]))
-    outer = simple.ExtractSurface(Input=cells)
-    yield "contour", rows(
-        simple.SkdTreeClosestPoint(Input=image, Source=contour), ["SkdDistance"])
-    yield "outer surface", rows(
-        simple.SkdTreeClosestPoint(Input=cells, Source=outer), ["SkdDistance"])
-    yield "itself", rows(simple.SkdTreeProbe(Input=outer, Source=image), ["SkdDistance"])
-    yield "image", rows(
-        simple.SkdTreeRemap(Input=cells, Source=image, PassInputData=0), ["RTData"])
-
-
-def answers(partition):
-    """Of each filter, with meshes in pieces as Input, as Source and as a third input."""
-    from paraview import simple
-
-    if partition == "one reader":
-        yield from answers_of_one_reader()
-        return
-    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
-    ball = skdpieces.source("sphere", partition)
-    other = skdpieces.source(
-        "sphere", partition, radius=3.0, center=(1.234, 0.5, 0.25), theta=20, phi=20)
-    cells = skdpieces.source("tetrahedra", partition)
-    yield "closest", rows(simple.SkdTreeClosestPoint(Input=image, Source=ball), ["SkdDistance"])
-    yield "closest of both", rows(
-        simple.SkdTreeClosestPoint(Input=ball, Source=other, SignedDistance=1), ["SkdDistance"])
-    yield "closest signed", rows(
-        simple.SkdTreeClosestPoint(Input=image, Source=cells, SignedDistance=1), ["SkdDistance"])
-    yield "inside", rows(
-        simple.SkdTreePointInOut(Input=image, Source=ball), ["SkdInside", "SkdConfidence"])
-    yield "inside cells", rows(
-        simple.SkdTreePointInOut(Input=image, Source=cells), ["SkdInside", "SkdConfidence"])
-    yield "probe", rows(simple.SkdTreeProbe(Input=image, Source=cells), ["Field"])
-    yield "rays", rows(simple.SkdTreeRays(Input=other, Source=ball), ["SkdRayDistance"])
-    yield "rays along normals found", rows(
-        simple.SkdTreeRays(Input=skdpieces.source("sphere", partition, has_normals=False),
-            Source=other), ["SkdRayDistance"])
-    yield "thickness", rows(simple.SkdTreeWallThickness(Input=ball), ["SkdThickness"])
-    yield "thickness to", rows(
-        simple.SkdTreeWallThickness(Input=other, Source=ball), ["SkdThickness"])
-    yield "boolean", rows(
-        simple.SkdTreeBooleanOperation(Input=ball, Source=other), [], of_cells=True)
-    yield "compared", rows(simple.SkdTreeCompareSurfaces(Input=ball, Source=other),
-        ["HausdorffDistance", "Area"], port=2)
-    yield "intersection", rows(
-        simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, JoinCurves=0), [],
-        of_cells=True)
-    yield "split", rows(
-        simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, SplitSurfaces=1), [], port=5,
-        of_cells=True)
-    yield "remap", rows(simple.SkdTreeRemap(Input=cells, Source=image), ["RTData"])
-    yield "remap from pieces", rows(simple.SkdTreeRemap(Input=image, Source=cells), ["Field"])
-    yield "remap conservatively", rows(
-        simple.SkdTreeRemap(Input=image, Source=cells, Method="Conservative Second Order",
-            ResultsOn="Cells"), ["Field"], of_cells=True)
-    yield "remap to points", rows(
-        simple.SkdTreeRemap(Input=cells, Source=image, Method="Conservative First Order",
-            ResultsOn="Points"), ["RTData"])
-    blocks = simple.GroupDatasets(Input=[ball, other])
-    yield "blocks", rows(
-        simple.SkdTreeClosestPoint(Input=image, Source=blocks),
-        ["SkdDistance", "SkdClosestBlockIndex"])
-    yield "nearest cells", rows(
-        simple.SkdTreeSpatialQuery(Input=cells, Relation="Nearest", Shape="Sphere",
-            SphereCenter=[0.2, 0.3, 0.4], SphereRadius=0, NumberOfNearestCells=50),
-        ["SkdDistance"], of_cells=True)
-    yield "overlapping cells", rows(
-        simple.SkdTreeSpatialQuery(
-            Input=cells, Source=ball, Relation="Overlap", Shape="Source Cells"), [],
-        of_cells=True)
-    yield "grid", rows(
-        simple.SkdTreeAMR(Input=ball, Field=cells, FieldArrays=["Field"], ComputeInside=1,
-            OutputType="Unstructured Grid", MaximumLevel=3), ["SkdInside"], of_cells=True)
-    yield "refined", rows(
-        simple.SkdTreeMeshRefinement(Input=cells, Parts=ball, MaximumLevel=1), [], of_cells=True)
-
-
 def write(file, partitions):
     found = {}
     for partition in partitions:
-        for name, part in answers(partition):
+        for name, case in skdcases.cases(partition):
+            part = rows(*case)
             if part is not None:
                 found[partition + ": " + name] = part
     numpy.savez(file, **found)

@@ -17,10 +17,11 @@ try:
 except ImportError: # VTK 9.1
     from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 
-# Cells sorted along x and cut into runs; runs of ids; every n-th; all on the last process; with the
-# neighbours on other processes, marked as ghosts or not; all of it everywhere; and by global ids.
-PARTITIONS = ("cuts", "runs", "round robin", "one process", "cuts, ghosts", "cuts, doubled",
-    "everywhere", "round robin, global ids")
+# Cells sorted along x and cut into runs; runs of ids; every n-th; all on the last process; runs on
+# every other process; with the neighbours on other processes, marked as ghosts or not; all of it
+# everywhere; and by global ids.
+PARTITIONS = ("cuts", "runs", "round robin", "one process", "some empty", "cuts, ghosts",
+    "cuts, doubled", "everywhere", "round robin, global ids")
 
 
 def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24, has_normals=True):
@@ -81,6 +82,8 @@ def owners(mesh, partition, processes):
         return cells % processes
     if partition == "one process":
         return 0 * cells + processes - 1
+    if partition == "some empty":
+        return cells * (processes // 2) // len(cells) * 2 + 1
     return cells * processes // len(cells)
 
 

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every filter once or more, with meshes in pieces as Input, as Source and as a third input: what the
+tests of meshes in pieces run."""
+
+import collections
+
+import skdpieces
+
+# A filter, and which arrays of which output are compared, of its points or its cells.
+Case = collections.namedtuple("Case", "proxy arrays port of_cells", defaults=(0, False))
+
+
+def cases_of_one_reader():
+    """Input and Source come of the same source, which can give any piece."""
+    from paraview import simple
+
+    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+    contour = simple.Contour(Input=image, ContourBy=["POINTS", "RTData"], Isosurfaces=[157.0])
+    cells = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]))
+    outer = simple.ExtractSurface(Input=cells)
+    yield "contour", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=contour), ["SkdDistance"])
+    yield "outer surface", Case(
+        simple.SkdTreeClosestPoint(Input=cells, Source=outer), ["SkdDistance"])
+    yield "itself", Case(simple.SkdTreeProbe(Input=outer, Source=image), ["SkdDistance"])
+    yield "image", Case(
+        simple.SkdTreeRemap(Input=cells, Source=image, PassInputData=0), ["RTData"])
+
+
+def cases(partition):
+    """The name and the case of each, by a kind of pieces."""
+    from paraview import simple
+
+    if partition == "one reader":
+        yield from cases_of_one_reader()
+        return
+    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+    ball = skdpieces.source("sphere", partition)
+    other = skdpieces.source(
+        "sphere", partition, radius=3.0, center=(1.234, 0.5, 0.25), theta=20, phi=20)
+    cells = skdpieces.source("tetrahedra", partition)
+    yield "closest", Case(simple.SkdTreeClosestPoint(Input=image, Source=ball), ["SkdDistance"])
+    yield "closest of both", Case(
+        simple.SkdTreeClosestPoint(Input=ball, Source=other, SignedDistance=1), ["SkdDistance"])
+    yield "closest signed", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=cells, SignedDistance=1), ["SkdDistance"])
+    yield "inside", Case(
+        simple.SkdTreePointInOut(Input=image, Source=ball), ["SkdInside", "SkdConfidence"])
+    yield "inside cells", Case(
+        simple.SkdTreePointInOut(Input=image, Source=cells), ["SkdInside", "SkdConfidence"])
+    yield "probe", Case(simple.SkdTreeProbe(Input=image, Source=cells), ["Field"])
+    yield "rays", Case(simple.SkdTreeRays(Input=other, Source=ball), ["SkdRayDistance"])
+    yield "rays along normals found", Case(
+        simple.SkdTreeRays(Input=skdpieces.source("sphere", partition, has_normals=False),
+            Source=other), ["SkdRayDistance"])
+    yield "thickness", Case(simple.SkdTreeWallThickness(Input=ball), ["SkdThickness"])
+    yield "thickness to", Case(
+        simple.SkdTreeWallThickness(Input=other, Source=ball), ["SkdThickness"])
+    yield "boolean", Case(
+        simple.SkdTreeBooleanOperation(Input=ball, Source=other), [], of_cells=True)
+    yield "compared", Case(simple.SkdTreeCompareSurfaces(Input=ball, Source=other),
+        ["HausdorffDistance", "Area"], port=2)
+    yield "intersection", Case(
+        simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, JoinCurves=0), [],
+        of_cells=True)
+    yield "split", Case(
+        simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, SplitSurfaces=1), [], port=5,
+        of_cells=True)
+    yield "remap", Case(simple.SkdTreeRemap(Input=cells, Source=image), ["RTData"])
+    yield "remap from pieces", Case(simple.SkdTreeRemap(Input=image, Source=cells), ["Field"])
+    yield "remap conservatively", Case(
+        simple.SkdTreeRemap(Input=image, Source=cells, Method="Conservative Second Order",
+            ResultsOn="Cells"), ["Field"], of_cells=True)
+    yield "remap to points", Case(
+        simple.SkdTreeRemap(Input=cells, Source=image, Method="Conservative First Order",
+            ResultsOn="Points"), ["RTData"])
+    blocks = simple.GroupDatasets(Input=[ball, other])
+    yield "blocks", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=blocks),
+        ["SkdDistance", "SkdClosestBlockIndex"])
+    yield "nearest cells", Case(
+        simple.SkdTreeSpatialQuery(Input=cells, Relation="Nearest", Shape="Sphere",
+            SphereCenter=[0.2, 0.3, 0.4], SphereRadius=0, NumberOfNearestCells=50),
+        ["SkdDistance"], of_cells=True)
+    yield "overlapping cells", Case(
+        simple.SkdTreeSpatialQuery(
+            Input=cells, Source=ball, Relation="Overlap", Shape="Source Cells"), [],
+        of_cells=True)
+    yield "grid", Case(
+        simple.SkdTreeAMR(Input=ball, Field=cells, FieldArrays=["Field"], ComputeInside=1,
+            OutputType="Unstructured Grid", MaximumLevel=3), ["SkdInside"], of_cells=True)
+    yield "refined", Case(
+        simple.SkdTreeMeshRefinement(Input=cells, Parts=ball, MaximumLevel=1), [], of_cells=True)
