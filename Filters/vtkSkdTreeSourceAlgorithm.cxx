@@ -5,6 +5,7 @@
 #include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
+#include "Pipeline/SkdPrint.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
 
@@ -20,6 +21,12 @@ vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
 }
 
 vtkSkdTreeSourceAlgorithm::~vtkSkdTreeSourceAlgorithm() = default;
+
+void vtkSkdTreeSourceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  SkdPrint(os, indent, "SourceDistribution", this->SourceDistribution);
+}
 
 void vtkSkdTreeSourceAlgorithm::SetSourceConnection(vtkAlgorithmOutput* algOutput)
 {

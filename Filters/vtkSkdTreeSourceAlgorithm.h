@@ -27,7 +27,8 @@
 
 #include "vtkFiltersSkdTreeModule.h" // For export macro
 #include "vtkPassInputTypeAlgorithm.h"
-#include "vtkSkdTreeVersion.h" // For the differences between VTK's versions
+#include "vtkSkdTreeSetWithin.h" // For properties that have a range
+#include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
 #include <initializer_list> // For std::initializer_list
 #include <memory>           // For std::unique_ptr
@@ -41,6 +42,26 @@ class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeSourceAlgorithm : public vtkPassInputTy
 {
 public:
   vtkAbstractTypeMacro(vtkSkdTreeSourceAlgorithm, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SourceDistributions
+  {
+    SOURCE_AUTOMATIC = 0,
+    SOURCE_REPLICATED = 1,
+    SOURCE_EXCHANGED = 2
+  };
+
+  //@{
+  /**
+   * What each process gets of a Source that lies in pieces on several. SOURCE_REPLICATED: all of
+   * it, gathered from all processes. SOURCE_EXCHANGED: what its own part of the Input needs, where
+   * the filter can do with that, which its class says; memory does not grow with the number of
+   * processes. Others gather. SOURCE_AUTOMATIC (default): replicated while all pieces together take
+   * at most 64 MB, because one exchange of everything then takes fewer messages than to find out
+   * what is needed where. Answers are the same. With one process it means nothing.
+   */
+  vtkSkdTreeChoiceMacro(SourceDistribution, SOURCE_AUTOMATIC, SOURCE_EXCHANGED);
+  //@}
 
   //@{
   /**
@@ -77,6 +98,8 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int SourceDistribution = SOURCE_AUTOMATIC;
 
   /// For subclasses in which each process needs the whole Input, too.
   bool WholeInput = false;

@@ -22,8 +22,9 @@ if (SKDTREE_WRAP_PYTHON)
   set(python_components Python WrappingPythonCore)
 endif ()
 
-# Files of weights need netCDF; VTK's packages do not always come with its headers.
-set(vtk_optional_components OPTIONAL_COMPONENTS netcdf)
+# Files of weights need netCDF; VTK's packages do not always come with its headers. Meshes that stay
+# spread over processes need DIY.
+set(vtk_optional_components OPTIONAL_COMPONENTS ParallelDIY netcdf)
 
 # Imported targets of a ParaView with MPI name MPI's, which its own configuration does not look for.
 find_package(MPI QUIET COMPONENTS C CXX)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdJoinedGrids.h"
 
+#include "Exchange/SkdGridLattice.h"
 #include "Exchange/SkdPieceArrays.h"
 #include "Pipeline/SkdBlocks.h"
 #include "vtkCellData.h"
@@ -10,7 +11,6 @@
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
@@ -19,108 +19,19 @@
 namespace
 {
 using Extent = std::array<int, 6>;
-
-Extent ExtentOf(vtkDataSet* grid)
-{
-  Extent extent;
-  const int* own = nullptr;
-  if (auto* image = vtkImageData::SafeDownCast(grid))
-  {
-    own = image->GetExtent();
-  }
-  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
-  {
-    own = rectilinear->GetExtent();
-  }
-  else
-  {
-    own = vtkStructuredGrid::SafeDownCast(grid)->GetExtent();
-  }
-  std::copy_n(own, 6, extent.begin());
-  return extent;
-}
+using Lattice = SkdGridLattice;
 
 Extent UnionOf(const SkdPieces& pieces)
 {
-  Extent all = ExtentOf(pieces.front());
+  Extent all = SkdExtentOf(pieces.front());
   for (vtkDataSet* piece : pieces)
   {
-    const Extent own = ExtentOf(piece);
-    for (int axis = 0; axis < 6; axis += 2)
-    {
-      all[axis] = std::min(all[axis], own[axis]);
-      all[axis + 1] = std::max(all[axis + 1], own[axis + 1]);
-    }
+    SkdUniteExtents(all, SkdExtentOf(piece));
   }
   return all;
 }
 
-/// Whether images have the same lattice.
-bool IsAligned(vtkDataSet* piece, vtkDataSet* first)
-{
-  auto* image = vtkImageData::SafeDownCast(piece);
-  if (!image)
-  {
-    return true;
-  }
-  auto* other = vtkImageData::SafeDownCast(first);
-  const double* direction = image->GetDirectionMatrix()->GetData();
-  return std::equal(image->GetOrigin(), image->GetOrigin() + 3, other->GetOrigin()) &&
-    std::equal(image->GetSpacing(), image->GetSpacing() + 3, other->GetSpacing()) &&
-    std::equal(direction, direction + 9, other->GetDirectionMatrix()->GetData());
-}
-
 //------------------------------------------------------------------------------
-/// The lattice of a grid's points, or of its cells.
-struct Lattice
-{
-  Lattice(const Extent& extent, int type)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int span = extent[2 * axis + 1] - extent[2 * axis];
-      const int steps = type == vtkDataObject::POINT ? span + 1 : std::max(span, 1);
-      this->First[axis] = extent[2 * axis];
-      this->Number[axis] = steps;
-    }
-  }
-
-  vtkIdType GetSize() const
-  {
-    return static_cast<vtkIdType>(this->Number[0]) * this->Number[1] * this->Number[2];
-  }
-
-  vtkIdType IdOf(const int (&ijk)[3]) const
-  {
-    vtkIdType id = 0;
-    for (int axis = 2; axis >= 0; --axis)
-    {
-      id = id * this->Number[axis] + (ijk[axis] - this->First[axis]);
-    }
-    return id;
-  }
-
-  /// Calls visit(ijk) in the order of ids.
-  template <class Visit>
-  void VisitAll(const Visit& visit) const
-  {
-    int ijk[3];
-    for (ijk[2] = this->First[2]; ijk[2] < this->First[2] + this->Number[2]; ++ijk[2])
-    {
-      for (ijk[1] = this->First[1]; ijk[1] < this->First[1] + this->Number[1]; ++ijk[1])
-      {
-        for (ijk[0] = this->First[0]; ijk[0] < this->First[0] + this->Number[0]; ++ijk[0])
-        {
-          visit(ijk);
-        }
-      }
-    }
-  }
-
-  int First[3];
-  int Number[3];
-};
-
 /// Which piece each point or cell of the box is taken from.
 class Assembly
 {
@@ -153,7 +64,7 @@ private:
   void Add(vtkDataSet* mesh, int piece, int type, bool areDuplicates)
   {
     const unsigned char* ghosts = SkdGhostsOf(mesh, type);
-    const Lattice own(ExtentOf(mesh), type);
+    const Lattice own(SkdExtentOf(mesh), type);
     vtkIdType from = 0;
     own.VisitAll(
       [&](const int(&ijk)[3])
@@ -216,7 +127,7 @@ void SetGeometry(
     {
       vtkDataArray* own = CoordinatesOf(vtkRectilinearGrid::SafeDownCast(piece), axis);
       joined->InsertTuples(
-        ExtentOf(piece)[2 * axis] - box[2 * axis], own->GetNumberOfTuples(), 0, own);
+        SkdExtentOf(piece)[2 * axis] - box[2 * axis], own->GetNumberOfTuples(), 0, own);
     }
     axis == 0     ? grid->SetXCoordinates(joined)
       : axis == 1 ? grid->SetYCoordinates(joined)
@@ -239,8 +150,10 @@ bool AreOfOneGrid(const SkdPieces& pieces)
   vtkDataSet* first = pieces.front();
   return SkdIsStructured(first) &&
     std::all_of(pieces.begin(), pieces.end(),
-      [first](vtkDataSet* piece) {
-        return piece->GetDataObjectType() == first->GetDataObjectType() && IsAligned(piece, first);
+      [first](vtkDataSet* piece)
+      {
+        return piece->GetDataObjectType() == first->GetDataObjectType() &&
+          SkdLatticeOfImage(piece) == SkdLatticeOfImage(first);
       });
 }
 }

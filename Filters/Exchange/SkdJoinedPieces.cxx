@@ -5,6 +5,7 @@
 #include "Cells/Read/SkdCellReader.h"
 #include "Exchange/SkdJoinedGrids.h"
 #include "Exchange/SkdPiecePoints.h"
+#include "Exchange/SkdRepeatedCells.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -16,13 +17,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <map>
 
 namespace
 {
-/// The kinds of cells in the order of vtkPolyData's ids.
-constexpr int NumberOfKinds = 4;
-
 /// The cells of pieces with their joined points.
 class CellJoin
 {
@@ -51,6 +48,9 @@ private:
   void ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const;
   void ReadFaces(const SkdPieceCell& cell, vtkIdList* stream) const;
 
+  template <class Visit>
+  void VisitOwnCells(int piece, const Visit& visit) const;
+  void AddPointsUsedIn(int piece);
   void AddCellsOf(int piece);
   bool IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids);
   void SortByGlobalIds();
@@ -61,16 +61,8 @@ private:
   std::vector<SkdCellReader> Readers;
   std::vector<SkdPieceCell> Cells;
   bool HaveGlobalIds;
-  vtkNew<vtkIdList> Own; // of a cell's points in its piece
-
-  /// How often a piece has a cell, and any earlier one.
-  struct Count
-  {
-    int Piece = -1;
-    int Here = 0;
-    int Before = 0;
-  };
-  std::map<std::vector<vtkIdType>, Count> SharedCells; // by type and points, or by global id
+  vtkNew<vtkIdList> Own;        // of a cell's points in its piece
+  SkdRepeatedCells SharedCells; // by type and points, or by global id
 };
 
 CellJoin::CellJoin(const SkdPieces& pieces)
@@ -86,37 +78,60 @@ CellJoin::CellJoin(const SkdPieces& pieces)
     { return piece->GetNumberOfCells() == 0 || piece->GetCellData()->GetGlobalIds(); });
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
+    this->AddPointsUsedIn(static_cast<int>(piece));
+  }
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
     this->AddCellsOf(static_cast<int>(piece));
   }
   this->SortByGlobalIds();
   this->SortByKinds();
 }
 
-// Cells whose points other pieces have, too, may be there as well.
-void CellJoin::AddCellsOf(int piece)
+template <class Visit>
+void CellJoin::VisitOwnCells(int piece, const Visit& visit) const
 {
   vtkDataSet* mesh = this->Pieces[static_cast<std::size_t>(piece)];
   const unsigned char* ghosts = SkdGhostsOf(mesh, vtkDataObject::CELL);
-  vtkNew<vtkIdList> ids;
   for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
   {
-    const SkdPieceCell cell{ piece, id };
-    if (ghosts && (ghosts[id] & vtkDataSetAttributes::DUPLICATECELL))
+    if (!ghosts || !(ghosts[id] & vtkDataSetAttributes::DUPLICATECELL))
     {
-      continue;
-    }
-    this->Readers[static_cast<std::size_t>(piece)].VisitPoints(id, ids,
-      [&](const auto* points, std::size_t size)
-      {
-        std::for_each(points, points + size,
-          [&](auto point) { this->Points.AddUsed(piece, static_cast<vtkIdType>(point)); });
-      });
-    this->ReadPoints(cell, ids);
-    if (!this->IsOfEarlier(cell, ids))
-    {
-      this->Cells.push_back(cell);
+      visit(id);
     }
   }
+}
+
+void CellJoin::AddPointsUsedIn(int piece)
+{
+  vtkNew<vtkIdList> ids;
+  this->VisitOwnCells(piece,
+    [&](vtkIdType id)
+    {
+      this->Readers[static_cast<std::size_t>(piece)].VisitPoints(id, ids,
+        [&](const auto* points, std::size_t size)
+        {
+          std::for_each(points, points + size,
+            [&](auto point) { this->Points.AddUsed(piece, static_cast<vtkIdType>(point)); });
+        });
+    });
+}
+
+// Cells whose points other pieces have, too, may be there as well. Which points these are is known
+// when all are added.
+void CellJoin::AddCellsOf(int piece)
+{
+  vtkNew<vtkIdList> ids;
+  this->VisitOwnCells(piece,
+    [&](vtkIdType id)
+    {
+      const SkdPieceCell cell{ piece, id };
+      this->ReadPoints(cell, ids);
+      if (!this->IsOfEarlier(cell, ids))
+      {
+        this->Cells.push_back(cell);
+      }
+    });
 }
 
 bool CellJoin::IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids)
@@ -127,27 +142,10 @@ bool CellJoin::IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids)
   {
     return false;
   }
-  std::vector<vtkIdType> key{ this->TypeOf(cell) };
-  if (this->HaveGlobalIds)
-  {
-    key = { this->GlobalIdOf(cell) };
-  }
-  else
-  {
-    key.insert(key.end(), ids->begin(), ids->end());
-    if (key.front() == VTK_POLYHEDRON) // VTK has its points in the order of their ids
-    {
-      std::sort(key.begin() + 1, key.end());
-    }
-  }
-  Count& count = this->SharedCells[key];
-  if (count.Piece != cell.Piece)
-  {
-    count.Before = std::max(count.Before, count.Here);
-    count.Here = 0;
-    count.Piece = cell.Piece;
-  }
-  return ++count.Here <= count.Before;
+  return this->SharedCells.IsOfEarlier(cell.Piece,
+    this->HaveGlobalIds ? SkdRepeatedCells::Key{ this->GlobalIdOf(cell) }
+                        : SkdRepeatedCells::KeyOf(this->TypeOf(cell), ids->begin(),
+                            static_cast<std::size_t>(ids->GetNumberOfIds())));
 }
 
 void CellJoin::ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const
@@ -175,20 +173,6 @@ void CellJoin::ReadFaces(const SkdPieceCell& cell, vtkIdList* stream) const
 }
 
 //------------------------------------------------------------------------------
-/// The kind of a vtkPolyData's cell.
-int KindOf(vtkPolyData* mesh, vtkIdType cell)
-{
-  vtkCellArray* const kinds[NumberOfKinds] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
-    mesh->GetStrips() };
-  int kind = 0;
-  while (kind < NumberOfKinds - 1 && cell >= kinds[kind]->GetNumberOfCells())
-  {
-    cell -= kinds[kind]->GetNumberOfCells();
-    ++kind;
-  }
-  return kind;
-}
-
 bool AreSurfaces(const SkdPieces& pieces)
 {
   return std::all_of(pieces.begin(), pieces.end(),
@@ -215,7 +199,7 @@ void CellJoin::SortByKinds()
   }
   const auto kindOf = [this](const SkdPieceCell& cell)
   {
-    return KindOf(
+    return SkdKindOf(
       vtkPolyData::SafeDownCast(this->Pieces[static_cast<std::size_t>(cell.Piece)]), cell.CellId);
   };
   std::stable_sort(this->Cells.begin(), this->Cells.end(),
@@ -224,13 +208,13 @@ void CellJoin::SortByKinds()
 
 vtkSmartPointer<vtkPolyData> CellJoin::MakeSurface() const
 {
-  vtkNew<vtkCellArray> kinds[NumberOfKinds];
+  vtkNew<vtkCellArray> kinds[SkdNumberOfKinds];
   vtkNew<vtkIdList> ids;
   for (const SkdPieceCell& cell : this->Cells)
   {
     vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
     this->ReadPoints(cell, ids);
-    kinds[KindOf(vtkPolyData::SafeDownCast(piece), cell.CellId)]->InsertNextCell(ids);
+    kinds[SkdKindOf(vtkPolyData::SafeDownCast(piece), cell.CellId)]->InsertNextCell(ids);
   }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetVerts(kinds[0]);
@@ -294,21 +278,6 @@ SkdJoinedPieces JoinAnyCells(const SkdPieces& pieces)
   return { mesh, join.GetCells() };
 }
 
-bool HasDuplicates(vtkDataSet* piece)
-{
-  for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
-  {
-    const unsigned char* ghosts = SkdGhostsOf(piece, type);
-    const vtkIdType number = ghosts ? piece->GetNumberOfElements(type) : 0;
-    if (std::any_of(ghosts, ghosts + number,
-          [](unsigned char mark) { return (mark & vtkDataSetAttributes::DUPLICATECELL) != 0; }))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 SkdJoinedPieces AsOne(vtkDataSet* mesh)
 {
   SkdJoinedPieces joined{ mesh, {} };
@@ -322,7 +291,7 @@ SkdJoinedPieces AsOne(vtkDataSet* mesh)
 /// Of pieces that are not empty.
 SkdJoinedPieces Join(const SkdPieces& pieces)
 {
-  if (pieces.size() == 1 && !HasDuplicates(pieces.front()))
+  if (pieces.size() == 1 && !SkdHasDuplicates(pieces.front()))
   {
     return AsOne(pieces.front());
   }

@@ -99,3 +99,18 @@ std::vector<vtkSmartPointer<vtkDataObject>> SkdExchangeAll(
   }
   return objects;
 }
+
+SkdBytes SkdPackObject(vtkDataObject* object)
+{
+  vtkNew<vtkCharArray> message;
+  Pack(object, message);
+  const char* const first = message->GetPointer(0);
+  return SkdBytes(first, first + message->GetNumberOfValues());
+}
+
+vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes)
+{
+  vtkNew<vtkCharArray> message;
+  message->SetArray(bytes.data(), static_cast<vtkIdType>(bytes.size()), 1);
+  return Unpack(message);
+}

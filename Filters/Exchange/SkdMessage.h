@@ -3,6 +3,7 @@
 #ifndef SkdMessage_h
 #define SkdMessage_h
 
+#include "Exchange/SkdTransport.h"
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
@@ -15,5 +16,9 @@ class vtkMultiProcessController;
 /// Memory beside the results: twice the largest of the objects.
 std::vector<vtkSmartPointer<vtkDataObject>> SkdExchangeAll(
   vtkDataObject* own, vtkMultiProcessController* controller);
+
+/// Such an object as bytes, and again.
+SkdBytes SkdPackObject(vtkDataObject* object);
+vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes);
 
 #endif

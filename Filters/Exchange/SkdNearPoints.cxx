@@ -18,17 +18,6 @@ constexpr double UnitsInTheLastPlace = 4.0;
 
 using Pair = std::pair<vtkIdType, vtkIdType>; // of points, the lower number first
 
-double PrecisionOf(const SkdPieces& pieces)
-{
-  const bool isSingle = std::any_of(pieces.begin(), pieces.end(),
-    [](vtkDataSet* piece)
-    {
-      auto* set = vtkPointSet::SafeDownCast(piece);
-      return set && set->GetPoints() && set->GetPoints()->GetDataType() == VTK_FLOAT;
-    });
-  return isSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
-}
-
 double LargestCoordinate(const std::vector<skd::Vector3>& points)
 {
   double largest = 0.0;
@@ -114,10 +103,29 @@ bool HaveNoneInCommon(const std::set<int>& a, const std::set<int>& b)
 }
 }
 
+bool SkdIsSingle(vtkDataSet* piece)
+{
+  auto* set = vtkPointSet::SafeDownCast(piece);
+  return set && set->GetPoints() && set->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
+double SkdNearTolerance(bool isSingle, double largestCoordinate)
+{
+  const double precision =
+    isSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+  return UnitsInTheLastPlace * precision * largestCoordinate;
+}
+
 void SkdMergeNearPoints(const SkdPieces& pieces, const std::vector<skd::Vector3>& points,
   std::vector<std::vector<vtkIdType>>& keys)
 {
-  const double tolerance = UnitsInTheLastPlace * PrecisionOf(pieces) * LargestCoordinate(points);
+  const bool isSingle = std::any_of(pieces.begin(), pieces.end(), SkdIsSingle);
+  SkdMergeNearPoints(SkdNearTolerance(isSingle, LargestCoordinate(points)), points, keys);
+}
+
+void SkdMergeNearPoints(double tolerance, const std::vector<skd::Vector3>& points,
+  std::vector<std::vector<vtkIdType>>& keys)
+{
   const std::vector<Pair> pairs = FindNearPairs(points, tolerance);
   if (pairs.empty())
   {

@@ -16,4 +16,14 @@
 void SkdMergeNearPoints(const SkdPieces& pieces, const std::vector<skd::Vector3>& points,
   std::vector<std::vector<vtkIdType>>& keys);
 
+/// The same of some of the points of the pieces, with the tolerance of all.
+void SkdMergeNearPoints(double tolerance, const std::vector<skd::Vector3>& points,
+  std::vector<std::vector<vtkIdType>>& keys);
+
+/// Whether the points of a piece are stored in single precision.
+bool SkdIsSingle(vtkDataSet* piece);
+
+/// How near such points are to each other.
+double SkdNearTolerance(bool isSingle, double largestCoordinate);
+
 #endif

@@ -101,3 +101,18 @@ const unsigned char* SkdGhostsOf(vtkDataSet* piece, int type)
     piece->GetAttributes(type)->GetArray(vtkDataSetAttributes::GhostArrayName()));
   return ghosts && ghosts->GetNumberOfValues() > 0 ? ghosts->GetPointer(0) : nullptr;
 }
+
+bool SkdHasDuplicates(vtkDataSet* piece)
+{
+  for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    const unsigned char* ghosts = SkdGhostsOf(piece, type);
+    const vtkIdType number = ghosts ? piece->GetNumberOfElements(type) : 0;
+    if (std::any_of(ghosts, ghosts + number,
+          [](unsigned char mark) { return (mark & vtkDataSetAttributes::DUPLICATECELL) != 0; }))
+    {
+      return true;
+    }
+  }
+  return false;
+}

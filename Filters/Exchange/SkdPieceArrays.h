@@ -36,4 +36,7 @@ vtkSmartPointer<vtkPoints> SkdJoinPoints(
 /// The ghost marks of a piece's points or cells, nullptr if there are none.
 const unsigned char* SkdGhostsOf(vtkDataSet* piece, int type);
 
+/// Whether any point or cell of a piece is marked as a duplicate.
+bool SkdHasDuplicates(vtkDataSet* piece);
+
 #endif

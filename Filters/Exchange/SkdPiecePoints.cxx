@@ -61,7 +61,7 @@ void SkdPiecePoints::FindKeysByGlobalIds()
         keys.emplace(id, static_cast<vtkIdType>(keys.size())).first->second);
     }
   }
-  this->Places.resize(keys.size());
+  this->Join = SkdPointJoin(keys.size());
 }
 
 void SkdPiecePoints::FindKeysByCoordinates()
@@ -76,41 +76,22 @@ void SkdPiecePoints::FindKeysByCoordinates()
       this->Keys[piece].push_back(weld.GetId(x));
     }
   }
-  this->Places.resize(weld.GetPoints().size());
+  this->Join = SkdPointJoin(weld.GetPoints().size());
   if (this->Pieces.size() > 1)
   {
     SkdMergeNearPoints(this->Pieces, weld.GetPoints(), this->Keys);
   }
 }
 
-// The n-th point of a piece with a key is one with the n-th of other pieces.
 vtkIdType SkdPiecePoints::Add(int piece, vtkIdType point)
 {
   const auto at = static_cast<std::size_t>(piece);
-  Place& place =
-    this->Places[static_cast<std::size_t>(this->Keys[at][static_cast<std::size_t>(point)])];
-  const bool isFirst = place.Piece != piece;
-  vtkIdType id = isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)];
-  if (id >= 0)
+  const vtkIdType before = this->GetNumber();
+  const vtkIdType id = this->Join.Add(piece, this->Keys[at][static_cast<std::size_t>(point)]);
+  if (id == before)
   {
-    this->Shared[static_cast<std::size_t>(id)] = 1;
+    this->Tuples[at].Add(point, id);
   }
-  else
-  {
-    id = this->NewPoint(piece, point);
-    (isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)]) = id;
-  }
-  place.Last = id;
-  place.Piece = piece;
   this->Ids[at][static_cast<std::size_t>(point)] = id;
-  return id;
-}
-
-vtkIdType SkdPiecePoints::NewPoint(int piece, vtkIdType point)
-{
-  const vtkIdType id = this->GetNumber();
-  this->Shared.push_back(0);
-  this->Next.push_back(-1);
-  this->Tuples[static_cast<std::size_t>(piece)].Add(point, id);
   return id;
 }

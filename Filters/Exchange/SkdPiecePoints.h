@@ -4,6 +4,7 @@
 #define SkdPiecePoints_h
 
 #include "Exchange/SkdPieceArrays.h"
+#include "Exchange/SkdPointJoin.h"
 
 #include <vector>
 
@@ -13,7 +14,7 @@ class SkdPiecePoints
 public:
   explicit SkdPiecePoints(const SkdPieces& pieces);
 
-  vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Shared.size()); }
+  vtkIdType GetNumber() const { return this->Join.GetNumber(); }
 
   /// The joined point that a point of a piece becomes; -1 for ghost points until they are added.
   vtkIdType IdOf(int piece, vtkIdType point) const
@@ -29,7 +30,7 @@ public:
   }
 
   /// Whether several pieces have a joined point.
-  bool IsShared(vtkIdType id) const { return this->Shared[static_cast<std::size_t>(id)] != 0; }
+  bool IsShared(vtkIdType id) const { return this->Join.IsShared(id); }
 
   /// Which joined point is made of which points.
   const std::vector<SkdPieceTuples>& GetTuples() const { return this->Tuples; }
@@ -39,22 +40,11 @@ private:
   void FindKeysByGlobalIds();
   void FindKeysByCoordinates();
   vtkIdType Add(int piece, vtkIdType point);
-  vtkIdType NewPoint(int piece, vtkIdType point);
-
-  /// The joined points with one key: the first, and the last that this piece has.
-  struct Place
-  {
-    vtkIdType First = -1;
-    vtkIdType Last = -1;
-    int Piece = -1;
-  };
 
   const SkdPieces& Pieces;
   std::vector<std::vector<vtkIdType>> Keys; // of each piece's points: equal where they may be one
   std::vector<std::vector<vtkIdType>> Ids;  // of each piece's points, joined
-  std::vector<Place> Places;                // by key
-  std::vector<vtkIdType> Next;              // the next joined point with the same key, or -1
-  std::vector<unsigned char> Shared;        // by joined point
+  SkdPointJoin Join;
   std::vector<SkdPieceTuples> Tuples;
 };
 

@@ -3,6 +3,7 @@
 // Pieces of a mesh from several processes, sent as lists of arrays and joined: the mesh again.
 
 #include "Support/FilterRun.h"
+#include "Support/MeshPieces.h"
 #include "Support/NamedMeshes.h"
 #include "Support/StructuredMeshes.h"
 #include "Support/SurfaceMeshes.h"
@@ -14,7 +15,6 @@
 
 #include "vtkCharArray.h"
 #include "vtkCommunicator.h"
-#include "vtkExtentTranslator.h"
 #include "vtkIdTypeArray.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,6 @@ using namespace skdtest;
 
 namespace
 {
-using Pieces = std::vector<vtkSmartPointer<vtkDataSet>>;
 using Row = std::vector<double>;
 
 void Append(vtkDataSetAttributes* data, vtkIdType tuple, Row& row)
@@ -120,99 +119,12 @@ TEST(PackedMesh, KeepsWhatLegacyFilesRound)
 }
 
 //------------------------------------------------------------------------------
-/// The cells of a mesh with the points that they use.
-Mesh Compact(const Mesh& mesh)
-{
-  Mesh compact;
-  std::map<vtkIdType, vtkIdType> known;
-  const auto idOf = [&](vtkIdType& id)
-  {
-    const auto found = known.find(id);
-    id = found != known.end()
-      ? found->second
-      : (known[id] = compact.Add(mesh.Points[static_cast<std::size_t>(id)]));
-  };
-  for (CellSpec cell : mesh.Cells)
-  {
-    if (cell.Type == VTK_POLYHEDRON)
-    {
-      for (std::size_t at = 1; at < cell.Points.size(); at += 1 + cell.Points[at])
-      {
-        std::for_each(&cell.Points[at] + 1, &cell.Points[at] + 1 + cell.Points[at], idOf);
-      }
-    }
-    else
-    {
-      std::for_each(cell.Points.begin(), cell.Points.end(), idOf);
-    }
-    compact.Add(cell.Type, cell.Points);
-  }
-  return compact;
-}
-
-/// Cells numbered by their places, so that the number is the same in every piece.
-template <class Pointer>
-Pointer WithValues(Pointer mesh)
-{
-  const auto linear = [&](vtkIdType i)
-  {
-    Point p;
-    mesh->GetPoint(i, p.data());
-    return Linear(p);
-  };
-  mesh->GetPointData()->AddArray(MakeArray("Linear", mesh->GetNumberOfPoints(), linear));
-  const auto bounds = [&](vtkIdType i)
-  {
-    double box[6];
-    mesh->GetCellBounds(i, box);
-    return box[0] + 10.0 * box[2] + 100.0 * box[4];
-  };
-  mesh->GetCellData()->AddArray(MakeArray("Place", mesh->GetNumberOfCells(), bounds));
-  return mesh;
-}
-
-struct Case
-{
-  std::string Name;
-  Mesh Whole;
-  bool IsSurface;
-};
-
-std::vector<Case> Cases()
-{
-  return {
-    { "Hexahedra", Hexahedra(3), false },
-    { "Mixed", MixedCells(2), false },
-    { "Polyhedra", Polyhedra(2), false },
-    { "Triangles", SphereTriangles(4), true },
-    { "Kinds",
-      Together({ Strips(3), Helix(9, VTK_POLY_LINE), SphereQuads(3), Cloud(5, VTK_VERTEX) }),
-      true },
-  };
-}
-
-class Join : public testing::TestWithParam<Case>
+class Join : public testing::TestWithParam<PieceCase>
 {
 protected:
-  vtkSmartPointer<vtkDataSet> Make(const Mesh& mesh) const
-  {
-    return GetParam().IsSurface ? vtkSmartPointer<vtkDataSet>(WithValues(MakePolyData(mesh)))
-                                : vtkSmartPointer<vtkDataSet>(WithValues(MakeGrid(mesh)));
-  }
+  vtkSmartPointer<vtkDataSet> Make(const Mesh& mesh) const { return GetParam().Make(mesh); }
 
   const Mesh Whole = Compact(GetParam().Whole);
-
-  /// Each cell on one of some processes at random.
-  std::vector<int> RandomOwners(int processes, int seed) const
-  {
-    Random random(seed);
-    std::vector<int> owners(this->Whole.Cells.size());
-    for (int& owner : owners)
-    {
-      owner = random.Index(processes);
-    }
-    return owners;
-  }
 
   void ExpectWhole(const Pieces& pieces) const
   {
@@ -238,7 +150,7 @@ TEST_P(Join, OwnedByOneEach)
 {
   for (int processes : { 1, 2, 3, 5 })
   {
-    const std::vector<int> owners = this->RandomOwners(processes, processes);
+    const std::vector<int> owners = RandomOwners(this->Whole, processes, processes);
     Pieces pieces;
     for (int process = 0; process < processes; ++process)
     {
@@ -262,7 +174,7 @@ TEST_P(Join, CellsOfOthers)
 {
   for (const bool areMarked : { false, true })
   {
-    const std::vector<int> owners = this->RandomOwners(3, 11);
+    const std::vector<int> owners = RandomOwners(this->Whole, 3, 11);
     Pieces pieces;
     for (int process = 0; process < 3; ++process)
     {
@@ -306,7 +218,7 @@ TEST_P(Join, CellsOfOthers)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Meshes, Join, testing::ValuesIn(Cases()), [](const auto& info) { return info.param.Name; });
+  Meshes, Join, testing::ValuesIn(PieceCases()), [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------
 // By global ids: cells in their order, points that coincide stay apart.
@@ -360,31 +272,12 @@ TEST(JoinedPieces, PointsThatDifferByRounding)
 
 //------------------------------------------------------------------------------
 template <class Grid>
-vtkSmartPointer<vtkDataSet> Cropped(vtkSmartPointer<Grid> grid, int* extent)
-{
-  auto piece = vtkSmartPointer<Grid>::New();
-  piece->ShallowCopy(grid);
-  piece->Crop(extent);
-  return piece;
-}
-
-template <class Grid>
 void ExpectWholeGrid(vtkSmartPointer<Grid> grid)
 {
   WithData(grid);
-  vtkNew<vtkExtentTranslator> translator;
-  translator->SetWholeExtent(grid->GetExtent());
-  translator->SetNumberOfPieces(3);
   for (int ghosts : { 0, 1 })
   {
-    Pieces pieces;
-    translator->SetGhostLevel(ghosts);
-    for (int piece : { 2, 0, 1 })
-    {
-      translator->SetPiece(piece);
-      translator->PieceToExtent();
-      pieces.push_back(Cropped(grid, translator->GetExtent()));
-    }
+    Pieces pieces = PiecesOfGrid(grid, ghosts);
     const SkdJoinedPieces joined = SkdJoinPieces(pieces);
     EXPECT_EQ(joined.Mesh->GetDataObjectType(), grid->GetDataObjectType());
     EXPECT_EQ(CellsOf(joined.Mesh), CellsOf(grid));

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdPieceNumbers.h"
+
+#include "Cells/Read/SkdCellReader.h"
+#include "Exchange/SkdPieceArrays.h"
+#include "Exchange/SkdRepeatedCells.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+
+namespace
+{
+/// The place of a cell with a global id among all: by kind, then by global id, then by piece.
+struct Ranked
+{
+  vtkIdType GlobalId;
+  int Kind;
+};
+
+class CellNumbering
+{
+public:
+  CellNumbering(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+    const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers)
+    : Transport(transport)
+    , Piece(piece)
+    , Reader(piece)
+    , IsShared(isShared)
+    , Numbers(numbers)
+    , Surface(facts.AreSurfaces() ? vtkPolyData::SafeDownCast(piece) : nullptr)
+    , GlobalIds(facts.HaveCellIds() ? piece->GetCellData()->GetGlobalIds() : nullptr)
+    , AreByIds(facts.HaveCellIds())
+    , Counts(static_cast<std::size_t>(piece->GetNumberOfCells()), 1)
+  {
+  }
+
+  void Number()
+  {
+    this->LeaveOutRepeated();
+    this->AreByIds ? this->NumberByGlobalIds() : this->NumberInTurn();
+  }
+
+private:
+  using Ids = SkdRowsByProcess<vtkIdType>;
+
+  int KindOf(vtkIdType cell) const { return this->Surface ? SkdKindOf(this->Surface, cell) : 0; }
+  vtkIdType GlobalIdOf(vtkIdType cell) const
+  {
+    return static_cast<vtkIdType>(this->GlobalIds->GetTuple1(cell));
+  }
+
+  template <class Visit>
+  void VisitCounted(const Visit& visit) const
+  {
+    for (std::size_t cell = 0; cell < this->Counts.size(); ++cell)
+    {
+      if (this->Counts[cell])
+      {
+        visit(static_cast<vtkIdType>(cell));
+      }
+    }
+  }
+
+  /// Whether all points of a cell are in several pieces; `points` gets their joined ids.
+  bool MayBeRepeated(vtkIdType cell, std::vector<vtkIdType>& points, vtkIdList* list) const
+  {
+    bool may = true;
+    points.clear();
+    this->Reader.VisitPoints(cell, list,
+      [&](const auto* ids, std::size_t size)
+      {
+        for (std::size_t i = 0; i < size && may; ++i)
+        {
+          may = this->IsShared[static_cast<std::size_t>(ids[i])] != 0;
+          points.push_back(this->Numbers.PointIds[static_cast<std::size_t>(ids[i])]);
+        }
+      });
+    return may;
+  }
+
+  SkdRepeatedCells::Key KeyOf(vtkIdType cell, const std::vector<vtkIdType>& points) const
+  {
+    return this->AreByIds
+      ? SkdRepeatedCells::Key{ this->GlobalIdOf(cell) }
+      : SkdRepeatedCells::KeyOf(this->Reader.TypeOf(cell), points.data(), points.size());
+  }
+
+  // Each question is the length of a key and the key.
+  void LeaveOutRepeated()
+  {
+    const auto processes = static_cast<std::size_t>(this->Transport.GetNumber());
+    Ids questions(processes);
+    Ids asked(processes);
+    const unsigned char* ghosts = SkdGhostsOf(this->Piece, vtkDataObject::CELL);
+    std::vector<vtkIdType> points;
+    vtkNew<vtkIdList> list;
+    for (std::size_t id = 0; id < this->Counts.size(); ++id)
+    {
+      const auto cell = static_cast<vtkIdType>(id);
+      this->Counts[id] = !ghosts || !(ghosts[id] & vtkDataSetAttributes::DUPLICATECELL);
+      if (this->Counts[id] && this->MayBeRepeated(cell, points, list))
+      {
+        const SkdRepeatedCells::Key key = this->KeyOf(cell, points);
+        const std::size_t to = HashOf(key) % processes;
+        questions[to].push_back(static_cast<vtkIdType>(key.size()));
+        questions[to].insert(questions[to].end(), key.begin(), key.end());
+        asked[to].push_back(cell);
+      }
+    }
+    const SkdRowsByProcess<unsigned char> answers =
+      SkdAsk<unsigned char>(this->Transport, questions, FindRepeated);
+    for (std::size_t to = 0; to < processes; ++to)
+    {
+      for (std::size_t i = 0; i < asked[to].size(); ++i)
+      {
+        this->Counts[static_cast<std::size_t>(asked[to][i])] = answers[to][i] == 0;
+      }
+    }
+  }
+
+  static std::size_t HashOf(const SkdRepeatedCells::Key& key)
+  {
+    std::uint64_t hash = 0;
+    for (const vtkIdType id : key)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(id)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+
+  /// By process and question whether an earlier one has the cell.
+  static SkdRowsByProcess<unsigned char> FindRepeated(const Ids& questions)
+  {
+    SkdRepeatedCells repeated;
+    SkdRowsByProcess<unsigned char> answers(questions.size());
+    for (std::size_t piece = 0; piece < questions.size(); ++piece)
+    {
+      for (auto at = questions[piece].begin(); at != questions[piece].end();)
+      {
+        const auto last = at + 1 + *at;
+        const bool isRepeated =
+          repeated.IsOfEarlier(static_cast<int>(piece), SkdRepeatedCells::Key(at + 1, last));
+        answers[piece].push_back(isRepeated ? 1 : 0);
+        at = last;
+      }
+    }
+    return answers;
+  }
+
+  //----------------------------------------------------------------------------
+  /// The first id of each kind, and how many of it earlier processes have.
+  std::vector<vtkIdType> FirstIds(const std::vector<vtkIdType>& counts)
+  {
+    std::vector<vtkIdType> first;
+    vtkIdType before = 0;
+    for (const SkdRunningSum& sum : SkdSumOver(this->Transport, counts))
+    {
+      first.push_back(before + sum.Before);
+      before += sum.All;
+    }
+    this->Numbers.NumberOfCells = before;
+    return first;
+  }
+
+  // Those of the first piece first.
+  void NumberInTurn()
+  {
+    std::vector<vtkIdType> counts(SkdNumberOfKinds, 0);
+    this->VisitCounted(
+      [&](vtkIdType cell) { ++counts[static_cast<std::size_t>(this->KindOf(cell))]; });
+    std::vector<vtkIdType> next = this->FirstIds(counts);
+    this->VisitCounted(
+      [&](vtkIdType cell)
+      {
+        this->Numbers.CellIds[static_cast<std::size_t>(cell)] =
+          next[static_cast<std::size_t>(this->KindOf(cell))]++;
+      });
+  }
+
+  // Each process sorts the ids of a range.
+  void NumberByGlobalIds()
+  {
+    vtkIdType range[2] = { std::numeric_limits<vtkIdType>::max(),
+      std::numeric_limits<vtkIdType>::lowest() };
+    this->VisitCounted(
+      [&](vtkIdType cell)
+      {
+        range[0] = std::min(range[0], this->GlobalIdOf(cell));
+        range[1] = std::max(range[1], this->GlobalIdOf(cell));
+      });
+    for (const auto& ranges :
+      SkdGatherRows(this->Transport, std::vector<vtkIdType>(range, range + 2)))
+    {
+      range[0] = std::min(range[0], ranges[0]);
+      range[1] = std::max(range[1], ranges[1]);
+    }
+    const auto processes = static_cast<std::size_t>(this->Transport.GetNumber());
+    const double first = static_cast<double>(range[0]);
+    const double width = static_cast<double>(range[1]) - first + 1.0;
+    SkdRowsByProcess<Ranked> questions(processes);
+    Ids asked(processes);
+    this->VisitCounted(
+      [&](vtkIdType cell)
+      {
+        const vtkIdType id = this->GlobalIdOf(cell);
+        const double share = (static_cast<double>(id) - first) / width;
+        const auto to =
+          std::min(processes - 1, static_cast<std::size_t>(share * static_cast<double>(processes)));
+        questions[to].push_back({ id, this->KindOf(cell) });
+        asked[to].push_back(cell);
+      });
+    const Ids answers = SkdAsk<vtkIdType>(this->Transport, questions,
+      [this](const SkdRowsByProcess<Ranked>& all) { return this->Rank(all); });
+    for (std::size_t to = 0; to < processes; ++to)
+    {
+      for (std::size_t i = 0; i < asked[to].size(); ++i)
+      {
+        this->Numbers.CellIds[static_cast<std::size_t>(asked[to][i])] = answers[to][i];
+      }
+    }
+  }
+
+  Ids Rank(const SkdRowsByProcess<Ranked>& all)
+  {
+    std::vector<std::tuple<int, vtkIdType, std::size_t, std::size_t>> order;
+    std::vector<vtkIdType> counts(SkdNumberOfKinds, 0);
+    Ids ids(all.size());
+    for (std::size_t piece = 0; piece < all.size(); ++piece)
+    {
+      ids[piece].resize(all[piece].size());
+      for (std::size_t i = 0; i < all[piece].size(); ++i)
+      {
+        order.emplace_back(all[piece][i].Kind, all[piece][i].GlobalId, piece, i);
+        ++counts[static_cast<std::size_t>(all[piece][i].Kind)];
+      }
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<vtkIdType> next = this->FirstIds(counts);
+    for (const auto& [kind, globalId, piece, i] : order)
+    {
+      ids[piece][i] = next[static_cast<std::size_t>(kind)]++;
+    }
+    return ids;
+  }
+
+  SkdTransport& Transport;
+  vtkDataSet* Piece;
+  SkdCellReader Reader;
+  const std::vector<unsigned char>& IsShared;
+  SkdPieceNumbers& Numbers;
+  vtkPolyData* Surface;
+  vtkDataArray* GlobalIds;
+  bool AreByIds;
+  std::vector<unsigned char> Counts; // whether each cell does
+};
+}
+
+void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers)
+{
+  CellNumbering(transport, piece, facts, isShared, numbers).Number();
+}

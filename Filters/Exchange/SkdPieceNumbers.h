@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdPieceNumbers.h
+ * @brief The ids that a piece's cells and points have in the mesh that all pieces are together,
+ * without a process that has all of it.
+ */
+
+#ifndef SkdPieceNumbers_h
+#define SkdPieceNumbers_h
+
+#include "Exchange/SkdPieceFacts.h"
+#include "Exchange/SkdTransport.h"
+#include "vtkDataSet.h"
+
+#include <vector>
+
+/// Where a point of the joined mesh is taken from, a process of -1: it is in no piece's cells.
+struct SkdPointOrigin
+{
+  int Process;
+  vtkIdType Point; ///< in that process's piece
+};
+
+/// Of this process's piece.
+struct SkdPieceNumbers
+{
+  /// The joined id of each cell; -1: it is a duplicate, or another process's piece has it, too, and
+  /// counts it.
+  std::vector<vtkIdType> CellIds;
+
+  /// The joined id of each point, whoever counts it; -1: a ghost that no counted cell uses.
+  std::vector<vtkIdType> PointIds;
+
+  /// The piece whose coordinates and data a point has in the joined mesh.
+  std::vector<SkdPointOrigin> PointOrigins;
+
+  ///@{
+  /// Of the joined mesh.
+  vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfPoints = 0;
+  ///@}
+};
+
+/// Numbers cells and points as SkdJoinPieces does. All processes must call it together. Points and
+/// cells that may be in several pieces are told to processes that are chosen by their coordinates
+/// or ids, which compare them: memory and bytes are O(n) for n points and cells of the piece, with
+/// any partition, and much less where pieces have only their borders in common.
+SkdPieceNumbers SkdNumberPiece(
+  SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts);
+
+///@{
+/// Parts of it.
+/// Points and cells of one grid by their place in it.
+void SkdNumberGrid(
+  SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts, SkdPieceNumbers& numbers);
+
+/// Points by their global ids or coordinates.
+/// `isShared` gets whether several pieces have each.
+void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared);
+
+/// Cells by their points, which are numbered, or global ids.
+void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers);
+
+/// The sum of the numbers of earlier processes, and of all.
+struct SkdRunningSum
+{
+  vtkIdType Before = 0;
+  vtkIdType All = 0;
+};
+std::vector<SkdRunningSum> SkdSumOver(
+  SkdTransport& transport, const std::vector<vtkIdType>& numbers);
+///@}
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdPointJoin_h
+#define SkdPointJoin_h
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <vector>
+
+/// Which points of several pieces are one, of points with a key each: the n-th point of a piece
+/// with a key is one with the n-th of other pieces.
+class SkdPointJoin
+{
+public:
+  explicit SkdPointJoin(std::size_t numberOfKeys = 0)
+    : Places(numberOfKeys)
+  {
+  }
+
+  /// The joined points so far.
+  vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Shared.size()); }
+
+  /// The joined point that the next point of a piece becomes: a new one if it is GetNumber().
+  vtkIdType Add(int piece, vtkIdType key)
+  {
+    Place& place = this->Places[static_cast<std::size_t>(key)];
+    const bool isFirst = place.Piece != piece;
+    vtkIdType id = isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)];
+    if (id >= 0)
+    {
+      this->Shared[static_cast<std::size_t>(id)] = 1;
+    }
+    else
+    {
+      id = this->GetNumber();
+      (isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)]) = id;
+      this->Shared.push_back(0);
+      this->Next.push_back(-1);
+    }
+    place.Last = id;
+    place.Piece = piece;
+    return id;
+  }
+
+  /// Whether several pieces have a joined point.
+  bool IsShared(vtkIdType id) const { return this->Shared[static_cast<std::size_t>(id)] != 0; }
+
+private:
+  /// The joined points with one key: the first, and the last that this piece has.
+  struct Place
+  {
+    vtkIdType First = -1;
+    vtkIdType Last = -1;
+    int Piece = -1;
+  };
+
+  std::vector<Place> Places;         // by key
+  std::vector<vtkIdType> Next;       // the next joined point with the same key, or -1
+  std::vector<unsigned char> Shared; // by joined point
+};
+
+#endif

@@ -1,0 +1,440 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdPieceNumbers.h"
+
+#include "Bodies/SkdWeld.h"
+#include "Cells/Read/SkdCellReader.h"
+#include "Exchange/SkdCut.h"
+#include "Exchange/SkdNearPoints.h"
+#include "Exchange/SkdPieceArrays.h"
+#include "Exchange/SkdPointJoin.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+namespace
+{
+/// When a point is added to the joined mesh: ghosts after all others, in the order in which cells
+/// use them, or not at all.
+constexpr vtkIdType AtOnce = -1;
+constexpr vtkIdType Never = -2;
+
+struct PointQuestion
+{
+  skd::Vector3 X;
+  vtkIdType GlobalId; // if all points have such
+  vtkIdType Point;
+  vtkIdType Turn;
+};
+
+struct PointAnswer
+{
+  SkdPointOrigin Origin;
+  bool IsShared;
+};
+
+using Questions = SkdRowsByProcess<PointQuestion>;
+using Answers = SkdRowsByProcess<PointAnswer>;
+using Keys = std::vector<std::vector<vtkIdType>>;
+
+//------------------------------------------------------------------------------
+// Where questions are answered.
+
+std::size_t FindKeysByGlobalIds(const Questions& asked, Keys& keys)
+{
+  std::unordered_map<vtkIdType, vtkIdType> known;
+  for (std::size_t piece = 0; piece < asked.size(); ++piece)
+  {
+    for (const PointQuestion& question : asked[piece])
+    {
+      const auto next = static_cast<vtkIdType>(known.size());
+      keys[piece].push_back(known.emplace(question.GlobalId, next).first->second);
+    }
+  }
+  return known.size();
+}
+
+std::size_t FindKeysByCoordinates(const Questions& asked, double tolerance, Keys& keys)
+{
+  SkdWeld weld;
+  for (std::size_t piece = 0; piece < asked.size(); ++piece)
+  {
+    for (const PointQuestion& question : asked[piece])
+    {
+      keys[piece].push_back(weld.GetId(question.X.X));
+    }
+  }
+  SkdMergeNearPoints(tolerance, weld.GetPoints(), keys);
+  return weld.GetPoints().size();
+}
+
+/// Adds the points of all pieces in the order of SkdPiecePoints.
+class PointDirectory
+{
+public:
+  PointDirectory(const Questions& asked, const Keys& keys, std::size_t numberOfKeys)
+    : Asked(asked)
+    , Keyed(keys)
+    , Join(numberOfKeys)
+    , Ids(asked.size())
+  {
+    for (std::size_t piece = 0; piece < asked.size(); ++piece)
+    {
+      this->Ids[piece].assign(asked[piece].size(), -1);
+      this->AddOwn(piece);
+    }
+    for (std::size_t piece = 0; piece < asked.size(); ++piece)
+    {
+      this->AddGhosts(piece);
+    }
+  }
+
+  Answers GetAnswers() const
+  {
+    Answers answers(this->Asked.size());
+    for (std::size_t piece = 0; piece < this->Asked.size(); ++piece)
+    {
+      for (const vtkIdType id : this->Ids[piece])
+      {
+        answers[piece].push_back(id < 0
+            ? PointAnswer{ { -1, -1 }, false }
+            : PointAnswer{ this->Origins[static_cast<std::size_t>(id)], this->Join.IsShared(id) });
+      }
+    }
+    return answers;
+  }
+
+private:
+  void AddOwn(std::size_t piece)
+  {
+    for (std::size_t i = 0; i < this->Asked[piece].size(); ++i)
+    {
+      if (this->Asked[piece][i].Turn == AtOnce)
+      {
+        this->Add(piece, i);
+      }
+    }
+  }
+
+  void AddGhosts(std::size_t piece)
+  {
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < this->Asked[piece].size(); ++i)
+    {
+      if (this->Asked[piece][i].Turn >= 0)
+      {
+        used.push_back(i);
+      }
+    }
+    std::sort(used.begin(), used.end(),
+      [&](std::size_t a, std::size_t b)
+      { return this->Asked[piece][a].Turn < this->Asked[piece][b].Turn; });
+    for (const std::size_t i : used)
+    {
+      this->Add(piece, i);
+    }
+  }
+
+  void Add(std::size_t piece, std::size_t i)
+  {
+    const vtkIdType before = this->Join.GetNumber();
+    const vtkIdType id = this->Join.Add(static_cast<int>(piece), this->Keyed[piece][i]);
+    if (id == before)
+    {
+      this->Origins.push_back({ static_cast<int>(piece), this->Asked[piece][i].Point });
+    }
+    this->Ids[piece][i] = id;
+  }
+
+  const Questions& Asked;
+  const Keys& Keyed;
+  SkdPointJoin Join;
+  Keys Ids;
+  std::vector<SkdPointOrigin> Origins; // by joined point
+};
+
+//------------------------------------------------------------------------------
+/// Which process compares points that are near each other: that of a cell of a lattice so coarse
+/// that few points are near two of its cells. These are told to both.
+class PointBins
+{
+public:
+  PointBins(double tolerance, int processes)
+    : Width(tolerance > 0.0 ? WidthInTolerances * tolerance : 1.0)
+    , Margin(MarginInTolerances * tolerance)
+    , Processes(static_cast<std::size_t>(processes))
+  {
+  }
+
+  /// The first is the one whose answer counts.
+  void Find(const skd::Vector3& x, std::vector<std::size_t>& processes) const
+  {
+    processes.assign(1, this->ProcessOf(x));
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      skd::Vector3 near = x;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        near[axis] += (corner >> axis) & 1 ? this->Margin : -this->Margin;
+      }
+      const std::size_t other = this->ProcessOf(near);
+      if (std::find(processes.begin(), processes.end(), other) == processes.end())
+      {
+        processes.push_back(other);
+      }
+    }
+  }
+
+private:
+  // Points that are one are within a tolerance of each other, at most a few in a row.
+  static constexpr double MarginInTolerances = 16.0;
+  static constexpr double WidthInTolerances = 1024.0;
+
+  std::size_t ProcessOf(const skd::Vector3& x) const
+  {
+    skd::Vector3 cell;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = std::floor(x[axis] / this->Width) + 0.0; // no -0: its bits differ
+    }
+    return SkdWeld::HashOf(cell) % this->Processes;
+  }
+
+  double Width;
+  double Margin;
+  std::size_t Processes;
+};
+
+//------------------------------------------------------------------------------
+class PointNumbering
+{
+public:
+  PointNumbering(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts)
+    : Transport(transport)
+    , Piece(piece)
+    , Facts(facts)
+    , Turns(static_cast<std::size_t>(piece->GetNumberOfPoints()), AtOnce)
+    , Asked(static_cast<std::size_t>(transport.GetNumber()))
+    , AskedPoints(Asked.size())
+  {
+    this->FindTurns();
+  }
+
+  void Number(SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
+  {
+    const bool byIds = this->Facts.HavePointIds();
+    const double tolerance = this->Facts.GetNearTolerance();
+    byIds ? this->AskByGlobalIds() : this->AskByCoordinates(tolerance);
+    const Answers answers = SkdAsk<PointAnswer>(this->Transport, this->Asked,
+      [&](const Questions& asked)
+      {
+        Keys keys(asked.size());
+        const std::size_t number =
+          byIds ? FindKeysByGlobalIds(asked, keys) : FindKeysByCoordinates(asked, tolerance, keys);
+        return PointDirectory(asked, keys, number).GetAnswers();
+      });
+    isShared.assign(this->Turns.size(), 0);
+    this->TakeOrigins(answers, numbers.PointOrigins, isShared);
+    this->NumberOwn(numbers);
+    this->AskForOthers(numbers);
+  }
+
+private:
+  // Ghost points in the order in which cells that are no ghosts use them.
+  void FindTurns()
+  {
+    const unsigned char* ghosts = SkdGhostsOf(this->Piece, vtkDataObject::POINT);
+    if (!ghosts)
+    {
+      return;
+    }
+    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    {
+      const bool isGhost = (ghosts[point] & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
+      this->Turns[point] = isGhost ? Never : AtOnce;
+    }
+    const unsigned char* ghostCells = SkdGhostsOf(this->Piece, vtkDataObject::CELL);
+    const SkdCellReader reader(this->Piece);
+    vtkNew<vtkIdList> list;
+    for (vtkIdType cell = 0; cell < this->Piece->GetNumberOfCells(); ++cell)
+    {
+      if (!ghostCells || !(ghostCells[cell] & vtkDataSetAttributes::DUPLICATECELL))
+      {
+        reader.VisitPoints(cell, list,
+          [&](const auto* points, std::size_t size)
+          { std::for_each(points, points + size, [&](auto point) { this->Use(point); }); });
+      }
+    }
+  }
+
+  void Use(vtkIdType point)
+  {
+    vtkIdType& turn = this->Turns[static_cast<std::size_t>(point)];
+    if (turn == Never)
+    {
+      turn = static_cast<vtkIdType>(this->UsedGhosts.size());
+      this->UsedGhosts.push_back(point);
+    }
+  }
+
+  PointQuestion QuestionOf(vtkIdType point) const
+  {
+    PointQuestion question;
+    this->Piece->GetPoint(point, question.X.X);
+    question.GlobalId = -1;
+    question.Point = point;
+    question.Turn = this->Turns[static_cast<std::size_t>(point)];
+    return question;
+  }
+
+  void AskByGlobalIds()
+  {
+    vtkDataArray* ids = this->Piece->GetPointData()->GetGlobalIds();
+    for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
+    {
+      PointQuestion question = this->QuestionOf(point);
+      question.GlobalId = static_cast<vtkIdType>(ids->GetTuple1(point));
+      const std::size_t to = static_cast<std::size_t>(question.GlobalId) % this->Asked.size();
+      this->Asked[to].push_back(question);
+      this->AskedPoints[to].push_back(point);
+    }
+  }
+
+  // Points that lie where only this piece is are no other's.
+  void AskByCoordinates(double tolerance)
+  {
+    const std::vector<skd::Box3> boxes = SkdBoxesOfPoints(this->Piece);
+    const SkdCut cut(this->Transport, boxes);
+    const PointBins bins(tolerance, this->Transport.GetNumber());
+    const double reach = 64.0 * tolerance;
+    std::vector<int> owners;
+    std::vector<std::size_t> to;
+    for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
+    {
+      cut.FindOverlapping(boxes[static_cast<std::size_t>(point)].Inflated(reach), owners);
+      if (std::all_of(owners.begin(), owners.end(),
+            [this](int process) { return process == this->Transport.GetRank(); }))
+      {
+        continue;
+      }
+      const PointQuestion question = this->QuestionOf(point);
+      bins.Find(question.X, to);
+      for (const std::size_t process : to)
+      {
+        this->Asked[process].push_back(question);
+        this->AskedPoints[process].push_back(process == to.front() ? point : -1);
+      }
+    }
+  }
+
+  void TakeOrigins(const Answers& answers, std::vector<SkdPointOrigin>& origins,
+    std::vector<unsigned char>& isShared) const
+  {
+    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    {
+      const bool isUsed = this->Turns[point] != Never;
+      origins.push_back(isUsed
+          ? SkdPointOrigin{ this->Transport.GetRank(), static_cast<vtkIdType>(point) }
+          : SkdPointOrigin{ -1, -1 });
+    }
+    for (std::size_t to = 0; to < answers.size(); ++to)
+    {
+      for (std::size_t i = 0; i < answers[to].size(); ++i)
+      {
+        if (this->AskedPoints[to][i] >= 0)
+        {
+          const auto point = static_cast<std::size_t>(this->AskedPoints[to][i]);
+          origins[point] = answers[to][i].Origin;
+          isShared[point] = answers[to][i].IsShared ? 1 : 0;
+        }
+      }
+    }
+  }
+
+  bool IsOwn(const SkdPieceNumbers& numbers, vtkIdType point) const
+  {
+    const SkdPointOrigin& origin = numbers.PointOrigins[static_cast<std::size_t>(point)];
+    return origin.Process == this->Transport.GetRank() && origin.Point == point;
+  }
+
+  /// Those whose coordinates and data are this piece's.
+  void NumberOwn(SkdPieceNumbers& numbers) const
+  {
+    std::vector<vtkIdType> own;
+    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    {
+      if (this->Turns[point] == AtOnce && this->IsOwn(numbers, static_cast<vtkIdType>(point)))
+      {
+        own.push_back(static_cast<vtkIdType>(point));
+      }
+    }
+    std::vector<vtkIdType> ghosts;
+    std::copy_if(this->UsedGhosts.begin(), this->UsedGhosts.end(), std::back_inserter(ghosts),
+      [&](vtkIdType point) { return this->IsOwn(numbers, point); });
+    const std::vector<SkdRunningSum> sums = SkdSumOver(this->Transport,
+      { static_cast<vtkIdType>(own.size()), static_cast<vtkIdType>(ghosts.size()) });
+    const auto number = [&](const std::vector<vtkIdType>& points, vtkIdType next)
+    {
+      for (const vtkIdType point : points)
+      {
+        numbers.PointIds[static_cast<std::size_t>(point)] = next++;
+      }
+    };
+    number(own, sums[0].Before);
+    number(ghosts, sums[0].All + sums[1].Before);
+    numbers.NumberOfPoints = sums[0].All + sums[1].All;
+  }
+
+  void AskForOthers(SkdPieceNumbers& numbers) const
+  {
+    SkdRowsByProcess<vtkIdType> asked(this->Asked.size());
+    SkdRowsByProcess<std::size_t> points(this->Asked.size());
+    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    {
+      const SkdPointOrigin& origin = numbers.PointOrigins[point];
+      if (numbers.PointIds[point] < 0 && origin.Process >= 0)
+      {
+        asked[static_cast<std::size_t>(origin.Process)].push_back(origin.Point);
+        points[static_cast<std::size_t>(origin.Process)].push_back(point);
+      }
+    }
+    const SkdRowsByProcess<vtkIdType> ids = SkdAsk<vtkIdType>(this->Transport, asked,
+      [&](SkdRowsByProcess<vtkIdType> all)
+      {
+        for (std::vector<vtkIdType>& some : all)
+        {
+          std::transform(some.begin(), some.end(), some.begin(),
+            [&](vtkIdType point) { return numbers.PointIds[static_cast<std::size_t>(point)]; });
+        }
+        return all;
+      });
+    for (std::size_t process = 0; process < ids.size(); ++process)
+    {
+      for (std::size_t i = 0; i < ids[process].size(); ++i)
+      {
+        numbers.PointIds[points[process][i]] = ids[process][i];
+      }
+    }
+  }
+
+  SkdTransport& Transport;
+  vtkDataSet* Piece;
+  const SkdAllFacts& Facts;
+  std::vector<vtkIdType> Turns;      // by point
+  std::vector<vtkIdType> UsedGhosts; // in their turn
+  Questions Asked;
+  SkdRowsByProcess<vtkIdType> AskedPoints; // -1: the answer is another's
+};
+}
+
+void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
+  SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
+{
+  PointNumbering(transport, piece, facts).Number(numbers, isShared);
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdRepeatedCells_h
+#define SkdRepeatedCells_h
+
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+/// Cells that several pieces have, by a key: if an earlier piece has n of a key, the first n of a
+/// later one are these. Pieces are told one after another.
+class SkdRepeatedCells
+{
+public:
+  using Key = std::vector<vtkIdType>;
+
+  /// The key of a cell of joined points.
+  static Key KeyOf(int type, const vtkIdType* points, std::size_t number)
+  {
+    Key key{ type };
+    key.insert(key.end(), points, points + number);
+    if (type == VTK_POLYHEDRON) // VTK has its points in the order of their ids
+    {
+      std::sort(key.begin() + 1, key.end());
+    }
+    return key;
+  }
+
+  bool IsOfEarlier(int piece, const Key& key)
+  {
+    Count& count = this->Counts[key];
+    if (count.Piece != piece)
+    {
+      count.Before = std::max(count.Before, count.Here);
+      count.Here = 0;
+      count.Piece = piece;
+    }
+    return ++count.Here <= count.Before;
+  }
+
+private:
+  /// How often a piece has a cell, and any earlier one.
+  struct Count
+  {
+    int Piece = -1;
+    int Here = 0;
+    int Before = 0;
+  };
+  std::map<Key, Count> Counts;
+};
+
+/// The kinds of cells in the order of vtkPolyData's ids.
+constexpr int SkdNumberOfKinds = 4;
+
+/// The kind of a vtkPolyData's cell.
+inline int SkdKindOf(vtkPolyData* mesh, vtkIdType cell)
+{
+  vtkCellArray* const kinds[SkdNumberOfKinds] = { mesh->GetVerts(), mesh->GetLines(),
+    mesh->GetPolys(), mesh->GetStrips() };
+  int kind = 0;
+  while (kind < SkdNumberOfKinds - 1 && cell >= kinds[kind]->GetNumberOfCells())
+  {
+    cell -= kinds[kind]->GetNumberOfCells();
+    ++kind;
+  }
+  return kind;
+}
+
+#endif
