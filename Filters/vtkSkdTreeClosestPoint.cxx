@@ -3,12 +3,14 @@
 #include "vtkSkdTreeClosestPoint.h"
 
 #include "Bodies/SkdSource.h"
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Search/Closest/SkdClosestArrays.h"
+#include "Search/Closest/SkdRemoteClosest.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -70,9 +72,9 @@ void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>
   SkdWarnAboutRefused(self, refused);
 }
 
-void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
+void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source, const SkdTreeCounts& counts)
 {
-  if (source.GetCounts().Cells == 0)
+  if (counts.Cells == 0)
   {
     vtkWarningWithObjectMacro(self, "Source has no cells to search; no closest point is found.");
   }
@@ -88,7 +90,7 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source)
   }
 }
 
-void Report(vtkDataObject* output, const SkdSource& source,
+void Report(vtkDataObject* output, const SkdSource& source, const SkdTreeCounts& counts,
   const std::vector<SkdClosestArrays>& answers, double buildSeconds, double querySeconds)
 {
   vtkIdType asked = 0;
@@ -98,7 +100,6 @@ void Report(vtkDataObject* output, const SkdSource& source,
     asked += answer.GetNumberOfPoints();
     found += answer.CountFound();
   }
-  const SkdTreeCounts counts = source.GetCounts();
   SkdReport report(output);
   report.AddCount("Points", asked);
   report.AddCount("PointsFound", found);
@@ -124,32 +125,47 @@ vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
 
 vtkSkdTreeClosestPoint::~vtkSkdTreeClosestPoint() = default;
 
+// Signs need all of the boundary, and data at points on a border are those of one of the pieces.
+bool vtkSkdTreeClosestPoint::CanAskPieces(int port)
+{
+  return port == 1 && !this->SignedDistance && !this->InterpolateSourceData;
+}
+
 int vtkSkdTreeClosestPoint::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const std::vector<SkdBlock> blocks = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
+  const SkdSpreadSource* spread = this->Inputs->GetSpread(1);
   SkdStopwatch watch;
 
   SkdSource& source = this->Impl->Source;
   source.Update(sourceData, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
-  WarnAbout(this, source);
+  const SkdTreeCounts counts = spread ? spread->CountAll(source.GetCounts()) : source.GetCounts();
+  WarnAbout(this, source, counts);
   SkdWarnAboutCoarseFaces(this, source.GetNumberOfCoarseFaces(), this->ChordalDeviation);
   const double buildSeconds = watch.Lap();
 
   std::vector<SkdClosestArrays> answers;
   SkdLoop loop(this, SkdCountPoints(blocks), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
-  for (const SkdBlock& block : blocks)
+  if (spread)
   {
-    answers.push_back(FindNearest(block.Mesh, source, this->MaximumDistance, loop));
+    const std::uint64_t sent =
+      SkdFindRemoteClosest(blocks, source, *spread, this->MaximumDistance, answers, loop);
+    SkdReport(output).AddCount("PointsSent", static_cast<vtkIdType>(sent));
+  }
+  for (std::size_t i = 0; !spread && i < blocks.size(); ++i)
+  {
+    answers.push_back(FindNearest(blocks[i].Mesh, source, this->MaximumDistance, loop));
   }
   const double querySeconds = watch.Lap();
 
   const bool isComposite = SkdIsComposite(sourceData);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    answers[i].AddTo(blocks[i].Mesh->GetPointData(), source.GetBlocks(), isComposite);
+    answers[i].AddTo(blocks[i].Mesh->GetPointData(),
+      spread ? spread->GetBlocks() : source.GetBlocks(), isComposite);
   }
   if (this->InterpolateSourceData)
   {
@@ -159,7 +175,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   {
     SkdConnectClosest(blocks, answers, vtkPolyData::GetData(outputVector, 1));
   }
-  Report(output, source, answers, buildSeconds, querySeconds);
+  Report(output, source, counts, answers, buildSeconds, querySeconds);
   source.Release();
   return 1;
 }

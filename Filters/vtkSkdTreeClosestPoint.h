@@ -7,7 +7,12 @@
  * Finds, for each point of Input (port 0, any vtkDataSet or composite of them), the nearest point
  * on the cells of Source (port 1, any vtkDataSet or composite), by the skD-tree (sections 4, 5 and
  * 6.4 of Khamayseh and Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact in double precision;
- * the answer does not depend on the number of threads or processes (each gathers the whole Source).
+ * the answer does not depend on the number of threads or processes.
+ *
+ * Several processes: a Source of which each has a piece is gathered on each, or with
+ * SOURCE_EXCHANGED stays where it is: a process answers its points from its own piece, and sends
+ * those to others that may have something nearer. Signed distances and interpolated data need all
+ * of the Source, which is then gathered.
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
  * other arrays: further time steps cost queries only, unless points move.
@@ -29,7 +34,8 @@
  * result), SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator),
  * SkdReportTreesBuilt (0 if all were reused), SkdReportEpsilon (the largest in use, in world
  * units), SkdReportBuildSeconds, SkdReportQuerySeconds; SkdReportOpenEdges if signed, and
- * SkdReportChordalLength for curved cells (see SetChordalDeviation).
+ * SkdReportChordalLength for curved cells (see SetChordalDeviation), and SkdReportPointsSent, how
+ * often this process sent a point to another, if the Source stayed in its pieces.
  *
  * Output port 1: optional (see GenerateLines), vtkPolyData with a line from each point with a
  * result to its nearest point, with the point's arrays as cell data (ghost marks are not passed
@@ -114,6 +120,7 @@ protected:
   ~vtkSkdTreeClosestPoint() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool CanAskPieces(int port) override;
 
   double MaximumDistance = VTK_DOUBLE_MAX;
   bool SignedDistance = false;

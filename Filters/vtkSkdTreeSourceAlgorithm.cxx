@@ -16,6 +16,8 @@ vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
   , Use(use)
   , OutputTypes(outputTypes)
 {
+  this->Inputs->SetStaysSpread([this](int port)
+    { return this->SourceDistribution == SOURCE_EXCHANGED && this->CanAskPieces(port); });
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
 }
@@ -56,6 +58,11 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
 bool vtkSkdTreeSourceAlgorithm::NeedsWhole(int port)
 {
   return port > 0 || this->WholeInput || this->GetNumberOfInputConnections(1) == 0;
+}
+
+bool vtkSkdTreeSourceAlgorithm::CanAskPieces(int)
+{
+  return false;
 }
 
 bool vtkSkdTreeSourceAlgorithm::IsLeftToFirst(vtkInformationVector* outputs)

@@ -108,6 +108,10 @@ protected:
   /// WholeInput is set. The same on all processes.
   virtual bool NeedsWhole(int port);
 
+  /// For subclasses that can send questions to the processes that have the pieces of an input: for
+  /// which inputs, with the present properties.
+  virtual bool CanAskPieces(int port);
+
   /// Whether the Input is needed as a whole and this is not the first process, which outputs all.
   bool IsLeftToFirst(vtkInformationVector* outputs);
 

@@ -60,15 +60,28 @@ void SkdFilterInputs::GatherInto(vtkInformationVector* inputs, int port)
     vtkDataObject* piece = vtkDataObject::GetData(input);
     vtkMultiProcessController* controller =
       piece && this->NeedsWhole(port) ? SkdControllerOf(input) : nullptr;
-    if (!controller)
+    const bool isSpread = controller && this->StaysSpread && this->StaysSpread(port) &&
+      this->Spread[{ port, i }].Update(piece, controller);
+    vtkDataObject* used = isSpread ? this->Spread[{ port, i }].GetOwn() : nullptr;
+    if (!isSpread)
+    {
+      this->Spread.erase({ port, i });
+    }
+    if (!controller || isSpread)
     {
       this->Whole.erase({ port, i });
-      continue;
     }
-    vtkNew<vtkInformation> gathered;
-    gathered->Copy(input);
-    gathered->Set(vtkDataObject::DATA_OBJECT(), this->Whole[{ port, i }].Update(piece, controller));
-    inputs->SetInformationObject(i, gathered);
+    else
+    {
+      used = this->Whole[{ port, i }].Update(piece, controller);
+    }
+    if (used)
+    {
+      vtkNew<vtkInformation> gathered;
+      gathered->Copy(input);
+      gathered->Set(vtkDataObject::DATA_OBJECT(), used);
+      inputs->SetInformationObject(i, gathered);
+    }
   }
 }
 
@@ -101,4 +114,10 @@ const SkdWholeInput* SkdFilterInputs::GetWhole(int port) const
 {
   const auto found = this->Whole.find({ port, 0 });
   return found == this->Whole.end() ? nullptr : &found->second;
+}
+
+const SkdSpreadSource* SkdFilterInputs::GetSpread(int port) const
+{
+  const auto found = this->Spread.find({ port, 0 });
+  return found == this->Spread.end() ? nullptr : &found->second;
 }

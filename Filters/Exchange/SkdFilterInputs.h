@@ -9,6 +9,7 @@
 #ifndef SkdFilterInputs_h
 #define SkdFilterInputs_h
 
+#include "Exchange/SkdSpreadSource.h"
 #include "Exchange/SkdWholeInput.h"
 
 #include <functional>
@@ -34,6 +35,10 @@ public:
   /// Whether the filter can use points of any finite coordinates: see SkdValidInput.
   void SetAnyMagnitude(bool any) { this->AnyMagnitude = any; }
 
+  /// Which of these stay in their pieces where each process has one, if there is the transport for
+  /// it: the filter sends questions to the other processes.
+  void SetStaysSpread(IsWhole stays) { this->StaysSpread = std::move(stays); }
+
   /// For ProcessRequest: calls `process` with the inputs that the filter is to have.
   /// - REQUEST_INFORMATION: the outputs get the times of all inputs (SkdUniteTimes).
   /// - REQUEST_DATA: inputs without broken cells (SkdValidInput), and whole where they are needed
@@ -50,6 +55,9 @@ public:
   /// How an input was gathered in this REQUEST_DATA; nullptr if it was not.
   const SkdWholeInput* GetWhole(int port) const;
 
+  /// The input if it stayed in its pieces in this REQUEST_DATA; nullptr if it did not.
+  const SkdSpreadSource* GetSpread(int port) const;
+
 private:
   int ProcessData(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs,
@@ -58,8 +66,10 @@ private:
 
   vtkAlgorithm* Filter;
   IsWhole NeedsWhole;
+  IsWhole StaysSpread;
   bool AnyMagnitude = false;
   std::map<std::pair<int, int>, SkdWholeInput> Whole; // by port and connection
+  std::map<std::pair<int, int>, SkdSpreadSource> Spread;
 };
 
 #endif

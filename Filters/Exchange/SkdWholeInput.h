@@ -26,6 +26,11 @@ class vtkMultiProcessController;
 class SkdWholeInput
 {
 public:
+  /// What a piece was: the data object and its data sets, and when they were modified.
+  using Stamp = std::vector<std::pair<void*, vtkMTimeType>>;
+
+  static Stamp StampOf(vtkDataObject* piece);
+
   /// The pieces of all processes as one data object: see SkdJoinPieces; of composite data the
   /// pieces of each block, by the blocks' places. All processes must call it together. The same
   /// object again, without an exchange of data, if the pieces of all of them are unchanged.
@@ -42,9 +47,6 @@ public:
   }
 
 private:
-  using Stamp = std::vector<std::pair<void*, vtkMTimeType>>;
-
-  static Stamp StampOf(vtkDataObject* piece);
   void Join(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, int own);
 
   Stamp Known;                          // what the own piece was

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search/Closest/SkdRemoteClosest.h"
+
+#include "Exchange/SkdNearestExchange.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace
+{
+/// See SkdNearestExchange.
+class Searcher
+{
+public:
+  using Answer = SkdNearest;
+
+  Searcher(const SkdSource& own, const SkdSpreadSource& spread)
+    : Own(own)
+    , Spread(spread)
+  {
+    for (const SkdBlock& block : own.GetBlocks())
+    {
+      this->Places.push_back(spread.PlaceOf(block.BlockIndex));
+    }
+  }
+
+  static bool IsBetter(const SkdNearest& a, const SkdNearest& b)
+  {
+    return std::tie(a.Distance2, a.Block, a.CellId) < std::tie(b.Distance2, b.Block, b.CellId);
+  }
+
+  static double RadiusOf(const SkdNearest& nearest)
+  {
+    return SkdRadiusIncluding(nearest.Distance2);
+  }
+
+  bool FindHere(const skd::Vector3& x, double radius, SkdNearest& nearest) const
+  {
+    const auto found = this->Own.FindNearest(x.X, radius);
+    if (found)
+    {
+      nearest = *found;
+      nearest.Block = this->Places[static_cast<std::size_t>(found->Block)];
+      nearest.CellId = this->Spread.IdOf(nearest.Block, found->CellId);
+    }
+    return found.has_value();
+  }
+
+  void ListNear(const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const
+  {
+    this->Spread.ListNear(x, radius, near);
+  }
+
+private:
+  const SkdSource& Own;
+  const SkdSpreadSource& Spread;
+  std::vector<int> Places; // of the own blocks among those of the whole
+};
+
+/// The points of several meshes, one after the other.
+class AllPoints
+{
+public:
+  explicit AllPoints(const std::vector<SkdBlock>& meshes)
+    : Meshes(meshes)
+  {
+    for (const SkdBlock& mesh : meshes)
+    {
+      this->Offsets.push_back(
+        this->Offsets.back() + static_cast<std::size_t>(mesh.Mesh->GetNumberOfPoints()));
+    }
+  }
+
+  std::size_t GetNumber() const { return this->Offsets.back(); }
+
+  /// Calls visit(mesh, point) with the place of a point.
+  template <class Visit>
+  void Place(std::size_t i, const Visit& visit) const
+  {
+    const auto next = std::upper_bound(this->Offsets.begin(), this->Offsets.end(), i);
+    const auto mesh = static_cast<std::size_t>(next - this->Offsets.begin()) - 1;
+    visit(mesh, static_cast<vtkIdType>(i - this->Offsets[mesh]));
+  }
+
+  void Read(std::size_t i, skd::Vector3& x) const
+  {
+    this->Place(
+      i, [&](std::size_t mesh, vtkIdType point) { this->Meshes[mesh].Mesh->GetPoint(point, x.X); });
+  }
+
+private:
+  const std::vector<SkdBlock>& Meshes;
+  std::vector<std::size_t> Offsets{ 0 };
+};
+}
+
+std::uint64_t SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
+  const SkdSpreadSource& spread, double maximumDistance, std::vector<SkdClosestArrays>& answers,
+  SkdLoop& loop)
+{
+  for (const SkdBlock& mesh : meshes)
+  {
+    answers.emplace_back(mesh.Mesh->GetNumberOfPoints());
+  }
+  const AllPoints points(meshes);
+  const Searcher searcher(own, spread);
+  SkdNearestExchange<Searcher> exchange(spread.GetTransport(), searcher);
+  exchange.Find(
+    points.GetNumber(), maximumDistance, [&](std::size_t i, skd::Vector3& x) { points.Read(i, x); },
+    [&](std::size_t i, const SkdNearest& nearest, int)
+    {
+      points.Place(
+        i, [&](std::size_t mesh, vtkIdType point) { answers[mesh].Set(point, nearest, false); });
+    },
+    loop);
+  return exchange.GetAsked();
+}

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A Source that stays in its pieces gives the answers of one that is gathered, to the last bit, on
+each of two, three and four processes: for every filter, and for each way in which the pieces may
+lie. (TestPieces compares the gathered one with one process.) Run without an argument this starts
+the processes; with the name of a file and partitions it is one of them, and writes there what
+differs."""
+
+import json
+import os
+import shutil
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import skdcases
+import skdpieces
+import skdtesting
+
+RUNS = {
+    2: ("cuts, ghosts", "one process"),
+    3: ("cuts", "round robin, global ids", "one reader"),
+    4: ("round robin", "cuts, doubled", "some empty"),
+}
+
+
+def leaves(data):
+    """The data sets and tables in a data object."""
+    if data is None:
+        return
+    if not data.IsA("vtkCompositeDataSet"):
+        yield data
+        return
+    iterator = data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def arrays_of(data, prefix):
+    for i in range(data.GetNumberOfArrays()):
+        array = data.GetArray(i)
+        if array is not None:
+            yield prefix + array.GetName(), vtk_to_numpy(array)
+
+
+def everything(proxy):
+    """All that this process has of the outputs: each array, points, and the bounds of cells."""
+    proxy.UpdatePipeline()
+    algorithm = proxy.GetClientSideObject()
+    found = {}
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        for number, data in enumerate(leaves(algorithm.GetOutputDataObject(port))):
+            name = f"output {port}, block {number}, "
+            if data.IsA("vtkTable"):
+                found.update(arrays_of(data.GetRowData(), name))
+                continue
+            points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+            cells = [data.GetCell(i).GetBounds() for i in range(data.GetNumberOfCells())]
+            found[name + "points"] = numpy.array(points)
+            found[name + "cells"] = numpy.array(cells)
+            found.update(arrays_of(data.GetPointData(), name + "point array "))
+            found.update(arrays_of(data.GetCellData(), name + "cell array "))
+    return found
+
+
+def is_same(first, second):
+    return first.shape == second.shape and first.dtype == second.dtype and numpy.array_equal(
+        first, second, equal_nan=first.dtype.kind == "f")
+
+
+def compare(proxy):
+    """What differs if the Source stays in its pieces. All processes call it together."""
+    proxy.SourceDistribution = "Exchange"
+    exchanged = everything(proxy)
+    proxy.SourceDistribution = "Replicate"
+    gathered = everything(proxy)
+    different = sorted(set(gathered) ^ set(exchanged))
+    return different + [name for name in gathered
+        if name in exchanged and not is_same(gathered[name], exchanged[name])]
+
+
+def write(file, partitions):
+    found = {}
+    for partition in partitions:
+        for name, case in skdcases.cases(partition):
+            if "SourceDistribution" in case.proxy.ListProperties():
+                different = compare(case.proxy)
+                if different:
+                    found[partition + ": " + name] = different
+    with open(file, "w", encoding="utf-8") as output:
+        json.dump(found, output)
+
+
+def check(file, processes):
+    for rank in range(processes):
+        with open(file % rank, encoding="utf-8") as found:
+            different = json.load(found)
+        assert not different, (rank, processes, different)
+
+
+if len(sys.argv) > 1:
+    file, *partitions = sys.argv[1].split("|")
+    write(file % skdpieces.process()[0], partitions)
+elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
+    skdtesting.skip("there is no mpiexec or no pvbatch")
+else:
+    for processes, partitions in RUNS.items():
+        file = skdtesting.temporary(f"exchange_of_{processes}_%d.json")
+        skdtesting.run_in_parallel(
+            os.path.abspath(__file__), "|".join((file, *partitions)), processes)
+        check(file, processes)
