@@ -27,8 +27,8 @@
  *
  * No cell is ever flipped or crosses itself: all corners of all cells are looked at in each
  * iteration, by exact signs, and where a cell would be spoilt its points go amid their neighbours,
- * along with them, or not as far. Points stay on the surface that they were on (see SetSurface), on borders and
- * creases (see SetBorders), at corners and on edges that three cells or more have.
+ * along with them, or not as far. Points stay on the surface that they were on (see SetSurface), on
+ * borders and creases (see SetBorders), at corners and on edges that three cells or more have.
  *
  * The measure of equidistribution is the coefficient of variation of the monitor's integral per
  * share, the root mean square of (m A / share - 1), weighted by shares; 0 is perfect. Iterations

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshing/Adaptation/SkdFieldSamples.h"
+
+#include "Cells/Read/SkdCellReader.h"
+#include "Cells/Read/SkdMagnitudes.h"
+#include "Pipeline/SkdBlocks.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// The named array, or else the first of numbers, that is no mark of ghosts.
+vtkDataArray* FindArray(vtkDataSetAttributes* data, const std::string& name)
+{
+  if (!name.empty())
+  {
+    return data->GetArray(name.c_str());
+  }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const char* itsName = array ? array->GetName() : nullptr;
+    if (itsName && itsName != std::string(vtkDataSetAttributes::GhostArrayName()))
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+double MagnitudeOf(vtkDataArray* array, vtkIdType i)
+{
+  if (array->GetNumberOfComponents() == 1)
+  {
+    return array->GetComponent(i, 0);
+  }
+  double sum = 0.0;
+  for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+  {
+    sum += array->GetComponent(i, k) * array->GetComponent(i, k);
+  }
+  return std::sqrt(sum);
+}
+
+skd::Vector3 MiddleOf(vtkDataSet* mesh, vtkIdType cell, vtkGenericCell* scratch)
+{
+  SkdLoadCell(mesh, cell, scratch);
+  skd::Vector3 sum{ { 0.0, 0.0, 0.0 } };
+  const vtkIdType n = scratch->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    skd::Vector3 x;
+    scratch->GetPoints()->GetPoint(i, x.X);
+    sum = sum + x;
+  }
+  return n > 0 ? (1.0 / static_cast<double>(n)) * sum : sum;
+}
+}
+
+void SkdFieldSamples::Add(const skd::Vector3& place, double value)
+{
+  const bool isTooLarge = std::abs(value) > SkdComparable.Largest;
+  this->TooLarge += isTooLarge;
+  this->Places.push_back(place);
+  this->Values.push_back(isTooLarge ? vtkMath::Nan() : value);
+}
+
+void SkdFieldSamples::AddAll(vtkDataSet* mesh, int type, vtkDataArray* array)
+{
+  const vtkUnsignedCharArray* none = nullptr;
+  vtkUnsignedCharArray* ghosts =
+    type == vtkDataObject::POINT ? mesh->GetPointGhostArray() : mesh->GetCellGhostArray();
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    skd::Vector3 x;
+    if (type == vtkDataObject::POINT)
+    {
+      mesh->GetPoint(i, x.X);
+    }
+    else
+    {
+      x = MiddleOf(mesh, i, cell);
+    }
+    const bool counts = ghosts == none || ghosts->GetValue(i) == 0;
+    this->Add(x, counts ? MagnitudeOf(array, i) : vtkMath::Nan());
+  }
+  this->IsStructured = this->IsStructured || SkdIsStructured(mesh);
+}
+
+SkdFieldSamples SkdFieldSamples::Read(vtkDataObject* source, const std::string& name)
+{
+  SkdFieldSamples samples;
+  for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    for (const SkdBlock& block : SkdBlocksOf(source))
+    {
+      vtkDataArray* array = FindArray(block.Mesh->GetAttributes(type), name);
+      if (array)
+      {
+        samples.AddAll(block.Mesh, type, array);
+      }
+    }
+    if (!samples.Places.empty())
+    {
+      break;
+    }
+  }
+  return samples;
+}
+
+bool SkdFieldSamples::HasAny() const
+{
+  return std::any_of(
+    this->Values.begin(), this->Values.end(), [](double value) { return std::isfinite(value); });
+}

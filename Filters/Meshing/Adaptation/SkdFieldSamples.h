@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdFieldSamples.h
+ * @brief A field as values at places.
+ */
+
+#ifndef SkdFieldSamples_h
+#define SkdFieldSamples_h
+
+#include "Core/Geometry/Vector.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkDataSet;
+
+struct SkdFieldSamples
+{
+  /// Of the points of all blocks, or else of the middles of their cells: the named array, or the
+  /// first of numbers; of several components their magnitude. Ghosts have no value.
+  static SkdFieldSamples Read(vtkDataObject* source, const std::string& name);
+
+  std::vector<skd::Vector3> Places;
+  std::vector<double> Values; ///< NaN where there is none
+  bool IsStructured = false;
+  vtkIdType TooLarge = 0; ///< values whose squares are no numbers: they count as none
+
+  bool HasAny() const;
+
+private:
+  void Add(const skd::Vector3& place, double value);
+  void AddAll(vtkDataSet* mesh, int type, vtkDataArray* array);
+};
+
+#endif
