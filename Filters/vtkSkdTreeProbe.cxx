@@ -199,6 +199,16 @@ int vtkSkdTreeProbe::RequestData(
   return 1;
 }
 
+// The nearest cell may be anywhere.
+bool vtkSkdTreeProbe::NeedsNearbySource(double& distance, double& ofDiagonal)
+{
+  distance = this->OutsidePoints == NEAREST_CELL_WITHIN_DISTANCE
+    ? std::max(this->AbsoluteTolerance, this->MaximumDistance)
+    : this->AbsoluteTolerance;
+  ofDiagonal = this->RelativeTolerance;
+  return this->OutsidePoints != NEAREST_CELL;
+}
+
 void vtkSkdTreeProbe::CutLines(
   vtkDataObject* input, bool isSourceComposite, vtkInformationVector* outputVector)
 {

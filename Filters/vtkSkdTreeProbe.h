@@ -14,8 +14,9 @@
  * missed, whatever the type of the cell, including warped and inverted cells. A point in no cell is
  * assigned to the nearest cell (ties to the lowest) if it is within the tolerance of it, see
  * SetRelativeTolerance and SetAbsoluteTolerance, and optionally if it is farther, see
- * SetOutsidePoints. The answer does not depend on the number of threads or processes (each
- * gathers the whole Source).
+ * SetOutsidePoints. The answer does not depend on the number of threads or processes. A Source in
+ * pieces may stay spread (see SetSourceDistribution), unless OutsidePoints is NEAREST_CELL: each
+ * process gets the cells near its own points.
  *
  * Points are processed along a space-filling curve, which reduces the time for scattered points to
  * a third (600 thousand points among as many cells). The cell of the previous point is not used as
@@ -185,6 +186,7 @@ protected:
   ~vtkSkdTreeProbe() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool NeedsNearbySource(double& distance, double& ofDiagonal) override;
 
   double RelativeTolerance = 1e-3;
   double AbsoluteTolerance = 0.0;

@@ -16,8 +16,7 @@ vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
   , Use(use)
   , OutputTypes(outputTypes)
 {
-  this->Inputs->SetStaysSpread([this](int port)
-    { return this->SourceDistribution == SOURCE_EXCHANGED && this->CanAskPieces(port); });
+  this->Inputs->SetAsks([this](int port) { return this->CanAskPieces(port); });
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
 }
@@ -50,6 +49,13 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
     return 1; // the outputs are empty
   }
   this->Inputs->SetAnyMagnitude(this->AnyMagnitude);
+  this->Inputs->SetDistribution(
+    static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
+    [this](int port, SkdReach& reach)
+    {
+      return port == 1 && !this->NeedsWhole(0) &&
+        this->NeedsNearbySource(reach.Distance, reach.OfDiagonal);
+    });
   return this->Inputs->Process(request, inputVector, outputVector,
     [&](vtkInformationVector** inputs)
     { return this->Superclass::ProcessRequest(request, inputs, outputVector); });
@@ -58,6 +64,11 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
 bool vtkSkdTreeSourceAlgorithm::NeedsWhole(int port)
 {
   return port > 0 || this->WholeInput || this->GetNumberOfInputConnections(1) == 0;
+}
+
+bool vtkSkdTreeSourceAlgorithm::NeedsNearbySource(double&, double&)
+{
+  return false;
 }
 
 bool vtkSkdTreeSourceAlgorithm::CanAskPieces(int)

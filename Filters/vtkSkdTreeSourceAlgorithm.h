@@ -12,7 +12,8 @@
  *
  * Several processes: each process asks the pipeline for its own piece of all inputs, as VTK's
  * filters do. What is searched is gathered from the pieces of all processes, because an answer may
- * be anywhere in it, and kept while no piece changes: memory for all of it on each process. Ghost
+ * be anywhere in it, and kept while no piece changes: memory for all of it on each process. Filters
+ * whose answers are near the Input can do with the cells there: see SetSourceDistribution. Ghost
  * cells, and cells and points that several pieces have, count once; ids of cells are those of the
  * pieces in the order of the processes. Where the output's pieces are not those of the processes,
  * the pipeline is asked for the whole. All processes must execute together: a source that sets its
@@ -107,6 +108,12 @@ protected:
   /// Whether an input is needed as a whole: the Source, the Input if there is no Source, and where
   /// WholeInput is set. The same on all processes.
   virtual bool NeedsWhole(int port);
+
+  /// Whether with several processes a process needs of the Source no more than the cells whose
+  /// boxes come near its own part of the Input, and how near: a distance, and a fraction of the
+  /// diagonal of the cell's box, which add up. Such a filter states ids by SkdJoinedIds. False by
+  /// default.
+  virtual bool NeedsNearbySource(double& distance, double& ofDiagonal);
 
   /// For subclasses that can send questions to the processes that have the pieces of an input: for
   /// which inputs, with the present properties.

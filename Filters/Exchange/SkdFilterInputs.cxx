@@ -5,16 +5,25 @@
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdProcesses.h"
+#include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdTimes.h"
 #include "Pipeline/SkdValidInput.h"
 #include "vtkAlgorithm.h"
+#include "vtkCommunicator.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 
 #include <algorithm>
+
+namespace
+{
+/// In units of 1024 bytes.
+constexpr unsigned long LargestReplicated = 64 * 1024;
+}
 
 int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const std::function<int(vtkInformationVector** inputs)>& process)
@@ -43,16 +52,17 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   {
     kept.push_back(vtkSmartPointer<vtkInformationVector>::New());
     kept.back()->Copy(valid.Get()[port]);
-    this->GatherInto(kept.back(), port);
+    this->GatherInto(kept.back(), port, vtkDataObject::GetData(kept.front()));
     whole.push_back(kept.back());
   }
   const int result = process(whole.data());
   valid.Report(outputs);
+  this->Report(outputs);
   return result;
 }
 
 // What was requested of the input says whether it is this process's piece.
-void SkdFilterInputs::GatherInto(vtkInformationVector* inputs, int port)
+void SkdFilterInputs::GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own)
 {
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
@@ -60,28 +70,75 @@ void SkdFilterInputs::GatherInto(vtkInformationVector* inputs, int port)
     vtkDataObject* piece = vtkDataObject::GetData(input);
     vtkMultiProcessController* controller =
       piece && this->NeedsWhole(port) ? SkdControllerOf(input) : nullptr;
-    const bool isSpread = controller && this->StaysSpread && this->StaysSpread(port) &&
-      this->Spread[{ port, i }].Update(piece, controller);
-    vtkDataObject* used = isSpread ? this->Spread[{ port, i }].GetOwn() : nullptr;
-    if (!isSpread)
-    {
-      this->Spread.erase({ port, i });
-    }
-    if (!controller || isSpread)
+    if (!controller)
     {
       this->Whole.erase({ port, i });
+      this->Nearby.erase({ port, i });
+      this->Spread.erase({ port, i });
+      continue;
     }
-    else
+    vtkNew<vtkInformation> gathered;
+    gathered->Copy(input);
+    gathered->Set(vtkDataObject::DATA_OBJECT(), this->Gather(piece, { port, i }, own, controller));
+    inputs->SetInformationObject(i, gathered);
+  }
+}
+
+vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int> place,
+  vtkDataObject* own, vtkMultiProcessController* controller)
+{
+  std::unique_ptr<SkdTransport> transport = SkdMakeTransport(controller);
+  SkdReach reach;
+  if (!this->IsExchanged(piece, place.first, transport.get(), reach, controller))
+  {
+    this->Nearby.erase(place);
+    this->Spread.erase(place);
+    return this->Whole[place].Update(piece, controller);
+  }
+  this->Whole.erase(place);
+  if (this->Asks && this->Asks(place.first))
+  {
+    this->Nearby.erase(place);
+    return this->Spread[place].Update(std::move(transport), piece);
+  }
+  this->Spread.erase(place);
+  return this->Nearby[place].Update(*transport, piece, own, reach);
+}
+
+// The same on all processes.
+bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, int port, SkdTransport* transport,
+  SkdReach& reach, vtkMultiProcessController* controller) const
+{
+  const bool canExchange =
+    (this->Asks && this->Asks(port)) || (this->Find && this->Find(port, reach));
+  if (this->Wanted == Distribution::Replicated || !canExchange || !SkdCanBring(piece))
+  {
+    return false;
+  }
+  if (!transport)
+  {
+    if (this->Wanted == Distribution::Exchanged && controller->GetLocalProcessId() == 0)
     {
-      used = this->Whole[{ port, i }].Update(piece, controller);
+      vtkWarningWithObjectMacro(this->Filter,
+        "The Source was gathered on each process: to exchange it VTK must be built with MPI and "
+        "its "
+        "module ParallelDIY. Set SourceDistribution to Replicate or Automatic.");
     }
-    if (used)
-    {
-      vtkNew<vtkInformation> gathered;
-      gathered->Copy(input);
-      gathered->Set(vtkDataObject::DATA_OBJECT(), used);
-      inputs->SetInformationObject(i, gathered);
-    }
+    return false;
+  }
+  const unsigned long own = piece->GetActualMemorySize(); // in units of 1024 bytes
+  unsigned long all = 0;
+  controller->AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+  return this->Wanted == Distribution::Exchanged || all > LargestReplicated;
+}
+
+void SkdFilterInputs::Report(vtkInformationVector* outputs) const
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputs, 0);
+  const bool isExchanged = !this->Nearby.empty() || !this->Spread.empty();
+  if (output && (isExchanged || !this->Whole.empty()))
+  {
+    SkdReport(output).AddCount("SourceExchanged", isExchanged ? 1 : 0);
   }
 }
 

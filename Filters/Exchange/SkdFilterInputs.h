@@ -9,6 +9,7 @@
 #ifndef SkdFilterInputs_h
 #define SkdFilterInputs_h
 
+#include "Exchange/SkdNearbyInput.h"
 #include "Exchange/SkdSpreadSource.h"
 #include "Exchange/SkdWholeInput.h"
 
@@ -19,6 +20,7 @@
 class vtkAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
+class vtkMultiProcessController;
 
 class SkdFilterInputs
 {
@@ -32,18 +34,38 @@ public:
   {
   }
 
+  /// How an input that is needed as a whole is distributed over processes: see
+  /// vtkSkdTreeSourceAlgorithm::SetSourceDistribution.
+  enum class Distribution
+  {
+    Automatic,
+    Replicated,
+    Exchanged
+  };
+
+  /// Whether of an input that is needed as a whole each process needs no more than the cells that
+  /// are near its own part of port 0, and then how near.
+  using FindReach = std::function<bool(int port, SkdReach& reach)>;
+
+  void SetDistribution(Distribution distribution, FindReach find)
+  {
+    this->Wanted = distribution;
+    this->Find = std::move(find);
+  }
+
+  /// Of which inputs that are needed as a whole the filter asks the processes that have the pieces:
+  /// each process gets the cells of its own piece.
+  void SetAsks(IsWhole asks) { this->Asks = std::move(asks); }
+
   /// Whether the filter can use points of any finite coordinates: see SkdValidInput.
   void SetAnyMagnitude(bool any) { this->AnyMagnitude = any; }
-
-  /// Which of these stay in their pieces where each process has one, if there is the transport for
-  /// it: the filter sends questions to the other processes.
-  void SetStaysSpread(IsWhole stays) { this->StaysSpread = std::move(stays); }
 
   /// For ProcessRequest: calls `process` with the inputs that the filter is to have.
   /// - REQUEST_INFORMATION: the outputs get the times of all inputs (SkdUniteTimes).
   /// - REQUEST_DATA: inputs without broken cells (SkdValidInput), and whole where they are needed
-  ///   whole: gathered from all processes (SkdWholeInput). The outputs get the requested
-  ///   time, and in the report the names of arrays that are not complete (SkdPartialArrays).
+  ///   whole: gathered from all processes (SkdWholeInput), or what is near (SkdNearbyInput), which
+  ///   the report says. The outputs get the requested time, and in the report the names of arrays
+  ///   that are not complete (SkdPartialArrays).
   int Process(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
 
@@ -55,20 +77,28 @@ public:
   /// How an input was gathered in this REQUEST_DATA; nullptr if it was not.
   const SkdWholeInput* GetWhole(int port) const;
 
-  /// The input if it stayed in its pieces in this REQUEST_DATA; nullptr if it did not.
+  /// Whom to ask about an input in this REQUEST_DATA; nullptr if it was gathered.
   const SkdSpreadSource* GetSpread(int port) const;
 
 private:
   int ProcessData(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
-  void GatherInto(vtkInformationVector* inputs, int port);
+  void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
+  vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> place, vtkDataObject* own,
+    vtkMultiProcessController* controller);
+  bool IsExchanged(vtkDataObject* piece, int port, SkdTransport* transport, SkdReach& reach,
+    vtkMultiProcessController* controller) const;
+  void Report(vtkInformationVector* outputs) const;
 
   vtkAlgorithm* Filter;
   IsWhole NeedsWhole;
-  IsWhole StaysSpread;
   bool AnyMagnitude = false;
-  std::map<std::pair<int, int>, SkdWholeInput> Whole; // by port and connection
+  Distribution Wanted = Distribution::Replicated;
+  FindReach Find;
+  IsWhole Asks;
+  std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
+  std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SkdSpreadSource> Spread;
 };
 

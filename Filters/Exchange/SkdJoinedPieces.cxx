@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdCellReader.h"
 #include "Exchange/SkdJoinedGrids.h"
+#include "Exchange/SkdMeshAssembly.h"
 #include "Exchange/SkdPiecePoints.h"
 #include "Exchange/SkdRepeatedCells.h"
 #include "vtkCellArray.h"
@@ -29,11 +30,14 @@ public:
   /// In the order of ids of the joined mesh.
   const std::vector<SkdPieceCell>& GetCells() const { return this->Cells; }
 
-  vtkSmartPointer<vtkPolyData> MakeSurface() const;
-  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid() const;
+  const SkdPiecePoints& GetPoints() const { return this->Points; }
 
-  /// Gives the mesh the points and all arrays.
-  void Finish(vtkPointSet* mesh) const;
+  /// Of a cell of a vtkPolyData.
+  int KindOf(const SkdPieceCell& cell) const
+  {
+    vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
+    return SkdKindOf(vtkPolyData::SafeDownCast(piece), cell.CellId);
+  }
 
 private:
   int TypeOf(const SkdPieceCell& cell) const
@@ -46,7 +50,6 @@ private:
     return static_cast<vtkIdType>(piece->GetCellData()->GetGlobalIds()->GetTuple1(cell.CellId));
   }
   void ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const;
-  void ReadFaces(const SkdPieceCell& cell, vtkIdList* stream) const;
 
   template <class Visit>
   void VisitOwnCells(int piece, const Visit& visit) const;
@@ -159,19 +162,6 @@ void CellJoin::ReadPoints(const SkdPieceCell& cell, vtkIdList* ids) const
     });
 }
 
-// VTK's stream: the number of faces, then of each its size and points.
-void CellJoin::ReadFaces(const SkdPieceCell& cell, vtkIdList* stream) const
-{
-  vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
-  vtkUnstructuredGrid::SafeDownCast(piece)->GetFaceStream(cell.CellId, stream);
-  for (vtkIdType at = 1; at < stream->GetNumberOfIds(); at += 1 + stream->GetId(at))
-  {
-    const auto first = stream->begin() + at + 1;
-    std::transform(first, first + stream->GetId(at), first,
-      [&](vtkIdType point) { return this->Points.IdOf(cell.Piece, point); });
-  }
-}
-
 //------------------------------------------------------------------------------
 bool AreSurfaces(const SkdPieces& pieces)
 {
@@ -197,84 +187,26 @@ void CellJoin::SortByKinds()
   {
     return;
   }
-  const auto kindOf = [this](const SkdPieceCell& cell)
-  {
-    return SkdKindOf(
-      vtkPolyData::SafeDownCast(this->Pieces[static_cast<std::size_t>(cell.Piece)]), cell.CellId);
-  };
   std::stable_sort(this->Cells.begin(), this->Cells.end(),
-    [&](const SkdPieceCell& a, const SkdPieceCell& b) { return kindOf(a) < kindOf(b); });
-}
-
-vtkSmartPointer<vtkPolyData> CellJoin::MakeSurface() const
-{
-  vtkNew<vtkCellArray> kinds[SkdNumberOfKinds];
-  vtkNew<vtkIdList> ids;
-  for (const SkdPieceCell& cell : this->Cells)
-  {
-    vtkDataSet* piece = this->Pieces[static_cast<std::size_t>(cell.Piece)];
-    this->ReadPoints(cell, ids);
-    kinds[SkdKindOf(vtkPolyData::SafeDownCast(piece), cell.CellId)]->InsertNextCell(ids);
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetVerts(kinds[0]);
-  surface->SetLines(kinds[1]);
-  surface->SetPolys(kinds[2]);
-  surface->SetStrips(kinds[3]);
-  return surface;
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> CellJoin::MakeGrid() const
-{
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->Allocate(static_cast<vtkIdType>(this->Cells.size()));
-  vtkNew<vtkIdList> ids;
-  for (const SkdPieceCell& cell : this->Cells)
-  {
-    const int type = this->TypeOf(cell);
-    if (type == VTK_POLYHEDRON)
-    {
-      this->ReadFaces(cell, ids);
-    }
-    else
-    {
-      this->ReadPoints(cell, ids);
-    }
-    grid->InsertNextCell(type, ids);
-  }
-  return grid;
-}
-
-void CellJoin::Finish(vtkPointSet* mesh) const
-{
-  std::vector<SkdPieceTuples> cells(this->Pieces.size());
-  for (std::size_t id = 0; id < this->Cells.size(); ++id)
-  {
-    const SkdPieceCell& cell = this->Cells[id];
-    cells[static_cast<std::size_t>(cell.Piece)].Add(cell.CellId, static_cast<vtkIdType>(id));
-  }
-  const std::vector<SkdPieceTuples>& points = this->Points.GetTuples();
-  const vtkIdType number = this->Points.GetNumber();
-  mesh->SetPoints(SkdJoinPoints(this->Pieces, points, number));
-  SkdJoinArrays(this->Pieces, points, vtkDataObject::POINT, number, mesh->GetPointData());
-  SkdJoinArrays(this->Pieces, cells, vtkDataObject::CELL,
-    static_cast<vtkIdType>(this->Cells.size()), mesh->GetCellData());
+    [&](const SkdPieceCell& a, const SkdPieceCell& b)
+    { return this->KindOf(a) < this->KindOf(b); });
 }
 
 //------------------------------------------------------------------------------
 SkdJoinedPieces JoinAnyCells(const SkdPieces& pieces)
 {
   const CellJoin join(pieces);
-  vtkSmartPointer<vtkPointSet> mesh;
+  const SkdMeshParts parts{ pieces, join.GetCells(), join.GetPoints().GetIds(),
+    join.GetPoints().GetTuples(), join.GetPoints().GetNumber() };
+  vtkSmartPointer<vtkDataSet> mesh;
   if (AreSurfaces(pieces))
   {
-    mesh = join.MakeSurface();
+    mesh = SkdAssembleSurface(parts, [&](const SkdPieceCell& cell) { return join.KindOf(cell); });
   }
   else
   {
-    mesh = join.MakeGrid();
+    mesh = SkdAssembleGrid(parts);
   }
-  join.Finish(mesh);
   return { mesh, join.GetCells() };
 }
 

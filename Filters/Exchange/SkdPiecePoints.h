@@ -32,6 +32,9 @@ public:
   /// Whether several pieces have a joined point.
   bool IsShared(vtkIdType id) const { return this->Join.IsShared(id); }
 
+  /// IdOf() of all, by piece and point.
+  const std::vector<std::vector<vtkIdType>>& GetIds() const { return this->Ids; }
+
   /// Which joined point is made of which points.
   const std::vector<SkdPieceTuples>& GetTuples() const { return this->Tuples; }
 

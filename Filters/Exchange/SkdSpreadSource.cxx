@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdSpreadSource.h"
 
-#include "Exchange/SkdCompositePieces.h"
-#include "Exchange/SkdMessage.h"
-#include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace
 {
@@ -40,102 +35,42 @@ double GapOf(const skd::Box3& box, const skd::Vector3& x, double margin)
   }
   return sum;
 }
-
-/// By its place, the piece of each block that any process has: an empty mesh where this one has
-/// none.
-std::map<SkdBlockPath, vtkSmartPointer<vtkDataSet>> PlacedPieces(
-  SkdTransport& transport, vtkDataObject* piece)
-{
-  std::vector<int> told; // the length of each path, and the path
-  std::map<SkdBlockPath, vtkSmartPointer<vtkDataSet>> pieces;
-  for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(piece))
-  {
-    pieces[leaf.Path] = leaf.Mesh;
-    told.push_back(static_cast<int>(leaf.Path.size()));
-    told.insert(told.end(), leaf.Path.begin(), leaf.Path.end());
-  }
-  for (const std::vector<int>& other : SkdGatherRows(transport, told))
-  {
-    for (auto at = other.begin(); at != other.end(); at += 1 + *at)
-    {
-      vtkSmartPointer<vtkDataSet>& mesh = pieces[SkdBlockPath(at + 1, at + 1 + *at)];
-      mesh = mesh ? mesh : vtkSmartPointer<vtkDataSet>(vtkSmartPointer<vtkPolyData>::New());
-    }
-  }
-  return pieces;
 }
 
-/// The structure of composite data of all processes; nullptr of a data set.
-vtkSmartPointer<vtkDataObject> SharedStructure(
-  vtkDataObject* piece, vtkMultiProcessController* controller)
+vtkDataObject* SkdSpreadSource::Update(
+  std::unique_ptr<SkdTransport> transport, vtkDataObject* piece)
 {
-  vtkSmartPointer<vtkDataObject> structure = SkdStructureOf(piece);
-  if (structure)
+  this->Transport = std::move(transport);
+  const vtkSmartPointer<vtkDataObject> own = this->Pieces.UpdateOwn(*this->Transport, piece);
+  if (own != this->Own)
   {
-    for (vtkDataObject* other : SkdExchangeAll(SkdStructureOf(piece), controller))
-    {
-      SkdUniteStructures(structure, other);
-    }
+    this->Own = own;
+    this->ListBlocks();
   }
-  return structure;
-}
+  return own;
 }
 
-bool SkdSpreadSource::Update(vtkDataObject* piece, vtkMultiProcessController* controller)
+void SkdSpreadSource::ListBlocks()
 {
-  SkdWholeInput::Stamp stamp = SkdWholeInput::StampOf(piece);
-  const int isNew = !this->Own || stamp != this->Known ? 1 : 0;
-  int isAnyNew = 0;
-  controller->AllReduce(&isNew, &isAnyNew, 1, vtkCommunicator::MAX_OP);
-  if (isAnyNew != 0)
-  {
-    *this = SkdSpreadSource();
-    this->Transport = SkdMakeTransport(controller);
-    if (!this->Transport)
-    {
-      return false;
-    }
-    this->Number(piece, controller);
-    this->Known = std::move(stamp);
-    this->Piece = piece;
-  }
-  return true;
-}
-
-void SkdSpreadSource::Number(vtkDataObject* piece, vtkMultiProcessController* controller)
-{
-  this->Own = SharedStructure(piece, controller);
-  std::vector<std::vector<vtkIdType>> ids;
-  std::vector<vtkIdType> sizes;
-  for (const auto& [path, mesh] : PlacedPieces(*this->Transport, piece))
-  {
-    const SkdPieceNumbers numbers =
-      SkdNumberPiece(*this->Transport, mesh, SkdAllFacts(*this->Transport, mesh));
-    SkdOwnCells own = SkdTakeOwnCells(*this->Transport, mesh, numbers);
-    ids.push_back(std::move(own.Ids));
-    sizes.push_back(numbers.NumberOfCells);
-    if (this->Own && !path.empty())
-    {
-      SkdSetBlock(this->Own, path, own.Mesh);
-    }
-    else
-    {
-      this->Own = own.Mesh;
-    }
-  }
+  this->Blocks.clear();
+  this->Ids.clear();
+  this->NumberOfCells = 0;
   const std::vector<SkdBlock> blocks = SkdBlocksOf(this->Own); // in the order of their places
   std::vector<skd::Box3> boxes;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    if (sizes[i] > 0)
+  std::size_t at = 0;
+  this->Pieces.VisitBlocks(
+    [&](const SkdSpreadBlock& block)
     {
-      this->Blocks.push_back(blocks[i]);
-      this->Ids.push_back(std::move(ids[i]));
-      const std::vector<skd::Box3> ofCells = SkdBoxesOfCells(blocks[i].Mesh, true);
-      boxes.insert(boxes.end(), ofCells.begin(), ofCells.end());
-    }
-  }
-  this->Cut = std::make_shared<SkdCut>(*this->Transport, std::move(boxes));
+      if (block.GetNumberOfCells() > 0)
+      {
+        this->Blocks.push_back(blocks[at]);
+        this->Ids.emplace_back(blocks[at].Mesh);
+        this->NumberOfCells += block.GetNumberOfCells();
+        boxes.insert(boxes.end(), block.GetBoxes().begin(), block.GetBoxes().end());
+      }
+      ++at;
+    });
+  this->Cut = std::make_unique<SkdCut>(*this->Transport, std::move(boxes));
 }
 
 int SkdSpreadSource::PlaceOf(int blockIndex) const
@@ -170,15 +105,16 @@ void SkdSpreadSource::ListNear(
   }
 }
 
+// Some cells are in several processes' trees, but none of those that are left out.
 SkdTreeCounts SkdSpreadSource::CountAll(const SkdTreeCounts& own) const
 {
   SkdTreeCounts all;
   for (const std::vector<SkdTreeCounts>& told :
     SkdGatherRows(*this->Transport, std::vector<SkdTreeCounts>{ own }))
   {
-    all.Cells += told.front().Cells;
     all.CellsLeftOut += told.front().CellsLeftOut;
     all.Tolerance = std::max(all.Tolerance, told.front().Tolerance);
   }
+  all.Cells = this->NumberOfCells - all.CellsLeftOut;
   return all;
 }

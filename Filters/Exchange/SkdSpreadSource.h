@@ -11,10 +11,10 @@
 
 #include "Core/Geometry/Vector.h"
 #include "Exchange/SkdCut.h"
+#include "Exchange/SkdNearbyInput.h"
 #include "Exchange/SkdNearestExchange.h"
-#include "Exchange/SkdOwnCells.h"
-#include "Exchange/SkdWholeInput.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdSourceTrees.h"
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
@@ -22,20 +22,15 @@
 #include <memory>
 #include <vector>
 
-class vtkMultiProcessController;
-
 class SkdSpreadSource
 {
 public:
-  /// Numbers the cells of this process's piece, and tells the others where it has any. All
-  /// processes must call it together. Nothing is done if no piece has changed. Returns false, and
-  /// has nothing, if there is no transport.
-  bool Update(vtkDataObject* piece, vtkMultiProcessController* controller);
+  /// Finds the cells of this process's piece that count, and tells the others where it has any.
+  /// Returns them: see SkdSpreadBlock. All processes must call it together. Nothing is done if no
+  /// piece has changed.
+  vtkDataObject* Update(std::unique_ptr<SkdTransport> transport, vtkDataObject* piece);
 
   SkdTransport& GetTransport() const { return *this->Transport; }
-
-  /// The own cells, with the type and structure of the whole.
-  vtkDataObject* GetOwn() const { return this->Own; }
 
   /// The blocks of the whole that have cells, on all processes the same; Mesh is the own part.
   const std::vector<SkdBlock>& GetBlocks() const { return this->Blocks; }
@@ -43,10 +38,10 @@ public:
   /// The index of a block in that list, by its flat index.
   int PlaceOf(int blockIndex) const;
 
-  /// The id in the whole of an own cell of a block of that list.
+  /// The id in the whole of a cell of the own part of a block of that list.
   vtkIdType IdOf(int block, vtkIdType cell) const
   {
-    return this->Ids[static_cast<std::size_t>(block)][static_cast<std::size_t>(cell)];
+    return this->Ids[static_cast<std::size_t>(block)].Of(cell);
   }
 
   /// What all processes' trees are together, of the own ones. All must call it together.
@@ -56,15 +51,15 @@ public:
   void ListNear(const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const;
 
 private:
-  void Number(vtkDataObject* piece, vtkMultiProcessController* controller);
+  void ListBlocks();
 
-  SkdWholeInput::Stamp Known;           // what the own piece was
-  vtkSmartPointer<vtkDataObject> Piece; // kept, so that its address is not used again
-  std::shared_ptr<SkdTransport> Transport;
+  std::unique_ptr<SkdTransport> Transport;
+  SkdNearbyInput Pieces;
   vtkSmartPointer<vtkDataObject> Own;
   std::vector<SkdBlock> Blocks;
-  std::vector<std::vector<vtkIdType>> Ids; // by block
-  std::shared_ptr<SkdCut> Cut;
+  std::vector<SkdJoinedIds> Ids; // by block
+  std::unique_ptr<SkdCut> Cut;
+  vtkIdType NumberOfCells = 0; // of the whole
 };
 
 #endif

@@ -10,19 +10,9 @@
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 
-SkdWholeInput::Stamp SkdWholeInput::StampOf(vtkDataObject* piece)
-{
-  Stamp stamp{ { piece, piece->GetMTime() } };
-  for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(piece))
-  {
-    stamp.emplace_back(leaf.Mesh.Get(), leaf.Mesh->GetMTime());
-  }
-  return stamp;
-}
-
 vtkDataObject* SkdWholeInput::Update(vtkDataObject* piece, vtkMultiProcessController* controller)
 {
-  Stamp stamp = StampOf(piece);
+  SkdStamp stamp(piece);
   const int isNew = !this->Whole || stamp != this->Known ? 1 : 0;
   int isAnyNew = 0;
   controller->AllReduce(&isNew, &isAnyNew, 1, vtkCommunicator::MAX_OP);
@@ -30,7 +20,6 @@ vtkDataObject* SkdWholeInput::Update(vtkDataObject* piece, vtkMultiProcessContro
   {
     this->Join(SkdExchangeAll(piece, controller), controller->GetLocalProcessId());
     this->Known = std::move(stamp);
-    this->Piece = piece;
   }
   return this->Whole;
 }

@@ -14,11 +14,11 @@
 #define SkdWholeInput_h
 
 #include "Exchange/SkdJoinedMesh.h"
+#include "Exchange/SkdStamp.h"
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
 #include <map>
-#include <utility>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -26,18 +26,13 @@ class vtkMultiProcessController;
 class SkdWholeInput
 {
 public:
-  /// What a piece was: the data object and its data sets, and when they were modified.
-  using Stamp = std::vector<std::pair<void*, vtkMTimeType>>;
-
-  static Stamp StampOf(vtkDataObject* piece);
-
   /// The pieces of all processes as one data object: see SkdJoinPieces; of composite data the
   /// pieces of each block, by the blocks' places. All processes must call it together. The same
   /// object again, without an exchange of data, if the pieces of all of them are unchanged.
   vtkDataObject* Update(vtkDataObject* piece, vtkMultiProcessController* controller);
 
   /// The own piece of the last Update().
-  vtkDataObject* GetPiece() const { return this->Piece; }
+  vtkDataObject* GetPiece() const { return this->Known.Get(); }
 
   /// Where the cells of a block come from, by its flat index in composite data, else 0;
   /// SkdPieceCell::Piece is the process.
@@ -49,8 +44,7 @@ public:
 private:
   void Join(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, int own);
 
-  Stamp Known;                          // what the own piece was
-  vtkSmartPointer<vtkDataObject> Piece; // kept, so that its address is not used again
+  SkdStamp Known; // the own piece
   vtkSmartPointer<vtkDataObject> Whole;
   std::map<int, std::vector<SkdPieceCell>> Origins; // of each block's cells
 };

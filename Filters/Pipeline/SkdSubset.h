@@ -34,6 +34,9 @@ public:
 
   vtkUnstructuredGrid* Get() const { return this->Grid; }
 
+  /// The mesh's point that each point of the grid is.
+  const std::vector<vtkIdType>& GetPointIds() const { return this->PointIds; }
+
 private:
   void CopyCells(const SkdCellReader& reader, vtkUnsignedCharArray* types);
   void InsertCells(const SkdCellReader& reader);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Probe/SkdCellLocations.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
@@ -49,6 +50,7 @@ vtkIdType SkdCellLocations::CountOutside() const
 void SkdCellLocations::AddTo(
   vtkDataSetAttributes* data, const std::vector<SkdBlock>& source, bool isComposite) const
 {
+  SkdJoinIds(this->CellIds, this->Blocks, source);
   data->AddArray(this->Valid);
   data->AddArray(this->CellIds);
   if (isComposite)

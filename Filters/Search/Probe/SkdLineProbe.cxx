@@ -3,6 +3,7 @@
 #include "Search/Probe/SkdLineProbe.h"
 
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Search/Probe/SkdCellLocations.h"
 #include "vtkCellArray.h"
@@ -173,9 +174,11 @@ void AddIds(const SkdLineOutput& output, vtkCellData* data)
   auto entries = SkdMakeArray<vtkDoubleArray>("SkdEntry", 1, n, 0.0);
   auto exits = SkdMakeArray<vtkDoubleArray>("SkdExit", 1, n, 0.0);
   auto lengths = SkdMakeArray<vtkDoubleArray>("SkdLength", 1, n, 0.0);
+  std::vector<int> blocks;
   for (vtkIdType i = 0; i < n; ++i)
   {
     const SkdLineInterval& interval = output.Intervals[i];
+    blocks.push_back(interval.Block);
     const SkdLinePiece& piece = output.Pieces[interval.Piece];
     cells->SetValue(i, interval.CellId);
     blockIndices->SetValue(i, output.Source.Blocks[interval.Block].BlockIndex);
@@ -185,6 +188,7 @@ void AddIds(const SkdLineOutput& output, vtkCellData* data)
     exits->SetValue(i, interval.Exit);
     lengths->SetValue(i, interval.Exit - interval.Entry);
   }
+  SkdJoinIds(cells, blocks, output.Source.Blocks);
   for (vtkDataArray* array : { static_cast<vtkDataArray*>(cells.Get()),
          static_cast<vtkDataArray*>(lines.Get()), static_cast<vtkDataArray*>(entries.Get()),
          static_cast<vtkDataArray*>(exits.Get()), static_cast<vtkDataArray*>(lengths.Get()) })

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdNearbyInput.h
+ * @brief Of a filter's input of which each process has a piece, what this process needs.
+ */
+
+#ifndef SkdNearbyInput_h
+#define SkdNearbyInput_h
+
+#include "Exchange/SkdCompositePieces.h"
+#include "Exchange/SkdSpreadBlock.h"
+#include "Exchange/SkdStamp.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+
+class SkdNearbyInput
+{
+public:
+  /// The cells of all processes' pieces that are near a cell or point of `own` (see
+  /// SkdSpreadBlock); of composite data those of each block, in its place. All processes must call
+  /// it together. The same object again, without an exchange of data, if nothing has changed on any
+  /// of them.
+  vtkDataObject* Update(
+    SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach);
+
+  /// The cells of this process's own piece that count, in the same way.
+  vtkDataObject* UpdateOwn(SkdTransport& transport, vtkDataObject* piece);
+
+  /// Calls visit(block) for each block, in the order of their places.
+  template <class Visit>
+  void VisitBlocks(const Visit& visit) const
+  {
+    for (const auto& [path, block] : this->Blocks)
+    {
+      visit(*block);
+    }
+  }
+
+  /// What this process has sent in the last Update().
+  const SkdTraffic& GetTraffic() const { return this->Traffic; }
+
+private:
+  void UpdateBlocks(SkdTransport& transport, vtkDataObject* piece);
+  void Bring(const std::function<vtkSmartPointer<vtkDataSet>(const SkdSpreadBlock&)>& bring,
+    vtkDataObject* piece);
+
+  SkdStamp KnownPiece;
+  SkdStamp KnownOwn;
+  SkdReach KnownReach;
+  SkdTraffic Traffic;
+  std::map<SkdBlockPath, std::unique_ptr<SkdSpreadBlock>> Blocks;
+  vtkSmartPointer<vtkDataObject> Structure; // of composite data
+  vtkSmartPointer<vtkDataObject> Nearby;
+};
+
+/// Whether data of this type can be brought: all but AMR data, whose blocks have no places.
+bool SkdCanBring(vtkDataObject* object);
+
+#endif

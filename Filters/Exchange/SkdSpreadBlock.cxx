@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Exchange/SkdSpreadBlock.h"
+
+#include "Exchange/SkdCellParts.h"
+#include "Pipeline/SkdSubset.h"
+#include "vtkFieldData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace
+{
+/// Both ends of a box along each axis, the upper ones negative: the least of each is the outermost.
+using Ends = std::array<double, 6>;
+
+Ends EndsOf(const skd::Box3& box)
+{
+  return { box.Min[0], box.Min[1], box.Min[2], -box.Max[0], -box.Max[1], -box.Max[2] };
+}
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::MakeExample(vtkDataSet* piece)
+{
+  SkdSubset subset(piece);
+  if (piece->GetNumberOfCells() > 0)
+  {
+    subset.SetCells({ 0 });
+  }
+  else if (piece->GetNumberOfPoints() > 0)
+  {
+    subset.SetPoints({ 0 });
+  }
+  subset.CopyData();
+  subset.Get()->SetFieldData(piece->GetFieldData());
+  return subset.Get();
+}
+
+SkdSpreadBlock::SkdSpreadBlock(SkdTransport& transport, vtkDataSet* piece, SkdPieces examples)
+  : Piece(piece)
+  , Examples(std::move(examples))
+  , Facts(transport, piece)
+  , Numbers(SkdNumberPiece(transport, piece, this->Facts))
+  , Boxes(SkdBoxesOfCells(piece, true))
+{
+  for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
+  {
+    if (this->Numbers.CellIds[cell] < 0)
+    {
+      this->Boxes[cell] = skd::Box3();
+    }
+  }
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
+  SkdTransport& transport, const SkdCut& cut, const SkdReach& reach) const
+{
+  // Tests of single cells allow for some units in the last place.
+  double rounding = 0.0;
+  for (const int process : this->Facts.GetFull())
+  {
+    rounding = std::max(rounding, this->Facts.Of(process).LargestCoordinate);
+  }
+  rounding *= 64.0 * std::numeric_limits<double>::epsilon();
+  Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
+  std::vector<int> near;
+  for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
+  {
+    const skd::Box3& box = this->Boxes[cell];
+    const double margin = reach.Distance + reach.OfDiagonal * box.Diagonal() + rounding;
+    cut.FindOverlapping(box.Inflated(margin), near);
+    for (const int process : near)
+    {
+      chosen[static_cast<std::size_t>(process)].push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+  return this->Send(transport, std::move(chosen));
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOwn(SkdTransport& transport) const
+{
+  Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
+  std::vector<vtkIdType>& own = chosen[static_cast<std::size_t>(transport.GetRank())];
+  for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
+  {
+    if (this->Numbers.CellIds[cell] >= 0)
+    {
+      own.push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+  return this->Send(transport, std::move(chosen));
+}
+
+// Of each end the first process that has it sends its first such cell.
+void SkdSpreadBlock::AddExtremes(SkdTransport& transport, Chosen& chosen) const
+{
+  constexpr double none = std::numeric_limits<double>::max();
+  Ends ends;
+  ends.fill(none);
+  std::array<vtkIdType, 6> cells{};
+  for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
+  {
+    const Ends own = EndsOf(this->Boxes[cell]);
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      if (!this->Boxes[cell].IsEmpty() && own[i] < ends[i])
+      {
+        ends[i] = own[i];
+        cells[i] = static_cast<vtkIdType>(cell);
+      }
+    }
+  }
+  const SkdRowsByProcess<Ends> all = SkdGatherRows(transport, std::vector<Ends>{ ends });
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    const auto first = std::min_element(all.begin(), all.end(),
+      [i](const auto& a, const auto& b) { return a.front()[i] < b.front()[i]; });
+    if (first - all.begin() == transport.GetRank() && ends[i] < none)
+    {
+      for (std::vector<vtkIdType>& ids : chosen)
+      {
+        ids.push_back(cells[i]);
+      }
+    }
+  }
+  for (std::vector<vtkIdType>& ids : chosen)
+  {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Send(SkdTransport& transport, Chosen chosen) const
+{
+  this->AddExtremes(transport, chosen);
+  SkdCellParts parts(transport, this->Facts, this->Examples);
+  transport.Exchange(
+    [&](int to)
+    {
+      return SkdPackCells(this->Piece, chosen[static_cast<std::size_t>(to)], this->Numbers,
+        this->Facts.AreSurfaces());
+    },
+    [&](int from, SkdBytes message) { parts.Take(from, std::move(message)); });
+  parts.AskForPoints(transport, this->Piece);
+  return this->Facts.GetFull().empty() ? this->Piece : parts.Assemble();
+}

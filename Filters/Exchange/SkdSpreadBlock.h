@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdSpreadBlock_h
+#define SkdSpreadBlock_h
+
+#include "Exchange/SkdCut.h"
+#include "Exchange/SkdPieceArrays.h"
+#include "Exchange/SkdPieceNumbers.h"
+
+#include <memory>
+
+/// How far a cell may be from what a process has, and still be near it: a distance, and a fraction
+/// of the diagonal of the cell's box, together.
+struct SkdReach
+{
+  double Distance = 0.0;
+  double OfDiagonal = 0.0;
+};
+
+/// A mesh that lies in pieces. Each process gets some of its cells, as one mesh with the points,
+/// arrays and field data that they have in the joined mesh (SkdJoinPieces), in its order, with
+/// their ids there (SkdJoinedIds). It is of the type of the joined mesh, but for structured grids a
+/// vtkUnstructuredGrid.
+///
+/// Each process also gets the cells that reach the bounds of the whole, so that what is relative to
+/// the size of the mesh is the same everywhere.
+///
+/// All processes must call each function together.
+class SkdSpreadBlock
+{
+public:
+  /// `examples` have the arrays of each process's piece, with a tuple or none, and its field data;
+  /// nullptr where a process has no piece.
+  SkdSpreadBlock(SkdTransport& transport, vtkDataSet* piece, SkdPieces examples);
+
+  /// The cells that are near what this process has told of itself by the cut.
+  vtkSmartPointer<vtkDataSet> Bring(
+    SkdTransport& transport, const SkdCut& cut, const SkdReach& reach) const;
+
+  /// The cells that count in this process's own piece.
+  vtkSmartPointer<vtkDataSet> BringOwn(SkdTransport& transport) const;
+
+  /// The cells of the joined mesh.
+  vtkIdType GetNumberOfCells() const { return this->Numbers.NumberOfCells; }
+
+  /// The boxes of the cells of this process's piece; empty ones of those that do not count.
+  const std::vector<skd::Box3>& GetBoxes() const { return this->Boxes; }
+
+  /// What stands for a piece among the examples.
+  static vtkSmartPointer<vtkDataSet> MakeExample(vtkDataSet* piece);
+
+private:
+  using Chosen = SkdRowsByProcess<vtkIdType>; // cells for each process, ascending
+
+  void AddExtremes(SkdTransport& transport, Chosen& chosen) const;
+  vtkSmartPointer<vtkDataSet> Send(SkdTransport& transport, Chosen chosen) const;
+
+  vtkSmartPointer<vtkDataSet> Piece;
+  SkdPieces Examples; // by process
+  SkdAllFacts Facts;
+  SkdPieceNumbers Numbers;
+  std::vector<skd::Box3> Boxes; // of cells that count, else empty
+};
+
+#endif

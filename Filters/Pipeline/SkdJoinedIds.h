@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SkdJoinedIds.h
+ * @brief The ids that some cells of a mesh have in the whole of it, of which each process has other
+ * cells.
+ */
+
+#ifndef SkdJoinedIds_h
+#define SkdJoinedIds_h
+
+#include "Pipeline/SkdBlocks.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+
+#include <algorithm>
+#include <vector>
+
+/// A field data array of the mesh. The order of cells is that of these ids, so that ties are
+/// decided as in the whole.
+constexpr const char* SkdJoinedIdsName = "SkdJoinedCellIds";
+
+class SkdJoinedIds
+{
+public:
+  explicit SkdJoinedIds(vtkDataSet* mesh)
+    : Ids(vtkIdTypeArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(SkdJoinedIdsName)))
+  {
+  }
+
+  /// The id of a cell in the whole; the same if the mesh is the whole, or -1.
+  vtkIdType Of(vtkIdType cell) const
+  {
+    return this->Ids && cell >= 0 ? this->Ids->GetValue(cell) : cell;
+  }
+
+  /// Whether they differ.
+  bool HasOwn() const { return this->Ids != nullptr; }
+
+private:
+  vtkIdTypeArray* Ids;
+};
+
+/// Replaces ids of cells of some meshes by those in the whole; `meshes` has the place of each id's
+/// mesh in the list, -1: the id stays. O(n) if any of the meshes has joined ids, else O(1).
+inline void SkdJoinIds(
+  vtkIdTypeArray* ids, const std::vector<int>& meshes, const std::vector<SkdBlock>& blocks)
+{
+  std::vector<SkdJoinedIds> joined;
+  for (const SkdBlock& block : blocks)
+  {
+    joined.emplace_back(block.Mesh);
+  }
+  if (std::none_of(
+        joined.begin(), joined.end(), [](const SkdJoinedIds& own) { return own.HasOwn(); }))
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    if (meshes[i] >= 0)
+    {
+      const auto at = static_cast<vtkIdType>(i);
+      ids->SetValue(at, joined[static_cast<std::size_t>(meshes[i])].Of(ids->GetValue(at)));
+    }
+  }
+}
+
+#endif

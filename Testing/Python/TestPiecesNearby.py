@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A Source in pieces of which each process gets what is near its own part of the Input: outputs are
+those of a Source that is gathered everywhere, on each process, to the last bit. Run without an
+argument this starts the processes; with the name of a file and partitions it is one of them, and
+writes there in what they differ."""
+
+import os
+import shutil
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import skdpieces
+import skdtesting
+
+RUNS = {
+    2: ("everywhere", "cuts, ghosts", "round robin"),
+    3: ("cuts", "round robin, global ids", "one process"),
+    4: ("runs", "cuts, doubled"),
+}
+REPORT = "SkdReportSourceExchanged"
+
+
+def filters(partition):
+    """Names, how each is made, and its output ports."""
+    from paraview import simple
+
+    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+    ball = skdpieces.source("sphere", partition)
+    cells = skdpieces.source("tetrahedra", partition)
+    line = simple.Line(Point1=[-5, -4.5, -4], Point2=[4.7, 4.2, 5], Resolution=7)
+    blocks = simple.GroupDatasets(Input=[ball, cells])
+    yield "probe", lambda: simple.SkdTreeProbe(
+        Input=image, Source=cells, GradientArrays=["Field"], PassInputData=0), (0,)
+    yield "probe a surface", lambda: simple.SkdTreeProbe(
+        Input=image, Source=ball, AbsoluteTolerance=0.3), (0,)
+    yield "probe outside", lambda: simple.SkdTreeProbe(Input=ball, Source=cells, PassInputData=0,
+        OutsidePoints="Nearest Cell Within Distance", MaximumDistance=1.5), (0,)
+    yield "probe along lines", lambda: simple.SkdTreeProbe(
+        Input=line, Source=cells, ProbeLines=1), (0, 1, 2)
+    yield "probe blocks", lambda: simple.SkdTreeProbe(Input=image, Source=blocks), (0,)
+    yield "probe a grid", lambda: simple.SkdTreeProbe(
+        Input=cells, Source=image, GradientArrays=["RTData"]), (0,)
+
+
+def arrays(data):
+    if data.IsA("vtkTable"):
+        return {data.GetColumnName(i): vtk_to_numpy(data.GetColumn(i))
+            for i in range(data.GetNumberOfColumns())}
+    found = {}
+    if data.IsA("vtkCompositeDataSet"):
+        for i in range(data.GetNumberOfBlocks()):
+            if data.GetBlock(i):
+                found.update({f"{i} {name}": array for name, array in arrays(data.GetBlock(i)).items()})
+        return found
+    for kind, attributes in (("point", data.GetPointData()), ("cell", data.GetCellData())):
+        for i in range(attributes.GetNumberOfArrays()):
+            found[f"{kind} {attributes.GetArrayName(i)}"] = vtk_to_numpy(attributes.GetArray(i))
+    for name, count, get in (("points", data.GetNumberOfPoints(), data.GetPoint),
+        ("cells", data.GetNumberOfCells(), lambda i: data.GetCell(i).GetBounds())):
+        found[name] = numpy.array([get(i) for i in range(count)])
+    return found
+
+
+def outputs(proxy, ports):
+    proxy.UpdatePipeline()
+    algorithm = proxy.GetClientSideObject()
+    report = algorithm.GetOutputDataObject(0).GetFieldData().GetArray(REPORT)
+    return [arrays(algorithm.GetOutputDataObject(port)) for port in ports], report.GetTuple1(0)
+
+
+def differences(partition):
+    for name, make, ports in filters(partition):
+        found = {}
+        for distribution in ("Replicate", "Exchange"):
+            proxy = make()
+            proxy.SourceDistribution = distribution
+            found[distribution], exchanged = outputs(proxy, ports)
+            if exchanged != (distribution == "Exchange"):
+                yield f"{partition}, {name}: {distribution} reports {exchanged}"
+        for port, gathered, near in zip(ports, found["Replicate"], found["Exchange"]):
+            for array in sorted(set(gathered) | set(near)):
+                first, second = gathered.get(array), near.get(array)
+                if first is None or second is None or first.tobytes() != second.tobytes():
+                    yield f"{partition}, {name}, port {port}: {array}"
+
+
+def largest_share():
+    """Of the cells that a process needs of a mesh which all together have, when both are cut
+    alike."""
+    from paraview import simple
+
+    cells = skdpieces.source("tetrahedra", "cuts", size=6)
+    proxy = simple.SkdTreeProbe(Input=cells, Source=cells, SourceDistribution="Exchange")
+    proxy.UpdatePipeline()
+    report = proxy.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
+    return report.GetArray("SkdReportSourceCells").GetTuple1(0) / (12**3 * 5)
+
+
+def write(file, partitions):
+    found = [difference for partition in partitions for difference in differences(partition)]
+    share = largest_share()
+    if share > 0.7:
+        found.append(f"a process has {share} of the cells")
+    with open(file, "w", encoding="utf-8") as stream:
+        stream.write("\n".join(found))
+
+
+if len(sys.argv) > 1:
+    file, *partitions = sys.argv[1].split("|")
+    rank, count = skdpieces.process()
+    write(file % rank, partitions)
+elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
+    skdtesting.skip("there is no mpiexec or no pvbatch")
+else:
+    for processes, partitions in RUNS.items():
+        file = skdtesting.temporary(f"nearby_of_{processes}_%d.txt")
+        for rank in range(processes):
+            if os.path.exists(file % rank):
+                os.remove(file % rank)
+        skdtesting.run_in_parallel(
+            os.path.abspath(__file__), "|".join((file, *partitions)), processes)
+        for rank in range(processes):
+            with open(file % rank, encoding="utf-8") as stream:
+                found = stream.read()
+            assert not found, f"process {rank} of {processes}:\n{found}"
