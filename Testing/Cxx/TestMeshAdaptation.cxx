@@ -24,6 +24,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <cstring>
+
 using namespace skdtest;
 
 namespace
@@ -307,7 +310,7 @@ TEST(MeshAdaptation, ValuesTooLargeToBeSquaredCountAsNone)
     const std::string complaint = Complaint(sheet, ridge);
     EXPECT_NE(complaint.find("finite value"), std::string::npos) << complaint;
     EXPECT_NE(complaint.find("10201 values"), std::string::npos) << complaint;
-    EXPECT_NE(complaint.find("1e+152"), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("1e+152, the first that of point 0"), std::string::npos) << complaint;
   }
   for (const double value : { 1.7e308, double(vtkMath::Nan()) }) // as if they had none
   {
@@ -354,7 +357,91 @@ TEST(MeshAdaptation, CellsThatCannotMoveHoldTheirPoints)
   Mesh crossed;
   crossed.Points = mesh.Points;
   crossed.Add(VTK_QUAD, { ids[0], ids[2], ids[1], ids[3] });
-  EXPECT_NE(Complaint(MakeGrid(crossed), ridge).find("cross themselves"), std::string::npos);
+  EXPECT_NE(
+    Complaint(MakeGrid(crossed), ridge).find("cross themselves or have no area, the first cell 0:"),
+    std::string::npos);
+}
+
+/// What the filter says of an input that it does move.
+std::string WarningOf(Filter* filter)
+{
+  EventCounter events(filter);
+  filter->Update();
+  EXPECT_EQ(events.Errors, 0);
+  return events.Warning;
+}
+
+TEST(MeshAdaptation, MonitorsThatAreNotPositiveNameTheFirstCell)
+{
+  PolyDataPointer ridge = MakeRidge();
+  vtkDataArray* field = ridge->GetPointData()->GetArray(0);
+  for (vtkIdType i = 0; i < field->GetNumberOfTuples(); ++i)
+  {
+    Point p;
+    ridge->GetPoint(i, p.data());
+    field->SetTuple1(i, p[0] < 0.5 || p[1] < 0.25 ? 1.0 : -1.0);
+  }
+  FilterPointer filter = MakeFilter(MakeSheet(8), ridge);
+  filter->SetMonitor(Filter::VALUE);
+  filter->SetMaximumIterations(0);
+  const std::string warning = WarningOf(filter);
+  EXPECT_NE(warning.find("in 24 cells, the first cell 20:"), std::string::npos) << warning;
+  PolyDataPointer left = MakeSheet(8); // its cells are nearest to the border, where the field is 1
+  for (vtkIdType i = 0; i < left->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    left->GetPoint(i, p.data());
+    left->GetPoints()->SetPoint(i, p[0] - 1.0, p[1], p[2]);
+  }
+  filter->SetInputDataObject(0, MakeBlocks({ left, MakeSheet(8) }));
+  EXPECT_NE(WarningOf(filter).find("the first cell 20 of block 2:"), std::string::npos);
+}
+
+// Checkered: no mesh of these cells can follow that.
+TEST(MeshAdaptation, AnErrorThatIsLeftNamesCellsAndWhatStopsThem)
+{
+  PolyDataPointer ridge = MakeRidge();
+  vtkDataArray* field = ridge->GetPointData()->GetArray(0);
+  for (vtkIdType i = 0; i < field->GetNumberOfTuples(); ++i)
+  {
+    field->SetTuple1(i, (i / 101 / 4 + i % 101 / 4) % 2 == 0 ? 1.0 : 50.0);
+  }
+  FilterPointer filter = MakeFilter(MakeSheet(24), ridge);
+  filter->SetMonitor(Filter::VALUE);
+  filter->SetSmoothing(0);
+  filter->SetMinimumQuality(0.7);
+  const std::string warning = WarningOf(filter);
+  const auto after = [&](const char* text)
+  {
+    const std::size_t at = warning.find(text);
+    EXPECT_NE(at, std::string::npos) << warning;
+    return at == std::string::npos ? -1 : std::atoi(warning.c_str() + at + std::strlen(text));
+  };
+  EXPECT_GT(Reported(filter, "EquidistributionAfter"), 0.03);
+  const int worst = after("largest in cell ");
+  vtkCellData* cells = MeshOf(filter)->GetCellData();
+  vtkDataArray* areas = cells->GetArray("SkdArea");
+  vtkDataArray* monitor = cells->GetArray("SkdMonitor");
+  double sum = 0.0, most = 0.0;
+  vtkIdType expected = -1;
+  for (vtkIdType i = 0; i < areas->GetNumberOfTuples(); ++i)
+  {
+    sum += areas->GetTuple1(i) * monitor->GetTuple1(i);
+  }
+  for (vtkIdType i = 0; i < areas->GetNumberOfTuples(); ++i)
+  {
+    const double off = std::abs(576.0 * areas->GetTuple1(i) * monitor->GetTuple1(i) / sum - 1.0);
+    expected = off > most ? i : expected;
+    most = std::max(most, off);
+  }
+  EXPECT_EQ(worst, expected);
+  const int held = after("worse than MinimumQuality (the first is cell ");
+  EXPECT_TRUE(held >= 0 && held < 576);
+  EXPECT_GT(after("times its share; "), 0);
+  filter->SetMaximumIterations(1);
+  filter->SetMinimumQuality(0.0);
+  filter->SetTolerance(0.0);
+  EXPECT_NE(WarningOf(filter).find("The equidistribution error"), std::string::npos);
 }
 
 TEST(MeshAdaptation, ProgressIsReportedAndAbortEndsEarly)

@@ -87,7 +87,8 @@ bool SkdFieldAdaptation::ReadField(vtkDataObject* source, SkdFieldSamples& sampl
   {
     this->Tell(false,
       TextOf(samples.TooLarge, " values of Source's field are infinite or beyond ",
-        SkdComparable.Largest, " and are ignored: bring the field into another unit."));
+        SkdComparable.Largest, ", the first that of ", samples.FirstTooLarge,
+        ", and are ignored: bring the field into another unit."));
   }
   if (!samples.HasAny())
   {
@@ -180,17 +181,19 @@ void SkdFieldAdaptation::TellOfOutcome()
       "The monitor is nowhere greater than 0: the mesh moves no further. With Monitor Value the "
       "field must be positive.");
   }
+  const SkdMovedMesh& mesh = this->Adapter.GetMesh();
   if (outcome.InvalidCells > 0)
   {
     this->Tell(false,
-      TextOf(outcome.InvalidCells,
-        " cells of Input cross themselves or have no area: their points stay where they are."));
+      TextOf(outcome.InvalidCells, " cells of Input cross themselves or have no area, the first ",
+        mesh.NameOf(outcome.FirstInvalid), ": their points stay where they are."));
   }
   if (outcome.CellsNotPositive > 0 && this->Request.Rules.Monitor.Kind == skd::MonitorKind::Value)
   {
     this->Tell(false,
       TextOf("The monitor is not greater than 0 in ", outcome.CellsNotPositive,
-        " cells: there it is the largest by MaximumRatio."));
+        " cells, the first ", mesh.NameOf(outcome.FirstNotPositive),
+        ": there it is the largest by MaximumRatio."));
   }
   this->TellOfError();
 }

@@ -66,15 +66,8 @@ skd::Vector3 MiddleOf(vtkDataSet* mesh, vtkIdType cell, vtkGenericCell* scratch)
 }
 }
 
-void SkdFieldSamples::Add(const skd::Vector3& place, double value)
-{
-  const bool isTooLarge = std::abs(value) > SkdComparable.Largest;
-  this->TooLarge += isTooLarge;
-  this->Places.push_back(place);
-  this->Values.push_back(isTooLarge ? vtkMath::Nan() : value);
-}
-
-void SkdFieldSamples::AddAll(vtkDataSet* mesh, int type, vtkDataArray* array)
+void SkdFieldSamples::AddAll(
+  vtkDataSet* mesh, int type, vtkDataArray* array, const std::string& where)
 {
   const vtkUnsignedCharArray* none = nullptr;
   vtkUnsignedCharArray* ghosts =
@@ -92,7 +85,15 @@ void SkdFieldSamples::AddAll(vtkDataSet* mesh, int type, vtkDataArray* array)
       x = MiddleOf(mesh, i, cell);
     }
     const bool counts = ghosts == none || ghosts->GetValue(i) == 0;
-    this->Add(x, counts ? MagnitudeOf(array, i) : vtkMath::Nan());
+    const double value = counts ? MagnitudeOf(array, i) : vtkMath::Nan();
+    const bool isTooLarge = std::abs(value) > SkdComparable.Largest;
+    if (isTooLarge && this->TooLarge++ == 0)
+    {
+      const char* what = type == vtkDataObject::POINT ? "point " : "cell ";
+      this->FirstTooLarge = what + std::to_string(i) + where;
+    }
+    this->Places.push_back(x);
+    this->Values.push_back(isTooLarge ? vtkMath::Nan() : value);
   }
   this->IsStructured = this->IsStructured || SkdIsStructured(mesh);
 }
@@ -107,7 +108,8 @@ SkdFieldSamples SkdFieldSamples::Read(vtkDataObject* source, const std::string& 
       vtkDataArray* array = FindArray(block.Mesh->GetAttributes(type), name);
       if (array)
       {
-        samples.AddAll(block.Mesh, type, array);
+        const std::string where = " of block " + std::to_string(block.BlockIndex);
+        samples.AddAll(block.Mesh, type, array, SkdIsComposite(source) ? where : "");
       }
     }
     if (!samples.Places.empty())

@@ -27,13 +27,13 @@ struct SkdFieldSamples
   std::vector<skd::Vector3> Places;
   std::vector<double> Values; ///< NaN where there is none
   bool IsStructured = false;
-  vtkIdType TooLarge = 0; ///< values whose squares are no numbers: they count as none
+  vtkIdType TooLarge = 0;    ///< values whose squares are no numbers: they count as none
+  std::string FirstTooLarge; ///< whose: a point or cell
 
   bool HasAny() const;
 
 private:
-  void Add(const skd::Vector3& place, double value);
-  void AddAll(vtkDataSet* mesh, int type, vtkDataArray* array);
+  void AddAll(vtkDataSet* mesh, int type, vtkDataArray* array, const std::string& where);
 };
 
 #endif

@@ -197,6 +197,7 @@ SkdMovedMesh::SkdMovedMesh(const std::vector<SkdBlock>& blocks)
   for (const SkdBlock& block : blocks)
   {
     reader.Read(block.Mesh);
+    this->Blocks.back().Index = block.BlockIndex;
   }
   reader.Finish();
 }
@@ -235,7 +236,7 @@ std::string SkdMovedMesh::NameOf(std::uint32_t cell) const
     if (at != cells.end())
     {
       const std::string name = "cell " + std::to_string(at - cells.begin());
-      return this->Blocks.size() > 1 ? name + " of block " + std::to_string(i) : name;
+      return this->Blocks.size() > 1 ? name + " of block " + std::to_string(this->Blocks[i].Index) : name;
     }
   }
   return "a cell";

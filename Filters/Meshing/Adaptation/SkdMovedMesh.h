@@ -43,6 +43,7 @@ private:
   class Reader;
   struct Block
   {
+    int Index = 0;                          // flat, in the composite data
     std::vector<std::uint32_t> NodeOfPoint; // None of points that no cell has
     std::vector<std::uint32_t> CellOfCell;
   };

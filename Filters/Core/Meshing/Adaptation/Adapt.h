@@ -56,8 +56,10 @@ struct AdaptOutcome
   std::uint32_t WorstCell = 0;  ///< of the best row: the cell that adds most to the measure
   double WorstRatio = 1.0;      ///< its monitor x area by its share
   std::size_t InvalidCells = 0; ///< at first; they do not move
+  std::uint32_t FirstInvalid = MeshEdge::None;
   std::size_t CellsWithoutField = 0;
-  std::size_t CellsNotPositive = 0;
+  std::size_t CellsNotPositive = 0; ///< whose monitor had to be raised
+  std::uint32_t FirstNotPositive = MeshEdge::None;
 };
 
 /// Moves the points of a mesh so that its cells follow a monitor: steps 2 to 5 of the algorithm of
@@ -78,6 +80,7 @@ public:
     , Relaxation(rules.Relaxation)
   {
     this->Outcome.InvalidCells = this->Motion.GetNumberOfInvalidCells();
+    this->Outcome.FirstInvalid = this->Motion.GetFirstInvalidCell();
   }
 
   template <class Find, class Look>
@@ -233,6 +236,7 @@ private:
       this->Outcome.Best = rows.size() - 1;
       this->Outcome.CellsWithoutField = this->Function.GetCellsWithoutField();
       this->Outcome.CellsNotPositive = this->Function.GetCellsNotPositive();
+      this->Outcome.FirstNotPositive = this->Function.GetFirstNotPositive();
       this->Outcome.WorstCell = this->Shares.GetWorstCell();
       this->Outcome.WorstRatio = this->Shares.GetWorstRatio();
       this->Best = this->Mesh.Points;

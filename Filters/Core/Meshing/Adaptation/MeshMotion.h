@@ -30,6 +30,7 @@ public:
     SurfaceMesh& mesh, const SurfaceShape& shape, FeatureCurves& curves, double leastQuality);
 
   std::size_t GetNumberOfInvalidCells() const { return this->InvalidCells; }
+  std::uint32_t GetFirstInvalidCell() const { return this->FirstInvalid; }
   double FindSmallestQuality(const SurfaceMesh& mesh) const;
 
   /// Moves points to places. Where a few cells would be spoilt the points around go amid their
@@ -74,6 +75,7 @@ private:
   std::vector<bool> Repaired;
   std::vector<Vector3> Displacements; // how each point moves
   std::size_t InvalidCells = 0;
+  std::uint32_t FirstInvalid = MeshEdge::None;
   std::vector<std::uint32_t> Spoilt; // cells, as they are now
 };
 
@@ -89,6 +91,7 @@ inline MeshMotion::MeshMotion(
     this->First.push_back(this->Cells.back().QualityOf(mesh, cell));
     if (!this->Cells.back().IsValid(mesh, cell))
     {
+      this->FirstInvalid = this->InvalidCells == 0 ? cell : this->FirstInvalid;
       ++this->InvalidCells;
       for (const std::uint32_t corner : mesh.Cells[cell])
       {

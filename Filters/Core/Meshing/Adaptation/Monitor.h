@@ -41,9 +41,10 @@ public:
 
   ///@{
   /// Of the last one: cells that had no field, and those whose monitor had to be raised because it
-  /// was not greater than 0.
+  /// was not greater than 0, and the first of these.
   std::size_t GetCellsWithoutField() const { return this->CellsWithoutField; }
   std::size_t GetCellsNotPositive() const { return this->CellsNotPositive; }
+  std::uint32_t GetFirstNotPositive() const { return this->FirstNotPositive; }
   ///@}
 
 private:
@@ -57,6 +58,7 @@ private:
   double MeanGradient = -1.0;
   std::size_t CellsWithoutField = 0;
   std::size_t CellsNotPositive = 0;
+  std::uint32_t FirstNotPositive = MeshEdge::None;
 };
 
 inline bool Monitor::Fill(const SurfaceMesh& mesh, std::vector<double>& field)
@@ -162,10 +164,12 @@ inline bool Monitor::Raise(std::vector<double>& monitor)
   {
     return false;
   }
-  for (double& value : monitor)
+  for (std::size_t cell = 0; cell < monitor.size(); ++cell)
   {
-    this->CellsNotPositive += !(value > 0.0);
-    value = std::max(value, largest / this->Rules.LargestRatio);
+    const bool isFirst = this->CellsNotPositive == 0 && !(monitor[cell] > 0.0);
+    this->FirstNotPositive = isFirst ? static_cast<std::uint32_t>(cell) : this->FirstNotPositive;
+    this->CellsNotPositive += !(monitor[cell] > 0.0);
+    monitor[cell] = std::max(monitor[cell], largest / this->Rules.LargestRatio);
   }
   return true;
 }
