@@ -150,7 +150,10 @@ public:
    * fluid and of the structure in it; CONSERVATIVE_FIRST_ORDER and CONSERVATIVE_SECOND_ORDER take
    * surfaces in no common plane or sphere as such. Cells of Input are projected onto each cell of
    * Source along its normal: as one projection takes all of them, the source cell hands out its own
-   * area, all of it where it is covered. Overlaps are measured on Source. So with COVERED constants
+   * area, all of it where it is covered. One that is covered in part (at a border of Input, beside
+   * a sharp edge, or where Input is farther than SurfaceDistance) hands out that part only: its
+   * rest is missing in the integral over Input, and a warning counts such cells and tells what of
+   * Source's area they leave. Overlaps are measured on Source. So with COVERED constants
    * stay, and the integral is kept over the areas handed out; with WHOLE the integral over Input's
    * own areas is that over Source, and constants change as areas do, by the square of the cells'
    * size. Where Input has folds a source cell's area is shared out among them. Warped polygons are

@@ -236,7 +236,8 @@ std::string SkdMovedMesh::NameOf(std::uint32_t cell) const
     if (at != cells.end())
     {
       const std::string name = "cell " + std::to_string(at - cells.begin());
-      return this->Blocks.size() > 1 ? name + " of block " + std::to_string(this->Blocks[i].Index) : name;
+      return this->Blocks.size() > 1 ? name + " of block " + std::to_string(this->Blocks[i].Index)
+                                     : name;
     }
   }
   return "a cell";
