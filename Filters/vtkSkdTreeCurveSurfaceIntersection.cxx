@@ -8,6 +8,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSetText.h"
 #include "Search/InOut/SkdPartList.h"
@@ -138,6 +139,16 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
   report.AddRun(wasBuilt ? 1 : 0, buildSeconds, "QuerySeconds", querySeconds);
   this->Impl->Blocks.clear();
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Splines extend beyond the boxes of their points, a connected piece of the Source may be connected
+// elsewhere, and what is inside of it depends on all of it.
+bool vtkSkdTreeCurveSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
+{
+  reach.OfDiagonal = 1e-3; // more than any rounding
+  reach.IsOfFaces = true;
+  return this->PolylineForm == STRAIGHT && this->Parts != CONNECTED_PIECES && !this->CutCurves;
 }
 
 //------------------------------------------------------------------------------

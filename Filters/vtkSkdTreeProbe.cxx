@@ -6,6 +6,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPointOrder.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
 #include "Search/Probe/SkdCellFinder.h"
 #include "Search/Probe/SkdCellLocations.h"
@@ -200,12 +201,12 @@ int vtkSkdTreeProbe::RequestData(
 }
 
 // The nearest cell may be anywhere.
-bool vtkSkdTreeProbe::NeedsNearbySource(double& distance, double& ofDiagonal)
+bool vtkSkdTreeProbe::NeedsNearbySource(SkdReach& reach)
 {
-  distance = this->OutsidePoints == NEAREST_CELL_WITHIN_DISTANCE
+  reach.Distance = this->OutsidePoints == NEAREST_CELL_WITHIN_DISTANCE
     ? std::max(this->AbsoluteTolerance, this->MaximumDistance)
     : this->AbsoluteTolerance;
-  ofDiagonal = this->RelativeTolerance;
+  reach.OfDiagonal = this->RelativeTolerance;
   return this->OutsidePoints != NEAREST_CELL;
 }
 

@@ -52,10 +52,7 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
   this->Inputs->SetDistribution(
     static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
     [this](int port, SkdReach& reach)
-    {
-      return port == 1 && !this->NeedsWhole(0) &&
-        this->NeedsNearbySource(reach.Distance, reach.OfDiagonal);
-    });
+    { return port == 1 && !this->NeedsWhole(0) && this->NeedsNearbySource(reach); });
   return this->Inputs->Process(request, inputVector, outputVector,
     [&](vtkInformationVector** inputs)
     { return this->Superclass::ProcessRequest(request, inputs, outputVector); });
@@ -66,7 +63,7 @@ bool vtkSkdTreeSourceAlgorithm::NeedsWhole(int port)
   return port > 0 || this->WholeInput || this->GetNumberOfInputConnections(1) == 0;
 }
 
-bool vtkSkdTreeSourceAlgorithm::NeedsNearbySource(double&, double&)
+bool vtkSkdTreeSourceAlgorithm::NeedsNearbySource(SkdReach&)
 {
   return false;
 }

@@ -36,6 +36,7 @@
 #include <vector>           // For std::vector
 
 class SkdFilterInputs;
+struct SkdReach;
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -110,10 +111,9 @@ protected:
   virtual bool NeedsWhole(int port);
 
   /// Whether with several processes a process needs of the Source no more than the cells whose
-  /// boxes come near its own part of the Input, and how near: a distance, and a fraction of the
-  /// diagonal of the cell's box, which add up. Such a filter states ids by SkdJoinedIds. False by
-  /// default.
-  virtual bool NeedsNearbySource(double& distance, double& ofDiagonal);
+  /// boxes come near its own part of the Input, and how near. Such a filter states ids by
+  /// SkdJoinedIds. False by default.
+  virtual bool NeedsNearbySource(SkdReach& reach);
 
   /// For subclasses that can send questions to the processes that have the pieces of an input: for
   /// which inputs, with the present properties.

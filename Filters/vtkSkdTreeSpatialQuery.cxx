@@ -8,6 +8,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
 #include "Search/Relations/SkdRelationOutputs.h"
 #include "vtkCompositeDataIterator.h"
@@ -179,6 +180,15 @@ bool vtkSkdTreeSpatialQuery::NeedsWhole(int port)
 }
 
 //------------------------------------------------------------------------------
+// Boxes of candidates are larger than cells, and points need not be of cells.
+bool vtkSkdTreeSpatialQuery::NeedsNearbySource(SkdReach& reach)
+{
+  reach.Distance = this->Tolerance;
+  reach.OfDiagonal = 1e-3; // more than any rounding
+  return this->Shape == SOURCE_CELLS && this->Exact;
+}
+
+//------------------------------------------------------------------------------
 void vtkSkdTreeSpatialQuery::UpdateTrees(vtkDataObject* input, vtkDataObject* source)
 {
   Internals& internals = *this->Impl;
@@ -248,7 +258,8 @@ bool vtkSkdTreeSpatialQuery::MakeQueries(vtkDataObject* source)
     }
     else
     {
-      queries.SetCells(this->Impl->SourceCells, this->Relation == ADJACENCY);
+      queries.SetCells(this->Impl->SourceCells, SkdBlocksWithCells(SkdBlocksOf(source)),
+        this->Relation == ADJACENCY);
     }
     return true;
   }

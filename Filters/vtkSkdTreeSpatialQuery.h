@@ -33,8 +33,9 @@
  * cells that are found or near the query's boundary. The first query of an Input by one shape,
  * except NEAREST, builds no tree: it tests all cells, O(N), in a fraction of the time of a build.
  * Answers are the same with and without a tree, and do not depend on the number of threads or
- * processes (each gathers the whole Source, and for NEAREST the whole Input, of whose result it
- * outputs what is of its own piece). Ghost and blanked cells are ignored.
+ * processes. Each gathers the whole Source, or for exact tests with SOURCE_CELLS the cells near its
+ * own part of the Input (see SetSourceDistribution); for NEAREST also the whole Input, of whose
+ * result it outputs what is of its own piece. Ghost and blanked cells are ignored.
  *
  * Output port 0: the cells found, by ascending id, with all data of the Input; a
  * vtkUnstructuredGrid, for a composite Input composite data of the same structure (for AMR data a
@@ -251,6 +252,7 @@ protected:
 
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool NeedsWhole(int port) override;
+  bool NeedsNearbySource(SkdReach& reach) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Relation = OVERLAP;

@@ -8,6 +8,7 @@
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
+#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
 #include "Solids/Surfaces/SkdContacts.h"
 #include "Solids/Surfaces/SkdSplitSurface.h"
@@ -276,6 +277,15 @@ bool vtkSkdTreeSurfaceIntersection::IsSplitting() const
 bool vtkSkdTreeSurfaceIntersection::NeedsWhole(int port)
 {
   return this->IsSplitting() || this->Superclass::NeedsWhole(port);
+}
+
+// Which of several pairs is found may depend on others, and a Source that moves is elsewhere.
+bool vtkSkdTreeSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
+{
+  reach.Distance = this->Clearance;
+  reach.OfDiagonal = 1e-3; // more than any rounding
+  reach.IsOfFaces = true;
+  return this->Pairs == ALL_PAIRS && FindMatrix(this)->IsIdentity();
 }
 
 int vtkSkdTreeSurfaceIntersection::RequestData(

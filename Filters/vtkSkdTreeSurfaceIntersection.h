@@ -75,8 +75,10 @@
  * Rotation or SetTransform) requires no new tree. One-shot intersections use a packed R-tree of
  * those triangles only that share a cell of a coarse grid with the other surface; a whole tree is
  * built when a surface is searched again. The result does not depend on the number of threads. Of
- * several processes each computes the result for its piece of Input and gathers the whole Source;
- * without a Source the first process computes all.
+ * several processes each computes the result for its piece of Input and gathers the whole Source,
+ * or the cells near its piece (see SetSourceDistribution) of a Source that has no volume cells and
+ * does not move, if ALL_PAIRS are found and no surfaces split. Without a Source the first process
+ * computes all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
  * boxes.
@@ -190,6 +192,7 @@ protected:
   ~vtkSkdTreeSurfaceIntersection() override;
 
   bool NeedsWhole(int port) override;
+  bool NeedsNearbySource(SkdReach& reach) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Pairs = ALL_PAIRS;

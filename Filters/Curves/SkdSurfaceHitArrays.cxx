@@ -6,6 +6,7 @@
 #include "Cells/Kernels/SkdPolyKernels.h"
 #include "Cells/Read/SkdMagnitudes.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -123,6 +124,7 @@ void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
 {
   using Intersection = SkdSurfaceIntersection;
   const auto& curves = table.Curves.GetCurves();
+  const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(table.SurfaceBlocks);
   AddVertices(table, output);
   AddColumn<vtkIdTypeArray>(table, output, "SkdCurveId",
     [](const Intersection& one) { return static_cast<vtkIdType>(one.Hit.Curve); });
@@ -136,7 +138,11 @@ void SkdStoreSurfaceHits(const SkdSurfaceHitTable& table, vtkPolyData* output)
     [&](const Intersection& one)
     { return table.Numbers[static_cast<std::size_t>(&one - table.Intersections.data())]; });
   AddColumn<vtkIdTypeArray>(table, output, "SkdCellId",
-    [&](const Intersection& one) { return ElementOf(table, one).CellId; });
+    [&](const Intersection& one)
+    {
+      const auto& element = ElementOf(table, one);
+      return joined[static_cast<std::size_t>(element.Block)].Of(element.CellId);
+    });
   AddColumn<vtkIntArray>(table, output, "SkdPartId",
     [&](const Intersection& one) { return ElementOf(table, one).Part; });
   AddVectors(table, output, "SkdPCoords",

@@ -115,6 +115,13 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, int port, SkdTransport* 
   {
     return false;
   }
+  const int hasVolumes = reach.IsOfFaces && SkdHasVolumeCells(piece) ? 1 : 0;
+  int haveVolumes = 0;
+  controller->AllReduce(&hasVolumes, &haveVolumes, 1, vtkCommunicator::MAX_OP);
+  if (haveVolumes != 0)
+  {
+    return false;
+  }
   if (!transport)
   {
     if (this->Wanted == Distribution::Exchanged && controller->GetLocalProcessId() == 0)

@@ -4,8 +4,10 @@
 
 #include "Exchange/SkdMessage.h"
 #include "Pipeline/SkdBlocks.h"
+#include "vtkCellTypes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -57,6 +59,25 @@ bool IsAny(SkdTransport& transport, bool here)
 bool SkdCanBring(vtkDataObject* object)
 {
   return !SkdIsComposite(object) || vtkDataObjectTree::SafeDownCast(object) != nullptr;
+}
+
+bool SkdHasVolumeCells(vtkDataObject* object)
+{
+  for (const SkdBlock& block : SkdBlocksOf(object))
+  {
+    vtkNew<vtkCellTypes> types;
+    block.Mesh->GetCellTypes(types);
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+    {
+      vtkNew<vtkGenericCell> cell;
+      cell->SetCellType(types->GetCellType(i));
+      if (cell->GetCellDimension() == 3)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 vtkDataObject* SkdNearbyInput::Update(

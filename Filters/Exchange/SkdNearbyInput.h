@@ -59,4 +59,7 @@ private:
 /// Whether data of this type can be brought: all but AMR data, whose blocks have no places.
 bool SkdCanBring(vtkDataObject* object);
 
+/// Whether any cell is three-dimensional. O(cells).
+bool SkdHasVolumeCells(vtkDataObject* object);
+
 #endif

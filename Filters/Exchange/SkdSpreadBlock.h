@@ -6,16 +6,9 @@
 #include "Exchange/SkdCut.h"
 #include "Exchange/SkdPieceArrays.h"
 #include "Exchange/SkdPieceNumbers.h"
+#include "Pipeline/SkdReach.h"
 
 #include <memory>
-
-/// How far a cell may be from what a process has, and still be near it: a distance, and a fraction
-/// of the diagonal of the cell's box, together.
-struct SkdReach
-{
-  double Distance = 0.0;
-  double OfDiagonal = 0.0;
-};
 
 /// A mesh that lies in pieces. Each process gets some of its cells, as one mesh with the points,
 /// arrays and field data that they have in the joined mesh (SkdJoinPieces), in its order, with

@@ -42,16 +42,23 @@ private:
   vtkIdTypeArray* Ids;
 };
 
-/// Replaces ids of cells of some meshes by those in the whole; `meshes` has the place of each id's
-/// mesh in the list, -1: the id stays. O(n) if any of the meshes has joined ids, else O(1).
-inline void SkdJoinIds(
-  vtkIdTypeArray* ids, const std::vector<int>& meshes, const std::vector<SkdBlock>& blocks)
+/// Of each of some meshes.
+inline std::vector<SkdJoinedIds> SkdJoinedIdsOf(const std::vector<SkdBlock>& blocks)
 {
   std::vector<SkdJoinedIds> joined;
   for (const SkdBlock& block : blocks)
   {
     joined.emplace_back(block.Mesh);
   }
+  return joined;
+}
+
+/// Replaces ids of cells of some meshes by those in the whole; `meshes` has the place of each id's
+/// mesh in the list, -1: the id stays. O(n) if any of the meshes has joined ids, else O(1).
+inline void SkdJoinIds(
+  vtkIdTypeArray* ids, const std::vector<int>& meshes, const std::vector<SkdBlock>& blocks)
+{
+  const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(blocks);
   if (std::none_of(
         joined.begin(), joined.end(), [](const SkdJoinedIds& own) { return own.HasOwn(); }))
   {

@@ -9,7 +9,6 @@ import os
 import shutil
 import sys
 
-import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import skdpieces
@@ -18,7 +17,7 @@ import skdtesting
 RUNS = {
     2: ("everywhere", "cuts, ghosts", "round robin"),
     3: ("cuts", "round robin, global ids", "one process"),
-    4: ("runs", "cuts, doubled"),
+    4: ("cuts, doubled",),
 }
 REPORT = "SkdReportSourceExchanged"
 
@@ -43,6 +42,24 @@ def filters(partition):
     yield "probe blocks", lambda: simple.SkdTreeProbe(Input=image, Source=blocks), (0,)
     yield "probe a grid", lambda: simple.SkdTreeProbe(
         Input=cells, Source=image, GradientArrays=["RTData"]), (0,)
+    other = skdpieces.source(
+        "sphere", partition, radius=3.0, center=(1.234, 0.5, 0.25), theta=20, phi=20)
+    yield "intersection", lambda: simple.SkdTreeSurfaceIntersection(
+        Input=other, Source=ball, JoinCurves=0), (0, 1, 2)
+    yield "intersection of equal surfaces", lambda: simple.SkdTreeSurfaceIntersection(
+        Input=ball, Source=ball), (0, 1, 2)
+    yield "gaps", lambda: simple.SkdTreeSurfaceIntersection(
+        Input=other, Source=ball, Clearance=0.3), (0, 1, 2, 3)
+    edges = simple.ExtractEdges(Input=other)
+    yield "curves and a surface", lambda: simple.SkdTreeCurveSurfaceIntersection(
+        Input=edges, Source=ball), (0, 2)
+    yield "curves and blocks", lambda: simple.SkdTreeCurveSurfaceIntersection(
+        Input=edges, Source=simple.GroupDatasets(Input=[ball, other])), (0, 2)
+    yield "overlapping cells", lambda: simple.SkdTreeSpatialQuery(
+        Input=cells, Source=ball, Relation="Overlap", Shape="Source Cells"), (0, 2)
+    few = skdpieces.source("tetrahedra", partition, size=2)
+    yield "adjacent cells", lambda: simple.SkdTreeSpatialQuery(
+        Input=few, Source=few, Relation="Adjacency", Shape="Source Cells"), (0, 2)
 
 
 def arrays(data):
@@ -58,9 +75,13 @@ def arrays(data):
     for kind, attributes in (("point", data.GetPointData()), ("cell", data.GetCellData())):
         for i in range(attributes.GetNumberOfArrays()):
             found[f"{kind} {attributes.GetArrayName(i)}"] = vtk_to_numpy(attributes.GetArray(i))
-    for name, count, get in (("points", data.GetNumberOfPoints(), data.GetPoint),
-        ("cells", data.GetNumberOfCells(), lambda i: data.GetCell(i).GetBounds())):
-        found[name] = numpy.array([get(i) for i in range(count)])
+    if data.IsA("vtkPointSet") and data.GetNumberOfPoints() > 0:
+        found["points"] = vtk_to_numpy(data.GetPoints().GetData())
+    names = {"vtkUnstructuredGrid": ["Cells"], "vtkPolyData": ["Verts", "Lines", "Polys"]}
+    for name in names.get(data.GetClassName(), []):
+        cells = getattr(data, "Get" + name)()
+        found[name] = vtk_to_numpy(cells.GetConnectivityArray())
+        found["Offsets of " + name] = vtk_to_numpy(cells.GetOffsetsArray())
     return found
 
 

@@ -39,9 +39,11 @@ void SkdQueryList::SetPoints(const std::vector<SkdBlock>& blocks)
 }
 
 //------------------------------------------------------------------------------
-void SkdQueryList::SetCells(const SkdParts& parts, bool wantsOutlines)
+void SkdQueryList::SetCells(
+  const SkdParts& parts, const std::vector<SkdBlock>& blocks, bool wantsOutlines)
 {
   this->Clear();
+  this->Joined = SkdJoinedIdsOf(blocks);
   this->Parts = &parts;
   this->WantsOutlines = wantsOutlines;
   const std::vector<int> indices = parts.GetBlockIndices();
@@ -95,10 +97,11 @@ SkdQueryShape SkdQueryList::Make(vtkIdType query) const
 vtkIdType SkdQueryList::GetId(vtkIdType query) const
 {
   const auto [block, place] = this->Find(query);
-  return this->Parts ? this->Parts->GetTree(static_cast<std::uint32_t>(block))
-                         .Cells()
-                         .IdOf(static_cast<std::uint32_t>(place))
-                     : place;
+  return this->Parts
+    ? this->Joined[block].Of(this->Parts->GetTree(static_cast<std::uint32_t>(block))
+                               .Cells()
+                               .IdOf(static_cast<std::uint32_t>(place)))
+    : place;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 
 #include "Bodies/SkdParts.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Search/Relations/SkdQueryShape.h"
 
 #include <optional>
@@ -19,8 +20,8 @@ class SkdQueryList
 public:
   void SetShape(const SkdQueryShape& shape);
   void SetPoints(const std::vector<SkdBlock>& blocks);
-  /// Those that are in the parts' trees, which must outlive the list.
-  void SetCells(const SkdParts& parts, bool wantsOutlines);
+  /// Those that are in the parts' trees, which must outlive the list as the blocks they are of.
+  void SetCells(const SkdParts& parts, const std::vector<SkdBlock>& blocks, bool wantsOutlines);
 
   vtkIdType GetSize() const;
 
@@ -42,6 +43,7 @@ private:
   std::optional<SkdQueryShape> Shape;
   std::vector<SkdBlock> Points;
   const SkdParts* Parts = nullptr;
+  std::vector<SkdJoinedIds> Joined; // of the parts
   bool WantsOutlines = false;
   std::vector<int> BlockIndices;
   std::vector<vtkIdType> Starts{ 0 }; // of blocks, and the end

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Surfaces/SkdContacts.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -134,11 +135,12 @@ void SkdContacts::AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData*
     const auto n = static_cast<vtkIdType>(pairs.size());
     const auto cellOf = [&](vtkIdType i)
     { return set.GetCells()[set.GetCellOf(this->Pairs[pairs[i]].*triangle)]; };
+    const std::vector<SkdJoinedIds> joined = SkdJoinedIdsOf(side.Blocks);
     auto ids = SkdMakeArray<vtkIdTypeArray>(cellName, 1, n);
     auto blockIndices = SkdMakeArray<vtkIntArray>(blockName, 1, side.IsComposite ? n : 0);
     for (vtkIdType i = 0; i < n; ++i)
     {
-      ids->SetValue(i, cellOf(i).Id);
+      ids->SetValue(i, joined[static_cast<std::size_t>(cellOf(i).Block)].Of(cellOf(i).Id));
     }
     to->AddArray(ids);
     for (vtkIdType i = 0; i < blockIndices->GetNumberOfTuples(); ++i)

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdReach_h
+#define SkdReach_h
+
+/// How far a cell may be from what a process has, and still be near it: a distance, and a fraction
+/// of the diagonal of the cell's box, together.
+struct SkdReach
+{
+  double Distance = 0.0;
+  double OfDiagonal = 0.0;
+
+  /// Cells are wanted for their faces: those of volume cells depend on all of these.
+  bool IsOfFaces = false;
+};
+
+#endif
