@@ -57,7 +57,11 @@
  *
  * Field data of output port 0, one value each: SkdReportIterations, SkdReportBestIteration,
  * SkdReportEquidistributionBefore, SkdReportEquidistributionAfter, SkdReportSmallestQuality,
- * SkdReportMovedCells, SkdReportSamples, SkdReportSeconds.
+ * SkdReportMovedCells, SkdReportSamples, SkdReportSeconds. With Monitor VALUE and one mesh of
+ * triangles, quads, pixels and polygons as Source also SkdReportEquidistributionOfField: the same
+ * measure for the field itself, integrated over the cells of the output (interpolated in Source's
+ * cells, or the same all over each, raised by MaximumRatio, not smoothed), where the others go by
+ * the means of the values that cells contain.
  *
  * Bad input: a mesh without surface cells, a Source without the field or with one that has no
  * finite value, and a monitor that is nowhere greater than 0 give an error or a warning, and the

@@ -362,6 +362,128 @@ TEST(MeshAdaptation, CellsThatCannotMoveHoldTheirPoints)
     std::string::npos);
 }
 
+/// The coefficient of variation of mean x area of cells, by their areas at first.
+double VariationOf(Filter* filter, const std::function<double(vtkPointSet*, vtkIdType)>& meanIn)
+{
+  vtkDataArray* areas = MeshOf(filter)->GetCellData()->GetArray("SkdArea");
+  vtkDataArray* ratios = MeshOf(filter)->GetCellData()->GetArray("SkdAreaRatio");
+  double weight = 0.0, sum = 0.0, squares = 0.0;
+  std::vector<double> integrals;
+  for (vtkIdType i = 0; i < areas->GetNumberOfTuples(); ++i)
+  {
+    integrals.push_back(areas->GetTuple1(i) * meanIn(MeshOf(filter), i));
+    sum += integrals.back();
+    weight += areas->GetTuple1(i) / ratios->GetTuple1(i);
+  }
+  for (vtkIdType i = 0; i < areas->GetNumberOfTuples(); ++i)
+  {
+    const double own = areas->GetTuple1(i) / ratios->GetTuple1(i) / weight;
+    const double off = integrals[static_cast<std::size_t>(i)] / (own * sum) - 1.0;
+    squares += own * off * off;
+  }
+  return std::sqrt(squares);
+}
+
+/// Of a field f over a cell, by 256 points of each triangle around its middle.
+double MeanIn(vtkPointSet* mesh, vtkIdType id, const std::function<double(const Point&)>& f)
+{
+  vtkCell* cell = mesh->GetCell(id);
+  const int n = cell->GetNumberOfPoints();
+  std::vector<Point> corners(static_cast<std::size_t>(n));
+  Point middle{};
+  for (int i = 0; i < n; ++i)
+  {
+    cell->GetPoints()->GetPoint(i, corners[static_cast<std::size_t>(i)].data());
+    middle = middle + (1.0 / n) * corners[static_cast<std::size_t>(i)];
+  }
+  double sum = 0.0, area = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Point a = corners[i] - middle;
+    const Point b = corners[(i + 1) % corners.size()] - middle;
+    const double part = Length(Cross(a, b));
+    for (int k = 0; k < 256; ++k)
+    {
+      const double u = std::sqrt((k / 16 + 0.5) / 16.0); // of equal parts of the triangle
+      const double v = (k % 16 + 0.5) / 16.0;
+      sum += part * f(middle + (u * (1.0 - v)) * a + (u * v) * b);
+      area += part;
+    }
+  }
+  return sum / area;
+}
+
+// A coarse source says little by its values, and all by its mesh.
+TEST(MeshAdaptation, TheErrorAgainstTheFieldItselfIsTold)
+{
+  const auto linear = [](const Point& p) { return 1.0 + 4.0 * p[0] + p[1]; };
+  PolyDataPointer source = MakeSheet(10);
+  const auto value = [&](vtkIdType i)
+  {
+    Point p;
+    source->GetPoint(i, p.data());
+    return linear(p);
+  };
+  source->GetPointData()->Initialize();
+  source->GetPointData()->AddArray(MakeArray("Linear", source->GetNumberOfPoints(), value));
+  FilterPointer filter = MakeFilter(MakeSheet(16), source);
+  filter->SetMaximumIterations(8);
+  filter->Update();
+  EXPECT_EQ(Reported(filter, "EquidistributionOfField"), -1.0); // the monitor is another field
+  filter->SetMonitor(Filter::VALUE);
+  filter->Update();
+  const double exact =
+    VariationOf(filter, [&](vtkPointSet* mesh, vtkIdType i) { return MeanIn(mesh, i, linear); });
+  EXPECT_GT(exact, 2.0 * Reported(filter, "EquidistributionAfter"));
+  EXPECT_NEAR(Reported(filter, "EquidistributionOfField"), exact, 1e-3 * exact);
+  source->GetPointData()->Initialize();
+  const auto cellValue = [](vtkIdType i) { return 1.0 + i % 10; };
+  source->GetCellData()->AddArray(MakeArray("Stairs", source->GetNumberOfCells(), cellValue));
+  const auto stairs = [](const Point& p) { return 1.0 + std::floor(10.0 * std::min(p[0], 0.99)); };
+  filter->Update();
+  const double steps =
+    VariationOf(filter, [&](vtkPointSet* mesh, vtkIdType i) { return MeanIn(mesh, i, stairs); });
+  EXPECT_NEAR(Reported(filter, "EquidistributionOfField"), steps, 0.1 * steps);
+}
+
+// Longitudes of the source may be of any turn.
+TEST(MeshAdaptation, TheErrorAgainstAFieldOfLongitudesAndLatitudesIsTold)
+{
+  const auto smooth = [](const Point& p)
+  { return 2.0 + p[0] / Length(p) + 0.5 * p[2] / Length(p); };
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(3.0);
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(14);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  for (const double first : { 0.0, -180.0, 300.0 })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(181, 91, 1);
+    image->SetOrigin(first, -90.0, 0.0);
+    image->SetSpacing(2.0, 2.0, 1.0);
+    const auto value = [&](vtkIdType i)
+    {
+      Point p;
+      image->GetPoint(i, p.data());
+      const double longitude = vtkMath::RadiansFromDegrees(p[0]);
+      const double latitude = vtkMath::RadiansFromDegrees(p[1]);
+      return smooth({ { std::cos(latitude) * std::cos(longitude),
+        std::cos(latitude) * std::sin(longitude), std::sin(latitude) } });
+    };
+    image->GetPointData()->AddArray(MakeArray("Smooth", image->GetNumberOfPoints(), value));
+    FilterPointer filter = MakeFilter(sphere->GetOutput(), image);
+    filter->SetSourceCoordinates(Filter::LONGITUDE_LATITUDE);
+    filter->SetMonitor(Filter::VALUE);
+    filter->SetMaximumIterations(4);
+    filter->Update();
+    const double exact =
+      VariationOf(filter, [&](vtkPointSet* mesh, vtkIdType i) { return MeanIn(mesh, i, smooth); });
+    EXPECT_NEAR(Reported(filter, "EquidistributionOfField"), exact, 0.02 * exact) << first;
+  }
+}
+
 /// What the filter says of an input that it does move.
 std::string WarningOf(Filter* filter)
 {

@@ -3,6 +3,7 @@
 #include "Meshing/Adaptation/SkdFieldAdaptation.h"
 
 #include "Cells/Read/SkdMagnitudes.h"
+#include "Meshing/Adaptation/SkdFieldIntegral.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdContainedMean.h"
@@ -125,13 +126,14 @@ bool SkdFieldAdaptation::Run(const std::vector<SkdBlock>& inputs, vtkDataObject*
   {
     return false;
   }
-  this->Move(std::move(samples), algorithm);
+  this->Move(source, std::move(samples), algorithm);
   this->TellOfOutcome();
   this->Seconds = watch.Lap();
   return !this->Adapter.GetOutcome().Rows.empty();
 }
 
-void SkdFieldAdaptation::Move(SkdFieldSamples samples, vtkAlgorithm* algorithm)
+void SkdFieldAdaptation::Move(
+  vtkDataObject* source, SkdFieldSamples samples, vtkAlgorithm* algorithm)
 {
   const bool isOnSphere = this->Adapter.IsOnSphere();
   std::vector<double> weights = this->Place(samples);
@@ -151,7 +153,18 @@ void SkdFieldAdaptation::Move(SkdFieldSamples samples, vtkAlgorithm* algorithm)
     progress = part * (iteration + 1);
     return !SkdIsAborted(algorithm);
   };
-  this->Adapter.Run(this->Request.Rules, this->Request.KeepsIterations, find, look);
+  SkdMeshAdapter::Integrate integrate;
+  if (this->Request.Rules.Monitor.Kind == skd::MonitorKind::Value &&
+    SkdFieldIntegral::CanRead(source))
+  {
+    integrate = [&](const skd::SurfaceMesh& mesh)
+    {
+      SkdFieldIntegral field(
+        source, samples, this->Adapter.GetShape(), this->Request.IsSourceInDegrees);
+      return field.GetMeans(mesh);
+    };
+  }
+  this->Adapter.Run(this->Request.Rules, this->Request.KeepsIterations, find, look, integrate);
 }
 
 void SkdFieldAdaptation::TellOfMesh()
@@ -241,6 +254,10 @@ void SkdFieldAdaptation::AddReport(vtkDataObject* output) const
   report.AddCount("BestIteration", static_cast<vtkIdType>(outcome.Best));
   report.AddMeasure("EquidistributionBefore", outcome.Rows.front().Measure);
   report.AddMeasure("EquidistributionAfter", outcome.Rows[outcome.Best].Measure);
+  if (this->Adapter.GetMeasureOfField() >= 0.0)
+  {
+    report.AddMeasure("EquidistributionOfField", this->Adapter.GetMeasureOfField());
+  }
   report.AddMeasure("SmallestQuality", outcome.Rows[outcome.Best].SmallestQuality);
   report.AddCount("MovedCells", static_cast<vtkIdType>(this->Adapter.GetMesh().Mesh.Cells.size()));
   report.AddCount("Samples", static_cast<vtkIdType>(this->NumberOfSamples));

@@ -59,7 +59,7 @@ private:
   std::vector<double> Place(SkdFieldSamples& samples) const;
   bool WeighsByCosine(const SkdFieldSamples& samples) const;
   double ToleranceOfCells() const;
-  void Move(SkdFieldSamples samples, vtkAlgorithm* algorithm);
+  void Move(vtkDataObject* source, SkdFieldSamples samples, vtkAlgorithm* algorithm);
 
   void Tell(bool isError, const std::string& text) { this->Messages.push_back({ isError, text }); }
   void TellOfMesh();

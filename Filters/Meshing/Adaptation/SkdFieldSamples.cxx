@@ -114,6 +114,7 @@ SkdFieldSamples SkdFieldSamples::Read(vtkDataObject* source, const std::string& 
     }
     if (!samples.Places.empty())
     {
+      samples.AreOfPoints = type == vtkDataObject::POINT;
       break;
     }
   }

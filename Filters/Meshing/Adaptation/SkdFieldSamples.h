@@ -26,6 +26,7 @@ struct SkdFieldSamples
 
   std::vector<skd::Vector3> Places;
   std::vector<double> Values; ///< NaN where there is none
+  bool AreOfPoints = false;   ///< else of cells
   bool IsStructured = false;
   vtkIdType TooLarge = 0;    ///< values whose squares are no numbers: they count as none
   std::string FirstTooLarge; ///< whose: a point or cell

@@ -36,6 +36,7 @@ bool SkdMeshAdapter::Begin(
   this->Shape = skd::SurfaceShape();
   this->Reference = nullptr;
   this->Outcome = skd::AdaptOutcome();
+  this->MeasureOfField = -1.0;
   this->Kept.clear();
   const skd::SurfaceMesh& mesh = this->Moved.Mesh;
   if (mesh.Cells.size() == 0)
@@ -83,8 +84,8 @@ void SkdMeshAdapter::LayReference()
   };
 }
 
-void SkdMeshAdapter::Run(
-  const skd::AdaptRules& rules, bool keepsAll, const FindField& find, const Look& look)
+void SkdMeshAdapter::Run(const skd::AdaptRules& rules, bool keepsAll, const FindField& find,
+  const Look& look, const Integrate& integrate)
 {
   State now;
   const skd::Vector3 nothing{ { 0.0, 0.0, 0.0 } };
@@ -112,6 +113,10 @@ void SkdMeshAdapter::Run(
   };
   skd::Adaptation adaptation(this->Moved.Mesh, this->Shape, rules);
   this->Outcome = adaptation.Run(findField, lookOn);
+  if (integrate && !this->Outcome.Rows.empty() && this->Outcome.End != skd::AdaptEnd::Stopped)
+  {
+    this->MeasureOfField = adaptation.MeasureOf(integrate(this->Moved.Mesh));
+  }
 }
 
 void SkdMeshAdapter::Show(const State& state)

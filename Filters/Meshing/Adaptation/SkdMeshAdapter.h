@@ -45,8 +45,16 @@ public:
   /// Called in each iteration with its number; false to stop.
   using Look = std::function<bool(int iteration)>;
 
-  /// Moves the mesh. With `keepsAll` each iteration can be had afterwards.
-  void Run(const skd::AdaptRules& rules, bool keepsAll, const FindField& find, const Look& look);
+  /// Tells the field's means in the cells by integration.
+  using Integrate = std::function<std::vector<double>(const skd::SurfaceMesh& mesh)>;
+
+  /// Moves the mesh. With `keepsAll` each iteration can be had afterwards. What the measure of the
+  /// best one is for a monitor that is the field itself is found if there is `integrate`.
+  void Run(const skd::AdaptRules& rules, bool keepsAll, const FindField& find, const Look& look,
+    const Integrate& integrate);
+
+  /// See Run; negative if it was not found.
+  double GetMeasureOfField() const { return this->MeasureOfField; }
 
   const skd::AdaptOutcome& GetOutcome() const { return this->Outcome; }
 
@@ -85,6 +93,7 @@ private:
   vtkSmartPointer<vtkSkdTreeCellLocator> Reference;
   std::vector<double> FirstAreas;
   skd::AdaptOutcome Outcome;
+  double MeasureOfField = -1.0;
   State Best;
   State Shown;
   std::vector<State> Kept;

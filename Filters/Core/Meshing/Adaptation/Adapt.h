@@ -119,6 +119,21 @@ public:
     return this->Outcome;
   }
 
+  /// After Run(): the measure of the mesh as it is for a monitor that has these means in the cells,
+  /// raised where it is too small, but not smoothed. Negative if none is greater than 0.
+  double MeasureOf(std::vector<double> means)
+  {
+    MonitorRules rules = this->Rules.Monitor;
+    rules.Kind = MonitorKind::Value;
+    rules.Smoothings = 0;
+    if (!Monitor(rules).Make(this->Mesh, this->Shape, std::move(means), this->Values))
+    {
+      return -1.0;
+    }
+    this->Shares.Update(this->Mesh, this->Values);
+    return this->Shares.GetMeasure();
+  }
+
 private:
   /// Cells without area have hardly any weight, but some.
   static std::vector<double> MakeWeights(
