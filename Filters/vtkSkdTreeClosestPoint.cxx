@@ -50,7 +50,30 @@ SkdClosestArrays FindNearest(
   return answers;
 }
 
+/// meshOf(block) is the mesh of one of the Source's blocks, cellOf(block, id) a cell in it.
+template <class MeshOf, class CellOf>
 void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& outputs,
+  const std::vector<SkdBlock>& source, const MeshOf& meshOf, const CellOf& cellOf,
+  const std::vector<SkdClosestArrays>& answers)
+{
+  std::set<std::string> refused;
+  SkdLoop loop(self, SkdCountPoints(outputs), 0.7, 1.0);
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+  {
+    const SkdClosestArrays& answer = answers[i];
+    const auto locationOf = [&](vtkIdType k)
+    {
+      const int block = answer.GetBlock(k);
+      const vtkIdType cell = block < 0 ? -1 : cellOf(block, answer.GetCellId(k));
+      return SkdSourceLocation{ block, cell, answer.GetPoint(k) };
+    };
+    SkdInterpolateInto(outputs[i].Mesh->GetPointData(), answer.GetNumberOfPoints(), source, meshOf,
+      locationOf, refused, loop);
+  }
+  SkdWarnAboutRefused(self, refused);
+}
+
+void InterpolateHere(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& outputs,
   const SkdSource& source, const std::vector<SkdClosestArrays>& answers)
 {
   const auto meshOf = [&](int block) { return source.GetMesh(block); };
@@ -58,18 +81,17 @@ void InterpolateSource(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>
   {
     SkdTouchCells(meshOf(static_cast<int>(block)));
   }
-  std::set<std::string> refused;
-  SkdLoop loop(self, SkdCountPoints(outputs), 0.7, 1.0);
-  for (std::size_t i = 0; i < outputs.size(); ++i)
-  {
-    const SkdClosestArrays& answer = answers[i];
-    const auto locationOf = [&](vtkIdType k) {
-      return SkdSourceLocation{ answer.GetBlock(k), answer.GetCellId(k), answer.GetPoint(k) };
-    };
-    SkdInterpolateInto(outputs[i].Mesh->GetPointData(), answer.GetNumberOfPoints(),
-      source.GetBlocks(), meshOf, locationOf, refused, loop);
-  }
-  SkdWarnAboutRefused(self, refused);
+  InterpolateSource(
+    self, outputs, source.GetBlocks(), meshOf, [](int, vtkIdType id) { return id; }, answers);
+}
+
+/// From cells of all processes.
+void InterpolateFound(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& outputs,
+  const SkdFoundCells& found, const std::vector<SkdClosestArrays>& answers)
+{
+  InterpolateSource(
+    self, outputs, found.GetBlocks(), [&](int block) { return found.GetMesh(block); },
+    [&](int block, vtkIdType id) { return found.CellOf(block, id); }, answers);
 }
 
 void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source, const SkdTreeCounts& counts)
@@ -125,10 +147,10 @@ vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
 
 vtkSkdTreeClosestPoint::~vtkSkdTreeClosestPoint() = default;
 
-// Signs need all of the boundary, and data at points on a border are those of one of the pieces.
+// Signs need all of the boundary.
 bool vtkSkdTreeClosestPoint::CanAskPieces(int port)
 {
-  return port == 1 && !this->SignedDistance && !this->InterpolateSourceData;
+  return port == 1 && !this->SignedDistance;
 }
 
 int vtkSkdTreeClosestPoint::RequestData(
@@ -149,11 +171,14 @@ int vtkSkdTreeClosestPoint::RequestData(
 
   std::vector<SkdClosestArrays> answers;
   SkdLoop loop(this, SkdCountPoints(blocks), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
+  std::vector<SkdFoundCell> cells;
   if (spread)
   {
-    const std::uint64_t sent =
-      SkdFindRemoteClosest(blocks, source, *spread, this->MaximumDistance, answers, loop);
-    SkdReport(output).AddCount("PointsSent", static_cast<vtkIdType>(sent));
+    SkdRemoteClosest closest =
+      SkdFindRemoteClosest(blocks, source, *spread, this->MaximumDistance, loop);
+    answers = std::move(closest.Answers);
+    cells = std::move(closest.Cells);
+    SkdReport(output).AddCount("PointsSent", static_cast<vtkIdType>(closest.PointsSent));
   }
   for (std::size_t i = 0; !spread && i < blocks.size(); ++i)
   {
@@ -167,9 +192,13 @@ int vtkSkdTreeClosestPoint::RequestData(
     answers[i].AddTo(blocks[i].Mesh->GetPointData(),
       spread ? spread->GetBlocks() : source.GetBlocks(), isComposite);
   }
-  if (this->InterpolateSourceData)
+  if (this->InterpolateSourceData && spread)
   {
-    InterpolateSource(this, blocks, source, answers);
+    InterpolateFound(this, blocks, SkdFoundCells(*spread, cells), answers);
+  }
+  else if (this->InterpolateSourceData)
+  {
+    InterpolateHere(this, blocks, source, answers);
   }
   if (this->GenerateLines)
   {

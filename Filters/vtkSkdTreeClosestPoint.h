@@ -11,8 +11,8 @@
  *
  * Several processes: a Source of which each has a piece is gathered on each, or with
  * SOURCE_EXCHANGED stays where it is: a process answers its points from its own piece, and sends
- * those to others that may have something nearer. Signed distances and interpolated data need all
- * of the Source, which is then gathered.
+ * those to others that may have something nearer; data are interpolated in the cells found, which
+ * are brought. Signed distances need all of the Source, which is then gathered.
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
  * other arrays: further time steps cost queries only, unless points move.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeRays.h"
 
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdInterpolate.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSetText.h"
+#include "Search/Rays/SkdHitCells.h"
 #include "Search/Rays/SkdRayOutputs.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -16,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeRays);
@@ -24,6 +27,7 @@ class vtkSkdTreeRays::Internals
 {
 public:
   SkdSourceTrees Trees;
+  SkdSourceTrees HitTrees; // of the cells that may be hit, where the Source stays in its pieces
 };
 
 namespace
@@ -69,6 +73,19 @@ std::vector<SkdCastRays> FindStarts(
     rays.push_back({ SkdRayStarts(block.Mesh, at, aim), {} });
   }
   return rays;
+}
+
+void Cast(vtkSkdTreeRays* self, const SkdRayTarget& target, const SkdRayLimits& limits,
+  double progress, std::vector<SkdCastRays>& rays)
+{
+  const SkdRayCaster caster(target.Trees, static_cast<int>(target.Blocks.size()), limits);
+  SkdLoop loop(self, SkdCountStarts(rays), progress, 0.8, 32768);
+  for (SkdCastRays& cast : rays)
+  {
+    cast.Lists = self->GetHits() == vtkSkdTreeRays::FIRST_HIT
+      ? caster.FindFirst(cast.Starts.Points, cast.Starts.Directions, loop)
+      : caster.FindAll(cast.Starts.Points, cast.Starts.Directions, loop);
+  }
 }
 
 /// One message about starts that have no ray.
@@ -192,6 +209,12 @@ bool vtkSkdTreeRays::NeedsWhole(int port)
   return (this->Along == NORMALS && this->Start == POINTS) || this->Superclass::NeedsWhole(port);
 }
 
+// The nearest point that a ray goes to is found before it is cast.
+bool vtkSkdTreeRays::CanAskPieces(int port)
+{
+  return port == 1 && this->Along != TO_NEAREST;
+}
+
 int vtkSkdTreeRays::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -202,29 +225,39 @@ int vtkSkdTreeRays::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const std::vector<SkdBlock> blocks = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
   vtkDataObject* sourceData = vtkDataObject::GetData(inputVector[1]);
-  const std::vector<SkdBlock> source = SkdBlocksWithCells(SkdBlocksOf(sourceData));
+  const SkdSpreadSource* spread = this->Inputs->GetSpread(1);
+  const std::vector<SkdBlock> source =
+    spread ? spread->GetBlocks() : SkdBlocksWithCells(SkdBlocksOf(sourceData));
   SkdStopwatch watch;
   SkdSourceTrees& trees = this->Impl->Trees;
   const int built = trees.Update(source, this->Epsilon);
-  const SkdRayTarget target{ trees, source, SkdIsComposite(sourceData) };
-  target.Touch();
   const double buildSeconds = watch.Lap();
 
   std::vector<SkdCastRays> rays = FindStarts(this, blocks, trees);
-  WarnAbout(this, rays, trees.GetCounts());
+  const SkdTreeCounts counts = spread ? spread->CountAll(trees.GetCounts()) : trees.GetCounts();
+  WarnAbout(this, rays, counts);
   const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
-  const SkdRayCaster caster(trees, static_cast<int>(source.size()), LimitsOf(this, tolerance));
-  SkdLoop loop(this, SkdCountStarts(rays), 0.2, 0.8, 32768);
-  for (SkdCastRays& cast : rays)
-  {
-    cast.Lists = this->Hits == FIRST_HIT
-      ? caster.FindFirst(cast.Starts.Points, cast.Starts.Directions, loop)
-      : caster.FindAll(cast.Starts.Points, cast.Starts.Directions, loop);
-  }
+  const SkdRayLimits limits = LimitsOf(this, tolerance);
   SkdReport report(output);
+  std::optional<SkdFoundCells> found;
+  if (spread)
+  {
+    SkdLoop loop(this, SkdCountStarts(rays), 0.2, 0.5, 32768);
+    const SkdHitCells hits =
+      SkdFindHitCells(this, rays, trees, *spread, limits, this->Hits != FIRST_HIT, loop);
+    report.AddCount("RaysSent", static_cast<vtkIdType>(hits.RaysSent));
+    found.emplace(*spread, hits.Cells);
+    this->Impl->HitTrees.Update(found->GetBlocks(), this->Epsilon);
+  }
+  const bool isComposite = SkdIsComposite(sourceData);
+  const SkdRayTarget target = found
+    ? SkdRayTarget{ this->Impl->HitTrees, found->GetBlocks(), isComposite }
+    : SkdRayTarget{ trees, source, isComposite };
+  target.Touch();
+  Cast(this, target, limits, found ? 0.5 : 0.2, rays);
   report.AddMeasure("Tolerance", tolerance);
   report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
-  Report(output, rays, trees.GetCounts());
+  Report(output, rays, counts);
   FillOutputs(this, blocks, rays, target, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }

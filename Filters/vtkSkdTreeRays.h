@@ -8,10 +8,14 @@
  * at Source (port 1, any vtkDataSet or composite), by the skD-tree (Algorithm 5.2 of Khamayseh and
  * Hansen, Commun. Comput. Phys. 2 (2007) 545-576). Exact tests decide what is hit: no ray passes
  * between two triangles that share an edge. The answer does not depend on the number of threads or
- * processes (each gathers the whole Source; along normals at points, which other pieces' cells may
- * determine, the first process has all). Each volume cell is hit once, at the face where the ray
+ * processes. Each volume cell is hit once, at the face where the ray
  * enters it or, if it starts within, leaves it (a voxel then where the ray starts, as in VTK);
  * vertices and lines only within rounding. A ray in the plane of a cell does not hit it.
+ *
+ * Several processes: a Source of which each has a piece is gathered on each, or with
+ * SOURCE_EXCHANGED stays where it is: rays are sent to the processes that have boxes on them, and
+ * the cells that may be hit are brought. TO_NEAREST gathers, and along normals at points, which
+ * other pieces' cells may determine, the first process has all.
  *
  * Output port 0: the input with the point arrays or, of rays from cell centres, cell arrays
  * | name             | type   | components | meaning                                   | none |
@@ -35,7 +39,8 @@
  * Field data of output port 0, one value each: SkdReportRays, SkdReportRaysWithHits, SkdReportHits,
  * SkdReportSourceCells, SkdReportSourceCellsLeftOut (see vtkSkdTreeCellLocator), SkdReportTolerance
  * (in world units), SkdReportEpsilon, SkdReportTreesBuilt (0 if all were reused),
- * SkdReportBuildSeconds, SkdReportQuerySeconds.
+ * SkdReportBuildSeconds, SkdReportQuerySeconds, and SkdReportRaysSent, how often this process sent
+ * a ray to another, if the Source stayed in its pieces.
  *
  * Bad input: an array of directions that is missing or has not a vector for each start is an
  * error, and there is no hit. Points without a direction (a zero or non-finite vector, or no
@@ -232,6 +237,7 @@ protected:
 
   /// Normals of points may depend on cells of other pieces.
   bool NeedsWhole(int port) override;
+  bool CanAskPieces(int port) override;
 
   int Start = POINTS;
   int Along = NORMALS;

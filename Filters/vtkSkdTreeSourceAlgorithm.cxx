@@ -16,7 +16,8 @@ vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
   , Use(use)
   , OutputTypes(outputTypes)
 {
-  this->Inputs->SetAsks([this](int port) { return this->CanAskPieces(port); });
+  this->Inputs->SetAsks(
+    [this](int port) { return port == 1 && !this->NeedsWhole(0) && this->CanAskPieces(port); });
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
 }

@@ -83,9 +83,9 @@ struct SkdNumberedAnswer
 };
 
 /// For each of n items, list(i, processes) names the processes to ask and make(i) makes the
-/// question; reply(question, answers) appends answers to one of another process, in parallel;
-/// take(i, answer, process) gets what comes back, process by process. All processes must call it
-/// together. Returns the number of questions that were sent.
+/// question; reply(questions, answers) appends answers to those that came from another process,
+/// some to each; take(i, answer, process) gets what comes back, process by process. All processes
+/// must call it together. Returns the number of questions that were sent.
 template <class Question, class Answer, class List, class Make, class Reply, class Take>
 std::uint64_t SkdAskOthers(SkdTransport& transport, std::size_t n, const List& list,
   const Make& make, const Reply& reply, const Take& take)
@@ -105,15 +105,7 @@ std::uint64_t SkdAskOthers(SkdTransport& transport, std::size_t n, const List& l
   SkdRowsByProcess<Numbered> answers(items.size());
   for (std::size_t process = 0; process < items.size(); ++process)
   {
-    std::vector<std::vector<Answer>> replies(questions[process].size());
-    SkdForEach(replies.size(), [&](std::size_t k) { reply(questions[process][k], replies[k]); });
-    for (std::size_t k = 0; k < replies.size(); ++k)
-    {
-      for (const Answer& answer : replies[k])
-      {
-        answers[process].push_back({ static_cast<std::uint32_t>(k), answer });
-      }
-    }
+    reply(questions[process], answers[process]);
   }
   answers = SkdExchangeRows(transport, answers);
   for (std::size_t process = 0; process < items.size(); ++process)

@@ -143,9 +143,25 @@ void SkdFilterInputs::Report(vtkInformationVector* outputs) const
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs, 0);
   const bool isExchanged = !this->Nearby.empty() || !this->Spread.empty();
-  if (output && (isExchanged || !this->Whole.empty()))
+  if (!output || (!isExchanged && this->Whole.empty()))
   {
-    SkdReport(output).AddCount("SourceExchanged", isExchanged ? 1 : 0);
+    return;
+  }
+  SkdReport report(output);
+  report.AddCount("SourceExchanged", isExchanged ? 1 : 0);
+  if (isExchanged)
+  {
+    SkdTraffic sent;
+    for (const auto& [place, nearby] : this->Nearby)
+    {
+      sent.Add(nearby.GetTraffic());
+    }
+    for (const auto& [place, spread] : this->Spread)
+    {
+      sent.Add(spread.GetTransport().GetTraffic());
+    }
+    report.AddCount("MessagesSent", static_cast<vtkIdType>(sent.Messages));
+    report.AddCount("BytesSent", static_cast<vtkIdType>(sent.Bytes));
   }
 }
 

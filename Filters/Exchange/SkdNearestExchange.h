@@ -3,35 +3,55 @@
 #ifndef SkdNearestExchange_h
 #define SkdNearestExchange_h
 
-#include "Core/Geometry/Vector.h"
 #include "Exchange/SkdAskOthers.h"
 #include "Pipeline/SkdLoop.h"
 
 #include <algorithm>
 
-/// A process with a box near a point.
+/// A process with a box near a query.
 struct SkdNearProcess
 {
   int Process;
-  double Distance2; // squared, from the point to the nearest of its boxes; never too large
+  double Distance2; // squared, to the nearest of its boxes; never too large
 };
 
-/// The nearest of what several processes have, to points of each of them. A point is answered at
-/// home first. It is then sent to the process with the nearest box, if that is not farther than the
-/// answer, and last to all others whose boxes are not farther than the better of both. The distance
-/// found so far travels along, so that a process that has nothing nearer finds so out in its first
-/// boxes, and says nothing.
+/// A question and what it is answered with.
+template <class Query, class Answer>
+struct SkdNearestState
+{
+  struct Question
+  {
+    Query Asked{};
+    double Radius = -1.0; // negative: not asked yet
+  };
+
+  Question Now;
+  Answer Best;
+  int Process = -1; // that has the best, or -1
+  int First = -1;   // that was asked first
+};
+
+/// The nearest of what several processes have, to queries (points or rays) of each of them. A query
+/// is answered at home first. It is then sent to the process with the nearest box, if that is not
+/// farther than the answer, and last to all others whose boxes are not farther than the better of
+/// both. The distance found so far travels along, so that a process that has nothing nearer finds
+/// so out in its first boxes, and says nothing.
 ///
-/// `Searcher` has, for any thread:
-/// - Answer, trivially copyable; IsBetter(a, b) of two of them, which decides ties in the same way
-///   whoever has them; RadiusOf(answer), a radius that just includes it;
-/// - bool FindHere(x, radius, answer): the best of the own at a distance of at most `radius`;
-/// - void ListNear(x, radius, list): the other processes that have a box within the radius.
+/// `Searcher` has:
+/// - Query and Answer, trivially copyable; IsBetter(a, b) of two answers, which decides ties in the
+///   same way whoever has them; RadiusOf(answer), a radius that just includes it;
+/// - FindHere(n, questionOf, set): in parallel, for those of n questions that have an answer among
+///   the own, at a distance of at most Radius, calls set(i, answer) with the best;
+/// - ListNear(query, radius, list), for any thread: the other processes that have a box within the
+///   radius.
 template <class Searcher>
 class SkdNearestExchange
 {
 public:
+  using Query = typename Searcher::Query;
   using Answer = typename Searcher::Answer;
+  using State = SkdNearestState<Query, Answer>;
+  using Question = typename State::Question;
 
   SkdNearestExchange(SkdTransport& transport, const Searcher& searcher)
     : Transport(transport)
@@ -39,11 +59,21 @@ public:
   {
   }
 
-  /// Calls set(i, answer, process) for those of n points, pointOf(i, x), that have an answer within
-  /// the radius. All processes must call it together, each with points of its own, also if it has
+  /// Calls set(i, answer, process) for those of n queries, queryOf(i), that have an answer within
+  /// the radius. All processes must call it together, each with queries of its own, also if it has
   /// none. Returns false if it was aborted on any of them: then all stop after the same round.
-  template <class PointOf, class Set>
-  bool Find(std::size_t n, double radius, const PointOf& pointOf, const Set& set, SkdLoop& loop)
+  template <class QueryOf, class Set>
+  bool Find(std::size_t n, double radius, const QueryOf& queryOf, const Set& set, SkdLoop& loop)
+  {
+    return this->Find(
+      n, radius, queryOf, set, [](const Answer&, int) {}, loop);
+  }
+
+  /// The same, and calls heard(answer, process) for each answer of a process to a query: the best,
+  /// and others.
+  template <class QueryOf, class Set, class Heard>
+  bool Find(std::size_t n, double radius, const QueryOf& queryOf, const Set& set,
+    const Heard& heard, SkdLoop& loop)
   {
     const std::size_t share = SkdSizeOfRound(this->Transport.GetNumber(), sizeof(Question));
     bool goesOn = true;
@@ -56,9 +86,17 @@ public:
         return state == 0;
       }
       const std::size_t end = std::min(n, begin + share);
-      goesOn = this->AskHere(begin, end, radius, pointOf, loop);
-      this->AskNearest();
-      this->AskRest();
+      this->Known.assign(end - begin, State());
+      goesOn = this->AskHere([&](std::size_t i) { return queryOf(begin + i); }, radius, loop);
+      for (const State& known : this->Known)
+      {
+        if (known.Process >= 0)
+        {
+          heard(known.Best, known.Process);
+        }
+      }
+      this->AskNearest(heard);
+      this->AskRest(heard);
       for (std::size_t i = 0; i < this->Known.size(); ++i)
       {
         if (this->Known[i].Process >= 0)
@@ -70,44 +108,26 @@ public:
     }
   }
 
-  /// How often a point was sent to another process.
+  /// How often a query was sent to another process.
   std::uint64_t GetAsked() const { return this->Asked; }
 
 private:
-  struct Question
+  template <class QueryOf>
+  bool AskHere(const QueryOf& queryOf, double radius, SkdLoop& loop)
   {
-    skd::Vector3 Point{};
-    double Radius = -1.0; // not asked yet
-  };
-
-  /// What is known of a point, and whom it was sent to.
-  struct State
-  {
-    Question Now;
-    Answer Best;
-    int Process = -1; // that has the best, or -1
-    int First = -1;   // that was asked first
-  };
-
-  template <class PointOf>
-  bool AskHere(
-    std::size_t begin, std::size_t end, double radius, const PointOf& pointOf, SkdLoop& loop)
-  {
-    this->Known.assign(end - begin, State());
-    return loop.For(static_cast<vtkIdType>(end - begin),
+    return loop.InPieces(static_cast<vtkIdType>(this->Known.size()),
       [&](vtkIdType first, vtkIdType last)
       {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          State& state = this->Known[static_cast<std::size_t>(i)];
-          pointOf(begin + static_cast<std::size_t>(i), state.Now.Point);
-          state.Now.Radius = radius;
-          Answer answer;
-          if (this->TheSearcher.FindHere(state.Now.Point, radius, answer))
-          {
-            this->Take(state, answer, this->Transport.GetRank());
-          }
-        }
+        const auto begin = static_cast<std::size_t>(first);
+        const std::size_t n = static_cast<std::size_t>(last) - begin;
+        SkdForEach(n,
+          [&](std::size_t i) {
+            this->Known[begin + i].Now = { queryOf(begin + i), radius };
+          });
+        this->TheSearcher.FindHere(
+          n, [&](std::size_t i) { return this->Known[begin + i].Now; },
+          [&](std::size_t i, const Answer& answer)
+          { this->Take(this->Known[begin + i], answer, this->Transport.GetRank()); });
       });
   }
 
@@ -121,10 +141,31 @@ private:
     }
   }
 
-  /// Asks the processes that list(state, near, processes) chooses of those near a point, if
+  void Reply(
+    const std::vector<Question>& questions, std::vector<SkdNumberedAnswer<Answer>>& answers) const
+  {
+    std::vector<SkdNumberedAnswer<Answer>> found(questions.size());
+    std::vector<unsigned char> isFound(questions.size(), 0);
+    this->TheSearcher.FindHere(
+      questions.size(), [&](std::size_t i) { return questions[i]; },
+      [&](std::size_t i, const Answer& answer)
+      {
+        found[i] = { static_cast<std::uint32_t>(i), answer };
+        isFound[i] = 1;
+      });
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      if (isFound[i] != 0)
+      {
+        answers.push_back(found[i]);
+      }
+    }
+  }
+
+  /// Asks the processes that list(state, near, processes) chooses of those near a query, if
   /// isDue(state).
-  template <class IsDue, class List>
-  void Ask(const IsDue& isDue, const List& list)
+  template <class IsDue, class List, class Heard>
+  void Ask(const IsDue& isDue, const List& list, const Heard& heard)
   {
     this->Asked += SkdAskOthers<Question, Answer>(
       this->Transport, this->Known.size(),
@@ -134,24 +175,22 @@ private:
         if (isDue(state))
         {
           std::vector<SkdNearProcess> near;
-          this->TheSearcher.ListNear(state.Now.Point, state.Now.Radius, near);
+          this->TheSearcher.ListNear(state.Now.Asked, state.Now.Radius, near);
           list(state, near, processes);
         }
       },
       [this](std::size_t i) { return this->Known[i].Now; },
-      [this](const Question& question, std::vector<Answer>& answers)
+      [this](const std::vector<Question>& questions,
+        std::vector<SkdNumberedAnswer<Answer>>& answers) { this->Reply(questions, answers); },
+      [&](std::size_t i, const Answer& answer, int process)
       {
-        Answer answer;
-        if (this->TheSearcher.FindHere(question.Point, question.Radius, answer))
-        {
-          answers.push_back(answer);
-        }
-      },
-      [this](std::size_t i, const Answer& answer, int process)
-      { this->Take(this->Known[i], answer, process); });
+        heard(answer, process);
+        this->Take(this->Known[i], answer, process);
+      });
   }
 
-  void AskNearest()
+  template <class Heard>
+  void AskNearest(const Heard& heard)
   {
     this->Ask([](const State& state) { return state.Now.Radius >= 0.0; },
       [](State& state, const std::vector<SkdNearProcess>& near, std::vector<int>& processes)
@@ -164,10 +203,12 @@ private:
           state.First = nearest->Process;
           processes.push_back(state.First);
         }
-      });
+      },
+      heard);
   }
 
-  void AskRest()
+  template <class Heard>
+  void AskRest(const Heard& heard)
   {
     this->Ask([](const State& state) { return state.First >= 0; },
       [](const State& state, const std::vector<SkdNearProcess>& near, std::vector<int>& processes)
@@ -179,12 +220,13 @@ private:
             processes.push_back(other.Process);
           }
         }
-      });
+      },
+      heard);
   }
 
   SkdTransport& Transport;
   const Searcher& TheSearcher;
-  std::vector<State> Known; // of the points of this round
+  std::vector<State> Known; // of the queries of this round
   std::uint64_t Asked = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -89,6 +90,36 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOwn(SkdTransport& transport) co
     {
       own.push_back(static_cast<vtkIdType>(cell));
     }
+  }
+  return this->Send(transport, std::move(chosen));
+}
+
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringThose(
+  SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const
+{
+  std::vector<std::pair<vtkIdType, vtkIdType>> order; // joined ids and cells
+  for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
+  {
+    if (this->Numbers.CellIds[cell] >= 0)
+    {
+      order.emplace_back(this->Numbers.CellIds[cell], static_cast<vtkIdType>(cell));
+    }
+  }
+  std::sort(order.begin(), order.end());
+  Chosen chosen = SkdExchangeRows(transport, wanted);
+  for (std::vector<vtkIdType>& ids : chosen)
+  {
+    std::vector<vtkIdType> cells;
+    for (const vtkIdType id : ids)
+    {
+      const auto found =
+        std::lower_bound(order.begin(), order.end(), std::make_pair(id, vtkIdType(-1)));
+      if (found != order.end() && found->first == id)
+      {
+        cells.push_back(found->second);
+      }
+    }
+    ids = std::move(cells);
   }
   return this->Send(transport, std::move(chosen));
 }

@@ -33,6 +33,11 @@ public:
   /// The cells that count in this process's own piece.
   vtkSmartPointer<vtkDataSet> BringOwn(SkdTransport& transport) const;
 
+  /// Cells by their joined ids: `wanted` has those to be taken from each process's piece. Ids that
+  /// it does not count are ignored.
+  vtkSmartPointer<vtkDataSet> BringThose(
+    SkdTransport& transport, const SkdRowsByProcess<vtkIdType>& wanted) const;
+
   /// The cells of the joined mesh.
   vtkIdType GetNumberOfCells() const { return this->Numbers.NumberOfCells; }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdSpreadSource.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +33,36 @@ double GapOf(const skd::Box3& box, const skd::Vector3& x, double margin)
     sum += gap * gap;
   }
   return sum;
+}
+
+/// Squared, along a line from x to where it enters a box; negative if it does not between its ends.
+double GapAlong(const skd::Box3& box, const skd::Vector3& x, const skd::Vector3& direction,
+  double back, double reach)
+{
+  double first = -back;
+  double last = reach;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = box.Min[axis] - x[axis];
+    const double high = box.Max[axis] - x[axis];
+    if (direction[axis] != 0.0)
+    {
+      first = std::max(first, std::min(low / direction[axis], high / direction[axis]));
+      last = std::min(last, std::max(low / direction[axis], high / direction[axis]));
+    }
+    else if (low > 0.0 || high < 0.0)
+    {
+      return -1.0;
+    }
+  }
+  const double gap = std::max({ first, -last, 0.0 });
+  return first <= last ? gap * gap : -1.0;
+}
+
+/// Whether a squared distance is one, and within a limit.
+bool IsWithin(double gap2, double limit2)
+{
+  return gap2 >= 0.0 && gap2 <= limit2;
 }
 }
 
@@ -80,29 +109,58 @@ int SkdSpreadSource::PlaceOf(int blockIndex) const
   return static_cast<int>(found - this->Blocks.begin());
 }
 
-void SkdSpreadSource::ListNear(
-  const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const
+/// gapOf(box, largest) is the squared distance of a box, where coordinates are not larger than the
+/// other: more than the limit, or infinite, if it is not near.
+template <class GapFunction>
+void SkdSpreadSource::List(
+  double limit2, const GapFunction& gapOf, std::vector<SkdNearProcess>& near) const
 {
+  constexpr double none = std::numeric_limits<double>::infinity();
   const std::vector<skd::Box3>& boxes = this->Cut->GetBoxes();
   const std::vector<int>& owners = this->Cut->GetOwners();
-  const double limit2 = radius * radius;
   std::size_t at = 0;
   for (int process = 0; process < this->Cut->GetNumberOfProcesses(); ++process)
   {
     const skd::Box3& bounds = this->Cut->GetBounds(process);
-    const double margin = RoundingAt(std::max(LargestOf(x), skd::LargestCoordinate(bounds)));
-    double nearest2 = std::numeric_limits<double>::infinity();
+    const double largest = skd::LargestCoordinate(bounds);
     const bool isDue = process != this->Transport->GetRank() && !bounds.IsEmpty() &&
-      GapOf(bounds, x, margin) <= limit2;
+      IsWithin(gapOf(bounds, largest), limit2);
+    double nearest2 = none;
+    bool isNear = false;
     for (; at < boxes.size() && owners[at] == process; ++at)
     {
-      nearest2 = isDue ? std::min(nearest2, GapOf(boxes[at], x, margin)) : nearest2;
+      const double gap = isDue ? gapOf(boxes[at], largest) : -1.0;
+      isNear = isNear || IsWithin(gap, limit2);
+      nearest2 = IsWithin(gap, limit2) ? std::min(nearest2, gap) : nearest2;
     }
-    if (isDue && nearest2 <= limit2)
+    if (isNear)
     {
       near.push_back({ process, nearest2 });
     }
   }
+}
+
+void SkdSpreadSource::ListNear(
+  const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const
+{
+  this->List(
+    radius * radius,
+    [&](const skd::Box3& box, double largest)
+    { return GapOf(box, x, RoundingAt(std::max(LargestOf(x), largest))); },
+    near);
+}
+
+void SkdSpreadSource::ListAlong(const skd::Vector3& x, const skd::Vector3& direction, double back,
+  double reach, double margin, std::vector<SkdNearProcess>& near) const
+{
+  this->List(
+    std::numeric_limits<double>::infinity(),
+    [&](const skd::Box3& box, double largest)
+    {
+      const double rounding = 4.0 * RoundingAt(LargestOf(x) + largest);
+      return GapAlong(box.Inflated(margin + rounding), x, direction, back, reach);
+    },
+    near);
 }
 
 // Some cells are in several processes' trees, but none of those that are left out.

@@ -35,6 +35,20 @@ public:
   /// The blocks of the whole that have cells, on all processes the same; Mesh is the own part.
   const std::vector<SkdBlock>& GetBlocks() const { return this->Blocks; }
 
+  /// Calls visit(block) for each of them, as it lies in pieces.
+  template <class Visit>
+  void VisitBlocks(const Visit& visit) const
+  {
+    this->Pieces.VisitBlocks(
+      [&visit](const SkdSpreadBlock& block)
+      {
+        if (block.GetNumberOfCells() > 0)
+        {
+          visit(block);
+        }
+      });
+  }
+
   /// The index of a block in that list, by its flat index.
   int PlaceOf(int blockIndex) const;
 
@@ -50,8 +64,15 @@ public:
   /// The other processes that have a box within a distance of a point. For any thread.
   void ListNear(const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const;
 
+  /// The same of a line from x along a direction of length 1, from -back to `reach` along it; the
+  /// distance is that along it, forwards or backwards, where the line is within `margin` of a box.
+  void ListAlong(const skd::Vector3& x, const skd::Vector3& direction, double back, double reach,
+    double margin, std::vector<SkdNearProcess>& near) const;
+
 private:
   void ListBlocks();
+  template <class GapOf>
+  void List(double limit2, const GapOf& gapOf, std::vector<SkdNearProcess>& near) const;
 
   std::unique_ptr<SkdTransport> Transport;
   SkdNearbyInput Pieces;

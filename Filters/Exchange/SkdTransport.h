@@ -25,6 +25,12 @@ struct SkdTraffic
 {
   std::uint64_t Messages = 0; // that are not empty
   std::uint64_t Bytes = 0;
+
+  void Add(const SkdTraffic& other)
+  {
+    this->Messages += other.Messages;
+    this->Bytes += other.Bytes;
+  }
 };
 
 /// All processes must call each of its functions together.

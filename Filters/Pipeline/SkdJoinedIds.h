@@ -35,6 +35,17 @@ public:
     return this->Ids && cell >= 0 ? this->Ids->GetValue(cell) : cell;
   }
 
+  /// The cell that has an id in the whole, which must be among them. O(log n).
+  vtkIdType Find(vtkIdType id) const
+  {
+    if (!this->Ids)
+    {
+      return id;
+    }
+    const vtkIdType* const first = this->Ids->GetPointer(0);
+    return std::lower_bound(first, first + this->Ids->GetNumberOfValues(), id) - first;
+  }
+
   /// Whether they differ.
   bool HasOwn() const { return this->Ids != nullptr; }
 

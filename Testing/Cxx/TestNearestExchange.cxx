@@ -72,6 +72,7 @@ double GapOf(const skd::Box3& box, const Vector3& x)
 /// The sites of one process, and boxes of those of all.
 struct Searcher
 {
+  using Query = Vector3;
   using Answer = ::Answer;
   std::vector<std::vector<Site>> Sites;
   std::vector<skd::Box3> Boxes;
@@ -82,9 +83,18 @@ struct Searcher
   {
     return std::nextafter(std::sqrt(answer.Distance2), Infinite);
   }
-  bool FindHere(const Vector3& x, double radius, Answer& answer) const
+  template <class QuestionOf, class Set>
+  void FindHere(std::size_t n, const QuestionOf& questionOf, const Set& set) const
   {
-    return FindNearest(this->Sites[static_cast<std::size_t>(this->Own)], x, radius, answer);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      Answer answer;
+      if (FindNearest(this->Sites[static_cast<std::size_t>(this->Own)], questionOf(i).Asked,
+            questionOf(i).Radius, answer))
+      {
+        set(i, answer);
+      }
+    }
   }
   void ListNear(const Vector3& x, double radius, std::vector<SkdNearProcess>& near) const
   {
@@ -170,7 +180,7 @@ std::vector<Answer> AskAll(const Searcher& searcher, const std::vector<Vector3>&
       SkdLoop loop(algorithm, static_cast<vtkIdType>(count), 0.0, 1.0);
       SkdNearestExchange<Searcher> exchange(transport, own);
       const bool isWhole = exchange.Find(
-        count, radius, [&](std::size_t i, Vector3& x) { x = points[rank + i * processes]; },
+        count, radius, [&](std::size_t i) { return points[rank + i * processes]; },
         [&](std::size_t i, const Answer& answer, int) { answers[rank + i * processes] = answer; },
         loop);
       EXPECT_TRUE(isWhole);
@@ -254,7 +264,7 @@ TEST(NearestExchange, AnAbortOfOneEndsAllAfterTheSameRound)
       SkdLoop loop(algorithm, 20, 0.0, 1.0);
       SkdNearestExchange<Searcher> exchange(transport, own);
       EXPECT_FALSE(exchange.Find(
-        points.size(), Infinite, [&](std::size_t i, Vector3& x) { x = points[i]; },
+        points.size(), Infinite, [&](std::size_t i) { return points[i]; },
         [](std::size_t, const Answer&, int) {}, loop));
     });
 }

@@ -14,10 +14,18 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+try:
+    from vtkmodules import vtkParallelDIY # without it all is gathered
+except ImportError:
+    vtkParallelDIY = None
+
 import skdcases
 import skdpieces
 import skdtesting
 
+# Cases whose Source stays in its pieces; the others gather.
+EXCHANGED = {"closest", "closest data", "blocks", "contour", "outer surface", "rays from outside",
+    "all hits"}
 RUNS = {
     2: ("cuts, ghosts", "one process"),
     3: ("cuts", "round robin, global ids", "one reader"),
@@ -57,6 +65,11 @@ def everything(proxy):
             if data.IsA("vtkTable"):
                 found.update(arrays_of(data.GetRowData(), name))
                 continue
+            if data.IsA("vtkSelection"):
+                for node in range(data.GetNumberOfNodes()):
+                    ids = data.GetNode(node).GetSelectionList()
+                    found[f"{name}node {node}"] = vtk_to_numpy(ids)
+                continue
             points = [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
             cells = [data.GetCell(i).GetBounds() for i in range(data.GetNumberOfCells())]
             found[name + "points"] = numpy.array(points)
@@ -71,13 +84,26 @@ def is_same(first, second):
         first, second, equal_nan=first.dtype.kind == "f")
 
 
-def compare(proxy):
+def is_exchanged(proxy):
+    report = proxy.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
+    array = report.GetArray("SkdReportSourceExchanged")
+    return array is not None and array.GetValue(0) == 1
+
+
+def compare(name, proxy):
     """What differs if the Source stays in its pieces. All processes call it together."""
     proxy.SourceDistribution = "Exchange"
     exchanged = everything(proxy)
+    different = []
+    if vtkParallelDIY and name in EXCHANGED and not is_exchanged(proxy):
+        different.append("it was gathered")
+    if not is_exchanged(proxy):
+        return different
     proxy.SourceDistribution = "Replicate"
     gathered = everything(proxy)
-    different = sorted(set(gathered) ^ set(exchanged))
+    if is_exchanged(proxy):
+        different.append("it was exchanged")
+    different += sorted(set(gathered) ^ set(exchanged))
     return different + [name for name in gathered
         if name in exchanged and not is_same(gathered[name], exchanged[name])]
 
@@ -87,7 +113,7 @@ def write(file, partitions):
     for partition in partitions:
         for name, case in skdcases.cases(partition):
             if "SourceDistribution" in case.proxy.ListProperties():
-                different = compare(case.proxy)
+                different = compare(name, case.proxy)
                 if different:
                     found[partition + ": " + name] = different
     with open(file, "w", encoding="utf-8") as output:

@@ -41,6 +41,9 @@ def cases(partition):
         "sphere", partition, radius=3.0, center=(1.234, 0.5, 0.25), theta=20, phi=20)
     cells = skdpieces.source("tetrahedra", partition)
     yield "closest", Case(simple.SkdTreeClosestPoint(Input=image, Source=ball), ["SkdDistance"])
+    yield "closest data", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=cells, InterpolateSourceData=1,
+            GenerateLines=1), ["SkdDistance", "Field"])
     yield "closest of both", Case(
         simple.SkdTreeClosestPoint(Input=ball, Source=other, SignedDistance=1), ["SkdDistance"])
     yield "closest signed", Case(
@@ -54,6 +57,12 @@ def cases(partition):
     yield "rays along normals found", Case(
         simple.SkdTreeRays(Input=skdpieces.source("sphere", partition, has_normals=False),
             Source=other), ["SkdRayDistance"])
+    yield "rays from outside", Case(
+        simple.SkdTreeRays(Input=image, Source=ball, Along="To Point", TargetPoint=[0.3, 0.2, 0.1],
+            InterpolateSourceData=1), ["SkdRayDistance", "Elevation"])
+    yield "all hits", Case(
+        simple.SkdTreeRays(Input=other, Source=cells, Start="Cell Centers", Along="Direction",
+            Direction=[0.2, 0.3, 1.0], Hits="All Hits", BothWays=1), ["SkdRayDistance"], 1)
     yield "thickness", Case(simple.SkdTreeWallThickness(Input=ball), ["SkdThickness"])
     yield "thickness to", Case(
         simple.SkdTreeWallThickness(Input=other, Source=ball), ["SkdThickness"])

@@ -13,6 +13,7 @@ namespace
 class Searcher
 {
 public:
+  using Query = skd::Vector3;
   using Answer = SkdNearest;
 
   Searcher(const SkdSource& own, const SkdSpreadSource& spread)
@@ -35,16 +36,20 @@ public:
     return SkdRadiusIncluding(nearest.Distance2);
   }
 
-  bool FindHere(const skd::Vector3& x, double radius, SkdNearest& nearest) const
+  template <class QuestionOf, class Set>
+  void FindHere(std::size_t n, const QuestionOf& questionOf, const Set& set) const
   {
-    const auto found = this->Own.FindNearest(x.X, radius);
-    if (found)
-    {
-      nearest = *found;
-      nearest.Block = this->Places[static_cast<std::size_t>(found->Block)];
-      nearest.CellId = this->Spread.IdOf(nearest.Block, found->CellId);
-    }
-    return found.has_value();
+    SkdForEach(n,
+      [&](std::size_t i)
+      {
+        const auto question = questionOf(i);
+        if (auto nearest = this->Own.FindNearest(question.Asked.X, question.Radius))
+        {
+          nearest->Block = this->Places[static_cast<std::size_t>(nearest->Block)];
+          nearest->CellId = this->Spread.IdOf(nearest->Block, nearest->CellId);
+          set(i, *nearest);
+        }
+      });
   }
 
   void ListNear(const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const
@@ -83,10 +88,12 @@ public:
     visit(mesh, static_cast<vtkIdType>(i - this->Offsets[mesh]));
   }
 
-  void Read(std::size_t i, skd::Vector3& x) const
+  skd::Vector3 Get(std::size_t i) const
   {
+    skd::Vector3 x;
     this->Place(
       i, [&](std::size_t mesh, vtkIdType point) { this->Meshes[mesh].Mesh->GetPoint(point, x.X); });
+    return x;
   }
 
 private:
@@ -95,24 +102,27 @@ private:
 };
 }
 
-std::uint64_t SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
-  const SkdSpreadSource& spread, double maximumDistance, std::vector<SkdClosestArrays>& answers,
-  SkdLoop& loop)
+SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
+  const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop)
 {
+  SkdRemoteClosest closest;
   for (const SkdBlock& mesh : meshes)
   {
-    answers.emplace_back(mesh.Mesh->GetNumberOfPoints());
+    closest.Answers.emplace_back(mesh.Mesh->GetNumberOfPoints());
   }
   const AllPoints points(meshes);
   const Searcher searcher(own, spread);
   SkdNearestExchange<Searcher> exchange(spread.GetTransport(), searcher);
   exchange.Find(
-    points.GetNumber(), maximumDistance, [&](std::size_t i, skd::Vector3& x) { points.Read(i, x); },
-    [&](std::size_t i, const SkdNearest& nearest, int)
+    points.GetNumber(), maximumDistance, [&](std::size_t i) { return points.Get(i); },
+    [&](std::size_t i, const SkdNearest& nearest, int process)
     {
-      points.Place(
-        i, [&](std::size_t mesh, vtkIdType point) { answers[mesh].Set(point, nearest, false); });
+      points.Place(i,
+        [&](std::size_t mesh, vtkIdType point)
+        { closest.Answers[mesh].Set(point, nearest, false); });
+      closest.Cells.push_back({ process, nearest.Block, nearest.CellId });
     },
     loop);
-  return exchange.GetAsked();
+  closest.PointsSent = exchange.GetAsked();
+  return closest;
 }

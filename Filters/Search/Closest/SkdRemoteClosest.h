@@ -4,18 +4,23 @@
 #define SkdRemoteClosest_h
 
 #include "Bodies/SkdSource.h"
-#include "Exchange/SkdSpreadSource.h"
+#include "Exchange/SkdFoundCells.h"
 #include "Pipeline/SkdLoop.h"
 #include "Search/Closest/SkdClosestArrays.h"
 
 #include <vector>
 
-/// Finds the nearest of a Source that stays in its pieces: each process searches its own, `own`,
-/// and asks others where they may have something nearer. All processes must call it together.
-/// Blocks and ids are those of the whole Source. Returns how often a point was sent to another
-/// process.
-std::uint64_t SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
-  const SkdSpreadSource& spread, double maximumDistance, std::vector<SkdClosestArrays>& answers,
-  SkdLoop& loop);
+/// The nearest of a Source that stays in its pieces.
+struct SkdRemoteClosest
+{
+  std::vector<SkdClosestArrays> Answers; // by mesh; blocks and ids are those of the whole Source
+  std::vector<SkdFoundCell> Cells;       // that have the nearest points
+  std::uint64_t PointsSent = 0;          // how often a point was sent to another process
+};
+
+/// Each process searches its own piece, `own`, and asks others where they may have something
+/// nearer. All processes must call it together.
+SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
+  const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop);
 
 #endif

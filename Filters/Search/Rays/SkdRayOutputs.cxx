@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Search/Rays/SkdSurfaceNormals.h"
 #include "vtkCellArray.h"
@@ -65,6 +66,7 @@ public:
 
   void AddTo(vtkDataSetAttributes* data, const SkdRayTarget& target, bool hasPoints) const
   {
+    SkdJoinIds(this->CellIds, this->Blocks, target.Blocks);
     data->AddArray(this->Distances);
     if (hasPoints)
     {
