@@ -5,6 +5,7 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
+#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdMeshRemap.h"
 #include "vtkCompositeDataSet.h"
@@ -143,6 +144,23 @@ bool vtkSkdTreeRemap::NeedsWhole(int port)
 {
   return (this->ResultsOn == POINTS && this->Method != INTERPOLATION) ||
     this->Method == WEIGHTS_FROM_FILE || this->Superclass::NeedsWhole(port);
+}
+
+// Overlaps of volumes: of surfaces what is to be taken for what depends on both wholes.
+bool vtkSkdTreeRemap::NeedsNearbySource(SkdReach& reach)
+{
+  reach.OfDiagonal = 1e-3; // as far as Probe goes, and more than any rounding
+  reach.IsOfVolumes = true;
+  reach.WithOwn = true;
+  const bool isOverlap = this->Method == CONSERVATIVE_FIRST_ORDER && this->ResultsOn != POINTS &&
+    this->Extrapolation == NO_EXTRAPOLATION;
+  const bool isWithin = this->Method == INTERPOLATION && this->EmptyCells == LEAVE;
+  const bool isOfVolumes = this->Geometry == AUTOMATIC_GEOMETRY || this->Geometry == VOLUME;
+  const bool isCartesian =
+    this->SourceCoordinates != LONGITUDE_LATITUDE && this->InputCoordinates != LONGITUDE_LATITUDE;
+  const bool hasIds =
+    this->GenerateWeights || this->GenerateOverlapMesh || !this->WeightsFileName.empty();
+  return (isOverlap || isWithin) && isOfVolumes && isCartesian && !hasIds;
 }
 
 int vtkSkdTreeRemap::RequestData(

@@ -79,6 +79,7 @@ SkdCellParts::SkdCellParts(
   , Examples(examples)
   , Parts(static_cast<std::size_t>(transport.GetNumber()))
   , Asked(this->Parts.size())
+  , Rank(transport.GetRank())
 {
 }
 
@@ -218,10 +219,13 @@ vtkSmartPointer<vtkDataSet> SkdCellParts::Assemble() const
   std::vector<SkdPieceCell> cells;
   const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName(SkdJoinedIdsName);
+  const auto areOwn = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  areOwn->SetName(SkdOwnCellsName);
   for (const Joined& cell : this->SortCells())
   {
     cells.push_back(cell.Cell);
     ids->InsertNextValue(cell.Id);
+    areOwn->InsertNextValue(this->ProcessOf(cell.Cell) == this->Rank ? 1 : 0);
   }
   const SkdMeshParts parts{ pieces, cells, pointIds, tuples,
     static_cast<vtkIdType>(this->Points.size()) };
@@ -231,12 +235,12 @@ vtkSmartPointer<vtkDataSet> SkdCellParts::Assemble() const
   const auto first = static_cast<std::size_t>(this->Facts.GetFull().front());
   mesh->GetFieldData()->PassData(this->Examples[first]->GetFieldData());
   mesh->GetFieldData()->AddArray(ids);
+  mesh->GetFieldData()->AddArray(areOwn);
   return mesh;
 }
 
 int SkdCellParts::KindOf(const SkdPieceCell& cell) const
 {
-  const int process = this->Facts.GetFull()[static_cast<std::size_t>(cell.Piece)];
-  const Part& part = this->Parts[static_cast<std::size_t>(process)];
+  const Part& part = this->Parts[static_cast<std::size_t>(this->ProcessOf(cell))];
   return static_cast<int>(part.Cells->GetValue(2 * cell.CellId + 1));
 }

@@ -56,6 +56,10 @@ private:
   void FindPoints();
   std::vector<vtkIdType> FindLocalIds(int process) const;
   std::vector<Joined> SortCells() const;
+  int ProcessOf(const SkdPieceCell& cell) const
+  {
+    return this->Facts.GetFull()[static_cast<std::size_t>(cell.Piece)];
+  }
   int KindOf(const SkdPieceCell& cell) const;
 
   const SkdAllFacts& Facts;
@@ -63,6 +67,7 @@ private:
   std::vector<Part> Parts;   // by process
   SkdPieces Asked;           // by process, points
   std::vector<Found> Points; // by joined id, each once
+  int Rank;
 };
 
 #endif

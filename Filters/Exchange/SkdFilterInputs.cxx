@@ -89,7 +89,7 @@ vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int>
 {
   std::unique_ptr<SkdTransport> transport = SkdMakeTransport(controller);
   SkdReach reach;
-  if (!this->IsExchanged(piece, place.first, transport.get(), reach, controller))
+  if (!this->IsExchanged(piece, own, place.first, transport.get(), reach, controller))
   {
     this->Nearby.erase(place);
     this->Spread.erase(place);
@@ -106,8 +106,8 @@ vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int>
 }
 
 // The same on all processes.
-bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, int port, SkdTransport* transport,
-  SkdReach& reach, vtkMultiProcessController* controller) const
+bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port,
+  SkdTransport* transport, SkdReach& reach, vtkMultiProcessController* controller) const
 {
   const bool canExchange =
     (this->Asks && this->Asks(port)) || (this->Find && this->Find(port, reach));
@@ -115,10 +115,10 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, int port, SkdTransport* 
   {
     return false;
   }
-  const int hasVolumes = reach.IsOfFaces && SkdHasVolumeCells(piece) ? 1 : 0;
-  int haveVolumes = 0;
-  controller->AllReduce(&hasVolumes, &haveVolumes, 1, vtkCommunicator::MAX_OP);
-  if (haveVolumes != 0)
+  const int isUnfit = SkdIsUnfit(piece, own, reach) ? 1 : 0;
+  int isAnyUnfit = 0;
+  controller->AllReduce(&isUnfit, &isAnyUnfit, 1, vtkCommunicator::MAX_OP);
+  if (isAnyUnfit != 0)
   {
     return false;
   }
@@ -133,9 +133,9 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, int port, SkdTransport* 
     }
     return false;
   }
-  const unsigned long own = piece->GetActualMemorySize(); // in units of 1024 bytes
+  const unsigned long size = piece->GetActualMemorySize(); // in units of 1024 bytes
   unsigned long all = 0;
-  controller->AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+  controller->AllReduce(&size, &all, 1, vtkCommunicator::SUM_OP);
   return this->Wanted == Distribution::Exchanged || all > LargestReplicated;
 }
 

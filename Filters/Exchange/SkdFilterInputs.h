@@ -87,8 +87,8 @@ private:
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
   vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> place, vtkDataObject* own,
     vtkMultiProcessController* controller);
-  bool IsExchanged(vtkDataObject* piece, int port, SkdTransport* transport, SkdReach& reach,
-    vtkMultiProcessController* controller) const;
+  bool IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port, SkdTransport* transport,
+    SkdReach& reach, vtkMultiProcessController* controller) const;
   void Report(vtkInformationVector* outputs) const;
 
   vtkAlgorithm* Filter;

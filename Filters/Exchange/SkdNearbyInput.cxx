@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exchange/SkdNearbyInput.h"
 
+#include "Cells/Read/SkdCellReader.h"
 #include "Exchange/SkdMessage.h"
 #include "Pipeline/SkdBlocks.h"
-#include "vtkCellTypes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
@@ -12,6 +12,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -49,6 +50,32 @@ vtkSmartPointer<vtkDataObject> ExampleOf(vtkDataObject* object)
   return example;
 }
 
+/// Whether there are cells that are three-dimensional, or others.
+bool HasCells(vtkDataObject* object, bool ofThreeDimensions)
+{
+  for (const SkdBlock& block : SkdBlocksOf(object))
+  {
+    const SkdCellReader reader(block.Mesh);
+    std::array<signed char, 256> known;
+    known.fill(-1);
+    for (vtkIdType id = 0; id < block.Mesh->GetNumberOfCells(); ++id)
+    {
+      signed char& isOfThree = known[static_cast<unsigned char>(reader.TypeOf(id))];
+      if (isOfThree < 0)
+      {
+        vtkNew<vtkGenericCell> cell;
+        cell->SetCellType(reader.TypeOf(id));
+        isOfThree = cell->GetCellDimension() == 3 ? 1 : 0;
+      }
+      if ((isOfThree == 1) == ofThreeDimensions)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool IsAny(SkdTransport& transport, bool here)
 {
   const auto all = SkdGatherRows(transport, std::vector<unsigned char>(1, here ? 1 : 0));
@@ -61,23 +88,11 @@ bool SkdCanBring(vtkDataObject* object)
   return !SkdIsComposite(object) || vtkDataObjectTree::SafeDownCast(object) != nullptr;
 }
 
-bool SkdHasVolumeCells(vtkDataObject* object)
+bool SkdIsUnfit(vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach)
 {
-  for (const SkdBlock& block : SkdBlocksOf(object))
-  {
-    vtkNew<vtkCellTypes> types;
-    block.Mesh->GetCellTypes(types);
-    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
-    {
-      vtkNew<vtkGenericCell> cell;
-      cell->SetCellType(types->GetCellType(i));
-      if (cell->GetCellDimension() == 3)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  return (reach.IsOfFaces && HasCells(piece, true)) ||
+    (reach.IsOfVolumes &&
+      (SkdIsComposite(piece) || HasCells(piece, false) || HasCells(own, false)));
 }
 
 vtkDataObject* SkdNearbyInput::Update(
@@ -88,7 +103,7 @@ vtkDataObject* SkdNearbyInput::Update(
   const bool isNewPiece = IsAny(transport, newPiece != this->KnownPiece);
   const bool isNewOwn = IsAny(transport,
     !this->Nearby || newOwn != this->KnownOwn || reach.Distance != this->KnownReach.Distance ||
-      reach.OfDiagonal != this->KnownReach.OfDiagonal);
+      reach.OfDiagonal != this->KnownReach.OfDiagonal || reach.WithOwn != this->KnownReach.WithOwn);
   if (isNewPiece)
   {
     this->UpdateBlocks(transport, piece);

@@ -59,7 +59,7 @@ private:
 /// Whether data of this type can be brought: all but AMR data, whose blocks have no places.
 bool SkdCanBring(vtkDataObject* object);
 
-/// Whether any cell is three-dimensional. O(cells).
-bool SkdHasVolumeCells(vtkDataObject* object);
+/// Whether a piece has cells, or `own` has, for which the reach does not do. O(cells).
+bool SkdIsUnfit(vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach);
 
 #endif

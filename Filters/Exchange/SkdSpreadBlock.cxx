@@ -77,21 +77,29 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
       chosen[static_cast<std::size_t>(process)].push_back(static_cast<vtkIdType>(cell));
     }
   }
+  if (reach.WithOwn)
+  {
+    this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
+  }
   return this->Send(transport, std::move(chosen));
 }
 
 vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOwn(SkdTransport& transport) const
 {
   Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
-  std::vector<vtkIdType>& own = chosen[static_cast<std::size_t>(transport.GetRank())];
+  this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
+  return this->Send(transport, std::move(chosen));
+}
+
+void SkdSpreadBlock::AddOwn(std::vector<vtkIdType>& cells) const
+{
   for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
   {
     if (this->Numbers.CellIds[cell] >= 0)
     {
-      own.push_back(static_cast<vtkIdType>(cell));
+      cells.push_back(static_cast<vtkIdType>(cell));
     }
   }
-  return this->Send(transport, std::move(chosen));
 }
 
 vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringThose(

@@ -13,6 +13,7 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <vector>
@@ -20,6 +21,20 @@
 /// A field data array of the mesh. The order of cells is that of these ids, so that ties are
 /// decided as in the whole.
 constexpr const char* SkdJoinedIdsName = "SkdJoinedCellIds";
+
+/// Another one: 1 for cells of this process's own piece. Each cell of the whole is so on one
+/// process.
+constexpr const char* SkdOwnCellsName = "SkdOwnCells";
+
+/// Nothing if the mesh is the whole.
+inline std::vector<unsigned char> SkdOwnCellsOf(vtkDataSet* mesh)
+{
+  auto* own =
+    vtkUnsignedCharArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(SkdOwnCellsName));
+  return own
+    ? std::vector<unsigned char>(own->GetPointer(0), own->GetPointer(0) + own->GetNumberOfValues())
+    : std::vector<unsigned char>();
+}
 
 class SkdJoinedIds
 {

@@ -12,6 +12,13 @@ struct SkdReach
 
   /// Cells are wanted for their faces: those of volume cells depend on all of these.
   bool IsOfFaces = false;
+
+  /// Both meshes are to have volume cells alone, and the searched one no blocks.
+  bool IsOfVolumes = false;
+
+  /// The cells of a process's own piece are wanted, too, wherever they are, for sums over all
+  /// cells.
+  bool WithOwn = false;
 };
 
 #endif

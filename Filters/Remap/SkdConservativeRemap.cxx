@@ -398,10 +398,11 @@ void SkdConservativeRemap::AddDonor(const SkdDonorField& density,
       if (density.Counts[i] != 0)
       {
         const double value = density.Get(static_cast<vtkIdType>(i), static_cast<int>(c));
-        source.Add(value * donor.Measures[i]);
+        const double own = this->IsOwn(i) ? donor.Measures[i] : 0.0;
+        source.Add(value * own);
         overlap.Add(value * donor.Covered[i]);
         overlap.Add(slopes.empty() ? 0.0 : skd::Dot(slopes[c][i], donor.CoveredMoments[i]));
-        absolute.Add(std::abs(value) * donor.Measures[i]);
+        absolute.Add(std::abs(value) * own);
       }
     }
     mapped.Integrals[c].Source = source.Get();

@@ -65,6 +65,10 @@ public:
   SkdConservativeRemap(
     const SkdOverlapWeights& weights, SkdOverlapSpace space, const SkdConservativeRules& rules);
 
+  /// With several processes, which donor cells count in integrals over the donor on this one:
+  /// nothing if it has all of the donor. Must outlive this.
+  void SetOwnDonors(const std::vector<unsigned char>& own) { this->OwnDonors = &own; }
+
   /// A field of cells, of first order without `gradients`. First order keeps to the bounds of the
   /// donor's values where it is normalised by what is covered, and so does second order with a
   /// limiter. In parallel; the same to the last bit whatever the number of threads.
@@ -100,12 +104,17 @@ private:
   void Finish(const Shares& shares, std::size_t target, Row& row) const;
   void AddDonor(const SkdDonorField& density, const std::vector<std::vector<skd::Vector3>>& slopes,
     SkdRemappedField& mapped) const;
+  bool IsOwn(std::size_t donor) const
+  {
+    return !this->OwnDonors || this->OwnDonors->empty() || (*this->OwnDonors)[donor] != 0;
+  }
   void AddTarget(
     const SkdDonorField& field, SkdRemappedField& mapped, const std::vector<double>& covered) const;
 
   const SkdOverlapWeights& Weights;
   SkdOverlapSpace Space;
   SkdConservativeRules Rules;
+  const std::vector<unsigned char>* OwnDonors = nullptr;
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdMeshRemap.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"
@@ -94,6 +95,10 @@ void SkdMeshRemap::MapAll(const skd::Processes* processes)
   else if (this->Pair->HasCells() || !this->Request->IsConservative())
   {
     this->MapBlocks(start);
+  }
+  else if (!SkdOwnCellsOf(this->Pair->GetDonor()).empty())
+  {
+    this->Remapper.SumUpDonor();
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapCache.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdPointWeights.h"
 
 bool SkdOverlapCache::IsFor(
@@ -30,6 +31,12 @@ bool SkdOverlapCache::Update(vtkDataSet* donor, vtkDataSet* target,
     this->Settings = settings;
     this->Donor.Keep(donor);
     this->Target.Keep(target);
+  }
+  std::vector<unsigned char> own = SkdOwnCellsOf(donor);
+  if (own != this->OwnDonors) // the same mesh in other pieces
+  {
+    this->PointTable.reset();
+    this->OwnDonors = std::move(own);
   }
   return this->Known;
 }

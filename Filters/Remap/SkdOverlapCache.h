@@ -56,6 +56,7 @@ private:
   std::unique_ptr<SkdOverlapWeights> Weights = std::make_unique<SkdOverlapWeights>();
   std::unique_ptr<SkdDonorGradients> Gradients;
   std::unique_ptr<SkdOverlapPointTable> PointTable;
+  std::vector<unsigned char> OwnDonors; // SkdOwnCellsOf
   std::vector<double> Covered;
   std::vector<double> Shares;
   SkdMeshSnapshot SidesOfDonor;

@@ -3,6 +3,7 @@
 #include "Remap/SkdPointWeights.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
 #include "Remap/SkdRemapTolerances.h"
@@ -122,10 +123,13 @@ private:
   double* Sums = nullptr;
 };
 
-/// The integrals of the points' functions over the whole donor.
+/// The integrals of the points' functions over the whole donor, or what of it is this process's
+/// own.
 std::vector<double> FindMasses(
-  const SkdOverlapPieces& donors, vtkIdType numberOfPoints, const SkdOverlapSurface& surface)
+  const SkdOverlapPieces& donors, vtkDataSet* donor, const SkdOverlapSurface& surface)
 {
+  const vtkIdType numberOfPoints = donor->GetNumberOfPoints();
+  const std::vector<unsigned char> own = SkdOwnCellsOf(donor);
   std::vector<double> masses(static_cast<std::size_t>(numberOfPoints), 0.0);
   const auto add = [&](vtkIdType point, double weight)
   { masses[static_cast<std::size_t>(point)] += weight; };
@@ -138,6 +142,10 @@ std::vector<double> FindMasses(
   };
   for (std::uint32_t cell = 0; cell < donors.GetNumberOfCells(); ++cell)
   {
+    if (!own.empty() && own[static_cast<std::size_t>(donors.IdOf(cell))] == 0)
+    {
+      continue;
+    }
     Weighing weighing(donors, cell);
     const SkdOverlapPieces::Range pieces = donors.PiecesOf(cell);
     for (std::uint32_t i = pieces.First; i < pieces.Last; ++i)
@@ -222,7 +230,7 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
     return false;
   }
   table = {};
-  table.Masses = FindMasses(donors, donor->GetNumberOfPoints(), surface);
+  table.Masses = FindMasses(donors, donor, surface);
   const SkdNoShapes noShapes;
   const SkdPieceOverlap<SkdNoShapes> overlap(settings, noShapes);
   std::vector<std::vector<Entry>> found;

@@ -90,7 +90,7 @@ void SkdRemapTally::Add(const SkdDonorField& field, const std::vector<SkdRemapIn
   }
 }
 
-void SkdRemapTally::AddOthers(const skd::Processes& processes)
+void SkdRemapTally::AddOthers(const skd::Processes& processes, bool isSpread)
 {
   Numbers own;
   for (const auto& [name, row] : this->Rows)
@@ -103,8 +103,8 @@ void SkdRemapTally::AddOthers(const skd::Processes& processes)
   std::size_t at = 0;
   for (auto& [name, row] : this->Rows)
   {
-    row.Source = AnyOf(all, at);
-    row.Absolute = AnyOf(all, at + 1);
+    row.Source = isSpread ? SumOf(all, at) : AnyOf(all, at);
+    row.Absolute = isSpread ? SumOf(all, at + 1) : AnyOf(all, at + 1);
     row.Overlap = SumOf(all, at + 2);
     row.Target = SumOf(all, at + 3);
     row.Covered = SumOf(all, at + 4);

@@ -27,7 +27,8 @@ public:
   void Add(const SkdDonorField& field, const std::vector<SkdRemapIntegrals>& integrals);
 
   /// Adds what the other processes have, of the same fields. The sums are the same on all of them.
-  void AddOthers(const skd::Processes& processes);
+  /// `isSpread`: each has summed up its own cells of the donor, not all.
+  void AddOthers(const skd::Processes& processes, bool isSpread);
 
   /// Field data, a value a component of a field: SkdReportArray (its name, with the component's
   /// number where there are several), ...SourceIntegral, ...OverlapIntegral, ...TargetIntegral,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapper.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Remap/SkdContainedFields.h"
@@ -13,6 +14,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -60,6 +62,7 @@ void SkdRemapper::Begin(
   vtkDataSet* donor, const SkdRemapSettings& settings, vtkAlgorithm* algorithm)
 {
   this->Donor = donor;
+  this->OwnDonors = SkdOwnCellsOf(donor);
   this->Settings = settings;
   this->Algorithm = algorithm;
   this->Findings = SkdRemapFindings();
@@ -99,7 +102,7 @@ void SkdRemapper::ExpectIntegrals()
 
 void SkdRemapper::AddIntegrals(const skd::Processes& processes)
 {
-  this->Findings.Tally.AddOthers(processes);
+  this->Findings.Tally.AddOthers(processes, !this->OwnDonors.empty());
 }
 
 //------------------------------------------------------------------------------
@@ -307,8 +310,8 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
 bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double first, double last)
 {
   const SkdOverlapWeights& weights = overlaps.GetWeights();
-  const SkdConservativeRemap remap(
-    weights, this->Settings.Overlap.Space, this->Settings.Conservative);
+  SkdConservativeRemap remap(weights, this->Settings.Overlap.Space, this->Settings.Conservative);
+  remap.SetOwnDonors(this->OwnDonors);
   const SkdDonorGradients* gradients =
     this->Settings.IsSecondOrder ? &overlaps.GetGradients(this->Donor) : nullptr;
   const SkdOverlapPointTable* points = this->PointFields.empty()
@@ -374,6 +377,16 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
   this->Count(overlaps.GetWeights(), overlaps.IsNew());
   this->AddCoverage(block, overlaps.GetWeights());
   return this->MapFields(block, overlaps, middle, last);
+}
+
+// Nothing else that is found by mapping onto nothing is of interest.
+void SkdRemapper::SumUpDonor()
+{
+  SkdRemapFindings findings = this->Findings;
+  const vtkNew<vtkUnstructuredGrid> nothing;
+  this->MapConservative(nothing, 0, 0.0, 1.0);
+  findings.Tally = this->Findings.Tally;
+  this->Findings = std::move(findings);
 }
 
 //------------------------------------------------------------------------------

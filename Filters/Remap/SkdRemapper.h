@@ -61,6 +61,9 @@ public:
   bool MapConservative(vtkDataSet* block, std::size_t index, double first, double last);
   ///@}
 
+  /// For a process without cells of the target: its own part in the integrals over the donor.
+  void SumUpDonor();
+
   /// Applies the weights of a file to all blocks, whose cells or points count on from block to
   /// block. Results go to what `wanted` says (vtkDataObject's type), or, if it is -1, to what the
   /// file is of. What is wrong is among the findings.
@@ -104,6 +107,7 @@ private:
   bool MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double first, double last);
 
   vtkSmartPointer<vtkDataSet> Donor;
+  std::vector<unsigned char> OwnDonors; // SkdOwnCellsOf
   SkdRemapSettings Settings;
   vtkAlgorithm* Algorithm = nullptr;
   std::vector<SkdDonorField> CellFields;

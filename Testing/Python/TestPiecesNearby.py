@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A Source in pieces of which each process gets what is near its own part of the Input: outputs are
-those of a Source that is gathered everywhere, on each process, to the last bit. Run without an
+those of a Source that is gathered everywhere, on each process, to the last bit, and sums over all
+processes but for rounding. Run without an
 argument this starts the processes; with the name of a file and partitions it is one of them, and
 writes there in what they differ."""
 
@@ -9,6 +10,7 @@ import os
 import shutil
 import sys
 
+import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import skdpieces
@@ -20,6 +22,7 @@ RUNS = {
     4: ("cuts, doubled",),
 }
 REPORT = "SkdReportSourceExchanged"
+SUMS = ("SourceIntegral", "OverlapIntegral", "TargetIntegral", "Coverage")
 
 
 def filters(partition):
@@ -60,6 +63,13 @@ def filters(partition):
     few = skdpieces.source("tetrahedra", partition, size=2)
     yield "adjacent cells", lambda: simple.SkdTreeSpatialQuery(
         Input=few, Source=few, Relation="Adjacency", Shape="Source Cells"), (0, 2)
+    with_both = simple.PointDatatoCellData(Input=cells, PassPointData=1)
+    on_one = skdpieces.source("tetrahedra", "one process", size=3)
+    for name, input in (("a grid", image), ("one process", on_one)):
+        yield "remap conservatively to " + name, lambda input=input: simple.SkdTreeRemap(
+            Input=input, Source=with_both, Method="Conservative First Order", PassInputData=0), (0,)
+    yield "remap by interpolation", lambda: simple.SkdTreeRemap(Input=image, Source=cells,
+        Method="Interpolation", EmptyCells="Leave", PassInputData=0), (0,)
 
 
 def arrays(data):
@@ -88,19 +98,24 @@ def arrays(data):
 def outputs(proxy, ports):
     proxy.UpdatePipeline()
     algorithm = proxy.GetClientSideObject()
-    report = algorithm.GetOutputDataObject(0).GetFieldData().GetArray(REPORT)
-    return [arrays(algorithm.GetOutputDataObject(port)) for port in ports], report.GetTuple1(0)
+    report = algorithm.GetOutputDataObject(0).GetFieldData()
+    sums = [vtk_to_numpy(report.GetArray("SkdReport" + name)) for name in SUMS
+        if report.GetArray("SkdReport" + name)]
+    return ([arrays(algorithm.GetOutputDataObject(port)) for port in ports],
+        report.GetArray(REPORT).GetTuple1(0), numpy.array(sums))
 
 
 def differences(partition):
     for name, make, ports in filters(partition):
-        found = {}
+        found, sums = {}, {}
         for distribution in ("Replicate", "Exchange"):
             proxy = make()
             proxy.SourceDistribution = distribution
-            found[distribution], exchanged = outputs(proxy, ports)
+            found[distribution], exchanged, sums[distribution] = outputs(proxy, ports)
             if exchanged != (distribution == "Exchange"):
                 yield f"{partition}, {name}: {distribution} reports {exchanged}"
+        if not numpy.allclose(sums["Replicate"], sums["Exchange"], rtol=1e-13, atol=0.0):
+            yield f"{partition}, {name}: {sums}"
         for port, gathered, near in zip(ports, found["Replicate"], found["Exchange"]):
             for array in sorted(set(gathered) | set(near)):
                 first, second = gathered.get(array), near.get(array)
