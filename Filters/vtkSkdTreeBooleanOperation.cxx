@@ -73,23 +73,24 @@ int vtkSkdTreeBooleanOperation::RequestData(
   const SkdBooleanBlocks blocks =
     SkdMakeBooleanBlocks(vtkDataObject::GetData(inputVector[0]), source);
   Internals& solids = *this->Impl;
-  if (!solids.Update(blocks, this->ChordalDeviation, this))
+  const bool areInputs = source && this->Operation != AT_LEAST;
+  if (!solids.Update(blocks, this->ChordalDeviation, areInputs, solids.MakeRule(this), this))
   {
     return 1;
   }
   SkdWarnAboutInputs(this, solids, blocks, this->ChordalDeviation);
-  solids.FindSolids(blocks, source && this->Operation != AT_LEAST);
+  solids.FindSolids(blocks, areInputs);
   if (!solids.FindInside(this))
   {
     return 1;
   }
   const SkdBooleanRule rule = solids.MakeRule(this);
   const bool closesCut = this->CloseCut != 0;
-  const SkdBooleanBoundary boundary = solids.Select(rule, closesCut);
+  const SkdBooleanBoundary boundary = solids.Select(rule, closesCut, this->JoinPieces != 0);
   std::set<std::string> refused;
-  SkdFillBooleanSurface(
-    { solids, blocks, rule, boundary, this->KeepPolygons != 0, this->MergePieces != 0 }, output,
-    refused);
+  SkdFillBooleanSurface({ solids, blocks, rule, boundary, this->KeepPolygons != 0,
+                          this->JoinPieces != 0, this->MergePieces != 0 },
+    output, refused);
   SkdWarnAboutRefused(this, refused);
   SkdReport report(output);
   SkdReportBoolean(this, solids, rule, boundary, closesCut, report);
@@ -102,7 +103,7 @@ void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
     this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "KeepPolygons", this->KeepPolygons,
-    "MergePieces", this->MergePieces, "CloseCut", this->CloseCut, "ChordalDeviation",
-    this->ChordalDeviation);
+    "JoinPieces", this->JoinPieces, "MergePieces", this->MergePieces, "CloseCut", this->CloseCut,
+    "ChordalDeviation", this->ChordalDeviation);
 }
 VTK_ABI_NAMESPACE_END

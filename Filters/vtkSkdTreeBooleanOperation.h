@@ -36,6 +36,7 @@
  * | SkdSolidId       | int    | the solid of a face, unless the solids are the inputs       |
  * | SkdCellId        | idtype | the cell that the face comes from                           |
  * | SkdBlockIndex    | int    | flat index of the cell's block, of composite data           |
+ * | SkdFaceId        | idtype | the same for pieces of one face: see JoinPieces             |
  * | SkdSolidsInFront | int    | of an imprint of closed surfaces: how many solids are there |
  * | SkdSolidsBehind  | int    | the same behind the face                                    |
  *
@@ -51,12 +52,16 @@
  * flat), SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
  * SkdReportSeconds.
  *
- * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. All pieces are
- * made, also those within other solids: where k solids overlap, there are up to O(k^3) of them, at
- * about 6 us each (a hundred spheres of 448 triangles within each other's reach: 1.8 million). What
- * was found is kept while the inputs are unchanged, about 150 bytes a triangle: then another
- * operation costs O(n). Triangles that are there many times cost what others do. The result does
- * not depend on the number of threads. Of several processes the first computes all.
+ * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. What was found is
+ * kept while the inputs are unchanged, about 150 bytes a triangle: then another operation costs
+ * O(n). All pieces are made, also those within other solids: where k solids overlap, there are up
+ * to O(k^3) of them, at about 6 us each. Where that is many more than there are triangles that
+ * intersect, solids are united in pairs instead, those near each other first, which takes about
+ * O(m log n) for n solids and m triangles of their unions; nothing is kept. Each step is exact, and
+ * rounds its new points. That goes for unions and differences, and for the pieces of the inputs in
+ * all operations on two but the imprint, if the pieces of an input are closed, face outward and do
+ * not intersect themselves. Triangles that are there many times cost what others do. The result
+ * does not depend on the number of threads. Of several processes the first computes all.
  *
  * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
  * that tells where, and there is no output. Triangles without area are left out. An open Source
@@ -151,6 +156,22 @@ public:
 
   //@{
   /**
+   * Whether pieces of one flat face that stay together are joined and triangulated anew, without
+   * points that only pieces needed: none inside of a face, and none on a straight line between two
+   * faces (a point leaves the line at most by rounding). A face is a cell, cells side by side with
+   * the same cell data, or all cells of a data set with the same value of the cell array SkdFaceId,
+   * as far as they are in one plane to within rounding. The output has this array, so that a face
+   * stays one across operations that follow each other. A face has the ids and data of its first
+   * cell. Where solids are united in pairs, pieces are joined in any case. Not in an imprint.
+   * Default on.
+   */
+  vtkSetMacro(JoinPieces, vtkTypeBool);
+  vtkGetMacro(JoinPieces, vtkTypeBool);
+  vtkBooleanMacro(JoinPieces, vtkTypeBool);
+  //@}
+
+  //@{
+  /**
    * Whether pieces of a triangle that is cut are merged into convex polygons, where no other face
    * of the output meets their common edge, and where VTK can triangulate the polygon without losing
    * an edge of it. Not in an imprint. Default off.
@@ -188,6 +209,7 @@ protected:
   int MinimumNumberOfSolids = 2;
   int InsideRule = NONZERO;
   vtkTypeBool KeepPolygons = 1;
+  vtkTypeBool JoinPieces = 1;
   vtkTypeBool MergePieces = 0;
   vtkTypeBool CloseCut = 1;
   double ChordalDeviation = 1e-4;

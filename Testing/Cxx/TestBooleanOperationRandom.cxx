@@ -170,6 +170,12 @@ TEST(BooleanOperationRandom, Pairs)
   }
 }
 
+/// Faces that are cut share edges with faces that are not, in pairs that face each other.
+TEST(BooleanOperationRandom, PairWithEdgesOfFourFaces)
+{
+  TryPair(1103);
+}
+
 TEST(BooleanOperationRandom, TreesOfTenOperations)
 {
   const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);

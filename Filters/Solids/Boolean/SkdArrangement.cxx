@@ -3,6 +3,7 @@
 #include "Solids/Boolean/SkdArrangement.h"
 
 #include "Core/Geometry/DisjointSets.h"
+#include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdEdgeFan.h"
 
 #include <algorithm>
@@ -49,15 +50,32 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
 }
 }
 
-std::optional<SkdArrangement> SkdArrange(
-  const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs, SkdLoop& loop)
+std::optional<std::vector<SkdTrianglePair>> SkdFindSelfPairs(
+  SkdTriangleSet& set, const SkdPlacement& placement, SkdLoop& loop, vtkAlgorithm* filter)
+{
+  const SkdPairSearch search{ SkdPairSearch::All, 0.0 };
+  auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(search, loop);
+  if (!pairs)
+  {
+    set.Complete();
+    pairs = SkdTrianglePairs(placement).FindByTrees(search, loop);
+  }
+  return SkdIsAborted(filter) ? std::nullopt : std::move(pairs);
+}
+
+std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement,
+  std::vector<SkdTrianglePair>& pairs, SkdLoop& loop, std::size_t mostEvents)
 {
   std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
   const std::vector<SkdDuplicate>& copies = placement.First.GetSet().GetCopiesLeftOut();
   duplicates.insert(duplicates.end(), copies.begin(), copies.end());
   std::sort(duplicates.begin(), duplicates.end());
   const SkdContactPoints contacts(placement, pairs);
-  const SkdSplitSegments segments(placement, pairs, contacts);
+  const SkdSplitSegments segments(placement, pairs, contacts, mostEvents);
+  if (segments.IsTooMany())
+  {
+    return SkdArrangement{ {}, {}, 0, 0, true };
+  }
   std::optional<SkdSplitResult> done = SkdSplitTriangles(segments, 0, loop);
   if (!done)
   {
@@ -71,7 +89,8 @@ std::optional<SkdArrangement> SkdArrange(
   }
   const std::vector<std::uint32_t> ids = std::move(split.Ids);
   const vtkIdType numberSplit = split.NumberSplit;
-  SkdArrangement arrangement{ SkdFacets(segments, std::move(split), overlaps), {}, 0, numberSplit };
+  SkdArrangement arrangement{ SkdFacets(segments, std::move(split), overlaps), {}, 0, numberSplit,
+    false };
   FindRegions(
     SkdEdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), arrangement);
   return arrangement;

@@ -15,6 +15,8 @@
 
 #include "Solids/Boolean/SkdFacets.h"
 
+class vtkAlgorithm;
+
 /// A facet separates two regions, in front of it (where its normal points) and behind it; they are
 /// the same if an open surface does not separate them. Surfaces that are not connected by edges
 /// have no regions in common, also where one is within the other.
@@ -24,16 +26,24 @@ struct SkdArrangement
   std::vector<std::uint32_t> Regions; ///< in front of and behind each facet
   std::uint32_t NumberOfRegions = 0;
   vtkIdType NumberSplit = 0; ///< triangles that are in pieces
+  bool IsCrowd = false;      ///< it was not made, as its segments meet each other too often
 
   std::uint32_t GetFront(std::uint32_t facet) const { return this->Regions[2 * facet]; }
   std::uint32_t GetBack(std::uint32_t facet) const { return this->Regions[2 * facet + 1]; }
 };
 
-/// Splits a set along all its intersections with itself: `pairs` are all of them,
-/// but for copies that the set leaves out. O(n) for n
-/// facets, plus exact tests at edges in which more than two of them meet; a few microseconds for
-/// each that is a piece of a triangle. Empty after an abort.
-std::optional<SkdArrangement> SkdArrange(
-  const SkdPlacement& placement, std::vector<SkdTrianglePair> pairs, SkdLoop& loop);
+/// All intersections of a set with itself, but for copies that it leaves out. Completes the set if
+/// its triangles overlap so much that trees are faster. Empty after an abort.
+std::optional<std::vector<SkdTrianglePair>> SkdFindSelfPairs(
+  SkdTriangleSet& set, const SkdPlacement& placement, SkdLoop& loop, vtkAlgorithm* filter);
+
+/// Splits a set along all its intersections with itself: `pairs` are all of them
+/// (SkdFindSelfPairs). O(n) for n facets, plus exact tests at edges in which more than two of them
+/// meet; a few microseconds for each that is a piece of a triangle. Empty after an abort. Is not
+/// made if segments along which triangles are split meet each other in more than `mostEvents`
+/// places. Takes duplicates out of `pairs`.
+std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement,
+  std::vector<SkdTrianglePair>& pairs, SkdLoop& loop,
+  std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
 
 #endif

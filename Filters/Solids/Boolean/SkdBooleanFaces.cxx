@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdBooleanFaces.h"
 
+#include "Bodies/SkdEdgeTable.h"
 #include "Solids/Boolean/SkdFacetMerger.h"
 
 #include <algorithm>
@@ -50,16 +51,18 @@ private:
   std::vector<SkdSplitEdge> FindJunctions() const
   {
     std::vector<SkdSplitEdge> junctions;
-    this->Facets.Edges.ForEach(
-      [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
-      {
-        const auto count = std::count_if(
-          first, last, [this](const SkdEdgeUse& use) { return this->Signs[use.Triangle] != 0; });
-        if (count > 2)
+    const std::size_t points = this->Placed.GetPoints().size() + this->Facets.NewPoints.size();
+    SkdMakeEdgeTable(this->Facets.Corners, points)
+      .ForEach(
+        [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
         {
-          junctions.emplace_back(low, first->High);
-        }
-      });
+          const auto count = std::count_if(
+            first, last, [this](const SkdEdgeUse& use) { return this->Signs[use.Triangle] != 0; });
+          if (count > 2)
+          {
+            junctions.emplace_back(low, first->High);
+          }
+        });
     return junctions;
   }
 

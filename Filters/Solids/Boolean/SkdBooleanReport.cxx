@@ -58,16 +58,29 @@ void ReportMeasures(const std::string& what, const SkdBoundaryMeasures& measures
   report.AddMeasure(what + "Area", measures.Area);
 }
 
+void ReportCombined(const SkdCombinedSolids& combined, bool areInputs, SkdReport& report)
+{
+  ReportMeasures("Input", areInputs ? combined.Groups[0] : combined.Union, report);
+  if (areInputs)
+  {
+    ReportMeasures("Source", combined.Groups[1], report);
+  }
+}
+
 void ReportInputs(const SkdSolidArrangement& solids, const SkdBooleanRule& rule, SkdReport& report)
 {
   const bool areInputs = solids.AreSolidsInputs();
+  if (const auto& combined = solids.GetCombined())
+  {
+    ReportCombined(*combined, areInputs, report);
+  }
   if (solids.HasWindings())
   {
     const auto isInput = [&](const SkdRegionWindings& windings)
     { return areInputs ? rule.IsInside(windings, 0) : rule.CountSolids(windings) > 0; };
     ReportMeasures("Input", solids.Measure(isInput), report);
   }
-  if (areInputs && !solids.IsSheet(1))
+  if (areInputs && !solids.GetCombined() && !solids.IsSheet(1))
   {
     const auto isSource = [&](const SkdRegionWindings& windings)
     { return rule.IsInside(windings, 1); };
@@ -100,7 +113,7 @@ void SkdTellUnclosed(vtkAlgorithm* filter, const SkdSolidArrangement& solids, st
     filter, << solids.NameOf(solid) << " is not a closed, consistently oriented surface: "
             << bad.Open << " edges are open and " << bad.Count - bad.Open
             << " are between faces of opposite orientation, the first from "
-            << solids.TextOf(bad.First) << ". There is no output."
+            << solids.TextOf(bad.First, solids.GetArrangement().Facets) << ". There is no output."
             << (bad.Open > 0 ? CloseAdvice : OrientAdvice) << LeftOutText(solids.GetTriangles()));
 }
 
@@ -137,18 +150,20 @@ void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
   const SkdArrangement& arrangement = solids.GetArrangement();
   ReportInputs(solids, rule, report);
   report.AddCount("TrianglesFolded", boundary.Rounded ? boundary.Rounded->NumberFolded : 0);
-  report.AddCount("TrianglesSplit", arrangement.NumberSplit);
+  report.AddCount("TrianglesSplit",
+    solids.GetCombined() ? solids.GetCombined()->NumberSplit : arrangement.NumberSplit);
   if (rule.Operation == SkdBooleanOperation::Imprint)
   {
     return;
   }
-  ReportMeasures("", solids.Measure(boundary.GetSigns()), report);
-  const SkdBadEdges bad = SkdFindBadEdges(boundary.GetFacets(arrangement), boundary.GetSigns());
+  ReportMeasures("", solids.Measure(boundary), report);
+  const SkdFacets& facets = boundary.GetUnjoinedFacets(arrangement);
+  const SkdBadEdges bad = SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
   report.AddCount("BadEdges", bad.Count);
   if (bad.Count > 0 && (closesCut || !solids.IsSheet(1)))
   {
     vtkWarningWithObjectMacro(
       filter, << "The output is not closed: " << bad.Count << " edges are open, the first from "
-              << solids.TextOf(bad.First) << ". Please report this, with the inputs.");
+              << solids.TextOf(bad.First, facets) << ". Please report this, with the inputs.");
   }
 }

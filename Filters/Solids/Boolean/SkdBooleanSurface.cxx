@@ -81,6 +81,10 @@ public:
     const auto n = static_cast<vtkIdType>(this->Faces.Facets.size());
     vtkCellData* data = this->To->GetCellData();
     this->AddIds(n, data);
+    if (this->Parts.JoinsPieces)
+    {
+      data->AddArray(this->NumberFaces(n));
+    }
     if (this->IsImprint && this->Parts.Solids.HasWindings())
     {
       this->AddSolidCounts(n, data);
@@ -167,6 +171,22 @@ private:
     {
       data->AddArray(blocks);
     }
+  }
+
+  /// Numbers from 0 on, in the order of the faces that were given.
+  vtkSmartPointer<vtkIdTypeArray> NumberFaces(vtkIdType n) const
+  {
+    auto array = SkdMakeArray<vtkIdTypeArray>(SkdBooleanNames::Face, 1, n);
+    SkdFaceSets& faces = this->Parts.Solids.GetFaces();
+    std::vector<vtkIdType> numbers(faces.GetNumberOfTriangles(), -1);
+    vtkIdType count = 0;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      vtkIdType& number = numbers[faces.Find(this->ParentOf(i))];
+      number = number < 0 ? count++ : number;
+      array->SetValue(i, number);
+    }
+    return array;
   }
 
   void AddSolidCounts(vtkIdType n, vtkCellData* data) const

@@ -3,6 +3,7 @@
 #ifndef SkdBooleanSurface_h
 #define SkdBooleanSurface_h
 
+#include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdSolidArrangement.h"
 
 #include <set>
@@ -10,28 +11,15 @@
 
 class vtkPolyData;
 
-/// Arrays of a Boolean combination: of each face the input that it comes from (0 or 1), the solid
-/// there (of more than two), the cell and, of composite data, its block; of an imprint how many
-/// solids are in front of the face and behind it.
-struct SkdBooleanNames
-{
-  static constexpr const char* Input = "SkdInputId";
-  static constexpr const char* Solid = "SkdSolidId";
-  static constexpr const char* Cell = "SkdCellId";
-  static constexpr const char* Block = "SkdBlockIndex";
-  static constexpr const char* Front = "SkdSolidsInFront";
-  static constexpr const char* Back = "SkdSolidsBehind";
-  static constexpr const char* All[] = { Input, Solid, Cell, Block, Front, Back };
-};
-
 /// What the output of a Boolean operation is made of.
 struct SkdBooleanParts
 {
-  const SkdSolidArrangement& Solids;
+  SkdSolidArrangement& Solids; ///< whose faces are looked up
   const SkdBooleanBlocks& Blocks;
   const SkdBooleanRule& Rule;
   const SkdBooleanBoundary& Boundary;
   bool KeepsPolygons; ///< polygons of which no triangle is split stay such
+  bool JoinsPieces;   ///< faces have numbers, for operations that follow
   bool MergesPieces;  ///< pieces of one triangle become convex polygons; not in an imprint
 };
 

@@ -3,56 +3,92 @@
 #include "Solids/Boolean/SkdSolidArrangement.h"
 
 #include "Pipeline/SkdLoop.h"
-#include "vtkAlgorithm.h"
+#include "Solids/Boolean/SkdBooleanNames.h"
+#include "Solids/Boolean/SkdJoinPieces.h"
 
 #include <cmath>
 #include <sstream>
 
-bool SkdSolidArrangement::Update(
-  const SkdBooleanBlocks& blocks, double chordalDeviation, vtkAlgorithm* filter)
+namespace
+{
+/// Segments meet each other more often than this for each pair of triangles where solids overlap
+/// deeply; `FewEvents` are few in any case.
+constexpr std::size_t EventsOfPair = 1;
+constexpr std::size_t FewEvents = 5000;
+}
+
+bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalDeviation,
+  bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
   this->WasSplit = this->Triangles.Update(blocks.All, chordalDeviation);
-  if (!this->WasSplit && this->Placement)
+  this->Triangles.LeaveOutCopies(1);
+  const auto findFaces = [&]
   {
+    this->Faces = SkdFaceSets(*this->Placement, blocks.All, SkdBooleanNames::Face,
+      { std::begin(SkdBooleanNames::All), std::end(SkdBooleanNames::All) });
+  };
+  if (!this->WasSplit && this->Placement && !this->Combined)
+  {
+    findFaces(); // the data may have changed
     return true;
   }
+  this->WasSplit = true;
   this->Placement.reset();
   this->Windings.clear();
   this->Solids = {};
-  this->Triangles.LeaveOutCopies(1);
-  SkdPlacement placement = SkdMakePlacement(this->Triangles, nullptr, std::nullopt);
-  SkdLoop loop(filter, 0, 0.2, 0.6, 8);
-  const SkdPairSearch search{ SkdPairSearch::All, 0.0 };
-  auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(search, loop);
-  if (!pairs)
+  this->Combined.reset();
+  this->Placement.emplace(SkdMakePlacement(this->Triangles, nullptr, std::nullopt));
+  findFaces();
+  if (!this->Arrange(this->MakeSolids(blocks, areInputs), areInputs, rule, filter))
   {
-    this->Triangles.Complete();
-    pairs = SkdTrianglePairs(placement).FindByTrees(search, loop);
+    this->Placement.reset();
   }
-  if (SkdIsAborted(filter))
+  return this->Placement.has_value();
+}
+
+bool SkdSolidArrangement::Arrange(
+  const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
+{
+  SkdLoop loop(filter, 0, 0.2, 0.6, 8);
+  auto pairs = SkdFindSelfPairs(this->Triangles, *this->Placement, loop, filter);
+  if (!pairs)
   {
     return false;
   }
   SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
-  auto arrangement = SkdArrange(placement, *std::move(pairs), splitLoop);
+  const std::size_t few = EventsOfPair * pairs->size() + FewEvents;
+  auto arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few);
+  if (arrangement && arrangement->IsCrowd)
+  {
+    if (const auto groups = SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, *pairs))
+    {
+      *pairs = {};
+      this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *groups, rule, filter);
+      this->Arrangement = *std::move(arrangement);
+      this->EqualPoints.clear();
+      return this->Combined.has_value();
+    }
+    arrangement = SkdArrange(*this->Placement, *pairs, splitLoop);
+  }
   if (!arrangement)
   {
     return false;
   }
   this->Arrangement = *std::move(arrangement);
-  this->Placement.emplace(std::move(placement));
   this->EqualPoints = SkdFindEqualPoints(*this->Placement, this->Arrangement.Facets);
   return true;
 }
 
-void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInputs)
+SkdSolids SkdSolidArrangement::MakeSolids(const SkdBooleanBlocks& blocks, bool areInputs) const
 {
   SkdSolids solids = areInputs ? SkdSolidsByInput(this->Triangles, blocks.FirstOfSource)
                                : SkdSolidsByBlock(this->Triangles);
-  if (!areInputs && solids.Count < 2)
-  {
-    solids = SkdSolidsByPiece(this->Triangles);
-  }
+  return areInputs || solids.Count >= 2 ? solids : SkdSolidsByPiece(this->Triangles);
+}
+
+void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInputs)
+{
+  SkdSolids solids = this->MakeSolids(blocks, areInputs);
   if (this->Windings.empty() || solids.Of != this->Solids.Of)
   {
     this->Solids = std::move(solids);
@@ -78,7 +114,7 @@ std::optional<std::uint32_t> SkdSolidArrangement::FindUnclosed(SkdBooleanOperati
 
 std::optional<SkdSheetFaults> SkdSolidArrangement::FindWindings()
 {
-  if (!this->Windings.empty())
+  if (!this->Windings.empty() || this->Combined)
   {
     return SkdSheetFaults();
   }
@@ -103,8 +139,25 @@ std::optional<SkdSheetFaults> SkdSolidArrangement::PlaceSheet()
     this->Placement->First, this->Arrangement, parts, this->Solids.Of, 1, this->Windings);
 }
 
-SkdBooleanBoundary SkdSolidArrangement::Select(const SkdBooleanRule& rule, bool closesCut) const
+SkdBooleanBoundary SkdSolidArrangement::Select(
+  const SkdBooleanRule& rule, bool closesCut, bool joins)
 {
+  SkdBooleanBoundary boundary = this->SelectPieces(rule, closesCut);
+  if (joins && rule.Operation != SkdBooleanOperation::Imprint)
+  {
+    boundary.Joined = SkdJoinPieces(*this->Placement, boundary.GetFacets(this->Arrangement),
+      boundary.GetSigns(), {}, this->Faces);
+  }
+  return boundary;
+}
+
+SkdBooleanBoundary SkdSolidArrangement::SelectPieces(
+  const SkdBooleanRule& rule, bool closesCut) const
+{
+  if (this->Combined)
+  {
+    return { {}, this->Combined->Boundary, std::nullopt };
+  }
   const SkdFacets& facets = this->Arrangement.Facets;
   const bool isImprint = rule.Operation == SkdBooleanOperation::Imprint;
   SkdBooleanBoundary boundary;
@@ -126,10 +179,10 @@ SkdBooleanBoundary SkdSolidArrangement::Select(const SkdBooleanRule& rule, bool 
   return boundary;
 }
 
-SkdBoundaryMeasures SkdSolidArrangement::Measure(const SkdFacetSigns& signs) const
+SkdBoundaryMeasures SkdSolidArrangement::Measure(
+  const SkdFacets& facets, const SkdFacetSigns& signs) const
 {
-  SkdBoundaryMeasures measures =
-    SkdMeasureBoundary(this->Placement->First, this->Arrangement.Facets, signs);
+  SkdBoundaryMeasures measures = SkdMeasureBoundary(this->Placement->First, facets, signs);
   measures.Area /= std::pow(this->Placement->Scale, 2);
   measures.Volume /= std::pow(this->Placement->Scale, 3);
   return measures;
@@ -141,13 +194,13 @@ std::string SkdSolidArrangement::NameOf(std::uint32_t solid) const
   return this->AreInputs ? inputs[solid] : "Solid " + std::to_string(solid);
 }
 
-std::string SkdSolidArrangement::TextOf(const SkdSplitEdge& edge) const
+std::string SkdSolidArrangement::TextOf(const SkdSplitEdge& edge, const SkdFacets& facets) const
 {
   std::ostringstream text;
   for (const std::uint32_t point : { edge.first, edge.second })
   {
-    const skd::Vector3 x = (1.0 / this->Placement->Scale) *
-      this->Arrangement.Facets.GetPosition(this->Placement->First, point);
+    const skd::Vector3 x =
+      (1.0 / this->Placement->Scale) * facets.GetPosition(this->Placement->First, point);
     text << (point == edge.first ? "" : " to ") << "(" << x[0] << ", " << x[1] << ", " << x[2]
          << ")";
   }

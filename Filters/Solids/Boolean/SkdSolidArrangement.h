@@ -12,6 +12,7 @@
 #ifndef SkdSolidArrangement_h
 #define SkdSolidArrangement_h
 
+#include "Solids/Boolean/SkdCombineInPairs.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 #include "Solids/Boolean/SkdSheet.h"
 #include "Solids/Boolean/SkdSolids.h"
@@ -26,28 +27,47 @@ struct SkdBooleanBoundary
 {
   SkdFacetSigns Selected;                  ///< of the arrangement
   std::optional<SkdRoundedFacets> Rounded; ///< these as they are stored, if that makes a difference
+  std::optional<SkdRoundedFacets>
+    Joined; ///< these with pieces of one face joined, if there are any
+
+  ///@{
+  /// Without pieces joined. They pass edges as often in both directions as what is stored,
+  /// and have a table of them.
+  const SkdFacetSigns& GetUnjoinedSigns() const
+  {
+    return this->Rounded ? this->Rounded->Signs : this->Selected;
+  }
+  const SkdFacets& GetUnjoinedFacets(const SkdArrangement& arrangement) const
+  {
+    return this->Rounded ? this->Rounded->Facets : arrangement.Facets;
+  }
+  ///@}
 
   ///@{
   /// As they are stored.
   const SkdFacetSigns& GetSigns() const
   {
-    return this->Rounded ? this->Rounded->Signs : this->Selected;
+    return this->Joined ? this->Joined->Signs : this->GetUnjoinedSigns();
   }
   const SkdFacets& GetFacets(const SkdArrangement& arrangement) const
   {
-    return this->Rounded ? this->Rounded->Facets : arrangement.Facets;
+    return this->Joined ? this->Joined->Facets : this->GetUnjoinedFacets(arrangement);
   }
   ///@}
 };
 
 /// The arrangement of the inputs, and the solids that its regions are in: kept while the inputs are
-/// unchanged. To be called in this order: Update, FindSolids, FindWindings, Select.
+/// unchanged. To be called in this order: Update, FindSolids, FindWindings, Select. Of very many
+/// solids that overlap there is no arrangement but the result of one operation (SkdCombineInPairs):
+/// Update finds all of it, each time.
 class SkdSolidArrangement
 {
 public:
   /// Splits the surfaces along all their intersections, unless that is done; `filter` gets the
-  /// progress. False after an abort.
-  bool Update(const SkdBooleanBlocks& blocks, double chordalDeviation, vtkAlgorithm* filter);
+  /// progress. `areInputs` and `rule` (but for the number of solids) are of the operation that
+  /// follows. False after an abort.
+  bool Update(const SkdBooleanBlocks& blocks, double chordalDeviation, bool areInputs,
+    const SkdBooleanRule& rule, vtkAlgorithm* filter);
 
   /// Finds out which triangles bound which solid: the two inputs; else the blocks if there are
   /// several, else the pieces.
@@ -60,20 +80,31 @@ public:
   /// Finds out which solids each region is in, unless that is done. Empty if it could not.
   std::optional<SkdSheetFaults> FindWindings();
 
-  /// The boundary of what is solid. Facets of a sheet are in it only with `closesCut`.
-  SkdBooleanBoundary Select(const SkdBooleanRule& rule, bool closesCut) const;
+  /// The boundary of what is solid. Facets of a sheet are in it only with `closesCut`; pieces of
+  /// one face are joined with `joins`.
+  SkdBooleanBoundary Select(const SkdBooleanRule& rule, bool closesCut, bool joins);
+
+  /// The flat faces that triangles are of.
+  SkdFaceSets& GetFaces() { return this->Faces; }
 
   ///@{
   /// The volume and area of what is within solids, or a boundary.
   template <class IsSolid>
   SkdBoundaryMeasures Measure(const IsSolid& isSolid) const
   {
-    return this->Measure(SkdFindBoundary(this->Arrangement, this->Windings, isSolid));
+    return this->Measure(
+      this->Arrangement.Facets, SkdFindBoundary(this->Arrangement, this->Windings, isSolid));
   }
-  SkdBoundaryMeasures Measure(const SkdFacetSigns& signs) const;
+  SkdBoundaryMeasures Measure(const SkdBooleanBoundary& boundary) const
+  {
+    return this->Measure(boundary.GetFacets(this->Arrangement), boundary.GetSigns());
+  }
   ///@}
 
   bool HasWindings() const { return !this->Windings.empty(); }
+
+  /// The result of the operation, if Update has found it.
+  const std::optional<SkdCombinedSolids>& GetCombined() const { return this->Combined; }
 
   /// Whether a solid is the Source, and open.
   bool IsSheet(std::uint32_t solid) const
@@ -84,7 +115,7 @@ public:
   ///@{
   /// For messages.
   std::string NameOf(std::uint32_t solid) const;
-  std::string TextOf(const SkdSplitEdge& edge) const;
+  std::string TextOf(const SkdSplitEdge& edge, const SkdFacets& facets) const;
   ///@}
 
   ///@{
@@ -105,17 +136,24 @@ public:
   ///@}
 
 private:
+  SkdBooleanBoundary SelectPieces(const SkdBooleanRule& rule, bool closesCut) const;
+  bool Arrange(
+    const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter);
+  SkdSolids MakeSolids(const SkdBooleanBlocks& blocks, bool areInputs) const;
+  SkdBoundaryMeasures Measure(const SkdFacets& facets, const SkdFacetSigns& signs) const;
   std::optional<SkdSheetFaults> PlaceSheet();
 
   SkdTriangleSet Triangles;
   bool WasSplit = false;
   std::optional<SkdPlacement> Placement; // none: not arranged
   SkdArrangement Arrangement;
+  SkdFaceSets Faces;
   std::vector<std::uint32_t> EqualPoints; // see SkdFindEqualPoints
   SkdSolids Solids;
   bool AreInputs = false;
   std::vector<SkdBadEdges> BadEdges;
-  std::vector<SkdRegionWindings> Windings; // empty: not known
+  std::vector<SkdRegionWindings> Windings;   // empty: not known
+  std::optional<SkdCombinedSolids> Combined; // none: there is an arrangement
 };
 
 #endif

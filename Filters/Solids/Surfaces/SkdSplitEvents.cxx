@@ -6,6 +6,7 @@
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace
 {
@@ -180,9 +181,20 @@ std::vector<SkdSplitEvent> SkdSplitSegments::FindEvents(int number) const
     }
   };
   vtkSMPThreadLocal<std::vector<SkdSplitEvent>> found;
+  std::atomic<std::size_t> count{ 0 };
   SkdForEach(
     static_cast<vtkIdType>(starts.size()) - 1,
-    [&](vtkIdType i) { findIn(starts[i], starts[i + 1], found.Local()); }, 64);
+    [&](vtkIdType i)
+    {
+      std::vector<SkdSplitEvent>& events = found.Local();
+      const std::size_t before = events.size();
+      if (count <= this->MostEvents)
+      {
+        findIn(starts[i], starts[i + 1], events);
+        count += events.size() - before;
+      }
+    },
+    64);
   std::vector<SkdSplitEvent> all;
   for (const std::vector<SkdSplitEvent>& some : found)
   {

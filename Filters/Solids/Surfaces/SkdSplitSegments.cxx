@@ -21,33 +21,46 @@ struct SkdSplitSegments::PairSegment
 };
 
 SkdSplitSegments::SkdSplitSegments(const SkdPlacement& placement,
-  const std::vector<SkdTrianglePair>& pairs, const SkdContactPoints& contacts)
+  const std::vector<SkdTrianglePair>& pairs, const SkdContactPoints& contacts,
+  std::size_t mostEvents)
   : Pairs(pairs)
   , Contacts(contacts)
   , Points(contacts, placement)
   , IsOfOne(placement.IsOfOne())
+  , MostEvents(mostEvents)
 {
   this->Sides[0].Set = &placement.First;
   this->Sides[1].Set = &placement.GetSecond();
   this->AddElements(this->ListSegments());
-  for (bool isChanged = true; isChanged;)
+  while (this->FindAll())
   {
-    const std::vector<SkdSplitEvent> events[2] = { this->FindEvents(0), this->FindEvents(1) };
-    for (SkdSplitSegment& segment : this->Segments)
-    {
-      segment.IsNew = false;
-    }
-    isChanged = false;
-    for (int side = 0; side < 2; ++side)
-    {
-      isChanged = this->Apply(events[side]) || isChanged;
-    }
-    for (Side& side : this->Sides)
-    {
-      isChanged = this->MeetAtEdges(side) || isChanged;
-    }
   }
   this->UniteCorners();
+}
+
+// Returns whether points were added, which may be on further segments.
+bool SkdSplitSegments::FindAll()
+{
+  const std::vector<SkdSplitEvent> events[2] = { this->FindEvents(0), this->FindEvents(1) };
+  this->HasTooMany = this->HasTooMany || events[0].size() + events[1].size() > this->MostEvents;
+  if (this->HasTooMany)
+  {
+    return false;
+  }
+  for (SkdSplitSegment& segment : this->Segments)
+  {
+    segment.IsNew = false;
+  }
+  bool isChanged = false;
+  for (int side = 0; side < 2; ++side)
+  {
+    isChanged = this->Apply(events[side]) || isChanged;
+  }
+  for (Side& side : this->Sides)
+  {
+    isChanged = this->MeetAtEdges(side) || isChanged;
+  }
+  return isChanged;
 }
 
 //------------------------------------------------------------------------------

@@ -86,8 +86,13 @@ class SkdSplitSegments
 public:
   static constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
 
+  /// Of more than `mostEvents` places where segments meet each other none is used: see IsTooMany().
   SkdSplitSegments(const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs,
-    const SkdContactPoints& contacts);
+    const SkdContactPoints& contacts,
+    std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
+
+  /// Whether more segments meet each other than was allowed. The same for any number of threads.
+  bool IsTooMany() const { return this->HasTooMany; }
 
   const SkdSplitPoints& GetPoints() const { return this->Points; }
   const SkdSplitSegment& GetSegment(std::uint32_t segment) const { return this->Segments[segment]; }
@@ -114,8 +119,9 @@ private:
 
   /// What happens where the new segments of a side's triangles meet others of the same triangle,
   /// ascending, each once. In parallel; of a triangle with n segments O(n log n) plus what overlaps
-  /// along an axis. (SkdSplitEvents.cxx)
+  /// along an axis. Once there are more than allowed, others are left out. (SkdSplitEvents.cxx)
   std::vector<SkdSplitEvent> FindEvents(int side) const;
+  bool FindAll();
   bool Apply(const std::vector<SkdSplitEvent>& events);
   void AddBetween(std::uint32_t segment, std::uint32_t point);
   void SortBetween(SkdSplitSegment& segment);
@@ -131,6 +137,8 @@ private:
   std::vector<SkdSplitSegment> Segments;
   std::array<Side, 2> Sides;
   bool IsOfOne;
+  std::size_t MostEvents;
+  bool HasTooMany = false;
 };
 
 #endif

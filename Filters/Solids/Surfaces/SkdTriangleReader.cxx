@@ -21,6 +21,35 @@ double LeastOf(double least, double coordinate)
   const double magnitude = std::abs(coordinate);
   return magnitude > 0.0 ? std::min(least, magnitude) : least;
 }
+
+double LeastOf(double least, const skd::Vector3& x)
+{
+  return LeastOf(LeastOf(LeastOf(least, x[0]), x[1]), x[2]);
+}
+
+/// Twice the area of a triangle, seen along the axis where that is largest.
+inline double AreaOf(const SkdReadTriangles& of, const SkdReadTriangles::Corners& ids)
+{
+  const skd::Vector3& a = of.Points[ids[0]];
+  const skd::Vector3 normal = skd::Cross(of.Points[ids[1]] - a, of.Points[ids[2]] - a);
+  return std::max(std::max(std::abs(normal[0]), std::abs(normal[1])), std::abs(normal[2]));
+}
+}
+
+//------------------------------------------------------------------------------
+void SkdReadTriangles::FindExtents()
+{
+  this->Bounds = {};
+  this->LeastCoordinate = this->LeastArea = std::numeric_limits<double>::infinity();
+  for (const skd::Vector3& x : this->Points)
+  {
+    this->Bounds.Add(x);
+    this->LeastCoordinate = LeastOf(this->LeastCoordinate, x);
+  }
+  for (const Corners& ids : this->Triangles)
+  {
+    this->LeastArea = std::min(this->LeastArea, AreaOf(*this, ids));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -40,10 +69,7 @@ inline bool SkdTriangleReader::HasEqualCorners(const Corners& ids) const
 // Returns whether it is more than 0, so that no corners are the same. Not of NaN.
 inline bool SkdTriangleReader::TakeArea(const Corners& ids)
 {
-  const skd::Vector3& a = this->To.Points[ids[0]];
-  const skd::Vector3 normal = skd::Cross(this->To.Points[ids[1]] - a, this->To.Points[ids[2]] - a);
-  const double area =
-    std::max(std::max(std::abs(normal[0]), std::abs(normal[1])), std::abs(normal[2]));
+  const double area = AreaOf(this->To, ids);
   this->To.LeastArea = std::min(this->To.LeastArea, area > 0.0 ? area : this->To.LeastArea);
   return area > 0.0;
 }
@@ -153,7 +179,7 @@ void SkdTriangleReader::ReadPoints(int block, const SkdBlockSurface& surface)
       {
         ids[i] = static_cast<std::uint32_t>(count);
         bounds.Add(x);
-        least = LeastOf(LeastOf(LeastOf(least, x[0]), x[1]), x[2]);
+        least = LeastOf(least, x);
         this->To.Points[count] = x;
         this->To.Origins[count] = { block, surface.GetPointId(i) };
         ++count;

@@ -63,6 +63,9 @@ struct SkdReadTriangles
 
   /// The least magnitude of coordinates other than 0.
   double LeastCoordinate = std::numeric_limits<double>::infinity();
+
+  /// Finds the bounds, the least area and the least coordinate of points and triangles.
+  void FindExtents();
 };
 
 /// Reads SkdBlockSurface as SkdBoundary does, but welds no points and compares no faces: surfaces

@@ -13,6 +13,14 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
+SkdTriangleSet::SkdTriangleSet(SkdReadTriangles made)
+  : Read(std::move(made))
+  , IsRead(true)
+{
+  this->Read.FindExtents();
+}
+
+//------------------------------------------------------------------------------
 bool SkdTriangleSet::Update(
   const std::vector<SkdBlock>& blocks, double chordalDeviation, const skd::Processes* processes)
 {

@@ -36,6 +36,12 @@ public:
   using PointList = skd::RawVector<skd::Vector3>;
   using TriangleList = skd::RawVector<Corners>;
 
+  SkdTriangleSet() = default;
+
+  /// Of triangles that were made, instead of read. Their bounds are found, and what else depends on
+  /// coordinates; these are such as have been read.
+  explicit SkdTriangleSet(SkdReadTriangles made);
+
   /// Updates the set to `blocks`, with curved faces as facets within a chordal deviation relative
   /// to the diagonal of all (see SkdChordalLength). Returns whether it was read or is unchanged.
   bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
@@ -77,6 +83,9 @@ public:
   /// results in that order are the same. About a nanosecond a point of the set, without a hash
   /// table of all.
   void MakeCornersOne(const std::vector<std::uint32_t>& triangles);
+
+  /// The point that one that was read, or made, has become. Points must be merged.
+  std::uint32_t GetPointOf(std::uint32_t read) const { return this->PointOf[read]; }
 
   const PointList& GetPoints() const { return this->Read.Points; }
   const TriangleList& GetTriangles() const { return this->Read.Triangles; }

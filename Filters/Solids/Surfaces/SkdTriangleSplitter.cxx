@@ -3,9 +3,9 @@
 #include "Solids/Surfaces/SkdTriangleSplitter.h"
 
 #include "Core/Geometry/Polygons/ConstrainedTriangulation.h"
+#include "Core/Geometry/Polygons/DelaunayEdge.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace
@@ -40,21 +40,9 @@ int SkdSplitCorners::Orient(int a, int b, int c)
                    .Sign());
 }
 
-// Whether the angles at c and d opposite to the edge ab exceed 180 degrees together: then the other
-// diagonal is that of the Delaunay triangulation.
 bool SkdSplitCorners::IsBetter(int a, int b, int c, int d) const
 {
-  const auto see = [&](int from)
-  {
-    const skd::Vector3 toA = (*this)[a].X - (*this)[from].X;
-    const skd::Vector3 toB = (*this)[b].X - (*this)[from].X;
-    const double size = std::sqrt(Norm2(toA) * Norm2(toB));
-    return std::pair(Dot(toA, toB) / size, Norm(Cross(toA, toB)) / size);
-  };
-  constexpr double rounding = 1e-12; // else squares would be flipped without end
-  const auto [cosC, sinC] = see(c);
-  const auto [cosD, sinD] = see(d);
-  return sinC * cosD + cosC * sinD < -rounding;
+  return skd::IsOtherEdgeDelaunay((*this)[a].X, (*this)[b].X, (*this)[c].X, (*this)[d].X);
 }
 
 const skd::ExactPoint& SkdSplitCorners::GetExact(int i)

@@ -1,0 +1,588 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdCombineInPairs.h"
+
+#include "Bodies/SkdEdgeTable.h"
+#include "Core/Geometry/DisjointSets.h"
+#include "Pipeline/SkdLoop.h"
+#include "Solids/Boolean/SkdJoinPieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+using Corners = SkdTriangleSet::Corners;
+constexpr std::uint32_t None = 0xffffffffu;
+
+/// A closed surface of pieces of a set's triangles. Points below the number of the set's points are
+/// these, further ones new (with the set's scale).
+struct Surface
+{
+  std::vector<Corners> Triangles;
+  std::vector<std::uint32_t> Parents;
+  std::vector<signed char> Signs; // of each: as its parent (1) or reversed
+  std::vector<skd::Vector3> NewPoints;
+};
+
+/// Two surfaces as one set of triangles: those of the first come first.
+class TwoSurfaces
+{
+public:
+  TwoSurfaces(const SkdTriangleSet& origin, const Surface& first, const Surface& second)
+    : Origin(origin)
+  {
+    const std::size_t count = first.Triangles.size() + second.Triangles.size();
+    this->Read.Triangles.reserve(count);
+    this->Read.Cells.push_back({ 0, 0 });
+    this->Read.CellOf.assign(count, 0);
+    for (const Surface* surface : { &first, &second })
+    {
+      this->Parents.insert(this->Parents.end(), surface->Parents.begin(), surface->Parents.end());
+      this->Signs.insert(this->Signs.end(), surface->Signs.begin(), surface->Signs.end());
+      this->SurfaceOf.resize(this->Parents.size(), surface == &second ? 1u : 0u);
+      this->Add(*surface);
+    }
+    this->Set = SkdTriangleSet(std::move(this->Read));
+    this->Set.LeaveOutCopies(1);
+    this->FindGivenPoints();
+  }
+
+  SkdTriangleSet& GetSet() { return this->Set; }
+  const std::vector<std::uint32_t>& GetSurfaces() const { return this->SurfaceOf; }
+  std::uint32_t ParentOf(std::uint32_t triangle) const { return this->Parents[triangle]; }
+  int SignOf(std::uint32_t triangle) const { return this->Signs[triangle]; }
+
+  /// The point of the origin that a point of the set is, or None.
+  std::uint32_t GivenPointOf(std::uint32_t point) const { return this->Given[point]; }
+
+private:
+  void Add(const Surface& surface)
+  {
+    const auto& points = this->Origin.GetPoints();
+    std::vector<std::uint32_t> places(points.size() + surface.NewPoints.size(), None);
+    for (const Corners& triangle : surface.Triangles)
+    {
+      Corners corners;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const std::uint32_t point = triangle[i];
+        if (places[point] == None)
+        {
+          places[point] = static_cast<std::uint32_t>(this->Read.Points.size());
+          const bool isGiven = point < points.size();
+          this->Read.Points.push_back(
+            isGiven ? points[point] : surface.NewPoints[point - points.size()]);
+          this->Sources.push_back(isGiven ? point : None);
+        }
+        corners[i] = places[point];
+      }
+      this->Read.Triangles.push_back(corners);
+    }
+  }
+
+  /// Of points that are merged, one of the origin counts.
+  void FindGivenPoints()
+  {
+    this->Given.assign(this->Set.GetPoints().size(), None);
+    for (std::uint32_t i = 0; i < this->Sources.size(); ++i)
+    {
+      std::uint32_t& given = this->Given[this->Set.GetPointOf(i)];
+      given = std::min(given, this->Sources[i]);
+    }
+  }
+
+  const SkdTriangleSet& Origin;
+  SkdReadTriangles Read;
+  SkdTriangleSet Set;
+  std::vector<std::uint32_t> Parents;
+  std::vector<signed char> Signs;
+  std::vector<std::uint32_t> SurfaceOf;
+  std::vector<std::uint32_t> Sources; // of points as they were read
+  std::vector<std::uint32_t> Given;
+};
+
+/// Two surfaces, and the regions between them.
+class Step
+{
+public:
+  Step(
+    const SkdTriangleSet& origin, SkdFaceSets& faces, const Surface& first, const Surface& second)
+    : Surfaces(origin, first, second)
+    , Origin(origin)
+    , Faces(faces)
+    , Placement(SkdMakePlacement(this->Surfaces.GetSet(), nullptr, std::nullopt))
+  {
+  }
+
+  /// False after an abort, or if there are no winding numbers.
+  bool Split(vtkAlgorithm* filter, double progress)
+  {
+    SkdLoop loop(filter, 0, progress, progress, 64);
+    auto pairs = SkdFindSelfPairs(this->Surfaces.GetSet(), this->Placement, loop, filter);
+    if (!pairs)
+    {
+      return false;
+    }
+    auto arrangement = SkdArrange(this->Placement, *pairs, loop);
+    if (!arrangement)
+    {
+      return false;
+    }
+    this->Arrangement = *std::move(arrangement);
+    this->Windings =
+      SkdFindWindingNumbers(this->Placement, this->Arrangement, this->Surfaces.GetSurfaces());
+    return this->Windings.size() == this->Arrangement.NumberOfRegions;
+  }
+
+  /// What bounds the regions for which `isSolid` returns true.
+  template <class IsSolid>
+  Surface Select(const IsSolid& isSolid, vtkIdType& numberFolded) const
+  {
+    const SkdFacets& facets = this->Arrangement.Facets;
+    const SkdFacetSigns signs = SkdFindBoundary(this->Arrangement, this->Windings, isSolid);
+    const std::vector<std::uint32_t> equal = SkdFindEqualPoints(this->Placement, facets);
+    if (equal.empty())
+    {
+      return this->Join(facets, signs);
+    }
+    const SkdRoundedFacets rounded = SkdUniteEqualPoints(facets, equal, signs, false);
+    numberFolded += rounded.NumberFolded;
+    return this->Join(rounded.Facets, rounded.Signs);
+  }
+
+  template <class IsSolid>
+  SkdBoundaryMeasures Measure(const IsSolid& isSolid) const
+  {
+    SkdBoundaryMeasures measures = SkdMeasureBoundary(this->Placement.First,
+      this->Arrangement.Facets, SkdFindBoundary(this->Arrangement, this->Windings, isSolid));
+    measures.Area /= std::pow(this->Placement.Scale, 2);
+    measures.Volume /= std::pow(this->Placement.Scale, 3);
+    return measures;
+  }
+
+  vtkIdType GetNumberSplit() const { return this->Arrangement.NumberSplit; }
+
+private:
+  Surface Join(const SkdFacets& facets, const SkdFacetSigns& signs) const
+  {
+    std::vector<std::uint32_t> origins(this->Surfaces.GetSurfaces().size());
+    for (std::uint32_t triangle = 0; triangle < origins.size(); ++triangle)
+    {
+      origins[triangle] =
+        2 * this->Surfaces.ParentOf(triangle) + (this->Surfaces.SignOf(triangle) < 0 ? 1 : 0);
+    }
+    const auto joined = SkdJoinPieces(this->Placement, facets, signs, origins, this->Faces);
+    return joined ? this->Gather(joined->Facets, joined->Signs) : this->Gather(facets, signs);
+  }
+
+  Surface Gather(const SkdFacets& facets, const SkdFacetSigns& signs) const
+  {
+    Surface surface;
+    const double unscaled = 1.0 / this->Placement.Scale;
+    const std::size_t before = this->Placement.First.GetPoints().size();
+    const std::size_t given = this->Origin.GetPoints().size();
+    std::vector<std::uint32_t> numbers(before + facets.NewPoints.size(), None);
+    const auto numberOf = [&](std::uint32_t point)
+    {
+      std::uint32_t& number = numbers[point];
+      if (number == None)
+      {
+        number = point < before ? this->Surfaces.GivenPointOf(point) : None;
+      }
+      if (number == None)
+      {
+        number = static_cast<std::uint32_t>(given + surface.NewPoints.size());
+        surface.NewPoints.push_back(unscaled * facets.GetPosition(this->Placement.First, point));
+      }
+      return number;
+    };
+    for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+    {
+      if (signs[facet] != 0)
+      {
+        const Corners& from = facets.Corners[facet];
+        Corners corners{ numberOf(from[0]), numberOf(from[1]), numberOf(from[2]) };
+        if (signs[facet] < 0)
+        {
+          std::swap(corners[1], corners[2]);
+        }
+        surface.Triangles.push_back(corners);
+        const std::uint32_t parent = facets.Parents[facet];
+        surface.Parents.push_back(this->Surfaces.ParentOf(parent));
+        surface.Signs.push_back(
+          static_cast<signed char>(signs[facet] * this->Surfaces.SignOf(parent)));
+      }
+    }
+    return surface;
+  }
+
+  TwoSurfaces Surfaces;
+  const SkdTriangleSet& Origin;
+  SkdFaceSets& Faces;
+  SkdPlacement Placement;
+  SkdArrangement Arrangement;
+  std::vector<SkdRegionWindings> Windings;
+};
+
+Surface MakeLeaf(const SkdTriangleSet& set, const std::vector<std::uint32_t>& triangles)
+{
+  Surface surface;
+  surface.Parents = triangles;
+  surface.Signs.assign(triangles.size(), 1);
+  for (const std::uint32_t triangle : triangles)
+  {
+    surface.Triangles.push_back(set.GetTriangles()[triangle]);
+  }
+  return surface;
+}
+
+/// The unions of a group, from the leaves of a balanced tree on.
+class Uniter
+{
+public:
+  Uniter(const SkdTriangleSet& set, SkdFaceSets& faces, const SkdBooleanRule& rule,
+    vtkAlgorithm* filter, std::size_t numberOfSolids)
+    : Set(set)
+    , Faces(faces)
+    , Rule{ SkdBooleanOperation::Union, rule.Inside, 2, 1 }
+    , Filter(filter)
+    , Total(static_cast<double>(numberOfSolids))
+  {
+  }
+
+  std::optional<Surface> Unite(const SkdSolidGroup& group)
+  {
+    std::vector<Leaf> leaves;
+    for (const std::vector<std::uint32_t>& solid : group)
+    {
+      skd::Box3 box;
+      for (const std::uint32_t triangle : solid)
+      {
+        for (const std::uint32_t corner : this->Set.GetTriangles()[triangle])
+        {
+          box.Add(this->Set.GetPoints()[corner]);
+        }
+      }
+      leaves.push_back({ &solid, 0.5 * (box.Min + box.Max), leaves.size() });
+    }
+    return leaves.empty() ? Surface() : this->Unite(leaves.data(), leaves.data() + leaves.size());
+  }
+
+  /// How far all is.
+  double GetProgress() const { return 0.2 + 0.6 * this->Done / this->Total; }
+
+  vtkIdType NumberSplit = 0;
+  vtkIdType NumberFolded = 0;
+
+private:
+  struct Leaf
+  {
+    const std::vector<std::uint32_t>* Solid;
+    skd::Vector3 Center;
+    std::size_t Number;
+  };
+
+  /// Solids near each other are united first: halves by their centres along the longest axis.
+  static Leaf* Halve(Leaf* first, Leaf* last)
+  {
+    skd::Box3 box;
+    std::for_each(first, last, [&box](const Leaf& leaf) { box.Add(leaf.Center); });
+    const skd::Vector3 size = box.Max - box.Min;
+    const int axis = static_cast<int>(std::max_element(size.X, size.X + 3) - size.X);
+    Leaf* const middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last,
+      [axis](const Leaf& a, const Leaf& b)
+      {
+        return a.Center[axis] != b.Center[axis] ? a.Center[axis] < b.Center[axis]
+                                                : a.Number < b.Number;
+      });
+    return middle;
+  }
+
+  std::optional<Surface> Unite(Leaf* first, Leaf* last)
+  {
+    if (last - first == 1)
+    {
+      return MakeLeaf(this->Set, *first->Solid);
+    }
+    Leaf* const middle = Halve(first, last);
+    std::optional<Surface> a = this->Unite(first, middle);
+    std::optional<Surface> b = a ? this->Unite(middle, last) : std::nullopt;
+    if (!b)
+    {
+      return std::nullopt;
+    }
+    Step step(this->Set, this->Faces, *a, *b);
+    this->Done += 1.0;
+    if (!step.Split(this->Filter, this->GetProgress()))
+    {
+      return std::nullopt;
+    }
+    this->NumberSplit += step.GetNumberSplit();
+    return step.Select([this](const SkdRegionWindings& windings)
+      { return this->Rule.IsSolid(windings); },
+      this->NumberFolded);
+  }
+
+  const SkdTriangleSet& Set;
+  SkdFaceSets& Faces;
+  const SkdBooleanRule Rule;
+  vtkAlgorithm* Filter;
+  double Total;
+  double Done = 0.0;
+};
+
+/// A point of a triangle by the areas that it divides it into.
+SkdSplitPoint PointIn(const SkdPlacedTriangles& set, std::uint32_t triangle, const skd::Vector3& x)
+{
+  const auto at = set.GetCornerPoints(triangle);
+  const skd::Vector3 normal = Cross(at[1] - at[0], at[2] - at[0]);
+  std::array<double, 3> areas;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double area = Dot(normal, Cross(at[(i + 1) % 3] - x, at[(i + 2) % 3] - x));
+    areas[i] = std::max(area, 0.0);
+  }
+  const double sum = areas[0] + areas[1] + areas[2];
+  for (double& area : areas)
+  {
+    area = sum > 0.0 ? area / sum : 1.0 / 3.0;
+  }
+  return { x, set.GetCorners(triangle), areas, triangle };
+}
+
+/// A surface as facets, in the order of the triangles that they are of.
+SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surface)
+{
+  const SkdPlacedTriangles& set = placement.First;
+  const std::size_t given = set.GetPoints().size();
+  std::vector<std::uint32_t> order(surface.Triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return surface.Parents[a] < surface.Parents[b]; });
+  SkdRoundedFacets rounded;
+  SkdFacets& facets = rounded.Facets;
+  std::vector<std::uint32_t> numbers(surface.NewPoints.size(), None);
+  for (const std::uint32_t i : order)
+  {
+    Corners corners = surface.Triangles[i];
+    for (std::uint32_t& corner : corners)
+    {
+      if (corner >= given)
+      {
+        std::uint32_t& number = numbers[corner - given];
+        if (number == None)
+        {
+          number = static_cast<std::uint32_t>(given + facets.NewPoints.size());
+          facets.NewPoints.push_back(
+            PointIn(set, surface.Parents[i], placement.Scale * surface.NewPoints[corner - given]));
+        }
+        corner = number;
+      }
+    }
+    if (surface.Signs[i] < 0)
+    {
+      std::swap(corners[1], corners[2]);
+    }
+    facets.Corners.push_back(corners);
+    facets.Parents.push_back(surface.Parents[i]);
+    rounded.Signs.push_back(surface.Signs[i]);
+  }
+  facets.Edges = SkdMakeEdgeTable(facets.Corners, given + facets.NewPoints.size());
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
+/// The pieces that edges connect, of each solid by itself.
+class Pieces
+{
+public:
+  Pieces(const SkdTriangleSet& set, const SkdSolids& solids)
+    : Set(set)
+    , Solids(solids)
+    , Sets(set.GetTriangles().size())
+  {
+    const std::vector<Corners> triangles(set.GetTriangles().begin(), set.GetTriangles().end());
+    SkdMakeEdgeTable(triangles, set.GetPoints().size())
+      .ForEach([this](std::uint32_t, const SkdEdgeUse* first, const SkdEdgeUse* last)
+        { this->Look(first, last); });
+    this->Of = this->Sets.Number();
+  }
+
+  /// Whether the surface of each solid passes each edge as often in both directions.
+  bool AreClosed() const { return this->IsClosed; }
+
+  /// The solids by their pieces where each winds once around what it encloses, else whole.
+  std::vector<SkdSolidGroup> Divide(const std::vector<SkdTrianglePair>& pairs)
+  {
+    const auto n = static_cast<std::uint32_t>(this->Of.size());
+    std::vector<bool> isWhole(this->Solids.Count, false);
+    for (const std::uint32_t triangle : this->AtOtherEdges)
+    {
+      isWhole[this->Solids.Of[triangle]] = true;
+    }
+    for (const SkdTrianglePair& pair : pairs)
+    {
+      if (this->Of[pair.First] == this->Of[pair.Second])
+      {
+        isWhole[this->Solids.Of[pair.First]] = true;
+      }
+    }
+    for (const std::uint32_t triangle : this->FindTurned())
+    {
+      isWhole[this->Solids.Of[triangle]] = true;
+    }
+    std::vector<SkdSolidGroup> groups(this->Solids.Count);
+    std::vector<std::uint32_t> places(n, None); // of pieces, or of whole solids behind these
+    places.resize(n + this->Solids.Count, None);
+    for (std::uint32_t triangle = 0; triangle < n; ++triangle)
+    {
+      const std::uint32_t solid = this->Solids.Of[triangle];
+      SkdSolidGroup& group = groups[solid];
+      std::uint32_t& place = places[isWhole[solid] ? n + solid : this->Of[triangle]];
+      if (place == None)
+      {
+        place = static_cast<std::uint32_t>(group.size());
+        group.emplace_back();
+      }
+      group[place].push_back(triangle);
+    }
+    return groups;
+  }
+
+private:
+  void Look(const SkdEdgeUse* first, const SkdEdgeUse* last)
+  {
+    for (const SkdEdgeUse* use = first; use != last; ++use)
+    {
+      const std::uint32_t solid = this->Solids.Of[use->Triangle];
+      int sum = 0;
+      int count = 0;
+      for (const SkdEdgeUse* other = first; other != last; ++other)
+      {
+        if (this->Solids.Of[other->Triangle] == solid)
+        {
+          this->Sets.Unite(use->Triangle, other->Triangle);
+          sum += other->IsForward ? 1 : -1;
+          ++count;
+        }
+      }
+      this->IsClosed = this->IsClosed && sum == 0;
+      if (count != 2)
+      {
+        this->AtOtherEdges.push_back(use->Triangle);
+      }
+    }
+  }
+
+  /// A triangle of each piece that does not surely face outward: its volume is not positive beyond
+  /// rounding.
+  std::vector<std::uint32_t> FindTurned() const
+  {
+    constexpr double rounding = 1e-9; // of a sum of volumes with any signs
+    struct Sum
+    {
+      std::uint32_t First;
+      double Volume;
+      double Magnitude;
+    };
+    std::vector<Sum> sums(this->Of.size(), { None, 0.0, 0.0 });
+    for (std::uint32_t triangle = 0; triangle < this->Of.size(); ++triangle)
+    {
+      Sum& sum = sums[this->Of[triangle]];
+      sum.First = std::min(sum.First, triangle);
+      const auto at = [&](std::uint32_t of, int i)
+      { return this->Set.GetPoints()[this->Set.GetTriangles()[of][i]]; };
+      const skd::Vector3 origin = at(sum.First, 0);
+      const double volume =
+        Dot(at(triangle, 0) - origin, Cross(at(triangle, 1) - origin, at(triangle, 2) - origin));
+      sum.Volume += volume;
+      sum.Magnitude += std::abs(volume);
+    }
+    std::vector<std::uint32_t> turned;
+    for (const Sum& sum : sums)
+    {
+      if (sum.First != None && !(sum.Volume > rounding * sum.Magnitude))
+      {
+        turned.push_back(sum.First);
+      }
+    }
+    return turned;
+  }
+
+  const SkdTriangleSet& Set;
+  const SkdSolids& Solids;
+  skd::DisjointSets<> Sets;
+  std::vector<std::uint32_t> Of;           // of each triangle its piece
+  std::vector<std::uint32_t> AtOtherEdges; // triangles at edges of other than two of a solid
+  bool IsClosed = true;
+};
+
+void Append(SkdSolidGroup& to, const SkdSolidGroup& group)
+{
+  to.insert(to.end(), group.begin(), group.end());
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,
+  const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
+  const std::vector<SkdTrianglePair>& pairs)
+{
+  using Operation = SkdBooleanOperation;
+  const bool isOfAll = rule.Operation == Operation::Union;
+  const bool isDifference =
+    rule.Operation == Operation::Difference || rule.Operation == Operation::ReverseDifference;
+  const bool isOfInputs = areInputs &&
+    (rule.Operation == Operation::Intersection || rule.Operation == Operation::SymmetricDifference);
+  Pieces pieces(set, solids);
+  if (!(isOfAll || isDifference || isOfInputs) || !pieces.AreClosed())
+  {
+    return std::nullopt;
+  }
+  const std::vector<SkdSolidGroup> divided = pieces.Divide(pairs);
+  std::array<SkdSolidGroup, 2> groups;
+  for (std::size_t solid = 0; solid < divided.size(); ++solid)
+  {
+    Append(groups[solid == 0 ? 0 : 1], divided[solid]);
+  }
+  constexpr std::size_t fewest = 3; // two are combined at once in any case
+  return groups[0].size() + groups[1].size() < fewest ? std::nullopt : std::make_optional(groups);
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdCombinedSolids> SkdCombineInPairs(const SkdPlacement& placement,
+  SkdFaceSets& faces, const std::array<SkdSolidGroup, 2>& groups, const SkdBooleanRule& rule,
+  vtkAlgorithm* filter)
+{
+  const SkdTriangleSet& set = placement.First.GetSet();
+  Uniter uniter(set, faces, rule, filter, groups[0].size() + groups[1].size());
+  const std::optional<Surface> first = uniter.Unite(groups[0]);
+  const std::optional<Surface> second = first ? uniter.Unite(groups[1]) : std::nullopt;
+  if (!second)
+  {
+    return std::nullopt;
+  }
+  Step step(set, faces, *first, *second);
+  if (!step.Split(filter, uniter.GetProgress()))
+  {
+    return std::nullopt;
+  }
+  const SkdBooleanRule last{ rule.Operation, rule.Inside, 2, 1 };
+  const auto isIn = [&](std::uint32_t group)
+  {
+    return step.Measure(
+      [&last, group](const SkdRegionWindings& windings) { return last.IsInside(windings, group); });
+  };
+  const auto isInAny = [&](const SkdRegionWindings& windings)
+  { return last.CountSolids(windings) > 0; };
+  const Surface result =
+    step.Select([&last](const SkdRegionWindings& windings) { return last.IsSolid(windings); },
+      uniter.NumberFolded);
+  SkdCombinedSolids combined{ MakeFacets(placement, result), { isIn(0), isIn(1) },
+    step.Measure(isInAny), uniter.NumberSplit + step.GetNumberSplit() };
+  combined.Boundary.NumberFolded = uniter.NumberFolded;
+  return combined;
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdFaceSets_h
+#define SkdFaceSets_h
+
+#include "Core/Geometry/DisjointSets.h"
+#include "Solids/Surfaces/SkdPlacement.h"
+
+#include <string>
+
+class vtkAbstractArray;
+
+/// The flat faces that the triangles of a set are of. A face lies in the plane of its largest
+/// triangle, to within rounding. To be used as long as the placement.
+class SkdFaceSets
+{
+public:
+  SkdFaceSets()
+    : Sets(0)
+  {
+  }
+
+  /// Of one face are the triangles of one cell in one plane, and those of cells of one block in one
+  /// plane that have the same number in a cell array of integers (`name`). `others` are names of
+  /// arrays whose values Unite() does not compare. O(n), and O(n log n) of what has such numbers.
+  SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlock>& blocks, const char* name,
+    const std::vector<std::string>& others);
+
+  std::size_t GetNumberOfTriangles() const { return this->Largest.size(); }
+
+  /// The face of a triangle, by its lowest triangle.
+  std::uint32_t Find(std::uint32_t triangle) { return this->Sets.Find(triangle); }
+
+  /// Makes the faces of two triangles with a common edge one, if these are of one block, have the
+  /// same cell data, and lie in one plane, as their faces do. Returns whether they are one face.
+  bool Unite(std::uint32_t a, std::uint32_t b);
+
+private:
+  struct Key;
+
+  std::vector<Key> ListKeys(const std::vector<SkdBlock>& blocks, const char* name) const;
+  void UniteAll(const Key* first, const Key* last);
+  void Unite(std::uint32_t a, std::uint32_t b, std::uint32_t largest);
+  bool HaveSameData(std::uint32_t a, std::uint32_t b) const;
+  bool IsInPlane(std::uint32_t triangle, std::uint32_t plane) const;
+  skd::Vector3 At(std::uint32_t triangle, std::size_t corner) const;
+  skd::Vector3 NormalOf(std::uint32_t triangle) const;
+
+  const SkdPlacedTriangles* Placed = nullptr;
+  const SkdTriangleSet* Set = nullptr;
+  double Tolerance = 0.0;
+  skd::DisjointSets<> Sets;
+  std::vector<std::uint32_t> Largest; // triangle of each face, by its lowest
+  std::vector<std::vector<vtkSmartPointer<vtkAbstractArray>>> Data; // of each block
+};
+
+#endif

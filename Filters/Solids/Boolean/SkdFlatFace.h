@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdFlatFace_h
+#define SkdFlatFace_h
+
+#include "Solids/Boolean/SkdFacets.h"
+
+/// The triangles of a flat face with any holes, given by the edges around it and each hole: it is
+/// on their left as seen against `normal`. They have these edges and no other border, turn left by
+/// exact signs as seen along the largest axis of the normal, and are a constrained Delaunay
+/// triangulation there. Empty if there are none such, as edges cross or points coincide in that
+/// view. `positionOf(point)` is a skd::Vector3. O(n log n) for most faces.
+class SkdFlatFace
+{
+public:
+  using Corners = SkdTriangleSet::Corners;
+  using Edge = std::pair<std::uint32_t, std::uint32_t>; // from, to
+
+  SkdFlatFace(std::vector<Edge> edges, const skd::Vector3& normal)
+    : Edges(std::move(edges))
+    , Normal(normal)
+  {
+  }
+
+  template <class PositionOf>
+  std::vector<Corners> Triangulate(const PositionOf& positionOf)
+  {
+    if (!this->ListPoints())
+    {
+      return {};
+    }
+    this->Positions.resize(3); // around all, see Surround
+    for (const std::uint32_t point : this->Points)
+    {
+      this->Positions.push_back(positionOf(point));
+    }
+    return this->Triangulate();
+  }
+
+private:
+  bool ListPoints();
+  int PlaceOf(std::uint32_t point) const;
+  void Surround(int axis, int sign);
+  std::vector<Corners> Triangulate();
+  std::vector<Corners> TakeInside(const std::vector<std::array<int, 3>>& all) const;
+
+  std::vector<Edge> Edges;           // ascending
+  std::vector<std::uint32_t> Points; // ascending
+  std::vector<skd::Vector3> Positions;
+  skd::Vector3 Normal;
+};
+
+#endif

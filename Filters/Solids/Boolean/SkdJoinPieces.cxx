@@ -1,0 +1,480 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Boolean/SkdJoinPieces.h"
+
+#include "Cells/Read/SkdForEach.h"
+#include "Core/Geometry/DisjointSets.h"
+#include "Core/Geometry/Rows.h"
+#include "Solids/Boolean/SkdFlatFace.h"
+#include "Solids/Surfaces/SkdSplitPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+using Corners = SkdTriangleSet::Corners;
+constexpr std::uint32_t None = 0xffffffffu;
+
+/// A piece at one of its edges, from a corner to the next.
+struct Use
+{
+  std::uint32_t From;
+  std::uint32_t To;
+  std::uint32_t Piece; // among those that are looked at
+
+  SkdSplitEdge GetEdge() const { return SkdMakeSplitEdge(this->From, this->To); }
+  bool operator<(const Use& other) const
+  {
+    const SkdSplitEdge edge = this->GetEdge();
+    const SkdSplitEdge others = other.GetEdge();
+    return edge != others ? edge < others : this->Piece < other.Piece;
+  }
+};
+
+/// An edge around a part of a face, which is on its left.
+struct BorderEdge
+{
+  std::uint32_t From;
+  std::uint32_t To;
+  std::uint32_t Part;
+  std::uint32_t Other; ///< the part on its right; None if there are several or none
+
+  bool operator<(const BorderEdge& other) const
+  {
+    return this->From != other.From ? this->From < other.From : this->To < other.To;
+  }
+};
+
+class Joiner
+{
+public:
+  Joiner(const SkdPlacement& placement, const SkdFacets& facets, const SkdFacetSigns& signs,
+    const std::vector<std::uint32_t>& origins, SkdFaceSets& faces)
+    : Set(placement.First)
+    , Facets(facets)
+    , Signs(signs)
+    , Origins(origins)
+    , Faces(faces)
+    , Tolerance(4.0 * // of a point and both ends
+        SkdSplitPoints::ErrorOf(placement.Scale * placement.First.GetSet().GetLargestCoordinate()))
+  {
+  }
+
+  std::optional<SkdRoundedFacets> Join()
+  {
+    this->ListPieces();
+    if (this->Pieces.empty())
+    {
+      return std::nullopt;
+    }
+    this->FindParts();
+    this->FindStraight();
+    this->TriangulateAll();
+    const bool isAnyNew = std::any_of(this->Made.begin(), this->Made.end(),
+      [](const std::vector<Corners>& made) { return !made.empty(); });
+    return isAnyNew ? std::make_optional(this->Gather()) : std::nullopt;
+  }
+
+private:
+  /// As in the origins.
+  std::uint32_t OriginOf(std::uint32_t facet) const
+  {
+    const std::uint32_t parent = this->Facets.Parents[facet];
+    return this->Origins.empty() ? 2 * parent : this->Origins[parent];
+  }
+
+  skd::Vector3 At(std::uint32_t point) const { return this->Facets.GetPosition(this->Set, point); }
+
+  /// The facets in the boundary of faces that are cut.
+  void ListPieces()
+  {
+    const auto n = static_cast<std::uint32_t>(this->Signs.size());
+    std::vector<bool> isCut(this->Faces.GetNumberOfTriangles(), false);
+    for (std::uint32_t facet = 0; facet < n; ++facet)
+    {
+      if (this->Facets.Corners[facet] != this->Set.GetCorners(this->Facets.Parents[facet]))
+      {
+        isCut[this->Faces.Find(this->OriginOf(facet) / 2)] = true;
+      }
+    }
+    for (std::uint32_t facet = 0; facet < n; ++facet)
+    {
+      if (this->Signs[facet] != 0 && isCut[this->Faces.Find(this->OriginOf(facet) / 2)])
+      {
+        this->Pieces.push_back(facet);
+      }
+    }
+  }
+
+  bool AreOfOneFace(const Use& a, const Use& b) const
+  {
+    const std::uint32_t first = this->Pieces[a.Piece];
+    const std::uint32_t second = this->Pieces[b.Piece];
+    const std::uint32_t ofFirst = this->OriginOf(first);
+    const std::uint32_t ofSecond = this->OriginOf(second);
+    return a.From == b.To && this->Signs[first] == this->Signs[second] &&
+      ofFirst % 2 == ofSecond % 2 && this->Faces.Unite(ofFirst / 2, ofSecond / 2);
+  }
+
+  /// Whether the boundary has the edge from its lower to its higher end there. Two pieces are
+  /// changed along an edge together only if one is and the other is not: faces that are not cut may
+  /// be there, too.
+  bool IsForward(const Use& use) const
+  {
+    return (use.From < use.To) == (this->Signs[this->Pieces[use.Piece]] > 0);
+  }
+
+  /// The connected parts of faces, and the edges around them.
+  void FindParts()
+  {
+    const auto n = static_cast<std::uint32_t>(this->Pieces.size());
+    std::vector<Use> uses;
+    uses.reserve(3 * this->Pieces.size());
+    for (std::uint32_t piece = 0; piece < n; ++piece)
+    {
+      const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        uses.push_back({ corners[i], corners[(i + 1) % 3], piece });
+      }
+    }
+    std::sort(uses.begin(), uses.end());
+    skd::DisjointSets<> parts(n);
+    ForEachEdge(uses,
+      [&](const Use* first, const Use* last)
+      {
+        if (last - first == 2 && this->AreOfOneFace(first[0], first[1]))
+        {
+          parts.Unite(first[0].Piece, first[1].Piece);
+        }
+      });
+    this->PartOf = parts.Number();
+    ForEachEdge(uses, [this](const Use* first, const Use* last) { this->AddBorder(first, last); });
+    std::sort(this->Border.begin(), this->Border.end());
+    const auto count =
+      static_cast<std::size_t>(*std::max_element(this->PartOf.begin(), this->PartOf.end())) + 1;
+    this->PiecesOf = skd::IndexRows(count,
+      [&](const auto& add)
+      {
+        for (std::uint32_t piece = 0; piece < n; ++piece)
+        {
+          add(this->PartOf[piece], piece);
+        }
+      });
+    this->BorderOf = skd::IndexRows(count,
+      [&](const auto& add)
+      {
+        for (std::uint32_t edge = 0; edge < this->Border.size(); ++edge)
+        {
+          add(this->Border[edge].Part, edge);
+        }
+      });
+  }
+
+  template <class Visit>
+  static void ForEachEdge(const std::vector<Use>& uses, const Visit& visit)
+  {
+    const Use* const end = uses.data() + uses.size();
+    for (const Use* first = uses.data(); first != end;)
+    {
+      const Use* last = first + 1;
+      while (last != end && last->GetEdge() == first->GetEdge())
+      {
+        ++last;
+      }
+      visit(first, last);
+      first = last;
+    }
+  }
+
+  void AddBorder(const Use* first, const Use* last)
+  {
+    const bool areTwo = last - first == 2;
+    if (areTwo && this->AreOfOneFace(first[0], first[1]))
+    {
+      return;
+    }
+    const bool arePair = areTwo && this->IsForward(first[0]) != this->IsForward(first[1]);
+    for (const Use* use = first; use != last; ++use)
+    {
+      const std::uint32_t other = arePair ? this->PartOf[first[use == first ? 1 : 0].Piece] : None;
+      const std::uint32_t part = this->PartOf[use->Piece];
+      this->Border.push_back({ use->From, use->To, part, other == part ? None : other });
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  /// The edge of a part that begins at a point, if there is one only.
+  const BorderEdge* FindNext(std::uint32_t point, std::uint32_t part) const
+  {
+    const BorderEdge* found = nullptr;
+    int count = 0;
+    this->ForEachFrom(point,
+      [&](const BorderEdge& edge)
+      {
+        found = edge.Part == part ? &edge : found;
+        count += edge.Part == part;
+      });
+    return count == 1 ? found : nullptr;
+  }
+
+  template <class Visit>
+  void ForEachFrom(std::uint32_t point, const Visit& visit) const
+  {
+    const BorderEdge wanted{ point, 0, 0, 0 };
+    auto at = std::lower_bound(this->Border.begin(), this->Border.end(), wanted);
+    for (; at != this->Border.end() && at->From == point; ++at)
+    {
+      visit(*at);
+    }
+  }
+
+  /// Whether two parts meet at a point along one line, and no others do.
+  bool IsBetweenTwo(std::uint32_t point) const
+  {
+    const BorderEdge* edges[2] = { nullptr, nullptr };
+    int count = 0;
+    this->ForEachFrom(point,
+      [&](const BorderEdge& edge)
+      {
+        edges[count < 2 ? count : 0] = &edge;
+        ++count;
+      });
+    return count == 2 && edges[0]->Other == edges[1]->Part && edges[1]->Other == edges[0]->Part;
+  }
+
+  /// Takes points out of lines between two parts.
+  void FindStraight()
+  {
+    this->IsTakenOut.assign(this->Set.GetPoints().size() + this->Facets.NewPoints.size(), false);
+    for (const BorderEdge& edge : this->Border)
+    {
+      // Each line once, from one of its ends on.
+      if (edge.Other != None && edge.Part < edge.Other && !this->IsBetweenTwo(edge.From))
+      {
+        this->Straighten(edge);
+      }
+    }
+  }
+
+  void Straighten(const BorderEdge& first)
+  {
+    std::vector<std::uint32_t> line{ first.From, first.To };
+    while (this->IsBetweenTwo(line.back()))
+    {
+      const BorderEdge* next = this->FindNext(line.back(), first.Part);
+      if (!next || line.size() > this->Border.size())
+      {
+        return;
+      }
+      line.push_back(next->To);
+    }
+    if (line.size() > 2 && line.front() != line.back())
+    {
+      this->Straighten(line.data(), line.data() + line.size() - 1);
+    }
+  }
+
+  /// Takes out all points between two of a line, or divides it at the one farthest from straight.
+  void Straighten(const std::uint32_t* first, const std::uint32_t* last)
+  {
+    const skd::Vector3 from = this->At(*first);
+    const skd::Vector3 way = this->At(*last) - from;
+    const double length = Norm(way);
+    const std::uint32_t* farthest = nullptr;
+    double most = this->Tolerance;
+    double before = 0.0;
+    for (const std::uint32_t* point = first + 1; point < last; ++point)
+    {
+      const skd::Vector3 to = this->At(*point) - from;
+      const double along = length > 0.0 ? Dot(to, way) / length : 0.0;
+      const double away = length > 0.0 ? Norm(Cross(to, way)) / length : Norm(to);
+      const bool isInOrder = along >= before - this->Tolerance && along <= length + this->Tolerance;
+      const double off = isInOrder ? away : std::max(away, Norm(to));
+      farthest = !(off <= most) ? point : farthest;
+      most = std::max(most, off);
+      before = std::max(before, along);
+    }
+    if (farthest)
+    {
+      this->Straighten(first, farthest);
+      this->Straighten(farthest, last);
+      return;
+    }
+    for (const std::uint32_t* point = first + 1; point < last; ++point)
+    {
+      this->IsTakenOut[*point] = true;
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  /// The edges around a part, without points that are taken out.
+  std::vector<SkdFlatFace::Edge> ListEdges(std::uint32_t part) const
+  {
+    std::vector<SkdFlatFace::Edge> edges;
+    for (const std::uint32_t i : this->BorderOf[part])
+    {
+      const BorderEdge& edge = this->Border[i];
+      if (this->IsTakenOut[edge.From])
+      {
+        continue;
+      }
+      std::uint32_t to = edge.To;
+      while (this->IsTakenOut[to])
+      {
+        to = this->FindNext(to, part)->To;
+      }
+      edges.emplace_back(edge.From, to);
+    }
+    return edges;
+  }
+
+  /// Whether a part has points that it does not need.
+  bool HasSpare(std::uint32_t part) const
+  {
+    std::vector<std::uint32_t> onBorder;
+    for (const std::uint32_t edge : this->BorderOf[part])
+    {
+      onBorder.push_back(this->Border[edge].From);
+      if (this->IsTakenOut[onBorder.back()])
+      {
+        return true;
+      }
+    }
+    std::sort(onBorder.begin(), onBorder.end());
+    const auto isInside = [&](std::uint32_t point)
+    { return !std::binary_search(onBorder.begin(), onBorder.end(), point); };
+    const auto pieces = this->PiecesOf[part];
+    return std::any_of(pieces.begin(), pieces.end(),
+      [&](std::uint32_t piece)
+      {
+        const Corners& corners = this->Facets.Corners[this->Pieces[piece]];
+        return std::any_of(corners.begin(), corners.end(), isInside);
+      });
+  }
+
+  std::vector<Corners> Triangulate(std::uint32_t part) const
+  {
+    skd::Vector3 normal{};
+    for (const std::uint32_t piece : this->PiecesOf[part])
+    {
+      const auto x = this->Facets.GetPositions(this->Set, this->Pieces[piece]);
+      normal = normal + Cross(x[1] - x[0], x[2] - x[0]);
+    }
+    return SkdFlatFace(this->ListEdges(part), normal)
+      .Triangulate([this](std::uint32_t point) { return this->At(point); });
+  }
+
+  /// A part that cannot be triangulated gets its points back, and its neighbours get those that
+  /// they share.
+  void TriangulateAll()
+  {
+    const std::size_t n = this->PiecesOf.size();
+    this->Made.resize(n);
+    std::vector<bool> isKept(n, false);
+    std::vector<std::uint32_t> left(n);
+    std::iota(left.begin(), left.end(), 0u);
+    while (!left.empty())
+    {
+      std::vector<unsigned char> isFailed(left.size(), 0);
+      SkdForEach(left.size(),
+        [&](std::size_t i)
+        {
+          const std::uint32_t part = left[i];
+          this->Made[part].clear();
+          if (this->HasSpare(part))
+          {
+            this->Made[part] = this->Triangulate(part);
+            isFailed[i] = this->Made[part].empty();
+          }
+        });
+      std::vector<std::uint32_t> next;
+      for (std::size_t i = 0; i < left.size(); ++i)
+      {
+        if (isFailed[i])
+        {
+          isKept[left[i]] = true;
+          this->PutBack(left[i], next);
+        }
+      }
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      next.erase(std::remove_if(next.begin(), next.end(),
+                   [&isKept](std::uint32_t part) { return isKept[part]; }),
+        next.end());
+      left = std::move(next);
+    }
+  }
+
+  void PutBack(std::uint32_t part, std::vector<std::uint32_t>& changed)
+  {
+    for (const std::uint32_t i : this->BorderOf[part])
+    {
+      const BorderEdge& edge = this->Border[i];
+      if (this->IsTakenOut[edge.From])
+      {
+        this->IsTakenOut[edge.From] = false;
+        changed.push_back(edge.Other);
+      }
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  SkdRoundedFacets Gather() const
+  {
+    SkdRoundedFacets joined;
+    joined.Facets.NewPoints = this->Facets.NewPoints;
+    const auto add = [&](std::uint32_t facet, const Corners& corners)
+    {
+      joined.Facets.Corners.push_back(corners);
+      joined.Facets.Parents.push_back(this->Facets.Parents[facet]);
+      joined.Signs.push_back(this->Signs[facet]);
+    };
+    std::uint32_t piece = 0;
+    std::vector<bool> isDone(this->Made.size(), false);
+    for (std::uint32_t facet = 0; facet < this->Signs.size(); ++facet)
+    {
+      const bool isPiece = piece < this->Pieces.size() && this->Pieces[piece] == facet;
+      const std::uint32_t part = isPiece ? this->PartOf[piece++] : None;
+      if (this->Signs[facet] == 0)
+      {
+        continue;
+      }
+      if (!isPiece || this->Made[part].empty())
+      {
+        add(facet, this->Facets.Corners[facet]);
+      }
+      else if (!isDone[part])
+      {
+        isDone[part] = true;
+        std::for_each(this->Made[part].begin(), this->Made[part].end(),
+          [&](const Corners& corners) { add(facet, corners); });
+      }
+    }
+    return joined;
+  }
+
+  const SkdPlacedTriangles& Set;
+  const SkdFacets& Facets;
+  const SkdFacetSigns& Signs;
+  const std::vector<std::uint32_t>& Origins;
+  SkdFaceSets& Faces;
+  const double Tolerance;
+  std::vector<std::uint32_t> Pieces; // facets
+  std::vector<std::uint32_t> PartOf; // of each piece
+  std::vector<BorderEdge> Border;    // ascending
+  skd::IndexRows PiecesOf;           // of each part
+  skd::IndexRows BorderOf;
+  std::vector<bool> IsTakenOut;           // of each point
+  std::vector<std::vector<Corners>> Made; // of each part; empty: as it was
+};
+}
+
+std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
+  const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
+  SkdFaceSets& faces)
+{
+  return Joiner(placement, facets, signs, origins, faces).Join();
+}
