@@ -222,6 +222,20 @@ TEST(BooleanOperationCrowds, SameByAnyNumberOfThreads)
   EXPECT_EQ(results[0].Points, results[1].Points);
 }
 
+TEST(BooleanOperationCrowds, BlocksWithoutFacesAreEmptySolids)
+{
+  const std::vector<Mesh> solids{ BoxTriangles({ 0, 0, 0 }, { 1, 1, 1 }), Mesh(),
+    BoxTriangles({ 0.5, 0, 0 }, { 1.5, 1, 1 }) };
+  EXPECT_NEAR(RunOnBlocks(solids, Filter::UNION).Volume, 1.5, 1e-14);
+  EXPECT_EQ(RunOnBlocks(solids, Filter::INTERSECTION).Surface.Cells.size(), 0u);
+  EXPECT_NEAR(RunOnBlocks(solids, Filter::DIFFERENCE).Volume, 0.5, 1e-14);
+  EXPECT_NEAR(RunOnBlocks(solids, Filter::SYMMETRIC_DIFFERENCE).Volume, 1.0, 1e-14);
+  const std::vector<Mesh> other{ Mesh(), solids[0] };
+  EXPECT_EQ(RunOnBlocks(other, Filter::DIFFERENCE).Surface.Cells.size(), 0u);
+  EXPECT_NEAR(RunOnBlocks(other, Filter::REVERSE_DIFFERENCE).Volume, 1.0, 1e-14);
+  EXPECT_EQ(RunOnBlocks(other, Filter::INTERSECTION).Surface.Cells.size(), 0u);
+}
+
 TEST(BooleanOperationCrowds, CanBeAborted)
 {
   const std::vector<Mesh> cubes = TurnedCubes(9, 8);

@@ -82,7 +82,7 @@ bool SkdSolidArrangement::Arrange(
 SkdSolids SkdSolidArrangement::MakeSolids(const SkdBooleanBlocks& blocks, bool areInputs) const
 {
   SkdSolids solids = areInputs ? SkdSolidsByInput(this->Triangles, blocks.FirstOfSource)
-                               : SkdSolidsByBlock(this->Triangles);
+                               : SkdSolidsByBlock(this->Triangles, blocks.All.size());
   return areInputs || solids.Count >= 2 ? solids : SkdSolidsByPiece(this->Triangles);
 }
 

@@ -40,18 +40,13 @@ SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource)
   return solids;
 }
 
-SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set)
+SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set, std::size_t numberOfBlocks)
 {
-  int last = -1;
-  std::uint32_t count = 0;
-  return NumberSolids(set,
+  SkdSolids solids = NumberSolids(set,
     [&](std::uint32_t triangle)
-    {
-      const int block = set.GetCells()[set.GetCellOf(triangle)].Block;
-      count += block != last;
-      last = block;
-      return count - 1;
-    });
+    { return static_cast<std::uint32_t>(set.GetCells()[set.GetCellOf(triangle)].Block); });
+  solids.Count = static_cast<std::uint32_t>(numberOfBlocks);
+  return solids;
 }
 
 SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set)

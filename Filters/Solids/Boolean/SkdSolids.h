@@ -26,8 +26,8 @@ struct SkdSolids
 /// Two: the blocks before `firstOfSource`, and the others.
 SkdSolids SkdSolidsByInput(const SkdTriangleSet& set, int firstOfSource);
 
-/// A solid for each block that has triangles.
-SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set);
+/// A solid for each block; empty without triangles.
+SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set, std::size_t numberOfBlocks);
 
 /// A solid for each piece that edges connect, in the order of first triangles. O(n).
 SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set);
