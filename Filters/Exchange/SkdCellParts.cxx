@@ -40,12 +40,12 @@ void SetTuple(vtkIdTypeArray* array, std::size_t tuple, const Values& values)
 }
 }
 
-SkdBytes SkdPackCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
+vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
   const SkdPieceNumbers& numbers, bool isSurface)
 {
   if (cells.empty())
   {
-    return {};
+    return nullptr;
   }
   SkdSubset subset(piece);
   subset.SetCells(cells);
@@ -70,7 +70,7 @@ SkdBytes SkdPackCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
   }
   subset.Get()->GetFieldData()->AddArray(ids);
   subset.Get()->GetFieldData()->AddArray(points);
-  return SkdPackObject(subset.Get());
+  return subset.Get();
 }
 
 SkdCellParts::SkdCellParts(
@@ -83,12 +83,12 @@ SkdCellParts::SkdCellParts(
 {
 }
 
-void SkdCellParts::Take(int from, SkdBytes message)
+void SkdCellParts::Take(int from, vtkSmartPointer<vtkDataSet> cells)
 {
-  if (!message.empty())
+  if (cells)
   {
     Part& part = this->Parts[static_cast<std::size_t>(from)];
-    part.Mesh = vtkDataSet::SafeDownCast(SkdUnpackObject(std::move(message)));
+    part.Mesh = std::move(cells);
     part.Cells = TakeArray(part.Mesh, CellsName);
     part.Points = TakeArray(part.Mesh, PointsName);
   }
@@ -133,27 +133,22 @@ void SkdCellParts::AskForPoints(SkdTransport& transport, vtkDataSet* piece)
     }
   }
   const SkdRowsByProcess<vtkIdType> wanted = SkdExchangeRows(transport, questions);
-  transport.Exchange(
-    [&](int to)
+  SkdExchangeMeshes(
+    transport,
+    [&](int to) -> vtkSmartPointer<vtkDataSet>
     {
       const std::vector<vtkIdType>& points = wanted[static_cast<std::size_t>(to)];
       if (points.empty())
       {
-        return SkdBytes();
+        return nullptr;
       }
       SkdSubset subset(piece);
       subset.SetPoints(points);
       subset.CopyData();
-      return SkdPackObject(subset.Get());
+      return subset.Get();
     },
-    [&](int from, SkdBytes message)
-    {
-      if (!message.empty())
-      {
-        this->Asked[static_cast<std::size_t>(from)] =
-          vtkDataSet::SafeDownCast(SkdUnpackObject(std::move(message)));
-      }
-    });
+    [&](int from, vtkSmartPointer<vtkDataSet> points)
+    { this->Asked[static_cast<std::size_t>(from)] = std::move(points); });
 }
 
 // Of the points that came with a process's cells.

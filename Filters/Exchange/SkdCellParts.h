@@ -7,9 +7,9 @@
 #include "Exchange/SkdPieceNumbers.h"
 #include "vtkIdTypeArray.h"
 
-/// Some cells of a piece as bytes, with the points that they use and all arrays; empty without
-/// cells. `isSurface`: the joined mesh is a vtkPolyData.
-SkdBytes SkdPackCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
+/// Some cells of a piece, with the points that they use, all arrays, and what SkdCellParts needs to
+/// know of them; nullptr without cells. `isSurface`: the joined mesh is a vtkPolyData.
+vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
   const SkdPieceNumbers& numbers, bool isSurface);
 
 /// Cells that came from several processes, put together. Points that several pieces have come with
@@ -20,8 +20,8 @@ class SkdCellParts
 public:
   SkdCellParts(SkdTransport& transport, const SkdAllFacts& facts, const SkdPieces& examples);
 
-  /// What SkdPackCells made there.
-  void Take(int from, SkdBytes message);
+  /// What SkdTakeCells made there, or nullptr.
+  void Take(int from, vtkSmartPointer<vtkDataSet> cells);
 
   /// All processes must call it together.
   void AskForPoints(SkdTransport& transport, vtkDataSet* piece);

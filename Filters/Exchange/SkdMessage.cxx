@@ -114,3 +114,28 @@ vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes)
   message->SetArray(bytes.data(), static_cast<vtkIdType>(bytes.size()), 1);
   return Unpack(message);
 }
+
+void SkdExchangeMeshes(SkdTransport& transport,
+  const std::function<vtkSmartPointer<vtkDataSet>(int to)>& make,
+  const std::function<void(int from, vtkSmartPointer<vtkDataSet> mesh)>& take)
+{
+  transport.Exchange(
+    [&](int to)
+    {
+      const vtkSmartPointer<vtkDataSet> mesh = make(to);
+      if (to == transport.GetRank())
+      {
+        take(to, mesh);
+      }
+      return mesh && to != transport.GetRank() ? SkdPackObject(mesh) : SkdBytes();
+    },
+    [&](int from, SkdBytes message)
+    {
+      if (from != transport.GetRank())
+      {
+        take(from,
+          message.empty() ? nullptr
+                          : vtkDataSet::SafeDownCast(SkdUnpackObject(std::move(message))));
+      }
+    });
+}

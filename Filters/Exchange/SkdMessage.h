@@ -5,8 +5,10 @@
 
 #include "Exchange/SkdTransport.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -20,5 +22,11 @@ std::vector<vtkSmartPointer<vtkDataObject>> SkdExchangeAll(
 /// Such an object as bytes, and again.
 SkdBytes SkdPackObject(vtkDataObject* object);
 vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes);
+
+/// Sends a mesh, or nullptr, to each process; the one to this process is not copied. See
+/// SkdTransport::Exchange.
+void SkdExchangeMeshes(SkdTransport& transport,
+  const std::function<vtkSmartPointer<vtkDataSet>(int to)>& make,
+  const std::function<void(int from, vtkSmartPointer<vtkDataSet> mesh)>& take);
 
 #endif

@@ -3,6 +3,7 @@
 #include "Exchange/SkdSpreadBlock.h"
 
 #include "Exchange/SkdCellParts.h"
+#include "Exchange/SkdMessage.h"
 #include "Pipeline/SkdSubset.h"
 #include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
@@ -175,13 +176,14 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Send(SkdTransport& transport, Chosen
 {
   this->AddExtremes(transport, chosen);
   SkdCellParts parts(transport, this->Facts, this->Examples);
-  transport.Exchange(
+  SkdExchangeMeshes(
+    transport,
     [&](int to)
     {
-      return SkdPackCells(this->Piece, chosen[static_cast<std::size_t>(to)], this->Numbers,
+      return SkdTakeCells(this->Piece, chosen[static_cast<std::size_t>(to)], this->Numbers,
         this->Facts.AreSurfaces());
     },
-    [&](int from, SkdBytes message) { parts.Take(from, std::move(message)); });
+    [&](int from, vtkSmartPointer<vtkDataSet> cells) { parts.Take(from, std::move(cells)); });
   parts.AskForPoints(transport, this->Piece);
   return this->Facts.GetFull().empty() ? this->Piece : parts.Assemble();
 }

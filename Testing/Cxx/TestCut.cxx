@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The few boxes of each process that all know: no process is missed that has something in a box.
+
+#include "Support/MeshPieces.h"
+#include "Support/ThreadTransport.h"
+
+#include "Exchange/SkdCut.h"
+
+#include <gtest/gtest.h>
+
+#include <mutex>
+
+using namespace skdtest;
+
+namespace
+{
+skd::Box3 RandomBox(Random& random, double size)
+{
+  skd::Box3 box;
+  skd::Vector3 corner;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    corner[axis] = random.Between(-10.0, 10.0);
+  }
+  box.Add(corner);
+  box.Add(corner + skd::Vector3{ { size, size, size } });
+  return box;
+}
+
+/// Of each process; the last has nothing.
+std::vector<std::vector<skd::Box3>> BoxesOf(int processes, std::size_t number)
+{
+  Random random(processes);
+  std::vector<std::vector<skd::Box3>> boxes(static_cast<std::size_t>(processes));
+  for (std::size_t process = 0; process + 1 < boxes.size(); ++process)
+  {
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      boxes[process].push_back(RandomBox(random, 0.1));
+    }
+  }
+  return boxes;
+}
+
+void ExpectFound(const SkdCut& cut, const std::vector<std::vector<skd::Box3>>& boxes)
+{
+  Random random(17);
+  std::vector<int> found;
+  for (int query = 0; query < 200; ++query)
+  {
+    const skd::Box3 wanted = RandomBox(random, 0.5);
+    cut.FindOverlapping(wanted, found);
+    for (std::size_t process = 0; process < boxes.size(); ++process)
+    {
+      const bool isThere = std::any_of(boxes[process].begin(), boxes[process].end(),
+        [&](const skd::Box3& box) { return box.Overlaps(wanted); });
+      const auto count = std::count(found.begin(), found.end(), static_cast<int>(process));
+      EXPECT_LE(count, 1);
+      EXPECT_TRUE(!isThere || count == 1) << query << " " << process;
+    }
+  }
+}
+
+TEST(Cut, MissesNoProcess)
+{
+  for (const std::size_t number : { 0, 1, 30, 500 })
+  {
+    const auto boxes = BoxesOf(5, number);
+    std::mutex mutex; // GoogleTest's expectations are not for several threads at once
+    ThreadTransport::RunAll(5,
+      [&](SkdTransport& transport)
+      {
+        const SkdCut cut(transport, boxes[static_cast<std::size_t>(transport.GetRank())]);
+        const std::lock_guard<std::mutex> lock(mutex);
+        EXPECT_EQ(cut.GetNumberOfProcesses(), 5);
+        EXPECT_LE(cut.GetBoxes().size(), 4u * SkdCut::LargestNumber);
+        EXPECT_TRUE(cut.GetBounds(4).IsEmpty());
+        ExpectFound(cut, boxes);
+      });
+  }
+}
+
+// A box of a curved cell contains more than its points; a ghost's or a broken cell's is empty.
+TEST(Cut, BoxesAreOfCellsThatCount)
+{
+  const auto grid = MakeGrid(Hexahedra(2));
+  grid->AllocateCellGhostArray()->SetValue(3, vtkDataSetAttributes::DUPLICATECELL);
+  grid->GetPoints()->SetPoint(0, std::nan(""), 0.0, 0.0);
+  const std::vector<skd::Box3> boxes = SkdBoxesOfCells(grid, true);
+  ASSERT_EQ(boxes.size(), 8u);
+  for (std::size_t cell = 0; cell < boxes.size(); ++cell)
+  {
+    EXPECT_EQ(boxes[cell].IsEmpty(), cell == 0 || cell == 3) << cell;
+  }
+  EXPECT_FALSE(SkdBoxesOfCells(grid, false)[3].IsEmpty());
+  EXPECT_TRUE(SkdBoxesOfPoints(grid)[0].IsEmpty());
+  EXPECT_FALSE(SkdBoxesOfPoints(grid)[1].IsEmpty());
+}
+
+}
