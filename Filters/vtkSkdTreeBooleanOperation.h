@@ -6,11 +6,12 @@
  *
  * Combines the solids within two closed surfaces, Input (port 0) and Source (port 1). Without a
  * Source the solids are the blocks of the Input if it has several (those without faces are empty),
- * else its pieces that edges connect. The output is the surface of the combination, with the solid behind each face. It is
- * found by exact tests: all surfaces are split along all their intersections, also with themselves,
- * and the exact order of the pieces around each edge tells which regions of space they separate.
- * Faces that coincide are kept once or dropped as the operation says. Inputs may be any data sets
- * or composite data; the outer faces of volume cells are used.
+ * else its pieces that edges connect. The output is the surface of the combination, with the solid
+ * behind each face. It is found by exact tests: all surfaces are split along all their
+ * intersections, also with themselves, and the exact order of the pieces around each edge tells
+ * which regions of space they separate. Faces that coincide are kept once or dropped as the
+ * operation says. Inputs may be any data sets or composite data; the outer faces of volume cells
+ * are used.
  *
  * Inside of a surface is where its winding number is not 0 (see InsideRule). So a surface may
  * intersect itself, overlap in parts, have faces twice, or be inside out.

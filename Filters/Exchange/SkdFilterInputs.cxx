@@ -128,8 +128,7 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
     {
       vtkWarningWithObjectMacro(this->Filter,
         "The Source was gathered on each process: to exchange it VTK must be built with MPI and "
-        "its "
-        "module ParallelDIY. Set SourceDistribution to Replicate or Automatic.");
+        "its module ParallelDIY. Set SourceDistribution to Replicate or Automatic.");
     }
     return false;
   }
