@@ -177,7 +177,7 @@ TEST(Adaptation, FewCellsAtTheBoundOfQualityStopNoOthers)
 {
   AdaptRules rules = Given();
   rules.Relaxation = 0.5;
-  rules.LeastQuality = 0.3;
+  rules.LeastQuality = 0.25;
   const Moved triangles = Adapt(MakeRandomTriangles(2500, 3), OnSphere, rules);
   EXPECT_LT(triangles.Outcome.Rows[triangles.Outcome.Best].Measure, 0.03);
   EXPECT_GT(triangles.Outcome.Rows[1].Motion.PointsCutBack, 0u);

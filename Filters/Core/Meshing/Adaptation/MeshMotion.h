@@ -6,6 +6,7 @@
 #include "CellValidity.h"
 #include "FeatureCurves.h"
 
+#include <limits>
 #include <numeric>
 
 namespace skd
@@ -37,8 +38,9 @@ public:
   /// neighbours instead. False, and nothing has moved, if this does not help.
   bool MoveWhole(SurfaceMesh& mesh, const std::vector<Vector3>& places, Outcome& outcome);
 
-  /// The same, or else towards places: where cells would be spoilt their points go along with their
-  /// neighbours instead; where this does not help half as far, then not at all.
+  /// Moves points towards places. Where cells would be spoilt their points go along with their
+  /// neighbours instead; where this does not help half as far, then not at all. If that would hold
+  /// back many, MoveWhole is tried first.
   Outcome Move(SurfaceMesh& mesh, const std::vector<Vector3>& places);
 
 private:
@@ -56,11 +58,13 @@ private:
   static std::vector<std::uint32_t> CornersOf(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells);
   static Vector3 AmidNeighbours(const SurfaceMesh& mesh, std::uint32_t point);
+  void Begin(const SurfaceMesh& mesh);
   bool Go(SurfaceMesh& mesh, const std::vector<Vector3>& places, double part);
   void Displace(
     SurfaceMesh& mesh, const std::vector<std::uint32_t>& points, const std::vector<Vector3>& ways);
   bool RoundOff(SurfaceMesh& mesh);
-  void Repair(SurfaceMesh& mesh);
+  bool Repair(SurfaceMesh& mesh, std::size_t work);
+  bool MoveInParts(SurfaceMesh& mesh, const std::vector<Vector3>& places, std::size_t work);
   void Count(const SurfaceMesh& mesh, const std::vector<Vector3>& first, Outcome& outcome) const;
   std::vector<std::uint32_t> CellsAround(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const;
@@ -247,13 +251,18 @@ inline bool MeshMotion::RoundOff(SurfaceMesh& mesh)
 
 // Points that do not move at all stay so, and where nothing has moved cells are as they were: this
 // comes to an end.
-inline void MeshMotion::Repair(SurfaceMesh& mesh)
+inline bool MeshMotion::Repair(SurfaceMesh& mesh, std::size_t work)
 {
   constexpr int smoothings = 20;
   constexpr int halvings = 6;
   for (int round = 0; !this->Spoilt.empty(); ++round)
   {
     const std::vector<std::uint32_t> points = CornersOf(mesh, this->Spoilt);
+    if (points.size() > work)
+    {
+      return false;
+    }
+    work -= points.size();
     std::vector<Vector3> ways;
     for (const std::uint32_t point : points)
     {
@@ -265,6 +274,7 @@ inline void MeshMotion::Repair(SurfaceMesh& mesh)
     }
     this->Displace(mesh, points, ways);
   }
+  return true;
 }
 
 /// Goes a part of the way that is left; false if cells are spoilt then.
@@ -303,13 +313,18 @@ inline void MeshMotion::Count(
   }
 }
 
+inline void MeshMotion::Begin(const SurfaceMesh& mesh)
+{
+  this->Displacements.resize(mesh.Points.size());
+  this->Repaired.assign(mesh.Points.size(), false);
+  this->Qualities.resize(mesh.Cells.size());
+}
+
 inline bool MeshMotion::MoveWhole(
   SurfaceMesh& mesh, const std::vector<Vector3>& places, Outcome& outcome)
 {
   const std::vector<Vector3> first = mesh.Points;
-  this->Displacements.resize(mesh.Points.size());
-  this->Repaired.assign(mesh.Points.size(), false);
-  this->Qualities.resize(mesh.Cells.size());
+  this->Begin(mesh);
   if (!this->Go(mesh, places, 1.0))
   {
     outcome.SpoiltCell = this->Spoilt.front();
@@ -323,22 +338,42 @@ inline bool MeshMotion::MoveWhole(
   return true;
 }
 
-// In parts: points that go a small part of their way are soon repaired, and hold few others back.
-inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+// Points that go a small part of their way are soon repaired, and hold few others back. False, and
+// nothing has moved, if more points than `work` would have to be repaired for a part.
+inline bool MeshMotion::MoveInParts(
+  SurfaceMesh& mesh, const std::vector<Vector3>& places, std::size_t work)
 {
   constexpr int parts = 8;
   const std::vector<Vector3> first = mesh.Points;
-  Outcome outcome;
-  if (!this->MoveWhole(mesh, places, outcome))
+  for (int left = parts; left > 0; --left)
   {
-    for (int left = parts; left > 0; --left)
+    this->Go(mesh, places, 1.0 / left);
+    this->Repaired.assign(mesh.Points.size(), false); // by the last is what counts
+    if (!this->Repair(mesh, work))
     {
-      this->Go(mesh, places, 1.0 / left);
-      this->Repaired.assign(mesh.Points.size(), false); // by the last is what counts
-      this->Repair(mesh);
+      mesh.Points = first;
+      return false;
     }
-    this->Count(mesh, first, outcome);
   }
+  return true;
+}
+
+inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+{
+  const std::vector<Vector3> first = mesh.Points;
+  Outcome outcome;
+  this->Begin(mesh);
+  if (!this->Go(mesh, places, 1.0))
+  {
+    outcome.SpoiltCell = this->Spoilt.front();
+    mesh.Points = first;
+    if (!this->MoveInParts(mesh, places, mesh.Points.size()) &&
+      !this->MoveWhole(mesh, places, outcome))
+    {
+      this->MoveInParts(mesh, places, std::numeric_limits<std::size_t>::max());
+    }
+  }
+  this->Count(mesh, first, outcome);
   return outcome;
 }
 
