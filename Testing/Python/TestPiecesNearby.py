@@ -123,6 +123,40 @@ def differences(partition):
                     yield f"{partition}, {name}, port {port}: {array}"
 
 
+def of_moved_piece():
+    """The tree is kept while nothing changes; then the points of one process's piece move."""
+    from paraview import simple
+
+    rank, _ = skdpieces.process()
+    cells = skdpieces.source("tetrahedra", "cuts")
+    image = simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
+    proxies = [simple.SkdTreeProbe(Input=image, Source=cells, SourceDistribution=distribution)
+        for distribution in ("Replicate", "Exchange")]
+    for proxy in proxies:
+        proxy.UpdatePipeline()
+        proxy.UseFillValue = 1
+        proxy.UpdatePipeline()
+        report = proxy.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
+        if report.GetArray("SkdReportTreesBuilt").GetTuple1(0) != 0:
+            yield "a tree is built again"
+    before = outputs(proxies[1], (0,))[0][0]["point Field"].sum()
+    producer = cells.GetClientSideObject()
+    piece = producer.GetOutputDataObject(0)
+    if rank == 0:
+        points = vtk_to_numpy(piece.GetPoints().GetData())
+        points *= 1.01
+        piece.GetPoints().Modified()
+    piece.Modified()
+    producer.Modified()
+    cells.MarkModified(cells)
+    first, second = [outputs(proxy, (0,))[0][0] for proxy in proxies]
+    if skdpieces.process()[1] == 2 and numpy.nansum(second["point Field"]) == before:
+        yield "nothing has moved"
+    for array in first:
+        if first[array].tobytes() != second[array].tobytes():
+            yield f"moved piece: {array}"
+
+
 def largest_share():
     """Of the cells that a process needs of a mesh which all together have, when both are cut
     alike."""
@@ -137,6 +171,7 @@ def largest_share():
 
 def write(file, partitions):
     found = [difference for partition in partitions for difference in differences(partition)]
+    found.extend(of_moved_piece())
     share = largest_share()
     if share > 0.7:
         found.append(f"a process has {share} of the cells")
