@@ -5,6 +5,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
+#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSetText.h"
 #include "Pipeline/SkdSubset.h"
@@ -194,6 +195,12 @@ vtkSkdTreePointInOut::~vtkSkdTreePointInOut() = default;
 void vtkSkdTreePointInOut::SetPartArray(const char* name)
 {
   SkdSetText(this, name, this->PartArray);
+}
+
+// A cell that contains a point is near it; a boundary is decided over all of its faces.
+bool vtkSkdTreePointInOut::NeedsNearbySource(SkdReach&)
+{
+  return this->Model == BODY_FITTED_MESH;
 }
 
 bool vtkSkdTreePointInOut::CheckSource()

@@ -18,8 +18,9 @@
  * Larger polygons are triangulated, curved cells are approximated by facets within the
  * ChordalDeviation, and duplicate faces count once. Points within rounding error of a surface may
  * be classified either way. For closed surfaces, rays do not depend on orientation. The answer does
- * not depend on the number of threads or processes (each gathers the whole Source). Trees are
- * reused while the Source is unchanged. On images and rectilinear grids the filter is a voxelizer:
+ * not depend on the number of threads or processes (each gathers the whole Source, or of a
+ * BODY_FITTED_MESH with SOURCE_EXCHANGED the cells near its own Input). Trees are reused while the
+ * Source is unchanged. On images and rectilinear grids the filter is a voxelizer:
  * for closed parts and methods with rays, one line classifies a whole row.
  *
  * Output port 0: the input with these point or cell arrays (see SetAsk)
@@ -253,6 +254,7 @@ protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
 
+  bool NeedsNearbySource(SkdReach& reach) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Model = BOUNDARIES;

@@ -24,12 +24,12 @@ import skdpieces
 import skdtesting
 
 # Cases whose Source stays in its pieces; the others gather.
-EXCHANGED = {"closest", "closest data", "blocks", "contour", "outer surface", "rays from outside",
-    "all hits"}
+EXCHANGED = {"closest", "closest data", "blocks", "data of blocks", "contour", "outer surface",
+    "rays from outside", "all hits", "in a mesh", "probe", "intersection", "overlapping cells"}
 RUNS = {
     2: ("cuts, ghosts", "one process"),
     3: ("cuts", "round robin, global ids", "one reader"),
-    4: ("round robin", "cuts, doubled", "some empty"),
+    4: ("random", "cuts, doubled", "some empty"),
 }
 
 

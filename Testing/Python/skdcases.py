@@ -52,6 +52,9 @@ def cases(partition):
         simple.SkdTreePointInOut(Input=image, Source=ball), ["SkdInside", "SkdConfidence"])
     yield "inside cells", Case(
         simple.SkdTreePointInOut(Input=image, Source=cells), ["SkdInside", "SkdConfidence"])
+    yield "in a mesh", Case(
+        simple.SkdTreePointInOut(Input=image, Source=cells, Model="Body Fitted Mesh",
+            Ask="Cells Any Point"), ["SkdInside", "SkdPartId"], of_cells=True)
     yield "probe", Case(simple.SkdTreeProbe(Input=image, Source=cells), ["Field"])
     yield "rays", Case(simple.SkdTreeRays(Input=other, Source=ball), ["SkdRayDistance"])
     yield "rays along normals found", Case(
@@ -88,6 +91,9 @@ def cases(partition):
     yield "blocks", Case(
         simple.SkdTreeClosestPoint(Input=image, Source=blocks),
         ["SkdDistance", "SkdClosestBlockIndex"])
+    yield "data of blocks", Case(
+        simple.SkdTreeClosestPoint(Input=image, InterpolateSourceData=1, MaximumDistance=2.0,
+            Source=simple.GroupDatasets(Input=[ball, cells])), ["SkdDistance", "Field"])
     yield "nearest cells", Case(
         simple.SkdTreeSpatialQuery(Input=cells, Relation="Nearest", Shape="Sphere",
             SphereCenter=[0.2, 0.3, 0.4], SphereRadius=0, NumberOfNearestCells=50),

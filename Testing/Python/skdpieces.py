@@ -19,9 +19,9 @@ except ImportError: # VTK 9.1
 
 # Cells sorted along x and cut into runs; runs of ids; every n-th; all on the last process; runs on
 # every other process; with the neighbours on other processes, marked as ghosts or not; all of it
-# everywhere; and by global ids.
+# everywhere; by global ids; and at random, some on several.
 PARTITIONS = ("cuts", "runs", "round robin", "one process", "some empty", "cuts, ghosts",
-    "cuts, doubled", "everywhere", "round robin, global ids")
+    "cuts, doubled", "everywhere", "round robin, global ids", "random")
 
 
 def sphere(radius=4.0, center=(0.0, 0.0, 0.0), theta=24, phi=24, has_normals=True):
@@ -80,6 +80,8 @@ def owners(mesh, partition, processes):
         return places * processes // len(cells)
     if partition.startswith("round robin"):
         return cells % processes
+    if partition == "random":
+        return numpy.random.default_rng(len(cells)).integers(processes, size=len(cells))
     if partition == "one process":
         return 0 * cells + processes - 1
     if partition == "some empty":
@@ -129,6 +131,8 @@ def piece(mesh, partition):
     if partition == "everywhere" or processes == 1:
         return mesh
     own = owners(mesh, partition, processes) == rank
+    if partition == "random":
+        own |= numpy.random.default_rng(rank).random(len(own)) < 0.1
     if not own.any():
         return mesh.NewInstance()
     if not partition.endswith(("ghosts", "doubled")):
