@@ -47,6 +47,7 @@ bool vtkSkdTreeBooleanOperation::Internals::FindInside(vtkSkdTreeBooleanOperatio
   }
   const auto faults = this->FindWindings();
   SkdTellSheetFaults(self, faults);
+  SkdTellRounded(self, *this);
   return faults.has_value();
 }
 
@@ -79,6 +80,7 @@ int vtkSkdTreeBooleanOperation::RequestData(
     return 1;
   }
   SkdWarnAboutInputs(this, solids, blocks, this->ChordalDeviation);
+  solids.SetRoundsNumbers(this->OpenSurfaces == WINDING_NUMBER);
   solids.FindSolids(blocks, areInputs);
   if (!solids.FindInside(this))
   {
@@ -102,8 +104,8 @@ void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
-    this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "KeepPolygons", this->KeepPolygons,
-    "JoinPieces", this->JoinPieces, "MergePieces", this->MergePieces, "CloseCut", this->CloseCut,
-    "ChordalDeviation", this->ChordalDeviation);
+    this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "OpenSurfaces", this->OpenSurfaces,
+    "KeepPolygons", this->KeepPolygons, "JoinPieces", this->JoinPieces, "MergePieces",
+    this->MergePieces, "CloseCut", this->CloseCut, "ChordalDeviation", this->ChordalDeviation);
 }
 VTK_ABI_NAMESPACE_END

@@ -65,9 +65,9 @@
  * does not depend on the number of threads. Of several processes the first computes all.
  *
  * Bad input: a surface that is open or has faces of opposite orientation side by side is an error
- * that tells where, and there is no output. Triangles without area are left out. An open Source
- * that does not cut through gives a warning, and so do coordinates smaller than 1e-80 times the
- * largest, which are taken as 0: exact tests have no room for both.
+ * that tells where, and there is no output (see OpenSurfaces for scans). Triangles without area are
+ * left out. An open Source that does not cut through gives a warning, and so do coordinates smaller
+ * than 1e-80 times the largest, which are taken as 0: exact tests have no room for both.
  *
  * @sa
  * vtkSkdTreeSurfaceIntersection
@@ -101,6 +101,11 @@ public:
     SYMMETRIC_DIFFERENCE = 4,
     AT_LEAST = 5,
     IMPRINT = 6
+  };
+  enum OpenSurfacesRules
+  {
+    REFUSE = 0,
+    WINDING_NUMBER = 1
   };
   enum InsideRules
   {
@@ -143,6 +148,20 @@ public:
   void SetInsideRuleToNonZero() { this->SetInsideRule(NONZERO); }
   void SetInsideRuleToOdd() { this->SetInsideRule(ODD); }
   void SetInsideRuleToPositive() { this->SetInsideRule(POSITIVE); }
+  //@}
+
+  //@{
+  /**
+   * What becomes of surfaces that are not closed: an error (REFUSE), but for a Source that cuts; or
+   * inside is where their generalized winding number is at least one half (WINDING_NUMBER; Jacobson
+   * et al. 2013), rounded for the InsideRule. Then the output is closed where its faces are far
+   * from gaps compared with these, and may be open by them, with a warning that says so;
+   * SkdReportOpenEdges are those of the inputs. Faces must have their normals outward. Default
+   * REFUSE.
+   */
+  vtkSkdTreeChoiceMacro(OpenSurfaces, REFUSE, WINDING_NUMBER);
+  void SetOpenSurfacesToRefuse() { this->SetOpenSurfaces(REFUSE); }
+  void SetOpenSurfacesToWindingNumber() { this->SetOpenSurfaces(WINDING_NUMBER); }
   //@}
 
   //@{
@@ -209,6 +228,7 @@ protected:
   int Operation = UNION;
   int MinimumNumberOfSolids = 2;
   int InsideRule = NONZERO;
+  int OpenSurfaces = REFUSE;
   vtkTypeBool KeepPolygons = 1;
   vtkTypeBool JoinPieces = 1;
   vtkTypeBool MergePieces = 0;

@@ -19,8 +19,9 @@ constexpr const char* CloseAdvice =
   " Close the holes, for example by vtkFillHolesFilter with a HoleSize larger than the surface, "
   "again and again until no edge is open, and then orient the faces (Generate Surface Normals with "
   "Consistency). If edges remain (Feature Edges shows them), repair the surface where they are, in "
-  "another program. An open surface can be the Source of an intersection or a difference, which it "
-  "then cuts.";
+  "another program. Or set Open Surfaces to Winding Number: inside is then where the generalized "
+  "winding number is at least one half. An open surface can be the Source of an intersection or a "
+  "difference, which it then cuts.";
 
 std::string LeftOutText(const SkdTriangleSet& triangles)
 {
@@ -88,9 +89,10 @@ void ReportInputs(const SkdSolidArrangement& solids, const SkdBooleanRule& rule,
   }
   report.AddCount("TreesBuilt", solids.IsNew());
   report.AddCount("Solids", solids.GetSolids().Count);
-  if (solids.IsSheet(1))
+  if (solids.IsSheet(1) || solids.CountRoundedEdges() > 0)
   {
-    report.AddCount("OpenEdges", solids.GetBadEdges()[1].Count);
+    report.AddCount(
+      "OpenEdges", solids.IsSheet(1) ? solids.GetBadEdges()[1].Count : solids.CountRoundedEdges());
   }
 }
 }
@@ -115,6 +117,27 @@ void SkdTellUnclosed(vtkAlgorithm* filter, const SkdSolidArrangement& solids, st
             << " are between faces of opposite orientation, the first from "
             << solids.TextOf(bad.First, solids.GetArrangement().Facets) << ". There is no output."
             << (bad.Open > 0 ? CloseAdvice : OrientAdvice) << LeftOutText(solids.GetTriangles()));
+}
+
+//------------------------------------------------------------------------------
+void SkdTellRounded(vtkAlgorithm* filter, const SkdSolidArrangement& solids)
+{
+  std::string names;
+  vtkIdType open = 0;
+  const std::vector<SkdBadEdges>& bad = solids.GetBadEdges();
+  for (std::uint32_t solid = 0; solid < bad.size(); ++solid)
+  {
+    names += bad[solid].Count == 0 ? "" : (names.empty() ? "" : ", ") + solids.NameOf(solid);
+    open += bad[solid].Open;
+  }
+  if (solids.CountRoundedEdges() > 0)
+  {
+    vtkWarningWithObjectMacro(filter, << names << ": " << open << " edges are open and "
+                                      << solids.CountRoundedEdges() - open
+                                      << " are between faces of opposite orientation; inside is "
+                                         "where the generalized winding number is at least one "
+                                         "half. The output may be open by the gaps.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +183,7 @@ void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
   const SkdFacets& facets = boundary.GetUnjoinedFacets(arrangement);
   const SkdBadEdges bad = SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
   report.AddCount("BadEdges", bad.Count);
-  if (bad.Count > 0 && (closesCut || !solids.IsSheet(1)))
+  if (bad.Count > 0 && solids.CountRoundedEdges() == 0 && (closesCut || !solids.IsSheet(1)))
   {
     vtkWarningWithObjectMacro(
       filter, << "The output is not closed: " << bad.Count << " edges are open, the first from "

@@ -20,6 +20,9 @@ void SkdWarnAboutInputs(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
 /// The error that a solid is not closed: where, and what closes it.
 void SkdTellUnclosed(vtkAlgorithm* filter, const SkdSolidArrangement& solids, std::uint32_t solid);
 
+/// A warning that says by which rule surfaces that are not closed have an inside, if there are any.
+void SkdTellRounded(vtkAlgorithm* filter, const SkdSolidArrangement& solids);
+
 /// The error that regions could not be told apart, if there are no `faults`; else warnings about
 /// these.
 void SkdTellSheetFaults(vtkAlgorithm* filter, const std::optional<SkdSheetFaults>& faults);

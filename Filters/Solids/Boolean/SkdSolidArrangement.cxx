@@ -6,6 +6,7 @@
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -35,6 +36,7 @@ bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalD
   this->WasSplit = true;
   this->Placement.reset();
   this->Windings.clear();
+  this->Sides.clear();
   this->Solids = {};
   this->Combined.reset();
   this->Placement.emplace(SkdMakePlacement(this->Triangles, nullptr, std::nullopt));
@@ -94,6 +96,7 @@ void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInp
     this->Solids = std::move(solids);
     this->AreInputs = areInputs;
     this->Windings.clear();
+    this->Sides.clear();
     this->BadEdges = SkdFindBadEdges(this->Arrangement.Facets, this->Solids.Of, this->Solids.Count);
   }
 }
@@ -104,7 +107,8 @@ std::optional<std::uint32_t> SkdSolidArrangement::FindUnclosed(SkdBooleanOperati
     operation == SkdBooleanOperation::Intersection || operation == SkdBooleanOperation::Difference;
   for (std::uint32_t solid = 0; solid < this->Solids.Count; ++solid)
   {
-    if (this->BadEdges[solid].Count > 0 && !(usesSheet && this->IsSheet(solid)))
+    if (this->BadEdges[solid].Count > 0 && !this->AreRounded &&
+      !(usesSheet && this->IsSheet(solid)))
     {
       return solid;
     }
@@ -123,7 +127,58 @@ std::optional<SkdSheetFaults> SkdSolidArrangement::FindWindings()
   {
     return std::nullopt;
   }
+  this->FindSides();
   return this->IsSheet(1) ? this->PlaceSheet() : SkdSheetFaults();
+}
+
+void SkdSolidArrangement::SetRoundsNumbers(bool rounds)
+{
+  if (this->AreRounded != rounds)
+  {
+    this->AreRounded = rounds;
+    this->Windings.clear();
+  }
+}
+
+vtkIdType SkdSolidArrangement::CountRoundedEdges() const
+{
+  vtkIdType count = 0;
+  for (const SkdSideNumbers& sides : this->Sides)
+  {
+    count += this->BadEdges[sides.Surface].Count;
+  }
+  return count;
+}
+
+void SkdSolidArrangement::FindSides()
+{
+  this->Sides.clear();
+  for (std::uint32_t solid = 0; this->AreRounded && solid < this->Solids.Count; ++solid)
+  {
+    if (this->BadEdges[solid].Count > 0)
+    {
+      this->Sides.push_back(
+        SkdFindSideNumbers(this->Placement->First, this->Arrangement, this->Solids.Of, solid));
+    }
+  }
+}
+
+SkdRegionWindings SkdSolidArrangement::WindingsAt(std::uint32_t facet, bool isBehind) const
+{
+  SkdRegionWindings windings =
+    this->Windings[isBehind ? this->Arrangement.GetBack(facet) : this->Arrangement.GetFront(facet)];
+  for (const SkdSideNumbers& sides : this->Sides)
+  {
+    windings.erase(std::remove_if(windings.begin(), windings.end(),
+                     [&sides](const SkdWindingOf& of) { return of.Surface == sides.Surface; }),
+      windings.end());
+    const SkdWindingOf winding{ sides.Surface, sides.Get(facet, isBehind) };
+    if (winding.Number != 0)
+    {
+      windings.insert(std::lower_bound(windings.begin(), windings.end(), winding), winding);
+    }
+  }
+  return windings;
 }
 
 std::optional<SkdSheetFaults> SkdSolidArrangement::PlaceSheet()
@@ -162,10 +217,9 @@ SkdBooleanBoundary SkdSolidArrangement::SelectPieces(
   const bool isImprint = rule.Operation == SkdBooleanOperation::Imprint;
   SkdBooleanBoundary boundary;
   SkdFacetSigns& signs = boundary.Selected;
-  signs = isImprint
-    ? SkdFacetSigns(facets.GetNumberOfFacets(), 1)
-    : SkdFindBoundary(this->Arrangement, this->Windings,
-        [&rule](const SkdRegionWindings& windings) { return rule.IsSolid(windings); });
+  signs = isImprint ? SkdFacetSigns(facets.GetNumberOfFacets(), 1)
+                    : this->FindSigns([&rule](const SkdRegionWindings& windings)
+                        { return rule.IsSolid(windings); });
   for (std::uint32_t facet = 0;
        !isImprint && !closesCut && this->IsSheet(1) && facet < signs.size(); ++facet)
   {

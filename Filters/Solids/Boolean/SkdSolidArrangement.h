@@ -15,6 +15,7 @@
 #include "Solids/Boolean/SkdCombineInPairs.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 #include "Solids/Boolean/SkdSheet.h"
+#include "Solids/Boolean/SkdSideNumbers.h"
 #include "Solids/Boolean/SkdSolids.h"
 
 #include <optional>
@@ -73,12 +74,20 @@ public:
   /// several, else the pieces.
   void FindSolids(const SkdBooleanBlocks& blocks, bool areInputs);
 
+  /// Whether the inside of surfaces that are not closed is found by generalized winding numbers;
+  /// else they are refused, or cut.
+  void SetRoundsNumbers(bool rounds);
+  bool RoundsNumbers() const { return this->AreRounded; }
+
   /// The first solid whose surface has no inside; none if all have. The Source may be open (a
   /// sheet) in operations that have a use for it.
   std::optional<std::uint32_t> FindUnclosed(SkdBooleanOperation operation) const;
 
   /// Finds out which solids each region is in, unless that is done. Empty if it could not.
   std::optional<SkdSheetFaults> FindWindings();
+
+  /// Open edges of surfaces whose inside is found by generalized winding numbers.
+  vtkIdType CountRoundedEdges() const;
 
   /// The boundary of what is solid. Facets of a sheet are in it only with `closesCut`; pieces of
   /// one face are joined with `joins`.
@@ -92,8 +101,7 @@ public:
   template <class IsSolid>
   SkdBoundaryMeasures Measure(const IsSolid& isSolid) const
   {
-    return this->Measure(
-      this->Arrangement.Facets, SkdFindBoundary(this->Arrangement, this->Windings, isSolid));
+    return this->Measure(this->Arrangement.Facets, this->FindSigns(isSolid));
   }
   SkdBoundaryMeasures Measure(const SkdBooleanBoundary& boundary) const
   {
@@ -109,7 +117,7 @@ public:
   /// Whether a solid is the Source, and open.
   bool IsSheet(std::uint32_t solid) const
   {
-    return this->AreInputs && solid == 1 && this->BadEdges[1].Count > 0;
+    return this->AreInputs && solid == 1 && this->BadEdges[1].Count > 0 && !this->AreRounded;
   }
 
   ///@{
@@ -136,6 +144,25 @@ public:
   ///@}
 
 private:
+  /// The boundary of what is solid, with what generalized winding numbers say of open surfaces.
+  template <class IsSolid>
+  SkdFacetSigns FindSigns(const IsSolid& isSolid) const
+  {
+    if (this->Sides.empty())
+    {
+      return SkdFindBoundary(this->Arrangement, this->Windings, isSolid);
+    }
+    SkdFacetSigns signs(this->Arrangement.Facets.GetNumberOfFacets());
+    for (std::uint32_t facet = 0; facet < signs.size(); ++facet)
+    {
+      signs[facet] = static_cast<signed char>(
+        isSolid(this->WindingsAt(facet, true)) - isSolid(this->WindingsAt(facet, false)));
+    }
+    return signs;
+  }
+
+  SkdRegionWindings WindingsAt(std::uint32_t facet, bool isBehind) const;
+  void FindSides();
   SkdBooleanBoundary SelectPieces(const SkdBooleanRule& rule, bool closesCut) const;
   bool Arrange(
     const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter);
@@ -152,7 +179,9 @@ private:
   SkdSolids Solids;
   bool AreInputs = false;
   std::vector<SkdBadEdges> BadEdges;
-  std::vector<SkdRegionWindings> Windings;   // empty: not known
+  std::vector<SkdRegionWindings> Windings; // empty: not known
+  bool AreRounded = false;
+  std::vector<SkdSideNumbers> Sides; // of surfaces that are not closed, if these are rounded
   std::optional<SkdCombinedSolids> Combined; // none: there is an arrangement
 };
 
