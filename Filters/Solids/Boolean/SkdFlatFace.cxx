@@ -9,6 +9,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+namespace
+{
+using Ends = std::pair<int, int>;
+
+/// Of those that are equal to within rounding the first.
+int LargestAxisOf(const skd::Vector3& normal)
+{
+  constexpr double more = 1.0 + 1e-9;
+  int largest = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    largest = std::abs(normal[axis]) > more * std::abs(normal[largest]) ? axis : largest;
+  }
+  return largest;
+}
+}
 
 //------------------------------------------------------------------------------
 // Returns whether as many edges leave each point as reach it, and no edge is there twice or in both
@@ -34,10 +52,45 @@ bool SkdFlatFace::ListPoints()
   return isSimple;
 }
 
-int SkdFlatFace::PlaceOf(std::uint32_t point) const
+// Numbers follow the coordinates: which of several Delaunay triangulations is found depends on the
+// order in which points are added, and must not depend on how a mesh has numbered them.
+void SkdFlatFace::SetPositions(const std::vector<skd::Vector3>& positions)
+{
+  std::vector<std::size_t> order(positions.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      return std::lexicographical_compare(
+        positions[a].X, positions[a].X + 3, positions[b].X, positions[b].X + 3);
+    });
+  this->Numbers.resize(positions.size());
+  this->PointOf.assign(3, 0);
+  this->Positions.resize(3); // around all, see Surround
+  for (const std::size_t i : order)
+  {
+    this->Numbers[i] = static_cast<int>(this->Positions.size());
+    this->PointOf.push_back(this->Points[i]);
+    this->Positions.push_back(positions[i]);
+  }
+}
+
+int SkdFlatFace::NumberOf(std::uint32_t point) const
 {
   const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
-  return 3 + static_cast<int>(at - this->Points.begin());
+  return this->Numbers[static_cast<std::size_t>(at - this->Points.begin())];
+}
+
+// The edges by the numbers of their ends, ascending.
+std::vector<std::pair<int, int>> SkdFlatFace::ListEnds() const
+{
+  std::vector<Ends> ends;
+  for (const Edge& edge : this->Edges)
+  {
+    ends.emplace_back(this->NumberOf(edge.first), this->NumberOf(edge.second));
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
 }
 
 //------------------------------------------------------------------------------
@@ -70,9 +123,7 @@ void SkdFlatFace::Surround(int axis, int sign)
 //------------------------------------------------------------------------------
 std::vector<SkdFlatFace::Corners> SkdFlatFace::Triangulate()
 {
-  const skd::Vector3 size{ { std::abs(this->Normal[0]), std::abs(this->Normal[1]),
-    std::abs(this->Normal[2]) } };
-  const int axis = static_cast<int>(std::max_element(size.X, size.X + 3) - size.X);
+  const int axis = LargestAxisOf(this->Normal);
   const int sign = this->Normal[axis] < 0.0 ? -1 : 1;
   this->Surround(axis, sign);
   const auto& x = this->Positions;
@@ -89,9 +140,9 @@ std::vector<SkdFlatFace::Corners> SkdFlatFace::Triangulate()
       return {};
     }
   }
-  for (const Edge& edge : this->Edges)
+  for (const Ends& edge : this->ListEnds())
   {
-    made.Constrain(this->PlaceOf(edge.first), this->PlaceOf(edge.second));
+    made.Constrain(edge.first, edge.second);
   }
   return this->TakeInside(made.GetTriangles());
 }
@@ -99,8 +150,6 @@ std::vector<SkdFlatFace::Corners> SkdFlatFace::Triangulate()
 //------------------------------------------------------------------------------
 namespace
 {
-using Ends = std::pair<int, int>;
-
 /// The triangles on the left of some sides, and all that are reached from these across others.
 class Inside
 {
@@ -189,11 +238,7 @@ private:
 std::vector<SkdFlatFace::Corners> SkdFlatFace::TakeInside(
   const std::vector<std::array<int, 3>>& all) const
 {
-  std::vector<Ends> edges;
-  for (const Edge& edge : this->Edges) // ascending, so places are, too
-  {
-    edges.emplace_back(this->PlaceOf(edge.first), this->PlaceOf(edge.second));
-  }
+  const std::vector<Ends> edges = this->ListEnds();
   Inside inside(all, edges);
   std::vector<Corners> taken;
   if (!inside.Find(3))
@@ -202,9 +247,9 @@ std::vector<SkdFlatFace::Corners> SkdFlatFace::TakeInside(
   }
   for (const std::uint32_t triangle : inside.GetFound())
   {
-    const std::array<int, 3>& places = all[triangle];
+    const std::array<int, 3>& numbers = all[triangle];
     taken.push_back(
-      { this->Points[places[0] - 3], this->Points[places[1] - 3], this->Points[places[2] - 3] });
+      { this->PointOf[numbers[0]], this->PointOf[numbers[1]], this->PointOf[numbers[2]] });
   }
   return taken;
 }

@@ -29,24 +29,29 @@ public:
     {
       return {};
     }
-    this->Positions.resize(3); // around all, see Surround
+    std::vector<skd::Vector3> positions;
     for (const std::uint32_t point : this->Points)
     {
-      this->Positions.push_back(positionOf(point));
+      positions.push_back(positionOf(point));
     }
+    this->SetPositions(positions);
     return this->Triangulate();
   }
 
 private:
   bool ListPoints();
-  int PlaceOf(std::uint32_t point) const;
+  void SetPositions(const std::vector<skd::Vector3>& positions);
+  int NumberOf(std::uint32_t point) const;
+  std::vector<std::pair<int, int>> ListEnds() const;
   void Surround(int axis, int sign);
   std::vector<Corners> Triangulate();
   std::vector<Corners> TakeInside(const std::vector<std::array<int, 3>>& all) const;
 
-  std::vector<Edge> Edges;           // ascending
-  std::vector<std::uint32_t> Points; // ascending
-  std::vector<skd::Vector3> Positions;
+  std::vector<Edge> Edges;             // ascending
+  std::vector<std::uint32_t> Points;   // ascending
+  std::vector<int> Numbers;            // of each point in the triangulation
+  std::vector<std::uint32_t> PointOf;  // by number; of the first three none
+  std::vector<skd::Vector3> Positions; // by number
   skd::Vector3 Normal;
 };
 
