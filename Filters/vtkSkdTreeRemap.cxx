@@ -152,8 +152,10 @@ bool vtkSkdTreeRemap::NeedsNearbySource(SkdReach& reach)
   reach.OfDiagonal = 1e-3; // as far as Probe goes, and more than any rounding
   reach.IsOfVolumes = true;
   reach.WithOwn = true;
-  const bool isOverlap = this->Method == CONSERVATIVE_FIRST_ORDER && this->ResultsOn != POINTS &&
-    this->Extrapolation == NO_EXTRAPOLATION;
+  reach.WithNeighbours = this->Method == CONSERVATIVE_SECOND_ORDER; // for gradients and limiters
+  const bool isOverlap =
+    (this->Method == CONSERVATIVE_FIRST_ORDER || this->Method == CONSERVATIVE_SECOND_ORDER) &&
+    this->ResultsOn != POINTS && this->Extrapolation == NO_EXTRAPOLATION;
   const bool isWithin = this->Method == INTERPOLATION && this->EmptyCells == LEAVE;
   const bool isOfVolumes = this->Geometry == AUTOMATIC_GEOMETRY || this->Geometry == VOLUME;
   const bool isCartesian =

@@ -103,7 +103,9 @@ vtkDataObject* SkdNearbyInput::Update(
   const bool isNewPiece = IsAny(transport, newPiece != this->KnownPiece);
   const bool isNewOwn = IsAny(transport,
     !this->Nearby || newOwn != this->KnownOwn || reach.Distance != this->KnownReach.Distance ||
-      reach.OfDiagonal != this->KnownReach.OfDiagonal || reach.WithOwn != this->KnownReach.WithOwn);
+      reach.OfDiagonal != this->KnownReach.OfDiagonal ||
+      reach.WithOwn != this->KnownReach.WithOwn ||
+      reach.WithNeighbours != this->KnownReach.WithNeighbours);
   if (isNewPiece)
   {
     this->UpdateBlocks(transport, piece);

@@ -66,12 +66,15 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
     rounding = std::max(rounding, this->Facts.Of(process).LargestCoordinate);
   }
   rounding *= 64.0 * std::numeric_limits<double>::epsilon();
+  // What touches a box that is near is not farther than that box is large.
+  const double distance =
+    reach.Distance + (reach.WithNeighbours ? this->FindLargestDiagonal(transport) : 0.0);
   Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
   std::vector<int> near;
   for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
   {
     const skd::Box3& box = this->Boxes[cell];
-    const double margin = reach.Distance + reach.OfDiagonal * box.Diagonal() + rounding;
+    const double margin = distance + reach.OfDiagonal * box.Diagonal() + rounding;
     cut.FindOverlapping(box.Inflated(margin), near);
     for (const int process : near)
     {
@@ -90,6 +93,20 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOwn(SkdTransport& transport) co
   Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
   this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
   return this->Send(transport, std::move(chosen));
+}
+
+double SkdSpreadBlock::FindLargestDiagonal(SkdTransport& transport) const
+{
+  double own = 0.0;
+  for (const skd::Box3& box : this->Boxes)
+  {
+    own = std::max(own, box.Diagonal());
+  }
+  for (const std::vector<double>& other : SkdGatherRows(transport, std::vector<double>{ own }))
+  {
+    own = std::max(own, other.front());
+  }
+  return (1.0 + 1e-6) * own;
 }
 
 void SkdSpreadBlock::AddOwn(std::vector<vtkIdType>& cells) const

@@ -50,6 +50,7 @@ public:
 private:
   using Chosen = SkdRowsByProcess<vtkIdType>; // cells for each process, ascending
 
+  double FindLargestDiagonal(SkdTransport& transport) const;
   void AddOwn(std::vector<vtkIdType>& cells) const;
   void AddExtremes(SkdTransport& transport, Chosen& chosen) const;
   vtkSmartPointer<vtkDataSet> Send(SkdTransport& transport, Chosen chosen) const;

@@ -10,6 +10,9 @@ struct SkdReach
   double Distance = 0.0;
   double OfDiagonal = 0.0;
 
+  /// The neighbours of cells that are near are wanted, too.
+  bool WithNeighbours = false;
+
   /// Cells are wanted for their faces: those of volume cells depend on all of these.
   bool IsOfFaces = false;
 

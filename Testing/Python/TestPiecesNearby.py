@@ -68,6 +68,10 @@ def filters(partition):
     for name, input in (("a grid", image), ("one process", on_one)):
         yield "remap conservatively to " + name, lambda input=input: simple.SkdTreeRemap(
             Input=input, Source=with_both, Method="Conservative First Order", PassInputData=0), (0,)
+    for limiter in ("Barth-Jespersen", "None"):
+        yield "remap by gradients, " + limiter, lambda limiter=limiter: simple.SkdTreeRemap(
+            Input=on_one, Source=with_both, Method="Conservative Second Order", Limiter=limiter,
+            PassInputData=0), (0,)
     yield "remap by interpolation", lambda: simple.SkdTreeRemap(Input=image, Source=cells,
         Method="Interpolation", EmptyCells="Leave", PassInputData=0), (0,)
 
