@@ -20,11 +20,11 @@
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further
  * time steps only cost the sums. Each process gathers the whole Source, or if both are meshes of
- * volume cells the cells near its piece of Input and those of its own piece, for
- * CONSERVATIVE_FIRST_ORDER on cells without extrapolation and INTERPOLATION with EmptyCells on
- * LEAVE, without weights and overlaps as outputs (see SetSourceDistribution); counts in the report
- * are of its piece of Input, integrals and coverage of all processes together. Results on points
- * that are not interpolated depend on all cells around them: the first process then has all.
+ * volume cells the cells near its piece of Input and those of its own piece: for what is conserved
+ * on cells without extrapolation, and INTERPOLATION with EmptyCells on LEAVE, without weights and
+ * overlaps as outputs (see SetSourceDistribution). Counts in the report are of its piece of Input,
+ * integrals and coverage of all processes together. Results on points that are not interpolated
+ * depend on all cells around them: the first process then has all.
  *
  * Output port 0: the input with the source's arrays and these
  * | name        | of     | type   | meaning                                              |
