@@ -157,6 +157,21 @@ TEST(BooleanOperationCrowds, PiecesInsideOutAreNotUnited)
     Combined(Filter::DIFFERENCE, InsideTestOf(block), InsideTestOf(source)), result.Surface);
 }
 
+/// What two pieces cover is outside where the number must be odd.
+TEST(BooleanOperationCrowds, PiecesAreNotUnitedWhereTheNumberMustBeOdd)
+{
+  std::vector<Mesh> cubes = TurnedCubes(9, 9);
+  cubes.push_back(cubes[0]); // which is then outside
+  const Mesh source = Together(cubes);
+  const Mesh block = BoxTriangles({ -2, -1.5, -0.25 }, { 2, 1.5, 0.25 });
+  const Mesh result = Combine(block, source, Filter::INTERSECTION, Filter::ODD);
+  Random random(10);
+  ExpectSolid(random, { &block, &source },
+    Combined(
+      Filter::INTERSECTION, InsideTestOf(block, Filter::ODD), InsideTestOf(source, Filter::ODD)),
+    result);
+}
+
 /// Each face of the output is of the cell that it says, and has its data; points have what a linear
 /// field has there.
 TEST(BooleanOperationCrowds, DataAreThoseOfTheInputs)
@@ -220,6 +235,31 @@ TEST(BooleanOperationCrowds, SameByAnyNumberOfThreads)
       [&] { results[threads - 1] = RunOnBlocks(cubes, Filter::UNION).Surface; });
   }
   EXPECT_EQ(results[0].Points, results[1].Points);
+}
+
+/// Any solids, many of them touching in faces and edges, so many that they are united in pairs.
+TEST(BooleanOperationCrowds, RandomSolids)
+{
+  const int first = SetInEnvironment("SKDTREE_FUZZ_FIRST", 0);
+  const int count = std::max(2, SetInEnvironment("SKDTREE_FUZZ_PAIRS", 40) / 20);
+  for (int number = first; number < first + count; ++number)
+  {
+    SCOPED_TRACE(number);
+    Random random(3000000u + static_cast<std::uint64_t>(number));
+    std::vector<Mesh> solids;
+    std::string what;
+    for (int i = 0; i < 16; ++i)
+    {
+      solids.push_back(MovedAnywhere(random, AnySolid(random, what), what));
+    }
+    const Result atOnce = RunOnBlocks(solids, Filter::AT_LEAST);
+    const Result inPairs = RunOnBlocks(solids, Filter::UNION);
+    EXPECT_NEAR(inPairs.Volume, atOnce.Volume, 1e-12 * atOnce.Volume) << what;
+    const double rest = RunOnBlocks({ solids.begin() + 1, solids.end() }, Filter::UNION).Volume;
+    EXPECT_NEAR(
+      RunOnBlocks(solids, Filter::DIFFERENCE).Volume, atOnce.Volume - rest, 1e-12 * atOnce.Volume)
+      << what;
+  }
 }
 
 TEST(BooleanOperationCrowds, BlocksWithoutFacesAreEmptySolids)

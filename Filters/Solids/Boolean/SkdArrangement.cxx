@@ -50,7 +50,7 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
 }
 }
 
-std::optional<std::vector<SkdTrianglePair>> SkdFindSelfPairs(
+std::optional<SkdSelfPairs> SkdFindSelfPairs(
   SkdTriangleSet& set, const SkdPlacement& placement, SkdLoop& loop, vtkAlgorithm* filter)
 {
   const SkdPairSearch search{ SkdPairSearch::All, 0.0 };
@@ -60,16 +60,22 @@ std::optional<std::vector<SkdTrianglePair>> SkdFindSelfPairs(
     set.Complete();
     pairs = SkdTrianglePairs(placement).FindByTrees(search, loop);
   }
-  return SkdIsAborted(filter) ? std::nullopt : std::move(pairs);
+  if (SkdIsAborted(filter))
+  {
+    return std::nullopt;
+  }
+  SkdSelfPairs found{ *std::move(pairs), {} };
+  found.Duplicates = SkdTakeDuplicates(placement.First, found.Pairs);
+  const std::vector<SkdDuplicate>& copies = set.GetCopiesLeftOut();
+  found.Duplicates.insert(found.Duplicates.end(), copies.begin(), copies.end());
+  std::sort(found.Duplicates.begin(), found.Duplicates.end());
+  return found;
 }
 
-std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement,
-  std::vector<SkdTrianglePair>& pairs, SkdLoop& loop, std::size_t mostEvents)
+std::optional<SkdArrangement> SkdArrange(
+  const SkdPlacement& placement, const SkdSelfPairs& found, SkdLoop& loop, std::size_t mostEvents)
 {
-  std::vector<SkdDuplicate> duplicates = SkdTakeDuplicates(placement.First, pairs);
-  const std::vector<SkdDuplicate>& copies = placement.First.GetSet().GetCopiesLeftOut();
-  duplicates.insert(duplicates.end(), copies.begin(), copies.end());
-  std::sort(duplicates.begin(), duplicates.end());
+  const std::vector<SkdTrianglePair>& pairs = found.Pairs;
   const SkdContactPoints contacts(placement, pairs);
   const SkdSplitSegments segments(placement, pairs, contacts, mostEvents);
   if (segments.IsTooMany())
@@ -83,9 +89,9 @@ std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement,
   }
   SkdSplitResult& split = *done;
   SkdOverlaps overlaps = SkdFindOverlaps(pairs, contacts, segments, split);
-  if (!duplicates.empty())
+  if (!found.Duplicates.empty())
   {
-    overlaps.Add(duplicates, split);
+    overlaps.Add(found.Duplicates, split);
   }
   const std::vector<std::uint32_t> ids = std::move(split.Ids);
   const vtkIdType numberSplit = split.NumberSplit;

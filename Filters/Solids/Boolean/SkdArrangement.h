@@ -32,18 +32,23 @@ struct SkdArrangement
   std::uint32_t GetBack(std::uint32_t facet) const { return this->Regions[2 * facet + 1]; }
 };
 
-/// All intersections of a set with itself, but for copies that it leaves out. Completes the set if
-/// its triangles overlap so much that trees are faster. Empty after an abort.
-std::optional<std::vector<SkdTrianglePair>> SkdFindSelfPairs(
+/// All intersections of a set with itself, but for copies that it leaves out, and its duplicates,
+/// of which only the first are among the pairs.
+struct SkdSelfPairs
+{
+  std::vector<SkdTrianglePair> Pairs;
+  std::vector<SkdDuplicate> Duplicates; ///< ascending
+};
+
+/// Completes the set if its triangles overlap so much that trees are faster. Empty after an abort.
+std::optional<SkdSelfPairs> SkdFindSelfPairs(
   SkdTriangleSet& set, const SkdPlacement& placement, SkdLoop& loop, vtkAlgorithm* filter);
 
-/// Splits a set along all its intersections with itself: `pairs` are all of them
-/// (SkdFindSelfPairs). O(n) for n facets, plus exact tests at edges in which more than two of them
-/// meet; a few microseconds for each that is a piece of a triangle. Empty after an abort. Is not
-/// made if segments along which triangles are split meet each other in more than `mostEvents`
-/// places. Takes duplicates out of `pairs`.
-std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement,
-  std::vector<SkdTrianglePair>& pairs, SkdLoop& loop,
-  std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
+/// Splits a set along all its intersections with itself. O(n) for n facets, plus exact tests at
+/// edges in which more than two of them meet; a few microseconds for each that is a piece of a
+/// triangle. Empty after an abort. Is not made if segments along which triangles are split meet
+/// each other in more than `mostEvents` places.
+std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const SkdSelfPairs& pairs,
+  SkdLoop& loop, std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
 
 #endif

@@ -414,11 +414,12 @@ public:
   /// Whether the surface of each solid passes each edge as often in both directions.
   bool AreClosed() const { return this->IsClosed; }
 
-  /// The solids by their pieces where each winds once around what it encloses, else whole.
-  std::vector<SkdSolidGroup> Divide(const std::vector<SkdTrianglePair>& pairs)
+  /// The solids by their pieces where each winds once around what it encloses, else whole; all are
+  /// whole unless `divides`.
+  std::vector<SkdSolidGroup> Divide(const std::vector<SkdTrianglePair>& pairs, bool divides)
   {
     const auto n = static_cast<std::uint32_t>(this->Of.size());
-    std::vector<bool> isWhole(this->Solids.Count, false);
+    std::vector<bool> isWhole(this->Solids.Count, !divides);
     for (const std::uint32_t triangle : this->AtOtherEdges)
     {
       isWhole[this->Solids.Of[triangle]] = true;
@@ -542,7 +543,9 @@ std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangle
   {
     return std::nullopt;
   }
-  const std::vector<SkdSolidGroup> divided = pieces.Divide(pairs);
+  // What two pieces cover is not inside if the number must be odd.
+  const std::vector<SkdSolidGroup> divided =
+    pieces.Divide(pairs, rule.Inside != SkdInsideRule::Odd);
   std::array<SkdSolidGroup, 2> groups;
   for (std::size_t solid = 0; solid < divided.size(); ++solid)
   {

@@ -27,7 +27,8 @@ using SkdSolidGroup = std::vector<std::vector<std::uint32_t>>;
 
 /// The two operands of an operation, each the union of some solids: all of the first and the second
 /// input; else the first solid and the others, or of a union any halves. A solid whose pieces are
-/// closed, face outward and do not intersect themselves, is in a group by its pieces. `pairs` are
+/// closed, face outward and do not intersect themselves, is in a group by its pieces, unless what
+/// two of them cover is outside. `pairs` are
 /// those of the set with itself. Empty if a solid is not closed, or if the operation does not have
 /// such operands or they are of few solids. O(n).
 std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,

@@ -58,11 +58,12 @@ bool SkdSolidArrangement::Arrange(
     return false;
   }
   SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
-  const std::size_t few = EventsOfPair * pairs->size() + FewEvents;
+  const std::size_t few = EventsOfPair * pairs->Pairs.size() + FewEvents;
   auto arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few);
   if (arrangement && arrangement->IsCrowd)
   {
-    if (const auto groups = SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, *pairs))
+    if (const auto groups =
+          SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, pairs->Pairs))
     {
       *pairs = {};
       this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *groups, rule, filter);
