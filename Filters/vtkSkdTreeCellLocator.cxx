@@ -59,6 +59,32 @@ vtkIdType Fill(
   }
   return ids->GetNumberOfIds();
 }
+
+/// As VTK's methods return whether there are any.
+int StoreHits(const std::vector<SkdHitCell>& hits, const skd::Segment<3>& segment,
+  vtkPoints* points, vtkIdList* cellIds)
+{
+  if (points)
+  {
+    points->Reset();
+  }
+  if (cellIds)
+  {
+    cellIds->Reset();
+  }
+  for (const SkdHitCell& hit : hits)
+  {
+    if (points)
+    {
+      points->InsertNextPoint(segment.At(hit.T).X);
+    }
+    if (cellIds)
+    {
+      cellIds->InsertNextId(hit.Id);
+    }
+  }
+  return hits.empty() ? 0 : 1;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +190,7 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
 {
   const SkdCellTree& tree = this->GetTree();
-  const SkdCellSource source{ this->DataSet, cell ? cell : SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet, cell };
   const SkdHitCell hit = tree.FindFirstHit(this->Impl->ToTree(p1, p2), tol, source);
   cellId = hit.Id;
   if (hit.Id < 0)
@@ -184,45 +210,28 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
 int vtkSkdTreeCellLocator::IntersectWithLine(
   const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds)
 {
-  return this->IntersectWithLine(p1, p2, 0.0, points, cellIds, SkdScratchCell());
+  return this->IntersectWithLine(p1, p2, 0.0, points, cellIds);
 }
 
 //------------------------------------------------------------------------------
 int vtkSkdTreeCellLocator::IntersectWithLine(
   const double p1[3], const double p2[3], const double tol, vtkPoints* points, vtkIdList* cellIds)
 {
-  return this->IntersectWithLine(p1, p2, tol, points, cellIds, SkdScratchCell());
+  return StoreHits(this->GetTree().FindHits(this->Impl->ToTree(p1, p2), tol, { this->DataSet }),
+    { SkdVector(p1), SkdVector(p2) }, points, cellIds);
 }
 
 //------------------------------------------------------------------------------
 int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2[3],
   const double tol, vtkPoints* points, vtkIdList* cellIds, vtkGenericCell* cell)
 {
-  if (points)
+  if (cell)
   {
-    points->Reset();
+    return this->IntersectWithLine(p1, p2, tol, points, cellIds);
   }
-  if (cellIds)
-  {
-    cellIds->Reset();
-  }
-  const SkdCellTree& tree = this->GetTree();
   const skd::Segment<3> segment{ SkdVector(p1), SkdVector(p2) };
-  const std::vector<SkdHitCell>& hits = cell
-    ? tree.FindHits(this->Impl->ToTree(p1, p2), tol, { this->DataSet, cell })
-    : tree.FindBoundsHits(segment, tol, this->Impl->GetMotion());
-  for (const SkdHitCell& hit : hits)
-  {
-    if (points)
-    {
-      points->InsertNextPoint(segment.At(hit.T).X);
-    }
-    if (cellIds)
-    {
-      cellIds->InsertNextId(hit.Id);
-    }
-  }
-  return hits.empty() ? 0 : 1;
+  return StoreHits(this->GetTree().FindBoundsHits(segment, tol, this->Impl->GetMotion()), segment,
+    points, cellIds);
 }
 
 //------------------------------------------------------------------------------
@@ -230,7 +239,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCrossings(const double p1[3], const double 
   vtkDoubleArray* parameters, vtkPoints* points, vtkCellArray* incidentCells, vtkIdTypeArray* kinds)
 {
   const SkdCrossings& crossings =
-    this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+    this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet });
   const auto number = static_cast<vtkIdType>(crossings.List.size());
   const auto at = [&](vtkIdType i) -> const SkdCrossing&
   { return crossings.List[static_cast<std::size_t>(i)]; };
@@ -260,7 +269,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCrossings(const double p1[3], const double 
 vtkIdType vtkSkdTreeCellLocator::CountCrossings(const double p1[3], const double p2[3])
 {
   const SkdCrossings& crossings =
-    this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+    this->GetTree().FindCrossings(this->Impl->ToTree(p1, p2), { this->DataSet });
   return static_cast<vtkIdType>(std::count_if(crossings.List.begin(), crossings.List.end(),
     [](const SkdCrossing& crossing) { return crossing.Passes; }));
 }
@@ -270,7 +279,7 @@ vtkIdType vtkSkdTreeCellLocator::FindPasses(const double p1[3], const double p2[
   vtkDoubleArray* parameters, vtkIdTypeArray* cellIds, vtkIdTypeArray* ways)
 {
   const std::vector<SkdPass>& passes =
-    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet });
   const auto number = static_cast<vtkIdType>(passes.size());
   const auto at = [&](vtkIdType i) -> const SkdPass&
   { return passes[static_cast<std::size_t>(i)]; };
@@ -285,7 +294,7 @@ vtkIdType vtkSkdTreeCellLocator::CountPasses(
   const double p1[3], const double p2[3], vtkUnsignedCharArray* reversed, vtkIdType& sum)
 {
   const std::vector<SkdPass>& passes =
-    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet, SkdScratchCell() });
+    this->GetTree().FindPasses(this->Impl->ToTree(p1, p2), { this->DataSet });
   sum = 0;
   for (const SkdPass& pass : passes)
   {
@@ -341,7 +350,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPointWithinRadius(double x[3], doubl
   {
     return 0;
   }
-  const SkdCellSource source{ this->DataSet, cell ? cell : SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet, cell };
   const SkdFoundCell found = tree.FindNearest(this->Impl->ToTree(x), radius * radius, source);
   if (found.Id < 0)
   {
@@ -362,7 +371,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestCells(
 {
   const auto number = static_cast<std::size_t>(std::max(k, 0));
   const auto& found = this->GetTree().FindNearestCells(
-    this->Impl->ToTree(x), number, vtkMath::Inf(), { this->DataSet, SkdScratchCell() });
+    this->Impl->ToTree(x), number, vtkMath::Inf(), { this->DataSet });
   return Fill(found, cellIds, distances);
 }
 
@@ -372,8 +381,8 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsWithinRadius(
 {
   const SkdCellTree& tree = this->GetTree();
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
-  auto& found = tree.FindNearestCells(this->Impl->ToTree(x), tree.Cells().NumberOfCells(), limit2,
-    { this->DataSet, SkdScratchCell() });
+  auto& found = tree.FindNearestCells(
+    this->Impl->ToTree(x), tree.Cells().NumberOfCells(), limit2, { this->DataSet });
   std::sort(
     found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return Fill(found, cellIds, distances);
@@ -388,7 +397,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3])
 //------------------------------------------------------------------------------
 vtkIdType vtkSkdTreeCellLocator::FindCell(double x[3], double tol2)
 {
-  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet };
   return this->GetTree().FindContaining(this->Impl->ToTree(x), tol2, -1, source).Id;
 }
 
@@ -412,7 +421,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellWithHint(double x[3], double tol2, vtkI
   vtkGenericCell* cell, int& subId, double pcoords[3], double* weights)
 {
   const SkdCellTree& tree = this->GetTree();
-  const SkdCellSource source{ this->DataSet, cell ? cell : SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet, cell };
   SkdFoundCell found = tree.FindContaining(this->Impl->ToTree(x), tol2, hint, source);
   if (found.Id < 0)
   {

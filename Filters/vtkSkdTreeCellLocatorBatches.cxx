@@ -171,10 +171,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
   double* nearest = SkdPrepare(closestPoints, "SkdClosestPoint", 3, size);
   double* lengths = SkdPrepare(distances, "SkdDistance", 1, size);
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
-  return batch.CountTrue(
-    [&] {
-      return SkdCoherentNearest(tree, { this->DataSet, SkdScratchCell() }, limit2);
-    },
+  return batch.CountTrue([&] { return SkdCoherentNearest(tree, { this->DataSet }, limit2); },
     [&](SkdCoherentNearest& inTurn, vtkIdType slot)
     {
       double x[3];
@@ -208,10 +205,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestNCells(
   vtkIdType* ids = SkdPrepare(cellIds, "SkdClosestCellId", n, size);
   double* lengths = SkdPrepare(distances, "SkdDistance", n, size);
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
-  return batch.CountTrue(
-    [&] {
-      return SkdCellSource{ this->DataSet, SkdScratchCell() };
-    },
+  return batch.CountTrue([&] { return SkdCellSource{ this->DataSet }; },
     [&](const SkdCellSource& source, vtkIdType slot)
     {
       double x[3];
@@ -252,10 +246,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsAndWeights(vtkDataArray* points, vtkId
   vtkIdType* ids = SkdPrepare(cellIds, "SkdCellId", 1, size);
   double* coordinates = SkdPrepare(pcoords, "SkdParametricCoordinates", 3, size);
   WeightRows rows(tree.Cells(), pointIds, weights, size);
-  return batch.CountTrue(
-    [&] {
-      return SkdCellSource{ this->DataSet, SkdScratchCell() };
-    },
+  return batch.CountTrue([&] { return SkdCellSource{ this->DataSet }; },
     [&](const SkdCellSource& source, vtkIdType slot)
     {
       double x[3];
@@ -304,8 +295,8 @@ vtkIdType vtkSkdTreeCellLocator::FindCellsWithinSpheres(vtkDataArray* spheres,
       double sphere[4];
       batch.Read(slot, sphere);
       const double limit2 = sphere[3] >= 0.0 ? sphere[3] * sphere[3] : -1.0;
-      auto& found = tree.FindNearestCells(this->Impl->ToTree(sphere), tree.Cells().NumberOfCells(),
-        limit2, { this->DataSet, SkdScratchCell() });
+      auto& found = tree.FindNearestCells(
+        this->Impl->ToTree(sphere), tree.Cells().NumberOfCells(), limit2, { this->DataSet });
       std::sort(found.begin(), found.end(),
         [](const Near& a, const Near& b) { return a.second < b.second; });
       values.insert(values.end(), found.begin(), found.end());

@@ -48,7 +48,7 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestLocation(const double x[3], double r
   {
     return -1;
   }
-  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet };
   const SkdFoundCell found = tree.FindNearest(this->Impl->ToTree(x), radius * radius, source);
   Location{ closestPoint, subId, pcoords, dist2, weights }.Set(*this->Impl, source, found);
   return found.Id;
@@ -59,7 +59,7 @@ bool vtkSkdTreeCellLocator::EvaluateCell(vtkIdType cellId, const double x[3],
   double closestPoint[3], int& subId, double pcoords[3], double& dist2, double* weights)
 {
   const SkdCellTree& tree = this->GetTree();
-  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet };
   const SkdFoundCell found = tree.Evaluate(cellId, this->Impl->ToTree(x), source);
   return Location{ closestPoint, subId, pcoords, dist2, weights }.Set(*this->Impl, source, found);
 }
@@ -78,7 +78,7 @@ vtkIdType vtkSkdTreeCellLocator::FindCellBorders(
     return 0;
   }
   borders.insert(borders.end(), { 0.0, 1.0 });
-  const SkdCellSource source{ this->DataSet, SkdScratchCell() };
+  const SkdCellSource source{ this->DataSet };
   this->GetTree().FindBorders(segment, tolerance, source, borders);
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());

@@ -210,7 +210,7 @@ TYPED_TEST(AlongSegmentTest, ReachesBoxesBetweenFarEnds)
       for (std::size_t i = 0; i < std::min<std::size_t>(scene.Boxes.size(), 4); ++i)
       {
         const auto middle = scene.Boxes[i].Centroid();
-        for (const double far : { 1e3, 1e6, 1e9 })
+        for (const double far : { 3.0, 3.999, 4.001, 1e3, 1e6, 1e9 })
         {
           const auto step = (far / tree.GetFrame().Scale) * random.Direction<D>();
           const skd::Segment<D> segment{ middle - step, middle + step };

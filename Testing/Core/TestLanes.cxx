@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Search/Tree/Lanes.h"
+#include "Core/Search/Tree/AxisLanes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace
@@ -103,6 +105,91 @@ TEST(Lanes, LessEqualHasABitALaneAndNoneForNaN)
   EXPECT_EQ(LessEqual(LanesA, LanesB), expected);
   EXPECT_EQ(LessEqual(LanesA, LanesA), 0xefu);
   EXPECT_EQ(LessEqual(Lanes<W>(NaN), LanesB), 0u);
+}
+
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Axis by axis the same as `expected(a, b)`.
+template <int D, class Got, class Function>
+void ExpectEachAxis(const Got& got, const Function& expected)
+{
+  const skd::Vector<5> a{ { 1.5, -2.0, 0.0, 7.0, -0.25 } };
+  const skd::Vector<5> b{ { 2.0, -3.0, 4.0, 7.0, 0.5 } };
+  skd::Vector<D> firstA;
+  skd::Vector<D> firstB;
+  std::copy_n(a.X, D, firstA.X);
+  std::copy_n(b.X, D, firstB.X);
+  const skd::Vector<D> values = got(skd::AxisLanes<D>(firstA), skd::AxisLanes<D>(firstB)).Values();
+  for (int axis = 0; axis < D; ++axis)
+  {
+    EXPECT_EQ(values[axis], expected(a[axis], b[axis])) << "axis " << axis << " of " << D;
+  }
+}
+
+template <int D>
+void ExpectArithmeticOnAxes()
+{
+  ExpectEachAxis<D>([](auto a, auto b) { return a + b; }, [](double a, double b) { return a + b; });
+  ExpectEachAxis<D>([](auto a, auto b) { return a - b; }, [](double a, double b) { return a - b; });
+  ExpectEachAxis<D>([](auto a, auto b) { return a * b; }, [](double a, double b) { return a * b; });
+  ExpectEachAxis<D>([](auto a, auto b) { return a / b; }, [](double a, double b) { return a / b; });
+  ExpectEachAxis<D>(
+    [](auto a, auto b) { return Max(a, b); }, [](double a, double b) { return std::max(a, b); });
+  ExpectEachAxis<D>(
+    [](auto a, auto b) { return Min(a, b); }, [](double a, double b) { return std::min(a, b); });
+  ExpectEachAxis<D>([](auto a, auto b) { return IfLess(a, b, -a, b); },
+    [](double a, double b) { return a < b ? -a : b; });
+}
+
+TEST(AxisLanes, DoArithmeticOnEveryAxis)
+{
+  ExpectArithmeticOnAxes<1>();
+  ExpectArithmeticOnAxes<2>();
+  ExpectArithmeticOnAxes<3>();
+  ExpectArithmeticOnAxes<4>();
+  ExpectArithmeticOnAxes<5>();
+}
+
+TEST(AxisLanes, AreAllAtMostWithoutNaN)
+{
+  const skd::AxisLanes<3> least(skd::Vector3{ { 1.0, -2.0, 3.0 } });
+  EXPECT_TRUE(AllLessEqual(least, least));
+  EXPECT_TRUE(AllLessEqual(least, skd::AxisLanes<3>(3.0)));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    skd::Vector3 other{ { 0.0, 0.0, 0.0 } };
+    other[axis] = 1e-300;
+    EXPECT_FALSE(AllLessEqual(skd::AxisLanes<3>(other), skd::AxisLanes<3>(0.0)));
+    other[axis] = NotANumber;
+    EXPECT_FALSE(AllLessEqual(skd::AxisLanes<3>(other), skd::AxisLanes<3>(0.0)));
+    EXPECT_FALSE(AllLessEqual(skd::AxisLanes<3>(0.0), skd::AxisLanes<3>(other)));
+  }
+}
+
+TEST(AxisLanes, AreStoredAsOtherNumbers)
+{
+  const skd::AxisLanes<3> values(skd::Vector3{ { 96.0, 0.1, -160.0 } });
+  float floats[4] = { 0.0f, 0.0f, 0.0f, 5.0f };
+  std::int32_t whole[4] = { 0, 0, 0, 5 };
+  values.Store(floats);
+  values.Store(whole);
+  EXPECT_EQ(floats[0], 96.0f);
+  EXPECT_EQ(floats[1], 0.1f);
+  EXPECT_EQ(floats[2], -160.0f);
+  EXPECT_EQ(floats[3], 5.0f);
+  EXPECT_EQ(whole[0], 96);
+  EXPECT_EQ(whole[1], 0);
+  EXPECT_EQ(whole[2], -160);
+  EXPECT_EQ(whole[3], 5);
+}
+
+TEST(Lanes, HighestBitIsThatOfTheHighestLane)
+{
+  for (int lane = 0; lane < W; ++lane)
+  {
+    EXPECT_EQ(skd::HighestBit(1u << lane), lane);
+    EXPECT_EQ(skd::HighestBit(1u | 1u << lane), lane);
+  }
 }
 
 }

@@ -7,7 +7,7 @@ using namespace coretest;
 namespace
 {
 
-/// A query whose keys are the lower ends of the boxes along an axis.
+/// A query whose keys are the lower ends of the boxes along an axis, from where the tree begins.
 template <bool IsOrdered>
 struct LowerEnds
 {
@@ -16,8 +16,9 @@ struct LowerEnds
   template <int W>
   unsigned TestBoxes(const skd::BoxPacket<1, W>& boxes, float* keys) const
   {
-    boxes.Mins(0).Store(keys);
-    return LessEqual(boxes.Mins(0), skd::Lanes<W>(this->TheLimit));
+    const skd::Lanes<W> ends = boxes.Mins(0) + skd::Lanes<W>(1.0f);
+    ends.Store(keys);
+    return LessEqual(ends, skd::Lanes<W>(this->TheLimit));
   }
   float Limit() const { return this->TheLimit; }
   bool Visit(std::uint32_t element)
@@ -50,6 +51,9 @@ struct ShuffledLine
     this->Tree = skd::BuildTree<1>(InputOf(boxes, 3));
   }
 
+  /// The greatest of the boxes up to that place.
+  float KeyOf(double place) const { return this->Tree.GetFrame().Down(place, 0) + 1.0f; }
+
   Ids IndexAt;
   skd::Tree<1> Tree;
 };
@@ -74,7 +78,7 @@ TEST(Walk, VisitsKeysAtTheLimitAndNoneAbove)
 {
   const ShuffledLine line(65);
   LowerEnds<true> query;
-  query.TheLimit = line.Tree.GetFrame().Down(40.0, 0);
+  query.TheLimit = line.KeyOf(40.0);
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 41));
 }
@@ -109,6 +113,7 @@ template <bool IsOrdered>
 struct KnowsLeaves : LowerEnds<IsOrdered>
 {
   static constexpr bool SkipsLeaves = true;
+  static constexpr bool GivesKeys = true;
 
   explicit KnowsLeaves(skd::Tree<1>& tree)
   {
@@ -151,7 +156,7 @@ TEST(Walk, OfKnownLeavesVisitsTheSame)
 {
   ShuffledLine line(513);
   KnowsLeaves<true> inOrder(line.Tree);
-  inOrder.TheLimit = line.Tree.GetFrame().Down(300.0, 0);
+  inOrder.TheLimit = line.KeyOf(300.0);
   skd::Walk(line.Tree, inOrder);
   EXPECT_EQ(inOrder.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 301));
   EXPECT_GT(inOrder.Opened, 0);
@@ -206,7 +211,7 @@ TEST(Walk, LeavesAloneWhatAFallenLimitExcludes)
 {
   const ShuffledLine line(513);
   EndsAfter query;
-  query.Fallen = line.Tree.GetFrame().Down(5.0, 0);
+  query.Fallen = line.KeyOf(5.0);
   skd::Walk(line.Tree, query);
   EXPECT_EQ(query.Visited, Ids(line.IndexAt.begin(), line.IndexAt.begin() + 6));
 }

@@ -9,11 +9,14 @@ class vtkCell;
 class vtkDataSet;
 class vtkGenericCell;
 
-/// The data set, and a thread-local cell into which cells are loaded.
+/// A thread-local cell.
+vtkGenericCell* SkdScratchCell();
+
+/// The data set, and a cell into which cells are loaded: a thread-local one if it is nullptr.
 struct SkdCellSource
 {
   vtkDataSet* Data;
-  vtkGenericCell* Scratch;
+  vtkGenericCell* Cell = nullptr;
 
   vtkCell* Load(vtkIdType id) const;
 };

@@ -11,6 +11,7 @@
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 
 #include <limits>
@@ -87,10 +88,18 @@ SkdCellPoint ClosestCellPoint(vtkCell* cell, const skd::Vector3& x)
 }
 
 //------------------------------------------------------------------------------
+vtkGenericCell* SkdScratchCell()
+{
+  thread_local vtkNew<vtkGenericCell> cell;
+  return cell;
+}
+
+//------------------------------------------------------------------------------
 vtkCell* SkdCellSource::Load(vtkIdType id) const
 {
-  SkdLoadCell(this->Data, id, this->Scratch);
-  return this->Scratch->GetRepresentativeCell();
+  vtkGenericCell* cell = this->Cell ? this->Cell : SkdScratchCell();
+  SkdLoadCell(this->Data, id, cell);
+  return cell->GetRepresentativeCell();
 }
 
 //------------------------------------------------------------------------------

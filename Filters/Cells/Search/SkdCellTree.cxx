@@ -58,6 +58,8 @@ SkdCellTree::SkdCellTree(SkdCellStore&& store, const SkdTreeSettings& settings)
   }
   this->Eager = SkdBuildTree(input);
   this->LeafFilters = SkdLeafFilters(this->Store, this->Eager, this->TheRounding);
+  this->View = this->Eager.View();
+  this->Packets = this->LeafFilters.Packets();
 }
 
 //------------------------------------------------------------------------------

@@ -278,9 +278,7 @@ private:
     {
       return false;
     }
-    const skd::TreeView<3> view = this->Eager.View();
-    const skd::TrianglePackets packets = this->LeafFilters.Packets();
-    wide(SkdWideTree{ &view, &packets });
+    wide(SkdWideTree{ &this->View, &this->Packets });
     return true;
   }
   /// skd::Nearest and skd::AlongSegment in their fastest available form.
@@ -331,6 +329,8 @@ private:
   double TheEpsilon = 0.0;
   EagerTree Eager;
   SkdLeafFilters LeafFilters;             // of Eager
+  skd::TreeView<3> View;                  // of Eager
+  skd::TrianglePackets Packets;           // of LeafFilters
   std::unique_ptr<skd::LazyTree<3>> Lazy; // instead of Eager
   std::unique_ptr<SkdEqualCells> Equal;   // with the next; nullptr where there are few
   std::unique_ptr<SkdCellTree> Distinct;  // of the first of each group of equal cells

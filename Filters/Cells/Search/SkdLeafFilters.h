@@ -39,6 +39,7 @@ public:
   {
   public:
     static constexpr bool SkipsLeaves = true;
+    static constexpr bool GivesKeys = false;
 
     Point(const SkdLeafFilters& leafFilters, const skd::Vector3& local)
       : LeafFilters(leafFilters)

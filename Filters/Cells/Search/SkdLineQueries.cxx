@@ -156,15 +156,13 @@ template <bool InOrder, class Visitor>
 void SkdCellTree::WalkAlong(const skd::Segment<3>& segment, double margin, Visitor& visitor) const
 {
   const auto wide = [&](const SkdWideTree& tree)
-  {
-    SkdWideWalks::AlongSegment(
-      tree, segment.A.X, segment.B.X, margin, InOrder, SkdWideVisitor::Of(visitor));
-  };
+  { SkdWideWalks::AlongSegment(tree, &segment, margin, InOrder, SkdWideVisitor::Of(visitor)); };
   if (!this->WalkWide(wide))
   {
     using LeafFilter = skd::LineLeafFilter;
-    skd::AlongSegment<3, Visitor, LeafFilter, InOrder> query(this->GetFrame(), segment, margin,
-      visitor, LeafFilter(this->LeafFilters.Packets(), skd::Shear(segment.B - segment.A)));
+    const skd::Shear shear(segment.B - segment.A);
+    skd::AlongSegment<3, Visitor, LeafFilter, InOrder> query(
+      this->GetFrame(), segment, margin, visitor, this->Packets, shear);
     this->Walk(query);
   }
 }
@@ -174,19 +172,18 @@ template <bool InOrder, class Visitor>
 bool SkdCellTree::VisitTriangleHits(
   const skd::Segment<3>& segment, double tolerance, Visitor& visitor) const
 {
-  const skd::TrianglePackets packets = this->LeafFilters.Packets();
-  if (!packets.HavePoints())
+  if (!this->Packets.HavePoints())
   {
     return false;
   }
   const auto wide = [&](const SkdWideTree& tree)
   {
-    SkdWideWalks::VisitTriangleHits(tree, segment.A.X, segment.B.X, tolerance, InOrder,
-      SkdWideHits::Of<skd::TriangleHit>(visitor));
+    SkdWideWalks::VisitTriangleHits(
+      tree, &segment, tolerance, InOrder, SkdWideHits::Of<skd::TriangleHit>(visitor));
   };
   if (!this->WalkWide(wide))
   {
-    skd::VisitTriangleHits<InOrder>(this->Eager.View(), packets, segment, tolerance, visitor);
+    skd::VisitTriangleHits<InOrder>(this->View, this->Packets, segment, tolerance, visitor);
   }
   return true;
 }

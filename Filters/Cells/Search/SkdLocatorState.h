@@ -36,13 +36,6 @@ inline skd::Plane<3> SkdPlane(const double origin[3], const double normal[3])
   return { SkdVector(origin), (1.0 / skd::Norm(direction)) * direction };
 }
 
-/// A thread-local cell, for forms of a query without one.
-inline vtkGenericCell* SkdScratchCell()
-{
-  thread_local vtkNew<vtkGenericCell> cell;
-  return cell;
-}
-
 /// The state of a locator: a tree, shared with its shallow copies, and the motion of its set.
 class SkdLocatorState
 {

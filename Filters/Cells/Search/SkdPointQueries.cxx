@@ -77,8 +77,8 @@ void SkdCellTree::WalkNearest(const skd::Vector3& x, double limit2, Visitor& vis
   if (!this->WalkWide(wide))
   {
     using LeafFilter = skd::DistanceLeafFilter<OnlyNearest>;
-    skd::Nearest<3, Visitor, LeafFilter> query(this->GetFrame(), x, limit2, visitor,
-      LeafFilter(this->LeafFilters.Packets(), this->GetFrame().Local(x)));
+    skd::Nearest<3, Visitor, LeafFilter> query(
+      this->GetFrame(), x, limit2, visitor, LeafFilter(this->Packets, this->GetFrame().Local(x)));
     this->Walk(query);
   }
 }

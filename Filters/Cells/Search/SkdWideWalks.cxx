@@ -40,6 +40,11 @@ skd::Vector3 PointAt(const double x[3])
   return { { x[0], x[1], x[2] } };
 }
 
+const skd::Segment<3>& SegmentAt(const void* segment)
+{
+  return *static_cast<const skd::Segment<3>*>(segment);
+}
+
 template <bool OnlyNearest>
 void WalkNearest(
   const SkdWideTree& tree, const skd::Vector3& x, double limit2, const SkdWideVisitor& visitor)
@@ -57,8 +62,9 @@ void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double m
 {
   using LeafFilter = skd::LineLeafFilter;
   const skd::TreeView<3>& view = ViewOf(tree);
-  skd::AlongSegment<3, const SkdWideVisitor, LeafFilter, InOrder> query(view.GetFrame(), segment,
-    margin, visitor, LeafFilter(PacketsOf(tree), skd::Shear(segment.B - segment.A)));
+  const skd::Shear shear(segment.B - segment.A);
+  skd::AlongSegment<3, const SkdWideVisitor, LeafFilter, InOrder> query(
+    view.GetFrame(), segment, margin, visitor, PacketsOf(tree), shear);
   skd::Walk(view, query);
 }
 }
@@ -78,33 +84,33 @@ void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double li
 }
 
 //------------------------------------------------------------------------------
-void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
-  double margin, bool inOrder, const SkdWideVisitor& visitor)
+void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const void* segment, double margin,
+  bool inOrder, const SkdWideVisitor& visitor)
 {
-  const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
   if (inOrder)
   {
-    WalkAlong<true>(tree, segment, margin, visitor);
+    WalkAlong<true>(tree, SegmentAt(segment), margin, visitor);
   }
   else
   {
-    WalkAlong<false>(tree, segment, margin, visitor);
+    WalkAlong<false>(tree, SegmentAt(segment), margin, visitor);
   }
 }
 
 //------------------------------------------------------------------------------
-void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const double from[3],
-  const double to[3], double tolerance, bool inOrder, const SkdWideHits& visitor)
+void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const void* segment, double tolerance,
+  bool inOrder, const SkdWideHits& visitor)
 {
-  const skd::Segment<3> segment{ PointAt(from), PointAt(to) };
   auto take = [&visitor](std::uint32_t cell, const skd::TriangleHit& hit)
   { return visitor.Call(visitor.Self, cell, &hit); };
   if (inOrder)
   {
-    skd::VisitTriangleHits<true>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+    skd::VisitTriangleHits<true>(
+      ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
   }
   else
   {
-    skd::VisitTriangleHits<false>(ViewOf(tree), PacketsOf(tree), segment, tolerance, take);
+    skd::VisitTriangleHits<false>(
+      ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
   }
 }

@@ -67,10 +67,11 @@ public:
 
   static void Nearest(const SkdWideTree& tree, const double x[3], double limit2, bool onlyNearest,
     const SkdWideVisitor& visitor);
-  static void AlongSegment(const SkdWideTree& tree, const double from[3], const double to[3],
-    double margin, bool inOrder, const SkdWideVisitor& visitor);
-  static void VisitTriangleHits(const SkdWideTree& tree, const double from[3], const double to[3],
-    double tolerance, bool inOrder, const SkdWideHits& visitor);
+  /// `segment`: skd::Segment<3>
+  static void AlongSegment(const SkdWideTree& tree, const void* segment, double margin,
+    bool inOrder, const SkdWideVisitor& visitor);
+  static void VisitTriangleHits(const SkdWideTree& tree, const void* segment, double tolerance,
+    bool inOrder, const SkdWideHits& visitor);
 };
 
 #endif

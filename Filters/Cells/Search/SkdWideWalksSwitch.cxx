@@ -11,7 +11,7 @@ bool CanRun()
 #if defined(SKD_HAS_WIDE_WALKS)
   __builtin_cpu_init();
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-    __builtin_cpu_supports("bmi");
+    __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
 #else
   return false;
 #endif

@@ -12,7 +12,7 @@ namespace skd
 /// memory instead of registers. A box that is written to memory number by number and copied from
 /// there at once costs more than all arithmetic on it.
 template <class Body, int... Axes>
-void ForEachAxis(std::integer_sequence<int, Axes...>, Body body)
+void ForEachAxis(std::integer_sequence<int, Axes...>, [[maybe_unused]] Body body)
 {
   (body(Axes), ...);
 }

@@ -33,7 +33,7 @@ struct Shear
   explicit Shear(const Vector3& direction)
     : Z(MostAlong(direction))
   {
-    constexpr int after[] = { 1, 2, 0, 1 };
+    static constexpr int after[] = { 1, 2, 0, 1 };
     this->X = after[this->Z];
     this->Y = after[this->Z + 1];
     this->SlopeX = direction[this->X] / direction[this->Z];

@@ -24,13 +24,13 @@ public:
 
   /// `local`: a point of the line, in the frame, that is not much farther from the packets than the
   /// tree is wide, or rounding counts for too little. `margin`: by how much triangles may be
-  /// missed.
+  /// missed, in the range of float.
   void Aim(const Vector3& local, double margin)
   {
     const Shear& shear = this->TheShear;
     this->X = local[shear.X] - shear.SlopeX * local[shear.Z];
     this->Y = local[shear.Y] - shear.SlopeY * local[shear.Z];
-    this->Margin = Frame<3>::RoundUp(margin);
+    this->Margin = Frame<3>::RoundUpInRange(margin);
   }
 
   /// Bit i: the line may intersect the triangle of lane i.
@@ -90,8 +90,8 @@ private:
   }
 
   Shear TheShear;
-  Spread SlopeX;
-  Spread SlopeY;
+  float SlopeX;
+  float SlopeY;
   double X = 0.0; ///< where the line meets the plane through the frame's centre, across axis Z
   double Y = 0.0;
   float Margin = 0.0f;

@@ -47,6 +47,7 @@ struct PacketPoints
 class TrianglePackets
 {
 public:
+  TrianglePackets() = default; ///< none
   TrianglePackets(const TrianglePacket* first, const PacketPoints& points)
     : First(first)
     , Points(points)
@@ -76,7 +77,7 @@ public:
   }
 
 private:
-  const TrianglePacket* First;
+  const TrianglePacket* First = nullptr;
   PacketPoints Points;
 };
 
@@ -85,6 +86,8 @@ template <bool OnlyNearest>
 class DistanceLeafFilter : public TrianglePackets
 {
 public:
+  static constexpr bool GivesKeys = true;
+
   /// `local`: the point in the tree's frame.
   DistanceLeafFilter(const TrianglePackets& packets, const Vector3& local)
     : TrianglePackets(packets)
@@ -120,13 +123,14 @@ public:
 
   void Aim(const Vector3& local, double margin) { this->Crossings.Aim(local, margin); }
 
-  unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float&) const
+  static constexpr bool GivesKeys = false;
+
+  unsigned Pass(std::uint32_t number, std::uint32_t count, float*, float&) const
   {
     if (this->HavePoints())
     {
       this->FetchPoints(number);
     }
-    std::fill(keys, keys + Node<3>::Width, 0.0f);
     return this->Crossings.MayIntersect(this->Of(number)) & LowBits(count);
   }
 

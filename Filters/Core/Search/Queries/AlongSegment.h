@@ -4,6 +4,7 @@
 #define skd_Queries_AlongSegment_h
 
 #include "../../Geometry/Segment.h"
+#include "../Tree/AxisLanes.h"
 #include "../Tree/Tolerances.h"
 #include "../Tree/Walk.h"
 
@@ -15,10 +16,11 @@ namespace skd
 /// `visitor(element)` intersects an element and returns the new limit of the search, a parameter
 /// 0..1 along the segment: the first hit so far, or 1 for all hits.
 ///
-/// The segment is first clipped in double precision, so that a far end costs no accuracy, to the
-/// cube of the tree's frame and as much room again: no new end comes near a box. `margin` (world
-/// units) widens every box, for searches with a tolerance. Of a short query much is what is done
-/// once a segment: there is a division for each axis, and one for what the clipping leaves.
+/// A segment with an end far from the tree is first clipped in double precision, so that the end
+/// costs no accuracy, to the cube of the tree's frame and as much room again: no new end comes near
+/// a box. `margin` (world units) widens every box, for searches with a tolerance. Of a short query
+/// much is what is done once a segment, one step waiting for the other: clipping would take as long
+/// as five nodes.
 /// `InOrder`: whether the nearest comes first. Where all is wanted, any order will do.
 template <int D, class Visitor, class LeafFilter = NoLeafFilter, bool InOrder = true>
 class AlongSegment : public FilteredQuery<AlongSegment<D, Visitor, LeafFilter, InOrder>, LeafFilter>
@@ -26,22 +28,30 @@ class AlongSegment : public FilteredQuery<AlongSegment<D, Visitor, LeafFilter, I
 public:
   static constexpr bool Ordered = InOrder;
 
+  template <class... PartsOfLeafFilter>
   SKD_NOINLINE AlongSegment(const Frame<D>& frame, const Segment<D>& segment, double margin,
-    Visitor& visitor, const LeafFilter& leafFilter = LeafFilter())
-    : FilteredQuery<AlongSegment, LeafFilter>(leafFilter, -1.0f) // less than every key
+    Visitor& visitor, const PartsOfLeafFilter&... parts)
+    : FilteredQuery<AlongSegment, LeafFilter>(-1.0f, parts...) // less than every key
     , TheVisitor(visitor)
   {
-    const Line line(frame.Local(segment.A), frame.Scale * (segment.B - segment.A));
-    const double rounding = line.Rounding();
+    const Line line(frame, segment);
+    const bool isNear = line.IsNear();
+    const double rounding = isNear ? Line::RoundingNear : line.Rounding();
     const double reach = margin * frame.Scale + rounding;
-    const Interval inside = line.Within(2.0 + reach + rounding);
-    this->Begin = inside.Min;
-    this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
-    this->SetLocal(line, std::min(reach, Most));
-    this->TheLeafFilter.Aim(line.At(this->Begin), reach);
-    if (inside.Min <= inside.Max && margin >= 0.0 && std::isfinite(rounding)) // may meet the tree
+    if (!isNear)
     {
-      this->TheLimit = 1.0f + Slack;
+      const Interval inside = line.Within(2.0 + reach + rounding);
+      if (!(inside.Min <= inside.Max && std::isfinite(rounding)))
+      {
+        return;
+      }
+      this->Begin = inside.Min;
+      this->PerLength = 1.0 / std::max(inside.Max - inside.Min, Least);
+    }
+    if (margin >= 0.0)
+    {
+      this->SetLocal(line, std::min(reach, Most));
+      this->EndAt(1.0f);
     }
   }
 
@@ -49,18 +59,18 @@ public:
   SKD_FLATTEN unsigned TestBoxes(const BoxPacket<D, W>& boxes, float* keys) const
   {
     Lanes<W> enter(0.0f);
-    Lanes<W> leave(1.0f);
+    Lanes<W> leave(this->Last);
     ForEachAxis<D>(
       [&](int axis)
       {
-        const Lanes<W> inverse(this->Inverse[axis]);
+        const Lanes<W> back(this->Back[axis]);
         const Lanes<W> near = boxes.Side(this->NearSide[axis]);
         const Lanes<W> far = boxes.Side(this->FarSide[axis]);
-        enter = Max((near - Lanes<W>(this->NearOrigin[axis])) * inverse, enter);
-        leave = Min((far - Lanes<W>(this->FarOrigin[axis])) * inverse, leave);
+        enter = Max((Lanes<W>(this->NearOrigin[axis]) - near) * back, enter);
+        leave = Min((Lanes<W>(this->FarOrigin[axis]) - far) * back, leave);
       });
     enter.Store(keys);
-    return LessEqual(enter, Min(leave + Lanes<W>(Slack), Lanes<W>(this->TheLimit)));
+    return LessEqual(enter, leave + Lanes<W>(Slack));
   }
 
   bool Visit(std::uint32_t element)
@@ -69,106 +79,128 @@ public:
     const double local = (parameter - this->Begin) * this->PerLength;
     if (local < 1.0)
     {
-      this->TheLimit = Frame<D>::RoundUpInRange(std::max(local, 0.0)) + Slack;
+      this->EndAt(Frame<D>::RoundUpInRange(std::max(local, 0.0)));
     }
     return true;
   }
 
 private:
+  /// Nothing beyond this parameter is wanted any more.
+  void EndAt(float last)
+  {
+    this->Last = last;
+    this->TheLimit = last + Slack;
+  }
+
   static constexpr float Slack = tolerances::SegmentParameter;
 
   /// "Insure width of L in each coordinate direction".
   static constexpr double Least = tolerances::LeastAlong;
   /// What is beyond so much is as good there.
   static constexpr double Most = 1.0 / Least;
+  using Packet = BoxPacket<D, Node<D>::Width>;
 
   /// A segment in the tree's frame, mirrored so that it runs forward along every axis: which way
   /// it does is anyone's guess, and there is no branch on it.
   struct Line
   {
-    Line(const Vector<D>& from, const Vector<D>& along)
+    Line(const Frame<D>& frame, const Segment<D>& segment)
     {
-      ForEachAxis<D>(
-        [&](int axis)
-        {
-          this->Sign[axis] = std::copysign(1.0, along[axis]);
-          this->From[axis] = this->Sign[axis] * from[axis];
-          this->Along[axis] = std::abs(along[axis]);
-          this->Inverse[axis] = 1.0 / std::max(this->Along[axis], Least);
-        });
+      const AxisLanes<D> scale(frame.Scale);
+      const AxisLanes<D> a(segment.A);
+      const AxisLanes<D> along = (AxisLanes<D>(segment.B) - a) * scale;
+      this->Sign = IfLess(along, AxisLanes<D>(0.0), AxisLanes<D>(-1.0), AxisLanes<D>(1.0));
+      this->From = this->Sign * ((a - AxisLanes<D>(frame.Centre)) * scale);
+      this->Along = this->Sign * along;
+      this->Inverse = AxisLanes<D>(1.0) / Max(this->Along, AxisLanes<D>(Least));
     }
 
-    /// The maximum rounding error of points of the segment. Infinite if an end is infinite or NaN.
+    /// Whether no end is far from the tree: then nothing is clipped.
+    bool IsNear() const
+    {
+      const AxisLanes<D> most = Max(-this->From, this->From + this->Along);
+      return AllLessEqual(most, AxisLanes<D>(Near));
+    }
+
+    ///@{
+    /// The maximum rounding error of points of the segment. Infinite or NaN if an end is.
     double Rounding() const
     {
-      double most = 0.0;
-      ForEachAxis<D>([&](int axis) { most += std::abs(this->From[axis]) + this->Along[axis]; });
-      return 4.0 * std::numeric_limits<double>::epsilon() * most;
+      const Vector<D> most = (Max(this->From, -this->From) + this->Along).Values();
+      double sum = 0.0;
+      ForEachAxis<D>([&](int axis) { sum += most[axis]; });
+      return RoundingOf(sum);
     }
+    static constexpr double RoundingOf(double sum)
+    {
+      return 4.0 * std::numeric_limits<double>::epsilon() * sum;
+    }
+    static constexpr double Near = 4.0; ///< in any coordinate
+    static constexpr double RoundingNear = RoundingOf(3.0 * D * Near);
+    ///@}
 
     /// The interval on which no coordinate is beyond `room`: Min > Max if there is none.
     Interval Within(double room) const
     {
+      const Vector<D> enter = ((AxisLanes<D>(-room) - this->From) * this->Inverse).Values();
+      const Vector<D> leave = ((AxisLanes<D>(room) - this->From) * this->Inverse).Values();
       Interval inside{ 0.0, 1.0 };
       ForEachAxis<D>(
         [&](int axis)
         {
-          const double enter = (-room - this->From[axis]) * this->Inverse[axis];
-          const double leave = (room - this->From[axis]) * this->Inverse[axis];
-          inside.Min = std::max(inside.Min, enter);
-          inside.Max = std::min(inside.Max, leave);
+          inside.Min = std::max(inside.Min, enter[axis]);
+          inside.Max = std::min(inside.Max, leave[axis]);
         });
       return inside;
     }
 
-    /// As it is, not mirrored.
-    Vector<D> At(double parameter) const
-    {
-      Vector<D> x;
-      ForEachAxis<D>([&](int axis)
-        { x[axis] = this->Sign[axis] * (this->From[axis] + parameter * this->Along[axis]); });
-      return x;
-    }
-
-    Vector<D> Sign; ///< -1 of an axis that is mirrored
-    Vector<D> From;
-    Vector<D> Along;
-    Vector<D> Inverse; ///< of Along
+    AxisLanes<D> Sign; ///< -1 of an axis that is mirrored
+    AxisLanes<D> From;
+    AxisLanes<D> Along;
+    AxisLanes<D> Inverse; ///< of Along
   };
 
   void SetLocal(const Line& line, double reach)
   {
-    ForEachAxis<D>(
-      [&](int axis)
-      {
-        const double sign = line.Sign[axis];
-        const double place = line.From[axis] + this->Begin * line.Along[axis];
-        const double from = std::max(-Most, std::min(place, Most));
-        this->NearOrigin[axis] = Spread(static_cast<float>(sign * RoundedUp(from + reach)));
-        this->FarOrigin[axis] = Spread(static_cast<float>(-sign * RoundedUp(reach - from)));
-        const double inverse = std::min(line.Inverse[axis] * this->PerLength, Most);
-        this->Inverse[axis] = Spread(static_cast<float>(sign * inverse));
-        const bool isForward = sign > 0.0;
-        this->NearSide[axis] = BoxPacket<D, Node<D>::Width>::SideAt(axis, !isForward);
-        this->FarSide[axis] = BoxPacket<D, Node<D>::Width>::SideAt(axis, isForward);
-      });
+    const AxisLanes<D> begin = line.From + AxisLanes<D>(this->Begin) * line.Along;
+    const AxisLanes<D> near = line.Sign * RoundedUp(begin + AxisLanes<D>(reach));
+    const AxisLanes<D> far = line.Sign * RoundedUp(AxisLanes<D>(reach) - begin);
+    const AxisLanes<D> perStep =
+      Min(line.Inverse * AxisLanes<D>(this->PerLength), AxisLanes<D>(Most));
+    SpreadOut(near, this->NearOrigin);
+    SpreadOut(-far, this->FarOrigin);
+    SpreadOut(-(line.Sign * perStep), this->Back);
+    // The two sides are at the same distance from the middle of them.
+    const AxisLanes<D> toFar = line.Sign * AxisLanes<D>(Packet::HalfWayAcross);
+    (AxisLanes<D>(Packet::MiddlesOfSides()) - toFar).Store(this->NearSide);
+    (AxisLanes<D>(Packet::MiddlesOfSides()) + toFar).Store(this->FarSide);
+    this->TheLeafFilter.Aim((line.Sign * begin).Values(), reach);
+  }
+
+  static void SpreadOut(const AxisLanes<D>& from, Spread* to)
+  {
+    float values[D];
+    from.Store(values);
+    ForEachAxis<D>([&](int axis) { to[axis] = Spread(values[axis]); });
   }
 
   /// So that the nearest float is not below. What no float is near, 0 is: boxes are rounded outward
   /// by as much.
-  static double RoundedUp(double place)
+  static AxisLanes<D> RoundedUp(const AxisLanes<D>& place)
   {
     constexpr double half = 1.0 / (1 << 23);
-    return place + half * std::abs(place);
+    return place + AxisLanes<D>(half) * Max(place, -place);
   }
 
+  float Last = -1.0f;
   double Begin = 0.0;
-  double PerLength = 0.0; ///< 1 over the length that the clipping left, in the parameter
-  std::size_t NearSide[D];
-  std::size_t FarSide[D];
+  double PerLength = 1.0; ///< 1 over the length that the clipping left, in the parameter
+  std::int32_t NearSide[D];
+  std::int32_t FarSide[D];
   Spread NearOrigin[D];
   Spread FarOrigin[D];
-  Spread Inverse[D];
+  Spread
+    Back[D]; ///< the parameter for each step, negative: boxes are subtracted from what is fixed
   Visitor& TheVisitor;
 };
 

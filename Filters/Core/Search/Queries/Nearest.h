@@ -79,7 +79,7 @@ public:
 
   Nearest(const Frame<D>& frame, const Vector<D>& point, double limit2, Visitor& visitor,
     const LeafFilter& leafFilter = LeafFilter())
-    : FilteredQuery<Nearest, LeafFilter>(leafFilter, frame.UpperBound2(limit2))
+    : FilteredQuery<Nearest, LeafFilter>(frame.UpperBound2(limit2), leafFilter)
     , TheFrame(frame)
     , Point(frame, point)
     , TheVisitor(visitor)

@@ -65,7 +65,7 @@ SKD_FLATTEN void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacket
   }
   const detail::LanesView lanes(tree);
   double limit = 1.0;
-  auto test = [&](std::uint32_t laneOfAll)
+  auto test = [&](std::uint32_t laneOfAll) SKD_NOINLINE
   {
     const std::uint32_t number = laneOfAll / lanes.Width;
     const std::uint32_t lane = laneOfAll % lanes.Width;
@@ -77,7 +77,7 @@ SKD_FLATTEN void VisitTriangleHits(const TreeView<3>& tree, const TrianglePacket
     return limit;
   };
   AlongSegment<3, decltype(test), LineLeafFilter, InOrder> query(
-    tree.GetFrame(), segment, tolerance, test, LineLeafFilter(packets, view.GetShear()));
+    tree.GetFrame(), segment, tolerance, test, packets, view.GetShear());
   Walk(lanes, query);
 }
 

@@ -19,7 +19,7 @@ public:
 
   WithinBox(const Frame<D>& frame, const Box<D>& box, Visitor& visitor,
     const LeafFilter& leafFilter = LeafFilter())
-    : FilteredQuery<WithinBox, LeafFilter>(leafFilter, 0.0f)
+    : FilteredQuery<WithinBox, LeafFilter>(0.0f, leafFilter)
     , TheBox(OuterBox(frame, box))
     , TheVisitor(visitor)
   {

@@ -7,6 +7,7 @@
 #ifndef skd_Tree_Lanes_h
 #define skd_Tree_Lanes_h
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -98,6 +99,29 @@ inline FloatVector SquareRoot(FloatVector values)
 #endif
 }
 
+/// The larger and the smaller lane by lane: the second if one is NaN. (Of vectors of which one is
+/// constant GCC 12 makes a comparison and a choice.)
+inline FloatVector Larger(FloatVector a, FloatVector b)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  return _mm256_max_ps(a, b);
+#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
+  return _mm_max_ps(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+inline FloatVector Smaller(FloatVector a, FloatVector b)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  return _mm256_min_ps(a, b);
+#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
+  return _mm_min_ps(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
 /// Bit i is set where lane i of `truth` is.
 inline unsigned Bits(TruthVector truth)
 {
@@ -134,6 +158,21 @@ inline int LowestBit(unsigned bits)
     ++lowest;
   }
   return lowest;
+#endif
+}
+
+/// The number of the highest bit that is set, of at least one, of eight.
+inline int HighestBit(unsigned bits)
+{
+#if defined(__GNUC__)
+  return 31 - __builtin_clz(bits);
+#else
+  int highest = 31;
+  while ((bits >> highest & 1u) == 0)
+  {
+    --highest;
+  }
+  return highest;
 #endif
 }
 
@@ -190,6 +229,25 @@ inline DoubleVector LoadDoubles(const double* values)
   return loaded;
 }
 
+/// The first `Number` of them, and zeros.
+template <int Number>
+DoubleVector LoadDoubles(const double* values)
+{
+  static_assert(0 < Number && Number <= NativeDoubles, "some of a register");
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  if constexpr (Number == 3)
+  {
+    // As compilers store them: what was stored just now in two parts cannot be loaded as a whole
+    // before it is in the cache.
+    const __m256d firstTwo = _mm256_castpd128_pd256(_mm_loadu_pd(values));
+    return _mm256_insertf128_pd(firstTwo, _mm_load_sd(values + 2), 1);
+  }
+#endif
+  double padded[NativeDoubles] = {};
+  std::memcpy(padded, values, Number * sizeof(double));
+  return LoadDoubles(padded);
+}
+
 inline double LaneOf(const DoubleVector& values, int lane)
 {
   double stored[NativeDoubles];
@@ -217,6 +275,56 @@ inline DoubleVector SquareRoot(DoubleVector values)
 #endif
 }
 #endif
+
+/// The larger and the smaller lane by lane: the second if one is NaN.
+inline DoubleVector Larger(DoubleVector a, DoubleVector b)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  return _mm256_max_pd(a, b);
+#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
+  return _mm_max_pd(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+inline DoubleVector Smaller(DoubleVector a, DoubleVector b)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  return _mm256_min_pd(a, b);
+#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
+  return _mm_min_pd(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
+/// Whether a <= b in every lane; false with NaN.
+inline bool AllLessEqual(DoubleVector a, DoubleVector b)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+  return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LE_OQ)) == 15;
+#elif !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__SSE2__)
+  return _mm_movemask_pd(_mm_cmple_pd(a, b)) == 3;
+#else
+  double less[NativeDoubles];
+  const DoubleVector one = a <= b ? DoubleVector{} + 1.0 : DoubleVector{};
+  std::memcpy(less, &one, sizeof(less));
+  return *std::min_element(less, less + NativeDoubles) > 0.0;
+#endif
+}
+
+/// Doubles as numbers of another type, as a conversion makes them.
+template <class Number>
+void StoreAs(const DoubleVector& values, Number* to)
+{
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+  *to = static_cast<Number>(values);
+#else
+  typedef Number Numbers __attribute__((vector_size(sizeof(Number) * NativeDoubles)));
+  const Numbers converted = __builtin_convertvector(values, Numbers);
+  std::memcpy(to, &converted, sizeof(converted));
+#endif
+}
 
 /// One number for every lane of many operations: spread out once.
 class Spread
@@ -313,11 +421,13 @@ public:
   }
   friend Lanes Max(const Lanes& a, const Lanes& b)
   {
-    return Map(a, b, [](detail::FloatVector x, detail::FloatVector y) { return x > y ? x : y; });
+    return Map(
+      a, b, [](detail::FloatVector x, detail::FloatVector y) { return detail::Larger(x, y); });
   }
   friend Lanes Min(const Lanes& a, const Lanes& b)
   {
-    return Map(a, b, [](detail::FloatVector x, detail::FloatVector y) { return x < y ? x : y; });
+    return Map(
+      a, b, [](detail::FloatVector x, detail::FloatVector y) { return detail::Smaller(x, y); });
   }
 
   /// Bit i is set where a <= b in lane i; never for NaN.

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <new>
 #include <type_traits>
 
 namespace skd
@@ -26,13 +26,25 @@ struct BoxPacket
   Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
   Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
 
-  /// The offset of a side of the boxes in a packet.
-  static std::size_t SideAt(int axis, bool isMax)
+  ///@{
+  /// Where a side of the boxes is in a packet, in bytes: so far before the middle of the two sides
+  /// of an axis, or behind it.
+  static constexpr double HalfWayAcross = 0.5 * sizeof(float[D][W]);
+  static const Vector<D>& MiddlesOfSides()
   {
-    return (isMax ? offsetof(BoxPacket, Max) : offsetof(BoxPacket, Min)) +
-      static_cast<std::size_t>(axis) * sizeof(float[W]);
+    static constexpr Vector<D> middles = []
+    {
+      Vector<D> along{};
+      for (int axis = 0; axis < D; ++axis)
+      {
+        along.X[axis] = HalfWayAcross + axis * sizeof(float[W]);
+      }
+      return along;
+    }();
+    return middles;
   }
-  Lanes<W> Side(std::size_t at) const
+  ///@}
+  Lanes<W> Side(std::ptrdiff_t at) const
   {
     return Lanes<W>::Load(reinterpret_cast<const float*>(reinterpret_cast<const char*>(this) + at));
   }
@@ -84,7 +96,8 @@ struct alignas(32) Node
   std::uint16_t Count = 0;
   bool IsLeaf = false;
   std::uint32_t Tag = NoTag; ///< what the tree's owner keeps of the elements below
-  std::uint32_t Note[5]; ///< the owner's, too, in what would be padding; not set until it sets it
+  /// The owner's, too, in what would be padding; not set until it sets it.
+  alignas(std::uint32_t) unsigned char Note[20];
 
   static constexpr std::uint32_t NoTag = 0xffffffffu;
   /// A bit for each lane in use.
@@ -93,16 +106,15 @@ struct alignas(32) Node
   template <class T>
   void Write(const T& note)
   {
-    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(this->Note));
-    std::memcpy(this->Note, &note, sizeof(T));
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(this->Note) &&
+      alignof(T) <= alignof(std::uint32_t));
+    new (this->Note) T(note);
   }
+  /// What was written: not copied, for queries read a part of it at every node.
   template <class T>
-  T Read() const
+  const T& Read() const
   {
-    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(this->Note));
-    T note;
-    std::memcpy(&note, this->Note, sizeof(T));
-    return note;
+    return *std::launder(reinterpret_cast<const T*>(this->Note));
   }
 };
 

@@ -33,6 +33,7 @@ template <int D>
 class TreeView
 {
 public:
+  TreeView() = default; ///< of an empty tree
   TreeView(const Frame<D>& frame, const Box<D>& bounds, const Node<D>* nodes,
     const std::uint32_t* elements, const LeafNumbers& leaves)
     : TheFrame(frame)
@@ -53,11 +54,11 @@ public:
   const Box<D>& GetBounds() const { return this->TheBounds; }
 
 private:
-  Frame<D> TheFrame;
+  Frame<D> TheFrame{};
   Box<D> TheBounds;
-  const Node<D>* Nodes;
-  const std::uint32_t* Elements;
-  LeafNumbers Leaves;
+  const Node<D>* Nodes = nullptr;
+  const std::uint32_t* Elements = nullptr;
+  LeafNumbers Leaves{ 1, 0 };
 };
 
 }

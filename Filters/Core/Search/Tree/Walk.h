@@ -5,7 +5,10 @@
 
 #include "Node.h"
 
+#include <algorithm>
+#include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace skd
 {
@@ -64,46 +67,37 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 {
 };
 
-/// An open node: its remaining children, and those of them that need no further test.
-template <class Node>
-struct Level
-{
-  float Keys[Node::Width];
-  std::uint32_t First;
-  unsigned Wanted;
-  unsigned Sure;
-  // Of a walk that skips leaves:
-  unsigned Known;     ///< the children that are leaves which need not be opened
-  const Node* Opened; ///< whose note then says which these are
+/// What a traversal has still to open: a number in the order of the keys, which are 0 or more. The
+/// key is in its upper half; below are the index of a node and a mark, or the number of a leaf that
+/// need not be opened and a mark.
+using Turn = std::uint64_t;
 
-  bool IsKnown(int lane) const { return (this->Known >> lane & 1u) != 0; }
-  std::uint32_t NumberOf(int lane) const
-  {
-    return this->Opened->template Read<KnownLeaves>().NumberOf(lane);
-  }
-};
+constexpr std::uint32_t Mark = 0x80000000u;
 
-/// `isSure`: all elements below the node are answers.
-template <class Query, class Node>
-void Open(Query& query, const Node& node, bool isSure, Level<Node>& level)
+inline bool IsMarked(Turn turn)
 {
-  level.First = node.First;
-  if (KnowsSure<Query>::value && isSure)
-  {
-    level.Wanted = level.Sure = node.Occupied();
-    return;
-  }
-  const unsigned reached = node.IsLeaf ? TestElements(query, node, level.Keys, 0)
-                                       : query.TestBoxes(node.Boxes, level.Keys);
-  level.Wanted = reached & node.Occupied();
-  if constexpr (KnowsSure<Query>::value)
-  {
-    level.Sure = level.Wanted != 0 ? level.Wanted & query.SureOf(node) : 0u;
-  }
+  return (turn & Mark) != 0;
+}
+inline std::uint32_t IndexOf(Turn turn)
+{
+  return static_cast<std::uint32_t>(turn) & ~Mark;
+}
+inline float KeyOf(Turn turn)
+{
+  const auto bits = static_cast<std::uint32_t>(turn >> 32);
+  float key;
+  std::memcpy(&key, &bits, sizeof(key));
+  return key;
+}
+inline Turn TurnOf(float key, std::uint32_t index)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &key, sizeof(bits));
+  return static_cast<Turn>(bits) << 32 | index;
 }
 
 /// Of some lanes, at least one, that with the least key. Written so that compilers make it without
-/// a branch in the loop: which child comes first is anyone's guess.
+/// a branch in the loop: which element comes first is anyone's guess.
 inline int LeastLane(unsigned lanes, const float* keys)
 {
   int least = LowestBit(lanes);
@@ -112,167 +106,210 @@ inline int LeastLane(unsigned lanes, const float* keys)
   return least;
 }
 
-/// Of the lanes of a level that wait, at least one: takes out that which comes next.
-template <class Query, class Node>
-int TakeNext(Level<Node>& level)
-{
-  const int lane = Query::Ordered ? LeastLane(level.Wanted, level.Keys) : LowestBit(level.Wanted);
-  level.Wanted &= ~(1u << lane);
-  return lane;
-}
-
-/// Drops children beyond the reduced limit. Returns whether any are left.
-template <class Query, class Node>
-bool HasNext(const Query& query, Level<Node>& level)
-{
-  if constexpr (Query::Ordered)
-  {
-    level.Wanted &=
-      LessEqual(Lanes<Node::Width>::Load(level.Keys), Lanes<Node::Width>(query.Limit()));
-  }
-  return level.Wanted != 0;
-}
-
-/// The elements of a leaf that is not opened.
-template <class Tree, class Query, class Node>
-void OpenKnown(const Tree& tree, Query& query, std::uint32_t number, Level<Node>& level)
-{
-  const auto elements = tree.LeafAt(number);
-  tree.FetchElements(elements.First);
-  level.First = elements.First;
-  level.Wanted = query.TestKnown(number, elements.Count, level.Keys);
-}
-
-/// The node to open next, and whether all elements below are answers; or a known leaf.
-struct Turn
-{
-  std::uint32_t Index; ///< of the node, or the number of a leaf
-  bool IsSure;
-  bool IsKnown;
-};
-
-/// Opens the next node. Returns whether it is a leaf.
-template <class Tree, class Query, class Node>
-bool Take(const Tree& tree, Query& query, const Turn& turn, Level<Node>& level)
-{
-  if constexpr (SkipsLeaves<Tree, Query>::value)
-  {
-    if (turn.IsKnown)
-    {
-      OpenKnown(tree, query, turn.Index, level);
-      return true;
-    }
-  }
-  const auto& node = tree.Open(turn.Index);
-  Open(query, node, turn.IsSure, level);
-  if constexpr (SkipsLeaves<Tree, Query>::value)
-  {
-    level.Opened = &node;
-    level.Known = query.Knows(node) ? node.template Read<KnownLeaves>().Lanes : 0u;
-  }
-  return node.IsLeaf;
-}
-
-/// The stack of open nodes with remaining children, and space for one more.
-template <class Node>
-class Levels
+/// A traversal: its stack, whose last is the next.
+template <class Tree, class Query>
+class Traversal
 {
 public:
-  Level<Node>& Room() { return this->Stack[this->Count]; }
-  /// The level in that room has children that wait.
-  void Keep() { ++this->Count; }
+  using Node = std::decay_t<decltype(std::declval<const Tree&>().Open(0))>;
 
-  /// Whether there is any left with a next one, the limit having fallen.
-  template <class Query>
-  bool HaveNext(const Query& query)
+  Traversal(const Tree& tree, Query& query)
+    : TheTree(tree)
+    , TheQuery(query)
   {
-    while (this->Count > 0 && !HasNext(query, this->Stack[this->Count - 1]))
-    {
-      --this->Count;
-    }
-    return this->Count > 0;
   }
 
-  template <class Tree, class Query>
-  Turn TakeNext()
+  void Run()
   {
-    Level<Node>& last = this->Stack[this->Count - 1];
-    const int lane = detail::TakeNext<Query>(last);
-    this->Count -= last.Wanted == 0 ? 1 : 0;
-    if constexpr (SkipsLeaves<Tree, Query>::value)
+    Turn next = 0;
+    while (this->Open(next))
     {
-      if (last.IsKnown(lane))
-      {
-        return { last.NumberOf(lane), false, true };
-      }
     }
-    const bool isSure = KnowsSure<Query>::value && (last.Sure >> lane & 1u) != 0;
-    return { last.First + static_cast<std::uint32_t>(lane), isSure, false };
   }
 
 private:
-  Level<Node> Stack[MostLevels];
-  int Count = 0;
-};
+  static constexpr bool Skips = SkipsLeaves<Tree, Query>::value;
+  static constexpr bool Sure = KnowsSure<Query>::value;
 
-/// False ends the walk.
-template <class Tree, class Query, class Node>
-bool VisitElement(const Tree& tree, Query& query, const Level<Node>& leaf, int lane)
-{
-  const std::uint32_t element = tree.Element(leaf.First + static_cast<std::uint32_t>(lane));
-  if constexpr (KnowsSure<Query>::value)
+  /// Opens what is next, and says what comes then. False: nothing.
+  bool Open(Turn& next)
   {
-    return (leaf.Sure >> lane & 1u) != 0 ? query.VisitSure(element) : query.Visit(element);
-  }
-  else
-  {
-    return query.Visit(element);
-  }
-}
-
-/// Visits the selected elements of a leaf. False ends the traversal.
-template <class Tree, class Query, class Node>
-bool VisitElements(const Tree& tree, Query& query, Level<Node>& leaf)
-{
-  if constexpr (!Query::Ordered)
-  {
-    for (unsigned wanted = leaf.Wanted; wanted != 0; wanted &= wanted - 1)
+    float keys[Node::Width];
+    if (Skips && IsMarked(next))
     {
-      if (!VisitElement(tree, query, leaf, LowestBit(wanted)))
+      return this->VisitKnown(IndexOf(next), keys) && this->Take(next);
+    }
+    const Node& node = this->TheTree.Open(IndexOf(next));
+    const bool isSure = Sure && IsMarked(next);
+    if (node.IsLeaf)
+    {
+      return this->VisitLeaf(node, isSure, keys) && this->Take(next);
+    }
+    const unsigned reached =
+      isSure ? node.Occupied() : this->TheQuery.TestBoxes(node.Boxes, keys) & node.Occupied();
+    if (reached == 0)
+    {
+      return this->Take(next);
+    }
+    next = this->Put(node, reached, isSure, keys);
+    return true;
+  }
+
+  /// The last whose key is within the limit, which may have fallen.
+  bool Take(Turn& next)
+  {
+    while (this->Top != this->Stack)
+    {
+      next = *--this->Top;
+      if (!Query::Ordered || KeyOf(next) <= this->TheQuery.Limit())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Puts children on the stack but the first of them, which it returns.
+  Turn Put(const Node& node, unsigned lanes, bool isSure, const float* keys)
+  {
+    unsigned marked = 0;
+    if constexpr (Skips)
+    {
+      marked = this->TheQuery.Knows(node) ? node.template Read<KnownLeaves>().Lanes : 0u;
+    }
+    else if constexpr (Sure)
+    {
+      marked = isSure ? lanes : this->TheQuery.SureOf(node);
+    }
+    const auto turnOf = [&](int lane)
+    {
+      const std::uint32_t mark = (marked >> lane & 1u) != 0 ? Mark : 0u;
+      const std::uint32_t index = Skips && mark != 0
+        ? node.template Read<KnownLeaves>().NumberOf(lane)
+        : node.First + static_cast<std::uint32_t>(lane);
+      return TurnOf(Query::Ordered ? keys[lane] : 0.0f, index | mark);
+    };
+    if constexpr (!Query::Ordered)
+    {
+      for (; (lanes & (lanes - 1)) != 0; lanes &= ~(1u << HighestBit(lanes)))
+      {
+        *this->Top++ = this->Fetched(turnOf(HighestBit(lanes)));
+      }
+      return turnOf(LowestBit(lanes));
+    }
+    Turn first = turnOf(LowestBit(lanes));
+    Turn* const bottom = this->Top;
+    while ((lanes &= lanes - 1) != 0)
+    {
+      const Turn turn = turnOf(LowestBit(lanes));
+      this->Insert(this->Fetched(std::max(first, turn)), bottom);
+      first = std::min(first, turn);
+    }
+    return first;
+  }
+
+  /// Keeps what is on the stack from `bottom` on in order.
+  void Insert(Turn turn, const Turn* bottom)
+  {
+    Turn* at = this->Top++;
+    for (; at != bottom && at[-1] < turn; --at)
+    {
+      *at = at[-1];
+    }
+    *at = turn;
+  }
+
+  Turn Fetched(Turn turn) const
+  {
+    if constexpr (Skips)
+    {
+      if (IsMarked(turn))
+      {
+        this->TheQuery.FetchKnown(IndexOf(turn));
+        return turn;
+      }
+    }
+    Fetch(this->TheTree, IndexOf(turn), 0);
+    return turn;
+  }
+
+  /// False ends the walk, as in all that visits.
+  bool VisitKnown(std::uint32_t number, float* keys)
+  {
+    if constexpr (Skips)
+    {
+      const auto elements = this->TheTree.LeafAt(number);
+      this->TheTree.FetchElements(elements.First);
+      const unsigned wanted = this->TheQuery.TestKnown(number, elements.Count, keys);
+      return Query::GivesKeys ? this->VisitInTurn(elements.First, wanted, keys)
+                              : this->VisitAll(elements.First, wanted, 0);
+    }
+    return true;
+  }
+
+  bool VisitLeaf(const Node& leaf, bool isSure, float* keys)
+  {
+    std::fill(keys, keys + Node::Width, 0.0f); // of elements that are tested all at once
+    const unsigned wanted =
+      isSure ? leaf.Occupied() : TestElements(this->TheQuery, leaf, keys, 0) & leaf.Occupied();
+    if constexpr (Sure)
+    {
+      return this->VisitAll(leaf.First, wanted,
+        isSure          ? wanted
+          : wanted != 0 ? this->TheQuery.SureOf(leaf)
+                        : 0u);
+    }
+    return this->VisitInTurn(leaf.First, wanted, keys);
+  }
+
+  bool VisitAll(std::uint32_t first, unsigned wanted, unsigned sure)
+  {
+    for (; wanted != 0; wanted &= wanted - 1)
+    {
+      const int lane = LowestBit(wanted);
+      const std::uint32_t element = this->TheTree.Element(first + static_cast<std::uint32_t>(lane));
+      bool goesOn;
+      if constexpr (Sure)
+      {
+        goesOn = (sure >> lane & 1u) != 0 ? this->TheQuery.VisitSure(element)
+                                          : this->TheQuery.Visit(element);
+      }
+      else
+      {
+        goesOn = this->TheQuery.Visit(element);
+      }
+      if (!goesOn)
       {
         return false;
       }
     }
     return true;
   }
-  while (HasNext(query, leaf))
-  {
-    const int lane = TakeNext<Query>(leaf);
-    if (!VisitElement(tree, query, leaf, lane))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
-template <class Tree, class Query, class Node>
-void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& level)
-{
-  ForEachLane(level.Wanted,
-    [&](int lane)
+  bool VisitInTurn(std::uint32_t first, unsigned wanted, const float* keys)
+  {
+    if constexpr (!Query::Ordered)
     {
-      if constexpr (SkipsLeaves<Tree, Query>::value)
+      return this->VisitAll(first, wanted, 0);
+    }
+    for (; (wanted &= LessEqual(
+              Lanes<Node::Width>::Load(keys), Lanes<Node::Width>(this->TheQuery.Limit()))) != 0;)
+    {
+      const int lane = LeastLane(wanted, keys);
+      wanted &= ~(1u << lane);
+      if (!this->TheQuery.Visit(this->TheTree.Element(first + static_cast<std::uint32_t>(lane))))
       {
-        if (level.IsKnown(lane))
-        {
-          query.FetchKnown(level.NumberOf(lane));
-          return;
-        }
+        return false;
       }
-      Fetch(tree, level.First + static_cast<std::uint32_t>(lane), 0);
-    });
-}
+    }
+    return true;
+  }
+
+  const Tree& TheTree;
+  Query& TheQuery;
+  Turn Stack[MostLevels * (Node::Width - 1)];
+  Turn* Top = this->Stack; ///< one past the last
+};
 
 }
 
@@ -292,6 +329,7 @@ void FetchChildren(const Tree& tree, const Query& query, const Level<Node>& leve
 ///   unsigned TestKnown(number, count, float* keys), void FetchKnown(number)
 ///                                        what TestElements() does, by a leaf's number, and
 ///                                        that this test will follow
+///   static constexpr bool GivesKeys      whether that sets the keys
 ///   unsigned SureOf(const Node&), bool VisitSure(element index)
 ///                                        if there, and not Ordered: the lanes below which all is
 ///                                        an answer, and what is visited without a test of any box
@@ -306,23 +344,7 @@ void Walk(const Tree& tree, Query& query)
   {
     return;
   }
-  detail::Levels<std::decay_t<decltype(tree.Open(0))>> levels;
-  detail::Turn turn{ 0, false, false };
-  while (true)
-  {
-    auto& opened = levels.Room();
-    const bool isLeaf = detail::Take(tree, query, turn, opened);
-    if (!isLeaf && opened.Wanted != 0)
-    {
-      detail::FetchChildren(tree, query, opened);
-      levels.Keep();
-    }
-    else if ((isLeaf && !detail::VisitElements(tree, query, opened)) || !levels.HaveNext(query))
-    {
-      return;
-    }
-    turn = levels.template TakeNext<Tree, Query>();
-  }
+  detail::Traversal<Tree, Query>(tree, query).Run();
 }
 
 /// A leaf filter, quantized or not, looks at the elements of a leaf more closely than their boxes
@@ -334,12 +356,13 @@ void Walk(const Tree& tree, Query& query)
 ///                                       as TestBoxes() of a query, whose limit it may lower, of a
 ///                                       leaf's number and how many elements it has
 ///   static constexpr bool SkipsLeaves   whether numbers are those of KnownLeaves; if so it gives
-///   void Fetch(number)
+///   void Fetch(number), and static constexpr bool GivesKeys: whether Pass() sets the keys then
 /// AlongSegment first calls Aim(point, margin), in the frame: where the segment begins, clipped to
 /// where the tree is. This one knows nothing.
 struct NoLeafFilter
 {
   static constexpr bool SkipsLeaves = false;
+  static constexpr bool GivesKeys = true;
 
   template <class Point>
   void Aim(const Point&, double)
@@ -365,6 +388,7 @@ class FilteredQuery
 {
 public:
   static constexpr bool SkipsLeaves = LeafFilter::SkipsLeaves;
+  static constexpr bool GivesKeys = LeafFilter::GivesKeys;
 
   template <class Node>
   unsigned TestElements(const Node& leaf, float* keys)
@@ -387,8 +411,10 @@ public:
   float Limit() const { return this->TheLimit; }
 
 protected:
-  FilteredQuery(const LeafFilter& leafFilter, float limit)
-    : TheLeafFilter(leafFilter)
+  /// The leaf filter, or what it is made of.
+  template <class... Parts>
+  explicit FilteredQuery(float limit, const Parts&... parts)
+    : TheLeafFilter(parts...)
     , TheLimit(limit)
   {
   }

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef skd_Tree_AxisLanes_h
+#define skd_Tree_AxisLanes_h
+
+#include "../../Geometry/ForEachAxis.h"
+#include "../../Geometry/Vector.h"
+#include "Lanes.h"
+
+#include <cstring>
+
+namespace skd
+{
+
+/// Arithmetic on all axes at once, in double precision: for what is done once a query. NaN as in
+/// Lanes.
+template <int D>
+class AxisLanes
+{
+public:
+  AxisLanes() = default;
+  explicit AxisLanes(double value)
+  {
+    ForEachAxis<Count>([&](int i) { this->Registers[i] = value - DoubleVector{}; });
+  }
+  explicit AxisLanes(const Vector<D>& values)
+  {
+    ForEachAxis<Count - 1>(
+      [&](int i) { this->Registers[i] = LoadDoubles(values.X + i * NativeDoubles); });
+    constexpr int before = Room - NativeDoubles;
+    this->Registers[Count - 1] = LoadDoubles<D - before>(values.X + before);
+  }
+
+  Vector<D> Values() const
+  {
+    Vector<D> values;
+    double padded[Room];
+    std::memcpy(padded, this->Registers, sizeof(padded));
+    ForEachAxis<D>([&](int axis) { values[axis] = padded[axis]; });
+    return values;
+  }
+
+  /// Rounded to floats, or whole numbers as such.
+  template <class Number>
+  void Store(Number* to) const
+  {
+    Number padded[Room];
+    ForEachAxis<Count>([&](int i) { StoreAs(this->Registers[i], padded + i * NativeDoubles); });
+    ForEachAxis<D>([&](int axis) { to[axis] = padded[axis]; });
+  }
+
+  friend AxisLanes operator+(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return x + y; });
+  }
+  friend AxisLanes operator-(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return x - y; });
+  }
+  AxisLanes operator-() const { return AxisLanes(0.0) - *this; }
+  friend AxisLanes operator*(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return x * y; });
+  }
+  friend AxisLanes operator/(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return x / y; });
+  }
+  friend AxisLanes Max(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return Larger(x, y); });
+  }
+  friend AxisLanes Min(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return Smaller(x, y); });
+  }
+
+  /// Whether a <= b on every axis; false with NaN.
+  friend bool AllLessEqual(const AxisLanes& a, const AxisLanes& b)
+  {
+    bool areLess = true;
+    ForEachAxis<Count>(
+      [&](int i) { areLess = areLess & skd::AllLessEqual(a.Registers[i], b.Registers[i]); });
+    return areLess;
+  }
+
+  /// Axis by axis a < b ? yes : no.
+  friend AxisLanes IfLess(
+    const AxisLanes& a, const AxisLanes& b, const AxisLanes& yes, const AxisLanes& no)
+  {
+    AxisLanes result;
+    ForEachAxis<Count>(
+      [&](int i) {
+        result.Registers[i] = a.Registers[i] < b.Registers[i] ? yes.Registers[i] : no.Registers[i];
+      });
+    return result;
+  }
+
+private:
+  static constexpr int Count = (D + NativeDoubles - 1) / NativeDoubles;
+  static constexpr int Room = Count * NativeDoubles;
+
+  template <class Function>
+  static AxisLanes Map(const AxisLanes& a, const AxisLanes& b, Function function)
+  {
+    AxisLanes result;
+    ForEachAxis<Count>(
+      [&](int i) { result.Registers[i] = function(a.Registers[i], b.Registers[i]); });
+    return result;
+  }
+
+  DoubleVector Registers[Count];
+};
+
+}
+
+#endif
