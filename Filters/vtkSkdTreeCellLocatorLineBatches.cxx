@@ -107,7 +107,16 @@ struct LineQueries
   double Tolerance;
 
   skd::Segment<3> Segment(const Line& line) const { return this->State.ToTree(line.From, line.To); }
-  SkdCellSource Source() const { return { this->Data, SkdScratchCell() }; }
+  SkdCellSource Source() const { return { this->Data }; }
+
+  /// Whether lines are sorted: not where the tree fits into a cache, some 25 MB, for a first hit is
+  /// not much more work than its part of the sort. Sorted lines took 1.1 to 2.3 times as long as
+  /// one by one in a tree of 7 * 10^4 triangles, even those that gain in one of 10^6.
+  bool Sorts() const
+  {
+    constexpr std::uint32_t large = 1u << 18;
+    return this->Tree.Cells().NumberOfCells() >= large;
+  }
 };
 
 struct HitOutputs
@@ -203,7 +212,7 @@ vtkIdType vtkSkdTreeCellLocator::IntersectWithLines(vtkDataArray* lines, vtkIdTy
     return -1;
   }
   const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
-  const SkdBatch batch(lines, SkdBatchOf::Lines);
+  const SkdBatch batch(lines, SkdBatchOf::Lines, queries.Sorts());
   return FindFirstHits(
     queries, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
 }
@@ -218,7 +227,7 @@ vtkIdType vtkSkdTreeCellLocator::FindAllHits(vtkDataArray* lines, vtkIdTypeArray
     return -1;
   }
   const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
-  const SkdBatch batch(lines, SkdBatchOf::Lines);
+  const SkdBatch batch(lines, SkdBatchOf::Lines, queries.Sorts());
   return FindHitLists(
     queries, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
 }
@@ -233,7 +242,7 @@ vtkIdType vtkSkdTreeCellLocator::IntersectWithSegments(vtkDataArray* starts, vtk
     return -1;
   }
   const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
-  const SkdBatch batch(starts, ends);
+  const SkdBatch batch(starts, ends, queries.Sorts());
   return FindFirstHits(
     queries, batch, GivenLines(batch), { cellIds, parameters, "SkdParameter", points });
 }
@@ -250,7 +259,7 @@ vtkIdType vtkSkdTreeCellLocator::FindAllSegmentHits(vtkDataArray* starts, vtkDat
     return -1;
   }
   const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
-  const SkdBatch batch(starts, ends);
+  const SkdBatch batch(starts, ends, queries.Sorts());
   return FindHitLists(
     queries, batch, GivenLines(batch), offsets, { cellIds, parameters, "SkdParameter", points });
 }
@@ -267,7 +276,7 @@ vtkIdType vtkSkdTreeCellLocator::IntersectWithRays(vtkDataArray* origins, vtkDat
     return -1;
   }
   const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
-  const SkdBatch batch(origins, SkdBatchOf::Points);
+  const SkdBatch batch(origins, SkdBatchOf::Points, queries.Sorts());
   const LinesOfRays lines(
     batch, directions, queries.Tree.Cells().GetBounds(), queries.State, maximum, tol);
   return FindFirstHits(queries, batch, lines, { cellIds, distances, "SkdDistance", points });
@@ -285,7 +294,7 @@ vtkIdType vtkSkdTreeCellLocator::FindAllRayHits(vtkDataArray* origins, vtkDataAr
     return -1;
   }
   const LineQueries queries{ this->GetTree(), *this->Impl, this->DataSet, tol };
-  const SkdBatch batch(origins, SkdBatchOf::Points);
+  const SkdBatch batch(origins, SkdBatchOf::Points, queries.Sorts());
   const LinesOfRays lines(
     batch, directions, queries.Tree.Cells().GetBounds(), queries.State, maximum, tol);
   return FindHitLists(

@@ -59,21 +59,22 @@ private:
 
 /// Many queries of one kind, the tuples of an array, processed in parallel along a Morton curve
 /// through their centres, so that data read by one query are still in the processor's caches for
-/// the next. Queries that are not finite come last. The order and its pieces depend only on the
-/// queries, not on the number of threads.
+/// the next. Queries that are not finite come last. Long lines are processed as they come. The
+/// order and its pieces depend only on the queries, not on the number of threads.
 ///
-/// 8 bytes and some ten nanoseconds a query.
+/// 8 bytes and some ten nanoseconds a query that is sorted.
 class SkdBatch
 {
 public:
   /// The number of consecutive queries for one thread.
   static constexpr vtkIdType PieceSize = 256;
 
-  /// The array must outlive it and have the right number of components.
-  SkdBatch(vtkDataArray* queries, SkdBatchOf kind);
+  /// The array must outlive it and have the right number of components. Unless `isSorted`, queries
+  /// are processed as they come.
+  SkdBatch(vtkDataArray* queries, SkdBatchOf kind, bool isSorted = true);
 
   /// Lines from two arrays of the same length, of 3 components each.
-  SkdBatch(vtkDataArray* starts, vtkDataArray* ends);
+  SkdBatch(vtkDataArray* starts, vtkDataArray* ends, bool isSorted);
 
   vtkIdType GetNumberOfQueries() const { return this->Count; }
   vtkIdType GetNumberOfPieces() const { return (this->Count + PieceSize - 1) / PieceSize; }
@@ -141,6 +142,8 @@ public:
 
 private:
   void Arrange();
+  /// Of lines: in the mean of some of them at most half as long as the box of their centres.
+  bool AreShort() const;
   void SortByCount(const std::vector<std::uint32_t>& keys, std::uint32_t largestKey);
 
   SkdTuples Queries;
