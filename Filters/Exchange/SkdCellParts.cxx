@@ -23,7 +23,7 @@ const char* const PointsName = "SkdJoinedPoints";
 
 vtkSmartPointer<vtkIdTypeArray> TakeArray(vtkDataSet* mesh, const char* name)
 {
-  const vtkSmartPointer<vtkIdTypeArray> array =
+  vtkSmartPointer<vtkIdTypeArray> array =
     vtkIdTypeArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(name));
   mesh->GetFieldData()->RemoveArray(name);
   return array;
@@ -83,12 +83,12 @@ SkdCellParts::SkdCellParts(
 {
 }
 
-void SkdCellParts::Take(int from, vtkSmartPointer<vtkDataSet> cells)
+void SkdCellParts::Take(int from, vtkDataSet* cells)
 {
   if (cells)
   {
     Part& part = this->Parts[static_cast<std::size_t>(from)];
-    part.Mesh = std::move(cells);
+    part.Mesh = cells;
     part.Cells = TakeArray(part.Mesh, CellsName);
     part.Points = TakeArray(part.Mesh, PointsName);
   }
@@ -147,8 +147,7 @@ void SkdCellParts::AskForPoints(SkdTransport& transport, vtkDataSet* piece)
       subset.CopyData();
       return subset.Get();
     },
-    [&](int from, vtkSmartPointer<vtkDataSet> points)
-    { this->Asked[static_cast<std::size_t>(from)] = std::move(points); });
+    [&](int from, vtkDataSet* points) { this->Asked[static_cast<std::size_t>(from)] = points; });
 }
 
 // Of the points that came with a process's cells.

@@ -21,7 +21,7 @@ public:
   SkdCellParts(SkdTransport& transport, const SkdAllFacts& facts, const SkdPieces& examples);
 
   /// What SkdTakeCells made there, or nullptr.
-  void Take(int from, vtkSmartPointer<vtkDataSet> cells);
+  void Take(int from, vtkDataSet* cells);
 
   /// All processes must call it together.
   void AskForPoints(SkdTransport& transport, vtkDataSet* piece);

@@ -117,7 +117,7 @@ vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes)
 
 void SkdExchangeMeshes(SkdTransport& transport,
   const std::function<vtkSmartPointer<vtkDataSet>(int to)>& make,
-  const std::function<void(int from, vtkSmartPointer<vtkDataSet> mesh)>& take)
+  const std::function<void(int from, vtkDataSet* mesh)>& take)
 {
   transport.Exchange(
     [&](int to)
@@ -133,9 +133,9 @@ void SkdExchangeMeshes(SkdTransport& transport,
     {
       if (from != transport.GetRank())
       {
-        take(from,
-          message.empty() ? nullptr
-                          : vtkDataSet::SafeDownCast(SkdUnpackObject(std::move(message))));
+        const vtkSmartPointer<vtkDataObject> mesh =
+          message.empty() ? nullptr : SkdUnpackObject(std::move(message));
+        take(from, vtkDataSet::SafeDownCast(mesh));
       }
     });
 }

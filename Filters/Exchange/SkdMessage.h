@@ -27,6 +27,6 @@ vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes);
 /// SkdTransport::Exchange.
 void SkdExchangeMeshes(SkdTransport& transport,
   const std::function<vtkSmartPointer<vtkDataSet>(int to)>& make,
-  const std::function<void(int from, vtkSmartPointer<vtkDataSet> mesh)>& take);
+  const std::function<void(int from, vtkDataSet* mesh)>& take);
 
 #endif

@@ -200,7 +200,7 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Send(SkdTransport& transport, Chosen
       return SkdTakeCells(this->Piece, chosen[static_cast<std::size_t>(to)], this->Numbers,
         this->Facts.AreSurfaces());
     },
-    [&](int from, vtkSmartPointer<vtkDataSet> cells) { parts.Take(from, std::move(cells)); });
+    [&](int from, vtkDataSet* cells) { parts.Take(from, cells); });
   parts.AskForPoints(transport, this->Piece);
   return this->Facts.GetFull().empty() ? this->Piece : parts.Assemble();
 }
