@@ -75,13 +75,19 @@ std::vector<SkdCastRays> FindStarts(
   return rays;
 }
 
+/// Unless all cells are there that rays may hit, no ray hits any.
 void Cast(vtkSkdTreeRays* self, const SkdRayTarget& target, const SkdRayLimits& limits,
-  double progress, std::vector<SkdCastRays>& rays)
+  double progress, bool isWhole, std::vector<SkdCastRays>& rays)
 {
   const SkdRayCaster caster(target.Trees, static_cast<int>(target.Blocks.size()), limits);
   SkdLoop loop(self, SkdCountStarts(rays), progress, 0.8, 32768);
   for (SkdCastRays& cast : rays)
   {
+    if (!isWhole)
+    {
+      cast.Lists.AddEmpty(cast.Starts.Points.size());
+      continue;
+    }
     cast.Lists = self->GetHits() == vtkSkdTreeRays::FIRST_HIT
       ? caster.FindFirst(cast.Starts.Points, cast.Starts.Directions, loop)
       : caster.FindAll(cast.Starts.Points, cast.Starts.Directions, loop);
@@ -240,6 +246,7 @@ int vtkSkdTreeRays::RequestData(
   const SkdRayLimits limits = LimitsOf(this, tolerance);
   SkdReport report(output);
   std::optional<SkdFoundCells> found;
+  bool isWhole = true;
   if (spread)
   {
     SkdLoop loop(this, SkdCountStarts(rays), 0.2, 0.5, 32768);
@@ -247,6 +254,7 @@ int vtkSkdTreeRays::RequestData(
       SkdFindHitCells(this, rays, trees, *spread, limits, this->Hits != FIRST_HIT, loop);
     report.AddCount("RaysSent", static_cast<vtkIdType>(hits.RaysSent));
     found.emplace(*spread, hits.Cells);
+    isWhole = hits.IsWhole;
     this->Impl->HitTrees.Update(found->GetBlocks(), this->Epsilon);
   }
   const bool isComposite = SkdIsComposite(sourceData);
@@ -254,7 +262,7 @@ int vtkSkdTreeRays::RequestData(
     ? SkdRayTarget{ this->Impl->HitTrees, found->GetBlocks(), isComposite }
     : SkdRayTarget{ trees, source, isComposite };
   target.Touch();
-  Cast(this, target, limits, found ? 0.5 : 0.2, rays);
+  Cast(this, target, limits, found ? 0.5 : 0.2, isWhole, rays);
   report.AddMeasure("Tolerance", tolerance);
   report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
   Report(output, rays, counts);

@@ -25,7 +25,8 @@ import skdtesting
 
 # Cases whose Source stays in its pieces; the others gather.
 EXCHANGED = {"closest", "closest data", "blocks", "data of blocks", "contour", "outer surface",
-    "rays from outside", "all hits", "in a mesh", "probe", "intersection", "overlapping cells"}
+    "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
+    "overlapping cells"}
 RUNS = {
     2: ("cuts, ghosts", "one process"),
     3: ("cuts", "round robin, global ids", "one reader"),

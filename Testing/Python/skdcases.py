@@ -66,6 +66,9 @@ def cases(partition):
     yield "all hits", Case(
         simple.SkdTreeRays(Input=other, Source=cells, Start="Cell Centers", Along="Direction",
             Direction=[0.2, 0.3, 1.0], Hits="All Hits", BothWays=1), ["SkdRayDistance"], 1)
+    yield "hits within a length", Case(
+        simple.SkdTreeRays(Input=image, Source=ball, Along="To Point", TargetPoint=[0.3, 0.2, 0.1],
+            Hits="Counts", MaximumLength=3.0), ["SkdRayHits"])
     yield "thickness", Case(simple.SkdTreeWallThickness(Input=ball), ["SkdThickness"])
     yield "thickness to", Case(
         simple.SkdTreeWallThickness(Input=other, Source=ball), ["SkdThickness"])

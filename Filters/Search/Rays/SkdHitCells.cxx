@@ -145,8 +145,15 @@ public:
   {
     const std::size_t share = SkdSizeOfRound(this->Transport.GetNumber(), sizeof(Ray));
     std::size_t begin = 0;
-    while (SkdMostOf(this->Transport, begin < rays.size() ? 1 : 0) != 0)
+    while (true)
     {
+      const int todo = begin < rays.size() ? 1 : 0;
+      const int state = SkdMostOf(this->Transport, SkdIsAborted(this->Algorithm) ? 2 : todo);
+      if (state != 1)
+      {
+        cells.IsWhole = state == 0;
+        return;
+      }
       const std::size_t end = std::min(rays.size(), begin + share);
       const auto rayOf = [&](std::size_t i) { return rays[begin + i]; };
       this->FindHere(end - begin, rayOf, loop,
@@ -239,7 +246,7 @@ SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRa
   }
   const FirstHits first(own, limits.Tolerance);
   SkdNearestExchange<FirstHits> exchange(spread.GetTransport(), first);
-  exchange.Find(
+  hits.IsWhole = exchange.Find(
     rays.size(), limits.Maximum, [&](std::size_t i) { return rays[i]; },
     [](std::size_t, const SkdRayHit&, int) {},
     [&](const SkdRayHit& hit, int process) {

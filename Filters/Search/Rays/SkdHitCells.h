@@ -14,6 +14,7 @@ struct SkdHitCells
 {
   std::vector<SkdFoundCell> Cells;
   std::uint64_t RaysSent = 0; // how often a ray was sent to another process
+  bool IsWhole = false;       // false after an abort on any process: rays would hit others
 };
 
 /// Of the first hits: the first of each ray in the own piece, and in those of processes that have
