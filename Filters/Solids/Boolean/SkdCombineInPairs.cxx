@@ -271,7 +271,7 @@ public:
   }
 
   /// How far all is.
-  double GetProgress() const { return 0.2 + 0.6 * this->Done / this->Total; }
+  double GetProgress() const { return 0.6 + 0.2 * this->Done / this->Total; }
 
   vtkIdType NumberSplit = 0;
   vtkIdType NumberFolded = 0;
@@ -528,18 +528,22 @@ void Append(SkdSolidGroup& to, const SkdSolidGroup& group)
 }
 
 //------------------------------------------------------------------------------
+bool SkdHasUnitedOperands(SkdBooleanOperation operation, bool areInputs)
+{
+  using Operation = SkdBooleanOperation;
+  const bool isOfInputs = areInputs &&
+    (operation == Operation::Intersection || operation == Operation::SymmetricDifference);
+  return operation == Operation::Union || operation == Operation::Difference ||
+    operation == Operation::ReverseDifference || isOfInputs;
+}
+
+//------------------------------------------------------------------------------
 std::optional<std::array<SkdSolidGroup, 2>> SkdFindSolidGroups(const SkdTriangleSet& set,
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule,
   const std::vector<SkdTrianglePair>& pairs)
 {
-  using Operation = SkdBooleanOperation;
-  const bool isOfAll = rule.Operation == Operation::Union;
-  const bool isDifference =
-    rule.Operation == Operation::Difference || rule.Operation == Operation::ReverseDifference;
-  const bool isOfInputs = areInputs &&
-    (rule.Operation == Operation::Intersection || rule.Operation == Operation::SymmetricDifference);
   Pieces pieces(set, solids);
-  if (!(isOfAll || isDifference || isOfInputs) || !pieces.AreClosed())
+  if (!SkdHasUnitedOperands(rule.Operation, areInputs) || !pieces.AreClosed())
   {
     return std::nullopt;
   }

@@ -25,6 +25,9 @@ class vtkAlgorithm;
 /// Solids, by their triangles, that are united before an operation.
 using SkdSolidGroup = std::vector<std::vector<std::uint32_t>>;
 
+/// Whether an operation is one on two operands, each the union of some solids.
+bool SkdHasUnitedOperands(SkdBooleanOperation operation, bool areInputs);
+
 /// The two operands of an operation, each the union of some solids: all of the first and the second
 /// input; else the first solid and the others, or of a union any halves. A solid whose pieces are
 /// closed, face outward and do not intersect themselves, is in a group by its pieces, unless what

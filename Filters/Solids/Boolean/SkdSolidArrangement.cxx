@@ -16,6 +16,9 @@ namespace
 /// deeply; `FewEvents` are few in any case.
 constexpr std::size_t EventsOfPair = 1;
 constexpr std::size_t FewEvents = 5000;
+
+/// As a rule there is that number of pairs for each triangle only where solids overlap deeply.
+constexpr std::size_t PairsOfTriangle = 6;
 }
 
 bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalDeviation,
@@ -58,18 +61,28 @@ bool SkdSolidArrangement::Arrange(
     return false;
   }
   SkdLoop splitLoop(filter, 0, 0.6, 0.8, 64);
-  const std::size_t few = EventsOfPair * pairs->Pairs.size() + FewEvents;
-  auto arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few);
+  const bool mayCombine = SkdHasUnitedOperands(rule.Operation, areInputs);
+  const std::size_t few = mayCombine ? EventsOfPair * pairs->Pairs.size() + FewEvents
+                                     : std::numeric_limits<std::size_t>::max();
+  const bool isDense = mayCombine && pairs->Pairs.size() > FewEvents &&
+    pairs->Pairs.size() > PairsOfTriangle * this->Triangles.GetTriangles().size();
+  std::optional<SkdArrangement> arrangement(SkdArrangement{ {}, {}, 0, 0, true });
+  if (!isDense) // else to look at segments would be in vain
+  {
+    arrangement = SkdArrange(*this->Placement, *pairs, splitLoop, few);
+  }
   if (arrangement && arrangement->IsCrowd)
   {
     if (const auto groups =
           SkdFindSolidGroups(this->Triangles, solids, areInputs, rule, pairs->Pairs))
     {
-      *pairs = {};
       this->Combined = SkdCombineInPairs(*this->Placement, this->Faces, *groups, rule, filter);
-      this->Arrangement = *std::move(arrangement);
-      this->EqualPoints.clear();
-      return this->Combined.has_value();
+      if (this->Combined || SkdIsAborted(filter))
+      {
+        this->Arrangement = *std::move(arrangement);
+        this->EqualPoints.clear();
+        return this->Combined.has_value();
+      }
     }
     arrangement = SkdArrange(*this->Placement, *pairs, splitLoop);
   }
