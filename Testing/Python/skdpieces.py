@@ -113,6 +113,7 @@ def extract(mesh, cells):
     extraction.SetCellList(ids)
     extraction.Update()
     grid = extraction.GetOutput()
+    grid.GetCellData().RemoveArray("vtkOriginalCellIds")  # which a whole mesh does not have
     if not mesh.IsA("vtkPolyData"):
         return grid
     surface = vtkPolyData()

@@ -64,7 +64,9 @@ SkdFaceSets::SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlo
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
       const std::string nameOfArray = array->GetName() ? array->GetName() : "";
-      if (std::find(others.begin(), others.end(), nameOfArray) == others.end())
+      const bool isCompared = array != data->GetGlobalIds() && // which are different in all cells
+        std::find(others.begin(), others.end(), nameOfArray) == others.end();
+      if (isCompared)
       {
         this->Data.back().push_back(array);
       }

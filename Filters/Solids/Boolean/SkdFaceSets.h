@@ -32,7 +32,8 @@ public:
   std::uint32_t Find(std::uint32_t triangle) { return this->Sets.Find(triangle); }
 
   /// Makes the faces of two triangles with a common edge one, if these are of one block, have the
-  /// same cell data, and lie in one plane, as their faces do. Returns whether they are one face.
+  /// same cell data but for global ids, and lie in one plane, as their faces do. Returns whether
+  /// they are one face.
   bool Unite(std::uint32_t a, std::uint32_t b);
 
 private:
