@@ -65,7 +65,7 @@ SkdRemapTally::Row& SkdRemapTally::RowOf(const SkdDonorField& field, std::size_t
 {
   const std::string name =
     field.Components > 1 ? field.Name + " " + std::to_string(component) : field.Name;
-  return this->Rows[name];
+  return this->Rows[{ name, field.IsOfPoints }];
 }
 
 void SkdRemapTally::Expect(const SkdDonorField& field)
@@ -93,7 +93,7 @@ void SkdRemapTally::Add(const SkdDonorField& field, const std::vector<SkdRemapIn
 void SkdRemapTally::AddOthers(const skd::Processes& processes, bool isSpread)
 {
   Numbers own;
-  for (const auto& [name, row] : this->Rows)
+  for (const auto& [key, row] : this->Rows)
   {
     own.insert(
       own.end(), { row.Source, row.Absolute, row.Overlap, row.Target, row.Covered, row.Whole });
@@ -101,7 +101,7 @@ void SkdRemapTally::AddOthers(const skd::Processes& processes, bool isSpread)
   std::vector<Numbers> all = processes.GatherFromOthers(own);
   all.push_back(own);
   std::size_t at = 0;
-  for (auto& [name, row] : this->Rows)
+  for (auto& [key, row] : this->Rows)
   {
     row.Source = isSpread ? SumOf(all, at) : AnyOf(all, at);
     row.Absolute = isSpread ? SumOf(all, at + 1) : AnyOf(all, at + 1);
@@ -122,9 +122,10 @@ void SkdRemapTally::AddTo(vtkDataObject* output) const
   vtkNew<vtkStringArray> names;
   names->SetName("SkdReportArray");
   std::vector<double> source, overlap, target, error, coverage;
-  for (const auto& [name, row] : this->Rows)
+  for (const auto& [key, row] : this->Rows)
   {
-    names->InsertNextValue(name);
+    const bool isOfBoth = key.second && this->Rows.count({ key.first, false }) > 0;
+    names->InsertNextValue(key.first + (isOfBoth ? " (points)" : ""));
     source.push_back(row.Source);
     overlap.push_back(row.Overlap);
     target.push_back(row.Target);

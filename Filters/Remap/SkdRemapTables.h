@@ -13,6 +13,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 class vtkDataObject;
 class vtkTable;
@@ -31,8 +32,9 @@ public:
   void AddOthers(const skd::Processes& processes, bool isSpread);
 
   /// Field data, a value a component of a field: SkdReportArray (its name, with the component's
-  /// number where there are several), ...SourceIntegral, ...OverlapIntegral, ...TargetIntegral,
-  /// ...ConservationError, ...Coverage. None without fields.
+  /// number where there are several, and "(points)" where an array of cells has it, too),
+  /// ...SourceIntegral, ...OverlapIntegral, ...TargetIntegral, ...ConservationError, ...Coverage.
+  /// None without fields.
   void AddTo(vtkDataObject* output) const;
 
 private:
@@ -40,7 +42,7 @@ private:
 
   Row& RowOf(const SkdDonorField& field, std::size_t component);
 
-  std::map<std::string, Row> Rows;
+  std::map<std::pair<std::string, bool>, Row> Rows; // by name and whether it is of points
 };
 
 /// Appends a row for each overlap of a target block: Row, Column (ids of the target's and the

@@ -8,7 +8,11 @@
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkSMPTools.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -201,6 +205,29 @@ TEST(Remap, PointDataAreIntegratedAsLinearBetweenThePoints)
     sum += measure;
   }
   EXPECT_NEAR(sum, 1.0, 1e-13);
+}
+
+TEST(Remap, ArraysOfCellsAndPointsWithOneNameAreReportedApart)
+{
+  const GridPointer tetra = WithData(MakeGrid(Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
+  const auto n = static_cast<std::size_t>(tetra->GetNumberOfCells());
+  const GridPointer source = WithCellArray(tetra, "Linear", std::vector<double>(n, 3.0));
+  const RemapPointer remap = MakeRemap(Bricks(2), source, Remap::CONSERVATIVE_FIRST_ORDER);
+  remap->Update();
+  vtkFieldData* report = remap->GetOutputDataObject(0)->GetFieldData();
+  vtkAbstractArray* names = report->GetAbstractArray("SkdReportArray");
+  ASSERT_NE(names, nullptr);
+  for (const auto& [name, integral] :
+    { std::pair("Linear", 3.0), std::pair("Linear (points)", Linear({ 0.5, 0.5, 0.5 })) })
+  {
+    const vtkIdType row = names->LookupValue(vtkVariant(name));
+    ASSERT_GE(row, 0) << name;
+    for (const char* what : { "SourceIntegral", "OverlapIntegral", "TargetIntegral" })
+    {
+      vtkDataArray* values = report->GetArray((std::string("SkdReport") + what).c_str());
+      EXPECT_NEAR(values->GetTuple1(row), integral, 1e-12) << name << " " << what;
+    }
+  }
 }
 
 TEST(Remap, PartlyCoveredCellsAreNormalisedAsAskedAndAmountsAreDivided)
