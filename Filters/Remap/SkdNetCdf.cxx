@@ -5,10 +5,12 @@
 // What CMake defines for the optional modules of vtk.module.
 #if VTK_MODULE_ENABLE_VTK_netcdf
 #include "vtk_netcdf.h"
+#endif
 
 #include <algorithm>
 #include <map>
 
+#if VTK_MODULE_ENABLE_VTK_netcdf
 namespace
 {
 /// A file in the making. The first thing that fails is kept, and nothing is done from there on.

@@ -6,9 +6,11 @@
 #if VTK_MODULE_ENABLE_VTK_netcdf
 #include "vtk_netcdf.h"
 #include "vtksys/SystemTools.hxx"
+#endif
 
 #include <array>
 
+#if VTK_MODULE_ENABLE_VTK_netcdf
 namespace
 {
 /// Bytes in the file, in words of four.
