@@ -196,26 +196,27 @@ int SkdNetCdfReader::Find(const std::string& variable, std::size_t size)
   return id;
 }
 
-std::vector<int> SkdNetCdfReader::ReadIntegers(const std::string& variable, std::size_t size)
+template <class Value>
+std::vector<Value> SkdNetCdfReader::Read(
+  const std::string& variable, std::size_t size, int (*get)(int file, int variable, Value* values))
 {
   const int id = this->Find(variable, size);
-  std::vector<int> values(this->Problem.empty() ? size : 0);
+  std::vector<Value> values(this->Problem.empty() ? size : 0);
   if (!values.empty())
   {
-    this->Try(nc_get_var_int(this->Id, id, values.data()));
+    this->Try(get(this->Id, id, values.data()));
   }
   return values;
 }
 
+std::vector<int> SkdNetCdfReader::ReadIntegers(const std::string& variable, std::size_t size)
+{
+  return this->Read(variable, size, nc_get_var_int);
+}
+
 std::vector<double> SkdNetCdfReader::ReadNumbers(const std::string& variable, std::size_t size)
 {
-  const int id = this->Find(variable, size);
-  std::vector<double> values(this->Problem.empty() ? size : 0);
-  if (!values.empty())
-  {
-    this->Try(nc_get_var_double(this->Id, id, values.data()));
-  }
-  return values;
+  return this->Read(variable, size, nc_get_var_double);
 }
 
 #else

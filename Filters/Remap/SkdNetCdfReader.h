@@ -41,6 +41,9 @@ private:
   void Try(int status);
   void CheckLength();
   int Find(const std::string& variable, std::size_t size);
+  template <class Value>
+  std::vector<Value> Read(const std::string& variable, std::size_t size,
+    int (*get)(int file, int variable, Value* values));
 
   std::string Name;
   std::string Problem;

@@ -207,29 +207,24 @@ vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDa
 {
   const SkdOverlapSurface surface(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
-  SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
-  SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
-  SkdLoop ofPairs(algorithm, 0, at(0.2), at(0.9), 8);
-  SkdOverlapPieces donors;
-  SkdOverlapPieces targets;
-  if (!surface.GetProblem().empty() ||
-    !donors.Read(donor, surface, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
-    !targets.Read(target, surface, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
+  SkdOverlapPair pair;
+  if (!pair.Read(donor, target, surface, settings, false, algorithm, at(0.0), at(0.2)))
   {
     return nullptr;
   }
+  SkdLoop ofPairs(algorithm, 0, at(0.2), at(0.9), 8);
   std::vector<std::vector<Shape>> found;
   const auto visit = [&](std::size_t part, std::uint32_t a, std::uint32_t b)
   {
-    SkdForEachPiecePair(targets, a, donors, b,
+    SkdForEachPiecePair(pair.Target, a, pair.Donor, b,
       [&](const SkdPieceView& one, const SkdPieceView& other)
       {
-        AddShape(surface, settings, one, other, { targets.IdOf(a), donors.IdOf(b), 0.0, {}, {} },
-          found[part]);
+        AddShape(surface, settings, one, other,
+          { pair.Target.IdOf(a), pair.Donor.IdOf(b), 0.0, {}, {} }, found[part]);
       });
   };
   if (!SkdForEachCandidatePair(
-        SkdOverlapTree(targets), SkdOverlapTree(donors), ofPairs,
+        SkdOverlapTree(pair.Target), SkdOverlapTree(pair.Donor), ofPairs,
         [&](std::size_t parts) { found.resize(parts); }, visit))
   {
     return nullptr;

@@ -16,12 +16,14 @@
 
 namespace
 {
-/// Adds the box of a piece's corners, and what of the piece lies outside of it:
-/// - On the unit sphere a point p of the piece is q / |q|, q in the corners' convex hull. All
-/// corners
-///   are within Reach = 2 sin(a / 2) of the reference r, so q.r >= cos(a), and p is no farther from
-///   q than 1 - |q| <= 1 - cos(a) = Reach^2 / 2.
-/// - Of a curved surface: as far as the other surface may be.
+/// Between two reports of progress; each is of 1024 cells.
+constexpr vtkIdType FewestBlocks = 8;
+
+/// Adds the box of a piece's corners, and what of the piece lies outside of it.
+/// On the unit sphere a point p of the piece is q / |q|, q in the corners' convex hull. All corners
+/// are within Reach = 2 sin(a / 2) of the reference r, so q.r >= cos(a), and p is no farther from q
+/// than 1 - |q| <= 1 - cos(a) = Reach^2 / 2.
+/// Of a curved surface it is as far as the other surface may be.
 void AddBounds(const SkdOverlapBlock& block, const SkdOverlapPiece& piece,
   const SkdOverlapSurface& surface, skd::Box3& box)
 {
@@ -202,4 +204,19 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& surface, SkdOverlapCells
     [&](vtkIdType id) { return cells.Measures[static_cast<std::size_t>(id)] == 0.0; });
   cells.TooLarge = this->TooLarge;
   cells.Crossing = this->Crossing;
+}
+
+//------------------------------------------------------------------------------
+bool SkdOverlapPair::Read(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSurface& surface,
+  const SkdOverlapSettings& settings, bool intoSimplices, vtkAlgorithm* algorithm, double first,
+  double last)
+{
+  const double middle = 0.5 * (first + last);
+  SkdLoop ofDonor(algorithm, 0, first, middle, FewestBlocks);
+  SkdLoop ofTarget(algorithm, 0, middle, last, FewestBlocks);
+  const SkdOverlapReading donorAs{ settings.DonorIsLonLat && !intoSimplices, settings.SkipsGhosts,
+    intoSimplices };
+  const SkdOverlapReading targetAs{ settings.TargetIsLonLat, settings.SkipsGhosts, false };
+  return surface.GetProblem().empty() && this->Donor.Read(donor, surface, donorAs, ofDonor) &&
+    this->Target.Read(target, surface, targetAs, ofTarget);
 }

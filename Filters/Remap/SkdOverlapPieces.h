@@ -17,6 +17,7 @@
 #include <vector>
 
 class SkdLoop;
+class vtkAlgorithm;
 class vtkDataSet;
 
 /// The cells of one mesh, read once. Any number of threads may look at them.
@@ -96,6 +97,19 @@ private:
   std::vector<vtkIdType> TooLarge;
   std::vector<double> Measures;
   std::vector<skd::Vector3> Centres;
+};
+
+/// The meshes that are compared.
+struct SkdOverlapPair
+{
+  SkdOverlapPieces Donor;
+  SkdOverlapPieces Target;
+
+  /// Reads both, the donor as it is or into simplices, as the algorithm's progress goes from
+  /// `first` to `last`. False if stopped, or if the surface has a problem.
+  bool Read(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSurface& surface,
+    const SkdOverlapSettings& settings, bool intoSimplices, vtkAlgorithm* algorithm, double first,
+    double last);
 };
 
 #endif

@@ -24,16 +24,9 @@ struct Entry
   Vector3 Moment; // about the donor's centroid
 };
 
-/// Both meshes as they are compared.
-struct Meshes
-{
-  SkdOverlapPieces Donor;
-  SkdOverlapPieces Target;
-};
-
 /// Sums up the overlaps of all pieces of two cells.
-Entry Overlap(const Meshes& meshes, const SkdOverlapSettings& settings, std::uint32_t target,
-  std::uint32_t donor)
+Entry Overlap(const SkdOverlapPair& meshes, const SkdOverlapSettings& settings,
+  std::uint32_t target, std::uint32_t donor)
 {
   const SkdNoShapes noShapes;
   const SkdPieceOverlap<SkdNoShapes> overlap(settings, noShapes);
@@ -59,7 +52,7 @@ using Entries = std::vector<std::vector<Entry>>;
 class OwnCover
 {
 public:
-  OwnCover(const Meshes& meshes, const SkdFacetRules& rules)
+  OwnCover(const SkdOverlapPair& meshes, const SkdFacetRules& rules)
     : TheMeshes(meshes)
     , Rules(rules)
   {
@@ -112,7 +105,7 @@ private:
     double Gap;
   };
 
-  const Meshes& TheMeshes;
+  const SkdOverlapPair& TheMeshes;
   const SkdFacetRules& Rules;
   std::vector<std::vector<Own>> Found;
 };
@@ -185,7 +178,7 @@ void BalanceMoments(SkdOverlapTable& table, SkdOverlapCells& donors)
 }
 
 /// Rows are of all cells of the target, in the order of their ids.
-void FillTable(Entries& found, const Meshes& meshes, const SkdOverlapSurface& surface,
+void FillTable(Entries& found, const SkdOverlapPair& meshes, const SkdOverlapSurface& surface,
   SkdOverlapTable& table, SkdOverlapCells& donors, SkdOverlapCells& targets)
 {
   const std::vector<Entry> entries =
@@ -230,17 +223,12 @@ bool SkdOverlapWeights::Compute(vtkDataSet* donor, vtkDataSet* target,
     return false;
   }
   const auto at = [&](double share) { return first + share * (last - first); };
-  Meshes meshes;
-  SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
-  SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
-  SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
-  if (!meshes.Donor.Read(
-        donor, surface, { settings.DonorIsLonLat, settings.SkipsGhosts }, ofDonor) ||
-    !meshes.Target.Read(
-      target, surface, { settings.TargetIsLonLat, settings.SkipsGhosts }, ofTarget))
+  SkdOverlapPair meshes;
+  if (!meshes.Read(donor, target, surface, settings, false, algorithm, at(0.0), at(0.2)))
   {
     return false;
   }
+  SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
   meshes.Donor.Measure(surface, this->Donor);
   meshes.Target.Measure(surface, this->Target);
   const SkdOverlapTree donors(meshes.Donor);

@@ -217,18 +217,14 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
 {
   const SkdOverlapSurface surface(donor, target, settings);
   const auto at = [&](double share) { return first + share * (last - first); };
-  SkdLoop ofDonor(algorithm, 0, at(0.0), at(0.1), 8);
-  SkdLoop ofTarget(algorithm, 0, at(0.1), at(0.2), 8);
-  SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
-  SkdOverlapPieces donors;
-  SkdOverlapPieces targets;
-  const SkdOverlapReading simplices{ false, settings.SkipsGhosts, true };
-  const SkdOverlapReading cells{ settings.TargetIsLonLat, settings.SkipsGhosts, false };
-  if (!surface.GetProblem().empty() || !donors.Read(donor, surface, simplices, ofDonor) ||
-    !targets.Read(target, surface, cells, ofTarget))
+  SkdOverlapPair pair;
+  if (!pair.Read(donor, target, surface, settings, true, algorithm, at(0.0), at(0.2)))
   {
     return false;
   }
+  const SkdOverlapPieces& donors = pair.Donor;
+  const SkdOverlapPieces& targets = pair.Target;
+  SkdLoop ofPairs(algorithm, 0, at(0.2), at(1.0), 8);
   table = {};
   table.Masses = FindMasses(donors, donor, surface);
   const SkdNoShapes noShapes;

@@ -67,34 +67,37 @@ void WalkAlong(const SkdWideTree& tree, const skd::Segment<3>& segment, double m
     view.GetFrame(), segment, margin, visitor, PacketsOf(tree), shear);
   skd::Walk(view, query);
 }
+
+/// Calls body(std::true_type()) or body(std::false_type()).
+template <class Body>
+void WithConstant(bool value, const Body& body)
+{
+  if (value)
+  {
+    body(std::true_type());
+  }
+  else
+  {
+    body(std::false_type());
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double limit2,
   bool onlyNearest, const SkdWideVisitor& visitor)
 {
-  if (onlyNearest)
-  {
-    WalkNearest<true>(tree, PointAt(x), limit2, visitor);
-  }
-  else
-  {
-    WalkNearest<false>(tree, PointAt(x), limit2, visitor);
-  }
+  WithConstant(onlyNearest,
+    [&](auto only) { WalkNearest<decltype(only)::value>(tree, PointAt(x), limit2, visitor); });
 }
 
 //------------------------------------------------------------------------------
 void SkdWideWalks::AlongSegment(const SkdWideTree& tree, const void* segment, double margin,
   bool inOrder, const SkdWideVisitor& visitor)
 {
-  if (inOrder)
-  {
-    WalkAlong<true>(tree, SegmentAt(segment), margin, visitor);
-  }
-  else
-  {
-    WalkAlong<false>(tree, SegmentAt(segment), margin, visitor);
-  }
+  WithConstant(inOrder,
+    [&](auto order)
+    { WalkAlong<decltype(order)::value>(tree, SegmentAt(segment), margin, visitor); });
 }
 
 //------------------------------------------------------------------------------
@@ -103,14 +106,10 @@ void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const void* segmen
 {
   auto take = [&visitor](std::uint32_t cell, const skd::TriangleHit& hit)
   { return visitor.Call(visitor.Self, cell, &hit); };
-  if (inOrder)
-  {
-    skd::VisitTriangleHits<true>(
-      ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
-  }
-  else
-  {
-    skd::VisitTriangleHits<false>(
-      ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
-  }
+  WithConstant(inOrder,
+    [&](auto order)
+    {
+      skd::VisitTriangleHits<decltype(order)::value>(
+        ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
+    });
 }
