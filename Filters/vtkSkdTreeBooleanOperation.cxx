@@ -7,8 +7,7 @@
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
-#include "Solids/Boolean/SkdBooleanReport.h"
-#include "Solids/Boolean/SkdBooleanSurface.h"
+#include "Solids/Boolean/SkdBooleanOutputs.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -25,7 +24,7 @@ public:
   {
     return { static_cast<SkdBooleanOperation>(self->Operation),
       static_cast<SkdInsideRule>(self->InsideRule), this->GetSolids().Count,
-      static_cast<std::uint32_t>(self->MinimumNumberOfSolids) };
+      static_cast<std::uint32_t>(self->MinimumNumberOfSolids), this->IsSheet(1) };
   }
 
   /// Finds out what is inside, if the operation needs it. False after an error.
@@ -52,7 +51,7 @@ bool vtkSkdTreeBooleanOperation::Internals::FindInside(vtkSkdTreeBooleanOperatio
 }
 
 vtkSkdTreeBooleanOperation::vtkSkdTreeBooleanOperation()
-  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { VTK_POLY_DATA })
+  : vtkSkdTreeSourceAlgorithm(SourceUse::Optional, { VTK_POLY_DATA, VTK_POLY_DATA })
   , Impl(new Internals)
 {
   this->WholeInput = true; // all of it bounds the solid
@@ -88,14 +87,13 @@ int vtkSkdTreeBooleanOperation::RequestData(
   }
   const SkdBooleanRule rule = solids.MakeRule(this);
   const bool closesCut = this->CloseCut != 0;
-  const SkdBooleanBoundary boundary = solids.Select(rule, closesCut, this->JoinPieces != 0);
   std::set<std::string> refused;
-  SkdFillBooleanSurface({ solids, blocks, rule, boundary, this->KeepPolygons != 0,
-                          this->JoinPieces != 0, this->MergePieces != 0 },
-    output, refused);
+  const SkdBooleanTotals totals = SkdFillBooleanOutputs(solids, blocks, rule,
+    { this->KeepPolygons != 0, this->JoinPieces != 0, this->MergePieces != 0, closesCut }, output,
+    vtkPolyData::GetData(outputVector, 1), refused);
   SkdWarnAboutRefused(this, refused);
   SkdReport report(output);
-  SkdReportBoolean(this, solids, rule, boundary, closesCut, report);
+  SkdReportBoolean(this, solids, rule, totals, closesCut, report);
   report.AddMeasure("Seconds", watch.Lap());
   return 1;
 }

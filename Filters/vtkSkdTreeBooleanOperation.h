@@ -16,13 +16,22 @@
  * Inside of a surface is where its winding number is not 0 (see InsideRule). So a surface may
  * intersect itself, overlap in parts, have faces twice, or be inside out.
  *
- * In an intersection or a difference the Source may be open: then it cuts the Input, and stands for
- * what is behind it (where its normals do not point). Several sheets may cut it into several parts:
- * a winding number grows by 1 from in front of each sheet to behind it, and is 0 where it is least.
- * What of the Source does not divide the Input, as its border is within it, counts for nothing,
- * with a warning: an Input that is not divided stays whole in a difference, and is not in an
- * intersection. Parts of the Input that the Source does not meet are on the side of its nearest
- * triangle.
+ * In an intersection, a difference or a split the Source may be open: then it cuts the Input, and
+ * stands for what is behind it (where its normals do not point). Several sheets may cut it into
+ * several parts: a winding number grows by 1 from in front of each sheet to behind it, and is 0
+ * where it is least. What of the Source does not divide the Input, as its border is within it,
+ * counts for nothing, with a warning: an Input that is not divided stays whole in a difference, and
+ * is not in an intersection. Parts of the Input that the Source does not meet are on the side of
+ * its nearest triangle.
+ *
+ * A split has all parts of the first solid at once, each with its closed surface: two of them have
+ * no point in common, and the faces of a cut are there twice, facing each other.
+ *
+ * Output port 1, vtkPolyData: the section, what of the Source is within the Input, with the normals
+ * of the Source, of a split and of a difference or an intersection that an open Source cuts.
+ * Where the Source coincides with the surface of the Input it is not within. Its points are those
+ * of port 0 at the cut, and so are its arrays. Each connected piece of a flat face is one polygon;
+ * one with holes is triangles, and so are all unless JoinPieces and KeepPolygons are on.
  *
  * Points that round to the same coordinates are one. Pieces that become flat by that, or come to
  * lie face to face, are not in the output. So it is closed as it is stored, and stays closed when
@@ -40,17 +49,21 @@
  * | SkdFaceId        | idtype | the same for pieces of one face: see JoinPieces             |
  * | SkdSolidsInFront | int    | of an imprint of closed surfaces: how many solids are there |
  * | SkdSolidsBehind  | int    | the same behind the face                                    |
+ * | SkdPartId        | int    | of a split: the number of the part of a face                |
  *
  * They replace arrays of these names, such as those of an operation before. Of several faces that
- * coincide the output has the first.
+ * coincide the output has the first. A part's number is 0 of what is outside of all others, or in
+ * front of an open Source, and else how many solids it is in, or how many sheets it is behind: of
+ * two inputs 1 is inside of the Source, or behind it.
  *
  * Point data that all input data sets have are interpolated within the face that a point is in; a
  * point of several surfaces has those of the first.
  *
  * Field data, one value each: SkdReportInputVolume, SkdReportInputArea, SkdReportSourceVolume,
- * SkdReportSourceArea, SkdReportVolume and SkdReportArea (of the output), SkdReportTreesBuilt,
- * SkdReportSolids, SkdReportTrianglesSplit, SkdReportTrianglesFolded (pieces that rounding has made
- * flat), SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
+ * SkdReportSourceArea, SkdReportVolume and SkdReportArea (of the output), SkdReportPartVolumes (of
+ * a split, one value a part from 0 on), SkdReportTreesBuilt, SkdReportSolids,
+ * SkdReportTrianglesSplit, SkdReportTrianglesFolded (pieces that rounding has made flat),
+ * SkdReportBadEdges (of the output as it is stored: 0 of a closed oriented surface),
  * SkdReportSeconds.
  *
  * Cost: O(n log n) for n triangles, plus the exact tests of those that intersect. What was found is
@@ -100,7 +113,8 @@ public:
     REVERSE_DIFFERENCE = 3,
     SYMMETRIC_DIFFERENCE = 4,
     AT_LEAST = 5,
-    IMPRINT = 6
+    IMPRINT = 6,
+    SPLIT = 7
   };
   enum OpenSurfacesRules
   {
@@ -120,9 +134,10 @@ public:
    * first only (difference), in others only (reverse difference), in an odd number of them, of two
    * in exactly one (symmetric difference), or in at least MinimumNumberOfSolids of them (then also
    * blocks or pieces of two inputs count). An imprint keeps all faces, split along all
-   * intersections, each place once; surfaces may be open. Default UNION.
+   * intersections, each place once; surfaces may be open. A split has all parts into which others
+   * divide the first (see SkdPartId). Default UNION.
    */
-  vtkSkdTreeChoiceMacro(Operation, UNION, IMPRINT);
+  vtkSkdTreeChoiceMacro(Operation, UNION, SPLIT);
   void SetOperationToUnion() { this->SetOperation(UNION); }
   void SetOperationToIntersection() { this->SetOperation(INTERSECTION); }
   void SetOperationToDifference() { this->SetOperation(DIFFERENCE); }
@@ -130,6 +145,7 @@ public:
   void SetOperationToSymmetricDifference() { this->SetOperation(SYMMETRIC_DIFFERENCE); }
   void SetOperationToAtLeast() { this->SetOperation(AT_LEAST); }
   void SetOperationToImprint() { this->SetOperation(IMPRINT); }
+  void SetOperationToSplit() { this->SetOperation(SPLIT); }
   //@}
 
   //@{
@@ -166,8 +182,9 @@ public:
 
   //@{
   /**
-   * Whether quads and polygons that are not cut stay such, if VTK can triangulate them. Otherwise,
-   * and of those that are cut, the output has triangles (see MergePieces). Default on.
+   * Whether quads and polygons that are not cut stay such, if VTK can triangulate them, and flat
+   * faces of the section are polygons. Otherwise, and of those that are cut, the output has
+   * triangles (see MergePieces). Default on.
    */
   vtkSetMacro(KeepPolygons, vtkTypeBool);
   vtkGetMacro(KeepPolygons, vtkTypeBool);

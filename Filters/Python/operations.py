@@ -9,8 +9,9 @@ import sys
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Optional, Union, overload
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkMultiBlockDataSet, vtkPolyData
 
 from .arrays import ID, to_numbers, to_vtk
 from .filters import Filter
@@ -131,9 +132,13 @@ def symmetric_difference(a: Any, b: Any, *others: Any) -> Any:
 def split(mesh: Any, cutter: Any) -> Parts:
     """A solid cut in two: both closed parts, in front of the cutter and behind it. Each may have several
     pieces, or none. The cutter is a plane, a pair (origin, normal), or a mesh: an open surface that cuts
-    through, or a closed one, whose outside is in front."""
+    through, or a closed one, whose outside is in front. A data set's parts have the cell array SkdPartId."""
     cut = _Boolean(mesh, "mesh", _cutter(cutter, mesh, "cutter"), "cutter")
-    return Parts(*(_returned(cut.run(operation), mesh) for operation in ("Difference", "Intersection")))
+    parts = cut.run("Split")
+    if parts.GetFieldData().GetArray("SkdReportPartVolumes").GetNumberOfValues() > 2:
+        # Several sheets, behind which are several parts: here they are one.
+        return Parts(*(_returned(cut.run(operation), mesh) for operation in ("Difference", "Intersection")))
+    return Parts(*(_returned(_part(parts, number), mesh) for number in (0, 1)))
 
 
 @overload
@@ -141,17 +146,10 @@ def section(mesh: Pair, cutter: Any) -> Surface: ...
 @overload
 def section(mesh: Any, cutter: Any) -> Any: ...
 def section(mesh: Any, cutter: Any) -> Any:
-    """The part of a cutter (see split()) that is within a solid, as triangles with the cutter's normals. Where
+    """The part of a cutter (see split()) that is within a solid, with the cutter's normals: triangles for arrays,
+    polygons for a data set (those with holes are triangles), with the arrays of vtkSkdTreeBooleanOperation. Where
     it coincides with the surface of the solid it is not within. intersection_curves() gives the outlines."""
-    cut = _Boolean(mesh, "mesh", _cutter(cutter, mesh, "cutter"), "cutter")
-    cut.filter.KeepPolygonsOff()
-    behind = cut.run("Intersection")
-    points, faces = _triangles(behind)
-    if len(faces):
-        faces = faces[vtk_to_numpy(behind.GetCellData().GetArray("SkdInputId")) == 1]
-    used, corners = numpy.unique(faces, return_inverse=True)
-    found = Surface(points[used], corners.reshape(-1, 3).astype(ID))
-    return found if _is_arrays(mesh) else _returned(surface(*found), mesh)
+    return _returned(_Boolean(mesh, "mesh", _cutter(cutter, mesh, "cutter"), "cutter").run("Split", 1), mesh)
 
 
 # Surfaces
@@ -265,9 +263,9 @@ class _Boolean(Filter):
         self.take(_mesh(a, a_name), b)
         self.filter.SetKeepPolygons(not _is_arrays(a))
 
-    def run(self, operation: str) -> vtkPolyData:
+    def run(self, operation: str, port: int = 0) -> vtkPolyData:
         getattr(self.filter, "SetOperationTo" + operation)()
-        return self.output()
+        return self.output(port)
 
 
 def _combined(operation: str, *given: Any) -> Any:
@@ -297,6 +295,35 @@ def _combined_at_once(operation: str, meshes: list[vtkDataSet], names: list[str]
     running.filter.SetKeepPolygons(not triangles)
     getattr(running.filter, "SetOperationTo" + operation)()
     return running.output()
+
+
+def _part(parts: vtkPolyData, number: int) -> vtkPolyData:
+    """A part of a split, whose faces and points follow each other, with its volume as the report."""
+    part = vtkPolyData()
+    volumes = parts.GetFieldData().GetArray("SkdReportPartVolumes")
+    if number < volumes.GetNumberOfValues():
+        volume = numpy_to_vtk(numpy.array([volumes.GetValue(number)]), deep=True)
+        volume.SetName("SkdReportVolume")
+        part.GetFieldData().AddArray(volume)
+    ids = parts.GetCellData().GetArray("SkdPartId")
+    first, last = numpy.searchsorted([] if ids is None else vtk_to_numpy(ids), [number, number + 1])
+    if first == last:
+        return part
+    offsets = vtk_to_numpy(parts.GetPolys().GetOffsetsArray())[first:last + 1]
+    corners = vtk_to_numpy(parts.GetPolys().GetConnectivityArray())[offsets[0]:offsets[-1]]
+    low, high = int(corners.min()), int(corners.max()) + 1
+    cells, points = vtkCellArray(), vtkPoints()
+    cells.SetData(*(numpy_to_vtkIdTypeArray((of - of_first).astype(ID), deep=True)
+        for of, of_first in ((offsets, offsets[0]), (corners, low))))
+    points.SetData(numpy_to_vtk(_points(parts)[low:high], deep=True))
+    part.SetPoints(points)
+    part.SetPolys(cells)
+    for get, start, count in (("GetPointData", low, high - low), ("GetCellData", int(first), int(last - first))):
+        data = getattr(part, get)()
+        data.CopyAllOn()
+        data.CopyAllocate(getattr(parts, get)(), count)
+        data.CopyData(getattr(parts, get)(), 0, count, start)
+    return part
 
 
 def _has_faces(mesh: vtkDataSet) -> bool:

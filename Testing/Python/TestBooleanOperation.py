@@ -6,6 +6,7 @@ import os
 
 import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkFiltersModeling import vtkFillHolesFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -35,6 +36,22 @@ def test_an_operation_on_the_output_of_another():
     two = simple.SkdTreeBooleanOperation(Input=simple.Box(), Source=simple.Box(Center=[1, 0, 0]))
     third = simple.Box(Center=[1.5, 0, 0], YLength=2)
     numpy.testing.assert_allclose(volume(Input=two, Source=third), 3.5, rtol=1e-14)
+
+
+def test_a_split_by_a_plane_has_both_parts_and_the_section():
+    plane = simple.Plane(Origin=[-1, -1, 0.25], Point1=[1, -1, 0.25], Point2=[-1, 1, 0.25])
+    split = simple.SkdTreeBooleanOperation(Input=simple.Box(), Source=plane, Operation="Split")
+    split.UpdatePipeline()
+    numpy.testing.assert_allclose(split.FieldData["SkdReportPartVolumes"].GetRange(), (0.25, 0.75), rtol=1e-14)
+    assert split.CellData["SkdPartId"].GetRange() == (0, 1)
+    surface = simple.servermanager.Fetch(split)
+    parts = vtk_to_numpy(surface.GetCellData().GetArray("SkdPartId"))
+    for part, heights in ((0, (0.25, 0.5)), (1, (-0.5, 0.25))):
+        bounds = numpy.array([surface.GetCell(i).GetBounds() for i in numpy.flatnonzero(parts == part)])
+        assert (bounds[:, 4].min(), bounds[:, 5].max()) == heights
+    section = simple.servermanager.Fetch(split, idx=1)
+    assert section.GetNumberOfCells() == 1 and section.GetCell(0).GetNumberOfPoints() == 4
+    numpy.testing.assert_array_equal(section.GetBounds(), (-0.5, 0.5, -0.5, 0.5, 0.25, 0.25))
 
 
 def output_of(filter_, data, **properties):

@@ -176,6 +176,28 @@ def test_splits_by_planes_and_sheets():
     near([volume(part) for part in vtkskdtree.split(box(0, 1), box(0.5, 2))], (0.875, 0.125))
 
 
+def test_parts_of_data_sets_keep_their_arrays():
+    mesh = cube(0, 1)
+    named = numpy.arange(mesh.GetNumberOfCells(), dtype=float)
+    array = vtkskdtree.arrays.to_vtk(named)
+    array.SetName("number")
+    mesh.GetCellData().AddArray(array)
+    sheet = surface_at(0.25)
+    for part, height in zip(vtkskdtree.split(mesh, sheet), ((0.25, 1.0), (0.0, 0.25))):
+        assert part.GetBounds()[4:] == height
+        assert part.GetCellData().GetArray("SkdPartId").GetRange() == (float(height[0] == 0), ) * 2
+        assert part.GetCellData().GetArray("SkdCellId").GetNumberOfTuples() == part.GetNumberOfCells() >= 6
+        near(reported(part), height[1] - height[0])
+    several = (numpy.vstack([surface_at(0.25)[0], surface_at(0.5)[0]]), numpy.array([[0, 1, 2], [3, 4, 5]]))
+    parts = vtkskdtree.split(box(0, 1), several)
+    near((volume(parts.front), volume(parts.behind)), (0.5, 0.5))
+
+
+def surface_at(z):
+    """A sheet, upwards."""
+    return numpy.array([[-9, -9, z], [20, -9, z], [-9, 20, z]]), numpy.array([[0, 1, 2]])
+
+
 def test_sections_are_within():
     found = vtkskdtree.section(box(0, 2), ((0, 0, 0.5), (0, 0, 3)))
     near(area(found), 4.0)
@@ -184,6 +206,8 @@ def test_sections_are_within():
     assert (numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] > 0).all()
     hexagon = vtkskdtree.section(box(-1, 1), ((0, 0, 0), (1, 1, 1)))
     near(area(hexagon), 3 * numpy.sqrt(3))
+    hexagon = vtkskdtree.section(cube(-1, 1), ((0, 0, 0), (1, 1, 1)))
+    assert hexagon.GetNumberOfCells() == 1 and hexagon.GetCell(0).GetNumberOfPoints() == 6
     hollow = vtkskdtree.difference(cube(0, 3), cube(1, 2))
     found = vtkskdtree.section(hollow, ((0, 0, 1.5), (0, 0, 1)))
     assert found.IsA("vtkPolyData")

@@ -5,7 +5,8 @@
 
 /// Arrays of a Boolean combination: of each face the input that it comes from (0 or 1), the solid
 /// there (of more than two), the cell and, of composite data, its block; a number that pieces of
-/// one face have in common; of an imprint how many solids are in front of the face and behind it.
+/// one face have in common; of an imprint how many solids are in front of the face and behind it;
+/// of a split the part that the face is of.
 struct SkdBooleanNames
 {
   static constexpr const char* Input = "SkdInputId";
@@ -15,7 +16,8 @@ struct SkdBooleanNames
   static constexpr const char* Face = "SkdFaceId";
   static constexpr const char* Front = "SkdSolidsInFront";
   static constexpr const char* Back = "SkdSolidsBehind";
-  static constexpr const char* All[] = { Input, Solid, Cell, Block, Face, Front, Back };
+  static constexpr const char* Part = "SkdPartId";
+  static constexpr const char* All[] = { Input, Solid, Cell, Block, Face, Front, Back, Part };
 };
 
 #endif

@@ -167,26 +167,52 @@ void SkdTellSheetFaults(vtkAlgorithm* filter, const std::optional<SkdSheetFaults
 }
 
 //------------------------------------------------------------------------------
-void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
-  const SkdBooleanRule& rule, const SkdBooleanBoundary& boundary, bool closesCut, SkdReport& report)
+void SkdBooleanTotals::Add(
+  const SkdSolidArrangement& solids, const SkdBooleanRule& rule, const SkdBooleanBoundary& boundary)
 {
-  const SkdArrangement& arrangement = solids.GetArrangement();
-  ReportInputs(solids, rule, report);
-  report.AddCount("TrianglesFolded", boundary.Rounded ? boundary.Rounded->NumberFolded : 0);
-  report.AddCount("TrianglesSplit",
-    solids.GetCombined() ? solids.GetCombined()->NumberSplit : arrangement.NumberSplit);
+  this->NumberFolded += boundary.Rounded ? boundary.Rounded->NumberFolded : 0;
   if (rule.Operation == SkdBooleanOperation::Imprint)
   {
     return;
   }
-  ReportMeasures("", solids.Measure(boundary), report);
-  const SkdFacets& facets = boundary.GetUnjoinedFacets(arrangement);
-  const SkdBadEdges bad = SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
-  report.AddCount("BadEdges", bad.Count);
-  if (bad.Count > 0 && solids.CountRoundedEdges() == 0 && (closesCut || !solids.IsSheet(1)))
+  const SkdBoundaryMeasures measures = solids.Measure(boundary);
+  this->Measures.Volume += measures.Volume;
+  this->Measures.Area += measures.Area;
+  if (rule.Operation == SkdBooleanOperation::Split)
   {
-    vtkWarningWithObjectMacro(
-      filter, << "The output is not closed: " << bad.Count << " edges are open, the first from "
-              << solids.TextOf(bad.First, facets) << ". Please report this, with the inputs.");
+    this->PartVolumes.push_back(measures.Volume);
+  }
+  const SkdFacets& facets = boundary.GetUnjoinedFacets(solids.GetArrangement());
+  const SkdBadEdges bad = SkdFindBadEdges(facets, boundary.GetUnjoinedSigns());
+  if (bad.Count > 0 && this->Bad.Count == 0)
+  {
+    this->FirstBad = solids.TextOf(bad.First, facets);
+  }
+  this->Bad.Count += bad.Count;
+}
+
+//------------------------------------------------------------------------------
+void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
+  const SkdBooleanRule& rule, const SkdBooleanTotals& totals, bool closesCut, SkdReport& report)
+{
+  ReportInputs(solids, rule, report);
+  report.AddCount("TrianglesFolded", totals.NumberFolded);
+  report.AddCount("TrianglesSplit",
+    solids.GetCombined() ? solids.GetCombined()->NumberSplit : solids.GetArrangement().NumberSplit);
+  if (rule.Operation == SkdBooleanOperation::Imprint)
+  {
+    return;
+  }
+  if (rule.Operation == SkdBooleanOperation::Split)
+  {
+    report.AddMeasures("PartVolumes", totals.PartVolumes);
+  }
+  ReportMeasures("", totals.Measures, report);
+  report.AddCount("BadEdges", totals.Bad.Count);
+  if (totals.Bad.Count > 0 && solids.CountRoundedEdges() == 0 && (closesCut || !solids.IsSheet(1)))
+  {
+    vtkWarningWithObjectMacro(filter, << "The output is not closed: " << totals.Bad.Count
+                                      << " edges are open, the first from " << totals.FirstBad
+                                      << ". Please report this, with the inputs.");
   }
 }

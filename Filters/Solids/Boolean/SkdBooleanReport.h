@@ -27,10 +27,23 @@ void SkdTellRounded(vtkAlgorithm* filter, const SkdSolidArrangement& solids);
 /// these.
 void SkdTellSheetFaults(vtkAlgorithm* filter, const std::optional<SkdSheetFaults>& faults);
 
-/// Volumes, areas and open edges of the inputs and of the output, which is the boundary as it is
-/// stored; a warning if that is not closed although it should be.
+/// What an output has: one boundary, or those of all parts.
+struct SkdBooleanTotals
+{
+  SkdBoundaryMeasures Measures;
+  std::vector<double> PartVolumes; ///< of a split
+  vtkIdType NumberFolded = 0;
+  SkdBadEdges Bad;
+  std::string FirstBad; ///< where it is
+
+  /// Adds a boundary as it is stored.
+  void Add(const SkdSolidArrangement& solids, const SkdBooleanRule& rule,
+    const SkdBooleanBoundary& boundary);
+};
+
+/// Volumes, areas and open edges of the inputs and of the output; a warning if that is not closed
+/// although it should be.
 void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
-  const SkdBooleanRule& rule, const SkdBooleanBoundary& boundary, bool closesCut,
-  SkdReport& report);
+  const SkdBooleanRule& rule, const SkdBooleanTotals& totals, bool closesCut, SkdReport& report);
 
 #endif

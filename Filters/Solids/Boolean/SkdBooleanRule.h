@@ -15,7 +15,8 @@ enum class SkdBooleanOperation
   ReverseDifference,
   SymmetricDifference,
   AtLeast,
-  Imprint
+  Imprint,
+  Split
 };
 
 /// The winding numbers of what is inside of a surface.
@@ -33,7 +34,9 @@ struct SkdBooleanRule
   SkdBooleanOperation Operation;
   SkdInsideRule Inside;
   std::uint32_t NumberOfSolids;
-  std::uint32_t Least; ///< the number of solids of AtLeast
+  std::uint32_t Least;   ///< the number of solids of AtLeast
+  bool HasSheet = false; ///< the second solid is an open surface
+  int Part = 0;          ///< of Split: the part that is solid
 
   bool IsInside(int number) const
   {
@@ -62,8 +65,29 @@ struct SkdBooleanRule
       [&](const SkdWindingOf& winding) { return this->IsInside(winding.Number); }));
   }
 
+  /// The part of the first solid that a region is in, after a split: how many of the others are
+  /// there, or how many sheets it is behind; -1 outside of the first solid.
+  int PartOf(const SkdRegionWindings& windings) const
+  {
+    if (!this->IsInside(windings, 0))
+    {
+      return -1;
+    }
+    if (!this->HasSheet)
+    {
+      return static_cast<int>(this->CountSolids(windings)) - 1;
+    }
+    const auto isSheet = [](const SkdWindingOf& winding) { return winding.Surface == 1; };
+    const auto sheet = std::find_if(windings.begin(), windings.end(), isSheet);
+    return sheet == windings.end() ? 0 : sheet->Number;
+  }
+
   bool IsSolid(const SkdRegionWindings& windings) const
   {
+    if (this->Operation == SkdBooleanOperation::Split)
+    {
+      return this->PartOf(windings) == this->Part;
+    }
     const std::uint32_t count = this->CountSolids(windings);
     const bool isInFirst = this->IsInside(windings, 0);
     switch (this->Operation)

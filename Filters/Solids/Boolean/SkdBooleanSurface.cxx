@@ -7,6 +7,7 @@
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdMakeMesh.h"
 #include "Solids/Boolean/SkdBooleanFaces.h"
+#include "Solids/Boolean/SkdSectionFaces.h"
 #include "Solids/Surfaces/SkdSplitPointData.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
@@ -39,6 +40,19 @@ std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts&
   return isPolygon;
 }
 
+SkdBooleanFaces MakeFaces(const SkdBooleanParts& parts)
+{
+  const SkdPlacedTriangles& placed = parts.Solids.GetPlacement().First;
+  const SkdFacets& facets = parts.Boundary.GetFacets(parts.Solids.GetArrangement());
+  if (parts.IsSection && parts.JoinsPieces && parts.KeepsPolygons)
+  {
+    return SkdMakeSectionFaces(placed, facets, parts.Boundary.GetSigns(), parts.Solids.GetFaces());
+  }
+  const bool isImprint = parts.Rule.Operation == SkdBooleanOperation::Imprint;
+  return SkdMakeBooleanFaces(placed, facets, parts.Boundary.GetSigns(),
+    { FindPolygons(parts.Solids.GetTriangles(), parts), parts.MergesPieces && !isImprint });
+}
+
 class Output
 {
 public:
@@ -49,8 +63,7 @@ public:
     , Set(parts.Solids.GetTriangles())
     , Facets(parts.Boundary.GetFacets(this->Arrangement))
     , IsImprint(parts.Rule.Operation == SkdBooleanOperation::Imprint)
-    , Faces(SkdMakeBooleanFaces(this->Placed, this->Facets, parts.Boundary.GetSigns(),
-        { FindPolygons(this->Set, parts), parts.MergesPieces && !this->IsImprint }))
+    , Faces(MakeFaces(parts))
     , To(output)
   {
     this->NumberPoints();

@@ -18,9 +18,10 @@ struct SkdBooleanParts
   const SkdBooleanBlocks& Blocks;
   const SkdBooleanRule& Rule;
   const SkdBooleanBoundary& Boundary;
-  bool KeepsPolygons; ///< polygons of which no triangle is split stay such
-  bool JoinsPieces;   ///< faces have numbers, for operations that follow
-  bool MergesPieces;  ///< pieces of one triangle become convex polygons; not in an imprint
+  bool KeepsPolygons;     ///< polygons of which no triangle is split stay such
+  bool JoinsPieces;       ///< faces have numbers, for operations that follow
+  bool MergesPieces;      ///< pieces of one triangle become convex polygons; not in an imprint
+  bool IsSection = false; ///< flat faces become polygons, if pieces are joined
 };
 
 /// Fills `output` with the facets of a boundary, and with the point and cell data that all data

@@ -117,8 +117,8 @@ void SkdSolidArrangement::FindSolids(const SkdBooleanBlocks& blocks, bool areInp
 
 std::optional<std::uint32_t> SkdSolidArrangement::FindUnclosed(SkdBooleanOperation operation) const
 {
-  const bool usesSheet =
-    operation == SkdBooleanOperation::Intersection || operation == SkdBooleanOperation::Difference;
+  const bool usesSheet = operation == SkdBooleanOperation::Intersection ||
+    operation == SkdBooleanOperation::Difference || operation == SkdBooleanOperation::Split;
   for (std::uint32_t solid = 0; solid < this->Solids.Count; ++solid)
   {
     if (this->BadEdges[solid].Count > 0 && !this->AreRounded &&
@@ -245,6 +245,39 @@ SkdBooleanBoundary SkdSolidArrangement::SelectPieces(
     boundary.Rounded = SkdUniteEqualPoints(facets, this->EqualPoints, signs, isImprint);
   }
   return boundary;
+}
+
+int SkdSolidArrangement::CountParts(const SkdBooleanRule& rule) const
+{
+  int last = 0;
+  const auto look = [&](const SkdRegionWindings& windings)
+  { last = std::max(last, rule.PartOf(windings)); };
+  if (this->Sides.empty())
+  {
+    std::for_each(this->Windings.begin(), this->Windings.end(), look);
+    return last + 1;
+  }
+  for (std::uint32_t facet = 0; facet < this->Arrangement.Facets.GetNumberOfFacets(); ++facet)
+  {
+    look(this->WindingsAt(facet, true));
+    look(this->WindingsAt(facet, false));
+  }
+  return last + 1;
+}
+
+SkdFacetSigns SkdSolidArrangement::FindSection(
+  const SkdBooleanBoundary& boundary, const SkdBooleanRule& rule) const
+{
+  // Between two parts behind a sheet, what bounds the farther one from in front is of the section.
+  const bool isOfOneSide = rule.Operation == SkdBooleanOperation::Split && rule.HasSheet;
+  const SkdFacets& facets = boundary.GetFacets(this->Arrangement);
+  SkdFacetSigns section = boundary.GetSigns();
+  for (std::uint32_t facet = 0; facet < section.size(); ++facet)
+  {
+    const bool isOfSource = this->Solids.Of[facets.Parents[facet]] == 1;
+    section[facet] = isOfSource && (isOfOneSide ? section[facet] > 0 : section[facet] != 0);
+  }
+  return section;
 }
 
 SkdBoundaryMeasures SkdSolidArrangement::Measure(

@@ -50,6 +50,12 @@ struct SkdBooleanBoundary
   {
     return this->Joined ? this->Joined->Signs : this->GetUnjoinedSigns();
   }
+  SkdFacetSigns& GetSigns()
+  {
+    return this->Joined ? this->Joined->Signs
+      : this->Rounded   ? this->Rounded->Signs
+                        : this->Selected;
+  }
   const SkdFacets& GetFacets(const SkdArrangement& arrangement) const
   {
     return this->Joined ? this->Joined->Facets : this->GetUnjoinedFacets(arrangement);
@@ -92,6 +98,12 @@ public:
   /// The boundary of what is solid. Facets of a sheet are in it only with `closesCut`; pieces of
   /// one face are joined with `joins`.
   SkdBooleanBoundary Select(const SkdBooleanRule& rule, bool closesCut, bool joins);
+
+  /// The number of parts that a split by `rule` leaves; some may be empty.
+  int CountParts(const SkdBooleanRule& rule) const;
+
+  /// Of a boundary that was selected, what is of the Source, with the normals that it has there.
+  SkdFacetSigns FindSection(const SkdBooleanBoundary& boundary, const SkdBooleanRule& rule) const;
 
   /// The flat faces that triangles are of.
   SkdFaceSets& GetFaces() { return this->Faces; }
