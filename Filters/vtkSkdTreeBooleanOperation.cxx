@@ -4,6 +4,7 @@
 
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdMotion.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
@@ -26,6 +27,8 @@ public:
       static_cast<SkdInsideRule>(self->InsideRule), this->GetSolids().Count,
       static_cast<std::uint32_t>(self->MinimumNumberOfSolids), this->IsSheet(1) };
   }
+
+  vtkSmartPointer<vtkMatrix4x4> Matrix; // nullptr: none
 
   /// Finds out what is inside, if the operation needs it. False after an error.
   bool FindInside(vtkSkdTreeBooleanOperation* self);
@@ -60,6 +63,20 @@ vtkSkdTreeBooleanOperation::vtkSkdTreeBooleanOperation()
 
 vtkSkdTreeBooleanOperation::~vtkSkdTreeBooleanOperation() = default;
 
+void vtkSkdTreeBooleanOperation::SetTransform(vtkMatrix4x4* motion)
+{
+  if (const auto matrix = SkdCopyIfRigid(this, motion))
+  {
+    this->Impl->Matrix = *matrix;
+    this->Modified();
+  }
+}
+
+vtkMatrix4x4* vtkSkdTreeBooleanOperation::GetTransform()
+{
+  return this->Impl->Matrix;
+}
+
 int vtkSkdTreeBooleanOperation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -70,8 +87,17 @@ int vtkSkdTreeBooleanOperation::RequestData(
   SkdStopwatch watch;
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-  const SkdBooleanBlocks blocks =
-    SkdMakeBooleanBlocks(vtkDataObject::GetData(inputVector[0]), source);
+  SkdBooleanBlocks blocks = SkdMakeBooleanBlocks(vtkDataObject::GetData(inputVector[0]), source);
+  const vtkSmartPointer<vtkMatrix4x4> motion = SkdMotionOf(this);
+  if (source && !motion->IsIdentity())
+  {
+    blocks.Motion = skd::RigidMotion::FromMatrix(&motion->Element[0][0]);
+    if (!blocks.Motion)
+    {
+      vtkErrorMacro("Translation, Rotation and RotationCenter must be finite; there is no output.");
+      return 1;
+    }
+  }
   Internals& solids = *this->Impl;
   const bool areInputs = source && this->Operation != AT_LEAST;
   if (!solids.Update(blocks, this->ChordalDeviation, areInputs, solids.MakeRule(this), this))
@@ -104,6 +130,8 @@ void vtkSkdTreeBooleanOperation::PrintSelf(ostream& os, vtkIndent indent)
   SkdPrint(os, indent, "Operation", this->Operation, "MinimumNumberOfSolids",
     this->MinimumNumberOfSolids, "InsideRule", this->InsideRule, "OpenSurfaces", this->OpenSurfaces,
     "KeepPolygons", this->KeepPolygons, "JoinPieces", this->JoinPieces, "MergePieces",
-    this->MergePieces, "CloseCut", this->CloseCut, "ChordalDeviation", this->ChordalDeviation);
+    this->MergePieces, "CloseCut", this->CloseCut, "ChordalDeviation", this->ChordalDeviation,
+    "Translation", this->Translation, "Rotation", this->Rotation, "RotationCenter",
+    this->RotationCenter, "Transform", this->Impl->Matrix ? "set" : "none");
 }
 VTK_ABI_NAMESPACE_END

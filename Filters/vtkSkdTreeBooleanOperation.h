@@ -97,6 +97,7 @@
 #include <memory> // For std::unique_ptr
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkMatrix4x4;
 
 class VTKFILTERSSKDTREE_EXPORT vtkSkdTreeBooleanOperation : public vtkSkdTreeSourceAlgorithm
 {
@@ -230,6 +231,28 @@ public:
 
   //@{
   /**
+   * A motion of the Source: rotated about RotationCenter by Rotation (degrees about y, then x, then
+   * z, as the orientation of vtkProp3D) and translated by Translation; its points are rounded where
+   * they are then. While only the motion changes, inputs are not read again, and intersections of
+   * the Input with itself are not searched again. Vectors in the data are not rotated. Default 0:
+   * not moved. Ignored without a Source.
+   */
+  vtkSkdTreeFinite3Macro(Translation);
+  vtkSkdTreeFinite3Macro(Rotation);
+  vtkSkdTreeFinite3Macro(RotationCenter);
+  //@}
+
+  //@{
+  /**
+   * The same by a matrix, applied before the rotation and translation above: see
+   * vtkSkdTreeSurfaceIntersection::SetTransform. Default nullptr: none.
+   */
+  void SetTransform(vtkMatrix4x4* motion);
+  vtkMatrix4x4* GetTransform();
+  //@}
+
+  //@{
+  /**
    * The largest distance of facets from a curved face, relative to the diagonal of the bounds of
    * both inputs: see vtkSkdTreePointInOut::SetChordalDeviation. Default 1e-4.
    */
@@ -251,6 +274,9 @@ protected:
   vtkTypeBool MergePieces = 0;
   vtkTypeBool CloseCut = 1;
   double ChordalDeviation = 1e-4;
+  double Translation[3] = { 0.0, 0.0, 0.0 };
+  double Rotation[3] = { 0.0, 0.0, 0.0 };
+  double RotationCenter[3] = { 0.0, 0.0, 0.0 };
 
 private:
   vtkSkdTreeBooleanOperation(const vtkSkdTreeBooleanOperation&) = delete;

@@ -5,6 +5,7 @@
 #include "Bodies/SkdOuterSurface.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdLoop.h"
+#include "Pipeline/SkdMotion.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
@@ -19,7 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkTransform.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeSurfaceIntersection);
@@ -78,29 +78,6 @@ SkdPlacement Complete(
     second->Set.Complete();
   }
   return SkdMakePlacement(first.Set, second ? &second->Set : nullptr, motion);
-}
-
-/// Where the Source is looked at.
-vtkSmartPointer<vtkMatrix4x4> FindMatrix(vtkSkdTreeSurfaceIntersection* self)
-{
-  const double* shift = self->GetTranslation();
-  const double* rotation = self->GetRotation();
-  const double* centre = self->GetRotationCenter();
-  vtkNew<vtkTransform> transform;
-  transform->Translate(shift);
-  if (rotation[0] != 0.0 || rotation[1] != 0.0 || rotation[2] != 0.0)
-  {
-    transform->Translate(centre);
-    transform->RotateZ(rotation[2]);
-    transform->RotateX(rotation[0]);
-    transform->RotateY(rotation[1]);
-    transform->Translate(-centre[0], -centre[1], -centre[2]);
-  }
-  if (self->GetTransform())
-  {
-    transform->Concatenate(self->GetTransform());
-  }
-  return transform->GetMatrix();
 }
 
 /// Ports 0 to 5, where every process has found all.
@@ -248,19 +225,11 @@ vtkSkdTreeSurfaceIntersection::~vtkSkdTreeSurfaceIntersection() = default;
 
 void vtkSkdTreeSurfaceIntersection::SetTransform(vtkMatrix4x4* motion)
 {
-  if (motion && !skd::RigidMotion::FromMatrix(&motion->Element[0][0]))
+  if (const auto matrix = SkdCopyIfRigid(this, motion))
   {
-    vtkErrorMacro("The transform is not rigid and is ignored. "
-                  "Use rotations, reflections and translations only.");
-    return;
+    this->Impl->Matrix = *matrix;
+    this->Modified();
   }
-  this->Impl->Matrix = nullptr;
-  if (motion)
-  {
-    this->Impl->Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-    this->Impl->Matrix->DeepCopy(motion);
-  }
-  this->Modified();
 }
 
 vtkMatrix4x4* vtkSkdTreeSurfaceIntersection::GetTransform()
@@ -285,7 +254,7 @@ bool vtkSkdTreeSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
   reach.Distance = this->Clearance;
   reach.OfDiagonal = 1e-3; // more than any rounding
   reach.IsOfFaces = true;
-  return this->Pairs == ALL_PAIRS && FindMatrix(this)->IsIdentity();
+  return this->Pairs == ALL_PAIRS && SkdMotionOf(this)->IsIdentity();
 }
 
 int vtkSkdTreeSurfaceIntersection::RequestData(
@@ -296,7 +265,7 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
   {
     return 1; // the first piece has all
   }
-  const vtkSmartPointer<vtkMatrix4x4> matrix = FindMatrix(this);
+  const vtkSmartPointer<vtkMatrix4x4> matrix = SkdMotionOf(this);
   const auto motion = skd::RigidMotion::FromMatrix(&matrix->Element[0][0]);
   if (source && !motion)
   {

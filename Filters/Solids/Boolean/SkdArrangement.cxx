@@ -48,13 +48,25 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
     arrangement.NumberOfRegions = std::max(arrangement.NumberOfRegions, region + 1);
   }
 }
+
+void Keep(const std::vector<SkdTrianglePair>& pairs, double scale, SkdPairCache& cache)
+{
+  cache.Scale = scale;
+  cache.Known.Pairs.clear();
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(cache.Known.Pairs),
+    [&cache](const SkdTrianglePair& pair) { return pair.Second < cache.Known.End; });
+}
 }
 
-std::optional<SkdSelfPairs> SkdFindSelfPairs(
-  SkdTriangleSet& set, const SkdPlacement& placement, SkdLoop& loop, vtkAlgorithm* filter)
+std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
+  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache)
 {
   const SkdPairSearch search{ SkdPairSearch::All, 0.0 };
-  auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(search, loop);
+  // What is left out as a copy, or taken as 0, depends on all of the set.
+  const bool mayKeep = cache && set.GetCopiesLeftOut().empty() && !placement.HasTinyPoints;
+  const bool areKnown = mayKeep && cache->Scale == placement.Scale;
+  auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(
+    search, loop, areKnown ? &cache->Known : nullptr);
   if (!pairs)
   {
     set.Complete();
@@ -63,6 +75,10 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(
   if (SkdIsAborted(filter))
   {
     return std::nullopt;
+  }
+  if (mayKeep && !areKnown)
+  {
+    Keep(*pairs, placement.Scale, *cache);
   }
   SkdSelfPairs found{ *std::move(pairs), {} };
   found.Duplicates = SkdTakeDuplicates(placement.First, found.Pairs);

@@ -14,6 +14,7 @@
 #define SkdArrangement_h
 
 #include "Solids/Boolean/SkdFacets.h"
+#include "Solids/Surfaces/SkdTrianglePairs.h"
 
 class vtkAlgorithm;
 
@@ -40,9 +41,17 @@ struct SkdSelfPairs
   std::vector<SkdDuplicate> Duplicates; ///< ascending
 };
 
-/// Completes the set if its triangles overlap so much that trees are faster. Empty after an abort.
-std::optional<SkdSelfPairs> SkdFindSelfPairs(
-  SkdTriangleSet& set, const SkdPlacement& placement, SkdLoop& loop, vtkAlgorithm* filter);
+/// Pairs within the first triangles of a set, cached while these stay where they are.
+struct SkdPairCache
+{
+  SkdKnownPairs Known;
+  double Scale = 0.0; ///< of the placement in which they were found; 0: none are kept
+};
+
+/// Completes the set if its triangles overlap so much that trees are faster. Those of `cache` are
+/// not searched again, or are kept now; without it none are. Empty after an abort.
+std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlacement& placement,
+  SkdLoop& loop, vtkAlgorithm* filter, SkdPairCache* cache = nullptr);
 
 /// Splits a set along all its intersections with itself. O(n) for n facets, plus exact tests at
 /// edges in which more than two of them meet; a few microseconds for each that is a piece of a

@@ -5,6 +5,7 @@
 #include "Pipeline/SkdLoop.h"
 #include "Solids/Boolean/SkdBooleanNames.h"
 #include "Solids/Boolean/SkdJoinPieces.h"
+#include "vtkAlgorithm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,71 @@ constexpr std::size_t FewEvents = 5000;
 
 /// As a rule there is that number of pairs for each triangle only where solids overlap deeply.
 constexpr std::size_t PairsOfTriangle = 6;
+
+constexpr skd::RigidMotion NoMotion{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
+  { { 0, 0, 0 } } };
+
+bool AreSame(const skd::RigidMotion& a, const skd::RigidMotion& b)
+{
+  return std::equal(std::begin(a.Rows), std::end(a.Rows), std::begin(b.Rows)) && a.Shift == b.Shift;
+}
+}
+
+/// Whether they have changed; nothing if points are no longer finite.
+std::optional<bool> SkdSolidArrangement::UpdateTriangles(
+  const SkdBooleanBlocks& blocks, double chordalDeviation)
+{
+  if (!blocks.Motion && !this->AsRead)
+  {
+    return this->Triangles.Update(blocks.All, chordalDeviation);
+  }
+  bool hasChanged = !this->AsRead || blocks.FirstOfSource != this->FirstOfSource;
+  if (!this->AsRead)
+  {
+    this->AsRead.emplace();
+  }
+  hasChanged = this->AsRead->Update(blocks.All, chordalDeviation) || hasChanged;
+  if (hasChanged && !blocks.Motion)
+  {
+    this->AsRead.reset();
+    this->Triangles = SkdTriangleSet();
+    return this->Triangles.Update(blocks.All, chordalDeviation);
+  }
+  const skd::RigidMotion motion = blocks.Motion.value_or(NoMotion);
+  if (!hasChanged && this->Motion && AreSame(motion, *this->Motion))
+  {
+    return false;
+  }
+  this->FirstOfSource = blocks.FirstOfSource;
+  if (hasChanged)
+  {
+    this->OfInput = {};
+  }
+  auto moved = this->AsRead->Moved(blocks.FirstOfSource, motion);
+  this->Motion = motion;
+  if (!moved)
+  {
+    this->Motion.reset();
+    return std::nullopt;
+  }
+  this->Triangles = *std::move(moved);
+  const SkdSolids solids = SkdSolidsByInput(this->Triangles, blocks.FirstOfSource);
+  this->OfInput.Known.End = static_cast<std::uint32_t>(
+    std::lower_bound(solids.Of.begin(), solids.Of.end(), 1u) - solids.Of.begin());
+  return true;
 }
 
 bool SkdSolidArrangement::Update(const SkdBooleanBlocks& blocks, double chordalDeviation,
   bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
-  this->WasSplit = this->Triangles.Update(blocks.All, chordalDeviation);
+  const std::optional<bool> hasChanged = this->UpdateTriangles(blocks, chordalDeviation);
+  if (!hasChanged)
+  {
+    vtkErrorWithObjectMacro(
+      filter, "The Source is moved to where coordinates are not finite; there is no output.");
+    return false;
+  }
+  this->WasSplit = *hasChanged;
   this->Triangles.LeaveOutCopies(1);
   const auto findFaces = [&]
   {
@@ -55,7 +115,8 @@ bool SkdSolidArrangement::Arrange(
   const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter)
 {
   SkdLoop loop(filter, 0, 0.2, 0.6, 8);
-  auto pairs = SkdFindSelfPairs(this->Triangles, *this->Placement, loop, filter);
+  auto pairs = SkdFindSelfPairs(
+    this->Triangles, *this->Placement, loop, filter, this->AsRead ? &this->OfInput : nullptr);
   if (!pairs)
   {
     return false;

@@ -71,8 +71,11 @@ class SkdSolidArrangement
 {
 public:
   /// Splits the surfaces along all their intersections, unless that is done; `filter` gets the
-  /// progress. `areInputs` and `rule` (but for the number of solids) are of the operation that
-  /// follows. False after an abort.
+  /// progress. While the inputs are unchanged but for the motion of the Source, they are not read
+  /// again, and intersections of the Input with itself are not searched again: its points stay. The
+  /// Source's points are rounded where they are, so what is true of these is found anew.
+  /// `areInputs` and `rule` (but for the number of solids) are of the operation that follows. False
+  /// after an abort.
   bool Update(const SkdBooleanBlocks& blocks, double chordalDeviation, bool areInputs,
     const SkdBooleanRule& rule, vtkAlgorithm* filter);
 
@@ -175,6 +178,7 @@ private:
 
   SkdRegionWindings WindingsAt(std::uint32_t facet, bool isBehind) const;
   void FindSides();
+  std::optional<bool> UpdateTriangles(const SkdBooleanBlocks& blocks, double chordalDeviation);
   SkdBooleanBoundary SelectPieces(const SkdBooleanRule& rule, bool closesCut) const;
   bool Arrange(
     const SkdSolids& solids, bool areInputs, const SkdBooleanRule& rule, vtkAlgorithm* filter);
@@ -183,6 +187,10 @@ private:
   std::optional<SkdSheetFaults> PlaceSheet();
 
   SkdTriangleSet Triangles;
+  std::optional<SkdTriangleSet> AsRead; // with the Source where it was, if that has moved
+  std::optional<skd::RigidMotion> Motion;
+  SkdPairCache OfInput;
+  int FirstOfSource = 0;
   bool WasSplit = false;
   std::optional<SkdPlacement> Placement; // none: not arranged
   SkdArrangement Arrangement;

@@ -3,7 +3,10 @@
 #ifndef SkdSolids_h
 #define SkdSolids_h
 
+#include "Core/Geometry/RigidMotion.h"
 #include "Solids/Surfaces/SkdTriangleSet.h"
+
+#include <optional>
 
 /// The data sets of the surfaces.
 struct SkdBooleanBlocks
@@ -11,6 +14,7 @@ struct SkdBooleanBlocks
   std::vector<SkdBlock> All;
   int FirstOfSource; ///< those before it are of the Input
   bool IsComposite;
+  std::optional<skd::RigidMotion> Motion = std::nullopt; ///< of the Source
 };
 
 /// `source` may be nullptr.

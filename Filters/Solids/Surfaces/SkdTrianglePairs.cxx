@@ -343,14 +343,38 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
 }
 
 //------------------------------------------------------------------------------
+// Triangles whose pairs are known are looked at where others may be.
+std::vector<std::uint32_t> SkdTrianglePairs::ListUnknown(const SkdKnownPairs& known) const
+{
+  const auto n = static_cast<std::uint32_t>(this->Placement.First.GetSet().GetTriangles().size());
+  skd::Box3 others;
+  for (std::uint32_t triangle = known.End; triangle < n; ++triangle)
+  {
+    others.Add(this->Placement.First.GetBox(triangle));
+  }
+  std::vector<std::uint32_t> unknown;
+  for (std::uint32_t triangle = 0; triangle < n; ++triangle)
+  {
+    if (triangle >= known.End || others.Overlaps(this->Placement.First.GetBox(triangle)))
+    {
+      unknown.push_back(triangle);
+    }
+  }
+  return unknown;
+}
+
+//------------------------------------------------------------------------------
 std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersections(
-  const SkdPairSearch& search, SkdLoop& loop) const
+  const SkdPairSearch& search, SkdLoop& loop, const SkdKnownPairs* known) const
 {
   constexpr std::size_t size = 16; // of a part, in packets
   const SkdTriangleSet& set = this->Placement.First.GetSet();
-  const std::vector<std::uint32_t>& some = set.GetSearched();
-  std::vector<skd::Box3> boxes(some.empty() ? set.GetTriangles().size() : some.size());
-  const auto triangleOf = [&some](std::uint32_t i) { return some.empty() ? i : some[i]; };
+  const std::vector<std::uint32_t> unknown =
+    known ? this->ListUnknown(*known) : std::vector<std::uint32_t>();
+  const std::vector<std::uint32_t>& some = known ? unknown : set.GetSearched();
+  const bool areAll = !known && some.empty();
+  std::vector<skd::Box3> boxes(areAll ? set.GetTriangles().size() : some.size());
+  const auto triangleOf = [&some, areAll](std::uint32_t i) { return areAll ? i : some[i]; };
   SkdForEach(static_cast<vtkIdType>(boxes.size()),
     [&](vtkIdType i)
     { boxes[i] = this->Placement.First.GetBox(triangleOf(static_cast<std::uint32_t>(i))); });
@@ -370,16 +394,31 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
                    [&](std::uint32_t triangle, std::vector<std::uint32_t>& others)
                    {
                      looks += others.size();
-                     if (!some.empty())
+                     if (!areAll)
                      {
                        std::transform(others.begin(), others.end(), others.begin(), triangleOf);
+                     }
+                     if (known && triangleOf(triangle) < known->End)
+                     {
+                       others.erase(std::remove_if(others.begin(), others.end(),
+                                      [known](std::uint32_t other) { return other < known->End; }),
+                         others.end());
                      }
                      return state.VisitWithin(triangleOf(triangle), others, found);
                    }) &&
           parts.Affords(looks);
       }
     });
-  return parts.Take(search);
+  auto found = parts.Take(search);
+  if (known && found)
+  {
+    const auto middle = static_cast<std::ptrdiff_t>(found->size());
+    found->insert(found->end(), known->Pairs.begin(), known->Pairs.end());
+    std::inplace_merge(found->begin(), found->begin() + middle, found->end(),
+      [](const SkdTrianglePair& a, const SkdTrianglePair& b)
+      { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------

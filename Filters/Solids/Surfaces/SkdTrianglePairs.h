@@ -35,6 +35,13 @@ struct SkdPairSearch
   double Clearance = 0.0; ///< before scaling; 0: those that touch, only
 };
 
+/// What is known of one surface: all pairs of its triangles below `End`, sorted.
+struct SkdKnownPairs
+{
+  std::uint32_t End = 0;
+  std::vector<SkdTrianglePair> Pairs;
+};
+
 /// The pairs of a placement. Within one surface, triangles that share corners are a pair only if
 /// they have more in common; each pair occurs once, with First < Second. Pairs are sorted by
 /// (First, Second), independent of the number of threads.
@@ -63,15 +70,18 @@ public:
 
   /// Of one surface that is searched for the first time: searches a packed R-tree of all its
   /// triangles. The clearance must be 0. The set's points must be merged; a tree is not needed.
-  /// Empty if boxes overlap so much that trees are faster.
+  /// Empty if boxes overlap so much that trees are faster. With some pairs `known`, which all are
+  /// wanted and no copies left out, only the others are searched.
   std::optional<std::vector<SkdTrianglePair>> FindSelfIntersections(
-    const SkdPairSearch& search, SkdLoop& loop) const;
+    const SkdPairSearch& search, SkdLoop& loop, const SkdKnownPairs* known = nullptr) const;
 
 private:
   class Search;
   class PackedSearch;
   struct Moved;
   struct Block;
+
+  std::vector<std::uint32_t> ListUnknown(const SkdKnownPairs& known) const;
 
   template <class ToFirst>
   std::vector<SkdTrianglePair> FindByTrees(

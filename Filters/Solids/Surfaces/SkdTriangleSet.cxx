@@ -43,6 +43,52 @@ bool SkdTriangleSet::Update(
 }
 
 //------------------------------------------------------------------------------
+std::optional<SkdTriangleSet> SkdTriangleSet::Moved(
+  int firstBlock, const skd::RigidMotion& motion) const
+{
+  SkdReadTriangles moved = this->Read;
+  // Points, cells and triangles are in the order of blocks.
+  const auto isBefore = [](const auto& item, int block) { return item.Block < block; };
+  const auto firstPoint =
+    std::lower_bound(moved.Origins.begin(), moved.Origins.end(), firstBlock, isBefore) -
+    moved.Origins.begin();
+  const auto firstCell = static_cast<std::uint32_t>(
+    std::lower_bound(moved.Cells.begin(), moved.Cells.end(), firstBlock, isBefore) -
+    moved.Cells.begin());
+  SkdForEach(static_cast<vtkIdType>(moved.Points.size()) - firstPoint,
+    [&](vtkIdType i)
+    {
+      skd::Vector3& point = moved.Points[static_cast<std::size_t>(firstPoint + i)];
+      point = motion.Forward(point);
+    });
+  if (!std::all_of(moved.Points.begin(), moved.Points.end(), skd::IsFinite<3>))
+  {
+    return std::nullopt;
+  }
+  const bool isTurned = Dot(Cross(motion.Rows[0], motion.Rows[1]), motion.Rows[2]) < 0.0;
+  std::size_t count =
+    std::lower_bound(moved.CellOf.begin(), moved.CellOf.end(), firstCell) - moved.CellOf.begin();
+  for (std::size_t i = count; i < moved.Triangles.size(); ++i)
+  {
+    Corners corners = moved.Triangles[i];
+    if (isTurned)
+    {
+      std::swap(corners[1], corners[2]);
+    }
+    const auto& points = moved.Points;
+    if (!(points[corners[0]] == points[corners[1]] || points[corners[1]] == points[corners[2]] ||
+          points[corners[2]] == points[corners[0]]))
+    {
+      moved.CellOf[count] = moved.CellOf[i];
+      moved.Triangles[count++] = corners;
+    }
+  }
+  moved.CellOf.resize(count);
+  moved.Triangles.resize(count);
+  return SkdTriangleSet(std::move(moved));
+}
+
+//------------------------------------------------------------------------------
 void SkdTriangleSet::Complete()
 {
   if (!this->HasTree)

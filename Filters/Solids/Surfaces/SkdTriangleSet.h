@@ -8,6 +8,7 @@
 #ifndef SkdTriangleSet_h
 #define SkdTriangleSet_h
 
+#include "Core/Geometry/RigidMotion.h"
 #include "Core/Geometry/Rows.h"
 #include "Core/Geometry/Vector.h"
 #include "Core/Parallel/Processes.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 /// The surface cells of all blocks and the outer faces of their volume cells, triangulated without
@@ -46,6 +48,12 @@ public:
   /// to the diagonal of all (see SkdChordalLength). Returns whether it was read or is unchanged.
   bool Update(const std::vector<SkdBlock>& blocks, double chordalDeviation,
     const skd::Processes* processes = nullptr);
+
+  /// A copy in which the blocks from `firstBlock` on are moved, and their points rounded. Triangles
+  /// two corners of which have become one are left out; a reflection turns them, so that outside
+  /// stays outside. Points of this set must not be merged; cells and origins are the same. Empty if
+  /// points are no longer finite. O(n).
+  std::optional<SkdTriangleSet> Moved(int firstBlock, const skd::RigidMotion& motion) const;
 
   /// The deviation as a length; 0 if no cell is curved.
   double GetChordalLength() const { return this->ChordalLength; }

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SkdMotion_h
+#define SkdMotion_h
+
+#include "Core/Geometry/RigidMotion.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTransform.h"
+
+#include <optional>
+
+/// Where a filter looks at its Source, by its properties Translation, Rotation and RotationCenter,
+/// after its Transform.
+template <class Filter>
+vtkSmartPointer<vtkMatrix4x4> SkdMotionOf(Filter* self)
+{
+  const double* shift = self->GetTranslation();
+  const double* rotation = self->GetRotation();
+  const double* centre = self->GetRotationCenter();
+  vtkNew<vtkTransform> transform;
+  transform->Translate(shift);
+  if (rotation[0] != 0.0 || rotation[1] != 0.0 || rotation[2] != 0.0)
+  {
+    transform->Translate(centre);
+    transform->RotateZ(rotation[2]);
+    transform->RotateX(rotation[0]);
+    transform->RotateY(rotation[1]);
+    transform->Translate(-centre[0], -centre[1], -centre[2]);
+  }
+  if (self->GetTransform())
+  {
+    transform->Concatenate(self->GetTransform());
+  }
+  return transform->GetMatrix();
+}
+
+/// A copy of a matrix that is to be a filter's Transform (nullptr: none); nothing, with an error,
+/// if it is not rigid.
+inline std::optional<vtkSmartPointer<vtkMatrix4x4>> SkdCopyIfRigid(
+  vtkObject* self, vtkMatrix4x4* motion)
+{
+  if (!motion)
+  {
+    return vtkSmartPointer<vtkMatrix4x4>();
+  }
+  if (!skd::RigidMotion::FromMatrix(&motion->Element[0][0]))
+  {
+    vtkErrorWithObjectMacro(self,
+      "The transform is not rigid and is ignored. "
+      "Use rotations, reflections and translations only.");
+    return std::nullopt;
+  }
+  auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
+  copy->DeepCopy(motion);
+  return copy;
+}
+
+#endif

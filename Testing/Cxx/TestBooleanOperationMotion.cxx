@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSkdTreeBooleanOperation: a Source that is moved by properties.
+
+#include "Support/SolidRun.h"
+#include "Support/SurfaceMeshes.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkTransform.h"
+
+using namespace skdtest;
+
+namespace
+{
+using Filter = vtkSkdTreeBooleanOperation;
+
+/// What a motion by properties makes of a point, by the same arithmetic.
+Point Moved(const vtkMatrix4x4* by, const Point& x)
+{
+  Point to;
+  for (int i = 0; i < 3; ++i)
+  {
+    to[i] = by->Element[i][0] * x[0] + by->Element[i][1] * x[1] + by->Element[i][2] * x[2] +
+      by->Element[i][3];
+  }
+  return to;
+}
+
+void ExpectEqual(const Mesh& a, const Mesh& b)
+{
+  EXPECT_EQ(a.Points, b.Points);
+  ASSERT_EQ(a.Cells.size(), b.Cells.size());
+  for (std::size_t i = 0; i < a.Cells.size(); ++i)
+  {
+    EXPECT_EQ(a.Cells[i].Points, b.Cells[i].Points);
+  }
+}
+
+/// Whatever was executed before, the output is that of an operation on the moved Source.
+TEST(BooleanOperationMotion, IsThatOfAMovedSource)
+{
+  for (int number = 0; number < 12; ++number)
+  {
+    Random random(static_cast<std::uint64_t>(number));
+    std::string what;
+    const Mesh body = AnySolid(random, what); // may intersect itself
+    const Mesh tool = AnySolid(random, what);
+    SCOPED_TRACE(what);
+    vtkNew<Filter> filter;
+    filter->SetInputData(MakePolyData(body));
+    filter->SetSourceData(MakePolyData(tool));
+    filter->SetOperation(number % 5);
+    for (int step = 0; step < 5; ++step)
+    {
+      const Point shift = 0.4 * random.Direction();
+      const Point angles = step < 2 ? Point{ 0, 0, 0 } : 90.0 * random.Direction();
+      vtkNew<vtkTransform> transform;
+      if (step < 4)
+      {
+        transform->Translate(shift.data());
+        transform->RotateZ(angles[2]);
+        transform->RotateX(angles[0]);
+        transform->RotateY(angles[1]);
+        filter->SetTranslation(shift.data());
+        filter->SetRotation(angles.data());
+      }
+      else // back to where it was
+      {
+        filter->SetTranslation(0, 0, 0);
+        filter->SetRotation(0, 0, 0);
+      }
+      Mesh moved = tool;
+      moved.Map([&](const Point& x) { return Moved(transform->GetMatrix(), x); });
+      ExpectEqual(RunSolid(filter), Combine(body, moved, number % 5));
+    }
+  }
+}
+
+TEST(BooleanOperationMotion, InputsAreNotedWhenTheyChange)
+{
+  vtkNew<Filter> filter;
+  const auto box = [](double size) { return BoxTriangles({ 0, 0, 0 }, { size, size, size }); };
+  filter->SetInputData(MakePolyData(box(2)));
+  filter->SetSourceData(MakePolyData(box(1)));
+  filter->SetOperationToDifference();
+  filter->SetTranslation(1.5, 0, 0);
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 7.5, 1e-14);
+  filter->SetInputData(MakePolyData(box(3)));
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 26.0, 1e-13);
+  filter->SetSourceData(MakePolyData(box(1.5)));
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 27.0 - 3.375, 1e-13);
+  filter->SetTranslation(0, 0, 0);
+  filter->SetInputData(MakePolyData(box(2)));
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 8.0 - 3.375, 1e-13);
+  filter->SetTranslation(1, 1, 1);
+  filter->SetInputData(MakePolyData(Mesh()));
+  filter->SetOperationToUnion();
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 3.375, 1e-13);
+}
+
+/// A reflection leaves the outside outside, and sheets have their normals reflected.
+TEST(BooleanOperationMotion, MayReflect)
+{
+  vtkNew<vtkMatrix4x4> mirror;
+  mirror->SetElement(0, 0, -1.0);
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakePolyData(BoxTriangles({ -2, 0, 0 }, { 2, 1, 1 })));
+  filter->SetSourceData(MakePolyData(BoxTriangles({ 1, 0, 0 }, { 3, 1, 1 })));
+  filter->SetInsideRuleToPositive();
+  filter->SetTransform(mirror);
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 5.0, 1e-14);
+  vtkNew<vtkMatrix4x4> wrong;
+  wrong->SetElement(0, 0, 2.0);
+  EventCounter events(filter);
+  filter->SetTransform(wrong);
+  EXPECT_EQ(events.Errors, 1);
+  EXPECT_EQ(filter->GetTransform()->GetElement(0, 0), -1.0);
+}
+
+/// Triangles that rounding makes flat are left out, and what is left is closed.
+TEST(BooleanOperationMotion, FarAwayPointsMayBecomeOne)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakePolyData(BoxTriangles({ 0, 0, 0 }, { 1, 1, 1 })));
+  Mesh tool = Outward(SphereTriangles(8));
+  filter->SetSourceData(MakePolyData(tool));
+  for (const double far : { 1e14, 1e15, 4e15 })
+  {
+    filter->SetTranslation(far, 0, 0);
+    EXPECT_EQ(CountBadEdges(RunSolid(filter)), 0);
+  }
+  filter->SetTranslation(1.7e308, 1.7e308, 0);
+  filter->SetRotation(0, 0, 45);
+  filter->SetRotationCenter(-1.7e308, 1.7e308, 0);
+  EventCounter events(filter);
+  filter->SetInputData(MakePolyData(BoxTriangles({ 0, 0, 0 }, { 2, 2, 2 })));
+  filter->Update();
+  EXPECT_EQ(events.Errors, 1);
+  filter->SetTranslation(5, 0, 0);
+  filter->SetRotation(0, 0, 0);
+  EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 8.0 + Measures(tool).Volume, 1e-13);
+}
+}
