@@ -22,10 +22,43 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeClosestPoint);
 
+namespace
+{
+/// What is told of the Source.
+struct SourceFacts
+{
+  SkdTreeCounts Counts;
+  int TreesBuilt = 0;
+  bool HasSides = false;
+  vtkIdType OpenEdges = 0;
+  vtkIdType CoarseFaces = 0;
+  double ChordalLength = 0.0;
+};
+
+struct Found
+{
+  SkdRemoteClosest Closest;
+  SourceFacts Source;
+  double BuildSeconds = 0.0;
+  double QuerySeconds = 0.0;
+  bool IsDone = false;
+};
+
+}
+
 class vtkSkdTreeClosestPoint::Internals
 {
 public:
   SkdSource Source;
+  SkdSpreadBody Body; // of a Source that stays in its pieces, with signs
+
+  void Find(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& blocks,
+    vtkDataObject* sourceData, const SkdSpreadSource* spread, SkdLoop& loop, Found& found);
+
+  /// With signs. Nothing is done if there is no surface. Returns false if the source must be
+  /// gathered.
+  bool FindInPieces(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>& blocks,
+    const SkdSpreadSource& spread, SkdLoop& loop, Found& found);
 };
 
 namespace
@@ -47,6 +80,17 @@ SkdClosestArrays FindNearest(
         }
       }
     });
+  return answers;
+}
+
+std::vector<SkdClosestArrays> FindNearest(const std::vector<SkdBlock>& blocks,
+  const SkdSource& source, double maximumDistance, SkdLoop& loop)
+{
+  std::vector<SkdClosestArrays> answers;
+  for (const SkdBlock& block : blocks)
+  {
+    answers.push_back(FindNearest(block.Mesh, source, maximumDistance, loop));
+  }
   return answers;
 }
 
@@ -94,30 +138,31 @@ void InterpolateFound(vtkSkdTreeClosestPoint* self, const std::vector<SkdBlock>&
     [&](int block, vtkIdType id) { return found.CellOf(block, id); }, answers);
 }
 
-void WarnAbout(vtkSkdTreeClosestPoint* self, const SkdSource& source, const SkdTreeCounts& counts)
+void WarnAbout(vtkSkdTreeClosestPoint* self, const SourceFacts& source)
 {
-  if (counts.Cells == 0)
+  if (source.Counts.Cells == 0)
   {
     vtkWarningWithObjectMacro(self, "Source has no cells to search; no closest point is found.");
   }
-  else if (self->GetSignedDistance() && !source.HasSides())
+  else if (self->GetSignedDistance() && !source.HasSides)
   {
     vtkWarningWithObjectMacro(self, "Source has no surface; distances are unsigned.");
   }
-  else if (source.GetNumberOfOpenEdges() > 0)
+  else if (source.OpenEdges > 0)
   {
     vtkWarningWithObjectMacro(self,
-      "Source is not closed: it has " << source.GetNumberOfOpenEdges()
+      "Source is not closed: it has " << source.OpenEdges
                                       << " open edges. Signs may be wrong near gaps.");
   }
+  SkdWarnAboutCoarseFaces(self, source.CoarseFaces, self->GetChordalDeviation());
 }
 
-void Report(vtkDataObject* output, const SkdSource& source, const SkdTreeCounts& counts,
-  const std::vector<SkdClosestArrays>& answers, double buildSeconds, double querySeconds)
+void Report(vtkDataObject* output, const Found& search)
 {
+  const SourceFacts& source = search.Source;
   vtkIdType asked = 0;
   vtkIdType found = 0;
-  for (const SkdClosestArrays& answer : answers)
+  for (const SkdClosestArrays& answer : search.Closest.Answers)
   {
     asked += answer.GetNumberOfPoints();
     found += answer.CountFound();
@@ -125,18 +170,67 @@ void Report(vtkDataObject* output, const SkdSource& source, const SkdTreeCounts&
   SkdReport report(output);
   report.AddCount("Points", asked);
   report.AddCount("PointsFound", found);
-  report.AddCount("SourceCells", counts.Cells);
-  report.AddCount("SourceCellsLeftOut", counts.CellsLeftOut);
-  report.AddCount("TreesBuilt", source.GetTreesBuilt());
-  report.AddMeasure("Epsilon", counts.Tolerance);
-  report.AddMeasureOf("ChordalLength", source.GetChordalLength());
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("QuerySeconds", querySeconds);
-  if (source.HasSides())
+  report.AddCount("SourceCells", source.Counts.Cells);
+  report.AddCount("SourceCellsLeftOut", source.Counts.CellsLeftOut);
+  report.AddCount("TreesBuilt", source.TreesBuilt);
+  report.AddMeasure("Epsilon", source.Counts.Tolerance);
+  report.AddMeasureOf("ChordalLength", source.ChordalLength);
+  report.AddMeasure("BuildSeconds", search.BuildSeconds);
+  report.AddMeasure("QuerySeconds", search.QuerySeconds);
+  if (source.HasSides)
   {
-    report.AddCount("OpenEdges", source.GetNumberOfOpenEdges());
+    report.AddCount("OpenEdges", source.OpenEdges);
   }
 }
+}
+
+void vtkSkdTreeClosestPoint::Internals::Find(vtkSkdTreeClosestPoint* self,
+  const std::vector<SkdBlock>& blocks, vtkDataObject* sourceData, const SkdSpreadSource* spread,
+  SkdLoop& loop, Found& found)
+{
+  SkdStopwatch watch;
+  this->Body.Clear();
+  const SkdSource& source = this->Source;
+  const bool wantsSide = self->GetSignedDistance() && !spread;
+  this->Source.Update(sourceData, wantsSide, self->GetEpsilon(), self->GetChordalDeviation());
+  found.Source = { spread ? spread->CountAll(source.GetCounts()) : source.GetCounts(),
+    source.GetTreesBuilt(), source.HasSides(), source.GetNumberOfOpenEdges(),
+    source.GetNumberOfCoarseFaces(), source.GetChordalLength() };
+  found.BuildSeconds = watch.Lap();
+  const double distance = self->GetMaximumDistance();
+  if (spread)
+  {
+    found.Closest = SkdFindRemoteClosest(blocks, source, *spread, distance, loop);
+  }
+  else
+  {
+    found.Closest.Answers = FindNearest(blocks, source, distance, loop);
+  }
+  found.QuerySeconds = watch.Lap();
+}
+
+bool vtkSkdTreeClosestPoint::Internals::FindInPieces(vtkSkdTreeClosestPoint* self,
+  const std::vector<SkdBlock>& blocks, const SkdSpreadSource& spread, SkdLoop& loop, Found& found)
+{
+  SkdStopwatch watch;
+  const int built = this->Body.Update(spread, self->GetEpsilon());
+  if (this->Body.GetNumberOfFaces() == 0)
+  {
+    return true;
+  }
+  found.Source = { this->Body.GetCounts(), built, true };
+  found.BuildSeconds = watch.Lap();
+  auto closest = this->Body.IsFit()
+    ? SkdFindRemoteSigned(blocks, this->Body, spread, self->GetMaximumDistance(), loop)
+    : std::nullopt;
+  found.QuerySeconds = watch.Lap();
+  found.IsDone = closest.has_value();
+  if (found.IsDone)
+  {
+    found.Closest = std::move(*closest);
+    this->Source = SkdSource();
+  }
+  return found.IsDone;
 }
 
 vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
@@ -147,10 +241,9 @@ vtkSkdTreeClosestPoint::vtkSkdTreeClosestPoint()
 
 vtkSkdTreeClosestPoint::~vtkSkdTreeClosestPoint() = default;
 
-// Signs need all of the boundary.
 bool vtkSkdTreeClosestPoint::CanAskPieces(int port)
 {
-  return port == 1 && !this->SignedDistance;
+  return port == 1;
 }
 
 int vtkSkdTreeClosestPoint::RequestData(
@@ -160,32 +253,26 @@ int vtkSkdTreeClosestPoint::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const std::vector<SkdBlock> blocks = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
   const SkdSpreadSource* spread = this->Inputs->GetSpread(1);
-  SkdStopwatch watch;
-
+  const double last = this->InterpolateSourceData ? 0.7 : 1.0;
+  Found found;
+  if (spread && this->SignedDistance)
+  {
+    SkdLoop loop(this, 2 * SkdCountPoints(blocks), 0.2, last);
+    if (!this->Impl->FindInPieces(this, blocks, *spread, loop, found))
+    {
+      sourceData = this->Inputs->GatherSpread(1);
+      spread = nullptr;
+    }
+  }
   SkdSource& source = this->Impl->Source;
-  source.Update(sourceData, this->SignedDistance, this->Epsilon, this->ChordalDeviation);
-  const SkdTreeCounts counts = spread ? spread->CountAll(source.GetCounts()) : source.GetCounts();
-  WarnAbout(this, source, counts);
-  SkdWarnAboutCoarseFaces(this, source.GetNumberOfCoarseFaces(), this->ChordalDeviation);
-  const double buildSeconds = watch.Lap();
-
-  std::vector<SkdClosestArrays> answers;
-  SkdLoop loop(this, SkdCountPoints(blocks), 0.2, this->InterpolateSourceData ? 0.7 : 1.0);
-  std::vector<SkdFoundCell> cells;
-  if (spread)
+  if (!found.IsDone)
   {
-    SkdRemoteClosest closest =
-      SkdFindRemoteClosest(blocks, source, *spread, this->MaximumDistance, loop);
-    answers = std::move(closest.Answers);
-    cells = std::move(closest.Cells);
-    SkdReport(output).AddCount("PointsSent", static_cast<vtkIdType>(closest.PointsSent));
+    SkdLoop loop(this, SkdCountPoints(blocks), 0.2, last);
+    this->Impl->Find(this, blocks, sourceData, spread, loop, found);
   }
-  for (std::size_t i = 0; !spread && i < blocks.size(); ++i)
-  {
-    answers.push_back(FindNearest(blocks[i].Mesh, source, this->MaximumDistance, loop));
-  }
-  const double querySeconds = watch.Lap();
+  WarnAbout(this, found.Source);
 
+  std::vector<SkdClosestArrays>& answers = found.Closest.Answers;
   const bool isComposite = SkdIsComposite(sourceData);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
@@ -194,7 +281,7 @@ int vtkSkdTreeClosestPoint::RequestData(
   }
   if (this->InterpolateSourceData && spread)
   {
-    InterpolateFound(this, blocks, SkdFoundCells(*spread, cells), answers);
+    InterpolateFound(this, blocks, SkdFoundCells(*spread, found.Closest.Cells), answers);
   }
   else if (this->InterpolateSourceData)
   {
@@ -204,7 +291,11 @@ int vtkSkdTreeClosestPoint::RequestData(
   {
     SkdConnectClosest(blocks, answers, vtkPolyData::GetData(outputVector, 1));
   }
-  Report(output, source, counts, answers, buildSeconds, querySeconds);
+  if (spread)
+  {
+    SkdReport(output).AddCount("PointsSent", static_cast<vtkIdType>(found.Closest.PointsSent));
+  }
+  Report(output, found);
   source.Release();
   return 1;
 }

@@ -12,7 +12,10 @@
  * Several processes: a Source of which each has a piece is gathered on each, or with
  * SOURCE_EXCHANGED stays where it is: a process answers its points from its own piece, and sends
  * those to others that may have something nearer; data are interpolated in the cells found, which
- * are brought. Signed distances need all of the Source, which is then gathered.
+ * are brought. For signs it also sends a line to the outside, on which each process counts the
+ * passes through its own faces. The Source is gathered after all if its boundary has open edges or
+ * curved faces or is that of a structured grid of volume cells, or if these numbers leave a point
+ * undecided: in bodies that overlap or are nested.
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values, even in
  * other arrays: further time steps cost queries only, unless points move.
@@ -35,7 +38,7 @@
  * SkdReportTreesBuilt (0 if all were reused), SkdReportEpsilon (the largest in use, in world
  * units), SkdReportBuildSeconds, SkdReportQuerySeconds; SkdReportOpenEdges if signed, and
  * SkdReportChordalLength for curved cells (see SetChordalDeviation), and SkdReportPointsSent, how
- * often this process sent a point to another, if the Source stayed in its pieces.
+ * often this process sent a point or its line to another, if the Source stayed in its pieces.
  *
  * Output port 1: optional (see GenerateLines), vtkPolyData with a line from each point with a
  * result to its nearest point, with the point's arrays as cell data (ghost marks are not passed

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreePointInOut.h"
 
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
@@ -10,6 +11,7 @@
 #include "Pipeline/SkdSetText.h"
 #include "Pipeline/SkdSubset.h"
 #include "Search/InOut/SkdPartClassifier.h"
+#include "Search/InOut/SkdSpreadParts.h"
 #include "Search/Probe/SkdCellFinder.h"
 #include "vtkCellData.h"
 #include "vtkGenericCell.h"
@@ -31,12 +33,14 @@ class vtkSkdTreePointInOut::Internals
 public:
   std::vector<SkdBlock> Blocks; // of the source, those with cells
   SkdPartList Parts;            // of the first model
+  SkdSpreadParts Pieces;        // the same of a source that stays in its pieces
   SkdSourceTrees Trees;         // of the second
   SkdCellFinderSource Places{ Trees, Blocks };
   std::vector<std::vector<int>> PartIds; // of the second's cells, or none
   SkdInsideRules Rules;
   double Band = 0.0;
   int Built = 0;
+  double BuildSeconds = 0.0;
 
   /// Answers query points one by one. For use by one thread.
   using Answer = std::function<SkdInOut(vtkIdType queryPoint)>;
@@ -48,6 +52,18 @@ public:
 
   SkdInOuts AskFor(const SkdQueryPoints& queryPoints, int model, SkdLoop& loop) const;
   SkdInOuts AskCorners(vtkDataSet* mesh, int model, bool all, SkdLoop& loop) const;
+};
+
+/// What is told of the parts.
+struct vtkSkdTreePointInOut::PartFacts
+{
+  std::size_t Number = 0;
+  bool HaveFaces = false;
+  bool HaveVolumes = false; // boundaries of volume cells
+  vtkIdType Open = 0;
+  vtkIdType OpenEdges = 0;
+  vtkIdType CoarseFaces = 0;
+  double ChordalLength = 0.0;
 };
 
 namespace
@@ -81,6 +97,35 @@ SkdInOut ChooseCorner(const std::vector<SkdInOut>& corners, vtkIdList* ids, bool
     chosen = k == 0 || isBetter ? corner : chosen;
   }
   return chosen;
+}
+
+/// The answers of a mesh's cells, from those of its points.
+SkdInOuts ChooseCorners(vtkDataSet* mesh, const std::vector<SkdInOut>& corners, bool least,
+  bool hasWinding, SkdLoop& loop)
+{
+  SkdTouchCells(mesh);
+  SkdInOuts answers(mesh->GetNumberOfCells(), hasWinding);
+  loop.For(mesh->GetNumberOfCells(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        mesh->GetCellPoints(cell, ids);
+        answers.Set(cell, ChooseCorner(corners, ids, least));
+      }
+    });
+  return answers;
+}
+
+SkdInOuts ListAnswers(const std::vector<SkdInOut>& found)
+{
+  SkdInOuts answers(static_cast<vtkIdType>(found.size()), false);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    answers.Set(static_cast<vtkIdType>(i), found[i]);
+  }
+  return answers;
 }
 
 /// The cells or points with the requested result, as a grid.
@@ -169,19 +214,8 @@ SkdInOuts vtkSkdTreePointInOut::Internals::AskCorners(
   std::vector<SkdInOut> corners(mesh->GetNumberOfPoints());
   this->Ask(SkdQueryPoints(mesh, SkdQueryPoints::At::Points), model, loop,
     [&](vtkIdType point, const SkdInOut& answer) { corners[point] = answer; });
-  SkdTouchCells(mesh);
-  SkdInOuts answers(mesh->GetNumberOfCells(), this->Rules.Method == SkdInsideMethod::WindingNumber);
-  loop.For(mesh->GetNumberOfCells(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        mesh->GetCellPoints(cell, ids);
-        answers.Set(cell, ChooseCorner(corners, ids, all));
-      }
-    });
-  return answers;
+  return ChooseCorners(
+    mesh, corners, all, this->Rules.Method == SkdInsideMethod::WindingNumber, loop);
 }
 
 vtkSkdTreePointInOut::vtkSkdTreePointInOut()
@@ -201,6 +235,13 @@ void vtkSkdTreePointInOut::SetPartArray(const char* name)
 bool vtkSkdTreePointInOut::NeedsNearbySource(SkdReach&)
 {
   return this->Model == BODY_FITTED_MESH;
+}
+
+// Passes through closed boundaries are counted by the processes that have the faces.
+bool vtkSkdTreePointInOut::CanAskPieces(int port)
+{
+  return port == 1 && this->Model == BOUNDARIES && this->Parts == BLOCKS &&
+    this->Method == AUTOMATIC && this->UseOuterFaces && this->BoundaryBand == 0.0;
 }
 
 bool vtkSkdTreePointInOut::CheckSource()
@@ -229,6 +270,7 @@ void vtkSkdTreePointInOut::UpdateParts()
     static_cast<std::uint64_t>(this->Seed), this->WindingTolerance };
   internals.Band = this->BoundaryBand;
   internals.PartIds.clear();
+  internals.Pieces = SkdSpreadParts();
   if (this->Model == BOUNDARIES)
   {
     internals.Trees.Clear();
@@ -248,32 +290,39 @@ void vtkSkdTreePointInOut::UpdateParts()
   }
 }
 
-void vtkSkdTreePointInOut::WarnAbout()
+vtkSkdTreePointInOut::PartFacts vtkSkdTreePointInOut::GetFacts() const
 {
-  const std::vector<SkdPart>& parts = this->Impl->Parts.Get();
-  const bool hasFaces = std::any_of(
-    parts.begin(), parts.end(), [](const SkdPart& part) { return part.GetNumberOfFaces() > 0; });
-  if (this->Model == BOUNDARIES ? !hasFaces : this->Impl->Trees.GetCounts().Cells == 0)
+  const Internals& internals = *this->Impl;
+  PartFacts facts;
+  facts.Number = internals.Parts.Get().size();
+  facts.HaveFaces = this->Model == BODY_FITTED_MESH && internals.Trees.GetCounts().Cells > 0;
+  facts.HaveVolumes = this->Model == BOUNDARIES && HasVolumes(internals.Blocks);
+  facts.ChordalLength = internals.Parts.GetChordalLength();
+  for (const SkdPart& part : internals.Parts.Get())
+  {
+    facts.HaveFaces = facts.HaveFaces || part.GetNumberOfFaces() > 0;
+    facts.Open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
+    facts.OpenEdges += part.GetNumberOfOpenEdges();
+    facts.CoarseFaces += part.GetNumberOfCoarseFaces();
+  }
+  return facts;
+}
+
+void vtkSkdTreePointInOut::WarnAbout(const PartFacts& facts)
+{
+  if (!facts.HaveFaces)
   {
     vtkWarningMacro("Source has no " << (this->Model == BOUNDARIES ? "surface" : "cells")
                                      << "; everything is outside.");
     return;
   }
-  vtkIdType edges = 0;
-  vtkIdType coarse = 0;
-  int open = 0;
-  for (const SkdPart& part : parts)
+  SkdWarnAboutCoarseFaces(this, facts.CoarseFaces, this->ChordalDeviation);
+  if (facts.Open > 0)
   {
-    edges += part.GetNumberOfOpenEdges();
-    open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
-    coarse += part.GetNumberOfCoarseFaces();
-  }
-  SkdWarnAboutCoarseFaces(this, coarse, this->ChordalDeviation);
-  if (open > 0)
-  {
-    vtkWarningMacro(
-      << open << " of " << parts.size() << " parts are not closed: they have " << edges
-      << " open edges. Points near these may be classified wrongly; see SkdConfidence.");
+    vtkWarningMacro(<< facts.Open << " of " << facts.Number << " parts are not closed: they have "
+                    << facts.OpenEdges
+                    << " open edges. Points near these may be classified wrongly; see "
+                       "SkdConfidence.");
   }
 }
 
@@ -281,44 +330,123 @@ int vtkSkdTreePointInOut::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   Internals& internals = *this->Impl;
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   SkdStopwatch watch;
-  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(vtkDataObject::GetData(inputVector[1])));
-  if (!this->CheckSource())
+  std::optional<PartFacts> facts;
+  std::vector<SkdInOuts> answers;
+  if (this->Inputs->GetSpread(1))
   {
-    return 1;
+    facts = this->AskPieces(SkdMirror(input, output), answers);
+    source = facts ? source : this->Inputs->GatherSpread(1);
   }
-  this->UpdateParts();
-  this->WarnAbout();
-  const double buildSeconds = watch.Lap();
-
-  const std::vector<SkdBlock> outputs = SkdMirror(vtkDataObject::GetData(inputVector[0]), output);
-  SkdLoop loop(this, this->CountQueryPoints(outputs), 0.2, 1.0);
-  vtkIdType points = 0;
-  vtkIdType inside = 0;
-  for (const SkdBlock& block : outputs)
+  internals.Blocks = SkdBlocksWithCells(SkdBlocksOf(source));
+  if (!facts)
   {
-    const SkdInOuts answers = this->AskMesh(block.Mesh, loop);
-    this->ExtractFrom(block.Mesh, answers, outputVector);
-    points += answers.GetNumber();
-    inside += answers.CountInside();
+    if (!this->CheckSource())
+    {
+      return 1;
+    }
+    this->UpdateParts();
+    facts = this->GetFacts();
+    internals.BuildSeconds = watch.Lap();
+    answers = this->AskMeshes(SkdMirror(input, output));
   }
-  this->Report(output, points, inside, buildSeconds, watch.Lap());
+  this->WarnAbout(*facts);
+  this->FillOutputs(*facts, SkdBlocksOf(output), answers, outputVector);
+  SkdReport(output).AddMeasure("QuerySeconds", watch.Lap());
   internals.Blocks.clear();
   return 1;
 }
 
-SkdInOuts vtkSkdTreePointInOut::AskMesh(vtkDataSet* mesh, SkdLoop& loop)
+std::vector<SkdInOuts> vtkSkdTreePointInOut::AskMeshes(const std::vector<SkdBlock>& meshes)
 {
   const Internals& internals = *this->Impl;
-  const bool asksCorners = this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT;
+  SkdLoop loop(this, this->CountQueryPoints(meshes), 0.2, 1.0);
   const auto at = this->Ask == POINTS ? SkdQueryPoints::At::Points : SkdQueryPoints::At::Middles;
-  SkdInOuts answers = asksCorners
-    ? internals.AskCorners(mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop)
-    : internals.AskFor(SkdQueryPoints(mesh, at), this->Model, loop);
-  answers.AddTo(
-    mesh->GetAttributes(this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL));
+  std::vector<SkdInOuts> answers;
+  for (const SkdBlock& block : meshes)
+  {
+    answers.push_back(this->AsksCorners()
+        ? internals.AskCorners(block.Mesh, this->Model, this->Ask == CELLS_ALL_POINTS, loop)
+        : internals.AskFor(SkdQueryPoints(block.Mesh, at), this->Model, loop));
+  }
   return answers;
+}
+
+// All processes ask together, also those that have fewer meshes. Nothing is returned if the source
+// must be gathered.
+std::optional<vtkSkdTreePointInOut::PartFacts> vtkSkdTreePointInOut::AskPieces(
+  const std::vector<SkdBlock>& meshes, std::vector<SkdInOuts>& answers)
+{
+  const SkdSpreadSource& spread = *this->Inputs->GetSpread(1);
+  SkdStopwatch watch;
+  this->Impl->Parts = SkdPartList();
+  this->Impl->Trees.Clear();
+  SkdSpreadParts& parts = this->Impl->Pieces;
+  this->Impl->Built = parts.Update(spread, this->Epsilon);
+  this->Impl->BuildSeconds = watch.Lap();
+  if (!parts.AreFit())
+  {
+    return std::nullopt;
+  }
+  SkdTransport& transport = spread.GetTransport();
+  SkdLoop loop(this, this->CountQueryPoints(meshes), 0.2, 1.0);
+  const auto at =
+    this->Ask == CELL_CENTERS ? SkdQueryPoints::At::Middles : SkdQueryPoints::At::Points;
+  const int rounds = SkdMostOf(transport, static_cast<int>(meshes.size()));
+  for (int round = 0; round < rounds; ++round)
+  {
+    const bool isOwn = round < static_cast<int>(meshes.size());
+    vtkSmartPointer<vtkDataSet> mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    mesh = isOwn ? meshes[static_cast<std::size_t>(round)].Mesh : mesh;
+    std::vector<SkdInOut> found;
+    if (parts.Ask(SkdQueryPoints(mesh, at), loop, found) == SkdSpreadResult::Undecided)
+    {
+      return std::nullopt;
+    }
+    if (isOwn)
+    {
+      answers.push_back(this->AsksCorners()
+          ? ChooseCorners(mesh, found, this->Ask == CELLS_ALL_POINTS, false, loop)
+          : ListAnswers(found));
+    }
+  }
+  PartFacts facts;
+  facts.Number = parts.GetNumber();
+  facts.HaveFaces = parts.HaveFaces();
+  facts.HaveVolumes = SkdMostOf(transport, HasVolumes(spread.GetBlocks()) ? 1 : 0) == 1;
+  return facts;
+}
+
+void vtkSkdTreePointInOut::FillOutputs(const PartFacts& facts, const std::vector<SkdBlock>& meshes,
+  const std::vector<SkdInOuts>& answers, vtkInformationVector* outputVector)
+{
+  const auto to = this->Ask == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL;
+  vtkIdType points = 0;
+  vtkIdType inside = 0;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    answers[i].AddTo(meshes[i].Mesh->GetAttributes(to));
+    this->ExtractFrom(meshes[i].Mesh, answers[i], outputVector);
+    points += answers[i].GetNumber();
+    inside += answers[i].CountInside();
+  }
+  SkdReport report(vtkDataObject::GetData(outputVector, 0));
+  report.AddCount("Points", points);
+  report.AddCount("PointsInside", inside);
+  report.AddCount("Parts", static_cast<vtkIdType>(facts.Number));
+  report.AddCount("OpenParts", facts.Open);
+  report.AddCount("OpenEdges", facts.OpenEdges);
+  report.AddCount("OuterFaces", facts.HaveVolumes ? 1 : 0);
+  report.AddCount("TreesBuilt", this->Impl->Built);
+  report.AddMeasureOf("ChordalLength", facts.ChordalLength);
+  report.AddMeasure("BuildSeconds", this->Impl->BuildSeconds);
+  if (this->Inputs->GetSpread(1))
+  {
+    report.AddCount("PointsSent", static_cast<vtkIdType>(this->Impl->Pieces.GetAsked()));
+  }
 }
 
 void vtkSkdTreePointInOut::ExtractFrom(
@@ -346,30 +474,6 @@ vtkIdType vtkSkdTreePointInOut::CountQueryPoints(const std::vector<SkdBlock>& bl
     queryPoints += this->Ask != POINTS ? block.Mesh->GetNumberOfCells() : 0;
   }
   return queryPoints;
-}
-
-void vtkSkdTreePointInOut::Report(vtkDataObject* output, vtkIdType points, vtkIdType inside,
-  double buildSeconds, double querySeconds)
-{
-  vtkIdType edges = 0;
-  vtkIdType open = 0;
-  for (const SkdPart& part : this->Impl->Parts.Get())
-  {
-    edges += part.GetNumberOfOpenEdges();
-    open += part.GetNumberOfOpenEdges() > 0 ? 1 : 0;
-  }
-  SkdReport report(output);
-  report.AddCount("Points", points);
-  report.AddCount("PointsInside", inside);
-  report.AddCount("Parts", static_cast<vtkIdType>(this->Impl->Parts.Get().size()));
-  report.AddCount("OpenParts", open);
-  report.AddCount("OpenEdges", edges);
-  const bool asksFaces = this->Model == BOUNDARIES && HasVolumes(this->Impl->Blocks);
-  report.AddCount("OuterFaces", asksFaces ? 1 : 0);
-  report.AddCount("TreesBuilt", this->Impl->Built);
-  report.AddMeasureOf("ChordalLength", this->Impl->Parts.GetChordalLength());
-  report.AddMeasure("BuildSeconds", buildSeconds);
-  report.AddMeasure("QuerySeconds", querySeconds);
 }
 
 void vtkSkdTreePointInOut::PrintSelf(ostream& os, vtkIndent indent)

@@ -18,10 +18,17 @@
  * Larger polygons are triangulated, curved cells are approximated by facets within the
  * ChordalDeviation, and duplicate faces count once. Points within rounding error of a surface may
  * be classified either way. For closed surfaces, rays do not depend on orientation. The answer does
- * not depend on the number of threads or processes (each gathers the whole Source, or of a
- * BODY_FITTED_MESH with SOURCE_EXCHANGED the cells near its own Input). Trees are reused while the
- * Source is unchanged. On images and rectilinear grids the filter is a voxelizer:
- * for closed parts and methods with rays, one line classifies a whole row.
+ * not depend on the number of threads or processes. Trees are reused while the Source is unchanged.
+ * On images and rectilinear grids the filter is a voxelizer: for closed parts and methods with rays,
+ * one line classifies a whole row.
+ *
+ * Several processes: a Source of which each has a piece is gathered on each, or with
+ * SOURCE_EXCHANGED stays where it is. Of a BODY_FITTED_MESH a process gets the cells near its own
+ * Input. For BOUNDARIES it sends lines, on which each process counts the passes through its own
+ * faces; parts may be on several. That needs the method AUTOMATIC, a block a part, outer faces and
+ * no BoundaryBand; otherwise, and if a part has open edges or curved faces or is a structured grid
+ * of volume cells, or if a point lies in bodies of one part that overlap or are nested, the Source
+ * is gathered.
  *
  * Output port 0: the input with these point or cell arrays (see SetAsk)
  * | name             | type   | meaning                                                 | none |
@@ -42,8 +49,9 @@
  * Field data of output port 0, one value each: SkdReportPoints, SkdReportPointsInside,
  * SkdReportParts, SkdReportOpenParts, SkdReportOpenEdges, SkdReportOuterFaces (1 if outer faces of
  * volume cells were used), SkdReportTreesBuilt (0 if all were reused), SkdReportBuildSeconds and
- * SkdReportQuerySeconds; and SkdReportChordalLength if there are curved cells (see
- * SetChordalDeviation).
+ * SkdReportQuerySeconds; SkdReportChordalLength if there are curved cells (see
+ * SetChordalDeviation); and SkdReportPointsSent, how often this process sent a point or a row's
+ * line to another, if the Source's boundaries stayed in their pieces.
  *
  * Bad input: with a Source without cells, or without surfaces if these are needed, there is a
  * warning and everything is outside. A PartArray that some block does not have, and volume cells
@@ -63,12 +71,12 @@
 #include "vtkSkdTreeSetWithin.h" // For properties that have a range
 #include "vtkSkdTreeVersion.h"   // For the differences between VTK's versions
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
-#include <vector> // For std::vector
+#include <memory>   // For std::unique_ptr
+#include <optional> // For std::optional
+#include <string>   // For std::string
+#include <vector>   // For std::vector
 
 class SkdInOuts;
-class SkdLoop;
 struct SkdBlock;
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -255,6 +263,7 @@ protected:
   ~vtkSkdTreePointInOut() override;
 
   bool NeedsNearbySource(SkdReach& reach) override;
+  bool CanAskPieces(int port) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Model = BOUNDARIES;
@@ -275,14 +284,19 @@ private:
   void operator=(const vtkSkdTreePointInOut&) = delete;
 
   class Internals;
+  struct PartFacts;
   bool CheckSource();
   void UpdateParts();
-  void WarnAbout();
-  SkdInOuts AskMesh(vtkDataSet* mesh, SkdLoop& loop);
+  PartFacts GetFacts() const;
+  void WarnAbout(const PartFacts& facts);
+  std::vector<SkdInOuts> AskMeshes(const std::vector<SkdBlock>& meshes);
+  std::optional<PartFacts> AskPieces(
+    const std::vector<SkdBlock>& meshes, std::vector<SkdInOuts>& answers);
+  bool AsksCorners() const { return this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT; }
+  void FillOutputs(const PartFacts& facts, const std::vector<SkdBlock>& meshes,
+    const std::vector<SkdInOuts>& answers, vtkInformationVector* outputVector);
   void ExtractFrom(vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector);
   vtkIdType CountQueryPoints(const std::vector<SkdBlock>& blocks) const;
-  void Report(vtkDataObject* output, vtkIdType points, vtkIdType inside, double buildSeconds,
-    double querySeconds);
 
   std::unique_ptr<Internals> Impl; // the parts, kept while the source is unchanged
 };

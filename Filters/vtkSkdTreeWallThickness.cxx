@@ -3,11 +3,14 @@
 #include "vtkSkdTreeWallThickness.h"
 
 #include "Cells/Read/SkdForEach.h"
+#include "Exchange/SkdFilterInputs.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Search/Rays/SkdHitCells.h"
 #include "Search/Rays/SkdRayStarts.h"
 #include "Search/Rays/SkdSurfaceBlocks.h"
 #include "Search/Rays/SkdThickness.h"
@@ -19,17 +22,37 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeWallThickness);
+
+namespace
+{
+/// Makes cells of the meshes of trees thread-safe to read.
+void TouchAll(const SkdSourceTrees& trees, std::size_t blocks)
+{
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    SkdTouchCells(trees.GetMesh(static_cast<int>(block)));
+  }
+}
+}
 
 class vtkSkdTreeWallThickness::Internals
 {
 public:
   SkdSurfaceBlocks Surfaces;
   SkdSourceTrees Trees;
+  SkdSourceTrees HitTrees; // of the cells that rays hit, where the Source stays in its pieces
   std::unique_ptr<SkdBodyExit> Exits; // of these
+
+  /// Brings the cells that rays hit, in the place of those of the own piece, and builds their
+  /// trees. Returns false after an abort on any process. All processes must call it together.
+  bool BringHits(vtkSkdTreeWallThickness* self, const std::vector<SkdRayStarts>& starts,
+    const SkdRayLimits& limits, const SkdThicknessRule& rule, vtkIdType places,
+    const SkdSpreadSource& spread, std::vector<SkdBlock>& source, SkdReport& report);
 
   /// Updates all to the blocks that have cells. Returns the number of trees built.
   int Update(const std::vector<SkdBlock>& source, double epsilon, double tolerance);
@@ -40,10 +63,7 @@ int vtkSkdTreeWallThickness::Internals::Update(
   const std::vector<SkdBlock>& source, double epsilon, double tolerance)
 {
   const int built = this->Trees.Update(source, epsilon);
-  for (std::size_t block = 0; block < source.size(); ++block)
-  {
-    SkdTouchCells(this->Trees.GetMesh(static_cast<int>(block)));
-  }
+  TouchAll(this->Trees, source.size());
   if (!this->Exits || built > 0 || !this->Exits->IsOf(source.size(), tolerance))
   {
     this->Exits = std::make_unique<SkdBodyExit>(
@@ -87,8 +107,10 @@ std::vector<SkdRayStarts> FindStarts(Filter* self, const std::vector<SkdBlock>& 
   return starts;
 }
 
+/// cellOf(block, cell) is the id of a cell that was found.
+template <class CellOf>
 void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answers,
-  const std::vector<SkdBlock>& source, const SkdSurfaceBlocks& surfaces, bool isComposite)
+  const std::vector<SkdBlock>& source, const CellOf& cellOf, bool isComposite)
 {
   const auto n = static_cast<vtkIdType>(answers.size());
   auto values = SkdMakeArray<vtkDoubleArray>("SkdThickness", 1, n, vtkMath::Nan());
@@ -103,7 +125,7 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
       {
         values->SetValue(i, answer.Value);
         points->SetTypedTuple(i, answer.Opposite.X);
-        cells->SetValue(i, surfaces.GetCellId(answer.Block, answer.CellId));
+        cells->SetValue(i, cellOf(answer.Block, answer.CellId));
         places[static_cast<std::size_t>(i)] = answer.Block;
       }
     });
@@ -117,14 +139,27 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
   data->SetActiveScalars("SkdThickness");
 }
 
-/// How many places there are on the surface, how many of these have no ray, and how many of the
-/// others a thickness.
+/// How many places there are, how many on the surface, how many of these have no ray, and how many
+/// of the others a thickness.
 struct Numbers
 {
+  vtkIdType Places = 0;
   vtkIdType Asked = 0;
   vtkIdType WithoutRay = 0;
   vtkIdType Found = 0;
 };
+
+Numbers CountStarts(const std::vector<SkdRayStarts>& starts)
+{
+  Numbers numbers;
+  for (const SkdRayStarts& start : starts)
+  {
+    numbers.Places += start.GetNumber();
+    numbers.Asked += start.GetNumber() - start.Inner;
+    numbers.WithoutRay += start.CountWithoutRay();
+  }
+  return numbers;
+}
 
 /// One message about what has no thickness.
 void WarnAbout(Filter* self, const std::vector<SkdRayStarts>& starts, const Numbers& numbers)
@@ -156,11 +191,82 @@ void WarnAbout(Filter* self, const std::vector<SkdRayStarts>& starts, const Numb
   }
 }
 
+/// What measures thickness against a surface, given its trees.
+struct Target
+{
+  SkdRayCaster Caster;
+  SkdTiedNearest Nearest;
+  SkdThicknessMeasure Measure;
+
+  Target(const SkdSourceTrees& trees, const std::vector<SkdBlock>& blocks,
+    const SkdRayLimits& limits, const SkdBodyExit* exits, const SkdThicknessRule& rule)
+    : Caster(trees, static_cast<int>(blocks.size()), limits)
+    , Nearest(trees, static_cast<int>(blocks.size()))
+    , Measure(this->Nearest, this->Caster, exits, rule)
+  {
+  }
+};
+
+bool HasVolumeCells(const SkdSpreadSource& spread)
+{
+  const std::vector<SkdBlock>& blocks = spread.GetBlocks();
+  const bool hasOwn = std::any_of(blocks.begin(), blocks.end(),
+    [](const SkdBlock& block) { return SkdHasVolumeCells(block.Mesh); });
+  return SkdMostOf(spread.GetTransport(), hasOwn ? 1 : 0) == 1;
+}
+
+/// The cells that the rays of a measure hit, given the trees of the own piece. In rounds, because a
+/// start may have many rays. All processes must call it together.
+SkdHitCells FindHitCells(const std::vector<SkdRayStarts>& all, const SkdThicknessMeasure& measure,
+  const SkdSourceTrees& trees, const SkdSpreadSource& spread, const SkdRayLimits& limits,
+  SkdLoop& loop)
+{
+  SkdRayCaster::Vectors points;
+  SkdRayCaster::Vectors inward;
+  for (const SkdRayStarts& starts : all)
+  {
+    points.insert(points.end(), starts.Points.begin(), starts.Points.end());
+    inward.insert(inward.end(), starts.Directions.begin(), starts.Directions.end());
+  }
+  constexpr vtkIdType round = 4096;
+  const auto n = static_cast<vtkIdType>(points.size());
+  SkdHitCells found;
+  found.IsWhole = true;
+  SkdRayCaster::Vectors starts;
+  SkdRayCaster::Vectors rays;
+  vtkIdType begin = 0;
+  while (found.IsWhole && SkdMostOf(spread.GetTransport(), begin < n ? 1 : 0) == 1)
+  {
+    const vtkIdType end = std::min(n, begin + round);
+    measure.ListRays(points, inward, begin, end, starts, rays);
+    const SkdHitCells some = SkdFindHitCells(starts, rays, trees, spread, limits, loop);
+    found.Cells.insert(found.Cells.end(), some.Cells.begin(), some.Cells.end());
+    found.RaysSent += some.RaysSent;
+    found.IsWhole = some.IsWhole;
+    begin = end;
+  }
+  return found;
+}
+
 /// The length that no ray needs to exceed, nor any sphere's diameter.
 double LargestOf(const std::vector<SkdBlock>& source, const std::vector<SkdBlock>& input)
 {
   return 4.0 * (SkdRayTolerance(1.0, source, {}) + SkdRayTolerance(1.0, input, {}));
 }
+}
+
+bool vtkSkdTreeWallThickness::Internals::BringHits(vtkSkdTreeWallThickness* self,
+  const std::vector<SkdRayStarts>& starts, const SkdRayLimits& limits, const SkdThicknessRule& rule,
+  vtkIdType places, const SkdSpreadSource& spread, std::vector<SkdBlock>& source, SkdReport& report)
+{
+  const Target own(this->Trees, source, limits, nullptr, rule);
+  SkdLoop loop(self, places, 0.2, 0.6, 8192);
+  const SkdHitCells hits = FindHitCells(starts, own.Measure, this->Trees, spread, limits, loop);
+  report.AddCount("RaysSent", static_cast<vtkIdType>(hits.RaysSent));
+  source = SkdFoundCells(spread, hits.Cells).GetBlocks();
+  this->HitTrees.Update(source, self->GetEpsilon());
+  TouchAll(this->HitTrees, source.size());
+  return hits.IsWhole;
 }
 
 vtkSkdTreeWallThickness::vtkSkdTreeWallThickness()
@@ -176,6 +282,12 @@ bool vtkSkdTreeWallThickness::NeedsWhole(int port)
   return IsAtPoints(this) || this->Superclass::NeedsWhole(port);
 }
 
+// Spheres need all of the surface about them.
+bool vtkSkdTreeWallThickness::CanAskPieces(int port)
+{
+  return port == 1 && this->GetNumberOfInputConnections(1) > 0 && this->Method == RAYS;
+}
+
 int vtkSkdTreeWallThickness::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -185,48 +297,54 @@ int vtkSkdTreeWallThickness::RequestData(
   {
     return 1;
   }
+  const SkdSpreadSource* spread = this->Inputs->GetSpread(1);
+  if (spread && HasVolumeCells(*spread))
+  {
+    given = this->Inputs->GatherSpread(1);
+    spread = nullptr;
+  }
   vtkDataObject* against = given ? given : input;
-  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   SkdSurfaceBlocks& surfaces = this->Impl->Surfaces;
-  const std::vector<SkdBlock> source = surfaces.Update(SkdBlocksWithCells(SkdBlocksOf(against)));
+  std::vector<SkdBlock> source =
+    surfaces.Update(spread ? spread->GetBlocks() : SkdBlocksWithCells(SkdBlocksOf(against)));
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   const std::vector<SkdBlock> blocks = SkdMirror(input, output);
   SkdStopwatch watch;
-  SkdSourceTrees& trees = this->Impl->Trees;
   const double tolerance = SkdRayTolerance(this->Tolerance, source, blocks);
   const int built = this->Impl->Update(source, this->Epsilon, tolerance);
   const double buildSeconds = watch.Lap();
-
   const std::vector<SkdRayStarts> starts = FindStarts(this, blocks);
   const double maximum = std::min(this->MaximumThickness, LargestOf(source, blocks));
-  const SkdRayCaster caster(
-    trees, static_cast<int>(source.size()), { tolerance, tolerance, maximum, false });
-  const SkdTiedNearest nearest(trees, static_cast<int>(source.size()));
-  const SkdThicknessMeasure measure(nearest, caster,
-    given || this->Reversed ? nullptr : this->Impl->Exits.get(),
-    RuleOf(this, maximum, SkdRayTolerance(0.0, source, blocks)));
-  Numbers numbers;
-  vtkIdType places = 0;
-  for (const SkdRayStarts& start : starts)
+  const SkdRayLimits limits{ tolerance, tolerance, maximum, false };
+  const SkdThicknessRule rule = RuleOf(this, maximum, SkdRayTolerance(0.0, source, blocks));
+  Numbers numbers = CountStarts(starts);
+  SkdReport report(output);
+  const SkdSourceTrees& own = this->Impl->Trees;
+  const auto counts = spread ? spread->CountAll(own.GetCounts()) : own.GetCounts();
+  const bool isWhole = !spread ||
+    this->Impl->BringHits(this, starts, limits, rule, numbers.Places, *spread, source, report);
+  const std::vector<SkdJoinedIds> ids = SkdJoinedIdsOf(source);
+  const auto cellOf = [&](int block, vtkIdType cell)
   {
-    places += start.GetNumber();
-    numbers.Asked += start.GetNumber() - start.Inner;
-    numbers.WithoutRay += start.CountWithoutRay();
-  }
-  SkdLoop loop(this, places, 0.2, 1.0, 8192);
+    return spread ? ids[static_cast<std::size_t>(block)].Of(cell) : surfaces.GetCellId(block, cell);
+  };
+  const Target target(spread ? this->Impl->HitTrees : own, source, limits,
+    given || this->Reversed ? nullptr : this->Impl->Exits.get(), rule);
+  SkdLoop loop(this, numbers.Places, spread ? 0.6 : 0.2, 1.0, 8192);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    const auto answers = measure.Measure(starts[i].Points, starts[i].Directions, loop);
+    const auto answers = isWhole
+      ? target.Measure.Measure(starts[i].Points, starts[i].Directions, loop)
+      : std::vector<SkdThickness>(starts[i].Points.size());
     numbers.Found += std::count_if(
       answers.begin(), answers.end(), [](const SkdThickness& answer) { return answer.Block >= 0; });
-    AddArrays(IsAtPoints(this) ? static_cast<vtkDataSetAttributes*>(blocks[i].Mesh->GetPointData())
-                               : blocks[i].Mesh->GetCellData(),
-      answers, source, surfaces, SkdIsComposite(against));
+    const auto at = IsAtPoints(this) ? vtkDataObject::POINT : vtkDataObject::CELL;
+    AddArrays(blocks[i].Mesh->GetAttributes(at), answers, source, cellOf, SkdIsComposite(against));
   }
-  SkdReport report(output);
-  report.AddCount("Points", places);
+  report.AddCount("Points", numbers.Places);
   report.AddCount("PointsFound", numbers.Found);
   WarnAbout(this, starts, numbers);
-  report.AddMeasure("Epsilon", trees.GetCounts().Tolerance);
+  report.AddMeasure("Epsilon", counts.Tolerance);
   report.AddRun(built, buildSeconds, "QuerySeconds", watch.Lap());
   return 1;
 }

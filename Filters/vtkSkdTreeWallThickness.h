@@ -39,14 +39,19 @@
  * | SkdOppositeCellId     | idtype | 1          | its cell, of several the lowest id   | -1   |
  * | SkdOppositeBlockIndex | int    | 1          | flat index of its block              | -1   |
  * (the last one only if what is measured against is composite). SkdThickness becomes the active
- * scalars. The answer does not depend on the number of threads or processes. Of several processes
- * the first has all; with a Source and at cell centers each has its own piece of the Input, and
- * gathers the whole Source.
+ * scalars. The answer does not depend on the number of threads or processes.
  * After an abort the remaining points have none.
+ *
+ * Several processes: the first gathers and outputs all, because normals at points, and what the
+ * Input itself bounds, depend on all pieces. With a Source and at cell centers each has its own
+ * piece of the Input and gathers the Source or, of RAYS with SOURCE_EXCHANGED, sends the rays to
+ * the processes whose pieces they may hit, and gets the cells there; a Source with volume cells is
+ * gathered nevertheless.
  *
  * Field data, one value each: SkdReportPoints, SkdReportPointsFound (with a thickness),
  * SkdReportEpsilon, SkdReportTreesBuilt (0 if all were reused), SkdReportBuildSeconds,
- * SkdReportQuerySeconds.
+ * SkdReportQuerySeconds, and SkdReportRaysSent, how often this process sent a ray to another, if
+ * the Source stayed in its pieces.
  *
  * Bad input: one warning counts the points that have no thickness because nothing is opposite (the
  * surface is open, or its normals point inwards: see Reversed), and because they have no normal or
@@ -179,6 +184,7 @@ protected:
 
   /// Normals of points may depend on cells of other pieces.
   bool NeedsWhole(int port) override;
+  bool CanAskPieces(int port) override;
 
   int Start = POINTS;
   int Method = RAYS;

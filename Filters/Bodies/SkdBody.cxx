@@ -32,18 +32,19 @@ int SkdBody::Build(double epsilon, bool wantsOpenSolid)
 }
 
 //------------------------------------------------------------------------------
-std::optional<SkdNearest> SkdBody::FindNearest(const double x[3], double maximumDistance) const
+std::optional<SkdNearest> SkdFindNearestFace(vtkSkdTreeCellLocator* faces,
+  const std::vector<SkdBoundary::Origin>& origins, const double x[3], double maximumDistance)
 {
   double query[3] = { x[0], x[1], x[2] };
   SkdNearest nearest;
   vtkIdType face;
   int subId;
-  if (!this->Faces->FindClosestPointWithinRadius(
+  if (!faces->FindClosestPointWithinRadius(
         query, maximumDistance, nearest.Point, nullptr, face, subId, nearest.Distance2))
   {
     return std::nullopt;
   }
-  nearest.Block = this->Boundary.Origins[face].Block;
-  nearest.CellId = this->Boundary.Origins[face].CellId;
+  nearest.Block = origins[static_cast<std::size_t>(face)].Block;
+  nearest.CellId = origins[static_cast<std::size_t>(face)].CellId;
   return nearest;
 }

@@ -13,6 +13,11 @@
 #include <optional>
 #include <vector>
 
+/// The nearest of the faces of a boundary, given their tree, as the cell that it is of; ties go to
+/// the first. Thread-safe.
+std::optional<SkdNearest> SkdFindNearestFace(vtkSkdTreeCellLocator* faces,
+  const std::vector<SkdBoundary::Origin>& origins, const double x[3], double maximumDistance);
+
 /// What blocks enclose: their boundary, the trees of its triangles, and what decides which points
 /// are inside. See SkdBoundary for the difference between its faces and its surface.
 class SkdBody
@@ -37,8 +42,11 @@ public:
   const SkdOpenSolid* GetOpenSolid() const { return this->OpenSolid.get(); }
   /// @}
 
-  /// The nearest face, as the cell that it is of. Thread-safe.
-  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const;
+  /// See SkdFindNearestFace.
+  std::optional<SkdNearest> FindNearest(const double x[3], double maximumDistance) const
+  {
+    return SkdFindNearestFace(this->Faces, this->Boundary.Origins, x, maximumDistance);
+  }
 
 private:
   SkdBoundary Boundary;

@@ -34,7 +34,8 @@ struct Face
 class FaceList
 {
 public:
-  FaceList(const std::vector<SkdBlock>& blocks, double chordalLength);
+  FaceList(
+    const std::vector<SkdBlock>& blocks, double chordalLength, const SkdSharedBlocks* shared);
 
   void KeepVolumesOrSurfaces();
   void SortByOrigin();
@@ -48,20 +49,31 @@ private:
   void CountCopiesOfGroup(const std::vector<std::size_t>& group);
   bool AreOrientedAlike(const Face& a, const Face& b) const;
 
+  using Edge = std::pair<vtkIdType, vtkIdType>; // the lower end first
+  Edge EdgeOf(const Face& face, int i) const;
+  vtkIdType SumOverAll(vtkIdType own) const
+  {
+    return this->Shared ? this->Shared->SumOverAll(own) : own;
+  }
   template <typename Predicate>
   vtkIdType CountOddEdges(const Predicate& isOfSurface) const;
+  template <typename Predicate>
+  vtkIdType CountOwn(const std::vector<Edge>& edges, const Predicate& isOfSurface) const;
   std::vector<int> FindRepeats() const;
   template <typename Number>
   vtkSmartPointer<vtkPolyData> MakeSurface(
     const Number& numberOf, std::vector<SkdBoundary::Origin>* origins) const;
 
+  const SkdSharedBlocks* Shared; // or nullptr
   SkdWeld Weld;
   std::vector<Face> Faces;
   std::vector<vtkIdType> Corners;
   vtkIdType CoarseFaces = 0;
 };
 
-FaceList::FaceList(const std::vector<SkdBlock>& blocks, double chordalLength)
+FaceList::FaceList(
+  const std::vector<SkdBlock>& blocks, double chordalLength, const SkdSharedBlocks* shared)
+  : Shared(shared)
 {
   for (std::size_t block = 0; block < blocks.size(); ++block)
   {
@@ -106,7 +118,8 @@ void FaceList::AddFace(
 void FaceList::KeepVolumesOrSurfaces()
 {
   const auto isOfVolume = [](const Face& face) { return face.OfVolume; };
-  if (std::any_of(this->Faces.begin(), this->Faces.end(), isOfVolume))
+  const bool isAny = std::any_of(this->Faces.begin(), this->Faces.end(), isOfVolume);
+  if (this->SumOverAll(isAny ? 1 : 0) > 0)
   {
     this->Faces.erase(
       std::remove_if(this->Faces.begin(), this->Faces.end(), std::not_fn(isOfVolume)),
@@ -192,28 +205,60 @@ bool FaceList::AreOrientedAlike(const Face& a, const Face& b) const
   return before != this->Corners[a.First + 1];
 }
 
+FaceList::Edge FaceList::EdgeOf(const Face& face, int i) const
+{
+  const vtkIdType a = this->Corners[face.First + i];
+  const vtkIdType b = this->Corners[face.First + (i + 1) % face.Size];
+  return { std::min(a, b), std::max(a, b) };
+}
+
 template <typename Predicate>
 vtkIdType FaceList::CountOddEdges(const Predicate& isOfSurface) const
 {
-  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  std::vector<Edge> edges;
   for (const Face& face : this->Faces)
   {
     for (int i = 0; isOfSurface(face) && i < face.Size; ++i)
     {
-      const vtkIdType a = this->Corners[face.First + i];
-      const vtkIdType b = this->Corners[face.First + (i + 1) % face.Size];
-      edges.emplace_back(std::min(a, b), std::max(a, b));
+      edges.push_back(this->EdgeOf(face, i));
     }
   }
   vtkSMPTools::Sort(edges.begin(), edges.end());
-  vtkIdType odd = 0;
+  std::vector<Edge> odd;
   for (auto edge = edges.begin(); edge != edges.end();)
   {
     const auto next = std::find_if(edge, edges.end(), [&](const auto& e) { return e != *edge; });
-    odd += (next - edge) % 2;
+    if ((next - edge) % 2 == 1)
+    {
+      odd.push_back(*edge);
+    }
     edge = next;
   }
-  return odd;
+  return this->Shared ? this->SumOverAll(this->CountOwn(odd, isOfSurface))
+                      : static_cast<vtkIdType>(odd.size());
+}
+
+// An edge counts on the process that has the first face at it.
+template <typename Predicate>
+vtkIdType FaceList::CountOwn(const std::vector<Edge>& edges, const Predicate& isOfSurface) const
+{
+  std::vector<char> isSeen(edges.size(), 0);
+  vtkIdType own = 0;
+  for (const Face& face : this->Faces)
+  {
+    for (int i = 0; isOfSurface(face) && i < face.Size; ++i)
+    {
+      const Edge edge = this->EdgeOf(face, i);
+      const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
+      const auto at = static_cast<std::size_t>(found - edges.begin());
+      if (found != edges.end() && *found == edge && isSeen[at] == 0)
+      {
+        isSeen[at] = 1;
+        own += this->Shared->IsOwn(face.Origin) ? 1 : 0;
+      }
+    }
+  }
+  return own;
 }
 
 // So many copies of each face, of a negative number reversed.
@@ -288,20 +333,24 @@ void FaceList::FillBoundary(SkdBoundary& boundary) const
   boundary.Faces = this->MakeSurface(isThere, &boundary.Origins);
   boundary.Surface = boundary.Faces;
   boundary.Repeats = this->FindRepeats();
+  boundary.SurfaceOrigins = this->Shared ? boundary.Origins : std::vector<SkdBoundary::Origin>();
   boundary.OpenEdges = this->CountOddEdges(isThere);
   const vtkIdType others = boundary.OpenEdges > 0 ? this->CountOddEdges(isOdd) : 0;
   if (others < boundary.OpenEdges)
   {
-    boundary.Surface = this->MakeSurface([](const Face& face) { return face.Net; }, nullptr);
+    boundary.SurfaceOrigins.clear();
+    boundary.Surface = this->MakeSurface(
+      [](const Face& face) { return face.Net; }, this->Shared ? &boundary.SurfaceOrigins : nullptr);
     boundary.Repeats.clear();
     boundary.OpenEdges = others;
   }
 }
 }
 
-SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength)
+SkdBoundary SkdBoundaryOf(
+  const std::vector<SkdBlock>& blocks, double chordalLength, const SkdSharedBlocks* shared)
 {
-  FaceList faces(blocks, chordalLength);
+  FaceList faces(blocks, chordalLength, shared);
   faces.KeepVolumesOrSurfaces();
   faces.SortByOrigin();
   faces.CountCopies();

@@ -18,6 +18,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "vtkPolyData.h"
 
+#include <functional>
 #include <vector>
 
 struct SkdBoundary
@@ -38,6 +39,9 @@ struct SkdBoundary
   /// touching bodies share, because both of their sides are inside.
   vtkSmartPointer<vtkPolyData> Surface;
 
+  /// The same of the triangles of `Surface`. Only where the blocks are shared with other processes.
+  std::vector<Origin> SurfaceOrigins;
+
   /// For each triangle the number of duplicate faces of its orientation minus that of the opposite
   /// one, or 1 if these are equal. Empty if all are 1.
   std::vector<int> Repeats;
@@ -49,8 +53,18 @@ struct SkdBoundary
   vtkIdType CoarseFaces = 0; // see SkdBlockSurface
 };
 
+/// For blocks of a mesh that lies in pieces on several processes, each of which has the cells of
+/// its own piece and all others that touch these: then what is said of the faces of own cells, and
+/// of their edges, is what would be said of them in the whole. Others may be missing or wrong.
+struct SkdSharedBlocks
+{
+  std::function<bool(const SkdBoundary::Origin&)> IsOwn; ///< each cell is on one process
+  std::function<vtkIdType(vtkIdType)> SumOverAll;        ///< all processes call it together
+};
+
 /// Curved faces as facets no farther from them than a length (SkdChordalLength). Cost: O(n log n)
-/// in the number of faces.
-SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength);
+/// in the number of faces. With shared blocks open edges are those of all processes.
+SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength,
+  const SkdSharedBlocks* shared = nullptr);
 
 #endif

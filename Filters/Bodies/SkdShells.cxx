@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdShells.h"
 
-#include "Bodies/SkdEdgeTable.h"
+#include "Bodies/SkdEdgePairs.h"
 #include "Cells/Search/SkdBuildTree.h"
 #include "Core/Geometry/DisjointSets.h"
 #include "Core/Geometry/Intersection/TriangleContact.h"
@@ -16,71 +16,6 @@
 #include <memory>
 
 //------------------------------------------------------------------------------
-/// Of each edge of each triangle the triangle beyond.
-class SkdShells::Pairing
-{
-  using Use = skd::EdgeUse<vtkIdType>;
-
-public:
-  Pairing(std::size_t numberOfPoints, const std::vector<SkdTriangleIds>& triangles)
-    : Beyond(3 * triangles.size())
-  {
-    for (std::uint32_t side = 0; side < this->Beyond.size(); ++side)
-    {
-      this->Beyond[side] = side / 3 << 1 | 1u; // itself, of an edge without a length
-    }
-    SkdMakeEdgeTable(triangles, numberOfPoints)
-      .ForEach(
-        [this](vtkIdType, const Use* first, const Use* last)
-        {
-          this->Same.assign(first, last);
-          this->PairSame(this->Same.data(), this->Same.data() + this->Same.size());
-        });
-  }
-
-  struct Neighbour
-  {
-    std::uint32_t Triangle;
-    bool IsAlike; // both have their normals on the same side of the surface
-  };
-  Neighbour Get(std::uint32_t triangle, int edge) const
-  {
-    const std::uint32_t side = this->Beyond[3 * triangle + edge];
-    return { side >> 1, (side & 1u) != 0 };
-  }
-
-private:
-  void PairSame(Use* begin, Use* end)
-  {
-    const auto isForward = [](const Use& use) { return use.IsForward; };
-    const auto forward = std::count_if(begin, end, isForward);
-    if (2 * forward == end - begin)
-    {
-      Use* middle = std::stable_partition(begin, end, isForward);
-      for (; middle != end; ++begin, ++middle)
-      {
-        this->Join(*begin, *middle);
-      }
-      return;
-    }
-    for (; end - begin > 1; begin += 2)
-    {
-      this->Join(begin[0], begin[1]);
-    }
-  }
-
-  void Join(const Use& a, const Use& b)
-  {
-    const std::uint32_t alike = a.IsForward != b.IsForward ? 1 : 0;
-    this->Beyond[3 * a.Triangle + a.Side] = b.Triangle << 1 | alike;
-    this->Beyond[3 * b.Triangle + b.Side] = a.Triangle << 1 | alike;
-  }
-
-  std::vector<Use> Same;             // of one edge
-  std::vector<std::uint32_t> Beyond; // twice a triangle, and whether it is alike
-};
-
-//------------------------------------------------------------------------------
 SkdShells::SkdShells(
   const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles)
   : ShellOf(triangles.size(), -1)
@@ -88,7 +23,7 @@ SkdShells::SkdShells(
 {
   this->Reversed->SetNumberOfValues(static_cast<vtkIdType>(triangles.size()));
   this->Reversed->Fill(0.0);
-  const Pairing pairing(points.size(), triangles);
+  const SkdEdgePairs pairing(points.size(), triangles);
   for (std::uint32_t first = 0; first < triangles.size(); ++first)
   {
     if (this->ShellOf[first] < 0)
@@ -101,7 +36,7 @@ SkdShells::SkdShells(
 }
 
 // All that are connected to the first, oriented like it.
-void SkdShells::Follow(std::uint32_t first, const Pairing& pairing)
+void SkdShells::Follow(std::uint32_t first, const SkdEdgePairs& pairing)
 {
   const int number = static_cast<int>(this->Shells.size());
   Shell shell;
@@ -114,7 +49,7 @@ void SkdShells::Follow(std::uint32_t first, const Pairing& pairing)
     const unsigned char isReversed = this->Reversed->GetValue(triangle);
     for (int edge = 0; edge < 3; ++edge)
     {
-      const Pairing::Neighbour next = pairing.Get(triangle, edge);
+      const SkdEdgePairs::Neighbour next = pairing.Get(triangle, edge);
       const unsigned char reversed = next.IsAlike ? isReversed : 1 - isReversed;
       shell.IsCoherent = shell.IsCoherent && next.IsAlike;
       if (this->ShellOf[next.Triangle] < 0)

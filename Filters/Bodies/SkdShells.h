@@ -17,6 +17,8 @@
 #include <cstdint>
 #include <vector>
 
+class SkdEdgePairs;
+
 /// Components of triangles that are connected by edges of two triangles. An edge of more than two
 /// triangles is divided into pairs of triangles: those with opposite directions along it if
 /// possible, else in their order. So every shell of a surface without open edges is closed.
@@ -48,9 +50,7 @@ public:
   vtkUnsignedCharArray* GetReversed() const { return this->Reversed; }
 
 private:
-  class Pairing;
-
-  void Follow(std::uint32_t first, const Pairing& pairing);
+  void Follow(std::uint32_t first, const SkdEdgePairs& pairing);
   void Measure(
     const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles);
   void TurnOutward();

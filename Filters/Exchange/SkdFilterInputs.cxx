@@ -99,7 +99,10 @@ vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int>
   if (this->Asks && this->Asks(place.first))
   {
     this->Nearby.erase(place);
-    return this->Spread[place].Update(std::move(transport), piece);
+    SpreadInput& spread = this->Spread[place];
+    spread.Piece = piece;
+    spread.Controller = controller;
+    return spread.Source.Update(std::move(transport), piece);
   }
   this->Spread.erase(place);
   return this->Nearby[place].Update(*transport, piece, own, reach);
@@ -157,7 +160,7 @@ void SkdFilterInputs::Report(vtkInformationVector* outputs) const
     }
     for (const auto& [place, spread] : this->Spread)
     {
-      sent.Add(spread.GetTransport().GetTraffic());
+      sent.Add(spread.Source.GetTransport().GetTraffic());
     }
     report.AddCount("MessagesSent", static_cast<vtkIdType>(sent.Messages));
     report.AddCount("BytesSent", static_cast<vtkIdType>(sent.Bytes));
@@ -198,5 +201,14 @@ const SkdWholeInput* SkdFilterInputs::GetWhole(int port) const
 const SkdSpreadSource* SkdFilterInputs::GetSpread(int port) const
 {
   const auto found = this->Spread.find({ port, 0 });
-  return found == this->Spread.end() ? nullptr : &found->second;
+  return found == this->Spread.end() ? nullptr : &found->second.Source;
+}
+
+vtkDataObject* SkdFilterInputs::GatherSpread(int port)
+{
+  const std::pair<int, int> place{ port, 0 };
+  const SpreadInput& spread = this->Spread.at(place);
+  vtkDataObject* whole = this->Whole[place].Update(spread.Piece, spread.Controller);
+  this->Spread.erase(place);
+  return whole;
 }

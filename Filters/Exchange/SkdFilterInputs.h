@@ -80,7 +80,19 @@ public:
   /// Whom to ask about an input in this REQUEST_DATA; nullptr if it was gathered.
   const SkdSpreadSource* GetSpread(int port) const;
 
+  /// All of such an input, where its pieces turn out not to do: from now on it was gathered. All
+  /// processes must call it together.
+  vtkDataObject* GatherSpread(int port);
+
 private:
+  /// An input whose processes are asked.
+  struct SpreadInput
+  {
+    SkdSpreadSource Source;
+    vtkSmartPointer<vtkDataObject> Piece;
+    vtkMultiProcessController* Controller = nullptr;
+  };
+
   int ProcessData(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
@@ -99,7 +111,7 @@ private:
   IsWhole Asks;
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
-  std::map<std::pair<int, int>, SkdSpreadSource> Spread;
+  std::map<std::pair<int, int>, SpreadInput> Spread;
 };
 
 #endif

@@ -41,6 +41,9 @@ public:
   /// The cells of the joined mesh.
   vtkIdType GetNumberOfCells() const { return this->Numbers.NumberOfCells; }
 
+  /// Whether the joined mesh is a structured grid.
+  bool IsGrid() const { return this->Facts.FillGrid(); }
+
   /// The boxes of the cells of this process's piece; empty ones of those that do not count.
   const std::vector<skd::Box3>& GetBoxes() const { return this->Boxes; }
 

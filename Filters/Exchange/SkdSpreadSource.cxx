@@ -102,6 +102,17 @@ void SkdSpreadSource::ListBlocks()
   this->Cut = std::make_unique<SkdCut>(*this->Transport, std::move(boxes));
 }
 
+std::vector<SkdBlock> SkdSpreadSource::BringTouching() const
+{
+  SkdReach reach;
+  reach.WithOwn = true;
+  std::vector<SkdBlock> blocks = this->Blocks;
+  std::size_t at = 0;
+  this->VisitBlocks([&](const SkdSpreadBlock& block)
+    { blocks[at++].Mesh = block.Bring(*this->Transport, *this->Cut, reach); });
+  return blocks;
+}
+
 int SkdSpreadSource::PlaceOf(int blockIndex) const
 {
   const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),

@@ -32,6 +32,13 @@ public:
 
   SkdTransport& GetTransport() const { return *this->Transport; }
 
+  /// What Update() returned: another object on all processes once any piece has changed.
+  vtkDataObject* GetOwn() const { return this->Own; }
+
+  /// The blocks of that list, each with all cells of the whole that touch the own ones, which are
+  /// marked (SkdOwnCellsOf). All processes must call it together.
+  std::vector<SkdBlock> BringTouching() const;
+
   /// The blocks of the whole that have cells, on all processes the same; Mesh is the own part.
   const std::vector<SkdBlock>& GetBlocks() const { return this->Blocks; }
 

@@ -24,9 +24,12 @@ import skdpieces
 import skdtesting
 
 # Cases whose Source stays in its pieces; the others gather.
-EXCHANGED = {"closest", "closest data", "blocks", "data of blocks", "contour", "outer surface",
+EXCHANGED = {"closest", "closest data", "closest of both", "closest signed", "inside",
+    "inside cells", "inside of blocks", "blocks", "data of blocks", "contour", "outer surface",
     "rays from outside", "all hits", "hits within a length", "in a mesh", "probe", "intersection",
-    "overlapping cells"}
+    "overlapping cells", "thickness of cells"}
+# Cases in which it turns out that pieces do not do.
+GATHERED = {"signed, bodies that overlap", "signed, open", "inside of open"}
 RUNS = {
     2: ("cuts, ghosts", "one process"),
     3: ("cuts", "round robin, global ids", "one reader"),
@@ -111,7 +114,9 @@ def compare(name, proxy):
     different = []
     if vtkParallelDIY and name in EXCHANGED and not is_exchanged(proxy):
         different.append("it was gathered")
-    if not is_exchanged(proxy):
+    if name in GATHERED and is_exchanged(proxy):
+        different.append("it was not gathered")
+    if not is_exchanged(proxy) and name not in GATHERED:
         return different
     proxy.SourceDistribution = "Replicate"
     gathered = everything(proxy)
@@ -128,7 +133,7 @@ def write(file, partitions):
         for name, case in skdcases.cases(partition):
             if "SourceDistribution" in case.proxy.ListProperties():
                 different = compare(name, case.proxy)
-                if name == "closest" and is_rebuilt(case.proxy):
+                if name in ("closest", "closest signed") and is_rebuilt(case.proxy):
                     different.append("trees were built again")
                 if different:
                     found[partition + ": " + name] = different

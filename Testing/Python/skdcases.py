@@ -72,6 +72,9 @@ def cases(partition):
     yield "thickness", Case(simple.SkdTreeWallThickness(Input=ball), ["SkdThickness"])
     yield "thickness to", Case(
         simple.SkdTreeWallThickness(Input=other, Source=ball), ["SkdThickness"])
+    yield "thickness of cells", Case(
+        simple.SkdTreeWallThickness(Input=other, Source=ball, Start="Cell Centers",
+            NumberOfRays=7, Reversed=1), ["SkdThickness"], of_cells=True)
     yield "boolean", Case(
         simple.SkdTreeBooleanOperation(Input=ball, Source=other), [], of_cells=True)
     yield "compared", Case(simple.SkdTreeCompareSurfaces(Input=ball, Source=other),
@@ -97,6 +100,17 @@ def cases(partition):
     yield "data of blocks", Case(
         simple.SkdTreeClosestPoint(Input=image, InterpolateSourceData=1, MaximumDistance=2.0,
             Source=simple.GroupDatasets(Input=[ball, cells])), ["SkdDistance", "Field"])
+    yield "inside of blocks", Case(
+        simple.SkdTreePointInOut(Input=cells, Source=blocks, Ask="Cell Centers"),
+        ["SkdInside", "SkdPartId", "SkdDepth"], of_cells=True)
+    yield "signed, bodies that overlap", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=blocks, SignedDistance=1), ["SkdDistance"])
+    half = simple.Threshold(
+        Input=ball, Scalars=["POINTS", "Elevation"], LowerThreshold=0.1, UpperThreshold=1.0)
+    yield "signed, open", Case(
+        simple.SkdTreeClosestPoint(Input=image, Source=half, SignedDistance=1), ["SkdDistance"])
+    yield "inside of open", Case(
+        simple.SkdTreePointInOut(Input=other, Source=half), ["SkdInside", "SkdConfidence"])
     yield "nearest cells", Case(
         simple.SkdTreeSpatialQuery(Input=cells, Relation="Nearest", Shape="Sphere",
             SphereCenter=[0.2, 0.3, 0.4], SphereRadius=0, NumberOfNearestCells=50),

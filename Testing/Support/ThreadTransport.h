@@ -7,6 +7,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -23,16 +24,19 @@ public:
   template <class Run>
   static void RunAll(int number, const Run& run)
   {
+    RunOwners(number, [&run](std::unique_ptr<SkdTransport> transport) { run(*transport); });
+  }
+
+  /// The same, for what keeps its transport: run(std::unique_ptr<SkdTransport>).
+  template <class Run>
+  static void RunOwners(int number, const Run& run)
+  {
     Post post(number);
     std::vector<std::thread> threads;
     for (int rank = 0; rank < number; ++rank)
     {
-      threads.emplace_back(
-        [&post, &run, rank]()
-        {
-          ThreadTransport transport(post, rank);
-          run(transport);
-        });
+      threads.emplace_back([&post, &run, rank]()
+        { run(std::unique_ptr<SkdTransport>(new ThreadTransport(post, rank))); });
     }
     for (std::thread& thread : threads)
     {

@@ -46,6 +46,12 @@ void SkdClosestArrays::Set(vtkIdType i, const SkdNearest& nearest, bool isInside
   this->Blocks[i] = nearest.Block;
 }
 
+void SkdClosestArrays::SetInside(vtkIdType i, bool isInside)
+{
+  const double distance = std::abs(this->Distances->GetValue(i));
+  this->Distances->SetValue(i, isInside ? -distance : distance);
+}
+
 vtkIdType SkdClosestArrays::CountFound() const
 {
   return std::count_if(

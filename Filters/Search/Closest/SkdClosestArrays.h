@@ -27,6 +27,9 @@ public:
   /// Sets a tuple. Thread-safe for distinct tuples.
   void Set(vtkIdType i, const SkdNearest& nearest, bool isInside);
 
+  /// Sets the sign of a distance. Thread-safe for distinct tuples.
+  void SetInside(vtkIdType i, bool isInside);
+
   /// @{ The values of a tuple. The block is -1 if there is no result.
   int GetBlock(vtkIdType i) const { return this->Blocks[i]; }
   vtkIdType GetCellId(vtkIdType i) const { return this->CellIds->GetValue(i); }

@@ -6,17 +6,15 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace
 {
-/// See SkdNearestExchange.
-class Searcher
+/// The cells of the own piece; blocks and ids are those of the whole.
+class OwnCells
 {
 public:
-  using Query = skd::Vector3;
-  using Answer = SkdNearest;
-
-  Searcher(const SkdSource& own, const SkdSpreadSource& spread)
+  OwnCells(const SkdSource& own, const SkdSpreadSource& spread)
     : Own(own)
     , Spread(spread)
   {
@@ -24,6 +22,37 @@ public:
     {
       this->Places.push_back(spread.PlaceOf(block.BlockIndex));
     }
+  }
+
+  std::optional<SkdNearest> FindNearest(const double x[3], double radius) const
+  {
+    auto nearest = this->Own.FindNearest(x, radius);
+    if (nearest)
+    {
+      nearest->Block = this->Places[static_cast<std::size_t>(nearest->Block)];
+      nearest->CellId = this->Spread.IdOf(nearest->Block, nearest->CellId);
+    }
+    return nearest;
+  }
+
+private:
+  const SkdSource& Own;
+  const SkdSpreadSource& Spread;
+  std::vector<int> Places; // of the own blocks among those of the whole
+};
+
+/// See SkdNearestExchange. `Own` has a FindNearest(x, radius) of the own piece.
+template <class Own>
+class Searcher
+{
+public:
+  using Query = skd::Vector3;
+  using Answer = SkdNearest;
+
+  Searcher(const Own& own, const SkdSpreadSource& spread)
+    : TheOwn(own)
+    , Spread(spread)
+  {
   }
 
   static bool IsBetter(const SkdNearest& a, const SkdNearest& b)
@@ -43,10 +72,8 @@ public:
       [&](std::size_t i)
       {
         const auto question = questionOf(i);
-        if (auto nearest = this->Own.FindNearest(question.Asked.X, question.Radius))
+        if (const auto nearest = this->TheOwn.FindNearest(question.Asked.X, question.Radius))
         {
-          nearest->Block = this->Places[static_cast<std::size_t>(nearest->Block)];
-          nearest->CellId = this->Spread.IdOf(nearest->Block, nearest->CellId);
           set(i, *nearest);
         }
       });
@@ -58,9 +85,8 @@ public:
   }
 
 private:
-  const SkdSource& Own;
+  const Own& TheOwn;
   const SkdSpreadSource& Spread;
-  std::vector<int> Places; // of the own blocks among those of the whole
 };
 
 /// The points of several meshes, one after the other.
@@ -100,20 +126,15 @@ private:
   const std::vector<SkdBlock>& Meshes;
   std::vector<std::size_t> Offsets{ 0 };
 };
-}
 
-SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
-  const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop)
+/// Returns whether it was not aborted on any process.
+template <class Own>
+bool Find(const AllPoints& points, const Own& own, const SkdSpreadSource& spread,
+  double maximumDistance, SkdLoop& loop, SkdRemoteClosest& closest)
 {
-  SkdRemoteClosest closest;
-  for (const SkdBlock& mesh : meshes)
-  {
-    closest.Answers.emplace_back(mesh.Mesh->GetNumberOfPoints());
-  }
-  const AllPoints points(meshes);
-  const Searcher searcher(own, spread);
-  SkdNearestExchange<Searcher> exchange(spread.GetTransport(), searcher);
-  exchange.Find(
+  const Searcher<Own> searcher(own, spread);
+  SkdNearestExchange<Searcher<Own>> exchange(spread.GetTransport(), searcher);
+  const bool isWhole = exchange.Find(
     points.GetNumber(), maximumDistance, [&](std::size_t i) { return points.Get(i); },
     [&](std::size_t i, const SkdNearest& nearest, int process)
     {
@@ -124,5 +145,58 @@ SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const
     },
     loop);
   closest.PointsSent = exchange.GetAsked();
+  return isWhole;
+}
+
+SkdRemoteClosest MakeEmpty(const std::vector<SkdBlock>& meshes)
+{
+  SkdRemoteClosest closest;
+  for (const SkdBlock& mesh : meshes)
+  {
+    closest.Answers.emplace_back(mesh.Mesh->GetNumberOfPoints());
+  }
   return closest;
+}
+}
+
+SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
+  const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop)
+{
+  SkdRemoteClosest closest = MakeEmpty(meshes);
+  Find(AllPoints(meshes), OwnCells(own, spread), spread, maximumDistance, loop, closest);
+  return closest;
+}
+
+// After an abort points would have distances without signs: then none has any.
+std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>& meshes,
+  SkdSpreadBody& body, const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop)
+{
+  SkdRemoteClosest closest = MakeEmpty(meshes);
+  const AllPoints points(meshes);
+  if (!Find(points, body, spread, maximumDistance, loop, closest))
+  {
+    return MakeEmpty(meshes);
+  }
+  const auto hasNearest = [&](std::size_t i)
+  {
+    bool has = false;
+    points.Place(i,
+      [&](std::size_t mesh, vtkIdType point) { has = closest.Answers[mesh].GetBlock(point) >= 0; });
+    return has;
+  };
+  const SkdSpreadResult result = body.FindSides(
+    points.GetNumber(), [&](std::size_t i) { return points.Get(i); }, hasNearest,
+    [&](std::size_t i, bool isInside)
+    {
+      points.Place(i,
+        [&](std::size_t mesh, vtkIdType point)
+        { closest.Answers[mesh].SetInside(point, isInside); });
+    },
+    loop);
+  closest.PointsSent += body.GetAsked();
+  if (result == SkdSpreadResult::Aborted)
+  {
+    return MakeEmpty(meshes);
+  }
+  return result == SkdSpreadResult::Done ? std::make_optional(std::move(closest)) : std::nullopt;
 }

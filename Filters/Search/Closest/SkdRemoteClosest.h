@@ -4,10 +4,12 @@
 #define SkdRemoteClosest_h
 
 #include "Bodies/SkdSource.h"
+#include "Exchange/Bodies/SkdSpreadBody.h"
 #include "Exchange/SkdFoundCells.h"
 #include "Pipeline/SkdLoop.h"
 #include "Search/Closest/SkdClosestArrays.h"
 
+#include <optional>
 #include <vector>
 
 /// The nearest of a Source that stays in its pieces.
@@ -22,5 +24,10 @@ struct SkdRemoteClosest
 /// nearer. All processes must call it together.
 SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const SkdSource& own,
   const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop);
+
+/// The same on the boundary of the source, with signs. Nothing unless it was decided of each point
+/// whether it is inside.
+std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>& meshes,
+  SkdSpreadBody& body, const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop);
 
 #endif

@@ -175,8 +175,8 @@ bool SkdPart::IsOdd(const double x[3], const SkdRayEnd& way) const
   return this->Body.GetSurface()->CountCrossings(x, end) % 2 == 1;
 }
 
-void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
-  SkdInsideMethod method, std::vector<SkdPassAlong>& passes) const
+SkdLineThrough::SkdLineThrough(const double bounds[6], double diagonal, const double from[3],
+  const double along[3], double distance)
 {
   double start = 0.0;
   for (int corner = 0; corner < 8; ++corner)
@@ -184,29 +184,36 @@ void SkdPart::FindPasses(const double from[3], const double along[3], double dis
     double height = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      height += along[axis] * (this->Bounds[2 * axis + (corner >> axis & 1)] - from[axis]);
+      height += along[axis] * (bounds[2 * axis + (corner >> axis & 1)] - from[axis]);
     }
     start = std::min(start, height);
   }
-  start -= 0.01 * this->Diagonal; // both ends are outside, or beyond all that is wanted
-  const double reach = distance + 0.01 * this->Diagonal;
-  double p1[3], p2[3];
+  start -= 0.01 * diagonal;
+  const double reach = distance + 0.01 * diagonal;
   for (int axis = 0; axis < 3; ++axis)
   {
-    p1[axis] = from[axis] + start * along[axis];
-    p2[axis] = from[axis] + reach * along[axis];
+    this->From[axis] = from[axis] + start * along[axis];
+    this->To[axis] = from[axis] + reach * along[axis];
   }
+  this->Start = start;
+  this->Length = reach - start;
+}
+
+void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
+  SkdInsideMethod method, std::vector<SkdPassAlong>& passes) const
+{
+  const SkdLineThrough line(this->Bounds, this->Diagonal, from, along, distance);
   if (method == SkdInsideMethod::Automatic)
   {
-    this->Body.GetSolid()->FindPasses(p1, p2, reach - start, passes);
+    this->Body.GetSolid()->FindPasses(line.From.X, line.To.X, line.Length, passes);
   }
   else
   {
-    this->FindTurns(p1, p2, reach - start, passes);
+    this->FindTurns(line.From.X, line.To.X, line.Length, passes);
   }
   for (SkdPassAlong& pass : passes)
   {
-    pass.At += start;
+    pass.At += line.Start;
   }
 }
 

@@ -49,6 +49,19 @@ struct SkdPartSettings
   }
 };
 
+/// A line through all of some bounds that begins at or before a point and goes along a unit
+/// direction for a distance from there: both ends are outside, or beyond all that is wanted.
+struct SkdLineThrough
+{
+  double Start; // from the point, negative
+  double Length;
+  skd::Vector3 From;
+  skd::Vector3 To;
+
+  SkdLineThrough(const double bounds[6], double diagonal, const double from[3],
+    const double along[3], double distance);
+};
+
 class SkdPart
 {
 public:

@@ -7,6 +7,52 @@
 #include <algorithm>
 #include <cmath>
 
+SkdQueryRow::SkdQueryRow(const SkdQueryPoints& queryPoints, vtkIdType number)
+{
+  const vtkIdType length = queryPoints.GetRowLength();
+  double last[3];
+  queryPoints.GetPoint(number * length, this->From);
+  queryPoints.GetPoint(number * length + length - 1, last);
+  vtkMath::Subtract(last, this->From, this->Along);
+  this->Length = vtkMath::Normalize(this->Along);
+}
+
+int SkdQueryRow::FindAround(const double x[3], const std::vector<SkdPassAlong>& passes) const
+{
+  double away[3];
+  vtkMath::Subtract(x, this->From, away);
+  const auto next = std::lower_bound(passes.begin(), passes.end(), vtkMath::Dot(away, this->Along),
+    [](const SkdPassAlong& pass, double at) { return pass.At < at; });
+  return next == passes.begin() ? 0 : std::prev(next)->After;
+}
+
+void SkdAddSide(
+  const SkdSide& side, int partId, double diagonal, double& smallest, SkdInOut& answer)
+{
+  answer.Confidence = std::min(answer.Confidence, side.Confidence);
+  answer.WindingNumber += side.WindingNumber;
+  answer.WindingBound += side.WindingBound;
+  answer.IsInside = answer.IsInside || side.IsInside;
+  answer.Depth += side.IsInside ? 1 : 0;
+  if (side.IsInside && diagonal < smallest)
+  {
+    smallest = diagonal;
+    answer.PartId = partId;
+  }
+}
+
+bool SkdBegin(const double x[3], SkdInOut& answer)
+{
+  const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  answer.Confidence = isFinite ? 1.0 : 0.0;
+  if (!isFinite)
+  {
+    answer.WindingNumber = vtkMath::Nan();
+    answer.WindingBound = vtkMath::Nan();
+  }
+  return isFinite;
+}
+
 SkdPartClassifier::SkdPartClassifier(const std::vector<SkdPart>& parts, const SkdInsideRules& rules,
   double band, const SkdQueryPoints& queryPoints)
   : Parts(parts)
@@ -27,20 +73,15 @@ bool SkdPartClassifier::HasRowOf(const SkdPart& part) const
 void SkdPartClassifier::GoToRow(vtkIdType number)
 {
   Row& row = this->TheRow;
-  const vtkIdType length = this->QueryPoints.GetRowLength();
-  double last[3];
   row.Number = number;
-  this->QueryPoints.GetPoint(number * length, row.From);
-  this->QueryPoints.GetPoint(number * length + length - 1, last);
-  vtkMath::Subtract(last, row.From, row.Along);
-  const double distance = vtkMath::Normalize(row.Along);
+  row.Line = SkdQueryRow(this->QueryPoints, number);
   for (std::size_t part = 0; part < this->Parts.size(); ++part)
   {
     row.Passes[part].clear();
     if (this->HasRowOf(this->Parts[part]))
     {
       this->Parts[part].FindPasses(
-        row.From, row.Along, distance, this->Rules.Method, row.Passes[part]);
+        row.Line.From, row.Line.Along, row.Line.Length, this->Rules.Method, row.Passes[part]);
     }
   }
 }
@@ -52,13 +93,7 @@ SkdSide SkdPartClassifier::AskRow(
   {
     return SkdSide();
   }
-  double away[3];
-  vtkMath::Subtract(x, this->TheRow.From, away);
-  const std::vector<SkdPassAlong>& passes = this->TheRow.Passes[part];
-  const auto next =
-    std::lower_bound(passes.begin(), passes.end(), vtkMath::Dot(away, this->TheRow.Along),
-      [](const SkdPassAlong& pass, double at) { return pass.At < at; });
-  const int around = next == passes.begin() ? 0 : std::prev(next)->After;
+  const int around = this->TheRow.Line.FindAround(x, this->TheRow.Passes[part]);
   return std::abs(around) > 1 ? this->Parts[part].AskSide(x, this->Rules, queryPoint)
                               : SkdSide{ around != 0, 1.0 };
 }
@@ -68,17 +103,14 @@ SkdInOut SkdPartClassifier::Ask(vtkIdType queryPoint)
   SkdInOut answer;
   double x[3];
   this->QueryPoints.GetPoint(queryPoint, x);
-  if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+  if (!SkdBegin(x, answer))
   {
-    answer.WindingNumber = vtkMath::Nan();
-    answer.WindingBound = vtkMath::Nan();
     return answer;
   }
   if (this->UsesRows && queryPoint / this->QueryPoints.GetRowLength() != this->TheRow.Number)
   {
     this->GoToRow(queryPoint / this->QueryPoints.GetRowLength());
   }
-  answer.Confidence = 1.0;
   double smallest = VTK_DOUBLE_MAX;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
@@ -86,17 +118,8 @@ SkdInOut SkdPartClassifier::Ask(vtkIdType queryPoint)
     const auto number = static_cast<std::uint64_t>(queryPoint);
     const SkdSide side =
       this->HasRowOf(part) ? this->AskRow(i, x, number) : part.AskSide(x, this->Rules, number);
-    answer.Confidence = std::min(answer.Confidence, side.Confidence);
     answer.IsOnBoundary = answer.IsOnBoundary || (this->Band > 0.0 && part.IsNear(x, this->Band));
-    answer.WindingNumber += side.WindingNumber;
-    answer.WindingBound += side.WindingBound;
-    answer.IsInside = answer.IsInside || side.IsInside;
-    answer.Depth += side.IsInside ? 1 : 0;
-    if (side.IsInside && part.GetDiagonal() < smallest)
-    {
-      smallest = part.GetDiagonal();
-      answer.PartId = part.GetId();
-    }
+    SkdAddSide(side, part.GetId(), part.GetDiagonal(), smallest, answer);
   }
   return answer;
 }

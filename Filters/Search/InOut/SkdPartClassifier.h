@@ -6,6 +6,27 @@
 #include "Pipeline/SkdQueryPoints.h"
 #include "Search/InOut/SkdInOut.h"
 
+/// A row of query points, which is a straight line.
+struct SkdQueryRow
+{
+  double From[3];
+  double Along[3]; // of length 1
+  double Length;
+
+  SkdQueryRow() = default;
+  SkdQueryRow(const SkdQueryPoints& queryPoints, vtkIdType number);
+
+  /// What is around a point of the row, given the passes along it: see SkdPassAlong::After.
+  int FindAround(const double x[3], const std::vector<SkdPassAlong>& passes) const;
+};
+
+/// Adds what a part says of a point to what others have said.
+void SkdAddSide(
+  const SkdSide& side, int partId, double diagonal, double& smallest, SkdInOut& answer);
+
+/// Before any part has: whether the point is finite.
+bool SkdBegin(const double x[3], SkdInOut& answer);
+
 /// Classifies the query points of a mesh by all parts. One object a thread.
 ///
 /// For query points in rows, one line along each row classifies all of its points by a closed part:
@@ -26,8 +47,7 @@ private:
   struct Row
   {
     vtkIdType Number = -1; // none yet
-    double From[3];
-    double Along[3];                               // of length 1
+    SkdQueryRow Line;
     std::vector<std::vector<SkdPassAlong>> Passes; // by part, ascending
   };
 

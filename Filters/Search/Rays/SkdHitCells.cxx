@@ -218,32 +218,19 @@ private:
   double Maximum;
 };
 
-std::vector<Ray> RaysOf(const std::vector<SkdCastRays>& casts, double tolerance)
+void AddRays(const std::vector<skd::Vector3>& starts, const std::vector<skd::Vector3>& directions,
+  double tolerance, std::vector<Ray>& rays)
 {
-  std::vector<Ray> rays;
-  for (const SkdCastRays& cast : casts)
+  for (std::size_t i = 0; i < starts.size(); ++i)
   {
-    for (std::size_t i = 0; i < cast.Starts.Points.size(); ++i)
-    {
-      rays.push_back({ cast.Starts.Points[i], cast.Starts.Directions[i], tolerance });
-    }
+    rays.push_back({ starts[i], directions[i], tolerance });
   }
-  return rays;
-}
 }
 
-SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRays>& casts,
-  const SkdSourceTrees& trees, const SkdSpreadSource& spread, const SkdRayLimits& limits, bool all,
-  SkdLoop& loop)
+SkdHitCells FindFirst(const std::vector<Ray>& rays, const OwnHits& own,
+  const SkdSpreadSource& spread, const SkdRayLimits& limits, SkdLoop& loop)
 {
-  const std::vector<Ray> rays = RaysOf(casts, limits.Tolerance);
-  const OwnHits own(trees, spread, limits);
   SkdHitCells hits;
-  if (all)
-  {
-    AllHits(algorithm, own, spread.GetTransport(), limits.Maximum).Find(rays, loop, hits);
-    return hits;
-  }
   const FirstHits first(own, limits.Tolerance);
   SkdNearestExchange<FirstHits> exchange(spread.GetTransport(), first);
   hits.IsWhole = exchange.Find(
@@ -255,4 +242,33 @@ SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRa
     loop);
   hits.RaysSent = exchange.GetAsked();
   return hits;
+}
+}
+
+SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRays>& casts,
+  const SkdSourceTrees& trees, const SkdSpreadSource& spread, const SkdRayLimits& limits, bool all,
+  SkdLoop& loop)
+{
+  std::vector<Ray> rays;
+  for (const SkdCastRays& cast : casts)
+  {
+    AddRays(cast.Starts.Points, cast.Starts.Directions, limits.Tolerance, rays);
+  }
+  const OwnHits own(trees, spread, limits);
+  if (!all)
+  {
+    return FindFirst(rays, own, spread, limits, loop);
+  }
+  SkdHitCells hits;
+  AllHits(algorithm, own, spread.GetTransport(), limits.Maximum).Find(rays, loop, hits);
+  return hits;
+}
+
+SkdHitCells SkdFindHitCells(const SkdRayCaster::Vectors& starts,
+  const SkdRayCaster::Vectors& directions, const SkdSourceTrees& trees,
+  const SkdSpreadSource& spread, const SkdRayLimits& limits, SkdLoop& loop)
+{
+  std::vector<Ray> rays;
+  AddRays(starts, directions, limits.Tolerance, rays);
+  return FindFirst(rays, OwnHits(trees, spread, limits), spread, limits, loop);
 }

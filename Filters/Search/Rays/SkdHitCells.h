@@ -25,4 +25,9 @@ SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRa
   const SkdSourceTrees& trees, const SkdSpreadSource& spread, const SkdRayLimits& limits, bool all,
   SkdLoop& loop);
 
+/// The same of the first hits of rays that are given by their starts and directions.
+SkdHitCells SkdFindHitCells(const SkdRayCaster::Vectors& starts,
+  const SkdRayCaster::Vectors& directions, const SkdSourceTrees& trees,
+  const SkdSpreadSource& spread, const SkdRayLimits& limits, SkdLoop& loop);
+
 #endif

@@ -60,6 +60,24 @@ SkdThicknessMeasure::SkdThicknessMeasure(const SkdTiedNearest& nearest, const Sk
 {
 }
 
+void SkdThicknessMeasure::ListRays(const SkdRayCaster::Vectors& points,
+  const SkdRayCaster::Vectors& inward, vtkIdType begin, vtkIdType end,
+  SkdRayCaster::Vectors& starts, SkdRayCaster::Vectors& rays) const
+{
+  const std::size_t each = this->Cone.size();
+  const std::size_t number = static_cast<std::size_t>(end - begin) * each;
+  starts.resize(number);
+  rays.resize(number);
+  SkdForEach(number,
+    [&](std::size_t i)
+    {
+      const std::size_t point = static_cast<std::size_t>(begin) + i / each;
+      starts[i] = points[point];
+      rays[i] = each > 1 ? SkdUnit(Turned(this->Cone[i % each], inward[point])) : inward[point];
+      rays[i] = skd::Norm2(inward[point]) > 0.0 ? rays[i] : inward[point];
+    });
+}
+
 std::vector<SkdThickness> SkdThicknessMeasure::Measure(
   const SkdRayCaster::Vectors& points, const SkdRayCaster::Vectors& inward, SkdLoop& loop) const
 {
@@ -72,16 +90,7 @@ std::vector<SkdThickness> SkdThicknessMeasure::Measure(
     [&](vtkIdType begin, vtkIdType end)
     {
       const auto number = static_cast<std::size_t>(end - begin);
-      starts.resize(number * each);
-      rays.resize(number * each);
-      SkdForEach(number * each,
-        [&](std::size_t i)
-        {
-          const std::size_t point = static_cast<std::size_t>(begin) + i / each;
-          starts[i] = points[point];
-          rays[i] = each > 1 ? SkdUnit(Turned(this->Cone[i % each], inward[point])) : inward[point];
-          rays[i] = skd::Norm2(inward[point]) > 0.0 ? rays[i] : inward[point];
-        });
+      this->ListRays(points, inward, begin, end, starts, rays);
       this->Caster.FindFirstOf(starts, rays, 0, static_cast<vtkIdType>(starts.size()), hits);
       const bool areTied = this->Rule.AreSpheres && this->AreTied(starts, rays, hits);
       SkdForEach(

@@ -53,6 +53,11 @@ public:
   std::vector<SkdThickness> Measure(
     const SkdRayCaster::Vectors& points, const SkdRayCaster::Vectors& inward, SkdLoop& loop) const;
 
+  /// The rays that Measure() casts from the points from `begin` to `end`, those of each together.
+  void ListRays(const SkdRayCaster::Vectors& points, const SkdRayCaster::Vectors& inward,
+    vtkIdType begin, vtkIdType end, SkdRayCaster::Vectors& starts,
+    SkdRayCaster::Vectors& rays) const;
+
 private:
   SkdRayHit FindEnd(
     const SkdRayHit& first, const skd::Vector3& start, const skd::Vector3& ray) const;
