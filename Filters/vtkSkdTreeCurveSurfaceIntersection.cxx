@@ -147,7 +147,6 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
 bool vtkSkdTreeCurveSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
 {
   reach.OfDiagonal = 1e-3; // more than any rounding
-  reach.IsOfFaces = true;
   return this->PolylineForm == STRAIGHT && this->Parts != CONNECTED_PIECES && !this->CutCurves;
 }
 

@@ -64,8 +64,8 @@
  *
  * The tree is reused while the Source's points, cells and ghost marks keep their values. The answer
  * does not depend on the number of threads or processes. Each gathers the whole Source, or the
- * cells near its own curves (see SetSourceDistribution) of a Source that has no volume cells, if
- * these are straight or VTK's curved cells, CutCurves is off and Parts is not CONNECTED_PIECES.
+ * cells near its own curves (see SetSourceDistribution) if these are straight or VTK's curved
+ * cells, CutCurves is off and Parts is not CONNECTED_PIECES.
  *
  * Bad input: cells that are not curves in Input or not surfaces in Source, curves with zero length
  * or a length outside 1e-140 to 1e140, coordinates that are not finite, Bezier weights that are not

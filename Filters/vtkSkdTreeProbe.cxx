@@ -200,14 +200,14 @@ int vtkSkdTreeProbe::RequestData(
   return 1;
 }
 
-// The nearest cell may be anywhere.
 bool vtkSkdTreeProbe::NeedsNearbySource(SkdReach& reach)
 {
   reach.Distance = this->OutsidePoints == NEAREST_CELL_WITHIN_DISTANCE
     ? std::max(this->AbsoluteTolerance, this->MaximumDistance)
     : this->AbsoluteTolerance;
   reach.OfDiagonal = this->RelativeTolerance;
-  return this->OutsidePoints != NEAREST_CELL;
+  reach.WithNearest = this->OutsidePoints == NEAREST_CELL;
+  return true;
 }
 
 void vtkSkdTreeProbe::CutLines(

@@ -146,23 +146,39 @@ bool vtkSkdTreeRemap::NeedsWhole(int port)
     this->Method == WEIGHTS_FROM_FILE || this->Superclass::NeedsWhole(port);
 }
 
-// Overlaps of volumes: of surfaces what is to be taken for what depends on both wholes.
+//------------------------------------------------------------------------------
+// How many of the nearest there are within a distance, and how far a box has to grow, is not known
+// without all samples.
 bool vtkSkdTreeRemap::NeedsNearbySource(SkdReach& reach)
 {
+  const bool isContained = this->Method == CONTAINED;
+  const bool isInterpolated = this->Method == INTERPOLATION || this->Method == AUTOMATIC_METHOD;
+  const bool isExtrapolated = !isContained && this->Method != INTERPOLATION &&
+    this->Extrapolation != NO_EXTRAPOLATION && this->Extrapolation != CONSTANT_VALUE;
+  const bool hasGaps = this->UseMissingValue || !this->MaskArray.empty();
+  const bool isInDegrees =
+    this->SourceCoordinates == LONGITUDE_LATITUDE || this->InputCoordinates == LONGITUDE_LATITUDE;
   reach.OfDiagonal = 1e-3; // as far as Probe goes, and more than any rounding
-  reach.IsOfVolumes = true;
+  reach.IsOfOneMesh = true;
   reach.WithOwn = true;
   reach.WithNeighbours = this->Method == CONSERVATIVE_SECOND_ORDER; // for gradients and limiters
-  const bool isOverlap =
-    (this->Method == CONSERVATIVE_FIRST_ORDER || this->Method == CONSERVATIVE_SECOND_ORDER) &&
-    this->ResultsOn != POINTS && this->Extrapolation == NO_EXTRAPOLATION;
-  const bool isWithin = this->Method == INTERPOLATION && this->EmptyCells == LEAVE;
-  const bool isOfVolumes = this->Geometry == AUTOMATIC_GEOMETRY || this->Geometry == VOLUME;
-  const bool isCartesian =
-    this->SourceCoordinates != LONGITUDE_LATITUDE && this->InputCoordinates != LONGITUDE_LATITUDE;
-  const bool hasIds =
-    this->GenerateWeights || this->GenerateOverlapMesh || !this->WeightsFileName.empty();
-  return (isOverlap || isWithin) && isOfVolumes && isCartesian && !hasIds;
+  reach.WithNearest =
+    isExtrapolated || ((isContained || isInterpolated) && this->EmptyCells == NEAREST);
+  reach.IsOfSamples = isContained || isExtrapolated;
+  reach.Directions = this->Geometry == SPHERE || isInDegrees ? SkdByDirections::Always
+    : this->Geometry == AUTOMATIC_GEOMETRY                   ? SkdByDirections::OnSpheres
+                                                             : SkdByDirections::Never;
+  reach.IsOwnInDegrees = this->InputCoordinates == LONGITUDE_LATITUDE;
+  reach.IsSearchedInDegrees = this->SourceCoordinates == LONGITUDE_LATITUDE;
+  reach.IsNotForSpheres = isInterpolated; // there points move to the radius of the cells
+  reach.IsOfNearSurfaces = !isContained && this->Method != INTERPOLATION &&
+    (this->Geometry == CURVED_SURFACE ||
+      (this->Geometry == AUTOMATIC_GEOMETRY && this->Method != AUTOMATIC_METHOD));
+  reach.Distance = reach.IsOfNearSurfaces ? this->SurfaceDistance : 0.0;
+  return !(isInterpolated && reach.Directions == SkdByDirections::Always) &&
+    !(reach.IsOfSamples && reach.WithNearest && hasGaps) &&
+    !(isContained && this->EmptyCells == ENCLOSING_BOX) &&
+    !(isExtrapolated && this->Extrapolation != NEAREST_VALUE) && this->WeightsFileName.empty();
 }
 
 int vtkSkdTreeRemap::RequestData(
@@ -182,11 +198,11 @@ int vtkSkdTreeRemap::RequestData(
   }
   SkdRemapRequest request = this->Impl->MakeRequest(this);
   request.Written.Name = SkdShare::Of(outputVector).NameOf(this->WeightsFileName);
-  SkdRemapPair pair(
-    SkdBlocksOf(vtkDataObject::GetData(inputVector[1])), SkdBlocksOf(input), outputs, request);
   const auto processes = this->NeedsWhole(0)
     ? nullptr // this one has all
     : SkdProcessesOf(outputVector->GetInformationObject(0));
+  SkdRemapPair pair(SkdBlocksOf(vtkDataObject::GetData(inputVector[1])), SkdBlocksOf(input),
+    outputs, request, processes.get());
   SkdMeshRemap& remap = this->Impl->Remap;
   remap.Run(pair, request, processes.get(), this);
   if (this->GenerateWeights)

@@ -19,12 +19,16 @@
  *
  * Results are the same to the last bit whatever the number of threads. Overlaps, trees and
  * gradients' stencils are kept while both meshes' points and cells are the same, so that further
- * time steps only cost the sums. Each process gathers the whole Source, or if both are meshes of
- * volume cells the cells near its piece of Input and those of its own piece: for what is conserved
- * on cells without extrapolation, and INTERPOLATION with EmptyCells on LEAVE, without weights and
- * overlaps as outputs (see SetSourceDistribution). Counts in the report are of its piece of Input,
- * integrals and coverage of all processes together. Results on points that are not interpolated
- * depend on all cells around them: the first process then has all.
+ * time steps only cost the sums. Each process gathers the whole Source, or with
+ * SetSourceDistribution the cells near its piece of Input, of spheres by directions from the
+ * origin, and those of its own piece; it gathers a Source that has blocks, for files of weights,
+ * INVERSE_DISTANCE, ENCLOSING_BOX of CONTAINED, and interpolation on a sphere, samples (points or
+ * middles of cells) if points are of no cell, and the nearest of them if values are missing. Cells
+ * of the Source have the ids of the whole in the weights and overlaps; integrals, what of a curved
+ * surface is covered, and the radius of a sphere are summed up over processes, in one order. Counts
+ * in the report are of its piece of Input, integrals and coverage of all processes together.
+ * Results on points that are not interpolated depend on all cells around them: the first process
+ * then has all.
  *
  * Output port 0: the input with the source's arrays and these
  * | name        | of     | type   | meaning                                              |

@@ -253,7 +253,6 @@ bool vtkSkdTreeSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
 {
   reach.Distance = this->Clearance;
   reach.OfDiagonal = 1e-3; // more than any rounding
-  reach.IsOfFaces = true;
   return this->Pairs == ALL_PAIRS && SkdMotionOf(this)->IsIdentity();
 }
 

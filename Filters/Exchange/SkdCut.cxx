@@ -40,10 +40,14 @@ std::vector<skd::Box3> SkdBoxesOfPoints(vtkDataSet* mesh)
   return boxes;
 }
 
+std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes)
+{
+  return skd::CoverByBoxes<3>::Of(std::move(boxes), Levels);
+}
+
 SkdCut::SkdCut(SkdTransport& transport, std::vector<skd::Box3> own)
 {
-  const SkdRowsByProcess<skd::Box3> all =
-    SkdGatherRows(transport, skd::CoverByBoxes<3>::Of(std::move(own), Levels));
+  const SkdRowsByProcess<skd::Box3> all = SkdGatherRows(transport, SkdCoverOf(std::move(own)));
   this->Bounds.resize(all.size());
   for (std::size_t process = 0; process < all.size(); ++process)
   {

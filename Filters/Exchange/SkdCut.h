@@ -27,6 +27,9 @@ std::vector<skd::Box3> SkdBoxesOfCells(vtkDataSet* mesh, bool skipGhosts);
 /// The same of its points.
 std::vector<skd::Box3> SkdBoxesOfPoints(vtkDataSet* mesh);
 
+/// A few boxes that cover many: see SkdCut.
+std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes);
+
 class SkdCut
 {
 public:

@@ -23,6 +23,30 @@ namespace
 {
 /// In units of 1024 bytes.
 constexpr unsigned long LargestReplicated = 64 * 1024;
+
+/// Whether the reach does for what all processes have; what of it depends on that is decided.
+bool Fit(
+  vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* controller, SkdReach& reach)
+{
+  const bool mayBeOnSphere = reach.Directions == SkdByDirections::OnSpheres ||
+    reach.IsNotForSpheres || reach.IsOfNearSurfaces;
+  const int here[] = { SkdIsUnfit(piece, reach) ? 1 : 0,
+    mayBeOnSphere && own && SkdIsOnSphere(own) ? 1 : 0,
+    reach.IsOfNearSurfaces && own && SkdHasVolumes(own) ? 1 : 0 };
+  int anywhere[] = { 0, 0, 0 };
+  controller->AllReduce(here, anywhere, 3, vtkCommunicator::MAX_OP);
+  const bool isOnSphere = anywhere[1] != 0;
+  if (reach.Directions == SkdByDirections::OnSpheres)
+  {
+    reach.Directions = isOnSphere ? SkdByDirections::Always : SkdByDirections::Never;
+  }
+  if (reach.IsOfNearSurfaces && !isOnSphere && anywhere[2] == 0)
+  {
+    reach.OfDiagonal = reach.OfOwnDiagonal = 1.0;
+    reach.WithNearest = true;
+  }
+  return anywhere[0] == 0 && !(isOnSphere && reach.IsNotForSpheres);
+}
 }
 
 int SkdFilterInputs::Process(vtkInformation* request, vtkInformationVector** inputs,
@@ -118,10 +142,7 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
   {
     return false;
   }
-  const int isUnfit = SkdIsUnfit(piece, own, reach) ? 1 : 0;
-  int isAnyUnfit = 0;
-  controller->AllReduce(&isUnfit, &isAnyUnfit, 1, vtkCommunicator::MAX_OP);
-  if (isAnyUnfit != 0)
+  if (!Fit(piece, own, controller, reach))
   {
     return false;
   }

@@ -3,32 +3,84 @@
 #include "Exchange/SkdNearbyInput.h"
 
 #include "Cells/Read/SkdCellReader.h"
+#include "Exchange/SkdDirectionBoxes.h"
 #include "Exchange/SkdMessage.h"
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdJoinedShape.h"
+#include "vtkCellData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <limits>
 
 namespace
 {
-/// Where a process has something that the cells of another mesh may be near.
-std::vector<skd::Box3> BoxesOf(vtkDataObject* object)
+/// Where a process has something that the cells of another mesh may be near; boxes of cells are so
+/// much larger, in parts of their diagonals.
+std::vector<skd::Box3> BoxesOf(vtkDataObject* object, double ofDiagonal)
 {
   std::vector<skd::Box3> boxes;
   for (const SkdBlock& block : SkdBlocksOf(object))
   {
-    for (const std::vector<skd::Box3>& some :
-      { SkdBoxesOfPoints(block.Mesh), SkdBoxesOfCells(block.Mesh, false) })
+    const std::vector<skd::Box3> points = SkdBoxesOfPoints(block.Mesh);
+    boxes.insert(boxes.end(), points.begin(), points.end());
+    for (const skd::Box3& box : SkdBoxesOfCells(block.Mesh, false))
+    {
+      boxes.push_back(box.Inflated(ofDiagonal * box.Diagonal()));
+    }
+  }
+  return boxes;
+}
+
+/// The same of directions.
+std::vector<skd::Box3> DirectionBoxesOf(vtkDataObject* object, bool inDegrees)
+{
+  std::vector<skd::Box3> boxes;
+  for (const SkdBlock& block : SkdBlocksOf(object))
+  {
+    for (const std::vector<skd::Box3>& some : { SkdDirectionBoxesOfPoints(block.Mesh, inDegrees),
+           SkdDirectionBoxesOfCells(block.Mesh, inDegrees) })
     {
       boxes.insert(boxes.end(), some.begin(), some.end());
     }
   }
   return boxes;
+}
+
+/// The largest distance between points of two boxes.
+double FarthestBetween(const skd::Box3& a, const skd::Box3& b)
+{
+  skd::Vector3 way;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    way[axis] = std::max(a.Max[axis] - b.Min[axis], b.Max[axis] - a.Min[axis]);
+  }
+  return Norm(way);
+}
+
+/// A few boxes around those of `own`, so large that what of the mesh is nearest to a point in one
+/// of `own` is in them: no farther than any one of the boxes, in each of which there is something.
+std::vector<skd::Box3> WithNearest(std::vector<skd::Box3> own, const SkdCut& mesh)
+{
+  constexpr double rounding = 1.0 + 1e-9;
+  std::vector<skd::Box3> cover = SkdCoverOf(std::move(own));
+  for (skd::Box3& box : cover)
+  {
+    double nearest = std::numeric_limits<double>::max();
+    for (const skd::Box3& other : mesh.GetBoxes())
+    {
+      nearest = std::min(nearest, FarthestBetween(box, other));
+    }
+    box = mesh.GetBoxes().empty() ? box : box.Inflated(rounding * nearest);
+  }
+  return cover;
 }
 
 /// The structure of the object, with examples in the place of its meshes.
@@ -50,30 +102,74 @@ vtkSmartPointer<vtkDataObject> ExampleOf(vtkDataObject* object)
   return example;
 }
 
-/// Whether there are cells that are three-dimensional, or others.
-bool HasCells(vtkDataObject* object, bool ofThreeDimensions)
+/// Whether there are points that are of no cell.
+bool HasFreePoints(vtkDataSet* mesh)
 {
-  for (const SkdBlock& block : SkdBlocksOf(object))
+  const SkdCellReader reader(mesh);
+  std::vector<unsigned char> isUsed(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> list;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    const SkdCellReader reader(block.Mesh);
-    std::array<signed char, 256> known;
-    known.fill(-1);
-    for (vtkIdType id = 0; id < block.Mesh->GetNumberOfCells(); ++id)
-    {
-      signed char& isOfThree = known[static_cast<unsigned char>(reader.TypeOf(id))];
-      if (isOfThree < 0)
+    reader.VisitPoints(cell, list,
+      [&](const auto* ids, std::size_t size)
       {
-        vtkNew<vtkGenericCell> cell;
-        cell->SetCellType(reader.TypeOf(id));
-        isOfThree = cell->GetCellDimension() == 3 ? 1 : 0;
-      }
-      if ((isOfThree == 1) == ofThreeDimensions)
+        for (std::size_t i = 0; i < size; ++i)
+        {
+          isUsed[static_cast<std::size_t>(ids[i])] = 1;
+        }
+      });
+  }
+  return std::find(isUsed.begin(), isUsed.end(), 0) != isUsed.end();
+}
+
+/// Whether there are values that are not finite.
+bool HasGaps(vtkDataSetAttributes* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const bool isReal =
+      array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+    const vtkIdType values = isReal ? array->GetNumberOfValues() : 0;
+    const int components = isReal ? array->GetNumberOfComponents() : 1;
+    for (vtkIdType at = 0; at < values; ++at)
+    {
+      if (!std::isfinite(array->GetComponent(at / components, static_cast<int>(at % components))))
       {
         return true;
       }
     }
   }
   return false;
+}
+
+/// Whether points or cells may be hidden.
+bool HasMarks(vtkDataSetAttributes* data, int marks)
+{
+  auto* ghosts =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const unsigned char* const first = ghosts ? ghosts->GetPointer(0) : nullptr;
+  return ghosts &&
+    std::any_of(first, first + ghosts->GetNumberOfValues(),
+      [marks](unsigned char mark) { return (mark & marks) != 0; });
+}
+
+/// Whether there are points or middles of cells that are samples but of no cell that counts, or,
+/// `withValues`, without a value.
+bool IsIncomplete(vtkDataObject* piece, bool withValues)
+{
+  constexpr int hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(piece);
+  return std::any_of(blocks.begin(), blocks.end(),
+    [withValues](const SkdBlock& block)
+    {
+      vtkPointData* ofPoints = block.Mesh->GetPointData();
+      vtkCellData* ofCells = block.Mesh->GetCellData();
+      return HasFreePoints(block.Mesh) || HasMarks(ofCells, hidden) ||
+        (withValues &&
+          (HasMarks(ofPoints, vtkDataSetAttributes::HIDDENPOINT) || HasGaps(ofPoints) ||
+            HasGaps(ofCells)));
+    });
 }
 
 bool IsAny(SkdTransport& transport, bool here)
@@ -88,11 +184,24 @@ bool SkdCanBring(vtkDataObject* object)
   return !SkdIsComposite(object) || vtkDataObjectTree::SafeDownCast(object) != nullptr;
 }
 
-bool SkdIsUnfit(vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach)
+bool SkdIsUnfit(vtkDataObject* piece, const SkdReach& reach)
 {
-  return (reach.IsOfFaces && HasCells(piece, true)) ||
-    (reach.IsOfVolumes &&
-      (SkdIsComposite(piece) || HasCells(piece, false) || HasCells(own, false)));
+  return (reach.IsOfOneMesh && SkdIsComposite(piece)) ||
+    (reach.IsOfSamples && IsIncomplete(piece, reach.WithNearest));
+}
+
+bool SkdIsOnSphere(vtkDataObject* object)
+{
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(object);
+  return std::any_of(blocks.begin(), blocks.end(),
+    [](const SkdBlock& block) { return SkdRadiusOf(block.Mesh).has_value(); });
+}
+
+bool SkdHasVolumes(vtkDataObject* object)
+{
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(object);
+  return std::any_of(blocks.begin(), blocks.end(),
+    [](const SkdBlock& block) { return SkdDimensionOf(block.Mesh) == 3; });
 }
 
 vtkDataObject* SkdNearbyInput::Update(
@@ -101,26 +210,51 @@ vtkDataObject* SkdNearbyInput::Update(
   SkdStamp newPiece(piece);
   SkdStamp newOwn(own);
   const bool isNewPiece = IsAny(transport, newPiece != this->KnownPiece);
-  const bool isNewOwn = IsAny(transport,
-    !this->Nearby || newOwn != this->KnownOwn || reach.Distance != this->KnownReach.Distance ||
-      reach.OfDiagonal != this->KnownReach.OfDiagonal ||
-      reach.WithOwn != this->KnownReach.WithOwn ||
-      reach.WithNeighbours != this->KnownReach.WithNeighbours);
+  const bool isNewOwn =
+    IsAny(transport, !this->Nearby || newOwn != this->KnownOwn || reach != this->KnownReach);
   if (isNewPiece)
   {
     this->UpdateBlocks(transport, piece);
   }
   if (isNewPiece || isNewOwn)
   {
-    const SkdCut cut(transport, BoxesOf(own));
-    this->Bring(
-      [&](const SkdSpreadBlock& block) { return block.Bring(transport, cut, reach); }, piece);
+    this->BringNear(transport, piece, own, reach);
   }
   this->KnownPiece = std::move(newPiece);
   this->KnownOwn = std::move(newOwn);
   this->KnownReach = reach;
   this->Traffic = transport.GetTraffic();
   return this->Nearby;
+}
+
+void SkdNearbyInput::BringNear(
+  SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach)
+{
+  const auto cutOf = [&](std::vector<skd::Box3> boxes, const auto& boxesOfBlock)
+  {
+    if (reach.WithNearest)
+    {
+      std::vector<skd::Box3> searched;
+      this->VisitBlocks(
+        [&](const SkdSpreadBlock& block)
+        {
+          const std::vector<skd::Box3> some = boxesOfBlock(block);
+          searched.insert(searched.end(), some.begin(), some.end());
+        });
+      boxes = WithNearest(std::move(boxes), SkdCut(transport, std::move(searched)));
+    }
+    return std::make_unique<SkdCut>(transport, std::move(boxes));
+  };
+  const std::unique_ptr<SkdCut> cut = cutOf(BoxesOf(own, reach.OfOwnDiagonal),
+    [](const SkdSpreadBlock& block) { return block.GetBoxes(); });
+  const std::unique_ptr<SkdCut> directions = reach.Directions == SkdByDirections::Always
+    ? cutOf(DirectionBoxesOf(own, reach.IsOwnInDegrees),
+        [&](const SkdSpreadBlock& block)
+        { return block.FindDirections(reach.IsSearchedInDegrees); })
+    : nullptr;
+  this->Bring([&](const SkdSpreadBlock& block)
+    { return block.Bring(transport, *cut, directions.get(), reach); },
+    piece);
 }
 
 // Of composite data, processes may have blocks in different places.

@@ -44,6 +44,8 @@ public:
 
 private:
   void UpdateBlocks(SkdTransport& transport, vtkDataObject* piece);
+  void BringNear(
+    SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach);
   void Bring(const std::function<vtkSmartPointer<vtkDataSet>(const SkdSpreadBlock&)>& bring,
     vtkDataObject* piece);
 
@@ -59,7 +61,14 @@ private:
 /// Whether data of this type can be brought: all but AMR data, whose blocks have no places.
 bool SkdCanBring(vtkDataObject* object);
 
-/// Whether a piece has cells, or `own` has, for which the reach does not do. O(cells).
-bool SkdIsUnfit(vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach);
+/// Whether a piece has something for which the reach does not do: that is not near, and matters.
+/// O(size).
+bool SkdIsUnfit(vtkDataObject* piece, const SkdReach& reach);
+
+/// Whether there is a mesh whose points are all on a sphere about the origin.
+bool SkdIsOnSphere(vtkDataObject* object);
+
+/// Whether there are volume cells.
+bool SkdHasVolumes(vtkDataObject* object);
 
 #endif

@@ -3,6 +3,8 @@
 #include "Exchange/SkdSpreadBlock.h"
 
 #include "Exchange/SkdCellParts.h"
+#include "Exchange/SkdDirectionBoxes.h"
+#include "Exchange/SkdFindShape.h"
 #include "Exchange/SkdMessage.h"
 #include "Pipeline/SkdSubset.h"
 #include "vtkFieldData.h"
@@ -21,6 +23,21 @@ using Ends = std::array<double, 6>;
 Ends EndsOf(const skd::Box3& box)
 {
   return { box.Min[0], box.Min[1], box.Min[2], -box.Max[0], -box.Max[1], -box.Max[2] };
+}
+
+/// Of the boxes of all processes.
+double LargestDiagonalOf(SkdTransport& transport, const std::vector<skd::Box3>& boxes)
+{
+  double own = 0.0;
+  for (const skd::Box3& box : boxes)
+  {
+    own = std::max(own, box.Diagonal());
+  }
+  for (const std::vector<double>& other : SkdGatherRows(transport, std::vector<double>{ own }))
+  {
+    own = std::max(own, other.front());
+  }
+  return (1.0 + 1e-6) * own;
 }
 }
 
@@ -56,8 +73,33 @@ SkdSpreadBlock::SkdSpreadBlock(SkdTransport& transport, vtkDataSet* piece, SkdPi
   }
 }
 
+std::vector<skd::Box3> SkdSpreadBlock::FindDirections(bool inDegrees) const
+{
+  std::vector<skd::Box3> boxes = SkdDirectionBoxesOfCells(this->Piece, inDegrees);
+  for (std::size_t cell = 0; cell < boxes.size(); ++cell)
+  {
+    boxes[cell] = this->Numbers.CellIds[cell] < 0 ? skd::Box3() : boxes[cell];
+  }
+  return boxes;
+}
+
+void SkdSpreadBlock::AddNear(const std::vector<skd::Box3>& boxes, const SkdCut& cut,
+  double distance, double ofDiagonal, Chosen& chosen) const
+{
+  std::vector<int> near;
+  for (std::size_t cell = 0; cell < boxes.size(); ++cell)
+  {
+    const skd::Box3& box = boxes[cell];
+    cut.FindOverlapping(box.Inflated(distance + ofDiagonal * box.Diagonal()), near);
+    for (const int process : near)
+    {
+      chosen[static_cast<std::size_t>(process)].push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+}
+
 vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
-  SkdTransport& transport, const SkdCut& cut, const SkdReach& reach) const
+  SkdTransport& transport, const SkdCut& cut, const SkdCut* directions, const SkdReach& reach) const
 {
   // Tests of single cells allow for some units in the last place.
   double rounding = 0.0;
@@ -67,25 +109,27 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
   }
   rounding *= 64.0 * std::numeric_limits<double>::epsilon();
   // What touches a box that is near is not farther than that box is large.
-  const double distance =
-    reach.Distance + (reach.WithNeighbours ? this->FindLargestDiagonal(transport) : 0.0);
+  const auto reachOf = [&](const std::vector<skd::Box3>& boxes)
+  { return reach.WithNeighbours ? LargestDiagonalOf(transport, boxes) : 0.0; };
   Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
-  std::vector<int> near;
-  for (std::size_t cell = 0; cell < this->Boxes.size(); ++cell)
+  this->AddNear(
+    this->Boxes, cut, reach.Distance + rounding + reachOf(this->Boxes), reach.OfDiagonal, chosen);
+  if (directions)
   {
-    const skd::Box3& box = this->Boxes[cell];
-    const double margin = distance + reach.OfDiagonal * box.Diagonal() + rounding;
-    cut.FindOverlapping(box.Inflated(margin), near);
-    for (const int process : near)
-    {
-      chosen[static_cast<std::size_t>(process)].push_back(static_cast<vtkIdType>(cell));
-    }
+    const std::vector<skd::Box3> boxes = this->FindDirections(reach.IsSearchedInDegrees);
+    this->AddNear(boxes, *directions, reachOf(boxes), 0.0, chosen);
   }
   if (reach.WithOwn)
   {
     this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
   }
-  return this->Send(transport, std::move(chosen));
+  const vtkSmartPointer<vtkDataSet> mesh = this->Send(transport, std::move(chosen));
+  if (reach.WithOwn && !this->Facts.GetFull().empty())
+  {
+    const SkdJoinedShape shape = SkdFindShape(transport, this->Piece, this->Facts, this->Numbers);
+    shape.KeepIn(mesh);
+  }
+  return mesh;
 }
 
 vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOwn(SkdTransport& transport) const
@@ -93,20 +137,6 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::BringOwn(SkdTransport& transport) co
   Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
   this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
   return this->Send(transport, std::move(chosen));
-}
-
-double SkdSpreadBlock::FindLargestDiagonal(SkdTransport& transport) const
-{
-  double own = 0.0;
-  for (const skd::Box3& box : this->Boxes)
-  {
-    own = std::max(own, box.Diagonal());
-  }
-  for (const std::vector<double>& other : SkdGatherRows(transport, std::vector<double>{ own }))
-  {
-    own = std::max(own, other.front());
-  }
-  return (1.0 + 1e-6) * own;
 }
 
 void SkdSpreadBlock::AddOwn(std::vector<vtkIdType>& cells) const

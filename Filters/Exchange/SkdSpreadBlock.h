@@ -26,9 +26,10 @@ public:
   /// nullptr where a process has no piece.
   SkdSpreadBlock(SkdTransport& transport, vtkDataSet* piece, SkdPieces examples);
 
-  /// The cells that are near what this process has told of itself by the cut.
-  vtkSmartPointer<vtkDataSet> Bring(
-    SkdTransport& transport, const SkdCut& cut, const SkdReach& reach) const;
+  /// The cells that are near what this process has told of itself by the cut, and by that of
+  /// directions if there is one.
+  vtkSmartPointer<vtkDataSet> Bring(SkdTransport& transport, const SkdCut& cut,
+    const SkdCut* directions, const SkdReach& reach) const;
 
   /// The cells that count in this process's own piece.
   vtkSmartPointer<vtkDataSet> BringOwn(SkdTransport& transport) const;
@@ -47,13 +48,17 @@ public:
   /// The boxes of the cells of this process's piece; empty ones of those that do not count.
   const std::vector<skd::Box3>& GetBoxes() const { return this->Boxes; }
 
+  /// The same of directions.
+  std::vector<skd::Box3> FindDirections(bool inDegrees) const;
+
   /// What stands for a piece among the examples.
   static vtkSmartPointer<vtkDataSet> MakeExample(vtkDataSet* piece);
 
 private:
   using Chosen = SkdRowsByProcess<vtkIdType>; // cells for each process, ascending
 
-  double FindLargestDiagonal(SkdTransport& transport) const;
+  void AddNear(const std::vector<skd::Box3>& boxes, const SkdCut& cut, double distance,
+    double ofDiagonal, Chosen& chosen) const;
   void AddOwn(std::vector<vtkIdType>& cells) const;
   void AddExtremes(SkdTransport& transport, Chosen& chosen) const;
   vtkSmartPointer<vtkDataSet> Send(SkdTransport& transport, Chosen chosen) const;

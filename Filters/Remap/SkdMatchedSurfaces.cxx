@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdMatchedSurfaces.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLoop.h"
 #include "Remap/SkdCompensatedSum.h"
 #include "Remap/SkdRemapTolerances.h"
@@ -9,6 +10,8 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 //------------------------------------------------------------------------------
 void SkdSurfaceFindings::AddWarnings(std::vector<std::string>& warnings) const
@@ -58,6 +61,55 @@ std::vector<double> SkdMatchedSurfaces::SumOverAll(std::vector<double> own) cons
 }
 
 //------------------------------------------------------------------------------
+// Of a donor of which each process has some cells, those that it has for its target alone are told
+// by their ids: first how much is covered of them, then by their owners how much is in all.
+std::vector<double> SkdMatchedSurfaces::SumOfCells(std::vector<double> covered) const
+{
+  const std::vector<unsigned char> own = SkdOwnCellsOf(this->Donor);
+  if (!this->Processes || own.empty())
+  {
+    return this->SumOverAll(std::move(covered));
+  }
+  const SkdJoinedIds ids(this->Donor);
+  const auto tell = [&](bool ofOwn, const auto& isWanted)
+  {
+    std::vector<double> rows;
+    for (std::size_t cell = 0; cell < covered.size(); ++cell)
+    {
+      const vtkIdType id = ids.Of(static_cast<vtkIdType>(cell));
+      if ((own[cell] != 0) == ofOwn && isWanted(cell, id))
+      {
+        rows.insert(rows.end(), { static_cast<double>(id), covered[cell] });
+      }
+    }
+    return this->Processes->GatherFromOthers(rows);
+  };
+  std::set<vtkIdType> shared; // cells that others have, too
+  const auto take = [&](const std::vector<std::vector<double>>& told, bool ofOwn, bool adds)
+  {
+    for (const std::vector<double>& rows : told)
+    {
+      for (std::size_t i = 0; i + 1 < rows.size(); i += 2)
+      {
+        const auto id = static_cast<vtkIdType>(rows[i]);
+        const auto cell = static_cast<std::size_t>(ids.Find(id));
+        const bool isHere = cell < covered.size() && ids.Of(static_cast<vtkIdType>(cell)) == id;
+        if (isHere && (own[cell] != 0) == ofOwn)
+        {
+          covered[cell] = adds ? covered[cell] + rows[i + 1] : rows[i + 1];
+          shared.insert(id);
+        }
+      }
+    }
+  };
+  take(tell(false, [](std::size_t, vtkIdType) { return true; }), true, true);
+  const std::set<vtkIdType> asked = shared;
+  take(
+    tell(true, [&asked](std::size_t, vtkIdType id) { return asked.count(id) > 0; }), false, false);
+  return covered;
+}
+
+//------------------------------------------------------------------------------
 void SkdMatchedSurfaces::FindSide(SkdFacetRules& rules)
 {
   std::vector<double> votes{ 0.0, 0.0 };
@@ -85,31 +137,43 @@ bool SkdMatchedSurfaces::Update(std::size_t block, const SkdOverlapSettings& set
 
 //------------------------------------------------------------------------------
 // What is covered just once, to rounding, is left as it is, so that results do not depend on how
-// many processes have added it up.
+// many processes have added it up. A process without a part of the target has no measures.
 std::vector<double> SkdMatchedSurfaces::FindShares(const std::vector<double>& covered)
 {
   std::vector<double> shares;
-  if (this->Blocks.empty())
-  {
-    return shares;
-  }
-  const std::vector<double>& measures = this->Overlaps.front().GetWeights().GetDonor().Measures;
+  const std::vector<double> none;
+  const std::vector<double>& measures =
+    this->Blocks.empty() ? none : this->Overlaps.front().GetWeights().GetDonor().Measures;
+  const std::vector<unsigned char> own = SkdOwnCellsOf(this->Donor);
   SkdCompensatedSum whole, handed;
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
-    whole.Add(measures[i]);
-    handed.Add(std::min(covered[i], measures[i]));
     if (covered[i] > (1.0 + remap_tolerances::CoverGap) * measures[i])
     {
       shares.resize(measures.size(), 1.0);
       shares[i] = measures[i] / covered[i];
     }
-    const double room = remap_tolerances::Coverage * measures[i];
-    this->Findings.Folded += covered[i] > measures[i] + room ? 1 : 0;
-    this->Findings.Uncovered += covered[i] < measures[i] - room ? 1 : 0;
+    if (own.empty() || own[i] != 0)
+    {
+      whole.Add(measures[i]);
+      handed.Add(std::min(covered[i], measures[i]));
+      const double room = remap_tolerances::Coverage * measures[i];
+      this->Findings.Folded += covered[i] > measures[i] + room ? 1 : 0;
+      this->Findings.Uncovered += covered[i] < measures[i] - room ? 1 : 0;
+    }
   }
-  this->Findings.SourceCoverage = whole.Get() > 0.0 ? handed.Get() / whole.Get() : 0.0;
+  this->SumUp(whole.Get(), handed.Get(), !own.empty());
   return shares;
+}
+
+void SkdMatchedSurfaces::SumUp(double whole, double handed, bool isSpread)
+{
+  std::vector<double> sums{ whole, handed, static_cast<double>(this->Findings.Folded),
+    static_cast<double>(this->Findings.Uncovered) };
+  sums = isSpread ? this->SumOverAll(sums) : sums;
+  this->Findings.Folded = static_cast<vtkIdType>(sums[2]);
+  this->Findings.Uncovered = static_cast<vtkIdType>(sums[3]);
+  this->Findings.SourceCoverage = sums[0] > 0.0 ? sums[1] / sums[0] : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +199,7 @@ bool SkdMatchedSurfaces::Match(
       std::transform(covered.begin(), covered.end(), some.begin(), covered.begin(), std::plus<>());
     }
   }
-  covered = this->SumOverAll(covered);
+  covered = this->SumOfCells(std::move(covered));
   const std::vector<double> shares = isDone ? this->FindShares(covered) : std::vector<double>();
   for (std::size_t i = 0; i < this->Blocks.size() && isDone; ++i)
   {

@@ -31,7 +31,7 @@ struct SkdSurfaceFindings
 
 /// Finds how the surfaces face each other and the overlaps of all blocks, and sees to it that no
 /// donor cell hands out more than its area: where a target has folds, what covers a cell is scaled
-/// down to it. One donor, which all processes have.
+/// down to it. One donor, of which each process has all, or what is near its target and own cells.
 class SkdMatchedSurfaces
 {
 public:
@@ -58,6 +58,8 @@ private:
   bool Update(std::size_t block, const SkdOverlapSettings& settings, vtkAlgorithm* algorithm,
     double first, double last);
   std::vector<double> SumOverAll(std::vector<double> own) const;
+  std::vector<double> SumOfCells(std::vector<double> covered) const;
+  void SumUp(double whole, double handed, bool isSpread);
   std::vector<double> FindShares(const std::vector<double>& covered);
 
   vtkDataSet* Donor;

@@ -6,6 +6,7 @@
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"
+#include "Remap/SkdOverlapSurface.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkMultiBlockDataSet.h"
@@ -14,6 +15,22 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+
+namespace
+{
+/// What of the target one process has may be flat, or a line, where others have curved surfaces, or
+/// volumes; spaces are in that order.
+SkdOverlapSpace FindCommonSpace(bool hasCells, SkdOverlapSpace own, const skd::Processes& processes)
+{
+  const double none = -1.0;
+  double common = hasCells ? static_cast<double>(own) : none;
+  for (const std::vector<double>& told : processes.GatherFromOthers({ common }))
+  {
+    common = std::max(common, told.front());
+  }
+  return common == none ? own : static_cast<SkdOverlapSpace>(static_cast<int>(common));
+}
+}
 
 //------------------------------------------------------------------------------
 void SkdMeshRemap::Run(SkdRemapPair& pair, const SkdRemapRequest& request,
@@ -34,7 +51,6 @@ void SkdMeshRemap::Run(SkdRemapPair& pair, const SkdRemapRequest& request,
 }
 
 //------------------------------------------------------------------------------
-// What of the target one process has may be flat, or nothing, where others have curved surfaces.
 void SkdMeshRemap::SetUp(const skd::Processes* processes)
 {
   const SkdRemapRequest& request = *this->Request;
@@ -49,9 +65,16 @@ void SkdMeshRemap::SetUp(const skd::Processes* processes)
   const bool mayBeCurved = request.IsConservative() ||
     (request.Method == SkdRemapMethod::Automatic &&
       request.Geometry == SkdRemapGeometry::CurvedSurface);
-  const bool isCurved = mayBeCurved && space == SkdOverlapSpace::CurvedSurface;
-  this->AreCurved = processes && mayBeCurved ? processes->IsAny(isCurved) : isCurved;
-  space = this->AreCurved ? SkdOverlapSpace::CurvedSurface : space;
+  if (processes)
+  {
+    space = FindCommonSpace(this->Pair->HasCells(), space, *processes);
+  }
+  this->AreCurved = mayBeCurved && space == SkdOverlapSpace::CurvedSurface;
+  if (space == SkdOverlapSpace::Sphere && SkdJoinedShape::Of(this->Pair->GetDonor()))
+  {
+    // It may change where this process has nothing.
+    this->Settings.Overlap.Radius = SkdOverlapSurface::MeanRadiusOf(this->Pair->GetDonor());
+  }
 }
 
 // What only the prober maps it reads itself.
@@ -96,7 +119,9 @@ void SkdMeshRemap::MapAll(const skd::Processes* processes)
   {
     this->MapBlocks(start);
   }
-  else if (!SkdOwnCellsOf(this->Pair->GetDonor()).empty())
+  const bool isAutomatic = this->Request->Method == SkdRemapMethod::Automatic;
+  if (!this->Pair->HasCells() && (this->Request->IsConservative() || isAutomatic) &&
+    !SkdOwnCellsOf(this->Pair->GetDonor()).empty())
   {
     this->Remapper.SumUpDonor();
   }
@@ -170,7 +195,7 @@ void SkdMeshRemap::FillWeights(bool withBlocks, vtkTable* table) const
   {
     if (const SkdOverlapWeights* weights = this->Remapper.GetWeights(block))
     {
-      SkdAppendWeights(*weights, this->Settings.Conservative.Normalization,
+      SkdAppendWeights(*weights, this->Pair->GetDonor(), this->Settings.Conservative.Normalization,
         outputs[block].BlockIndex, withBlocks, table);
     }
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapMesh.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdOverlapSearch.h"
 #include "Remap/SkdPieceOverlap.h"
 #include "Remap/SkdRemapTolerances.h"
@@ -173,7 +174,7 @@ void AddCell(const Shape& shape, SkdOverlapSpace space, vtkPoints* points,
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
-  const std::vector<Shape>& shapes, SkdOverlapSpace space)
+  const std::vector<Shape>& shapes, SkdOverlapSpace space, const SkdJoinedIds& joined)
 {
   auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
@@ -191,7 +192,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
   {
     AddCell(shape, space, points, mesh, ids);
     targets->InsertNextValue(shape.Target);
-    donors->InsertNextValue(shape.Donor);
+    donors->InsertNextValue(joined.Of(shape.Donor));
     measures->InsertNextValue(shape.Measure);
   }
   mesh->GetCellData()->AddArray(targets);
@@ -237,5 +238,5 @@ vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDa
   std::stable_sort(all.begin(), all.end(),
     [](const Shape& a, const Shape& b)
     { return std::tie(a.Target, a.Donor) < std::tie(b.Target, b.Donor); });
-  return MakeMesh(all, settings.Space);
+  return MakeMesh(all, settings.Space, SkdJoinedIds(donor));
 }

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdOverlapSurface.h"
 
+#include "Pipeline/SkdJoinedShape.h"
 #include "Remap/SkdRemapTolerances.h"
 
 #include "Core/Geometry/Box.h"
-#include "Core/Geometry/Polygons/PlanarPolygon.h"
 
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,34 +38,6 @@ void AddPoints(skd::Box3& box, vtkDataSet* data)
   }
 }
 
-/// The normal of the plane through the first three corners of a cell, twice as long as their
-/// triangle's area: of those of the first thousand cells the longest, whose direction rounding
-/// changes least. Any cell of a mesh in a plane would do; that all points lie in it is tested
-/// after.
-Vector3 PlaneNormalOf(vtkDataSet* data)
-{
-  constexpr vtkIdType mostCells = 1000; // enough to meet one that is no sliver
-  Vector3 largest{ { 0.0, 0.0, 0.0 } };
-  vtkNew<vtkIdList> ids;
-  std::vector<Vector3> points;
-  const vtkIdType last = std::min(data->GetNumberOfCells(), mostCells);
-  for (vtkIdType cell = 0; cell < last; ++cell)
-  {
-    data->GetCellPoints(cell, ids);
-    points.clear();
-    for (vtkIdType i = 0; i < std::min<vtkIdType>(ids->GetNumberOfIds(), 3); ++i)
-    {
-      points.push_back(PointOf(data, ids->GetId(i)));
-    }
-    if (points.size() == 3)
-    {
-      const Vector3 normal = skd::PolygonPlane(points, 3).Normal;
-      largest = Norm2(normal) > Norm2(largest) ? normal : largest;
-    }
-  }
-  return largest;
-}
-
 double FarthestFrom(vtkDataSet* data, const Vector3& origin, const Vector3& normal)
 {
   double farthest = 0.0;
@@ -91,7 +61,8 @@ SkdOverlapSurface::SkdOverlapSurface(
   }
   else if (this->Space == SkdOverlapSpace::Sphere)
   {
-    this->FindRadius(donor, settings.Radius);
+    this->Radius = settings.Radius > 0.0 ? settings.Radius : MeanRadiusOf(donor);
+    this->MeasureScale = this->Radius * this->Radius;
   }
 }
 
@@ -115,8 +86,8 @@ void SkdOverlapSurface::FindPlane(vtkDataSet* donor, vtkDataSet* target)
       return;
     }
   }
-  Vector3 normal = PlaneNormalOf(donor);
-  const Vector3 other = PlaneNormalOf(target);
+  Vector3 normal = SkdPlaneNormalOf(donor);
+  const Vector3 other = SkdPlaneNormalOf(target);
   normal = Norm2(normal) >= Norm2(other) ? normal : other;
   if (!(Norm2(normal) > 0.0))
   {
@@ -153,25 +124,21 @@ void SkdOverlapSurface::SetAxes(const Vector3& normal)
 }
 
 //------------------------------------------------------------------------------
-void SkdOverlapSurface::FindRadius(vtkDataSet* donor, double wanted)
+double SkdOverlapSurface::MeanRadiusOf(vtkDataSet* donor)
 {
-  this->Radius = wanted;
-  if (!(wanted > 0.0))
+  const auto whole = SkdJoinedShape::Of(donor);
+  double sum = whole ? whole->SumOfRadii : 0.0;
+  vtkIdType count = whole ? whole->PointsOffOrigin : 0;
+  for (vtkIdType id = 0; id < donor->GetNumberOfPoints() && !whole; ++id)
   {
-    double sum = 0.0;
-    vtkIdType count = 0;
-    for (vtkIdType id = 0; id < donor->GetNumberOfPoints(); ++id)
-    {
-      const double distance = Norm(PointOf(donor, id));
-      const bool isSome = distance > 0.0 && std::isfinite(distance);
-      sum += isSome ? distance : 0.0;
-      count += isSome;
-    }
-    this->Radius = count > 0 ? sum / static_cast<double>(count) : 1.0;
-    // Points of a unit sphere are rounded: their mean is not to scale areas.
-    this->Radius = std::abs(this->Radius - 1.0) < remap_tolerances::UnitRadius ? 1.0 : this->Radius;
+    const double distance = Norm(PointOf(donor, id));
+    const bool isSome = distance > 0.0 && std::isfinite(distance);
+    sum += isSome ? distance : 0.0;
+    count += isSome;
   }
-  this->MeasureScale = this->Radius * this->Radius;
+  const double mean = count > 0 ? sum / static_cast<double>(count) : 1.0;
+  // Points of a unit sphere are rounded: their mean is not to scale areas.
+  return std::abs(mean - 1.0) < remap_tolerances::UnitRadius ? 1.0 : mean;
 }
 
 //------------------------------------------------------------------------------

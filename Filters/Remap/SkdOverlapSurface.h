@@ -24,6 +24,10 @@ public:
   /// What is wrong with the meshes, if anything, is in GetProblem().
   SkdOverlapSurface(vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings);
 
+  /// The mean distance of a donor's points from the origin, of the whole donor; 1 if it is nearly
+  /// that.
+  static double MeanRadiusOf(vtkDataSet* donor);
+
   SkdOverlapSpace GetSpace() const { return this->Space; }
   double GetRadius() const { return this->Radius; }
   const skd::Vector3& GetNormal() const { return this->Normal; }
@@ -43,7 +47,6 @@ public:
 private:
   void FindPlane(vtkDataSet* donor, vtkDataSet* target);
   void SetAxes(const skd::Vector3& normal);
-  void FindRadius(vtkDataSet* donor, double wanted);
 
   SkdOverlapSpace Space;
   SkdFacetRules Facets;

@@ -9,6 +9,7 @@
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
+#include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -17,7 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace
 {
@@ -63,56 +64,32 @@ vtkSmartPointer<vtkDataSet> SkdMovedToSphere(vtkDataSet* mesh, double radius)
     points->SetPoint(i, (radius * SkdDirectionOfLonLat(x)).X);
   }
   moved->SetPoints(points);
+  moved->GetFieldData()->PassData(mesh->GetFieldData());
+  if (auto whole = SkdJoinedShape::Of(mesh))
+  {
+    whole->MoveToSphere(radius);
+    whole->KeepIn(moved);
+  }
   return moved;
-}
-
-int SkdDimensionOf(vtkDataSet* mesh)
-{
-  int dimension = -1;
-  vtkNew<vtkGenericCell> cell;
-  const SkdCellReader reader(mesh);
-  int known = -1;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells() && dimension < 3; ++i)
-  {
-    const int type = reader.TypeOf(i);
-    if (type != known && type != VTK_EMPTY_CELL)
-    {
-      cell->SetCellType(type);
-      dimension = std::max(dimension, cell->GetCellDimension());
-      known = type;
-    }
-  }
-  return dimension;
-}
-
-std::optional<double> SkdRadiusOf(vtkDataSet* mesh)
-{
-  double bounds[6];
-  mesh->GetBounds(bounds);
-  const bool isFlat = bounds[0] == bounds[1] || bounds[2] == bounds[3] || bounds[4] == bounds[5];
-  double least = VTK_DOUBLE_MAX, greatest = 0.0, sum = 0.0;
-  const vtkIdType n = mesh->GetNumberOfPoints();
-  using remap_tolerances::RadiusSpread;
-  for (vtkIdType i = 0; i < n && !isFlat && !(greatest - least > RadiusSpread * greatest); ++i)
-  {
-    double x[3];
-    mesh->GetPoint(i, x);
-    const double radius = vtkMath::Norm(x);
-    least = std::min(least, radius);
-    greatest = std::max(greatest, radius);
-    sum += radius;
-  }
-  const bool isSphere = n > 2 && !isFlat && greatest - least <= RadiusSpread * greatest;
-  return isSphere ? std::optional<double>(sum / n) : std::nullopt;
 }
 
 bool SkdMayBeLonLat(vtkDataSet* mesh)
 {
   double bounds[6];
+  vtkIdType points = mesh->GetNumberOfPoints();
   mesh->GetBounds(bounds);
+  if (const auto whole = SkdJoinedShape::Of(mesh))
+  {
+    const skd::Box3& box = whole->Bounds;
+    points = whole->Points;
+    std::copy_n(std::array<double, 6>{ { box.Min[0], box.Max[0], box.Min[1], box.Max[1], box.Min[2],
+                                         box.Max[2] } }
+                  .begin(),
+      6, bounds);
+  }
   constexpr double radian = 57.3, halfTurn = 180.0, turn = 360.0;
   const double width = bounds[1] - bounds[0];
-  return mesh->GetNumberOfPoints() > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfTurn &&
+  return points > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfTurn &&
     bounds[3] <= 0.5 * halfTurn && bounds[0] >= -turn && bounds[1] <= 1.5 * turn && width > radian;
 }
 

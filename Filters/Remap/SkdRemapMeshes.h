@@ -10,9 +10,9 @@
 #define SkdRemapMeshes_h
 
 #include "Pipeline/SkdBlocks.h"
+#include "Pipeline/SkdJoinedShape.h"
 #include "Remap/SkdOverlapWeights.h"
 
-#include <optional>
 #include <set>
 #include <string>
 
@@ -26,13 +26,6 @@ vtkSmartPointer<vtkDataSet> SkdJoinBlocks(
 /// A mesh whose points are longitude and latitude in degrees, moved to a sphere about the origin.
 /// The arrays are the old ones.
 vtkSmartPointer<vtkDataSet> SkdMovedToSphere(vtkDataSet* mesh, double radius);
-
-/// The highest dimension of a mesh's cells; -1 if it has none.
-int SkdDimensionOf(vtkDataSet* mesh);
-
-/// The mean distance of a mesh's points from the origin if all have that distance, to a part in
-/// 10^5, and they are not all in a plane across an axis. Nothing else.
-std::optional<double> SkdRadiusOf(vtkDataSet* mesh);
 
 /// Whether a mesh is flat in z, and x and y may well be longitudes and latitudes in degrees: more
 /// than a radian wide, and between the poles.

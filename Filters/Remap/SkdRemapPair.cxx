@@ -14,6 +14,11 @@ namespace
 {
 bool AreStructured(const std::vector<SkdBlock>& blocks)
 {
+  if (const auto whole =
+        blocks.size() == 1 ? SkdJoinedShape::Of(blocks.front().Mesh) : std::nullopt)
+  {
+    return whole->IsStructured;
+  }
   return !blocks.empty() &&
     std::all_of(blocks.begin(), blocks.end(),
       [](const SkdBlock& block) { return SkdIsStructured(block.Mesh); });
@@ -22,7 +27,8 @@ bool AreStructured(const std::vector<SkdBlock>& blocks)
 
 //------------------------------------------------------------------------------
 SkdRemapPair::SkdRemapPair(const std::vector<SkdBlock>& donor, const std::vector<SkdBlock>& targets,
-  const std::vector<SkdBlock>& outputs, const SkdRemapRequest& request)
+  const std::vector<SkdBlock>& outputs, const SkdRemapRequest& request,
+  const skd::Processes* processes)
   : Request(request)
   , Targets(targets)
   , Outputs(outputs)
@@ -30,11 +36,12 @@ SkdRemapPair::SkdRemapPair(const std::vector<SkdBlock>& donor, const std::vector
   , DonorStructured(AreStructured(donor))
 {
   this->Donor = SkdJoinBlocks(donor, this->PartialArrays);
-  this->MoveToSphere();
+  this->TargetRadius = this->FindTargetRadius(processes);
+  this->MoveToSphere(processes);
 }
 
 // Results are made on the moved mesh, and go to the one that was given.
-void SkdRemapPair::MoveToSphere()
+void SkdRemapPair::MoveToSphere(const skd::Processes* processes)
 {
   if (this->Request.IsTargetInDegrees)
   {
@@ -46,6 +53,7 @@ void SkdRemapPair::MoveToSphere()
       this->Targets[i].Mesh = SkdMovedToSphere(this->Targets[i].Mesh, radius);
       this->Outputs[i].Mesh = SkdMovedToSphere(this->Outputs[i].Mesh, radius);
     }
+    this->TargetRadius = this->FindTargetRadius(processes);
   }
   if (this->Request.IsDonorInDegrees)
   {
@@ -81,10 +89,27 @@ bool SkdRemapPair::HasCells() const
   return this->FirstWithCells() != nullptr;
 }
 
-double SkdRemapPair::RadiusOfTarget() const
+// The mean of the radii of all processes' parts, by their points.
+double SkdRemapPair::FindTargetRadius(const skd::Processes* processes) const
 {
   const SkdBlock* block = this->FirstWithCells();
-  return block ? SkdRadiusOf(block->Mesh).value_or(0.0) : 0.0;
+  const double own = block ? SkdRadiusOf(block->Mesh).value_or(0.0) : 0.0;
+  if (!processes)
+  {
+    return own;
+  }
+  const double points = own > 0.0 ? static_cast<double>(block->Mesh->GetNumberOfPoints()) : 0.0;
+  std::vector<std::vector<double>> all = processes->GatherFromOthers({ points * own, points });
+  all.push_back({ points * own, points });
+  std::sort(all.begin(), all.end()); // added up alike on all of them
+  double sum = 0.0;
+  double number = 0.0;
+  for (const std::vector<double>& told : all)
+  {
+    sum += told[0];
+    number += told[1];
+  }
+  return number > 0.0 ? sum / number : 0.0;
 }
 
 vtkIdType SkdRemapPair::GetNumberOfTargetCells() const

@@ -17,9 +17,11 @@
 class SkdRemapPair
 {
 public:
-  /// `outputs` are the meshes of `targets`, to add arrays to.
+  /// `outputs` are the meshes of `targets`, to add arrays to; `processes` all that have a piece of
+  /// the target each, or nullptr.
   SkdRemapPair(const std::vector<SkdBlock>& donor, const std::vector<SkdBlock>& targets,
-    const std::vector<SkdBlock>& outputs, const SkdRemapRequest& request);
+    const std::vector<SkdBlock>& outputs, const SkdRemapRequest& request,
+    const skd::Processes* processes);
 
   vtkDataSet* GetDonor() const { return this->Donor; }
   const std::vector<SkdBlock>& GetTargets() const { return this->Targets; }
@@ -34,7 +36,8 @@ public:
   bool HasCells() const;         ///< the target
   bool IsOfOneDimension() const; ///< cells of both
   bool IsDonorStructured() const { return this->DonorStructured; }
-  double RadiusOfTarget() const; ///< 0 if it is on no sphere
+  /// 0 if it is on no sphere; the same on all processes.
+  double RadiusOfTarget() const { return this->TargetRadius; }
   vtkIdType GetNumberOfTargetCells() const;
 
   /// What the meshes are parts of, as asked for, or by what they look like.
@@ -47,7 +50,8 @@ public:
   void Finish();
 
 private:
-  void MoveToSphere();
+  double FindTargetRadius(const skd::Processes* processes) const;
+  void MoveToSphere(const skd::Processes* processes);
   const SkdBlock* FirstWithCells() const;
 
   const SkdRemapRequest& Request;
@@ -58,6 +62,7 @@ private:
   SkdWeightsGrids Grids;
   std::set<std::string> PartialArrays;
   bool DonorStructured;
+  double TargetRadius = 0.0;
 };
 
 #endif

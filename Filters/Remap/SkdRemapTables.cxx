@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapTables.h"
 
+#include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdCompensatedSum.h"
 #include "vtkIntArray.h"
@@ -141,9 +142,10 @@ void SkdRemapTally::AddTo(vtkDataObject* output) const
   report.AddMeasures("Coverage", coverage);
 }
 
-void SkdAppendWeights(const SkdOverlapWeights& weights, SkdNormalization normalization,
-  int blockIndex, bool isComposite, vtkTable* table)
+void SkdAppendWeights(const SkdOverlapWeights& weights, vtkDataSet* donor,
+  SkdNormalization normalization, int blockIndex, bool isComposite, vtkTable* table)
 {
+  const SkdJoinedIds ids(donor);
   auto* rows = ColumnOf<vtkIdTypeArray>(table, "Row");
   auto* columns = ColumnOf<vtkIdTypeArray>(table, "Column");
   auto* weight = ColumnOf<vtkDoubleArray>(table, "Weight");
@@ -158,7 +160,7 @@ void SkdAppendWeights(const SkdOverlapWeights& weights, SkdNormalization normali
     for (std::size_t k = found.Rows[row]; k < found.Rows[row + 1]; ++k)
     {
       rows->InsertNextValue(static_cast<vtkIdType>(row));
-      columns->InsertNextValue(found.Columns[k]);
+      columns->InsertNextValue(ids.Of(found.Columns[k]));
       weight->InsertNextValue(found.Measures[k] / by);
       measures->InsertNextValue(found.Measures[k]);
       moments->InsertNextTuple(found.Moments[k].X);

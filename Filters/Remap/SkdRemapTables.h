@@ -16,6 +16,7 @@
 #include <utility>
 
 class vtkDataObject;
+class vtkDataSet;
 class vtkTable;
 
 /// Integrals of each component of each field, summed over the target's blocks.
@@ -46,9 +47,10 @@ private:
 };
 
 /// Appends a row for each overlap of a target block: Row, Column (ids of the target's and the
-/// donor's cell), Weight (by which the donor's average counts in the target's), Measure (of the
-/// overlap), Moment (see SkdOverlapTable), and RowBlockIndex if the target is composite.
-void SkdAppendWeights(const SkdOverlapWeights& weights, SkdNormalization normalization,
-  int blockIndex, bool isComposite, vtkTable* table);
+/// donor's cell, in the whole donor), Weight (by which the donor's average counts in the target's),
+/// Measure (of the overlap), Moment (see SkdOverlapTable), and RowBlockIndex if the target is
+/// composite.
+void SkdAppendWeights(const SkdOverlapWeights& weights, vtkDataSet* donor,
+  SkdNormalization normalization, int blockIndex, bool isComposite, vtkTable* table);
 
 #endif

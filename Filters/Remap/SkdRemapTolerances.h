@@ -19,7 +19,6 @@ constexpr double OppositeCorners = 1e-6; ///< of the radius: an edge between the
 constexpr double SphereArea = 1e-6;      ///< on the unit sphere: of areas found in two ways
 constexpr double CoverGap = 1e-10;       ///< of a cell's measure: less is no gap in its cover
 constexpr double Flatness = 1e-12;       ///< of the largest eigenvalue: less spans no direction
-constexpr double RadiusSpread = 1e-5;    ///< of the radius: of a sphere, not of a flattened Earth
 constexpr double EdgeOn = 1e-12;         ///< the cosine between normals of facets seen edge-on
 constexpr double FlatPolygon = 1e-11;    ///< of the largest distance from its middle: is in a plane
 constexpr double SurfaceBorder = 0.05;   ///< of a cell's measure: projections differ so at borders

@@ -385,6 +385,7 @@ void SkdRemapper::SumUpDonor()
   SkdRemapFindings findings = this->Findings;
   const vtkNew<vtkUnstructuredGrid> nothing;
   this->MapConservative(nothing, 0, 0.0, 1.0);
+  this->HasWeights.clear();
   findings.Tally = this->Findings.Tally;
   this->Findings = std::move(findings);
 }

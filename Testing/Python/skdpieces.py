@@ -6,10 +6,12 @@ each process its own piece, whatever piece the pipeline asks for. In one process
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkCommonDataModel import (VTK_LINE, vtkDataSetAttributes, vtkPolyData,
+    vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersCore import vtkElevationFilter, vtkPointDataToCellData
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 try:
@@ -47,6 +49,47 @@ def tetrahedra(size=4):
     cells.Update()
     cells.GetOutput().GetPointData().GetArray("RTData").SetName("Field")
     return cells.GetOutput()
+
+
+def tiles(count=9, corner=(0.0, 0.0, 0.0), first=(1.0, 0.0, 0.0), second=(0.0, 1.0, 0.0)):
+    """A parallelogram from a corner to two others, with a field at its points and in its cells."""
+    source = vtkPlaneSource()
+    source.SetOrigin(*corner)
+    source.SetPoint1(*first)
+    source.SetPoint2(*second)
+    source.SetResolution(count, count + 2)
+    source.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+    field = vtkElevationFilter()
+    field.SetLowPoint(*corner)
+    field.SetHighPoint(first[0] + 0.3, first[1] + 0.7, first[2] + 1.0)
+    field.SetInputConnection(source.GetOutputPort())
+    of_cells = vtkPointDataToCellData()
+    of_cells.PassPointDataOn()
+    of_cells.SetInputConnection(field.GetOutputPort())
+    of_cells.Update()
+    for name in ("Normals", "TextureCoordinates"):
+        of_cells.GetOutput().GetPointData().RemoveArray(name)
+        of_cells.GetOutput().GetCellData().RemoveArray(name)
+    return of_cells.GetOutput()
+
+
+def wire(count=30, end=(4.0, 3.0, 2.0)):
+    """Straight lines end to end, with a field in them."""
+    source = vtkLineSource()
+    source.SetPoint1(0.0, 0.0, 0.0)
+    source.SetPoint2(*end)
+    source.SetResolution(count)
+    source.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+    source.Update()
+    points = source.GetOutput().GetPoints()
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    for i in range(count):
+        grid.InsertNextCell(VTK_LINE, 2, (i, i + 1))
+    field = numpy_to_vtk(numpy.sin(numpy.arange(count)), deep=1)
+    field.SetName("Field")
+    grid.GetCellData().AddArray(field)
+    return grid
 
 
 def source(maker, partition, **arguments):
