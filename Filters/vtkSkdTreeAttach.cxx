@@ -12,6 +12,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeAttach);
 

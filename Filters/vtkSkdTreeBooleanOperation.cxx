@@ -14,6 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeBooleanOperation);
 

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeCellLocator);
 

@@ -91,8 +91,11 @@
 
 #include <memory> // For std::unique_ptr
 
+namespace skdtree
+{
 class SkdCellTree;
 class SkdLocatorState;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
@@ -575,9 +578,9 @@ private:
   bool IsNewerThanData();
   bool HasTreeOf(vtkDataSet* data);
   void CacheBounds();
-  const SkdCellTree& GetTree();
+  const skdtree::SkdCellTree& GetTree();
 
-  std::unique_ptr<SkdLocatorState> Impl;
+  std::unique_ptr<skdtree::SkdLocatorState> Impl;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace

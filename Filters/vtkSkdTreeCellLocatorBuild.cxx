@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 
 #include "vtkDoubleArray.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace

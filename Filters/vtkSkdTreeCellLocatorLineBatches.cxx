@@ -14,6 +14,8 @@
 #include <limits>
 #include <vector>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace

@@ -10,6 +10,8 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 
 //------------------------------------------------------------------------------

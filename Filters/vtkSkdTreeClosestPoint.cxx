@@ -19,6 +19,8 @@
 
 #include <set>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeClosestPoint);
 

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <limits>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeCompareSurfaces);
 

@@ -5,6 +5,8 @@
 #include "Curves/SkdCurveSet.h"
 #include "Pipeline/SkdPrint.h"
 
+using namespace skdtree;
+
 namespace
 {
 constexpr double DefaultChordTolerance = 1e-3; // of the diagonal

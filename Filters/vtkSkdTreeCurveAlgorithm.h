@@ -19,7 +19,10 @@
 #include <string> // For std::string
 #include <vector> // For std::vector
 
+namespace skdtree
+{
 struct SkdPolylineForm;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -81,7 +84,7 @@ public:
 protected:
   using vtkSkdTreeSearchAlgorithm::vtkSkdTreeSearchAlgorithm;
 
-  SkdPolylineForm FindPolylineForm() const;
+  skdtree::SkdPolylineForm FindPolylineForm() const;
 
   /// The ChordTolerance or, if it is 0, the default, with a warning.
   double FindChordTolerance();

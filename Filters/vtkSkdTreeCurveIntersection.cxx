@@ -14,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeCurveIntersection);
 

@@ -97,7 +97,10 @@
 
 #include <memory> // For std::unique_ptr
 
+namespace skdtree
+{
 struct SkdCurveHitTable;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -150,7 +153,7 @@ private:
   vtkSkdTreeCurveIntersection(const vtkSkdTreeCurveIntersection&) = delete;
   void operator=(const vtkSkdTreeCurveIntersection&) = delete;
 
-  void StoreIntersections(const SkdCurveHitTable& table, vtkInformationVector* outputs);
+  void StoreIntersections(const skdtree::SkdCurveHitTable& table, vtkInformationVector* outputs);
 
   class Internals;
   std::unique_ptr<Internals> Impl; // the trees, kept while their curves are unchanged

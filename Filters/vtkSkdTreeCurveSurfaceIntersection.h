@@ -90,7 +90,10 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+namespace skdtree
+{
 struct SkdSurfaceHitTable;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
@@ -181,7 +184,7 @@ protected:
   ~vtkSkdTreeCurveSurfaceIntersection() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  bool NeedsNearbySource(SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
 
   bool VolumeFaces = true;
   int Parts = BLOCKS;
@@ -195,8 +198,8 @@ private:
   void operator=(const vtkSkdTreeCurveSurfaceIntersection&) = delete;
 
   bool UpdateSurfaces(vtkDataObject* source);
-  void StoreHits(const SkdSurfaceHitTable& table, bool hasCurveBlocks, bool hasSurfaceBlocks,
-    vtkPolyData* output);
+  void StoreHits(const skdtree::SkdSurfaceHitTable& table, bool hasCurveBlocks,
+    bool hasSurfaceBlocks, vtkPolyData* output);
 
   class Internals;
   std::unique_ptr<Internals> Impl; // the Source's tree, kept while it is unchanged

@@ -4,6 +4,8 @@
 
 #include "Pipeline/SkdPrint.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 void vtkSkdTreeFacetAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {

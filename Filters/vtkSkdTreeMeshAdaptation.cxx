@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeMeshAdaptation);
 

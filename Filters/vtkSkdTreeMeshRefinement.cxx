@@ -25,6 +25,8 @@
 #include <optional>
 #include <stdexcept>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeMeshRefinement);
 

@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <functional>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreePointInOut);
 

@@ -19,8 +19,8 @@
  * ChordalDeviation, and duplicate faces count once. Points within rounding error of a surface may
  * be classified either way. For closed surfaces, rays do not depend on orientation. The answer does
  * not depend on the number of threads or processes. Trees are reused while the Source is unchanged.
- * On images and rectilinear grids the filter is a voxelizer: for closed parts and methods with rays,
- * one line classifies a whole row.
+ * On images and rectilinear grids the filter is a voxelizer: for closed parts and methods with
+ * rays, one line classifies a whole row.
  *
  * Several processes: a Source of which each has a piece is gathered on each, or with
  * SOURCE_EXCHANGED stays where it is. Of a BODY_FITTED_MESH a process gets the cells near its own
@@ -76,8 +76,11 @@
 #include <string>   // For std::string
 #include <vector>   // For std::vector
 
+namespace skdtree
+{
 class SkdInOuts;
 struct SkdBlock;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -262,7 +265,7 @@ protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
 
-  bool NeedsNearbySource(SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
   bool CanAskPieces(int port) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -289,14 +292,15 @@ private:
   void UpdateParts();
   PartFacts GetFacts() const;
   void WarnAbout(const PartFacts& facts);
-  std::vector<SkdInOuts> AskMeshes(const std::vector<SkdBlock>& meshes);
+  std::vector<skdtree::SkdInOuts> AskMeshes(const std::vector<skdtree::SkdBlock>& meshes);
   std::optional<PartFacts> AskPieces(
-    const std::vector<SkdBlock>& meshes, std::vector<SkdInOuts>& answers);
+    const std::vector<skdtree::SkdBlock>& meshes, std::vector<skdtree::SkdInOuts>& answers);
   bool AsksCorners() const { return this->Ask == CELLS_ALL_POINTS || this->Ask == CELLS_ANY_POINT; }
-  void FillOutputs(const PartFacts& facts, const std::vector<SkdBlock>& meshes,
-    const std::vector<SkdInOuts>& answers, vtkInformationVector* outputVector);
-  void ExtractFrom(vtkDataSet* mesh, const SkdInOuts& answers, vtkInformationVector* outputVector);
-  vtkIdType CountQueryPoints(const std::vector<SkdBlock>& blocks) const;
+  void FillOutputs(const PartFacts& facts, const std::vector<skdtree::SkdBlock>& meshes,
+    const std::vector<skdtree::SkdInOuts>& answers, vtkInformationVector* outputVector);
+  void ExtractFrom(
+    vtkDataSet* mesh, const skdtree::SkdInOuts& answers, vtkInformationVector* outputVector);
+  vtkIdType CountQueryPoints(const std::vector<skdtree::SkdBlock>& blocks) const;
 
   std::unique_ptr<Internals> Impl; // the parts, kept while the source is unchanged
 };

@@ -23,6 +23,8 @@
 
 #include <algorithm>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeProbe);
 

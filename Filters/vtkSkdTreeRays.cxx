@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <optional>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeRays);
 

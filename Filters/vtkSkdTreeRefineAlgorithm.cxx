@@ -8,6 +8,8 @@
 #include "Pipeline/SkdPrint.h"
 #include "vtkInformation.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkSkdTreeRefineAlgorithm::vtkSkdTreeRefineAlgorithm(int inputPorts, int firstWholePort)
   : State(new SkdRefineState)

@@ -18,8 +18,11 @@
 
 #include <memory> // For std::unique_ptr
 
+namespace skdtree
+{
 class SkdFilterInputs;
 class SkdRefineState;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -252,13 +255,14 @@ protected:
   /// Copies the settings into the State before it is updated.
   void PassOptions();
 
-  std::unique_ptr<SkdRefineState> State; // trees of parts and field, kept while they are the same
+  std::unique_ptr<skdtree::SkdRefineState>
+    State; // trees of parts and field, kept while they are the same
 
 private:
   vtkSkdTreeRefineAlgorithm(const vtkSkdTreeRefineAlgorithm&) = delete;
   void operator=(const vtkSkdTreeRefineAlgorithm&) = delete;
 
-  std::unique_ptr<SkdFilterInputs> Inputs;
+  std::unique_ptr<skdtree::SkdFilterInputs> Inputs;
 };
 
 VTK_ABI_NAMESPACE_END

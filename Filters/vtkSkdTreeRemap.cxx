@@ -17,6 +17,8 @@
 
 #include <cmath>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeRemap);
 

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeRepresentation);
 

@@ -9,6 +9,8 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformationVector.h"
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkSkdTreeSourceAlgorithm::vtkSkdTreeSourceAlgorithm(
   SourceUse use, std::initializer_list<int> outputTypes)

@@ -35,8 +35,11 @@
 #include <memory>           // For std::unique_ptr
 #include <vector>           // For std::vector
 
+namespace skdtree
+{
 class SkdFilterInputs;
 struct SkdReach;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -113,7 +116,7 @@ protected:
   /// Whether with several processes a process needs of the Source no more than the cells whose
   /// boxes come near its own part of the Input, and how near. Such a filter states ids by
   /// SkdJoinedIds. False by default.
-  virtual bool NeedsNearbySource(SkdReach& reach);
+  virtual bool NeedsNearbySource(skdtree::SkdReach& reach);
 
   /// For subclasses that can send questions to the processes that have the pieces of an input: for
   /// which inputs, with the present properties.
@@ -122,7 +125,7 @@ protected:
   /// Whether the Input is needed as a whole and this is not the first process, which outputs all.
   bool IsLeftToFirst(vtkInformationVector* outputs);
 
-  std::unique_ptr<SkdFilterInputs> Inputs;
+  std::unique_ptr<skdtree::SkdFilterInputs> Inputs;
 
   /// For subclasses that can use any finite coordinates: others leave out those whose squares
   /// overflow, which are warned about.

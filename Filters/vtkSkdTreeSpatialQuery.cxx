@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeSpatialQuery);
 

@@ -93,7 +93,10 @@
 
 #include <memory> // For std::unique_ptr
 
+namespace skdtree
+{
 class SkdWholeInput;
+}
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -252,7 +255,7 @@ protected:
 
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool NeedsWhole(int port) override;
-  bool NeedsNearbySource(SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Relation = OVERLAP;
@@ -282,7 +285,7 @@ private:
   void WarnAboutCells();
   bool MakeQueries(vtkDataObject* source);
   void FindPairs();
-  vtkDataObject* KeepOwn(const SkdWholeInput& whole);
+  vtkDataObject* KeepOwn(const skdtree::SkdWholeInput& whole);
   void FillOutputs(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputVector);
   void Report(vtkDataObject* output, double buildSeconds, double querySeconds);
 

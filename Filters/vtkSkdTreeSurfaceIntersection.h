@@ -77,8 +77,8 @@
  * built when a surface is searched again. The result does not depend on the number of threads. Of
  * several processes each computes the result for its piece of Input and gathers the whole Source,
  * or the cells near its piece (see SetSourceDistribution) of a Source that does not move, if
- * ALL_PAIRS are found and no surfaces split; of volume cells the cells near a face say whether it is
- * an outer one. Without a Source the first process computes all.
+ * ALL_PAIRS are found and no surfaces split; of volume cells the cells near a face say whether it
+ * is an outer one. Without a Source the first process computes all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
  * boxes.
@@ -192,7 +192,7 @@ protected:
   ~vtkSkdTreeSurfaceIntersection() override;
 
   bool NeedsWhole(int port) override;
-  bool NeedsNearbySource(SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Pairs = ALL_PAIRS;

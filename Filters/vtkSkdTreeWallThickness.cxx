@@ -25,6 +25,8 @@
 #include <optional>
 #include <string>
 
+using namespace skdtree;
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkSkdTreeWallThickness);
 

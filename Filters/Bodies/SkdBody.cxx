@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdBody.h"
 
+namespace skdtree
+{
 SkdBody::SkdBody(const std::vector<SkdBlock>& blocks, double chordalLength)
   : Boundary(SkdBoundaryOf(blocks, chordalLength))
   , Faces(SkdMakeLocator(this->Boundary.Faces))
@@ -47,4 +49,5 @@ std::optional<SkdNearest> SkdFindNearestFace(vtkSkdTreeCellLocator* faces,
   nearest.Block = origins[static_cast<std::size_t>(face)].Block;
   nearest.CellId = origins[static_cast<std::size_t>(face)].CellId;
   return nearest;
+}
 }

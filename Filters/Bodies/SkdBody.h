@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// The nearest of the faces of a boundary, given their tree, as the cell that it is of; ties go to
 /// the first. Thread-safe.
 std::optional<SkdNearest> SkdFindNearestFace(vtkSkdTreeCellLocator* faces,
@@ -56,5 +58,6 @@ private:
   std::unique_ptr<SkdSolid> Solid;
   std::unique_ptr<SkdOpenSolid> OpenSolid;
 };
+}
 
 #endif

@@ -17,6 +17,8 @@
 #include <numeric>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 /// A polygon of welded points.
@@ -357,4 +359,5 @@ SkdBoundary SkdBoundaryOf(
   SkdBoundary boundary;
   faces.FillBoundary(boundary);
   return boundary;
+}
 }

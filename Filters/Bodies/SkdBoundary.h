@@ -21,6 +21,8 @@
 #include <functional>
 #include <vector>
 
+namespace skdtree
+{
 struct SkdBoundary
 {
   /// Where a face comes from: an index in the list of blocks, and a cell there.
@@ -66,5 +68,6 @@ struct SkdSharedBlocks
 /// in the number of faces. With shared blocks open edges are those of all processes.
 SkdBoundary SkdBoundaryOf(const std::vector<SkdBlock>& blocks, double chordalLength,
   const SkdSharedBlocks* shared = nullptr);
+}
 
 #endif

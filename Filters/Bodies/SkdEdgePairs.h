@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// Of each edge of each triangle the triangle beyond: see SkdShells.
 class SkdEdgePairs
 {
@@ -73,5 +75,6 @@ private:
   std::vector<Use> Same;             // of one edge
   std::vector<std::uint32_t> Beyond; // twice a triangle, and whether it is alike
 };
+}
 
 #endif

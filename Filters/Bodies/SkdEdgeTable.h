@@ -8,6 +8,8 @@
 
 #include <type_traits>
 
+namespace skdtree
+{
 /// The edges of triangles, each with all triangles that have it, sorted in parallel.
 template <class Triangle>
 auto SkdMakeEdgeTable(const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
@@ -15,6 +17,7 @@ auto SkdMakeEdgeTable(const std::vector<Triangle>& triangles, std::size_t number
   using Index = std::decay_t<decltype(triangles[0][0])>;
   return skd::EdgeTable<Index>(
     triangles, numberOfPoints, [](std::size_t n, const auto& body) { SkdForEach(n, body); });
+}
 }
 
 #endif

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <unordered_map>
 
+namespace skdtree
+{
 SkdHoleCaps::SkdHoleCaps(
   const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles)
   : Points(points)
@@ -111,4 +113,5 @@ void SkdHoleCaps::Close(const std::vector<Edge>& loop)
   {
     this->Triangles.push_back({ edge.To, edge.From, centre });
   }
+}
 }

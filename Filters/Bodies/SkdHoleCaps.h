@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Triangles that close the holes of a surface: with them an even number of triangles has each
 /// edge. The edges of an odd number are divided into simple loops. One of three edges gets a
 /// triangle, so that a missing one is restored; others a fan about the centre of their edges.
@@ -36,5 +38,6 @@ private:
   std::vector<skd::Vector3> Points;
   std::vector<SkdTriangleIds> Triangles;
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// What closes a shell has at most this area, relative to the shell: a triangle that is missing
@@ -231,4 +233,5 @@ double SkdOpenSolid::ShareOfLines(const double x[3], bool isInside) const
       return (sum != 0) == isInside;
     });
   return static_cast<double>(agreeing) / static_cast<double>(ways.size());
+}
 }

@@ -25,6 +25,8 @@
 #include <memory>
 #include <vector>
 
+namespace skdtree
+{
 class SkdHoleCaps;
 
 /// Inside if a winding number is at least 1/2 or at most -1/2; the confidence is 1/2 plus its
@@ -75,5 +77,6 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Reversed; // of Given; nullptr: none
   ///@}
 };
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <optional>
 
+namespace skdtree
+{
 namespace
 {
 struct Neighbour
@@ -118,4 +120,5 @@ std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
     }
   }
   return isReversed;
+}
 }

@@ -7,6 +7,8 @@
 
 #include <functional>
 
+namespace skdtree
+{
 /// The triangles to be reversed so that normals point outward: one value a triangle. Triangles that
 /// share an edge with no third one are oriented consistently; then each component is oriented by
 /// its largest triangle, one side of which is inside and the other outside. Components without such
@@ -14,5 +16,6 @@
 std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles,
   const std::function<bool(const skd::Vector3&)>& isInside);
+}
 
 #endif

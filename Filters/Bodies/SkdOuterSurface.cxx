@@ -28,6 +28,8 @@
 #include <map>
 #include <set>
 
+namespace skdtree
+{
 namespace
 {
 /// The least chordal deviation, relative to the diagonal: what the properties accept.
@@ -464,4 +466,5 @@ void SkdBlockSurface::FindPoint(vtkIdType point, double x[3]) const
   const vtkIdType original = this->PointIds ? this->PointIds->GetValue(point) : -1;
   vtkDataSet* from = original >= 0 ? this->Mesh : this->Surface.Get();
   from->GetPoint(original >= 0 ? original : point, x);
+}
 }

@@ -30,6 +30,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// The default chordal deviation, relative to the diagonal of the bounds.
 constexpr double SkdDefaultChordalDeviation = 1e-4;
 
@@ -163,6 +165,7 @@ int SkdAppendCorners(vtkIdType size, const Corner* corners, IdOf idOf, std::vect
     to.resize(first);
   }
   return static_cast<int>(to.size() - first);
+}
 }
 
 #endif

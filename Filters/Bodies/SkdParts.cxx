@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 bool SkdParts::Part::Update(
   const SkdBlock& block, double epsilon, const SkdMagnitudes& magnitudes, SkdTreeWanted wanted)
 {
@@ -121,4 +123,5 @@ SkdTreeCounts SkdParts::GetCounts() const
     counts.Tolerance = std::max(counts.Tolerance, part.Tree->AbsoluteEpsilon());
   }
   return counts;
+}
 }

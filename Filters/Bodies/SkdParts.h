@@ -18,6 +18,8 @@
 #include <memory>
 #include <vector>
 
+namespace skdtree
+{
 /// When to build the tree of a part: testing all cells once takes a fraction of the time of a
 /// build.
 enum class SkdTreeWanted
@@ -68,5 +70,6 @@ private:
   };
   std::vector<Part> Parts;
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 #include <array>
 #include <memory>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 SkdShells::SkdShells(
   const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles)
@@ -241,4 +243,5 @@ std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
   Query query(boxes.GetFrame(), boxes.GetFrame(), world, join);
   skd::PairWalk<Tree, Tree, Query>(boxes, query).Run();
   return groups.Representatives();
+}
 }

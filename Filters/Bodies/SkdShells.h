@@ -17,6 +17,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 class SkdEdgePairs;
 
 /// Components of triangles that are connected by edges of two triangles. An edge of more than two
@@ -65,5 +67,6 @@ private:
 /// reading the triangles again.
 std::vector<int> SkdFindShellGroups(const std::vector<skd::Vector3>& points,
   const std::vector<SkdTriangleIds>& triangles, const SkdShells& shells);
+}
 
 #endif

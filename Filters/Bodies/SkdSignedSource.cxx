@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdSignedSource.h"
 
+namespace skdtree
+{
 int SkdSignedSource::Update(
   const std::vector<SkdBlock>& blocks, double epsilon, double chordalDeviation)
 {
@@ -38,4 +40,5 @@ SkdTreeCounts SkdSignedSource::GetCounts() const
   vtkSkdTreeCellLocator* faces = this->Body.GetFaces();
   return { faces->GetNumberOfCellsInTree(), faces->GetNumberOfCellsLeftOut(),
     faces->GetAbsoluteEpsilon() };
+}
 }

@@ -15,6 +15,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 class SkdSignedSource
 {
 public:
@@ -64,5 +66,6 @@ private:
   SkdBody Body;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // of the surface
 };
+}
 
 #endif

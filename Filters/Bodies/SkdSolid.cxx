@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 std::array<SkdRayEnd, 7> SkdRayEndsAlongAxes(const double bounds[6], const double x[3])
 {
   const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
@@ -288,4 +290,5 @@ bool SkdSolid::IsWithin(int shell, const std::vector<int>& groups) const
       });
   }
   return within > 3;
+}
 }

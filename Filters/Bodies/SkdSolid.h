@@ -29,6 +29,8 @@
 #include <mutex>
 #include <vector>
 
+namespace skdtree
+{
 /// A vector from a point within bounds to a point outside of them, to count crossings on
 /// (section 6.3).
 using SkdRayEnd = std::array<double, 3>;
@@ -101,5 +103,6 @@ private:
   mutable std::vector<char> Cavity; // whether a shell is one within its group
   ///@}
 };
+}
 
 #endif

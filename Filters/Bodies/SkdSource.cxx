@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bodies/SkdSource.h"
 
+namespace skdtree
+{
 void SkdSource::Update(
   vtkDataObject* source, bool wantsSide, double epsilon, double chordalDeviation)
 {
@@ -47,4 +49,5 @@ SkdTreeCounts SkdSource::GetCounts() const
 vtkIdType SkdSource::GetNumberOfOpenEdges() const
 {
   return this->Sided ? this->Boundary.GetNumberOfOpenEdges() : 0;
+}
 }

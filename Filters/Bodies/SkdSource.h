@@ -11,6 +11,8 @@
 #include "Bodies/SkdSignedSource.h"
 #include "Pipeline/SkdSourceTrees.h"
 
+namespace skdtree
+{
 class SkdSource
 {
 public:
@@ -56,5 +58,6 @@ private:
   bool Sided = false;
   int TreesBuilt = 0;
 };
+}
 
 #endif

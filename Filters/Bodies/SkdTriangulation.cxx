@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 /// Coordinates whose products of four would overflow or underflow are scaled by a power of two,
@@ -136,4 +138,5 @@ std::vector<skd::Vector3> SkdSurfacePoints(vtkPolyData* surface)
     surface->GetPoint(static_cast<vtkIdType>(i), points[i].X);
   }
   return points;
+}
 }

@@ -14,6 +14,8 @@
 
 class vtkPolyData;
 
+namespace skdtree
+{
 /// Triangulates polygons without new points: n corners give n - 2 triangles, so no edge is opened.
 /// A quad is divided along its interior diagonal, the shorter one if there are two.
 /// All surfaces of the filters are triangulated by this class, so that they consist of the same
@@ -73,5 +75,6 @@ using SkdTriangleIds = std::array<vtkIdType, 3>;
 /// The triangles of a surface that has no other cells, and its points.
 std::vector<SkdTriangleIds> SkdSurfaceTriangles(vtkPolyData* surface);
 std::vector<skd::Vector3> SkdSurfacePoints(vtkPolyData* surface);
+}
 
 #endif

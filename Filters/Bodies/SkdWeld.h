@@ -11,6 +11,8 @@
 #include <cstring>
 #include <vector>
 
+namespace skdtree
+{
 /// Merges points of equal coordinates, by a hash table with open addressing, so that a point costs
 /// one or two memory accesses.
 class SkdWeld
@@ -92,5 +94,6 @@ private:
   std::vector<skd::Vector3> Points;
   std::vector<vtkIdType> Slots; // a power of two of them, half of them free; -1: free
 };
+}
 
 #endif

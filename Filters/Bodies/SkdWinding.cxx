@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 using Triangle = skd::WindingNumber::Triangle;
@@ -67,4 +69,5 @@ double SkdWinding::At(const double x[3]) const
 bool SkdWinding::IsInside(const double x[3]) const
 {
   return std::abs(this->At(x)) >= 0.5;
+}
 }

@@ -14,6 +14,8 @@
 
 class vtkPolyData;
 
+namespace skdtree
+{
 /// An inside test for surfaces with gaps, self-intersections or duplicate faces; see
 /// Core/Search/Queries/WindingNumber.h. Immutable and thread-safe. The surface itself is not kept.
 class SkdWinding
@@ -50,5 +52,6 @@ private:
   skd::Tree<3> Tree;
   skd::WindingNumber Number; // refers to Tree
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// A box around the part of a cylinder that is near the other. It contains all common points: the
@@ -107,4 +109,5 @@ void SkdStoreCandidates(const SkdCurveHitTable& table, vtkUnstructuredGrid* outp
   AddSide(candidates, table.Second, &SkdCurveCandidate::Second, "SkdOther", output->GetCellData());
   output->GetCellData()->AddArray(hits);
   output->GetCellData()->SetActiveScalars("SkdNumberOfHits");
+}
 }

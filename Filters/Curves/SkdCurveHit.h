@@ -8,6 +8,8 @@
 
 #include <cstddef>
 
+namespace skdtree
+{
 /// A place on a curve.
 struct SkdCurveLocation
 {
@@ -48,5 +50,6 @@ struct SkdCurveInterval
   SkdCurveHit Begin;
   SkdCurveHit End;
 };
+}
 
 #endif

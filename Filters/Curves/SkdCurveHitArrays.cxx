@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// An array of one value an item, added to `to`.
@@ -220,4 +222,5 @@ void SkdStoreIntervals(const SkdCurveHitTable& table, double delta, vtkPolyData*
   };
   addIds(table.First, &SkdCurveHit::First, "Skd");
   addIds(table.Second, &SkdCurveHit::Second, "SkdOther");
+}
 }

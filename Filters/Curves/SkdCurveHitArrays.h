@@ -10,6 +10,8 @@
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
+namespace skdtree
+{
 /// The curves of one input.
 struct SkdCurveSide
 {
@@ -40,5 +42,6 @@ void SkdStoreIntervals(const SkdCurveHitTable& table, double delta, vtkPolyData*
 /// Fills `output` with a box around the region that the safety cylinders of each two candidates
 /// have in common.
 void SkdStoreCandidates(const SkdCurveHitTable& table, vtkUnstructuredGrid* output);
+}
 
 #endif

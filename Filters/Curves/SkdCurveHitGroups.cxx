@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 auto PairOf(const SkdCurveHit& hit)
@@ -369,4 +371,5 @@ std::vector<SkdCurveHit> SkdNearestApproaches(
     }
   }
   return left;
+}
 }

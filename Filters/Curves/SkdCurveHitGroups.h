@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Sorts hits, and merges those of the same intersection of two curves: at joints of their pieces,
 /// or within their error. Ends of intervals that continue there are removed.
 std::vector<SkdCurveHit> SkdUniteCurveHits(std::vector<SkdCurveHit>& hits, bool isSelf);
@@ -21,5 +23,6 @@ std::vector<SkdCurveInterval> SkdJoinIntervals(std::vector<SkdCurveInterval>& in
 /// The nearest approach of each pair of curves, unless they intersect at one of `hits`.
 std::vector<SkdCurveHit> SkdNearestApproaches(
   std::vector<SkdCurveHit>& near, const std::vector<SkdCurveHit>& hits);
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// What continues a piece beyond its end is not where its curve goes on.
@@ -257,4 +259,5 @@ bool SkdCurveHitFinder::IsJoint(const SkdCurveHit& hit) const
   return this->Task.IgnoresJoints && this->IsSelf() &&
     hit.Kind != skd::IntersectionKind::OverlapEnd && hit.First.IsAtEnd && hit.Second.IsAtEnd &&
     hit.First.Joint == hit.Second.Joint;
+}
 }

@@ -13,6 +13,8 @@
 #include "Curves/SkdCurveHit.h"
 #include "Curves/SkdCurveTree.h"
 
+namespace skdtree
+{
 class SkdLoop;
 
 /// Two pieces of curves whose safety cylinders overlap: within `Reach` of each other's chords.
@@ -87,5 +89,6 @@ private:
   SkdCurveTask Task;
   double Rounding;
 };
+}
 
 #endif

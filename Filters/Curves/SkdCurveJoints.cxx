@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 /// Along a direction in which points of a lattice hardly ever are as far.
@@ -90,4 +92,5 @@ void SkdCurveJoints::Join(std::vector<SkdCurveEnd>& place)
       one = other = this->Count++;
     }
   }
+}
 }

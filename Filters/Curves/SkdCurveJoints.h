@@ -12,6 +12,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// An end of an open curve.
 struct SkdCurveEnd
 {
@@ -44,5 +46,6 @@ private:
   std::vector<std::size_t> Joints;
   std::size_t Count = 0;
 };
+}
 
 #endif

@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double LeastLength = 1e-140; // of what has squares, and a largest length of its inverse
@@ -411,4 +413,5 @@ std::vector<std::string> SkdCurveSet::GetFaults() const
       { this->BadWeights, " curves have a weight that is not positive" },
       { this->NotMeasurable, " curves are longer than 1e140 or shorter than 1e-140" },
       { this->TooHigh, " curves have a degree above 10" } });
+}
 }

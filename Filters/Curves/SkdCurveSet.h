@@ -18,6 +18,8 @@
 class vtkCell;
 class vtkIdList;
 
+namespace skdtree
+{
 /// How the points of a polyline are joined.
 struct SkdPolylineForm
 {
@@ -124,5 +126,6 @@ private:
   vtkIdType BadWeights = 0;
   vtkIdType TooHigh = 0;
 };
+}
 
 #endif

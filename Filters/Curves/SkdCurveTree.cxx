@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 bool SkdCurveTree::Update(const std::vector<SkdBlock>& blocks, const SkdCurveSettings& settings)
 {
@@ -56,4 +58,5 @@ void SkdCurveTree::Build(double epsilon)
 skd::BezierCurve SkdCurveTree::GetForm(const SkdCurveSpan& span, const skd::Vector3& origin) const
 {
   return this->Curves.GetPiece(span.Piece, origin).Restricted(span.Range.Min, span.Range.Max);
+}
 }

@@ -16,6 +16,8 @@
 #include "Curves/SkdCurveSet.h"
 #include "Pipeline/SkdBlockSnapshots.h"
 
+namespace skdtree
+{
 /// A part of a piece that is within `Deviation` of its chord and turns by less than 45 degrees.
 struct SkdCurveSpan
 {
@@ -83,5 +85,6 @@ private:
   skd::Tree<3> Tree;
   double AbsoluteEpsilon = 0.0;
 };
+}
 
 #endif

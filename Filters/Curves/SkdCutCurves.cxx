@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// The parts around, the one entered last at the end.
@@ -190,4 +192,5 @@ void SkdCutCurves(const SkdCutTask& task, const std::vector<SkdSurfaceIntersecti
     cutter.CutCurve(curve, first, next);
   }
   cutter.Store(task.IsComposite);
+}
 }

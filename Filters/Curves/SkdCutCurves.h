@@ -7,6 +7,8 @@
 
 class vtkPolyData;
 
+namespace skdtree
+{
 /// The intersections that cut curves.
 struct SkdCutTask
 {
@@ -23,5 +25,6 @@ struct SkdCutTask
 /// vtkSkdTreeCurveSurfaceIntersection::SetCutCurves.
 void SkdCutCurves(const SkdCutTask& task, const std::vector<SkdSurfaceIntersection>& intersections,
   vtkPolyData* output);
+}
 
 #endif

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 unsigned BitOf(int side)
@@ -165,4 +167,5 @@ std::vector<int> SkdIntersectionGroups::GetPartsLeft() const
     }
   }
   return parts;
+}
 }

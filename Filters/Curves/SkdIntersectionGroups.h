@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Merges hits of one intersection: on edges or vertices of the same part, or at the joints of a
 /// curve, whose parameters differ by no more than their error.
 class SkdIntersectionGroups
@@ -55,5 +57,6 @@ private:
   const std::vector<SkdSurfaceElement>& Elements;
   std::vector<Group> Groups;
 };
+}
 
 #endif

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 std::vector<SkdIntersectionJoints::AtJoint> SkdIntersectionJoints::Find(
   const std::vector<SkdSurfaceIntersection>& intersections) const
@@ -81,4 +83,5 @@ std::vector<SkdSurfaceIntersection> SkdIntersectionJoints::Unite(
     }
   }
   return left;
+}
 }

@@ -9,6 +9,8 @@
 
 #include <tuple>
 
+namespace skdtree
+{
 /// Intersections with a surface at the joint of curves that continue each other are merged.
 class SkdIntersectionJoints
 {
@@ -46,5 +48,6 @@ private:
   const SkdCurveSet& Curves;
   const std::vector<SkdSurfaceElement>& Elements;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <cstddef>
 
+namespace skdtree
+{
 /// An intersection of a piece of a curve and an element.
 struct SkdSurfaceHit
 {
@@ -42,5 +44,6 @@ struct SkdSurfaceIntersection
   int Before;        ///< as of the hit, of all that meet there; 0 also where they do not agree
   int After;
 };
+}
 
 #endif

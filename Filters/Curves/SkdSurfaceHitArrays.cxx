@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// Adds an array of one value an intersection.
@@ -206,4 +208,5 @@ std::set<std::string> SkdStoreDataAtHits(const SkdSurfaceHitTable& table, vtkPol
     cells.Take(i, element.Block, element.CellId);
   }
   return refused;
+}
 }

@@ -9,6 +9,8 @@
 
 class vtkPolyData;
 
+namespace skdtree
+{
 /// Where curves meet surfaces, and whose they are.
 struct SkdSurfaceHitTable
 {
@@ -32,5 +34,6 @@ void SkdStoreSurfaceBlocks(const SkdSurfaceHitTable& table, vtkPolyData* output)
 
 /// Adds the data of both sides there. Returns the names that are in use already.
 std::set<std::string> SkdStoreDataAtHits(const SkdSurfaceHitTable& table, vtkPolyData* output);
+}
 
 #endif

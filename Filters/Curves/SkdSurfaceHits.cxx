@@ -11,6 +11,8 @@
 
 #include <tuple>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 SkdSurfaceHitFinder::SkdSurfaceHitFinder(
   const SkdCurveSet& curves, const SkdSurfaceSet& surfaces, double delta)
@@ -273,4 +275,5 @@ std::vector<int> SkdSurfaceHitFinder::FindPartsAround(const skd::Vector3& x) con
     groups.Add(hit);
   }
   return groups.GetPartsLeft();
+}
 }

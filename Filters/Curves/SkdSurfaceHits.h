@@ -17,6 +17,8 @@
 #include "Curves/SkdSurfaceHit.h"
 #include "Curves/SkdSurfaceSet.h"
 
+namespace skdtree
+{
 class SkdLoop;
 
 class SkdSurfaceHitFinder
@@ -62,5 +64,6 @@ private:
   double Delta;
   double Rounding;
 };
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 
+namespace skdtree
+{
 namespace
 {
 bool IsGhost(vtkUnsignedCharArray* ghosts, vtkIdType cellId)
@@ -285,4 +287,5 @@ std::vector<std::string> SkdSurfaceReader::GetFaults() const
     { this->NotFinite, " surface cells have points that are not finite" },
     { this->BadWeights, " surface cells have a weight that is not positive" },
     { this->TooHigh, " surface cells have a degree above 10" } });
+}
 }

@@ -14,6 +14,8 @@
 class vtkCell;
 class vtkDataSet;
 
+namespace skdtree
+{
 /// A triangle or a patch, and its cell.
 struct SkdSurfaceElement
 {
@@ -71,5 +73,6 @@ private:
   vtkIdType BadWeights = 0;
   vtkIdType TooHigh = 0;
 };
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 bool SkdSurfaceSet::Update(const std::vector<SkdBlock>& blocks, bool withVolumes, double epsilon)
 {
@@ -114,4 +116,5 @@ void SkdSurfaceSet::AssignParts(
     element.Part = idsOfCells.empty() ? blocks[block].BlockIndex
                                       : idsOfCells[block][static_cast<std::size_t>(element.CellId)];
   }
+}
 }

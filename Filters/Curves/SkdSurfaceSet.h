@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 class SkdSurfaceSet
 {
 public:
@@ -90,5 +92,6 @@ private:
   bool WithVolumes = false;
   std::vector<std::string> Faults;
 };
+}
 
 #endif

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <utility>
 
+namespace skdtree
+{
 /// How many questions of a size each process may ask in a round, so that what arrives at one
 /// process from all stays within some megabytes.
 inline std::size_t SkdSizeOfRound(int processes, std::size_t size)
@@ -116,6 +118,7 @@ std::uint64_t SkdAskOthers(SkdTransport& transport, std::size_t n, const List& l
     }
   }
   return asked;
+}
 }
 
 #endif

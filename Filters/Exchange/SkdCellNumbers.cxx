@@ -15,6 +15,8 @@
 #include <limits>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 /// The place of a cell with a global id among all: by kind, then by global id, then by piece.
@@ -267,4 +269,5 @@ void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFact
   const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers)
 {
   CellNumbering(transport, piece, facts, isShared, numbers).Number();
+}
 }

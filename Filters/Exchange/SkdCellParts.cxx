@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 
+namespace skdtree
+{
 namespace
 {
 const char* const CellsName = "SkdJoinedCells";
@@ -237,4 +239,5 @@ int SkdCellParts::KindOf(const SkdPieceCell& cell) const
 {
   const Part& part = this->Parts[static_cast<std::size_t>(this->ProcessOf(cell))];
   return static_cast<int>(part.Cells->GetValue(2 * cell.CellId + 1));
+}
 }

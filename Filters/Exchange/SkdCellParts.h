@@ -7,6 +7,8 @@
 #include "Exchange/SkdPieceNumbers.h"
 #include "vtkIdTypeArray.h"
 
+namespace skdtree
+{
 /// Some cells of a piece, with the points that they use, all arrays, and what SkdCellParts needs to
 /// know of them; nullptr without cells. `isSurface`: the joined mesh is a vtkPolyData.
 vtkSmartPointer<vtkDataSet> SkdTakeCells(vtkDataSet* piece, const std::vector<vtkIdType>& cells,
@@ -69,5 +71,6 @@ private:
   std::vector<Found> Points; // by joined id, each once
   int Rank;
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 
+namespace skdtree
+{
 namespace
 {
 /// The children of a tree's node, which VTK gives other names in each class.
@@ -201,4 +203,5 @@ void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet*
       return;
     }
   }
+}
 }

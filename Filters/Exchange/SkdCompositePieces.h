@@ -14,6 +14,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// From the root to a data set: the indices of children. Empty if the data set is the object
 /// itself; of AMR data the flat index. In lexicographic order they are in that of flat indices.
 using SkdBlockPath = std::vector<int>;
@@ -36,5 +38,6 @@ void SkdUniteStructures(vtkDataObject* into, vtkDataObject* from);
 
 /// Puts a data set in its place.
 void SkdSetBlock(vtkDataObject* composite, const SkdBlockPath& path, vtkDataSet* mesh);
+}
 
 #endif

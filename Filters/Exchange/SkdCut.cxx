@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 constexpr int Levels = 6; // 2^6 boxes
@@ -81,4 +83,5 @@ void SkdCut::FindOverlapping(const skd::Box3& box, std::vector<int>& processes) 
     });
   std::sort(processes.begin(), processes.end());
   processes.erase(std::unique(processes.begin(), processes.end()), processes.end());
+}
 }

@@ -20,6 +20,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// The boxes of a mesh's cells, one for each, with all of curved cells. Empty ones of cells that
 /// cannot be searched, and with `skipGhosts` of ghost cells.
 std::vector<skd::Box3> SkdBoxesOfCells(vtkDataSet* mesh, bool skipGhosts);
@@ -63,5 +65,6 @@ private:
   std::vector<skd::Box3> Bounds; // by process
   std::unique_ptr<skd::PackedRTree> Tree;
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// How far the edges of a cell that spans so many degrees of longitude, along parallels, may be
@@ -75,4 +77,5 @@ std::vector<skd::Box3> SkdDirectionBoxesOfCells(vtkDataSet* mesh, bool inDegrees
     boxes[cell] = boxes[cell].Inflated(isWide ? Anywhere : diagonal);
   }
   return boxes;
+}
 }

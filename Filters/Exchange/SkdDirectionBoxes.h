@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Of each cell of a mesh a box of all directions from the origin to it: of corners that edges join
 /// along great circles, or meridians and parallels. `inDegrees`: points are longitudes and
 /// latitudes. Empty ones of cells without a corner that has a direction.
@@ -15,5 +17,6 @@ std::vector<skd::Box3> SkdDirectionBoxesOfCells(vtkDataSet* mesh, bool inDegrees
 
 /// The same of its points.
 std::vector<skd::Box3> SkdDirectionBoxesOfPoints(vtkDataSet* mesh, bool inDegrees);
+}
 
 #endif

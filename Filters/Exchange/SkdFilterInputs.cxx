@@ -19,6 +19,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// In units of 1024 bytes.
@@ -232,4 +234,5 @@ vtkDataObject* SkdFilterInputs::GatherSpread(int port)
   vtkDataObject* whole = this->Whole[place].Update(spread.Piece, spread.Controller);
   this->Spread.erase(place);
   return whole;
+}
 }

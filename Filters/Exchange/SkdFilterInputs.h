@@ -22,6 +22,8 @@ class vtkInformation;
 class vtkInformationVector;
 class vtkMultiProcessController;
 
+namespace skdtree
+{
 class SkdFilterInputs
 {
 public:
@@ -113,5 +115,6 @@ private:
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same
   std::map<std::pair<int, int>, SpreadInput> Spread;
 };
+}
 
 #endif

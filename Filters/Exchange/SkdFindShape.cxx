@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 void AddPoints(
@@ -72,4 +74,5 @@ SkdJoinedShape SkdFindShape(SkdTransport& transport, vtkDataSet* piece, const Sk
     }
   }
   return all;
+}
 }

@@ -6,9 +6,12 @@
 #include "Exchange/SkdPieceNumbers.h"
 #include "Pipeline/SkdJoinedShape.h"
 
+namespace skdtree
+{
 /// What the mesh looks like that all pieces are together: the same on all processes, which must
 /// call it together. O(points and cells of the piece).
 SkdJoinedShape SkdFindShape(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
   const SkdPieceNumbers& numbers);
+}
 
 #endif

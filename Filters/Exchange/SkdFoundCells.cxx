@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 SkdFoundCells::SkdFoundCells(const SkdSpreadSource& spread, const std::vector<SkdFoundCell>& found)
 {
   SkdTransport& transport = spread.GetTransport();
@@ -30,4 +32,5 @@ SkdFoundCells::SkdFoundCells(const SkdSpreadSource& spread, const std::vector<Sk
       SkdTouchCells(this->Blocks.back().Mesh);
       ++at;
     });
+}
 }

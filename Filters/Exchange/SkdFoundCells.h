@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// A cell of a Source that stays in its pieces.
 struct SkdFoundCell
 {
@@ -41,5 +43,6 @@ private:
   std::vector<SkdBlock> Blocks;
   std::vector<SkdJoinedIds> Ids; // by block
 };
+}
 
 #endif

@@ -7,6 +7,8 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 
+namespace skdtree
+{
 std::array<int, 6> SkdExtentOf(vtkDataSet* grid)
 {
   std::array<int, 6> extent;
@@ -46,4 +48,5 @@ std::array<double, 15> SkdLatticeOfImage(vtkDataSet* grid)
     std::copy_n(image->GetDirectionMatrix()->GetData(), 9, lattice.begin() + 6);
   }
   return lattice;
+}
 }

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 
+namespace skdtree
+{
 /// Of an image, rectilinear or structured grid.
 std::array<int, 6> SkdExtentOf(vtkDataSet* grid);
 
@@ -80,5 +82,6 @@ private:
   int First[3];
   int Number[3];
 };
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 
+namespace skdtree
+{
 namespace
 {
 using Extent = std::array<int, 6>;
@@ -182,4 +184,5 @@ bool SkdJoinGrids(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, SkdJoi
   joined.Mesh = mesh;
   joined.Origins = cells.GetOrigins();
   return true;
+}
 }

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// A cell of a piece.
 struct SkdPieceCell
 {
@@ -20,5 +22,6 @@ struct SkdJoinedPieces
   vtkSmartPointer<vtkDataSet> Mesh;
   std::vector<SkdPieceCell> Origins; ///< where each cell of the mesh comes from
 };
+}
 
 #endif

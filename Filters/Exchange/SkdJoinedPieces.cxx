@@ -19,6 +19,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// The cells of pieces with their joined points.
@@ -260,4 +262,5 @@ SkdJoinedPieces SkdJoinPieces(const std::vector<vtkSmartPointer<vtkDataSet>>& pi
     origin.Piece = numbers[static_cast<std::size_t>(origin.Piece)];
   }
   return joined;
+}
 }

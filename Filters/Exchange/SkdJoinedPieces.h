@@ -10,6 +10,8 @@
 
 #include "Exchange/SkdJoinedMesh.h"
 
+namespace skdtree
+{
 /// Joins the pieces of a mesh. Cells with global ids are in their order; others, and points, keep
 /// the order that they have, those of the first piece first. Each counts once:
 /// - Ghost cells (duplicates, by the ghost array) are left out, another piece has them.
@@ -25,5 +27,6 @@
 /// whose extents fill a box become one grid of that type; others, and pieces of different types,
 /// become an unstructured grid. O(n) for n points and cells. At least one piece.
 SkdJoinedPieces SkdJoinPieces(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces);
+}
 
 #endif

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 class CellSource
@@ -127,4 +129,5 @@ vtkSmartPointer<vtkPointSet> SkdAssembleGrid(const SkdMeshParts& parts)
   }
   Finish(parts, grid);
   return grid;
+}
 }

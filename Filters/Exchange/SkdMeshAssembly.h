@@ -10,6 +10,8 @@
 #include <functional>
 #include <vector>
 
+namespace skdtree
+{
 /// What a mesh is made of, once it is decided which cells and points of which pieces are in it.
 struct SkdMeshParts
 {
@@ -27,5 +29,6 @@ vtkSmartPointer<vtkPointSet> SkdAssembleGrid(const SkdMeshParts& parts);
 /// these. O(n).
 vtkSmartPointer<vtkPointSet> SkdAssembleSurface(
   const SkdMeshParts& parts, const std::function<int(const SkdPieceCell& cell)>& kindOf);
+}
 
 #endif

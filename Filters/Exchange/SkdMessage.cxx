@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// MPI counts in int.
@@ -138,4 +140,5 @@ void SkdExchangeMeshes(SkdTransport& transport,
         take(from, vtkDataSet::SafeDownCast(mesh));
       }
     });
+}
 }

@@ -13,6 +13,8 @@
 
 class vtkMultiProcessController;
 
+namespace skdtree
+{
 /// Sends each process's data object, a data set or composite of them, to all others. Returns those
 /// of all processes in their order; the own one is not copied. All processes must call it together.
 /// Memory beside the results: twice the largest of the objects.
@@ -28,5 +30,6 @@ vtkSmartPointer<vtkDataObject> SkdUnpackObject(SkdBytes bytes);
 void SkdExchangeMeshes(SkdTransport& transport,
   const std::function<vtkSmartPointer<vtkDataSet>(int to)>& make,
   const std::function<void(int from, vtkDataSet* mesh)>& take);
+}
 
 #endif

@@ -12,6 +12,8 @@
 #include <set>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double UnitsInTheLastPlace = 4.0;
@@ -151,4 +153,5 @@ void SkdMergeNearPoints(double tolerance, const std::vector<skd::Vector3>& point
       key = found == merged.end() ? key : found->second;
     }
   }
+}
 }

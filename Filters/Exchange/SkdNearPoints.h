@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Where pieces meet, a source may compute the same point twice with different rounding, as VTK's
 /// own sphere does. Given all different points of some pieces, and which of them each point of a
 /// piece is, this makes those one that lie within 4 units in the last place of the largest
@@ -25,5 +27,6 @@ bool SkdIsSingle(vtkDataSet* piece);
 
 /// How near such points are to each other.
 double SkdNearTolerance(bool isSingle, double largestCoordinate);
+}
 
 #endif

@@ -20,6 +20,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// Where a process has something that the cells of another mesh may be near; boxes of cells are so
@@ -327,4 +329,5 @@ void SkdNearbyInput::Bring(
   {
     this->Nearby->GetFieldData()->PassData(piece->GetFieldData());
   }
+}
 }

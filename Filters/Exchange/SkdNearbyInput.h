@@ -16,6 +16,8 @@
 #include <map>
 #include <memory>
 
+namespace skdtree
+{
 class SkdNearbyInput
 {
 public:
@@ -70,5 +72,6 @@ bool SkdIsOnSphere(vtkDataObject* object);
 
 /// Whether there are volume cells.
 bool SkdHasVolumes(vtkDataObject* object);
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 /// A process with a box near a query.
 struct SkdNearProcess
 {
@@ -229,5 +231,6 @@ private:
   std::vector<State> Known; // of the queries of this round
   std::uint64_t Asked = 0;
 };
+}
 
 #endif

@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 /// Names of arrays in the list: what it is, then the array's own name.
@@ -414,4 +416,5 @@ vtkSmartPointer<vtkDataSet> SkdUnpack(vtkTable* packed)
   list.PutAttributes(CellPrefix, mesh->GetCellData());
   list.PutField(mesh->GetFieldData());
   return mesh;
+}
 }

@@ -16,6 +16,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
+namespace skdtree
+{
 /// The geometry, cells, ghost marks and all arrays of a data set of any type, as field data of a
 /// table. Types without a form of their own are packed as vtkUnstructuredGrid. Arrays in standard
 /// memory layout are shared.
@@ -23,5 +25,6 @@ vtkSmartPointer<vtkTable> SkdPack(vtkDataSet* mesh);
 
 /// The data set again, of the same type.
 vtkSmartPointer<vtkDataSet> SkdUnpack(vtkTable* packed);
+}
 
 #endif

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 void CopyActiveAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* into)
@@ -115,4 +117,5 @@ bool SkdHasDuplicates(vtkDataSet* piece)
     }
   }
   return false;
+}
 }

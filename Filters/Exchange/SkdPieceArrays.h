@@ -9,6 +9,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Which tuple of a joined array each tuple of a piece becomes.
 struct SkdPieceTuples
 {
@@ -38,5 +40,6 @@ const unsigned char* SkdGhostsOf(vtkDataSet* piece, int type);
 
 /// Whether any point or cell of a piece is marked as a duplicate.
 bool SkdHasDuplicates(vtkDataSet* piece);
+}
 
 #endif

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 using Extent = std::array<int, 6>;
@@ -187,4 +189,5 @@ bool SkdAllFacts::FillGrid() const
     cells = Without(cells, CellsOf(this->Of(process).Extent));
   }
   return points.empty() && cells.empty();
+}
 }

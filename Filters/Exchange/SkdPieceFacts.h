@@ -10,6 +10,8 @@
 #include <array>
 #include <vector>
 
+namespace skdtree
+{
 /// What every process knows of each piece of a mesh.
 struct SkdPieceFacts
 {
@@ -71,5 +73,6 @@ private:
   std::vector<SkdPieceFacts> Pieces; // by process
   std::vector<int> Full;
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 /// A piece that is the mesh.
@@ -194,4 +196,5 @@ SkdPieceNumbers SkdNumberPiece(SkdTransport& transport, vtkDataSet* piece, const
     SkdNumberCells(transport, piece, facts, isShared, numbers);
   }
   return numbers;
+}
 }

@@ -15,6 +15,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Where a point of the joined mesh is taken from, a process of -1: it is in no piece's cells.
 struct SkdPointOrigin
 {
@@ -73,5 +75,6 @@ struct SkdRunningSum
 std::vector<SkdRunningSum> SkdSumOver(
   SkdTransport& transport, const std::vector<vtkIdType>& numbers);
 ///@}
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+namespace skdtree
+{
 SkdPiecePoints::SkdPiecePoints(const SkdPieces& pieces)
   : Pieces(pieces)
   , Keys(pieces.size())
@@ -94,4 +96,5 @@ vtkIdType SkdPiecePoints::Add(int piece, vtkIdType point)
   }
   this->Ids[at][static_cast<std::size_t>(point)] = id;
   return id;
+}
 }

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Which points of several pieces are one: see SkdJoinPieces.
 class SkdPiecePoints
 {
@@ -50,5 +52,6 @@ private:
   SkdPointJoin Join;
   std::vector<SkdPieceTuples> Tuples;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace skdtree
+{
 /// Which points of several pieces are one, of points with a key each: the n-th point of a piece
 /// with a key is one with the n-th of other pieces.
 class SkdPointJoin
@@ -59,5 +61,6 @@ private:
   std::vector<vtkIdType> Next;       // the next joined point with the same key, or -1
   std::vector<unsigned char> Shared; // by joined point
 };
+}
 
 #endif

@@ -18,6 +18,8 @@
 #include <cmath>
 #include <unordered_map>
 
+namespace skdtree
+{
 namespace
 {
 /// When a point is added to the joined mesh: ghosts after all others, in the order in which cells
@@ -437,4 +439,5 @@ void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFac
   SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
 {
   PointNumbering(transport, piece, facts).Number(numbers, isShared);
+}
 }

@@ -10,6 +10,8 @@
 #include <map>
 #include <vector>
 
+namespace skdtree
+{
 /// Cells that several pieces have, by a key: if an earlier piece has n of a key, the first n of a
 /// later one are these. Pieces are told one after another.
 class SkdRepeatedCells
@@ -67,6 +69,7 @@ inline int SkdKindOf(vtkPolyData* mesh, vtkIdType cell)
     ++kind;
   }
   return kind;
+}
 }
 
 #endif

@@ -15,6 +15,8 @@
 #include <limits>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 /// Both ends of a box along each axis, the upper ones negative: the least of each is the outermost.
@@ -233,4 +235,5 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Send(SkdTransport& transport, Chosen
     [&](int from, vtkDataSet* cells) { parts.Take(from, cells); });
   parts.AskForPoints(transport, this->Piece);
   return this->Facts.GetFull().empty() ? this->Piece : parts.Assemble();
+}
 }

@@ -10,6 +10,8 @@
 
 #include <memory>
 
+namespace skdtree
+{
 /// A mesh that lies in pieces. Each process gets some of its cells, as one mesh with the points,
 /// arrays and field data that they have in the joined mesh (SkdJoinPieces), in its order, with
 /// their ids there (SkdJoinedIds). It is of the type of the joined mesh, but for structured grids a
@@ -69,5 +71,6 @@ private:
   SkdPieceNumbers Numbers;
   std::vector<skd::Box3> Boxes; // of cells that count, else empty
 };
+}
 
 #endif

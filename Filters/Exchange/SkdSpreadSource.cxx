@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 /// Rounding of distances between points of some coordinates, in units in the last place.
@@ -186,4 +188,5 @@ SkdTreeCounts SkdSpreadSource::CountAll(const SkdTreeCounts& own) const
   }
   all.Cells = this->NumberOfCells - all.CellsLeftOut;
   return all;
+}
 }

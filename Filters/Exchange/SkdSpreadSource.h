@@ -22,6 +22,8 @@
 #include <memory>
 #include <vector>
 
+namespace skdtree
+{
 class SkdSpreadSource
 {
 public:
@@ -89,5 +91,6 @@ private:
   std::unique_ptr<SkdCut> Cut;
   vtkIdType NumberOfCells = 0; // of the whole
 };
+}
 
 #endif

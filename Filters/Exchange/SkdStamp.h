@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 /// What a data object was, to notice changes. It keeps the object, so that its address is not used
 /// again.
 class SkdStamp
@@ -35,5 +37,6 @@ private:
   vtkSmartPointer<vtkDataObject> Object;
   std::vector<std::pair<void*, vtkMTimeType>> Parts;
 };
+}
 
 #endif

@@ -10,6 +10,8 @@
 #include "vtkDIYUtilities.h"
 #endif
 
+namespace skdtree
+{
 // In step s to the process s after this one, from the one s before: no process gets from two at a
 // time.
 void SkdTransport::Exchange(const std::function<SkdBytes(int to)>& make,
@@ -121,3 +123,4 @@ std::unique_ptr<SkdTransport> SkdMakeTransport(vtkMultiProcessController*)
   return nullptr;
 }
 #endif
+}

@@ -18,6 +18,8 @@
 
 class vtkMultiProcessController;
 
+namespace skdtree
+{
 using SkdBytes = std::vector<char>;
 
 /// What a process has sent to others.
@@ -125,6 +127,7 @@ SkdRowsByProcess<Answer> SkdAsk(
 {
   const SkdRowsByProcess<Answer> answers = answer(SkdExchangeRows(transport, questions));
   return SkdExchangeRows(transport, answers);
+}
 }
 
 #endif

@@ -10,6 +10,8 @@
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 
+namespace skdtree
+{
 vtkDataObject* SkdWholeInput::Update(vtkDataObject* piece, vtkMultiProcessController* controller)
 {
   SkdStamp stamp(piece);
@@ -71,4 +73,5 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
   {
     this->Whole->GetFieldData()->PassData(ours->GetFieldData());
   }
+}
 }

@@ -23,6 +23,8 @@
 
 class vtkMultiProcessController;
 
+namespace skdtree
+{
 class SkdWholeInput
 {
 public:
@@ -48,5 +50,6 @@ private:
   vtkSmartPointer<vtkDataObject> Whole;
   std::map<int, std::vector<SkdPieceCell>> Origins; // of each block's cells
 };
+}
 
 #endif

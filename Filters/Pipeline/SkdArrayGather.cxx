@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 bool IsGatherable(vtkAbstractArray* array)
@@ -307,4 +309,5 @@ void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refuse
         << name
         << " is not passed on: the output already has an array of that name. Rename one of them.");
   }
+}
 }

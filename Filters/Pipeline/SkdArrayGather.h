@@ -29,6 +29,8 @@ class vtkAlgorithm;
 class vtkDataSetAttributes;
 class vtkIdList;
 
+namespace skdtree
+{
 class SkdArrayGather
 {
 public:
@@ -100,5 +102,6 @@ SkdArrayGather SkdGatherInto(vtkDataSetAttributes* target, vtkIdType n,
 
 /// Warns about arrays that were not added.
 void SkdWarnAboutRefused(vtkAlgorithm* self, const std::set<std::string>& refused);
+}
 
 #endif

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 std::vector<SkdBlock> SkdBlockSnapshots::Keep(const std::vector<SkdBlock>& blocks)
 {
   std::vector<SkdBlock> structures = blocks;
@@ -20,4 +22,5 @@ bool SkdBlockSnapshots::AreSameAs(const std::vector<SkdBlock>& blocks) const
 {
   return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
     [](const SkdMeshSnapshot& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
+}
 }

@@ -13,6 +13,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 class SkdBlockSnapshots
 {
 public:
@@ -29,5 +31,6 @@ public:
 private:
   std::vector<SkdMeshSnapshot> Meshes;
 };
+}
 
 #endif

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 vtkSmartPointer<vtkCompositeDataIterator> IteratorOf(vtkCompositeDataSet* composite)
@@ -137,4 +139,5 @@ void SkdTouchCells(vtkDataSet* mesh)
     mesh->GetCellPoints(0, ids);
     mesh->GetCellBounds(0, bounds);
   }
+}
 }

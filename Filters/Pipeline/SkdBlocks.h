@@ -14,6 +14,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// A data set and its flat index in the composite data set, 0 if there is none.
 struct SkdBlock
 {
@@ -51,5 +53,6 @@ vtkIdType SkdCountPoints(const std::vector<SkdBlock>& blocks);
 
 /// Makes GetCell(), GetCellPoints() and GetCellBounds() of a mesh thread-safe.
 void SkdTouchCells(vtkDataSet* mesh);
+}
 
 #endif

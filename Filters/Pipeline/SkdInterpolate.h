@@ -8,6 +8,8 @@
 #include "Pipeline/SkdLoop.h"
 #include "vtkDataSetAttributes.h"
 
+namespace skdtree
+{
 /// A place in a Source: a point of a cell of one of its blocks; none if Block < 0.
 struct SkdSourceLocation
 {
@@ -41,6 +43,7 @@ void SkdInterpolateInto(vtkDataSetAttributes* output, vtkIdType n,
         }
       }
     });
+}
 }
 
 #endif

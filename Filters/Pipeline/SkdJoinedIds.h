@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace skdtree
+{
 /// A field data array of the mesh. The order of cells is that of these ids, so that ties are
 /// decided as in the whole.
 constexpr const char* SkdJoinedIdsName = "SkdJoinedCellIds";
@@ -98,6 +100,7 @@ inline void SkdJoinIds(
       ids->SetValue(at, joined[static_cast<std::size_t>(meshes[i])].Of(ids->GetValue(at)));
     }
   }
+}
 }
 
 #endif

@@ -16,6 +16,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* Name = "SkdJoinedShape";
@@ -179,4 +181,5 @@ skd::Vector3 SkdPlaneNormalOf(vtkDataSet* mesh)
     shape.AddNormal(SkdNormalOfCorners(mesh, cell), cell);
   }
   return shape.Normal;
+}
 }

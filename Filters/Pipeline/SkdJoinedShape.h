@@ -15,6 +15,8 @@
 #include <limits>
 #include <optional>
 
+namespace skdtree
+{
 struct SkdJoinedShape
 {
   vtkIdType Points = 0;
@@ -72,5 +74,6 @@ skd::Vector3 SkdNormalOfCorners(vtkDataSet* mesh, vtkIdType cell);
 /// Of those of the first cells of a mesh (of the whole, if it has a shape) the longest, whose
 /// direction rounding changes least. Any cell of a mesh in a plane would do.
 skd::Vector3 SkdPlaneNormalOf(vtkDataSet* mesh);
+}
 
 #endif

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 /// A longitude and a latitude (the third number does not count) as a direction of length 1. A pole
 /// is one point, whatever the longitude.
 inline skd::Vector3 SkdDirectionOfLonLat(const skd::Vector3& lonLat)
@@ -57,6 +59,7 @@ inline double SkdCosineOfLatitude(const skd::Vector3& x)
 {
   const double cosine = std::hypot(x[0], x[1]) / skd::Norm(x);
   return std::isfinite(cosine) ? std::max(cosine, SkdWeightOfPoles) : 1.0;
+}
 }
 
 #endif

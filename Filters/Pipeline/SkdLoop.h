@@ -18,6 +18,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 /// Whether an algorithm was aborted.
 inline bool SkdIsAborted(vtkAlgorithm* algorithm)
 {
@@ -101,5 +103,6 @@ private:
   vtkIdType Done = 0;
   bool Stopped = false;
 };
+}
 
 #endif

@@ -6,6 +6,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+namespace skdtree
+{
 /// A named array of n tuples, values not set.
 template <typename Array>
 vtkSmartPointer<Array> SkdMakeArray(const char* name, int components, vtkIdType n)
@@ -24,6 +26,7 @@ vtkSmartPointer<Array> SkdMakeArray(const char* name, int components, vtkIdType 
   auto array = SkdMakeArray<Array>(name, components, n);
   array->Fill(none);
   return array;
+}
 }
 
 #endif

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 /// n points in double precision; pointAt(i) is a skd::Vector3, computed in parallel.
 template <class PointAt>
 vtkSmartPointer<vtkPoints> SkdMakePoints(vtkIdType n, const PointAt& pointAt)
@@ -68,6 +70,7 @@ void SkdSetTriangles(vtkPolyData* mesh, vtkIdType numberOfPoints, const PointAt&
 {
   mesh->SetPoints(SkdMakePoints(numberOfPoints, pointAt));
   mesh->SetPolys(SkdMakeCells(3, list, cornersOf));
+}
 }
 
 #endif

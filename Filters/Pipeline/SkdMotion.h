@@ -11,6 +11,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 /// Where a filter looks at its Source, by its properties Translation, Rotation and RotationCenter,
 /// after its Transform.
 template <class Filter>
@@ -55,6 +57,7 @@ inline std::optional<vtkSmartPointer<vtkMatrix4x4>> SkdCopyIfRigid(
   auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
   copy->DeepCopy(motion);
   return copy;
+}
 }
 
 #endif

@@ -14,6 +14,8 @@
 #include <cstring>
 #include <map>
 
+namespace skdtree
+{
 namespace
 {
 /// An array of numbers that may be completed, by its name and number of components.
@@ -153,4 +155,5 @@ void SkdReportPartialArrays(vtkInformationVector* outputs)
       SkdReportPartialArrays(names, output);
     }
   }
+}
 }

@@ -19,6 +19,8 @@
 
 class vtkInformationVector;
 
+namespace skdtree
+{
 constexpr const char* SkdPartialMarkPrefix = "SkdValid_";
 
 /// Adds a list of names to a data object's report, SkdReportPartialArrays, unless it is empty.
@@ -32,5 +34,6 @@ void SkdReportPartialArrays(vtkInformationVector* outputs);
 /// are no values. Inserts the names of partial ones into `partial`.
 std::vector<SkdBlock> SkdCompleteArrays(
   const std::vector<SkdBlock>& blocks, std::set<std::string>& partial);
+}
 
 #endif

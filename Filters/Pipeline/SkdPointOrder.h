@@ -10,6 +10,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 /// The points of a data set sorted along a space-filling curve, so that the data of a query are
 /// still in the processor's caches for the next one. For a million scattered points in a million
 /// cells, cache misses are most of the time. The points of images and rectilinear grids remain in
@@ -52,5 +54,6 @@ private:
   vtkSmartPointer<vtkDataSet> Mesh;
   std::optional<SkdBatch> Scattered;
 };
+}
 
 #endif

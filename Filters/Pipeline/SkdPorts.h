@@ -16,6 +16,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+namespace skdtree
+{
 /// An input of any vtkDataSet, or composite of them.
 inline void SkdAcceptMeshes(vtkInformation* port)
 {
@@ -66,6 +68,7 @@ inline void SkdProvideOutput(vtkInformation* output, int type)
       vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
     output->Set(vtkDataObject::DATA_OBJECT(), fresh);
   }
+}
 }
 
 #endif

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <type_traits>
 
+namespace skdtree
+{
 /// What a property's line says of its value: of a switch On or Off, of several numbers (1, 2, 3).
 template <class Value>
 void SkdPrintValue(ostream& os, const Value& value)
@@ -53,6 +55,7 @@ void SkdPrint(
   {
     SkdPrint(os, indent, others...);
   }
+}
 }
 
 #endif

@@ -19,6 +19,8 @@
 
 #include <filesystem>
 
+namespace skdtree
+{
 namespace
 {
 class ControlledProcesses : public skd::Processes
@@ -162,4 +164,5 @@ void SkdShare::Keep(vtkTable* rows) const
   }
   selected->SetFieldData(rows->GetFieldData());
   rows->ShallowCopy(selected);
+}
 }

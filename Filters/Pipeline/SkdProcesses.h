@@ -21,6 +21,8 @@ class vtkMultiProcessController;
 class vtkPolyData;
 class vtkTable;
 
+namespace skdtree
+{
 /// The global controller, if it has several processes and this one's own piece is requested of this
 /// output or input; else nullptr.
 vtkMultiProcessController* SkdControllerOf(vtkInformation* requested);
@@ -55,5 +57,6 @@ private:
   vtkIdType Piece = 0;
   vtkIdType Pieces = 1;
 };
+}
 
 #endif

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// The mean of some points; NaN of none.
@@ -74,4 +76,5 @@ void SkdQueryPoints::GetPoint(vtkIdType i, double x[3]) const
   thread_local vtkNew<vtkIdList> ids;
   this->Mesh->GetCellPoints(i, ids);
   MeanOf(this->Mesh, ids, x);
+}
 }

@@ -5,6 +5,8 @@
 
 #include "Pipeline/SkdPointOrder.h"
 
+namespace skdtree
+{
 /// The query points of a mesh: its points, or the centres of its cells (the mean of their points).
 class SkdQueryPoints
 {
@@ -40,5 +42,6 @@ private:
   std::optional<SkdPointOrder> Order; // of points
   vtkIdType RowLength = 0;
 };
+}
 
 #endif

@@ -5,6 +5,8 @@
 
 #include <tuple>
 
+namespace skdtree
+{
 /// Whether places are compared by their directions from the origin, too, as on a sphere.
 enum class SkdByDirections
 {
@@ -67,5 +69,6 @@ struct SkdReach
   bool operator==(const SkdReach& other) const { return this->Tie() == other.Tie(); }
   bool operator!=(const SkdReach& other) const { return !(*this == other); }
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 /// The report of a filter on its run: field data arrays, mostly of one value, named SkdReport...
 class SkdReport
 {
@@ -107,5 +109,6 @@ public:
 private:
   double Last = vtkTimerLog::GetUniversalTime();
 };
+}
 
 #endif

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace skdtree
+{
 /// Sets a property that is a text, to an empty one for nullptr.
 inline void SkdSetText(vtkObject* self, const char* wanted, std::string& property)
 {
@@ -16,6 +18,7 @@ inline void SkdSetText(vtkObject* self, const char* wanted, std::string& propert
     property = text;
     self->Modified();
   }
+}
 }
 
 #endif

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 vtkSmartPointer<vtkSkdTreeCellLocator> SkdMakeLocator(vtkDataSet* mesh)
 {
   auto locator = vtkSmartPointer<vtkSkdTreeCellLocator>::New();
@@ -79,4 +81,5 @@ SkdTreeCounts SkdSourceTrees::GetCounts() const
     counts.Tolerance = std::max(counts.Tolerance, tree.Locator->GetAbsoluteEpsilon());
   }
   return counts;
+}
 }

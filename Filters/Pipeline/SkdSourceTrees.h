@@ -17,6 +17,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// The point of a Source nearest to a query point.
 struct SkdNearest
 {
@@ -77,5 +79,6 @@ private:
   };
   std::vector<Tree> Trees;
 };
+}
 
 #endif

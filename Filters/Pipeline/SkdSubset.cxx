@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 vtkPoints* PointsOf(vtkDataSet* mesh)
@@ -216,4 +218,5 @@ void SkdSubset::CopyPoints()
     this->Mesh->GetPoint(this->PointIds[static_cast<std::size_t>(i)], x);
     into->SetPoint(i, x);
   }
+}
 }

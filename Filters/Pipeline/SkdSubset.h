@@ -10,8 +10,11 @@
 
 #include <vector>
 
-class SkdCellReader;
 class vtkUnsignedCharArray;
+
+namespace skdtree
+{
+class SkdCellReader;
 
 /// A subset of the cells or points of a mesh as a grid, with only the points in use, in the order
 /// of their first use.
@@ -60,5 +63,6 @@ private:
   std::vector<vtkIdType> PointIds; // of the mesh
   std::vector<vtkIdType> CellIds;
 };
+}
 
 #endif

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -90,4 +92,5 @@ void SkdMarkRequestedTime(vtkInformationVector* outputs)
         vtkDataObject::DATA_TIME_STEP(), output->Get(Pipeline::UPDATE_TIME_STEP()));
     }
   }
+}
 }

@@ -14,6 +14,8 @@
 
 class vtkInformationVector;
 
+namespace skdtree
+{
 /// Gives all outputs the union of all inputs' time steps, and a range that includes all of theirs.
 /// For REQUEST_INFORMATION. O(n log n) for n steps.
 void SkdUniteTimes(vtkInformationVector** inputs, int ports, vtkInformationVector* outputs);
@@ -22,5 +24,6 @@ void SkdUniteTimes(vtkInformationVector** inputs, int ports, vtkInformationVecto
 /// earlier one, the last at which that input changed; an output with that mark would pass for one
 /// of that time, although another input has changed since. For the end of REQUEST_DATA.
 void SkdMarkRequestedTime(vtkInformationVector* outputs);
+}
 
 #endif

@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+namespace skdtree
+{
 namespace
 {
 const char* NameOf(vtkAbstractArray* array)
@@ -57,4 +59,5 @@ SkdFittingMesh SkdLeaveOutUnfitArrays(vtkDataSet* mesh)
     }
   }
   return fitting;
+}
 }

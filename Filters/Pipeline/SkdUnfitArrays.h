@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace skdtree
+{
 /// A mesh without arrays that have more or fewer tuples than it has points or cells: whoever reads
 /// one value for each of these reads beyond the end of an array, or values of nothing.
 struct SkdFittingMesh
@@ -18,5 +20,6 @@ struct SkdFittingMesh
 
 /// O(arrays).
 SkdFittingMesh SkdLeaveOutUnfitArrays(vtkDataSet* mesh);
+}
 
 #endif

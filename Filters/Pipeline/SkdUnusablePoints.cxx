@@ -16,6 +16,8 @@
 #include <sstream>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 constexpr vtkIdType BlockSize = 16384; // points that a thread looks at in one go
@@ -182,4 +184,5 @@ std::string SkdUnusablePoints::Tell(vtkDataSet* mesh, bool anyMagnitude) const
   }
   text << "; the first is point " << this->First << ".";
   return text.str();
+}
 }

@@ -9,6 +9,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// The points of a data set that a filter cannot use: NaN, infinite or, in most filters, so large
 /// that squares of coordinates overflow (Cells/Read/SkdMagnitudes.h). Cells that have them are
 /// ignored, and nothing is found at such points.
@@ -24,5 +26,6 @@ struct SkdUnusablePoints
 /// Looks at each coordinate once, in parallel; of images at the corners, if these can be used.
 /// `anyMagnitude`: all finite ones can be used.
 SkdUnusablePoints SkdFindUnusablePoints(vtkDataSet* mesh, bool anyMagnitude);
+}
 
 #endif

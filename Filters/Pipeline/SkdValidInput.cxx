@@ -19,6 +19,8 @@
 #include <sstream>
 #include <unordered_map>
 
+namespace skdtree
+{
 namespace
 {
 /// Meshes that were found valid, by modification time: modification times are unique, so a new
@@ -224,4 +226,5 @@ SkdValidInput::Findings SkdValidInput::Repair(vtkInformationVector* to, bool any
     }
   }
   return found;
+}
 }

@@ -12,6 +12,8 @@
 class vtkAlgorithm;
 class vtkInformation;
 
+namespace skdtree
+{
 /// The inputs of a filter for its RequestData, in which broken cells (Cells/Read/SkdCellCheck.h)
 /// are replaced by empty cells with the same ids, and without arrays that are too short or too long
 /// (SkdUnfitArrays). The filter warns about these once, and about points that cannot be used
@@ -45,5 +47,6 @@ private:
   std::vector<vtkSmartPointer<vtkInformationVector>> Repaired;
   std::vector<vtkInformationVector*> RepairedInputs;
 };
+}
 
 #endif

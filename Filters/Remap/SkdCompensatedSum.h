@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 /// A sum whose error does not grow with the number of what is added (Neumaier, ZAMM 54 (1974)
 /// 39-51). NaN and infinity stay what they are.
 class SkdCompensatedSum
@@ -24,5 +26,6 @@ private:
   double Sum = 0.0;
   double Lost = 0.0;
 };
+}
 
 #endif

@@ -12,6 +12,8 @@
 #include <limits>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 using Gradients = std::vector<std::vector<skd::Vector3>>; // of each component, or none
@@ -469,4 +471,5 @@ SkdRemappedField SkdConservativeRemap::MapPoints(const SkdDonorField& field,
     mapped.Integrals[c].Absolute = absolute.Get();
   }
   return mapped;
+}
 }

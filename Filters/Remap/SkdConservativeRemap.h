@@ -13,6 +13,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// What a mean is taken over where a target cell is not all covered by donor cells that count.
 enum class SkdNormalization
 {
@@ -116,5 +118,6 @@ private:
   SkdConservativeRules Rules;
   const std::vector<unsigned char>* OwnDonors = nullptr;
 };
+}
 
 #endif

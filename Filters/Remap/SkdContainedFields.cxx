@@ -4,6 +4,8 @@
 
 #include "vtkMath.h"
 
+namespace skdtree
+{
 namespace
 {
 /// The results of one field.
@@ -83,4 +85,5 @@ SkdContainedResult SkdMapContained(const SkdContainedMean& samples,
       }
     });
   return result;
+}
 }

@@ -6,6 +6,8 @@
 #include "Remap/SkdContainedMean.h"
 #include "Remap/SkdDonorFields.h"
 
+namespace skdtree
+{
 /// What of a donor's fields of one kind, of points or of cells, becomes of a target's cells.
 struct SkdContainedResult
 {
@@ -19,5 +21,6 @@ struct SkdContainedResult
 SkdContainedResult SkdMapContained(const SkdContainedMean& samples,
   const std::vector<SkdDonorField>& fields, const SkdTargetCells& cells, SkdStatistic statistic,
   SkdEmptyCells empty, SkdLoop& loop);
+}
 
 #endif

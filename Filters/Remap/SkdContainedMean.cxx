@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+namespace skdtree
+{
 SkdContainedMean::SkdContainedMean(
   std::vector<skd::Vector3> points, std::vector<double> weights, bool isOnSphere)
   : Tree(std::move(points), isOnSphere)
@@ -56,4 +58,5 @@ std::vector<double> SkdContainedMean::GetMeans(const SkdTargetCells& cells,
       }
     });
   return means;
+}
 }

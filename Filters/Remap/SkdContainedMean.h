@@ -19,6 +19,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 /// What a cell takes that holds no sample with a value.
 enum class SkdEmptyCells
 {
@@ -112,6 +114,7 @@ bool SkdContainedMean::ForEachCell(
         }
       }
     });
+}
 }
 
 #endif

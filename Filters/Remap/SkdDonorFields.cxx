@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 void ReadValues(
@@ -235,4 +237,5 @@ void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
   const auto array = SkdMakeArray<vtkDoubleArray>(name.c_str(), field.Components, n);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   to->AddArray(array);
+}
 }

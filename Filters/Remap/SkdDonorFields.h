@@ -18,6 +18,8 @@
 class vtkDataSet;
 class vtkDataSetAttributes;
 
+namespace skdtree
+{
 /// The arrays that a remapping adds to the target's cells. A donor that has such arrays got them by
 /// an earlier one: they are not mapped.
 namespace SkdRemapNames
@@ -101,5 +103,6 @@ std::string SkdResultName(vtkDataSetAttributes* to, const std::string& name, boo
 /// Adds a field's values at the target as an array of doubles, unless it has no name.
 void SkdAddRemapped(vtkDataSetAttributes* to, const SkdDonorField& field,
   const std::vector<double>& values, bool renamesTaken, SkdFieldProblems& problems);
+}
 
 #endif

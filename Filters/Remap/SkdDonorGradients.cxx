@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 skd::Vector3 Times(const std::array<double, 6>& m, const skd::Vector3& v)
@@ -336,4 +338,5 @@ std::vector<skd::Vector3> SkdDonorGradients::FindTangential(
       const bool isWanted = wanted[static_cast<std::size_t>(cell)] != 0;
       return isWanted ? this->FitTangential(cell, field, component) : none;
     });
+}
 }

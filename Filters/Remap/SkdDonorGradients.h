@@ -13,6 +13,8 @@
 
 #include <array>
 
+namespace skdtree
+{
 /// What the averages of a cell and of those around it are between.
 struct SkdCellRange
 {
@@ -87,5 +89,6 @@ private:
   std::vector<vtkIdType> Neighbours; // ascending, without the cell itself
   std::vector<Matrix> Inverses;      // of the least squares of all neighbours
 };
+}
 
 #endif

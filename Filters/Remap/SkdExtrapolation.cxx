@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// The mean of samples; the value of one that is where it is wanted.
@@ -62,4 +64,5 @@ void SkdExtrapolate(const SkdExtrapolationRules& rules, const SkdSampleTree& sam
       samples.FindNearest(places[at], isOfOne ? 1 : rules.Neighbours, counts, near);
       TakeMean(near, field, tuple);
     });
+}
 }

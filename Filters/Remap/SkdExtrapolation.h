@@ -13,6 +13,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 enum class SkdExtrapolationMethod
 {
   None,
@@ -33,5 +35,6 @@ struct SkdExtrapolationRules
 void SkdExtrapolate(const SkdExtrapolationRules& rules, const SkdSampleTree& samples,
   const SkdDonorField& field, const std::vector<skd::Vector3>& places,
   const std::vector<unsigned char>& isWanted, std::vector<double>& values);
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 
+namespace skdtree
+{
 /// As long as twice the area.
 inline skd::Vector3 SkdAreaVectorOf(const SkdPieceView& piece)
 {
@@ -105,5 +107,6 @@ private:
   skd::Moments Result;
   double Gap = 0.0;
 };
+}
 
 #endif

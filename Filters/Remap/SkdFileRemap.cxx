@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <iterator>
 
+namespace skdtree
+{
 namespace
 {
 /// The names that a kind of file uses.
@@ -218,4 +220,5 @@ std::vector<double> SkdFileRemap::Map(
       &values[row * components], [by](double value) { return by * value; });
   }
   return values;
+}
 }

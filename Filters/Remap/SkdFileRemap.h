@@ -17,6 +17,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// Weights as they are read: a sparse matrix.
 struct SkdFileWeights
 {
@@ -69,5 +71,6 @@ private:
   vtkAlgorithm* Algorithm;
   SkdFileMeshes Meshes{ 0, 0 };
 };
+}
 
 #endif

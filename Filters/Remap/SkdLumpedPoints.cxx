@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 std::vector<double> SkdLumpToPoints(vtkDataSet* mesh, const std::vector<double>& values,
   int components, const std::vector<double>& measures)
 {
@@ -34,4 +36,5 @@ std::vector<double> SkdLumpToPoints(vtkDataSet* mesh, const std::vector<double>&
     sums[i] = masses[i] > 0.0 ? sums[i] / masses[i] : vtkMath::Nan();
   }
   return sums;
+}
 }

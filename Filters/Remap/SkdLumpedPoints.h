@@ -7,6 +7,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Values of cells, tuple by tuple, taken to the points by lumped masses: each cell gives an equal
 /// share of its measure to each of its corners, and a point has the mean of its cells by these
 /// shares. So the sum of mass times value is the integral over the cells, and values keep to the
@@ -14,5 +16,6 @@ class vtkDataSet;
 /// without such cells have NaN. The order of the cells decides the order of the sums.
 std::vector<double> SkdLumpToPoints(vtkDataSet* mesh, const std::vector<double>& values,
   int components, const std::vector<double>& measures);
+}
 
 #endif

@@ -13,6 +13,8 @@
 #include <set>
 #include <utility>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 void SkdSurfaceFindings::AddWarnings(std::vector<std::string>& warnings) const
 {
@@ -213,4 +215,5 @@ bool SkdMatchedSurfaces::Match(
       std::max(this->Findings.LargestGap, this->Overlaps[i].GetWeights().GetLargestGap());
   }
   return isDone;
+}
 }

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 /// What was found of both, on all processes together.
 struct SkdSurfaceFindings
 {
@@ -69,5 +71,6 @@ private:
   SkdSurfaceFindings Findings;
   int NumberOfNew = 0;
 };
+}
 
 #endif

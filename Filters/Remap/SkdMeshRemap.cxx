@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// What of the target one process has may be flat, or a line, where others have curved surfaces, or
@@ -297,4 +299,5 @@ void SkdMeshRemap::End()
   this->Remapper.End();
   this->Pair = nullptr;
   this->Request = nullptr;
+}
 }

@@ -14,6 +14,8 @@
 class vtkDataObject;
 class vtkTable;
 
+namespace skdtree
+{
 /// Maps a donor's fields onto a target, whatever the request, and tells what it has done. What is
 /// made of the meshes alone is kept from run to run while these are unchanged.
 class SkdMeshRemap
@@ -68,5 +70,6 @@ private:
   std::set<std::string> Refused;
   std::set<std::string> Empty; // arrays that are interpolated and have no value
 };
+}
 
 #endif

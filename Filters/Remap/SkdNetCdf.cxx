@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <map>
 
+namespace skdtree
+{
 #if VTK_MODULE_ENABLE_VTK_netcdf
 namespace
 {
@@ -135,3 +137,4 @@ std::string SkdWriteNetCdf(const std::string& fileName, const SkdNetCdfContents&
 }
 
 #endif
+}

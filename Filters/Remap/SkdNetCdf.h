@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+namespace skdtree
+{
 /// What a file has: everything by name, in this order.
 struct SkdNetCdfContents
 {
@@ -34,5 +36,6 @@ struct SkdNetCdfContents
 /// Writes a file in the classic format with 64-bit offsets, in place of one that is there. What is
 /// wrong, a sentence; empty if nothing is. Not for several threads at once: the library is not.
 std::string SkdWriteNetCdf(const std::string& fileName, const SkdNetCdfContents& contents);
+}
 
 #endif

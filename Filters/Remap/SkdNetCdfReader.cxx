@@ -10,6 +10,8 @@
 
 #include <array>
 
+namespace skdtree
+{
 #if VTK_MODULE_ENABLE_VTK_netcdf
 namespace
 {
@@ -252,3 +254,4 @@ std::vector<double> SkdNetCdfReader::ReadNumbers(const std::string&, std::size_t
 }
 
 #endif
+}

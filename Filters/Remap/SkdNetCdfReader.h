@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 /// A file that is open as long as this lives. What fails first is kept, and nothing is read from
 /// there on. Not for several threads at once: the library is not.
 class SkdNetCdfReader
@@ -49,5 +51,6 @@ private:
   std::string Problem;
   int Id = -1;
 };
+}
 
 #endif

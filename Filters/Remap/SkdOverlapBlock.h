@@ -17,6 +17,8 @@
 #include <deque>
 #include <vector>
 
+namespace skdtree
+{
 /// A convex piece of a cell: a segment, a polygon, a cell between meridians and parallels (corners
 /// are then West, East and South, North), or a polyhedron. A cell is the sum of its pieces, which
 /// count negative where cells are concave.
@@ -67,5 +69,6 @@ struct SkdOverlapReading
   bool SkipsGhosts = true;
   bool IntoSimplices = false; ///< with the points, or their weights, of the simplices' corners
 };
+}
 
 #endif

@@ -5,6 +5,8 @@
 #include "Pipeline/SkdJoinedIds.h"
 #include "Remap/SkdPointWeights.h"
 
+namespace skdtree
+{
 bool SkdOverlapCache::IsFor(
   vtkDataSet* donor, vtkDataSet* target, const SkdOverlapSettings& settings) const
 {
@@ -91,4 +93,5 @@ const SkdOverlapPointTable* SkdOverlapCache::GetPointTable(
     }
   }
   return this->PointTable.get();
+}
 }

@@ -11,6 +11,8 @@
 
 #include <memory>
 
+namespace skdtree
+{
 /// The overlaps of one target with the donor, and what else is made of both meshes alone: kept
 /// while these and the settings are the same.
 class SkdOverlapCache
@@ -63,5 +65,6 @@ private:
   SkdMeshSnapshot SidesOfTarget;
   SkdSideVotes Sides;
 };
+}
 
 #endif

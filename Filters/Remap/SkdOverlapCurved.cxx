@@ -15,6 +15,8 @@
 #include <iterator>
 #include <map>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -340,4 +342,5 @@ vtkIdType SkdOverlapReader::WeighMiddle(const Corners& corners)
     weights[i] += factor * missing[i];
   }
   return this->AddWeights(weights.data());
+}
 }

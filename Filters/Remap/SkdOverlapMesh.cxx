@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -239,4 +241,5 @@ vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDa
     [](const Shape& a, const Shape& b)
     { return std::tie(a.Target, a.Donor) < std::tie(b.Target, b.Donor); });
   return MakeMesh(all, settings.Space, SkdJoinedIds(donor));
+}
 }

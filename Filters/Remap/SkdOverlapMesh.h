@@ -14,6 +14,8 @@
 
 class vtkUnstructuredGrid;
 
+namespace skdtree
+{
 /// Segments, polygons or polyhedra, by ascending (target, donor), with the cell arrays "TargetCell"
 /// and "DonorCell" (ids) and "Measure" (signed: concave volume cells are sums of pieces some of
 /// which count negative; all pieces of a pair sum up to its weight). No point is shared. Along
@@ -22,5 +24,6 @@ class vtkUnstructuredGrid;
 vtkSmartPointer<vtkUnstructuredGrid> SkdMakeOverlapMesh(vtkDataSet* donor, vtkDataSet* target,
   const SkdOverlapSettings& settings, vtkAlgorithm* algorithm, double first = 0.0,
   double last = 1.0);
+}
 
 #endif

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// Between two reports of progress; each is of 1024 cells.
@@ -219,4 +221,5 @@ bool SkdOverlapPair::Read(vtkDataSet* donor, vtkDataSet* target, const SkdOverla
   const SkdOverlapReading targetAs{ settings.TargetIsLonLat, settings.SkipsGhosts, false };
   return surface.GetProblem().empty() && this->Donor.Read(donor, surface, donorAs, ofDonor) &&
     this->Target.Read(target, surface, targetAs, ofTarget);
+}
 }

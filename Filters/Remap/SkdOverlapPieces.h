@@ -16,9 +16,12 @@
 #include <cstdint>
 #include <vector>
 
-class SkdLoop;
 class vtkAlgorithm;
 class vtkDataSet;
+
+namespace skdtree
+{
+class SkdLoop;
 
 /// The cells of one mesh, read once. Any number of threads may look at them.
 class SkdOverlapPieces
@@ -111,5 +114,6 @@ struct SkdOverlapPair
     const SkdOverlapSettings& settings, bool intoSimplices, vtkAlgorithm* algorithm, double first,
     double last);
 };
+}
 
 #endif

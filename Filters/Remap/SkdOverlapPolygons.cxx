@@ -16,6 +16,8 @@
 #include <limits>
 #include <type_traits>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -592,4 +594,5 @@ void SkdOverlapReader::AddLonLatPieces(const skd::LonLatCell& whole)
     piece.Reach = bounds.Diagonal();
     piece.Own = own;
   }
+}
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -175,4 +177,5 @@ vtkIdType SkdOverlapReader::AddMeanOf(const Corners& corners)
       [share](double sum, double weight) { return sum + share * weight; });
   }
   return this->AddWeights(weights.data());
+}
 }

@@ -15,6 +15,8 @@
 #include "Remap/SkdOverlapBlock.h"
 #include "Remap/SkdOverlapSurface.h"
 
+namespace skdtree
+{
 /// Reads cells into a block, one after the other; one a thread.
 class SkdOverlapReader
 {
@@ -114,5 +116,6 @@ private:
   SkdCurvedSides Sides;
   SkdCellWeights Functions;
 };
+}
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "Cells/Search/SkdBuildTree.h"
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 SkdOverlapTree::SkdOverlapTree(const SkdOverlapPieces& pieces)
 {
@@ -17,4 +19,5 @@ SkdOverlapTree::SkdOverlapTree(const SkdOverlapPieces& pieces)
     }
   }
   this->Tree = SkdBuildTree(skd::MakeTreeInput(boxes, 0.0));
+}
 }

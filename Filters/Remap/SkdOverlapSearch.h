@@ -17,6 +17,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// The cells of a mesh that have pieces, in a tree of their boxes.
 class SkdOverlapTree
 {
@@ -85,6 +87,7 @@ bool SkdForEachCandidatePair(const SkdOverlapTree& target, const SkdOverlapTree&
           [&](Walk& walk) { walk.RunFrom(starts[number]); });
       }
     });
+}
 }
 
 #endif

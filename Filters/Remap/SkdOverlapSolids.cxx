@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -278,4 +280,5 @@ void SkdOverlapReader::AddTetrahedron(const Corner (&corners)[4], std::int8_t si
     piece.Reach = std::sqrt(reach2);
     piece.Own = own;
   }
+}
 }

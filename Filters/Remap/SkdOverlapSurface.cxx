@@ -14,6 +14,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -170,4 +172,5 @@ Vector3 SkdOverlapSurface::Moment(const Vector3& seen) const
     return seen[0] * this->Axes[0] + seen[1] * this->Axes[1];
   }
   return (this->MeasureScale * this->Radius) * seen;
+}
 }

@@ -16,6 +16,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Overlaps are found in coordinates of their own: (x, y, 0) in a plane, points of the unit sphere,
 /// and else as they are.
 class SkdOverlapSurface
@@ -57,5 +59,6 @@ private:
   double MeasureScale = 1.0;
   std::string Problem;
 };
+}
 
 #endif

@@ -18,6 +18,8 @@
 #include <tuple>
 #include <vector>
 
+namespace skdtree
+{
 /// What the cells of both meshes are pieces of. Cells of another dimension are left out.
 enum class SkdOverlapSpace
 {
@@ -127,5 +129,6 @@ struct SkdOverlapPointTable
   std::vector<double> Masses; ///< of each point: the integral of its function over the donor
   bool IsSigned = false;      ///< whether weights are negative, and not for rounding
 };
+}
 
 #endif

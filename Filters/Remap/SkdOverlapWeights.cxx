@@ -11,6 +11,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -283,4 +285,5 @@ void SkdOverlapWeights::ScaleDonors(const std::vector<double>& shares)
     this->Donor.CoveredMoments[i] = shares[i] * this->Donor.CoveredMoments[i];
   }
   BalanceMoments(this->Table, this->Donor);
+}
 }

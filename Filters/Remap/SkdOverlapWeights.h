@@ -20,6 +20,8 @@
 class vtkAlgorithm;
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Rows of target cells, columns of donor cells (CSR): of row i the entries Rows[i] .. Rows[i + 1],
 /// by ascending donor id. Overlaps that are nothing but rounding are left out. Of cells that are
 /// partly turned inside out, or whose sides pass each other, they may be negative.
@@ -73,5 +75,6 @@ private:
   skd::Vector3 Normal{ { 0.0, 0.0, 0.0 } };
   std::string Problem;
 };
+}
 
 #endif

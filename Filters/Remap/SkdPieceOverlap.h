@@ -14,6 +14,8 @@
 #include "Remap/SkdFacetOverlap.h"
 #include "Remap/SkdOverlapPieces.h"
 
+namespace skdtree
+{
 /// Calls visit(piece of a target cell, piece of a donor cell) for all pairs.
 template <class Visit>
 void SkdForEachPiecePair(const SkdOverlapPieces& targets, std::uint32_t target,
@@ -173,5 +175,6 @@ private:
   const SkdOverlapSettings& Settings;
   const Shapes& TheShapes;
 };
+}
 
 #endif

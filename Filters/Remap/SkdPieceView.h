@@ -8,6 +8,8 @@
 #include "Core/Geometry/Overlap/SolidOverlap.h"
 #include "Remap/SkdOverlapBlock.h"
 
+namespace skdtree
+{
 /// A piece and its corners.
 struct SkdPieceView
 {
@@ -27,5 +29,6 @@ struct SkdPieceView
     return { this->Corners[0][0], this->Corners[0][1], this->Corners[1][0], this->Corners[1][1] };
   }
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -258,4 +260,5 @@ bool SkdFindPointWeights(vtkDataSet* donor, vtkDataSet* target, const SkdOverlap
     FillTable(found, target->GetNumberOfCells(), table);
   }
   return isDone;
+}
 }

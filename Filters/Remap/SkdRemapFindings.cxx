@@ -4,6 +4,8 @@
 
 #include "Pipeline/SkdReport.h"
 
+namespace skdtree
+{
 namespace
 {
 /// Nothing if there are none.
@@ -74,4 +76,5 @@ std::vector<std::string> SkdRemapFindings::GetWarnings(const std::string& hint) 
   });
   warnings.insert(warnings.end(), others.begin(), others.end());
   return warnings;
+}
 }

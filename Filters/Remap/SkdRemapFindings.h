@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 /// Cells that have a fault.
 struct SkdFaultyCells
 {
@@ -42,5 +44,6 @@ struct SkdRemapFindings
   /// What to warn of besides fields, with what to do; `hint` is said of meshes that do not meet.
   std::vector<std::string> GetWarnings(const std::string& hint = {}) const;
 };
+}
 
 #endif

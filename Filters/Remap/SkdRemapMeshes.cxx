@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <array>
 
+namespace skdtree
+{
 namespace
 {
 vtkSmartPointer<vtkUnstructuredGrid> Append(const std::vector<vtkDataSet*>& meshes)
@@ -162,4 +164,5 @@ vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& places)
   }
   cloud->SetPoints(points);
   return cloud;
+}
 }

@@ -18,6 +18,8 @@
 
 class vtkPolyData;
 
+namespace skdtree
+{
 /// The blocks as one mesh; the mesh itself if there is but one, and an empty one if there is none.
 /// Arrays of numbers that only some have are NaN elsewhere; `partial` becomes their names.
 vtkSmartPointer<vtkDataSet> SkdJoinBlocks(
@@ -43,5 +45,6 @@ std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh);
 
 /// Points and nothing else.
 vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& places);
+}
 
 #endif

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 bool AreStructured(const std::vector<SkdBlock>& blocks)
@@ -177,4 +179,5 @@ std::string SkdRemapPair::GetHint() const
     ? " Input is on a sphere and Source may be of longitudes and latitudes: if so, set "
       "SourceCoordinates."
     : "";
+}
 }

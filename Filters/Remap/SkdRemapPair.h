@@ -12,6 +12,8 @@
 #include "Remap/SkdRemapMeshes.h"
 #include "Remap/SkdRemapRequest.h"
 
+namespace skdtree
+{
 /// A donor, its blocks as one mesh, and the blocks of a target, each with the mesh that gets the
 /// results. Points of longitudes and latitudes are moved to a sphere.
 class SkdRemapPair
@@ -64,5 +66,6 @@ private:
   bool DonorStructured;
   double TargetRadius = 0.0;
 };
+}
 
 #endif

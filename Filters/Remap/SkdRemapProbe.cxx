@@ -10,6 +10,8 @@
 #include "vtkPolyData.h"
 #include "vtkSkdTreeProbe.h"
 
+namespace skdtree
+{
 namespace
 {
 /// The part of an algorithm's progress that another one's is, and its abort.
@@ -123,4 +125,5 @@ void SkdRemapProbe::Map(vtkDataSet* block, vtkDataSet* donor, bool withCellData,
   this->Prober->Update();
   this->Prober->RemoveObserver(command);
   this->AddTo(block, settings, refused);
+}
 }

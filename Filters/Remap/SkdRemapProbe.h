@@ -19,6 +19,8 @@ class vtkAlgorithm;
 class vtkDataSet;
 class vtkSkdTreeProbe;
 
+namespace skdtree
+{
 struct SkdProbeSettings
 {
   SkdFieldRules Fields;
@@ -49,5 +51,6 @@ private:
 
   vtkNew<vtkSkdTreeProbe> Prober;
 };
+}
 
 #endif

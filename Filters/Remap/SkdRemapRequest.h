@@ -14,6 +14,8 @@
 #include <set>
 #include <string>
 
+namespace skdtree
+{
 enum class SkdRemapMethod
 {
   Automatic, ///< cell data by FirstOrder, point data by Interpolation
@@ -67,5 +69,6 @@ struct SkdRemapRequest
       this->Method == SkdRemapMethod::SecondOrder;
   }
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 template <typename Array>
@@ -170,4 +172,5 @@ void SkdAppendWeights(const SkdOverlapWeights& weights, vtkDataSet* donor,
       }
     }
   }
+}
 }

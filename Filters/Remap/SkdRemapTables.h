@@ -19,6 +19,8 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkTable;
 
+namespace skdtree
+{
 /// Integrals of each component of each field, summed over the target's blocks.
 class SkdRemapTally
 {
@@ -52,5 +54,6 @@ private:
 /// composite.
 void SkdAppendWeights(const SkdOverlapWeights& weights, vtkDataSet* donor,
   SkdNormalization normalization, int blockIndex, bool isComposite, vtkTable* table);
+}
 
 #endif

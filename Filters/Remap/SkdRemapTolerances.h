@@ -3,6 +3,8 @@
 #ifndef SkdRemapTolerances_h
 #define SkdRemapTolerances_h
 
+namespace skdtree
+{
 /// The tolerances of remapping, and what they are relative to.
 namespace remap_tolerances
 {
@@ -24,6 +26,7 @@ constexpr double FlatPolygon = 1e-11;    ///< of the largest distance from its m
 constexpr double SurfaceBorder = 0.05;   ///< of a cell's measure: projections differ so at borders
 constexpr double OtherSide = 0.05;       ///< of a surface's area: so few cells may be turned over
 constexpr double Coverage = 1e-5;        ///< of a cell's measure: left by single precision
+}
 }
 
 #endif

@@ -22,6 +22,8 @@
 #include <iterator>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 /// Of all cells' middles or all points.
@@ -477,4 +479,5 @@ const SkdOverlapWeights* SkdRemapper::GetWeights(std::size_t index) const
 {
   const bool isThere = index < this->HasWeights.size() && this->HasWeights[index];
   return isThere ? &this->Overlaps[index].GetWeights() : nullptr;
+}
 }

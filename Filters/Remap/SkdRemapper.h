@@ -20,6 +20,8 @@
 
 class vtkTable;
 
+namespace skdtree
+{
 struct SkdRemapSettings
 {
   SkdFieldRules Fields;
@@ -120,5 +122,6 @@ private:
   SkdFileWeights FileWeights; // kept while the file is the same
   long FileTime = 0;
 };
+}
 
 #endif

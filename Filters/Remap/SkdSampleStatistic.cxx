@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 using Samples = std::vector<SkdWeightedValue>;
@@ -92,4 +94,5 @@ double SkdStatisticOf(SkdStatistic statistic, Samples& samples)
     default:
       return Mean(samples);
   }
+}
 }

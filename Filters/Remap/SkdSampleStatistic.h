@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// What is made of the samples of a cell.
 enum class SkdStatistic
 {
@@ -25,5 +27,6 @@ struct SkdWeightedValue
 /// At least one sample. What is summed is summed in the order given; equal values have their own
 /// value as their mean, to the last bit. A median sorts them.
 double SkdStatisticOf(SkdStatistic statistic, std::vector<SkdWeightedValue>& samples);
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 /// Elements keep the indices of the points, of which some are left out.
@@ -42,4 +44,5 @@ SkdSampleTree::SkdSampleTree(std::vector<skd::Vector3> points, bool isOnSphere)
   , OnSphere(isOnSphere)
   , Tree(SkdBuildTree(InputOf(this->Points, *this)))
 {
+}
 }

@@ -18,6 +18,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 class SkdSampleTree
 {
 public:
@@ -123,5 +125,6 @@ private:
   bool OnSphere;
   skd::Tree<3> Tree;
 };
+}
 
 #endif

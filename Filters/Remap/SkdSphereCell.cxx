@@ -5,6 +5,8 @@
 #include "Core/Geometry/Polygons/EarClipping.h"
 #include "Core/Geometry/Predicates/Orient3D.h"
 
+namespace skdtree
+{
 namespace
 {
 /// The side of the plane through the origin, a and b that x is on: 1 to the left of the way from a
@@ -152,4 +154,5 @@ bool SkdSphereCell::Contains(const skd::Vector3& x) const
   }
   return std::any_of(this->Pieces.begin(), this->Pieces.end(),
     [&](const Piece& piece) { return this->PieceContains(piece, x); });
+}
 }

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 /// A polygon on a sphere about the origin, its edges great-circle arcs: what directions it holds.
 /// It may be concave, hold a pole or cross the date line, and be oriented either way, but is less
 /// than a hemisphere. Edges of no length do not count. One object a thread: memory is reused.
@@ -45,5 +47,6 @@ private:
   skd::Vector3 Centre;
   skd::Box3 Box;
 };
+}
 
 #endif

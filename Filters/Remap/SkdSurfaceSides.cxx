@@ -16,6 +16,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 constexpr vtkIdType MostCells = 4096;
@@ -78,4 +80,5 @@ SkdSideVotes SkdCountSides(vtkDataSet* donor, vtkDataSet* target)
     }
   }
   return votes;
+}
 }

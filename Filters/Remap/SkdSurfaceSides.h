@@ -10,6 +10,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Areas of target cells whose normal is like that of the nearest donor cell, or opposite to it.
 struct SkdSideVotes
 {
@@ -24,5 +26,6 @@ struct SkdSideVotes
 
 /// Of some thousand cells that are evenly among all.
 SkdSideVotes SkdCountSides(vtkDataSet* donor, vtkDataSet* target);
+}
 
 #endif

@@ -13,6 +13,8 @@
 #include <limits>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 bool IsFlat(int type)
@@ -166,4 +168,5 @@ bool SkdTargetCells::Cell::Contains(const skd::Vector3& x) const
   const SkdFoundCell found =
     this->Cells.InSpace->Evaluate(this->Id, x, { this->Cells.Mesh, this->Scratch });
   return found.Id >= 0 && found.Dist2 <= this->Cells.Tolerance * this->Cells.Tolerance;
+}
 }

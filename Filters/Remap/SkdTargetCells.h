@@ -16,6 +16,8 @@
 #include <memory>
 #include <optional>
 
+namespace skdtree
+{
 /// A mesh and the query which points its cells contain. Constant once made; the mesh must live.
 ///
 /// In space a cell holds what is at a distance of at most 8 units in the last place of the largest
@@ -79,5 +81,6 @@ private:
   vtkUnsignedCharArray* Ghosts;
   std::unique_ptr<SkdCellTree> InSpace;
 };
+}
 
 #endif

@@ -21,6 +21,8 @@
 #include <limits>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -371,4 +373,5 @@ std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* 
     AddEsmf(all, settings.Space == SkdOverlapSpace::Sphere, contents);
   }
   return SkdWriteNetCdf(settings.Name, contents);
+}
 }

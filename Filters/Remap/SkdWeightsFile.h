@@ -16,6 +16,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Whose names and conventions a file follows.
 enum class SkdWeightsFormat
 {
@@ -61,5 +63,6 @@ std::vector<int> SkdGridSizesOf(const std::vector<SkdBlock>& blocks);
 /// sentence; empty if nothing is.
 std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
   const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids);
+}
 
 #endif

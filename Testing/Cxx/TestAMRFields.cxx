@@ -20,6 +20,7 @@
 #include <functional>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -15,6 +15,7 @@
 #include <set>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

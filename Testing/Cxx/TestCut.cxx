@@ -12,6 +12,7 @@
 #include <mutex>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

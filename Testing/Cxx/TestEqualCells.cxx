@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -25,6 +25,7 @@
 #include <set>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

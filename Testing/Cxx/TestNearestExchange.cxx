@@ -19,6 +19,7 @@
 #include <random>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -19,6 +19,7 @@
 #include <numeric>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

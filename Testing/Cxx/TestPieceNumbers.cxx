@@ -17,6 +17,7 @@
 #include <set>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -22,6 +22,7 @@
 #include <tuple>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -20,6 +20,7 @@
 #include <cmath>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -11,6 +11,7 @@
 #include <cmath>
 
 using namespace skdtest;
+using namespace skdtree;
 
 namespace
 {

@@ -6,6 +6,7 @@ Prints "file:line: what is wrong" and returns 1 where the tree departs from the 
 - an include that the table of folders does not allow,
 - a circle of includes (a header and the sources of the same name count as one),
 - a file or a function that is too long,
+- a declaration outside of all namespaces that is not named as VTK's classes are,
 - a word that is no longer used,
 - the picture of the folders in Filters/README.md.
 
@@ -244,6 +245,38 @@ def check_lengths(plan, root, names):
                 yield name, first, "a function of %d lines: %s" % (length, what)
 
 
+def find_globals(text):
+    """(line, head) of each declaration and definition that is in no namespace."""
+    text = blank_out(text)
+    text = re.sub(r"\bVTK_ABI_NAMESPACE_(BEGIN|END)\b", lambda m: " " * len(m.group(0)), text)
+    begin, depth = 0, 0
+    for at, char in enumerate(text):
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(char, 0)
+        if depth == 0 and char == ";" or depth == 1 and char == "{":
+            head = strip_template(text[begin:at])
+            if head and not re.match(r"(using )?namespace\b|static_assert\b|,", head):
+                yield text.count("\n", 0, at) - text[begin:at].lstrip().count("\n") + 1, head
+        if depth == 0 and char in ";}" or depth == 1 and char == "{":
+            begin = at + 1
+
+
+def name_of(head):
+    """The name that a declaration declares, with what qualifies it first."""
+    match = re.match(r"(?:class|struct|union|enum(?: class)?)\s+(?:[A-Z_]+\s+)?(\w+)", head)
+    if not match:
+        match = re.match(r"using\s+(\w+)", head) or \
+            re.search(r"(\w+)(?:::~?\w+)*\s*(?:operator\s*\S+\s*)?(?:\(|=|$)", head)
+    return match.group(1) if match else head
+
+
+def check_namespaces(root, names):
+    for name in names:
+        text = (root / "Filters" / name).read_text(encoding="utf8")
+        for number, head in find_globals(text):
+            if not name_of(head).startswith("vtk"):
+                yield name, number, "in no namespace: " + " ".join(head.split())[:60]
+
+
 def check_words(plan, root, names):
     for name in names:
         if not name.endswith((".h", ".cxx", ".py", ".md", ".xml", ".txt", ".cmake", ".sh", ".in")):
@@ -266,6 +299,7 @@ def check(root, plan):
     includes = read_includes(root, headers)
     found = ["Filters/%s:%d: %s" % each for each in check_folders(plan, includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
+    found += ["Filters/%s:%d: %s" % each for each in check_namespaces(root, headers)]
     found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
     found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]
     found += ["%s:%d: %s" % each for each in picture.check(plan, root)]

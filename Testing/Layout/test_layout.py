@@ -50,6 +50,13 @@ def plant(plan):
     yield "a long method", "Testing/Support/Folders.cxx", \
         "class A\n{\npublic:\n  A()\n    : B{ 1 }\n  {\n%s  }\n  int B;\n};\n" % (60 * "    ++B;\n"), \
         "a function of 6"
+    yield "a type in no namespace", "Filters/Pipeline/SkdReport.h", "struct SkdOutside;\n", \
+        "in no namespace: struct SkdOutside"
+    yield "a function in no namespace", "Filters/vtkSkdTreeProbe.cxx", \
+        "std::vector<int> SkdOutside(int i)\n{\n  return { i };\n}\n", \
+        "in no namespace: std::vector<int> SkdOutside"
+    yield "a method in no namespace", "Filters/Cells/Read/SkdShape.cxx", \
+        "void SkdOutside::Run()\n{\n}\n", "in no namespace: void SkdOutside::Run"
     yield "an old word in code", "Filters/Cells/Read/SkdShape.cxx", \
         "// a %s\n" % first_word(plan), "'%s'" % first_word(plan)
     yield "an old word in a document", "Filters/README.md", \

@@ -17,14 +17,15 @@ namespace skdtest
 {
 
 /// Threads in place of processes, so that an exchange between many is tested without MPI.
-class ThreadTransport : public SkdTransport
+class ThreadTransport : public skdtree::SkdTransport
 {
 public:
   /// Calls run(transport) in as many threads as processes are wanted.
   template <class Run>
   static void RunAll(int number, const Run& run)
   {
-    RunOwners(number, [&run](std::unique_ptr<SkdTransport> transport) { run(*transport); });
+    RunOwners(
+      number, [&run](std::unique_ptr<skdtree::SkdTransport> transport) { run(*transport); });
   }
 
   /// The same, for what keeps its transport: run(std::unique_ptr<SkdTransport>).
@@ -36,7 +37,7 @@ public:
     for (int rank = 0; rank < number; ++rank)
     {
       threads.emplace_back([&post, &run, rank]()
-        { run(std::unique_ptr<SkdTransport>(new ThreadTransport(post, rank))); });
+        { run(std::unique_ptr<skdtree::SkdTransport>(new ThreadTransport(post, rank))); });
     }
     for (std::thread& thread : threads)
     {
@@ -48,14 +49,14 @@ public:
   int GetNumber() const override { return this->Boxes.Number; }
 
 protected:
-  SkdBytes Shift(const SkdBytes& message, int to, int from) override
+  skdtree::SkdBytes Shift(const skdtree::SkdBytes& message, int to, int from) override
   {
     std::unique_lock<std::mutex> lock(this->Boxes.Mutex);
     this->Boxes.Of(this->Rank, to).push_back(message);
     this->Boxes.Changed.notify_all();
-    std::deque<SkdBytes>& in = this->Boxes.Of(from, this->Rank);
+    std::deque<skdtree::SkdBytes>& in = this->Boxes.Of(from, this->Rank);
     this->Boxes.Changed.wait(lock, [&]() { return !in.empty(); });
-    SkdBytes received = std::move(in.front());
+    skdtree::SkdBytes received = std::move(in.front());
     in.pop_front();
     return received;
   }
@@ -68,7 +69,7 @@ private:
       , Sent(static_cast<std::size_t>(number) * static_cast<std::size_t>(number))
     {
     }
-    std::deque<SkdBytes>& Of(int from, int to)
+    std::deque<skdtree::SkdBytes>& Of(int from, int to)
     {
       return this->Sent[static_cast<std::size_t>(from * this->Number + to)];
     }
@@ -76,7 +77,7 @@ private:
     int Number;
     std::mutex Mutex;
     std::condition_variable Changed;
-    std::vector<std::deque<SkdBytes>> Sent;
+    std::vector<std::deque<skdtree::SkdBytes>> Sent;
   };
 
   ThreadTransport(Post& boxes, int rank)

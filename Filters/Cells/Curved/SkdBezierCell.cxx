@@ -10,6 +10,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkPoints.h"
 
+namespace skdtree
+{
 namespace
 {
 skd::Vector3 PointOf(vtkCell* cell, vtkIdType i)
@@ -280,4 +282,5 @@ SkdBezierCell<skd::BezierPatch> SkdReadBezierPatch(vtkCell* cell)
     read.Form = skd::ToBezier(nodes, read.Origin);
   }
   return read;
+}
 }

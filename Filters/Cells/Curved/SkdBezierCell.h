@@ -12,6 +12,8 @@
 
 class vtkCell;
 
+namespace skdtree
+{
 /// The reason why a cell has no usable Bernstein form.
 enum class SkdBezierFault
 {
@@ -41,5 +43,6 @@ SkdBezierCell<skd::BezierPatch> SkdReadBezierPatch(vtkCell* cell);
 
 /// The points of such a triangle or quadrilateral, where they are on its lattice of parameters.
 SkdBezierFault SkdReadNodePatch(vtkCell* cell, skd::NodePatch& nodes);
+}
 
 #endif

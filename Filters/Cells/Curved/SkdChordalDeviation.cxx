@@ -18,6 +18,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 bool IsPyramid(int cellType)
@@ -220,4 +222,5 @@ double SkdChordalDeviation::FactorOf(
   constexpr double rounding = 1.0 + 64.0 * std::numeric_limits<double>::epsilon();
   const double factor = FactorOf(this->KindOf(cellId, cellType, size), points, size);
   return factor > rounding ? factor : 1.0;
+}
 }

@@ -16,6 +16,8 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkGenericCell;
 
+namespace skdtree
+{
 /// The chordal deviation of a data set's curved cells: how far they extend beyond the boxes of
 /// their points. For one thread.
 ///
@@ -52,5 +54,6 @@ private:
   vtkNew<vtkGenericCell> Scratch;
   std::map<std::vector<int>, Kind> Kinds;
 };
+}
 
 #endif

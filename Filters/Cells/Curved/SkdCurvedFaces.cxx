@@ -21,6 +21,8 @@
 #include <map>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using DimensionTable = std::array<unsigned char, VTK_NUMBER_OF_CELL_TYPES>;
@@ -219,4 +221,5 @@ void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCellFace>& faces,
     vtkCell* part = face.Face < 0 ? cell : scratch->GetFace(face.Face);
     visit(face, part, part != cell && IsInward(part, cell));
   }
+}
 }

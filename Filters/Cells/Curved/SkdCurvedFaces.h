@@ -21,6 +21,8 @@
 class vtkCell;
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Of a VTK cell type: 0 to 3; 0 of a type that VTK does not know.
 int SkdDimensionOfCellType(int cellType);
 
@@ -38,5 +40,6 @@ std::vector<SkdCellFace> SkdFindCurvedFaces(vtkDataSet* mesh);
 /// of faces, so `isInward` returns whether the face of a volume cell is oriented inward.
 void SkdVisitFaces(vtkDataSet* mesh, const std::vector<SkdCellFace>& faces,
   const std::function<void(const SkdCellFace&, vtkCell*, bool)>& visit);
+}
 
 #endif

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -366,4 +368,5 @@ void SkdCurvedSides::CutCurved(const Side& side)
       this->Add(side, p[from], p[from + 2], p[(from + 3) % 4]);
     }
   }
+}
 }

@@ -11,6 +11,8 @@
 
 class vtkCell;
 
+namespace skdtree
+{
 /// The sides of a curved volume cell as flat triangles, which depend on the side alone: those of
 /// two cells that share a side, be they of different types, are the same to rounding.
 ///
@@ -93,5 +95,6 @@ private:
   std::vector<Triangle> Triangles;
   Point Middle;
 };
+}
 
 #endif

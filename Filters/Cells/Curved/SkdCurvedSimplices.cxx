@@ -6,6 +6,8 @@
 
 #include "vtkCell.h"
 
+namespace skdtree
+{
 namespace
 {
 using skd::SimplexSet;
@@ -139,4 +141,5 @@ void SkdReadCurved(skd::SimplexSet& set, vtkCell* cell, const skd::Box3& bounds,
   std::vector<skd::Vector3>* parameters)
 {
   CurvedCell(cell, bounds, set, parameters).Read();
+}
 }

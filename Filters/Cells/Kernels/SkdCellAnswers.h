@@ -5,6 +5,8 @@
 
 #include "Core/Geometry/Vector.h"
 
+namespace skdtree
+{
 /// The point of a cell nearest to a query point.
 struct SkdCellPoint
 {
@@ -33,5 +35,6 @@ struct SkdHitTolerance
     return this->Tolerance > this->Rounding ? this->Tolerance : this->Rounding;
   }
 };
+}
 
 #endif

@@ -9,6 +9,8 @@ class vtkCell;
 class vtkDataSet;
 class vtkGenericCell;
 
+namespace skdtree
+{
 /// A thread-local cell.
 vtkGenericCell* SkdScratchCell();
 
@@ -20,5 +22,6 @@ struct SkdCellSource
 
   vtkCell* Load(vtkIdType id) const;
 };
+}
 
 #endif

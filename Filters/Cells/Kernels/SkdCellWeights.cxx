@@ -19,6 +19,8 @@
 #include <limits>
 #include <numeric>
 
+namespace skdtree
+{
 void SkdCellWeights::Load(vtkDataSet* mesh, vtkIdType cellId)
 {
   SkdLoadCell(mesh, cellId, this->Cell);
@@ -256,4 +258,5 @@ void SkdCellWeights::UseCorner(const Vector& x)
     [&](const Vector& a, const Vector& b) { return distance2(a) < distance2(b); });
   std::fill(this->Weights.begin(), this->Weights.end(), 0.0);
   this->Weights[nearest - this->Corners.begin()] = 1.0;
+}
 }

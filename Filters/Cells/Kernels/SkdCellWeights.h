@@ -11,6 +11,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// Interpolation weights of a cell at one of its points, exact for linear fields. One object a
 /// thread.
 class SkdCellWeights
@@ -50,5 +52,6 @@ private:
   std::vector<double> Next;
   std::vector<double> Derivatives;
 };
+}
 
 #endif

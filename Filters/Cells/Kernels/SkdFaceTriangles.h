@@ -5,6 +5,8 @@
 
 #include "Cells/Kernels/SkdKernels.h"
 
+namespace skdtree
+{
 /// The triangles of a volume cell's faces, of a quad two (SkdQuadSplit): for boxes and for other
 /// cells it is what they enclose. Calls visit(a, b, c) with the numbers of the cell's points.
 template <class Shape, class Visit>
@@ -30,6 +32,7 @@ template <class Shape, class Visit>
 void SkdForEachFaceTriangle(const skd::Vector3* p, Visit visit)
 {
   SkdForEachFaceCorners<Shape>(p, [&](int a, int b, int c) { visit(p[a], p[b], p[c]); });
+}
 }
 
 #endif

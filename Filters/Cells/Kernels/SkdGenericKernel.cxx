@@ -17,6 +17,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 /// A buffer for unused weights that EvaluatePosition writes: one a thread, as large as the largest
@@ -174,4 +176,5 @@ void SkdGenericKernel::Locate(
   }
   subId = found.SubId;
   pcoords = found.PCoords;
+}
 }

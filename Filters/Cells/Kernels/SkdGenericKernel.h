@@ -9,6 +9,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 /// The exact tests of cells without a kernel of their own, by the cell itself.
 namespace SkdGenericKernel
 {
@@ -23,6 +25,7 @@ std::optional<SkdLineHit> Intersect(
 /// Closest: pass in its sub-id and parametric coordinates.
 void Locate(
   vtkCell* cell, const skd::Vector3& point, int& subId, skd::Vector3& pcoords, double* weights);
+}
 }
 
 #endif

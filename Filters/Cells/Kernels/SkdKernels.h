@@ -18,6 +18,8 @@
 #include "Core/Geometry/Distance/ClosestSegments.h"
 #include "Core/Geometry/Intersection/SegmentNearTriangle.h"
 
+namespace skdtree
+{
 struct SkdVertexKernel
 {
   static constexpr int Size = 1;
@@ -329,6 +331,7 @@ bool SkdVisitKernel(SkdShape shape, Visit&& visit)
     default:
       return false;
   }
+}
 }
 
 #endif

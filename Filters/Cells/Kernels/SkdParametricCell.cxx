@@ -13,6 +13,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 /// Grown to the largest cell that the thread met, so that a query allocates nothing.
@@ -186,4 +188,5 @@ void SkdParametricCell::Tangents(const skd::Vector3& p, skd::Vector3 (&tangents)
     after[axis] += h;
     tangents[axis] = (0.5 / h) * (this->Value(after) - this->Value(before));
   }
+}
 }

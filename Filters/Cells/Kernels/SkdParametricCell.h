@@ -8,6 +8,8 @@
 
 class vtkCell;
 
+namespace skdtree
+{
 /// A curved cell (quadratic, cubic, Lagrange, Bezier) as the image of a domain under its
 /// interpolation functions. VTK's own EvaluatePosition and IntersectWithLine of these cells
 /// approximate by straight pieces or by loosely converged or clamped coordinates; here both are
@@ -66,6 +68,7 @@ SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 
 std::optional<SkdLineHit> Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance);
+}
 }
 
 #endif

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -361,4 +363,5 @@ std::optional<SkdLineHit> SkdParametricKernel::Intersect(
     return std::nullopt;
   }
   return FirstHit(map, *interval, reach).Find();
+}
 }

@@ -15,6 +15,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -244,4 +246,5 @@ void SkdPiecewiseKernel::Locate(vtkCell* cell, SkdCellPoint& found, double* weig
   WeighPiece(pieces.List[static_cast<std::size_t>(best.Index)], best.Nearest.PCoords, target);
   found.PCoords = PCoordsOf(cell, target);
   found.SubId = 0;
+}
 }

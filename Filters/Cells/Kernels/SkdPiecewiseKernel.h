@@ -10,6 +10,8 @@
 
 class vtkCell;
 
+namespace skdtree
+{
 namespace SkdPiecewiseKernel
 {
 bool Knows(int cellType);
@@ -21,6 +23,7 @@ std::optional<SkdLineHit> Intersect(
 
 /// The parametric coordinates and, unless nullptr, weights at a point that Closest gave.
 void Locate(vtkCell* cell, SkdCellPoint& found, double* weights);
+}
 }
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+namespace skdtree
+{
 /// A cell of any number of points, its points gathered. Faces and FacesEnd are those of
 /// PolyhedronView.
 struct SkdPolyCell
@@ -23,5 +25,6 @@ struct SkdPolyCell
     return { this->Points, this->Size, this->Faces, this->FacesEnd };
   }
 };
+}
 
 #endif

@@ -5,6 +5,8 @@
 #include "Core/Geometry/Cells/MeanValue.h"
 #include "Core/Geometry/Intersection/SegmentPolygon.h"
 
+namespace skdtree
+{
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -317,4 +319,5 @@ void SkdPolyKernels::Locate(const SkdPolyCell& cell, SkdCellPoint& found, double
       WeighPolyhedron(cell, found.Point, weights);
     }
   }
+}
 }

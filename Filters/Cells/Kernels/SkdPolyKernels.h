@@ -10,6 +10,8 @@
 #include "Cells/Kernels/SkdPolyCell.h"
 #include "Core/Geometry/Cells/Polyhedron.h"
 
+namespace skdtree
+{
 namespace SkdPolyKernels
 {
 /// The nearest point within limit2. Locate() computes the parametric coordinates of polygons and
@@ -25,6 +27,7 @@ void Locate(const SkdPolyCell& cell, SkdCellPoint& found, double* weights);
 
 /// The parametric coordinates of a polyhedron as in VTK.
 skd::Vector3 PCoordsInBounds(const skd::Box3& bounds, const skd::Vector3& x);
+}
 }
 
 #endif

@@ -23,6 +23,8 @@
 #include <sstream>
 #include <type_traits>
 
+namespace skdtree
+{
 namespace
 {
 /// Numbers of points for each type.
@@ -167,7 +169,7 @@ bool Part::AreCertainlyWhole(vtkIdType begin, vtkIdType end, const SizeTable& ta
     {
       const auto look = [&](const auto& sizesOf)
       {
-        areWhole = ::AreCertainlyWhole(
+        areWhole = skdtree::AreCertainlyWhole(
           offsets, ids, begin, end, this->Cells.NumberOfIds(), this->NumberOfPoints, sizesOf);
       };
       const SkdCellSizes common = table[static_cast<std::size_t>(this->CommonType)];
@@ -348,4 +350,5 @@ std::string SkdBrokenCells::Tell(vtkDataSet* data) const
                                  : " cells are broken and ignored; the first is cell ")
        << this->Ids.front() << (this->Ids.size() == 1 ? ", which " : ", ") << this->Fault << ".";
   return text.str();
+}
 }

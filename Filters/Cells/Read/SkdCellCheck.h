@@ -10,6 +10,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// The cells of a data set that must not be read, in particular by VTK. A cell is broken if
 /// - its points are not in the list of all cells' points: offsets that decrease or end beyond it,
 /// - it uses a point id out of range,
@@ -29,5 +31,6 @@ struct SkdBrokenCells
 /// Checks each cell once, in parallel: one or two nanoseconds each, a few times more for polyhedra.
 /// Implicit cells, such as those of images, are not checked.
 SkdBrokenCells SkdFindBrokenCells(vtkDataSet* data);
+}
 
 #endif

@@ -22,6 +22,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 /// What VTK makes wedges of; the triangle is the calling thread's own.
@@ -194,4 +196,5 @@ void SkdCellFunctions::ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cel
 bool SkdCellFunctions::ShareMemory(int cellType)
 {
   return cellType == VTK_LAGRANGE_WEDGE || cellType == VTK_BEZIER_WEDGE;
+}
 }

@@ -7,6 +7,8 @@ class vtkCell;
 class vtkDataSet;
 class vtkGenericCell;
 
+namespace skdtree
+{
 /// A cell's interpolation functions and their derivatives, thread-safe. VTK's own are not: all
 /// Lagrange wedges, and all Bezier wedges, resize and use one static triangle at each call, in any
 /// thread, which overruns memory (VTK 9.1 and later). So does any other evaluation of such a wedge:
@@ -27,6 +29,7 @@ void ReadRationalWeights(vtkDataSet* data, vtkGenericCell* cell);
 
 /// Whether VTK evaluates cells of this type in memory that all of them share.
 bool ShareMemory(int cellType);
+}
 }
 
 #endif

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 enum KindOfRun
@@ -166,4 +168,5 @@ void SkdLoadCell(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell)
         cell->GetPoints()->SetPoint(i, x);
       }
     });
+}
 }

@@ -18,6 +18,8 @@
 class vtkCellArray;
 class vtkGenericCell;
 
+namespace skdtree
+{
 /// The type and the point ids of the cells of a data set: of vtkPolyData and vtkUnstructuredGrid
 /// read where they are stored, in 32 or 64 bit, of others as vtkDataSet gives them. Immutable;
 /// thread-safe if each thread has its own list. The data set must outlive it.
@@ -118,5 +120,6 @@ private:
 /// vtkDataSet::GetCell, also of the cells of vtkPolyData that VTK 9.1 cannot build. Thread-safe
 /// once a reader of the data set was made.
 void SkdLoadCell(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell);
+}
 
 #endif

@@ -12,6 +12,8 @@
 #include <array>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 constexpr vtkIdType Any = std::numeric_limits<vtkIdType>::max();
@@ -186,4 +188,5 @@ bool SkdFitsCellType(int cellType, vtkIdType size, const double* degrees)
     return cellType != VTK_QUADRATIC_POLYGON || size % 2 == 0;
   }
   return degrees ? FitsDegrees(kind, size, degrees) : FitsSomeDegree(kind, size);
+}
 }

@@ -5,6 +5,8 @@
 
 #include "vtkType.h"
 
+namespace skdtree
+{
 /// Numbers of points that a cell may have.
 struct SkdCellSizes
 {
@@ -20,5 +22,6 @@ SkdCellSizes SkdSizesOfCellType(int cellType);
 /// Whether a cell of this type may have this number of points. `degrees` are the three of a cell
 /// whose data set has HigherOrderDegrees, else nullptr.
 bool SkdFitsCellType(int cellType, vtkIdType size, const double* degrees);
+}
 
 #endif

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <vector>
 
+namespace skdtree
+{
 /// The point ids of a cell are counted from 0 as long as this lives, so that its faces say which of
 /// the cell's points they have.
 class SkdCountedPoints
@@ -29,5 +31,6 @@ private:
   vtkIdList* Ids;
   std::vector<vtkIdType> Kept;
 };
+}
 
 #endif

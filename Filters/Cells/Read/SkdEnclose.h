@@ -8,6 +8,8 @@
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
+namespace skdtree
+{
 /// For SkdEnclose().
 template <class BoxOf>
 class SkdEnclosing
@@ -49,6 +51,7 @@ skd::Box3 SkdEnclose(std::size_t count, const BoxOf& boxOf)
   SkdEnclosing<BoxOf> enclosing(boxOf);
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), enclosing);
   return enclosing.Total;
+}
 }
 
 #endif

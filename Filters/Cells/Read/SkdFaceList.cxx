@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Read/SkdFaceList.h"
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 std::uint64_t SkdFaceList::HashOfName() const
 {
@@ -57,4 +59,5 @@ std::vector<SkdCellFace> SkdFaceList::TakeOuter()
   std::sort(outer.begin(), outer.end());
   *this = SkdFaceList();
   return outer;
+}
 }

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// A face of a cell.
 struct SkdCellFace
 {
@@ -57,5 +59,6 @@ private:
   skd::Rows<vtkIdType> Names; // the points of each face, ascending
   std::vector<vtkIdType> Name;
 };
+}
 
 #endif

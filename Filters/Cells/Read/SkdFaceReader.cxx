@@ -13,6 +13,8 @@
 #include <numeric>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 // VTK's cell is not used: it would triangulate itself for nothing.
@@ -248,4 +250,5 @@ void SkdFaceReader::Rotate(const std::uint32_t* pointIds, const double* coordina
     std::uint32_t* end = ids + ids[-1];
     std::rotate(ids, std::min_element(ids, end, isBefore), end);
   }
+}
 }

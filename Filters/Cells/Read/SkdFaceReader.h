@@ -15,6 +15,8 @@ class vtkDataSet;
 class vtkGenericCell;
 class vtkIdList;
 
+namespace skdtree
+{
 /// The faces of the convex hull of finite points, outward: of each the number of points, then their
 /// numbers. Triangles; of points in a plane their outline and its back; of points on a line the
 /// triangle that goes to its end and back; none of points that are all the same.
@@ -59,5 +61,6 @@ private:
   std::vector<std::uint32_t> Parents; // of faces, and whether they are oriented against these
   std::vector<char> Turns;
 };
+}
 
 #endif

@@ -13,6 +13,8 @@
 #include <array>
 #include <optional>
 
+namespace skdtree
+{
 /// A fast set of the ids of one cell: of ids with equal hashes only the last is marked.
 class SkdIdMarks
 {
@@ -148,5 +150,6 @@ bool SkdFaceSource::VisitFaces(vtkIdType cell, const Visit& visit) const
   return true;
 }
 #endif
+}
 
 #endif

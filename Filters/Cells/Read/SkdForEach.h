@@ -7,6 +7,8 @@
 
 #include <cstddef>
 
+namespace skdtree
+{
 /// Calls body(i) for each i in [0, n), in parallel if n is large enough to start threads, for steps
 /// of about ten to a thousand instructions. For expensive steps `grain` is the number of steps that
 /// a thread takes at a time. Work that can be aborted uses Pipeline/SkdLoop.h instead.
@@ -34,5 +36,6 @@ void SkdForEach(Index n, const Body& body, vtkIdType grain = 0)
 
 /// The parallel loop for building a tree of the core.
 constexpr auto SkdTreeLoop = [](std::size_t n, const auto& body) { SkdForEach(n, body, 1); };
+}
 
 #endif

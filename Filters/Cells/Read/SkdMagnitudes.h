@@ -18,6 +18,8 @@
 #include <sstream>
 #include <string>
 
+namespace skdtree
+{
 /// Range of a mesh's largest absolute coordinate.
 struct SkdMagnitudes
 {
@@ -50,6 +52,7 @@ inline bool SkdIsWithin(const skd::Vector3& x, double largest)
 inline bool SkdHasDistances(const skd::Vector3& x)
 {
   return SkdIsWithin(x, SkdComparable.Largest);
+}
 }
 
 #endif

@@ -22,6 +22,8 @@
 #include <algorithm>
 #include <cstring>
 
+namespace skdtree
+{
 namespace
 {
 /// Also of arrays that compute their values, as of cells that are all of one type.
@@ -225,4 +227,5 @@ bool SkdMeshSnapshot::IsSameAs(vtkDataSet* mesh) const
     comparison.SameShaping(this->Mesh->GetCellData(), mesh->GetCellData()) &&
     comparison.SameShaping(this->Mesh->GetPointData(), mesh->GetPointData()) &&
     comparison.SameStructure(this->Mesh, mesh);
+}
 }

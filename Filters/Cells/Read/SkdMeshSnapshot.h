@@ -17,6 +17,8 @@
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
+namespace skdtree
+{
 class SkdMeshSnapshot
 {
 public:
@@ -37,5 +39,6 @@ private:
   vtkSmartPointer<vtkDataSet> Mesh;
   vtkMTimeType Time = 0;
 };
+}
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 std::vector<vtkTypeInt64> CopyOf(vtkDataArray* array)
@@ -29,4 +31,5 @@ SkdRawCells::SkdRawCells(vtkCellArray* cells)
     this->Offsets = CopyOf(cells->GetOffsetsArray());
     this->Ids = CopyOf(cells->GetConnectivityArray());
   }
+}
 }

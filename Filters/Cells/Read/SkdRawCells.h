@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// A vtkCellArray whose offsets and ids may be invalid: reads nothing out of range.
 class SkdRawCells
 {
@@ -53,5 +55,6 @@ private:
   vtkIdType Count;
   vtkIdType IdCount;
 };
+}
 
 #endif

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 using Ids = std::vector<vtkIdType>;
@@ -186,4 +188,5 @@ SkdRepairedMesh SkdRepair(vtkDataSet* given)
     return { Repair(grid, broken.Ids), fault };
   }
   return { Repair(vtkExplicitStructuredGrid::SafeDownCast(data), broken.Ids), fault };
+}
 }

@@ -11,6 +11,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// A valid version of a data set: itself or, if cells are broken (SkdCellCheck.h), one of the same
 /// type, points and data in which these are empty. All cells keep their ids. One that has cells but
 /// no vtkPoints gets an empty one, without a word, for cells without points are valid.
@@ -22,5 +24,6 @@ struct SkdRepairedMesh
 
 /// `given` must not be nullptr. Copies connectivity only if cells are broken.
 SkdRepairedMesh SkdRepair(vtkDataSet* given);
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <array>
 
+namespace skdtree
+{
 namespace
 {
 bool IsKnownToVTK(int cellType)
@@ -75,4 +77,5 @@ SkdShape SkdShapeOfCellType(int cellType)
   static const std::array<SkdShape, VTK_NUMBER_OF_CELL_TYPES> table = MakeShapeTable();
   const bool isKnown = cellType >= 0 && cellType < VTK_NUMBER_OF_CELL_TYPES;
   return isKnown ? table[static_cast<std::size_t>(cellType)] : SkdShape::None;
+}
 }

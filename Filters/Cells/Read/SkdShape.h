@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+namespace skdtree
+{
 /// The shape of a cell for exact tests. Each shape except Generic has its own kernel (SkdKernels.h,
 /// SkdPolyKernels.h) that reads raw points; Generic uses vtkGenericCell (SkdGenericKernel.h).
 enum class SkdShape : std::uint8_t
@@ -36,6 +38,7 @@ inline int SkdNumberOfPoints(SkdShape shape)
 {
   constexpr int numbers[] = { 1, 2, 3, 4, 4, 4, 8, 8, 6, 5, 0, 0, 0, 0, 0, 0, 0 };
   return numbers[static_cast<int>(shape)];
+}
 }
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 
+namespace skdtree
+{
 namespace
 {
 /// The values of an array of such numbers that are stored one after the other, else nullptr.
@@ -31,4 +33,5 @@ SkdStoredCells::SkdStoredCells(vtkCellArray* cells)
     this->Offsets64 = offsets64;
     this->Ids64 = ids64;
   }
+}
 }

@@ -8,6 +8,8 @@
 
 #include <cstddef>
 
+namespace skdtree
+{
 /// The cells of a vtkCellArray whose offsets and ids are stored contiguously, in 32 or 64 bits. The
 /// array must outlive it unchanged.
 class SkdStoredCells
@@ -72,6 +74,7 @@ void SkdForEachCell(vtkCellArray* cells, const Visit& visit)
     cells->GetCellAtId(cell, size, ids);
     visit(cell, ids, static_cast<std::size_t>(size));
   }
+}
 }
 
 #endif

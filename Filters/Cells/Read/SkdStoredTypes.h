@@ -6,6 +6,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+namespace skdtree
+{
 /// The types of a grid's cells one by one: where they are stored, or in a copy, which is made of an
 /// array of another kind (since 9.6 VTK keeps one value for cells that are all of one type).
 /// nullptr without an array.
@@ -20,6 +22,7 @@ inline const unsigned char* SkdStoredTypes(
     stored = copy;
   }
   return stored ? stored->GetPointer(0) : nullptr;
+}
 }
 
 #endif

@@ -6,6 +6,8 @@
 #ifndef SkdTolerances_h
 #define SkdTolerances_h
 
+namespace skdtree
+{
 namespace SkdTolerances
 {
 
@@ -21,6 +23,7 @@ constexpr double StraightSide = 1e-6;
 /// Of the degree that a number of points makes, a whole number.
 constexpr double Degree = 1e-9;
 
+}
 }
 
 #endif

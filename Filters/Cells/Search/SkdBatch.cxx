@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// Halves are added, not the sum halved: no overflow near the largest double.
@@ -192,4 +194,5 @@ void SkdBatch::SortByCount(const std::vector<std::uint32_t>& keys, std::uint32_t
   {
     this->Order[next[keys[slot]]++] = static_cast<std::uint32_t>(slot);
   }
+}
 }

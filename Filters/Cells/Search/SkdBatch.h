@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// The meaning of a query's components.
 enum class SkdBatchOf
 {
@@ -152,5 +154,6 @@ private:
   vtkIdType Count;
   std::vector<std::uint32_t> Order; // slots; empty: as they come
 };
+}
 
 #endif

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// The answers of a batch of queries with several answers each: computed in parallel piece by
 /// piece, then concatenated in the order of the slots.
 template <class Value>
@@ -74,5 +76,6 @@ private:
   vtkNew<vtkIdTypeArray> OwnOffsets; // for those who want none
   vtkIdType* Offsets;
 };
+}
 
 #endif

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 using SkdOutputs = std::vector<vtkDataArray*>;
 
 /// The reason why a batch is invalid; empty if it is valid.
@@ -90,6 +92,7 @@ inline void SkdStoreAt(double* values, vtkIdType i, const skd::Vector3& value)
 inline skd::Vector3 SkdNoPoint()
 {
   return { { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() } };
+}
 }
 
 #endif

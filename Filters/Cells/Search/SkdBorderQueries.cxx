@@ -12,6 +12,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// Parameters at which a segment crosses the boundary of a cell: the faces of a volume, and the
@@ -256,4 +258,5 @@ SkdFoundCell SkdCellTree::Evaluate(
     found.Id = std::isfinite(found.Dist2) ? id : -1;
   }
   return found;
+}
 }

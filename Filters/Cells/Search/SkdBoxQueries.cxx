@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 bool IsUsable(const skd::Plane<3>& plane)
@@ -266,4 +268,5 @@ void SkdCellTree::FindMaybeWithin(
   };
   skd::Nearest<3, decltype(visitor)> query(this->GetFrame(), x, radius2, visitor);
   this->Walk(query);
+}
 }

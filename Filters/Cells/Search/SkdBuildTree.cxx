@@ -6,6 +6,8 @@
 #include "Core/Search/Tree/BuildLazyTree.h"
 #include "Core/Search/Tree/BuildTree.h"
 
+namespace skdtree
+{
 skd::Tree<3> SkdBuildTree(skd::TreeInput<3>&& input)
 {
   return skd::BuildTree<3>(std::move(input), SkdTreeLoop);
@@ -29,4 +31,5 @@ skd::LazyTree<3> SkdBuildLazyTree(skd::TreeInput<3>&& input)
 skd::LazyTree<3> SkdBuildLazyTree(const skd::ReadInput<3>& input)
 {
   return skd::BuildLazyTree<3>(input, SkdTreeLoop);
+}
 }

@@ -7,6 +7,8 @@
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/TreeInput.h"
 
+namespace skdtree
+{
 ///@{
 /// BuildTree and BuildLazyTree of the core, compiled once. In parallel by vtkSMPTools, but for
 /// those with "Serial", which are for trees that are built inside a parallel loop. The result is
@@ -17,5 +19,6 @@ skd::Tree<3> SkdBuildTreeSerial(skd::TreeInput<3>&& input);
 skd::LazyTree<3> SkdBuildLazyTree(skd::TreeInput<3>&& input); ///< parallel where it is queried so
 skd::LazyTree<3> SkdBuildLazyTree(const skd::ReadInput<3>& input);
 ///@}
+}
 
 #endif

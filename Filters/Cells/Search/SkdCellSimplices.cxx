@@ -15,6 +15,8 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+namespace skdtree
+{
 namespace
 {
 using skd::SimplexSet;
@@ -298,4 +300,5 @@ bool SkdCellTree::Meets(std::uint32_t cell, const skd::SimplexSet& set) const
   };
   return std::any_of(set.Simplices.begin(), set.Simplices.end(), overlaps) ||
     skd::Encloses(set, this->Store.Point(*this->Store.PointIdsOf(cell)));
+}
 }

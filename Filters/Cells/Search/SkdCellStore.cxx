@@ -20,6 +20,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace skdtree
+{
 namespace
 {
 void RequireRange(vtkIdType number, const char* what)
@@ -258,4 +260,5 @@ std::size_t SkdCellStore::MemorySize() const
     this->FaceOffsets.capacity() * sizeof(std::uint64_t) +
     this->FaceStream.capacity() * sizeof(std::uint32_t) +
     this->CurvedExtents.capacity() * sizeof(float) + this->OwnPoints.capacity() * sizeof(double);
+}
 }

@@ -14,8 +14,11 @@
 
 #include <vector>
 
-class SkdCellReader;
 class vtkDataSet;
+
+namespace skdtree
+{
+class SkdCellReader;
 
 /// The cells of a data set for the kernels: double points, 32-bit connectivity, no virtual call.
 /// Cells that no query may return are omitted; the others are numbered 0 .. N-1 in the order of
@@ -166,5 +169,6 @@ private:
   vtkSmartPointer<vtkDataArray> SharedPoints; // the data set's own array when it is of doubles
   skd::RawVector<double> OwnPoints;
 };
+}
 
 #endif

@@ -20,6 +20,8 @@
 #include <atomic>
 #include <cstring>
 
+namespace skdtree
+{
 namespace
 {
 /// Tells which cells of a data set belong in the tree. Constant: threads may share it.
@@ -354,4 +356,5 @@ void SkdCellStore::PutPoints(std::uint64_t first, const Id* ids, std::size_t siz
 {
   std::transform(ids, ids + size, this->PointIds.data() + first,
     [](Id pointId) { return static_cast<std::uint32_t>(pointId); });
+}
 }

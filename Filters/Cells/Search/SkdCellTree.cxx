@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double Ulps = 8.0 * std::numeric_limits<double>::epsilon();
@@ -131,4 +133,5 @@ std::size_t SkdCellTree::MemorySize() const
     this->Runs.MemorySize() + (this->Equal ? this->Equal->MemorySize() : 0) +
     (this->Distinct ? this->Distinct->MemorySize() : 0) +
     (this->Lazy ? this->Lazy->MemorySize() : this->Eager.MemorySize());
+}
 }

@@ -27,6 +27,8 @@
 class vtkDoubleArray;
 class vtkIdList;
 
+namespace skdtree
+{
 struct SkdTreeSettings
 {
   double Epsilon = 1e-9; ///< relative to the diagonal
@@ -335,5 +337,6 @@ private:
   std::unique_ptr<SkdEqualCells> Equal;   // with the next; nullptr where there are few
   std::unique_ptr<SkdCellTree> Distinct;  // of the first of each group of equal cells
 };
+}
 
 #endif

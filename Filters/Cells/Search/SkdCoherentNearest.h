@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 /// Nearest cells to a sequence of points near each other: the answer to the last one is a point of
 /// the set, so the distance to it bounds the next search. Answers are those of
 /// SkdCellTree::FindNearest, including ties. For one thread.
@@ -53,5 +55,6 @@ private:
   double Limit2;
   SkdFoundCell Last;
 };
+}
 
 #endif

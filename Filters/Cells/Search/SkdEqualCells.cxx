@@ -11,6 +11,8 @@
 #include <cstring>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 using HashedCell = std::pair<std::uint64_t, std::uint32_t>;
@@ -136,4 +138,5 @@ void SkdEqualCells::Group(const std::vector<std::uint32_t>& firstOf)
         }
       }
     } };
+}
 }

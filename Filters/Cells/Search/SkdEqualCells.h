@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 class SkdCellStore;
 
 /// The cells of a store in groups of equal ones: of one shape, with the same coordinates in the
@@ -54,5 +56,6 @@ private:
   std::vector<std::uint32_t> Firsts;
   skd::Rows<std::uint32_t, std::uint32_t> Others; // of each group
 };
+}
 
 #endif

@@ -5,6 +5,8 @@
 #include "Cells/Kernels/SkdFaceTriangles.h"
 #include "Core/Geometry/Intersection/BoxOverlap.h"
 
+namespace skdtree
+{
 namespace
 {
 /// A quad is two triangles here, as it is for segments.
@@ -182,4 +184,5 @@ std::uint32_t SkdCellTree::CountListed(
   this->VisitCandidates(
     above, box, [&](std::uint32_t cell) { count += this->IsMet(cell, box, test); });
   return count;
+}
 }

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 using Node = skd::Node<3>;
@@ -474,4 +476,5 @@ std::size_t SkdLeafFilters::MemorySize() const
     this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
     this->PlanePackets.capacity() * sizeof(PlanePacket) +
     this->Rows.capacity() * sizeof(skd::PlaneRow);
+}
 }

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// The cells of leaves on 16-bit grids, eight at once, which exclude most candidates of a query
 /// before exact tests. Leaf filters never change an answer: excluded cells are proven not to be
 /// one, including rounding.
@@ -137,6 +139,7 @@ inline void SkdLeafFilters::Point::Fetch(std::uint32_t number) const
     skd::FetchLines<sizeof(skd::PlaneRow)>(
       &this->LeafFilters.Rows[number * std::uint64_t(rows) + i]);
   }
+}
 }
 
 #endif

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 bool IsBefore(const SkdHitCell& a, const SkdHitCell& b)
@@ -387,4 +389,5 @@ const std::vector<SkdPass>& SkdCellTree::FindPasses(
   std::sort(passes.begin(), passes.end(),
     [](const SkdPass& a, const SkdPass& b) { return std::tie(a.T, a.Id) < std::tie(b.T, b.Id); });
   return passes;
+}
 }

@@ -19,6 +19,8 @@
 #include <memory>
 #include <mutex>
 
+namespace skdtree
+{
 inline skd::Vector3 SkdVector(const double x[3])
 {
   return { { x[0], x[1], x[2] } };
@@ -136,5 +138,6 @@ private:
   std::shared_ptr<const SkdMeshSnapshot> Kept; // shared with shallow copies
   std::atomic<vtkMTimeType> CheckTime{ 0 };
 };
+}
 
 #endif

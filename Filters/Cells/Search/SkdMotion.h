@@ -9,6 +9,8 @@
 #include "Cells/Search/SkdCellTree.h"
 #include "Core/Search/Queries/WithinSlabs.h"
 
+namespace skdtree
+{
 inline skd::Vector3 SkdAbsolutesOf(const skd::Vector3& row)
 {
   return { { std::abs(row[0]), std::abs(row[1]), std::abs(row[2]) } };
@@ -54,6 +56,7 @@ void SkdCellTree::ForEachNear(
   skd::WithinSlabs<3, 3, decltype(visitor)> query(
     SkdSlabsBeforeMotion(this->GetFrame(), box, motion), visitor);
   this->Walk(query);
+}
 }
 
 #endif

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double HalfTurn = 3.14159265358979323846;
@@ -131,4 +133,5 @@ double SkdCellTree::FindNormalDeviation(
 {
   const skd::CandidateLanes all = skd::AllCandidates().front();
   return this->NormalDeviationOf({ &all, &all + 1 }, box, isMet);
+}
 }

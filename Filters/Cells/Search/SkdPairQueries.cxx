@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 using CellPairs = std::vector<SkdCellTree::CellPair>;
@@ -101,4 +103,5 @@ std::vector<std::pair<vtkIdType, vtkIdType>> SkdCellTree::FindOverlappingPairs(
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
 }

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 constexpr std::uint32_t Many = 64; // pieces; fewer are looked through as fast
@@ -168,4 +170,5 @@ SkdCellPoint SkdPieceRuns::Closest(
 std::size_t SkdPieceRuns::MemorySize() const
 {
   return this->Boxes.capacity() * sizeof(skd::Box3) + this->Rows.capacity() * sizeof(Row);
+}
 }

@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// For strips, polylines and polyvertices, whose pieces are consecutive: a box for each run of 16
 /// pieces, one for each 16 of these, and so on. 3 bytes a piece. Immutable.
 class SkdPieceRuns
@@ -53,5 +55,6 @@ private:
   std::vector<Row> Rows; // by ascending cell
   std::vector<skd::Box3> Boxes;
 };
+}
 
 #endif

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -255,4 +257,5 @@ skd::Vector3 SkdCellTree::MovedPCoords(const skd::RigidMotion* motion, vtkIdType
   return this->Store.ShapeOf(cell) == SkdShape::Polyhedron
     ? SkdPolyKernels::PCoordsInBounds(this->WorldBoundsOf(cell, motion), x)
     : pcoords;
+}
 }

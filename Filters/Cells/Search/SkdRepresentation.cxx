@@ -15,6 +15,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// Collects boxes as polydata.
@@ -88,4 +90,5 @@ void SkdRepresent(
     }
   }
   picture.Store(output);
+}
 }

@@ -3,7 +3,6 @@
 #ifndef SkdRepresentation_h
 #define SkdRepresentation_h
 
-class SkdCellTree;
 class vtkPolyData;
 
 namespace skd
@@ -11,9 +10,14 @@ namespace skd
 struct RigidMotion;
 }
 
+namespace skdtree
+{
+class SkdCellTree;
+
 /// The boxes of a level of the paper's tree as quads, transformed by the motion unless nullptr. A
 /// level below 0 or below the deepest gives the leaves. Cell arrays Level and CellId.
 void SkdRepresent(
   const SkdCellTree& tree, int level, const skd::RigidMotion* motion, vtkPolyData* output);
+}
 
 #endif

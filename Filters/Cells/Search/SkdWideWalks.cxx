@@ -23,6 +23,8 @@
 #include "Core/Search/Tree/TreeView.h"
 #include "Core/Search/Tree/Walk.h"
 
+namespace skdtree
+{
 namespace
 {
 const skd::TreeView<3>& ViewOf(const SkdWideTree& tree)
@@ -112,4 +114,5 @@ void SkdWideWalks::VisitTriangleHits(const SkdWideTree& tree, const void* segmen
       skd::VisitTriangleHits<decltype(order)::value>(
         ViewOf(tree), PacketsOf(tree), SegmentAt(segment), tolerance, take);
     });
+}
 }

@@ -14,6 +14,8 @@
 
 #include <cstdint>
 
+namespace skdtree
+{
 /// A tree of cells and the packets of its leaves.
 struct SkdWideTree
 {
@@ -73,5 +75,6 @@ public:
   static void VisitTriangleHits(const SkdWideTree& tree, const void* segment, double tolerance,
     bool inOrder, const SkdWideHits& visitor);
 };
+}
 
 #endif

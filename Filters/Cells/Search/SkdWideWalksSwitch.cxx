@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+namespace skdtree
+{
 namespace
 {
 bool CanRun()
@@ -30,4 +32,5 @@ bool SkdWideWalks::AreOn()
 void SkdWideWalks::TurnOn(bool on)
 {
   IsOn = on && CanRun();
+}
 }

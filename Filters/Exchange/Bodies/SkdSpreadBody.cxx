@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 using Origins = std::vector<SkdBoundary::Origin>;
@@ -333,4 +335,5 @@ SkdSpreadBody::PassesOfLines SkdSpreadBody::FindOfAll(const std::vector<Line>& l
     },
     [&](std::size_t i, const Pass& pass, int) { found[i].push_back(pass); });
   return found;
+}
 }

@@ -23,6 +23,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// What came of a collective search.
 enum class SkdSpreadResult
 {
@@ -219,6 +221,7 @@ void SkdSpreadBody::FindPasses(std::size_t n, const LineOf& lineOf, const Set& s
     }
     begin = end;
   }
+}
 }
 
 #endif

@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -355,4 +357,5 @@ SkdSpreadShells SkdFindSpreadShells(SkdTransport& transport, const std::vector<V
   found.HasOneSided = shells.HasOneSided;
   found.Reversed = FindReversed(own, transport.GetRank(), shells, isOwn);
   return found;
+}
 }

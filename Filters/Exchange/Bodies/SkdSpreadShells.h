@@ -11,6 +11,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// The shells (SkdShells) of a closed surface whose triangles are on several processes.
 struct SkdSpreadShells
 {
@@ -32,5 +34,6 @@ struct SkdSpreadShells
 SkdSpreadShells SkdFindSpreadShells(SkdTransport& transport,
   const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles,
   const std::vector<unsigned char>& isOwn, const skd::Vector3& origin);
+}
 
 #endif

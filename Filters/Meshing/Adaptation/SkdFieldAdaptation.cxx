@@ -10,6 +10,8 @@
 
 #include <sstream>
 
+namespace skdtree
+{
 namespace
 {
 /// Tolerances of finding cells, relative to their mean size: in a plane for rounding errors, on
@@ -266,4 +268,5 @@ void SkdFieldAdaptation::AddReport(vtkDataObject* output) const
     report.AddCount("ValuesIgnored", this->NumberOfTooLarge);
   }
   report.AddMeasure("Seconds", this->Seconds);
+}
 }

@@ -13,6 +13,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// What each value of a field counts in a mean.
 enum class SkdFieldWeighing
 {
@@ -74,5 +76,6 @@ private:
   vtkIdType NumberOfTooLarge = 0;
   double Seconds = 0.0;
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// So many places are looked for at a time.
@@ -149,4 +151,5 @@ std::vector<double> SkdFieldIntegral::GetMeans(const skd::SurfaceMesh& mesh)
     sums[cell] = areas[cell] > 0.0 ? sums[cell] / areas[cell] : vtkMath::Nan();
   }
   return sums;
+}
 }

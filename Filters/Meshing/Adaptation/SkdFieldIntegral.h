@@ -15,6 +15,8 @@
 
 class vtkPoints;
 
+namespace skdtree
+{
 /// A field between the places where it is given: that of points is interpolated in the cells of
 /// its mesh, that of cells is the same all over each. What is off the mesh takes what is nearest.
 /// Means over a cell are by the midpoint rule on each of the triangles around the middle of its
@@ -55,5 +57,6 @@ private:
   double Bounds[6];
   vtkSmartPointer<vtkSkdTreeCellLocator> Locator;
 };
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// The named array, or else the first of numbers, that is no mark of ghosts.
@@ -125,4 +127,5 @@ bool SkdFieldSamples::HasAny() const
 {
   return std::any_of(
     this->Values.begin(), this->Values.end(), [](double value) { return std::isfinite(value); });
+}
 }

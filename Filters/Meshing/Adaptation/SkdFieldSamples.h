@@ -18,6 +18,8 @@ class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
 
+namespace skdtree
+{
 struct SkdFieldSamples
 {
   /// Of the points of all blocks, or else of the middles of their cells: the named array, or the
@@ -36,5 +38,6 @@ struct SkdFieldSamples
 private:
   void AddAll(vtkDataSet* mesh, int type, vtkDataArray* array, const std::string& where);
 };
+}
 
 #endif

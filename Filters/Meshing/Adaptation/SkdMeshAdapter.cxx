@@ -11,6 +11,8 @@
 #include "vtkPointSet.h"
 #include "vtkTable.h"
 
+namespace skdtree
+{
 namespace
 {
 // Coordinates in single precision, and positions that were rounded to some digits.
@@ -176,4 +178,5 @@ void SkdMeshAdapter::FillTable(vtkTable* table) const
   {
     table->AddColumn(array);
   }
+}
 }

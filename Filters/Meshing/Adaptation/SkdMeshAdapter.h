@@ -17,6 +17,8 @@
 
 class vtkTable;
 
+namespace skdtree
+{
 /// What points stay on.
 enum class SkdSurfaceChoice
 {
@@ -98,5 +100,6 @@ private:
   State Shown;
   std::vector<State> Kept;
 };
+}
 
 #endif

@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <set>
 
+namespace skdtree
+{
 namespace
 {
 constexpr std::uint32_t None = skd::MeshEdge::None;
@@ -279,4 +281,5 @@ void SkdMovedMesh::AddCellArray(
     }
   }
   output->GetCellData()->AddArray(array);
+}
 }

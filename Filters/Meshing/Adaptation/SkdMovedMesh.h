@@ -14,6 +14,8 @@
 
 #include <string>
 
+namespace skdtree
+{
 /// Triangles, quads, pixels and polygons of all blocks. Points of equal coordinates are one, be
 /// they of different blocks: so seams stay closed. Points of other cells of two dimensions or more
 /// (their number is CellsLeftOut) stay where they are, and so do those of broken polygons.
@@ -50,5 +52,6 @@ private:
 
   std::vector<Block> Blocks;
 };
+}
 
 #endif

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// A number of cells exceeds a whole number by rounding only, if by less than this.
@@ -199,4 +201,5 @@ SkdBaseLattice SkdTakeBaseLattice(vtkDataObject* grid, int branch)
     return { std::nullopt, "BaseMesh must be an image or rectilinear grid with points" };
   }
   return Checked(planes, branch);
+}
 }

@@ -10,6 +10,8 @@
 
 class vtkDataObject;
 
+namespace skdtree
+{
 /// Settings of a base grid that is not given as a data set.
 struct SkdBaseSettings
 {
@@ -32,5 +34,6 @@ SkdBaseLattice SkdMakeBaseLattice(
 
 /// The cells of a vtkImageData without a direction matrix, or of a vtkRectilinearGrid.
 SkdBaseLattice SkdTakeBaseLattice(vtkDataObject* grid, int branch);
+}
 
 #endif

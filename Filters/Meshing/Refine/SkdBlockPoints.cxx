@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+namespace skdtree
+{
 SkdBlockPoints::SkdBlockPoints(const SkdReadMesh& read, const SkdReadMesh::Block& block)
   : Read(read)
   , Block(block)
@@ -84,4 +86,5 @@ vtkIdType SkdBlockPoints::AddPoint(std::uint32_t node, const std::vector<vtkIdTy
   this->NewNodes.push_back(node);
   this->Recipes.push_back(std::move(recipe));
   return this->GetNumberOfPoints() - 1;
+}
 }

@@ -13,6 +13,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Points of equal coordinates are one node and are separated again here. A new node on a seam
 /// gives one point for each pair of points from which it is made.
 class SkdBlockPoints
@@ -62,5 +64,6 @@ private:
   skd::TupleNumbers<4> Makers; // of points on seams
   std::vector<vtkIdType> IdOfMakers;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// The candidates of each part for each box in a sequence.
 class SkdCandidateLists
 {
@@ -74,5 +76,6 @@ private:
   std::vector<Span> Open; // of a box that has not ended
   std::vector<skd::CandidateLanes> Lanes;
 };
+}
 
 #endif

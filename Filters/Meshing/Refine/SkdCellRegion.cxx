@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 SkdCellRegion::SkdCellRegion(const skd::RefinedMesh& mesh, std::uint32_t cell)
   : IsVolume(skd::DimensionOf(mesh[cell].Kind) == 3)
 {
@@ -112,4 +114,5 @@ bool SkdCellRegion::Meets(const SkdCellTree& tree, std::uint32_t cell, SkdOverla
     return tree.SafetyBoxOf(cell).Overlaps(this->Set.Bounds);
   }
   return tree.Meets(cell, this->Set);
+}
 }

@@ -16,6 +16,8 @@
 #include "Core/Meshing/Mesh/RefinedMesh.h"
 #include "Meshing/Refine/SkdRegion.h"
 
+namespace skdtree
+{
 class SkdCellRegion : public SkdRegion
 {
 public:
@@ -38,5 +40,6 @@ private:
   skd::SimplexSet Set;
   bool IsVolume;
 };
+}
 
 #endif

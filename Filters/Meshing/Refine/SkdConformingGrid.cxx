@@ -7,6 +7,8 @@
 #include "vtkCellType.h"
 #include "vtkUnstructuredGrid.h"
 
+namespace skdtree
+{
 namespace
 {
 /// The points around a leaf of a flat grid, hanging ones too.
@@ -114,4 +116,5 @@ std::vector<SkdGridCell> SkdMakeConformingGrid(const SkdGrid& grid, vtkUnstructu
     }
   }
   return leafOfCell;
+}
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 bool IsMetBy(const SkdCellTree& tree, const SkdRegion& region, SkdOverlapTest test)
@@ -61,4 +63,5 @@ bool SkdCriteria::IsWantedByOthers(int level, const SkdRegion& region, const Skd
   return IsNear(level, region, parts, this->Bands) ||
     (level < this->InsideLevel && this->IsInside(region.GetMiddle())) ||
     (level < this->FieldLevel && this->IsFieldWanted(region));
+}
 }

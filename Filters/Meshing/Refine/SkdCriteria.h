@@ -15,6 +15,8 @@
 #include <functional>
 #include <vector>
 
+namespace skdtree
+{
 /// Cells nearer to a part than Distance are refined to Level.
 struct SkdDistanceBand
 {
@@ -44,5 +46,6 @@ struct SkdCriteria
   /// Whether any other criterion does. Thread-safe.
   bool IsWantedByOthers(int level, const SkdRegion& region, const SkdParts& parts) const;
 };
+}
 
 #endif

@@ -10,6 +10,8 @@
 
 #include "Bodies/SkdSignedSource.h"
 
+namespace skdtree
+{
 class SkdEnclosure
 {
 public:
@@ -29,5 +31,6 @@ public:
 private:
   SkdSignedSource Boundary;
 };
+}
 
 #endif

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 std::vector<double> ValuesOf(vtkDataArray* array)
@@ -280,4 +282,5 @@ bool SkdFieldCriterion::IsWanted(const Column& column, const SkdRegion& region) 
     this->AddListed(column, region, look);
   }
   return look.Passes;
+}
 }

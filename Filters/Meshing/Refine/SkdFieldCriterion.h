@@ -21,6 +21,8 @@
 #include <set>
 #include <string>
 
+namespace skdtree
+{
 enum class SkdFieldTest
 {
   Difference, ///< of two values in the cell: more than the threshold
@@ -87,5 +89,6 @@ private:
   std::vector<Column> Columns;
   std::set<std::string> Missing;
 };
+}
 
 #endif

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 /// A cell of a grid.
 struct SkdGridCell
 {
@@ -113,5 +115,6 @@ struct SkdGrid
   std::uint64_t CellsWanted = 0;
   ///@}
 };
+}
 
 #endif

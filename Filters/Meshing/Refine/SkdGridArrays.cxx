@@ -8,6 +8,8 @@
 #include "vtkIntArray.h"
 #include "vtkUnsignedCharArray.h"
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* CutName = "SkdCut";
@@ -90,4 +92,5 @@ std::vector<vtkSmartPointer<vtkDataArray>> SkdGridArrays::Make(const SkdGrid& gr
     arrays.push_back(MakeFieldArray(field, cells));
   }
   return arrays;
+}
 }

@@ -12,6 +12,8 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
+namespace skdtree
+{
 /// Optional values of all cells by level. Empty: not requested.
 class SkdGridArrays
 {
@@ -24,5 +26,6 @@ public:
     const SkdGridExtras& extras, const std::vector<int>& blockIndices,
     const std::vector<SkdGridCell>& cells);
 };
+}
 
 #endif

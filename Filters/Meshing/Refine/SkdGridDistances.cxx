@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace skdtree
+{
 std::vector<std::vector<double>> SkdFindDistances(
   const SkdGrid& grid, const SkdParts& parts, vtkAlgorithm* algorithm, double first, double last)
 {
@@ -40,4 +42,5 @@ void SkdSignDistances(std::vector<std::vector<double>>& distances,
       distance = inside[level][cell] ? -distance : distance;
     }
   }
+}
 }

@@ -8,6 +8,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// The distances of the centres of all cells from the nearest part, level by level; infinity
 /// without parts, NaN after an abort.
 std::vector<std::vector<double>> SkdFindDistances(
@@ -16,5 +18,6 @@ std::vector<std::vector<double>> SkdFindDistances(
 /// Makes the distances of cells that are inside negative.
 void SkdSignDistances(std::vector<std::vector<double>>& distances,
   const std::vector<std::vector<unsigned char>>& inside);
+}
 
 #endif

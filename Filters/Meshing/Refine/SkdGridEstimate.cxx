@@ -5,6 +5,8 @@
 #include "Pipeline/SkdReport.h"
 #include "vtkType.h"
 
+namespace skdtree
+{
 namespace
 {
 constexpr std::size_t SampledFamilies = 1536; // of each level
@@ -58,4 +60,5 @@ SkdGridEstimate SkdEstimateGrid(const SkdGrid& grid, const SkdParts& parts,
   estimate.Seconds =
     watch.Lap() * estimate.Cells / static_cast<double>(sample.Forest.NumberOfCells());
   return estimate;
+}
 }

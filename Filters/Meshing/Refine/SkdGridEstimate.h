@@ -6,6 +6,8 @@
 #include "Meshing/Refine/SkdGridExtras.h"
 #include "Meshing/Refine/SkdGridRefiner.h"
 
+namespace skdtree
+{
 /// An estimate of the size of a grid before it is made.
 struct SkdGridEstimate
 {
@@ -23,5 +25,6 @@ struct SkdGridEstimate
 SkdGridEstimate SkdEstimateGrid(const SkdGrid& grid, const SkdParts& parts,
   const SkdRefineSettings& settings, const SkdGridRequests& requests, int outputType,
   vtkAlgorithm* algorithm, double progress);
+}
 
 #endif

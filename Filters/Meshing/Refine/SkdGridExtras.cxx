@@ -6,6 +6,8 @@
 #include "Meshing/Refine/SkdGridFractions.h"
 #include "Meshing/Refine/SkdGridInside.h"
 
+namespace skdtree
+{
 SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridRequests& requests,
   const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last)
@@ -34,4 +36,5 @@ SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridRequests& requests
     }
   }
   return extras;
+}
 }

@@ -11,8 +11,11 @@
 #include "Bodies/SkdParts.h"
 #include "Meshing/Refine/SkdGridFields.h"
 
-class SkdEnclosure;
 class vtkAlgorithm;
+
+namespace skdtree
+{
+class SkdEnclosure;
 
 /// By level and cell; empty if not requested.
 struct SkdGridExtras
@@ -37,5 +40,6 @@ struct SkdGridRequests
 SkdGridExtras SkdFindExtras(const SkdGrid& grid, const SkdGridRequests& requests,
   const SkdParts& parts, const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first,
   double last);
+}
 
 #endif

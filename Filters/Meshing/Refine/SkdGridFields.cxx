@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 SkdGridField TakeLeaves(
@@ -106,4 +108,5 @@ std::vector<SkdGridField> SkdSpreadFields(const SkdGrid& grid,
     }
   }
   return fields;
+}
 }

@@ -10,6 +10,8 @@
 
 class vtkCellData;
 
+namespace skdtree
+{
 /// The values of a field in the cells of a grid.
 struct SkdGridField
 {
@@ -23,5 +25,6 @@ struct SkdGridField
 /// same integrals. The coverage is a field as well. O(cells).
 std::vector<SkdGridField> SkdSpreadFields(const SkdGrid& grid,
   const std::vector<SkdGridCell>& leaves, vtkCellData* ofLeaves, const char* coverage);
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <optional>
 
+namespace skdtree
+{
 namespace
 {
 /// The part of 4 x 4 x 4 samples that is inside; fewer along flat axes.
@@ -81,4 +83,5 @@ std::vector<std::vector<double>> SkdFindFractions(const SkdGrid& grid,
   }
   SetRefined(grid, fractions);
   return fractions;
+}
 }

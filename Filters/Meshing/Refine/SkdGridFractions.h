@@ -5,8 +5,11 @@
 
 #include "Meshing/Refine/SkdGrid.h"
 
-class SkdEnclosure;
 class vtkAlgorithm;
+
+namespace skdtree
+{
+class SkdEnclosure;
 
 /// The fraction of each cell inside a boundary, from 0 to 1, level by level: for leaves that a part
 /// intersects by exact clipping, or by 4 samples along each axis if the boundary is open; for other
@@ -14,5 +17,6 @@ class vtkAlgorithm;
 std::vector<std::vector<double>> SkdFindFractions(const SkdGrid& grid,
   const SkdEnclosure& enclosure, const std::vector<std::vector<unsigned char>>& inside,
   double epsilon, vtkAlgorithm* algorithm, double first, double last);
+}
 
 #endif

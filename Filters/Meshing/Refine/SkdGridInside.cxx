@@ -7,6 +7,8 @@
 #include "Meshing/Refine/SkdEnclosure.h"
 #include "Pipeline/SkdLoop.h"
 
+namespace skdtree
+{
 namespace
 {
 using Unions = skd::DisjointSets<std::size_t>;
@@ -115,4 +117,5 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
   }
   SetRefined(grid, inside);
   return inside;
+}
 }

@@ -5,8 +5,11 @@
 
 #include "Meshing/Refine/SkdGrid.h"
 
-class SkdEnclosure;
 class vtkAlgorithm;
+
+namespace skdtree
+{
+class SkdEnclosure;
 
 /// Whether the centres of cells are inside a boundary, level by level; 1 for a refined cell if more
 /// than half of its children are inside.
@@ -15,5 +18,6 @@ class vtkAlgorithm;
 /// each connected component. For an open boundary each leaf is tested.
 std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
   const SkdEnclosure& enclosure, vtkAlgorithm* algorithm, double first, double last);
+}
 
 #endif

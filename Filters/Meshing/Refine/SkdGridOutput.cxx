@@ -8,6 +8,8 @@
 #include "vtkOverlappingAMR.h"
 #include "vtkUnstructuredGrid.h"
 
+namespace skdtree
+{
 namespace
 {
 void AddArrays(const SkdGrid& grid, const SkdGridExtras& extras,
@@ -45,4 +47,5 @@ void SkdFillGridOutput(const SkdGrid& grid, const SkdGridExtras& extras,
       AddArrays(grid, extras, blockIndices, block.Cells, block.Grid);
     }
   }
+}
 }

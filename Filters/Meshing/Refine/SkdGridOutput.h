@@ -19,6 +19,8 @@ class vtkHyperTreeGrid;
 class vtkOverlappingAMR;
 class vtkUnstructuredGrid;
 
+namespace skdtree
+{
 /// Sets the base cells and trees of the hyper tree grid. Returns its cells, including refined ones,
 /// in its order.
 std::vector<SkdGridCell> SkdMakeHyperTreeGrid(const SkdGrid& grid, vtkHyperTreeGrid* output);
@@ -52,5 +54,6 @@ std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlapp
 /// has that of each part.
 void SkdFillGridOutput(const SkdGrid& grid, const SkdGridExtras& extras,
   const std::vector<int>& blockIndices, bool isConforming, vtkDataObject* output);
+}
 
 #endif

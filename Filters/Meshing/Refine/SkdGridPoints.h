@@ -11,6 +11,8 @@
 
 #include <unordered_map>
 
+namespace skdtree
+{
 /// Corners of leaves by their integer coordinates on the finest level: exact, and the same for all
 /// leaves.
 class SkdGridPoints
@@ -139,5 +141,6 @@ private:
   std::unordered_map<skd::LatticePoint, vtkIdType, Hash> Ids;
   std::vector<skd::LatticePoint> Places;
 };
+}
 
 #endif

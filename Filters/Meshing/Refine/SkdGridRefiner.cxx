@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr std::uint32_t BatchSize = 128; // cells that a thread takes at once
@@ -376,4 +378,5 @@ bool SkdGridRefiner::RefineForBalance(int level, std::uint32_t cell)
     }
   }
   return true;
+}
 }

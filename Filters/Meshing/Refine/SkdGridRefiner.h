@@ -20,6 +20,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 struct SkdRefineSettings : SkdCriteria
 {
   skd::Contact Balance = skd::Contact::None;
@@ -92,5 +94,6 @@ private:
   std::vector<char> IsNear;      // of base cells: within reach of own ones; empty if all are
   std::uint64_t OwnFamilies = 0; // that were made so far
 };
+}
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <numeric>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 void SkdReportGrid(SkdReport& report, const SkdGrid& grid, const SkdGridEstimate& estimate)
 {
@@ -40,4 +42,5 @@ void SkdReportGrid(SkdReport& report, const SkdGrid& grid, const SkdGridEstimate
   report.AddMeasure("EstimatedCells", estimate.Cells);
   report.AddMeasure("EstimatedBytes", estimate.Bytes);
   report.AddMeasure("EstimatedSeconds", estimate.Seconds);
+}
 }

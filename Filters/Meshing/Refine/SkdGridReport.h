@@ -5,9 +5,12 @@
 
 #include "Meshing/Refine/SkdGridEstimate.h"
 
+namespace skdtree
+{
 class SkdReport;
 
 /// Reports the numbers of cells, by level, and the estimate.
 void SkdReportGrid(SkdReport& report, const SkdGrid& grid, const SkdGridEstimate& estimate);
+}
 
 #endif

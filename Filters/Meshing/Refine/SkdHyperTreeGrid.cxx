@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(const std::vector<double>& planes)
@@ -65,4 +67,5 @@ std::vector<SkdGridCell> SkdMakeHyperTreeGrid(const SkdGrid& grid, vtkHyperTreeG
     FillTree(grid, baseCell, output->GetTree(baseCell, true), cells);
   }
   return cells;
+}
 }

@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <set>
 
+namespace skdtree
+{
 namespace
 {
 using Cell = skd::RefinedMesh::Cell;
@@ -363,4 +365,5 @@ void SkdWriteBlock(const SkdReadMesh& read, const SkdReadMesh::Block& block,
   writer.WritePointData(hanging, output->GetPointData());
   writer.WriteCellData(output->GetCellData());
   output->GetFieldData()->PassData(block.Input.Mesh->GetFieldData());
+}
 }

@@ -13,6 +13,8 @@
 
 class vtkPointSet;
 
+namespace skdtree
+{
 namespace SkdMeshArrays
 {
 constexpr const char* ParentName = "SkdParentCellId";
@@ -29,5 +31,6 @@ int SkdRefinedTypeOf(vtkDataSet* mesh);
 /// are of `precision` (vtkAlgorithm's); by default of the type that the block's have.
 void SkdWriteBlock(const SkdReadMesh& read, const SkdReadMesh::Block& block,
   const skd::HangingNodes& hanging, int precision, vtkPointSet* output);
+}
 
 #endif

@@ -14,6 +14,8 @@
 #include <set>
 #include <stdexcept>
 
+namespace skdtree
+{
 namespace
 {
 using Nodes = std::vector<std::uint32_t>;
@@ -265,4 +267,5 @@ void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, Skd
     }
     block.LastCell = read.Mesh.NumberOfCells();
   }
+}
 }

@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// All cells of all blocks. Points of equal coordinates, also of different blocks, are one node, so
 /// that refined cells match across seams and blocks.
 /// It reads whole cells, not surfaces, and so does not use SkdBlockSurface.
@@ -40,5 +42,6 @@ struct SkdReadMesh
 /// Repeated corners of polygons are removed. Without duplicates, ghost cells of other processes are
 /// ignored. Throws std::length_error if there are too many cells or points for 32-bit numbers.
 void SkdReadBlocks(const std::vector<SkdBlock>& inputs, bool withDuplicates, SkdReadMesh& read);
+}
 
 #endif

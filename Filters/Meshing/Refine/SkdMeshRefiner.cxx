@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 SkdMeshRefiner::SkdMeshRefiner(vtkAlgorithm* algorithm, double first, double last,
   skd::RefinedMesh& mesh, const SkdParts& parts, const SkdMeshSettings& settings)
   : Algorithm(algorithm)
@@ -179,4 +181,5 @@ double SkdMeshRefiner::Estimate() const
   const double growth =
     size < 2 ? 1.5 : this->LeavesAfter.back() / std::max(1.0, this->LeavesAfter[size - 2]);
   return std::max(1.0, this->LeavesAfter.back() * std::pow(growth, left));
+}
 }

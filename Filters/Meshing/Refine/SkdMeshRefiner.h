@@ -19,6 +19,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 struct SkdMeshSettings : SkdCriteria
 {
   int MinimumLevel = 0;     ///< which all cells get
@@ -70,5 +72,6 @@ private:
   std::vector<double> LeavesAfter; // each round
   double Done = 0.0;               // of the whole work, as far as it is known
 };
+}
 
 #endif

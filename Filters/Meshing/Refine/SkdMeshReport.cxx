@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 double SmallestAngleIn(const skd::RefinedMesh& mesh)
@@ -73,4 +75,5 @@ void SkdReportMesh(SkdReport& report, const SkdReadMesh& read, const SkdMeshOutc
     report.AddMeasure("MinimumAngleBefore", tally.SmallestAngleBefore);
     report.AddMeasure("MinimumAngle", tally.SmallestAngle);
   }
+}
 }

@@ -7,6 +7,8 @@
 #include "Meshing/Refine/SkdMeshReader.h"
 #include "Meshing/Refine/SkdMeshRefiner.h"
 
+namespace skdtree
+{
 class SkdReport;
 
 /// Statistics of a mesh before and after refinement.
@@ -27,5 +29,6 @@ struct SkdMeshTally
 
 void SkdReportMesh(SkdReport& report, const SkdReadMesh& read, const SkdMeshOutcome& outcome,
   const SkdMeshTally& tally);
+}
 
 #endif

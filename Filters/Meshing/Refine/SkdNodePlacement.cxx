@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace skdtree
+{
 skd::RefinedMesh::Placement SkdPutOnSphere(const skd::Vector3& centre)
 {
   return
@@ -31,4 +33,5 @@ skd::RefinedMesh::Placement SkdPutOnSurface(const SkdSource& surface)
     return nearest ? skd::Vector3{ { nearest->Point[0], nearest->Point[1], nearest->Point[2] } }
                    : mean;
   };
+}
 }

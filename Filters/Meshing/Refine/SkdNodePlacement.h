@@ -5,6 +5,8 @@
 
 #include "Core/Meshing/Mesh/RefinedMesh.h"
 
+namespace skdtree
+{
 class SkdSource;
 
 /// Places new nodes at the mean distance from a centre of the nodes they are made of, in the
@@ -14,5 +16,6 @@ skd::RefinedMesh::Placement SkdPutOnSphere(const skd::Vector3& centre);
 /// Places new nodes of lines, surfaces and of the boundary of volumes at the point of the surface
 /// nearest to their mean. The source must outlive it.
 skd::RefinedMesh::Placement SkdPutOnSurface(const SkdSource& surface);
+}
 
 #endif

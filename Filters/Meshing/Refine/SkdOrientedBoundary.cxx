@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// A corner of a box that is farther than this from all triangles, relative to the diagonal, is far
@@ -102,4 +104,5 @@ double SkdOrientedBoundary::GetFraction(const skd::Box3& box) const
     whole *= box.Length(axis) > 0.0 ? box.Length(axis) : 1.0;
   }
   return std::clamp(measure.Measure(this->Boundary.IsInside(at.X)) / whole, 0.0, 1.0);
+}
 }

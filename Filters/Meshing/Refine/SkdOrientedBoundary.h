@@ -9,6 +9,8 @@
 
 #include <array>
 
+namespace skdtree
+{
 class SkdSignedSource;
 
 /// The triangles of a boundary, oriented outward, with their tree.
@@ -35,5 +37,6 @@ private:
   SkdCellTree Tree;
   std::vector<bool> Reversed; // whether a triangle's normal points in
 };
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// How far planes may be from uniform spacing: relative to their coordinates (two units in the last
@@ -211,4 +213,5 @@ std::vector<SkdGridBlock> SkdMakeOverlappingAMR(const SkdGrid& grid, vtkOverlapp
   }
   output->GenerateParentChildInformation();
   return blocks;
+}
 }

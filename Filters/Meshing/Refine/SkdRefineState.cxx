@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 void WarnAbout(vtkAlgorithm* self, const SkdSignedSource& boundary)
@@ -102,4 +104,5 @@ void SkdRefineState::Report(SkdReport& report) const
     report.AddCount("OpenEdges", this->Enclosure.GetBoundary().GetNumberOfOpenEdges());
     report.AddMeasureOf("ChordalLength", this->Enclosure.GetBoundary().GetChordalLength());
   }
+}
 }

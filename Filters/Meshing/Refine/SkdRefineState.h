@@ -17,8 +17,11 @@
 #include <string>
 #include <vector>
 
-class SkdReport;
 class vtkAlgorithm;
+
+namespace skdtree
+{
+class SkdReport;
 
 /// The scalar settings of a refining filter: vtkSkdTreeRefineAlgorithm.h.
 struct SkdRefineOptions
@@ -69,5 +72,6 @@ private:
 
   bool HasEnclosure = false;
 };
+}
 
 #endif

@@ -14,6 +14,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 class SkdRegion
 {
 public:
@@ -81,5 +83,6 @@ public:
     return tree.IsMet(cell, this->Box, test);
   }
 };
+}
 
 #endif

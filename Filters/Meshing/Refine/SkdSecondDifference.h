@@ -17,6 +17,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 /// The second differences of a function on the points of a box: its centre and those half a side
 /// from it along one or two axes.
 template <class ValueAt>
@@ -105,5 +107,6 @@ private:
   double Above = 0.0;
   double Below = 0.0;
 };
+}
 
 #endif

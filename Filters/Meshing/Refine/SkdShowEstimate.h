@@ -8,6 +8,8 @@
 #include <iomanip>
 #include <sstream>
 
+namespace skdtree
+{
 /// Shows an estimate in the progress text. Negative seconds: not known.
 inline void SkdShowEstimate(
   vtkAlgorithm* algorithm, double cells, double bytes, double seconds = -1.0)
@@ -19,6 +21,7 @@ inline void SkdShowEstimate(
     text << ", " << seconds << " s";
   }
   algorithm->SetProgressText(text.str().c_str());
+}
 }
 
 #endif

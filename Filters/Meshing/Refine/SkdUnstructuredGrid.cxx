@@ -9,6 +9,8 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+namespace skdtree
+{
 std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstructuredGrid* output)
 {
   constexpr int types[4] = { VTK_VERTEX, VTK_LINE, VTK_PIXEL, VTK_VOXEL };
@@ -33,4 +35,5 @@ std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstruc
   output->SetCells(types[grid.Lattice.Dimension()], cells);
   output->GetPointData()->AddArray(points.MakeHanging());
   return leaves;
+}
 }

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* ClosestPointName = "SkdClosestPoint";
@@ -109,4 +111,5 @@ void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
     [&](vtkIdType i) { gather.Take(i, starts[i].Mesh, starts[i].Point); });
   gather.AddTo(lines->GetCellData());
   lines->GetCellData()->SetActiveScalars(DistanceName);
+}
 }

@@ -15,6 +15,8 @@
 class vtkPointData;
 class vtkPolyData;
 
+namespace skdtree
+{
 /// Result arrays of one data set, with one tuple for each point, initially "none".
 class SkdClosestArrays
 {
@@ -54,5 +56,6 @@ private:
 /// data are the point arrays that all meshes have in common, without ghost marks.
 void SkdConnectClosest(const std::vector<SkdBlock>& meshes,
   const std::vector<SkdClosestArrays>& answers, vtkPolyData* lines);
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 /// The cells of the own piece; blocks and ids are those of the whole.
@@ -199,4 +201,5 @@ std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>&
     return MakeEmpty(meshes);
   }
   return result == SkdSpreadResult::Done ? std::make_optional(std::move(closest)) : std::nullopt;
+}
 }

@@ -12,6 +12,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// The nearest of a Source that stays in its pieces.
 struct SkdRemoteClosest
 {
@@ -29,5 +31,6 @@ SkdRemoteClosest SkdFindRemoteClosest(const std::vector<SkdBlock>& meshes, const
 /// whether it is inside.
 std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>& meshes,
   SkdSpreadBody& body, const SkdSpreadSource& spread, double maximumDistance, SkdLoop& loop);
+}
 
 #endif

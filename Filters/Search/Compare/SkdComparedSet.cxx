@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 bool IsUsable(const skd::Vector3& x)
@@ -162,4 +164,5 @@ void SkdComparedSet::Release()
   this->Elements = {};
   this->Origins = {};
   this->Sided = false;
+}
 }

@@ -17,6 +17,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 class SkdComparedSet
 {
 public:
@@ -102,5 +104,6 @@ private:
   double ChordalLength = 0.0;
   vtkIdType CoarseFaces = 0;
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* DistanceName = "SkdDistance";
@@ -164,4 +166,5 @@ void SkdFillComparison(const std::array<SkdComparison, 2>& comparisons, vtkTable
   samples.Add(back.Samples);
   rows.Add("Both", farther, bounds, samples);
   rows.MoveTo(table);
+}
 }

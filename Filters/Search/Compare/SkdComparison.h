@@ -20,6 +20,8 @@
 
 class vtkTable;
 
+namespace skdtree
+{
 /// An input: its set and its blocks.
 struct SkdComparedInput
 {
@@ -43,5 +45,6 @@ void SkdAddDistances(
 
 /// Fills the table: the two directions, and both together.
 void SkdFillComparison(const std::array<SkdComparison, 2>& comparisons, vtkTable* table);
+}
 
 #endif

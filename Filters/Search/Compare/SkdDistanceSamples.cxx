@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double MostTriangles = 1 << 21;
@@ -335,4 +337,5 @@ void SkdDistanceSamples::Add(const SkdDistanceSamples& other)
   this->Triangles.insert(this->Triangles.end(), other.Triangles.begin(), other.Triangles.end());
   this->Points.insert(this->Points.end(), other.Points.begin(), other.Points.end());
   this->Evaluate(true);
+}
 }

@@ -14,6 +14,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// How many samples are taken.
 struct SkdSampling
 {
@@ -55,5 +57,6 @@ private:
   std::vector<double> Points; // of a set of points, their distances
   SkdDistanceStatistics Statistics;
 };
+}
 
 #endif

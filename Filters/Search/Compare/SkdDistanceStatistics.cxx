@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 using Triangles = std::vector<SkdSampledTriangle>;
@@ -318,4 +320,5 @@ std::vector<std::size_t> SkdTrianglesToDivide(const std::vector<SkdSampledTriang
       { return DifferenceBelow(triangle, quantile.Value); });
   }
   return contributions.GetLargest(part);
+}
 }

@@ -24,6 +24,8 @@
 #include <limits>
 #include <vector>
 
+namespace skdtree
+{
 /// The shares of the area that quantiles are given of.
 constexpr std::array<double, 4> SkdQuantileShares = { 0.5, 0.9, 0.95, 0.99 };
 
@@ -95,5 +97,6 @@ struct SkdStatisticsTolerance
 /// The triangles that contribute most to errors that exceed the tolerance; none if no error does.
 std::vector<std::size_t> SkdTrianglesToDivide(const std::vector<SkdSampledTriangle>& triangles,
   const SkdDistanceStatistics& statistics, const SkdStatisticsTolerance& tolerance);
+}
 
 #endif

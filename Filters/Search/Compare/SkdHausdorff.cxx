@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 namespace
 {
 /// A point of the one set and the nearest of the other.
@@ -275,4 +277,5 @@ SkdHausdorff SkdHausdorffOf(const SkdComparedSet& from, const SkdComparedSet& to
   Search search(from, to, limits);
   return search.Start(SkdLoop(self, steps, first, middle)) ? search.Run(self, middle, last)
                                                            : SkdHausdorff();
+}
 }

@@ -21,6 +21,8 @@
 
 #include <limits>
 
+namespace skdtree
+{
 struct SkdHausdorff
 {
   ///@{
@@ -52,5 +54,6 @@ struct SkdHausdorffLimits
 /// algorithm's progress. Where it is stopped, the upper bound is farther away than the tolerance.
 SkdHausdorff SkdHausdorffOf(const SkdComparedSet& from, const SkdComparedSet& to,
   const SkdHausdorffLimits& limits, vtkAlgorithm* self, double first, double last);
+}
 
 #endif

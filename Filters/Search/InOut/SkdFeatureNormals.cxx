@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// A parametric weight of at most this is none: the point is on an edge or a vertex, to rounding.
@@ -99,4 +101,5 @@ SkdFeatureNormals::Normal SkdFeatureNormals::At(vtkIdType triangle, const double
     }
   }
   return { this->FaceNormals[triangle], false };
+}
 }

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// Pseudonormals of the triangles, edges and vertices of a surface: a point is outside exactly if
 /// it is in front of the normal of its nearest feature: J. A. Baerentzen, H. Aanaes, "Signed
 /// distance computation using the angle weighted pseudonormal", IEEE Trans. Vis. Comput. Graph. 11
@@ -42,5 +44,6 @@ private:
   std::vector<skd::Vector3> PointNormals; // weighted by angle
   std::vector<Edge> Edges;                // by (least, most)
 };
+}
 
 #endif

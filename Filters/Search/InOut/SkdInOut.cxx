@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 SkdInOuts::SkdInOuts(vtkIdType n, bool hasWinding)
   : Inside(SkdMakeArray<vtkUnsignedCharArray>(InsideName, 1, n, 0))
   , PartIds(SkdMakeArray<vtkIntArray>("SkdPartId", 1, n, -1))
@@ -55,4 +57,5 @@ void SkdInOuts::AddTo(vtkDataSetAttributes* data) const
     data->AddArray(this->WindingBounds);
   }
   data->SetActiveScalars(InsideName);
+}
 }

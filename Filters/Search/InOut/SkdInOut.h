@@ -11,6 +11,8 @@
 
 class vtkDataSetAttributes;
 
+namespace skdtree
+{
 /// The result of all parts for a point.
 struct SkdInOut
 {
@@ -50,5 +52,6 @@ private:
   vtkSmartPointer<vtkDoubleArray> Windings;      // or nullptr
   vtkSmartPointer<vtkDoubleArray> WindingBounds; // as Windings
 };
+}
 
 #endif

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// A number in [0, 1) from bits that look random (D. Lea's and G. Steele's SplitMix64).
@@ -269,4 +271,5 @@ SkdSide SkdPart::AskNearest(const double x[3]) const
   const SkdFeatureNormals::Normal normal = this->Normals->At(face, pcoords);
   const skd::Vector3 away{ { x[0] - nearest[0], x[1] - nearest[1], x[2] - nearest[2] } };
   return { skd::Dot(away, normal.Direction) <= 0.0, normal.IsOpen ? 0.5 : 1.0 };
+}
 }

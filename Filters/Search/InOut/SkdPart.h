@@ -16,6 +16,8 @@
 #include <memory>
 #include <vector>
 
+namespace skdtree
+{
 /// The method of the inside test.
 enum class SkdInsideMethod
 {
@@ -121,5 +123,6 @@ private:
   std::unique_ptr<SkdWinding> Winding;        // of the boundary's surface, or nullptr
   std::unique_ptr<SkdFeatureNormals> Normals; // of its faces, or nullptr
 };
+}
 
 #endif

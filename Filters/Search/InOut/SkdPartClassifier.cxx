@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 SkdQueryRow::SkdQueryRow(const SkdQueryPoints& queryPoints, vtkIdType number)
 {
   const vtkIdType length = queryPoints.GetRowLength();
@@ -122,4 +124,5 @@ SkdInOut SkdPartClassifier::Ask(vtkIdType queryPoint)
     SkdAddSide(side, part.GetId(), part.GetDiagonal(), smallest, answer);
   }
   return answer;
+}
 }

@@ -6,6 +6,8 @@
 #include "Pipeline/SkdQueryPoints.h"
 #include "Search/InOut/SkdInOut.h"
 
+namespace skdtree
+{
 /// A row of query points, which is a straight line.
 struct SkdQueryRow
 {
@@ -62,5 +64,6 @@ private:
   bool UsesRows;
   Row TheRow;
 };
+}
 
 #endif

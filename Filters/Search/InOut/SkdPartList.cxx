@@ -14,6 +14,8 @@
 #include <map>
 #include <unordered_map>
 
+namespace skdtree
+{
 std::vector<std::vector<int>> SkdConnectedPiecesOf(const std::vector<SkdBlock>& blocks)
 {
   SkdWeld weld;
@@ -139,4 +141,5 @@ void SkdPartList::MakeByIds(const std::vector<SkdBlock>& blocks)
     }
     this->Parts.emplace_back(id, parts, this->Last.Settings);
   }
+}
 }

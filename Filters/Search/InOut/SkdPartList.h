@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 enum class SkdPartsBy
 {
   Blocks,         // id: the flat index, 0 without composite data
@@ -61,5 +63,6 @@ private:
   Key Last{ SkdPartsBy::Blocks, { -1.0 }, {} };
   std::vector<SkdPart> Parts;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 int SkdSpreadParts::Update(const SkdSpreadSource& spread, double epsilon)
 {
   if (this->Known == spread.GetOwn() && this->Epsilon == epsilon)
@@ -141,4 +143,5 @@ std::vector<char> SkdSpreadParts::AskRows(
       }
     });
   return isDue;
+}
 }

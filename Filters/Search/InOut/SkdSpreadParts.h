@@ -10,6 +10,8 @@
 #include <deque>
 #include <vector>
 
+namespace skdtree
+{
 /// The parts of a Source that stays in its pieces: each block one, which may be on all processes.
 /// All processes must call each function together.
 class SkdSpreadParts
@@ -50,5 +52,6 @@ private:
   double Epsilon = -1.0;
   std::deque<Part> Parts;
 };
+}
 
 #endif

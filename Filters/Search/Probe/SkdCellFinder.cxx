@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 double DiagonalOf(vtkDataSet* mesh, vtkIdType cell)
@@ -223,4 +225,5 @@ bool SkdCellFinder::IsInVolume() const
   thread_local vtkNew<vtkGenericCell> cell;
   cell->SetCellType(this->Source.Blocks[this->Place.Block].Mesh->GetCellType(this->Place.CellId));
   return cell->GetCellDimension() == 3;
+}
 }

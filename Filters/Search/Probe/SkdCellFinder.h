@@ -17,6 +17,8 @@
 #include <mutex>
 #include <vector>
 
+namespace skdtree
+{
 /// A location in a Source: a cell and parametric coordinates in it.
 struct SkdCellLocation
 {
@@ -109,5 +111,6 @@ private:
   vtkNew<vtkIdList> Near;
   vtkNew<vtkDoubleArray> Distances;
 };
+}
 
 #endif

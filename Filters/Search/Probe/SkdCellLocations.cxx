@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* ValidName = "SkdValid";
@@ -59,4 +61,5 @@ void SkdCellLocations::AddTo(
   }
   data->AddArray(this->PCoords);
   data->AddArray(this->Distances);
+}
 }

@@ -7,6 +7,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 
+namespace skdtree
+{
 /// The locations of the points of one data set: arrays with one tuple for each point, initially
 /// "none".
 class SkdCellLocations
@@ -35,5 +37,6 @@ private:
   vtkSmartPointer<vtkDoubleArray> Distances;
   std::vector<int> Blocks;
 };
+}
 
 #endif

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// Directions with eigenvalues below this are rounding errors, relative to the largest eigenvalue.
@@ -218,4 +220,5 @@ void SkdGradientArrays::Set(
       }
     }
   }
+}
 }

@@ -19,6 +19,8 @@
 
 class vtkDataSetAttributes;
 
+namespace skdtree
+{
 /// The gradient of a cell's interpolation, as vectors to be multiplied with the values at its
 /// points. Exact for linear fields. In curves and surfaces it is the tangential gradient, in
 /// polygons and polyhedra that of the best-fitting linear field. One object a thread.
@@ -64,5 +66,6 @@ private:
   };
   std::vector<Array> Arrays;
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// The rows: an input line each.
@@ -150,4 +152,5 @@ void SkdFillIntegrals(const SkdLineOutput& output, vtkTable* table)
   table->AddColumn(within);
   AddPointIntegrals(output, rows, table);
   AddCellIntegrals(output, rows, table);
+}
 }

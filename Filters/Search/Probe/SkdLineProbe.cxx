@@ -20,6 +20,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// Cuts one piece after the other. One object a thread.
@@ -278,4 +280,5 @@ void SkdFillIntervals(
       InterpolateAt(atEnds, 2 * i + 1, finder, interval, interval.To);
       ofCells.Take(i, interval.Block, interval.CellId);
     });
+}
 }

@@ -18,6 +18,8 @@
 class vtkPolyData;
 class vtkTable;
 
+namespace skdtree
+{
 /// A straight piece of an input's line.
 struct SkdLinePiece
 {
@@ -69,5 +71,6 @@ void SkdFillIntervals(
 /// A row for each input line of positive length: its length, the length within the Source, and the
 /// integral of each numeric array along it, by two Gauss points a segment.
 void SkdFillIntegrals(const SkdLineOutput& output, vtkTable* table);
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// The point of the cell that is nearest to x; ties to the first.
@@ -97,4 +99,5 @@ void SkdProbedData::Set(
     gradient.Evaluate(mesh, place);
     this->Gradients.Set(i, place.Block, finder.GetPointIds(), gradient.GetVectors());
   }
+}
 }

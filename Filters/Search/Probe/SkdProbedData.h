@@ -11,6 +11,8 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Search/Probe/SkdGradient.h"
 
+namespace skdtree
+{
 /// The requested data of the Source, and the names that are not available.
 struct SkdProbedNames
 {
@@ -42,5 +44,6 @@ private:
   SkdArrayGather OfCells;
   SkdGradientArrays Gradients;
 };
+}
 
 #endif

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -170,4 +172,5 @@ const std::vector<SkdBodyExit::Pass>& SkdBodyExit::FindPasses(
     first = last;
   }
   return passes;
+}
 }

@@ -11,6 +11,8 @@
 #include <mutex>
 #include <vector>
 
+namespace skdtree
+{
 /// Where rays that begin on a surface leave the body that it bounds: where the winding number
 /// returns to 0, for shells of the body may overlap.
 ///
@@ -66,5 +68,6 @@ private:
   mutable std::once_flag OpenFlag;
   mutable std::unique_ptr<SkdWinding> Winding; // of a surface with open edges, else nullptr
 };
+}
 
 #endif

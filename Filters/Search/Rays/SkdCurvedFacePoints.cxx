@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -190,4 +192,5 @@ void SkdPutControlPointsOnFaces(vtkDataSet* mesh, std::vector<Vector3>& points)
         isPut[point] = 1;
       }
     });
+}
 }

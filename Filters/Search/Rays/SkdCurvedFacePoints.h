@@ -20,6 +20,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// A point on a face.
 struct SkdCurvedFacePoint
 {
@@ -43,5 +45,6 @@ std::optional<SkdCurvedFacePoint> SkdNearestOnCurvedCell(
 
 /// Replaces control points, among all points of the mesh, by points on curved faces.
 void SkdPutControlPointsOnFaces(vtkDataSet* mesh, std::vector<skd::Vector3>& points);
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 
+namespace skdtree
+{
 namespace
 {
 /// With what the process of the ray has decided from its own Input.
@@ -271,4 +273,5 @@ SkdHitCells SkdFindHitCells(const SkdRayCaster::Vectors& starts,
   std::vector<Ray> rays;
   AddRays(starts, directions, limits.Tolerance, rays);
   return FindFirst(rays, OwnHits(trees, spread, limits), spread, limits, loop);
+}
 }

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// Which cells of a Source that stays in its pieces rays may hit.
 struct SkdHitCells
 {
@@ -29,5 +31,6 @@ SkdHitCells SkdFindHitCells(vtkAlgorithm* algorithm, const std::vector<SkdCastRa
 SkdHitCells SkdFindHitCells(const SkdRayCaster::Vectors& starts,
   const SkdRayCaster::Vectors& directions, const SkdSourceTrees& trees,
   const SkdSpreadSource& spread, const SkdRayLimits& limits, SkdLoop& loop);
+}
 
 #endif

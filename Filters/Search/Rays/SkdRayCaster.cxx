@@ -14,6 +14,8 @@
 #include <limits>
 #include <tuple>
 
+namespace skdtree
+{
 namespace
 {
 bool IsBefore(const SkdRayHit& a, const SkdRayHit& b)
@@ -249,4 +251,5 @@ SkdRayHitLists SkdRayCaster::FindAll(
     });
   lists.AddEmpty(starts.size() - lists.size()); // where the user has aborted
   return lists;
+}
 }

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// A place where a ray meets the Source.
 struct SkdRayHit
 {
@@ -87,5 +89,6 @@ private:
   int Blocks;
   SkdRayLimits Limits;
 };
+}
 
 #endif

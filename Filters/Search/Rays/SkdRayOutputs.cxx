@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* CountName = "SkdRayHits";
@@ -219,4 +221,5 @@ void SkdFillHits(vtkPolyData* output, const std::vector<SkdCastRays>& rays,
     areLines ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData();
   AddStarts(data, rays, starts, first);
   arrays.AddTo(data, target, areLines);
+}
 }

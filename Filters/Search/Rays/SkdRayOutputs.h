@@ -13,6 +13,8 @@
 class vtkDataSetAttributes;
 class vtkPolyData;
 
+namespace skdtree
+{
 /// The rays of a data set, and where they hit.
 struct SkdCastRays
 {
@@ -67,5 +69,6 @@ void SkdAddFirstHits(
 /// `starts` have, without ghost marks.
 void SkdFillHits(vtkPolyData* output, const std::vector<SkdCastRays>& rays,
   const std::vector<vtkDataSetAttributes*>& starts, const SkdRayTarget& target, bool areLines);
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -181,4 +183,5 @@ bool SkdRayStarts::Read(vtkDataArray* vectors, const std::string& what)
       this->Directions[i] = SkdUnit(vector);
     });
   return true;
+}
 }

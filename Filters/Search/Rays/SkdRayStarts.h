@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace skdtree
+{
 /// Where rays go.
 struct SkdRayAim
 {
@@ -58,5 +60,6 @@ private:
   bool Read(vtkDataArray* vectors, const std::string& what);
   void Face(const std::vector<skd::Vector3>& targets);
 };
+}
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "Cells/Curved/SkdCurvedFaces.h"
 
+namespace skdtree
+{
 bool SkdHasVolumeCells(vtkDataSet* mesh)
 {
   bool hasVolume = false;
@@ -41,4 +43,5 @@ std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& bloc
     }
   }
   return surfaces;
+}
 }

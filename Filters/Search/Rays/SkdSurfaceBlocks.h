@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// Whether a mesh has cells with a volume.
 bool SkdHasVolumeCells(vtkDataSet* mesh);
 
@@ -37,5 +39,6 @@ private:
   double ChordalLength = 0.0;
   std::vector<std::optional<SkdBlockSurface>> Surfaces; // none of blocks without volume cells
 };
+}
 
 #endif

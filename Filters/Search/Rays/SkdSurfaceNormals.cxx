@@ -19,6 +19,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -243,4 +245,5 @@ std::vector<Vector3> SkdNormalsOfPoints(vtkDataSet* mesh)
     normal = SkdUnit(normal);
   }
   return normals;
+}
 }

@@ -10,6 +10,8 @@
 
 class vtkDataSet;
 
+namespace skdtree
+{
 /// The unit normal of a surface cell by its corners, to the side from which they go round
 /// counterclockwise; of a strip that of the triangle nearest to x, of a curved cell that at the
 /// place nearest to x. 0 of other cells, and of cells without area. Thread-safe after
@@ -26,5 +28,6 @@ std::vector<skd::Vector3> SkdNormalsOfCells(vtkDataSet* mesh);
 /// cells they are those of the surface itself at the points' parameters. Of a mesh with volume
 /// cells, the normals of its outer faces as well. 0 where there is none.
 std::vector<skd::Vector3> SkdNormalsOfPoints(vtkDataSet* mesh);
+}
 
 #endif

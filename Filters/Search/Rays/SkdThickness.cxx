@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -200,4 +202,5 @@ SkdThickness SkdThicknessMeasure::Shrink(
     thickness = { 2.0 * radius, contact, nearest->CellId, nearest->Block };
   }
   return thickness;
+}
 }

@@ -9,6 +9,8 @@
 
 #include <vector>
 
+namespace skdtree
+{
 /// How thickness is measured.
 struct SkdThicknessRule
 {
@@ -74,5 +76,6 @@ private:
   SkdThicknessRule Rule;
   std::vector<skd::Vector3> Cone; // directions about the third axis
 };
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 using skd::Vector3;
@@ -130,4 +132,5 @@ SkdNearest SkdTiedNearest::FindShared(const Vector3& centre, double radius) cons
   const auto nearest = this->Trees.FindNearest(x.X, std::numeric_limits<double>::infinity());
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Known.emplace(place, *nearest).first->second;
+}
 }

@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// Nearest points of a surface to centres of spheres, where much of the surface may be equally far:
 /// in the middle of a ball all of it is, and a query by a tree looks at all cells.
 ///
@@ -55,5 +57,6 @@ private:
   mutable std::mutex Mutex;
   mutable std::map<Place, SkdNearest> Known;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 /// A vector divided by its length, whatever its magnitude; 0 if it is 0 or not finite.
 inline skd::Vector3 SkdUnit(const skd::Vector3& vector)
 {
@@ -20,6 +22,7 @@ inline skd::Vector3 SkdUnit(const skd::Vector3& vector)
   // Divided by the largest first, so that no square overflows or vanishes.
   const skd::Vector3 scaled{ { vector[0] / largest, vector[1] / largest, vector[2] / largest } };
   return (1.0 / skd::Norm(scaled)) * scaled;
+}
 }
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 SkdCellOutline::SkdCellOutline(vtkCell* cell)
   : Dimension(cell->GetCellDimension())
@@ -100,4 +102,5 @@ bool SkdCellOutline::Shares(const SkdCellOutline& other, SkdSharedPart part, dou
       std::sort(moved.begin(), moved.end());
       return std::find(theirs.begin(), theirs.end(), moved) != theirs.end();
     });
+}
 }

@@ -14,6 +14,8 @@
 
 class vtkCell;
 
+namespace skdtree
+{
 /// What adjacent cells must at least have in common.
 enum class SkdSharedPart
 {
@@ -48,5 +50,6 @@ private:
   std::vector<Part> Edges;
   std::vector<Part> Faces;
 };
+}
 
 #endif

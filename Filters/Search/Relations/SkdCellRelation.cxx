@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 skd::Interval HeightsOf(const skd::Plane<3>& plane, const skd::SimplexSet& set)
@@ -232,4 +234,5 @@ bool SkdCellRelation::TouchesBall(const Asked& asked) const
     ? skd::SimplexDistance2(asked.Set, ball.Centre)
     : (asked.Set.Dimension == 0 ? 0.0 : skd::RimDistance2(asked.Set, ball.Centre));
   return asked.IsZero(distance) && asked.IsZero(std::sqrt(boundary2));
+}
 }

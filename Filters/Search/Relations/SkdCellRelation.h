@@ -16,6 +16,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 struct SkdDistances
 {
   double Min;
@@ -60,5 +62,6 @@ private:
   const SkdQueryShape& Shape;
   SkdRelationRules Rules;
 };
+}
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 void SkdQueryList::Clear()
 {
@@ -108,4 +110,5 @@ vtkIdType SkdQueryList::GetId(vtkIdType query) const
 int SkdQueryList::GetBlockIndex(vtkIdType query) const
 {
   return this->BlockIndices[this->Find(query).first];
+}
 }

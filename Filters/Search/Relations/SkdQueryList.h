@@ -15,6 +15,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 class SkdQueryList
 {
 public:
@@ -48,5 +50,6 @@ private:
   std::vector<int> BlockIndices;
   std::vector<vtkIdType> Starts{ 0 }; // of blocks, and the end
 };
+}
 
 #endif

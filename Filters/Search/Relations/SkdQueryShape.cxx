@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
@@ -152,7 +154,7 @@ SkdQueryShape SkdQueryShape::MakeSet(Kind kind, skd::SimplexSet set)
 //------------------------------------------------------------------------------
 double SkdQueryShape::Rounding(const SkdCellTree& tree) const
 {
-  return std::max(::Rounding * this->Largest, tree.Rounding());
+  return std::max(skdtree::Rounding * this->Largest, tree.Rounding());
 }
 
 //------------------------------------------------------------------------------
@@ -376,4 +378,5 @@ unsigned char SkdQueryShape::SidesOf(const skd::Vector3& x, double reach) const
       static_cast<unsigned>(x[axis] > this->Bounds.Max[axis] + reach) << (2 * axis + 1);
   }
   return static_cast<unsigned char>(sides);
+}
 }

@@ -20,6 +20,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 class SkdCellOutline;
 
 /// The relations of section 3 between object and shape: equal, a common point, encloses the shape,
@@ -147,5 +149,6 @@ private:
   double SafetyMargin = 0.0; // of a cell's box
   std::shared_ptr<const SkdCellOutline> Outline;
 };
+}
 
 #endif

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// A column, whose row i is value(i).
@@ -172,4 +174,5 @@ void SkdFillPairs(const SkdRelationRows& answers, vtkTable* table)
     AddColumn<vtkDoubleArray>(
       table, "SkdMaximumDistance", n, [&](vtkIdType i) { return pair(i).OfCells.Max; });
   }
+}
 }

@@ -15,6 +15,8 @@ class vtkSelection;
 class vtkTable;
 class vtkUnstructuredGrid;
 
+namespace skdtree
+{
 /// What the outputs contain.
 struct SkdRelationRows
 {
@@ -47,5 +49,6 @@ void SkdFillSelection(const std::vector<std::vector<SkdChosenCell>>& chosen,
   const SkdRelationRows& answers, int process, vtkSelection* selection);
 
 void SkdFillPairs(const SkdRelationRows& answers, vtkTable* table);
+}
 
 #endif

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <tuple>
 
+namespace skdtree
+{
 struct SkdSpatialSearch::Candidate
 {
   std::uint32_t Part;
@@ -481,4 +483,5 @@ SkdRelatedCells SkdSpatialSearch::Find(
     }
   }
   return found;
+}
 }

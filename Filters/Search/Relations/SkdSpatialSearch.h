@@ -15,6 +15,8 @@
 
 #include <functional>
 
+namespace skdtree
+{
 struct SkdSearchRules : SkdRelationRules
 {
   bool IsExact = true;    ///< else the boxes decide: candidates
@@ -88,5 +90,6 @@ private:
   skd::Box3 Bounds;
   std::size_t NumberOfCells = 0;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// @{ The sides of a facet at an edge: a turn around the edge, counterclockwise as seen from its
@@ -116,4 +118,5 @@ std::optional<SkdArrangement> SkdArrange(
   FindRegions(
     SkdEdgeFan(placement.First, segments.GetPoints(), arrangement.Facets, ids), arrangement);
   return arrangement;
+}
 }

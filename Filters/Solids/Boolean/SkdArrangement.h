@@ -18,6 +18,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// A facet separates two regions, in front of it (where its normal points) and behind it; they are
 /// the same if an open surface does not separate them. Surfaces that are not connected by edges
 /// have no regions in common, also where one is within the other.
@@ -59,5 +61,6 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
 /// each other in more than `mostEvents` places.
 std::optional<SkdArrangement> SkdArrange(const SkdPlacement& placement, const SkdSelfPairs& pairs,
   SkdLoop& loop, std::size_t mostEvents = std::numeric_limits<std::size_t>::max());
+}
 
 #endif

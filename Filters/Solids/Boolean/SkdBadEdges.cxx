@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+namespace skdtree
+{
 namespace
 {
 /// The triangles at an edge.
@@ -87,4 +89,5 @@ SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed ch
       }
     });
   return bad;
+}
 }

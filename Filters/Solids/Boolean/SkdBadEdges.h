@@ -5,6 +5,8 @@
 
 #include "Solids/Boolean/SkdFacets.h"
 
+namespace skdtree
+{
 /// The edges along which a surface does not pass as often in one direction as in the other: those
 /// of gaps, and between triangles of opposite orientation.
 struct SkdBadEdges
@@ -21,5 +23,6 @@ std::vector<SkdBadEdges> SkdFindBadEdges(const SkdFacets& facets,
 
 /// Of a surface of some facets: `signs` is 1 of those that are in it, -1 reversed, 0 of others.
 SkdBadEdges SkdFindBadEdges(const SkdFacets& facets, const std::vector<signed char>& signs);
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -261,4 +263,5 @@ SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFace
   const SkdFacetSigns& signs, const SkdFaceOptions& options)
 {
   return FaceMaker(set, facets, signs, options).Make();
+}
 }

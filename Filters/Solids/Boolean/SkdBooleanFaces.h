@@ -6,6 +6,8 @@
 #include "Core/Geometry/Rows.h"
 #include "Solids/Boolean/SkdBooleanFacets.h"
 
+namespace skdtree
+{
 /// The faces of an output: polygons by the points of an arrangement, each with a facet that it
 /// contains.
 struct SkdBooleanFaces
@@ -24,5 +26,6 @@ struct SkdFaceOptions
 /// The facets of a boundary, in its orientation.
 SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdFaceOptions& options);
+}
 
 #endif

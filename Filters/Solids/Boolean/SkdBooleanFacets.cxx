@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Solids/Boolean/SkdBooleanFacets.h"
 
+namespace skdtree
+{
 SkdBoundaryMeasures SkdMeasureBoundary(
   const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs)
 {
@@ -20,4 +22,5 @@ SkdBoundaryMeasures SkdMeasureBoundary(
   measures.Volume /= 6.0;
   measures.Area /= 2.0;
   return measures;
+}
 }

@@ -6,6 +6,8 @@
 #include "Solids/Boolean/SkdBadEdges.h"
 #include "Solids/Boolean/SkdBooleanRule.h"
 
+namespace skdtree
+{
 /// For each facet of an arrangement 1 if it bounds a part of space as it is, -1 if reversed, 0 if
 /// it does not.
 using SkdFacetSigns = std::vector<signed char>;
@@ -37,5 +39,6 @@ struct SkdBoundaryMeasures
 };
 SkdBoundaryMeasures SkdMeasureBoundary(
   const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs);
+}
 
 #endif

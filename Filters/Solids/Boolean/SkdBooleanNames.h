@@ -3,6 +3,8 @@
 #ifndef SkdBooleanNames_h
 #define SkdBooleanNames_h
 
+namespace skdtree
+{
 /// Arrays of a Boolean combination: of each face the input that it comes from (0 or 1), the solid
 /// there (of more than two), the cell and, of composite data, its block; a number that pieces of
 /// one face have in common; of an imprint how many solids are in front of the face and behind it;
@@ -19,5 +21,6 @@ struct SkdBooleanNames
   static constexpr const char* Part = "SkdPartId";
   static constexpr const char* All[] = { Input, Solid, Cell, Block, Face, Front, Back, Part };
 };
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include "vtkIntArray.h"
 #include "vtkPolyData.h"
 
+namespace skdtree
+{
 namespace
 {
 /// Surfaces that become one data set, no point of which is in two of them.
@@ -163,4 +165,5 @@ SkdBooleanTotals SkdFillBooleanOutputs(SkdSolidArrangement& solids, const SkdBoo
   vtkPolyData* section, std::set<std::string>& refused)
 {
   return Outputs(solids, blocks, rule, options, refused).Fill(surface, section);
+}
 }

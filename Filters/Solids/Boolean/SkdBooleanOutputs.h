@@ -6,6 +6,8 @@
 #include "Solids/Boolean/SkdBooleanReport.h"
 #include "Solids/Boolean/SkdBooleanSurface.h"
 
+namespace skdtree
+{
 /// How the outputs of an operation are made: see the properties of vtkSkdTreeBooleanOperation.
 struct SkdBooleanOptions
 {
@@ -22,5 +24,6 @@ struct SkdBooleanOptions
 SkdBooleanTotals SkdFillBooleanOutputs(SkdSolidArrangement& solids, const SkdBooleanBlocks& blocks,
   const SkdBooleanRule& rule, const SkdBooleanOptions& options, vtkPolyData* surface,
   vtkPolyData* section, std::set<std::string>& refused);
+}
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 constexpr const char* OrientAdvice =
@@ -215,4 +217,5 @@ void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
                                       << " edges are open, the first from " << totals.FirstBad
                                       << ". Please report this, with the inputs.");
   }
+}
 }

@@ -10,8 +10,11 @@
 
 #include "Solids/Boolean/SkdSolidArrangement.h"
 
-class SkdReport;
 class vtkAlgorithm;
+
+namespace skdtree
+{
+class SkdReport;
 
 /// Warnings about inputs: none has faces, faces too coarse for the deviation, tiny coordinates.
 void SkdWarnAboutInputs(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
@@ -45,5 +48,6 @@ struct SkdBooleanTotals
 /// although it should be.
 void SkdReportBoolean(vtkAlgorithm* filter, const SkdSolidArrangement& solids,
   const SkdBooleanRule& rule, const SkdBooleanTotals& totals, bool closesCut, SkdReport& report);
+}
 
 #endif

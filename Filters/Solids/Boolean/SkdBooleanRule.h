@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 enum class SkdBooleanOperation
 {
   Union,
@@ -107,5 +109,6 @@ struct SkdBooleanRule
     }
   }
 };
+}
 
 #endif

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// Of each cell of the set, whether it is a polygon of several triangles. Only these are asked for
@@ -245,4 +247,5 @@ void SkdFillBooleanSurface(
   {
     refused.erase(name);
   }
+}
 }

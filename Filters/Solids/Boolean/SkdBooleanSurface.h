@@ -11,6 +11,8 @@
 
 class vtkPolyData;
 
+namespace skdtree
+{
 /// What the output of a Boolean operation is made of.
 struct SkdBooleanParts
 {
@@ -30,5 +32,6 @@ struct SkdBooleanParts
 /// of an operation before have ids of other inputs.
 void SkdFillBooleanSurface(
   const SkdBooleanParts& parts, vtkPolyData* output, std::set<std::string>& refused);
+}
 
 #endif

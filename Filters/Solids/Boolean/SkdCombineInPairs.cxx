@@ -11,6 +11,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -592,4 +594,5 @@ std::optional<SkdCombinedSolids> SkdCombineInPairs(const SkdPlacement& placement
     step.Measure(isInAny), uniter.NumberSplit + step.GetNumberSplit() };
   combined.Boundary.NumberFolded = uniter.NumberFolded;
   return combined;
+}
 }

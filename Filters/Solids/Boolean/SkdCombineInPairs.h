@@ -22,6 +22,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// Solids, by their triangles, that are united before an operation.
 using SkdSolidGroup = std::vector<std::vector<std::uint32_t>>;
 
@@ -54,5 +56,6 @@ struct SkdCombinedSolids
 std::optional<SkdCombinedSolids> SkdCombineInPairs(const SkdPlacement& placement,
   SkdFaceSets& faces, const std::array<SkdSolidGroup, 2>& groups, const SkdBooleanRule& rule,
   vtkAlgorithm* filter);
+}
 
 #endif

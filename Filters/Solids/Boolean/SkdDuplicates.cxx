@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -39,4 +41,5 @@ std::vector<SkdDuplicate> SkdTakeDuplicates(
   }
   std::sort(duplicates.begin(), duplicates.end());
   return duplicates;
+}
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 void SkdEdgeFan::Sort(std::uint32_t low, std::vector<SkdEdgeUse>& uses) const
 {
   struct Turned
@@ -77,4 +79,5 @@ skd::ExactPoint SkdEdgeFan::ExactOf(std::uint32_t point) const
   const auto& given = this->Set.GetPoints();
   return point < given.size() ? skd::ExactPoint(given[point])
                               : this->Points.GetExact(this->Ids[point - given.size()]);
+}
 }

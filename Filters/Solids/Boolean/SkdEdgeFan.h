@@ -5,6 +5,8 @@
 
 #include "Solids/Boolean/SkdFacets.h"
 
+namespace skdtree
+{
 /// The order of facets around an edge, by exact signs: only the corners of the triangles that they
 /// are pieces of, which are given points, and the line of the edge are compared.
 class SkdEdgeFan
@@ -35,5 +37,6 @@ private:
   const SkdFacets& Facets;
   const std::vector<std::uint32_t>& Ids;
 };
+}
 
 #endif

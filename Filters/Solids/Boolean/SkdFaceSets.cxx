@@ -12,6 +12,8 @@
 #include <numeric>
 #include <tuple>
 
+namespace skdtree
+{
 /// What the triangles of a face have in common.
 struct SkdFaceSets::Key
 {
@@ -213,4 +215,5 @@ bool SkdFaceSets::IsInPlane(std::uint32_t triangle, std::uint32_t plane) const
     isIn = isIn && std::abs(Dot(normal, to)) <= error * area;
   }
   return isIn;
+}
 }

@@ -10,6 +10,8 @@
 
 class vtkAbstractArray;
 
+namespace skdtree
+{
 /// The flat faces that the triangles of a set are of. A face lies in the plane of its largest
 /// triangle, to within rounding. To be used as long as the placement.
 class SkdFaceSets
@@ -54,5 +56,6 @@ private:
   std::vector<std::uint32_t> Largest; // triangle of each face, by its lowest
   std::vector<std::vector<vtkSmartPointer<vtkAbstractArray>>> Data; // of each block
 };
+}
 
 #endif

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 /// A plane seen along an axis, from the side from which its triangle turns left.
 struct SkdFacetMerger::View
 {
@@ -116,4 +118,5 @@ bool SkdFacetMerger::IsCutByVtk(const Polygon& polygon)
     this->Triangulation.IsCutByVtk(static_cast<vtkIdType>(polygon.size()),
       [&](vtkIdType i)
       { return this->Facets.GetPosition(this->Set, polygon[static_cast<std::size_t>(i)]); });
+}
 }

@@ -6,6 +6,8 @@
 #include "Bodies/SkdTriangulation.h"
 #include "Solids/Boolean/SkdFacets.h"
 
+namespace skdtree
+{
 /// Merges facets of one triangle into convex polygons, across edges one after the other as long as
 /// what results is convex (S. Hertel, K. Mehlhorn, "Fast Triangulation of Simple Polygons", FCT
 /// 1983): at most four times as many polygons as possible. Angles are convex to within rounding.
@@ -39,5 +41,6 @@ private:
   const std::vector<SkdSplitEdge>& Kept;
   SkdTriangulation Triangulation;
 };
+}
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "Bodies/SkdEdgeTable.h"
 
+namespace skdtree
+{
 SkdFacets::SkdFacets(
   const SkdSplitSegments& segments, SkdSplitResult split, const SkdOverlaps& overlaps)
   : NewPoints(std::move(split.Points))
@@ -30,4 +32,5 @@ SkdFacets::SkdFacets(
     }
   }
   this->Edges = SkdMakeEdgeTable(this->Corners, set.GetPoints().size() + this->NewPoints.size());
+}
 }

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 using SkdEdgeUse = skd::EdgeUse<>;
 
 /// Facets meet in common edges and points only. Points below the number of the set's points are
@@ -60,5 +62,6 @@ struct SkdFacets
       this->GetPosition(set, corners[2]) };
   }
 };
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using Ends = std::pair<int, int>;
@@ -252,4 +254,5 @@ std::vector<SkdFlatFace::Corners> SkdFlatFace::TakeInside(
       { this->PointOf[numbers[0]], this->PointOf[numbers[1]], this->PointOf[numbers[2]] });
   }
   return taken;
+}
 }

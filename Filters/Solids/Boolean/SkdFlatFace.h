@@ -5,6 +5,8 @@
 
 #include "Solids/Boolean/SkdFacets.h"
 
+namespace skdtree
+{
 /// The triangles of a flat face with any holes, given by the edges around it and each hole: it is
 /// on their left as seen against `normal`. They have these edges and no other border, turn left by
 /// exact signs as seen along the largest axis of the normal, and are a constrained Delaunay
@@ -54,5 +56,6 @@ private:
   std::vector<skd::Vector3> Positions; // by number
   skd::Vector3 Normal;
 };
+}
 
 #endif

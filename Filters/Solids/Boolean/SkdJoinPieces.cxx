@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -477,4 +479,5 @@ std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   SkdFaceSets& faces)
 {
   return Joiner(placement, facets, signs, origins, faces).Join();
+}
 }

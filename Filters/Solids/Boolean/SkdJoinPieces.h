@@ -11,6 +11,8 @@
 #include "Solids/Boolean/SkdFaceSets.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 
+namespace skdtree
+{
 /// The pieces of flat faces joined and triangulated anew: without points that only they had, and
 /// without points on straight lines between two faces, on both sides of these. A point leaves such
 /// a line only by what its rounding was. A face that could not be triangulated without its points
@@ -27,5 +29,6 @@
 std::optional<SkdRoundedFacets> SkdJoinPieces(const SkdPlacement& placement,
   const SkdFacets& facets, const SkdFacetSigns& signs, const std::vector<std::uint32_t>& origins,
   SkdFaceSets& faces);
+}
 
 #endif

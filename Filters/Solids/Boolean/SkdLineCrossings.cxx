@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 struct Range
@@ -121,4 +123,5 @@ std::optional<std::vector<SkdLineCrossing>> SkdLineCrossings::Find(const SkdAxis
     std::for_each(this->Triangles.begin(), this->Triangles.end(), visit);
   }
   return isSure ? std::make_optional(std::move(crossings)) : std::nullopt;
+}
 }

@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// A line along an axis, through a point.
 struct SkdAxisLine
 {
@@ -52,5 +54,6 @@ private:
   std::optional<skd::PackedRTree> Boxes; // none: few lines
   skd::Box3 Bounds;
 };
+}
 
 #endif

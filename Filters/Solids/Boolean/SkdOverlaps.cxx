@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -195,4 +197,5 @@ SkdOverlaps SkdFindOverlaps(const std::vector<SkdTrianglePair>& pairs,
   }
   std::sort(overlaps.Layers.begin(), overlaps.Layers.end());
   return overlaps;
+}
 }

@@ -6,6 +6,8 @@
 #include "Solids/Boolean/SkdDuplicates.h"
 #include "Solids/Surfaces/SkdSplitTriangles.h"
 
+namespace skdtree
+{
 /// A further triangle that a piece or facet lies in: with its orientation (1) or the opposite (-1).
 struct SkdFacetLayer
 {
@@ -35,5 +37,6 @@ struct SkdOverlaps
 /// k pairs of overlapping triangles with m pieces each.
 SkdOverlaps SkdFindOverlaps(const std::vector<SkdTrianglePair>& pairs,
   const SkdContactPoints& contacts, const SkdSplitSegments& segments, const SkdSplitResult& split);
+}
 
 #endif

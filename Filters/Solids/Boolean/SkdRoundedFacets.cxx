@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -148,4 +150,5 @@ SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
   }
   rounded.Facets.Edges = SkdMakeEdgeTable(rounded.Facets.Corners, lowest.size());
   return rounded;
+}
 }

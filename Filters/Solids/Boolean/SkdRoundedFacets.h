@@ -11,6 +11,8 @@
 
 #include "Solids/Boolean/SkdBooleanFacets.h"
 
+namespace skdtree
+{
 /// Of each point of an arrangement the lowest one that has the same coordinates when stored; empty
 /// if all have different ones. O(n), a few nanoseconds for each point that is given.
 std::vector<std::uint32_t> SkdFindEqualPoints(
@@ -29,5 +31,6 @@ struct SkdRoundedFacets
 /// nothing, of those that are laid on each other the first stays. O(n log n).
 SkdRoundedFacets SkdUniteEqualPoints(const SkdFacets& facets,
   const std::vector<std::uint32_t>& lowest, const SkdFacetSigns& signs, bool keepsOne);
+}
 
 #endif

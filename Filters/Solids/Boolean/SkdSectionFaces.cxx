@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -172,4 +174,5 @@ SkdBooleanFaces SkdMakeSectionFaces(const SkdPlacedTriangles& set, const SkdFace
   const SkdFacetSigns& signs, SkdFaceSets& faces)
 {
   return SectionMaker(set, facets, signs, faces).Make();
+}
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 namespace
 {
 /// A point at each region: the centroid of its first facet.
@@ -226,4 +228,5 @@ SkdSheetFaults SkdPlaceSheet(const SkdPlacedTriangles& set, const SkdArrangement
     }
   }
   return numbers.GetFaults();
+}
 }

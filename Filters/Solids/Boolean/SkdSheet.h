@@ -5,6 +5,8 @@
 
 #include "Solids/Boolean/SkdWindingNumbers.h"
 
+namespace skdtree
+{
 /// What an open surface does not divide as it should.
 struct SkdSheetFaults
 {
@@ -20,5 +22,6 @@ struct SkdSheetFaults
 SkdSheetFaults SkdPlaceSheet(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
   const std::vector<std::uint32_t>& parts, const std::vector<std::uint32_t>& surfaceOf,
   std::uint32_t sheet, std::vector<SkdRegionWindings>& windings);
+}
 
 #endif

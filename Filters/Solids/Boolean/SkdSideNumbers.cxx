@@ -10,6 +10,8 @@
 #include <cmath>
 #include <map>
 
+namespace skdtree
+{
 namespace
 {
 SkdWinding MakeWinding(
@@ -130,4 +132,5 @@ SkdSideNumbers SkdFindSideNumbers(const SkdPlacedTriangles& set, const SkdArrang
   sides.Find(winding, surfaceOf, numbers);
   sides.MakePatchesOne(FindPatches(facets), numbers);
   return numbers;
+}
 }

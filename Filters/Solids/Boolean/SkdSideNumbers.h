@@ -14,6 +14,8 @@
 
 #include "Solids/Boolean/SkdArrangement.h"
 
+namespace skdtree
+{
 /// The winding numbers of one surface on both sides of each facet, rounded: 0 below one half.
 struct SkdSideNumbers
 {
@@ -31,5 +33,6 @@ struct SkdSideNumbers
 /// a gap in the surface facets differ. O(n log n), a microsecond or two for a facet.
 SkdSideNumbers SkdFindSideNumbers(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
   const std::vector<std::uint32_t>& surfaceOf, std::uint32_t surface);
+}
 
 #endif

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace skdtree
+{
 namespace
 {
 /// Segments meet each other more often than this for each pair of triangles where solids overlap
@@ -367,4 +369,5 @@ std::string SkdSolidArrangement::TextOf(const SkdSplitEdge& edge, const SkdFacet
          << ")";
   }
   return text.str();
+}
 }

@@ -23,6 +23,8 @@
 
 class vtkAlgorithm;
 
+namespace skdtree
+{
 /// The faces that an operation keeps.
 struct SkdBooleanBoundary
 {
@@ -204,5 +206,6 @@ private:
   std::vector<SkdSideNumbers> Sides; // of surfaces that are not closed, if these are rounded
   std::optional<SkdCombinedSolids> Combined; // none: there is an arrangement
 };
+}
 
 #endif

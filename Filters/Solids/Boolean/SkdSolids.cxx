@@ -6,6 +6,8 @@
 #include "Core/Geometry/DisjointSets.h"
 #include "Solids/Boolean/SkdFacets.h"
 
+namespace skdtree
+{
 namespace
 {
 template <class NumberOf>
@@ -65,4 +67,5 @@ SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set)
       });
   const std::vector<std::uint32_t> numbers = pieces.Number();
   return NumberSolids(set, [&](std::uint32_t triangle) { return numbers[triangle]; });
+}
 }

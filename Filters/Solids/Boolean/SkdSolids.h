@@ -8,6 +8,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 /// The data sets of the surfaces.
 struct SkdBooleanBlocks
 {
@@ -35,5 +37,6 @@ SkdSolids SkdSolidsByBlock(const SkdTriangleSet& set, std::size_t numberOfBlocks
 
 /// A solid for each piece that edges connect, in the order of first triangles. O(n).
 SkdSolids SkdSolidsByPiece(const SkdTriangleSet& set);
+}
 
 #endif

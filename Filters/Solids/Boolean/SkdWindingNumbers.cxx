@@ -12,6 +12,8 @@
 #include <cmath>
 #include <memory>
 
+namespace skdtree
+{
 namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
@@ -508,4 +510,5 @@ std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placeme
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf)
 {
   return Search(placement.First, placement.Scale, arrangement, surfaceOf).Find();
+}
 }

@@ -10,6 +10,8 @@
 
 #include "Solids/Boolean/SkdArrangement.h"
 
+namespace skdtree
+{
 /// The winding number of one of several surfaces, if it is not 0.
 struct SkdWindingOf
 {
@@ -35,5 +37,6 @@ std::vector<SkdRegionWindings> SkdFindWindingNumbers(const SkdPlacement& placeme
 /// empty result as above.
 std::vector<std::uint32_t> SkdFindPartsOfSpace(const SkdPlacement& placement,
   const SkdArrangement& arrangement, const std::vector<std::uint32_t>& surfaceOf);
+}
 
 #endif

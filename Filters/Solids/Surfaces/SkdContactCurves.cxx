@@ -13,6 +13,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 /// The points of a data set that are those of contacts, each taken over when it is first used.
@@ -184,4 +186,5 @@ vtkIdType SkdContacts::FillOverlaps(vtkPolyData* overlaps) const
   overlaps->SetPolys(cells);
   this->AddLabels(origins, overlaps->GetCellData());
   return cells->GetNumberOfCells();
+}
 }

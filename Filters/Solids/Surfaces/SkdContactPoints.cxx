@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace skdtree
+{
 SkdContactPoints::SkdContactPoints(
   const SkdPlacement& placement, const std::vector<SkdTrianglePair>& pairs)
   : First(placement.First)
@@ -176,4 +178,5 @@ skd::ExactPoint SkdContactPoints::GetExact(std::uint32_t point) const
   }
   const auto [a, b, c] = this->TriangleAt(key.second.A);
   return skd::ExactCrossingWithPlane(edge.A, edge.B, a, b, c);
+}
 }

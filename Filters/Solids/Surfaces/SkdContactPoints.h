@@ -17,6 +17,8 @@
 
 #include <utility>
 
+namespace skdtree
+{
 class SkdContactPoints
 {
 public:
@@ -77,5 +79,6 @@ private:
   std::vector<Key> Keys; // ascending
   std::vector<skd::Vector3> Positions;
 };
+}
 
 #endif

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 template <class Row>
@@ -129,4 +131,5 @@ void SkdContacts::FillGaps(const std::vector<Row>& rows, vtkPolyData* gaps) cons
   this->AddLabels(origins, gaps->GetCellData());
   gaps->GetCellData()->AddArray(distances);
   gaps->GetCellData()->SetActiveScalars(DistanceName);
+}
 }

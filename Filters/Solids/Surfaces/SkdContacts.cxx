@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 bool HaveSameEnds(const SkdEndPair& a, const SkdEndPair& b)
@@ -156,4 +158,5 @@ void SkdContacts::AddLabels(const std::vector<std::size_t>& pairs, vtkFieldData*
     FirstBlockName);
   add(this->Second, this->Placement.GetSecond().GetSet(), &SkdTrianglePair::Second, SecondCellName,
     SecondBlockName);
+}
 }

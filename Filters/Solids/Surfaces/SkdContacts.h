@@ -16,6 +16,8 @@ class vtkFieldData;
 class vtkPolyData;
 class vtkTable;
 
+namespace skdtree
+{
 /// What pairs have in common.
 enum class SkdContactKind
 {
@@ -99,5 +101,6 @@ private:
   const std::vector<SkdTrianglePair>& Pairs;
   SkdContactPoints Points;
 };
+}
 
 #endif

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = std::array<std::uint32_t, 3>;
@@ -65,4 +67,5 @@ std::vector<SkdDuplicate> SkdFindCopies(
   }
   std::sort(copies.begin(), copies.end());
   return copies;
+}
 }

@@ -17,6 +17,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// A triangle with the same corners as a lower one.
 struct SkdDuplicate
 {
@@ -42,5 +44,6 @@ int SkdSignOfCopy(const std::array<std::uint32_t, 3>& a, const std::array<std::u
 std::vector<SkdDuplicate> SkdFindCopies(
   const skd::RawVector<std::array<std::uint32_t, 3>>& triangles, std::size_t numberOfPoints,
   std::size_t mostCopies);
+}
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "Core/Geometry/Rows.h"
 
+namespace skdtree
+{
 namespace
 {
 class Joining
@@ -102,4 +104,5 @@ std::vector<SkdPolyline> SkdJoinSegments(
   const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints)
 {
   return Joining(segments, numberOfPoints).Join();
+}
 }

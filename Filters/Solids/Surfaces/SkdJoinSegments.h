@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace skdtree
+{
 /// A segment: its ends and the pair it belongs to.
 struct SkdEndPair
 {
@@ -29,5 +31,6 @@ struct SkdPolyline
 /// from. O(n log n).
 std::vector<SkdPolyline> SkdJoinSegments(
   const std::vector<SkdEndPair>& segments, std::uint32_t numberOfPoints);
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 namespace
 {
 /// Boxes are inflated by the clearance and generous rounding errors: relative to the clearance, and
@@ -288,4 +290,5 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   const bool hasFirst = LeaveOutCopies(first, near.First);
   near.HasCopies = LeaveOutCopies(second, near.Second) || hasFirst;
   return near;
+}
 }

@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// Some triangles of a placed set, ascending, and their boxes after the placement.
 struct SkdNearTriangles
 {
@@ -31,5 +33,6 @@ struct SkdNearSets
 /// or may be within `clearance` (in the placement's scale) of it. Empty if the sets are small, or
 /// unless these are much fewer than all. O(n), some ten nanoseconds a triangle.
 std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance);
+}
 
 #endif

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 // A motion rounds each corner, by less than `rounding`. That takes the area of no triangle which is
 // much wider.
@@ -94,4 +96,5 @@ void SkdWarnAboutTinyPoints(vtkObject* self, const SkdPlacement& placement)
            "becomes flat by that is left out. Remove the points that are so far away, or scale "
            "the data sets to a common size.");
   }
+}
 }

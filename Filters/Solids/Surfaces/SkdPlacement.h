@@ -11,6 +11,8 @@
 
 class vtkObject;
 
+namespace skdtree
+{
 /// A set of triangles after a placement: its points are moved, rounded once, and scaled by a power
 /// of two. Tests are exact for these points.
 class SkdPlacedTriangles
@@ -93,5 +95,6 @@ SkdPlacement SkdMakePlacement(const SkdTriangleSet& first, const SkdTriangleSet*
 
 /// Warns of coordinates that were taken as 0.
 void SkdWarnAboutTinyPoints(vtkObject* self, const SkdPlacement& placement);
+}
 
 #endif

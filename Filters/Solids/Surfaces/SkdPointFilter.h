@@ -9,6 +9,8 @@
 #include <cstring>
 #include <vector>
 
+namespace skdtree
+{
 /// A filter that excludes most points that are not in a set: by bounds, and a bit for each hash
 /// value.
 class SkdPointFilter
@@ -60,5 +62,6 @@ private:
   std::vector<std::uint64_t> Bits;
   skd::Box3 Bounds;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <atomic>
 
+namespace skdtree
+{
 namespace
 {
 /// A part of a segment between two points that follow each other, seen along an axis.
@@ -202,4 +204,5 @@ std::vector<SkdSplitEvent> SkdSplitSegments::FindEvents(int number) const
   }
   std::sort(all.begin(), all.end());
   return all;
+}
 }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 void SkdSplitPointData::Gather(
   std::uint32_t point, vtkIdType to, SkdArrayGather& arrays, vtkIdList* ids) const
 {
@@ -43,4 +45,5 @@ void SkdSplitPointData::Interpolate(
     weights[i] = point.Weights[i];
   }
   arrays.Interpolate(to, block, ids, weights);
+}
 }

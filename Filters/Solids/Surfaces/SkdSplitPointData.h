@@ -5,8 +5,11 @@
 
 #include "Solids/Surfaces/SkdSplitTriangles.h"
 
-class SkdArrayGather;
 class vtkIdList;
+
+namespace skdtree
+{
+class SkdArrayGather;
 
 /// The point data of a split set: those of its points, and means of these at new ones.
 class SkdSplitPointData
@@ -35,5 +38,6 @@ private:
   const std::vector<SkdSplitPoint>& NewPoints;
   skd::Rows<Origin> Origins; // of each point
 };
+}
 
 #endif

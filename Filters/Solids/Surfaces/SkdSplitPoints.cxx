@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+namespace skdtree
+{
 namespace
 {
 double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
@@ -122,4 +124,5 @@ int SkdSplitPoints::FindAxis(std::uint32_t a, std::uint32_t b) const
     }
   }
   return -1;
+}
 }

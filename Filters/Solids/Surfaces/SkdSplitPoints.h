@@ -17,6 +17,8 @@
 #include <deque>
 #include <limits>
 
+namespace skdtree
+{
 class SkdSplitPoints
 {
 public:
@@ -75,5 +77,6 @@ private:
   mutable std::deque<std::atomic<const skd::ExactPoint*>> Exact; // nullptr: not known yet
   skd::DisjointSets<> Same;                                      // points of one place
 };
+}
 
 #endif

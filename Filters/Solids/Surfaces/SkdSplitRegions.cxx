@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 std::vector<std::uint32_t> SkdFindSplitRegions(
   const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders)
 {
@@ -31,4 +33,5 @@ std::vector<std::uint32_t> SkdFindSplitRegions(
         }
       });
   return regions.Number();
+}
 }

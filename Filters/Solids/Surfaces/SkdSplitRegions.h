@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace skdtree
+{
 /// An edge by its ends, the lower first.
 using SkdSplitEdge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -21,5 +23,6 @@ inline SkdSplitEdge SkdMakeSplitEdge(std::uint32_t a, std::uint32_t b)
 /// is among `borders`. Regions are numbered 0, 1, ... by their first triangle. O(n log n).
 std::vector<std::uint32_t> SkdFindSplitRegions(
   const std::vector<SkdTriangleSet::Corners>& triangles, std::vector<SkdSplitEdge> borders);
+}
 
 #endif

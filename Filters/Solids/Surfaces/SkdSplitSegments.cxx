@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 /// A segment of one pair: its ends with their places in the pair's contact.
 struct SkdSplitSegments::PairSegment
 {
@@ -363,4 +365,5 @@ void SkdSplitSegments::UniteCorners()
       }
     }
   }
+}
 }

@@ -19,6 +19,8 @@
 #include <limits>
 #include <tuple>
 
+namespace skdtree
+{
 /// A segment between two points, or with A = B a lone point.
 struct SkdSplitSegment
 {
@@ -140,5 +142,6 @@ private:
   std::size_t MostEvents;
   bool HasTooMany = false;
 };
+}
 
 #endif

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 class Output
@@ -113,4 +115,5 @@ vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
     to.FillPointData(refused);
   }
   return split->NumberSplit;
+}
 }

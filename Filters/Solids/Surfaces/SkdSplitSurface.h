@@ -8,8 +8,11 @@
 #include <set>
 #include <string>
 
-class SkdLoop;
 class vtkPolyData;
+
+namespace skdtree
+{
+class SkdLoop;
 
 /// Arrays of a split surface: of each triangle the cell that it comes from, that cell's block (of
 /// composite data), and the region that it belongs to.
@@ -27,5 +30,6 @@ struct SkdSplitNames
 vtkIdType SkdFillSplitSurface(const SkdSplitSegments& segments, int side,
   const std::vector<SkdBlock>& blocks, bool isComposite, double scale, vtkPolyData* output,
   std::set<std::string>& refused, SkdLoop& loop);
+}
 
 #endif

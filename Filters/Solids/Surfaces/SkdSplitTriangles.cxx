@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace skdtree
+{
 namespace
 {
 using Corners = SkdTriangleSet::Corners;
@@ -213,4 +215,5 @@ std::optional<SkdSplitResult> SkdSplitTriangles(
   const SkdSplitSegments& segments, int side, SkdLoop& loop)
 {
   return SideSplitting(segments, side).Split(loop);
+}
 }

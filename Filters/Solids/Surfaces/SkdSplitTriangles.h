@@ -13,6 +13,8 @@
 
 #include <optional>
 
+namespace skdtree
+{
 class SkdLoop;
 
 /// A new point: its position (with the placement's scale), and its weights for three of the set's
@@ -42,5 +44,6 @@ struct SkdSplitResult
 /// Empty after an abort.
 std::optional<SkdSplitResult> SkdSplitTriangles(
   const SkdSplitSegments& segments, int side, SkdLoop& loop);
+}
 
 #endif

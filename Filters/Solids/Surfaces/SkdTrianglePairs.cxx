@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 /// A search on its way, shared by all its parts.
 class SkdTrianglePairs::Search
@@ -434,4 +436,5 @@ std::vector<std::uint32_t> SkdTrianglesInPairs(
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
+}
 }

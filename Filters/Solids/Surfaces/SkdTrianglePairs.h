@@ -12,6 +12,8 @@
 #include "Solids/Surfaces/SkdNearTriangles.h"
 #include "Solids/Surfaces/SkdPlacement.h"
 
+namespace skdtree
+{
 class SkdLoop;
 
 /// Two triangles that touch; or, with a contact of no points, that are near.
@@ -93,5 +95,6 @@ private:
 /// The triangles of one side of pairs, each once, ascending.
 std::vector<std::uint32_t> SkdTrianglesInPairs(
   const std::vector<SkdTrianglePair>& pairs, std::uint32_t SkdTrianglePair::*side);
+}
 
 #endif

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 bool IsFinite(const skd::Vector3& x)
@@ -298,4 +300,5 @@ void SkdTriangleReader::Sort()
     this->To.Triangles[i] = from.Triangles[order[i]];
     this->To.CellOf[i] = static_cast<std::uint32_t>(this->To.Cells.size() - 1);
   }
+}
 }

@@ -19,8 +19,11 @@
 #include <optional>
 #include <vector>
 
-class SkdBlockSurface;
 class vtkDataSet;
+
+namespace skdtree
+{
+class SkdBlockSurface;
 
 /// A cell that triangles come from: an index in the list of blocks, and a cell there.
 struct SkdTriangleCell
@@ -106,5 +109,6 @@ private:
   std::vector<vtkIdType> Polygon;                // the corners of the face that is read
   std::optional<SkdTriangulation> Triangulation; // made when it is first needed
 };
+}
 
 #endif

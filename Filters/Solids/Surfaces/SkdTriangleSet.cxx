@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace skdtree
+{
 //------------------------------------------------------------------------------
 SkdTriangleSet::SkdTriangleSet(SkdReadTriangles made)
   : Read(std::move(made))
@@ -245,4 +247,5 @@ void SkdTriangleSet::BuildTree()
     boxes.push_back(box);
   }
   this->Tree = SkdBuildLazyTree(skd::MakeTreeInput(boxes, 0.0));
+}
 }

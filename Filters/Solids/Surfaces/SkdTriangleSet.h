@@ -24,6 +24,8 @@
 #include <optional>
 #include <vector>
 
+namespace skdtree
+{
 /// The surface cells of all blocks and the outer faces of their volume cells, triangulated without
 /// new points (polygons by SkdTriangulation, so that adjacent cells still match). Ghost cells are
 /// ignored.
@@ -154,5 +156,6 @@ private:
   std::vector<std::uint32_t> Searched; // the others, if there are copies
   skd::LazyTree<3> Tree;
 };
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace skdtree
+{
 namespace
 {
 constexpr std::uint32_t None = SkdSplitSegments::None;
@@ -182,4 +184,5 @@ void SkdTriangleSplitter::CollectInside(const SkdSplitElement* first, const SkdS
       before = known->second;
     }
   }
+}
 }

@@ -14,6 +14,8 @@
 #include <map>
 #include <optional>
 
+namespace skdtree
+{
 /// A corner of pieces: one of the triangle's, or a point.
 struct SkdSplitCorner
 {
@@ -82,5 +84,6 @@ private:
   std::vector<std::pair<int, int>> Inner; // edges that must be
   std::vector<SkdSplitEdge> Curves;
 };
+}
 
 #endif
