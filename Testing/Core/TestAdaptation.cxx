@@ -192,7 +192,7 @@ TEST(Adaptation, BoundsThatForbidEqualSharesLeaveAPartOfTheWay)
 {
   AdaptRules rules = Given();
   rules.Relaxation = 0.5;
-  rules.LeastQuality = 0.6;
+  rules.LeastQuality = 0.65;
   rules.Iterations = 3;
   const Moved moved = Adapt(MakeDual(MakeIrregular(4)), OnSphere, rules);
   EXPECT_LT(moved.Outcome.Rows[1].Motion.Step, 1.0);
@@ -351,6 +351,66 @@ TEST(CellValidity, ConcaveCellsStaySimple)
   EXPECT_TRUE(cell.IsValid(mesh, 0));
   mesh.Points[1] = { { -0.9, -0.9, 0.0 } };
   EXPECT_FALSE(cell.IsValid(mesh, 0));
+}
+
+/// How much of a whole step the first one is that makes the areas of cells equal to the monitor.
+double FirstStep(SurfaceMesh mesh)
+{
+  SurfaceShape sphere;
+  EXPECT_TRUE(skd::FitSphere(mesh.Points, 1e-9, sphere));
+  std::vector<double> integrals;
+  for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    integrals.push_back(OnSphere(skd::CornerMean(mesh, cell)) * skd::CellArea(mesh, sphere, cell));
+  }
+  const skd::FeatureCurves curves(mesh, sphere, {});
+  skd::Equidistribution shares(mesh, sphere, curves, integrals);
+  const std::vector<double> ones(mesh.Cells.size(), 1.0);
+  shares.Update(mesh, ones);
+  std::vector<Vector3> places;
+  return shares.Step(mesh, curves, ones, 1.0, places, 2);
+}
+
+// Single points, where panels meet or at poles, make steps no shorter on finer meshes.
+TEST(Adaptation, StepsDependOnTheMonitorAlone)
+{
+  EXPECT_NEAR(FirstStep(MakeQuads(20)), 0.119, 0.004);
+  EXPECT_NEAR(FirstStep(MakeQuads(60)), 0.119, 0.004);
+  EXPECT_NEAR(FirstStep(MakeTriangles(3)), 0.119, 0.008);
+  EXPECT_NEAR(FirstStep(MakeTriangles(5)), 0.119, 0.004);
+  EXPECT_NEAR(FirstStep(MakeLonLat(25)), 0.119, 0.008);
+  EXPECT_NEAR(FirstStep(MakeLonLat(80)), 0.119, 0.004);
+}
+
+// Also of potentials that differ from cell to cell.
+TEST(PotentialGradients, ThoseOfNeighboursAreAlikeAtAPole)
+{
+  constexpr std::uint32_t n = 60;
+  const SurfaceMesh mesh = MakeLonLat(n);
+  SurfaceShape sphere;
+  ASSERT_TRUE(skd::FitSphere(mesh.Points, 1e-9, sphere));
+  skd::PotentialGradients gradients;
+  gradients.Build(mesh, sphere);
+  std::mt19937 random(7);
+  std::vector<double> values(mesh.Cells.size());
+  for (double& value : values)
+  {
+    value = random() / 4294967296.0;
+  }
+  double difference = 0.0, largest = 0.0;
+  for (const skd::MeshEdge& edge : mesh.Edges)
+  {
+    const Vector3& a = mesh.Points[edge.Points[0]];
+    const Vector3& b = mesh.Points[edge.Points[1]];
+    if (std::abs(a[2]) > std::cos(1.5 * Pi / n) && std::abs(a[2] - b[2]) < 1e-9)
+    {
+      const Vector3 slope = gradients.At(values, edge.Points[0]);
+      difference = std::max(difference, Norm(gradients.At(values, edge.Points[1]) - slope));
+      largest = std::max(largest, Norm(slope));
+    }
+  }
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LT(difference, 0.25 * largest);
 }
 
 /// Flows of a mesh of triangles, the same or of random weights, and what cells gain of random y.

@@ -198,7 +198,8 @@ private:
   SurfaceMesh FindImage()
   {
     constexpr int most = 20;
-    constexpr double enough = 0.05;
+    constexpr int smoothings = 2; // a start need not be right for single cells
+    const double enough = std::max(0.5 * this->Rules.Tolerance, 1e-3);
     SurfaceMesh image = this->Mesh;
     FeatureCurves curves = this->Curves;
     MeshMotion motion(image, this->Shape, curves, 0.0);
@@ -211,8 +212,8 @@ private:
     {
       before = this->Shares.GetMeasure();
       std::vector<Vector3> places;
-      this->Shares.Step(image, curves, ones, 1.0, places);
-      motion.Move(image, this->Shares.Smooth(2)); // a start need not be right for single cells
+      this->Shares.Step(image, curves, ones, 1.0, places, smoothings);
+      motion.Move(image, places);
       this->Shares.Update(image, ones);
     }
     return image;

@@ -59,9 +59,12 @@ public:
 
   /// Which part of a whole step was made, and for each point where to. At most `part`, and less
   /// where an edge would change by more than a third or so. Fixed points do not move; those on
-  /// curves may be allowed to leave them. O(N).
+  /// curves may be allowed to leave them. What the potential's change has at the scale of single
+  /// cells can be smoothed some times first: single points, where panels of a cubed sphere meet or
+  /// at poles, would make steps the shorter the finer the mesh is. O(N).
   double Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
-    const std::vector<double>& monitor, double part, std::vector<Vector3>& places);
+    const std::vector<double>& monitor, double part, std::vector<Vector3>& places,
+    int smoothings = 0);
 
   const std::vector<double>& GetWeights() const { return this->Weights; }
   void SetWeights(std::vector<double> weights);
@@ -75,10 +78,6 @@ public:
 
   /// Where points go with a potential that is this part of what it is.
   std::vector<Vector3> Shorten(double part);
-
-  /// Takes from the potential what it has at the scale of single cells, and tells where points go
-  /// then.
-  std::vector<Vector3> Smooth(int rounds);
 
 private:
   /// An edge between two cells, and what goes through it per length that its ends move.
@@ -98,6 +97,7 @@ private:
   Vector3 Move(const Vector3& from, const Vector3& along) const;
   Vector3 DerivativeOfMove(const Vector3& from, const Vector3& along, const Vector3& change) const;
   std::vector<Vector3> FindPlaces();
+  void Smooth(std::vector<double>& potential, int times) const;
   std::vector<Vector3> FindGradients(const std::vector<double>& potential) const;
   Vector3 Allowed(std::uint32_t point, const Vector3& gradient) const;
   std::vector<Vector3> FindMotion(const std::vector<double>& change) const;
@@ -226,6 +226,7 @@ inline EdgeLaplacian Equidistribution::MakeMatrix(const SurfaceMesh& mesh) const
 {
   EdgeLaplacian matrix;
   matrix.NumberOfCells = mesh.Cells.size();
+  matrix.Flows.reserve(this->CrossedEdges.size());
   for (const CrossedEdge& gate : this->CrossedEdges)
   {
     const double apart =
@@ -242,6 +243,7 @@ inline EdgeLaplacian Equidistribution::MakeMatrix(const SurfaceMesh& mesh) const
 inline void Equidistribution::FindCrossedEdges(const SurfaceMesh& mesh)
 {
   this->CrossedEdges.clear();
+  this->CrossedEdges.reserve(mesh.Edges.size());
   for (const MeshEdge& edge : mesh.Edges)
   {
     if (edge.Cells[1] != MeshEdge::None)
@@ -387,15 +389,16 @@ inline double Equidistribution::LimitOf(
   for (const MeshEdge& edge : mesh.Edges)
   {
     const std::uint32_t other = edge.Cells[edge.Cells[1] == MeshEdge::None ? 0 : 1];
+    const double length = Norm(mesh.Points[edge.Points[1]] - mesh.Points[edge.Points[0]]);
     const double change = Norm(motion[edge.Points[1]] - motion[edge.Points[0]]);
-    const double most = 0.35 * std::min(sizes[edge.Cells[0]], sizes[other]);
+    const double most = 0.35 * std::max(length, std::min(sizes[edge.Cells[0]], sizes[other]));
     part = part * change > most ? most / change : part;
   }
   return part;
 }
 
 inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
-  const std::vector<double>& monitor, double part, std::vector<Vector3>& places)
+  const std::vector<double>& monitor, double part, std::vector<Vector3>& places, int smoothings)
 {
   if (this->Shape.What == SurfaceShape::Kind::Other)
   {
@@ -403,7 +406,8 @@ inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurve
   }
   this->FindMissing(monitor);
   this->FindCrossedEdges(mesh);
-  const std::vector<double> change = this->FindChange(mesh);
+  std::vector<double> change = this->FindChange(mesh);
+  this->Smooth(change, smoothings);
   part = this->LimitOf(mesh, this->FindMotion(change), part);
   detail::AddTo(this->Potential, part, change);
   places = this->FindPlaces();
@@ -445,42 +449,34 @@ inline std::vector<Vector3> Equidistribution::Shorten(double part)
   return this->FindPlaces();
 }
 
-inline std::vector<Vector3> Equidistribution::Smooth(int rounds)
+/// Takes from a potential what it has at the scale of single cells.
+inline void Equidistribution::Smooth(std::vector<double>& potential, int times) const
 {
-  std::vector<Vector3> middles, gradients(this->First.Cells.size());
-  for (std::uint32_t cell = 0; cell < gradients.size(); ++cell)
+  std::vector<Vector3> gradients(this->First.Cells.size());
+  for (; times > 0; --times)
   {
-    middles.push_back(this->Gradients.GetMiddle(cell));
-  }
-  for (; rounds > 0; --rounds)
-  {
+    const std::vector<Vector3> atPoints = this->FindGradients(potential);
     for (std::uint32_t cell = 0; cell < gradients.size(); ++cell)
     {
       const IndexRows::Row corners = this->First.Cells[cell];
       Vector3 sum{ { 0.0, 0.0, 0.0 } };
       for (const std::uint32_t corner : corners)
       {
-        sum = sum + this->Displacements[corner];
+        sum = sum + atPoints[corner];
       }
       gradients[cell] = (1.0 / static_cast<double>(corners.size())) * sum;
     }
-    SmoothPotential(this->First.Edges, middles, gradients, 4, this->Potential);
-    this->FindPlaces();
+    SmoothPotential(this->First.Edges, this->Gradients.GetMiddles(), gradients, 4, potential);
   }
-  return this->FindPlaces();
 }
 
 inline std::vector<Vector3> Equidistribution::Invert(const SurfaceMesh& image)
 {
-  std::vector<Vector3> middles;
-  for (std::uint32_t cell = 0; cell < image.Cells.size(); ++cell)
-  {
-    middles.push_back(this->Gradients.GetMiddle(cell));
-  }
+  const std::vector<Vector3>& middles = this->Gradients.GetMiddles();
   const ConjugatePotential back(image, this->Shape, middles, this->Potential);
   this->Potential = back.FindAll(middles);
-  this->FindPlaces();
-  return this->Smooth(3);
+  this->Smooth(this->Potential, 3);
+  return this->FindPlaces();
 }
 
 }

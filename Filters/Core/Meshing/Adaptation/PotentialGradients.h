@@ -33,6 +33,7 @@ public:
   }
 
   const Vector3& GetMiddle(std::uint32_t cell) const { return this->Middles[cell]; }
+  const std::vector<Vector3>& GetMiddles() const { return this->Middles; }
 
 private:
   using Ids = std::vector<std::uint32_t>;
@@ -137,7 +138,7 @@ inline bool PotentialGradients::IsThin(const Ids& cells, const Vector3& x, doubl
 
 inline void PotentialGradients::Widen(Ids& cells, const Vector3& x, double radius) const
 {
-  constexpr std::size_t most = 48;
+  constexpr std::size_t most = 1024; // with few, slopes would jump from point to point
   Ids sorted(cells);
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
