@@ -111,7 +111,7 @@ std::vector<SkdBlock> SkdSpreadSource::BringTouching() const
   std::vector<SkdBlock> blocks = this->Blocks;
   std::size_t at = 0;
   this->VisitBlocks([&](const SkdSpreadBlock& block)
-    { blocks[at++].Mesh = block.Bring(*this->Transport, *this->Cut, reach); });
+    { blocks[at++].Mesh = block.Bring(*this->Transport, *this->Cut, nullptr, reach); });
   return blocks;
 }
 
