@@ -4,6 +4,7 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Pipeline/SkdArrayGather.h"
+#include "Pipeline/SkdJoinedShape.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMotion.h"
 #include "Pipeline/SkdPorts.h"
@@ -32,6 +33,7 @@ public:
   SkdTriangleSet First;
   SkdTriangleSet Second;
   vtkSmartPointer<vtkMatrix4x4> Matrix; // nullptr: none
+  bool HasVolumePieces = false;         // the Input lies in pieces, some with volume cells
 };
 
 namespace
@@ -80,6 +82,13 @@ SkdPlacement Complete(
     second->Set.Complete();
   }
   return SkdMakePlacement(first.Set, second ? &second->Set : nullptr, motion);
+}
+
+bool HasVolumes(vtkDataObject* data)
+{
+  const std::vector<SkdBlock> blocks = SkdBlocksOf(data);
+  return std::any_of(blocks.begin(), blocks.end(),
+    [](const SkdBlock& block) { return SkdDimensionOf(block.Mesh) == 3; });
 }
 
 /// Ports 0 to 5, where every process has found all.
@@ -244,10 +253,23 @@ bool vtkSkdTreeSurfaceIntersection::IsSplitting() const
   return this->SplitSurfaces && this->Pairs == ALL_PAIRS;
 }
 
-// What the Source is cut along is where it meets all of the Input.
+vtkTypeBool vtkSkdTreeSurfaceIntersection::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
+    this->Impl->HasVolumePieces =
+      processes && processes->IsAny(HasVolumes(vtkDataObject::GetData(inputVector[0])));
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+// What the Source is cut along is where it meets all of the Input, and which faces of volume cells
+// are outer ones depends on the cells of other pieces.
 bool vtkSkdTreeSurfaceIntersection::NeedsWhole(int port)
 {
-  return this->IsSplitting() || this->Superclass::NeedsWhole(port);
+  return this->IsSplitting() || this->Impl->HasVolumePieces || this->Superclass::NeedsWhole(port);
 }
 
 // Which of several pairs is found may depend on others, and a Source that moves is elsewhere.
@@ -307,10 +329,10 @@ int vtkSkdTreeSurfaceIntersection::RequestData(
     const SplitOutput output{ this, segments, placement.Scale, report };
     output.Fill(0, &first, vtkPolyData::GetData(outputVector, 4));
     output.Fill(1, source ? &other : nullptr, vtkPolyData::GetData(outputVector, 5));
-    if (source)
-    {
-      KeepShare(SkdShare::Of(outputVector), outputVector);
-    }
+  }
+  if (source && this->NeedsWhole(0))
+  {
+    KeepShare(SkdShare::Of(outputVector), outputVector);
   }
   report.AddMeasure("QuerySeconds", watch.Lap());
   ReportSurfaces(report, first, source ? &other : nullptr, placement);

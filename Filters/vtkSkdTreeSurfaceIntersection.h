@@ -78,7 +78,9 @@
  * several processes each computes the result for its piece of Input and gathers the whole Source,
  * or the cells near its piece (see SetSourceDistribution) of a Source that does not move, if
  * ALL_PAIRS are found and no surfaces split; of volume cells the cells near a face say whether it
- * is an outer one. Without a Source the first process computes all.
+ * is an outer one. An Input in pieces with volume cells is gathered, too, because cells of other
+ * pieces have the other sides of faces at its borders. Without a Source the first process computes
+ * all.
  *
  * Cost: O(n) to read, O(n log n) to build whole trees, O(k) typical for k pairs of overlapping
  * boxes.
@@ -186,6 +188,12 @@ public:
   void SetTransform(vtkMatrix4x4* motion);
   vtkMatrix4x4* GetTransform();
   //@}
+
+  /**
+   * Finds out whether any process has volume cells of the Input: it is gathered then.
+   */
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
   vtkSkdTreeSurfaceIntersection();

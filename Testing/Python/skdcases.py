@@ -82,6 +82,10 @@ def cases(partition):
     yield "intersection", Case(
         simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, JoinCurves=0), [],
         of_cells=True)
+    # Where pieces meet there are faces that are no outer ones.
+    yield "intersection of outer faces", Case(
+        simple.SkdTreeSurfaceIntersection(Input=cells, Source=other, JoinCurves=0), [],
+        of_cells=True)
     yield "split", Case(
         simple.SkdTreeSurfaceIntersection(Input=ball, Source=other, SplitSurfaces=1), [], port=5,
         of_cells=True)
