@@ -73,22 +73,23 @@ def read_own_names(text):
 
 
 def group(flags):
-    """Lists of sources of the same flags without a common name, of about equal sizes."""
+    """Lists of sources of the same flags without a common name, of about equal sizes. Sources of public
+    classes use the namespace that the others are in, so their own names would be ambiguous beside those."""
     groups = []
     for path in sorted(flags):
         text = path.read_text(encoding="utf8")
         names = read_own_names(text)
-        fitting = [each for each in groups
-            if each["flags"] == flags[path] and not each["names"] & names]
-        same = sum(each["flags"] == flags[path] for each in groups)
+        kind = flags[path], path.parent.name == "Filters"
+        fitting = [each for each in groups if each["kind"] == kind and not each["names"] & names]
+        same = sum(each["kind"] == kind for each in groups)
         if not fitting or same < NUMBER_OF_GROUPS and len(flags) > 4 * NUMBER_OF_GROUPS:
-            fitting = [{"flags": flags[path], "names": set(), "size": 0, "sources": []}]
+            fitting = [{"kind": kind, "names": set(), "size": 0, "sources": []}]
             groups += fitting
         smallest = min(fitting, key=lambda each: each["size"])
         smallest["names"] |= names
         smallest["size"] += len(text)
         smallest["sources"].append(path)
-    return [(each["sources"], each["flags"]) for each in groups]
+    return [(each["sources"], each["kind"][0]) for each in groups]
 
 
 class Lint:
