@@ -6,13 +6,14 @@
 
 namespace skdtree
 {
-SkdFoundCells::SkdFoundCells(const SkdSpreadSource& spread, const std::vector<SkdFoundCell>& found)
+SkdFoundCells::SkdFoundCells(
+  const SkdSpreadSource& spread, const std::vector<SkdFoundPieceCell>& found)
 {
   SkdTransport& transport = spread.GetTransport();
   const auto processes = static_cast<std::size_t>(transport.GetNumber());
   std::vector<SkdRowsByProcess<vtkIdType>> wanted(
     spread.GetBlocks().size(), SkdRowsByProcess<vtkIdType>(processes));
-  for (const SkdFoundCell& cell : found)
+  for (const SkdFoundPieceCell& cell : found)
   {
     wanted[static_cast<std::size_t>(cell.Block)][static_cast<std::size_t>(cell.Process)].push_back(
       cell.CellId);

@@ -10,7 +10,7 @@
 namespace skdtree
 {
 /// A cell of a Source that stays in its pieces.
-struct SkdFoundCell
+struct SkdFoundPieceCell
 {
   int Process; // that told of it
   int Block;   // index in the list of the Source's blocks
@@ -23,7 +23,7 @@ class SkdFoundCells
 {
 public:
   /// All processes must call it together. Cells may be named several times.
-  SkdFoundCells(const SkdSpreadSource& spread, const std::vector<SkdFoundCell>& found);
+  SkdFoundCells(const SkdSpreadSource& spread, const std::vector<SkdFoundPieceCell>& found);
 
   /// As the Source's list of blocks: each has the cells found, with their points and all arrays.
   const std::vector<SkdBlock>& GetBlocks() const { return this->Blocks; }

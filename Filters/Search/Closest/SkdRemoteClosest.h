@@ -18,7 +18,7 @@ namespace skdtree
 struct SkdRemoteClosest
 {
   std::vector<SkdClosestArrays> Answers; // by mesh; blocks and ids are those of the whole Source
-  std::vector<SkdFoundCell> Cells;       // that have the nearest points
+  std::vector<SkdFoundPieceCell> Cells;  // that have the nearest points
   std::uint64_t PointsSent = 0;          // how often a point was sent to another process
 };
 

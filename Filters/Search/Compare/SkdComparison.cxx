@@ -72,7 +72,7 @@ private:
   {
     this->Get<vtkDoubleArray>(name)->InsertNextValue(number);
   }
-  void AddStatistic(const std::string& name, const SkdStatistic& statistic)
+  void AddStatistic(const std::string& name, const SkdDistanceStatistic& statistic)
   {
     this->AddNumber(name.c_str(), statistic.Value);
     this->AddNumber((name + "Error").c_str(), statistic.Error);
@@ -121,7 +121,7 @@ void Rows::AddStatistics(const SkdDistanceSamples& samples, bool isSigned)
   const SkdDistanceStatistics& statistics = samples.GetStatistics();
   this->AddStatistic("Mean", statistics.Mean);
   this->AddStatistic("RootMeanSquare", statistics.RootMeanSquare);
-  this->AddStatistic("SignedMean", isSigned ? statistics.SignedMean : SkdStatistic());
+  this->AddStatistic("SignedMean", isSigned ? statistics.SignedMean : SkdDistanceStatistic());
   constexpr const char* names[] = { "Median", "Quantile90", "Quantile95", "Quantile99" };
   for (std::size_t i = 0; i < SkdQuantileShares.size(); ++i)
   {

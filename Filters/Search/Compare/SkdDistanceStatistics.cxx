@@ -36,8 +36,8 @@ double Square(double distance)
 
 /// The mean of a function of the distance.
 template <class Function>
-SkdStatistic MeanOf(const Triangles& triangles, const std::vector<double>& points, double measure,
-  const Function& function)
+SkdDistanceStatistic MeanOf(const Triangles& triangles, const std::vector<double>& points,
+  double measure, const Function& function)
 {
   double sum = 0.0;
   double difference = 0.0;
@@ -185,10 +185,10 @@ double DifferenceBelow(const SkdSampledTriangle& triangle, double limit)
     [limit](double distance) { return std::abs(distance) <= limit ? 1.0 : 0.0; });
 }
 
-SkdStatistic QuantileOf(
+SkdDistanceStatistic QuantileOf(
   Distribution& distances, const Triangles& triangles, double share, double measure)
 {
-  SkdStatistic quantile;
+  SkdDistanceStatistic quantile;
   quantile.Value = distances.GetFine(share);
   double squares = 0.0;
   for (const SkdSampledTriangle& triangle : triangles)
@@ -218,7 +218,7 @@ public:
   /// Of an error, relative to a value; difference(triangle) is to be scaled so that their sum of
   /// magnitudes is the error.
   template <class Difference>
-  void Add(const SkdStatistic& statistic, double value, const Difference& difference)
+  void Add(const SkdDistanceStatistic& statistic, double value, const Difference& difference)
   {
     const double limit =
       std::max(this->Tolerance.Relative * std::abs(value), this->Tolerance.Absolute);
@@ -284,7 +284,7 @@ SkdDistanceStatistics SkdStatisticsOf(const std::vector<SkdSampledTriangle>& tri
   }
   statistics.Mean = MeanOf(triangles, points, measure, Magnitude);
   statistics.SignedMean = MeanOf(triangles, points, measure, Signed);
-  const SkdStatistic square = MeanOf(triangles, points, measure, Square);
+  const SkdDistanceStatistic square = MeanOf(triangles, points, measure, Square);
   const double root = std::sqrt(square.Value);
   statistics.RootMeanSquare = { root,
     root - std::sqrt(std::max(0.0, square.Value - square.Error)) };
@@ -313,7 +313,7 @@ std::vector<std::size_t> SkdTrianglesToDivide(const std::vector<SkdSampledTriang
     [](const SkdSampledTriangle& triangle) { return triangle.GetDifference(Square); });
   contributions.Add(statistics.SignedMean, mean,
     [](const SkdSampledTriangle& triangle) { return triangle.GetDifference(Signed); });
-  for (const SkdStatistic& quantile : statistics.Quantiles)
+  for (const SkdDistanceStatistic& quantile : statistics.Quantiles)
   {
     contributions.Add(quantile, std::max(quantile.Value, mean),
       [&](const SkdSampledTriangle& triangle)

@@ -65,7 +65,7 @@ struct SkdSampledTriangle
 };
 
 /// NaN where there are no samples.
-struct SkdStatistic
+struct SkdDistanceStatistic
 {
   double Value = std::numeric_limits<double>::quiet_NaN();
   double Error = Value; // estimated, absolute
@@ -74,11 +74,11 @@ struct SkdStatistic
 /// Weighted by area.
 struct SkdDistanceStatistics
 {
-  SkdStatistic Mean; // of the unsigned distances
-  SkdStatistic RootMeanSquare;
-  SkdStatistic SignedMean;
-  std::array<SkdStatistic, 4> Quantiles; // of the unsigned distances
-  double Measure = 0.0;                  // the area, or the number of points of a set of points
+  SkdDistanceStatistic Mean; // of the unsigned distances
+  SkdDistanceStatistic RootMeanSquare;
+  SkdDistanceStatistic SignedMean;
+  std::array<SkdDistanceStatistic, 4> Quantiles; // of the unsigned distances
+  double Measure = 0.0; // the area, or the number of points of a set of points
 };
 
 /// Of triangles, or of points, each of which is one sample of weight 1; quantiles, which cost most,

@@ -14,7 +14,7 @@ namespace skdtree
 /// Which cells of a Source that stays in its pieces rays may hit.
 struct SkdHitCells
 {
-  std::vector<SkdFoundCell> Cells;
+  std::vector<SkdFoundPieceCell> Cells;
   std::uint64_t RaysSent = 0; // how often a ray was sent to another process
   bool IsWhole = false;       // false after an abort on any process: rays would hit others
 };
