@@ -125,7 +125,7 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
   {
     this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
   }
-  const vtkSmartPointer<vtkDataSet> mesh = this->Send(transport, std::move(chosen));
+  vtkSmartPointer<vtkDataSet> mesh = this->Send(transport, std::move(chosen));
   if (reach.WithOwn && !this->Facts.GetFull().empty())
   {
     const SkdJoinedShape shape = SkdFindShape(transport, this->Piece, this->Facts, this->Numbers);
