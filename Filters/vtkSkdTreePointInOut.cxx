@@ -10,11 +10,11 @@
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdSetText.h"
 #include "Pipeline/SkdSubset.h"
+#include "Pipeline/SkdVolumeCells.h"
 #include "Search/InOut/SkdPartClassifier.h"
 #include "Search/InOut/SkdSpreadParts.h"
 #include "Search/Probe/SkdCellFinder.h"
 #include "vtkCellData.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -70,24 +70,6 @@ struct vtkSkdTreePointInOut::PartFacts
 
 namespace
 {
-bool HasVolumes(const std::vector<SkdBlock>& blocks)
-{
-  vtkNew<vtkGenericCell> cell;
-  return std::any_of(blocks.begin(), blocks.end(),
-    [&](const SkdBlock& block)
-    {
-      for (vtkIdType i = 0; i < block.Mesh->GetNumberOfCells(); ++i)
-      {
-        cell->SetCellType(block.Mesh->GetCellType(i));
-        if (cell->GetCellDimension() == 3)
-        {
-          return true;
-        }
-      }
-      return false;
-    });
-}
-
 /// The answer of a cell, from those of its points: that of the least depth, or of the greatest.
 SkdInOut ChooseCorner(const std::vector<SkdInOut>& corners, vtkIdList* ids, bool least)
 {
@@ -255,7 +237,7 @@ bool vtkSkdTreePointInOut::CheckSource()
       << this->PartArray << "\" in all its blocks. Choose another PartArray.");
     return false;
   }
-  if (this->Model == BOUNDARIES && !this->UseOuterFaces && HasVolumes(blocks))
+  if (this->Model == BOUNDARIES && !this->UseOuterFaces && SkdHasVolumeCells(blocks))
   {
     vtkErrorMacro(
       "Source has volume cells where surfaces are needed. Turn UseOuterFaces on, or set "
@@ -298,7 +280,7 @@ vtkSkdTreePointInOut::PartFacts vtkSkdTreePointInOut::GetFacts() const
   PartFacts facts;
   facts.Number = internals.Parts.Get().size();
   facts.HaveFaces = this->Model == BODY_FITTED_MESH && internals.Trees.GetCounts().Cells > 0;
-  facts.HaveVolumes = this->Model == BOUNDARIES && HasVolumes(internals.Blocks);
+  facts.HaveVolumes = this->Model == BOUNDARIES && SkdHasVolumeCells(internals.Blocks);
   facts.ChordalLength = internals.Parts.GetChordalLength();
   for (const SkdPart& part : internals.Parts.Get())
   {
@@ -398,11 +380,12 @@ std::optional<vtkSkdTreePointInOut::PartFacts> vtkSkdTreePointInOut::AskPieces(
   const auto at =
     this->Ask == CELL_CENTERS ? SkdQueryPoints::At::Middles : SkdQueryPoints::At::Points;
   const int rounds = SkdMostOf(transport, static_cast<int>(meshes.size()));
+  const vtkSmartPointer<vtkDataSet> empty = vtkSmartPointer<vtkUnstructuredGrid>::New();
   for (int round = 0; round < rounds; ++round)
   {
     const bool isOwn = round < static_cast<int>(meshes.size());
-    vtkSmartPointer<vtkDataSet> mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    mesh = isOwn ? meshes[static_cast<std::size_t>(round)].Mesh : mesh;
+    const vtkSmartPointer<vtkDataSet> mesh =
+      isOwn ? meshes[static_cast<std::size_t>(round)].Mesh : empty;
     std::vector<SkdInOut> found;
     if (parts.Ask(SkdQueryPoints(mesh, at), loop, found) == SkdSpreadResult::Undecided)
     {
@@ -418,7 +401,7 @@ std::optional<vtkSkdTreePointInOut::PartFacts> vtkSkdTreePointInOut::AskPieces(
   PartFacts facts;
   facts.Number = parts.GetNumber();
   facts.HaveFaces = parts.HaveFaces();
-  facts.HaveVolumes = SkdMostOf(transport, HasVolumes(spread.GetBlocks()) ? 1 : 0) == 1;
+  facts.HaveVolumes = SkdMostOf(transport, SkdHasVolumeCells(spread.GetBlocks()) ? 1 : 0) == 1;
   return facts;
 }
 

@@ -4,7 +4,6 @@
 
 #include "Bodies/SkdOuterSurface.h"
 #include "Pipeline/SkdArrayGather.h"
-#include "Pipeline/SkdJoinedShape.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMotion.h"
 #include "Pipeline/SkdPorts.h"
@@ -12,6 +11,7 @@
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdVolumeCells.h"
 #include "Solids/Surfaces/SkdContacts.h"
 #include "Solids/Surfaces/SkdSplitSurface.h"
 #include "vtkInformation.h"
@@ -82,13 +82,6 @@ SkdPlacement Complete(
     second->Set.Complete();
   }
   return SkdMakePlacement(first.Set, second ? &second->Set : nullptr, motion);
-}
-
-bool HasVolumes(vtkDataObject* data)
-{
-  const std::vector<SkdBlock> blocks = SkdBlocksOf(data);
-  return std::any_of(blocks.begin(), blocks.end(),
-    [](const SkdBlock& block) { return SkdDimensionOf(block.Mesh) == 3; });
 }
 
 /// Ports 0 to 5, where every process has found all.
@@ -259,8 +252,8 @@ vtkTypeBool vtkSkdTreeSurfaceIntersection::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
-    this->Impl->HasVolumePieces =
-      processes && processes->IsAny(HasVolumes(vtkDataObject::GetData(inputVector[0])));
+    this->Impl->HasVolumePieces = processes &&
+      processes->IsAny(SkdHasVolumeCells(SkdBlocksOf(vtkDataObject::GetData(inputVector[0]))));
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }

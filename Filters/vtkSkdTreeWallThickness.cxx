@@ -10,6 +10,7 @@
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdVolumeCells.h"
 #include "Search/Rays/SkdHitCells.h"
 #include "Search/Rays/SkdRayStarts.h"
 #include "Search/Rays/SkdSurfaceBlocks.h"
@@ -211,10 +212,7 @@ struct Target
 
 bool HasVolumeCells(const SkdSpreadSource& spread)
 {
-  const std::vector<SkdBlock>& blocks = spread.GetBlocks();
-  const bool hasOwn = std::any_of(blocks.begin(), blocks.end(),
-    [](const SkdBlock& block) { return SkdHasVolumeCells(block.Mesh); });
-  return SkdMostOf(spread.GetTransport(), hasOwn ? 1 : 0) == 1;
+  return SkdMostOf(spread.GetTransport(), SkdHasVolumeCells(spread.GetBlocks()) ? 1 : 0) == 1;
 }
 
 /// The cells that the rays of a measure hit, given the trees of the own piece. In rounds, because a

@@ -15,10 +15,12 @@ namespace skdtree
 {
 namespace
 {
-/// How far the edges of a cell that spans so many degrees of longitude, along parallels, may be
-/// from the box of its corners: of half a turn and more, anywhere.
+/// In degrees of longitude. The edges of a cell that spans as much, along parallels, may be
+/// anywhere.
 constexpr double HalfTurn = 180.0;
+/// No two directions are farther apart.
 constexpr double Anywhere = 2.0;
+/// Of directions.
 constexpr double Rounding = 1e-12;
 
 /// Not finite if there is none.

@@ -8,6 +8,7 @@
 #include "Pipeline/SkdReport.h"
 #include "Pipeline/SkdTimes.h"
 #include "Pipeline/SkdValidInput.h"
+#include "Pipeline/SkdVolumeCells.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommunicator.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -34,7 +35,7 @@ bool Fit(
     reach.IsNotForSpheres || reach.IsOfNearSurfaces;
   const int here[] = { SkdIsUnfit(piece, reach) ? 1 : 0,
     mayBeOnSphere && own && SkdIsOnSphere(own) ? 1 : 0,
-    reach.IsOfNearSurfaces && own && SkdHasVolumes(own) ? 1 : 0 };
+    reach.IsOfNearSurfaces && own && SkdHasVolumeCells(SkdBlocksOf(own)) ? 1 : 0 };
   int anywhere[] = { 0, 0, 0 };
   controller->AllReduce(here, anywhere, 3, vtkCommunicator::MAX_OP);
   const bool isOnSphere = anywhere[1] != 0;

@@ -199,13 +199,6 @@ bool SkdIsOnSphere(vtkDataObject* object)
     [](const SkdBlock& block) { return SkdRadiusOf(block.Mesh).has_value(); });
 }
 
-bool SkdHasVolumes(vtkDataObject* object)
-{
-  const std::vector<SkdBlock> blocks = SkdBlocksOf(object);
-  return std::any_of(blocks.begin(), blocks.end(),
-    [](const SkdBlock& block) { return SkdDimensionOf(block.Mesh) == 3; });
-}
-
 vtkDataObject* SkdNearbyInput::Update(
   SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach)
 {

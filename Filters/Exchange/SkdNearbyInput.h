@@ -69,9 +69,6 @@ bool SkdIsUnfit(vtkDataObject* piece, const SkdReach& reach);
 
 /// Whether there is a mesh whose points are all on a sphere about the origin.
 bool SkdIsOnSphere(vtkDataObject* object);
-
-/// Whether there are volume cells.
-bool SkdHasVolumes(vtkDataObject* object);
 }
 
 #endif

@@ -149,8 +149,8 @@ public:
     std::size_t begin = 0;
     while (true)
     {
-      const int todo = begin < rays.size() ? 1 : 0;
-      const int state = SkdMostOf(this->Transport, SkdIsAborted(this->Algorithm) ? 2 : todo);
+      const int rest = begin < rays.size() ? 1 : 0;
+      const int state = SkdMostOf(this->Transport, SkdIsAborted(this->Algorithm) ? 2 : rest);
       if (state != 1)
       {
         cells.IsWhole = state == 0;

@@ -2,21 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Rays/SkdSurfaceBlocks.h"
 
-#include "Cells/Curved/SkdCurvedFaces.h"
+#include "Pipeline/SkdVolumeCells.h"
 
 namespace skdtree
 {
-bool SkdHasVolumeCells(vtkDataSet* mesh)
-{
-  bool hasVolume = false;
-  const vtkIdType cells = mesh->IsA("vtkPolyData") ? 0 : mesh->GetNumberOfCells();
-  for (vtkIdType cell = 0; cell < cells && !hasVolume; ++cell)
-  {
-    hasVolume = SkdDimensionOfCellType(mesh->GetCellType(cell)) == 3;
-  }
-  return hasVolume;
-}
-
 std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& blocks)
 {
   if (!this->Kept.AreSameAs(blocks) || this->Surfaces.size() != blocks.size())

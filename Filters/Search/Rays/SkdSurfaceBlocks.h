@@ -12,9 +12,6 @@
 
 namespace skdtree
 {
-/// Whether a mesh has cells with a volume.
-bool SkdHasVolumeCells(vtkDataSet* mesh);
-
 /// Blocks as surfaces: those with volume cells are replaced by their outer faces, so that a ray
 /// within a body ends where the body does, and not where the next cell begins. Curved faces become
 /// facets within the default chordal deviation. Reused while the blocks are unchanged.

@@ -9,6 +9,9 @@
 #include "vtkIntArray.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace skdtree
 {
 namespace
