@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search/Rays/SkdSurfaceNormals.h"
 
+#include "Bodies/SkdOuterSurface.h"
 #include "Cells/Curved/SkdCurvedFaces.h"
 #include "Cells/Read/SkdForEach.h"
 #include "Core/Geometry/Distance/ClosestPoint.h"
