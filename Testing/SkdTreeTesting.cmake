@@ -8,6 +8,9 @@ set(SKDTREE_TEST_ENVIRONMENT
   "SKDTREE_DATA_DIR=${SKDTREE_ROOT}/Data"
   "SKDTREE_EXTRA_DATA_DIR=${SKDTREE_EXTRA_DATA_DIR}"
   "SKDTREE_TEMPORARY_DIR=${SKDTREE_TEMPORARY_DIR}")
+if (SKDTREE_SANITIZE)
+  list(APPEND SKDTREE_TEST_ENVIRONMENT "SKDTREE_FEWER_TESTS=1")
+endif ()
 
 # The build tree's plugin and Python package, as build/setup.sh gives them to a shell.
 set(SKDTREE_USE_ENVIRONMENT
@@ -37,13 +40,10 @@ target_include_directories(skdtree_testing INTERFACE
   "${SKDTREE_ROOT}/Filters" "${CMAKE_CURRENT_LIST_DIR}")
 
 # skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] [HEADERS <header>...]
-#   [UNOPTIMIZED] LABEL <label>)
-# An executable with GoogleTest's main. Starting one process for each of thousands of short tests
-# would take most of the time, so a few processes run a share of them each; failures are named in
-# the output. UNOPTIMIZED: with sanitizers, for tests whose work is in libraries; it halves the time
-# to compile them.
+#   LABEL <label>)
+# An executable with GoogleTest's main, whose tests run in shares.
 function (skdtree_add_gtest name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "UNOPTIMIZED" "LABEL" "SOURCES;LIBRARIES;HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES;HEADERS")
   add_executable("${name}" ${test_SOURCES})
   target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
   # Compiling takes most of the tests' time: headers that nearly all include are read once, and
@@ -51,18 +51,22 @@ function (skdtree_add_gtest name)
   target_precompile_headers("${name}" PRIVATE <gtest/gtest.h> ${test_HEADERS})
   target_compile_options("${name}" PRIVATE
     $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
-  if (SKDTREE_SANITIZE AND test_UNOPTIMIZED)
-    target_compile_options("${name}" PRIVATE -O0)
-  endif ()
+  skdtree_add_shares("${test_LABEL}" COMMAND "${name}")
+endfunction ()
+
+# skdtree_add_shares(<label> COMMAND <command>... [ENVIRONMENT <name=value>...])
+# Starting one process for each of thousands of short tests would take most of the time, so a few
+# processes run a share of them each; failures are named in the output.
+function (skdtree_add_shares label)
+  cmake_parse_arguments(PARSE_ARGV 1 shares "" "" "COMMAND;ENVIRONMENT")
   set(count 8)
   foreach (share RANGE 1 ${count})
     math(EXPR index "${share} - 1")
-    add_test(NAME "${test_LABEL}.Share${share}" COMMAND "${name}" --gtest_brief=1)
-    set_tests_properties("${test_LABEL}.Share${share}" PROPERTIES
-      LABELS "${test_LABEL}"
-      TIMEOUT 1800
-      ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index};\
-${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
+    set(environment "GTEST_TOTAL_SHARDS=${count}" "GTEST_SHARD_INDEX=${index}"
+      ${SKDTREE_TEST_ENVIRONMENT} ${SKDTREE_SANITIZER_ENVIRONMENT} ${shares_ENVIRONMENT})
+    add_test(NAME "${label}.Share${share}" COMMAND ${shares_COMMAND} --gtest_brief=1)
+    set_tests_properties("${label}.Share${share}" PROPERTIES
+      LABELS "${label}" TIMEOUT 1800 ENVIRONMENT "${environment}")
   endforeach ()
 endfunction ()
 

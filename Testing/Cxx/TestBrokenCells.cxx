@@ -201,7 +201,7 @@ TEST(BrokenCells, WholeCellsOfEveryTypeAreNotNamed)
 {
   for (const int type : AllCellTypes())
   {
-    for (int order = 1; order <= (IsHigherOrder(type) ? HighestOrder : 1); ++order)
+    for (int order = 1; order <= (IsHigherOrder(type) ? HighestOrder() : 1); ++order)
     {
       SCOPED_TRACE(NameOfType(type) + " " + std::to_string(order));
       const GridPointer mesh = MakeHarmed(type, Harm::None, order);

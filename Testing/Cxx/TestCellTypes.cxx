@@ -32,7 +32,7 @@ std::vector<CellCase> CellCases()
   for (int type : AllCellTypes())
   {
     const bool isAligned = type == VTK_VOXEL || type == VTK_PIXEL;
-    for (int order = 1; order <= (IsHigherOrder(type) ? HighestOrder : 1); ++order)
+    for (int order = 1; order <= (IsHigherOrder(type) ? HighestOrder() : 1); ++order)
     {
       if (order < 4) // a straight cell of order 4 has the map of one of order 3
       {

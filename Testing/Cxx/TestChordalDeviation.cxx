@@ -24,7 +24,7 @@ std::vector<Kind> Kinds()
   std::vector<Kind> kinds;
   for (int type : AllCellTypes())
   {
-    for (int order = 1; order <= (IsHigherOrder(type) ? HighestOrder + 1 : 1); ++order)
+    for (int order = 1; order <= (IsHigherOrder(type) ? HighestOrder() + 1 : 1); ++order)
     {
       if (DomainOf(type) != Domain::None)
       {

@@ -7,6 +7,7 @@
 #include "Support/Folders.h"
 #include "Support/RealMeshes.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/TestAmount.h"
 #include "Support/VolumeMeshes.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -67,12 +68,6 @@ Mesh LinesThrough(vtkDataSet* surface, int count, int seed)
   return lines;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int Share = 20; // of the lines, for these are slow
-#else
-constexpr int Share = 1;
-#endif
-
 /// Every line goes in as often as out, and at each of its points, by turns.
 void ExpectEven(vtkDataSet* surface, int count, int seed)
 {
@@ -112,16 +107,16 @@ using Numbers = std::vector<double>;
 
 }
 
-// A million lines together.
+// A hundred thousand lines together.
 TEST(CurveSurfaceParity, LinesThroughVerticesAndEdgesOfTriangles)
 {
-  ExpectEven(MakePolyData(CubeTriangles(3)), 320000 / Share, 1);
-  ExpectEven(MakePolyData(Triangulated(SphereQuads(6))), 320000 / Share, 2);
+  ExpectEven(MakePolyData(CubeTriangles(3)), Amount(32000), 1);
+  ExpectEven(MakePolyData(Triangulated(SphereQuads(6))), Amount(32000), 2);
 }
 
 TEST(CurveSurfaceParity, LinesThroughFlatQuads)
 {
-  ExpectEven(MakePolyData(CubeQuads(4)), 220000 / Share, 3);
+  ExpectEven(MakePolyData(CubeQuads(4)), Amount(22000), 3);
 }
 
 TEST(CurveSurfaceParity, LinesThroughWarpedQuads)
@@ -131,8 +126,8 @@ TEST(CurveSurfaceParity, LinesThroughWarpedQuads)
 
 TEST(CurveSurfaceParity, FarFromTheOrigin)
 {
-  ExpectEven(MakePolyData(Placed(CubeTriangles(3), 1e-3, { 1e5 / 3, -1e6 / 7, 1e4 / 9 })),
-    140000 / Share, 5);
+  ExpectEven(
+    MakePolyData(Placed(CubeTriangles(3), 1e-3, { 1e5 / 3, -1e6 / 7, 1e4 / 9 })), Amount(14000), 5);
 }
 
 TEST(CurveSurfaceParity, ClosedPolylinesThroughRealSurfaces)

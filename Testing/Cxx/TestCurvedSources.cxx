@@ -86,7 +86,7 @@ TEST_P(CurvedVolume, StraightBlocksAreTheCubeThatTheyAre)
 {
   ExpectCube(CurvedBlock(GetParam(), 3), 3.0);
   ExpectCube(CurvedBlock(GetParam(), 1), 1.0);
-  if (IsHigherOrder(GetParam()) && HighestOrder > 2)
+  if (IsHigherOrder(GetParam()) && HighestOrder() > 2)
   {
     ExpectCube(CurvedBlock(GetParam(), 2, 3), 2.0);
   }

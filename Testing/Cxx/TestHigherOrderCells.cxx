@@ -23,7 +23,7 @@ namespace
 {
 
 /// Enough for all threads to meet.
-constexpr int Many = FewerKinds ? 200 : 500;
+const int Many = FewerTests() ? 200 : 500;
 
 struct Kind
 {

@@ -184,7 +184,7 @@ Mesh CurvedNeighbours(int type, int order)
 std::vector<int> OrdersOf(int type)
 {
   const bool isSlow = LinearTypeOf(type) != VTK_HEXAHEDRON && type >= VTK_BEZIER_CURVE; // in VTK
-  return IsHigherOrder(type) && HighestOrder > 2 && !isSlow ? std::vector<int>{ 2, 3 }
+  return IsHigherOrder(type) && HighestOrder() > 2 && !isSlow ? std::vector<int>{ 2, 3 }
                                                             : std::vector<int>{ 2 };
 }
 

@@ -52,7 +52,7 @@ std::vector<TypeAndOrder> AllTypes()
   for (const int type : AllCellTypes())
   {
     if (type != VTK_EMPTY_CELL && !ReferenceCell(type, 2).Cells.empty() &&
-      !(FewerKinds && IsStoodFor(type)))
+      !(FewerTests() && IsStoodFor(type)))
     {
       types.push_back({ type, 2 });
     }

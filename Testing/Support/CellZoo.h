@@ -7,6 +7,7 @@
 #ifndef skdtest_CellZoo_h
 #define skdtest_CellZoo_h
 
+#include "Support/TestAmount.h"
 #include "Support/VolumeMeshes.h"
 
 #include "vtkCell.h"
@@ -23,15 +24,11 @@ namespace skdtest
 
 bool IsHigherOrder(int type);
 
-/// Whether some kinds of cell may stand for all that the same code treats.
-#ifdef SKD_TEST_FEWER_KINDS
-constexpr bool FewerKinds = true;
-#else
-constexpr bool FewerKinds = false;
-#endif
-
 /// The highest order of Lagrange and Bezier cells that tests try. VTK's own maps of them are slow.
-constexpr int HighestOrder = FewerKinds ? 2 : 4;
+inline int HighestOrder()
+{
+  return FewerTests() ? 2 : 4;
+}
 
 /// How many points a Lagrange or Bezier cell of uniform order has.
 int HigherOrderSize(int type, int order);
