@@ -18,4 +18,9 @@ if (SKDTREE_SANITIZE)
   add_compile_options(
     -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${sanitizers})
+  # AddressSanitizer finds such an address when it is used; to look for it everywhere takes a quarter
+  # of the time to compile.
+  if ("address" IN_LIST SKDTREE_SANITIZE AND "undefined" IN_LIST SKDTREE_SANITIZE)
+    add_compile_options(-fno-sanitize=null,pointer-overflow,object-size,vptr)
+  endif ()
 endif ()

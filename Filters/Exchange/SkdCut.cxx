@@ -12,8 +12,15 @@ namespace skdtree
 {
 namespace
 {
-constexpr int Levels = 6; // 2^6 boxes
-static_assert((1 << Levels) == SkdCut::LargestNumber, "as many as the header says");
+int LevelsOf(int processes)
+{
+  int levels = 6;
+  for (int covered = 8; covered < processes && levels > 2; covered *= 2)
+  {
+    --levels;
+  }
+  return levels;
+}
 }
 
 std::vector<skd::Box3> SkdBoxesOfCells(vtkDataSet* mesh, bool skipGhosts)
@@ -42,14 +49,15 @@ std::vector<skd::Box3> SkdBoxesOfPoints(vtkDataSet* mesh)
   return boxes;
 }
 
-std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes)
+std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes, int levels)
 {
-  return skd::CoverByBoxes<3>::Of(std::move(boxes), Levels);
+  return skd::CoverByBoxes<3>::Of(std::move(boxes), levels);
 }
 
 SkdCut::SkdCut(SkdTransport& transport, std::vector<skd::Box3> own)
 {
-  const SkdRowsByProcess<skd::Box3> all = SkdGatherRows(transport, SkdCoverOf(std::move(own)));
+  const SkdRowsByProcess<skd::Box3> all =
+    SkdGatherRows(transport, SkdCoverOf(std::move(own), LevelsOf(transport.GetNumber())));
   this->Bounds.resize(all.size());
   for (std::size_t process = 0; process < all.size(); ++process)
   {

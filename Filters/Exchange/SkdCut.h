@@ -29,17 +29,16 @@ std::vector<skd::Box3> SkdBoxesOfCells(vtkDataSet* mesh, bool skipGhosts);
 /// The same of its points.
 std::vector<skd::Box3> SkdBoxesOfPoints(vtkDataSet* mesh);
 
-/// A few boxes that cover many: see SkdCut.
-std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes);
+/// At most 2^levels boxes that cover many.
+std::vector<skd::Box3> SkdCoverOf(std::vector<skd::Box3> boxes, int levels = 6);
 
 class SkdCut
 {
 public:
-  /// At most as many boxes of a process.
-  static constexpr int LargestNumber = 64;
-
-  /// From the boxes of what each process has: they are reduced to a few, and sent to all. All
-  /// processes must call it together. O(n).
+  /// From the boxes of what each process has: they are reduced to a few, and sent to all. These are
+  /// 64 of up to 8 processes, and half as many whenever the processes are doubled, but at least 4:
+  /// what a process sends and keeps is then the same for 8 to 128. All processes must call it
+  /// together. O(n).
   SkdCut(SkdTransport& transport, std::vector<skd::Box3> own);
 
   int GetNumberOfProcesses() const { return static_cast<int>(this->Bounds.size()); }

@@ -12,6 +12,37 @@
 
 namespace skdtree
 {
+namespace
+{
+/// The first few messages as one, each after its size.
+SkdBytes Join(const std::vector<SkdBytes>& messages, int number)
+{
+  SkdBytes joined;
+  for (int i = 0; i < number; ++i)
+  {
+    const SkdBytes& message = messages[static_cast<std::size_t>(i)];
+    const SkdBytes size = SkdToBytes(std::vector<std::uint64_t>{ message.size() });
+    joined.insert(joined.end(), size.begin(), size.end());
+    joined.insert(joined.end(), message.begin(), message.end());
+  }
+  return joined;
+}
+
+/// The reverse; adds them to others.
+void Split(const SkdBytes& joined, std::vector<SkdBytes>& messages)
+{
+  auto at = joined.begin();
+  while (at != joined.end())
+  {
+    std::uint64_t size = 0;
+    std::memcpy(&size, &*at, sizeof(size));
+    at += sizeof(size);
+    messages.emplace_back(at, at + static_cast<std::ptrdiff_t>(size));
+    at += static_cast<std::ptrdiff_t>(size);
+  }
+}
+}
+
 // In step s to the process s after this one, from the one s before: no process gets from two at a
 // time.
 void SkdTransport::Exchange(const std::function<SkdBytes(int to)>& make,
@@ -31,11 +62,27 @@ void SkdTransport::Exchange(const std::function<SkdBytes(int to)>& make,
   }
 }
 
+// By Bruck's algorithm (IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143): in each step a process
+// hands all that it has to the one as many places further on, so what each has doubles.
 std::vector<SkdBytes> SkdTransport::GatherAll(const SkdBytes& own)
 {
-  std::vector<SkdBytes> all(static_cast<std::size_t>(this->GetNumber()));
-  this->Exchange([&](int) { return own; },
-    [&](int from, SkdBytes message) { all[static_cast<std::size_t>(from)] = std::move(message); });
+  const int number = this->GetNumber();
+  const int rank = this->GetRank();
+  std::vector<SkdBytes> backwards{ own }; // of this process, the one before, ...
+  while (static_cast<int>(backwards.size()) < number)
+  {
+    const int have = static_cast<int>(backwards.size());
+    const SkdBytes joined = Join(backwards, std::min(have, number - have));
+    ++this->Traffic.Messages;
+    this->Traffic.Bytes += joined.size();
+    Split(this->Shift(joined, (rank + have) % number, (rank + number - have) % number), backwards);
+  }
+  std::vector<SkdBytes> all(backwards.size());
+  for (int i = 0; i < number; ++i)
+  {
+    all[static_cast<std::size_t>((rank + number - i) % number)] =
+      std::move(backwards[static_cast<std::size_t>(i)]);
+  }
   return all;
 }
 

@@ -49,7 +49,8 @@ public:
   void Exchange(const std::function<SkdBytes(int to)>& make,
     const std::function<void(int from, SkdBytes message)>& take);
 
-  /// The messages of all processes, in their order.
+  /// The messages of all processes, in their order. It takes each process ceil(log2(n)) messages,
+  /// which pass on those of others.
   std::vector<SkdBytes> GatherAll(const SkdBytes& own);
 
   const SkdTraffic& GetTraffic() const { return this->Traffic; }

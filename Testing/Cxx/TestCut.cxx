@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <mutex>
 
 using namespace skdtest;
@@ -75,9 +76,51 @@ TEST(Cut, MissesNoProcess)
         const SkdCut cut(transport, boxes[static_cast<std::size_t>(transport.GetRank())]);
         const std::lock_guard<std::mutex> lock(mutex);
         EXPECT_EQ(cut.GetNumberOfProcesses(), 5);
-        EXPECT_LE(cut.GetBoxes().size(), 4u * SkdCut::LargestNumber);
+        EXPECT_LE(cut.GetBoxes().size(), 4u * 64u);
         EXPECT_TRUE(cut.GetBounds(4).IsEmpty());
         ExpectFound(cut, boxes);
+      });
+  }
+}
+
+// What all know of all does not grow with the number of processes.
+TEST(Cut, HasAsManyBoxesOfFewProcessesAsOfMany)
+{
+  for (const int processes : { 8, 11, 16, 32 })
+  {
+    const auto boxes = BoxesOf(processes, 300);
+    std::mutex mutex;
+    ThreadTransport::RunAll(processes,
+      [&](SkdTransport& transport)
+      {
+        const SkdCut cut(transport, boxes[static_cast<std::size_t>(transport.GetRank())]);
+        const std::lock_guard<std::mutex> lock(mutex);
+        EXPECT_LE(cut.GetBoxes().size(), 512u) << processes;
+        EXPECT_GE(cut.GetBoxes().size(), 256u) << processes;
+        ExpectFound(cut, boxes);
+      });
+  }
+}
+
+TEST(Transport, GathersTheMessagesOfAllInAFewSteps)
+{
+  for (const int processes : { 1, 2, 3, 4, 7, 8, 13 })
+  {
+    std::mutex mutex;
+    ThreadTransport::RunAll(processes,
+      [&](SkdTransport& transport)
+      {
+        const auto messageOf = [](int rank)
+        { return SkdBytes(static_cast<std::size_t>(rank % 3), static_cast<char>('a' + rank)); };
+        const std::vector<SkdBytes> all = transport.GatherAll(messageOf(transport.GetRank()));
+        const std::lock_guard<std::mutex> lock(mutex);
+        ASSERT_EQ(all.size(), static_cast<std::size_t>(processes));
+        for (int rank = 0; rank < processes; ++rank)
+        {
+          EXPECT_EQ(all[static_cast<std::size_t>(rank)], messageOf(rank)) << rank;
+        }
+        EXPECT_EQ(transport.GetTraffic().Messages,
+          static_cast<std::uint64_t>(std::ceil(std::log2(processes))));
       });
   }
 }
