@@ -23,6 +23,7 @@ namespace
 struct Ranked
 {
   vtkIdType GlobalId;
+  vtkIdType Cell; // in its piece
   int Kind;
 };
 
@@ -90,8 +91,8 @@ private:
   SkdRepeatedCells::Key KeyOf(vtkIdType cell, const std::vector<vtkIdType>& points) const
   {
     return this->AreByIds
-      ? SkdRepeatedCells::Key{ this->GlobalIdOf(cell) }
-      : SkdRepeatedCells::KeyOf(this->Reader.TypeOf(cell), points.data(), points.size());
+      ? SkdRepeatedCells::KeyById(this->GlobalIdOf(cell), points.data(), points.size())
+      : SkdRepeatedCells::KeyByPoints(this->Reader.TypeOf(cell), points.data(), points.size());
   }
 
   // Each question is the length of a key and the key.
@@ -216,11 +217,13 @@ private:
         const double share = (static_cast<double>(id) - first) / width;
         const auto to =
           std::min(processes - 1, static_cast<std::size_t>(share * static_cast<double>(processes)));
-        questions[to].push_back({ id, this->KindOf(cell) });
+        questions[to].push_back({ id, cell, this->KindOf(cell) });
         asked[to].push_back(cell);
       });
+    SkdRepeatedId repeated = this->Numbers.Repeated;
     const Ids answers = SkdAsk<vtkIdType>(this->Transport, questions,
-      [this](const SkdRowsByProcess<Ranked>& all) { return this->Rank(all); });
+      [&](const SkdRowsByProcess<Ranked>& all) { return this->Rank(all, repeated); });
+    this->Numbers.Repeated = SkdFirstRepeatedId(this->Transport, repeated);
     for (std::size_t to = 0; to < processes; ++to)
     {
       for (std::size_t i = 0; i < asked[to].size(); ++i)
@@ -230,7 +233,7 @@ private:
     }
   }
 
-  Ids Rank(const SkdRowsByProcess<Ranked>& all)
+  Ids Rank(const SkdRowsByProcess<Ranked>& all, SkdRepeatedId& repeated)
   {
     std::vector<std::tuple<int, vtkIdType, std::size_t, std::size_t>> order;
     std::vector<vtkIdType> counts(SkdNumberOfKinds, 0);
@@ -246,9 +249,17 @@ private:
     }
     std::sort(order.begin(), order.end());
     std::vector<vtkIdType> next = this->FirstIds(counts);
-    for (const auto& [kind, globalId, piece, i] : order)
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
     {
+      const auto& [kind, globalId, piece, i] = order[rank];
       ids[piece][i] = next[static_cast<std::size_t>(kind)]++;
+      const auto& [kindBefore, idBefore, pieceBefore, before] = order[rank > 0 ? rank - 1 : 0];
+      if (rank > 0 && !repeated.IsThere && kind == kindBefore && globalId == idBefore)
+      {
+        repeated = { true, false, globalId,
+          { { { static_cast<int>(pieceBefore), all[pieceBefore][before].Cell },
+            { static_cast<int>(piece), all[piece][i].Cell } } } };
+      }
     }
     return ids;
   }

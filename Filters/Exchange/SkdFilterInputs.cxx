@@ -82,6 +82,10 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
     this->GatherInto(kept.back(), port, vtkDataObject::GetData(kept.front()));
     whole.push_back(kept.back());
   }
+  if (!this->CheckGlobalIds())
+  {
+    return 0;
+  }
   const int result = process(whole.data());
   valid.Report(outputs);
   this->Report(outputs);
@@ -163,6 +167,41 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
   unsigned long all = 0;
   controller->AllReduce(&size, &all, 1, vtkCommunicator::SUM_OP);
   return this->Wanted == Distribution::Exchanged || all > LargestReplicated;
+}
+
+SkdRepeatedId SkdFilterInputs::FindRepeatedId() const
+{
+  SkdRepeatedId first;
+  const auto add = [&first](const SkdRepeatedId& found) { first = first.IsThere ? first : found; };
+  for (const auto& [place, input] : this->Whole)
+  {
+    add(input.GetRepeatedId());
+  }
+  for (const auto& [place, input] : this->Nearby)
+  {
+    add(input.FindRepeatedId());
+  }
+  for (const auto& [place, input] : this->Spread)
+  {
+    add(input.Source.FindRepeatedId());
+  }
+  return first;
+}
+
+// The same on all processes, of which the first says so.
+bool SkdFilterInputs::CheckGlobalIds() const
+{
+  const SkdRepeatedId repeated = this->FindRepeatedId();
+  if (repeated.IsThere &&
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "Global ids must be of one cell and one point each: "
+        << repeated.Describe()
+        << " Correct them, or remove them: what several pieces have in common is then found by "
+           "coordinates.");
+  }
+  return !repeated.IsThere;
 }
 
 void SkdFilterInputs::Report(vtkInformationVector* outputs) const

@@ -103,6 +103,8 @@ private:
     vtkMultiProcessController* controller);
   bool IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port, SkdTransport* transport,
     SkdReach& reach, vtkMultiProcessController* controller) const;
+  SkdRepeatedId FindRepeatedId() const;
+  bool CheckGlobalIds() const;
   void Report(vtkInformationVector* outputs) const;
 
   vtkAlgorithm* Filter;

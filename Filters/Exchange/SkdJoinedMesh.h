@@ -3,6 +3,7 @@
 #ifndef SkdJoinedMesh_h
 #define SkdJoinedMesh_h
 
+#include "Exchange/SkdRepeatedId.h"
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
@@ -21,6 +22,7 @@ struct SkdJoinedPieces
 {
   vtkSmartPointer<vtkDataSet> Mesh;
   std::vector<SkdPieceCell> Origins; ///< where each cell of the mesh comes from
+  SkdRepeatedId Repeated = {};       ///< a global id that does not tell cells or points apart
 };
 }
 

@@ -34,6 +34,8 @@ public:
 
   const SkdPiecePoints& GetPoints() const { return this->Points; }
 
+  const SkdRepeatedId& GetRepeatedId() const { return this->Repeated; }
+
   /// Of a cell of a vtkPolyData.
   int KindOf(const SkdPieceCell& cell) const
   {
@@ -60,6 +62,7 @@ private:
   bool IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids);
   void SortByGlobalIds();
   void SortByKinds();
+  void FindRepeatedId();
 
   SkdPieces Pieces;
   SkdPiecePoints Points;
@@ -67,7 +70,8 @@ private:
   std::vector<SkdPieceCell> Cells;
   bool HaveGlobalIds;
   vtkNew<vtkIdList> Own;        // of a cell's points in its piece
-  SkdRepeatedCells SharedCells; // by type and points, or by global id
+  SkdRepeatedCells SharedCells; // by points and type or global id
+  SkdRepeatedId Repeated;
 };
 
 CellJoin::CellJoin(const SkdPieces& pieces)
@@ -91,6 +95,11 @@ CellJoin::CellJoin(const SkdPieces& pieces)
   }
   this->SortByGlobalIds();
   this->SortByKinds();
+  this->Repeated = this->Points.GetRepeatedId();
+  if (this->HaveGlobalIds && !this->Repeated.IsThere)
+  {
+    this->FindRepeatedId();
+  }
 }
 
 template <class Visit>
@@ -148,8 +157,9 @@ bool CellJoin::IsOfEarlier(const SkdPieceCell& cell, vtkIdList* ids)
     return false;
   }
   return this->SharedCells.IsOfEarlier(cell.Piece,
-    this->HaveGlobalIds ? SkdRepeatedCells::Key{ this->GlobalIdOf(cell) }
-                        : SkdRepeatedCells::KeyOf(this->TypeOf(cell), ids->begin(),
+    this->HaveGlobalIds ? SkdRepeatedCells::KeyById(this->GlobalIdOf(cell), ids->begin(),
+                            static_cast<std::size_t>(ids->GetNumberOfIds()))
+                        : SkdRepeatedCells::KeyByPoints(this->TypeOf(cell), ids->begin(),
                             static_cast<std::size_t>(ids->GetNumberOfIds())));
 }
 
@@ -194,6 +204,20 @@ void CellJoin::SortByKinds()
     { return this->KindOf(a) < this->KindOf(b); });
 }
 
+// Of cells in the order of their ids.
+void CellJoin::FindRepeatedId()
+{
+  const auto found = std::adjacent_find(this->Cells.begin(), this->Cells.end(),
+    [this](const SkdPieceCell& a, const SkdPieceCell& b)
+    { return this->GlobalIdOf(a) == this->GlobalIdOf(b); });
+  if (found != this->Cells.end())
+  {
+    const SkdPieceCell& next = *(found + 1);
+    this->Repeated = { true, false, this->GlobalIdOf(*found),
+      { { { found->Piece, found->CellId }, { next.Piece, next.CellId } } } };
+  }
+}
+
 //------------------------------------------------------------------------------
 SkdJoinedPieces JoinAnyCells(const SkdPieces& pieces)
 {
@@ -209,7 +233,7 @@ SkdJoinedPieces JoinAnyCells(const SkdPieces& pieces)
   {
     mesh = SkdAssembleGrid(parts);
   }
-  return { mesh, join.GetCells() };
+  return { mesh, join.GetCells(), join.GetRepeatedId() };
 }
 
 SkdJoinedPieces AsOne(vtkDataSet* mesh)
@@ -260,6 +284,10 @@ SkdJoinedPieces SkdJoinPieces(const std::vector<vtkSmartPointer<vtkDataSet>>& pi
   for (SkdPieceCell& origin : joined.Origins)
   {
     origin.Piece = numbers[static_cast<std::size_t>(origin.Piece)];
+  }
+  for (SkdRepeatedId::Owner& owner : joined.Repeated.Owners)
+  {
+    owner.Process = numbers[static_cast<std::size_t>(owner.Process)];
   }
   return joined;
 }

@@ -41,6 +41,15 @@ public:
     }
   }
 
+  /// Global ids with which pieces cannot be joined, on all processes the same.
+  SkdRepeatedId FindRepeatedId() const
+  {
+    SkdRepeatedId first;
+    this->VisitBlocks([&first](const SkdSpreadBlock& block)
+      { first = first.IsThere ? first : block.GetRepeatedId(); });
+    return first;
+  }
+
   /// What this process has sent in the last Update().
   const SkdTraffic& GetTraffic() const { return this->Traffic; }
 

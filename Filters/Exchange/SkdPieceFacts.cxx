@@ -142,16 +142,20 @@ bool SkdAllFacts::HaveCellIds() const
   return this->AreAll([](const SkdPieceFacts& piece) { return piece.HasCellIds; });
 }
 
-double SkdAllFacts::GetNearTolerance() const
+double SkdAllFacts::GetLargestCoordinate() const
 {
-  bool isSingle = false;
   double largest = 0.0;
   for (const int process : this->Full)
   {
-    isSingle = isSingle || this->Of(process).IsSingle;
     largest = std::max(largest, this->Of(process).LargestCoordinate);
   }
-  return SkdNearTolerance(isSingle, largest);
+  return largest;
+}
+
+double SkdAllFacts::GetNearTolerance() const
+{
+  const bool isSingle = !this->AreAll([](const SkdPieceFacts& piece) { return !piece.IsSingle; });
+  return SkdNearTolerance(isSingle, this->GetLargestCoordinate());
 }
 
 bool SkdAllFacts::AreOfOneGrid() const

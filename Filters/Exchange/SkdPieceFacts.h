@@ -55,6 +55,9 @@ public:
   bool HavePointIds() const;
   bool HaveCellIds() const;
 
+  /// The largest magnitude of a coordinate.
+  double GetLargestCoordinate() const;
+
   /// How near points of different pieces are to be one.
   double GetNearTolerance() const;
 

@@ -156,6 +156,16 @@ std::vector<SkdRunningSum> SkdSumOver(
   return sums;
 }
 
+SkdRepeatedId SkdFirstRepeatedId(SkdTransport& transport, const SkdRepeatedId& own)
+{
+  SkdRepeatedId first;
+  for (const auto& found : SkdGatherRows(transport, std::vector<SkdRepeatedId>{ own }))
+  {
+    first = first.IsThere ? first : found.front();
+  }
+  return first;
+}
+
 void SkdNumberGrid(
   SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts, SkdPieceNumbers& numbers)
 {

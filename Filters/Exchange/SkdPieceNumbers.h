@@ -10,6 +10,7 @@
 #define SkdPieceNumbers_h
 
 #include "Exchange/SkdPieceFacts.h"
+#include "Exchange/SkdRepeatedId.h"
 #include "Exchange/SkdTransport.h"
 #include "vtkDataSet.h"
 
@@ -42,6 +43,9 @@ struct SkdPieceNumbers
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfPoints = 0;
   ///@}
+
+  /// One that different points or cells have, on all processes the same.
+  SkdRepeatedId Repeated;
 };
 
 /// Numbers cells and points as SkdJoinPieces does. All processes must call it together. Points and
@@ -65,6 +69,9 @@ void SkdNumberPoints(SkdTransport& transport, vtkDataSet* piece, const SkdAllFac
 /// Cells by their points, which are numbered, or global ids.
 void SkdNumberCells(SkdTransport& transport, vtkDataSet* piece, const SkdAllFacts& facts,
   const std::vector<unsigned char>& isShared, SkdPieceNumbers& numbers);
+
+/// That of the first process that has found one.
+SkdRepeatedId SkdFirstRepeatedId(SkdTransport& transport, const SkdRepeatedId& own);
 
 /// The sum of the numbers of earlier processes, and of all.
 struct SkdRunningSum

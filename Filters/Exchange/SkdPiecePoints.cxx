@@ -9,10 +9,29 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace skdtree
 {
+namespace
+{
+double LargestCoordinateOf(const SkdPieces& pieces)
+{
+  double largest = 0.0;
+  for (vtkDataSet* piece : pieces)
+  {
+    double bounds[6];
+    piece->GetBounds(bounds);
+    for (const double bound : bounds)
+    {
+      largest = std::max(largest, piece->GetNumberOfPoints() > 0 ? std::abs(bound) : 0.0);
+    }
+  }
+  return largest;
+}
+}
+
 SkdPiecePoints::SkdPiecePoints(const SkdPieces& pieces)
   : Pieces(pieces)
   , Keys(pieces.size())
@@ -52,15 +71,30 @@ void SkdPiecePoints::FindKeys()
 
 void SkdPiecePoints::FindKeysByGlobalIds()
 {
-  std::unordered_map<vtkIdType, vtkIdType> keys;
+  struct First
+  {
+    vtkIdType Key;
+    SkdRepeatedId::Owner Owner;
+    skd::Vector3 X;
+  };
+  std::unordered_map<vtkIdType, First> keys;
+  const double largest = LargestCoordinateOf(this->Pieces);
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     vtkDataArray* ids = this->Pieces[piece]->GetPointData()->GetGlobalIds();
     for (vtkIdType point = 0; point < this->Pieces[piece]->GetNumberOfPoints(); ++point)
     {
       const auto id = static_cast<vtkIdType>(ids->GetTuple1(point));
-      this->Keys[piece].push_back(
-        keys.emplace(id, static_cast<vtkIdType>(keys.size())).first->second);
+      const SkdRepeatedId::Owner owner{ static_cast<int>(piece), point };
+      skd::Vector3 x;
+      this->Pieces[piece]->GetPoint(point, x.X);
+      const First& first =
+        keys.emplace(id, First{ static_cast<vtkIdType>(keys.size()), owner, x }).first->second;
+      this->Keys[piece].push_back(first.Key);
+      if (!this->Repeated.IsThere && SkdAreDifferent(x, first.X, largest))
+      {
+        this->Repeated = { true, true, id, { { first.Owner, owner } } };
+      }
     }
   }
   this->Join = SkdPointJoin(keys.size());

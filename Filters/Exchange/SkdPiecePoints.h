@@ -5,6 +5,7 @@
 
 #include "Exchange/SkdPieceArrays.h"
 #include "Exchange/SkdPointJoin.h"
+#include "Exchange/SkdRepeatedId.h"
 
 #include <vector>
 
@@ -40,6 +41,9 @@ public:
   /// Which joined point is made of which points.
   const std::vector<SkdPieceTuples>& GetTuples() const { return this->Tuples; }
 
+  /// One that different points have.
+  const SkdRepeatedId& GetRepeatedId() const { return this->Repeated; }
+
 private:
   void FindKeys();
   void FindKeysByGlobalIds();
@@ -51,6 +55,7 @@ private:
   std::vector<std::vector<vtkIdType>> Ids;  // of each piece's points, joined
   SkdPointJoin Join;
   std::vector<SkdPieceTuples> Tuples;
+  SkdRepeatedId Repeated;
 };
 }
 

@@ -48,15 +48,28 @@ using Keys = std::vector<std::vector<vtkIdType>>;
 //------------------------------------------------------------------------------
 // Where questions are answered.
 
-std::size_t FindKeysByGlobalIds(const Questions& asked, Keys& keys)
+std::size_t FindKeysByGlobalIds(
+  const Questions& asked, double largestCoordinate, Keys& keys, SkdRepeatedId& repeated)
 {
-  std::unordered_map<vtkIdType, vtkIdType> known;
+  struct First
+  {
+    vtkIdType Key;
+    int Process;
+    const PointQuestion* Question;
+  };
+  std::unordered_map<vtkIdType, First> known;
   for (std::size_t piece = 0; piece < asked.size(); ++piece)
   {
     for (const PointQuestion& question : asked[piece])
     {
-      const auto next = static_cast<vtkIdType>(known.size());
-      keys[piece].push_back(known.emplace(question.GlobalId, next).first->second);
+      const First own{ static_cast<vtkIdType>(known.size()), static_cast<int>(piece), &question };
+      const First& first = known.emplace(question.GlobalId, own).first->second;
+      keys[piece].push_back(first.Key);
+      if (!repeated.IsThere && SkdAreDifferent(question.X, first.Question->X, largestCoordinate))
+      {
+        repeated = { true, true, question.GlobalId,
+          { { { first.Process, first.Question->Point }, { own.Process, question.Point } } } };
+      }
     }
   }
   return known.size();
@@ -232,19 +245,22 @@ public:
   {
     const bool byIds = this->Facts.HavePointIds();
     const double tolerance = this->Facts.GetNearTolerance();
+    SkdRepeatedId repeated;
     byIds ? this->AskByGlobalIds() : this->AskByCoordinates(tolerance);
     const Answers answers = SkdAsk<PointAnswer>(this->Transport, this->Asked,
       [&](const Questions& asked)
       {
         Keys keys(asked.size());
-        const std::size_t number =
-          byIds ? FindKeysByGlobalIds(asked, keys) : FindKeysByCoordinates(asked, tolerance, keys);
+        const std::size_t number = byIds
+          ? FindKeysByGlobalIds(asked, this->Facts.GetLargestCoordinate(), keys, repeated)
+          : FindKeysByCoordinates(asked, tolerance, keys);
         return PointDirectory(asked, keys, number).GetAnswers();
       });
     isShared.assign(this->Turns.size(), 0);
     this->TakeOrigins(answers, numbers.PointOrigins, isShared);
     this->NumberOwn(numbers);
     this->AskForOthers(numbers);
+    numbers.Repeated = byIds ? SkdFirstRepeatedId(this->Transport, repeated) : repeated;
   }
 
 private:

@@ -20,7 +20,7 @@ public:
   using Key = std::vector<vtkIdType>;
 
   /// The key of a cell of joined points.
-  static Key KeyOf(int type, const vtkIdType* points, std::size_t number)
+  static Key KeyByPoints(int type, const vtkIdType* points, std::size_t number)
   {
     Key key{ type };
     key.insert(key.end(), points, points + number);
@@ -28,6 +28,15 @@ public:
     {
       std::sort(key.begin() + 1, key.end());
     }
+    return key;
+  }
+
+  /// The key of a cell with a global id.
+  static Key KeyById(vtkIdType globalId, const vtkIdType* points, std::size_t number)
+  {
+    Key key{ globalId };
+    key.insert(key.end(), points, points + number);
+    std::sort(key.begin() + 1, key.end());
     return key;
   }
 

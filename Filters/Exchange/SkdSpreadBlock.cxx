@@ -104,12 +104,8 @@ vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
   SkdTransport& transport, const SkdCut& cut, const SkdCut* directions, const SkdReach& reach) const
 {
   // Tests of single cells allow for some units in the last place.
-  double rounding = 0.0;
-  for (const int process : this->Facts.GetFull())
-  {
-    rounding = std::max(rounding, this->Facts.Of(process).LargestCoordinate);
-  }
-  rounding *= 64.0 * std::numeric_limits<double>::epsilon();
+  const double rounding =
+    64.0 * std::numeric_limits<double>::epsilon() * this->Facts.GetLargestCoordinate();
   // What touches a box that is near is not farther than that box is large.
   const auto reachOf = [&](const std::vector<skd::Box3>& boxes)
   { return reach.WithNeighbours ? LargestDiagonalOf(transport, boxes) : 0.0; };

@@ -44,6 +44,9 @@ public:
   /// The cells of the joined mesh.
   vtkIdType GetNumberOfCells() const { return this->Numbers.NumberOfCells; }
 
+  /// A global id that does not tell cells or points apart; on all processes the same.
+  const SkdRepeatedId& GetRepeatedId() const { return this->Numbers.Repeated; }
+
   /// Whether the joined mesh is a structured grid.
   bool IsGrid() const { return this->Facts.FillGrid(); }
 

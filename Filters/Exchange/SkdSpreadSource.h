@@ -41,6 +41,8 @@ public:
   /// marked (SkdOwnCellsOf). All processes must call it together.
   std::vector<SkdBlock> BringTouching() const;
 
+  SkdRepeatedId FindRepeatedId() const { return this->Pieces.FindRepeatedId(); }
+
   /// The blocks of the whole that have cells, on all processes the same; Mesh is the own part.
   const std::vector<SkdBlock>& GetBlocks() const { return this->Blocks; }
 

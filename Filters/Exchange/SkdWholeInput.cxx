@@ -46,6 +46,7 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
     }
   }
   std::vector<std::vector<SkdPieceCell>> origins;
+  this->Repeated = {};
   for (const auto& [path, parts] : places)
   {
     SkdJoinedPieces joined = SkdJoinPieces(parts.Meshes);
@@ -54,6 +55,14 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
       origin.Piece = parts.Processes[static_cast<std::size_t>(origin.Piece)];
     }
     origins.push_back(std::move(joined.Origins));
+    if (joined.Repeated.IsThere && !this->Repeated.IsThere)
+    {
+      this->Repeated = joined.Repeated;
+      for (SkdRepeatedId::Owner& owner : this->Repeated.Owners)
+      {
+        owner.Process = parts.Processes[static_cast<std::size_t>(owner.Process)];
+      }
+    }
     if (this->Whole && !path.empty())
     {
       SkdSetBlock(this->Whole, path, joined.Mesh);

@@ -33,6 +33,9 @@ public:
   /// object again, without an exchange of data, if the pieces of all of them are unchanged.
   vtkDataObject* Update(vtkDataObject* piece, vtkMultiProcessController* controller);
 
+  /// Global ids with which pieces cannot be joined, on all processes the same.
+  const SkdRepeatedId& GetRepeatedId() const { return this->Repeated; }
+
   /// The own piece of the last Update().
   vtkDataObject* GetPiece() const { return this->Known.Get(); }
 
@@ -49,6 +52,7 @@ private:
   SkdStamp Known; // the own piece
   vtkSmartPointer<vtkDataObject> Whole;
   std::map<int, std::vector<SkdPieceCell>> Origins; // of each block's cells
+  SkdRepeatedId Repeated;
 };
 }
 

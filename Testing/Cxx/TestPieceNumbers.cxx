@@ -273,6 +273,78 @@ TEST(PieceNumbersNear, PointsThatDifferByRounding)
 }
 
 //------------------------------------------------------------------------------
+// Two columns of cells of one process each, with the global ids of the whole.
+Pieces WithGlobalIds()
+{
+  const Mesh whole = Hexahedra(2);
+  Pieces pieces;
+  for (int process = 0; process < 2; ++process)
+  {
+    const auto ownerOf = [](vtkIdType cell) { return static_cast<int>(cell % 2); };
+    const Mesh part = Part(
+      whole, [&](std::size_t cell) { return ownerOf(static_cast<vtkIdType>(cell)) == process; });
+    const auto piece = MakeGrid(Compact(part));
+    const auto idOfPoint = [&](vtkIdType point)
+    {
+      double x[3];
+      piece->GetPoint(point, x);
+      return x[0] + 10.0 * x[1] + 100.0 * x[2];
+    };
+    piece->GetPointData()->SetGlobalIds(
+      MakeArray<vtkIdTypeArray>("PointIds", piece->GetNumberOfPoints(), idOfPoint));
+    piece->GetCellData()->SetGlobalIds(MakeArray<vtkIdTypeArray>(
+      "CellIds", 4, [&](vtkIdType cell) { return 2.0 * cell + process; }));
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+/// Joined in one process, and found by exchange in each.
+void ExpectRepeated(const Pieces& pieces, const std::string& description)
+{
+  const auto describe = [](const SkdRepeatedId& repeated)
+  { return repeated.IsThere ? repeated.Describe() : std::string(); };
+  EXPECT_EQ(describe(SkdJoinPieces(pieces).Repeated), description);
+  for (const SkdPieceNumbers& numbers : NumbersOf(pieces))
+  {
+    EXPECT_EQ(describe(numbers.Repeated), description);
+  }
+}
+
+TEST(PieceNumbersRepeated, GlobalIdsOfTwoCellsOrPoints)
+{
+  ExpectRepeated(WithGlobalIds(), "");
+  const Pieces ofCells = WithGlobalIds();
+  ofCells[1]->GetCellData()->GetGlobalIds()->SetTuple1(3, 4.0);
+  ExpectRepeated(ofCells, "cell 2 of process 0 and cell 3 of process 1 have the global id 4.");
+  const Pieces ofBorder = WithGlobalIds(); // cells all of whose points are shared
+  const Pieces doubled{ ofBorder[0], ofBorder[0], ofBorder[1] };
+  ExpectRepeated(doubled, "");
+  const Pieces ofPoints = WithGlobalIds();
+  ofPoints[1]->GetPointData()->GetGlobalIds()->SetTuple1(
+    0, ofPoints[0]->GetPointData()->GetGlobalIds()->GetTuple1(5));
+  EXPECT_TRUE(SkdJoinPieces(ofPoints).Repeated.IsOfPoints);
+  for (const SkdPieceNumbers& numbers : NumbersOf(ofPoints))
+  {
+    EXPECT_TRUE(numbers.Repeated.IsThere && numbers.Repeated.IsOfPoints);
+  }
+}
+
+// Cells of several pieces with one id are the same only if their points are.
+TEST(PieceNumbersRepeated, CellsOfSharedPoints)
+{
+  const Pieces pieces = WithGlobalIds();
+  const Pieces doubled{ pieces[0], MakeGrid(Compact(Hexahedra(2))) };
+  doubled[1]->GetPointData()->SetGlobalIds(nullptr);
+  doubled[1]->GetCellData()->SetGlobalIds(
+    MakeArray<vtkIdTypeArray>("CellIds", 8, [](vtkIdType cell) { return double(cell); }));
+  ExpectRepeated(doubled, "");
+  doubled[1]->GetCellData()->GetGlobalIds()->SetTuple1(6, 4.0);
+  doubled[1]->GetCellData()->GetGlobalIds()->SetTuple1(4, 6.0);
+  ExpectRepeated(doubled, "cell 2 of process 0 and cell 6 of process 1 have the global id 4.");
+}
+
+//------------------------------------------------------------------------------
 template <class Grid>
 void ExpectNumbersOfGrid(vtkSmartPointer<Grid> grid)
 {
