@@ -9,6 +9,7 @@
 #include "Support/NamedMeshes.h"
 #include "Support/RealMeshes.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/TestAmount.h"
 
 #include "vtkTriangleFilter.h"
 
@@ -358,6 +359,10 @@ TEST(SurfaceIntersection, OfRealSurfacesPairsAreAsManyAsOthersCount)
   if (surfaces.empty())
   {
     GTEST_SKIP() << "no list of real data in " << ExtraDataFolder();
+  }
+  if (FewerTests())
+  {
+    GTEST_SKIP() << "many and large";
   }
   EXPECT_GT(surfaces.size(), 30u);
   for (const Counted& surface : surfaces)

@@ -3,6 +3,7 @@
 #include "Support/RealMeshes.h"
 
 #include "Support/Folders.h"
+#include "Support/TestAmount.h"
 
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -11,6 +12,7 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -20,6 +22,8 @@ namespace skdtest
 
 namespace
 {
+constexpr std::uintmax_t LargestOfFewerTests = 200 * 1024; // bytes
+
 bool HasAppendedArrays(const std::string& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -77,7 +81,8 @@ std::vector<std::string> FilesOf(const std::string& folder, const std::vector<st
        at.increment(error))
   {
     const std::string extension = at->path().extension().string();
-    if (std::find(known.begin(), known.end(), extension) != known.end())
+    const bool isTooLarge = FewerTests() && at->file_size(error) > LargestOfFewerTests;
+    if (std::find(known.begin(), known.end(), extension) != known.end() && !isTooLarge)
     {
       files.push_back(at->path().string());
     }
