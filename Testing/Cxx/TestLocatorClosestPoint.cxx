@@ -4,7 +4,10 @@
 
 #include "Support/BruteForce.h"
 #include "Support/LocatorCalls.h"
+#include "Support/LongCells.h"
 #include "Support/NamedMeshes.h"
+#include "Support/SurfaceMeshes.h"
+#include "Support/VolumeMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -109,17 +112,44 @@ TEST_P(ClosestPointOnMesh, ReturnedCellIsTheNearest)
   }
 }
 
+void ExpectCell(vtkGenericCell* cell, vtkDataSet* data, vtkIdType id)
+{
+  vtkNew<vtkGenericCell> expected;
+  data->GetCell(id, expected);
+  EXPECT_EQ(cell->GetCellType(), expected->GetCellType());
+  EXPECT_EQ(ToVector(cell->GetPointIds()), ToVector(expected->GetPointIds()));
+  EXPECT_EQ(ToVector(cell->GetPoints()), ToVector(expected->GetPoints()));
+}
+
 TEST_P(ClosestPointOnMesh, GenericCellHoldsTheReturnedCell)
 {
-  vtkNew<vtkGenericCell> cell, expected;
+  vtkNew<vtkGenericCell> cell;
   for (const Point& x : this->Queries(20))
   {
     Closest c;
     this->Locator->FindClosestPoint(x.data(), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
-    this->Data->GetCell(c.Cell, expected);
-    ASSERT_EQ(cell->GetCellType(), expected->GetCellType());
-    ASSERT_EQ(ToVector(cell->GetPointIds()), ToVector(expected->GetPointIds()));
-    ASSERT_EQ(ToVector(cell->GetPoints()), ToVector(expected->GetPoints()));
+    ExpectCell(cell, this->Data, c.Cell);
+  }
+}
+
+TEST(ClosestPointCell, IsThatOfVtkHoweverItIsStored)
+{
+  vtkNew<vtkGenericCell> cell; // each time another cell is in it
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE, VTK_SHORT })
+  {
+    const vtkSmartPointer<vtkPointSet> meshes[] = { MakeGrid(MixedCells(2), type),
+      MakePolyData(CubeTriangles(2), type), MakePolyData(CubeQuads(2), type, true),
+      MakePolyData(Strips(2), type), MakeGrid(SeparateQuadraticHexahedra(2), type) };
+    for (vtkPointSet* mesh : meshes)
+    {
+      const auto locator = MakeLocator(mesh);
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        Closest c;
+        locator->FindClosestPoint(mesh->GetPoint(i), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
+        ExpectCell(cell, mesh, c.Cell);
+      }
+    }
   }
 }
 

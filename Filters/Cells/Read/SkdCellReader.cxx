@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdCellFunctions.h"
 #include "Cells/Read/SkdStoredTypes.h"
+#include "Cells/Read/SkdStoredValues.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -16,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <typeinfo>
 
 namespace skdtree
 {
@@ -49,6 +51,77 @@ int TypeOfSize(int kind, std::size_t size)
 std::size_t LeastSize(int kind)
 {
   return kind == Vertices ? 1 : kind == Lines ? 2 : 3;
+}
+
+/// The data set if it is of this class itself: one derived from it may have a GetCell of its own.
+/// (SafeDownCast compares names, class by class, which takes as long as the rest.)
+template <class DataSet>
+DataSet* Exactly(vtkDataSet* data)
+{
+  return typeid(*data) == typeid(DataSet) ? static_cast<DataSet*>(data) : nullptr;
+}
+
+/// Points stored in this type, as those of a cell; false if they are not.
+template <class Real>
+bool CopyPoints(vtkPoints* points, vtkIdList* ids, double* to)
+{
+  const Real* from = SkdStoredValues<Real>(points->GetData());
+  for (vtkIdType i = 0; from && i < ids->GetNumberOfIds(); ++i)
+  {
+    to = std::copy_n(from + 3 * ids->GetId(i), 3, to);
+  }
+  return from;
+}
+
+/// GetCell of a cell that is its type and its points alone, without a virtual call for each of
+/// them. False for others.
+template <class Mesh>
+bool LoadPlain(Mesh* mesh, vtkIdType cellId, vtkGenericCell* cell)
+{
+  const int type = mesh->Mesh::GetCellType(cellId);
+  if (type == VTK_EMPTY_CELL || type >= VTK_CONVEX_POINT_SET)
+  {
+    return false;
+  }
+  cell->SetCellType(type);
+  vtkIdList* ids = cell->GetPointIds();
+  mesh->Mesh::GetCellPoints(cellId, ids);
+  vtkPoints* points = cell->GetPoints();
+  if (points->GetNumberOfPoints() != ids->GetNumberOfIds())
+  {
+    points->SetNumberOfPoints(ids->GetNumberOfIds());
+  }
+  double* to = SkdStoredValues<double>(points->GetData());
+  return to &&
+    (CopyPoints<float>(mesh->GetPoints(), ids, to) ||
+      CopyPoints<double>(mesh->GetPoints(), ids, to));
+}
+
+void LoadAny(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (!mesh || !mesh->NeedToBuildCells())
+  {
+    data->GetCell(cellId, cell);
+    SkdCellFunctions::ReadRationalWeights(data, cell);
+    return;
+  }
+  const SkdCellReader reader(mesh);
+  cell->SetCellType(reader.TypeOf(cellId));
+  reader.VisitPoints(cellId, cell->GetPointIds(),
+    [&](const auto* ids, std::size_t size)
+    {
+      const auto number = static_cast<vtkIdType>(size);
+      cell->GetPointIds()->SetNumberOfIds(number);
+      cell->GetPoints()->SetNumberOfPoints(number);
+      for (vtkIdType i = 0; i < number; ++i)
+      {
+        double x[3];
+        mesh->GetPoint(static_cast<vtkIdType>(ids[i]), x);
+        cell->GetPointIds()->SetId(i, static_cast<vtkIdType>(ids[i]));
+        cell->GetPoints()->SetPoint(i, x);
+      }
+    });
 }
 }
 
@@ -145,28 +218,13 @@ int SkdCellReader::TypeBySize(vtkIdType cellId) const
 //------------------------------------------------------------------------------
 void SkdLoadCell(vtkDataSet* data, vtkIdType cellId, vtkGenericCell* cell)
 {
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  if (!mesh || !mesh->NeedToBuildCells())
+  auto* grid = Exactly<vtkUnstructuredGrid>(data);
+  auto* mesh = grid ? nullptr : Exactly<vtkPolyData>(data);
+  const bool isLoaded = grid ? LoadPlain(grid, cellId, cell)
+                             : mesh && !mesh->NeedToBuildCells() && LoadPlain(mesh, cellId, cell);
+  if (!isLoaded)
   {
-    data->GetCell(cellId, cell);
-    SkdCellFunctions::ReadRationalWeights(data, cell);
-    return;
+    LoadAny(data, cellId, cell);
   }
-  const SkdCellReader reader(mesh);
-  cell->SetCellType(reader.TypeOf(cellId));
-  reader.VisitPoints(cellId, cell->GetPointIds(),
-    [&](const auto* ids, std::size_t size)
-    {
-      const auto number = static_cast<vtkIdType>(size);
-      cell->GetPointIds()->SetNumberOfIds(number);
-      cell->GetPoints()->SetNumberOfPoints(number);
-      for (vtkIdType i = 0; i < number; ++i)
-      {
-        double x[3];
-        mesh->GetPoint(static_cast<vtkIdType>(ids[i]), x);
-        cell->GetPointIds()->SetId(i, static_cast<vtkIdType>(ids[i]));
-        cell->GetPoints()->SetPoint(i, x);
-      }
-    });
 }
 }
