@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 using namespace skdtest;
 using namespace skdtree;
 
@@ -25,7 +28,19 @@ struct Answers
   Ids NearestCells;
   std::vector<double> NearestDistances;
   std::vector<double> Crossings;
+  Found Containing;
+  Ids InBox;
 };
+
+Bounds BoxBetween(const Point& x, const Point& y)
+{
+  Bounds box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    std::tie(box[2 * axis], box[2 * axis + 1]) = std::minmax(x[axis], y[axis]);
+  }
+  return box;
+}
 
 Answers Ask(vtkSkdTreeCellLocator* locator, const Point& x, const Point& y)
 {
@@ -38,6 +53,8 @@ Answers Ask(vtkSkdTreeCellLocator* locator, const Point& x, const Point& y)
   answers.NearestCells = ranked.Cells;
   answers.NearestDistances = ranked.Distances;
   answers.Crossings = FindCrossings(locator, x, y).Parameters;
+  answers.Containing = FindCell(locator, x);
+  answers.InBox = FindWithinBounds(locator, BoxBetween(x, y));
   return answers;
 }
 
@@ -49,6 +66,8 @@ void ExpectEqual(const Answers& a, const Answers& b)
   EXPECT_EQ(a.NearestCells, b.NearestCells);
   EXPECT_EQ(a.NearestDistances, b.NearestDistances);
   EXPECT_EQ(a.Crossings, b.Crossings);
+  EXPECT_TRUE(a.Containing == b.Containing);
+  EXPECT_EQ(a.InBox, b.InBox);
 }
 
 class WideWalks : public testing::TestWithParam<NamedMesh>

@@ -87,9 +87,18 @@ void SkdCellTree::FindWithinBounds(
     ids->InsertNextId(this->Store.IdOf(cell));
     return true;
   };
-  skd::OverlappingBox<3, decltype(visitor), decltype(sure)> query(
-    this->GetFrame(), box, 2.0 * this->TheEpsilon, visitor, sure);
-  this->Walk(query);
+  const double excess = 2.0 * this->TheEpsilon;
+  const auto wide = [&](const SkdWideTree& tree)
+  {
+    SkdWideWalks::OverlappingBox(
+      tree, &box, excess, SkdWideVisitor::Of(visitor), SkdWideVisitor::Of(sure));
+  };
+  if (!this->WalkWide(wide))
+  {
+    skd::OverlappingBox<3, decltype(visitor), decltype(sure)> query(
+      this->GetFrame(), box, excess, visitor, sure);
+    this->Walk(query);
+  }
 }
 
 //------------------------------------------------------------------------------

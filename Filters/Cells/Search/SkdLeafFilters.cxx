@@ -233,14 +233,15 @@ SkdLeafFilters::SkdLeafFilters(const SkdCellStore& store, skd::Tree<3>& tree, do
           }
           this->FillTriangles(store, tree, node);
         }
-        else if (node.IsLeaf && HasPlanes(node))
+        else if (node.IsLeaf && skd::PlaneLeafFilter::Knows(node))
         {
           this->FillPlanes(store, tree, node, rounding);
         }
         else if (!node.IsLeaf && isInOrder)
         {
-          tree.SetTag(
-            i, this->PlanePackets.empty() ? skd::TrianglePackets::TagOf(0) : TagOfPlanes(0));
+          tree.SetTag(i,
+            this->PlanePackets.empty() ? skd::TrianglePackets::TagOf(0)
+                                       : skd::PlaneLeafFilter::TagOf(0));
           tree.SetNote(i, tree.LeavesBelow(node));
         }
       }
@@ -304,7 +305,7 @@ void SkdLeafFilters::CountIn(
   }
   else if (most > 0 && least > 0 && haveRowsNumbers)
   {
-    tree.SetTag(index, TagOfPlanes(static_cast<std::uint32_t>(most)));
+    tree.SetTag(index, skd::PlaneLeafFilter::TagOf(static_cast<std::uint32_t>(most)));
     ++counts.PlanePackets;
   }
 }
@@ -332,11 +333,11 @@ bool SkdLeafFilters::Number(skd::Tree<3>& tree, const Counts& counts)
     {
       tree.SetTag(i, skd::TrianglePackets::TagOf(packets++));
     }
-    else if (HasPlanes(node))
+    else if (skd::PlaneLeafFilter::Knows(node))
     {
       const std::uint32_t number = isInOrder ? tree.NumberOf(node) : planePackets++;
       this->PlanePackets[number].Count = node.Tag >> 1;
-      tree.SetTag(i, TagOfPlanes(number));
+      tree.SetTag(i, skd::PlaneLeafFilter::TagOf(number));
     }
   }
   this->NumberRows();
@@ -348,7 +349,7 @@ void SkdLeafFilters::NumberRows()
 {
   std::uint32_t rows = 0;
   this->CommonRows = this->PlanePackets.empty() ? 0 : this->PlanePackets.front().Count;
-  for (PlanePacket& packet : this->PlanePackets)
+  for (skd::PlanePacket& packet : this->PlanePackets)
   {
     packet.FirstRow = rows;
     rows += packet.Count;
@@ -451,7 +452,7 @@ void SkdLeafFilters::CopyPoints(const SkdCellStore& store, const skd::Tree<3>& t
 void SkdLeafFilters::FillPlanes(
   const SkdCellStore& store, const skd::Tree<3>& tree, const Node& leaf, double rounding)
 {
-  PlanePacket& packet = this->PlanePackets[leaf.Tag >> 1];
+  skd::PlanePacket& packet = this->PlanePackets[leaf.Tag >> 1];
   packet.Grid = QuantizationGridOf(leaf);
   skd::PlaneRow* rows = this->Rows.data() + packet.FirstRow;
   std::fill_n(rows, packet.Count, skd::PlaneRow());
@@ -474,7 +475,7 @@ std::size_t SkdLeafFilters::MemorySize() const
 {
   return this->Triangles.capacity() * sizeof(skd::TrianglePacket) +
     this->FloatPoints.capacity() * sizeof(float) + this->Points.capacity() * sizeof(double) +
-    this->PlanePackets.capacity() * sizeof(PlanePacket) +
+    this->PlanePackets.capacity() * sizeof(skd::PlanePacket) +
     this->Rows.capacity() * sizeof(skd::PlaneRow);
 }
 }

@@ -4,7 +4,7 @@
 #define SkdLeafFilters_h
 
 #include "Cells/Search/SkdCellStore.h"
-#include "Core/Search/LeafFilters/PlaneRow.h"
+#include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Tree/Tree.h"
 
@@ -36,49 +36,18 @@ public:
         this->Points.empty() ? nullptr : this->Points.data() } };
   }
 
-  /// The volume cells that may contain a point.
-  class Point
+  /// For skd::PlaneLeafFilter.
+  skd::PlanePackets Planes() const
   {
-  public:
-    static constexpr bool SkipsLeaves = true;
-    static constexpr bool GivesKeys = false;
-
-    Point(const SkdLeafFilters& leafFilters, const skd::Vector3& local)
-      : LeafFilters(leafFilters)
-      , Local(local)
-    {
-    }
-    static bool Knows(const skd::Node<3>& node) { return HasPlanes(node); }
-    static std::uint32_t NumberOf(const skd::Node<3>& leaf) { return leaf.Tag >> 1; }
-    unsigned Pass(std::uint32_t number, std::uint32_t count, float* keys, float& limit) const;
-    void Fetch(std::uint32_t number) const;
-
-  private:
-    const SkdLeafFilters& LeafFilters;
-    const skd::Vector3& Local;
-  };
+    return { this->PlanePackets.data(), this->Rows.data(), this->CommonRows };
+  }
 
   std::size_t MemorySize() const;
 
 private:
-  /// The planes of a leaf's cells: their first index, and their quantization grid.
-  struct PlanePacket
-  {
-    skd::QuantizationGrid Grid;
-    std::uint32_t FirstRow;
-    std::uint32_t Count; ///< of rows
-  };
-
   // A tag is twice the number of a packet of triangles, or of a packet of planes and 1 more. If all
   // leaves have packets, or all packets of planes, these have the numbers of the nodes, and inner
   // nodes have a note about those of their children.
-  static bool HasPlanes(const skd::Node<3>& node)
-  {
-    return (node.Tag & 1u) != 0 && node.Tag != skd::Node<3>::NoTag;
-  }
-
-  static std::uint32_t TagOfPlanes(std::uint32_t packet) { return 2 * packet + 1; }
-
   /// Of leaves, and of those that have a packet of either kind.
   struct Counts
   {
@@ -107,39 +76,10 @@ private:
   skd::RawVector<skd::TrianglePacket> Triangles;
   skd::RawVector<float> FloatPoints; // of the packets, in turn, if all leaves have one: in
   skd::RawVector<double> Points;     // single precision or, where that is not enough, in double
-  skd::RawVector<PlanePacket> PlanePackets;
+  skd::RawVector<skd::PlanePacket> PlanePackets;
   skd::RawVector<skd::PlaneRow> Rows; // those of a packet in turn
   std::uint32_t CommonRows = 0;       // of each packet, or 0
 };
-
-//------------------------------------------------------------------------------
-inline unsigned SkdLeafFilters::Point::Pass(
-  std::uint32_t number, std::uint32_t count, float*, float&) const
-{
-  const PlanePacket& packet = this->LeafFilters.PlanePackets[number];
-  const skd::PlaneRow* row = this->LeafFilters.Rows.data() + packet.FirstRow;
-  const skd::Vector3 x = packet.Grid.Of(this->Local);
-  const float rounded[3] = { static_cast<float>(x[0]), static_cast<float>(x[1]),
-    static_cast<float>(x[2]) };
-  unsigned passed = skd::LowBits(count);
-  for (std::uint32_t i = 0; i < packet.Count && passed != 0; ++i)
-  {
-    passed &= row[i].MayHold(rounded);
-  }
-  return passed;
-}
-
-//------------------------------------------------------------------------------
-inline void SkdLeafFilters::Point::Fetch(std::uint32_t number) const
-{
-  skd::FetchLines<sizeof(PlanePacket)>(&this->LeafFilters.PlanePackets[number]);
-  const std::uint32_t rows = this->LeafFilters.CommonRows;
-  for (std::uint32_t i = 0; i < rows; ++i)
-  {
-    skd::FetchLines<sizeof(skd::PlaneRow)>(
-      &this->LeafFilters.Rows[number * std::uint64_t(rows) + i]);
-  }
-}
 }
 
 #endif

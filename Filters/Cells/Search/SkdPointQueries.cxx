@@ -152,12 +152,17 @@ SkdFoundCell SkdCellTree::FindContaining(
   if (best.Limit2 <= rounding2)
   {
     // Only boxes that hold x matter, in any order; safety boxes are wider than rounding.
-    auto visitor = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
-    const skd::Vector3 local = this->GetFrame().Local(x);
-    using LeafFilter = SkdLeafFilters::Point;
-    skd::WithinBox<3, decltype(visitor), LeafFilter> query(
-      this->GetFrame(), skd::Box3(x, x), visitor, LeafFilter(this->LeafFilters, local));
-    this->Walk(query);
+    const skd::PlanePackets planes = this->LeafFilters.Planes();
+    const auto wide = [&](const SkdWideTree& tree)
+    { SkdWideWalks::AboutPoint(tree, &planes, x.X, SkdWideVisitor::Of(tryCell)); };
+    if (!this->WalkWide(wide))
+    {
+      using LeafFilter = skd::PlaneLeafFilter;
+      auto visitor = [&](std::uint32_t cell) { return tryCell(cell) >= 0.0; };
+      skd::WithinBox<3, decltype(visitor), LeafFilter> query(
+        this->GetFrame(), skd::Box3(x, x), visitor, LeafFilter(planes, this->GetFrame().Local(x)));
+      this->Walk(query);
+    }
     return best.Found;
   }
   skd::Nearest<3, decltype(tryCell)> query(this->GetFrame(), x, best.Limit2, tryCell);

@@ -16,10 +16,13 @@
 // processor can run. So what is included below, which is the core alone, is in namespace skd_avx2.
 #define skd skd_avx2
 
+#include "Core/Search/LeafFilters/PlaneLeafFilter.h"
 #include "Core/Search/LeafFilters/TriangleLeafFilters.h"
 #include "Core/Search/Queries/AlongSegment.h"
 #include "Core/Search/Queries/Nearest.h"
+#include "Core/Search/Queries/OverlappingBox.h"
 #include "Core/Search/Queries/TriangleHits.h"
+#include "Core/Search/Queries/WithinBox.h"
 #include "Core/Search/Tree/TreeView.h"
 #include "Core/Search/Tree/Walk.h"
 
@@ -46,6 +49,14 @@ const skd::Segment<3>& SegmentAt(const void* segment)
 {
   return *static_cast<const skd::Segment<3>*>(segment);
 }
+
+/// A visitor of searches without a limit.
+struct GoesOn
+{
+  bool operator()(std::uint32_t cell) const { return this->Visitor(cell) >= 0.0; }
+
+  const SkdWideVisitor& Visitor;
+};
 
 template <bool OnlyNearest>
 void WalkNearest(
@@ -91,6 +102,32 @@ void SkdWideWalks::Nearest(const SkdWideTree& tree, const double x[3], double li
 {
   WithConstant(onlyNearest,
     [&](auto only) { WalkNearest<decltype(only)::value>(tree, PointAt(x), limit2, visitor); });
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::AboutPoint(
+  const SkdWideTree& tree, const void* planes, const double x[3], const SkdWideVisitor& visitor)
+{
+  using LeafFilter = skd::PlaneLeafFilter;
+  const skd::TreeView<3>& view = ViewOf(tree);
+  const skd::Vector3 point = PointAt(x);
+  const LeafFilter leafFilter(
+    *static_cast<const skd::PlanePackets*>(planes), view.GetFrame().Local(point));
+  const GoesOn visit{ visitor };
+  skd::WithinBox<3, const GoesOn, LeafFilter> query(
+    view.GetFrame(), skd::Box3(point, point), visit, leafFilter);
+  skd::Walk(view, query);
+}
+
+//------------------------------------------------------------------------------
+void SkdWideWalks::OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
+  const SkdWideVisitor& visitor, const SkdWideVisitor& sure)
+{
+  const skd::TreeView<3>& view = ViewOf(tree);
+  const GoesOn visit{ visitor }, take{ sure };
+  skd::OverlappingBox<3, const GoesOn, const GoesOn> query(
+    view.GetFrame(), *static_cast<const skd::Box3*>(box), excess, visit, take);
+  skd::Walk(view, query);
 }
 
 //------------------------------------------------------------------------------

@@ -57,7 +57,8 @@ struct SkdWideHits
 };
 
 /// skd::Nearest, skd::AlongSegment and skd::VisitTriangleHits with the leaf filters of
-/// Core/Search/LeafFilters/TriangleLeafFilters.h.
+/// Core/Search/LeafFilters/TriangleLeafFilters.h, and skd::WithinBox of a point with that of
+/// PlaneLeafFilter.h.
 class SkdWideWalks
 {
 public:
@@ -69,6 +70,12 @@ public:
 
   static void Nearest(const SkdWideTree& tree, const double x[3], double limit2, bool onlyNearest,
     const SkdWideVisitor& visitor);
+  /// `planes`: skd::PlanePackets; a limit that is negative ends the search.
+  static void AboutPoint(
+    const SkdWideTree& tree, const void* planes, const double x[3], const SkdWideVisitor& visitor);
+  /// skd::OverlappingBox; `box`: skd::Box3
+  static void OverlappingBox(const SkdWideTree& tree, const void* box, double excess,
+    const SkdWideVisitor& visitor, const SkdWideVisitor& sure);
   /// `segment`: skd::Segment<3>
   static void AlongSegment(const SkdWideTree& tree, const void* segment, double margin,
     bool inOrder, const SkdWideVisitor& visitor);
