@@ -8,6 +8,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 
+#include <set>
+
 using namespace skdtest;
 
 namespace
@@ -139,5 +141,33 @@ TEST(BooleanOperationMotion, FarAwayPointsMayBecomeOne)
   filter->SetTranslation(5, 0, 0);
   filter->SetRotation(0, 0, 0);
   EXPECT_NEAR(Measures(RunSolid(filter)).Volume, 8.0 + Measures(tool).Volume, 1e-13);
+}
+
+/// Bodies of the Source that are apart by no more than rounding touch after some motions and not
+/// after others.
+TEST(BooleanOperationMotion, BodiesThatRoundingMovesTogether)
+{
+  Mesh body = BoxTriangles({ 0, 0, 0 }, { 1, 1, 1 });
+  Append(body, BoxTriangles({ 0, 0, -5 }, { 1, 1, -4 })); // so that sizes stay the same
+  Mesh tool = BoxTriangles({ 0.3, 0.3, 0.3 }, { 0.7, 0.7, 0.7 });
+  const double next = 0.7 + 2e-16; // the next number
+  Append(tool, BoxTriangles({ 0.4, 0.4, next }, { 0.6, 0.6, 1.3 }));
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakePolyData(body));
+  filter->SetSourceData(MakePolyData(tool));
+  std::set<std::size_t> numbers; // of faces
+  for (int step = 0; step < 12; ++step)
+  {
+    vtkNew<vtkTransform> transform;
+    transform->Translate(0.01 * step, 0.02, step < 2 ? 0.0 : 0.1 * step);
+    transform->RotateX(step < 6 ? 0.0 : 7.0 * step);
+    filter->SetTransform(transform->GetMatrix());
+    Mesh moved = tool;
+    moved.Map([&](const Point& x) { return Moved(transform->GetMatrix(), x); });
+    const Mesh result = RunSolid(filter);
+    ExpectEqual(result, Combine(body, moved, Filter::UNION));
+    numbers.insert(result.Cells.size());
+  }
+  EXPECT_GT(numbers.size(), 3u);
 }
 }

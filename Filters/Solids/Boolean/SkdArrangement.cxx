@@ -57,6 +57,27 @@ void Keep(const std::vector<SkdTrianglePair>& pairs, double scale, SkdPairCache&
   cache.Known.Pairs.clear();
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(cache.Known.Pairs),
     [&cache](const SkdTrianglePair& pair) { return pair.Second < cache.Known.End; });
+  cache.Known.Doubtful.reset();
+  cache.NumberOfTriangles = 0;
+}
+
+/// Finds out once which pairs a motion may make: where triangles, their points and how these are
+/// merged are the same, that depends on rounding alone.
+void UpdateDoubtful(const SkdPlacement& placement, SkdLoop& loop, SkdPairCache& cache)
+{
+  constexpr double room = 1e3; // so that farther motions have no larger roundings
+  const SkdTriangleSet& set = placement.First.GetSet();
+  const std::size_t n = set.GetTriangles().size();
+  const bool isKnown = cache.NumberOfTriangles == n && cache.Rounding <= cache.MostRounding &&
+    cache.PointOf == set.GetMerging();
+  if (!isKnown)
+  {
+    cache.MostRounding = room * cache.Rounding;
+    cache.PointOf = set.GetMerging();
+    cache.NumberOfTriangles = n;
+    cache.Known.Doubtful = SkdFindDoubtfulPairs(
+      placement.First, cache.Known.End, 2.0 * cache.MostRounding * placement.Scale, loop);
+  }
 }
 }
 
@@ -67,6 +88,10 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
   // What is left out as a copy, or taken as 0, depends on all of the set.
   const bool mayKeep = cache && set.GetCopiesLeftOut().empty() && !placement.HasTinyPoints;
   const bool areKnown = mayKeep && cache->Scale == placement.Scale;
+  if (areKnown)
+  {
+    UpdateDoubtful(placement, loop, *cache);
+  }
   auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(
     search, loop, areKnown ? &cache->Known : nullptr);
   if (!pairs)
@@ -76,6 +101,10 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
   }
   if (SkdIsAborted(filter))
   {
+    if (cache)
+    {
+      cache->NumberOfTriangles = 0; // what was to be found may not be there
+    }
     return std::nullopt;
   }
   if (mayKeep && !areKnown)

@@ -43,11 +43,18 @@ struct SkdSelfPairs
   std::vector<SkdDuplicate> Duplicates; ///< ascending
 };
 
-/// Pairs within the first triangles of a set, cached while these stay where they are.
+/// What is cached of a set while its first triangles stay where they are and the others are moved:
+/// pairs within the first, and which pairs of the others a motion may make.
 struct SkdPairCache
 {
   SkdKnownPairs Known;
-  double Scale = 0.0; ///< of the placement in which they were found; 0: none are kept
+  double Scale = 0.0;    ///< of the placement in which they were found; 0: none are kept
+  double Rounding = 0.0; ///< of coordinates in this motion, before scaling
+
+  /// What `Known.Doubtful` holds for: roundings up to this one, and points merged like these.
+  double MostRounding = 0.0;
+  std::vector<std::uint32_t> PointOf;
+  std::size_t NumberOfTriangles = 0;
 };
 
 /// Completes the set if its triangles overlap so much that trees are faster. Those of `cache` are

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace skdtree
@@ -25,6 +26,14 @@ constexpr std::size_t PairsOfTriangle = 6;
 
 constexpr skd::RigidMotion NoMotion{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
   { { 0, 0, 0 } } };
+
+/// A bound of what a motion's arithmetic does to a coordinate.
+double RoundingOf(
+  const SkdTriangleSet& from, const SkdTriangleSet& to, const skd::RigidMotion& motion)
+{
+  const double reach = from.GetLargestCoordinate() + to.GetLargestCoordinate() + Norm(motion.Shift);
+  return 8.0 * std::numeric_limits<double>::epsilon() * reach;
+}
 
 bool AreSame(const skd::RigidMotion& a, const skd::RigidMotion& b)
 {
@@ -70,6 +79,7 @@ std::optional<bool> SkdSolidArrangement::UpdateTriangles(
     return std::nullopt;
   }
   this->Triangles = *std::move(moved);
+  this->OfInput.Rounding = RoundingOf(*this->AsRead, this->Triangles, motion);
   const SkdSolids solids = SkdSolidsByInput(this->Triangles, blocks.FirstOfSource);
   this->OfInput.Known.End = static_cast<std::uint32_t>(
     std::lower_bound(solids.Of.begin(), solids.Of.end(), 1u) - solids.Of.begin());

@@ -75,7 +75,8 @@ public:
   /// Splits the surfaces along all their intersections, unless that is done; `filter` gets the
   /// progress. While the inputs are unchanged but for the motion of the Source, they are not read
   /// again, and intersections of the Input with itself are not searched again: its points stay. The
-  /// Source's points are rounded where they are, so what is true of these is found anew.
+  /// Source's points are rounded where they are, so pairs of its triangles that this may make are
+  /// tested again (SkdDoubtfulPairs).
   /// `areInputs` and `rule` (but for the number of solids) are of the operation that follows. False
   /// after an abort.
   bool Update(const SkdBooleanBlocks& blocks, double chordalDeviation, bool areInputs,

@@ -19,9 +19,19 @@ constexpr double CoordinateMargin = 1e-10;
 
 using Cells = skd::CoarseCells;
 
-std::uint32_t CountOf(const SkdPlacedTriangles& set)
+/// Consecutive triangles of a placed set.
+struct Triangles
 {
-  return static_cast<std::uint32_t>(set.GetSet().GetTriangles().size());
+  const SkdPlacedTriangles& Set;
+  std::uint32_t Begin;
+  std::uint32_t End;
+
+  std::uint32_t Count() const { return this->End - this->Begin; }
+};
+
+Triangles AllOf(const SkdPlacedTriangles& set)
+{
+  return { set, 0, static_cast<std::uint32_t>(set.GetSet().GetTriangles().size()) };
 }
 
 /// Where the set is placed, or around it.
@@ -37,38 +47,39 @@ skd::Box3 BoundsOf(const SkdPlacement& placement, const SkdPlacedTriangles& set,
 }
 
 /// The mean of the longest sides of some triangles' boxes, spread over the set.
-double MeanSize(const SkdPlacedTriangles& set)
+double MeanSize(const Triangles& triangles)
 {
   constexpr std::uint32_t some = 64;
-  const std::uint32_t step = 1 + CountOf(set) / some;
+  const std::uint32_t step = 1 + triangles.Count() / some;
   double sum = 0.0;
   int count = 0;
-  for (std::uint32_t i = 0; i < CountOf(set); i += step, ++count)
+  for (std::uint32_t i = triangles.Begin; i < triangles.End; i += step, ++count)
   {
-    const skd::Box3 box = set.GetBox(i);
+    const skd::Box3 box = triangles.Set.GetBox(i);
     sum += std::max({ box.Max[0] - box.Min[0], box.Max[1] - box.Min[1], box.Max[2] - box.Min[2] });
   }
   return sum / count;
 }
 
-/// The triangles of a set as cells see them.
+/// Triangles as cells see them.
 class SeenByCells
 {
 public:
-  SeenByCells(const SkdPlacedTriangles& set, const Cells& cells, double margin)
-    : Set(set)
+  SeenByCells(const Triangles& triangles, const Cells& cells, double margin)
+    : Seen(triangles)
     , TheCells(cells)
-    , Lows(PlacesOf(set, cells, -margin))
-    , Highs(margin > 0.0 ? PlacesOf(set, cells, margin) : CellPositionList())
+    , Lows(PlacesOf(triangles.Set, cells, -margin))
+    , Highs(margin > 0.0 ? PlacesOf(triangles.Set, cells, margin) : CellPositionList())
     , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
   {
   }
 
-  std::uint32_t Count() const { return CountOf(this->Set); }
+  std::uint32_t GetBegin() const { return this->Seen.Begin; }
+  std::uint32_t GetEnd() const { return this->Seen.End; }
 
   Cells::Range RangeOf(std::uint32_t triangle) const
   {
-    const auto [a, b, c] = this->Set.GetCorners(triangle);
+    const auto [a, b, c] = this->Seen.Set.GetCorners(triangle);
     return this->TheCells.RangeOf({ this->Lows[a], this->Lows[b], this->Lows[c] },
       { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
   }
@@ -86,7 +97,7 @@ private:
     return places;
   }
 
-  const SkdPlacedTriangles& Set;
+  const Triangles Seen;
   const Cells& TheCells;
   CellPositionList Lows;
   CellPositionList Highs; // empty where these are the lows
@@ -141,7 +152,7 @@ private:
   template <class Visit>
   bool ForEachRange(const SeenByCells& set, const Visit& visit)
   {
-    for (std::uint32_t i = 0; i < set.Count(); ++i)
+    for (std::uint32_t i = set.GetBegin(); i < set.GetEnd(); ++i)
     {
       const Cells::Range range = set.RangeOf(i);
       if (!range.IsEmpty)
@@ -232,29 +243,39 @@ bool LeaveOutCopies(const SkdPlacedTriangles& set, SkdNearTriangles& near)
 
 struct SetPair
 {
-  const SkdPlacement& Placement;
+  Triangles First;
+  Triangles Second;
   skd::Box3 Region; ///< that both are in, the second with a margin
   double Margin;
+
+  std::size_t Count() const { return std::size_t(this->First.Count()) + this->Second.Count(); }
 };
 
-/// False when those that are near are not much fewer than all.
+/// False when triangles cover too many cells.
 bool FilterByCoarseGrid(const SetPair& pair, SkdNearSets& near)
 {
-  const SkdPlacedTriangles& first = pair.Placement.First;
-  const SkdPlacedTriangles& second = pair.Placement.GetSecond();
-  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
-  const double size = std::max(MeanSize(first), MeanSize(second)) + pair.Margin;
+  const double size = std::max(MeanSize(pair.First), MeanSize(pair.Second)) + pair.Margin;
   const Cells cells(pair.Region, size);
-  const SeenByCells seenFirst(first, cells, 0.0);
-  const SeenByCells seenSecond(second, cells, pair.Margin);
-  CoarseGrid grid(cells, all);
+  const SeenByCells seenFirst(pair.First, cells, 0.0);
+  const SeenByCells seenSecond(pair.Second, cells, pair.Margin);
+  CoarseGrid grid(cells, pair.Count());
   if (!grid.MarkAll(seenFirst, near.First.Triangles) ||
     !grid.FindMarked(seenSecond, near.Second.Triangles))
   {
     return false;
   }
   grid.KeepMarked(seenFirst, near.First.Triangles);
-  return 4 * (near.First.Triangles.size() + near.Second.Triangles.size()) <= 3 * all;
+  return true;
+}
+
+skd::Box3 BoundsOf(const Triangles& triangles)
+{
+  skd::Box3 bounds;
+  for (std::uint32_t i = triangles.Begin; i < triangles.End; ++i)
+  {
+    bounds.Add(triangles.Set.GetBox(i));
+  }
+  return bounds;
 }
 }
 
@@ -263,9 +284,9 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
 {
   const SkdPlacedTriangles& first = placement.First;
   const SkdPlacedTriangles& second = placement.GetSecond();
-  const std::size_t all = std::size_t(CountOf(first)) + CountOf(second);
+  SetPair pair{ AllOf(first), AllOf(second), {}, 0.0 };
   SkdNearSets near;
-  if (CountOf(first) == 0 || CountOf(second) == 0)
+  if (pair.First.Count() == 0 || pair.Second.Count() == 0)
   {
     return near;
   }
@@ -281,7 +302,10 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
     return near;
   }
   constexpr std::size_t few = 4096; // for a coarse grid to pay
-  if (all < few || !FilterByCoarseGrid({ placement, region, margin }, near))
+  pair.Region = region;
+  pair.Margin = margin;
+  if (pair.Count() < few || !FilterByCoarseGrid(pair, near) ||
+    4 * (near.First.Triangles.size() + near.Second.Triangles.size()) > 3 * pair.Count())
   {
     return std::nullopt;
   }
@@ -289,6 +313,28 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   AddBoxes(second, margin, near.Second);
   const bool hasFirst = LeaveOutCopies(first, near.First);
   near.HasCopies = LeaveOutCopies(second, near.Second) || hasFirst;
+  return near;
+}
+
+//------------------------------------------------------------------------------
+std::optional<SkdNearSets> SkdFindNear(const SkdPlacedTriangles& set, std::uint32_t middle)
+{
+  const Triangles all = AllOf(set);
+  SetPair pair{ { set, 0, middle }, { set, middle, all.End }, BoundsOf({ set, 0, middle }), 0.0 };
+  const skd::Box3 other = BoundsOf(pair.Second);
+  SkdNearSets near;
+  if (!pair.Region.Overlaps(other))
+  {
+    return near;
+  }
+  pair.Region = { skd::Greatest(pair.Region.Min, other.Min),
+    skd::Least(pair.Region.Max, other.Max) };
+  if (!FilterByCoarseGrid(pair, near))
+  {
+    return std::nullopt;
+  }
+  AddBoxes(set, 0.0, near.First);
+  AddBoxes(set, 0.0, near.Second);
   return near;
 }
 }

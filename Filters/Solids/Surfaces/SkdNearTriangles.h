@@ -33,6 +33,10 @@ struct SkdNearSets
 /// or may be within `clearance` (in the placement's scale) of it. Empty if the sets are small, or
 /// unless these are much fewer than all. O(n), some ten nanoseconds a triangle.
 std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance);
+
+/// The same of one set: those of its triangles before one number and those from it on that may
+/// intersect each other. Empty if they cover too many cells of the grid.
+std::optional<SkdNearSets> SkdFindNear(const SkdPlacedTriangles& set, std::uint32_t middle);
 }
 
 #endif

@@ -205,6 +205,19 @@ struct SkdTrianglePairs::Block
 
 namespace
 {
+bool IsBefore(const SkdTrianglePair& a, const SkdTrianglePair& b)
+{
+  return a.First != b.First ? a.First < b.First : a.Second < b.Second;
+}
+
+/// Merges sorted pairs into others.
+void Add(const std::vector<SkdTrianglePair>& pairs, std::vector<SkdTrianglePair>& to)
+{
+  const auto middle = static_cast<std::ptrdiff_t>(to.size());
+  to.insert(to.end(), pairs.begin(), pairs.end());
+  std::inplace_merge(to.begin(), to.begin() + middle, to.end(), IsBefore);
+}
+
 /// All that were found, or the lowest.
 std::vector<SkdTrianglePair> Gather(
   const std::vector<std::vector<SkdTrianglePair>>& found, const SkdPairSearch& search)
@@ -214,9 +227,7 @@ std::vector<SkdTrianglePair> Gather(
   {
     all.insert(all.end(), some.begin(), some.end());
   }
-  vtkSMPTools::Sort(all.begin(), all.end(),
-    [](const SkdTrianglePair& a, const SkdTrianglePair& b)
-    { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+  vtkSMPTools::Sort(all.begin(), all.end(), IsBefore);
   all.resize(
     search.Wanted == SkdPairSearch::All ? all.size() : std::min<std::size_t>(1, all.size()));
   return all;
@@ -366,9 +377,55 @@ std::vector<std::uint32_t> SkdTrianglePairs::ListUnknown(const SkdKnownPairs& kn
 }
 
 //------------------------------------------------------------------------------
+std::vector<SkdTrianglePair> SkdTrianglePairs::FindAmong(
+  const SkdIndexPairs& pairs, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  constexpr std::size_t size = 64; // of a part
+  Search state(this->Placement, search);
+  std::vector<std::vector<SkdTrianglePair>> found((pairs.size() + size - 1) / size);
+  const auto parts = static_cast<vtkIdType>(found.size());
+  loop.SetTotal(parts);
+  loop.For(parts,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
+           ++part)
+      {
+        for (std::size_t i = part * size; i < std::min(pairs.size(), (part + 1) * size); ++i)
+        {
+          state.Visit(pairs[i].first, pairs[i].second, found[part]);
+        }
+      }
+    });
+  return Gather(found, search);
+}
+
+//------------------------------------------------------------------------------
+/// Pairs of two triangles one of which is not of those whose pairs are known.
+std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindUnknown(
+  const SkdKnownPairs& known, const SkdPairSearch& search, SkdLoop& loop) const
+{
+  const auto near = SkdFindNear(this->Placement.First, known.End);
+  auto found = near ? this->FindByPackedRTree(*near, search, loop) : std::nullopt;
+  if (found)
+  {
+    Add(this->FindAmong(*known.Doubtful, search, loop), *found);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersections(
   const SkdPairSearch& search, SkdLoop& loop, const SkdKnownPairs* known) const
 {
+  if (known && known->Doubtful)
+  {
+    if (auto found = this->FindUnknown(*known, search, loop))
+    {
+      Add(known->Pairs, *found);
+      return found;
+    }
+  }
   constexpr std::size_t size = 16; // of a part, in packets
   const SkdTriangleSet& set = this->Placement.First.GetSet();
   const std::vector<std::uint32_t> unknown =
@@ -414,11 +471,7 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindSelfIntersecti
   auto found = parts.Take(search);
   if (known && found)
   {
-    const auto middle = static_cast<std::ptrdiff_t>(found->size());
-    found->insert(found->end(), known->Pairs.begin(), known->Pairs.end());
-    std::inplace_merge(found->begin(), found->begin() + middle, found->end(),
-      [](const SkdTrianglePair& a, const SkdTrianglePair& b)
-      { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+    Add(known->Pairs, *found);
   }
   return found;
 }

@@ -9,6 +9,7 @@
 #ifndef SkdTrianglePairs_h
 #define SkdTrianglePairs_h
 
+#include "Solids/Surfaces/SkdDoubtfulPairs.h"
 #include "Solids/Surfaces/SkdNearTriangles.h"
 #include "Solids/Surfaces/SkdPlacement.h"
 
@@ -37,11 +38,13 @@ struct SkdPairSearch
   double Clearance = 0.0; ///< before scaling; 0: those that touch, only
 };
 
-/// What is known of one surface: all pairs of its triangles below `End`, sorted.
+/// What is known of one surface: all pairs of its triangles below `End`, sorted; and, if it is
+/// known, which ones from there on can be pairs.
 struct SkdKnownPairs
 {
   std::uint32_t End = 0;
   std::vector<SkdTrianglePair> Pairs;
+  std::optional<SkdIndexPairs> Doubtful;
 };
 
 /// The pairs of a placement. Within one surface, triangles that share corners are a pair only if
@@ -84,6 +87,10 @@ private:
   struct Block;
 
   std::vector<std::uint32_t> ListUnknown(const SkdKnownPairs& known) const;
+  std::optional<std::vector<SkdTrianglePair>> FindUnknown(
+    const SkdKnownPairs& known, const SkdPairSearch& search, SkdLoop& loop) const;
+  std::vector<SkdTrianglePair> FindAmong(
+    const SkdIndexPairs& pairs, const SkdPairSearch& search, SkdLoop& loop) const;
 
   template <class ToFirst>
   std::vector<SkdTrianglePair> FindByTrees(

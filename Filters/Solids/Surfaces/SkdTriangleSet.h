@@ -96,6 +96,7 @@ public:
 
   /// The point that one that was read, or made, has become. Points must be merged.
   std::uint32_t GetPointOf(std::uint32_t read) const { return this->PointOf[read]; }
+  const std::vector<std::uint32_t>& GetMerging() const { return this->PointOf; } ///< of all
 
   const PointList& GetPoints() const { return this->Read.Points; }
   const TriangleList& GetTriangles() const { return this->Read.Triangles; }

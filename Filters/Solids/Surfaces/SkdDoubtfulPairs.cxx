@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Solids/Surfaces/SkdDoubtfulPairs.h"
+
+#include "Cells/Read/SkdForEach.h"
+#include "Core/Search/Tree/PackedRTree.h"
+#include "Pipeline/SkdLoop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace skdtree
+{
+namespace
+{
+/// Of a difference of two points, each of which is moved by up to sqrt(3) roundings, and with room
+/// for products of several.
+constexpr double RoundingsOfEdge = 8.0;
+
+/// What arithmetic does to products of lengths; motions are rigid to 1e-9 (skd::RigidMotion).
+constexpr double Distortion = 1e-8;
+
+/// Looks at pairs with an error bound that rounding after a motion is within.
+class PairTest
+{
+public:
+  PairTest(const SkdPlacedTriangles& set, double rounding)
+    : Set(set)
+    , Error(RoundingsOfEdge * rounding)
+  {
+  }
+
+  /// Whether all that two triangles have in common surely are corners that they share.
+  bool IsSure(std::uint32_t first, std::uint32_t second) const
+  {
+    const SkdTriangleSet::Corners& a = this->Set.GetCorners(first);
+    const SkdTriangleSet::Corners& b = this->Set.GetCorners(second);
+    return this->HasOthersOnOneSide(a, b) || this->HasOthersOnOneSide(b, a) ||
+      this->AreApartAtEdge(a, b);
+  }
+
+private:
+  using Corners = SkdTriangleSet::Corners;
+
+  static bool Has(const Corners& corners, std::uint32_t point)
+  {
+    return corners[0] == point || corners[1] == point || corners[2] == point;
+  }
+
+  const skd::Vector3& At(std::uint32_t point) const { return this->Set.GetPoints()[point]; }
+
+  /// Whether the corners of another triangle that a triangle does not have, if there are any, are
+  /// on one side of its plane and stay there.
+  bool HasOthersOnOneSide(const Corners& plane, const Corners& other) const
+  {
+    int side = 0;
+    for (const std::uint32_t corner : other)
+    {
+      if (!Has(plane, corner))
+      {
+        const int here = this->SideOf(plane, this->At(corner));
+        if (here == 0 || here == -side)
+        {
+          return false;
+        }
+        side = here;
+      }
+    }
+    return side != 0;
+  }
+
+  /// The sign of a volume that has it also with other roundings; else 0.
+  int SideOf(const Corners& plane, const skd::Vector3& x) const
+  {
+    const skd::Vector3 u = this->At(plane[1]) - this->At(plane[0]);
+    const skd::Vector3 v = this->At(plane[2]) - this->At(plane[0]);
+    const skd::Vector3 w = x - this->At(plane[0]);
+    const double a = Norm(u);
+    const double b = Norm(v);
+    const double c = Norm(w);
+    const double volume = Dot(Cross(u, v), w);
+    const double doubt = this->Error * (a * b + b * c + c * a) + Distortion * a * b * c;
+    return (volume > doubt) - (volume < -doubt);
+  }
+
+  /// Whether triangles with a common edge are on different sides of a plane through it: seen along
+  /// the edge, the angle between them is more than a right one.
+  bool AreApartAtEdge(const Corners& first, const Corners& second) const
+  {
+    std::size_t apex = 3;
+    std::size_t other = 3;
+    int shared = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const bool isShared = Has(second, first[i]);
+      shared += isShared;
+      apex = isShared ? apex : i;
+      other = Has(first, second[i]) ? other : i;
+    }
+    if (shared != 2 || other == 3)
+    {
+      return false;
+    }
+    const skd::Vector3& from = this->At(first[(apex + 1) % 3]);
+    const skd::Vector3 edge = this->At(first[(apex + 2) % 3]) - from;
+    const skd::Vector3 p = this->At(first[apex]) - from;
+    const skd::Vector3 q = this->At(second[other]) - from;
+    const double a = Norm(p);
+    const double b = Norm(q);
+    const double c = Norm(edge);
+    const double doubt = 4.0 * c * (this->Error * (a * b + b * c + c * a) + Distortion * a * b * c);
+    return Dot(Cross(p, edge), Cross(q, edge)) < -doubt;
+  }
+
+  const SkdPlacedTriangles& Set;
+  const double Error;
+};
+
+std::vector<skd::Box3> MakeBoxes(const SkdPlacedTriangles& set, std::uint32_t begin, double margin)
+{
+  const std::size_t n = set.GetSet().GetTriangles().size() - begin;
+  std::vector<skd::Box3> boxes(n);
+  SkdForEach(static_cast<vtkIdType>(n),
+    [&](vtkIdType i)
+    { boxes[i] = set.GetBox(begin + static_cast<std::uint32_t>(i)).Inflated(margin); });
+  return boxes;
+}
+}
+
+std::optional<SkdIndexPairs> SkdFindDoubtfulPairs(
+  const SkdPlacedTriangles& set, std::uint32_t begin, double rounding, SkdLoop& loop)
+{
+  const PairTest test(set, rounding);
+  const std::vector<skd::Box3> boxes = MakeBoxes(set, begin, RoundingsOfEdge * rounding);
+  const skd::PackedRTree tree(boxes);
+  const std::size_t most = 64 * boxes.size(); // looks, as in SkdTrianglePairs
+  std::atomic<std::size_t> looks{ 0 };
+  const auto packets = static_cast<vtkIdType>(tree.GetNumberOfPackets());
+  std::vector<SkdIndexPairs> found(static_cast<std::size_t>(packets));
+  loop.SetTotal(packets);
+  const bool isDone = loop.For(packets,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      skd::PackedRTree::OverlapLists lists;
+      for (vtkIdType packet = first; packet < last && looks <= most; ++packet)
+      {
+        tree.ForEachOverlapWithin(static_cast<std::size_t>(packet), lists,
+          [&](std::uint32_t box, const std::vector<std::uint32_t>& others)
+          {
+            for (const std::uint32_t other : others)
+            {
+              const auto [low, high] = std::minmax({ begin + box, begin + other });
+              if (!test.IsSure(low, high))
+              {
+                found[static_cast<std::size_t>(packet)].emplace_back(low, high);
+              }
+            }
+            return (looks += others.size()) <= most;
+          });
+      }
+    });
+  SkdIndexPairs all;
+  for (const SkdIndexPairs& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::sort(all.begin(), all.end());
+  return isDone && looks <= most ? std::make_optional(std::move(all)) : std::nullopt;
+}
+}
