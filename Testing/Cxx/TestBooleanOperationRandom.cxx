@@ -186,6 +186,12 @@ TEST(BooleanOperationRandom, TreesOfTenOperations)
   }
 }
 
+/// Turned by right angles, faces that should be one leave a sliver of four units in the last place.
+TEST(BooleanOperationRandom, TreeWithASliver)
+{
+  TryTree(200058);
+}
+
 TEST(BooleanOperationRandom, SameByAnyNumberOfThreads)
 {
   for (int number = 0; number < SetInEnvironment("SKDTREE_FUZZ_PAIRS", 40) / 4; ++number)
