@@ -186,4 +186,33 @@ TEST(BooleanOperationInputs, AnAbortWhileSurfacesAreSplitLeavesNothing)
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
   EXPECT_GT(Measures(RunSolid(filter)).Volume, 5.0);
 }
+
+/// At any time an abort leaves nothing, or all, and what is cached by then is right; also while a
+/// Source is moved.
+TEST(BooleanOperationInputs, AnAbortAtAnyTimeLeavesNothingOrAll)
+{
+  const Mesh body = Outward(SphereTriangles(16));
+  const Mesh tool = Placed(Outward(SphereTriangles(13)), 1.0, { 0.4, 0.3, 0.1 });
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(0, MakePolyData(body));
+  filter->SetSourceData(MakePolyData(tool));
+  int aborted = 0;
+  for (int step = 0; step < 12; ++step)
+  {
+    const double shift = 0.03125 * step;
+    filter->SetTranslation(shift, 0, 0);
+    const std::vector<double> seen = AbortAt(filter, 0.1 * (step + 1) - 0.05);
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << step;
+    const vtkIdType left = filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
+    const Mesh all = RunSolid(filter);
+    EXPECT_TRUE(left == 0 || left == static_cast<vtkIdType>(all.Cells.size())) << step;
+    aborted += left == 0;
+    vtkNew<Filter> other;
+    other->SetInputDataObject(0, MakePolyData(body));
+    other->SetSourceData(MakePolyData(tool));
+    other->SetTranslation(shift, 0, 0);
+    EXPECT_EQ(all.Points, RunSolid(other).Points) << step;
+  }
+  EXPECT_GT(aborted, 4);
+}
 }

@@ -63,9 +63,10 @@ void Keep(const std::vector<SkdTrianglePair>& pairs, double scale, SkdPairCache&
 
 /// Finds out once which pairs a motion may make: where triangles, their points and how these are
 /// merged are the same, that depends on rounding alone.
-void UpdateDoubtful(const SkdPlacement& placement, SkdLoop& loop, SkdPairCache& cache)
+void UpdateDoubtful(const SkdPlacement& placement, vtkAlgorithm* filter, SkdPairCache& cache)
 {
-  constexpr double room = 1e3; // so that farther motions have no larger roundings
+  constexpr double progress = 0.2; // the search of pairs goes on from there
+  constexpr double room = 1e3;     // so that farther motions have no larger roundings
   const SkdTriangleSet& set = placement.First.GetSet();
   const std::size_t n = set.GetTriangles().size();
   const bool isKnown = cache.NumberOfTriangles == n && cache.Rounding <= cache.MostRounding &&
@@ -75,6 +76,7 @@ void UpdateDoubtful(const SkdPlacement& placement, SkdLoop& loop, SkdPairCache& 
     cache.MostRounding = room * cache.Rounding;
     cache.PointOf = set.GetMerging();
     cache.NumberOfTriangles = n;
+    SkdLoop loop(filter, 0, progress, progress, 64);
     cache.Known.Doubtful = SkdFindDoubtfulPairs(
       placement.First, cache.Known.End, 2.0 * cache.MostRounding * placement.Scale, loop);
   }
@@ -90,7 +92,7 @@ std::optional<SkdSelfPairs> SkdFindSelfPairs(SkdTriangleSet& set, const SkdPlace
   const bool areKnown = mayKeep && cache->Scale == placement.Scale;
   if (areKnown)
   {
-    UpdateDoubtful(placement, loop, *cache);
+    UpdateDoubtful(placement, filter, *cache);
   }
   auto pairs = SkdTrianglePairs(placement).FindSelfIntersections(
     search, loop, areKnown ? &cache->Known : nullptr);

@@ -323,16 +323,24 @@ private:
 
 //------------------------------------------------------------------------------
 std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
-  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const
+  const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop,
+  const SkdIndexPairs& more) const
 {
   constexpr std::size_t size = 16; // of a part, in triangles of the first set
   const std::size_t count = near.First.Triangles.size();
   const skd::PackedRTree boxes(near.Second.Boxes);
   Search state(this->Placement, search);
-  PackedSearch parts((count + size - 1) / size, count + near.Second.Triangles.size());
+  const std::size_t parted = (count + size - 1) / size;
+  PackedSearch parts(
+    parted + (more.size() + size - 1) / size, count + near.Second.Triangles.size());
   parts.ForEachPart(loop,
     [&](std::size_t part, std::vector<SkdTrianglePair>& found)
     {
+      for (std::size_t i = (part - parted) * size;
+           part >= parted && i < std::min(more.size(), (part - parted + 1) * size); ++i)
+      {
+        state.Visit(more[i].first, more[i].second, found);
+      }
       std::vector<std::uint32_t> others; // that a triangle's box overlaps
       bool goesOn = true;
       for (std::size_t i = part * size; i < std::min(count, (part + 1) * size) && goesOn; ++i)
@@ -377,41 +385,12 @@ std::vector<std::uint32_t> SkdTrianglePairs::ListUnknown(const SkdKnownPairs& kn
 }
 
 //------------------------------------------------------------------------------
-std::vector<SkdTrianglePair> SkdTrianglePairs::FindAmong(
-  const SkdIndexPairs& pairs, const SkdPairSearch& search, SkdLoop& loop) const
-{
-  constexpr std::size_t size = 64; // of a part
-  Search state(this->Placement, search);
-  std::vector<std::vector<SkdTrianglePair>> found((pairs.size() + size - 1) / size);
-  const auto parts = static_cast<vtkIdType>(found.size());
-  loop.SetTotal(parts);
-  loop.For(parts,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end);
-           ++part)
-      {
-        for (std::size_t i = part * size; i < std::min(pairs.size(), (part + 1) * size); ++i)
-        {
-          state.Visit(pairs[i].first, pairs[i].second, found[part]);
-        }
-      }
-    });
-  return Gather(found, search);
-}
-
-//------------------------------------------------------------------------------
 /// Pairs of two triangles one of which is not of those whose pairs are known.
 std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindUnknown(
   const SkdKnownPairs& known, const SkdPairSearch& search, SkdLoop& loop) const
 {
   const auto near = SkdFindNear(this->Placement.First, known.End);
-  auto found = near ? this->FindByPackedRTree(*near, search, loop) : std::nullopt;
-  if (found)
-  {
-    Add(this->FindAmong(*known.Doubtful, search, loop), *found);
-  }
-  return found;
+  return near ? this->FindByPackedRTree(*near, search, loop, *known.Doubtful) : std::nullopt;
 }
 
 //------------------------------------------------------------------------------

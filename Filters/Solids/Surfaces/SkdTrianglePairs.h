@@ -69,9 +69,10 @@ public:
   std::vector<SkdTrianglePair> FindByTrees(const SkdPairSearch& search, SkdLoop& loop) const;
 
   /// Searches a packed R-tree of the second set's triangles that may intersect the first set. Sets
-  /// need not be complete. Empty if boxes overlap so much that trees are faster.
-  std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(
-    const SkdNearSets& near, const SkdPairSearch& search, SkdLoop& loop) const;
+  /// need not be complete. Empty if boxes overlap so much that trees are faster. Looks at some
+  /// `more` pairs of triangles, too.
+  std::optional<std::vector<SkdTrianglePair>> FindByPackedRTree(const SkdNearSets& near,
+    const SkdPairSearch& search, SkdLoop& loop, const SkdIndexPairs& more = {}) const;
 
   /// Of one surface that is searched for the first time: searches a packed R-tree of all its
   /// triangles. The clearance must be 0. The set's points must be merged; a tree is not needed.
@@ -89,8 +90,6 @@ private:
   std::vector<std::uint32_t> ListUnknown(const SkdKnownPairs& known) const;
   std::optional<std::vector<SkdTrianglePair>> FindUnknown(
     const SkdKnownPairs& known, const SkdPairSearch& search, SkdLoop& loop) const;
-  std::vector<SkdTrianglePair> FindAmong(
-    const SkdIndexPairs& pairs, const SkdPairSearch& search, SkdLoop& loop) const;
 
   template <class ToFirst>
   std::vector<SkdTrianglePair> FindByTrees(
