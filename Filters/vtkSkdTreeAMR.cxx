@@ -122,7 +122,7 @@ void WarnAbout(
   }
 }
 
-SkdGridRequests AskedBy(vtkSkdTreeAMR* self)
+SkdGridRequests RequestsOf(vtkSkdTreeAMR* self)
 {
   SkdGridRequests requests;
   requests.Inside = self->GetComputeInside();
@@ -182,7 +182,7 @@ std::optional<int> UpdateTrees(
 {
   try
   {
-    return state.Update(self, SkdBlocksOf(parts), field, AskedBy(self).NeedBoundary());
+    return state.Update(self, SkdBlocksOf(parts), field, RequestsOf(self).NeedBoundary());
   }
   catch (const std::length_error& error)
   {
@@ -201,11 +201,11 @@ SkdGridEstimate Refine(
   if (isOnItsOwn)
   {
     // What hangs on a cell, neighbours decide.
-    settings.LayersKept = self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
+    settings.KnownLayers = self->GetOutputType() == vtkSkdTreeAMR::UNSTRUCTURED_GRID ? 1 : 0;
     settings.Processes = processes;
   }
-  const SkdGridEstimate estimate = SkdEstimateGrid(
-    grid, state.Parts, settings, AskedBy(self), OutputVtkTypes[self->GetOutputType()], self, 0.1);
+  const SkdGridEstimate estimate = SkdEstimateGrid(grid, state.Parts, settings, RequestsOf(self),
+    OutputVtkTypes[self->GetOutputType()], self, 0.1);
   SkdShowEstimate(self, estimate.Cells, estimate.Bytes, estimate.Seconds);
   SkdGridRefiner(self, 0.1, 0.6, grid, state.Parts, settings).Refine();
   self->SetProgressText(nullptr);
@@ -315,7 +315,7 @@ int vtkSkdTreeAMR::RequestData(
   const auto processes = SkdProcessesOf(outputVector->GetInformationObject(0));
   const SkdGridEstimate estimate = Refine(this, state, processes.get(), *grid);
   SkdGridExtras extras =
-    SkdFindExtras(*grid, AskedBy(this), state.Parts, state.Enclosure, this, 0.6, 0.85);
+    SkdFindExtras(*grid, RequestsOf(this), state.Parts, state.Enclosure, this, 0.6, 0.85);
   if (this->ComputeField)
   {
     extras.Fields = FindFields(this, *grid, vtkDataObject::GetData(inputVector[2]), 0.85, 0.95);

@@ -174,11 +174,11 @@ vtkIdType vtkSkdTreeCellLocator::FindClosestPoints(vtkDataArray* points, vtkIdTy
   double* lengths = SkdPrepare(distances, "SkdDistance", 1, size);
   const double limit2 = radius >= 0.0 ? radius * radius : -1.0;
   return batch.CountTrue([&] { return SkdCoherentNearest(tree, { this->DataSet }, limit2); },
-    [&](SkdCoherentNearest& inTurn, vtkIdType slot)
+    [&](SkdCoherentNearest& coherent, vtkIdType slot)
     {
       double x[3];
       batch.Read(slot, x);
-      const SkdFoundCell found = inTurn.Find(this->Impl->ToTree(x));
+      const SkdFoundCell found = coherent.Find(this->Impl->ToTree(x));
       const bool isFound = found.Id >= 0;
       SkdStoreAt(ids, slot, found.Id);
       SkdStoreAt(nearest, slot, isFound ? this->Impl->ToWorld(found.Point) : SkdNoPoint());

@@ -24,7 +24,7 @@ void vtkSkdTreeCellLocator::BuildLocator()
   {
     this->BuildLocatorInternal();
   }
-  if (!isValid || !this->Impl->HasKept() || !this->IsUpToDate())
+  if (!isValid || !this->Impl->HasSnapshot() || !this->IsUpToDate())
   {
     this->Impl->Keep(this->DataSet);
   }
@@ -34,7 +34,7 @@ void vtkSkdTreeCellLocator::BuildLocator()
 // More than queries ask for: whether arrays were modified of which the data set does not know.
 bool vtkSkdTreeCellLocator::HasValidTree()
 {
-  if (!this->Impl->GetTree() || !this->Impl->HasKept())
+  if (!this->Impl->GetTree() || !this->Impl->HasSnapshot())
   {
     return this->Impl->GetTree() && this->IsNewerThanData();
   }

@@ -88,9 +88,9 @@ private:
   double LengthFrom(const skd::Vector3& origin) const
   {
     constexpr double slack = 64.0 * std::numeric_limits<double>::epsilon();
-    const double reach = (1.0 + slack) * (skd::Norm(origin - this->Centre) + this->Radius) +
+    const double maxDistance = (1.0 + slack) * (skd::Norm(origin - this->Centre) + this->Radius) +
       slack * skd::Norm(this->Centre);
-    return this->Maximum >= 0.0 ? std::min(reach, this->Maximum) : vtkMath::Nan();
+    return this->Maximum >= 0.0 ? std::min(maxDistance, this->Maximum) : vtkMath::Nan();
   }
 
   const SkdBatch& Origins;

@@ -58,7 +58,8 @@ void vtkSkdTreeCellLocator::FindCandidatesAlongPlane(
   skd::Plane<3> plane = SkdPlane(o, n);
   if (this->Impl->Motion)
   {
-    plane = { this->Impl->Motion->Back(plane.Origin), this->Impl->Motion->TurnBack(plane.Normal) };
+    plane = { this->Impl->Motion->Back(plane.Origin),
+      this->Impl->Motion->RotateBack(plane.Normal) };
   }
   this->GetTree().FindSafetyBoxesAlong(plane, 0.0, cellIds);
 }

@@ -162,15 +162,15 @@ void WarnAbout(vtkSkdTreeClosestPoint* self, const SourceFacts& source)
 void Report(vtkDataObject* output, const Found& search)
 {
   const SourceFacts& source = search.Source;
-  vtkIdType asked = 0;
+  vtkIdType numberOfQueries = 0;
   vtkIdType found = 0;
   for (const SkdClosestArrays& answer : search.Closest.Answers)
   {
-    asked += answer.GetNumberOfPoints();
+    numberOfQueries += answer.GetNumberOfPoints();
     found += answer.CountFound();
   }
   SkdReport report(output);
-  report.AddCount("Points", asked);
+  report.AddCount("Points", numberOfQueries);
   report.AddCount("PointsFound", found);
   report.AddCount("SourceCells", source.Counts.Cells);
   report.AddCount("SourceCellsLeftOut", source.Counts.CellsLeftOut);

@@ -8,8 +8,8 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdMakeArray.h"
 #include "Pipeline/SkdPrint.h"
-#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "Pipeline/SkdSetText.h"
 #include "Search/InOut/SkdPartList.h"
 #include "vtkCellData.h"
@@ -146,9 +146,9 @@ int vtkSkdTreeCurveSurfaceIntersection::RequestData(
 //------------------------------------------------------------------------------
 // Splines extend beyond the boxes of their points, a connected piece of the Source may be connected
 // elsewhere, and what is inside of it depends on all of it.
-bool vtkSkdTreeCurveSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
+bool vtkSkdTreeCurveSurfaceIntersection::NeedsNearbySource(SkdSearchRange& range)
 {
-  reach.OfDiagonal = 1e-3; // more than any rounding
+  range.OfDiagonal = 1e-3; // more than any rounding
   return this->PolylineForm == STRAIGHT && this->Parts != CONNECTED_PIECES && !this->CutCurves;
 }
 

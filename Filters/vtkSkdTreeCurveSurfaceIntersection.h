@@ -184,7 +184,7 @@ protected:
   ~vtkSkdTreeCurveSurfaceIntersection() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
 
   bool VolumeFaces = true;
   int Parts = BLOCKS;

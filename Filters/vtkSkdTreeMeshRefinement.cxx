@@ -123,9 +123,9 @@ bool DoPartsMiss(const SkdMeshSettings& settings, const SkdMeshOutcome& outcome)
 {
   const bool isMore =
     settings.MinimumLevel > 0 || settings.InsideLevel > 0 || settings.FieldLevel > 0;
-  const bool isAskedByParts = std::any_of(
+  const bool isRequestedByParts = std::any_of(
     settings.PartLevels.begin(), settings.PartLevels.end(), [](int level) { return level > 0; });
-  return isAskedByParts && !isMore && settings.MaximumLevel > 0 && outcome.Rounds == 0 &&
+  return isRequestedByParts && !isMore && settings.MaximumLevel > 0 && outcome.Rounds == 0 &&
     !outcome.IsStopped && !outcome.IsAborted;
 }
 

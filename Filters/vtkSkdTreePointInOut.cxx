@@ -6,8 +6,8 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPrint.h"
-#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "Pipeline/SkdSetText.h"
 #include "Pipeline/SkdSubset.h"
 #include "Pipeline/SkdVolumeCells.h"
@@ -37,7 +37,7 @@ public:
   SkdPartList Parts;            // of the first model
   SkdSpreadParts Pieces;        // the same of a source that stays in its pieces
   SkdSourceTrees Trees;         // of the second
-  SkdCellFinderSource Places{ Trees, Blocks };
+  SkdCellFinderSource CellFinders{ Trees, Blocks };
   std::vector<std::vector<int>> PartIds; // of the second's cells, or none
   SkdInsideRules Rules;
   double Band = 0.0;
@@ -147,7 +147,7 @@ vtkSkdTreePointInOut::Internals::Answer vtkSkdTreePointInOut::Internals::MakeAns
       std::make_shared<SkdPartClassifier>(this->Parts.Get(), this->Rules, this->Band, queryPoints);
     return [asker](vtkIdType queryPoint) { return asker->Ask(queryPoint); };
   }
-  auto finder = std::make_shared<SkdCellFinder>(this->Places, SkdCellFinderRules());
+  auto finder = std::make_shared<SkdCellFinder>(this->CellFinders, SkdCellFinderRules());
   return [this, finder, &queryPoints](vtkIdType queryPoint)
   {
     SkdInOut answer;
@@ -216,7 +216,7 @@ void vtkSkdTreePointInOut::SetPartArray(const char* name)
 }
 
 // A cell that contains a point is near it; a boundary is decided over all of its faces.
-bool vtkSkdTreePointInOut::NeedsNearbySource(SkdReach&)
+bool vtkSkdTreePointInOut::NeedsNearbySource(SkdSearchRange&)
 {
   return this->Model == BODY_FITTED_MESH;
 }
@@ -267,7 +267,7 @@ void vtkSkdTreePointInOut::UpdateParts()
   internals.Rules.Method = SkdInsideMethod::AxisRays;
   internals.Parts = SkdPartList();
   internals.Built = internals.Trees.Update(internals.Blocks, this->Epsilon);
-  internals.Places.Update(internals.Built);
+  internals.CellFinders.Update(internals.Built);
   for (std::size_t i = 0; this->Parts == CELL_ARRAY && i < internals.Blocks.size(); ++i)
   {
     internals.PartIds.push_back(SkdPartIdsOf(internals.Blocks[i].Mesh, this->PartArray));
@@ -430,7 +430,7 @@ void vtkSkdTreePointInOut::FillOutputs(const PartFacts& facts, const std::vector
   report.AddMeasure("BuildSeconds", this->Impl->BuildSeconds);
   if (this->Inputs->GetSpread(1))
   {
-    report.AddCount("PointsSent", static_cast<vtkIdType>(this->Impl->Pieces.GetAsked()));
+    report.AddCount("PointsSent", static_cast<vtkIdType>(this->Impl->Pieces.CountRequests()));
   }
 }
 

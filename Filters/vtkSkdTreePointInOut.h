@@ -265,7 +265,7 @@ protected:
   vtkSkdTreePointInOut();
   ~vtkSkdTreePointInOut() override;
 
-  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
   bool CanAskPieces(int port) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

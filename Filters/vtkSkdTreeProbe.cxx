@@ -6,8 +6,8 @@
 #include "Pipeline/SkdLoop.h"
 #include "Pipeline/SkdPointOrder.h"
 #include "Pipeline/SkdPrint.h"
-#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "Search/Probe/SkdCellFinder.h"
 #include "Search/Probe/SkdCellLocations.h"
 #include "Search/Probe/SkdLineProbe.h"
@@ -69,17 +69,17 @@ void ClearNames(vtkObject* self, std::set<std::string>& names)
 }
 
 void Report(vtkDataObject* output, const SkdTreeCounts& counts, int built,
-  const std::vector<SkdCellLocations>& places, double buildSeconds, double querySeconds)
+  const std::vector<SkdCellLocations>& locations, double buildSeconds, double querySeconds)
 {
-  vtkIdType asked = 0, found = 0, outside = 0;
-  for (const SkdCellLocations& some : places)
+  vtkIdType numberOfQueries = 0, found = 0, outside = 0;
+  for (const SkdCellLocations& some : locations)
   {
-    asked += some.GetNumberOfPoints();
+    numberOfQueries += some.GetNumberOfPoints();
     found += some.CountValid();
     outside += some.CountOutside();
   }
   SkdReport report(output);
-  report.AddCount("Points", asked);
+  report.AddCount("Points", numberOfQueries);
   report.AddCount("PointsFound", found);
   report.AddCount("PointsOutside", outside);
   report.AddCount("SourceCells", counts.Cells);
@@ -96,7 +96,7 @@ SkdCellLocations vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fi
 {
   const vtkIdType n = output->GetNumberOfPoints();
   SkdProbedData data(output->GetPointData(), n, this->Blocks, this->Names, fill);
-  SkdCellLocations places(n);
+  SkdCellLocations locations(n);
   const SkdPointOrder order(output);
   loop.For(n,
     [&](vtkIdType begin, vtkIdType end)
@@ -109,12 +109,12 @@ SkdCellLocations vtkSkdTreeProbe::Internals::Probe(vtkDataSet* output, double fi
         const vtkIdType i = order.GetPoint(at, x);
         if (finder.Find(x))
         {
-          places.Set(i, finder.GetLocation());
+          locations.Set(i, finder.GetLocation());
           data.Set(i, x, finder, gradient);
         }
       }
     });
-  return places;
+  return locations;
 }
 
 void vtkSkdTreeProbe::Internals::WarnAbout(vtkSkdTreeProbe* self) const
@@ -180,35 +180,35 @@ int vtkSkdTreeProbe::RequestData(
   const int built = internals.Update(source, this->Epsilon);
   const double buildSeconds = watch.Lap();
 
-  std::vector<SkdCellLocations> places;
+  std::vector<SkdCellLocations> locations;
   const double fill = this->UseFillValue ? this->FillValue : vtkMath::Nan();
   SkdLoop loop(this, SkdCountPoints(outputs), 0.2, this->ProbeLines ? 0.5 : 1.0);
   for (const SkdBlock& block : outputs)
   {
-    places.push_back(internals.Probe(block.Mesh, fill, loop));
+    locations.push_back(internals.Probe(block.Mesh, fill, loop));
   }
   const bool isComposite = SkdIsComposite(source);
   for (std::size_t i = 0; i < outputs.size(); ++i)
   {
-    places[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Blocks, isComposite);
+    locations[i].AddTo(outputs[i].Mesh->GetPointData(), internals.Blocks, isComposite);
   }
   if (this->ProbeLines)
   {
     this->CutLines(input, isComposite, outputVector);
   }
   internals.WarnAbout(this);
-  Report(output, internals.Trees.GetCounts(), built, places, buildSeconds, watch.Lap());
+  Report(output, internals.Trees.GetCounts(), built, locations, buildSeconds, watch.Lap());
   internals.Blocks.clear();
   return 1;
 }
 
-bool vtkSkdTreeProbe::NeedsNearbySource(SkdReach& reach)
+bool vtkSkdTreeProbe::NeedsNearbySource(SkdSearchRange& range)
 {
-  reach.Distance = this->OutsidePoints == NEAREST_CELL_WITHIN_DISTANCE
+  range.Distance = this->OutsidePoints == NEAREST_CELL_WITHIN_DISTANCE
     ? std::max(this->AbsoluteTolerance, this->MaximumDistance)
     : this->AbsoluteTolerance;
-  reach.OfDiagonal = this->RelativeTolerance;
-  reach.WithNearest = this->OutsidePoints == NEAREST_CELL;
+  range.OfDiagonal = this->RelativeTolerance;
+  range.WithNearest = this->OutsidePoints == NEAREST_CELL;
   return true;
 }
 

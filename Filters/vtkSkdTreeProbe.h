@@ -186,7 +186,7 @@ protected:
   ~vtkSkdTreeProbe() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
 
   double RelativeTolerance = 1e-3;
   double AbsoluteTolerance = 0.0;

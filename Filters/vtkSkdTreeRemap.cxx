@@ -5,8 +5,8 @@
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
-#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "Remap/SkdMeshRemap.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -151,7 +151,7 @@ bool vtkSkdTreeRemap::NeedsWhole(int port)
 //------------------------------------------------------------------------------
 // How many of the nearest there are within a distance, and how far a box has to grow, is not known
 // without all samples.
-bool vtkSkdTreeRemap::NeedsNearbySource(SkdReach& reach)
+bool vtkSkdTreeRemap::NeedsNearbySource(SkdSearchRange& range)
 {
   const bool isContained = this->Method == CONTAINED;
   const bool isInterpolated = this->Method == INTERPOLATION || this->Method == AUTOMATIC_METHOD;
@@ -160,25 +160,25 @@ bool vtkSkdTreeRemap::NeedsNearbySource(SkdReach& reach)
   const bool hasGaps = this->UseMissingValue || !this->MaskArray.empty();
   const bool isInDegrees =
     this->SourceCoordinates == LONGITUDE_LATITUDE || this->InputCoordinates == LONGITUDE_LATITUDE;
-  reach.OfDiagonal = 1e-3; // as far as Probe goes, and more than any rounding
-  reach.IsOfOneMesh = true;
-  reach.WithOwn = true;
-  reach.WithNeighbours = this->Method == CONSERVATIVE_SECOND_ORDER; // for gradients and limiters
-  reach.WithNearest =
+  range.OfDiagonal = 1e-3; // as far as Probe goes, and more than any rounding
+  range.IsOfOneMesh = true;
+  range.WithOwn = true;
+  range.WithNeighbours = this->Method == CONSERVATIVE_SECOND_ORDER; // for gradients and limiters
+  range.WithNearest =
     isExtrapolated || ((isContained || isInterpolated) && this->EmptyCells == NEAREST);
-  reach.IsOfSamples = isContained || isExtrapolated;
-  reach.Directions = this->Geometry == SPHERE || isInDegrees ? SkdByDirections::Always
+  range.IsOfSamples = isContained || isExtrapolated;
+  range.Directions = this->Geometry == SPHERE || isInDegrees ? SkdByDirections::Always
     : this->Geometry == AUTOMATIC_GEOMETRY                   ? SkdByDirections::OnSpheres
                                                              : SkdByDirections::Never;
-  reach.IsOwnInDegrees = this->InputCoordinates == LONGITUDE_LATITUDE;
-  reach.IsSearchedInDegrees = this->SourceCoordinates == LONGITUDE_LATITUDE;
-  reach.IsNotForSpheres = isInterpolated; // there points move to the radius of the cells
-  reach.IsOfNearSurfaces = !isContained && this->Method != INTERPOLATION &&
+  range.IsOwnInDegrees = this->InputCoordinates == LONGITUDE_LATITUDE;
+  range.IsSearchedInDegrees = this->SourceCoordinates == LONGITUDE_LATITUDE;
+  range.IsNotForSpheres = isInterpolated; // there points move to the radius of the cells
+  range.IsOfNearSurfaces = !isContained && this->Method != INTERPOLATION &&
     (this->Geometry == CURVED_SURFACE ||
       (this->Geometry == AUTOMATIC_GEOMETRY && this->Method != AUTOMATIC_METHOD));
-  reach.Distance = reach.IsOfNearSurfaces ? this->SurfaceDistance : 0.0;
-  return !(isInterpolated && reach.Directions == SkdByDirections::Always) &&
-    !(reach.IsOfSamples && reach.WithNearest && hasGaps) &&
+  range.Distance = range.IsOfNearSurfaces ? this->SurfaceDistance : 0.0;
+  return !(isInterpolated && range.Directions == SkdByDirections::Always) &&
+    !(range.IsOfSamples && range.WithNearest && hasGaps) &&
     !(isContained && this->EmptyCells == ENCLOSING_BOX) &&
     !(isExtrapolated && this->Extrapolation != NEAREST_VALUE) && this->WeightsFileName.empty();
 }

@@ -481,7 +481,7 @@ protected:
 
   /// Results of points depend on all cells around them, unless they are interpolated.
   bool NeedsWhole(int port) override;
-  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
 
   int Method = AUTOMATIC_METHOD;
   int ResultsOn = AUTOMATIC_RESULTS;

@@ -54,8 +54,8 @@ vtkTypeBool vtkSkdTreeSourceAlgorithm::ProcessRequest(
   this->Inputs->SetAnyMagnitude(this->AnyMagnitude);
   this->Inputs->SetDistribution(
     static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
-    [this](int port, SkdReach& reach)
-    { return port == 1 && !this->NeedsWhole(0) && this->NeedsNearbySource(reach); });
+    [this](int port, SkdSearchRange& range)
+    { return port == 1 && !this->NeedsWhole(0) && this->NeedsNearbySource(range); });
   return this->Inputs->Process(request, inputVector, outputVector,
     [&](vtkInformationVector** inputs)
     { return this->Superclass::ProcessRequest(request, inputs, outputVector); });
@@ -66,7 +66,7 @@ bool vtkSkdTreeSourceAlgorithm::NeedsWhole(int port)
   return port > 0 || this->WholeInput || this->GetNumberOfInputConnections(1) == 0;
 }
 
-bool vtkSkdTreeSourceAlgorithm::NeedsNearbySource(SkdReach&)
+bool vtkSkdTreeSourceAlgorithm::NeedsNearbySource(SkdSearchRange&)
 {
   return false;
 }

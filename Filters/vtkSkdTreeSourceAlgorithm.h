@@ -38,7 +38,7 @@
 namespace skdtree
 {
 class SkdFilterInputs;
-struct SkdReach;
+struct SkdSearchRange;
 }
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -116,7 +116,7 @@ protected:
   /// Whether with several processes a process needs of the Source no more than the cells whose
   /// boxes come near its own part of the Input, and how near. Such a filter states ids by
   /// SkdJoinedIds. False by default.
-  virtual bool NeedsNearbySource(skdtree::SkdReach& reach);
+  virtual bool NeedsNearbySource(skdtree::SkdSearchRange& range);
 
   /// For subclasses that can send questions to the processes that have the pieces of an input: for
   /// which inputs, with the present properties.

@@ -8,8 +8,8 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
-#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "Search/Relations/SkdRelationOutputs.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
@@ -183,10 +183,10 @@ bool vtkSkdTreeSpatialQuery::NeedsWhole(int port)
 
 //------------------------------------------------------------------------------
 // Boxes of candidates are larger than cells, and points need not be of cells.
-bool vtkSkdTreeSpatialQuery::NeedsNearbySource(SkdReach& reach)
+bool vtkSkdTreeSpatialQuery::NeedsNearbySource(SkdSearchRange& range)
 {
-  reach.Distance = this->Tolerance;
-  reach.OfDiagonal = 1e-3; // more than any rounding
+  range.Distance = this->Tolerance;
+  range.OfDiagonal = 1e-3; // more than any rounding
   return this->Shape == SOURCE_CELLS && this->Exact;
 }
 

@@ -255,7 +255,7 @@ protected:
 
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool NeedsWhole(int port) override;
-  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Relation = OVERLAP;

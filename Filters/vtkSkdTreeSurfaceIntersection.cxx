@@ -9,8 +9,8 @@
 #include "Pipeline/SkdPorts.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
-#include "Pipeline/SkdReach.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "Pipeline/SkdVolumeCells.h"
 #include "Solids/Surfaces/SkdContacts.h"
 #include "Solids/Surfaces/SkdSplitSurface.h"
@@ -266,10 +266,10 @@ bool vtkSkdTreeSurfaceIntersection::NeedsWhole(int port)
 }
 
 // Which of several pairs is found may depend on others, and a Source that moves is elsewhere.
-bool vtkSkdTreeSurfaceIntersection::NeedsNearbySource(SkdReach& reach)
+bool vtkSkdTreeSurfaceIntersection::NeedsNearbySource(SkdSearchRange& range)
 {
-  reach.Distance = this->Clearance;
-  reach.OfDiagonal = 1e-3; // more than any rounding
+  range.Distance = this->Clearance;
+  range.OfDiagonal = 1e-3; // more than any rounding
   return this->Pairs == ALL_PAIRS && SkdMotionOf(this)->IsIdentity();
 }
 

@@ -200,7 +200,7 @@ protected:
   ~vtkSkdTreeSurfaceIntersection() override;
 
   bool NeedsWhole(int port) override;
-  bool NeedsNearbySource(skdtree::SkdReach& reach) override;
+  bool NeedsNearbySource(skdtree::SkdSearchRange& range) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Pairs = ALL_PAIRS;

@@ -54,7 +54,7 @@ public:
   /// Brings the cells that rays hit, in the place of those of the own piece, and builds their
   /// trees. Returns false after an abort on any process. All processes must call it together.
   bool BringHits(vtkSkdTreeWallThickness* self, const std::vector<SkdRayStarts>& starts,
-    const SkdRayLimits& limits, const SkdThicknessRule& rule, vtkIdType places,
+    const SkdRayLimits& limits, const SkdThicknessRule& rule, vtkIdType numberOfSamples,
     const SkdSpreadSource& spread, std::vector<SkdBlock>& source, SkdReport& report);
 
   /// Updates all to the blocks that have cells. Returns the number of trees built.
@@ -119,7 +119,7 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
   auto values = SkdMakeArray<vtkDoubleArray>("SkdThickness", 1, n, vtkMath::Nan());
   auto points = SkdMakeArray<vtkDoubleArray>("SkdOppositePoint", 3, n, vtkMath::Nan());
   auto cells = SkdMakeArray<vtkIdTypeArray>("SkdOppositeCellId", 1, n, -1);
-  std::vector<int> places(answers.size(), -1);
+  std::vector<int> numberOfSamples(answers.size(), -1);
   SkdForEach(n,
     [&](vtkIdType i)
     {
@@ -129,7 +129,7 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
         values->SetValue(i, answer.Value);
         points->SetTypedTuple(i, answer.Opposite.X);
         cells->SetValue(i, cellOf(answer.Block, answer.CellId));
-        places[static_cast<std::size_t>(i)] = answer.Block;
+        numberOfSamples[static_cast<std::size_t>(i)] = answer.Block;
       }
     });
   data->AddArray(values);
@@ -137,7 +137,7 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
   data->AddArray(cells);
   if (isComposite)
   {
-    data->AddArray(SkdMakeBlockIndices("SkdOppositeBlockIndex", places, source));
+    data->AddArray(SkdMakeBlockIndices("SkdOppositeBlockIndex", numberOfSamples, source));
   }
   data->SetActiveScalars("SkdThickness");
 }
@@ -146,8 +146,8 @@ void AddArrays(vtkDataSetAttributes* data, const std::vector<SkdThickness>& answ
 /// of the others a thickness.
 struct Numbers
 {
-  vtkIdType Places = 0;
-  vtkIdType Asked = 0;
+  vtkIdType Samples = 0;
+  vtkIdType Requested = 0;
   vtkIdType WithoutRay = 0;
   vtkIdType Found = 0;
 };
@@ -157,8 +157,8 @@ Numbers CountStarts(const std::vector<SkdRayStarts>& starts)
   Numbers numbers;
   for (const SkdRayStarts& start : starts)
   {
-    numbers.Places += start.GetNumber();
-    numbers.Asked += start.GetNumber() - start.Inner;
+    numbers.Samples += start.GetNumber();
+    numbers.Requested += start.GetNumber() - start.Inner;
     numbers.WithoutRay += start.CountWithoutRay();
   }
   return numbers;
@@ -175,7 +175,7 @@ void WarnAbout(Filter* self, const std::vector<SkdRayStarts>& starts, const Numb
       return;
     }
   }
-  const vtkIdType alone = numbers.Asked - numbers.WithoutRay - numbers.Found;
+  const vtkIdType alone = numbers.Requested - numbers.WithoutRay - numbers.Found;
   if (alone + numbers.WithoutRay > 0 && !SkdIsAborted(self))
   {
     const std::string without = std::to_string(numbers.WithoutRay) +
@@ -187,7 +187,7 @@ void WarnAbout(Filter* self, const std::vector<SkdRayStarts>& starts, const Numb
       "(see "
       "Reversed)?";
     vtkWarningWithObjectMacro(
-      self, << alone + numbers.WithoutRay << " of " << numbers.Asked
+      self, << alone + numbers.WithoutRay << " of " << numbers.Requested
             << (IsAtPoints(self) ? " points" : " cells") << " have no thickness. "
             << (numbers.WithoutRay > 0 ? without + (alone > 0 ? "; " : ".") : "")
             << (alone > 0 ? nothing : ""));
@@ -257,10 +257,11 @@ double LargestOf(const std::vector<SkdBlock>& source, const std::vector<SkdBlock
 
 bool vtkSkdTreeWallThickness::Internals::BringHits(vtkSkdTreeWallThickness* self,
   const std::vector<SkdRayStarts>& starts, const SkdRayLimits& limits, const SkdThicknessRule& rule,
-  vtkIdType places, const SkdSpreadSource& spread, std::vector<SkdBlock>& source, SkdReport& report)
+  vtkIdType numberOfSamples, const SkdSpreadSource& spread, std::vector<SkdBlock>& source,
+  SkdReport& report)
 {
   const Target own(this->Trees, source, limits, nullptr, rule);
-  SkdLoop loop(self, places, 0.2, 0.6, 8192);
+  SkdLoop loop(self, numberOfSamples, 0.2, 0.6, 8192);
   const SkdHitCells hits = FindHitCells(starts, own.Measure, this->Trees, spread, limits, loop);
   report.AddCount("RaysSent", static_cast<vtkIdType>(hits.RaysSent));
   source = SkdFoundCells(spread, hits.Cells).GetBlocks();
@@ -322,7 +323,7 @@ int vtkSkdTreeWallThickness::RequestData(
   const SkdSourceTrees& own = this->Impl->Trees;
   const auto counts = spread ? spread->CountAll(own.GetCounts()) : own.GetCounts();
   const bool isWhole = !spread ||
-    this->Impl->BringHits(this, starts, limits, rule, numbers.Places, *spread, source, report);
+    this->Impl->BringHits(this, starts, limits, rule, numbers.Samples, *spread, source, report);
   const std::vector<SkdJoinedIds> ids = SkdJoinedIdsOf(source);
   const auto cellOf = [&](int block, vtkIdType cell)
   {
@@ -330,7 +331,7 @@ int vtkSkdTreeWallThickness::RequestData(
   };
   const Target target(spread ? this->Impl->HitTrees : own, source, limits,
     given || this->Reversed ? nullptr : this->Impl->Exits.get(), rule);
-  SkdLoop loop(this, numbers.Places, spread ? 0.6 : 0.2, 1.0, 8192);
+  SkdLoop loop(this, numbers.Samples, spread ? 0.6 : 0.2, 1.0, 8192);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const auto answers = isWhole
@@ -341,7 +342,7 @@ int vtkSkdTreeWallThickness::RequestData(
     const auto at = IsAtPoints(this) ? vtkDataObject::POINT : vtkDataObject::CELL;
     AddArrays(blocks[i].Mesh->GetAttributes(at), answers, source, cellOf, SkdIsComposite(against));
   }
-  report.AddCount("Points", numbers.Places);
+  report.AddCount("Points", numbers.Samples);
   report.AddCount("PointsFound", numbers.Found);
   WarnAbout(this, starts, numbers);
   report.AddMeasure("Epsilon", counts.Tolerance);

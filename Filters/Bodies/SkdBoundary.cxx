@@ -244,7 +244,7 @@ vtkIdType FaceList::CountOddEdges(const Predicate& isOfSurface) const
 template <typename Predicate>
 vtkIdType FaceList::CountOwn(const std::vector<Edge>& edges, const Predicate& isOfSurface) const
 {
-  std::vector<char> isSeen(edges.size(), 0);
+  std::vector<char> isVisited(edges.size(), 0);
   vtkIdType own = 0;
   for (const Face& face : this->Faces)
   {
@@ -253,9 +253,9 @@ vtkIdType FaceList::CountOwn(const std::vector<Edge>& edges, const Predicate& is
       const Edge edge = this->EdgeOf(face, i);
       const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
       const auto at = static_cast<std::size_t>(found - edges.begin());
-      if (found != edges.end() && *found == edge && isSeen[at] == 0)
+      if (found != edges.end() && *found == edge && isVisited[at] == 0)
       {
-        isSeen[at] = 1;
+        isVisited[at] = 1;
         own += this->Shared->IsOwn(face.Origin) ? 1 : 0;
       }
     }

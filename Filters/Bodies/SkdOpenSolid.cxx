@@ -130,17 +130,17 @@ std::vector<bool> SkdOpenSolid::FindConsistent(const std::vector<bool>& outward)
   const std::vector<skd::Vector3> points = SkdSurfacePoints(this->Surface);
   const std::vector<SkdTriangleIds> triangles = SkdSurfaceTriangles(this->Surface);
   const SkdShells shells(points, triangles);
-  std::vector<double> kept(shells.Get().size(), 0.0); // area, minus that turned
+  std::vector<double> areas(shells.Get().size(), 0.0); // area, minus that turned
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const double area = AreaOf(points, triangles[i]);
-    kept[static_cast<std::size_t>(shells.GetShellsOf()[i])] += outward[i] ? -area : area;
+    areas[static_cast<std::size_t>(shells.GetShellsOf()[i])] += outward[i] ? -area : area;
   }
   std::vector<bool> consistent(triangles.size(), false);
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const auto shell = static_cast<std::size_t>(shells.GetShellsOf()[i]);
-    consistent[i] = !shells.Get()[shell].IsCoherent && outward[i] == (kept[shell] >= 0.0);
+    consistent[i] = !shells.Get()[shell].IsCoherent && outward[i] == (areas[shell] >= 0.0);
   }
   return consistent;
 }
@@ -154,14 +154,14 @@ bool SkdOpenSolid::IsInsideBounds(const double x[3]) const
 
 bool SkdOpenSolid::IsInsideForLines(const double x[3]) const
 {
-  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
-  const auto votes = std::count_if(ways.begin(), ways.end(),
-    [&](const SkdRayEnd& way)
+  const std::array<SkdRayEnd, 7> rays = SkdRayEndsAlongAxes(this->Bounds, x);
+  const auto votes = std::count_if(rays.begin(), rays.end(),
+    [&](const SkdRayEnd& ray)
     {
-      const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+      const double end[3] = { x[0] + ray[0], x[1] + ray[1], x[2] + ray[2] };
       return this->Locator->CountCrossings(x, end) % 2 == 1;
     });
-  return 2 * votes > static_cast<std::ptrdiff_t>(ways.size());
+  return 2 * votes > static_cast<std::ptrdiff_t>(rays.size());
 }
 
 bool SkdOpenSolid::IsInside(const double x[3]) const
@@ -223,15 +223,15 @@ SkdSide SkdOpenSolid::AskWindings(const double x[3], double tolerance) const
 
 double SkdOpenSolid::ShareOfLines(const double x[3], bool isInside) const
 {
-  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
-  const auto agreeing = std::count_if(ways.begin(), ways.end(),
-    [&](const SkdRayEnd& way)
+  const std::array<SkdRayEnd, 7> rays = SkdRayEndsAlongAxes(this->Bounds, x);
+  const auto agreeing = std::count_if(rays.begin(), rays.end(),
+    [&](const SkdRayEnd& ray)
     {
-      const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+      const double end[3] = { x[0] + ray[0], x[1] + ray[1], x[2] + ray[2] };
       vtkIdType sum;
       this->Locator->CountPasses(x, end, this->Reversed, sum);
       return (sum != 0) == isInside;
     });
-  return static_cast<double>(agreeing) / static_cast<double>(ways.size());
+  return static_cast<double>(agreeing) / static_cast<double>(rays.size());
 }
 }

@@ -43,17 +43,17 @@ skd::Rows<Neighbour> NeighboursOf(
 
 /// All triangles that are connected to the first, oriented like it.
 std::vector<std::size_t> OrientAlike(std::size_t first, const skd::Rows<Neighbour>& neighbours,
-  std::vector<bool>& isReversed, std::vector<bool>& isSeen)
+  std::vector<bool>& isReversed, std::vector<bool>& isVisited)
 {
   std::vector<std::size_t> piece{ first };
-  isSeen[first] = true;
+  isVisited[first] = true;
   for (std::size_t next = 0; next < piece.size(); ++next)
   {
     for (const Neighbour& other : neighbours[piece[next]])
     {
-      if (!isSeen[other.Triangle])
+      if (!isVisited[other.Triangle])
       {
-        isSeen[other.Triangle] = true;
+        isVisited[other.Triangle] = true;
         isReversed[other.Triangle] = isReversed[piece[next]] == other.IsAlike;
         piece.push_back(other.Triangle);
       }
@@ -99,15 +99,15 @@ std::vector<bool> SkdFindReversed(const std::vector<skd::Vector3>& points,
 {
   const skd::Rows<Neighbour> neighbours = NeighboursOf(triangles, points.size());
   std::vector<bool> isReversed(triangles.size(), false);
-  std::vector<bool> isSeen(triangles.size(), false);
+  std::vector<bool> isVisited(triangles.size(), false);
   const auto area2 = [&](std::size_t i) { return skd::Norm2(AcrossOf(points, triangles[i])); };
   for (std::size_t first = 0; first < triangles.size(); ++first)
   {
-    if (isSeen[first])
+    if (isVisited[first])
     {
       continue;
     }
-    const std::vector<std::size_t> piece = OrientAlike(first, neighbours, isReversed, isSeen);
+    const std::vector<std::size_t> piece = OrientAlike(first, neighbours, isReversed, isVisited);
     const std::size_t largest = *std::max_element(piece.begin(), piece.end(),
       [&](std::size_t a, std::size_t b) { return area2(a) < area2(b); });
     const std::optional<bool> isInFront = IsInsideInFront(points, triangles[largest], isInside);

@@ -89,23 +89,23 @@ double SkdParts::FindDistance(const skd::Vector3& x, double limit) const
   return isFound ? std::sqrt(best2) : std::numeric_limits<double>::infinity();
 }
 
-bool SkdParts::AreWithin(const skd::SimplexSet& set, double reach) const
+bool SkdParts::AreWithin(const skd::SimplexSet& set, double maxDistance) const
 {
   thread_local skd::SimplexSet cellSet; // keeps its memory
   const skd::CandidateLanes all = skd::AllCandidates().front();
-  const double reach2 = reach * reach;
+  const double maxDistance2 = maxDistance * maxDistance;
   bool isFound = false;
   for (std::uint32_t part = 0; part < this->GetNumberOfParts() && !isFound; ++part)
   {
     const SkdCellTree& tree = this->GetTree(part);
     const SkdCellSource source = this->GetSource(part);
-    tree.VisitCandidates({ &all, &all + 1 }, set.Bounds.Inflated(reach),
+    tree.VisitCandidates({ &all, &all + 1 }, set.Bounds.Inflated(maxDistance),
       [&](std::uint32_t cell)
       {
-        if (!isFound && skd::MinDistance2(tree.SafetyBoxOf(cell), set.Bounds) <= reach2)
+        if (!isFound && skd::MinDistance2(tree.SafetyBoxOf(cell), set.Bounds) <= maxDistance2)
         {
           tree.GetSimplices(cell, source, cellSet);
-          isFound = skd::MinDistance2(cellSet, set, reach2) <= reach2;
+          isFound = skd::MinDistance2(cellSet, set, maxDistance2) <= maxDistance2;
         }
       });
   }

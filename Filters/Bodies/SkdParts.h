@@ -50,9 +50,9 @@ public:
   /// Thread-safe.
   double FindDistance(const skd::Vector3& x, double limit) const;
 
-  /// Whether the distance between a set and some cell is at most `reach`; curved cells are
+  /// Whether the distance between a set and some cell is at most `maxDistance`; curved cells are
   /// approximated as in SkdCellTree::GetSimplices. Thread-safe.
-  bool AreWithin(const skd::SimplexSet& set, double reach) const;
+  bool AreWithin(const skd::SimplexSet& set, double maxDistance) const;
 
   SkdTreeCounts GetCounts() const;
 

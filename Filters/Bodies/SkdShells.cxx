@@ -34,7 +34,7 @@ SkdShells::SkdShells(
     }
   }
   this->Measure(points, triangles);
-  this->TurnOutward();
+  this->OrientOutward();
 }
 
 // All that are connected to the first, oriented like it.
@@ -84,11 +84,11 @@ void SkdShells::Measure(
       shell.Extremes.fill(origins[number]);
       isBegun[number] = 1;
     }
-    skd::Vector3 seen[3];
+    skd::Vector3 relative[3];
     for (int k = 0; k < 3; ++k)
     {
       const skd::Vector3& p = points[triangles[i][k]];
-      seen[k] = p - origins[number];
+      relative[k] = p - origins[number];
       for (int axis = 0; axis < 3; ++axis)
       {
         skd::Vector3& low = shell.Extremes[2 * axis];
@@ -97,12 +97,12 @@ void SkdShells::Measure(
         high = p[axis] > high[axis] ? p : high;
       }
     }
-    const double volume = skd::Dot(seen[0], skd::Cross(seen[1], seen[2]));
+    const double volume = skd::Dot(relative[0], skd::Cross(relative[1], relative[2]));
     shell.Volume += this->Reversed->GetValue(static_cast<vtkIdType>(i)) ? -volume : volume;
   }
 }
 
-void SkdShells::TurnOutward()
+void SkdShells::OrientOutward()
 {
   bool isAny = false;
   for (std::size_t i = 0; i < this->ShellOf.size(); ++i)
@@ -147,12 +147,12 @@ public:
         })
     , Trees(shells.Get().size())
   {
-    double reach = 0.0;
+    double extent = 0.0;
     for (const skd::Vector3& p : points)
     {
-      reach = std::max({ reach, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+      extent = std::max({ extent, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
     }
-    this->Scale = skd::ExactScale(reach);
+    this->Scale = skd::ExactScale(extent);
   }
 
   bool Touch(std::uint32_t a, std::uint32_t b)

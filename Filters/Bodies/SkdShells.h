@@ -55,7 +55,7 @@ private:
   void Follow(std::uint32_t first, const SkdEdgePairs& pairing);
   void Measure(
     const std::vector<skd::Vector3>& points, const std::vector<SkdTriangleIds>& triangles);
-  void TurnOutward();
+  void OrientOutward();
 
   std::vector<Shell> Shells;
   std::vector<int> ShellOf;

@@ -15,20 +15,20 @@ namespace skdtree
 std::array<SkdRayEnd, 7> SkdRayEndsAlongAxes(const double bounds[6], const double x[3])
 {
   const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
-  std::array<SkdRayEnd, 7> ways;
+  std::array<SkdRayEnd, 7> rays;
   for (int i = 0; i < 6; ++i)
   {
     const int axis = i / 2;
     const double toBound = bounds[i] - x[axis];
     const double length = std::abs(toBound) + 0.01 * diagonal;
-    ways[i] = { 0.0437 * length, 0.0269 * length, 0.0163 * length };
-    ways[i][axis] = i % 2 ? length : -length;
+    rays[i] = { 0.0437 * length, 0.0269 * length, 0.0163 * length };
+    rays[i][axis] = i % 2 ? length : -length;
   }
-  const auto length2 = [](const SkdRayEnd& way) { return vtkMath::Dot(way.data(), way.data()); };
-  std::stable_sort(ways.begin(), ways.begin() + 6,
+  const auto length2 = [](const SkdRayEnd& ray) { return vtkMath::Dot(ray.data(), ray.data()); };
+  std::stable_sort(rays.begin(), rays.begin() + 6,
     [&](const SkdRayEnd& a, const SkdRayEnd& b) { return length2(a) < length2(b); });
-  ways[6] = { 1.31 * diagonal, 1.13 * diagonal, 1.23 * diagonal };
-  return ways;
+  rays[6] = { 1.31 * diagonal, 1.13 * diagonal, 1.23 * diagonal };
+  return rays;
 }
 
 /// What one shell says of a point.
@@ -60,9 +60,9 @@ void SkdSolid::FindShells() const
     });
 }
 
-SkdSide SkdSolid::Ask(const double x[3], const SkdRayEnd& way) const
+SkdSide SkdSolid::Ask(const double x[3], const SkdRayEnd& ray) const
 {
-  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  const double end[3] = { x[0] + ray[0], x[1] + ray[1], x[2] + ray[2] };
   const auto count = [&](vtkUnsignedCharArray* reversed, vtkIdType& sum)
   { return this->Locator->CountPasses(x, end, reversed, sum); };
   bool isKnown = this->HasShells.load(std::memory_order_acquire);
@@ -91,16 +91,16 @@ void SkdSolid::FindPasses(
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
   thread_local vtkNew<vtkIdTypeArray> triangles;
-  thread_local vtkNew<vtkIdTypeArray> ways;
+  thread_local vtkNew<vtkIdTypeArray> rays;
   this->FindShells();
   vtkUnsignedCharArray* reversed = this->Shells->GetReversed();
-  const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, triangles, ways);
+  const vtkIdType n = this->Locator->FindPasses(p1, p2, parameters, triangles, rays);
   int around = 0;
   for (vtkIdType i = 0; i < n; ++i)
   {
     const bool isReversed = reversed && reversed->GetValue(triangles->GetValue(i)) != 0;
-    const int way = static_cast<int>(ways->GetValue(i));
-    around -= isReversed ? -way : way;
+    const int ray = static_cast<int>(rays->GetValue(i));
+    around -= isReversed ? -ray : ray;
     passes.push_back({ parameters->GetValue(i) * length, this->IsClear(around) ? around : 2 });
   }
 }
@@ -110,17 +110,17 @@ const std::vector<SkdSolid::Around>& SkdSolid::FindAround(
   const double x[3], const double end[3]) const
 {
   thread_local vtkNew<vtkIdTypeArray> triangles;
-  thread_local vtkNew<vtkIdTypeArray> ways;
+  thread_local vtkNew<vtkIdTypeArray> rays;
   thread_local std::vector<Around> arounds;
   arounds.clear();
   vtkUnsignedCharArray* reversed = this->Shells->GetReversed();
-  const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, triangles, ways);
+  const vtkIdType n = this->Locator->FindPasses(x, end, nullptr, triangles, rays);
   for (vtkIdType i = 0; i < n; ++i)
   {
     const vtkIdType triangle = triangles->GetValue(i);
-    const int way = static_cast<int>(ways->GetValue(i));
-    const int outward = reversed && reversed->GetValue(triangle) != 0 ? -way : way;
-    const int raw = this->Repeats.empty() ? way : way * this->Repeats[triangle];
+    const int ray = static_cast<int>(rays->GetValue(i));
+    const int outward = reversed && reversed->GetValue(triangle) != 0 ? -ray : ray;
+    const int raw = this->Repeats.empty() ? ray : ray * this->Repeats[triangle];
     arounds.push_back({ this->Shells->GetShellOf(triangle), raw, outward, 1 });
   }
   std::sort(arounds.begin(), arounds.end(),
@@ -271,8 +271,8 @@ void SkdSolid::JoinCavities(std::vector<int>& groups) const
 
 const std::vector<SkdSolid::Around>& SkdSolid::FindAround(const skd::Vector3& x) const
 {
-  const SkdRayEnd way = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
-  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  const SkdRayEnd ray = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
+  const double end[3] = { x[0] + ray[0], x[1] + ray[1], x[2] + ray[2] };
   return this->FindAround(x.X, end);
 }
 

@@ -64,9 +64,9 @@ public:
   /// The triangles, without open edges, and a locator of them, both to be kept as they are.
   SkdSolid(const SkdBoundary& boundary, vtkSkdTreeCellLocator* locator);
 
-  /// `way` leads from x to the outside. Cost: one ray. When a ray first passes through more than
+  /// `ray` leads from x to the outside. Cost: one ray. When a ray first passes through more than
   /// one facet, shells are computed, and when x is first in several, their contacts. Thread-safe.
-  SkdSide Ask(const double x[3], const SkdRayEnd& way) const;
+  SkdSide Ask(const double x[3], const SkdRayEnd& ray) const;
 
   /// The passes along a segment whose ends are outside, as distances from its start if it has this
   /// length. Thread-safe.

@@ -20,17 +20,17 @@ void ScaleIntoRange(vtkPoints* points)
 {
   constexpr double least = 1e-60;
   constexpr double largest = 1e60;
-  double reach = 0.0;
+  double extent = 0.0;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     double x[3];
     points->GetPoint(i, x);
-    reach = std::max({ reach, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+    extent = std::max({ extent, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
   }
-  if ((reach < least || reach > largest) && reach > 0.0)
+  if ((extent < least || extent > largest) && extent > 0.0)
   {
     int exponent = 0;
-    std::frexp(reach, &exponent);
+    std::frexp(extent, &exponent);
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {
       double x[3];

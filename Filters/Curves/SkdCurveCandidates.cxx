@@ -22,9 +22,9 @@ namespace
 /// A box around the part of a cylinder that is near the other. It contains all common points: the
 /// nearest ones of the chords are no farther apart than both radii together.
 skd::Box3 BoxOf(
-  const skd::Segment<3>& chord, const skd::Segment<3>& other, double reach, double radius)
+  const skd::Segment<3>& chord, const skd::Segment<3>& other, double maxDistance, double radius)
 {
-  const skd::Interval interval = skd::IntervalWithin(chord, other, reach);
+  const skd::Interval interval = skd::IntervalWithin(chord, other, maxDistance);
   skd::Box3 box;
   box.Add(chord.At(interval.Min));
   box.Add(chord.At(interval.Max));
@@ -32,11 +32,11 @@ skd::Box3 BoxOf(
 }
 
 /// Of a candidate: what is not of one cylinder's deviation is shared between both.
-skd::Box3 RegionOf(const SkdCurveSpan& first, const SkdCurveSpan& second, double reach)
+skd::Box3 RegionOf(const SkdCurveSpan& first, const SkdCurveSpan& second, double maxDistance)
 {
-  const double share = 0.5 * (reach - first.Deviation - second.Deviation);
-  skd::Box3 region = BoxOf(first.Chord, second.Chord, reach, first.Deviation + share);
-  const skd::Box3 other = BoxOf(second.Chord, first.Chord, reach, second.Deviation + share);
+  const double share = 0.5 * (maxDistance - first.Deviation - second.Deviation);
+  skd::Box3 region = BoxOf(first.Chord, second.Chord, maxDistance, first.Deviation + share);
+  const skd::Box3 other = BoxOf(second.Chord, first.Chord, maxDistance, second.Deviation + share);
   for (int axis = 0; axis < 3; ++axis)
   {
     region.Min[axis] = std::max(region.Min[axis], other.Min[axis]);
@@ -99,7 +99,7 @@ void SkdStoreCandidates(const SkdCurveHitTable& table, vtkUnstructuredGrid* outp
   {
     const SkdCurveCandidate& one = candidates[i];
     AddBox(RegionOf(table.First.Tree.GetSpans()[one.First],
-             table.Second.Tree.GetSpans()[one.Second], one.Reach),
+             table.Second.Tree.GetSpans()[one.Second], one.Extent),
       points, cells);
     hits->SetValue(i, one.NumberOfHits);
   }

@@ -39,9 +39,9 @@ bool IsSameLocation(const SkdCurveHit& a, const SkdCurveHit& b)
   return PairOf(a) == PairOf(b) && areNear(a.First, b.First) && areNear(a.Second, b.Second);
 }
 
-bool IsKnown(const skd::Vector3& way)
+bool IsKnown(const skd::Vector3& direction)
 {
-  return skd::Norm2(way) > 0.0;
+  return skd::Norm2(direction) > 0.0;
 }
 
 /// What meets in a place.
@@ -149,15 +149,15 @@ void UniteAround(std::vector<Group>& groups, bool isSelf)
       }
     }
   }
-  std::size_t kept = 0;
+  std::size_t retained = 0;
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
     if (!isLeftOut[i])
     {
-      groups[kept++] = groups[i];
+      groups[retained++] = groups[i];
     }
   }
-  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(kept), groups.end());
+  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(retained), groups.end());
 }
 
 /// Whether two places are one of curves that go on as each other there.
@@ -188,10 +188,10 @@ public:
   {
     for (std::size_t i = 0; i < order.size(); ++i)
     {
-      SkdCurveHit& kept = this->Hits[order[i]];
+      SkdCurveHit& retained = this->Hits[order[i]];
       for (std::size_t j = i + 1; j < order.size() && !this->IsLeftOut[order[i]]; ++j)
       {
-        if (!this->IsLeftOut[order[j]] && this->IsSame(kept, this->Hits[order[j]]))
+        if (!this->IsLeftOut[order[j]] && this->IsSame(retained, this->Hits[order[j]]))
         {
           this->Merge(order[i], order[j]);
         }
@@ -201,15 +201,15 @@ public:
 
   void LeaveOut()
   {
-    std::size_t kept = 0;
+    std::size_t retained = 0;
     for (std::size_t i = 0; i < this->Hits.size(); ++i)
     {
       if (!this->IsLeftOut[i])
       {
-        this->Hits[kept++] = this->Hits[i];
+        this->Hits[retained++] = this->Hits[i];
       }
     }
-    this->Hits.erase(this->Hits.begin() + static_cast<std::ptrdiff_t>(kept), this->Hits.end());
+    this->Hits.erase(this->Hits.begin() + static_cast<std::ptrdiff_t>(retained), this->Hits.end());
   }
 
 private:
@@ -222,15 +222,15 @@ private:
       (this->IsSelf && isSame(a.First, b.Second) && isSame(a.Second, b.First));
   }
 
-  void Merge(std::size_t kept, std::size_t other)
+  void Merge(std::size_t retained, std::size_t other)
   {
-    SkdCurveHit& one = this->Hits[kept];
+    SkdCurveHit& one = this->Hits[retained];
     const SkdCurveHit& two = this->Hits[other];
     const bool endsInterval[2] = { one.Kind == skd::IntersectionKind::OverlapEnd,
       two.Kind == skd::IntersectionKind::OverlapEnd };
     if (endsInterval[0] || endsInterval[1])
     {
-      this->IsLeftOut[kept] |= !endsInterval[0];
+      this->IsLeftOut[retained] |= !endsInterval[0];
       this->IsLeftOut[other] |= !endsInterval[1];
       return;
     }

@@ -97,8 +97,8 @@ void SkdCurveHitFinder::Worker::TakeFrom(const Worker& other)
 //------------------------------------------------------------------------------
 void SkdCurveHitFinder::FindOnSpan(std::size_t span, Worker& worker) const
 {
-  const double reach = this->Rounding + this->Task.Clearance;
-  this->Second.VisitWithin(this->First.GetBox(span).Inflated(reach),
+  const double maxDistance = this->Rounding + this->Task.Clearance;
+  this->Second.VisitWithin(this->First.GetBox(span).Inflated(maxDistance),
     [&](std::size_t other)
     {
       if (!this->IsSelf() || other > span)
@@ -221,34 +221,35 @@ SkdCurveLocation SkdCurveHitFinder::LocationOf(
   const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const
 {
   const SkdCurveSet& curves = tree.GetCurves();
-  SkdCurveLocation place{};
-  place.Curve = curves.GetCurveOf(span.Piece);
-  place.Piece = span.Piece;
-  place.T = t < 1.0 ? span.Range.Min + t * (span.Range.Max - span.Range.Min) : span.Range.Max;
-  const SkdCurve& curve = curves.GetCurves()[place.Curve];
-  if (curve.IsClosed && place.Piece + 1 == curve.LastPiece && place.T == 1.0)
+  SkdCurveLocation location{};
+  location.Curve = curves.GetCurveOf(span.Piece);
+  location.Piece = span.Piece;
+  location.T = t < 1.0 ? span.Range.Min + t * (span.Range.Max - span.Range.Min) : span.Range.Max;
+  const SkdCurve& curve = curves.GetCurves()[location.Curve];
+  if (curve.IsClosed && location.Piece + 1 == curve.LastPiece && location.T == 1.0)
   {
-    place.Piece = curve.FirstPiece; // where it began
-    place.T = 0.0;
+    location.Piece = curve.FirstPiece; // where it began
+    location.T = 0.0;
   }
-  place.U = static_cast<double>(place.Piece - curve.FirstPiece) + place.T;
-  place.Rounding = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + place.U);
-  place.Slack = place.Rounding;
-  const skd::Vector3 origin = curves.GetPiece(place.Piece, skd::Vector3{}).Start();
-  const skd::CurvePoint point = curves.GetPiece(place.Piece, origin).At(place.T);
-  place.X = origin + point.X;
-  place.Tangent = point.D1;
-  place.Period = curve.IsClosed ? static_cast<double>(curve.LastPiece - curve.FirstPiece) : 0.0;
-  place.Joint = SkdCurveJoints::None;
-  return place;
+  location.U = static_cast<double>(location.Piece - curve.FirstPiece) + location.T;
+  location.Rounding = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + location.U);
+  location.Slack = location.Rounding;
+  const skd::Vector3 origin = curves.GetPiece(location.Piece, skd::Vector3{}).Start();
+  const skd::CurvePoint point = curves.GetPiece(location.Piece, origin).At(location.T);
+  location.X = origin + point.X;
+  location.Tangent = point.D1;
+  location.Period = curve.IsClosed ? static_cast<double>(curve.LastPiece - curve.FirstPiece) : 0.0;
+  location.Joint = SkdCurveJoints::None;
+  return location;
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurveLocation& place)
+void SkdCurveHitFinder::FindEnd(const SkdCurveTree& tree, SkdCurveLocation& location)
 {
   const SkdCurveSet& curves = tree.GetCurves();
-  place.IsExactlyAtEnd = curves.IsAtEnd(place.Curve, place.U, place.Rounding, place.Joint);
-  place.IsAtEnd = curves.IsAtEnd(place.Curve, place.U, place.Slack, place.Joint);
+  location.IsExactlyAtEnd =
+    curves.IsAtEnd(location.Curve, location.U, location.Rounding, location.Joint);
+  location.IsAtEnd = curves.IsAtEnd(location.Curve, location.U, location.Slack, location.Joint);
 }
 
 //------------------------------------------------------------------------------

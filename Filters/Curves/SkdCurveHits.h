@@ -17,12 +17,12 @@ namespace skdtree
 {
 class SkdLoop;
 
-/// Two pieces of curves whose safety cylinders overlap: within `Reach` of each other's chords.
+/// Two pieces of curves whose safety cylinders overlap: within `Extent` of each other's chords.
 struct SkdCurveCandidate
 {
   std::size_t First; ///< of the first set's spans
   std::size_t Second;
-  double Reach;
+  double Extent;
   int NumberOfHits;
 
   bool operator<(const SkdCurveCandidate& other) const
@@ -81,7 +81,7 @@ private:
   void FindNear(const SkdCurveSpan& first, const SkdCurveSpan& second, Worker& worker) const;
   bool AreNeighbours(const SkdCurveSpan& first, const SkdCurveSpan& second) const;
   SkdCurveLocation LocationOf(const SkdCurveTree& tree, const SkdCurveSpan& span, double t) const;
-  static void FindEnd(const SkdCurveTree& tree, SkdCurveLocation& place);
+  static void FindEnd(const SkdCurveTree& tree, SkdCurveLocation& location);
   bool IsJoint(const SkdCurveHit& hit) const;
 
   const SkdCurveTree& First;

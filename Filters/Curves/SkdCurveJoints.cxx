@@ -21,17 +21,17 @@ double KeyOf(const SkdCurveEnd& end)
 std::vector<SkdCurveEnd> TakeCoincidentEnds(
   std::vector<SkdCurveEnd>& ends, std::vector<char>& isTaken, std::size_t first, double rounding)
 {
-  std::vector<SkdCurveEnd> place;
+  std::vector<SkdCurveEnd> group;
   const double last = KeyOf(ends[first]) + 4.0 * rounding;
   for (std::size_t i = first; i < ends.size() && KeyOf(ends[i]) <= last; ++i)
   {
     if (!isTaken[i] && skd::Distance2(ends[i].X, ends[first].X) <= rounding * rounding)
     {
       isTaken[i] = 1;
-      place.push_back(ends[i]);
+      group.push_back(ends[i]);
     }
   }
-  return place;
+  return group;
 }
 }
 
@@ -48,45 +48,45 @@ SkdCurveJoints::SkdCurveJoints(
   {
     if (!isTaken[first])
     {
-      std::vector<SkdCurveEnd> place = TakeCoincidentEnds(ends, isTaken, first, rounding);
-      this->Join(place);
+      std::vector<SkdCurveEnd> group = TakeCoincidentEnds(ends, isTaken, first, rounding);
+      this->Join(group);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void SkdCurveJoints::Join(std::vector<SkdCurveEnd>& place)
+void SkdCurveJoints::Join(std::vector<SkdCurveEnd>& group)
 {
   constexpr std::size_t hub = 64;
-  if (place.size() < 2 || place.size() > hub)
+  if (group.size() < 2 || group.size() > hub)
   {
     return;
   }
-  std::sort(place.begin(), place.end(),
+  std::sort(group.begin(), group.end(),
     [](const SkdCurveEnd& a, const SkdCurveEnd& b) { return a.Number < b.Number; });
-  std::vector<std::tuple<double, std::size_t, std::size_t>> turns; // -1: straight on
-  for (std::size_t i = 0; i < place.size(); ++i)
+  std::vector<std::tuple<double, std::size_t, std::size_t>> cosines; // -1: straight on
+  for (std::size_t i = 0; i < group.size(); ++i)
   {
-    for (std::size_t j = i + 1; j < place.size(); ++j)
+    for (std::size_t j = i + 1; j < group.size(); ++j)
     {
-      const skd::Vector3& a = place[i].Outward;
-      const skd::Vector3& b = place[j].Outward;
-      turns.emplace_back(skd::Dot(a, b) / (skd::Norm(a) * skd::Norm(b)), i, j);
+      const skd::Vector3& a = group[i].Outward;
+      const skd::Vector3& b = group[j].Outward;
+      cosines.emplace_back(skd::Dot(a, b) / (skd::Norm(a) * skd::Norm(b)), i, j);
     }
   }
   const auto isBefore = [](const auto& a, const auto& b) // also where there is no direction
   {
-    const double turn = std::isnan(std::get<0>(a)) ? 2.0 : std::get<0>(a);
+    const double cosine = std::isnan(std::get<0>(a)) ? 2.0 : std::get<0>(a);
     const double other = std::isnan(std::get<0>(b)) ? 2.0 : std::get<0>(b);
-    return std::tuple(turn, std::get<1>(a), std::get<2>(a)) <
+    return std::tuple(cosine, std::get<1>(a), std::get<2>(a)) <
       std::tuple(other, std::get<1>(b), std::get<2>(b));
   };
-  std::sort(turns.begin(), turns.end(), isBefore);
-  for (const auto& [turn, i, j] : turns)
+  std::sort(cosines.begin(), cosines.end(), isBefore);
+  for (const auto& [cosine, i, j] : cosines)
   {
-    std::size_t& one = this->Joints[place[i].Number];
-    std::size_t& other = this->Joints[place[j].Number];
-    const bool goesOn = place.size() == 2 || turn < 0.0;
+    std::size_t& one = this->Joints[group[i].Number];
+    std::size_t& other = this->Joints[group[j].Number];
+    const bool goesOn = group.size() == 2 || cosine < 0.0;
     if (goesOn && one == None && other == None)
     {
       one = other = this->Count++;

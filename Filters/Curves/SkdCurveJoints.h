@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  void Join(std::vector<SkdCurveEnd>& place);
+  void Join(std::vector<SkdCurveEnd>& group);
 
   std::vector<std::size_t> Joints;
   std::size_t Count = 0;

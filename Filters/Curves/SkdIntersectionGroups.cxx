@@ -100,10 +100,10 @@ bool SkdIntersectionGroups::BelongsTo(const Group& group, const SkdSurfaceHit& h
 {
   const SkdSurfaceHit& first = group.First;
   const double slack = std::max(hit.Slack, first.Slack);
-  const double reach = hit.Error + first.Error;
+  const double maxDistance = hit.Error + first.Error;
   return hit.Curve == first.Curve && hit.OnBoundary && first.OnBoundary &&
     this->Elements[hit.Element].Part == this->Elements[first.Element].Part &&
-    hit.U - first.U <= slack && skd::Distance2(hit.X, first.X) <= 4.0 * reach * reach;
+    hit.U - first.U <= slack && skd::Distance2(hit.X, first.X) <= 4.0 * maxDistance * maxDistance;
 }
 
 //------------------------------------------------------------------------------

@@ -255,13 +255,13 @@ std::vector<int> SkdSurfaceHitFinder::FindPartsAround(const skd::Vector3& x) con
     return {};
   }
   const double length = bounds.Diagonal();
-  const skd::BezierCurve wayOut =
+  const skd::BezierCurve segmentOut =
     skd::BezierCurve::Line(x, x + skd::Vector3{ { 1.31 * length, 1.13 * length, 1.23 * length } });
   thread_local skd::CurvePatchSolver solver;
   Hits hits;
   const SkdSurfaceHit base{};
-  this->Surfaces.VisitAlong({ wayOut.Start(), wayOut.End() },
-    [&](std::size_t element) { this->MeetLine(wayOut, element, base, solver, hits); });
+  this->Surfaces.VisitAlong({ segmentOut.Start(), segmentOut.End() },
+    [&](std::size_t element) { this->MeetLine(segmentOut, element, base, solver, hits); });
   for (SkdSurfaceHit& hit : hits)
   {
     hit.U = hit.T;

@@ -95,13 +95,13 @@ std::uint64_t SkdAskOthers(SkdTransport& transport, std::size_t n, const List& l
   using Numbered = SkdNumberedAnswer<Answer>;
   const SkdItemsOfProcesses items = SkdListItems(transport.GetNumber(), n, list);
   SkdRowsByProcess<Question> questions(items.size());
-  std::uint64_t asked = 0;
+  std::uint64_t requests = 0;
   for (std::size_t process = 0; process < items.size(); ++process)
   {
     questions[process].resize(items[process].size());
     SkdForEach(items[process].size(),
       [&](std::size_t k) { questions[process][k] = make(items[process][k]); });
-    asked += items[process].size();
+    requests += items[process].size();
   }
   questions = SkdExchangeRows(transport, questions);
   SkdRowsByProcess<Numbered> answers(items.size());
@@ -117,7 +117,7 @@ std::uint64_t SkdAskOthers(SkdTransport& transport, std::size_t n, const List& l
       take(items[process][told.Number], told.TheAnswer, static_cast<int>(process));
     }
   }
-  return asked;
+  return requests;
 }
 }
 

@@ -47,7 +47,7 @@ public:
   void Number()
   {
     this->LeaveOutRepeated();
-    this->AreByIds ? this->NumberByGlobalIds() : this->NumberInTurn();
+    this->AreByIds ? this->NumberByGlobalIds() : this->NumberInOrder();
   }
 
 private:
@@ -100,7 +100,7 @@ private:
   {
     const auto processes = static_cast<std::size_t>(this->Transport.GetNumber());
     Ids questions(processes);
-    Ids asked(processes);
+    Ids queries(processes);
     const unsigned char* ghosts = SkdGhostsOf(this->Piece, vtkDataObject::CELL);
     std::vector<vtkIdType> points;
     vtkNew<vtkIdList> list;
@@ -114,16 +114,16 @@ private:
         const std::size_t to = HashOf(key) % processes;
         questions[to].push_back(static_cast<vtkIdType>(key.size()));
         questions[to].insert(questions[to].end(), key.begin(), key.end());
-        asked[to].push_back(cell);
+        queries[to].push_back(cell);
       }
     }
     const SkdRowsByProcess<unsigned char> answers =
       SkdAsk<unsigned char>(this->Transport, questions, FindRepeated);
     for (std::size_t to = 0; to < processes; ++to)
     {
-      for (std::size_t i = 0; i < asked[to].size(); ++i)
+      for (std::size_t i = 0; i < queries[to].size(); ++i)
       {
-        this->Counts[static_cast<std::size_t>(asked[to][i])] = answers[to][i] == 0;
+        this->Counts[static_cast<std::size_t>(queries[to][i])] = answers[to][i] == 0;
       }
     }
   }
@@ -174,7 +174,7 @@ private:
   }
 
   // Those of the first piece first.
-  void NumberInTurn()
+  void NumberInOrder()
   {
     std::vector<vtkIdType> counts(SkdNumberOfKinds, 0);
     this->VisitCounted(
@@ -209,7 +209,7 @@ private:
     const double first = static_cast<double>(range[0]);
     const double width = static_cast<double>(range[1]) - first + 1.0;
     SkdRowsByProcess<Ranked> questions(processes);
-    Ids asked(processes);
+    Ids queries(processes);
     this->VisitCounted(
       [&](vtkIdType cell)
       {
@@ -218,7 +218,7 @@ private:
         const auto to =
           std::min(processes - 1, static_cast<std::size_t>(share * static_cast<double>(processes)));
         questions[to].push_back({ id, cell, this->KindOf(cell) });
-        asked[to].push_back(cell);
+        queries[to].push_back(cell);
       });
     SkdRepeatedId repeated = this->Numbers.Repeated;
     const Ids answers = SkdAsk<vtkIdType>(this->Transport, questions,
@@ -226,9 +226,9 @@ private:
     this->Numbers.Repeated = SkdFirstRepeatedId(this->Transport, repeated);
     for (std::size_t to = 0; to < processes; ++to)
     {
-      for (std::size_t i = 0; i < asked[to].size(); ++i)
+      for (std::size_t i = 0; i < queries[to].size(); ++i)
       {
-        this->Numbers.CellIds[static_cast<std::size_t>(asked[to][i])] = answers[to][i];
+        this->Numbers.CellIds[static_cast<std::size_t>(queries[to][i])] = answers[to][i];
       }
     }
   }

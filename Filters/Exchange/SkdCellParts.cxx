@@ -80,7 +80,7 @@ SkdCellParts::SkdCellParts(
   : Facts(facts)
   , Examples(examples)
   , Parts(static_cast<std::size_t>(transport.GetNumber()))
-  , Asked(this->Parts.size())
+  , Queries(this->Parts.size())
   , Rank(transport.GetRank())
 {
 }
@@ -106,10 +106,10 @@ void SkdCellParts::FindPoints()
     {
       const vtkIdType* const tuple = points->GetPointer(3 * i);
       const bool isOrigin = tuple[1] == static_cast<vtkIdType>(process);
-      const auto asked = static_cast<int>(this->Parts.size());
+      const auto numberOfParts = static_cast<int>(this->Parts.size());
       this->Points.push_back(isOrigin
           ? Found{ tuple[0], static_cast<int>(process), i }
-          : Found{ tuple[0], asked + static_cast<int>(tuple[1]), tuple[2] });
+          : Found{ tuple[0], numberOfParts + static_cast<int>(tuple[1]), tuple[2] });
     }
   }
   std::sort(this->Points.begin(), this->Points.end(),
@@ -129,9 +129,9 @@ void SkdCellParts::AskForPoints(SkdTransport& transport, vtkDataSet* piece)
     const auto at = static_cast<std::size_t>(found.Piece);
     if (at >= processes)
     {
-      std::vector<vtkIdType>& asked = questions[at - processes];
-      asked.push_back(found.Point);
-      found.Point = static_cast<vtkIdType>(asked.size()) - 1;
+      std::vector<vtkIdType>& numberOfParts = questions[at - processes];
+      numberOfParts.push_back(found.Point);
+      found.Point = static_cast<vtkIdType>(numberOfParts.size()) - 1;
     }
   }
   const SkdRowsByProcess<vtkIdType> wanted = SkdExchangeRows(transport, questions);
@@ -149,7 +149,7 @@ void SkdCellParts::AskForPoints(SkdTransport& transport, vtkDataSet* piece)
       subset.CopyData();
       return subset.Get();
     },
-    [&](int from, vtkDataSet* points) { this->Asked[static_cast<std::size_t>(from)] = points; });
+    [&](int from, vtkDataSet* points) { this->Queries[static_cast<std::size_t>(from)] = points; });
 }
 
 // Of the points that came with a process's cells.
@@ -187,29 +187,29 @@ std::vector<SkdCellParts::Joined> SkdCellParts::SortCells() const
 vtkSmartPointer<vtkDataSet> SkdCellParts::Assemble() const
 {
   SkdPieces pieces;
-  std::vector<int> places(2 * this->Parts.size(), -1); // in the list, by Found::Piece
+  std::vector<int> slots(2 * this->Parts.size(), -1); // in the list, by Found::Piece
   std::vector<std::vector<vtkIdType>> pointIds;
   for (const int process : this->Facts.GetFull())
   {
     const auto at = static_cast<std::size_t>(process);
-    places[at] = static_cast<int>(pieces.size());
+    slots[at] = static_cast<int>(pieces.size());
     pieces.push_back(this->Parts[at].Mesh ? this->Parts[at].Mesh : this->Examples[at]);
     pointIds.push_back(this->FindLocalIds(process));
   }
-  for (std::size_t process = 0; process < this->Asked.size(); ++process)
+  for (std::size_t process = 0; process < this->Queries.size(); ++process)
   {
-    if (this->Asked[process]) // as if it had the cell arrays of its piece, too
+    if (this->Queries[process]) // as if it had the cell arrays of its piece, too
     {
-      this->Asked[process]->GetCellData()->ShallowCopy(this->Examples[process]->GetCellData());
-      places[this->Parts.size() + process] = static_cast<int>(pieces.size());
-      pieces.push_back(this->Asked[process]);
+      this->Queries[process]->GetCellData()->ShallowCopy(this->Examples[process]->GetCellData());
+      slots[this->Parts.size() + process] = static_cast<int>(pieces.size());
+      pieces.push_back(this->Queries[process]);
     }
   }
   std::vector<SkdPieceTuples> tuples(pieces.size());
   for (std::size_t id = 0; id < this->Points.size(); ++id)
   {
     const Found& found = this->Points[id];
-    const int piece = places[static_cast<std::size_t>(found.Piece)];
+    const int piece = slots[static_cast<std::size_t>(found.Piece)];
     tuples[static_cast<std::size_t>(piece)].Add(found.Point, static_cast<vtkIdType>(id));
   }
   std::vector<SkdPieceCell> cells;

@@ -67,7 +67,7 @@ private:
   const SkdAllFacts& Facts;
   const SkdPieces& Examples;
   std::vector<Part> Parts;   // by process
-  SkdPieces Asked;           // by process, points
+  SkdPieces Queries;         // by process, points
   std::vector<Found> Points; // by joined id, each once
   int Rank;
 };

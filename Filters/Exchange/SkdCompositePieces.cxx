@@ -110,7 +110,7 @@ private:
   vtkPartitionedDataSet* Partitions;
 };
 
-void AddLeavesOf(vtkDataObject* object, SkdBlockPath& path, std::vector<SkdPlacedBlock>& leaves)
+void AddLeavesOf(vtkDataObject* object, SkdBlockPath& path, std::vector<SkdLeafBlock>& leaves)
 {
   if (auto* mesh = vtkDataSet::SafeDownCast(object))
   {
@@ -132,9 +132,9 @@ bool IsTree(vtkDataObject* object)
 }
 }
 
-std::vector<SkdPlacedBlock> SkdPlacedBlocksOf(vtkDataObject* object)
+std::vector<SkdLeafBlock> SkdLeafBlocksOf(vtkDataObject* object)
 {
-  std::vector<SkdPlacedBlock> leaves;
+  std::vector<SkdLeafBlock> leaves;
   if (SkdIsComposite(object) && !IsTree(object))
   {
     for (const SkdBlock& block : SkdBlocksOf(object))

@@ -20,14 +20,14 @@ namespace skdtree
 /// itself; of AMR data the flat index. In lexicographic order they are in that of flat indices.
 using SkdBlockPath = std::vector<int>;
 
-struct SkdPlacedBlock
+struct SkdLeafBlock
 {
   SkdBlockPath Path;
   vtkSmartPointer<vtkDataSet> Mesh;
 };
 
 /// The data sets in an object, composite or not.
-std::vector<SkdPlacedBlock> SkdPlacedBlocksOf(vtkDataObject* object);
+std::vector<SkdLeafBlock> SkdLeafBlocksOf(vtkDataObject* object);
 
 /// A copy of a composite data set without its data sets; nullptr of other objects.
 vtkSmartPointer<vtkDataObject> SkdStructureOf(vtkDataObject* object);

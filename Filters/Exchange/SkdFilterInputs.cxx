@@ -28,27 +28,27 @@ namespace
 constexpr unsigned long LargestReplicated = 64 * 1024;
 
 /// Whether the reach does for what all processes have; what of it depends on that is decided.
-bool Fit(
-  vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* controller, SkdReach& reach)
+bool Fit(vtkDataObject* piece, vtkDataObject* own, vtkMultiProcessController* controller,
+  SkdSearchRange& range)
 {
-  const bool mayBeOnSphere = reach.Directions == SkdByDirections::OnSpheres ||
-    reach.IsNotForSpheres || reach.IsOfNearSurfaces;
-  const int here[] = { SkdIsUnfit(piece, reach) ? 1 : 0,
+  const bool mayBeOnSphere = range.Directions == SkdByDirections::OnSpheres ||
+    range.IsNotForSpheres || range.IsOfNearSurfaces;
+  const int here[] = { SkdIsUnfit(piece, range) ? 1 : 0,
     mayBeOnSphere && own && SkdIsOnSphere(own) ? 1 : 0,
-    reach.IsOfNearSurfaces && own && SkdHasVolumeCells(SkdBlocksOf(own)) ? 1 : 0 };
+    range.IsOfNearSurfaces && own && SkdHasVolumeCells(SkdBlocksOf(own)) ? 1 : 0 };
   int anywhere[] = { 0, 0, 0 };
   controller->AllReduce(here, anywhere, 3, vtkCommunicator::MAX_OP);
   const bool isOnSphere = anywhere[1] != 0;
-  if (reach.Directions == SkdByDirections::OnSpheres)
+  if (range.Directions == SkdByDirections::OnSpheres)
   {
-    reach.Directions = isOnSphere ? SkdByDirections::Always : SkdByDirections::Never;
+    range.Directions = isOnSphere ? SkdByDirections::Always : SkdByDirections::Never;
   }
-  if (reach.IsOfNearSurfaces && !isOnSphere && anywhere[2] == 0)
+  if (range.IsOfNearSurfaces && !isOnSphere && anywhere[2] == 0)
   {
-    reach.OfDiagonal = reach.OfOwnDiagonal = 1.0;
-    reach.WithNearest = true;
+    range.OfDiagonal = range.OfOwnDiagonal = 1.0;
+    range.WithNearest = true;
   }
-  return anywhere[0] == 0 && !(isOnSphere && reach.IsNotForSpheres);
+  return anywhere[0] == 0 && !(isOnSphere && range.IsNotForSpheres);
 }
 }
 
@@ -73,14 +73,14 @@ int SkdFilterInputs::ProcessData(vtkInformation* request, vtkInformationVector**
   vtkInformationVector* outputs, const std::function<int(vtkInformationVector** inputs)>& process)
 {
   const SkdValidInput valid(this->Filter, request, inputs, this->AnyMagnitude);
-  std::vector<vtkSmartPointer<vtkInformationVector>> kept;
+  std::vector<vtkSmartPointer<vtkInformationVector>> retained;
   std::vector<vtkInformationVector*> whole;
   for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
   {
-    kept.push_back(vtkSmartPointer<vtkInformationVector>::New());
-    kept.back()->Copy(valid.Get()[port]);
-    this->GatherInto(kept.back(), port, vtkDataObject::GetData(kept.front()));
-    whole.push_back(kept.back());
+    retained.push_back(vtkSmartPointer<vtkInformationVector>::New());
+    retained.back()->Copy(valid.Get()[port]);
+    this->GatherInto(retained.back(), port, vtkDataObject::GetData(retained.front()));
+    whole.push_back(retained.back());
   }
   if (!this->CheckGlobalIds())
   {
@@ -115,41 +115,41 @@ void SkdFilterInputs::GatherInto(vtkInformationVector* inputs, int port, vtkData
   }
 }
 
-vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int> place,
+vtkDataObject* SkdFilterInputs::Gather(vtkDataObject* piece, std::pair<int, int> slot,
   vtkDataObject* own, vtkMultiProcessController* controller)
 {
   std::unique_ptr<SkdTransport> transport = SkdMakeTransport(controller);
-  SkdReach reach;
-  if (!this->IsExchanged(piece, own, place.first, transport.get(), reach, controller))
+  SkdSearchRange range;
+  if (!this->IsExchanged(piece, own, slot.first, transport.get(), range, controller))
   {
-    this->Nearby.erase(place);
-    this->Spread.erase(place);
-    return this->Whole[place].Update(piece, controller);
+    this->Nearby.erase(slot);
+    this->Spread.erase(slot);
+    return this->Whole[slot].Update(piece, controller);
   }
-  this->Whole.erase(place);
-  if (this->Asks && this->Asks(place.first))
+  this->Whole.erase(slot);
+  if (this->Asks && this->Asks(slot.first))
   {
-    this->Nearby.erase(place);
-    SpreadInput& spread = this->Spread[place];
+    this->Nearby.erase(slot);
+    SpreadInput& spread = this->Spread[slot];
     spread.Piece = piece;
     spread.Controller = controller;
     return spread.Source.Update(std::move(transport), piece);
   }
-  this->Spread.erase(place);
-  return this->Nearby[place].Update(*transport, piece, own, reach);
+  this->Spread.erase(slot);
+  return this->Nearby[slot].Update(*transport, piece, own, range);
 }
 
 // The same on all processes.
 bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port,
-  SkdTransport* transport, SkdReach& reach, vtkMultiProcessController* controller) const
+  SkdTransport* transport, SkdSearchRange& range, vtkMultiProcessController* controller) const
 {
   const bool canExchange =
-    (this->Asks && this->Asks(port)) || (this->Find && this->Find(port, reach));
+    (this->Asks && this->Asks(port)) || (this->Find && this->Find(port, range));
   if (this->Wanted == Distribution::Replicated || !canExchange || !SkdCanBring(piece))
   {
     return false;
   }
-  if (!Fit(piece, own, controller, reach))
+  if (!Fit(piece, own, controller, range))
   {
     return false;
   }
@@ -173,15 +173,15 @@ SkdRepeatedId SkdFilterInputs::FindRepeatedId() const
 {
   SkdRepeatedId first;
   const auto add = [&first](const SkdRepeatedId& found) { first = first.IsThere ? first : found; };
-  for (const auto& [place, input] : this->Whole)
+  for (const auto& [slot, input] : this->Whole)
   {
     add(input.GetRepeatedId());
   }
-  for (const auto& [place, input] : this->Nearby)
+  for (const auto& [slot, input] : this->Nearby)
   {
     add(input.FindRepeatedId());
   }
-  for (const auto& [place, input] : this->Spread)
+  for (const auto& [slot, input] : this->Spread)
   {
     add(input.Source.FindRepeatedId());
   }
@@ -217,11 +217,11 @@ void SkdFilterInputs::Report(vtkInformationVector* outputs) const
   if (isExchanged)
   {
     SkdTraffic sent;
-    for (const auto& [place, nearby] : this->Nearby)
+    for (const auto& [slot, nearby] : this->Nearby)
     {
       sent.Add(nearby.GetTraffic());
     }
-    for (const auto& [place, spread] : this->Spread)
+    for (const auto& [slot, spread] : this->Spread)
     {
       sent.Add(spread.Source.GetTransport().GetTraffic());
     }
@@ -269,10 +269,10 @@ const SkdSpreadSource* SkdFilterInputs::GetSpread(int port) const
 
 vtkDataObject* SkdFilterInputs::GatherSpread(int port)
 {
-  const std::pair<int, int> place{ port, 0 };
-  const SpreadInput& spread = this->Spread.at(place);
-  vtkDataObject* whole = this->Whole[place].Update(spread.Piece, spread.Controller);
-  this->Spread.erase(place);
+  const std::pair<int, int> slot{ port, 0 };
+  const SpreadInput& spread = this->Spread.at(slot);
+  vtkDataObject* whole = this->Whole[slot].Update(spread.Piece, spread.Controller);
+  this->Spread.erase(slot);
   return whole;
 }
 }

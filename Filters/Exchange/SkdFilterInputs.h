@@ -47,9 +47,9 @@ public:
 
   /// Whether of an input that is needed as a whole each process needs no more than the cells that
   /// are near its own part of port 0, and then how near.
-  using FindReach = std::function<bool(int port, SkdReach& reach)>;
+  using FindSearchRange = std::function<bool(int port, SkdSearchRange& range)>;
 
-  void SetDistribution(Distribution distribution, FindReach find)
+  void SetDistribution(Distribution distribution, FindSearchRange find)
   {
     this->Wanted = distribution;
     this->Find = std::move(find);
@@ -99,10 +99,10 @@ private:
     vtkInformationVector* outputs,
     const std::function<int(vtkInformationVector** inputs)>& process);
   void GatherInto(vtkInformationVector* inputs, int port, vtkDataObject* own);
-  vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> place, vtkDataObject* own,
+  vtkDataObject* Gather(vtkDataObject* piece, std::pair<int, int> slot, vtkDataObject* own,
     vtkMultiProcessController* controller);
   bool IsExchanged(vtkDataObject* piece, vtkDataObject* own, int port, SkdTransport* transport,
-    SkdReach& reach, vtkMultiProcessController* controller) const;
+    SkdSearchRange& range, vtkMultiProcessController* controller) const;
   SkdRepeatedId FindRepeatedId() const;
   bool CheckGlobalIds() const;
   void Report(vtkInformationVector* outputs) const;
@@ -111,7 +111,7 @@ private:
   IsWhole NeedsWhole;
   bool AnyMagnitude = false;
   Distribution Wanted = Distribution::Replicated;
-  FindReach Find;
+  FindSearchRange Find;
   IsWhole Asks;
   std::map<std::pair<int, int>, SkdWholeInput> Whole;   // by port and connection
   std::map<std::pair<int, int>, SkdNearbyInput> Nearby; // the same

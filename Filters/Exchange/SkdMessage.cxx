@@ -27,7 +27,7 @@ const char* const PathName = "path";
 void Pack(vtkDataObject* object, vtkCharArray* message)
 {
   vtkNew<vtkMultiBlockDataSet> all;
-  const std::vector<SkdPlacedBlock> leaves = SkdPlacedBlocksOf(object);
+  const std::vector<SkdLeafBlock> leaves = SkdLeafBlocksOf(object);
   all->SetNumberOfBlocks(static_cast<unsigned int>(leaves.size()) + 1);
   all->SetBlock(0, SkdStructureOf(object));
   for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -53,11 +53,11 @@ vtkSmartPointer<vtkDataObject> Unpack(vtkCharArray* message)
     auto* packed = vtkTable::SafeDownCast(all->GetBlock(i));
     auto* path = vtkIntArray::SafeDownCast(packed->GetFieldData()->GetAbstractArray(PathName));
     const int* const first = path->GetPointer(0);
-    const SkdBlockPath place(first, first + path->GetNumberOfValues());
+    const SkdBlockPath blockPath(first, first + path->GetNumberOfValues());
     const vtkSmartPointer<vtkDataSet> mesh = SkdUnpack(packed);
-    if (object && !place.empty())
+    if (object && !blockPath.empty())
     {
-      SkdSetBlock(object, place, mesh);
+      SkdSetBlock(object, blockPath, mesh);
     }
     else
     {

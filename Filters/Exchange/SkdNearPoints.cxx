@@ -57,11 +57,12 @@ std::vector<Pair> FindNearPairs(const std::vector<skd::Vector3>& points, double 
     }
   }
   std::sort(order.begin(), order.end());
-  const double reach = 3.0 * tolerance; // more than the sum of the direction's components
+  const double maxDistance = 3.0 * tolerance; // more than the sum of the direction's components
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= reach; ++k)
+    for (std::size_t k = i + 1; k < order.size() && order[k].first - order[i].first <= maxDistance;
+         ++k)
     {
       const auto [first, second] = std::minmax(order[i].second, order[k].second);
       if (AreNear(points[static_cast<std::size_t>(first)], points[static_cast<std::size_t>(second)],

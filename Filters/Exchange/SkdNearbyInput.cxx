@@ -59,12 +59,12 @@ std::vector<skd::Box3> DirectionBoxesOf(vtkDataObject* object, bool inDegrees)
 /// The largest distance between points of two boxes.
 double FarthestBetween(const skd::Box3& a, const skd::Box3& b)
 {
-  skd::Vector3 way;
+  skd::Vector3 shift;
   for (int axis = 0; axis < 3; ++axis)
   {
-    way[axis] = std::max(a.Max[axis] - b.Min[axis], b.Max[axis] - a.Min[axis]);
+    shift[axis] = std::max(a.Max[axis] - b.Min[axis], b.Max[axis] - a.Min[axis]);
   }
-  return Norm(way);
+  return Norm(shift);
 }
 
 /// A few boxes around those of `own`, so large that what of the mesh is nearest to a point in one
@@ -89,7 +89,7 @@ std::vector<skd::Box3> WithNearest(std::vector<skd::Box3> own, const SkdCut& mes
 vtkSmartPointer<vtkDataObject> ExampleOf(vtkDataObject* object)
 {
   vtkSmartPointer<vtkDataObject> example = SkdStructureOf(object);
-  for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(object))
+  for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(object))
   {
     const vtkSmartPointer<vtkDataSet> mesh = SkdSpreadBlock::MakeExample(leaf.Mesh);
     if (example && !leaf.Path.empty())
@@ -186,10 +186,10 @@ bool SkdCanBring(vtkDataObject* object)
   return !SkdIsComposite(object) || vtkDataObjectTree::SafeDownCast(object) != nullptr;
 }
 
-bool SkdIsUnfit(vtkDataObject* piece, const SkdReach& reach)
+bool SkdIsUnfit(vtkDataObject* piece, const SkdSearchRange& range)
 {
-  return (reach.IsOfOneMesh && SkdIsComposite(piece)) ||
-    (reach.IsOfSamples && IsIncomplete(piece, reach.WithNearest));
+  return (range.IsOfOneMesh && SkdIsComposite(piece)) ||
+    (range.IsOfSamples && IsIncomplete(piece, range.WithNearest));
 }
 
 bool SkdIsOnSphere(vtkDataObject* object)
@@ -200,34 +200,34 @@ bool SkdIsOnSphere(vtkDataObject* object)
 }
 
 vtkDataObject* SkdNearbyInput::Update(
-  SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach)
+  SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdSearchRange& range)
 {
   SkdStamp newPiece(piece);
   SkdStamp newOwn(own);
   const bool isNewPiece = IsAny(transport, newPiece != this->KnownPiece);
   const bool isNewOwn =
-    IsAny(transport, !this->Nearby || newOwn != this->KnownOwn || reach != this->KnownReach);
+    IsAny(transport, !this->Nearby || newOwn != this->KnownOwn || range != this->KnownRange);
   if (isNewPiece)
   {
     this->UpdateBlocks(transport, piece);
   }
   if (isNewPiece || isNewOwn)
   {
-    this->BringNear(transport, piece, own, reach);
+    this->BringNear(transport, piece, own, range);
   }
   this->KnownPiece = std::move(newPiece);
   this->KnownOwn = std::move(newOwn);
-  this->KnownReach = reach;
+  this->KnownRange = range;
   this->Traffic = transport.GetTraffic();
   return this->Nearby;
 }
 
 void SkdNearbyInput::BringNear(
-  SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach)
+  SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdSearchRange& range)
 {
   const auto cutOf = [&](std::vector<skd::Box3> boxes, const auto& boxesOfBlock)
   {
-    if (reach.WithNearest)
+    if (range.WithNearest)
     {
       std::vector<skd::Box3> searched;
       this->VisitBlocks(
@@ -240,15 +240,15 @@ void SkdNearbyInput::BringNear(
     }
     return std::make_unique<SkdCut>(transport, std::move(boxes));
   };
-  const std::unique_ptr<SkdCut> cut = cutOf(BoxesOf(own, reach.OfOwnDiagonal),
+  const std::unique_ptr<SkdCut> cut = cutOf(BoxesOf(own, range.OfOwnDiagonal),
     [](const SkdSpreadBlock& block) { return block.GetBoxes(); });
-  const std::unique_ptr<SkdCut> directions = reach.Directions == SkdByDirections::Always
-    ? cutOf(DirectionBoxesOf(own, reach.IsOwnInDegrees),
+  const std::unique_ptr<SkdCut> directions = range.Directions == SkdByDirections::Always
+    ? cutOf(DirectionBoxesOf(own, range.IsOwnInDegrees),
         [&](const SkdSpreadBlock& block)
-        { return block.FindDirections(reach.IsSearchedInDegrees); })
+        { return block.FindDirections(range.IsSearchedInDegrees); })
     : nullptr;
   this->Bring([&](const SkdSpreadBlock& block)
-    { return block.Bring(transport, *cut, directions.get(), reach); },
+    { return block.Bring(transport, *cut, directions.get(), range); },
     piece);
 }
 
@@ -262,14 +262,14 @@ void SkdNearbyInput::UpdateBlocks(SkdTransport& transport, vtkDataObject* piece)
   {
     const vtkSmartPointer<vtkDataObject> example = SkdUnpackObject(all[process]);
     SkdUniteStructures(this->Structure, example);
-    for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(example))
+    for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(example))
     {
       examples[leaf.Path].resize(all.size());
       examples[leaf.Path][process] = leaf.Mesh;
     }
   }
   std::map<SkdBlockPath, vtkSmartPointer<vtkDataSet>> own;
-  for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(piece))
+  for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(piece))
   {
     own[leaf.Path] = leaf.Mesh;
   }

@@ -26,7 +26,7 @@ public:
   /// it together. The same object again, without an exchange of data, if nothing has changed on any
   /// of them.
   vtkDataObject* Update(
-    SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach);
+    SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdSearchRange& range);
 
   /// The cells of this process's own piece that count, in the same way.
   vtkDataObject* UpdateOwn(SkdTransport& transport, vtkDataObject* piece);
@@ -56,13 +56,13 @@ public:
 private:
   void UpdateBlocks(SkdTransport& transport, vtkDataObject* piece);
   void BringNear(
-    SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdReach& reach);
+    SkdTransport& transport, vtkDataObject* piece, vtkDataObject* own, const SkdSearchRange& range);
   void Bring(const std::function<vtkSmartPointer<vtkDataSet>(const SkdSpreadBlock&)>& bring,
     vtkDataObject* piece);
 
   SkdStamp KnownPiece;
   SkdStamp KnownOwn;
-  SkdReach KnownReach;
+  SkdSearchRange KnownRange;
   SkdTraffic Traffic;
   std::map<SkdBlockPath, std::unique_ptr<SkdSpreadBlock>> Blocks;
   vtkSmartPointer<vtkDataObject> Structure; // of composite data
@@ -74,7 +74,7 @@ bool SkdCanBring(vtkDataObject* object);
 
 /// Whether a piece has something for which the reach does not do: that is not near, and matters.
 /// O(size).
-bool SkdIsUnfit(vtkDataObject* piece, const SkdReach& reach);
+bool SkdIsUnfit(vtkDataObject* piece, const SkdSearchRange& range);
 
 /// Whether there is a mesh whose points are all on a sphere about the origin.
 bool SkdIsOnSphere(vtkDataObject* object);

@@ -23,7 +23,7 @@ struct SkdNearestState
 {
   struct Question
   {
-    Query Asked{};
+    Query Request{};
     double Radius = -1.0; // negative: not asked yet
   };
 
@@ -111,7 +111,7 @@ public:
   }
 
   /// How often a query was sent to another process.
-  std::uint64_t GetAsked() const { return this->Asked; }
+  std::uint64_t CountRequests() const { return this->NumberOfRequests; }
 
 private:
   template <class QueryOf>
@@ -169,7 +169,7 @@ private:
   template <class IsDue, class List, class Heard>
   void Ask(const IsDue& isDue, const List& list, const Heard& heard)
   {
-    this->Asked += SkdAskOthers<Question, Answer>(
+    this->NumberOfRequests += SkdAskOthers<Question, Answer>(
       this->Transport, this->Known.size(),
       [&](std::size_t i, std::vector<int>& processes)
       {
@@ -177,7 +177,7 @@ private:
         if (isDue(state))
         {
           std::vector<SkdNearProcess> near;
-          this->TheSearcher.ListNear(state.Now.Asked, state.Now.Radius, near);
+          this->TheSearcher.ListNear(state.Now.Request, state.Now.Radius, near);
           list(state, near, processes);
         }
       },
@@ -229,7 +229,7 @@ private:
   SkdTransport& Transport;
   const Searcher& TheSearcher;
   std::vector<State> Known; // of the queries of this round
-  std::uint64_t Asked = 0;
+  std::uint64_t NumberOfRequests = 0;
 };
 }
 

@@ -16,7 +16,7 @@ namespace skdtree
 namespace
 {
 /// A piece that is the mesh.
-void NumberInTurn(int process, vtkDataSet* piece, SkdPieceNumbers& numbers)
+void NumberInOrder(int process, vtkDataSet* piece, SkdPieceNumbers& numbers)
 {
   std::iota(numbers.CellIds.begin(), numbers.CellIds.end(), vtkIdType(0));
   std::iota(numbers.PointIds.begin(), numbers.PointIds.end(), vtkIdType(0));
@@ -39,23 +39,23 @@ using GridQuestions = SkdRowsByProcess<GridQuestion>;
 using Origins = SkdRowsByProcess<SkdPointOrigin>;
 
 /// From the first piece where it is no duplicate, else the first.
-Origins ChoosePieces(const GridQuestions& asked)
+Origins ChoosePieces(const GridQuestions& queries)
 {
   std::map<vtkIdType, std::tuple<bool, int, vtkIdType>> chosen;
-  for (std::size_t process = 0; process < asked.size(); ++process)
+  for (std::size_t process = 0; process < queries.size(); ++process)
   {
-    for (const GridQuestion& question : asked[process])
+    for (const GridQuestion& question : queries[process])
     {
       const std::tuple<bool, int, vtkIdType> own{ question.IsDuplicate, static_cast<int>(process),
         question.Own };
-      const auto [place, isNew] = chosen.emplace(question.Id, own);
-      place->second = isNew ? own : std::min(place->second, own);
+      const auto [entry, isNew] = chosen.emplace(question.Id, own);
+      entry->second = isNew ? own : std::min(entry->second, own);
     }
   }
-  Origins answers(asked.size());
-  for (std::size_t process = 0; process < asked.size(); ++process)
+  Origins answers(queries.size());
+  for (std::size_t process = 0; process < queries.size(); ++process)
   {
-    for (const GridQuestion& question : asked[process])
+    for (const GridQuestion& question : queries[process])
     {
       const auto& [isDuplicate, from, own] = chosen[question.Id];
       answers[process].push_back({ from, own });
@@ -98,7 +98,7 @@ private:
     const unsigned char* ghosts)
   {
     this->Questions.resize(static_cast<std::size_t>(this->Transport.GetNumber()));
-    this->Asked.resize(this->Questions.size());
+    this->Queries.resize(this->Questions.size());
     own.VisitAll(
       [&](const int(&ijk)[3])
       {
@@ -114,7 +114,7 @@ private:
           const bool isDuplicate =
             ghosts && (ghosts[at] & vtkDataSetAttributes::DUPLICATECELL) != 0;
           this->Questions[to].push_back({ id, at, isDuplicate });
-          this->Asked[to].push_back(at);
+          this->Queries[to].push_back(at);
         }
       });
   }
@@ -122,13 +122,13 @@ private:
   void AskForOrigins()
   {
     this->Questions.resize(static_cast<std::size_t>(this->Transport.GetNumber()));
-    this->Asked.resize(this->Questions.size());
+    this->Queries.resize(this->Questions.size());
     const Origins answers = SkdAsk<SkdPointOrigin>(this->Transport, this->Questions, ChoosePieces);
     for (std::size_t to = 0; to < answers.size(); ++to)
     {
       for (std::size_t i = 0; i < answers[to].size(); ++i)
       {
-        this->Origin[static_cast<std::size_t>(this->Asked[to][i])] = answers[to][i];
+        this->Origin[static_cast<std::size_t>(this->Queries[to][i])] = answers[to][i];
       }
     }
   }
@@ -136,7 +136,7 @@ private:
   SkdTransport& Transport;
   SkdGridLattice Whole;
   GridQuestions Questions;
-  SkdRowsByProcess<vtkIdType> Asked;
+  SkdRowsByProcess<vtkIdType> Queries;
 };
 }
 
@@ -193,7 +193,7 @@ SkdPieceNumbers SkdNumberPiece(SkdTransport& transport, vtkDataSet* piece, const
     const int process = facts.GetFull().front();
     numbers.NumberOfCells = facts.Of(process).Cells;
     numbers.NumberOfPoints = facts.Of(process).Points;
-    NumberInTurn(process, piece, numbers);
+    NumberInOrder(process, piece, numbers);
   }
   else if (facts.FillGrid())
   {

@@ -16,7 +16,7 @@ class SkdPointJoin
 {
 public:
   explicit SkdPointJoin(std::size_t numberOfKeys = 0)
-    : Places(numberOfKeys)
+    : Joined(numberOfKeys)
   {
   }
 
@@ -26,9 +26,9 @@ public:
   /// The joined point that the next point of a piece becomes: a new one if it is GetNumber().
   vtkIdType Add(int piece, vtkIdType key)
   {
-    Place& place = this->Places[static_cast<std::size_t>(key)];
-    const bool isFirst = place.Piece != piece;
-    vtkIdType id = isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)];
+    JoinedPoints& joined = this->Joined[static_cast<std::size_t>(key)];
+    const bool isFirst = joined.Piece != piece;
+    vtkIdType id = isFirst ? joined.First : this->Next[static_cast<std::size_t>(joined.Last)];
     if (id >= 0)
     {
       this->Shared[static_cast<std::size_t>(id)] = 1;
@@ -36,12 +36,12 @@ public:
     else
     {
       id = this->GetNumber();
-      (isFirst ? place.First : this->Next[static_cast<std::size_t>(place.Last)]) = id;
+      (isFirst ? joined.First : this->Next[static_cast<std::size_t>(joined.Last)]) = id;
       this->Shared.push_back(0);
       this->Next.push_back(-1);
     }
-    place.Last = id;
-    place.Piece = piece;
+    joined.Last = id;
+    joined.Piece = piece;
     return id;
   }
 
@@ -50,14 +50,14 @@ public:
 
 private:
   /// The joined points with one key: the first, and the last that this piece has.
-  struct Place
+  struct JoinedPoints
   {
     vtkIdType First = -1;
     vtkIdType Last = -1;
     int Piece = -1;
   };
 
-  std::vector<Place> Places;         // by key
+  std::vector<JoinedPoints> Joined;  // by key
   std::vector<vtkIdType> Next;       // the next joined point with the same key, or -1
   std::vector<unsigned char> Shared; // by joined point
 };

@@ -32,7 +32,7 @@ struct PointQuestion
   skd::Vector3 X;
   vtkIdType GlobalId; // if all points have such
   vtkIdType Point;
-  vtkIdType Turn;
+  vtkIdType Order;
 };
 
 struct PointAnswer
@@ -49,7 +49,7 @@ using Keys = std::vector<std::vector<vtkIdType>>;
 // Where questions are answered.
 
 std::size_t FindKeysByGlobalIds(
-  const Questions& asked, double largestCoordinate, Keys& keys, SkdRepeatedId& repeated)
+  const Questions& queries, double largestCoordinate, Keys& keys, SkdRepeatedId& repeated)
 {
   struct First
   {
@@ -58,9 +58,9 @@ std::size_t FindKeysByGlobalIds(
     const PointQuestion* Question;
   };
   std::unordered_map<vtkIdType, First> known;
-  for (std::size_t piece = 0; piece < asked.size(); ++piece)
+  for (std::size_t piece = 0; piece < queries.size(); ++piece)
   {
-    for (const PointQuestion& question : asked[piece])
+    for (const PointQuestion& question : queries[piece])
     {
       const First own{ static_cast<vtkIdType>(known.size()), static_cast<int>(piece), &question };
       const First& first = known.emplace(question.GlobalId, own).first->second;
@@ -75,12 +75,12 @@ std::size_t FindKeysByGlobalIds(
   return known.size();
 }
 
-std::size_t FindKeysByCoordinates(const Questions& asked, double tolerance, Keys& keys)
+std::size_t FindKeysByCoordinates(const Questions& queries, double tolerance, Keys& keys)
 {
   SkdWeld weld;
-  for (std::size_t piece = 0; piece < asked.size(); ++piece)
+  for (std::size_t piece = 0; piece < queries.size(); ++piece)
   {
-    for (const PointQuestion& question : asked[piece])
+    for (const PointQuestion& question : queries[piece])
     {
       keys[piece].push_back(weld.GetId(question.X.X));
     }
@@ -93,18 +93,18 @@ std::size_t FindKeysByCoordinates(const Questions& asked, double tolerance, Keys
 class PointDirectory
 {
 public:
-  PointDirectory(const Questions& asked, const Keys& keys, std::size_t numberOfKeys)
-    : Asked(asked)
+  PointDirectory(const Questions& queries, const Keys& keys, std::size_t numberOfKeys)
+    : Queries(queries)
     , Keyed(keys)
     , Join(numberOfKeys)
-    , Ids(asked.size())
+    , Ids(queries.size())
   {
-    for (std::size_t piece = 0; piece < asked.size(); ++piece)
+    for (std::size_t piece = 0; piece < queries.size(); ++piece)
     {
-      this->Ids[piece].assign(asked[piece].size(), -1);
+      this->Ids[piece].assign(queries[piece].size(), -1);
       this->AddOwn(piece);
     }
-    for (std::size_t piece = 0; piece < asked.size(); ++piece)
+    for (std::size_t piece = 0; piece < queries.size(); ++piece)
     {
       this->AddGhosts(piece);
     }
@@ -112,8 +112,8 @@ public:
 
   Answers GetAnswers() const
   {
-    Answers answers(this->Asked.size());
-    for (std::size_t piece = 0; piece < this->Asked.size(); ++piece)
+    Answers answers(this->Queries.size());
+    for (std::size_t piece = 0; piece < this->Queries.size(); ++piece)
     {
       for (const vtkIdType id : this->Ids[piece])
       {
@@ -128,9 +128,9 @@ public:
 private:
   void AddOwn(std::size_t piece)
   {
-    for (std::size_t i = 0; i < this->Asked[piece].size(); ++i)
+    for (std::size_t i = 0; i < this->Queries[piece].size(); ++i)
     {
-      if (this->Asked[piece][i].Turn == AtOnce)
+      if (this->Queries[piece][i].Order == AtOnce)
       {
         this->Add(piece, i);
       }
@@ -140,16 +140,16 @@ private:
   void AddGhosts(std::size_t piece)
   {
     std::vector<std::size_t> used;
-    for (std::size_t i = 0; i < this->Asked[piece].size(); ++i)
+    for (std::size_t i = 0; i < this->Queries[piece].size(); ++i)
     {
-      if (this->Asked[piece][i].Turn >= 0)
+      if (this->Queries[piece][i].Order >= 0)
       {
         used.push_back(i);
       }
     }
     std::sort(used.begin(), used.end(),
       [&](std::size_t a, std::size_t b)
-      { return this->Asked[piece][a].Turn < this->Asked[piece][b].Turn; });
+      { return this->Queries[piece][a].Order < this->Queries[piece][b].Order; });
     for (const std::size_t i : used)
     {
       this->Add(piece, i);
@@ -162,12 +162,12 @@ private:
     const vtkIdType id = this->Join.Add(static_cast<int>(piece), this->Keyed[piece][i]);
     if (id == before)
     {
-      this->Origins.push_back({ static_cast<int>(piece), this->Asked[piece][i].Point });
+      this->Origins.push_back({ static_cast<int>(piece), this->Queries[piece][i].Point });
     }
     this->Ids[piece][i] = id;
   }
 
-  const Questions& Asked;
+  const Questions& Queries;
   const Keys& Keyed;
   SkdPointJoin Join;
   Keys Ids;
@@ -234,11 +234,11 @@ public:
     : Transport(transport)
     , Piece(piece)
     , Facts(facts)
-    , Turns(static_cast<std::size_t>(piece->GetNumberOfPoints()), AtOnce)
-    , Asked(static_cast<std::size_t>(transport.GetNumber()))
-    , AskedPoints(Asked.size())
+    , Orders(static_cast<std::size_t>(piece->GetNumberOfPoints()), AtOnce)
+    , Queries(static_cast<std::size_t>(transport.GetNumber()))
+    , QueriedPoints(Queries.size())
   {
-    this->FindTurns();
+    this->FindOrders();
   }
 
   void Number(SkdPieceNumbers& numbers, std::vector<unsigned char>& isShared)
@@ -247,16 +247,16 @@ public:
     const double tolerance = this->Facts.GetNearTolerance();
     SkdRepeatedId repeated;
     byIds ? this->AskByGlobalIds() : this->AskByCoordinates(tolerance);
-    const Answers answers = SkdAsk<PointAnswer>(this->Transport, this->Asked,
-      [&](const Questions& asked)
+    const Answers answers = SkdAsk<PointAnswer>(this->Transport, this->Queries,
+      [&](const Questions& queries)
       {
-        Keys keys(asked.size());
+        Keys keys(queries.size());
         const std::size_t number = byIds
-          ? FindKeysByGlobalIds(asked, this->Facts.GetLargestCoordinate(), keys, repeated)
-          : FindKeysByCoordinates(asked, tolerance, keys);
-        return PointDirectory(asked, keys, number).GetAnswers();
+          ? FindKeysByGlobalIds(queries, this->Facts.GetLargestCoordinate(), keys, repeated)
+          : FindKeysByCoordinates(queries, tolerance, keys);
+        return PointDirectory(queries, keys, number).GetAnswers();
       });
-    isShared.assign(this->Turns.size(), 0);
+    isShared.assign(this->Orders.size(), 0);
     this->TakeOrigins(answers, numbers.PointOrigins, isShared);
     this->NumberOwn(numbers);
     this->AskForOthers(numbers);
@@ -265,17 +265,17 @@ public:
 
 private:
   // Ghost points in the order in which cells that are no ghosts use them.
-  void FindTurns()
+  void FindOrders()
   {
     const unsigned char* ghosts = SkdGhostsOf(this->Piece, vtkDataObject::POINT);
     if (!ghosts)
     {
       return;
     }
-    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
       const bool isGhost = (ghosts[point] & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
-      this->Turns[point] = isGhost ? Never : AtOnce;
+      this->Orders[point] = isGhost ? Never : AtOnce;
     }
     const unsigned char* ghostCells = SkdGhostsOf(this->Piece, vtkDataObject::CELL);
     const SkdCellReader reader(this->Piece);
@@ -293,10 +293,10 @@ private:
 
   void Use(vtkIdType point)
   {
-    vtkIdType& turn = this->Turns[static_cast<std::size_t>(point)];
-    if (turn == Never)
+    vtkIdType& order = this->Orders[static_cast<std::size_t>(point)];
+    if (order == Never)
     {
-      turn = static_cast<vtkIdType>(this->UsedGhosts.size());
+      order = static_cast<vtkIdType>(this->UsedGhosts.size());
       this->UsedGhosts.push_back(point);
     }
   }
@@ -307,7 +307,7 @@ private:
     this->Piece->GetPoint(point, question.X.X);
     question.GlobalId = -1;
     question.Point = point;
-    question.Turn = this->Turns[static_cast<std::size_t>(point)];
+    question.Order = this->Orders[static_cast<std::size_t>(point)];
     return question;
   }
 
@@ -318,9 +318,9 @@ private:
     {
       PointQuestion question = this->QuestionOf(point);
       question.GlobalId = static_cast<vtkIdType>(ids->GetTuple1(point));
-      const std::size_t to = static_cast<std::size_t>(question.GlobalId) % this->Asked.size();
-      this->Asked[to].push_back(question);
-      this->AskedPoints[to].push_back(point);
+      const std::size_t to = static_cast<std::size_t>(question.GlobalId) % this->Queries.size();
+      this->Queries[to].push_back(question);
+      this->QueriedPoints[to].push_back(point);
     }
   }
 
@@ -330,12 +330,12 @@ private:
     const std::vector<skd::Box3> boxes = SkdBoxesOfPoints(this->Piece);
     const SkdCut cut(this->Transport, boxes);
     const PointBins bins(tolerance, this->Transport.GetNumber());
-    const double reach = 64.0 * tolerance;
+    const double maxDistance = 64.0 * tolerance;
     std::vector<int> owners;
     std::vector<std::size_t> to;
     for (vtkIdType point = 0; point < this->Piece->GetNumberOfPoints(); ++point)
     {
-      cut.FindOverlapping(boxes[static_cast<std::size_t>(point)].Inflated(reach), owners);
+      cut.FindOverlapping(boxes[static_cast<std::size_t>(point)].Inflated(maxDistance), owners);
       if (std::all_of(owners.begin(), owners.end(),
             [this](int process) { return process == this->Transport.GetRank(); }))
       {
@@ -345,8 +345,8 @@ private:
       bins.Find(question.X, to);
       for (const std::size_t process : to)
       {
-        this->Asked[process].push_back(question);
-        this->AskedPoints[process].push_back(process == to.front() ? point : -1);
+        this->Queries[process].push_back(question);
+        this->QueriedPoints[process].push_back(process == to.front() ? point : -1);
       }
     }
   }
@@ -354,9 +354,9 @@ private:
   void TakeOrigins(const Answers& answers, std::vector<SkdPointOrigin>& origins,
     std::vector<unsigned char>& isShared) const
   {
-    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
-      const bool isUsed = this->Turns[point] != Never;
+      const bool isUsed = this->Orders[point] != Never;
       origins.push_back(isUsed
           ? SkdPointOrigin{ this->Transport.GetRank(), static_cast<vtkIdType>(point) }
           : SkdPointOrigin{ -1, -1 });
@@ -365,9 +365,9 @@ private:
     {
       for (std::size_t i = 0; i < answers[to].size(); ++i)
       {
-        if (this->AskedPoints[to][i] >= 0)
+        if (this->QueriedPoints[to][i] >= 0)
         {
-          const auto point = static_cast<std::size_t>(this->AskedPoints[to][i]);
+          const auto point = static_cast<std::size_t>(this->QueriedPoints[to][i]);
           origins[point] = answers[to][i].Origin;
           isShared[point] = answers[to][i].IsShared ? 1 : 0;
         }
@@ -385,9 +385,9 @@ private:
   void NumberOwn(SkdPieceNumbers& numbers) const
   {
     std::vector<vtkIdType> own;
-    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
-      if (this->Turns[point] == AtOnce && this->IsOwn(numbers, static_cast<vtkIdType>(point)))
+      if (this->Orders[point] == AtOnce && this->IsOwn(numbers, static_cast<vtkIdType>(point)))
       {
         own.push_back(static_cast<vtkIdType>(point));
       }
@@ -411,18 +411,18 @@ private:
 
   void AskForOthers(SkdPieceNumbers& numbers) const
   {
-    SkdRowsByProcess<vtkIdType> asked(this->Asked.size());
-    SkdRowsByProcess<std::size_t> points(this->Asked.size());
-    for (std::size_t point = 0; point < this->Turns.size(); ++point)
+    SkdRowsByProcess<vtkIdType> queries(this->Queries.size());
+    SkdRowsByProcess<std::size_t> points(this->Queries.size());
+    for (std::size_t point = 0; point < this->Orders.size(); ++point)
     {
       const SkdPointOrigin& origin = numbers.PointOrigins[point];
       if (numbers.PointIds[point] < 0 && origin.Process >= 0)
       {
-        asked[static_cast<std::size_t>(origin.Process)].push_back(origin.Point);
+        queries[static_cast<std::size_t>(origin.Process)].push_back(origin.Point);
         points[static_cast<std::size_t>(origin.Process)].push_back(point);
       }
     }
-    const SkdRowsByProcess<vtkIdType> ids = SkdAsk<vtkIdType>(this->Transport, asked,
+    const SkdRowsByProcess<vtkIdType> ids = SkdAsk<vtkIdType>(this->Transport, queries,
       [&](SkdRowsByProcess<vtkIdType> all)
       {
         for (std::vector<vtkIdType>& some : all)
@@ -444,10 +444,10 @@ private:
   SkdTransport& Transport;
   vtkDataSet* Piece;
   const SkdAllFacts& Facts;
-  std::vector<vtkIdType> Turns;      // by point
+  std::vector<vtkIdType> Orders;     // by point
   std::vector<vtkIdType> UsedGhosts; // in their turn
-  Questions Asked;
-  SkdRowsByProcess<vtkIdType> AskedPoints; // -1: the answer is another's
+  Questions Queries;
+  SkdRowsByProcess<vtkIdType> QueriedPoints; // -1: the answer is another's
 };
 }
 

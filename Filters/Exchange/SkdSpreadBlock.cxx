@@ -100,29 +100,29 @@ void SkdSpreadBlock::AddNear(const std::vector<skd::Box3>& boxes, const SkdCut& 
   }
 }
 
-vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(
-  SkdTransport& transport, const SkdCut& cut, const SkdCut* directions, const SkdReach& reach) const
+vtkSmartPointer<vtkDataSet> SkdSpreadBlock::Bring(SkdTransport& transport, const SkdCut& cut,
+  const SkdCut* directions, const SkdSearchRange& range) const
 {
   // Tests of single cells allow for some units in the last place.
   const double rounding =
     64.0 * std::numeric_limits<double>::epsilon() * this->Facts.GetLargestCoordinate();
   // What touches a box that is near is not farther than that box is large.
-  const auto reachOf = [&](const std::vector<skd::Box3>& boxes)
-  { return reach.WithNeighbours ? LargestDiagonalOf(transport, boxes) : 0.0; };
+  const auto distanceOf = [&](const std::vector<skd::Box3>& boxes)
+  { return range.WithNeighbours ? LargestDiagonalOf(transport, boxes) : 0.0; };
   Chosen chosen(static_cast<std::size_t>(transport.GetNumber()));
-  this->AddNear(
-    this->Boxes, cut, reach.Distance + rounding + reachOf(this->Boxes), reach.OfDiagonal, chosen);
+  this->AddNear(this->Boxes, cut, range.Distance + rounding + distanceOf(this->Boxes),
+    range.OfDiagonal, chosen);
   if (directions)
   {
-    const std::vector<skd::Box3> boxes = this->FindDirections(reach.IsSearchedInDegrees);
-    this->AddNear(boxes, *directions, reachOf(boxes), 0.0, chosen);
+    const std::vector<skd::Box3> boxes = this->FindDirections(range.IsSearchedInDegrees);
+    this->AddNear(boxes, *directions, distanceOf(boxes), 0.0, chosen);
   }
-  if (reach.WithOwn)
+  if (range.WithOwn)
   {
     this->AddOwn(chosen[static_cast<std::size_t>(transport.GetRank())]);
   }
   vtkSmartPointer<vtkDataSet> mesh = this->Send(transport, std::move(chosen));
-  if (reach.WithOwn && !this->Facts.GetFull().empty())
+  if (range.WithOwn && !this->Facts.GetFull().empty())
   {
     const SkdJoinedShape shape = SkdFindShape(transport, this->Piece, this->Facts, this->Numbers);
     shape.KeepIn(mesh);

@@ -6,7 +6,7 @@
 #include "Exchange/SkdCut.h"
 #include "Exchange/SkdPieceArrays.h"
 #include "Exchange/SkdPieceNumbers.h"
-#include "Pipeline/SkdReach.h"
+#include "Pipeline/SkdSearchRange.h"
 
 #include <memory>
 
@@ -31,7 +31,7 @@ public:
   /// The cells that are near what this process has told of itself by the cut, and by that of
   /// directions if there is one.
   vtkSmartPointer<vtkDataSet> Bring(SkdTransport& transport, const SkdCut& cut,
-    const SkdCut* directions, const SkdReach& reach) const;
+    const SkdCut* directions, const SkdSearchRange& range) const;
 
   /// The cells that count in this process's own piece.
   vtkSmartPointer<vtkDataSet> BringOwn(SkdTransport& transport) const;

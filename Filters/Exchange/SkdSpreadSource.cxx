@@ -39,10 +39,10 @@ double GapOf(const skd::Box3& box, const skd::Vector3& x, double margin)
 
 /// Squared, along a line from x to where it enters a box; negative if it does not between its ends.
 double GapAlong(const skd::Box3& box, const skd::Vector3& x, const skd::Vector3& direction,
-  double back, double reach)
+  double back, double maxDistance)
 {
   double first = -back;
-  double last = reach;
+  double last = maxDistance;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double low = box.Min[axis] - x[axis];
@@ -106,16 +106,16 @@ void SkdSpreadSource::ListBlocks()
 
 std::vector<SkdBlock> SkdSpreadSource::BringTouching() const
 {
-  SkdReach reach;
-  reach.WithOwn = true;
+  SkdSearchRange maxDistance;
+  maxDistance.WithOwn = true;
   std::vector<SkdBlock> blocks = this->Blocks;
   std::size_t at = 0;
   this->VisitBlocks([&](const SkdSpreadBlock& block)
-    { blocks[at++].Mesh = block.Bring(*this->Transport, *this->Cut, nullptr, reach); });
+    { blocks[at++].Mesh = block.Bring(*this->Transport, *this->Cut, nullptr, maxDistance); });
   return blocks;
 }
 
-int SkdSpreadSource::PlaceOf(int blockIndex) const
+int SkdSpreadSource::BlockSlotOf(int blockIndex) const
 {
   const auto found = std::find_if(this->Blocks.begin(), this->Blocks.end(),
     [blockIndex](const SkdBlock& block) { return block.BlockIndex == blockIndex; });
@@ -164,14 +164,14 @@ void SkdSpreadSource::ListNear(
 }
 
 void SkdSpreadSource::ListAlong(const skd::Vector3& x, const skd::Vector3& direction, double back,
-  double reach, double margin, std::vector<SkdNearProcess>& near) const
+  double maxDistance, double margin, std::vector<SkdNearProcess>& near) const
 {
   this->List(
     std::numeric_limits<double>::infinity(),
     [&](const skd::Box3& box, double largest)
     {
       const double rounding = 4.0 * RoundingAt(LargestOf(x) + largest);
-      return GapAlong(box.Inflated(margin + rounding), x, direction, back, reach);
+      return GapAlong(box.Inflated(margin + rounding), x, direction, back, maxDistance);
     },
     near);
 }

@@ -61,7 +61,7 @@ public:
   }
 
   /// The index of a block in that list, by its flat index.
-  int PlaceOf(int blockIndex) const;
+  int BlockSlotOf(int blockIndex) const;
 
   /// The id in the whole of a cell of the own part of a block of that list.
   vtkIdType IdOf(int block, vtkIdType cell) const
@@ -75,10 +75,11 @@ public:
   /// The other processes that have a box within a distance of a point. For any thread.
   void ListNear(const skd::Vector3& x, double radius, std::vector<SkdNearProcess>& near) const;
 
-  /// The same of a line from x along a direction of length 1, from -back to `reach` along it; the
-  /// distance is that along it, forwards or backwards, where the line is within `margin` of a box.
-  void ListAlong(const skd::Vector3& x, const skd::Vector3& direction, double back, double reach,
-    double margin, std::vector<SkdNearProcess>& near) const;
+  /// The same of a line from x along a direction of length 1, from -back to `maxDistance` along it;
+  /// the distance is that along it, forwards or backwards, where the line is within `margin` of a
+  /// box.
+  void ListAlong(const skd::Vector3& x, const skd::Vector3& direction, double back,
+    double maxDistance, double margin, std::vector<SkdNearProcess>& near) const;
 
 private:
   void ListBlocks();

@@ -22,7 +22,7 @@ public:
     : Object(object)
     , Parts{ { object, object->GetMTime() } }
   {
-    for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(object))
+    for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(object))
     {
       this->Parts.emplace_back(leaf.Mesh.Get(), leaf.Mesh->GetMTime());
     }

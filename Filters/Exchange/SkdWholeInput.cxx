@@ -33,21 +33,21 @@ void SkdWholeInput::Join(const std::vector<vtkSmartPointer<vtkDataObject>>& piec
     std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
     std::vector<int> Processes;
   };
-  std::map<SkdBlockPath, Parts> places;
+  std::map<SkdBlockPath, Parts> byPath;
   vtkDataObject* ours = pieces[static_cast<std::size_t>(own)];
   this->Whole = SkdStructureOf(ours);
   for (std::size_t process = 0; process < pieces.size(); ++process)
   {
     SkdUniteStructures(this->Whole, pieces[process]);
-    for (const SkdPlacedBlock& leaf : SkdPlacedBlocksOf(pieces[process]))
+    for (const SkdLeafBlock& leaf : SkdLeafBlocksOf(pieces[process]))
     {
-      places[leaf.Path].Meshes.push_back(leaf.Mesh);
-      places[leaf.Path].Processes.push_back(static_cast<int>(process));
+      byPath[leaf.Path].Meshes.push_back(leaf.Mesh);
+      byPath[leaf.Path].Processes.push_back(static_cast<int>(process));
     }
   }
   std::vector<std::vector<SkdPieceCell>> origins;
   this->Repeated = {};
-  for (const auto& [path, parts] : places)
+  for (const auto& [path, parts] : byPath)
   {
     SkdJoinedPieces joined = SkdJoinPieces(parts.Meshes);
     for (SkdPieceCell& origin : joined.Origins)

@@ -21,6 +21,7 @@ std::vector<SkdBlock> SkdBlockSnapshots::Keep(const std::vector<SkdBlock>& block
 bool SkdBlockSnapshots::AreSameAs(const std::vector<SkdBlock>& blocks) const
 {
   return std::equal(this->Meshes.begin(), this->Meshes.end(), blocks.begin(), blocks.end(),
-    [](const SkdMeshSnapshot& kept, const SkdBlock& block) { return kept.IsSameAs(block.Mesh); });
+    [](const SkdMeshSnapshot& snapshot, const SkdBlock& block)
+    { return snapshot.IsSameAs(block.Mesh); });
 }
 }

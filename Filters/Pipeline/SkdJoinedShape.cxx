@@ -95,13 +95,13 @@ void SkdJoinedShape::MoveToSphere(double radius)
 std::optional<SkdJoinedShape> SkdJoinedShape::Of(vtkDataSet* mesh)
 {
   static_assert(std::is_trivially_copyable<SkdJoinedShape>::value, "kept as it lies in memory");
-  auto* kept = vtkUnsignedCharArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(Name));
-  if (!kept)
+  auto* stored = vtkUnsignedCharArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(Name));
+  if (!stored)
   {
     return std::nullopt;
   }
   SkdJoinedShape shape;
-  std::memcpy(&shape, kept->GetPointer(0), sizeof(shape));
+  std::memcpy(&shape, stored->GetPointer(0), sizeof(shape));
   return shape;
 }
 

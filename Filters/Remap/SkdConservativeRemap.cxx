@@ -19,7 +19,7 @@ namespace
 using Gradients = std::vector<std::vector<skd::Vector3>>; // of each component, or none
 
 /// A vector turned as the shortest way from one direction to the other turns.
-skd::Vector3 Turned(const skd::Vector3& v, const skd::Vector3& from, const skd::Vector3& to)
+skd::Vector3 Transported(const skd::Vector3& v, const skd::Vector3& from, const skd::Vector3& to)
 {
   const skd::Vector3 a = (1.0 / skd::Norm(from)) * from;
   const skd::Vector3 b = (1.0 / skd::Norm(to)) * to;
@@ -41,8 +41,9 @@ struct SkdConservativeRemap::Shares
   const std::vector<std::size_t>& Rows;
   const std::vector<vtkIdType>& Columns;
   const std::vector<double>& Measures;
-  const Gradients& Slopes;                  ///< with the moments of the table of cells
-  const std::vector<skd::Vector3>& Places;  ///< where vectors are turned from; empty: they are not
+  const Gradients& Slopes; ///< with the moments of the table of cells
+  const std::vector<skd::Vector3>&
+    Positions;                              ///< where vectors are turned from; empty: they are not
   bool IsSigned;                            ///< whether there are negative measures that count
   const std::vector<SkdCellRanges>& Ranges; ///< of each component that has bounds, or none
   SkdLimiter Limiter;                       ///< how they are kept
@@ -93,11 +94,12 @@ void SkdConservativeRemap::TakePart(
 {
   const double* values = shares.Field.Tuple(donor);
   std::copy(values, values + shares.Field.Components, row.Part.begin());
-  if (!shares.Places.empty())
+  if (!shares.Positions.empty())
   {
-    const skd::Vector3 turned = Turned({ { values[0], values[1], values[2] } },
-      shares.Places[static_cast<std::size_t>(donor)], this->Weights.GetTarget().Centroids[target]);
-    std::copy(turned.X, turned.X + 3, row.Part.begin());
+    const skd::Vector3 transported = Transported({ { values[0], values[1], values[2] } },
+      shares.Positions[static_cast<std::size_t>(donor)],
+      this->Weights.GetTarget().Centroids[target]);
+    std::copy(transported.X, transported.X + 3, row.Part.begin());
   }
   if (!row.HasParts)
   {
@@ -354,7 +356,7 @@ SkdRemappedField SkdConservativeRemap::Map(
   const SkdDonorField& field, const SkdDonorGradients* gradients, SkdLimiter limiter) const
 {
   const SkdDonorField density = this->DensityOf(field);
-  const bool isTurned = this->IsReversed(field);
+  const bool isReversed = this->IsReversed(field);
   Gradients slopes;
   std::vector<SkdCellRanges> bounds; // by components, which turned vectors do not keep
   for (int c = 0; c < field.Components && gradients; ++c)
@@ -369,11 +371,11 @@ SkdRemappedField SkdConservativeRemap::Map(
     {
       this->LimitSlopes(density, c, *gradients, ranges, slopes.back());
     }
-    else if (!isTurned)
+    else if (!isReversed)
     {
       this->LimitUncovered(density, c, *gradients, ranges, slopes.back());
     }
-    if (!isTurned)
+    if (!isReversed)
     {
       bounds.push_back(std::move(ranges));
     }
@@ -382,7 +384,7 @@ SkdRemappedField SkdConservativeRemap::Map(
   const std::vector<skd::Vector3> none;
   SkdRemappedField mapped =
     this->MapShares({ density, table.Rows, table.Columns, table.Measures, slopes,
-      isTurned ? this->Weights.GetDonor().Centroids : none, table.IsSigned, bounds, limiter });
+      isReversed ? this->Weights.GetDonor().Centroids : none, table.IsSigned, bounds, limiter });
   this->AddDonor(density, slopes, mapped);
   return mapped;
 }

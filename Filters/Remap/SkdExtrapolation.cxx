@@ -36,7 +36,7 @@ void TakeMean(
 }
 
 void SkdExtrapolate(const SkdExtrapolationRules& rules, const SkdSampleTree& samples,
-  const SkdDonorField& field, const std::vector<skd::Vector3>& places,
+  const SkdDonorField& field, const std::vector<skd::Vector3>& positions,
   const std::vector<unsigned char>& isWanted, std::vector<double>& values)
 {
   const auto components = static_cast<std::size_t>(field.Components);
@@ -47,7 +47,7 @@ void SkdExtrapolate(const SkdExtrapolationRules& rules, const SkdSampleTree& sam
       std::none_of(tuple, tuple + components, [](double value) { return std::isnan(value); });
   };
   const bool isOfOne = rules.Method == SkdExtrapolationMethod::Nearest;
-  SkdForEach(places.size(),
+  SkdForEach(positions.size(),
     [&](std::size_t at)
     {
       double* tuple = values.data() + at * components;
@@ -61,7 +61,7 @@ void SkdExtrapolate(const SkdExtrapolationRules& rules, const SkdSampleTree& sam
         return;
       }
       thread_local std::vector<SkdSampleTree::Near> near; // keeps its memory
-      samples.FindNearest(places[at], isOfOne ? 1 : rules.Neighbours, counts, near);
+      samples.FindNearest(positions[at], isOfOne ? 1 : rules.Neighbours, counts, near);
       TakeMean(near, field, tuple);
     });
 }

@@ -33,7 +33,7 @@ struct SkdExtrapolationRules
 /// Sets the tuples of `values` that are wanted, by the field's values at the samples that count and
 /// are no NaN. On a sphere distances are those of directions. In parallel.
 void SkdExtrapolate(const SkdExtrapolationRules& rules, const SkdSampleTree& samples,
-  const SkdDonorField& field, const std::vector<skd::Vector3>& places,
+  const SkdDonorField& field, const std::vector<skd::Vector3>& positions,
   const std::vector<unsigned char>& isWanted, std::vector<double>& values);
 }
 

@@ -72,7 +72,7 @@ public:
     const skd::Vector3 middle =
       this->Base.Piece.Reference + (1.0 / this->Result.Measure) * this->Result.First;
     this->Gap = std::abs(Dot(other.Piece.Reference - middle, normal) / cosine);
-    return this->Gap <= this->Rules.DistanceFor(this->Base.Piece.Reach, other.Piece.Reach);
+    return this->Gap <= this->Rules.DistanceFor(this->Base.Piece.Radius, other.Piece.Radius);
   }
 
   ///@{
@@ -94,10 +94,10 @@ private:
     {
       corners[i] = other.Corners[isReversed ? size - 1 - i : i];
     }
-    const skd::PolygonView seen{ corners.data(), size };
+    const skd::PolygonView polygon{ corners.data(), size };
     const skd::PolygonView base = this->Base.AsPolygon();
-    return isBaseCut ? skd::FindOverlap(this->Frame, base, seen, this->Common)
-                     : skd::FindOverlap(this->Frame, seen, base, this->Common);
+    return isBaseCut ? skd::FindOverlap(this->Frame, base, polygon, this->Common)
+                     : skd::FindOverlap(this->Frame, polygon, base, this->Common);
   }
 
   const SkdPieceView& Base;

@@ -105,9 +105,9 @@ std::vector<double> SkdMatchedSurfaces::SumOfCells(std::vector<double> covered) 
     }
   };
   take(tell(false, [](std::size_t, vtkIdType) { return true; }), true, true);
-  const std::set<vtkIdType> asked = shared;
-  take(
-    tell(true, [&asked](std::size_t, vtkIdType id) { return asked.count(id) > 0; }), false, false);
+  const std::set<vtkIdType> sharedNow = shared;
+  take(tell(true, [&sharedNow](std::size_t, vtkIdType id) { return sharedNow.count(id) > 0; }),
+    false, false);
   return covered;
 }
 

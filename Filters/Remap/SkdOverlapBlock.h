@@ -30,14 +30,15 @@ struct SkdOverlapPiece
   bool IsLonLat;
   const skd::SolidTopology* Topology; ///< of a polyhedron
   skd::Vector3 Reference;             ///< a point of it
-  double Reach;                       ///< how far from there it goes
+  double Radius;                      ///< how far from there it goes
   skd::Moments Own;                   ///< about the reference, without the sign
 };
 
 /// What is known of a polygon by its outline.
 struct SkdPolygonMark
 {
-  std::int8_t Turn = 0; ///< on a sphere 1 if counter-clockwise as it was given, seen from outside
+  std::int8_t Orientation =
+    0;                  ///< on a sphere 1 if counter-clockwise as it was given, seen from outside
   bool IsLarge = false; ///< more than an eighth of the sphere
   bool CrossesItself = false;
 };

@@ -41,7 +41,7 @@ bool HasEdge(const std::vector<int>& face, const Edge& edge)
 }
 
 /// Turns the faces of a cell so that neighbours go along their edge in opposite directions.
-void TurnAlike(Faces& faces)
+void OrientAlike(Faces& faces)
 {
   std::map<Edge, std::vector<std::size_t>> users;
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -54,7 +54,7 @@ void TurnAlike(Faces& faces)
   }
   std::vector<bool> isDone(faces.size());
   std::vector<std::size_t> open;
-  const auto turnNeighbour = [&](std::size_t other, const Edge& edge)
+  const auto orientNeighbour = [&](std::size_t other, const Edge& edge)
   {
     if (!isDone[other] && HasEdge(faces[other], edge))
     {
@@ -80,7 +80,7 @@ void TurnAlike(Faces& faces)
         const Edge edge = EdgeOf(faces[at], k);
         for (const std::size_t other : users[std::minmax(edge.first, edge.second)])
         {
-          turnNeighbour(other, edge);
+          orientNeighbour(other, edge);
         }
       }
     }
@@ -97,7 +97,7 @@ Faces FacesOf(vtkCell* cell)
     vtkIdList* ids = cell->GetFace(i)->GetPointIds();
     faces.emplace_back(ids->begin(), ids->end());
   }
-  TurnAlike(faces);
+  OrientAlike(faces);
   return faces;
 }
 
@@ -143,13 +143,13 @@ void SkdOverlapReader::ReadGeneric(std::uint32_t cell)
 // Straight between its points: corners, then the middles of edges.
 void SkdOverlapReader::AddQuadraticPolygon()
 {
-  const Corners points = this->Seen;
+  const Corners points = this->CellPoints;
   const std::size_t half = points.size() / 2;
   for (std::size_t i = 0; i < 2 * half; ++i)
   {
-    this->Seen[i] = points[i / 2 + (i % 2 == 0 ? 0 : half)];
+    this->CellPoints[i] = points[i / 2 + (i % 2 == 0 ? 0 : half)];
   }
-  this->AddPolygon(this->Seen);
+  this->AddPolygon(this->CellPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -160,17 +160,17 @@ void SkdOverlapReader::AddPrism(std::uint32_t cell, vtkCell* loaded)
   if (!this->Reading.IntoSimplices && this->AreFlat(faces))
   {
     this->Tree.GetSimplices(cell, this->Source, this->Simplices);
-    this->Seen.clear();
+    this->CellPoints.clear();
     faces.clear();
     for (const Vector3& x : this->Simplices.Points)
     {
-      this->Seen.push_back({ x, -1 });
+      this->CellPoints.push_back({ x, -1 });
     }
     for (const auto& simplex : this->Simplices.Simplices)
     {
       faces.push_back({ simplex[0], simplex[1], simplex[2] });
     }
-    TurnAlike(faces);
+    OrientAlike(faces);
   }
   this->AddHull(std::move(faces));
 }
@@ -190,10 +190,10 @@ void SkdOverlapReader::AddCurved(std::uint32_t cell, vtkCell* loaded)
   }
   std::vector<Vector3> parameters;
   SkdReadCurved(this->Simplices, loaded, this->Tree.Cells().BoundsOf(cell), &parameters);
-  this->Seen.clear();
+  this->CellPoints.clear();
   for (const Vector3& x : this->Simplices.Points)
   {
-    this->Seen.push_back({ this->Surface.Seen(x), -1 });
+    this->CellPoints.push_back({ this->Surface.Project(x), -1 });
   }
   if (this->Reading.IntoSimplices)
   {
@@ -210,7 +210,7 @@ void SkdOverlapReader::AddCurvedSolid(vtkCell* loaded)
   if (!isOfPoints && this->Sides.AreStraight())
   {
     const SkdShape shape = SkdCurvedSides::ShapeOf(loaded->GetCellType());
-    this->Seen.resize(static_cast<std::size_t>(SkdNumberOfPoints(shape)));
+    this->CellPoints.resize(static_cast<std::size_t>(SkdNumberOfPoints(shape)));
     this->AddFixed(shape);
     return;
   }
@@ -262,7 +262,7 @@ void SkdOverlapReader::WeighCorners(int cellType, const std::vector<Vector3>& pa
   const std::size_t first = this->Block.Weights.size();
   for (std::size_t i = 0; i < set.Points.size(); ++i)
   {
-    this->Seen[i].Id = this->AddWeights(
+    this->CellPoints[i].Id = this->AddWeights(
       this->WeightsAt(SkdParametricCell::ToVTK(cellType, parameters[i]), set.Points[i]));
   }
   const int corners = set.Dimension + 1;
@@ -284,7 +284,7 @@ void SkdOverlapReader::WeighCorners(int cellType, const std::vector<Vector3>& pa
       double mean = 0.0;
       for (int k = 0; k < corners; ++k)
       {
-        mean += this->WeightsOf(this->Seen[simplex[k]])[i] / corners;
+        mean += this->WeightsOf(this->CellPoints[simplex[k]])[i] / corners;
       }
       missing[i] += size * (weights[i] - mean);
     }

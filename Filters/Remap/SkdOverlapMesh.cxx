@@ -102,12 +102,12 @@ public:
 private:
   static constexpr int Steps = 8;
 
-  void Add(const Vector3& x) const { this->TheShape.Points.push_back(this->Surface.Place(x)); }
+  void Add(const Vector3& x) const { this->TheShape.Points.push_back(this->Surface.Unproject(x)); }
 
   /// Where sign * z is at least `least`.
   static std::vector<Vector3> Cut(const std::vector<Vector3>& outline, double sign, double least)
   {
-    std::vector<Vector3> kept;
+    std::vector<Vector3> corners;
     for (std::size_t i = 0; i < outline.size(); ++i)
     {
       const Vector3& a = outline[i];
@@ -116,14 +116,14 @@ private:
       const double atB = sign * b[2] - least;
       if (atA >= 0.0)
       {
-        kept.push_back(a);
+        corners.push_back(a);
       }
       if ((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))
       {
-        kept.push_back(Lerp(a, b, atA / (atA - atB)));
+        corners.push_back(Lerp(a, b, atA / (atA - atB)));
       }
     }
-    return kept;
+    return corners;
   }
 
   const SkdOverlapSurface& Surface;

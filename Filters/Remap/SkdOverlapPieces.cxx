@@ -43,8 +43,8 @@ void AddBounds(const SkdOverlapBlock& block, const SkdOverlapPiece& piece,
     own.Add(corners[i]);
   }
   const bool isCurved = surface.GetSpace() == SkdOverlapSpace::CurvedSurface;
-  const double room = isCurved ? surface.GetFacetRules().DistanceFor(piece.Reach, piece.Reach)
-                               : 0.5 * piece.Reach * piece.Reach;
+  const double room = isCurved ? surface.GetFacetRules().DistanceFor(piece.Radius, piece.Radius)
+                               : 0.5 * piece.Radius * piece.Radius;
   box.Add(isSphere || isCurved ? own.Inflated(room) : own);
 }
 }
@@ -114,12 +114,12 @@ void SkdOverlapPieces::FindFaults()
 {
   const auto markOf = [&](std::uint32_t cell)
   { return this->BlockOf(cell).Marks[cell % BlockSize]; };
-  vtkIdType turns = 0;
+  vtkIdType reversals = 0;
   for (std::uint32_t cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
-    turns += markOf(cell).Turn;
+    reversals += markOf(cell).Orientation;
   }
-  const int unusual = turns < -1 ? 1 : -1;
+  const int unusual = reversals < -1 ? 1 : -1;
   for (std::uint32_t cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
     const SkdPolygonMark mark = markOf(cell);
@@ -127,7 +127,7 @@ void SkdOverlapPieces::FindFaults()
     {
       this->Crossing.push_back(this->IdOf(cell));
     }
-    if (mark.IsLarge && mark.Turn == unusual)
+    if (mark.IsLarge && mark.Orientation == unusual)
     {
       this->TooLarge.push_back(this->IdOf(cell));
       this->Bounds[cell] = {};
@@ -193,7 +193,7 @@ void SkdOverlapPieces::Measure(const SkdOverlapSurface& surface, SkdOverlapCells
       this->Measures[cell] = moments.Measure;
       this->Centres[cell] = reference + (1.0 / moments.Measure) * moments.First;
       cells.Measures[id] = surface.Measure(moments.Measure);
-      cells.Centroids[id] = surface.Place(this->Centres[cell]);
+      cells.Centroids[id] = surface.Unproject(this->Centres[cell]);
       if (isCurved)
       {
         cells.Normals[id] = this->NormalOf(cell);

@@ -70,12 +70,12 @@ void DropRepeated(Corners& corners)
 }
 
 /// Twice the area of corners in a frame.
-double AreaInFrame(const std::vector<Vector3>& seen)
+double AreaInFrame(const std::vector<Vector3>& projected)
 {
   double area = 0.0;
-  for (std::size_t i = 2; i < seen.size(); ++i)
+  for (std::size_t i = 2; i < projected.size(); ++i)
   {
-    area += Cross(seen[i - 1] - seen[0], seen[i] - seen[0])[2];
+    area += Cross(projected[i - 1] - projected[0], projected[i] - projected[0])[2];
   }
   return area;
 }
@@ -96,15 +96,15 @@ template <class Corners>
 double AreaOnLeft(const Corners& corners)
 {
   const std::size_t size = corners.size();
-  double turned = 0.0;
+  double angle = 0.0;
   for (std::size_t i = 0; i < size; ++i)
   {
     const Vector3& at = corners[(i + 1) % size].X;
     const Vector3 from = Cross(corners[i].X, at);
     const Vector3 to = Cross(at, corners[(i + 2) % size].X);
-    turned += std::atan2(Dot(at, Cross(from, to)), Dot(from, to));
+    angle += std::atan2(Dot(at, Cross(from, to)), Dot(from, to));
   }
-  return 2.0 * HalfTurn - turned;
+  return 2.0 * HalfTurn - angle;
 }
 
 /// Directions that are evenly about the sphere.
@@ -188,12 +188,12 @@ int SignOf(double product, double length2, double otherLength2)
   return product > rounding ? 1 : product < -rounding ? -1 : 0;
 }
 
-bool CrossesItselfInFrame(const std::vector<Vector3>& seen)
+bool CrossesItselfInFrame(const std::vector<Vector3>& projected)
 {
-  return CrossesItself(seen.size(),
+  return CrossesItself(projected.size(),
     [&](std::size_t a, std::size_t b, std::size_t c)
     {
-      const Vector3 u = seen[b] - seen[a], v = seen[c] - seen[a];
+      const Vector3 u = projected[b] - projected[a], v = projected[c] - projected[a];
       return SignOf(Cross(u, v)[2], Norm2(u), Norm2(v));
     });
 }
@@ -236,13 +236,13 @@ Frame FrameOf(const Corners& corners)
 }
 
 template <class Frame, class Corners>
-void SeeIn(const Frame& frame, const Corners& corners, std::vector<Vector3>& seen)
+void SeeIn(const Frame& frame, const Corners& corners, std::vector<Vector3>& projected)
 {
-  seen.clear();
+  projected.clear();
   for (const auto& corner : corners)
   {
-    const Vector3 x = frame.Seen(corner.X);
-    seen.push_back({ { x[0] / x[2], x[1] / x[2], 0.0 } });
+    const Vector3 x = frame.Projected(corner.X);
+    projected.push_back({ { x[0] / x[2], x[1] / x[2], 0.0 } });
   }
 }
 
@@ -259,25 +259,25 @@ bool IsFlat(const skd::TangentFrame& frame, const Corners& corners)
 }
 
 /// Of corners in a frame, counter-clockwise as a whole.
-bool IsConvex(const std::vector<Vector3>& seen)
+bool IsConvex(const std::vector<Vector3>& projected)
 {
-  const std::size_t size = seen.size();
-  double turned = 0.0;
+  const std::size_t size = projected.size();
+  double angle = 0.0;
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Vector3& at = seen[i + 1 < size ? i + 1 : 0];
-    const Vector3 way = at - seen[i];
-    const Vector3 next = seen[i + 2 < size ? i + 2 : i + 2 - size] - at;
-    const double cross = way[0] * next[1] - way[1] * next[0];
-    const double dot = way[0] * next[0] + way[1] * next[1];
-    if (cross < -remap_tolerances::StraightAngle * std::sqrt(Norm2(way) * Norm2(next)) ||
+    const Vector3& at = projected[i + 1 < size ? i + 1 : 0];
+    const Vector3 forward = at - projected[i];
+    const Vector3 next = projected[i + 2 < size ? i + 2 : i + 2 - size] - at;
+    const double cross = forward[0] * next[1] - forward[1] * next[0];
+    const double dot = forward[0] * next[0] + forward[1] * next[1];
+    if (cross < -remap_tolerances::StraightAngle * std::sqrt(Norm2(forward) * Norm2(next)) ||
       (cross <= 0.0 && dot < 0.0))
     {
       return false;
     }
-    turned += std::atan2(cross, dot);
+    angle += std::atan2(cross, dot);
   }
-  return turned < 3.0 * HalfTurn; // once around, not twice
+  return angle < 3.0 * HalfTurn; // once around, not twice
 }
 }
 
@@ -291,7 +291,7 @@ void SkdOverlapReader::AddSegment(const Corner& a, const Corner& b)
     const Corner corners[2] = { a, b };
     SkdOverlapPiece& piece = this->Add(corners, 2);
     piece.Reference = middle;
-    piece.Reach = 0.5 * own.Measure;
+    piece.Radius = 0.5 * own.Measure;
     piece.Own = own;
   }
 }
@@ -303,8 +303,8 @@ void SkdOverlapReader::AddWholePolygon()
 {
   const bool isSphere = this->Surface.GetSpace() == SkdOverlapSpace::Sphere;
   const std::size_t first = this->Block.Pieces.size();
-  this->Mark.Turn = isSphere ? 1 : 0;
-  this->AddPolygon(this->Seen);
+  this->Mark.Orientation = isSphere ? 1 : 0;
+  this->AddPolygon(this->CellPoints);
   double area = 0.0;
   for (std::size_t i = first; i < this->Block.Pieces.size(); ++i)
   {
@@ -316,7 +316,7 @@ void SkdOverlapReader::AddWholePolygon()
 void SkdOverlapReader::Reverse(Corners& corners)
 {
   std::reverse(corners.begin(), corners.end());
-  this->Mark.Turn = static_cast<std::int8_t>(-this->Mark.Turn);
+  this->Mark.Orientation = static_cast<std::int8_t>(-this->Mark.Orientation);
 }
 
 //------------------------------------------------------------------------------
@@ -479,15 +479,15 @@ void SkdOverlapReader::AddSplit(const Corners& corners, std::int8_t sign)
 template <class Frame>
 void SkdOverlapReader::AddVisible(const Frame& frame, Corners& corners)
 {
-  std::vector<Vector3>& seen = this->Flat;
-  SeeIn(frame, corners, seen);
-  if (this->Surface.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(seen) < 0.0)
+  std::vector<Vector3>& projected = this->Flat;
+  SeeIn(frame, corners, projected);
+  if (this->Surface.GetSpace() == SkdOverlapSpace::Sphere && AreaInFrame(projected) < 0.0)
   {
     this->Reverse(corners);
-    std::reverse(seen.begin(), seen.end());
+    std::reverse(projected.begin(), projected.end());
   }
   const bool isTriangle = corners.size() == 3;
-  if (isTriangle || (!this->Reading.IntoSimplices && IsConvex(seen)))
+  if (isTriangle || (!this->Reading.IntoSimplices && IsConvex(projected)))
   {
     if (corners.size() <= MostCorners)
     {
@@ -504,18 +504,18 @@ void SkdOverlapReader::AddVisible(const Frame& frame, Corners& corners)
     }
     return;
   }
-  this->Mark.CrossesItself = this->Mark.CrossesItself || CrossesItselfInFrame(seen);
-  skd::EarClipping<std::vector<Vector3>> ears(seen, static_cast<int>(seen.size()));
+  this->Mark.CrossesItself = this->Mark.CrossesItself || CrossesItselfInFrame(projected);
+  skd::EarClipping<std::vector<Vector3>> ears(projected, static_cast<int>(projected.size()));
   ears.ForEachTriangle(
     [&](int a, int b, int c)
     {
-      const Vector3 turn = Cross(seen[b] - seen[a], seen[c] - seen[a]);
+      const Vector3 normal = Cross(projected[b] - projected[a], projected[c] - projected[a]);
       Corners triangle{ corners[a], corners[b], corners[c] };
-      if (turn[2] < 0.0)
+      if (normal[2] < 0.0)
       {
         std::swap(triangle[1], triangle[2]);
       }
-      this->template AddPiece<Frame>(triangle, turn[2] < 0.0 ? -1 : 1);
+      this->template AddPiece<Frame>(triangle, normal[2] < 0.0 ? -1 : 1);
     });
 }
 
@@ -532,12 +532,12 @@ void SkdOverlapReader::AddPiece(const Corners& corners, std::int8_t sign)
     return;
   }
   skd::ConvexPolygon polygon;
-  double reach2 = 0.0;
+  double radius2 = 0.0;
   for (const Corner& corner : corners)
   {
-    const Vector3 seen = frame.Seen(corner.X);
-    polygon.Add({ { seen[0] / seen[2], seen[1] / seen[2] } });
-    reach2 = std::max(reach2, Distance2(corner.X, frame.Origin));
+    const Vector3 projected = frame.Projected(corner.X);
+    polygon.Add({ { projected[0] / projected[2], projected[1] / projected[2] } });
+    radius2 = std::max(radius2, Distance2(corner.X, frame.Origin));
   }
   const skd::Moments own = frame.Moments(polygon);
   if (own.Measure > 0.0)
@@ -545,7 +545,7 @@ void SkdOverlapReader::AddPiece(const Corners& corners, std::int8_t sign)
     SkdOverlapPiece& piece = this->Add(corners.data(), corners.size());
     piece.Sign = sign;
     piece.Reference = frame.Origin;
-    piece.Reach = std::sqrt(reach2);
+    piece.Radius = std::sqrt(radius2);
     piece.Own = own;
   }
 }
@@ -591,7 +591,7 @@ void SkdOverlapReader::AddLonLatPieces(const skd::LonLatCell& whole)
     SkdOverlapPiece& piece = this->Add(corners, 2);
     piece.IsLonLat = true;
     piece.Reference = centre;
-    piece.Reach = bounds.Diagonal();
+    piece.Radius = bounds.Diagonal();
     piece.Own = own;
   }
 }

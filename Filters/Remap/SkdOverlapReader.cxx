@@ -34,11 +34,11 @@ void SkdOverlapReader::Gather(std::uint32_t cell)
 {
   const SkdCellStore& store = this->Tree.Cells();
   const std::uint32_t* ids = store.PointIdsOf(cell);
-  this->Seen.clear();
+  this->CellPoints.clear();
   for (std::uint32_t i = 0; i < store.SizeOf(cell); ++i)
   {
-    this->Seen.push_back(
-      { this->Surface.Seen(store.Point(ids[i])), static_cast<vtkIdType>(ids[i]) });
+    this->CellPoints.push_back(
+      { this->Surface.Project(store.Point(ids[i])), static_cast<vtkIdType>(ids[i]) });
   }
 }
 
@@ -60,13 +60,13 @@ void SkdOverlapReader::AddPieces(std::uint32_t cell)
   {
     case SkdShape::Line:
     case SkdShape::PolyLine:
-      for (std::size_t i = 1; i < this->Seen.size() && space == SkdOverlapSpace::Line; ++i)
+      for (std::size_t i = 1; i < this->CellPoints.size() && space == SkdOverlapSpace::Line; ++i)
       {
-        this->AddSegment(this->Seen[i - 1], this->Seen[i]);
+        this->AddSegment(this->CellPoints[i - 1], this->CellPoints[i]);
       }
       return;
     case SkdShape::Pixel:
-      std::swap(this->Seen[2], this->Seen[3]);
+      std::swap(this->CellPoints[2], this->CellPoints[3]);
       [[fallthrough]];
     case SkdShape::Triangle:
     case SkdShape::Quad:
@@ -121,7 +121,8 @@ void SkdOverlapReader::AddSimplices()
   const skd::SimplexSet& set = this->Simplices;
   for (const auto& simplex : set.Simplices)
   {
-    Corners corners{ this->Seen[simplex[0]], this->Seen[simplex[1]], this->Seen[simplex[2]] };
+    Corners corners{ this->CellPoints[simplex[0]], this->CellPoints[simplex[1]],
+      this->CellPoints[simplex[2]] };
     if (set.Dimension == 1)
     {
       this->AddSegment(corners[0], corners[1]);
@@ -152,8 +153,8 @@ void SkdOverlapReader::TakeOwnPoints()
 {
   if (this->NumberOfOwnPoints() == 0)
   {
-    std::transform(this->Seen.begin(), this->Seen.end(), std::back_inserter(this->Block.OwnPoints),
-      [](const Corner& corner) { return corner.Id; });
+    std::transform(this->CellPoints.begin(), this->CellPoints.end(),
+      std::back_inserter(this->Block.OwnPoints), [](const Corner& corner) { return corner.Id; });
   }
 }
 

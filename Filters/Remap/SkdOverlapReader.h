@@ -110,7 +110,7 @@ private:
   const SkdOverlapReading& Reading;
   SkdOverlapBlock& Block;
   SkdPolygonMark Mark;            ///< of the cell
-  Corners Seen;                   ///< the cell's points, on the surface
+  Corners CellPoints;             ///< the cell's points, on the surface
   std::vector<skd::Vector3> Flat; ///< a polygon's corners in its frame
   skd::SimplexSet Simplices;
   SkdCurvedSides Sides;

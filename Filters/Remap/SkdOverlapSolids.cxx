@@ -52,17 +52,17 @@ constexpr double Flatness = 16.0; // of what a cut takes for contact
 template <class Corners>
 bool IsFlat(const Corners& corners, const std::vector<int>& face)
 {
-  std::vector<Vector3> seen;
+  std::vector<Vector3> relative;
   for (const int corner : face)
   {
-    seen.push_back(corners[corner].X - corners[0].X);
+    relative.push_back(corners[corner].X - corners[0].X);
   }
-  const skd::HalfSpace inside = skd::InsideOf([&](int i) -> const Vector3& { return seen[i]; },
-    static_cast<int>(seen.size()), ExtentOf(corners));
+  const skd::HalfSpace inside = skd::InsideOf([&](int i) -> const Vector3& { return relative[i]; },
+    static_cast<int>(relative.size()), ExtentOf(corners));
   const auto isInPlane = [&](const Vector3& x)
   { return std::abs(Dot(inside.Normal, x) + inside.Offset) <= Flatness * inside.Tolerance; };
-  return (inside.Tolerance > 0.0 || seen.size() == 4) &&
-    std::all_of(seen.begin(), seen.end(), isInPlane);
+  return (inside.Tolerance > 0.0 || relative.size() == 4) &&
+    std::all_of(relative.begin(), relative.end(), isInPlane);
 }
 
 /// Whether all corners are on the inner side of the planes of all faces, and those of a face on it.
@@ -70,20 +70,20 @@ template <class Corners>
 bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
 {
   const double extent = ExtentOf(corners);
-  std::vector<Vector3> seen;
+  std::vector<Vector3> relative;
   for (const auto& corner : corners)
   {
-    seen.push_back(corner.X - corners[0].X);
+    relative.push_back(corner.X - corners[0].X);
   }
   for (const std::vector<int>& face : faces)
   {
     const skd::HalfSpace inside =
-      skd::InsideOf([&](int i) -> const Vector3& { return seen[face[i]]; },
+      skd::InsideOf([&](int i) -> const Vector3& { return relative[face[i]]; },
         static_cast<int>(face.size()), extent);
     const double tolerance = Flatness * inside.Tolerance;
-    for (std::size_t i = 0; i < seen.size(); ++i)
+    for (std::size_t i = 0; i < relative.size(); ++i)
     {
-      const double side = Dot(inside.Normal, seen[i]) + inside.Offset;
+      const double side = Dot(inside.Normal, relative[i]) + inside.Offset;
       const bool isOfFace = std::find(face.begin(), face.end(), static_cast<int>(i)) != face.end();
       if (!(side >= -tolerance) || (isOfFace && !(side <= tolerance)) || !(inside.Tolerance > 0.0))
       {
@@ -99,7 +99,7 @@ bool IsConvexAndFlat(const Corners& corners, const Faces& faces)
 // All in the order that SolidTopology has them, with a positive volume.
 void SkdOverlapReader::AddFixed(SkdShape shape)
 {
-  Corners& corners = this->Seen;
+  Corners& corners = this->CellPoints;
   if (shape == SkdShape::Tetrahedron)
   {
     const double volume = SixfoldVolume(corners[0].X, corners[1].X, corners[2].X, corners[3].X);
@@ -135,37 +135,37 @@ void SkdOverlapReader::AddSolid(const skd::SolidTopology& topology, bool isOwn)
 {
   const bool fits = topology.Size <= skd::SolidTopology::MostCorners &&
     topology.Faces.size() <= skd::SolidTopology::MostFaces && topology.IsSimple();
-  if (this->Reading.IntoSimplices || !fits || !IsConvexAndFlat(this->Seen, topology.Faces))
+  if (this->Reading.IntoSimplices || !fits || !IsConvexAndFlat(this->CellPoints, topology.Faces))
   {
     this->AddTetrahedra(topology.Faces);
     return;
   }
-  const skd::SolidTopology* kept = &topology;
+  const skd::SolidTopology* stored = &topology;
   if (isOwn)
   {
     this->Block.Topologies.push_back(topology);
-    kept = &this->Block.Topologies.back();
+    stored = &this->Block.Topologies.back();
   }
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
-  for (const Corner& corner : this->Seen)
+  for (const Corner& corner : this->CellPoints)
   {
-    sum = sum + (corner.X - this->Seen[0].X);
+    sum = sum + (corner.X - this->CellPoints[0].X);
   }
-  const Vector3 reference = this->Seen[0].X + (1.0 / topology.Size) * sum;
-  std::array<Vector3, skd::SolidTopology::MostCorners> seen;
-  double reach2 = 0.0;
+  const Vector3 reference = this->CellPoints[0].X + (1.0 / topology.Size) * sum;
+  std::array<Vector3, skd::SolidTopology::MostCorners> relative;
+  double radius2 = 0.0;
   for (int i = 0; i < topology.Size; ++i)
   {
-    seen[i] = this->Seen[i].X - reference;
-    reach2 = std::max(reach2, Norm2(seen[i]));
+    relative[i] = this->CellPoints[i].X - reference;
+    radius2 = std::max(radius2, Norm2(relative[i]));
   }
-  const skd::Moments own = skd::ConvexSolid(topology, seen.data()).Moments();
+  const skd::Moments own = skd::ConvexSolid(topology, relative.data()).Moments();
   if (own.Measure > 0.0)
   {
-    SkdOverlapPiece& piece = this->Add(this->Seen.data(), this->Seen.size());
-    piece.Topology = kept;
+    SkdOverlapPiece& piece = this->Add(this->CellPoints.data(), this->CellPoints.size());
+    piece.Topology = stored;
     piece.Reference = reference;
-    piece.Reach = std::sqrt(reach2);
+    piece.Radius = std::sqrt(radius2);
     piece.Own = own;
   }
 }
@@ -187,14 +187,15 @@ void SkdOverlapReader::AddHull(Faces faces)
   {
     return;
   }
-  if (SixfoldVolume(this->Seen, faces) < 0.0)
+  if (SixfoldVolume(this->CellPoints, faces) < 0.0)
   {
     for (std::vector<int>& face : faces)
     {
       std::reverse(face.begin(), face.end());
     }
   }
-  this->AddSolid(skd::SolidTopology(static_cast<int>(this->Seen.size()), std::move(faces)), true);
+  this->AddSolid(
+    skd::SolidTopology(static_cast<int>(this->CellPoints.size()), std::move(faces)), true);
 }
 
 //------------------------------------------------------------------------------
@@ -207,29 +208,30 @@ void SkdOverlapReader::AddTetrahedra(const Faces& faces)
   const auto meanOf = [&](const auto& numbers)
   {
     Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    const Vector3& first = this->Seen[numbers[0]].X;
+    const Vector3& first = this->CellPoints[numbers[0]].X;
     Corners corners;
     for (const int number : numbers)
     {
-      sum = sum + (this->Seen[number].X - first);
-      corners.push_back(this->Seen[number]);
+      sum = sum + (this->CellPoints[number].X - first);
+      corners.push_back(this->CellPoints[number]);
     }
     return Corner{ first + (1.0 / static_cast<double>(numbers.size())) * sum,
       isOfPoints ? this->AddMeanOf(corners) : -1 };
   };
   std::vector<int> all;
-  for (int i = 0; i < static_cast<int>(this->Seen.size()); ++i)
+  for (int i = 0; i < static_cast<int>(this->CellPoints.size()); ++i)
   {
     all.push_back(i);
   }
-  const Corner apex = isOfPoints ? this->Seen[0] : meanOf(all);
+  const Corner apex = isOfPoints ? this->CellPoints[0] : meanOf(all);
   for (const std::vector<int>& face : faces)
   {
-    const bool isFan = face.size() == 3 || (isOfPoints && IsFlat(this->Seen, face));
-    const Corner middle = isFan ? this->Seen[face[0]] : meanOf(face);
+    const bool isFan = face.size() == 3 || (isOfPoints && IsFlat(this->CellPoints, face));
+    const Corner middle = isFan ? this->CellPoints[face[0]] : meanOf(face);
     for (std::size_t i = isFan ? 1 : 0; i + (isFan ? 1 : 0) < face.size(); ++i)
     {
-      this->AddSigned(apex, middle, this->Seen[face[i]], this->Seen[face[(i + 1) % face.size()]]);
+      this->AddSigned(
+        apex, middle, this->CellPoints[face[i]], this->CellPoints[face[(i + 1) % face.size()]]);
     }
   }
 }
@@ -238,7 +240,7 @@ void SkdOverlapReader::AddTetrahedra(const Faces& faces)
 bool SkdOverlapReader::AreFlat(const Faces& faces) const
 {
   return std::all_of(faces.begin(), faces.end(),
-    [this](const std::vector<int>& face) { return IsFlat(this->Seen, face); });
+    [this](const std::vector<int>& face) { return IsFlat(this->CellPoints, face); });
 }
 
 //------------------------------------------------------------------------------
@@ -261,23 +263,23 @@ void SkdOverlapReader::AddSigned(
 void SkdOverlapReader::AddTetrahedron(const Corner (&corners)[4], std::int8_t sign)
 {
   const Vector3& a = corners[0].X;
-  const Vector3 way = 0.25 * ((corners[1].X - a) + (corners[2].X - a) + (corners[3].X - a));
-  std::array<Vector3, 4> seen;
-  double reach2 = 0.0;
+  const Vector3 offset = 0.25 * ((corners[1].X - a) + (corners[2].X - a) + (corners[3].X - a));
+  std::array<Vector3, 4> relative;
+  double radius2 = 0.0;
   for (int i = 0; i < 4; ++i)
   {
-    seen[i] = corners[i].X - (a + way);
-    reach2 = std::max(reach2, Norm2(seen[i]));
+    relative[i] = corners[i].X - (a + offset);
+    radius2 = std::max(radius2, Norm2(relative[i]));
   }
   const skd::Moments own =
-    skd::ConvexSolid(skd::SolidTopology::Tetrahedron(), seen.data()).Moments();
+    skd::ConvexSolid(skd::SolidTopology::Tetrahedron(), relative.data()).Moments();
   if (own.Measure > 0.0)
   {
     SkdOverlapPiece& piece = this->Add(corners, 4);
     piece.Topology = &skd::SolidTopology::Tetrahedron();
     piece.Sign = sign;
-    piece.Reference = a + way;
-    piece.Reach = std::sqrt(reach2);
+    piece.Reference = a + offset;
+    piece.Radius = std::sqrt(radius2);
     piece.Own = own;
   }
 }

@@ -144,33 +144,33 @@ double SkdOverlapSurface::MeanRadiusOf(vtkDataSet* donor)
 }
 
 //------------------------------------------------------------------------------
-Vector3 SkdOverlapSurface::Seen(const Vector3& x) const
+Vector3 SkdOverlapSurface::Project(const Vector3& x) const
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {
-    const Vector3 way = x - this->Origin;
-    return { { Dot(way, this->Axes[0]), Dot(way, this->Axes[1]), 0.0 } };
+    const Vector3 offset = x - this->Origin;
+    return { { Dot(offset, this->Axes[0]), Dot(offset, this->Axes[1]), 0.0 } };
   }
   return this->Space == SkdOverlapSpace::Sphere ? (1.0 / Norm(x)) * x : x;
 }
 
 //------------------------------------------------------------------------------
-Vector3 SkdOverlapSurface::Place(const Vector3& seen) const
+Vector3 SkdOverlapSurface::Unproject(const Vector3& projected) const
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {
-    return this->Origin + (seen[0] * this->Axes[0] + seen[1] * this->Axes[1]);
+    return this->Origin + (projected[0] * this->Axes[0] + projected[1] * this->Axes[1]);
   }
-  return this->Radius * seen;
+  return this->Radius * projected;
 }
 
 //------------------------------------------------------------------------------
-Vector3 SkdOverlapSurface::Moment(const Vector3& seen) const
+Vector3 SkdOverlapSurface::Moment(const Vector3& projected) const
 {
   if (this->Space == SkdOverlapSpace::Plane)
   {
-    return seen[0] * this->Axes[0] + seen[1] * this->Axes[1];
+    return projected[0] * this->Axes[0] + projected[1] * this->Axes[1];
   }
-  return (this->MeasureScale * this->Radius) * seen;
+  return (this->MeasureScale * this->Radius) * projected;
 }
 }

@@ -37,13 +37,13 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
 
   /// NaN of a point that is on no sphere.
-  skd::Vector3 Seen(const skd::Vector3& x) const;
+  skd::Vector3 Project(const skd::Vector3& x) const;
 
   ///@{
   /// Back: places, measures, and integrals of differences of places.
-  skd::Vector3 Place(const skd::Vector3& seen) const;
-  double Measure(double seen) const { return this->MeasureScale * seen; }
-  skd::Vector3 Moment(const skd::Vector3& seen) const;
+  skd::Vector3 Unproject(const skd::Vector3& projected) const;
+  double Measure(double projected) const { return this->MeasureScale * projected; }
+  skd::Vector3 Moment(const skd::Vector3& projected) const;
   ///@}
 
 private:

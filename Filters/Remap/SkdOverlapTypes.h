@@ -48,9 +48,9 @@ struct SkdFacetRules
   }
 
   /// Of facets that go so far from their middles.
-  double DistanceFor(double reach, double other) const
+  double DistanceFor(double radius, double other) const
   {
-    return this->Distance > 0.0 ? this->Distance : std::max(reach, other);
+    return this->Distance > 0.0 ? this->Distance : std::max(radius, other);
   }
 
   bool operator==(const SkdFacetRules& other) const

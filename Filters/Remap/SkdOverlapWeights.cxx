@@ -113,26 +113,26 @@ private:
 };
 
 /// Where the entries of each target cell begin, and where the last ends.
-std::vector<std::size_t> PlacesOf(const Entries& parts, std::uint32_t numberOfTargets)
+std::vector<std::size_t> RowStartsOf(const Entries& parts, std::uint32_t numberOfTargets)
 {
-  std::vector<std::size_t> places(std::size_t(numberOfTargets) + 1, 0);
+  std::vector<std::size_t> rowStarts(std::size_t(numberOfTargets) + 1, 0);
   for (const std::vector<Entry>& part : parts)
   {
     for (const Entry& entry : part)
     {
-      ++places[entry.Target + 1];
+      ++rowStarts[entry.Target + 1];
     }
   }
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  return places;
+  std::partial_sum(rowStarts.begin(), rowStarts.end(), rowStarts.begin());
+  return rowStarts;
 }
 
 /// All entries by (target, donor): the same whatever part they are from. Each part is let go of
 /// once it is read: there may be gigabytes of them.
-std::vector<Entry> Sorted(Entries& parts, const std::vector<std::size_t>& places)
+std::vector<Entry> Sorted(Entries& parts, const std::vector<std::size_t>& rowStarts)
 {
-  std::vector<Entry> sorted(places.back());
-  std::vector<std::size_t> next(places.begin(), places.end() - 1);
+  std::vector<Entry> sorted(rowStarts.back());
+  std::vector<std::size_t> next(rowStarts.begin(), rowStarts.end() - 1);
   for (std::vector<Entry>& part : parts)
   {
     for (const Entry& entry : part)
@@ -141,11 +141,11 @@ std::vector<Entry> Sorted(Entries& parts, const std::vector<std::size_t>& places
     }
     std::vector<Entry>().swap(part);
   }
-  SkdForEach(places.size() - 1,
+  SkdForEach(rowStarts.size() - 1,
     [&](std::size_t row)
     {
-      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(places[row]),
-        sorted.begin() + static_cast<std::ptrdiff_t>(places[row + 1]),
+      std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(rowStarts[row]),
+        sorted.begin() + static_cast<std::ptrdiff_t>(rowStarts[row + 1]),
         [](const Entry& a, const Entry& b) { return a.Donor < b.Donor; });
     });
   return sorted;
@@ -184,7 +184,7 @@ void FillTable(Entries& found, const SkdOverlapPair& meshes, const SkdOverlapSur
   SkdOverlapTable& table, SkdOverlapCells& donors, SkdOverlapCells& targets)
 {
   const std::vector<Entry> entries =
-    Sorted(found, PlacesOf(found, meshes.Target.GetNumberOfCells()));
+    Sorted(found, RowStartsOf(found, meshes.Target.GetNumberOfCells()));
   table.Rows.assign(targets.Measures.size() + 1, 0);
   donors.CoveredMoments.assign(donors.Measures.size(), { { 0.0, 0.0, 0.0 } });
   table.Columns.resize(entries.size());

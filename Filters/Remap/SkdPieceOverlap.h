@@ -72,8 +72,8 @@ public:
     const SkdPieceView& within = isOneSmaller ? one : other;
     const SkdPieceView& around = isOneSmaller ? other : one;
     reference = &within.Piece.Reference;
-    const double reach = one.Piece.Reach + other.Piece.Reach;
-    if (!(Distance2(one.Piece.Reference, other.Piece.Reference) < reach * reach))
+    const double distance = one.Piece.Radius + other.Piece.Radius;
+    if (!(Distance2(one.Piece.Reference, other.Piece.Reference) < distance * distance))
     {
       return {};
     }

@@ -33,15 +33,15 @@ struct Entry
 Vector3 GradientOf(const Vector3* p, int size, int k)
 {
   const Vector3& a = p[(k + 1) % size];
-  const Vector3 way = p[k] - a;
+  const Vector3 edge = p[k] - a;
   if (size == 2)
   {
-    return (1.0 / Norm2(way)) * way;
+    return (1.0 / Norm2(edge)) * edge;
   }
   const Vector3& b = p[(k + 2) % size];
   const Vector3 across = Cross(b - a, (size == 3 ? p[k] : p[(k + 3) % size]) - a);
   const Vector3 normal = size == 3 ? Cross(across, b - a) : across;
-  return (1.0 / Dot(normal, way)) * normal;
+  return (1.0 / Dot(normal, edge)) * normal;
 }
 
 /// The integrals of the functions of a simplex's corners over a part of it, by its moments. Of one

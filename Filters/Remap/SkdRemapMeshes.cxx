@@ -89,10 +89,11 @@ bool SkdMayBeLonLat(vtkDataSet* mesh)
                   .begin(),
       6, bounds);
   }
-  constexpr double radian = 57.3, halfTurn = 180.0, turn = 360.0;
+  constexpr double radian = 57.3, halfCircle = 180.0, fullCircle = 360.0;
   const double width = bounds[1] - bounds[0];
-  return points > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfTurn &&
-    bounds[3] <= 0.5 * halfTurn && bounds[0] >= -turn && bounds[1] <= 1.5 * turn && width > radian;
+  return points > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfCircle &&
+    bounds[3] <= 0.5 * halfCircle && bounds[0] >= -fullCircle && bounds[1] <= 1.5 * fullCircle &&
+    width > radian;
 }
 
 bool SkdAreInOnePlane(vtkDataSet* donor, const std::vector<SkdBlock>& blocks)
@@ -152,15 +153,15 @@ std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh)
   return middles;
 }
 
-vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& places)
+vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& positions)
 {
   auto cloud = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
-  for (std::size_t i = 0; i < places.size(); ++i)
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    points->SetPoint(static_cast<vtkIdType>(i), places[i].X);
+    points->SetPoint(static_cast<vtkIdType>(i), positions[i].X);
   }
   cloud->SetPoints(points);
   return cloud;

@@ -44,7 +44,7 @@ std::vector<skd::Vector3> SkdPointsOf(vtkDataSet* mesh);
 std::vector<skd::Vector3> SkdMiddlesOf(vtkDataSet* mesh);
 
 /// Points and nothing else.
-vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& places);
+vtkSmartPointer<vtkPolyData> SkdCloudOf(const std::vector<skd::Vector3>& positions);
 }
 
 #endif

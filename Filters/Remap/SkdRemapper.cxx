@@ -27,16 +27,16 @@ namespace skdtree
 namespace
 {
 /// Of all cells' middles or all points.
-std::vector<skd::Vector3> PlacesOf(const std::vector<SkdBlock>& blocks, int type)
+std::vector<skd::Vector3> PositionsOf(const std::vector<SkdBlock>& blocks, int type)
 {
-  std::vector<skd::Vector3> places;
+  std::vector<skd::Vector3> positions;
   for (const SkdBlock& block : blocks)
   {
     const std::vector<skd::Vector3> some =
       type == vtkDataObject::CELL ? SkdMiddlesOf(block.Mesh) : SkdPointsOf(block.Mesh);
-    places.insert(places.end(), some.begin(), some.end());
+    positions.insert(positions.end(), some.begin(), some.end());
   }
-  return places;
+  return positions;
 }
 
 /// What of each cell is covered.
@@ -118,10 +118,10 @@ void SkdRemapper::End()
 //------------------------------------------------------------------------------
 const SkdContainedMean& SkdRemapper::SamplesOf(int type)
 {
-  KeptSamples& kept = type == vtkDataObject::POINT ? this->OfPoints : this->OfCells;
+  CachedSamples& cached = type == vtkDataObject::POINT ? this->OfPoints : this->OfCells;
   const bool isOnSphere = this->Settings.Overlap.Space == SkdOverlapSpace::Sphere;
-  const bool isSame = kept.Samples && kept.Samples->IsOnSphere() == isOnSphere &&
-    kept.WeighsByCosine == this->Settings.WeighsByCosine && kept.Mesh.IsSameAs(this->Donor);
+  const bool isSame = cached.Samples && cached.Samples->IsOnSphere() == isOnSphere &&
+    cached.WeighsByCosine == this->Settings.WeighsByCosine && cached.Mesh.IsSameAs(this->Donor);
   if (!isSame)
   {
     std::vector<skd::Vector3> points =
@@ -131,12 +131,12 @@ const SkdContainedMean& SkdRemapper::SamplesOf(int type)
     {
       weights = CosinesOfLatitude(points);
     }
-    kept.Samples =
+    cached.Samples =
       std::make_unique<SkdContainedMean>(std::move(points), std::move(weights), isOnSphere);
-    kept.WeighsByCosine = this->Settings.WeighsByCosine;
-    kept.Mesh.Keep(this->Donor);
+    cached.WeighsByCosine = this->Settings.WeighsByCosine;
+    cached.Mesh.Keep(this->Donor);
   }
-  return *kept.Samples;
+  return *cached.Samples;
 }
 
 //------------------------------------------------------------------------------
@@ -206,12 +206,13 @@ bool SkdRemapper::MapContained(vtkDataSet* block, double first, double last)
 
 //------------------------------------------------------------------------------
 // Amounts are nowhere but where the donor is.
-void SkdRemapper::Extrapolate(const SkdDonorField& field, const std::vector<skd::Vector3>& places,
-  const std::vector<unsigned char>& isWanted, std::vector<double>& values)
+void SkdRemapper::Extrapolate(const SkdDonorField& field,
+  const std::vector<skd::Vector3>& positions, const std::vector<unsigned char>& isWanted,
+  std::vector<double>& values)
 {
   const int type = field.IsOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL;
-  SkdExtrapolate(
-    this->Settings.Extrapolation, this->SamplesOf(type).GetTree(), field, places, isWanted, values);
+  SkdExtrapolate(this->Settings.Extrapolation, this->SamplesOf(type).GetTree(), field, positions,
+    isWanted, values);
 }
 
 // Where values that are NaN spread, what has a share of them is not without a value.
@@ -319,7 +320,7 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double
   const SkdOverlapPointTable* points = this->PointFields.empty()
     ? nullptr
     : overlaps.GetPointTable(this->Donor, block, this->Algorithm, first, last);
-  const std::vector<skd::Vector3> places =
+  const std::vector<skd::Vector3> positions =
     points ? SkdPointsOf(this->Donor) : std::vector<skd::Vector3>();
   const bool extrapolates = this->Settings.Extrapolation.Method != SkdExtrapolationMethod::None;
   const std::vector<skd::Vector3> middles =
@@ -343,7 +344,7 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double
   {
     if (points)
     {
-      add(field, remap.MapPoints(field, *points, places));
+      add(field, remap.MapPoints(field, *points, positions));
     }
   }
   return !SkdIsAborted(this->Algorithm);
@@ -463,7 +464,7 @@ void SkdRemapper::MapByFile(
       std::vector<unsigned char> isWanted(isOfField.size());
       std::transform(isOfField.begin(), isOfField.end(), isWanted.begin(),
         [](unsigned char isMapped) { return isMapped != 0 ? 0 : 1; });
-      this->Extrapolate(field, PlacesOf(blocks, meshes.TargetType), isWanted, values);
+      this->Extrapolate(field, PositionsOf(blocks, meshes.TargetType), isWanted, values);
     }
     this->AddMapped(blocks, meshes.TargetType, field, values);
     isMapped = isMapped.empty() ? isOfField : isMapped;

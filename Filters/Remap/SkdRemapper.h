@@ -83,7 +83,7 @@ public:
   void End();
 
 private:
-  struct KeptSamples
+  struct CachedSamples
   {
     SkdMeshSnapshot Mesh;
     bool WeighsByCosine = false;
@@ -93,7 +93,7 @@ private:
   const SkdContainedMean& SamplesOf(int type);
   void AddFields(vtkDataSet* block, const std::vector<SkdDonorField>& fields,
     const std::vector<std::vector<double>>& values, const std::vector<double>& measures);
-  void Extrapolate(const SkdDonorField& field, const std::vector<skd::Vector3>& places,
+  void Extrapolate(const SkdDonorField& field, const std::vector<skd::Vector3>& positions,
     const std::vector<unsigned char>& isWanted, std::vector<double>& values);
   std::vector<unsigned char> FindUncovered(const SkdDonorField& field, const SkdOverlapCells& cells,
     const std::vector<double>& values) const;
@@ -115,8 +115,8 @@ private:
   std::vector<SkdDonorField> CellFields;
   std::vector<SkdDonorField> PointFields;
   SkdRemapFindings Findings;
-  KeptSamples OfPoints;
-  KeptSamples OfCells;
+  CachedSamples OfPoints;
+  CachedSamples OfCells;
   std::deque<SkdOverlapCache> Overlaps; // one a block of the target
   std::vector<bool> HasWeights;
   SkdFileWeights FileWeights; // kept while the file is the same

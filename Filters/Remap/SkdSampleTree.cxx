@@ -18,21 +18,21 @@ skd::TreeInput<3> InputOf(const std::vector<skd::Vector3>& points, const SkdSamp
   skd::TreeInput<3> input;
   for (const skd::Vector3& point : points)
   {
-    const skd::Vector3 place = tree.CoordinatesOf(point);
-    if (SkdIsWithin(place, SkdMeasurable.Largest))
+    const skd::Vector3 position = tree.CoordinatesOf(point);
+    if (SkdIsWithin(position, SkdMeasurable.Largest))
     {
-      input.Bounds.Add(place);
+      input.Bounds.Add(position);
     }
   }
   input.Frame = skd::Frame<3>::Of(input.Bounds);
   input.Elements.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const skd::Vector3 place = tree.CoordinatesOf(points[i]);
-    if (SkdIsWithin(place, SkdMeasurable.Largest))
+    const skd::Vector3 position = tree.CoordinatesOf(points[i]);
+    if (SkdIsWithin(position, SkdMeasurable.Largest))
     {
       input.Elements.push_back(
-        { input.Frame.Outward(skd::Box3(place, place)), static_cast<std::uint32_t>(i) });
+        { input.Frame.Outward(skd::Box3(position, position)), static_cast<std::uint32_t>(i) });
     }
   }
   return input;

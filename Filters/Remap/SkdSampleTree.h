@@ -73,12 +73,12 @@ public:
   void FindNearest(
     const skd::Vector3& x, int most, const Wanted& isWanted, std::vector<Near>& nearest) const
   {
-    const skd::Vector3 place = this->CoordinatesOf(x);
+    const skd::Vector3 position = this->CoordinatesOf(x);
     const auto wanted = static_cast<std::size_t>(most);
     nearest.clear();
     auto visitor = [&](std::uint32_t i)
     {
-      const Near one{ skd::Distance2(this->CoordinatesOf(this->Points[i]), place), i };
+      const Near one{ skd::Distance2(this->CoordinatesOf(this->Points[i]), position), i };
       if (isWanted(i) && (nearest.size() < wanted || one < nearest.back()))
       {
         nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), one), one);
@@ -87,10 +87,10 @@ public:
       return nearest.size() < wanted ? std::numeric_limits<double>::infinity()
                                      : nearest.back().Distance2;
     };
-    if (skd::IsFinite(place) && most > 0)
+    if (skd::IsFinite(position) && most > 0)
     {
       skd::Nearest<3, decltype(visitor)> query(
-        this->Tree.GetFrame(), place, std::numeric_limits<double>::infinity(), visitor);
+        this->Tree.GetFrame(), position, std::numeric_limits<double>::infinity(), visitor);
       skd::Walk(this->Tree, query);
     }
   }
@@ -99,12 +99,12 @@ public:
   template <class Wanted>
   std::int64_t FindNearest(const skd::Vector3& x, const Wanted& isWanted) const
   {
-    const skd::Vector3 place = this->CoordinatesOf(x);
+    const skd::Vector3 position = this->CoordinatesOf(x);
     double best2 = std::numeric_limits<double>::infinity();
     std::int64_t best = -1;
     auto visitor = [&](std::uint32_t i)
     {
-      const double dist2 = skd::Distance2(this->CoordinatesOf(this->Points[i]), place);
+      const double dist2 = skd::Distance2(this->CoordinatesOf(this->Points[i]), position);
       if (isWanted(i) && (dist2 < best2 || (dist2 == best2 && i < best)))
       {
         best2 = dist2;
@@ -112,9 +112,9 @@ public:
       }
       return best2;
     };
-    if (skd::IsFinite(place))
+    if (skd::IsFinite(position))
     {
-      skd::Nearest<3, decltype(visitor)> query(this->Tree.GetFrame(), place, best2, visitor);
+      skd::Nearest<3, decltype(visitor)> query(this->Tree.GetFrame(), position, best2, visitor);
       skd::Walk(this->Tree, query);
     }
     return best;

@@ -44,14 +44,14 @@ bool SkdSphereCell::Set(const std::vector<skd::Vector3>& corners)
     return false;
   }
   this->SetBox();
-  const int turn = this->FindTurn();
-  if (turn == 0)
+  const int orientation = this->FindOrientation();
+  if (orientation == 0)
   {
     this->AddTriangles();
   }
   else
   {
-    this->AddLoop(turn < 0);
+    this->AddLoop(orientation < 0);
   }
   return true;
 }
@@ -83,7 +83,7 @@ void SkdSphereCell::SetBox()
 }
 
 /// 1 or -1 of a convex cell that is turned left or right, else 0.
-int SkdSphereCell::FindTurn() const
+int SkdSphereCell::FindOrientation() const
 {
   const std::size_t n = this->Corners.size();
   bool turnsLeft = false, turnsRight = false;

@@ -35,7 +35,7 @@ private:
 
   bool FindCentre();
   void SetBox();
-  int FindTurn() const;
+  int FindOrientation() const;
   void AddLoop(bool isReversed);
   void AddTriangles();
   bool PieceContains(const Piece& piece, const skd::Vector3& x) const;

@@ -27,13 +27,14 @@ constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon(); // of 
 /// The rim and, with a cell that has it, the pole are in, whatever the longitude.
 bool Holds(const skd::LonLatCell& cell, const skd::Vector3& x)
 {
-  constexpr double turn = 6.28318530717958647692;
+  constexpr double fullCircle = 6.28318530717958647692;
   const double across = std::hypot(x[0], x[1]);
   const double latitude = std::atan2(x[2], across);
   const double away = std::atan2(x[1], x[0]) - cell.MiddleLongitude();
   const bool isPole = across <= Rounding * std::abs(x[2]);
   return latitude >= cell.South - Rounding && latitude <= cell.North + Rounding &&
-    (isPole || std::abs(away - turn * std::round(away / turn)) <= 0.5 * cell.Width() + Rounding);
+    (isPole ||
+      std::abs(away - fullCircle * std::round(away / fullCircle)) <= 0.5 * cell.Width() + Rounding);
 }
 }
 

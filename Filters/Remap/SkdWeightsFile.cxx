@@ -81,10 +81,10 @@ struct Grid
     {
       const double whole = cells.Measures[i];
       const Vector3& centre = cells.Centroids[i];
-      const Vector3 place = isOnSphere ? SkdLonLatOf(centre) : centre;
+      const Vector3 position = isOnSphere ? SkdLonLatOf(centre) : centre;
       for (int k = 0; k < 3; ++k)
       {
-        this->Centres[k].push_back(place[k]);
+        this->Centres[k].push_back(position[k]);
       }
       this->Areas.push_back(scale * whole);
       this->Fractions.push_back(whole > 0.0 ? cells.Covered[i] / whole : 0.0);

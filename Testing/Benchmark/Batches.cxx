@@ -161,7 +161,7 @@ Row BatchRow(
     Answer answer;
     for (const Query& query : work.Queries)
     {
-      single.Ask(work.Asked, query, answer);
+      single.Ask(work.Requested, query, answer);
     }
   };
   tasks.push_back({ loop, {}, options.Repetitions });

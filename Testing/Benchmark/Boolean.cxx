@@ -116,7 +116,7 @@ SurfacePointer Moved(vtkPolyData* surface)
   const double length = surface->GetLength();
   const Point offset = { 0.1 * length * std::sqrt(2.0), 0.05 * length * std::sqrt(3.0),
     0.02 * length * std::sqrt(5.0) };
-  return MakePolyData(Placed(SurfaceOf(surface), 1.0, offset));
+  return MakePolyData(Transformed(SurfaceOf(surface), 1.0, offset));
 }
 
 void PrintResults(const std::vector<Contender>& contenders)

@@ -140,11 +140,11 @@ void Measure(const std::string& file, vtkPolyData* surface, int count, bool only
   {
     for (Contender& contender : contenders)
     {
-      const std::size_t asked = std::min(points.size(), contender.Most);
-      const auto queries = MakeQueries({ points.begin(), points.begin() + long(asked) });
+      const std::size_t requested = std::min(points.size(), contender.Most);
+      const auto queries = MakeQueries({ points.begin(), points.begin() + long(requested) });
       const double start = ProcessorSeconds();
       contender.Answers = contender.Ask(queries, surface);
-      contender.Seconds.push_back((ProcessorSeconds() - start) / double(asked));
+      contender.Seconds.push_back((ProcessorSeconds() - start) / double(requested));
     }
   }
   const std::vector<bool> isFree = AtSurface(MakeQueries(points), surface);
@@ -180,10 +180,10 @@ void MeasureImage(const std::string& file, vtkPolyData* surface, int count)
     image->GetPoint(i, points[i].data());
   }
   const auto scattered = MakeQueries(points);
-  const auto time = [&](vtkDataSet* asked)
+  const auto time = [&](vtkDataSet* requested)
   {
     const double start = ProcessorSeconds();
-    MakeInOut(asked, surface)->Update();
+    MakeInOut(requested, surface)->Update();
     return ProcessorSeconds() - start;
   };
   std::vector<double> ratios, seconds;

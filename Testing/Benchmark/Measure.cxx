@@ -103,14 +103,14 @@ bool CanDo(Structure& tree, const Work& work)
   Answer answer;
   const std::size_t few = std::min<std::size_t>(3, work.Queries.size());
   return std::all_of(work.Queries.begin(), work.Queries.begin() + few,
-    [&](const Query& query) { return tree.Ask(work.Asked, query, answer); });
+    [&](const Query& query) { return tree.Ask(work.Requested, query, answer); });
 }
 
 Task QueryTask(Structure& tree, const Work& work, const Options& options)
 {
   const auto run = [&tree, &work, answer = Answer(), next = std::size_t(0)]() mutable
   {
-    tree.Ask(work.Asked, work.Queries[next], answer);
+    tree.Ask(work.Requested, work.Queries[next], answer);
     next = next + 1 == work.Queries.size() ? 0 : next + 1;
   };
   return { run, {}, options.Repetitions };
@@ -138,7 +138,7 @@ class Comparison
 public:
   Comparison(vtkDataSet* data, const Work& work)
     : Judge(data)
-    , Asked(work)
+    , Requested(work)
   {
   }
 
@@ -154,13 +154,13 @@ public:
   {
     std::vector<Answer> answers(this->Trees.size());
     const auto start = Clock::now();
-    for (int i = 0; i < options.Checks && i < static_cast<int>(this->Asked.Queries.size()); ++i)
+    for (int i = 0; i < options.Checks && i < static_cast<int>(this->Requested.Queries.size()); ++i)
     {
       if (i > 10 && SecondsSince(start) > options.CheckSeconds)
       {
         return;
       }
-      this->Compare(this->Asked.Queries[i], answers);
+      this->Compare(this->Requested.Queries[i], answers);
     }
   }
 
@@ -170,23 +170,23 @@ private:
     std::vector<Record> records;
     for (std::size_t k = 0; k < this->Trees.size(); ++k)
     {
-      this->Trees[k]->Ask(this->Asked.Asked, query, answers[k]);
+      this->Trees[k]->Ask(this->Requested.Requested, query, answers[k]);
       records.emplace_back(answers[k], this->Trees[k]->Precision());
     }
-    const std::vector<bool> wrong = this->Judge.Judge(this->Asked.Asked, query, records);
+    const std::vector<bool> wrong = this->Judge.Judge(this->Requested.Requested, query, records);
     for (std::size_t k = 0; k < records.size(); ++k)
     {
       this->Costs[k]->Compared += 1;
       this->Costs[k]->Wrong += wrong[k];
       if (wrong[k] && this->IsOurs[k] && this->Costs[k]->Wrong <= 3)
       {
-        Tell(this->Asked, query, records, this->Names, wrong);
+        Tell(this->Requested, query, records, this->Names, wrong);
       }
     }
   }
 
   Referee Judge;
-  const Work& Asked;
+  const Work& Requested;
   std::vector<std::string> Names;
   std::vector<Structure*> Trees;
   std::vector<Cost*> Costs;

@@ -97,7 +97,7 @@ void Measure(const Kind& kind, int cells, int points)
   const auto source = WithData(MakeGrid(kind.Make(n).Map(Bent)));
   Mesh queries;
   queries.Points = MakePointsInCells(source, points).Points;
-  const auto asked = MakeGrid(queries); // vtkResampleWithDataSet fails on polydata
+  const auto requested = MakeGrid(queries); // vtkResampleWithDataSet fails on polydata
   std::vector<Contender> contenders = { { "skD-tree", "SkdValid", RunSkdTree(false) },
     { "skD-tree, kept", "SkdValid", RunSkdTree(true) },
     { "vtkProbeFilter", "vtkValidPointMask", RunVtk<vtkProbeFilter>(false) },
@@ -109,7 +109,7 @@ void Measure(const Kind& kind, int cells, int points)
     {
       if (repetition < 2 || contender.Seconds.front() < 10.0)
       {
-        contender.Time(asked, source);
+        contender.Time(requested, source);
       }
     }
   }

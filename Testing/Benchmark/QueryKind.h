@@ -55,7 +55,7 @@ struct Answer
 struct Work
 {
   std::string Name;
-  QueryKind Asked;
+  QueryKind Requested;
   std::vector<Query> Queries;
 };
 

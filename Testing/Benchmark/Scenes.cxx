@@ -91,7 +91,7 @@ Scene GridScene(const std::string& name, Mesh (*fill)(int), int n, bool graded)
     [=]() -> DataSetPointer
     {
       Mesh mesh = fill(n);
-      mesh.Map([=](const Point& p) { return graded ? GradedPoint(p, n) : Turned(p); });
+      mesh.Map([=](const Point& p) { return graded ? GradedPoint(p, n) : Rotated(p); });
       return MakeGrid(mesh);
     } };
 }

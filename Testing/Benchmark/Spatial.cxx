@@ -28,84 +28,85 @@ using namespace skdtest;
 namespace
 {
 /// A box or a ball in the middle of a mesh that has about a share of its volume.
-struct Asked
+struct Requested
 {
   bool IsBall;
   int Relation;
   double Share;
 };
 
-Bounds BoxOf(const Asked& asked, const Bounds& all)
+Bounds BoxOf(const Requested& requested, const Bounds& all)
 {
   Bounds box = all;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double gap = 0.5 * (1.0 - std::cbrt(asked.Share)) * (all[2 * axis + 1] - all[2 * axis]);
+    const double gap =
+      0.5 * (1.0 - std::cbrt(requested.Share)) * (all[2 * axis + 1] - all[2 * axis]);
     box[2 * axis] += gap;
     box[2 * axis + 1] -= gap;
   }
   return box;
 }
 
-double RadiusOf(const Asked& asked, const Bounds& all)
+double RadiusOf(const Requested& requested, const Bounds& all)
 {
   const double volume = (all[1] - all[0]) * (all[3] - all[2]) * (all[5] - all[4]);
-  return std::cbrt(0.75 / std::acos(-1.0) * asked.Share * volume);
+  return std::cbrt(0.75 / std::acos(-1.0) * requested.Share * volume);
 }
 
-QueryPointer MakeAsked(const Asked& asked, vtkDataSet* mesh)
+QueryPointer MakeRequested(const Requested& requested, vtkDataSet* mesh)
 {
   Bounds all;
   mesh->GetBounds(all.data());
-  QueryPointer query = MakeQuery(mesh, asked.Relation);
-  if (asked.IsBall)
+  QueryPointer query = MakeQuery(mesh, requested.Relation);
+  if (requested.IsBall)
   {
-    SetSphere(query, Center(all), RadiusOf(asked, all));
+    SetSphere(query, Center(all), RadiusOf(requested, all));
   }
   else
   {
-    SetBox(query, BoxOf(asked, all));
+    SetBox(query, BoxOf(requested, all));
   }
   return query;
 }
 
-vtkSmartPointer<vtkImplicitFunction> MakeFunction(const Asked& asked, vtkDataSet* mesh)
+vtkSmartPointer<vtkImplicitFunction> MakeFunction(const Requested& requested, vtkDataSet* mesh)
 {
   Bounds all;
   mesh->GetBounds(all.data());
-  if (asked.IsBall)
+  if (requested.IsBall)
   {
     auto sphere = vtkSmartPointer<vtkSphere>::New();
     sphere->SetCenter(Center(all).data());
-    sphere->SetRadius(RadiusOf(asked, all));
+    sphere->SetRadius(RadiusOf(requested, all));
     return sphere;
   }
   auto box = vtkSmartPointer<vtkBox>::New();
-  box->SetBounds(BoxOf(asked, all).data());
+  box->SetBounds(BoxOf(requested, all).data());
   return box;
 }
 
 /// How many cells a filter finds, having run.
 using Finding = std::function<vtkIdType()>;
 
-Finding RunVtk(const Asked& asked, vtkDataSet* mesh)
+Finding RunVtk(const Requested& requested, vtkDataSet* mesh)
 {
   return [=, filter = vtkSmartPointer<vtkExtractGeometry>()]() mutable
   {
     filter = vtkSmartPointer<vtkExtractGeometry>::New();
     filter->SetInputData(mesh);
-    filter->SetImplicitFunction(MakeFunction(asked, mesh));
-    filter->SetExtractBoundaryCells(asked.Relation == SpatialQuery::OVERLAP);
+    filter->SetImplicitFunction(MakeFunction(requested, mesh));
+    filter->SetExtractBoundaryCells(requested.Relation == SpatialQuery::OVERLAP);
     filter->Update();
     return filter->GetOutput()->GetNumberOfCells();
   };
 }
 
-Finding RunSkdTree(const Asked& asked, vtkDataSet* mesh, bool keepsTree)
+Finding RunSkdTree(const Requested& requested, vtkDataSet* mesh, bool keepsTree)
 {
   return [=, query = QueryPointer()]() mutable
   {
-    query = query && keepsTree ? query : MakeAsked(asked, mesh);
+    query = query && keepsTree ? query : MakeRequested(requested, mesh);
     query->Modified();
     query->Update();
     return vtkDataSet::SafeDownCast(query->GetOutputDataObject(0))->GetNumberOfCells();
@@ -129,11 +130,11 @@ struct Contender
 
 /// Whether the filters agree. They mean the same by cells that are in a shape; of those that meet
 /// it vtkExtractGeometry finds the ones that have a point in it.
-bool Measure(const Asked& asked, const char* kind, vtkDataSet* mesh)
+bool Measure(const Requested& requested, const char* kind, vtkDataSet* mesh)
 {
-  Contender contenders[] = { { "vtkExtractGeometry", RunVtk(asked, mesh) },
-    { "skD-tree, asked once", RunSkdTree(asked, mesh, false) },
-    { "skD-tree, asked again", RunSkdTree(asked, mesh, true) } };
+  Contender contenders[] = { { "vtkExtractGeometry", RunVtk(requested, mesh) },
+    { "skD-tree, asked once", RunSkdTree(requested, mesh, false) },
+    { "skD-tree, asked again", RunSkdTree(requested, mesh, true) } };
   for (int repetition = 0; repetition < 8; ++repetition)
   {
     for (Contender& contender : contenders)
@@ -147,12 +148,12 @@ bool Measure(const Asked& asked, const char* kind, vtkDataSet* mesh)
   {
     const double seconds = Median(contender.Seconds);
     std::printf("| %s %s %s | %s | %.3g | %.2f | %lld |\n", kind,
-      asked.Relation == SpatialQuery::OVERLAP ? "that meet" : "in",
-      asked.IsBall ? "a ball" : "a box", contender.Name, seconds, seconds / theirs,
+      requested.Relation == SpatialQuery::OVERLAP ? "that meet" : "in",
+      requested.IsBall ? "a ball" : "a box", contender.Name, seconds, seconds / theirs,
       static_cast<long long>(contender.Found));
     areAgreed = areAgreed &&
-      (asked.Relation == SpatialQuery::CONTAINMENT ? contender.Found == contenders[0].Found
-                                                   : contender.Found >= contenders[0].Found);
+      (requested.Relation == SpatialQuery::CONTAINMENT ? contender.Found == contenders[0].Found
+                                                       : contender.Found >= contenders[0].Found);
   }
   std::fflush(stdout);
   return areAgreed;

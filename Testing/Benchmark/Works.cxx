@@ -66,16 +66,16 @@ public:
   Query AcrossBox()
   {
     const Point middle = this->Random.InBox(this->Box);
-    const Point reach = this->Size * this->Random.Direction();
-    return { middle - reach, middle + reach };
+    const Point maxDistance = this->Size * this->Random.Direction();
+    return { middle - maxDistance, middle + maxDistance };
   }
 
   /// Two hundredths of the diagonal long, centred near a cell.
   Query ShortSegment()
   {
     const Point middle = this->NearSurface().From;
-    const Point reach = 0.01 * this->Size * this->Random.Direction();
-    return { middle - reach, middle + reach };
+    const Point maxDistance = 0.01 * this->Size * this->Random.Direction();
+    return { middle - maxDistance, middle + maxDistance };
   }
 
   Query InBox() { return { this->Random.InBox(this->Box) }; }
@@ -119,9 +119,9 @@ public:
     return BoxQuery(box);
   }
 
-  Work Make(const std::string& name, QueryKind asked, Query (QueryMaker::*one)())
+  Work Make(const std::string& name, QueryKind requested, Query (QueryMaker::*one)())
   {
-    Work work{ name, asked, {} };
+    Work work{ name, requested, {} };
     for (int i = 0; i < this->Count; ++i)
     {
       work.Queries.push_back((this->*one)());

@@ -286,7 +286,7 @@ Boxes<D> LatticeBoxes(std::size_t n)
 }
 
 template <int D>
-Boxes<D> Placed(Boxes<D> boxes, double scale, double offset)
+Boxes<D> Transformed(Boxes<D> boxes, double scale, double offset)
 {
   for (skd::Box<D>& box : boxes)
   {
@@ -305,15 +305,16 @@ std::vector<Scene<D>> AllScenes(std::size_t n, bool withUnsquarable)
     { "nested", NestedBoxes<D>(n) }, { "line", LineOfBoxes<D>(n) }, { "flat", FlatBoxes<D>(n) },
     { "points", PointBoxes<D>(n) }, { "slivers", SliverBoxes<D>(n) },
     { "graded", GradedBoxes<D>(n) }, { "duplicates", DuplicateBoxes<D>(n) },
-    { "lattice", LatticeBoxes<D>(n) }, { "offset 1e9", Placed<D>(RandomBoxes<D>(n), 1.0, 1e9) },
-    { "flat, offset 1e9", Placed<D>(FlatBoxes<D>(n), 1.0, 1e9) },
-    { "offset 1e15", Placed<D>(RandomBoxes<D>(n), 100.0, 1e15) },
-    { "scale 1e-150", Placed<D>(RandomBoxes<D>(n), 1e-150, 0.0) },
-    { "scale 1e150", Placed<D>(RandomBoxes<D>(n), 1e150, 0.0) } };
+    { "lattice", LatticeBoxes<D>(n) },
+    { "offset 1e9", Transformed<D>(RandomBoxes<D>(n), 1.0, 1e9) },
+    { "flat, offset 1e9", Transformed<D>(FlatBoxes<D>(n), 1.0, 1e9) },
+    { "offset 1e15", Transformed<D>(RandomBoxes<D>(n), 100.0, 1e15) },
+    { "scale 1e-150", Transformed<D>(RandomBoxes<D>(n), 1e-150, 0.0) },
+    { "scale 1e150", Transformed<D>(RandomBoxes<D>(n), 1e150, 0.0) } };
   if (withUnsquarable)
   {
-    scenes.push_back({ "scale 1e-300", Placed<D>(RandomBoxes<D>(n), 1e-300, 0.0) });
-    scenes.push_back({ "scale 1e300", Placed<D>(RandomBoxes<D>(n), 1e300, 0.0) });
+    scenes.push_back({ "scale 1e-300", Transformed<D>(RandomBoxes<D>(n), 1e-300, 0.0) });
+    scenes.push_back({ "scale 1e300", Transformed<D>(RandomBoxes<D>(n), 1e300, 0.0) });
   }
   for (Scene<D>& scene : scenes)
   {

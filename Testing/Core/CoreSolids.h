@@ -24,7 +24,7 @@ inline const std::vector<double>& Factors()
   return factors;
 }
 
-inline Vector3 Turned(const Vector3& p)
+inline Vector3 Rotated(const Vector3& p)
 {
   return { { 0.36 * p[0] + 0.48 * p[1] - 0.8 * p[2], -0.8 * p[0] + 0.6 * p[1],
     0.48 * p[0] + 0.64 * p[1] + 0.6 * p[2] } };

@@ -161,9 +161,9 @@ inline Ids Sorted(Ids ids)
 }
 
 /// Each once at most, every one of `must`, and none that is not in `may`.
-inline void ExpectReached(const Ids& reached, const Ids& must, const Ids& may)
+inline void ExpectVisited(const Ids& visited, const Ids& must, const Ids& may)
 {
-  const Ids got = Sorted(reached);
+  const Ids got = Sorted(visited);
   EXPECT_TRUE(std::adjacent_find(got.begin(), got.end()) == got.end()) << "reached twice";
   Ids missed;
   std::set_difference(must.begin(), must.end(), got.begin(), got.end(), std::back_inserter(missed));
@@ -178,17 +178,17 @@ inline void ExpectReached(const Ids& reached, const Ids& must, const Ids& may)
 /// Elements that a query reaches. `make(visitor)` gives the query; the visitor returns `answer`
 /// for each: whether to go on, or the limit.
 template <class Answer, class Tree, class Make>
-Ids Reached(const Tree& tree, Answer answer, Make make)
+Ids Visited(const Tree& tree, Answer answer, Make make)
 {
-  Ids reached;
+  Ids visited;
   auto visitor = [&](std::uint32_t element)
   {
-    reached.push_back(element);
+    visited.push_back(element);
     return answer;
   };
   auto query = make(visitor);
   skd::Walk(tree, query);
-  return reached;
+  return visited;
 }
 
 /// A tree that counts how often a walk opens a node of it.

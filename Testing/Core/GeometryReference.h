@@ -31,10 +31,10 @@ struct Dice
     return min + (max - min) * (static_cast<double>(this->Engine() >> 11) * 0x1p-53);
   }
   int Below(int count) { return static_cast<int>(this->Engine() % count); }
-  skd::Vector3 Point(double reach)
+  skd::Vector3 Point(double maxDistance)
   {
-    return { { this->Between(-reach, reach), this->Between(-reach, reach),
-      this->Between(-reach, reach) } };
+    return { { this->Between(-maxDistance, maxDistance), this->Between(-maxDistance, maxDistance),
+      this->Between(-maxDistance, maxDistance) } };
   }
 };
 

@@ -367,8 +367,8 @@ double FirstStep(SurfaceMesh mesh)
   skd::Equidistribution shares(mesh, sphere, curves, integrals);
   const std::vector<double> ones(mesh.Cells.size(), 1.0);
   shares.Update(mesh, ones);
-  std::vector<Vector3> places;
-  return shares.Step(mesh, curves, ones, 1.0, places, 2);
+  std::vector<Vector3> positions;
+  return shares.Step(mesh, curves, ones, 1.0, positions, 2);
 }
 
 // Single points, where panels meet or at poles, make steps no shorter on finer meshes.

@@ -15,9 +15,9 @@ class AlongPlaneTest : public ::testing::Test
 TYPED_TEST_SUITE(AlongPlaneTest, Dimensions, DimensionNames);
 
 template <int D, class Tree>
-Ids ReachedAlong(const Tree& tree, const skd::Plane<D>& plane, double tolerance)
+Ids VisitedAlong(const Tree& tree, const skd::Plane<D>& plane, double tolerance)
 {
-  return Reached(tree, true,
+  return Visited(tree, true,
     [&](auto& visitor)
     {
       return skd::AlongPlane<D, std::decay_t<decltype(visitor)>>(
@@ -39,10 +39,10 @@ void ExpectWithin(
 {
   const double size = 1.0 / tree.GetFrame().Scale;
   const skd::Vector<D> offset = plane.Origin - tree.GetFrame().Centre;
-  const double reach = size + std::abs(Dot(plane.Normal, offset));
+  const double maxDistance = size + std::abs(Dot(plane.Normal, offset));
   const double largest = *std::max_element(offset.X, offset.X + D);
-  const double error = 2e-5 * reach + 1e-14 * largest;
-  ExpectReached(ReachedAlong(tree, plane, tolerance), Within(boxes, plane, tolerance),
+  const double error = 2e-5 * maxDistance + 1e-14 * largest;
+  ExpectVisited(VisitedAlong(tree, plane, tolerance), Within(boxes, plane, tolerance),
     Within(boxes, plane, tolerance + error));
 }
 
@@ -93,7 +93,7 @@ TYPED_TEST(AlongPlaneTest, OriginMayLieFarAwayInThePlane)
       const skd::Vector<D> inPlane = side - Dot(side, normal) * normal;
       const skd::Plane<D> plane{ random.Corner(boxes[i]) + far * inPlane, normal };
       const Ids all = Select(boxes, [](const auto&) { return true; });
-      ExpectReached(ReachedAlong(tree, plane, 0.0), Within(boxes, plane, 0.0), all);
+      ExpectVisited(VisitedAlong(tree, plane, 0.0), Within(boxes, plane, 0.0), all);
     }
   }
 }
@@ -103,8 +103,8 @@ TYPED_TEST(AlongPlaneTest, ReachesNothingBeyondTheTolerance)
   constexpr int D = TypeParam::Value;
   const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8)); // [-0.25, 0.75]
   const skd::Plane<D> above{ Filled<D>(1.0), Along<D>(D - 1, 1.0) };
-  EXPECT_EQ(ReachedAlong(tree, above, 0.25).size(), 65u);
-  EXPECT_TRUE(ReachedAlong(tree, above, 0.2499).empty());
+  EXPECT_EQ(VisitedAlong(tree, above, 0.25).size(), 65u);
+  EXPECT_TRUE(VisitedAlong(tree, above, 0.2499).empty());
 }
 
 TYPED_TEST(AlongPlaneTest, ReachesAllOfAFlatSetInThePlane)
@@ -113,7 +113,7 @@ TYPED_TEST(AlongPlaneTest, ReachesAllOfAFlatSetInThePlane)
   const Boxes<D> boxes = FlatBoxes<D>(513);
   const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   const skd::Plane<D> plane{ Along<D>(D - 1, 0.3), Along<D>(D - 1, 1.0) };
-  EXPECT_EQ(ReachedAlong(tree, plane, 0.0).size(), 513u);
+  EXPECT_EQ(VisitedAlong(tree, plane, 0.0).size(), 513u);
 }
 
 TYPED_TEST(AlongPlaneTest, ReachesNothingWithNaN)
@@ -122,21 +122,21 @@ TYPED_TEST(AlongPlaneTest, ReachesNothingWithNaN)
   const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   const skd::Vector<D> bad = Filled<D>(std::numeric_limits<double>::quiet_NaN());
   const skd::Vector<D> up = Along<D>(0, 1.0);
-  EXPECT_TRUE(ReachedAlong(tree, skd::Plane<D>{ bad, up }, 0.0).empty());
-  EXPECT_TRUE(ReachedAlong(tree, skd::Plane<D>{ up, bad }, 0.0).empty());
-  EXPECT_TRUE(ReachedAlong(tree, skd::Plane<D>{ up, up }, bad[0]).empty());
+  EXPECT_TRUE(VisitedAlong(tree, skd::Plane<D>{ bad, up }, 0.0).empty());
+  EXPECT_TRUE(VisitedAlong(tree, skd::Plane<D>{ up, bad }, 0.0).empty());
+  EXPECT_TRUE(VisitedAlong(tree, skd::Plane<D>{ up, up }, bad[0]).empty());
 }
 
 TYPED_TEST(AlongPlaneTest, EndsWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
   const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8));
-  int reached = 0;
-  auto visitor = [&reached](std::uint32_t) { return ++reached < 3; };
+  int visited = 0;
+  auto visitor = [&visited](std::uint32_t) { return ++visited < 3; };
   const skd::Plane<D> plane{ Filled<D>(0.25), Along<D>(0, 1.0) };
   skd::AlongPlane<D, decltype(visitor)> query(tree.GetFrame(), plane, 0.0, visitor);
   skd::Walk(tree, query);
-  EXPECT_EQ(reached, 3);
+  EXPECT_EQ(visited, 3);
 }
 
 }

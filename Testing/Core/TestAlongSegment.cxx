@@ -17,7 +17,7 @@ TYPED_TEST_SUITE(AlongSegmentTest, Dimensions, DimensionNames);
 template <int D, class Tree>
 Ids AllAlong(const Tree& tree, const skd::Segment<D>& segment, double margin = 0.0)
 {
-  return Reached(tree, 1.0,
+  return Visited(tree, 1.0,
     [&](auto& visitor)
     {
       return skd::AlongSegment<D, std::decay_t<decltype(visitor)>>(
@@ -69,7 +69,7 @@ void ExpectCrossed(const Tree& tree, const Boxes<D>& boxes, const skd::Segment<D
   const skd::Frame<D>& frame = tree.GetFrame();
   for (const auto& directed : { segment, skd::Segment<D>{ segment.B, segment.A } })
   {
-    ExpectReached(AllAlong(tree, directed), Crossed(boxes, directed),
+    ExpectVisited(AllAlong(tree, directed), Crossed(boxes, directed),
       CrossedWithin(boxes, directed, frame.Centre, 1e-4 / frame.Scale));
     double first = 2.0;
     for (const skd::Box<D>& box : boxes)
@@ -214,7 +214,7 @@ TYPED_TEST(AlongSegmentTest, ReachesBoxesBetweenFarEnds)
         {
           const auto step = (far / tree.GetFrame().Scale) * random.Direction<D>();
           const skd::Segment<D> segment{ middle - step, middle + step };
-          ExpectReached(AllAlong(tree, segment), Crossed(scene.Boxes, segment),
+          ExpectVisited(AllAlong(tree, segment), Crossed(scene.Boxes, segment),
             CrossedWithin(
               scene.Boxes, segment, tree.GetFrame().Centre, 1e-4 / tree.GetFrame().Scale));
         }
@@ -255,7 +255,7 @@ TYPED_TEST(AlongSegmentTest, MarginWidensEveryBox)
       for (const double margin : { 0.01 * size, size })
       {
         const skd::Segment<D> segment{ random.Point(around), random.Point(around) };
-        ExpectReached(AllAlong(tree, segment, margin), Crossed(scene.Boxes, segment, margin),
+        ExpectVisited(AllAlong(tree, segment, margin), Crossed(scene.Boxes, segment, margin),
           CrossedWithin(scene.Boxes, segment, tree.GetFrame().Centre, margin + 1e-4 * size));
       }
     });
@@ -294,13 +294,13 @@ TYPED_TEST(AlongSegmentTest, ReachesAllThatShareTheFirstHit)
     const skd::Segment<D> segment{ Filled<D>(-far), Filled<D>(far) };
     const double first = skd::Clip(segment, EqualBoxes<D>(1)[0])->Min;
     const double early = std::nextafter(std::nextafter(first, 0.0), 0.0);
-    const Ids reached = Reached(tree, early,
+    const Ids visited = Visited(tree, early,
       [&](auto& visitor)
       {
         return skd::AlongSegment<D, std::decay_t<decltype(visitor)>>(
           tree.GetFrame(), segment, 0.0, visitor);
       });
-    EXPECT_EQ(reached.size(), 65u) << far;
+    EXPECT_EQ(visited.size(), 65u) << far;
   }
 }
 

@@ -52,10 +52,10 @@ public:
       Select(this->TheBoxes, [&](const skd::Box<D>& other) { return other.Overlaps(box); });
     ASSERT_EQ(isMet, !expected.empty());
     ASSERT_EQ(isMet, !list.empty());
-    Ids reached;
+    Ids visited;
     skd::VisitCandidates(this->TheTree, list.data(), list.data() + list.size(), box,
-      [&](std::uint32_t element) { reached.push_back(element); });
-    const Ids got = Sorted(reached);
+      [&](std::uint32_t element) { visited.push_back(element); });
+    const Ids got = Sorted(visited);
     ASSERT_TRUE(std::adjacent_find(got.begin(), got.end()) == got.end());
     ASSERT_TRUE(std::includes(got.begin(), got.end(), expected.begin(), expected.end()));
     for (int i = 0; levels > 0 && i < 4; ++i)
@@ -93,16 +93,16 @@ TYPED_TEST(CandidateListsTest, WhatFailsTheTestIsNoCandidate)
   thin.Min = thin.Max = boxes[17].Centroid();
   const List all = skd::AllCandidates();
   List list;
-  int asked = 0;
+  int requested = 0;
   EXPECT_FALSE(skd::NarrowCandidates(
     tree, all.data(), all.data() + all.size(), thin,
     [&](std::uint32_t)
     {
-      ++asked;
+      ++requested;
       return false;
     },
     list));
-  EXPECT_GE(asked, 1);
+  EXPECT_GE(requested, 1);
   EXPECT_TRUE(list.empty());
 }
 

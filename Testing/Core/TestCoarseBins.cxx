@@ -92,7 +92,7 @@ bool AreSame(const First& first, const Second& second, std::uint32_t a = 0, std:
 template <int D>
 Boxes<D> CrowdedBoxes(std::size_t n)
 {
-  Boxes<D> boxes = Placed<D>(RandomBoxes<D>(n), 1e-6, 0.0);
+  Boxes<D> boxes = Transformed<D>(RandomBoxes<D>(n), 1e-6, 0.0);
   for (const skd::Box<D>& far : RandomBoxes<D>(10))
   {
     boxes.push_back(far);
@@ -105,7 +105,7 @@ template <int D, class Tree>
 Ids NearTo(const Tree& tree, const skd::Vector<D>& q)
 {
   const double limit2 = 0.01 / tree.GetFrame().Scale / tree.GetFrame().Scale;
-  return Sorted(Reached(tree, limit2,
+  return Sorted(Visited(tree, limit2,
     [&](auto& visitor) {
       return skd::Nearest<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), q, limit2, visitor);
     }));

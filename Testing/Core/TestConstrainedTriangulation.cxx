@@ -173,14 +173,14 @@ TEST(ConstrainedTriangulation, RandomSegmentsAreThere)
   for (int seed = 0; seed < 300; ++seed)
   {
     std::mt19937 random(seed);
-    const int reach = 6 + seed % 30;
-    auto points = BigTriangle(reach);
+    const int maxDistance = 6 + seed % 30;
+    auto points = BigTriangle(maxDistance);
     std::set<Point> known(points.begin(), points.end());
     for (int x = 0; x < 4 + seed % 60; ++x)
     {
-      std::uniform_int_distribution<int> any(1, reach - 2);
+      std::uniform_int_distribution<int> any(1, maxDistance - 2);
       const Point p{ any(random), any(random) };
-      if (p[0] + p[1] < reach && known.insert(p).second)
+      if (p[0] + p[1] < maxDistance && known.insert(p).second)
       {
         points.push_back(p);
       }

@@ -19,14 +19,15 @@ using skd::Box3;
 std::vector<Box3> RandomBoxes(std::size_t number, unsigned int seed)
 {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::uniform_real_distribution<double> position(-1.0, 1.0);
   std::vector<Box3> boxes;
   for (std::size_t i = 0; i < number; ++i)
   {
     Box3 box;
     for (int corner = 0; corner < 2; ++corner)
     {
-      box.Add(skd::Vector3{ { place(random), 100.0 * place(random), 0.01 * place(random) } });
+      box.Add(
+        skd::Vector3{ { position(random), 100.0 * position(random), 0.01 * position(random) } });
     }
     boxes.push_back(box);
   }

@@ -139,12 +139,12 @@ TEST(CurvePair, CubicsCrossNineTimes)
 {
   // Chebyshev's polynomial over [0, 1], and the same with x and y exchanged.
   const BezierCurve graph = Graph({ 0.0, 3.0, -2.0, 1.0 });
-  BezierCurve turned = graph;
+  BezierCurve rotated = graph;
   for (int i = 0; i < 4; ++i)
   {
-    std::swap(turned.Points[i][0], turned.Points[i][1]);
+    std::swap(rotated.Points[i][0], rotated.Points[i][1]);
   }
-  const auto hits = Solve(graph, turned);
+  const auto hits = Solve(graph, rotated);
   EXPECT_EQ(hits.size(), 9u);
   for (const CurvePairHit& hit : hits)
   {
@@ -376,9 +376,9 @@ TEST(CurvePair, NoCrossingAtASmallAngleIsLost)
     for (int i = 0; i <= curves[1].Degree; ++i)
     {
       const Vector3 x = curves[1].Control(i) - from.X;
-      const Vector3 turned =
+      const Vector3 rotated =
         cosine * x + Cross(axis, x) + (Dot(axis, x) / (1.0 + cosine)) * axis; // Rodrigues's
-      curves[1].Points[i] = Weighted(at.X + turned, curves[1].Points[i][3]);
+      curves[1].Points[i] = Weighted(at.X + rotated, curves[1].Points[i][3]);
     }
     for (int first = 0; first < 2; ++first)
     {

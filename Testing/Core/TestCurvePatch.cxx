@@ -22,7 +22,7 @@ constexpr double Quarter[3][3] = { { 1, 0, 1 }, { 1, 1, M_SQRT1_2 }, { 0, 1, 1 }
 /// The patch of a torus about z that begins at (phi, theta) quarters.
 BezierPatch TorusPatch(double R, double r, int phi, int theta)
 {
-  const auto turned = [](const double(&p)[3], int quarters, double(&out)[2])
+  const auto rotated = [](const double(&p)[3], int quarters, double(&out)[2])
   {
     static constexpr int cosines[4] = { 1, 0, -1, 0 };
     const int c = cosines[quarters % 4];
@@ -38,8 +38,8 @@ BezierPatch TorusPatch(double R, double r, int phi, int theta)
     {
       double around[2];
       double tube[2];
-      turned(Quarter[i], phi, around);
-      turned(Quarter[j], theta, tube);
+      rotated(Quarter[i], phi, around);
+      rotated(Quarter[j], theta, tube);
       const double radius = R + r * tube[0];
       patch.Point(i, j) = Weighted(
         { { radius * around[0], radius * around[1], r * tube[1] } }, Quarter[i][2] * Quarter[j][2]);
@@ -315,9 +315,9 @@ TEST(CurvePatch, NoCrossingAtASmallAngleIsLost)
     for (int i = 0; i <= curve.Degree; ++i)
     {
       const Vector3 x = curve.Control(i) - from.X;
-      const Vector3 turned =
+      const Vector3 rotated =
         cosine * x + Cross(axis, x) + (Dot(axis, x) / (1.0 + cosine)) * axis; // Rodrigues's
-      curve.Points[i] = Weighted(at.X + turned, curve.Points[i][3]);
+      curve.Points[i] = Weighted(at.X + rotated, curve.Points[i][3]);
     }
     const auto& hits = solver.Solve(curve, patch, 8e-15);
     const auto isThere = [&](const CurvePatchHit& hit)

@@ -41,7 +41,7 @@ Polygon Star(Random& random, int size)
   return polygon;
 }
 
-Vector3 Turned(const Vector3& x)
+Vector3 Rotated(const Vector3& x)
 {
   return { { x[2] + 0.3 * x[0], x[0] - 0.2 * x[1], x[1] } };
 }
@@ -58,7 +58,7 @@ TEST(EarClipping, TrianglesHaveTheAreaOfThePolygonHoweverItIsTurned)
     }
     if (i % 3)
     {
-      std::transform(polygon.begin(), polygon.end(), polygon.begin(), Turned);
+      std::transform(polygon.begin(), polygon.end(), polygon.begin(), Rotated);
     }
     double area = 0.0;
     for (const auto& triangle : Cut(polygon))

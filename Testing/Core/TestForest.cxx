@@ -141,10 +141,10 @@ TEST(Forest, PlacesParentsAndChildrenAgree)
       {
         for (std::uint32_t cell = 0; cell < forest.NumberOfCells(level); ++cell)
         {
-          const skd::LatticePoint place = forest.LatticePointOf(level, cell);
-          const Forest::Node there = forest.Find(level, place);
+          const skd::LatticePoint position = forest.LatticePointOf(level, cell);
+          const Forest::Node there = forest.Find(level, position);
           EXPECT_TRUE(there.Level == level && there.Index == cell);
-          const skd::Box3 box = lattice.BoxOf(level, place);
+          const skd::Box3 box = lattice.BoxOf(level, position);
           if (level > 0)
           {
             const std::uint32_t parent = forest.Parent(level, cell);
@@ -277,9 +277,9 @@ TEST(Forest, LayersReachThatManyCellsAndNoFarther)
     const std::vector<char> grown = skd::Grown(forest, 4, marks, layers);
     for (std::uint32_t cell = 0; cell < marks.size(); ++cell)
     {
-      const skd::LatticePoint place = forest.LatticePointOf(4, cell);
-      const bool isNear = std::abs(place[0] - 5) <= layers && std::abs(place[1] - 8) <= layers &&
-        std::abs(place[2] - 15) <= layers;
+      const skd::LatticePoint position = forest.LatticePointOf(4, cell);
+      const bool isNear = std::abs(position[0] - 5) <= layers &&
+        std::abs(position[1] - 8) <= layers && std::abs(position[2] - 15) <= layers;
       EXPECT_EQ(grown[cell] != 0, isNear);
     }
   }

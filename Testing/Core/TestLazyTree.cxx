@@ -48,7 +48,7 @@ template <int D, class Tree>
 Ids NearestWalk(const Tree& tree, const skd::Vector<D>& q)
 {
   const double limit2 = 0.1 / tree.GetFrame().Scale / tree.GetFrame().Scale;
-  return Reached(tree, limit2,
+  return Visited(tree, limit2,
     [&](auto& visitor) {
       return skd::Nearest<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), q, limit2, visitor);
     });
@@ -57,7 +57,7 @@ Ids NearestWalk(const Tree& tree, const skd::Vector<D>& q)
 template <int D, class Tree>
 Ids SegmentWalk(const Tree& tree, const skd::Vector<D>& a, const skd::Vector<D>& b)
 {
-  return Reached(tree, 1.0,
+  return Visited(tree, 1.0,
     [&](auto& visitor)
     {
       return skd::AlongSegment<D, std::decay_t<decltype(visitor)>>(
@@ -69,7 +69,7 @@ template <int D, class Tree>
 Ids BoxWalk(const Tree& tree, const skd::Vector<D>& corner)
 {
   const skd::Box<D> box(corner, corner + Filled<D>(0.25));
-  return Reached(tree, true,
+  return Visited(tree, true,
     [&](auto& visitor)
     { return skd::WithinBox<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), box, visitor); });
 }

@@ -105,8 +105,8 @@ protected:
   Box3 Bounds() const
   {
     const double s = GetParam().Scale;
-    const Vector3 reach{ { 2.0 * s, 2.0 * s, 2.0 * s } };
-    return Box3(GetParam().Offset - reach, GetParam().Offset + reach);
+    const Vector3 maxDistance{ { 2.0 * s, 2.0 * s, 2.0 * s } };
+    return Box3(GetParam().Offset - maxDistance, GetParam().Offset + maxDistance);
   }
 
   double Size() const { return GetParam().Scale * GetParam().Smallness; }
@@ -205,8 +205,8 @@ TEST_P(LeafFilters, NoHitIsMissed)
     const Vector3 through = i % 3 == 0 ? aim[0]
       : i % 3 == 1                     ? skd::Lerp(aim[0], aim[1], this->Random.Between(0.0, 1.0))
                                        : (1.0 / 3.0) * (aim[0] + aim[1] + aim[2]);
-    const Vector3 reach = this->Random.Point(GetParam().Scale);
-    const skd::Segment<3> segment{ through - reach, through + reach };
+    const Vector3 maxDistance = this->Random.Point(GetParam().Scale);
+    const skd::Segment<3> segment{ through - maxDistance, through + maxDistance };
     const skd::SegmentView view(segment);
     skd::TriangleCrossings crossings(view.GetShear());
     crossings.Aim(packed.TheFrame.Local(segment.A), 1e-15);
@@ -238,10 +238,10 @@ TEST_P(LeafFilters, AMarginWidensTriangles)
     const Packed packed = this->Make();
     const auto& aim = packed.Corners[this->Random.Below(Width)];
     const Vector3 aside = this->Random.Point(0.5 * margin / packed.TheFrame.Scale);
-    const Vector3 reach = this->Random.Point(GetParam().Scale);
+    const Vector3 maxDistance = this->Random.Point(GetParam().Scale);
     const Vector3 through = aim[0] + aside;
-    skd::TriangleCrossings crossings{ skd::Shear(reach) };
-    crossings.Aim(packed.TheFrame.Local(through - reach), margin);
+    skd::TriangleCrossings crossings{ skd::Shear(maxDistance) };
+    crossings.Aim(packed.TheFrame.Local(through - maxDistance), margin);
     const unsigned met = crossings.MayIntersect(packed.Packet);
     ASSERT_TRUE(met >> (&aim - packed.Corners) & 1u);
   }

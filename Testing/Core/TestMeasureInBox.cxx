@@ -79,7 +79,7 @@ double Common(const Box3& a, const Box3& b)
 TEST(MeasureInBox, OfABoxIsWhatTheyHaveInCommon)
 {
   Random random(5);
-  int asked = 0;
+  int requested = 0;
   for (int i = 0; i < 60000; ++i)
   {
     const bool isGrid = i % 2 == 0;
@@ -113,10 +113,10 @@ TEST(MeasureInBox, OfABoxIsWhatTheyHaveInCommon)
     {
       continue;
     }
-    ++asked;
+    ++requested;
     ASSERT_NEAR(MeasureOf(BoxSurface(body), box, corner, isInside), Common(body, box), 1e-12) << i;
   }
-  EXPECT_GT(asked, 10000);
+  EXPECT_GT(requested, 10000);
 }
 
 Triangles Tetrahedron(const std::array<Vector3, 4>& p)

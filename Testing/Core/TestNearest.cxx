@@ -51,9 +51,9 @@ std::vector<double> LeastDistances2(const Tree& tree, const Boxes<D>& boxes,
 
 /// What a search within a constant distance reaches.
 template <int D, class Tree>
-Ids ReachedWithin(const Tree& tree, const skd::Vector<D>& q, double limit2)
+Ids VisitedWithin(const Tree& tree, const skd::Vector<D>& q, double limit2)
 {
-  return Reached(tree, limit2,
+  return Visited(tree, limit2,
     [&](auto& visitor) {
       return skd::Nearest<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), q, limit2, visitor);
     });
@@ -106,7 +106,7 @@ TYPED_TEST(NearestTest, ReachesAllWithinARadiusAndNoneFarther)
             return Select(scene.Boxes,
               [&](const auto& box) { return skd::MinDistance2(q, box) <= limit * limit; });
           };
-          ExpectReached(ReachedWithin(tree, q, radius * radius), within(radius), within(most));
+          ExpectVisited(VisitedWithin(tree, q, radius * radius), within(radius), within(most));
         }
       }
     });
@@ -127,7 +127,7 @@ TYPED_TEST(NearestTest, ReachesThoseAtExactlyTheLimit)
           const auto isWithin = [&](const auto& box)
           { return skd::MinDistance2(q, box) <= limit2; };
           const Ids all = Select(scene.Boxes, [](const auto&) { return true; });
-          ExpectReached(ReachedWithin(tree, q, limit2), Select(scene.Boxes, isWithin), all);
+          ExpectVisited(VisitedWithin(tree, q, limit2), Select(scene.Boxes, isWithin), all);
         }
       }
     });
@@ -139,7 +139,7 @@ TYPED_TEST(NearestTest, ReachesAllBoxesThatMeetInAPointAtDistanceZero)
   const Boxes<D> boxes = LatticeBoxes<D>(729);
   const auto tree = skd::BuildTree<D>(InputOf(boxes, 4));
   const skd::Vector<D> corner = Filled<D>(1.0);
-  EXPECT_EQ(Sorted(ReachedWithin(tree, corner, 0.0)),
+  EXPECT_EQ(Sorted(VisitedWithin(tree, corner, 0.0)),
     Select(boxes, [&](const auto& box) { return box.Contains(corner); }));
 }
 
@@ -154,8 +154,8 @@ TYPED_TEST(NearestTest, ReachesThoseAtTheLimitWhereSquaresAreDenormal)
     Boxes<D> boxes{ { Filled<D>(-0.9), Filled<D>(-0.9) }, { Filled<D>(0.9), Filled<D>(0.9) },
       { near, near } };
     const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
-    const Ids reached = ReachedWithin(tree, Filled<D>(0.0), skd::Norm2(near));
-    EXPECT_EQ(std::count(reached.begin(), reached.end(), 2u), 1) << near[0];
+    const Ids visited = VisitedWithin(tree, Filled<D>(0.0), skd::Norm2(near));
+    EXPECT_EQ(std::count(visited.begin(), visited.end(), 2u), 1) << near[0];
   }
 }
 
@@ -182,7 +182,7 @@ TYPED_TEST(NearestTest, ReachesNothingWithinANegativeOrNaNDistance)
   const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (const double bad : { -1e-6, -Infinity, NaN })
   {
-    EXPECT_TRUE(ReachedWithin(tree, boxes[7].Centroid(), bad).empty()) << bad;
+    EXPECT_TRUE(VisitedWithin(tree, boxes[7].Centroid(), bad).empty()) << bad;
   }
 }
 
@@ -198,8 +198,8 @@ TYPED_TEST(NearestTest, EndsForPointsThatAreNotFinite)
       {
         skd::Vector<D> q = Filled<D>(0.0);
         q[D - 1] = bad;
-        ExpectReached(ReachedWithin(tree, q, 1.0), {}, all);
-        ExpectReached(ReachedWithin(tree, q, Infinity), {}, all);
+        ExpectVisited(VisitedWithin(tree, q, 1.0), {}, all);
+        ExpectVisited(VisitedWithin(tree, q, Infinity), {}, all);
       }
     });
 }

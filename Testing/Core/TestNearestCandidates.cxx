@@ -21,15 +21,15 @@ template <int D, class Tree>
 Ids Candidates(
   const Tree& tree, const Boxes<D>& boxes, const skd::Vector<D>& q, double limit2 = Infinity)
 {
-  Ids reached;
-  auto visitor = [&](std::uint32_t element) { reached.push_back(element); };
+  Ids visited;
+  auto visitor = [&](std::uint32_t element) { visited.push_back(element); };
   skd::NearestCandidates<D, decltype(visitor)> query(tree.GetFrame(), q, limit2, visitor);
   skd::Walk(tree, query);
   const double scale = tree.GetFrame().Scale;
   const auto isTooFar = [&](std::uint32_t element)
   { return skd::MinDistance2(q, boxes[element]) * scale * scale > query.Limit(); };
-  reached.erase(std::remove_if(reached.begin(), reached.end(), isTooFar), reached.end());
-  return Sorted(reached);
+  visited.erase(std::remove_if(visited.begin(), visited.end(), isTooFar), visited.end());
+  return Sorted(visited);
 }
 
 /// The least of the boxes' greatest distances: the nearest element cannot be farther.
@@ -62,7 +62,7 @@ TYPED_TEST(NearestCandidatesTest, AreThoseNotFartherThanThePessimisticDistance)
         const double known2 = Pessimistic2(boxes, q);
         const double far = Norm(q - tree.GetFrame().Centre);
         const double most = std::sqrt(known2) + 2.0 * FloatError(tree.GetFrame(), far);
-        ExpectReached(
+        ExpectVisited(
           Candidates(tree, boxes, q), Within(boxes, q, known2), Within(boxes, q, most * most));
       }
     });
@@ -107,7 +107,7 @@ TYPED_TEST(NearestCandidatesTest, AreNoMoreWithAReferencePoint)
         }
         const double far = Norm(q - tree.GetFrame().Centre);
         const double most = std::sqrt(known2) + 2.0 * FloatError(tree.GetFrame(), far);
-        ExpectReached(Candidates(tree, boxes, q, known2), Within(boxes, q, known2),
+        ExpectVisited(Candidates(tree, boxes, q, known2), Within(boxes, q, known2),
           Within(boxes, q, most * most));
       }
     });

@@ -69,9 +69,9 @@ int Orient(const Points& p)
 
 /// Four points that are nearly, and often exactly, in one plane: whole combinations of two
 /// directions, moved by at most one step.
-WholePoints NearlyFlat(std::mt19937_64& random, std::int64_t reach, std::int64_t offset)
+WholePoints NearlyFlat(std::mt19937_64& random, std::int64_t maxDistance, std::int64_t offset)
 {
-  std::uniform_int_distribution<std::int64_t> direction(-reach, reach);
+  std::uniform_int_distribution<std::int64_t> direction(-maxDistance, maxDistance);
   std::uniform_int_distribution<std::int64_t> factor(-9, 9);
   std::uniform_int_distribution<std::int64_t> step(-1, 1);
   const WholePoint u = { direction(random), direction(random), direction(random) };

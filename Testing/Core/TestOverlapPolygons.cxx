@@ -55,12 +55,12 @@ std::vector<Polygon> CubedSphere(int n, bool isTurned)
     Polygon cell;
     for (const auto& corner : { std::array<int, 2>{ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } })
     {
-      const int places[2] = { i % n + corner[0], i / n % n + corner[1] };
+      const int positions[2] = { i % n + corner[0], i / n % n + corner[1] };
       Vector3 x;
       x[side / 2] = sign;
-      x[(side / 2 + 1) % 3] = sign * std::tan(HalfTurn / 4.0 * (2.0 * places[0] / n - 1.0));
-      x[(side / 2 + 2) % 3] = std::tan(HalfTurn / 4.0 * (2.0 * places[1] / n - 1.0));
-      cell.push_back(Unit(isTurned ? Turned(x) : x));
+      x[(side / 2 + 1) % 3] = sign * std::tan(HalfTurn / 4.0 * (2.0 * positions[0] / n - 1.0));
+      x[(side / 2 + 2) % 3] = std::tan(HalfTurn / 4.0 * (2.0 * positions[1] / n - 1.0));
+      cell.push_back(Unit(isTurned ? Rotated(x) : x));
     }
     cells.push_back(cell);
   }
@@ -259,9 +259,9 @@ TEST(OverlapPolygons, OutlinesOfLonLatCells)
 TEST(OverlapPolygons, SegmentsOfOneLine)
 {
   const Vector3 start{ { 0.1, 0.2, -0.3 } };
-  const Vector3 way{ { 0.3, -0.4, 1.2 } };
+  const Vector3 direction{ { 0.3, -0.4, 1.2 } };
   const auto segment = [&](double from, double to) {
-    return skd::Segment<3>{ start + from * way, start + to * way };
+    return skd::Segment<3>{ start + from * direction, start + to * direction };
   };
   const auto lengthOf = [](const auto& common) {
     return common ? skd::MomentsOf(*common, { { 0, 0, 0 } }).Measure : 0.0;

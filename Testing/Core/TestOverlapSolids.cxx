@@ -23,10 +23,10 @@ struct Body
   skd::SolidView View() const { return { this->Corners.data(), this->Topology }; }
 
   template <class Place>
-  Body Map(const Place& place) const
+  Body Map(const Place& position) const
   {
     Body moved = *this;
-    std::transform(moved.Corners.begin(), moved.Corners.end(), moved.Corners.begin(), place);
+    std::transform(moved.Corners.begin(), moved.Corners.end(), moved.Corners.begin(), position);
     return moved;
   }
 };
@@ -92,9 +92,9 @@ TEST(OverlapSolids, KnownVolumes)
   const Body one = Tetrahedron({ c[0], c[2], c[5], c[7] });
   const Body dual = Tetrahedron({ c[1], c[3], c[4], c[6] });
   EXPECT_NEAR(Common(one, dual).Measure, 1.0 / 6.0, 2e-16);
-  const Body turned = cube.Map(TurnAbout({ { 0, 0, 1 } }, HalfTurn / 4.0, Middle));
-  EXPECT_NEAR(Common(cube, turned).Measure, 0.828427124746190, 1e-15);
-  EXPECT_NEAR(Common(turned, cube).Measure, 0.828427124746190, 1e-15);
+  const Body rotated = cube.Map(TurnAbout({ { 0, 0, 1 } }, HalfTurn / 4.0, Middle));
+  EXPECT_NEAR(Common(cube, rotated).Measure, 0.828427124746190, 1e-15);
+  EXPECT_NEAR(Common(rotated, cube).Measure, 0.828427124746190, 1e-15);
   const Body upright = cube.Map(TurnAbout({ { 1, 1, 1 } }, HalfTurn / 3.0, Middle));
   EXPECT_NEAR(Common(cube, upright).Measure, 0.75, 1e-15);
   EXPECT_NEAR(Norm(Common(cube, upright).First - 0.75 * Middle), 0.0, 1e-15);
@@ -108,12 +108,12 @@ TEST(OverlapSolids, TouchingIsExactlyNothing)
     for (const auto& angle : { 0.0, 0.3 })
     {
       const auto turn = TurnAbout({ { 1, 2, -3 } }, angle, Middle);
-      const auto place = [&](const Vector3& x) { return factor * turn(x); };
+      const auto position = [&](const Vector3& x) { return factor * turn(x); };
       for (int i = 0; i < 27; ++i)
       {
         const Vector3 shift{ { i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 } };
-        const Body next = Cube().Map([&](const Vector3& x) { return place(x + shift); });
-        const double measure = Common(Cube().Map(place), next).Measure;
+        const Body next = Cube().Map([&](const Vector3& x) { return position(x + shift); });
+        const double measure = Common(Cube().Map(position), next).Measure;
         EXPECT_EQ(measure > 0.0, i == 13) << measure;
       }
     }

@@ -32,7 +32,7 @@ struct Motion
   double Angle;
   skd::Vector<D> Shift;
 
-  skd::Vector<D> Turned(skd::Vector<D> x) const
+  skd::Vector<D> Rotated(skd::Vector<D> x) const
   {
     for (int axis = 0; axis + 1 < D; ++axis)
     {
@@ -46,16 +46,16 @@ struct Motion
 
   skd::Box<D> operator()(const skd::Box<D>& box) const
   {
-    skd::Vector<D> reach = Filled<D>(0.0);
+    skd::Vector<D> maxDistance = Filled<D>(0.0);
     for (int axis = 0; axis < D; ++axis)
     {
-      const skd::Vector<D> edge = this->Turned(Along<D>(axis, 0.5 * box.Length(axis)));
+      const skd::Vector<D> edge = this->Rotated(Along<D>(axis, 0.5 * box.Length(axis)));
       for (int i = 0; i < D; ++i)
       {
-        reach[i] += std::abs(edge[i]);
+        maxDistance[i] += std::abs(edge[i]);
       }
     }
-    return BoxAround(this->Turned(box.Centroid()) + this->Shift, reach);
+    return BoxAround(this->Rotated(box.Centroid()) + this->Shift, maxDistance);
   }
 };
 
@@ -66,19 +66,19 @@ std::uint32_t Pair(std::size_t a, std::size_t b)
 }
 
 template <class First, class Second, class ToFirst>
-Ids ReachedPairs(const First& first, const Second& second, const ToFirst& toFirst)
+Ids VisitedPairs(const First& first, const Second& second, const ToFirst& toFirst)
 {
   constexpr int D = std::extent_v<decltype(first.GetFrame().Centre.X)>;
-  Ids reached;
+  Ids visited;
   auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
-    reached.push_back(Pair(a, b));
+    visited.push_back(Pair(a, b));
     return true;
   };
   skd::OverlappingPairs<D, ToFirst, decltype(visitor)> query(
     first.GetFrame(), second.GetFrame(), toFirst, visitor);
   skd::WalkPairs(first, second, query);
-  return reached;
+  return visited;
 }
 
 /// Pairs that overlap when each box is grown by `margin`, counted from a point near.
@@ -133,14 +133,14 @@ void ExpectPairs(const Boxes<D>& first, const Boxes<D>& second)
         std::ldexp(Norm(far), -50);
       const skd::Vector<D> near = firstTree.GetFrame().Centre;
       const double noMargin = 0.0;
-      ExpectReached(ReachedPairs(firstTree, secondTree, Unmoved()),
+      ExpectVisited(VisitedPairs(firstTree, secondTree, Unmoved()),
         Pairs(first, second, Filled<D>(0.0), noMargin), Pairs(first, second, near, error));
       // In single precision, between frames that are at most 16 of the first's half sizes apart.
       const double coarse = error + 64.0 * FLT_EPSILON / firstTree.GetFrame().Scale;
-      ExpectReached(ReachedPairs(firstTree, secondTree, skd::SameWorld()),
+      ExpectVisited(VisitedPairs(firstTree, secondTree, skd::SameWorld()),
         Pairs(first, second, Filled<D>(0.0), noMargin), Pairs(first, second, near, coarse));
       const double margin = 0.01;
-      ExpectReached(ReachedPairs(firstTree, secondTree, skd::SameWorld{ margin }),
+      ExpectVisited(VisitedPairs(firstTree, secondTree, skd::SameWorld{ margin }),
         Pairs(first, second, Filled<D>(0.0), 0.999 * margin),
         Pairs(first, second, near, coarse + 1.001 * margin));
     });
@@ -168,8 +168,9 @@ TYPED_TEST(OverlappingPairsTest, OfUnlikeSetsAreThoseWhoseBoxesOverlap)
   constexpr int D = TypeParam::Value;
   Boxes<D> spread = RandomBoxes<D>(64, 5);
   spread.push_back(BoxAround(Filled<D>(1e6), Filled<D>(1.0)));
-  for (const Boxes<D>& second : { spread, Placed<D>(RandomBoxes<D>(65, 6), 0.01, 0.2),
-         Placed<D>(RandomBoxes<D>(65, 7), 1000.0, 3.0), SliverBoxes<D>(65), GradedBoxes<D>(65) })
+  for (const Boxes<D>& second :
+    { spread, Transformed<D>(RandomBoxes<D>(65, 6), 0.01, 0.2),
+      Transformed<D>(RandomBoxes<D>(65, 7), 1000.0, 3.0), SliverBoxes<D>(65), GradedBoxes<D>(65) })
   {
     ExpectPairs(RandomBoxes<D>(513), second);
     ExpectPairs(second, RandomBoxes<D>(513));
@@ -180,7 +181,7 @@ TYPED_TEST(OverlappingPairsTest, OfUnlikeSetsAreThoseWhoseBoxesOverlap)
 TYPED_TEST(OverlappingPairsTest, AreTouchingNeighboursInALattice)
 {
   constexpr int D = TypeParam::Value;
-  const Boxes<D> lattice = Placed<D>(LatticeBoxes<D>(256), 0.1, 0.7);
+  const Boxes<D> lattice = Transformed<D>(LatticeBoxes<D>(256), 0.1, 0.7);
   Boxes<D> same(lattice.begin() + 17, lattice.begin() + 170);
   same.push_back(BoxAround(Filled<D>(12345.678), Filled<D>(1.0)));
   ExpectPairs(lattice, same);
@@ -197,10 +198,10 @@ TYPED_TEST(OverlappingPairsTest, TouchThoughOneSetIsHugeAndTheOtherTiny)
     const Boxes<D> huge{ { Filled<D>(0.0), Filled<D>(end) }, { Filled<D>(2e9), Filled<D>(2e9) } };
     const auto tinyTree = skd::BuildTree<D>(InputOf(tiny, 8));
     const auto hugeTree = skd::BuildTree<D>(InputOf(huge, 8));
-    EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
-    EXPECT_EQ(ReachedPairs(hugeTree, tinyTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
-    EXPECT_EQ(ReachedPairs(tinyTree, hugeTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
-    EXPECT_EQ(ReachedPairs(hugeTree, tinyTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(VisitedPairs(tinyTree, hugeTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(VisitedPairs(hugeTree, tinyTree, Unmoved()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(VisitedPairs(tinyTree, hugeTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
+    EXPECT_EQ(VisitedPairs(hugeTree, tinyTree, skd::SameWorld()), Ids{ Pair(0, 0) }) << end;
   }
 }
 
@@ -217,7 +218,7 @@ TYPED_TEST(OverlappingPairsTest, AreFoundThroughARigidMotion)
     ForEachKindOfTrees<D>(first, second,
       [&](const auto& firstTree, const auto& secondTree)
       {
-        ExpectReached(ReachedPairs(firstTree, secondTree, motion),
+        ExpectVisited(VisitedPairs(firstTree, secondTree, motion),
           Pairs(first, moved, Filled<D>(0.0), -1e-12), Pairs(first, moved, Filled<D>(0.0), 1e-4));
       });
   }
@@ -227,21 +228,21 @@ TYPED_TEST(OverlappingPairsTest, OfSetsApartAreNone)
 {
   constexpr int D = TypeParam::Value;
   const auto here = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
-  const auto there = skd::BuildTree<D>(InputOf(Placed<D>(RandomBoxes<D>(513), 1.0, 5.0), 8));
-  EXPECT_TRUE(ReachedPairs(here, there, Unmoved()).empty());
+  const auto there = skd::BuildTree<D>(InputOf(Transformed<D>(RandomBoxes<D>(513), 1.0, 5.0), 8));
+  EXPECT_TRUE(VisitedPairs(here, there, Unmoved()).empty());
 }
 
 TYPED_TEST(OverlappingPairsTest, EndWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
   const auto tree = skd::BuildTree<D>(InputOf(EqualBoxes<D>(65), 8));
-  int reached = 0;
-  auto visitor = [&reached](std::uint32_t, std::uint32_t) { return ++reached < 3; };
+  int visited = 0;
+  auto visitor = [&visited](std::uint32_t, std::uint32_t) { return ++visited < 3; };
   const Unmoved unmoved;
   skd::OverlappingPairs<D, Unmoved, decltype(visitor)> query(
     tree.GetFrame(), tree.GetFrame(), unmoved, visitor);
   skd::WalkPairs(tree, tree, query);
-  EXPECT_EQ(reached, 3);
+  EXPECT_EQ(visited, 3);
 }
 
 /// A line against itself: each box meets itself and two others, so work grows as the set does.
@@ -250,14 +251,14 @@ TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
   constexpr int D = TypeParam::Value;
   const Boxes<D> boxes = LineOfBoxes<D>(4096);
   const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
-  int reached = 0;
-  auto visitor = [&reached](std::uint32_t, std::uint32_t) { return ++reached > 0; };
+  int visited = 0;
+  auto visitor = [&visited](std::uint32_t, std::uint32_t) { return ++visited > 0; };
   const Unmoved unmoved;
   skd::OverlappingPairs<D, Unmoved, decltype(visitor)> query(
     tree.GetFrame(), tree.GetFrame(), unmoved, visitor);
   const CountedTree first(tree);
   skd::WalkPairs(first, tree, query);
-  EXPECT_EQ(reached, 3 * 4096 - 2);
+  EXPECT_EQ(visited, 3 * 4096 - 2);
   EXPECT_LE(first.Opened, 40u * tree.NumberOfNodes());
 }
 
@@ -265,10 +266,10 @@ TYPED_TEST(OverlappingPairsTest, OpensFewNodesForALineAgainstItself)
 template <int D>
 Ids PairsWithin(const skd::Tree<D>& tree, std::size_t enough)
 {
-  Ids reached;
+  Ids visited;
   const auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
-    reached.push_back(Pair(std::min(a, b), std::max(a, b)));
+    visited.push_back(Pair(std::min(a, b), std::max(a, b)));
     return true;
   };
   using Tree = skd::Tree<D>;
@@ -276,7 +277,7 @@ Ids PairsWithin(const skd::Tree<D>& tree, std::size_t enough)
   const skd::OverlapParts<D, Tree, Tree, Unmoved, decltype(visitor)> parts(
     tree, tree, unmoved, enough, visitor, true);
   parts.Visit(0, parts.size(), visitor);
-  return reached;
+  return visited;
 }
 
 TYPED_TEST(OverlappingPairsTest, OfOneTreeAreReachedOnce)
@@ -287,7 +288,7 @@ TYPED_TEST(OverlappingPairsTest, OfOneTreeAreReachedOnce)
   {
     const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
     Ids expected;
-    for (const std::uint32_t pair : ReachedPairs(tree, tree, Unmoved()))
+    for (const std::uint32_t pair : VisitedPairs(tree, tree, Unmoved()))
     {
       if (pair / 10000 < pair % 10000)
       {
@@ -306,10 +307,10 @@ TYPED_TEST(OverlappingPairsTest, OfTwoTreesAreTheSameInParts)
   constexpr int D = TypeParam::Value;
   const auto first = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
   const auto second = skd::BuildTree<D>(InputOf(RandomBoxes<D>(65, 9), 3));
-  Ids reached;
+  Ids visited;
   const auto visitor = [&](std::uint32_t a, std::uint32_t b)
   {
-    reached.push_back(Pair(a, b));
+    visited.push_back(Pair(a, b));
     return true;
   };
   using Tree = skd::Tree<D>;
@@ -317,12 +318,12 @@ TYPED_TEST(OverlappingPairsTest, OfTwoTreesAreTheSameInParts)
   const skd::OverlapParts<D, Tree, Tree, Unmoved, decltype(visitor)> parts(
     first, second, unmoved, 50, visitor, false);
   EXPECT_GE(parts.size(), 50u);
-  EXPECT_TRUE(reached.empty());
+  EXPECT_TRUE(visited.empty());
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     parts.Visit(i, i + 1, visitor);
   }
-  EXPECT_EQ(Sorted(reached), Sorted(ReachedPairs(first, second, Unmoved())));
+  EXPECT_EQ(Sorted(visited), Sorted(VisitedPairs(first, second, Unmoved())));
 }
 
 }

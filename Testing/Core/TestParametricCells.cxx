@@ -29,7 +29,7 @@ protected:
   static constexpr double Bendable = std::is_same_v<Shape, skd::Voxel> ? 0.0 : 1.0;
 
   Points Cell(double warp) { return coretest::RandomCell<Shape>(this->Random, Bendable * warp); }
-  Vector3 Place() { return coretest::MoveIntoDomain<Shape>(this->Random); }
+  Vector3 Position() { return coretest::MoveIntoDomain<Shape>(this->Random); }
 
   static VolumePoint Closest(const Points& points, const Vector3& x, double limit2 = Infinity)
   {
@@ -50,7 +50,7 @@ protected:
   /// A point that was computed in the cell is in it.
   void ExpectFound(const Points& points, double tolerance)
   {
-    const Vector3 x = Evaluate<Shape>(points.data(), this->Place(), Zero);
+    const Vector3 x = Evaluate<Shape>(points.data(), this->Position(), Zero);
     const VolumePoint found = Closest(points, x);
     EXPECT_LE(std::sqrt(found.Dist2), tolerance);
     ExpectConsistent(points, x, found, 10.0 * tolerance);
@@ -84,7 +84,7 @@ TYPED_TEST(ParametricCells, WeightsAreOneAtTheirOwnCornerAndSumToOne)
       EXPECT_EQ(weights[i], i == corner ? 1.0 : 0.0);
     }
   }
-  TypeParam::Weights(this->Place(), weights);
+  TypeParam::Weights(this->Position(), weights);
   double sum = 0.0;
   for (int i = 0; i < TypeParam::Size; ++i)
   {
@@ -97,7 +97,7 @@ TYPED_TEST(ParametricCells, WeightsAreOneAtTheirOwnCornerAndSumToOne)
 // Weights are linear along each parametric coordinate: differences are exact derivatives.
 TYPED_TEST(ParametricCells, DerivativesAreDifferencesOfWeights)
 {
-  const Vector3 p = this->Place();
+  const Vector3 p = this->Position();
   double derivatives[24];
   TypeParam::Derivatives(p, derivatives);
   for (int axis = 0; axis < 3; ++axis)
@@ -136,7 +136,7 @@ TYPED_TEST(ParametricCells, ThePositionOfAPointInAPlainCellIsFound)
   {
     const Points points =
       coretest::PlainCell<TypeParam>(this->Random, this->Random.Point(1.0), 0.1 * this->Bendable);
-    const Vector3 position = this->Place();
+    const Vector3 position = this->Position();
     const Vector3 x = Evaluate<TypeParam>(points.data(), position, Zero);
     const std::optional<Vector3> found = ParametricCoordinates<TypeParam>(points.data(), x);
     if (found)

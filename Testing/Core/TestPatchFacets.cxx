@@ -173,14 +173,14 @@ TEST(PatchFacets, AreTheSameFromBothSides)
     const NodePatch face = RandomFace(kind, 0.5 * CurvingOf(kind), 1.0, random);
     PatchFacets facets;
     facets.Cut(face, 1e-3);
-    for (int way = 0; way < (face.IsTriangle ? 6 : 8); ++way)
+    for (int direction = 0; direction < (face.IsTriangle ? 6 : 8); ++direction)
     {
       bool isOver;
       PatchFacets others;
-      others.Cut(PutDown(face, way, isOver), 1e-3);
-      EXPECT_EQ(others.IsFlipped(), facets.IsFlipped() != isOver) << way;
-      EXPECT_TRUE(others.GetPoints() == facets.GetPoints()) << way;
-      EXPECT_EQ(others.GetTriangles(), facets.GetTriangles()) << way;
+      others.Cut(PutDown(face, direction, isOver), 1e-3);
+      EXPECT_EQ(others.IsFlipped(), facets.IsFlipped() != isOver) << direction;
+      EXPECT_TRUE(others.GetPoints() == facets.GetPoints()) << direction;
+      EXPECT_EQ(others.GetTriangles(), facets.GetTriangles()) << direction;
     }
   }
 }

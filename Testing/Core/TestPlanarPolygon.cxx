@@ -18,16 +18,16 @@ TEST(PlanarPolygon, NearestPointOfAConcaveOneIsThatOfItsParts)
     Polygon polygon = Notched();
     for (Vector3& p : polygon)
     {
-      p = factor * Turned(p);
+      p = factor * Rotated(p);
     }
     for (int i = 0; i < 2000; ++i)
     {
       const Vector3 x = random.Point<3>(-2.0, 5.0);
       const auto found =
-        skd::ClosestPointOnPolygon(polygon.data(), int(polygon.size()), factor * Turned(x));
+        skd::ClosestPointOnPolygon(polygon.data(), int(polygon.size()), factor * Rotated(x));
       const double expected = std::sqrt(LeastDistance2(PartsOfNotched(0.0), x));
       ASSERT_NEAR(std::sqrt(found.Dist2) / factor, expected, 1e-14) << "query " << i;
-      ASSERT_NEAR(Norm(found.Point - factor * Turned(x)) / factor, expected, 1e-14);
+      ASSERT_NEAR(Norm(found.Point - factor * Rotated(x)) / factor, expected, 1e-14);
     }
   }
 }
@@ -90,13 +90,13 @@ TEST(PlanarPolygon, WeightsGiveThePoint)
     Polygon polygon = Notched();
     for (Vector3& p : polygon)
     {
-      p = factor * Turned(p);
+      p = factor * Rotated(p);
     }
     std::vector<double> weights(polygon.size());
     for (int i = 0; i < 1000; ++i)
     {
       const skd::Box3 part = PartsOfNotched(0.0)[random.Below(3)];
-      const Vector3 x = factor * Turned(random.Point(part));
+      const Vector3 x = factor * Rotated(random.Point(part));
       ASSERT_TRUE(skd::MeanValueWeights(polygon.data(), int(polygon.size()), x, weights.data()));
       ASSERT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1.0, 1e-13);
       ASSERT_LE(Norm(Mean(weights, polygon) - x), 1e-13 * factor);

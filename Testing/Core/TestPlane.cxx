@@ -70,8 +70,8 @@ TYPED_TEST(PlaneTest, TurnedRoundOverlapsTheSame)
   for (int i = 0; i < 100; ++i)
   {
     const skd::Plane<D> plane{ random.Point<D>(-2.0, 3.0), random.Direction<D>() };
-    const skd::Plane<D> turned{ plane.Origin, -1.0 * plane.Normal };
-    EXPECT_EQ(Overlaps(plane, this->Unit, 0.1), Overlaps(turned, this->Unit, 0.1));
+    const skd::Plane<D> rotated{ plane.Origin, -1.0 * plane.Normal };
+    EXPECT_EQ(Overlaps(plane, this->Unit, 0.1), Overlaps(rotated, this->Unit, 0.1));
   }
 }
 

@@ -36,7 +36,7 @@ TEST(Polyhedron, HoldsWhatItsPartsHold)
   Random random(421);
   for (const double factor : Factors())
   {
-    const auto position = [factor](const Vector3& p) { return factor * Turned(p); };
+    const auto position = [factor](const Vector3& p) { return factor * Rotated(p); };
     const Solid solid = SomeReversed(Prism(Notched(), 2.0)).Map(position);
     for (int i = 0; i < 5000; ++i)
     {
@@ -105,7 +105,7 @@ TEST(Polyhedron, NearestPointOfItsFacesIsThatOfItsParts)
   Random random(423);
   for (const double factor : Factors())
   {
-    const auto position = [factor](const Vector3& p) { return factor * Turned(p); };
+    const auto position = [factor](const Vector3& p) { return factor * Rotated(p); };
     const Solid solid = Prism(Notched(), 2.0).Map(position);
     for (int i = 0; i < 2000; ++i)
     {
@@ -153,7 +153,7 @@ TEST(MeanValue, WeightsGiveThePoint)
   Random random(431);
   for (const double factor : Factors())
   {
-    const auto position = [factor](const Vector3& p) { return factor * Turned(p); };
+    const auto position = [factor](const Vector3& p) { return factor * Rotated(p); };
     const Solid solid = Prism(Notched(), 2.0).Map(position);
     for (int i = 0; i < 2000; ++i)
     {
@@ -165,10 +165,10 @@ TEST(MeanValue, WeightsGiveThePoint)
 
 TEST(MeanValue, WeightsGiveThePointHoweverCloseToAFace)
 {
-  const Solid solid = Prism(Regular(6), 1.0).Map(Turned);
+  const Solid solid = Prism(Regular(6), 1.0).Map(Rotated);
   for (double height = 0.1; height > 1e-15; height *= 0.3)
   {
-    const Vector3 x = Turned({ { 0.2, 0.1, height } });
+    const Vector3 x = Rotated({ { 0.2, 0.1, height } });
     ASSERT_NO_FATAL_FAILURE(ExpectWeightsGiveThePoint(solid, x, 1.0)) << height;
   }
 }

@@ -65,7 +65,7 @@ TEST(SegmentContact, AgreesWithWholeNumbers)
     {
       const SegmentContact contact = MeetIn(scale, p);
       ASSERT_EQ(static_cast<int>(contact.Kind), expected) << round;
-      for (const SegmentContact::Place& position : { contact.Begin, contact.End })
+      for (const SegmentContact::Position& position : { contact.Begin, contact.End })
       {
         const Vector3 gap = Lerp(p[0], p[1], position.T) - Lerp(p[2], p[3], position.S);
         ASSERT_LE(expected > 0 ? Norm(gap) : 0.0, 1e-15 * 8) << round;

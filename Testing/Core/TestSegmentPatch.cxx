@@ -38,7 +38,7 @@ void RandomPatch(Random& random, double warp, double factor, Vector3* patch)
   {
     const Vector3 shift{ { random.In(-warp, warp), random.In(-warp, warp),
       random.In(-warp, warp) } };
-    patch[i] = factor * Turned(square[i] + shift);
+    patch[i] = factor * Rotated(square[i] + shift);
   }
 }
 

@@ -29,14 +29,15 @@ TEST(SegmentPolygon, HitsWhatIsInsideOfAConcaveOne)
     Polygon polygon = Notched();
     for (Vector3& p : polygon)
     {
-      p = factor * Turned(p);
+      p = factor * Rotated(p);
     }
     for (int i = 0; i < 3000; ++i)
     {
       const Vector3 at{ { random.In(-1.0, 4.0), random.In(-1.0, 4.0), 0.0 } };
       Vector3 along = random.Direction<3>();
       along[2] += along[2] < 0.0 ? -0.1 : 0.1;
-      const auto hit = Hit(polygon, factor * Turned(at - along), factor * Turned(at + 2.0 * along));
+      const auto hit =
+        Hit(polygon, factor * Rotated(at - along), factor * Rotated(at + 2.0 * along));
       ASSERT_EQ(hit.has_value(), IsInNotched(at[0], at[1])) << at[0] << " " << at[1];
       if (hit)
       {

@@ -152,9 +152,9 @@ TEST(SimplexSet, LeastDistancesAreReached)
     const SimplexSet a = RandomSet(random);
     const SimplexSet b = RandomSet(random);
     const double least = std::sqrt(skd::MinDistance2(a, b));
-    const double reached = DistanceByProjection(a, b, random);
-    EXPECT_LE(least, reached + 1e-12);
-    EXPECT_NEAR(least, reached, 2e-2) << i;
+    const double visited = DistanceByProjection(a, b, random);
+    EXPECT_LE(least, visited + 1e-12);
+    EXPECT_NEAR(least, visited, 2e-2) << i;
   }
 }
 

@@ -181,9 +181,9 @@ TEST(AreaSplit, HalvesWhatIsAllInOnePlaceAcrossTheLongestAxis)
     const auto input = InputOf(Boxes<3>(count, skd::Box3(middle, middle).Inflated(0.5)), 8);
     const auto leaves = static_cast<std::uint64_t>((count + 7) / 8);
     const skd::AreaSplit<3> split(input.Elements.data(), input.Elements.data() + count, 8);
-    const auto place = split.Best({ leaves, 1, leaves - 1 }, 2);
-    EXPECT_EQ(place.Axis, 2);
-    EXPECT_EQ(place.Left, leaves / 2);
+    const auto position = split.Best({ leaves, 1, leaves - 1 }, 2);
+    EXPECT_EQ(position.Axis, 2);
+    EXPECT_EQ(position.Left, leaves / 2);
   }
 }
 

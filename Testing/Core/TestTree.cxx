@@ -194,9 +194,9 @@ TYPED_TEST(TreeTest, IsAsLowAsEightChildrenANodeCanMakeItOrOneHigherByArea)
     {
       int height = 0;
       ForEachNode(tree, [&](std::uint32_t, int level) { height = std::max(height, level); });
-      std::size_t reach = static_cast<std::size_t>(capacity);
+      std::size_t maxDistance = static_cast<std::size_t>(capacity);
       int least = 0;
-      for (; reach < boxes.size(); reach *= 8)
+      for (; maxDistance < boxes.size(); maxDistance *= 8)
       {
         ++least;
       }
@@ -212,12 +212,13 @@ TYPED_TEST(TreeTest, StoresAsManyNodesAsItHas)
   ForEachCapacity<TypeParam::Value>(
     [](const auto& boxes, const auto& tree, int)
     {
-      std::vector<int> seen(tree.NumberOfNodes(), 0);
-      ForEachNode(tree, [&](std::uint32_t index, int) { ++seen.at(index); });
-      EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(seen.size()));
+      std::vector<int> visited(tree.NumberOfNodes(), 0);
+      ForEachNode(tree, [&](std::uint32_t index, int) { ++visited.at(index); });
+      EXPECT_EQ(std::count(visited.begin(), visited.end(), 1), std::ptrdiff_t(visited.size()));
       EXPECT_EQ(tree.NumberOfElements(), boxes.size());
       EXPECT_GE(tree.MemorySize(),
-        seen.size() * sizeof(skd::Node<TypeParam::Value>) + boxes.size() * sizeof(std::uint32_t));
+        visited.size() * sizeof(skd::Node<TypeParam::Value>) +
+          boxes.size() * sizeof(std::uint32_t));
     });
 }
 

@@ -22,11 +22,11 @@ std::array<Vector3, 3> EdgesOf(const Corners& t)
 
 bool IsSeparatedAlong(const Vector3& axis, const Corners& a, const Corners& b)
 {
-  const auto reach = [&](const Corners& t) {
+  const auto maxDistance = [&](const Corners& t) {
     return std::minmax({ Dot(axis, t[0]), Dot(axis, t[1]), Dot(axis, t[2]) });
   };
-  const auto [minA, maxA] = reach(a);
-  const auto [minB, maxB] = reach(b);
+  const auto [minA, maxA] = maxDistance(a);
+  const auto [minB, maxB] = maxDistance(b);
   return maxA < minB || maxB < minA;
 }
 
@@ -149,9 +149,9 @@ double AreaOf(const std::vector<Vector3>& polygon)
   return Norm(area);
 }
 
-Corners RandomTriangle(std::mt19937& random, int reach, bool isFlat)
+Corners RandomTriangle(std::mt19937& random, int maxDistance, bool isFlat)
 {
-  std::uniform_int_distribution<int> coordinate(0, reach);
+  std::uniform_int_distribution<int> coordinate(0, maxDistance);
   Corners t;
   do
   {
@@ -209,12 +209,12 @@ class TriangleContactTest : public ::testing::TestWithParam<std::tuple<int, bool
 // Coordinates of few values: most pairs are touching, sharing corners, crossing in edges or flat.
 TEST_P(TriangleContactTest, IsThatOfBruteForce)
 {
-  const auto [reach, isFlat] = GetParam();
+  const auto [maxDistance, isFlat] = GetParam();
   std::mt19937 random(7);
   for (int run = 0; run < 20000; ++run)
   {
-    const Corners a = RandomTriangle(random, reach, isFlat);
-    const Corners b = RandomTriangle(random, reach, isFlat);
+    const Corners a = RandomTriangle(random, maxDistance, isFlat);
+    const Corners b = RandomTriangle(random, maxDistance, isFlat);
     SCOPED_TRACE("run " + std::to_string(run));
     ASSERT_NO_FATAL_FAILURE(ExpectRightContact(a, b));
     ASSERT_NO_FATAL_FAILURE(ExpectSameTheOtherWay(a, b));
@@ -353,10 +353,10 @@ TEST(TriangleContact, TrianglesOnALineHaveNoAxis)
 {
   const Vector3 a{ { 0.1, 0.2, 0.3 } };
   const Vector3 b{ { 0.2, 0.4, 0.6 } };
-  EXPECT_EQ(skd::SeenTriangle({ a, b, a }).Axis, -1);
-  EXPECT_EQ(skd::SeenTriangle({ a, a, a }).Axis, -1);
-  EXPECT_EQ(skd::SeenTriangle({ a, 4.0 * a, 2.0 * a }).Axis, -1);
-  EXPECT_NE(skd::SeenTriangle({ a, 3.0 * a, b }).Axis, -1) << "3 * 0.1 is rounded";
+  EXPECT_EQ(skd::ProjectedTriangle({ a, b, a }).Axis, -1);
+  EXPECT_EQ(skd::ProjectedTriangle({ a, a, a }).Axis, -1);
+  EXPECT_EQ(skd::ProjectedTriangle({ a, 4.0 * a, 2.0 * a }).Axis, -1);
+  EXPECT_NE(skd::ProjectedTriangle({ a, 3.0 * a, b }).Axis, -1) << "3 * 0.1 is rounded";
 }
 
 }

@@ -44,15 +44,15 @@ struct ShuffledLine
     }
     std::shuffle(this->IndexAt.begin(), this->IndexAt.end(), std::mt19937_64(1));
     Boxes<1> boxes(count);
-    for (std::size_t place = 0; place < count; ++place)
+    for (std::size_t at = 0; at < count; ++at)
     {
-      boxes[this->IndexAt[place]] = LineOfBoxes<1>(count)[place];
+      boxes[this->IndexAt[at]] = LineOfBoxes<1>(count)[at];
     }
     this->Tree = skd::BuildTree<1>(InputOf(boxes, 3));
   }
 
   /// The greatest of the boxes up to that place.
-  float KeyOf(double place) const { return this->Tree.GetFrame().Down(place, 0) + 1.0f; }
+  float KeyOf(double at) const { return this->Tree.GetFrame().Down(at, 0) + 1.0f; }
 
   Ids IndexAt;
   skd::Tree<1> Tree;

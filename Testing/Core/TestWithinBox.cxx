@@ -15,9 +15,9 @@ class WithinBoxTest : public ::testing::Test
 TYPED_TEST_SUITE(WithinBoxTest, Dimensions, DimensionNames);
 
 template <int D, class Tree>
-Ids ReachedIn(const Tree& tree, const skd::Box<D>& box)
+Ids VisitedIn(const Tree& tree, const skd::Box<D>& box)
 {
-  return Reached(tree, true,
+  return Visited(tree, true,
     [&](auto& visitor)
     { return skd::WithinBox<D, std::decay_t<decltype(visitor)>>(tree.GetFrame(), box, visitor); });
 }
@@ -49,7 +49,7 @@ void ExpectOverlapping(const Tree& tree, const Boxes<D>& boxes, const skd::Box<D
     extent = std::max({ extent, std::abs(query.Min[axis] - frame.Centre[axis]),
       std::abs(query.Max[axis] - frame.Centre[axis]) });
   }
-  ExpectReached(ReachedIn(tree, query), Overlapping(boxes, query),
+  ExpectVisited(VisitedIn(tree, query), Overlapping(boxes, query),
     OverlappingWithin(boxes, query, frame.Centre, FloatError(frame, extent)));
 }
 
@@ -111,7 +111,7 @@ TYPED_TEST(WithinBoxTest, OfALatticeReachesTheNeighboursOnly)
   const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   for (std::size_t i = 0; i < boxes.size(); i += 97)
   {
-    EXPECT_EQ(Sorted(ReachedIn(tree, boxes[i])), Overlapping(boxes, boxes[i]));
+    EXPECT_EQ(Sorted(VisitedIn(tree, boxes[i])), Overlapping(boxes, boxes[i]));
   }
 }
 
@@ -121,7 +121,7 @@ TYPED_TEST(WithinBoxTest, ReachesAllInTheBounds)
     [](const auto& scene, const auto& tree)
     {
       const Ids all = Select(scene.Boxes, [](const auto&) { return true; });
-      ExpectReached(ReachedIn(tree, tree.GetBounds()), all, all);
+      ExpectVisited(VisitedIn(tree, tree.GetBounds()), all, all);
     });
 }
 
@@ -129,7 +129,7 @@ TYPED_TEST(WithinBoxTest, ReachesNothingInAnEmptyBox)
 {
   ForEachTree<TypeParam::Value>(true,
     [](const auto&, const auto& tree)
-    { EXPECT_TRUE(ReachedIn(tree, skd::Box<TypeParam::Value>()).empty()); });
+    { EXPECT_TRUE(VisitedIn(tree, skd::Box<TypeParam::Value>()).empty()); });
 }
 
 TYPED_TEST(WithinBoxTest, ReachesNothingBesideTheBounds)
@@ -157,10 +157,10 @@ TYPED_TEST(WithinBoxTest, ReachesNothingWithNaN)
   const auto tree = skd::BuildTree<D>(InputOf(boxes, 8));
   skd::Box<D> query = tree.GetBounds();
   query.Min[D - 1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(ReachedIn(tree, query).empty());
+  EXPECT_TRUE(VisitedIn(tree, query).empty());
   query.Min[D - 1] = 0.0;
   query.Max[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(ReachedIn(tree, query).empty());
+  EXPECT_TRUE(VisitedIn(tree, query).empty());
 }
 
 TYPED_TEST(WithinBoxTest, ReachesAllInABoxWithoutEnds)
@@ -168,18 +168,18 @@ TYPED_TEST(WithinBoxTest, ReachesAllInABoxWithoutEnds)
   constexpr int D = TypeParam::Value;
   const double infinity = std::numeric_limits<double>::infinity();
   const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
-  EXPECT_EQ(ReachedIn(tree, skd::Box<D>(Filled<D>(-infinity), Filled<D>(infinity))).size(), 513u);
+  EXPECT_EQ(VisitedIn(tree, skd::Box<D>(Filled<D>(-infinity), Filled<D>(infinity))).size(), 513u);
 }
 
 TYPED_TEST(WithinBoxTest, EndsWhenTheVisitorSaysSo)
 {
   constexpr int D = TypeParam::Value;
   const auto tree = skd::BuildTree<D>(InputOf(RandomBoxes<D>(513), 8));
-  int reached = 0;
-  auto visitor = [&reached](std::uint32_t) { return ++reached < 3; };
+  int visited = 0;
+  auto visitor = [&visited](std::uint32_t) { return ++visited < 3; };
   skd::WithinBox<D, decltype(visitor)> query(tree.GetFrame(), tree.GetBounds(), visitor);
   skd::Walk(tree, query);
-  EXPECT_EQ(reached, 3);
+  EXPECT_EQ(visited, 3);
 }
 
 }

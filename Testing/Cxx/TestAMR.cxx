@@ -170,7 +170,7 @@ TEST(AMR, PlacesFarAwayAndTinyAndHugeScalesGiveTheSameCells)
     { 0x1p-10, 0x1p20 } };
   for (const auto& [scale, offset] : placings)
   {
-    auto placed = MakePolyData(Placed(torus, scale, { offset, offset, offset }));
+    auto placed = MakePolyData(Transformed(torus, scale, { offset, offset, offset }));
     const double low = offset - 2 * scale;
     const double high = offset + 2 * scale;
     AMRPointer filter = MakeAMRIn(placed, 5, { low, high, low, high, low, high });
@@ -185,7 +185,7 @@ TEST(AMR, TheSameCellsWhateverTheNumberOfThreads)
   auto parts = MakePolyData(TriangleSoup(500, 0.1));
   const std::string former = vtkSMPTools::GetBackend();
   vtkSMPTools::SetBackend("STDThread");
-  std::vector<std::vector<double>> seen;
+  std::vector<std::vector<double>> found;
   for (int threads : { 1, 4 })
   {
     vtkSMPTools::Initialize(threads);
@@ -194,16 +194,16 @@ TEST(AMR, TheSameCellsWhateverTheNumberOfThreads)
     filter->ComputeInsideOn();
     EventCounter events(filter); // the soup is open
     filter->Update();
-    seen.emplace_back();
+    found.emplace_back();
     for (const char* name : { "SkdLevel", "SkdCut", "SkdCandidates", "SkdInside" })
     {
       const std::vector<double> values = CellArray(filter, name);
-      seen.back().insert(seen.back().end(), values.begin(), values.end());
+      found.back().insert(found.back().end(), values.begin(), values.end());
     }
   }
   vtkSMPTools::Initialize(0);
   vtkSMPTools::SetBackend(former.c_str());
-  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_EQ(found[0], found[1]);
 }
 
 class AMROnFile : public testing::TestWithParam<std::string>

@@ -104,14 +104,15 @@ TEST(AMRBadInput, StopsWhereCoordinatesTellNoCellsApart)
   for (const int type : { vtkSkdTreeAMR::HYPER_TREE_GRID, vtkSkdTreeAMR::UNSTRUCTURED_GRID })
   {
     AMRPointer filter =
-      MakeAMR(MakePolyData(Placed(TorusTriangles(24, 12), 1.0, { 1e15, 0, 0 })), 12);
+      MakeAMR(MakePolyData(Transformed(TorusTriangles(24, 12), 1.0, { 1e15, 0, 0 })), 12);
     filter->SetOutputType(type);
     EventCounter events(filter);
     EXPECT_LT(RunCells(filter), 1000);
     EXPECT_EQ(events.Warnings, 1);
     EXPECT_NE(events.Warning.find("resolution"), std::string::npos) << events.Warning;
   }
-  AMRPointer near = MakeAMR(MakePolyData(Placed(TorusTriangles(24, 12), 1.0, { 1e12, 0, 0 })), 5);
+  AMRPointer near =
+    MakeAMR(MakePolyData(Transformed(TorusTriangles(24, 12), 1.0, { 1e12, 0, 0 })), 5);
   EventCounter events(near);
   EXPECT_GT(RunCells(near), 1000);
   EXPECT_EQ(events.Warnings, 0);
@@ -146,7 +147,7 @@ TEST(AMRBadInput, BoundsThatMakeNoBaseAreRefused)
   }
   AMRPointer filter = MakeAMR(MakeTorus(), 3);
   EventCounter events(filter);
-  filter->SetBaseMeshData(MakeTurnedImage(3));
+  filter->SetBaseMeshData(MakeRotatedImage(3));
   EXPECT_EQ(RunCells(filter), 0);
   EXPECT_NE(events.Error.find("direction matrix"), std::string::npos) << events.Error;
   filter->SetBaseMeshData(nullptr);

@@ -23,7 +23,7 @@ const Bounds Around = { -1.51, 1.57, -1.53, 1.59, -1.55, 1.61 };
 
 PolyDataPointer MakeBall(double radius, const Point& centre, int n = 12)
 {
-  return MakePolyData(Placed(SphereTriangles(n), radius, centre));
+  return MakePolyData(Transformed(SphereTriangles(n), radius, centre));
 }
 
 /// Leaves that touch over `contact` axes at most differ by one level: all pairs are looked at.
@@ -77,16 +77,16 @@ TEST(AMRCriteria, PartsHaveLevelsOfTheirOwn)
   const std::vector<Leaf> leaves = RunLeaves(filter);
   const std::vector<double> parts = CellArray(filter, "SkdPartIndex");
   const int levelOf[4] = { -1, 3, 5, 5 };
-  int seen[4] = { 0, 0, 0, 0 };
+  int found[4] = { 0, 0, 0, 0 };
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     if (parts[i] >= 0)
     {
-      ++seen[static_cast<int>(parts[i])];
+      ++found[static_cast<int>(parts[i])];
       EXPECT_EQ(leaves[i].Level, levelOf[static_cast<int>(parts[i])]);
     }
   }
-  EXPECT_TRUE(seen[1] > 0 && seen[2] > 0 && seen[3] > 0);
+  EXPECT_TRUE(found[1] > 0 && found[2] > 0 && found[3] > 0);
   EXPECT_EQ(Reported(filter, "Parts"), 3);
 
   // Balancing refines cells of the coarse part beside the fine one, if they are close.
@@ -153,10 +153,10 @@ TEST(AMRCriteria, DistanceBandsAreExact)
 {
   const Bounds sheet{ 0, 2, 0, 2, 0, 0 };
   const Bounds box{ -3.1, 4.9, -2.7, 5.3, -4.2, 3.8 };
-  constexpr double reach = 0.7;
+  constexpr double maxDistance = 0.7;
   AMRPointer filter = MakeAMRIn(MakePolyData(Sheet(2, VTK_QUAD)), 5, box);
   filter->SetBalance(vtkSkdTreeAMR::NONE);
-  filter->AddDistanceBand(reach, 5);
+  filter->AddDistanceBand(maxDistance, 5);
   int between = 0;
   for (const Leaf& leaf : RunLeaves(filter))
   {
@@ -171,11 +171,11 @@ TEST(AMRCriteria, DistanceBandsAreExact)
       parent[2 * axis + 1] = parent[2 * axis] + size;
       radius = std::sqrt(3.0) * 0.5 * size;
     }
-    EXPECT_TRUE(leaf.Level == 5 || BoxDistance(leaf.Box, sheet) > reach);
-    EXPECT_TRUE(leaf.Level == 0 || BoxDistance(parent, sheet) <= reach + 1e-12);
+    EXPECT_TRUE(leaf.Level == 5 || BoxDistance(leaf.Box, sheet) > maxDistance);
+    EXPECT_TRUE(leaf.Level == 0 || BoxDistance(parent, sheet) <= maxDistance + 1e-12);
     const Point middle = Center(leaf.Box);
     const Bounds at{ middle[0], middle[0], middle[1], middle[1], middle[2], middle[2] };
-    between += leaf.Level < 5 && BoxDistance(at, sheet) < reach + 0.5 * radius;
+    between += leaf.Level < 5 && BoxDistance(at, sheet) < maxDistance + 0.5 * radius;
   }
   EXPECT_GT(between, 50); // that a ball around them would have refined
 }
@@ -248,30 +248,30 @@ TEST(AMRCriteria, TheInsideOfAnOpenSurfaceIsByWindingNumber)
   const Mesh ball = SphereTriangles(16);
   const Mesh bowl =
     Part(ball, [&](std::size_t cell) { return ball.Points[ball.Cells[cell].Points[1]][2] < 0.5; });
-  Mesh turned = bowl;
+  Mesh rotated = bowl;
   Random random(6);
-  for (CellSpec& cell : turned.Cells)
+  for (CellSpec& cell : rotated.Cells)
   {
     if (random.InBox({ 0, 1, 0, 1, 0, 1 })[0] < 0.3)
     {
       std::swap(cell.Points[1], cell.Points[2]);
     }
   }
-  for (const Mesh& mesh : { bowl, turned })
+  for (const Mesh& mesh : { bowl, rotated })
   {
     AMRPointer filter = MakeAMR(MakePolyData(mesh), 4);
     filter->ComputeInsideOn();
     EventCounter events(filter);
     const std::vector<Leaf> leaves = RunLeaves(filter);
     const std::vector<double> inside = CellArray(filter, "SkdInside");
-    int seen[2] = { 0, 0 };
+    int found[2] = { 0, 0 };
     for (std::size_t i = 0; i < leaves.size(); ++i)
     {
       const double number = std::abs(WindingNumber(bowl, Center(leaves[i].Box)));
       EXPECT_TRUE(std::abs(number - 0.5) < 1e-9 || inside[i] == (number > 0.5)) << number;
-      ++seen[inside[i] != 0];
+      ++found[inside[i] != 0];
     }
-    EXPECT_TRUE(seen[0] > 100 && seen[1] > 100);
+    EXPECT_TRUE(found[0] > 100 && found[1] > 100);
     EXPECT_EQ(events.Warnings, 1);
     EXPECT_NE(events.Warning.find("winding number"), std::string::npos) << events.Warning;
   }
@@ -332,7 +332,7 @@ double SumOfFractions(vtkSkdTreeAMR* filter)
 TEST(AMRCriteria, VolumeFractionsAddUpToTheVolume)
 {
   // The cube [0, 4]^3 has its faces on those of cells, the others are anywhere.
-  const Mesh meshes[] = { TorusTriangles(32, 16), SphereTriangles(8).Map(Turned), CubeTriangles(4),
+  const Mesh meshes[] = { TorusTriangles(32, 16), SphereTriangles(8).Map(Rotated), CubeTriangles(4),
     Octahedron(1.0) };
   for (const Mesh& mesh : meshes)
   {

@@ -158,15 +158,15 @@ TEST(AMRFields, SeveralArraysRefineWhereAnyOfThemVaries)
   filter->SetFieldThreshold(0.5);
   filter->AddFieldArray("x");
   filter->AddFieldArray("y");
-  int seen = 0;
+  int found = 0;
   for (const Leaf& leaf : RunLeaves(filter))
   {
-    const Bounds turned = { leaf.Box[2], leaf.Box[3], 0, 0, 0, 0 };
-    const bool isNear = IsNearFront(leaf.Box, 0.4 + 1e-6) || IsNearFront(turned, 0.4 + 1e-6);
+    const Bounds rotated = { leaf.Box[2], leaf.Box[3], 0, 0, 0, 0 };
+    const bool isNear = IsNearFront(leaf.Box, 0.4 + 1e-6) || IsNearFront(rotated, 0.4 + 1e-6);
     EXPECT_TRUE(!isNear || leaf.Level == 2);
-    seen += isNear;
+    found += isNear;
   }
-  EXPECT_GT(seen, 100);
+  EXPECT_GT(found, 100);
 }
 
 TEST(AMRFields, ConstantAndEmptyArraysRefineNothing)
@@ -221,8 +221,9 @@ TEST(AMRFields, CellsHaveTheFieldConservatively)
       { "hill", [](const Point& x) { return std::exp(-20.0 * std::pow(x[0] - 0.3, 2)); } } });
   for (const bool isPartly : { false, true })
   {
-    AMRPointer filter = MakeAMRIn(MakePolyData(Placed(SphereTriangles(8), 0.2, { 0.3, 0.4, 0.5 })),
-      3, isPartly ? Bounds{ -0.5, 1.25, -0.25, 1.5, -0.125, 1.0 } : Square);
+    AMRPointer filter =
+      MakeAMRIn(MakePolyData(Transformed(SphereTriangles(8), 0.2, { 0.3, 0.4, 0.5 })), 3,
+        isPartly ? Bounds{ -0.5, 1.25, -0.25, 1.5, -0.125, 1.0 } : Square);
     filter->SetBaseDimensions(3, 3, 3);
     filter->SetFieldData(field);
     filter->ComputeFieldOn();

@@ -35,7 +35,7 @@ PolyDataPointer MakeQuad(const Point& a, const Point& b, const Point& c, const P
 
 PolyDataPointer MakeSphere()
 {
-  return MakePolyData(Placed(SphereTriangles(40), 0.3, { 0.5, 0.5, 0.5 }));
+  return MakePolyData(Transformed(SphereTriangles(40), 0.3, { 0.5, 0.5, 0.5 }));
 }
 
 /// Cut cells of each level; leaves of each level must be those of recursion by brute force.

@@ -117,11 +117,11 @@ TEST(AMRNormalDeviation, TurnedCellsAndWhatIsNoSurfaceCountAsDeviating)
     return Reported(filter, "CutCells");
   };
   const double flat = cutCells(plane);
-  Mesh turned = plane;
-  turned.Cells[1].Points = { 0, 3, 2 };
+  Mesh rotated = plane;
+  rotated.Cells[1].Points = { 0, 3, 2 };
   Mesh withLine = plane;
   withLine.Add(VTK_LINE, { 0, 2 });
-  EXPECT_GT(cutCells(turned), 1.5 * flat);
+  EXPECT_GT(cutCells(rotated), 1.5 * flat);
   EXPECT_GT(cutCells(withLine), 1.5 * flat);
 }
 

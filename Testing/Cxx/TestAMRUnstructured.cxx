@@ -173,12 +173,12 @@ TEST(AMRUnstructured, PointsAreSharedAndCellsRightWayAround)
   AMRPointer filter = MakeAMR(MakeTorus(), 3);
   filter->Update();
   auto grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  std::map<Point, int> places;
+  std::map<Point, int> positions;
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
     Point x;
     grid->GetPoint(i, x.data());
-    EXPECT_EQ(++places[x], 1);
+    EXPECT_EQ(++positions[x], 1);
   }
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {

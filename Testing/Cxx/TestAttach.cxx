@@ -162,7 +162,7 @@ TEST(Attach, InATimeSeriesTheTreeIsKeptUntilPointsMove)
   EXPECT_EQ(second->GetPointData()->GetArray("Linear")->GetTuple1(0), 1.0);
   EXPECT_EQ(LocatorOf(second)->GetDataSet(), second);
 
-  const GridPointer moved = MakeGrid(Placed(Hexahedra(4).Map(Bent), 1.0, { 100, 0, 0 }));
+  const GridPointer moved = MakeGrid(Transformed(Hexahedra(4).Map(Bent), 1.0, { 100, 0, 0 }));
   attach->SetInputDataObject(moved);
   Point there = { 102.1, 2.1, 2.1 };
   EXPECT_GE(LocatorOf(OutputOf(attach))->FindCell(there.data()), 0);
@@ -229,7 +229,7 @@ struct RotatingMesh
 
   RotatingMesh() { this->Start->DeepCopy(this->Grid->GetPoints()); }
 
-  static Point Turned(const Point& p, double time)
+  static Point Rotated(const Point& p, double time)
   {
     const Point centre = { 3, 3, 0 };
     const double angle = Omega * time;
@@ -249,7 +249,7 @@ struct RotatingMesh
     {
       Point p;
       this->Start->GetPoint(i, p.data());
-      p = Turned(p, time);
+      p = Rotated(p, time);
       points->InsertNextPoint(p.data());
       vectors->InsertNextTuple3(-Omega * (p[1] - 3.0), Omega * (p[0] - 3.0), 0.0);
     }
@@ -292,7 +292,7 @@ TEST(Attach, ParticlesInARotatingMeshStayInIt)
     rotating.MoveTo(step, mesh);
     LocatorOf(mesh)->BuildLocator();
   }
-  EXPECT_LT(Distance(x, RotatingMesh::Turned(seed, 40)), 1e-3);
+  EXPECT_LT(Distance(x, RotatingMesh::Rotated(seed, 40)), 1e-3);
 }
 
 // VTK 9.6 stores the types of such a grid otherwise than one by one.
@@ -361,8 +361,8 @@ TEST(Attach, WithoutCellsTheLocatorFindsNothing)
 TEST(Attach, AnAbortLeavesTheRestWithoutLocators)
 {
   AttachPointer attach = MakeAttach(MakeBlocks(Hexahedra(2), 6));
-  const std::vector<double> seen = AbortAt(attach, 0.4);
-  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  const std::vector<double> visited = AbortAt(attach, 0.4);
+  EXPECT_TRUE(std::is_sorted(visited.begin(), visited.end()));
   EXPECT_LT(attach->GetTreesBuilt(), 6);
   attach->Update();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(attach->GetOutputDataObject(0));

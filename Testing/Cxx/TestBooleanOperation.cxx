@@ -118,14 +118,14 @@ double ExpectVolumesAddUp(vtkDataSet* a, vtkDataSet* b)
 
 PolyDataPointer Cube(double size, const Point& at)
 {
-  return MakePolyData(Placed(CubeQuads(1), size, at));
+  return MakePolyData(Transformed(CubeQuads(1), size, at));
 }
 
 TEST(BooleanOperation, TwoSpheres)
 {
   auto a = MakePolyData(SphereTriangles(12));
   const double common =
-    ExpectVolumesAddUp(a, MakePolyData(Placed(SphereTriangles(11), 0.9, { 0.31, 0.67, 0.5 })));
+    ExpectVolumesAddUp(a, MakePolyData(Transformed(SphereTriangles(11), 0.9, { 0.31, 0.67, 0.5 })));
   EXPECT_GT(common, 0.5);
   EXPECT_LT(common, 2.5);
 }
@@ -133,7 +133,7 @@ TEST(BooleanOperation, TwoSpheres)
 TEST(BooleanOperation, OneWithinTheOther)
 {
   auto a = MakePolyData(SphereTriangles(8));
-  auto b = MakePolyData(Placed(SphereTriangles(4), 0.3, { 0.1, 0.2, 0.0 }));
+  auto b = MakePolyData(Transformed(SphereTriangles(4), 0.3, { 0.1, 0.2, 0.0 }));
   EXPECT_EQ(Combine(a, b, Filter::UNION)->GetNumberOfCells(), a->GetNumberOfCells());
   EXPECT_EQ(Combine(a, b, Filter::DIFFERENCE)->GetNumberOfCells(),
     a->GetNumberOfCells() + b->GetNumberOfCells());
@@ -184,12 +184,12 @@ TEST(BooleanOperation, BoxesWithCoplanarSides)
 TEST(BooleanOperation, InsideOutIsTurned)
 {
   auto a = MakePolyData(SphereTriangles(6));
-  Mesh turned = Placed(SphereTriangles(6), 1, { 0.5, 0.25, 0.125 });
-  for (auto& cell : turned.Cells)
+  Mesh rotated = Transformed(SphereTriangles(6), 1, { 0.5, 0.25, 0.125 });
+  for (auto& cell : rotated.Cells)
   {
     std::swap(cell.Points[0], cell.Points[1]);
   }
-  EXPECT_GT(ExpectVolumesAddUp(a, MakePolyData(turned)), 0.5);
+  EXPECT_GT(ExpectVolumesAddUp(a, MakePolyData(rotated)), 0.5);
 }
 
 TEST(BooleanOperation, PassesDataOn)
@@ -212,7 +212,7 @@ TEST(BooleanOperation, PassesDataOn)
     return mesh;
   };
   auto output = Combine(withData(MakePolyData(SphereTriangles(6)), 0),
-    withData(MakePolyData(Placed(SphereTriangles(5), 0.8, { 0.4, 0.3, 0.2 })), 1000), 2);
+    withData(MakePolyData(Transformed(SphereTriangles(5), 0.8, { 0.4, 0.3, 0.2 })), 1000), 2);
   ASSERT_TRUE(output->GetPointData()->GetArray("Height"));
   ASSERT_TRUE(output->GetCellData()->GetArray("Label"));
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -249,13 +249,13 @@ double VolumeOf(vtkPolyData* output)
 /// Boxes [0, 2], [1, 3] and [1.5, 4] along x, 2 x 2 across: their volumes are 8, 8, 10.
 Mesh ThreeBoxes()
 {
-  Mesh third = Placed(CubeQuads(1), 2, { 1.5, 0, 0 });
+  Mesh third = Transformed(CubeQuads(1), 2, { 1.5, 0, 0 });
   for (Point& x : third.Points)
   {
     x[0] = x[0] > 2 ? 4 : x[0];
   }
-  return Together({ Placed(CubeQuads(1), 2, { 0, 0, 0 }), Placed(CubeQuads(1), 2, { 1, 1, 0 }),
-    Placed(third, 1, { 0, 0, 0 }) });
+  return Together({ Transformed(CubeQuads(1), 2, { 0, 0, 0 }),
+    Transformed(CubeQuads(1), 2, { 1, 1, 0 }), Transformed(third, 1, { 0, 0, 0 }) });
 }
 
 TEST(BooleanOperation, WithoutSourcePiecesAreSolids)
@@ -289,7 +289,7 @@ TEST(BooleanOperation, SelfIntersectionsAreResolved)
 
 TEST(BooleanOperation, DuplicatedAndReversedFaces)
 {
-  const Mesh cube = Placed(CubeQuads(1), 2, { 0, 0, 0 });
+  const Mesh cube = Transformed(CubeQuads(1), 2, { 0, 0, 0 });
   auto far = Cube(1, { 10, 0, 0 });
   auto twice = MakePolyData(Together({ cube, cube }));
   EXPECT_NEAR(VolumeOf(Combine(twice, far, Filter::DIFFERENCE)), 8.0, 1e-13);
@@ -307,7 +307,7 @@ TEST(BooleanOperation, NestedShells)
   std::vector<Mesh> shells;
   for (int i = 1; i <= 5; ++i)
   {
-    const Mesh cube = Placed(CubeQuads(1), 2.0 * i, { -1.0 * i, -1.0 * i, -1.0 * i });
+    const Mesh cube = Transformed(CubeQuads(1), 2.0 * i, { -1.0 * i, -1.0 * i, -1.0 * i });
     shells.push_back(i % 2 == 0 ? Reversed(cube) : cube);
   }
   std::vector<Mesh> outward;
@@ -328,11 +328,11 @@ TEST(BooleanOperation, NestedShells)
 /// Many bubbles in a cube: winding numbers by the tree.
 TEST(BooleanOperation, ManyBubbles)
 {
-  std::vector<Mesh> meshes{ Placed(CubeQuads(1), 10, { -0.25, -0.25, -0.25 }) };
+  std::vector<Mesh> meshes{ Transformed(CubeQuads(1), 10, { -0.25, -0.25, -0.25 }) };
   for (int i = 0; i < 64; ++i)
   {
     meshes.push_back(
-      Placed(CubeQuads(1), 0.5, { 1.0 * (i % 4), 1.0 * (i / 4 % 4), 1.0 * (i / 16) }));
+      Transformed(CubeQuads(1), 0.5, { 1.0 * (i % 4), 1.0 * (i / 4 % 4), 1.0 * (i / 16) }));
   }
   auto input = MakePolyData(Together(meshes));
   auto output = Combine(input, nullptr, Filter::DIFFERENCE);
@@ -377,13 +377,13 @@ TEST(BooleanOperation, ImprintKeepsAllFacesOnce)
   EXPECT_EQ(count("SkdSolidsBehind"), 1.0);
   EXPECT_EQ(count("SkdSolidsInFront"), 1.0); // where they meet
   auto sheets = Combine(MakePolyData(Sheet(2, VTK_TRIANGLE)),
-    MakePolyData(Placed(Sheet(1, VTK_TRIANGLE), 1, { 0.5, 0.5, 0 })), Filter::IMPRINT);
+    MakePolyData(Transformed(Sheet(1, VTK_TRIANGLE), 1, { 0.5, 0.5, 0 })), Filter::IMPRINT);
   EXPECT_GT(sheets->GetNumberOfCells(), 8);
 }
 
 TEST(BooleanOperation, PolygonsStayUnlessTheyAreCut)
 {
-  auto a = MakePolyData(Placed(CubeQuads(4), 1, { 0, 0, 0 }));
+  auto a = MakePolyData(Transformed(CubeQuads(4), 1, { 0, 0, 0 }));
   auto output = Combine(a, Cube(1, { 3.5, 3.5, 3.5 }), Filter::UNION);
   int quads = 0;
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
@@ -402,7 +402,7 @@ TEST(BooleanOperation, PolygonsStayUnlessTheyAreCut)
 TEST(BooleanOperation, PiecesAreMergedIntoConvexPolygons)
 {
   auto a = MakePolyData(SphereTriangles(6));
-  auto b = MakePolyData(Placed(SphereTriangles(5), 0.8, { 0.4, 0.3, 0.2 }));
+  auto b = MakePolyData(Transformed(SphereTriangles(5), 0.8, { 0.4, 0.3, 0.2 }));
   for (int operation = 0; operation < 5; ++operation)
   {
     vtkNew<Filter> filter;
@@ -460,7 +460,7 @@ TEST(BooleanOperation, OpenSourceCuts)
 TEST(BooleanOperation, KeepsWhatIsFoundWhileInputsAreUnchanged)
 {
   auto a = MakePolyData(SphereTriangles(6));
-  auto b = MakePolyData(Placed(SphereTriangles(6), 1, { 0.5, 0.25, 0.125 }));
+  auto b = MakePolyData(Transformed(SphereTriangles(6), 1, { 0.5, 0.25, 0.125 }));
   vtkNew<Filter> filter;
   filter->SetInputDataObject(0, a);
   filter->SetSourceData(b);
@@ -472,7 +472,7 @@ TEST(BooleanOperation, KeepsWhatIsFoundWhileInputsAreUnchanged)
     auto output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
     EXPECT_EQ(SixVolumes(output), SixVolumes(Combine(a, b, operation))) << operation;
   }
-  filter->SetSourceData(MakePolyData(Placed(SphereTriangles(6), 1, { 9, 9, 9 })));
+  filter->SetSourceData(MakePolyData(Transformed(SphereTriangles(6), 1, { 9, 9, 9 })));
   filter->Update();
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
 }
@@ -527,9 +527,9 @@ TEST(BooleanOperation, OpenSurfacesAreAnError)
 
 DataSetPointer Moved(vtkDataSet* mesh, const Point& share)
 {
-  const Point way = mesh->GetLength() * share;
+  const Point direction = mesh->GetLength() * share;
   vtkNew<vtkTransform> move;
-  move->Translate(way.data());
+  move->Translate(direction.data());
   vtkNew<vtkTransformFilter> moved;
   moved->SetTransform(move);
   moved->SetInputData(mesh);

@@ -100,7 +100,7 @@ TEST(BooleanOperationCrowds, UnionIsThatOfTheArrangementOfAll)
 TEST(BooleanOperationCrowds, FirstWithoutTheOthers)
 {
   std::vector<Mesh> cubes = TurnedCubes(10, 2);
-  cubes[0] = Placed(cubes[0], 1.2, { 0.1, 0.2, 0.3 });
+  cubes[0] = Transformed(cubes[0], 1.2, { 0.1, 0.2, 0.3 });
   const std::vector<Mesh> others(cubes.begin() + 1, cubes.end());
   const double together = RunOnBlocks(cubes, Filter::UNION).Volume;
   const double rest = RunOnBlocks(others, Filter::UNION).Volume;
@@ -143,7 +143,7 @@ TEST(BooleanOperationCrowds, PiecesOfTwoInputs)
 TEST(BooleanOperationCrowds, PiecesInsideOutAreNotUnited)
 {
   std::vector<Mesh> cubes = TurnedCubes(9, 4);
-  cubes[5] = Turned(cubes[5]);
+  cubes[5] = Rotated(cubes[5]);
   const Mesh block = BoxTriangles({ -2, -1.5, -0.25 }, { 2, 1.5, 0.25 });
   vtkNew<Filter> filter;
   filter->SetInputData(MakePolyData(block));

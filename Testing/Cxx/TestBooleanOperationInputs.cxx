@@ -20,7 +20,7 @@ using Filter = vtkSkdTreeBooleanOperation;
 
 Mesh Ball()
 {
-  return Placed(Outward(SphereTriangles(4)), 1.1, { 0.3, 0.2, 0.1 });
+  return Transformed(Outward(SphereTriangles(4)), 1.1, { 0.3, 0.2, 0.1 });
 }
 
 Mesh Block()
@@ -95,7 +95,7 @@ TEST(BooleanOperationInputs, SolidsThatContainNothing)
   flat.Map([](const Point& p) { return Point{ p[0], p[1], 0.5 }; });
   EXPECT_NEAR(UnionWithBlock(flat), 8.0, 1e-13);
   Mesh canceled = Ball();
-  Append(canceled, Turned(Ball()));
+  Append(canceled, Rotated(Ball()));
   EXPECT_NEAR(UnionWithBlock(canceled), 8.0, 1e-13);
   EXPECT_NEAR(UnionWithBlock(Mesh()), 8.0, 1e-13);
 }
@@ -112,9 +112,9 @@ TEST(BooleanOperationInputs, OpenSurfacesAreAnError)
   Mesh open = Ball();
   open.Cells.pop_back();
   EXPECT_NE(ErrorOf(open).find("3 edges are open"), std::string::npos);
-  Mesh turned = Ball();
-  std::swap(turned.Cells[7].Points[0], turned.Cells[7].Points[1]);
-  const std::string ofTurned = ErrorOf(turned);
+  Mesh rotated = Ball();
+  std::swap(rotated.Cells[7].Points[0], rotated.Cells[7].Points[1]);
+  const std::string ofTurned = ErrorOf(rotated);
   EXPECT_NE(
     ofTurned.find("0 edges are open and 3 are between faces of opposite"), std::string::npos)
     << ofTurned;
@@ -127,7 +127,7 @@ TEST(BooleanOperationInputs, OpenSurfacesAreAnError)
 /// The volume of a union, in units of `scale`, which may be out of range to the third power.
 double UnionInUnitsOf(double scale, const Mesh& a, const Mesh& b)
 {
-  const auto scaled = [scale](const Mesh& mesh) { return Placed(mesh, scale, { 0, 0, 0 }); };
+  const auto scaled = [scale](const Mesh& mesh) { return Transformed(mesh, scale, { 0, 0, 0 }); };
   Mesh result = Combine(scaled(a), scaled(b), 0);
   result.Map([scale](const Point& p) { return Point{ p[0] / scale, p[1] / scale, p[2] / scale }; });
   return Measures(result).Volume;
@@ -149,7 +149,7 @@ TEST(BooleanOperationInputs, WhatIsTooSmallBesideTheLargestIsLeftOutWithAWarning
   {
     vtkNew<Filter> filter;
     filter->SetInputData(MakePolyData(Ball()));
-    filter->SetSourceData(MakePolyData(Placed(Block(), scale, { 3 * scale, 0, 0 })));
+    filter->SetSourceData(MakePolyData(Transformed(Block(), scale, { 3 * scale, 0, 0 })));
     EventCounter events(filter);
     filter->Update();
     EXPECT_EQ(events.Errors, 0) << events.Error;
@@ -167,7 +167,7 @@ TEST(BooleanOperationInputs, SizesMayDifferByManyOrders)
 {
   for (const double scale : { 1e8, 1e12, 1e16, 1e40 })
   {
-    const Mesh large = Placed(Block(), scale, { 3 * scale, 0, 0 });
+    const Mesh large = Transformed(Block(), scale, { 3 * scale, 0, 0 });
     const Mesh both = Combine(Ball(), large, 0);
     EXPECT_EQ(both.Cells.size(), Ball().Cells.size() + Block().Cells.size()) << scale;
     EXPECT_EQ(Combine(Ball(), large, 1).Cells.size(), 0u) << scale;
@@ -178,11 +178,12 @@ TEST(BooleanOperationInputs, AnAbortWhileSurfacesAreSplitLeavesNothing)
 {
   vtkNew<Filter> filter;
   filter->SetInputDataObject(0, MakePolyData(Outward(SphereTriangles(40))));
-  filter->SetSourceData(MakePolyData(Placed(Outward(SphereTriangles(37)), 1.0, { 0.5, 0.3, 0.1 })));
-  const std::vector<double> seen = AbortAt(filter, 0.65);
-  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  filter->SetSourceData(
+    MakePolyData(Transformed(Outward(SphereTriangles(37)), 1.0, { 0.5, 0.3, 0.1 })));
+  const std::vector<double> found = AbortAt(filter, 0.65);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
   const auto isLate = [](double progress) { return progress > 0.7 && progress < 1.0; };
-  EXPECT_TRUE(std::none_of(seen.begin(), seen.end(), isLate));
+  EXPECT_TRUE(std::none_of(found.begin(), found.end(), isLate));
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
   EXPECT_GT(Measures(RunSolid(filter)).Volume, 5.0);
 }
@@ -192,7 +193,7 @@ TEST(BooleanOperationInputs, AnAbortWhileSurfacesAreSplitLeavesNothing)
 TEST(BooleanOperationInputs, AnAbortAtAnyTimeLeavesNothingOrAll)
 {
   const Mesh body = Outward(SphereTriangles(16));
-  const Mesh tool = Placed(Outward(SphereTriangles(13)), 1.0, { 0.4, 0.3, 0.1 });
+  const Mesh tool = Transformed(Outward(SphereTriangles(13)), 1.0, { 0.4, 0.3, 0.1 });
   vtkNew<Filter> filter;
   filter->SetInputDataObject(0, MakePolyData(body));
   filter->SetSourceData(MakePolyData(tool));
@@ -201,8 +202,8 @@ TEST(BooleanOperationInputs, AnAbortAtAnyTimeLeavesNothingOrAll)
   {
     const double shift = 0.03125 * step;
     filter->SetTranslation(shift, 0, 0);
-    const std::vector<double> seen = AbortAt(filter, 0.1 * (step + 1) - 0.05);
-    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << step;
+    const std::vector<double> found = AbortAt(filter, 0.1 * (step + 1) - 0.05);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end())) << step;
     const vtkIdType left = filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
     const Mesh all = RunSolid(filter);
     EXPECT_TRUE(left == 0 || left == static_cast<vtkIdType>(all.Cells.size())) << step;

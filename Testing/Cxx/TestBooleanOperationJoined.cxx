@@ -195,7 +195,7 @@ TEST(BooleanOperationJoined, WhatIsNotCutStays)
   const Mesh box = CubeQuads(3);
   vtkNew<Filter> filter;
   filter->SetInputData(0, MakePolyData(box));
-  filter->SetSourceData(MakePolyData(Placed(box, 1.0, { 10, 0, 0 })));
+  filter->SetSourceData(MakePolyData(Transformed(box, 1.0, { 10, 0, 0 })));
   filter->Update();
   auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
   EXPECT_EQ(output->GetNumberOfCells(), static_cast<vtkIdType>(2 * box.Cells.size()));
@@ -237,7 +237,7 @@ TEST(BooleanOperationJoined, RandomChains)
     {
       std::string what;
       tools.push_back(
-        MovedAnywhere(random, Placed(AnySolid(random, what), 0.5, { 0, 0, 0 }), what));
+        MovedAnywhere(random, Transformed(AnySolid(random, what), 0.5, { 0, 0, 0 }), what));
       left = Subtract(left, MakePolyData(tools.back()));
     }
     const Mesh result = MeshOf(left);

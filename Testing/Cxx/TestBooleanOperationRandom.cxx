@@ -23,26 +23,26 @@ struct Pair
 void MoveBoth(Random& random, Pair& pair, bool isTiny)
 {
   const int any = random.Index(8);
-  const int way = any == 3 && isTiny ? 0 : any;
+  const int direction = any == 3 && isTiny ? 0 : any;
   const RandomRotation rotation(random, false);
   for (Mesh& solid : pair.Solids)
   {
-    if (way == 0)
+    if (direction == 0)
     {
       solid.Map(rotation);
     }
-    else if (way < 4)
+    else if (direction < 4)
     {
-      solid = Placed(std::move(solid),
-        way == 1     ? 1e-6
-          : way == 2 ? 1e6
-                     : 1.0,
-        way == 3 ? Point{ 1e6, -1e6, 1e6 } : Point{ 0, 0, 0 });
+      solid = Transformed(std::move(solid),
+        direction == 1     ? 1e-6
+          : direction == 2 ? 1e6
+                           : 1.0,
+        direction == 3 ? Point{ 1e6, -1e6, 1e6 } : Point{ 0, 0, 0 });
     }
   }
   const char* names[] = { ", both turned", ", both times 1e-6", ", both times 1e6",
     ", both moved by 1e6" };
-  pair.What += way < 4 ? names[way] : "";
+  pair.What += direction < 4 ? names[direction] : "";
 }
 
 /// Turned by next to nothing: faces nearly coincide, and meet at any angle down to rounding.
@@ -66,7 +66,7 @@ Pair MakePair(Random& random)
   const int smaller = random.Index(16);
   if (smaller < 2)
   {
-    pair.Solids[1] = Placed(std::move(pair.Solids[1]), sizes[smaller], { 0, 0, 0 });
+    pair.Solids[1] = Transformed(std::move(pair.Solids[1]), sizes[smaller], { 0, 0, 0 });
     pair.What += ", smaller";
   }
   if (isSame && random.Index(2) == 0)

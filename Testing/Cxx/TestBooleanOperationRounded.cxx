@@ -77,16 +77,17 @@ Surface Cleaned(vtkPolyData* surface)
 
 void ExpectClosed(vtkPolyData* output)
 {
-  const Surface ways[] = { output, Triangulated(output), Cleaned(output),
+  const Surface directions[] = { output, Triangulated(output), Cleaned(output),
     Cleaned(Triangulated(output)), Triangulated(Cleaned(output)) };
-  for (int way = 0; way < 5; ++way)
+  for (int direction = 0; direction < 5; ++direction)
   {
-    SCOPED_TRACE("way " + std::to_string(way));
-    const EdgeCounts counts = CountEdges(ways[way]);
+    SCOPED_TRACE("way " + std::to_string(direction));
+    const EdgeCounts counts = CountEdges(directions[direction]);
     EXPECT_EQ(counts.Open, 0u);
     EXPECT_EQ(counts.OnlyOnce, 0u);
     EXPECT_EQ(counts.ZeroLength, 0u);
-    EXPECT_EQ(ways[way]->GetNumberOfPoints(), output->GetNumberOfPoints()); // no two are equal
+    EXPECT_EQ(
+      directions[direction]->GetNumberOfPoints(), output->GetNumberOfPoints()); // no two are equal
   }
 }
 
@@ -120,7 +121,7 @@ Mesh TurnedCubes(int count, double degrees, const Point& axis)
     const double angle = degrees * 0.017453292519943295 * i;
     const Point u = (1.0 / Length(axis)) * axis;
     Append(cubes,
-      Placed(CubeQuads(1), 1.0, { -0.5, -0.5, -0.5 })
+      Transformed(CubeQuads(1), 1.0, { -0.5, -0.5, -0.5 })
         .Map(
           [&](const Point& p)
           {
@@ -162,7 +163,7 @@ TEST(BooleanOperationRounded, ManyCubesAtRandom)
       const Point axis = random.Direction();
       const double shift = 0.25 * random.Index(3);
       Append(cubes,
-        Placed(CubeQuads(1), 1.0, { shift, 0.0, 0.0 })
+        Transformed(CubeQuads(1), 1.0, { shift, 0.0, 0.0 })
           .Map([&](const Point& p) { return p + tilt * Cross(axis, p); }));
     }
     vtkNew<Filter> filter;
@@ -217,7 +218,7 @@ TEST(BooleanOperationRounded, PolygonsThatVtkWouldOpenBecomeTriangles)
   prism.Add(VTK_POLYGON, top);
   vtkNew<Filter> filter;
   filter->SetInputData(MakePolyData(prism));
-  filter->SetSourceData(MakePolyData(Placed(CubeQuads(1), 1.0, { 3, 0, 0 })));
+  filter->SetSourceData(MakePolyData(Transformed(CubeQuads(1), 1.0, { 3, 0, 0 })));
   EXPECT_NEAR(ExpectClosed(filter), 2.0, 1e-13);
 }
 }

@@ -105,8 +105,8 @@ TEST(BooleanOperationScans, ClosedAwayFromGaps)
 TEST(BooleanOperationScans, BothMayBeOpen)
 {
   const Mesh open = OpenBall();
-  const Mesh other =
-    Without(Placed(Ball(), 1.1, { 0.8, 0.4, -0.2 }), [](const Point& p) { return p[0] > 1.7; });
+  const Mesh other = Without(
+    Transformed(Ball(), 1.1, { 0.8, 0.4, -0.2 }), [](const Point& p) { return p[0] > 1.7; });
   const Outcome both = CombineOpen(open, other, Filter::UNION);
   EXPECT_EQ(both.BadEdges, static_cast<double>(CountBadEdges(open) + CountBadEdges(other)));
   EXPECT_EQ(CombineOpen(open, other, Filter::INTERSECTION).BadEdges, 0.0);
@@ -151,10 +151,10 @@ TEST(BooleanOperationScans, ClosedSurfacesAreCombinedAsWithoutTheRule)
 /// Inside out, a surface has no inside where the number must be positive.
 TEST(BooleanOperationScans, NumbersAreRoundedForTheInsideRule)
 {
-  const Mesh turned = Turned(OpenBall());
-  EXPECT_GT(CombineOpen(turned, Tool(), Filter::INTERSECTION).Surface.Cells.size(), 0u);
+  const Mesh rotated = Rotated(OpenBall());
+  EXPECT_GT(CombineOpen(rotated, Tool(), Filter::INTERSECTION).Surface.Cells.size(), 0u);
   EXPECT_EQ(
-    CombineOpen(turned, Tool(), Filter::INTERSECTION, Filter::POSITIVE).Surface.Cells.size(), 0u);
+    CombineOpen(rotated, Tool(), Filter::INTERSECTION, Filter::POSITIVE).Surface.Cells.size(), 0u);
 }
 
 TEST(BooleanOperationScans, TheErrorNamesTheRule)

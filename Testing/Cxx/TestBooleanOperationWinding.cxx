@@ -28,7 +28,7 @@ Mesh AnyOverlaps(Random& random, std::string& what)
     const Mesh solid = MovedAnywhere(random, AnySolid(random, what), what);
     const bool isTurned = random.Index(4) == 0;
     what += isTurned ? ", inside out" : "";
-    Append(mesh, isTurned ? Turned(solid) : solid);
+    Append(mesh, isTurned ? Rotated(solid) : solid);
     if (random.Index(6) == 0)
     {
       what += ", twice";
@@ -109,7 +109,7 @@ void TryCut(int number)
   std::string what;
   Mesh solid = MovedAnywhere(random, AnySolid(random, what), what);
   const double height = random.Index(2) ? 0.25 * (random.Index(7) - 3) : random.Between(-1.0, 1.0);
-  Mesh plane = Placed(Sheet(1 + random.Index(4), VTK_TRIANGLE), 8.0, { -4, -4, height });
+  Mesh plane = Transformed(Sheet(1 + random.Index(4), VTK_TRIANGLE), 8.0, { -4, -4, height });
   if (random.Index(2) == 0)
   {
     const RandomRotation rotation(random, random.Index(2) == 0);

@@ -113,13 +113,13 @@ Mesh OrdinaryCells()
   mesh.Add(VTK_TRIANGLE, { 2, 11, 24 });
   mesh.Add(VTK_POLY_LINE, { 0, 4, 13, 26 });
   mesh.Add(VTK_VERTEX, { 26 });
-  return Placed(mesh, 1.1, { 0.01, 0.02, 0.03 });
+  return Transformed(mesh, 1.1, { 0.01, 0.02, 0.03 });
 }
 
 /// Of vtkPolyData, in its order.
 Mesh OrdinaryPolygons()
 {
-  Mesh mesh = Placed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 });
+  Mesh mesh = Transformed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 });
   Mesh ordered;
   ordered.Points = mesh.Points;
   ordered.Add(VTK_POLY_VERTEX, { 0, 1 });

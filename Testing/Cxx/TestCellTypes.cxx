@@ -57,7 +57,7 @@ std::string NameOfCase(const testing::TestParamInfo<CellCase>& info)
 // Of a polyhedron the faces have to stay planar.
 Point Placement(const CellCase& c, const Point& p)
 {
-  return !c.IsBent ? p : c.Type == VTK_POLYHEDRON || c.Type == VTK_POLYGON ? Turned(p) : Bent(p);
+  return !c.IsBent ? p : c.Type == VTK_POLYHEDRON || c.Type == VTK_POLYGON ? Rotated(p) : Bent(p);
 }
 
 Point Middle(const std::vector<Point>& points)

@@ -112,7 +112,7 @@ TEST_P(ChordalDeviation, StaysInTheSafetyBox)
 
 TEST_P(ChordalDeviation, OfAStraightCellIsNothingButRounding)
 {
-  const auto grid = MakeGrid(StraightCell().Map(Turned));
+  const auto grid = MakeGrid(StraightCell().Map(Rotated));
   const auto locator = MakeLocator(grid);
   const Bounds box = SafetyBoxOf(locator);
   for (int side = 0; side < 6; ++side)

@@ -66,7 +66,7 @@ std::vector<NamedMesh> LinearMeshes()
     { "Hexahedra", [] { return MakeGrid(Hexahedra(4).Map(Bent)); } },
     { "Wedges", [] { return MakeGrid(Wedges(4).Map(Bent)); } },
     { "Pyramids", [] { return MakeGrid(Pyramids(3)); } },
-    { "Polyhedra", [] { return MakeGrid(Polyhedra(3).Map(Turned)); } },
+    { "Polyhedra", [] { return MakeGrid(Polyhedra(3).Map(Rotated)); } },
     { "Voxels", [] { return MakeGrid(Voxels(4)); } }, { "Image", [] { return MakeImage(5); } },
     { "Rectilinear", [] { return MakeRectilinear(5); } },
     { "Structured", [] { return MakeStructured(5); } } };

@@ -127,7 +127,8 @@ TEST(ClosestPointSigned, OfASphereItIsAnalytic)
 TEST(ClosestPointSigned, SignIsThatOfTheWindingNumberHoweverFacesAreOriented)
 {
   const Mesh shapes[] = { TorusTriangles(20, 10), SphereTriangles(5), CubeTriangles(3),
-    Octahedron(1.0), Joined(SphereTriangles(6), Placed(SphereTriangles(3), 0.5, { 0, 0, 0 })) };
+    Octahedron(1.0),
+    Joined(SphereTriangles(6), Transformed(SphereTriangles(3), 0.5, { 0, 0, 0 })) };
   for (const Mesh& shape : shapes)
   {
     auto source = MakePolyData(Reoriented(Soup(shape), 1));
@@ -141,7 +142,7 @@ TEST(ClosestPointSigned, SignIsThatOfTheWindingNumberHoweverFacesAreOriented)
     {
       const Point& x = points[i];
       const bool isInside = isNested ? IsInside(SphereTriangles(6), x) &&
-          !IsInside(Placed(SphereTriangles(3), 0.5, { 0, 0, 0 }), x)
+          !IsInside(Transformed(SphereTriangles(3), 0.5, { 0, 0, 0 }), x)
         : isOctahedron ? std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]) < 1.0
                        : IsInside(shape, x);
       ASSERT_EQ(distances[i] < 0, isInside) << i;
@@ -293,7 +294,7 @@ TEST(ClosestPointSigned, ABoundaryThatComesWithItsVolumeIsNotCountedTwice)
   ExpectBoxDistances(MakeGrid(Joined(both, wall)), { 3, 3, 3 });
   // A sheet within, as meshers write it between regions.
   ExpectBoxDistances(
-    MakeGrid(Joined(both, Placed(Sheet(3, VTK_QUAD), 1.0, { 0, 0, 1 }))), { 3, 3, 3 });
+    MakeGrid(Joined(both, Transformed(Sheet(3, VTK_QUAD), 1.0, { 0, 0, 1 }))), { 3, 3, 3 });
 }
 
 TEST(ClosestPointSigned, ASurfaceInPiecesIsClosedAsAWhole)
@@ -320,7 +321,7 @@ TEST(ClosestPointSigned, FacesWrittenRepeatedlyCountOnce)
 TEST(ClosestPointSigned, AFaceBetweenTouchingBodiesHasInsideOnBothSides)
 {
   const Mesh left = CubeQuads(2);
-  const Mesh right = Placed(CubeQuads(2), 1.0, { 2, 0, 0 });
+  const Mesh right = Transformed(CubeQuads(2), 1.0, { 2, 0, 0 });
   FilterPointer filter = MakeSignedFilter(
     MakeQueries({ { 1.9, 1, 1 }, { 2.25, 1, 1 }, { 2, 1, 3 }, { 2, 0.5, 1 }, { 4.5, 1, 1 } }),
     MakePolyData(Joined(left, right)));
@@ -402,7 +403,7 @@ TEST(ClosestPointSigned, VerticesAndLinesBesideASurfaceAreNotSearched)
 
 TEST(ClosestPointSigned, GhostCellsAreNoBoundary)
 {
-  Mesh mesh = Joined(CubeQuads(2), Placed(CubeQuads(1), 1.0, { 0.5, 0.5, 0.5 }));
+  Mesh mesh = Joined(CubeQuads(2), Transformed(CubeQuads(1), 1.0, { 0.5, 0.5, 0.5 }));
   auto source = MakePolyData(mesh);
   MarkGhosts(source, { 24, 25, 26, 27, 28, 29 }, vtkDataSetAttributes::HIDDENCELL);
   ExpectBoxDistances(source, { 2, 2, 2 });

@@ -49,7 +49,7 @@ double Cell(Filter* filter, int row, const char* column, int component = 0)
   return array ? array->GetComponent(row, component) : NAN;
 }
 
-PolyDataPointer Turned(const Mesh& mesh, double angle, double shift)
+PolyDataPointer Rotated(const Mesh& mesh, double angle, double shift)
 {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -257,8 +257,8 @@ TEST(CompareSurfaces, StatisticsAreThoseOfDenseSamplesWithinTheirErrors)
     { RoughSphere(20), RoughSphere(7), 0.2 },
     { RoughSphere(18), RoughSphere(6), 0.01 },
     { MakePolyData(TorusTriangles(40, 24)), MakePolyData(TorusTriangles(13, 8)), 0.3 },
-    { MakePolyData(SphereTriangles(5)), Turned(SphereTriangles(7), 0.7, 0.01), 0.05 },
-    { MakePolyData(Octahedron(1)), Turned(TorusTriangles(8, 5), 1.1, 0.5), 1.0 },
+    { MakePolyData(SphereTriangles(5)), Rotated(SphereTriangles(7), 0.7, 0.01), 0.05 },
+    { MakePolyData(Octahedron(1)), Rotated(TorusTriangles(8, 5), 1.1, 0.5), 1.0 },
   };
   for (const auto& pair : pairs)
   {
@@ -328,9 +328,9 @@ TEST(CompareSurfaces, HausdorffDistancesEncloseDenseSamples)
     PolyDataPointer B;
   } pairs[] = {
     { MakePolyData(coarse), MakePolyData(TorusTriangles(14, 9)) },
-    { MakePolyData(coarse), Turned(coarse, 0.3, 0.1) },
-    { MakePolyData(SphereTriangles(5)), Turned(SphereTriangles(7), 0.7, 0.01) },
-    { MakePolyData(Octahedron(1)), Turned(TorusTriangles(8, 5), 1.1, 0.5) },
+    { MakePolyData(coarse), Rotated(coarse, 0.3, 0.1) },
+    { MakePolyData(SphereTriangles(5)), Rotated(SphereTriangles(7), 0.7, 0.01) },
+    { MakePolyData(Octahedron(1)), Rotated(TorusTriangles(8, 5), 1.1, 0.5) },
   };
   for (const auto& pair : pairs)
   {
@@ -390,7 +390,7 @@ TEST(CompareSurfaces, BlocksAreOneSurface)
   const Mesh sphere = SphereTriangles(6);
   const auto half = [&](std::size_t k)
   { return MakePolyData(Part(sphere, [=](std::size_t cell) { return cell % 2 == k; })); };
-  auto torus = Turned(TorusTriangles(8, 6), 0.4, 0.2);
+  auto torus = Rotated(TorusTriangles(8, 6), 0.4, 0.2);
   auto whole = MakeFilter(torus, MakePolyData(sphere));
   auto parts = MakeFilter(torus, MakeBlocks({ nullptr, half(0), half(1) }));
   whole->Update();
@@ -417,7 +417,7 @@ TEST(CompareSurfaces, BlocksAreOneSurface)
 TEST(CompareSurfaces, ALimitOfBisectionsIsReportedWithWhatIsKnown)
 {
   auto filter =
-    MakeFilter(MakePolyData(TorusTriangles(9, 6)), Turned(TorusTriangles(9, 6), 0.3, 0.1));
+    MakeFilter(MakePolyData(TorusTriangles(9, 6)), Rotated(TorusTriangles(9, 6), 0.3, 0.1));
   filter->SetTolerance(1e-9);
   filter->SetMaximumBisections(10);
   EventCounter events(filter);
@@ -467,7 +467,7 @@ TEST(CompareSurfaces, VolumesAreComparedByTheirOuterFaces)
 TEST(CompareSurfaces, BitsAreTheSameForAnyNumberOfThreads)
 {
   auto filter =
-    MakeFilter(MakePolyData(TorusTriangles(20, 12)), Turned(TorusTriangles(18, 11), 0.3, 0.1));
+    MakeFilter(MakePolyData(TorusTriangles(20, 12)), Rotated(TorusTriangles(18, 11), 0.3, 0.1));
   filter->SignedDistanceOn();
   const auto run = [&](int threads)
   {
@@ -500,7 +500,7 @@ TEST(CompareSurfaces, BitsAreTheSameForAnyNumberOfThreads)
 TEST(CompareSurfaces, ProgressRisesToOneAndAnAbortIsNoResult)
 {
   auto filter =
-    MakeFilter(MakePolyData(TorusTriangles(40, 20)), Turned(TorusTriangles(30, 16), 0.3, 0.1));
+    MakeFilter(MakePolyData(TorusTriangles(40, 20)), Rotated(TorusTriangles(30, 16), 0.3, 0.1));
   {
     ProgressWatch watch(filter);
     filter->Update();

@@ -167,10 +167,10 @@ TEST(ContainedMean, VolumesHoldWhatIsInThemNotInTheirBoxes)
 
 TEST(ContainedMean, PolesDateLineAndConcaveCellsAreOrdinary)
 {
-  std::vector<skd::Vector3> asked = { Direction(0, 89), Direction(180, 89), Direction(180, 60),
+  std::vector<skd::Vector3> requested = { Direction(0, 89), Direction(180, 89), Direction(180, 60),
     Direction(-179, 5), Direction(179, 5), Direction(0, 5), Direction(0, -89) };
   const auto contained = [&](const std::vector<skd::Vector3>& corners)
-  { return MeanRun(MakePolygon(corners), true, asked).Contained()[0]; };
+  { return MeanRun(MakePolygon(corners), true, requested).Contained()[0]; };
   using List = std::vector<std::uint32_t>;
   const std::vector<skd::Vector3> cap = { Direction(0, 80), Direction(120, 80),
     Direction(240, 80) };

@@ -17,8 +17,8 @@ constexpr int Many = 2000;
 constexpr vtkIdType Used = 64; // of each triangle, by Surface Intersection
 
 /// A tetrahedron that is there many times, with points of their own or not; every second one is
-/// turned, up to `turned` of them.
-Mesh Tetrahedra(int count, int turned = 0, bool haveOwnPoints = false)
+/// turned, up to `rotated` of them.
+Mesh Tetrahedra(int count, int rotated = 0, bool haveOwnPoints = false)
 {
   const Mesh one = [&]
   {
@@ -37,7 +37,7 @@ Mesh Tetrahedra(int count, int turned = 0, bool haveOwnPoints = false)
   Mesh all = one;
   for (int i = 1; i < count; ++i)
   {
-    const Mesh next = i % 2 == 1 && i < 2 * turned ? Turned(one) : one;
+    const Mesh next = i % 2 == 1 && i < 2 * rotated ? Rotated(one) : one;
     if (haveOwnPoints)
     {
       Append(all, next);
@@ -147,9 +147,9 @@ TEST(Copies, OfTwoSurfacesTheFirstAreListedByEverySearch)
 /// A first search looks at triangles near the other surface only.
 TEST(Copies, BesideASurfaceThatIsFarAreFoundByAFirstSearchToo)
 {
-  Mesh spheres = Placed(SphereTriangles(30), 1.0, { 5.0, 0.0, 0.0 });
+  Mesh spheres = Transformed(SphereTriangles(30), 1.0, { 5.0, 0.0, 0.0 });
   Append(spheres, Tetrahedra(200, 0, true));
-  Mesh source = Placed(SphereTriangles(30), 1.0, { -5.0, 0.0, 0.0 });
+  Mesh source = Transformed(SphereTriangles(30), 1.0, { -5.0, 0.0, 0.0 });
   Append(source, Box());
   const Mesh box = Box();
   const vtkIdType rows = Used * Intersection(Tetrahedra(1), &box, false).Rows;

@@ -60,7 +60,7 @@ struct Ratio
 
 /// A place that two polylines share, by the parameters along them: their segments' numbers and
 /// what is left.
-struct Place
+struct Position
 {
   Ratio U;
   Ratio V;
@@ -85,12 +85,12 @@ public:
         this->Meet(first[i], first[i + 1], second[j], second[j + 1]);
       }
     }
-    this->CloseAround(first, &Place::U);
-    this->CloseAround(second, &Place::V);
+    this->CloseAround(first, &Position::U);
+    this->CloseAround(second, &Position::V);
     this->Unite();
   }
 
-  std::vector<Place> Places;
+  std::vector<Position> Positions;
 
 private:
   void Meet(const Triple& a, const Triple& b, const Triple& c, const Triple& d)
@@ -149,13 +149,13 @@ private:
 
   void Add(const Ratio& t, const Ratio& s, bool begins, bool ends)
   {
-    this->Places.push_back({ t + this->Count[0], s + this->Count[1], begins, ends });
+    this->Positions.push_back({ t + this->Count[0], s + this->Count[1], begins, ends });
   }
 
-  void CloseAround(const Polyline& polyline, Ratio Place::*along)
+  void CloseAround(const Polyline& polyline, Ratio Position::*along)
   {
     const Ratio last(static_cast<Whole>(polyline.size() - 1), 1);
-    for (Place& position : this->Places)
+    for (Position& position : this->Positions)
     {
       const bool isClosed = polyline.size() > 2 && polyline.front() == polyline.back();
       position.*along = isClosed && position.*along == last ? Ratio(0, 1) : position.*along;
@@ -165,11 +165,11 @@ private:
   /// Where one interval ends and another begins, it goes on.
   void Unite()
   {
-    std::vector<Place> united;
-    for (const Place& position : this->Places)
+    std::vector<Position> united;
+    for (const Position& position : this->Positions)
     {
       const auto same = std::find_if(united.begin(), united.end(),
-        [&](const Place& other) { return other.U == position.U && other.V == position.V; });
+        [&](const Position& other) { return other.U == position.U && other.V == position.V; });
       if (same == united.end())
       {
         united.push_back(position);
@@ -178,9 +178,9 @@ private:
       same->Begins |= position.Begins;
       same->Ends |= position.Ends;
     }
-    this->Places.clear();
-    std::copy_if(united.begin(), united.end(), std::back_inserter(this->Places),
-      [](const Place& position) { return !position.Begins || !position.Ends; });
+    this->Positions.clear();
+    std::copy_if(united.begin(), united.end(), std::back_inserter(this->Positions),
+      [](const Position& position) { return !position.Begins || !position.Ends; });
   }
 
   Whole Count[2];
@@ -304,7 +304,7 @@ struct Mistakes
 {
   int Lost = 0;
   int Twice = 0; ///< or nowhere
-  std::size_t Places = 0;
+  std::size_t Positions = 0;
 };
 
 /// Many pairs in one run, each in a box of its own.
@@ -378,8 +378,8 @@ private:
   void CompareOne(std::size_t i, std::vector<std::array<double, 2>> found, Mistakes& all) const
   {
     const Reference reference(this->Pairs[i][0], this->Pairs[i][1]);
-    all.Places += reference.Places.size();
-    for (const Place& position : reference.Places)
+    all.Positions += reference.Positions.size();
+    for (const Position& position : reference.Positions)
     {
       const double u = position.U.Value() / double(this->Pairs[i][0].size() - 1);
       const double v = position.V.Value() / double(this->Pairs[i][1].size() - 1);
@@ -423,7 +423,7 @@ void ExpectNoMistakes(int size, bool isSolid, int pairs)
     const Mistakes mistakes = ManyPairs(maker, std::min(most, pairs - done), size).Compare();
     EXPECT_EQ(mistakes.Lost, 0) << size;
     EXPECT_EQ(mistakes.Twice, 0) << size;
-    positions += mistakes.Places;
+    positions += mistakes.Positions;
   }
   EXPECT_GT(positions, static_cast<std::size_t>(pairs / 2));
 }

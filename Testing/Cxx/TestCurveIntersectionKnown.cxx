@@ -32,10 +32,10 @@ std::vector<std::array<double, 2>> LissajousCrossings(int a, int b, double shift
   std::vector<std::array<double, 2>> all;
   const auto add = [&](double t, double apart)
   {
-    const auto turned = [&](double angle)
+    const auto rotated = [&](double angle)
     { return angle - 2 * M_PI * std::floor((angle - start) / (2 * M_PI)); };
-    const double first = turned(t);
-    const double second = turned(t + apart);
+    const double first = rotated(t);
+    const double second = rotated(t + apart);
     if (first < second)
     {
       all.push_back({ first, second });

@@ -49,7 +49,7 @@ Numbers KindsOf(vtkDataObject* curves, vtkDataObject* others = nullptr)
 GridPointer TwoPowers(int degree, double left, double right, bool isTurned = false)
 {
   Mesh mesh;
-  const auto add = [&](double x, double y, bool turned)
+  const auto add = [&](double x, double y, bool rotated)
   {
     // Control points: all but the last on the axis.
     Ids ids;
@@ -57,7 +57,7 @@ GridPointer TwoPowers(int degree, double left, double right, bool isTurned = fal
     {
       ids.push_back(mesh.Add({ x * i / degree, i == degree ? y : 0.0, 0.0 }));
     }
-    if (turned)
+    if (rotated)
     {
       std::reverse(ids.begin(), ids.end());
     }

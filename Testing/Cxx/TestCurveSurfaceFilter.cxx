@@ -126,8 +126,8 @@ TEST(CurveSurfaceParity, LinesThroughWarpedQuads)
 
 TEST(CurveSurfaceParity, FarFromTheOrigin)
 {
-  ExpectEven(
-    MakePolyData(Placed(CubeTriangles(3), 1e-3, { 1e5 / 3, -1e6 / 7, 1e4 / 9 })), Amount(14000), 5);
+  ExpectEven(MakePolyData(Transformed(CubeTriangles(3), 1e-3, { 1e5 / 3, -1e6 / 7, 1e4 / 9 })),
+    Amount(14000), 5);
 }
 
 TEST(CurveSurfaceParity, ClosedPolylinesThroughRealSurfaces)
@@ -203,7 +203,7 @@ TEST(CurveSurfaceFilter, ACurveWithinAFaceTellsBothEnds)
 TEST(CurveSurfaceFilter, CutsCurvesAndTellsTheirParts)
 {
   const PolyDataPointer outer = MakePolyData(CubeTriangles(2));
-  const PolyDataPointer inner = MakePolyData(Placed(CubeTriangles(1), 0.5, { .25, .25, .5 }));
+  const PolyDataPointer inner = MakePolyData(Transformed(CubeTriangles(1), 0.5, { .25, .25, .5 }));
   const FilterPointer filter = MakeFilter(LineAlongX(), Blocks({ outer, inner }));
   filter->CutCurvesOn();
   EXPECT_EQ(OutputArray(filter, "SkdBlockIndex"), (Numbers{ 1, 2, 2, 1 }));
@@ -223,7 +223,7 @@ TEST(CurveSurfaceFilter, PartsAreBlocksValuesOrPieces)
   Mesh both = CubeTriangles(2);
   const auto before = static_cast<vtkIdType>(both.Points.size());
   const std::size_t outer = both.Cells.size();
-  const Mesh inner = Placed(CubeTriangles(1), 0.5, { .25, .25, .5 });
+  const Mesh inner = Transformed(CubeTriangles(1), 0.5, { .25, .25, .5 });
   both.Points.insert(both.Points.end(), inner.Points.begin(), inner.Points.end());
   for (const auto& cell : inner.Cells)
   {
@@ -262,7 +262,7 @@ TEST(CurveSurfaceFilter, PartsAreBlocksValuesOrPieces)
 TEST(CurveSurfaceFilter, EqualFacesOfTwoBlocksAreTwoHits)
 {
   const PolyDataPointer left = MakePolyData(CubeTriangles(1));
-  const PolyDataPointer right = MakePolyData(Placed(CubeTriangles(1), 1.0, { 1, 0, 0 }));
+  const PolyDataPointer right = MakePolyData(Transformed(CubeTriangles(1), 1.0, { 1, 0, 0 }));
   const FilterPointer filter =
     MakeFilter(MakePolyline({ { -1, .5, .5 }, { 4, .5, .5 } }), Blocks({ left, right }));
   EXPECT_EQ(OutputArray(filter, "SkdBlockIndex"), (Numbers{ 1, 1, 2, 2 }));

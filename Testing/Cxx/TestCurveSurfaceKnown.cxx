@@ -223,8 +223,8 @@ TEST(CurveSurfaceKnown, ASplineThroughPointsIsVtksOwn)
   const auto circle = [](double t) { return Point{ std::cos(t), std::sin(t), 0.0 }; };
   const PolyDataPointer polyline = MakePolyline(Sampled(circle, 0.0, 2 * M_PI, 8));
   const double x = 0.99;
-  const PolyDataPointer plane = MakePolyData(
-    Placed(OneCell(VTK_QUAD, { { x, -2, -2 }, { x, 2, -2 }, { x, 2, 2 }, { x, -2, 2 } }), 1.0, {}));
+  const PolyDataPointer plane = MakePolyData(Transformed(
+    OneCell(VTK_QUAD, { { x, -2, -2 }, { x, 2, -2 }, { x, 2, 2 }, { x, -2, 2 } }), 1.0, {}));
   const FilterPointer filter = MakeFilter(polyline, plane);
   EXPECT_EQ(OutputPoints(filter).size(), 2u); // the corner at x = 1
   const double straight = std::abs(OutputPoints(filter)[0][1]);
@@ -279,9 +279,9 @@ TEST(CurveSurfaceKnown, FarFromTheOriginAndTiny)
     { std::pair(1e-6, 0.0), std::pair(1e6, 0.0), std::pair(1e-20, 0.0), std::pair(1.0, 1e6) })
   {
     const Point shift{ offset, offset, offset };
-    const PolyDataPointer cube = MakePolyData(Placed(CubeTriangles(2), scale, shift));
+    const PolyDataPointer cube = MakePolyData(Transformed(CubeTriangles(2), scale, shift));
     const Mesh line = OneCell(VTK_LINE, { { -1, .5, .75 }, { 4, .5, .75 } });
-    const FilterPointer filter = MakeFilter(MakePolyData(Placed(line, scale, shift)), cube);
+    const FilterPointer filter = MakeFilter(MakePolyData(Transformed(line, scale, shift)), cube);
     ExpectNear(OutputArray(filter, "SkdCurveParameter"), { 0.2, 0.6 }, 1e-15 * (1 + offset));
     EXPECT_EQ(OutputArray(filter, "SkdSense"), (std::vector<double>{ 1, -1 }));
   }

@@ -34,20 +34,21 @@ int SignOf(const Point& a, const Point& b, const Point& c)
 
 using Triangle = std::array<Point, 3>;
 
-/// A line from `start` along `way` and a triangle; where, from 0 to 1.
-Intersection Meet(const Point& start, const Point& way, const Triangle& triangle, double& at)
+/// A line from `start` along `direction` and a triangle; where, from 0 to 1.
+Intersection Meet(const Point& start, const Point& direction, const Triangle& triangle, double& at)
 {
   const Point a = triangle[0] - start;
   const Point b = triangle[1] - start;
   const Point c = triangle[2] - start;
-  const int sides[3] = { SignOf(way, a, b), SignOf(way, b, c), SignOf(way, c, a) };
+  const int sides[3] = { SignOf(direction, a, b), SignOf(direction, b, c),
+    SignOf(direction, c, a) };
   const auto [least, most] = std::minmax_element(sides, sides + 3);
   if (*least < 0 && *most > 0)
   {
     return Intersection::No;
   }
   const Point normal = Cross(b - a, c - a);
-  at = Dot(normal, a) / Dot(normal, way);
+  at = Dot(normal, a) / Dot(normal, direction);
   const bool isWithin = at > 1e-9 && at < 1.0 - 1e-9; // both ends are beyond the surface's box
   return *least * *most == 1 && isWithin ? Intersection::Yes : Intersection::Unsure;
 }

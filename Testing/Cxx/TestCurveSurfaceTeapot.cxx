@@ -146,8 +146,9 @@ TEST(CurveSurfaceTeapot, LinesHitThePatchesWhereTheyHitAThousandTrianglesOfEach)
   for (int i = 0; i < count; ++i)
   {
     const Point through = random.InBox({ -0.2, 1.3, -0.4, 0.4, 0.35, 1.0 });
-    const Point way = random.Direction();
-    mesh.Add(VTK_LINE, { mesh.Add(through - 3.0 * way), mesh.Add(through + 3.0 * way) });
+    const Point direction = random.Direction();
+    mesh.Add(
+      VTK_LINE, { mesh.Add(through - 3.0 * direction), mesh.Add(through + 3.0 * direction) });
   }
   const PolyDataPointer lines = MakePolyData(mesh);
   const GridPointer teapot = AsBezier(patches);

@@ -41,7 +41,7 @@ TEST_P(Scales, KeepTheClosestPoint)
   {
     SCOPED_TRACE(shape.first);
     const auto home = MakeGrid(shape.second());
-    const auto scaled = MakeGrid(Placed(shape.second(), this->Factor, { 0, 0, 0 }));
+    const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
     const auto atHome = MakeLocator(home);
     const auto away = MakeLocator(scaled);
     Random random(170);
@@ -63,7 +63,7 @@ TEST_P(Scales, KeepTheHits)
   {
     SCOPED_TRACE(shape.first);
     const auto home = MakeGrid(shape.second());
-    const auto scaled = MakeGrid(Placed(shape.second(), this->Factor, { 0, 0, 0 }));
+    const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
     const auto atHome = MakeLocator(home);
     const auto away = MakeLocator(scaled);
     Random random(171);
@@ -88,7 +88,7 @@ TEST_P(Scales, KeepTheCells)
   {
     SCOPED_TRACE(shape.first);
     const auto home = MakeGrid(shape.second());
-    const auto scaled = MakeGrid(Placed(shape.second(), this->Factor, { 0, 0, 0 }));
+    const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
     const auto atHome = MakeLocator(home);
     const auto away = MakeLocator(scaled);
     Random random(172);
@@ -129,7 +129,7 @@ TEST_F(FarOff, ClosestPointsAreTheSame)
     SCOPED_TRACE(shape.first);
     const Mesh mesh = shape.second().Map(Snapped);
     const auto home = MakeGrid(mesh);
-    const auto moved = MakeGrid(Placed(mesh, 1, this->Offset));
+    const auto moved = MakeGrid(Transformed(mesh, 1, this->Offset));
     const auto atHome = MakeLocator(home);
     const auto away = MakeLocator(moved);
     Random random(173);
@@ -155,7 +155,7 @@ TEST_F(FarOff, HitsAreTheSame)
     SCOPED_TRACE(shape.first);
     const Mesh mesh = shape.second().Map(Snapped);
     const auto home = MakeGrid(mesh);
-    const auto moved = MakeGrid(Placed(mesh, 1, this->Offset));
+    const auto moved = MakeGrid(Transformed(mesh, 1, this->Offset));
     const auto atHome = MakeLocator(home);
     const auto away = MakeLocator(moved);
     Random random(174);
@@ -176,7 +176,7 @@ TEST_F(FarOff, EveryPointOfTheMeshIsFoundOnIt)
   for (const auto& shape : Shapes())
   {
     SCOPED_TRACE(shape.first);
-    const auto moved = MakeGrid(Placed(shape.second(), 1, this->Offset));
+    const auto moved = MakeGrid(Transformed(shape.second(), 1, this->Offset));
     const auto locator = MakeLocator(moved);
     for (vtkIdType id = 0; id < moved->GetNumberOfPoints(); ++id)
     {
@@ -190,7 +190,7 @@ TEST_F(FarOff, EveryPointOfTheMeshIsFoundOnIt)
 
 TEST_F(FarOff, NoCellIsLost)
 {
-  const auto moved = MakeGrid(Placed(SphereTriangles(10), 1e-3, this->Offset));
+  const auto moved = MakeGrid(Transformed(SphereTriangles(10), 1e-3, this->Offset));
   const auto locator = MakeLocator(moved);
   EXPECT_EQ(locator->GetNumberOfCellsInTree(), moved->GetNumberOfCells());
   Bounds box;
@@ -200,7 +200,7 @@ TEST_F(FarOff, NoCellIsLost)
 
 TEST(MixedScales, TinyCellsBesideAHugeOneAreFound)
 {
-  Mesh mesh = Placed(SphereTriangles(6), 1e-6, { 0.5, 0.5, 1 });
+  Mesh mesh = Transformed(SphereTriangles(6), 1e-6, { 0.5, 0.5, 1 });
   const vtkIdType first = vtkIdType(mesh.Points.size());
   mesh.Points.insert(mesh.Points.end(), { { -1e6, -1e6, 0 }, { 1e6, -1e6, 0 }, { 0, 1e6, 0 } });
   mesh.Add(VTK_TRIANGLE, { first, first + 1, first + 2 });

@@ -34,7 +34,7 @@ DataSetPointer MakeScaled(double scale)
   mesh.Add(VTK_POLY_LINE, { 0, 4, 13, 26 });
   mesh.Add(VTK_VERTEX, { 26 });
   mesh.Add(VTK_TRIANGLE, { 2, 11, 24 });
-  return WithData(MakeGrid(Placed(mesh, scale, { 0, 0, 0 })));
+  return WithData(MakeGrid(Transformed(mesh, scale, { 0, 0, 0 })));
 }
 
 TEST(Extremes, NearestCellsAreNoneOrThoseOfTheSameMeshAtHome)
@@ -49,7 +49,7 @@ TEST(Extremes, NearestCellsAreNoneOrThoseOfTheSameMeshAtHome)
       query->SetBoxPosition(3.1 * queryScale, 0.2 * queryScale, 0.3 * queryScale);
       query->SetBoxLength(queryScale, queryScale, queryScale);
       query->SetSourceData(
-        MakePolyData(Placed(SphereTriangles(2), queryScale, { 4 * queryScale, 0, 0 })));
+        MakePolyData(Transformed(SphereTriangles(2), queryScale, { 4 * queryScale, 0, 0 })));
       query->SetNumberOfNearestCells(3);
       return query;
     };
@@ -147,7 +147,7 @@ TEST(Extremes, FiltersThatAskForTheInsideEnd)
 {
   for (const double scale : Extremes)
   {
-    const auto ball = MakePolyData(Placed(SphereTriangles(4), scale, { 0, 0, 0 }));
+    const auto ball = MakePolyData(Transformed(SphereTriangles(4), scale, { 0, 0, 0 }));
     const auto queries = MakeQueries({ { 0, 0, 0 }, { 3 * scale, 0, 0 } });
     FilterPointer signedFilter = MakeSignedFilter(queries, ball);
     EXPECT_EQ(RunDistances(signedFilter).size(), 2u);
@@ -172,11 +172,11 @@ TEST(Extremes, FiltersThatIntersectEnd)
   };
   for (const double scale : Extremes)
   {
-    const auto ball = MakePolyData(Placed(SphereTriangles(4), scale, { 0, 0, 0 }));
-    const auto other = MakePolyData(Placed(SphereTriangles(3), scale, { scale, 0, 0 }));
-    const auto curve = MakePolyData(Placed(Helix(30, VTK_POLY_LINE), scale, { 0, 0, 0 }));
+    const auto ball = MakePolyData(Transformed(SphereTriangles(4), scale, { 0, 0, 0 }));
+    const auto other = MakePolyData(Transformed(SphereTriangles(3), scale, { scale, 0, 0 }));
+    const auto curve = MakePolyData(Transformed(Helix(30, VTK_POLY_LINE), scale, { 0, 0, 0 }));
     const auto across =
-      MakePolyData(Placed(Helix(30, VTK_POLY_LINE), scale, { 0.1 * scale, 0, 0 }));
+      MakePolyData(Transformed(Helix(30, VTK_POLY_LINE), scale, { 0.1 * scale, 0, 0 }));
     run(vtkSmartPointer<vtkSkdTreeSurfaceIntersection>::New(), ball, other);
     run(vtkSmartPointer<vtkSkdTreeCurveIntersection>::New(), curve, across);
     run(vtkSmartPointer<vtkSkdTreeCurveSurfaceIntersection>::New(), curve, ball);
@@ -187,7 +187,7 @@ TEST(Extremes, FiltersThatRefineEnd)
 {
   for (const double scale : Extremes)
   {
-    const auto parts = MakePolyData(Placed(TorusTriangles(12, 6), scale, { 0, 0, 0 }));
+    const auto parts = MakePolyData(Transformed(TorusTriangles(12, 6), scale, { 0, 0, 0 }));
     AMRPointer amr = MakeAMR(parts, 4);
     amr->AddDistanceBand(0.1, 2);
     amr->ComputeInsideOn();

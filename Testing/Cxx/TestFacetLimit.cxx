@@ -48,16 +48,16 @@ void ExpectWarningOf(Filter* filter, const std::string& faces)
   EXPECT_EQ(events.Errors, 0);
 }
 
-const std::vector<Point> Asked = { { 0.1, 0.1, 0.1 }, { 2, 2, 2 } };
+const std::vector<Point> Queries = { { 0.1, 0.1, 0.1 }, { 2, 2, 2 } };
 
 TEST(FacetLimit, IsReportedOfSignedDistances)
 {
-  ExpectWarningOf(MakeSignedFilter(MakeQueries(Asked), BentTetrahedron()).Get(), "2");
+  ExpectWarningOf(MakeSignedFilter(MakeQueries(Queries), BentTetrahedron()).Get(), "2");
 }
 
 TEST(FacetLimit, DoesNotMatterWithoutASide)
 {
-  FilterPointer filter = MakeFilter(MakeQueries(Asked), BentTetrahedron());
+  FilterPointer filter = MakeFilter(MakeQueries(Queries), BentTetrahedron());
   filter->SetChordalDeviation(1e-7);
   EventCounter events(filter);
   filter->Update();
@@ -66,7 +66,7 @@ TEST(FacetLimit, DoesNotMatterWithoutASide)
 
 TEST(FacetLimit, IsReportedOfPartsThatHoldPoints)
 {
-  ExpectWarningOf(MakeInOut(MakeQueries(Asked), BentTetrahedron()).Get(), "2");
+  ExpectWarningOf(MakeInOut(MakeQueries(Queries), BentTetrahedron()).Get(), "2");
 }
 
 TEST(FacetLimit, IsReportedOnceOfBothSurfaces)

@@ -187,13 +187,13 @@ TEST_P(HigherOrderCells, DataAtClosestPointsAreInterpolatedByThreads)
 
 TEST_P(HigherOrderCells, GradientsOfLinearFieldsAreRightByThreads)
 {
-  const PointsInCells asked = MakePointsInCells(this->Grid, Many);
-  ProbePointer probe = MakeProbe(MakeQueries(asked.Points), this->Grid);
+  const PointsInCells requested = MakePointsInCells(this->Grid, Many);
+  ProbePointer probe = MakeProbe(MakeQueries(requested.Points), this->Grid);
   probe->AddGradientArray("Linear");
   const std::vector<double> field = ProbeArray(probe, "Linear");
   const std::vector<double> cells = ProbeArray(probe, "SkdSourceCellId");
   const std::vector<double> gradients = ProbeArray(probe, "Linear_Gradient");
-  ASSERT_EQ(gradients.size(), 3 * asked.Points.size());
+  ASSERT_EQ(gradients.size(), 3 * requested.Points.size());
   const double origin = Linear({ 0, 0, 0 });
   const bool isFlat = DimensionOf(GetParam().Type) == 2; // then there is none across
   const Point expected = { Linear({ 1, 0, 0 }) - origin, Linear({ 0, 1, 0 }) - origin,
@@ -205,7 +205,7 @@ TEST_P(HigherOrderCells, GradientsOfLinearFieldsAreRightByThreads)
     if (cells[i] >= 0)
     {
       ++found;
-      ASSERT_NEAR(field[i], Linear(asked.Points[i]), 1e-9);
+      ASSERT_NEAR(field[i], Linear(requested.Points[i]), 1e-9);
       ASSERT_LT(Distance(gradient, expected), 1e-7) << i;
     }
   }

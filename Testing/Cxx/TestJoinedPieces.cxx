@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(PackedMesh, KeepsWhatLegacyFilesRound)
 {
-  const auto image = MakeTurnedImage(3);
+  const auto image = MakeRotatedImage(3);
   image->SetOrigin(1.0 / 3.0, 1e10 / 7.0, -2.0 / 3.0);
   image->SetSpacing(0.1, 1.0 / 7.0, 1.0 / 3.0);
   auto* sent = vtkImageData::SafeDownCast(Sent(image));
@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
 // By global ids: cells in their order, points that coincide stay apart.
 TEST(JoinedPieces, GlobalIdsDecide)
 {
-  const Mesh whole = Together({ Hexahedra(1), Placed(Hexahedra(1), 1.0, { 1.0, 0.0, 0.0 }) });
+  const Mesh whole = Together({ Hexahedra(1), Transformed(Hexahedra(1), 1.0, { 1.0, 0.0, 0.0 }) });
   Pieces pieces;
   for (const vtkIdType cell : { 1, 0 })
   {
@@ -253,16 +253,16 @@ TEST(JoinedPieces, GlobalIdsDecide)
 // Points of one piece are not merged: both sides of a crack keep their own.
 TEST(JoinedPieces, PointsOfOnePieceStayApart)
 {
-  const Mesh crack = Together({ Hexahedra(1), Placed(Hexahedra(1), 1.0, { 1.0, 0.0, 0.0 }) });
-  const Mesh beside = Placed(Hexahedra(1), 1.0, { 0.0, 5.0, 0.0 });
+  const Mesh crack = Together({ Hexahedra(1), Transformed(Hexahedra(1), 1.0, { 1.0, 0.0, 0.0 }) });
+  const Mesh beside = Transformed(Hexahedra(1), 1.0, { 0.0, 5.0, 0.0 });
   EXPECT_EQ(SkdJoinPieces({ MakeGrid(crack), MakeGrid(beside) }).Mesh->GetNumberOfPoints(), 24);
   EXPECT_EQ(SkdJoinPieces({ MakeGrid(crack), MakeGrid(crack) }).Mesh->GetNumberOfPoints(), 16);
 }
 
 TEST(JoinedPieces, PointsThatDifferByRounding)
 {
-  const Mesh left = Placed(Hexahedra(1), 0.1, { 0.7, 0.3, 0.1 });
-  Mesh right = Placed(Hexahedra(1), 0.1, { 0.8, 0.3, 0.1 });
+  const Mesh left = Transformed(Hexahedra(1), 0.1, { 0.7, 0.3, 0.1 });
+  Mesh right = Transformed(Hexahedra(1), 0.1, { 0.8, 0.3, 0.1 });
   right.Map(
     [](const Point& p) {
       return Point{ { std::nextafter(p[0], 0.0), std::nextafter(p[1], 1.0), p[2] } };
@@ -290,7 +290,7 @@ void ExpectWholeGrid(vtkSmartPointer<Grid> grid)
 
 TEST(JoinedPieces, Grids)
 {
-  ExpectWholeGrid(MakeTurnedImage(5));
+  ExpectWholeGrid(MakeRotatedImage(5));
   ExpectWholeGrid(MakeRectilinear(5));
   ExpectWholeGrid(MakeStructured(5));
 }

@@ -278,7 +278,7 @@ TEST_P(Batches, AnswerAsQueriesForOne)
 TEST_P(Batches, AnswerAsQueriesForOneOfAMovedSet)
 {
   vtkNew<vtkMatrix4x4> motion;
-  const Point columns[3] = { Turned({ 1, 0, 0 }), Turned({ 0, 1, 0 }), Turned({ 0, 0, 1 }) };
+  const Point columns[3] = { Rotated({ 1, 0, 0 }), Rotated({ 0, 1, 0 }), Rotated({ 0, 0, 1 }) };
   for (int row = 0; row < 3; ++row)
   {
     for (int column = 0; column < 3; ++column)
@@ -384,7 +384,7 @@ TEST(BatchOfPairs, TellsCellsThatTouchFromThoseAHairApart)
     SCOPED_TRACE(x);
     for (const double far : { 0.0, 1e6 })
     {
-      Mesh beside = Placed(Hexahedra(4), 1.0, { x, 0, 1 });
+      Mesh beside = Transformed(Hexahedra(4), 1.0, { x, 0, 1 });
       const vtkIdType lonely = beside.Add(Point{ -far, 0, 0 }); // spoils the other's resolution
       beside.Add(VTK_VERTEX, { lonely });
       const auto others = MakeGrid(beside);
@@ -405,7 +405,7 @@ TEST(BatchOfPairs, OfManySizes)
   {
     SCOPED_TRACE(size);
     const auto soup = MakePolyData(TriangleSoup(300, 0.2));
-    const auto sized = MakePolyData(Placed(TriangleSoup(200, 0.3), size, { 0.1, 0.2, 0.3 }));
+    const auto sized = MakePolyData(Transformed(TriangleSoup(200, 0.3), size, { 0.1, 0.2, 0.3 }));
     ExpectPairs(MakeLocator(soup), MakeLocator(sized));
     ExpectPairs(MakeLocator(sized), MakeLocator(soup));
   }

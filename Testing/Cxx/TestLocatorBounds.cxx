@@ -42,12 +42,12 @@ protected:
     {
       const Bounds& box = this->Reference.Box(cell);
       const Point center = Center(box) - o;
-      double reach = tol * Length(n);
+      double maxDistance = tol * Length(n);
       for (int axis = 0; axis < 3; ++axis)
       {
-        reach += 0.5 * (box[2 * axis + 1] - box[2 * axis]) * std::abs(n[axis]);
+        maxDistance += 0.5 * (box[2 * axis + 1] - box[2 * axis]) * std::abs(n[axis]);
       }
-      if (std::abs(Dot(center, n)) <= reach)
+      if (std::abs(Dot(center, n)) <= maxDistance)
       {
         cells.push_back(cell);
       }

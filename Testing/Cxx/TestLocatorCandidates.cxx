@@ -223,12 +223,12 @@ TEST_P(CandidatesOfMesh, AlongAPlaneAreTheSafetyBoxesMet)
     this->ExpectThoseThatPass(Sorted(ToVector(ids)),
       [&](const Bounds& box, double grow)
       {
-        double reach = 0;
+        double maxDistance = 0;
         for (int axis = 0; axis < 3; ++axis)
         {
-          reach += (0.5 * (box[2 * axis + 1] - box[2 * axis]) + grow) * std::abs(n[axis]);
+          maxDistance += (0.5 * (box[2 * axis + 1] - box[2 * axis]) + grow) * std::abs(n[axis]);
         }
-        return std::abs(Dot(Center(box) - o, n)) <= reach;
+        return std::abs(Dot(Center(box) - o, n)) <= maxDistance;
       });
   }
 }

@@ -88,7 +88,7 @@ TEST(DataSets, ImageAnswersAsItsVoxelsDo)
 
 TEST(DataSets, TurnedImageAnswersAsItsHexahedraDo)
 {
-  const auto image = MakeTurnedImage(4);
+  const auto image = MakeRotatedImage(4);
   Mesh mesh = Hexahedra(4);
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {

@@ -98,7 +98,7 @@ TEST_F(Lifecycle, UseExistingSearchStructureKeepsTheTree)
 /// shares.
 PolyDataPointer SphereOf(int pointType, double shift = 0.0)
 {
-  const auto sphere = MakePolyData(Placed(SphereTriangles(8), 1.0, { shift, 0, 0 }));
+  const auto sphere = MakePolyData(Transformed(SphereTriangles(8), 1.0, { shift, 0, 0 }));
   vtkNew<vtkPoints> points;
   points->SetDataType(pointType);
   points->DeepCopy(sphere->GetPoints());
@@ -286,13 +286,13 @@ TEST_F(Lifecycle, ShallowCopyDoesNotPassAnOutdatedTreeOn)
 
 TEST_F(Lifecycle, ShallowCopyDoesNotPassATreeOnToWhatChangedLater)
 {
-  const auto moved = MakePolyData(Placed(SphereTriangles(8), 1.0, { 100, 0, 0 }));
+  const auto moved = MakePolyData(Transformed(SphereTriangles(8), 1.0, { 100, 0, 0 }));
   EXPECT_NEAR(FindClosest(CopyFor(moved, this->Locator), { 105, 0, 0 }).Dist2, 16, 0.1);
 }
 
 TEST_F(Lifecycle, ShallowCopyDoesNotPassATreeOnToAnotherMeshThatIsOlder)
 {
-  const auto older = MakePolyData(Placed(SphereTriangles(8), 1.0, { 100, 0, 0 }));
+  const auto older = MakePolyData(Transformed(SphereTriangles(8), 1.0, { 100, 0, 0 }));
   this->Data->Modified();
   this->Locator->BuildLocator();
   EXPECT_NEAR(FindClosest(CopyFor(older, this->Locator), { 105, 0, 0 }).Dist2, 16, 0.1);
@@ -302,7 +302,7 @@ TEST_F(Lifecycle, ShallowCopyDoesNotPassATreeOnToAnotherMeshThatIsOlder)
 TEST_F(Lifecycle, ShallowCopyAnswersForItsOwnDataSetEvenIfAnExistingStructureIsWanted)
 {
   this->Locator->UseExistingSearchStructureOn();
-  const auto moved = MakePolyData(Placed(SphereTriangles(8), 1.0, { 0.02, 0, 0 }));
+  const auto moved = MakePolyData(Transformed(SphereTriangles(8), 1.0, { 0.02, 0, 0 }));
   const auto copy = CopyFor(moved, this->Locator);
   EXPECT_TRUE(copy->GetUseExistingSearchStructure());
   EXPECT_EQ(FindClosest(copy, { 3, 1, 2 }), FindClosest(MakeLocator(moved), { 3, 1, 2 }));

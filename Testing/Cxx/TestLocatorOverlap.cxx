@@ -69,7 +69,7 @@ Pairs AllPairs(vtkSkdTreeCellLocator* a, vtkSkdTreeCellLocator* b, const Point& 
 vtkSmartPointer<vtkMatrix4x4> TurnAndMove(const Point& shift)
 {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  const Point columns[3] = { Turned({ 1, 0, 0 }), Turned({ 0, 1, 0 }), Turned({ 0, 0, 1 }) };
+  const Point columns[3] = { Rotated({ 1, 0, 0 }), Rotated({ 0, 1, 0 }), Rotated({ 0, 0, 1 }) };
   for (int row = 0; row < 3; ++row)
   {
     for (int column = 0; column < 3; ++column)
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(All, OverlapOfMeshes, testing::ValuesIn(AllMeshes()), N
 TEST_P(OverlapOfMeshes, PairsAreThoseWhoseSafetyBoxesOverlap)
 {
   const auto data = GetParam().Make();
-  const auto other = MakePolyData(Placed(SphereTriangles(5), 1.3, { 1, 0.5, 0.7 }));
+  const auto other = MakePolyData(Transformed(SphereTriangles(5), 1.3, { 1, 0.5, 0.7 }));
   const auto a = MakeLocator(data);
   const auto b = MakeLocator(other);
   const PairQuery query = FindPairs(a, b);
@@ -178,7 +178,7 @@ TEST_F(OverlapOfTwo, TurnedBoxesThatShareAPointAreAPair)
     for (int sample = 0; sample < 20; ++sample)
     {
       const Point p = random.InBox(boxesB[j]);
-      const Point moved = Turned(p) + Point{ 0.5, 0.2, 0.1 };
+      const Point moved = Rotated(p) + Point{ 0.5, 0.2, 0.1 };
       for (std::size_t i = 0; i < boxesA.size(); ++i)
       {
         if (Contains(boxesA[i], moved))
@@ -195,7 +195,7 @@ TEST_F(OverlapOfTwo, TurnedBoxesThatShareAPointAreAPair)
   {
     const Bounds& a = boxesA[pair.first];
     const Bounds& b = boxesB[pair.second];
-    const Point center = Turned(Center(b)) + Point{ 0.5, 0.2, 0.1 };
+    const Point center = Rotated(Center(b)) + Point{ 0.5, 0.2, 0.1 };
     ASSERT_LE(Distance(Center(a), center), 0.5001 * (Diagonal(a) + Diagonal(b)) * std::sqrt(3.0));
   }
 }

@@ -269,7 +269,7 @@ TEST(PaperArraysOf, EpsilonIsRelativeToTheDiagonal)
 TEST(PaperArraysOf, EpsilonIsNeverBelowTheRoundingOfCoordinates)
 {
   const double far = 1e9;
-  const auto data = MakePolyData(Placed(CubeTriangles(3), 1e-3, { far, far, far }));
+  const auto data = MakePolyData(Transformed(CubeTriangles(3), 1e-3, { far, far, far }));
   const auto locator = LocatorPointer::New();
   locator->SetDataSet(data);
   locator->SetEpsilon(0.0);

@@ -20,13 +20,13 @@ const Point Shift = { 4, -2.5, 1 };
 
 Point Move(const Point& p)
 {
-  return Turned(p) + Shift;
+  return Rotated(p) + Shift;
 }
 
 vtkSmartPointer<vtkMatrix4x4> Motion()
 {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  const Point columns[3] = { Turned({ 1, 0, 0 }), Turned({ 0, 1, 0 }), Turned({ 0, 0, 1 }) };
+  const Point columns[3] = { Rotated({ 1, 0, 0 }), Rotated({ 0, 1, 0 }), Rotated({ 0, 0, 1 }) };
   for (int row = 0; row < 3; ++row)
   {
     for (int column = 0; column < 3; ++column)

@@ -61,7 +61,7 @@ std::vector<ClosedSurface> ClosedSurfaces()
     { "SphereQuadSoup", [] { return Soup(SphereQuads(12)); }, inBall },
     { "SphereRandomlyOriented", [] { return Oriented(SphereTriangles(12), true); }, inBall },
     { "QuadsRandomlyOriented", [] { return Oriented(SphereQuads(12), true); }, inBall },
-    { "SphereFarOff", [offset] { return Placed(SphereTriangles(12), 1, offset); },
+    { "SphereFarOff", [offset] { return Transformed(SphereTriangles(12), 1, offset); },
       [offset](Random& random) { return offset + InBall(random, 0.7); } } };
 }
 

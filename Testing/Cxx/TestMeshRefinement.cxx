@@ -27,7 +27,7 @@ Mesh Shaken(Mesh mesh, double by, const std::function<bool(const Point&)>& isInn
 
 Mesh InUnitCube(const Mesh& mesh, int n)
 {
-  return Placed(mesh, 1.0 / n, { 0, 0, 0 });
+  return Transformed(mesh, 1.0 / n, { 0, 0, 0 });
 }
 
 bool IsInnerOfFour(const Point& p)
@@ -64,7 +64,7 @@ Mesh Honeycomb()
       mesh.Add(VTK_POLYGON, ids);
     }
   }
-  return Placed(Welded(mesh), 0.25, { 0.25, 0.25, 0 });
+  return Transformed(Welded(mesh), 0.25, { 0.25, 0.25, 0 });
 }
 
 struct Case
@@ -81,7 +81,7 @@ const Case Cases[] = {
   { "Hexagons", [] { return Honeycomb(); }, 1 },
   { "Torus",
     [] {
-      return Placed(TorusTriangles(12, 8), 0.35, { 0.5, 0.5, 0.2 });
+      return Transformed(TorusTriangles(12, 8), 0.35, { 0.5, 0.5, 0.2 });
     },
     0 },
   { "Cube", [] { return InUnitCube(Welded(CubeQuads(3)), 3); }, 2 },
@@ -100,7 +100,7 @@ public:
 
 PolyDataPointer MakePart()
 {
-  return MakePolyData(Placed(SphereTriangles(8), 0.3, { 0.6, 0.5, 0.05 }));
+  return MakePolyData(Transformed(SphereTriangles(8), 0.3, { 0.6, 0.5, 0.05 }));
 }
 
 bool IsVolumeMesh(vtkDataSet* mesh)
@@ -278,9 +278,9 @@ std::multiset<std::set<Point>> ShapesOf(vtkDataSet* mesh)
 TEST_P(MeshRefinement, TheResultDoesNotDependOnNumbers)
 {
   const Mesh mesh = GetParam().Make();
-  Mesh turned;
+  Mesh rotated;
   const auto last = static_cast<vtkIdType>(mesh.Points.size()) - 1;
-  turned.Points.assign(mesh.Points.rbegin(), mesh.Points.rend());
+  rotated.Points.assign(mesh.Points.rbegin(), mesh.Points.rend());
   for (auto cell = mesh.Cells.rbegin(); cell != mesh.Cells.rend(); ++cell)
   {
     Ids ids;
@@ -288,12 +288,12 @@ TEST_P(MeshRefinement, TheResultDoesNotDependOnNumbers)
     {
       ids.push_back(last - id);
     }
-    turned.Add(cell->Type, ids);
+    rotated.Add(cell->Type, ids);
   }
   for (int method : { 0, 1 })
   {
     RefinementPointer first = MakeRefinement(MakeGrid(mesh), MakePart(), 2, method);
-    RefinementPointer second = MakeRefinement(MakeGrid(turned), MakePart(), 2, method);
+    RefinementPointer second = MakeRefinement(MakeGrid(rotated), MakePart(), 2, method);
     EXPECT_EQ(ShapesOf(RunRefinement(first)), ShapesOf(RunRefinement(second))) << method;
   }
 }

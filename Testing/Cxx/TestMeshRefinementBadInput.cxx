@@ -26,7 +26,7 @@ PolyDataPointer MakeTorus()
 
 PolyDataPointer MakePart()
 {
-  return MakePolyData(Placed(SphereTriangles(8), 0.4, { 1, 0, 0 }));
+  return MakePolyData(Transformed(SphereTriangles(8), 0.4, { 1, 0, 0 }));
 }
 
 TEST(MeshRefinementBadInput, WithoutCellsThereIsNothingAndAWarning)
@@ -58,7 +58,7 @@ TEST(MeshRefinementBadInput, WithoutAnythingToAskForCellsAllAreRefinedOnce)
 
 TEST(MeshRefinementBadInput, BisectionOfAMeshWithHangingNodesIsWarnedOf)
 {
-  const auto part = MakePolyData(Placed(SphereTriangles(8), 0.2, { 0.2, 0.1, 0.05 }));
+  const auto part = MakePolyData(Transformed(SphereTriangles(8), 0.2, { 0.2, 0.1, 0.05 }));
   const DataSetPointer meshes[] = { MakeTorus(), MakeGrid(Tetrahedra(3)), MakeGrid(Hexahedra(3)),
     MakePolyData(Sheet(5, VTK_QUAD)), MakePolyData(Sheet(5, VTK_TRIANGLE)) };
   for (const DataSetPointer& mesh : meshes)
@@ -102,7 +102,7 @@ TEST(MeshRefinementBadInput, PartsThatMissTheMeshPassItOn)
 {
   auto torus = MakeTorus();
   RefinementPointer filter =
-    MakeRefinement(torus, MakePolyData(Placed(SphereTriangles(8), 0.4, { 9, 0, 0 })), 3);
+    MakeRefinement(torus, MakePolyData(Transformed(SphereTriangles(8), 0.4, { 9, 0, 0 })), 3);
   EventCounter events(filter);
   EXPECT_EQ(RunRefinement(filter)->GetNumberOfCells(), torus->GetNumberOfCells());
   EXPECT_EQ(events.Warnings, 1);
@@ -207,7 +207,7 @@ TEST(MeshRefinementBadInput, TinyAndHugeMeshesAndFarOnesAreRefinedAlike)
       Mesh part;
       part.Add(VTK_LINE, { part.Add(Point{ 1, 1.25, 0 }), part.Add(Point{ 5, 7.25, 0 }) });
       RefinementPointer filter = MakeRefinement(
-        MakePolyData(Placed(mesh, scale, by)), MakePolyData(Placed(part, scale, by)), 3);
+        MakePolyData(Transformed(mesh, scale, by)), MakePolyData(Transformed(part, scale, by)), 3);
       const vtkIdType here = RunRefinement(filter)->GetNumberOfCells();
       cells = cells < 0 ? here : cells;
       EXPECT_EQ(here, cells) << scale << " " << offset;
@@ -224,7 +224,7 @@ TEST(MeshRefinementBlocks, FitTogetherAndKeepTheirDataSets)
   { return whole.Points[static_cast<std::size_t>(whole.Cells[cell].Points[0])][0] < 3; };
   auto left = MakePolyData(Part(whole, isLeft));
   auto right = MakeGrid(Part(whole, [&](std::size_t cell) { return !isLeft(cell); }));
-  auto part = MakePolyData(Placed(SphereTriangles(8), 0.4, { 2.2, 3, 0 }));
+  auto part = MakePolyData(Transformed(SphereTriangles(8), 0.4, { 2.2, 3, 0 }));
   auto blocks = MakeBlocks({ left, nullptr, right });
   RefinementPointer filter = MakeRefinement(blocks, part, 3);
   filter->Update();
@@ -382,10 +382,10 @@ TEST(MeshRefinementLimits, TheCellLimitStopsItAtASoundMesh)
 /// A mesh of triangles and one of hexahedra, moved along x.
 std::vector<vtkSmartPointer<vtkDataSet>> MeshesAt(double x)
 {
-  return { MakePolyData(Placed(Sheet(4, VTK_TRIANGLE), 1.0, { x, 0, 0 })),
-    MakePolyData(Placed(Sheet(4, VTK_QUAD), 1.0, { x, 0, 0 })),
-    MakeGrid(Placed(Hexahedra(2), 1.0, { x, 0, 0 })),
-    MakeGrid(Placed(Tetrahedra(2), 1.0, { x, 0, 0 })) };
+  return { MakePolyData(Transformed(Sheet(4, VTK_TRIANGLE), 1.0, { x, 0, 0 })),
+    MakePolyData(Transformed(Sheet(4, VTK_QUAD), 1.0, { x, 0, 0 })),
+    MakeGrid(Transformed(Hexahedra(2), 1.0, { x, 0, 0 })),
+    MakeGrid(Transformed(Tetrahedra(2), 1.0, { x, 0, 0 })) };
 }
 
 TEST(MeshRefinementLimits, StopsWhereCoordinatesTellNoPointsApart)
@@ -488,7 +488,7 @@ TEST(MeshRefinementLimits, TreesAreKeptWhileThePartsAreTheSame)
 
 TEST(MeshRefinementLimits, TheSameWhateverTheNumberOfThreads)
 {
-  std::vector<std::vector<double>> seen;
+  std::vector<std::vector<double>> found;
   for (int threads : { 1, 4 })
   {
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
@@ -497,15 +497,15 @@ TEST(MeshRefinementLimits, TheSameWhateverTheNumberOfThreads)
         RefinementPointer filter = MakeRefinement(WithData(MakeTorus()), MakePart(), 4);
         filter->AddDistanceBand(0.3, 3);
         vtkDataSet* refined = RunRefinement(filter);
-        seen.push_back(CellValues(refined, "SkdParentCellId"));
+        found.push_back(CellValues(refined, "SkdParentCellId"));
         for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
         {
           const double* x = refined->GetPoint(i);
-          seen.back().insert(seen.back().end(), x, x + 3);
+          found.back().insert(found.back().end(), x, x + 3);
         }
       });
   }
-  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_EQ(found[0], found[1]);
 }
 
 }

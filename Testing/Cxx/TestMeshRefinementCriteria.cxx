@@ -18,12 +18,12 @@ namespace
 
 PolyDataPointer MakeSheet(int n)
 {
-  return MakePolyData(Placed(Triangulated(Sheet(n, VTK_QUAD)), 1.0 / n, { 0, 0, 0 }));
+  return MakePolyData(Transformed(Triangulated(Sheet(n, VTK_QUAD)), 1.0 / n, { 0, 0, 0 }));
 }
 
 PolyDataPointer MakeBall(double radius, const Point& centre)
 {
-  return MakePolyData(Placed(SphereTriangles(16), radius, centre));
+  return MakePolyData(Transformed(SphereTriangles(16), radius, centre));
 }
 
 /// Calls visit(cell, level) for all cells.
@@ -128,10 +128,10 @@ TEST(MeshRefinementCriteria, BlindRefinesMore)
 
 TEST(MeshRefinementCriteria, AVolumeCellThatHoldsOrIsHeldIsMet)
 {
-  auto grid = MakeGrid(Placed(Tetrahedra(2), 0.5, { 0, 0, 0 }));
+  auto grid = MakeGrid(Transformed(Tetrahedra(2), 0.5, { 0, 0, 0 }));
   RefinementPointer within = MakeRefinement(grid, MakeBall(0.02, { 0.31, 0.13, 0.22 }), 1, 1);
   EXPECT_EQ(RunRefinement(within)->GetNumberOfCells(), grid->GetNumberOfCells() + 7);
-  auto around = MakeGrid(Placed(Hexahedra(1), 9.0, { -4, -4, -4 }));
+  auto around = MakeGrid(Transformed(Hexahedra(1), 9.0, { -4, -4, -4 }));
   RefinementPointer inside = MakeRefinement(grid, around, 1, 1);
   EXPECT_EQ(RunRefinement(inside)->GetNumberOfCells(), 8 * grid->GetNumberOfCells());
 }
@@ -146,7 +146,7 @@ TEST(MeshRefinementCriteria, PartsOfAllKindsAreMet)
     const double size = 1.1 * Diagonal(box);
     const Point low{ box[0] - 0.03 * size, box[2] - 0.03 * size, box[4] - 0.03 * size };
     RefinementPointer filter =
-      MakeRefinement(MakeGrid(Placed(Tetrahedra(3), size / 3, low)), part, 1, 1);
+      MakeRefinement(MakeGrid(Transformed(Tetrahedra(3), size / 3, low)), part, 1, 1);
     EventCounter events(filter);
     vtkDataSet* refined = RunRefinement(filter);
     EXPECT_EQ(events.Errors, 0);
@@ -174,15 +174,15 @@ TEST(MeshRefinementCriteria, DistanceBandsCoverAllThatIsNearer)
     filter->AddDistanceBand(0.2, 4);
     filter->AddDistanceBand(0.35, 2);
     vtkDataSet* refined = RunRefinement(filter);
-    int seen[2] = { 0, 0 };
+    int found[2] = { 0, 0 };
     ForEachCell(refined,
       [&](vtkCell* cell, int level)
       {
         const double distance = reference.FindNearest(MiddleOf(cell)).Distance;
         EXPECT_GE(level, distance <= 0.2 ? 4 : distance <= 0.35 ? 2 : 0);
-        ++seen[level >= 4];
+        ++found[level >= 4];
       });
-    EXPECT_TRUE(seen[0] > 10 && seen[1] > 10);
+    EXPECT_TRUE(found[0] > 10 && found[1] > 10);
   }
 }
 
@@ -218,7 +218,7 @@ bool Holds(vtkCell* cell, const Point& x)
 /// The sheet cuts an upright box in a square: bent are its corners.
 TEST(MeshRefinementCriteria, WhereAPartIsFlatTheMinimumSurfaceLevelIsEnough)
 {
-  auto box = MakePolyData(Placed(CubeTriangles(2), 0.26, { 0.21, 0.19, -0.3 }));
+  auto box = MakePolyData(Transformed(CubeTriangles(2), 0.26, { 0.21, 0.19, -0.3 }));
   const Point corners[] = { { 0.21, 0.19, 0 }, { 0.73, 0.19, 0 }, { 0.73, 0.71, 0 },
     { 0.21, 0.71, 0 } };
   for (int method : { 0, 1 })
@@ -230,7 +230,7 @@ TEST(MeshRefinementCriteria, WhereAPartIsFlatTheMinimumSurfaceLevelIsEnough)
     filter->SetMinimumSurfaceLevel(2);
     vtkDataSet* refined = RunRefinement(filter);
     EXPECT_LT(3 * refined->GetNumberOfCells(), all);
-    int seen[2] = { 0, 0 };
+    int found[2] = { 0, 0 };
     ForEachCell(refined,
       [&](vtkCell* cell, int level)
       {
@@ -241,13 +241,13 @@ TEST(MeshRefinementCriteria, WhereAPartIsFlatTheMinimumSurfaceLevelIsEnough)
           const bool isOnSide = Holds(cell, Lerp(corners[i], corners[(i + 1) % 4], 0.49));
           EXPECT_TRUE(!isAtCorner || level >= 6) << level;
           EXPECT_TRUE(!isOnSide || level >= 2) << level;
-          seen[0] += isAtCorner;
-          seen[1] += isOnSide;
+          found[0] += isAtCorner;
+          found[1] += isOnSide;
           away = std::min(away, Distance(MiddleOf(cell), corners[i]));
         }
         EXPECT_TRUE(away < 0.2 || level <= 2 + (method == 0)) << level;
       });
-    EXPECT_TRUE(seen[0] >= 4 && seen[1] >= 4);
+    EXPECT_TRUE(found[0] >= 4 && found[1] >= 4);
   }
 }
 
@@ -354,7 +354,7 @@ TEST(MeshRefinementPlacement, OnASpherePointsStayOnTheSphere)
   const Point centre{ 3, -2, 1 };
   for (int method : { 0, 1 })
   {
-    auto ball = MakePolyData(Placed(Octahedron(1), 1, centre));
+    auto ball = MakePolyData(Transformed(Octahedron(1), 1, centre));
     RefinementPointer filter = MakeRefinement(ball, nullptr, 4, method);
     filter->SetMinimumLevel(4);
     filter->SetPointPlacement(vtkSkdTreeMeshRefinement::SPHERE);
@@ -375,9 +375,9 @@ TEST(MeshRefinementPlacement, OnASpherePointsStayOnTheSphere)
 
 TEST(MeshRefinementPlacement, OnASurfacePointsAreWhereItIsNearest)
 {
-  auto surface = MakePolyData(Placed(SphereTriangles(40), 1.0, { 0, 0, 0 }));
+  auto surface = MakePolyData(Transformed(SphereTriangles(40), 1.0, { 0, 0, 0 }));
   BruteForce reference(surface);
-  auto cube = MakePolyData(Placed(Welded(CubeQuads(2)), 0.55, { -0.55, -0.55, -0.55 }));
+  auto cube = MakePolyData(Transformed(Welded(CubeQuads(2)), 0.55, { -0.55, -0.55, -0.55 }));
   RefinementPointer filter = MakeRefinement(cube, nullptr, 2);
   filter->SetMinimumLevel(2);
   filter->SetSurfaceData(surface);
@@ -393,13 +393,13 @@ TEST(MeshRefinementPlacement, OnASurfacePointsAreWhereItIsNearest)
 
 TEST(MeshRefinementPlacement, OfVolumesOnlyTheBorderIsPutOnTheSurface)
 {
-  auto surface = MakePolyData(Placed(SphereTriangles(40), 1.0, { 0, 0, 0 }));
+  auto surface = MakePolyData(Transformed(SphereTriangles(40), 1.0, { 0, 0, 0 }));
   BruteForce reference(surface);
   for (const Mesh& mesh : { Tetrahedra(2), Hexahedra(2), Wedges(2), Pyramids(2) })
   {
     for (int method : { 0, 1 })
     {
-      auto grid = MakeGrid(Placed(mesh, 0.6, { -0.6, -0.6, -0.6 }));
+      auto grid = MakeGrid(Transformed(mesh, 0.6, { -0.6, -0.6, -0.6 }));
       RefinementPointer filter = MakeRefinement(grid, nullptr, 2, method);
       filter->SetMinimumLevel(2);
       filter->SetSurfaceData(surface);

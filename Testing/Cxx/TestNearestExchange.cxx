@@ -90,7 +90,7 @@ struct Searcher
     for (std::size_t i = 0; i < n; ++i)
     {
       Answer answer;
-      if (FindNearest(this->Sites[static_cast<std::size_t>(this->Own)], questionOf(i).Asked,
+      if (FindNearest(this->Sites[static_cast<std::size_t>(this->Own)], questionOf(i).Request,
             questionOf(i).Radius, answer))
       {
         set(i, answer);
@@ -186,7 +186,7 @@ std::vector<Answer> AskAll(const Searcher& searcher, const std::vector<Vector3>&
         loop);
       EXPECT_TRUE(isWhole);
       const std::lock_guard<std::mutex> lock(mutex);
-      mostAsked = std::max(mostAsked, exchange.GetAsked());
+      mostAsked = std::max(mostAsked, exchange.CountRequests());
     });
   return answers;
 }
@@ -209,9 +209,9 @@ TEST(NearestExchange, IsTheNearestOfAllWithTiesToTheLowestId)
     {
       for (const int processes : { 1, 2, 3, 8 })
       {
-        std::uint64_t asked;
+        std::uint64_t requested;
         const std::vector<Answer> found =
-          AskAll(Spreads(spread, sites, processes, steps), points, radius, asked);
+          AskAll(Spreads(spread, sites, processes, steps), points, radius, requested);
         for (std::size_t i = 0; i < points.size(); ++i)
         {
           Answer expected;
@@ -226,12 +226,12 @@ TEST(NearestExchange, IsTheNearestOfAllWithTiesToTheLowestId)
 
 TEST(NearestExchange, WithoutSitesThereIsNoAnswer)
 {
-  std::uint64_t asked;
+  std::uint64_t requested;
   const std::vector<Answer> found =
-    AskAll(Spreads(Spread::Slabs, {}, 3, 1), LatticePoints(10, 4, 3), Infinite, asked);
+    AskAll(Spreads(Spread::Slabs, {}, 3, 1), LatticePoints(10, 4, 3), Infinite, requested);
   EXPECT_EQ(found.end(),
     std::find_if(found.begin(), found.end(), [](const Answer& answer) { return answer.Id >= 0; }));
-  EXPECT_EQ(0u, asked);
+  EXPECT_EQ(0u, requested);
 }
 
 // Processes that have a slab each, and points anywhere: each point is sent on about once.
@@ -243,11 +243,11 @@ TEST(NearestExchange, AsksAsOftenInManyProcessesAsInFew)
     const auto many = static_cast<std::size_t>(processes);
     const int steps = 8 * processes;
     const std::vector<Vector3> sites = LatticePoints(100 * many, steps, 4);
-    std::uint64_t asked;
+    std::uint64_t requested;
     AskAll(Spreads(Spread::Slabs, sites, processes, steps),
-      LatticePoints(pointsOfEach * many, steps, 5), Infinite, asked);
-    EXPECT_GT(asked, 0u);
-    EXPECT_LE(asked, 5 * pointsOfEach) << processes << " processes";
+      LatticePoints(pointsOfEach * many, steps, 5), Infinite, requested);
+    EXPECT_GT(requested, 0u);
+    EXPECT_LE(requested, 5 * pointsOfEach) << processes << " processes";
   }
 }
 

@@ -160,9 +160,9 @@ TEST(OverlapWeights, PlaneCells)
   };
   for (const bool isTilted : { false, true })
   {
-    const auto place = [&](const Point& p) { return isTilted ? tilted(p) : p; };
-    const auto shrunk = [&](const Point& p) { return place((5.0 / 7.0) * p); };
-    const auto quads = MakeGrid(Sheet(5, VTK_QUAD).Map(place));
+    const auto position = [&](const Point& p) { return isTilted ? tilted(p) : p; };
+    const auto shrunk = [&](const Point& p) { return position((5.0 / 7.0) * p); };
+    const auto quads = MakeGrid(Sheet(5, VTK_QUAD).Map(position));
     const auto triangles = MakeGrid(Sheet(7, VTK_TRIANGLE).Map(shrunk));
     const auto weights = Compute(triangles, quads, In(SkdOverlapSpace::Plane));
     ExpectComplete(weights, 25.0, isTilted ? 1e-12 : 1e-14);
@@ -207,8 +207,8 @@ TEST(OverlapWeights, PolylinesOnALine)
 
 TEST(OverlapWeights, SphereOfAnyRadius)
 {
-  const auto turned = [](const Point& p) { return 6371.0 * Turned(p); };
-  const auto donor = MakeGrid(SphereQuads(9).Map(turned));
+  const auto rotated = [](const Point& p) { return 6371.0 * Rotated(p); };
+  const auto donor = MakeGrid(SphereQuads(9).Map(rotated));
   const auto target = MakeGrid(SphereTriangles(6));
   const auto weights = Compute(donor, target, In(SkdOverlapSpace::Sphere));
   EXPECT_NEAR(weights.GetRadius(), 6371.0, 1e-9);

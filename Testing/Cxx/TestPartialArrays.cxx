@@ -54,7 +54,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> TwoBlocks(
 {
   const auto make = [&](const Point& shift, bool hasAll) -> DataSetPointer
   {
-    const Mesh placed = Placed(mesh, 1.0, shift);
+    const Mesh placed = Transformed(mesh, 1.0, shift);
     return WithArrays(
       isPolyData ? DataSetPointer(MakePolyData(placed)) : DataSetPointer(MakeGrid(placed)), hasAll);
   };
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> TwoBlocks(
 
 vtkSmartPointer<vtkMultiBlockDataSet> Spheres(bool isFirst)
 {
-  return TwoBlocks(Placed(SphereTriangles(4), 0.6, { 0, 0, 0 }), { 0.8, 1.2, 1.2 },
+  return TwoBlocks(Transformed(SphereTriangles(4), 0.6, { 0, 0, 0 }), { 0.8, 1.2, 1.2 },
     { 1.9, 1.2, 1.2 }, isFirst, true);
 }
 

@@ -249,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, PieceNumbers, testing::ValuesIn(PieceCases()),
 TEST(PieceNumbersNear, PointsThatDifferByRounding)
 {
   Random random(3);
-  const Mesh whole = Compact(Placed(Tetrahedra(4), 0.1, { 0.7, 0.3, 100.1 }));
+  const Mesh whole = Compact(Transformed(Tetrahedra(4), 0.1, { 0.7, 0.3, 100.1 }));
   const std::vector<int> owners = RandomOwners(whole, 4, 9);
   Pieces pieces;
   for (int process = 0; process < 4; ++process)
@@ -362,7 +362,7 @@ void ExpectNumbersOfGrid(vtkSmartPointer<Grid> grid)
 
 TEST(PieceNumbersGrid, Grids)
 {
-  ExpectNumbersOfGrid(MakeTurnedImage(5));
+  ExpectNumbersOfGrid(MakeRotatedImage(5));
   ExpectNumbersOfGrid(MakeRectilinear(5));
   ExpectNumbersOfGrid(MakeStructured(5));
 }

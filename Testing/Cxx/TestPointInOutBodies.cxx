@@ -53,7 +53,7 @@ TEST(PointInOutBodies, CubesThatOverlapAreTheirUnion)
   std::vector<Point> points = PointsAround(3.5, 3000);
   points.push_back({ 1.5, 1.5, 1.5 });
   ExpectSure(Together({ a, b }), points, isInside);
-  ExpectSure(Together({ Turned(a), Turned(b) }), points, isInside);
+  ExpectSure(Together({ Rotated(a), Rotated(b) }), points, isInside);
 }
 
 TEST(PointInOutBodies, CubesWithFacesInOnePlaneAreTheirUnion)
@@ -140,16 +140,16 @@ TEST(PointInOutBodies, WhatIsTurnedAgainstItsReadingIsNotSure)
   using Answer = std::pair<double, double>;
   const Point middle{ 2.1, 2.2, 2.3 };
   EXPECT_EQ(ask(Together({ cube, inner }), middle), Answer(0, 0.5));
-  EXPECT_EQ(ask(Together({ cube, Turned(inner) }), middle), Answer(0, 1.0));
-  EXPECT_EQ(ask(Together({ cube, Turned(inner) }), { 0.5, 0.6, 0.7 }), Answer(1, 1.0));
-  EXPECT_EQ(ask(Together({ cube, Turned(beside) }), { 3.1, 3.2, 3.3 }), Answer(1, 0.5));
-  EXPECT_EQ(ask(Together({ cube, Turned(beside) }), { 5.1, 5.2, 5.3 }), Answer(1, 1.0));
+  EXPECT_EQ(ask(Together({ cube, Rotated(inner) }), middle), Answer(0, 1.0));
+  EXPECT_EQ(ask(Together({ cube, Rotated(inner) }), { 0.5, 0.6, 0.7 }), Answer(1, 1.0));
+  EXPECT_EQ(ask(Together({ cube, Rotated(beside) }), { 3.1, 3.2, 3.3 }), Answer(1, 0.5));
+  EXPECT_EQ(ask(Together({ cube, Rotated(beside) }), { 5.1, 5.2, 5.3 }), Answer(1, 1.0));
 }
 
 TEST(PointInOutBodies, ABodyInACavityThatRunsThroughItsWall)
 {
   const Mesh hollow = Together({ BoxTriangles({ 0, 0, 0 }, { 10, 10, 10 }),
-    Turned(BoxTriangles({ 2, 2, 2 }, { 8, 8, 8 })), BoxTriangles({ 7, 4, 4 }, { 9, 6, 6 }) });
+    Rotated(BoxTriangles({ 2, 2, 2 }, { 8, 8, 8 })), BoxTriangles({ 7, 4, 4 }, { 9, 6, 6 }) });
   ExpectSure(hollow, PointsAround(10.5, 4000),
     [](const Point& x)
     {
@@ -220,7 +220,7 @@ Mesh RandomBodies(Random& random)
       const Point middle = 0.5 * (body.Points.front() + body.Points.back());
       body.Map([&](const Point& p) { return Rounded(middle + factor * (p - middle)); });
     }
-    bodies.push_back(kind > 0 && random.Index(4) == 0 ? Turned(body) : body);
+    bodies.push_back(kind > 0 && random.Index(4) == 0 ? Rotated(body) : body);
   }
   return Together(bodies);
 }
@@ -228,7 +228,7 @@ Mesh RandomBodies(Random& random)
 /// Counts of a run of the fuzzer.
 struct Tally
 {
-  int Asked = 0;
+  int Queries = 0;
   int SurelyWrong = 0;
   int Sure = 0;
 };
@@ -256,7 +256,7 @@ void AskBodies(std::uint64_t seed, int count, Tally& tally)
   {
     const bool isSure = confidence[i] == 1.0;
     const bool isWrong = (inside[i] == 1) != (numbers[i] != 0);
-    ++tally.Asked;
+    ++tally.Queries;
     tally.Sure += isSure;
     tally.SurelyWrong += isSure && isWrong;
     EXPECT_FALSE(isSure && isWrong)
@@ -275,9 +275,9 @@ TEST(PointInOutBodies, WhatIsSaidForSureIsTheExactWindingNumber)
   {
     AskBodies(14000 + static_cast<std::uint64_t>(part), 100, tally);
   }
-  EXPECT_EQ(tally.Asked, 100 * parts);
+  EXPECT_EQ(tally.Queries, 100 * parts);
   EXPECT_EQ(tally.SurelyWrong, 0);
-  EXPECT_GT(tally.Sure, 0.9 * tally.Asked);
+  EXPECT_GT(tally.Sure, 0.9 * tally.Queries);
 }
 
 }

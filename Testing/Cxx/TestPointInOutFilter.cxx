@@ -18,7 +18,7 @@ namespace
 
 TEST(PointInOut, OfVolumeCellsTheOuterFacesOrTheCellsThemselves)
 {
-  auto grid = MakeGrid(Hexahedra(3).Map(Turned));
+  auto grid = MakeGrid(Hexahedra(3).Map(Rotated));
   grid->GetCellData()->AddArray(
     MakeArray<vtkIntArray>("Material", 27, [](vtkIdType cell) { return cell % 3; }));
   std::vector<Point> points;
@@ -28,7 +28,7 @@ TEST(PointInOut, OfVolumeCellsTheOuterFacesOrTheCellsThemselves)
   {
     const Point p = random.InBox({ -1, 4, -1, 4, -1, 4 });
     const bool within = Contains(Bounds{ 0, 3, 0, 3, 0, 3 }, p);
-    points.push_back(Turned(p));
+    points.push_back(Rotated(p));
     materials.push_back(within ? static_cast<int>(p[0]) % 3 : -1);
   }
   auto input = MakeQueries(points);
@@ -137,7 +137,7 @@ TEST(PointInOut, MixedBlocksAreEachAPartOfItsKind)
   auto ball = MakePolyData(Sphere(8, 1.0));
   ball->GetCellData()->AddArray(
     MakeArray<vtkIntArray>("Part", ball->GetNumberOfCells(), [](vtkIdType) { return 7.0; }));
-  auto bricks = MakeGrid(Placed(Hexahedra(2), 1.0, { 5, 0, 0 }));
+  auto bricks = MakeGrid(Transformed(Hexahedra(2), 1.0, { 5, 0, 0 }));
   vtkNew<vtkPolyData> empty;
   auto blocks = MakeBlocks({ ball, nullptr, bricks, empty });
   auto points = MakeQueries({ { 0, 0, 0 }, { 6, 1, 1 }, { 3, 1, 1 }, { NAN, 1, 1 } });

@@ -49,12 +49,12 @@ struct Marks
     for (const double kind : { 0.0, 1.0 })
     {
       const auto all = std::count(this->Inside.begin(), this->Inside.end(), kind);
-      double seen = 0.0;
+      double found = 0.0;
       for (std::size_t i = 0; i < this->Points.size(); ++i)
       {
-        const double before = seen;
-        seen += this->Inside[i] == kind ? std::min(1.0, double(each) / double(all)) : 0.0;
-        if (std::floor(seen) > std::floor(before))
+        const double before = found;
+        found += this->Inside[i] == kind ? std::min(1.0, double(each) / double(all)) : 0.0;
+        if (std::floor(found) > std::floor(before))
         {
           some.Add(this->Points[i], kind == 1.0);
         }
@@ -118,14 +118,14 @@ Marks MarkByBall(vtkPolyData* surface, const ClosedVersion& closed, double radiu
 {
   Bounds box;
   surface->GetBounds(box.data());
-  const BallReach reach(surface, radius * Diagonal(box));
-  const std::vector<double> inside = InsideOf(reach.Points, closed.Whole);
+  const BallRadius maxDistance(surface, radius * Diagonal(box));
+  const std::vector<double> inside = InsideOf(maxDistance.Points, closed.Whole);
   Marks marks;
   for (std::size_t i = 0; i < inside.size(); ++i)
   {
-    if ((inside[i] == 1) != reach.IsReached[i] && Contains(box, reach.Points[i]))
+    if ((inside[i] == 1) != maxDistance.IsCovered[i] && Contains(box, maxDistance.Points[i]))
     {
-      marks.Add(reach.Points[i], inside[i] == 1);
+      marks.Add(maxDistance.Points[i], inside[i] == 1);
     }
   }
   return marks;

@@ -160,7 +160,7 @@ TEST(PointInOutOpen, ABallThatCrossesABallWithAGapAtItsFarSide)
 /// Counts of what was asked of the parts of a fuzzer: all, and what was said with confidence.
 struct Tally
 {
-  int Asked = 0;
+  int Queries = 0;
   int Sure = 0;
   int Wrong = 0;
   int WrongSigns = 0;
@@ -178,7 +178,7 @@ void AskFar(const Bodies& bodies, Random& random, int part, Tally& tally)
     const bool isSure = answers.Confidence[i] > 0.9;
     const bool isInside = numbers[i] > 0;
     const bool isWrong = isSure && (answers.Inside[i] == 1) != isInside;
-    ++tally.Asked;
+    ++tally.Queries;
     tally.Sure += isSure;
     tally.Wrong += isWrong;
     tally.WrongSigns += isSure && (distances[i] < 0.0) != isInside;
@@ -198,11 +198,11 @@ TEST(PointInOutOpen, WhatIsSaidWithConfidenceIsTheExactWindingNumberOfTheComplet
     const Bodies bodies = RandomBodies(random);
     AskFar(bodies, random, part, tally);
   }
-  EXPECT_EQ(tally.Wrong, 0) << "of " << tally.Asked;
-  EXPECT_EQ(tally.WrongSigns, 0) << "of " << tally.Asked;
-  RecordProperty("Asked", tally.Asked);
+  EXPECT_EQ(tally.Wrong, 0) << "of " << tally.Queries;
+  EXPECT_EQ(tally.WrongSigns, 0) << "of " << tally.Queries;
+  RecordProperty("Asked", tally.Queries);
   RecordProperty("Sure", tally.Sure);
-  EXPECT_GT(tally.Sure, 0.85 * tally.Asked);
+  EXPECT_GT(tally.Sure, 0.85 * tally.Queries);
 }
 
 // Everything beyond a plane is missing: the winding number decides, and less is sure.
@@ -221,17 +221,17 @@ TEST(PointInOutOpen, WhatIsSaidWithConfidenceIsRightWhereMuchIsMissing)
     bodies.Missing = Part(bodies.Whole, [&](std::size_t cell) { return !isThere(cell); });
     AskFar(bodies, random, part, tally);
   }
-  EXPECT_EQ(tally.Wrong, 0) << "of " << tally.Asked;
-  EXPECT_GT(tally.Sure, 0.5 * tally.Asked);
+  EXPECT_EQ(tally.Wrong, 0) << "of " << tally.Queries;
+  EXPECT_GT(tally.Sure, 0.5 * tally.Queries);
 }
 
 /// The mesh with some bodies turned as a whole, or single triangles anywhere.
-Mesh Disoriented(const Mesh& mesh, const Mesh& turned, Random& random, bool ofTriangles)
+Mesh Disoriented(const Mesh& mesh, const Mesh& rotated, Random& random, bool ofTriangles)
 {
   Mesh mixed = mesh;
   for (std::size_t cell = 0; ofTriangles && cell < mixed.Cells.size(); ++cell)
   {
-    mixed.Cells[cell] = random.Index(3) == 0 ? turned.Cells[cell] : mixed.Cells[cell];
+    mixed.Cells[cell] = random.Index(3) == 0 ? rotated.Cells[cell] : mixed.Cells[cell];
   }
   return mixed;
 }
@@ -239,16 +239,16 @@ Mesh Disoriented(const Mesh& mesh, const Mesh& turned, Random& random, bool ofTr
 // Whatever the orientation, the answer with a gap is that without it.
 TEST(PointInOutOpen, WithAGapFarAwayTheAnswerIsThatOfTheCompletePart)
 {
-  int asked = 0, sure = 0;
+  int requested = 0, sure = 0;
   for (int part = 0; part < FuzzParts() / 2; ++part)
   {
     Random random(57000 + static_cast<std::uint64_t>(part));
     Bodies bodies = RandomBodies(random);
     if (part % 2)
     {
-      bodies.Whole = Together({ bodies.Whole, Turned(RandomBodies(random).Whole) });
+      bodies.Whole = Together({ bodies.Whole, Rotated(RandomBodies(random).Whole) });
     }
-    bodies.Whole = Disoriented(bodies.Whole, Turned(bodies.Whole), random, part % 4 > 1);
+    bodies.Whole = Disoriented(bodies.Whole, Rotated(bodies.Whole), random, part % 4 > 1);
     Remove(1 + random.Index(3), random, bodies);
     std::vector<int> numbers;
     const std::vector<Point> points = FarPoints(bodies, random, 50, numbers);
@@ -256,7 +256,7 @@ TEST(PointInOutOpen, WithAGapFarAwayTheAnswerIsThatOfTheCompletePart)
     const Answers open = AnswersOf(points, bodies.Open);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      ++asked;
+      ++requested;
       sure += open.Confidence[i] > 0.9;
       EXPECT_TRUE(
         open.Inside[i] == whole.Inside[i] || open.Confidence[i] <= 0.9 || whole.Confidence[i] < 1.0)
@@ -264,7 +264,7 @@ TEST(PointInOutOpen, WithAGapFarAwayTheAnswerIsThatOfTheCompletePart)
         << points[i][2];
     }
   }
-  EXPECT_GT(sure, 0.6 * asked);
+  EXPECT_GT(sure, 0.6 * requested);
 }
 
 }

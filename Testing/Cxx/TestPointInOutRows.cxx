@@ -174,7 +174,7 @@ TEST(PointInOutRows, OfOpenPartsPointsVote)
 TEST(PointInOutRows, OfTurnedImagesAndRectilinearGrids)
 {
   auto ball = MakePolyData(Sphere(12, 2.0, { 2.5, 2.5, 2.5 }));
-  ExpectSame(MakeTurnedImage(8), ball);
+  ExpectSame(MakeRotatedImage(8), ball);
   ExpectSame(MakeRectilinear(8), ball);
 }
 

@@ -40,22 +40,22 @@ INSTANTIATE_TEST_SUITE_P(All, ProbeInVolume, testing::ValuesIn(VolumeMeshes()), 
 
 TEST_P(ProbeInVolume, NoPointWithinACellIsMissedAndLinearFieldsAreExact)
 {
-  const PointsInCells asked = MakePointsInCells(this->Source, 500);
-  ProbePointer probe = MakeProbe(MakeQueries(asked.Points), this->Source);
+  const PointsInCells requested = MakePointsInCells(this->Source, 500);
+  ProbePointer probe = MakeProbe(MakeQueries(requested.Points), this->Source);
   const std::vector<double> valid = ProbeArray(probe, "SkdValid");
   const std::vector<double> field = ProbeArray(probe, "Linear");
   const std::vector<double> number = ProbeArray(probe, "Number");
   const std::vector<double> cells = ProbeArray(probe, "SkdSourceCellId");
   const std::vector<double> distances = ProbeArray(probe, "SkdDistance");
-  ASSERT_EQ(field.size(), asked.Points.size());
+  ASSERT_EQ(field.size(), requested.Points.size());
   BruteForce reference(this->Source);
   for (std::size_t i = 0; i < field.size(); ++i)
   {
     ASSERT_EQ(valid[i], 1) << i;
     ASSERT_LT(distances[i], 1e-12 * this->Scale()) << i;
-    ASSERT_NEAR(field[i], Linear(asked.Points[i]), 1e-12 * this->Scale() * 10) << i;
+    ASSERT_NEAR(field[i], Linear(requested.Points[i]), 1e-12 * this->Scale() * 10) << i;
     ASSERT_EQ(number[i], 10.0 * cells[i]);
-    ASSERT_LT(reference.DistanceTo(static_cast<vtkIdType>(cells[i]), asked.Points[i]),
+    ASSERT_LT(reference.DistanceTo(static_cast<vtkIdType>(cells[i]), requested.Points[i]),
       2 * reference.Tolerance());
   }
   EXPECT_EQ(Reported(probe, "PointsFound"), 500);
@@ -64,13 +64,13 @@ TEST_P(ProbeInVolume, NoPointWithinACellIsMissedAndLinearFieldsAreExact)
 
 TEST_P(ProbeInVolume, GradientsOfLinearFieldsAreExact)
 {
-  const PointsInCells asked = MakePointsInCells(this->Source, 200);
-  ProbePointer probe = MakeProbe(MakeQueries(asked.Points), this->Source);
+  const PointsInCells requested = MakePointsInCells(this->Source, 200);
+  ProbePointer probe = MakeProbe(MakeQueries(requested.Points), this->Source);
   probe->AddGradientArray("Linear");
   const std::vector<double> cells = ProbeArray(probe, "SkdSourceCellId");
   const std::vector<double> gradients = ProbeArray(probe, "Linear_Gradient");
-  ASSERT_EQ(gradients.size(), 3 * asked.Points.size());
-  for (std::size_t i = 0; i < asked.Points.size(); ++i)
+  ASSERT_EQ(gradients.size(), 3 * requested.Points.size());
+  for (std::size_t i = 0; i < requested.Points.size(); ++i)
   {
     if (this->Source->GetCell(static_cast<vtkIdType>(cells[i]))->GetCellDimension() == 3)
     {

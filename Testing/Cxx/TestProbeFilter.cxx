@@ -84,17 +84,17 @@ TEST(Probe, OfBlocksTheLowestThatHoldsThePoint)
   const auto part = [&](std::size_t k)
   { return WithData(MakeGrid(Part(cubes, [=](std::size_t cell) { return cell % 3 == k; }))); };
   auto blocks = MakeBlocks({ part(0), nullptr, MakeBlocks({ part(1), part(2) }) });
-  const PointsInCells asked = MakePointsInCells(MakeGrid(cubes), 300);
-  ProbePointer probe = MakeProbe(MakeQueries(asked.Points), blocks);
+  const PointsInCells requested = MakePointsInCells(MakeGrid(cubes), 300);
+  ProbePointer probe = MakeProbe(MakeQueries(requested.Points), blocks);
   const std::vector<double> index = ProbeArray(probe, "SkdSourceBlockIndex");
   const std::vector<double> cells = ProbeArray(probe, "SkdSourceCellId");
   const std::vector<double> field = ProbeArray(probe, "Linear");
   const double flat[3] = { 1, 4, 5 };
-  for (std::size_t i = 0; i < asked.Points.size(); ++i)
+  for (std::size_t i = 0; i < requested.Points.size(); ++i)
   {
-    ASSERT_EQ(index[i], flat[asked.Cells[i] % 3]);
-    ASSERT_EQ(cells[i], asked.Cells[i] / 3);
-    ASSERT_NEAR(field[i], Linear(asked.Points[i]), 1e-11);
+    ASSERT_EQ(index[i], flat[requested.Cells[i] % 3]);
+    ASSERT_EQ(cells[i], requested.Cells[i] / 3);
+    ASSERT_NEAR(field[i], Linear(requested.Points[i]), 1e-11);
   }
   EXPECT_EQ(Reported(probe, "TreesBuilt"), 3);
 }
@@ -105,8 +105,8 @@ TEST(Probe, CategoricalArraysAreThoseOfTheNearestPoint)
   auto labels = MakeArray<vtkIntArray>(
     "Label", source->GetNumberOfPoints(), [](vtkIdType i) { return 100.0 * i; });
   source->GetPointData()->AddArray(labels);
-  const PointsInCells asked = MakePointsInCells(source, 200);
-  ProbePointer probe = MakeProbe(MakeQueries(asked.Points), source);
+  const PointsInCells requested = MakePointsInCells(source, 200);
+  ProbePointer probe = MakeProbe(MakeQueries(requested.Points), source);
   probe->AddCategoricalArray("Label");
   const std::vector<double> found = ProbeArray(probe, "Label");
   const std::vector<double> cells = ProbeArray(probe, "SkdSourceCellId");
@@ -121,14 +121,14 @@ TEST(Probe, CategoricalArraysAreThoseOfTheNearestPoint)
     {
       Point q;
       source->GetPoint(id, q.data());
-      ASSERT_LE(Distance(p, asked.Points[i]), Distance(q, asked.Points[i]) + 1e-14);
+      ASSERT_LE(Distance(p, requested.Points[i]), Distance(q, requested.Points[i]) + 1e-14);
     }
   }
 }
 
 TEST(Probe, GradientsAlongSurfacesAndOfVectors)
 {
-  auto sheet = MakeGrid(Sheet(4, VTK_QUAD).Map(Turned));
+  auto sheet = MakeGrid(Sheet(4, VTK_QUAD).Map(Rotated));
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("V");
   vectors->SetNumberOfComponents(2);
@@ -139,13 +139,13 @@ TEST(Probe, GradientsAlongSurfacesAndOfVectors)
     vectors->InsertNextTuple2(Linear(p), p[2]);
   }
   sheet->GetPointData()->AddArray(vectors);
-  const PointsInCells asked = MakePointsInCells(sheet, 50);
-  ProbePointer probe = MakeProbe(MakeQueries(asked.Points), sheet);
+  const PointsInCells requested = MakePointsInCells(sheet, 50);
+  ProbePointer probe = MakeProbe(MakeQueries(requested.Points), sheet);
   probe->AddGradientArray("V");
   const std::vector<double> g = ProbeArray(probe, "V_Gradient");
-  ASSERT_EQ(g.size(), 6 * asked.Points.size());
-  const Point normal = Turned({ 0, 0, 1 });
-  for (std::size_t i = 0; i < asked.Points.size(); ++i)
+  ASSERT_EQ(g.size(), 6 * requested.Points.size());
+  const Point normal = Rotated({ 0, 0, 1 });
+  for (std::size_t i = 0; i < requested.Points.size(); ++i)
   {
     for (const auto& [offset, whole] :
       { std::pair(0, Point{ 3, -2, 0.5 }), std::pair(3, Point{ 0, 0, 1 }) })

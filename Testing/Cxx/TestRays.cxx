@@ -132,7 +132,7 @@ TEST(Rays, NormalsOfASurfaceAcrossItself)
 {
   for (const double offset : { 0.0, 1e6 })
   {
-    const auto sphere = MakePolyData(Placed(SphereTriangles(12), 1.0, { offset, -offset, 0 }));
+    const auto sphere = MakePolyData(Transformed(SphereTriangles(12), 1.0, { offset, -offset, 0 }));
     auto filter = MakeFilter(sphere, sphere);
     filter->ReversedOn();
     for (double distance : ValuesOf(filter, "SkdRayDistance"))

@@ -71,7 +71,7 @@ struct SpherePair
 
 GridPointer Tetra(const char* name, const std::function<double(const Point&)>& f)
 {
-  const Mesh mesh = Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 });
+  const Mesh mesh = Transformed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 });
   const GridPointer grid = MakeGrid(mesh);
   std::vector<double> values;
   for (const CellSpec& cell : mesh.Cells)
@@ -88,7 +88,7 @@ GridPointer Tetra(const char* name, const std::function<double(const Point&)>& f
 
 GridPointer Bricks(int n)
 {
-  return MakeGrid(Placed(Hexahedra(n), 1.0 / n, { 0, 0, 0 }));
+  return MakeGrid(Transformed(Hexahedra(n), 1.0 / n, { 0, 0, 0 }));
 }
 }
 
@@ -190,7 +190,7 @@ TEST(Remap, VolumesOfOneShapeToAnotherKeepLinearFields)
 
 TEST(Remap, PointDataAreIntegratedAsLinearBetweenThePoints)
 {
-  const GridPointer tetra = WithData(MakeGrid(Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
+  const GridPointer tetra = WithData(MakeGrid(Transformed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
   const GridPointer bricks = Bricks(2);
   const RemapPointer remap = MakeRemap(bricks, tetra, Remap::CONSERVATIVE_FIRST_ORDER);
   remap->GenerateOverlapMeshOn();
@@ -209,7 +209,7 @@ TEST(Remap, PointDataAreIntegratedAsLinearBetweenThePoints)
 
 TEST(Remap, ArraysOfCellsAndPointsWithOneNameAreReportedApart)
 {
-  const GridPointer tetra = WithData(MakeGrid(Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
+  const GridPointer tetra = WithData(MakeGrid(Transformed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
   const auto n = static_cast<std::size_t>(tetra->GetNumberOfCells());
   const GridPointer source = WithCellArray(tetra, "Linear", std::vector<double>(n, 3.0));
   const RemapPointer remap = MakeRemap(Bricks(2), source, Remap::CONSERVATIVE_FIRST_ORDER);
@@ -234,7 +234,7 @@ TEST(Remap, PartlyCoveredCellsAreNormalisedAsAskedAndAmountsAreDivided)
 {
   // Two unit squares, of which the target's first covers the second's left half and more.
   const auto source = WithCellArray(MakePolyData(Sheet(1, VTK_QUAD)), "f", { 8.0 });
-  const auto input = MakePolyData(Placed(Sheet(1, VTK_QUAD), 1.0, { 0.75, 0, 0 }));
+  const auto input = MakePolyData(Transformed(Sheet(1, VTK_QUAD), 1.0, { 0.75, 0, 0 }));
   RemapPointer remap = MakeRemap(input, source, Remap::CONSERVATIVE_FIRST_ORDER);
   EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 8.0 }));
   EXPECT_EQ(RemappedCells(remap, "SkdCoverage"), (std::vector<double>{ 0.25 }));
@@ -256,7 +256,7 @@ TEST(Remap, MissingValuesDoNotCountOrSpread)
   const auto source =
     WithCellArray(MakePolyData(Sheet(2, VTK_QUAD)), "f", { 1.0, std::nan(""), -9999.0, 5.0 });
   WithCellArray(source, "m", { 1, 1, 1, 0 });
-  const auto input = MakePolyData(Placed(Sheet(1, VTK_QUAD), 2.0, { 0, 0, 0 }));
+  const auto input = MakePolyData(Transformed(Sheet(1, VTK_QUAD), 2.0, { 0, 0, 0 }));
   RemapPointer remap = MakeRemap(input, source, Remap::CONSERVATIVE_FIRST_ORDER);
   remap->SetUseMissingValue(true);
   EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 3.0 }));
@@ -348,7 +348,7 @@ TEST(Remap, VectorsTurnWithTheSphere)
   source->GetCellData()->AddArray(east);
   const Mesh to = CubedSphere(6);
   RemapPointer remap = MakeRemap(MakePolyData(to), source, Remap::CONSERVATIVE_FIRST_ORDER);
-  const std::vector<double> turned = RemappedCells(remap, "east");
+  const std::vector<double> rotated = RemappedCells(remap, "east");
   const std::vector<double> cx = CellAverages(to, [](const Point& p) { return p[0]; });
   const std::vector<double> cy = CellAverages(to, [](const Point& p) { return p[1]; });
   const std::vector<double> cz = CellAverages(to, [](const Point& p) { return p[2]; });
@@ -356,18 +356,18 @@ TEST(Remap, VectorsTurnWithTheSphere)
   for (std::size_t i = 0; i < cx.size(); ++i)
   {
     along = std::max(along,
-      std::abs(turned[3 * i] * cx[i] + turned[3 * i + 1] * cy[i] + turned[3 * i + 2] * cz[i]));
+      std::abs(rotated[3 * i] * cx[i] + rotated[3 * i + 1] * cy[i] + rotated[3 * i + 2] * cz[i]));
   }
   EXPECT_LT(along, 1e-8); // they are tangent to the sphere, as well as its cells' middles are known
   remap->RotateVectorsOff();
   const std::vector<double> mapped = RemappedCells(remap, "east");
   EXPECT_EQ(mapped[2], 0.0);
-  EXPECT_NE(mapped, turned);
+  EXPECT_NE(mapped, rotated);
 }
 
 TEST(Remap, AutomaticallyCellDataAreConservedAndPointDataInterpolated)
 {
-  const auto source = WithData(MakeGrid(Placed(Hexahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
+  const auto source = WithData(MakeGrid(Transformed(Hexahedra(3), 1.0 / 3.0, { 0, 0, 0 })));
   const auto input = Bricks(2);
   RemapPointer remap = MakeRemap(input, source, Remap::AUTOMATIC_METHOD);
   const std::vector<double> linear = RemappedPoints(remap, "Linear");
@@ -389,7 +389,8 @@ TEST(Remap, AutomaticallyCellDataAreConservedAndPointDataInterpolated)
 
 TEST(Remap, ContainedStatisticsCountAndLump)
 {
-  const auto source = WithData(MakePolyData(Placed(Sheet(8, VTK_QUAD), 0.25, { 0.01, 0.01, 0 })));
+  const auto source =
+    WithData(MakePolyData(Transformed(Sheet(8, VTK_QUAD), 0.25, { 0.01, 0.01, 0 })));
   const auto input = MakePolyData(Sheet(2, VTK_QUAD));
   RemapPointer remap = MakeRemap(input, source, Remap::CONTAINED);
   EXPECT_EQ(RemappedCells(remap, "SkdCount"), (std::vector<double>{ 16, 16, 16, 16 }));

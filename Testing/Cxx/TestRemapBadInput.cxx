@@ -22,7 +22,7 @@ using Remap = vtkSkdTreeRemap;
 /// Unit squares [0, n] x [0, n], moved to the right, with ones.
 PolyDataPointer Ones(int n, double right)
 {
-  const auto mesh = MakePolyData(Placed(Sheet(n, VTK_QUAD), 1.0, { right, 0, 0 }));
+  const auto mesh = MakePolyData(Transformed(Sheet(n, VTK_QUAD), 1.0, { right, 0, 0 }));
   return WithCellArray(
     mesh, "f", std::vector<double>(static_cast<std::size_t>(mesh->GetNumberOfCells()), 1.0));
 }
@@ -205,8 +205,8 @@ TEST(RemapBadInput, BlocksAreMappedAsOne)
   const auto left = Ones(1, 0.0), right = Ones(1, 1.0);
   WithCellArray(right, "f", { 3.0 });
   const auto source = MakeBlocks({ left, right });
-  const auto a = MakePolyData(Placed(Sheet(1, VTK_QUAD), 1.0, { 0.5, 0, 0 }));
-  const auto b = MakePolyData(Placed(Sheet(1, VTK_QUAD), 0.5, { 1.5, 0, 0 }));
+  const auto a = MakePolyData(Transformed(Sheet(1, VTK_QUAD), 1.0, { 0.5, 0, 0 }));
+  const auto b = MakePolyData(Transformed(Sheet(1, VTK_QUAD), 0.5, { 1.5, 0, 0 }));
   RemapPointer remap = MakeRemap(MakeBlocks({ a, b }), source, Remap::CONSERVATIVE_FIRST_ORDER);
   remap->GenerateWeightsOn();
   remap->Update();

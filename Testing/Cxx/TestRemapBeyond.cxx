@@ -140,7 +140,7 @@ struct Beyond
 {
   Mesh From = Part(Sheet(3, VTK_QUAD), [](std::size_t i) { return i < 6; });
   GridPointer Source = WithCellArray(MakeGrid(From), "f", { 1, 5, -2, 4, 0.5, 3 });
-  Mesh To = Placed(Sheet(9, VTK_QUAD), 0.7, { 0.05, 0.05, 0 });
+  Mesh To = Transformed(Sheet(9, VTK_QUAD), 0.7, { 0.05, 0.05, 0 });
   GridPointer Input = MakeGrid(To);
 
   /// The mean of the nearest by the inverse squares of distances, by brute force.
@@ -157,8 +157,8 @@ struct Beyond
     std::vector<std::pair<double, std::size_t>> near;
     for (std::size_t i = 0; i < 6; ++i)
     {
-      const Point way = middle(this->From, i) - middle(this->To, cell);
-      near.emplace_back(Dot(way, way), i);
+      const Point direction = middle(this->From, i) - middle(this->To, cell);
+      near.emplace_back(Dot(direction, direction), i);
     }
     std::sort(near.begin(), near.end());
     double sum = 0.0, weights = 0.0;
@@ -209,14 +209,14 @@ TEST(RemapBeyond, WhatIsMaskedIsExtrapolatedAndIsNoFraction)
   const auto source = MakeGrid(Sheet(2, VTK_QUAD));
   WithCellArray(source, "f", { 1, 2, 3, 4 });
   WithCellArray(source, "mask", { 1, 0, 1, 0 });
-  const auto input = MakeGrid(Placed(Sheet(1, VTK_QUAD), 1.0, { 0.75, 0, 0 }));
+  const auto input = MakeGrid(Transformed(Sheet(1, VTK_QUAD), 1.0, { 0.75, 0, 0 }));
   RemapPointer remap = MakeRemap(input, source, Remap::CONSERVATIVE_FIRST_ORDER);
   EXPECT_EQ(RemappedCells(remap, "SkdFraction"), (std::vector<double>{ 1 }));
   remap->SetMaskArray("mask");
   EXPECT_EQ(RemappedCells(remap, "SkdCoverage"), (std::vector<double>{ 1 }));
   EXPECT_EQ(RemappedCells(remap, "SkdFraction"), (std::vector<double>{ 0.25 }));
   EXPECT_EQ(RemappedCells(remap, "f"), (std::vector<double>{ 1 }));
-  remap = MakeRemap(MakeGrid(Placed(Sheet(1, VTK_QUAD), 0.5, { 1.25, 1.25, 0 })), source,
+  remap = MakeRemap(MakeGrid(Transformed(Sheet(1, VTK_QUAD), 0.5, { 1.25, 1.25, 0 })), source,
     Remap::CONSERVATIVE_SECOND_ORDER);
   remap->SetMaskArray("mask");
   remap->SetExtrapolation(Remap::NEAREST_VALUE);

@@ -72,8 +72,8 @@ GridPointer GridAround(const GridPointer& mesh, int n, int dimension)
   const double size = 1.04 * std::max({ b[1] - b[0], b[3] - b[2], b[5] - b[4] });
   const Point corner = { b[0] - 0.017 * size, b[2] - 0.019 * size, b[4] - 0.021 * size };
   return dimension == 3
-    ? MakeGrid(Placed(Hexahedra(n), size / n, corner))
-    : MakeGrid(Placed(Sheet(n, VTK_QUAD), size / n, { corner[0], corner[1], 0 }));
+    ? MakeGrid(Transformed(Hexahedra(n), size / n, corner))
+    : MakeGrid(Transformed(Sheet(n, VTK_QUAD), size / n, { corner[0], corner[1], 0 }));
 }
 
 struct Result
@@ -185,7 +185,7 @@ std::vector<int> OrdersOf(int type)
 {
   const bool isSlow = LinearTypeOf(type) != VTK_HEXAHEDRON && type >= VTK_BEZIER_CURVE; // in VTK
   return IsHigherOrder(type) && HighestOrder() > 2 && !isSlow ? std::vector<int>{ 2, 3 }
-                                                            : std::vector<int>{ 2 };
+                                                              : std::vector<int>{ 2 };
 }
 
 Mesh Prism(int type)
@@ -215,7 +215,8 @@ TEST_P(RemapCurved, OntoEachOther)
 {
   const Mesh mesh = Jittered(CurvedNeighbours(GetParam(), 2).Map(Bowed), 0.02, GetParam());
   Mesh inside = CurvedNeighbours(GetParam(), 2);
-  inside = Jittered(Placed(inside, 0.5, { 0.27, 0.24, 0.23 }).Map(Bowed), 0.01, GetParam() + 1);
+  inside =
+    Jittered(Transformed(inside, 0.5, { 0.27, 0.24, 0.23 }).Map(Bowed), 0.01, GetParam() + 1);
   ExpectNoGaps(mesh, inside);
 }
 
@@ -247,7 +248,7 @@ INSTANTIATE_TEST_SUITE_P(Volumes, RemapCurved, ::testing::ValuesIn(CurvedVolumeT
 /// Hexahedra, wedges and pyramids of the same degree in a row.
 TEST(RemapCurvedMixed, CellsOfDifferentTypesFit)
 {
-  const auto at = [](const Mesh& mesh, double x) { return Placed(mesh, 1.0, { x, 0, 0 }); };
+  const auto at = [](const Mesh& mesh, double x) { return Transformed(mesh, 1.0, { x, 0, 0 }); };
   const std::vector<std::array<int, 3>> families{ { VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE,
                                                     VTK_QUADRATIC_PYRAMID },
     { VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_WEDGE, VTK_TRIQUADRATIC_PYRAMID },
@@ -259,7 +260,7 @@ TEST(RemapCurvedMixed, CellsOfDifferentTypesFit)
       Welded(Together({ at(cube(0), 0), at(cube(1), 1), at(cube(2), 2), at(cube(0), 3) }));
     mesh = Jittered(mesh.Map(Bowed), 0.02, family[2]);
     ExpectWhole(mesh, 3, 3);
-    Mesh inside = Placed(Tetrahedra(2), 0.3, { 0, 0, 0 });
+    Mesh inside = Transformed(Tetrahedra(2), 0.3, { 0, 0, 0 });
     inside.Map([](const Point& p) { return Bowed({ 0.5 + 5.0 * p[0], p[1] + 0.2, p[2] + 0.2 }); });
     ExpectNoGaps(mesh, inside);
   }
@@ -285,7 +286,7 @@ TEST(RemapWarped, LinearCells)
 TEST(RemapWarped, PrismsAndTheirNeighbours)
 {
   Mesh mesh;
-  const auto place = [](double x, double y, double z) {
+  const auto position = [](double x, double y, double z) {
     return Point{ x + 0.1 * z * y, y - 0.15 * x * z, z + 0.2 * std::sin(3.0 * x * y) };
   };
   const std::vector<Point> outline{ { -1, 0, 0 }, { 0, -0.6, 0 }, { 0, 1, 0 }, { -1, 0.9, 0 },
@@ -295,7 +296,7 @@ TEST(RemapWarped, PrismsAndTheirNeighbours)
   {
     for (const Point& p : outline)
     {
-      mesh.Add(place(p[0], p[1], z));
+      mesh.Add(position(p[0], p[1], z));
     }
   }
   const auto add = [&](int type, Ids bottom)
@@ -311,7 +312,7 @@ TEST(RemapWarped, PrismsAndTheirNeighbours)
   add(VTK_HEXAHEDRON, { 1, 5, 6, 2 });
   add(VTK_HEXAGONAL_PRISM, { 5, 7, 8, 9, 10, 6 });
   ExpectWhole(mesh, 3, 5);
-  Mesh inside = Placed(Wedges(2), 0.2, { 0, 0.2, 0.3 });
+  Mesh inside = Transformed(Wedges(2), 0.2, { 0, 0.2, 0.3 });
   ExpectNoGaps(mesh,
     inside.Map(
       [](const Point& p) {
@@ -396,7 +397,7 @@ TEST(RemapWarped, FoldedCellsKeepIntegrals)
     SCOPED_TRACE(NameOfType(type));
     const GridPointer source =
       WithFields(MakeGrid(Jittered(ReferenceCell(type, 1), 0.35, seed)), seed);
-    const GridPointer grid = MakeGrid(Placed(Hexahedra(4), 1.0, { -1.51, -1.52, -1.53 }));
+    const GridPointer grid = MakeGrid(Transformed(Hexahedra(4), 1.0, { -1.51, -1.52, -1.53 }));
     const RemapPointer remap = MakeRemap(grid, source, Remap::CONSERVATIVE_FIRST_ORDER);
     remap->Update();
     for (const char* name : { "PointOne", "PointRandom", "CellOne", "CellRandom" })

@@ -114,13 +114,13 @@ TEST(RemapLimiters, InAPlaneAndInVolumes)
   {
     SCOPED_TRACE(seed);
     const Mesh sheet = Sheet(5, seed % 2 == 0 ? VTK_QUAD : VTK_TRIANGLE).Map(bent);
-    ExpectWithin(sheet, MakeGrid(Placed(Sheet(9, VTK_QUAD), 0.61, { 0, 0, 0 })),
+    ExpectWithin(sheet, MakeGrid(Transformed(Sheet(9, VTK_QUAD), 0.61, { 0, 0, 0 })),
       RandomField(sheet.Cells.size(), seed));
     const Mesh curved = Elevated(Sheet(3, VTK_QUAD), VTK_QUADRATIC_QUAD).Map(bent);
-    ExpectWithin(curved, MakeGrid(Placed(Sheet(6, VTK_TRIANGLE), 0.6, { -0.1, 0, 0 })),
+    ExpectWithin(curved, MakeGrid(Transformed(Sheet(6, VTK_TRIANGLE), 0.6, { -0.1, 0, 0 })),
       RandomField(curved.Cells.size(), seed));
     const Mesh volume = (seed % 2 == 0 ? Hexahedra(3) : Tetrahedra(2)).Map(Bent);
-    ExpectWithin(volume, MakeGrid(Placed(Hexahedra(5), 0.7, { -0.1, -0.1, -0.1 })),
+    ExpectWithin(volume, MakeGrid(Transformed(Hexahedra(5), 0.7, { -0.1, -0.1, -0.1 })),
       RandomField(volume.Cells.size(), seed));
   }
 }
@@ -137,7 +137,7 @@ TEST(RemapLimiters, WhatIsCoveredInPart)
     ExpectWithin(whole, MakeGrid(part), RandomField(whole.Cells.size(), seed));
     const Mesh sheet = Sheet(4, VTK_QUAD);
     ExpectWithin(sheet,
-      MakeGrid(Placed(Sheet(2, VTK_TRIANGLE), 0.7, { random.Between(0.0, 3.0), 0.3, 0 })),
+      MakeGrid(Transformed(Sheet(2, VTK_TRIANGLE), 0.7, { random.Between(0.0, 3.0), 0.3, 0 })),
       RandomField(sheet.Cells.size(), seed));
   }
 }
@@ -173,7 +173,7 @@ TEST(RemapLimiters, AssuredSumsOfAmountsAndOfPartlyCoveredCells)
   for (const bool isAmount : { false, true })
   {
     const RemapPointer remap =
-      MakeRemap(MakeGrid(Placed(Sheet(5, VTK_TRIANGLE), 1.3, { 0.2, 0.1, 0 })),
+      MakeRemap(MakeGrid(Transformed(Sheet(5, VTK_TRIANGLE), 1.3, { 0.2, 0.1, 0 })),
         WithCellArray(MakeGrid(from), "f", values), Remap::CONSERVATIVE_SECOND_ORDER);
     remap->SetLimiter(Remap::CLIP_AND_ASSURED_SUM);
     remap->SetNormalization(Remap::WHOLE);

@@ -26,14 +26,14 @@ using Function = std::function<double(const Point&)>;
 constexpr double Pi = 3.14159265358979323846;
 
 /// A tube of radius 1 and length 2 about the z axis, normals outward. Triangles may be skewed.
-Mesh Tube(int around, int along, double turned, double skew, bool isOfTriangles)
+Mesh Tube(int around, int along, double rotated, double skew, bool isOfTriangles)
 {
   Mesh mesh;
   for (int k = 0; k <= along; ++k)
   {
     for (int i = 0; i < around; ++i)
     {
-      const double angle = 2.0 * Pi * (i + turned + skew * k) / around;
+      const double angle = 2.0 * Pi * (i + rotated + skew * k) / around;
       mesh.Add(Point{ std::cos(angle), std::sin(angle), 2.0 * k / along });
     }
   }
@@ -127,7 +127,7 @@ double ErrorOf(const Mesh& from, const Mesh& to, int method)
 }
 
 /// Turned about two axes, so that no edges of two spheres coincide.
-Mesh Turned(Mesh mesh)
+Mesh Rotated(Mesh mesh)
 {
   const double c = std::cos(0.4), s = std::sin(0.4);
   return mesh.Map(
@@ -155,8 +155,8 @@ std::string WarningsOf(vtkSkdTreeRemap* remap)
 /// Two sheets of 5 x 5 and one unit, the upper one facing up, the lower one down.
 Mesh Plate(int n, double bottom, double top)
 {
-  const Mesh upper = Placed(Sheet(n, VTK_QUAD), 5.0 / n, { 0, 0, top });
-  Mesh lower = Placed(Sheet(n, VTK_QUAD), 5.0 / n, { 0, 0, bottom });
+  const Mesh upper = Transformed(Sheet(n, VTK_QUAD), 5.0 / n, { 0, 0, top });
+  Mesh lower = Transformed(Sheet(n, VTK_QUAD), 5.0 / n, { 0, 0, bottom });
   for (CellSpec& cell : lower.Cells)
   {
     std::reverse(cell.Points.begin(), cell.Points.end());
@@ -189,8 +189,8 @@ TEST(RemapNearSurfaces, IntegralsAndConstantsAreKept)
     Mesh From, To;
   };
   const Pair pairs[] = { { Tube(17, 6, 0.0, 0.0, false), Tube(23, 9, 0.3, 0.2, true) },
-    { SphereTriangles(6), Dented(Turned(SphereTriangles(7))) },
-    { Dented(Turned(SphereQuads(7))), SphereTriangles(6) },
+    { SphereTriangles(6), Dented(Rotated(SphereTriangles(7))) },
+    { Dented(Rotated(SphereQuads(7))), SphereTriangles(6) },
     { TorusQuads(24, 12), TorusTriangles(31, 17) } };
   for (const auto& [from, to] : pairs)
   {
@@ -232,8 +232,8 @@ TEST(RemapNearSurfaces, ErrorsFallWithTheOrder)
   };
   expect([](int n) { return Tube(17 * n, 6 * n, 0.0, 0.0, false); },
     [](int n) { return Tube(23 * n, 9 * n, 0.3, 0.2, true); });
-  expect(
-    [](int n) { return SphereTriangles(7 * n); }, [](int n) { return Turned(SphereQuads(8 * n)); });
+  expect([](int n) { return SphereTriangles(7 * n); },
+    [](int n) { return Rotated(SphereQuads(8 * n)); });
 }
 
 TEST(RemapNearSurfaces, LimitersBound)
@@ -255,8 +255,8 @@ TEST(RemapNearSurfaces, LimitersBound)
 
 TEST(RemapNearSurfaces, FlatOnesAreAsInThePlane)
 {
-  const Mesh from = Placed(Sheet(5, VTK_QUAD), 1.0, { 0, 0, 0 });
-  const Mesh to = Placed(Sheet(7, VTK_TRIANGLE), 0.75, { -0.1, 0.05, 0 });
+  const Mesh from = Transformed(Sheet(5, VTK_QUAD), 1.0, { 0, 0, 0 });
+  const Mesh to = Transformed(Sheet(7, VTK_TRIANGLE), 0.75, { -0.1, 0.05, 0 });
   for (const int method : { Remap::CONSERVATIVE_FIRST_ORDER, Remap::CONSERVATIVE_SECOND_ORDER })
   {
     const RemapPointer plane = RemapOf(from, At(from, Smooth), to, method);
@@ -290,9 +290,9 @@ TEST(RemapNearSurfaces, SidesOfAPlateDoNotMix)
   }
   // Of a thinner one what is thick elsewhere tells which side is which.
   const Mesh from =
-    Together({ Plate(5, 0.0, 0.01), Placed(Plate(5, 0.0, 1.0), 3.0, { 20, 0, 0 }) });
+    Together({ Plate(5, 0.0, 0.01), Transformed(Plate(5, 0.0, 1.0), 3.0, { 20, 0, 0 }) });
   const Mesh to =
-    Together({ Plate(7, -0.02, -0.01), Placed(Plate(7, 0.0, 1.0), 3.0, { 20, 0, 0 }) });
+    Together({ Plate(7, -0.02, -0.01), Transformed(Plate(7, 0.0, 1.0), 3.0, { 20, 0, 0 }) });
   const auto sides = [](const Mesh& mesh, int n)
   {
     std::vector<double> values;
@@ -412,7 +412,7 @@ TEST(RemapNearSurfaces, BlocksAreAsOneMesh)
 
 TEST(RemapNearSurfaces, PointDataWeightsAndOverlaps)
 {
-  const Mesh from = Dented(Turned(SphereQuads(9))), to = SphereTriangles(10);
+  const Mesh from = Dented(Rotated(SphereQuads(9))), to = SphereTriangles(10);
   const auto source = MakePolyData(from);
   source->GetPointData()->AddArray(MakeArray("p", source->GetNumberOfPoints(),
     [&](vtkIdType i) { return Smooth(from.Points[static_cast<std::size_t>(i)]); }));

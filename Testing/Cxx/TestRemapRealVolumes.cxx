@@ -22,7 +22,7 @@ GridPointer CubesAround(vtkDataSet* mesh, int n)
   mesh->GetBounds(bounds);
   const double size =
     1.02 * std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  return MakeGrid(Placed(Hexahedra(n), size / n,
+  return MakeGrid(Transformed(Hexahedra(n), size / n,
     { bounds[0] - 0.007 * size, bounds[2] - 0.009 * size, bounds[4] - 0.011 * size }));
 }
 }
@@ -70,14 +70,14 @@ TEST(RemapRealVolumes, TetrahedraToHexahedraKeepTheIntegral)
 /// Of donor cells that are covered in part, too: their gradients count in what is expected.
 TEST(RemapRealVolumes, TheErrorOfPartlyCoveredCellsIsRounding)
 {
-  const GridPointer source = MakeGrid(Placed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 }));
+  const GridPointer source = MakeGrid(Transformed(Tetrahedra(3), 1.0 / 3.0, { 0, 0, 0 }));
   std::vector<double> values;
   for (vtkIdType i = 0; i < source->GetNumberOfCells(); ++i)
   {
     values.push_back(std::sin(static_cast<double>(i)));
   }
   WithCellArray(source, "field", values);
-  const GridPointer cubes = MakeGrid(Placed(Hexahedra(3), 0.2, { 0.11, 0.12, 0.13 }));
+  const GridPointer cubes = MakeGrid(Transformed(Hexahedra(3), 0.2, { 0.11, 0.12, 0.13 }));
   const RemapPointer remap = MakeRemap(cubes, source, Remap::CONSERVATIVE_SECOND_ORDER);
   remap->SetLimiter(Remap::NO_LIMITER);
   remap->Update();

@@ -211,8 +211,8 @@ TEST(RemapWeightsFile, ScripWeightsOfTheGradientAreOfSecondOrder)
 
 TEST(RemapWeightsFile, OfVolumesAndOfPartlyCoveredCells)
 {
-  const auto donor = MakeGrid(Placed(Tetrahedra(2), 0.5, { 0, 0, 0 }));
-  const auto target = MakeGrid(Placed(Hexahedra(2), 0.75, { 0, 0, 0 }));
+  const auto donor = MakeGrid(Transformed(Tetrahedra(2), 0.5, { 0, 0, 0 }));
+  const auto target = MakeGrid(Transformed(Hexahedra(2), 0.75, { 0, 0, 0 }));
   WithCellArray(donor, "f", std::vector<double>(donor->GetNumberOfCells(), 2.0));
   const std::string name = TemporaryFile("weights_volume.nc");
   const RemapPointer remap = MakeRemap(target, donor, Remap::CONSERVATIVE_FIRST_ORDER);
@@ -311,7 +311,7 @@ TEST(RemapWeightsFile, FilesAreApplied)
 TEST(RemapWeightsFile, AppliedWithMissingValuesAndWithoutEntries)
 {
   const Mesh from = Sheet(4, VTK_QUAD);
-  const GridPointer input = MakeGrid(Placed(Sheet(3, VTK_QUAD), 2.0, { 0, 0, 0 }));
+  const GridPointer input = MakeGrid(Transformed(Sheet(3, VTK_QUAD), 2.0, { 0, 0, 0 }));
   std::vector<double> values(16, 3.0);
   values[0] = std::numeric_limits<double>::quiet_NaN();
   const GridPointer source = WithCellArray(MakeGrid(from), "f", values);

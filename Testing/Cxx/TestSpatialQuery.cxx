@@ -446,7 +446,7 @@ TEST(SpatialQuery, TinyHugeAndFarMeshesAreAnsweredAlike)
          Scale{ 1, { 1e6, -1e6, 1e6 } }, Scale{ 1e-3, { 4096, 4096, 4096 } } })
   {
     const auto position = [&](const Point& p) { return scale.Size * p + scale.Offset; };
-    GridPointer input = MakeGrid(Placed(Tetrahedra(3), scale.Size, scale.Offset));
+    GridPointer input = MakeGrid(Transformed(Tetrahedra(3), scale.Size, scale.Offset));
     GridPointer plain = MakeGrid(Tetrahedra(3));
     for (int relation = SpatialQuery::OVERLAP; relation <= SpatialQuery::ADJACENCY; ++relation)
     {

@@ -105,10 +105,10 @@ DataSetPointer CubesAsImage()
 std::vector<Setting> Settings()
 {
   std::vector<Setting> settings = { { "Image", CubesAsImage, false, 12 } };
-  const auto add = [&](const char* name, const char* turned, const Mesh& mesh, int queries)
+  const auto add = [&](const char* name, const char* rotated, const Mesh& mesh, int queries)
   {
     settings.push_back({ name, [mesh]() { return MakeCubes(mesh, false); }, false, queries });
-    settings.push_back({ turned, [mesh]() { return MakeCubes(mesh, true); }, true, queries });
+    settings.push_back({ rotated, [mesh]() { return MakeCubes(mesh, true); }, true, queries });
   };
   add("Voxels", "TurnedVoxels", Voxels(N), 12);
   add("Hexahedra", "TurnedHexahedra", Hexahedra(N), 12);
@@ -166,7 +166,7 @@ protected:
     this->IsReversed = GetParam().IsReversed;
   }
 
-  Point Place(Point x, bool isDirection = false) const
+  Point Position(Point x, bool isDirection = false) const
   {
     if (this->IsReversed)
     {
@@ -176,47 +176,47 @@ protected:
     return x;
   }
 
-  QueryPointer Make(const CubeQuery& asked, int relation) const
+  QueryPointer Make(const CubeQuery& requested, int relation) const
   {
     QueryPointer query = MakeQuery(this->Input, relation);
     query->SetTolerance(this->IsReversed ? 1e-9 : 0.0); // where they touch rounding is not known
-    switch (asked.Shape)
+    switch (requested.Shape)
     {
       case SpatialQuery::BOX:
-        SetBox(query, asked.Box);
-        query->SetBoxPosition(this->Place(CornerOf(asked.Box, 0)).data());
+        SetBox(query, requested.Box);
+        query->SetBoxPosition(this->Position(CornerOf(requested.Box, 0)).data());
         query->SetBoxRotation(this->IsReversed ? Angles[0] : 0.0,
           this->IsReversed ? Angles[1] : 0.0, this->IsReversed ? Angles[2] : 0.0);
         break;
       case SpatialQuery::SPHERE:
-        SetSphere(query, this->Place(asked.Center), asked.Radius);
+        SetSphere(query, this->Position(requested.Center), requested.Radius);
         break;
       case SpatialQuery::PLANE:
-        SetPlane(query, this->Place(asked.Center), this->Place(asked.Normal, true));
+        SetPlane(query, this->Position(requested.Center), this->Position(requested.Normal, true));
         break;
       case SpatialQuery::LINE:
-        SetLine(query, this->Place(asked.A), this->Place(asked.B));
+        SetLine(query, this->Position(requested.A), this->Position(requested.B));
         break;
       default:
         query->SetShape(SpatialQuery::SOURCE_POINTS);
-        query->SetSourceData(MakeQueries({ this->Place(CornerOf(asked.Box, 0)) }));
+        query->SetSourceData(MakeQueries({ this->Position(CornerOf(requested.Box, 0)) }));
     }
     return query;
   }
 
-  void CheckRelated(const CubeQuery& asked, int relation) const
+  void CheckRelated(const CubeQuery& requested, int relation) const
   {
-    QueryPointer query = this->Make(asked, relation);
+    QueryPointer query = this->Make(requested, relation);
     const std::vector<PairRow> rows = RunQuery(query);
     Ids found, expected;
     for (const PairRow& row : rows)
     {
       found.push_back(row.Cell);
-      this->CheckDistances(asked, row);
+      this->CheckDistances(requested, row);
     }
     for (vtkIdType cell = 0; cell < N * N * N; ++cell)
     {
-      if (CubeReference(CubeAt(cell), asked).Is(relation))
+      if (CubeReference(CubeAt(cell), requested).Is(relation))
       {
         expected.push_back(cell);
       }
@@ -228,23 +228,23 @@ protected:
       std::includes(candidates.begin(), candidates.end(), expected.begin(), expected.end()));
   }
 
-  void CheckDistances(const CubeQuery& asked, const PairRow& row) const
+  void CheckDistances(const CubeQuery& requested, const PairRow& row) const
   {
-    const CubeReference reference(CubeAt(row.Cell), asked);
+    const CubeReference reference(CubeAt(row.Cell), requested);
     ASSERT_NEAR(row.Min, reference.Min(), 1e-7);
     ASSERT_NEAR(row.Max, reference.Max(), 1e-7);
     ASSERT_LE(row.Optimistic, row.Min + 1e-12);
     ASSERT_GE(row.Pessimistic, row.Max - 1e-12);
   }
 
-  void CheckNearest(const CubeQuery& asked, int number) const
+  void CheckNearest(const CubeQuery& requested, int number) const
   {
-    QueryPointer query = this->Make(asked, SpatialQuery::NEAREST);
+    QueryPointer query = this->Make(requested, SpatialQuery::NEAREST);
     query->SetNumberOfNearestCells(number);
     std::vector<std::pair<double, vtkIdType>> expected;
     for (vtkIdType cell = 0; cell < N * N * N; ++cell)
     {
-      const double distance = CubeReference(CubeAt(cell), asked).Min();
+      const double distance = CubeReference(CubeAt(cell), requested).Min();
       expected.push_back({ distance < 1e-9 ? 0.0 : distance, cell });
     }
     std::sort(expected.begin(), expected.end());
@@ -269,11 +269,11 @@ protected:
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
       ASSERT_NEAR(rows[i].Min, expected[i].first, 1e-7);
-      this->CheckDistances(asked, rows[i]);
+      this->CheckDistances(requested, rows[i]);
       // Where distances are exact so are ties.
       const bool areTiesKnown = rows[i].Min == 0.0 ||
-        (!this->IsReversed && asked.Shape != SpatialQuery::LINE &&
-          asked.Shape != SpatialQuery::PLANE);
+        (!this->IsReversed && requested.Shape != SpatialQuery::LINE &&
+          requested.Shape != SpatialQuery::PLANE);
       if (areTiesKnown)
       {
         ASSERT_EQ(rows[i].Cell, expected[i].second);
@@ -302,13 +302,13 @@ TEST_P(Cubes, RelationsToShapesAreThoseOfIntervals)
   {
     for (int i = 0; i < GetParam().Queries; ++i)
     {
-      const CubeQuery asked = RandomQuery(shape, random);
+      const CubeQuery requested = RandomQuery(shape, random);
       for (int relation = SpatialQuery::EXACT_MATCH; relation <= SpatialQuery::ADJACENCY;
            ++relation)
       {
         SCOPED_TRACE(
           std::string(RelationNames[relation]) + " " + ShapeNames[shape] + " " + std::to_string(i));
-        ASSERT_NO_FATAL_FAILURE(this->CheckRelated(asked, relation));
+        ASSERT_NO_FATAL_FAILURE(this->CheckRelated(requested, relation));
       }
     }
   }
@@ -321,12 +321,12 @@ TEST_P(Cubes, NearestAreThoseOfIntervalsTiesToTheLowest)
   {
     for (int i = 0; i < GetParam().Queries; ++i)
     {
-      const CubeQuery asked = RandomQuery(shape, random);
+      const CubeQuery requested = RandomQuery(shape, random);
       for (int number : { 1, 3, 20, N * N * N, 1000 })
       {
         SCOPED_TRACE(
           std::string(ShapeNames[shape]) + " " + std::to_string(i) + " " + std::to_string(number));
-        ASSERT_NO_FATAL_FAILURE(this->CheckNearest(asked, number));
+        ASSERT_NO_FATAL_FAILURE(this->CheckNearest(requested, number));
       }
     }
   }
@@ -336,9 +336,9 @@ TEST_P(Cubes, TheBoxOfACellMatchesThatCellAlone)
 {
   for (vtkIdType cell = 0; cell < N * N * N; cell += 7)
   {
-    CubeQuery asked;
-    asked.Box = CubeAt(cell);
-    EXPECT_EQ(CellsFound(this->Make(asked, SpatialQuery::EXACT_MATCH)), Ids{ cell });
+    CubeQuery requested;
+    requested.Box = CubeAt(cell);
+    EXPECT_EQ(CellsFound(this->Make(requested, SpatialQuery::EXACT_MATCH)), Ids{ cell });
   }
 }
 
@@ -346,7 +346,7 @@ TEST_P(Cubes, TheBoxOfACellMatchesThatCellAlone)
 /// Cubes of another size and place, as hexahedra.
 Mesh OtherCubes(double size, const Point& offset)
 {
-  return Placed(Hexahedra(N), size, offset);
+  return Transformed(Hexahedra(N), size, offset);
 }
 
 Bounds OtherCubeAt(vtkIdType cell, double size, const Point& offset)
@@ -384,11 +384,11 @@ TEST_P(Cubes, RelationsToCellsAreThoseOfIntervals)
       std::vector<std::pair<vtkIdType, vtkIdType>> expected, found;
       for (vtkIdType i = 0; i < N * N * N; ++i)
       {
-        CubeQuery asked;
-        asked.Box = OtherCubeAt(i, other.Size, other.Offset);
+        CubeQuery requested;
+        requested.Box = OtherCubeAt(i, other.Size, other.Offset);
         for (vtkIdType cell = 0; cell < N * N * N; ++cell)
         {
-          if (CubeReference(CubeAt(cell), asked).Is(relation))
+          if (CubeReference(CubeAt(cell), requested).Is(relation))
           {
             expected.push_back({ i, cell });
           }
@@ -397,9 +397,9 @@ TEST_P(Cubes, RelationsToCellsAreThoseOfIntervals)
       for (const PairRow& row : RunQuery(query))
       {
         found.push_back({ row.Query, row.Cell });
-        CubeQuery asked;
-        asked.Box = OtherCubeAt(row.Query, other.Size, other.Offset);
-        ASSERT_NO_FATAL_FAILURE(this->CheckDistances(asked, row));
+        CubeQuery requested;
+        requested.Box = OtherCubeAt(row.Query, other.Size, other.Offset);
+        ASSERT_NO_FATAL_FAILURE(this->CheckDistances(requested, row));
       }
       ASSERT_EQ(found, expected);
     }
@@ -453,10 +453,10 @@ TEST_P(Cubes, NearestCellsOfCells)
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     EXPECT_EQ(rows[i].Query, static_cast<vtkIdType>(i / 2));
-    CubeQuery asked;
-    asked.Box = OtherCubeAt(rows[i].Query, 0.25, { 6, 1.125, 1.125 });
-    ASSERT_NO_FATAL_FAILURE(this->CheckDistances(asked, rows[i]));
-    EXPECT_LE(rows[i].Min, 2.0 + asked.Box[0] - 6.0 + 1.0);
+    CubeQuery requested;
+    requested.Box = OtherCubeAt(rows[i].Query, 0.25, { 6, 1.125, 1.125 });
+    ASSERT_NO_FATAL_FAILURE(this->CheckDistances(requested, rows[i]));
+    EXPECT_LE(rows[i].Min, 2.0 + requested.Box[0] - 6.0 + 1.0);
   }
 }
 

@@ -91,7 +91,8 @@ void ExpectEndsAreCorners(vtkSkdTreeSurfaceIntersection* filter, const SplitSurf
 TEST(SplitSurfaces, AreNoneUnlessAskedFor)
 {
   auto sphere = MakePolyData(SphereTriangles(6));
-  auto filter = MakeIntersection(sphere, MakePolyData(Placed(SphereTriangles(6), 1, { 1, 0, 0 })));
+  auto filter =
+    MakeIntersection(sphere, MakePolyData(Transformed(SphereTriangles(6), 1, { 1, 0, 0 })));
   filter->Update();
   EXPECT_EQ(OutputOf(filter, 4)->GetNumberOfCells(), 0);
   filter->SplitSurfacesOn();
@@ -103,7 +104,7 @@ TEST(SplitSurfaces, AreNoneUnlessAskedFor)
 TEST(SplitSurfaces, TwoSpheresAreCutInTwoRegionsEach)
 {
   const Mesh first = SphereTriangles(16);
-  const Mesh second = Placed(SphereTriangles(15), 0.9, { 0.31, 0.67, 0.5 });
+  const Mesh second = Transformed(SphereTriangles(15), 0.9, { 0.31, 0.67, 0.5 });
   auto filter = MakeSplit(MakePolyData(first), MakePolyData(second));
   const SplitSurface a = InputOf(filter);
   const SplitSurface b = SourceOf(filter);
@@ -127,7 +128,7 @@ TEST(SplitSurfaces, WhatDoesNotMeetStaysAsItIs)
 {
   const Mesh first = SphereTriangles(4);
   auto filter =
-    MakeSplit(MakePolyData(first), MakePolyData(Placed(SphereTriangles(4), 1.0, { 9, 0, 0 })));
+    MakeSplit(MakePolyData(first), MakePolyData(Transformed(SphereTriangles(4), 1.0, { 9, 0, 0 })));
   const SplitSurface split = InputOf(filter);
   ASSERT_EQ(split.Triangles.size(), first.Cells.size());
   for (std::size_t i = 0; i < split.Triangles.size(); ++i)
@@ -239,7 +240,7 @@ TEST(SplitSurfaces, SquaresOfOnePlaneKeepBothPiecesOfTheirOverlap)
 
 TEST(SplitSurfaces, ACubeStandsOnARegionOfTheTable)
 {
-  const Mesh cube = Placed(CubeQuads(3), 1.0, { 0.5, 0.25, 0.0 });
+  const Mesh cube = Transformed(CubeQuads(3), 1.0, { 0.5, 0.25, 0.0 });
   auto filter = MakeSplit(MakePolyData(cube), MakePolyData(Square(-2, -3, 7)));
   const SplitSurface floor = InputOf(filter);
   EXPECT_EQ(floor.CountRegions(), 2) << "the floor, and walls and roof";
@@ -268,7 +269,7 @@ TEST(SplitSurfaces, OfOneSurfaceItIsCutByItself)
   Mesh mesh;
   for (const Point& center : { Point{ 0, 0, 0 }, { 0.9, 0.1, 0 }, { 0.4, 0.8, 0.1 } })
   {
-    const Mesh sphere = Placed(SphereTriangles(9), 1.0, center);
+    const Mesh sphere = Transformed(SphereTriangles(9), 1.0, center);
     const auto before = static_cast<vtkIdType>(mesh.Points.size());
     mesh.Points.insert(mesh.Points.end(), sphere.Points.begin(), sphere.Points.end());
     for (const auto& cell : sphere.Cells)
@@ -292,7 +293,8 @@ TEST(SplitSurfaces, AMovedSourceIsSplitWhereItIs)
   auto filter = MakeSplit(MakePolyData(first), MakePolyData(first));
   filter->SetTranslation(1, 0.25, 0.5);
   filter->Update();
-  auto there = MakeSplit(MakePolyData(first), MakePolyData(Placed(first, 1, { 1, 0.25, 0.5 })));
+  auto there =
+    MakeSplit(MakePolyData(first), MakePolyData(Transformed(first, 1, { 1, 0.25, 0.5 })));
   for (const int port : { 4, 5 })
   {
     const SplitSurface a(OutputOf(filter, port));
@@ -308,8 +310,8 @@ TEST(SplitSurfaces, FarTinyAndHugeAreSplitAlike)
   const Mesh second = LatticeTriangles(20, 4, 5);
   const auto run = [&](double factor, const Point& offset)
   {
-    return InputOf(MakeSplit(
-      MakePolyData(Placed(first, factor, offset)), MakePolyData(Placed(second, factor, offset))));
+    return InputOf(MakeSplit(MakePolyData(Transformed(first, factor, offset)),
+      MakePolyData(Transformed(second, factor, offset))));
   };
   const SplitSurface here = run(1.0, { 0, 0, 0 });
   for (const double factor : { std::ldexp(1.0, -900), std::ldexp(1.0, 900) })
@@ -383,7 +385,7 @@ void ExpectDataPassed(vtkPolyData* split)
 TEST(SplitSurfaces, DataArePassedOn)
 {
   auto first = MakePolyData(SphereQuads(9));
-  auto second = MakePolyData(Placed(SphereTriangles(8), 1.0, { 0.6, 0.2, 0.7 }));
+  auto second = MakePolyData(Transformed(SphereTriangles(8), 1.0, { 0.6, 0.2, 0.7 }));
   AddData(first);
   AddData(second);
   auto filter = MakeSplit(first, second);
@@ -481,7 +483,7 @@ std::vector<std::vector<double>> RowsOf(vtkSkdTreeSurfaceIntersection* filter, i
 TEST(SplitSurfaces, SharesOfSeveralProcessesAreWhatOneGives)
 {
   const auto input = MakePolyData(SphereTriangles(8));
-  const auto source = MakePolyData(Placed(SphereTriangles(7), 1.0, { 0.9, 0.3, 0.2 }));
+  const auto source = MakePolyData(Transformed(SphereTriangles(7), 1.0, { 0.9, 0.3, 0.2 }));
   const auto alone = MakeSplit(input, source);
   for (const int pieces : { 2, 3, 40 })
   {

@@ -117,8 +117,8 @@ TEST_P(LatticePairs, AreTheSameFarAwayTinyAndHuge)
   {
     for (const Point& offset : { Point{ 0, 0, 0 }, Point{ far * factor, -far * factor, 0 } })
     {
-      auto filter = MakeIntersection(
-        MakePolyData(Placed(first, factor, offset)), MakePolyData(Placed(second, factor, offset)));
+      auto filter = MakeIntersection(MakePolyData(Transformed(first, factor, offset)),
+        MakePolyData(Transformed(second, factor, offset)));
       EXPECT_EQ(RunCellPairs(filter), expected) << factor << " " << offset[0];
     }
   }
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Reaches, LatticePairs, testing::Values(2, 4, 8));
 TEST(SurfaceIntersection, RandomPairsAreThoseOfBruteForce)
 {
   const Mesh first = TriangleSoup(300, 0.2);
-  const Mesh second = Placed(TriangleSoup(300, 0.1), 1.0, { 0.01, 0.02, 0.03 });
+  const Mesh second = Transformed(TriangleSoup(300, 0.1), 1.0, { 0.01, 0.02, 0.03 });
   EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(first), MakePolyData(second))),
     BruteForce(first, second));
   EXPECT_EQ(RunCellPairs(MakeIntersection(MakePolyData(first))), BruteForce(first));
@@ -140,7 +140,7 @@ TEST(SurfaceIntersection, TwoSpheresMeetInOneClosedCurve)
 {
   const Mesh sphere = SphereTriangles(24);
   auto filter = MakeIntersection(
-    MakePolyData(sphere), MakePolyData(Placed(sphere, 1.0, { 0.31, 0.67, 0.6745 })));
+    MakePolyData(sphere), MakePolyData(Transformed(sphere, 1.0, { 0.31, 0.67, 0.6745 })));
   filter->Update();
   vtkPolyData* curves = OutputOf(filter, 0);
   ASSERT_EQ(curves->GetNumberOfLines(), 1);
@@ -157,7 +157,7 @@ TEST(SurfaceIntersection, TwoSpheresMeetInOneClosedCurve)
 TEST(SurfaceIntersection, CurvesAreOnBothOfTheirCells)
 {
   const Mesh first = SphereTriangles(8);
-  const Mesh second = Placed(SphereTriangles(7), 0.9, { 0.3, 0.4, 0.5 });
+  const Mesh second = Transformed(SphereTriangles(7), 0.9, { 0.3, 0.4, 0.5 });
   auto filter = MakeIntersection(MakePolyData(first), MakePolyData(second));
   filter->Update();
   const auto segments = SegmentsOf(OutputOf(filter, 0));
@@ -209,7 +209,7 @@ TEST(SurfaceIntersection, AnEdgeInAFaceIsThereOnce)
 
 TEST(SurfaceIntersection, ATipThatTouchesIsAVertex)
 {
-  const Mesh tip = Placed(Octahedron(1.0), 1.0, { 0.25, 0.5, 1.0 });
+  const Mesh tip = Transformed(Octahedron(1.0), 1.0, { 0.25, 0.5, 1.0 });
   auto filter = MakeIntersection(MakePolyData(tip), MakePolyData(Square(-2, -3, 7)));
   for (const CellPair& pair : RunPairs(filter))
   {
@@ -232,7 +232,7 @@ TEST(SurfaceIntersection, SquaresOfOnePlaneOverlap)
 
 TEST(SurfaceIntersection, ACubeOnATableTouchesWithItsFloor)
 {
-  auto cube = MakePolyData(Placed(CubeQuads(3), 1.0, { 0.5, 0.25, 0.0 }));
+  auto cube = MakePolyData(Transformed(CubeQuads(3), 1.0, { 0.5, 0.25, 0.0 }));
   auto filter = MakeIntersection(cube, MakePolyData(Square(-2, -3, 7)));
   filter->Update();
   EXPECT_DOUBLE_EQ(AreaOfPolygons(OutputOf(filter, 1)), 9.0);
@@ -414,8 +414,8 @@ TEST(SurfaceIntersection, ConcavePolygonsOfAnyMagnitudeAreCutAlike)
       needles.Add(at + Point{ 0.0, 0.01, 2.0 });
       needles.Add(VTK_TRIANGLE, { first, first + 1, first + 2 });
     }
-    auto filter = MakeIntersection(MakePolyData(Placed(star, scale, { 0, 0, 0 })),
-      MakePolyData(Placed(needles, scale, { 0, 0, 0 })));
+    auto filter = MakeIntersection(MakePolyData(Transformed(star, scale, { 0, 0, 0 })),
+      MakePolyData(Transformed(needles, scale, { 0, 0, 0 })));
     EXPECT_EQ(RunCellPairs(filter), (CellIdPairs{ { 0, 5 } }));
   }
 }

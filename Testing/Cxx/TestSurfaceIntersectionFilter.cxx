@@ -34,7 +34,7 @@ using CellIdPairs = std::vector<std::pair<vtkIdType, vtkIdType>>;
 
 PolyDataPointer MakeSphere(const Point& center)
 {
-  return MakePolyData(Placed(SphereTriangles(8), 1.0, center));
+  return MakePolyData(Transformed(SphereTriangles(8), 1.0, center));
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ TEST(SurfaceIntersectionFilter, ClearanceTellsPairsThatAreNear)
 TEST(SurfaceIntersectionFilter, ClearancesAreThoseOfALookAtAllPairs)
 {
   const Mesh first = TriangleSoup(30, 0.05);
-  const Mesh second = Placed(TriangleSoup(30, 0.05), 1.0, { 0.1, 0.2, 0.05 });
+  const Mesh second = Transformed(TriangleSoup(30, 0.05), 1.0, { 0.1, 0.2, 0.05 });
   auto filter = MakeIntersection(MakePolyData(first), MakePolyData(second));
   constexpr double clearance = 0.15;
   filter->SetClearance(clearance);
@@ -207,15 +207,15 @@ TEST(SurfaceIntersectionFilter, AMovedSourceIsMetWhereItIs)
     filter->SetTranslation(shift, 1.0, -1.0);
     const CellIdPairs moved = RunCellPairs(filter);
     EXPECT_EQ(Reported(filter, "TreesBuilt"), 0.0);
-    auto there = MakePolyData(Placed(second, 1.0, { shift, 1.0, -1.0 }));
+    auto there = MakePolyData(Transformed(second, 1.0, { shift, 1.0, -1.0 }));
     EXPECT_EQ(moved, RunCellPairs(MakeIntersection(MakePolyData(first), there)));
   }
 }
 
 TEST(SurfaceIntersectionFilter, TurnsAreThoseOfVtkProp)
 {
-  auto still = MakePolyData(Placed(SphereTriangles(8), 3.2, { 0, 0, 0 }));
-  auto moving = MakePolyData(Placed(CubeTriangles(3), 0.7, { 1, 2, 0.5 }));
+  auto still = MakePolyData(Transformed(SphereTriangles(8), 3.2, { 0, 0, 0 }));
+  auto moving = MakePolyData(Transformed(CubeTriangles(3), 0.7, { 1, 2, 0.5 }));
   auto filter = MakeIntersection(still, moving);
   filter->SetRotationCenter(0.5, 0.25, 1.0);
   filter->SetRotation(30.0, -50.0, 110.0);
@@ -242,7 +242,7 @@ TEST(SurfaceIntersectionFilter, TurnsAreThoseOfVtkProp)
 TEST(SurfaceIntersectionFilter, AClearanceWithoutEndTakesAllPairs)
 {
   auto filter = MakeIntersection(MakePolyData(TriangleSoup(9, 0.1)),
-    MakePolyData(Placed(TriangleSoup(7, 0.1), 1.0, { 5, 5, 5 })));
+    MakePolyData(Transformed(TriangleSoup(7, 0.1), 1.0, { 5, 5, 5 })));
   filter->SetClearance(VTK_DOUBLE_MAX);
   EXPECT_EQ(RunPairs(filter).size(), 63u);
 }
@@ -336,7 +336,7 @@ TEST(SurfaceIntersectionFilter, APolygonOfManyIsReadBesideSomeOfTooFew)
   vtkNew<vtkPolyData> plate;
   plate->SetPoints(points);
   plate->SetPolys(polygons);
-  const auto sphere = MakePolyData(Placed(SphereTriangles(12), 1.0, { 0, 0, 0 }));
+  const auto sphere = MakePolyData(Transformed(SphereTriangles(12), 1.0, { 0, 0, 0 }));
   auto filter = MakeIntersection(plate, sphere);
   filter->Update();
   EXPECT_EQ(Reported(filter, "FacesLeftOut"), 6.0);
@@ -366,11 +366,11 @@ TEST(SurfaceIntersectionFilter, ThreadsDoNotMatter)
 
 TEST(SurfaceIntersectionFilter, ProgressRisesAndAnAbortStops)
 {
-  auto filter = MakeIntersection(
-    MakePolyData(SphereTriangles(40)), MakePolyData(Placed(SphereTriangles(40), 1, { 1, 0, 0 })));
-  std::vector<double> seen;
+  auto filter = MakeIntersection(MakePolyData(SphereTriangles(40)),
+    MakePolyData(Transformed(SphereTriangles(40), 1, { 1, 0, 0 })));
+  std::vector<double> found;
   vtkNew<vtkCallbackCommand> watch;
-  watch->SetClientData(&seen);
+  watch->SetClientData(&found);
   watch->SetCallback(
     [](vtkObject* caller, unsigned long, void* to, void*)
     {
@@ -380,8 +380,8 @@ TEST(SurfaceIntersectionFilter, ProgressRisesAndAnAbortStops)
     });
   filter->AddObserver(vtkCommand::ProgressEvent, watch);
   filter->Update();
-  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-  EXPECT_GT(seen.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+  EXPECT_GT(found.size(), 2u);
   const std::size_t some = PairsOf(filter).size();
   filter->RemoveAllObservers();
   filter->SetAbortExecute(0);

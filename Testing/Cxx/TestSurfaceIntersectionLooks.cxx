@@ -111,12 +111,12 @@ void ExpectSameAnyhow(const Mesh& first, const Mesh& second)
 //------------------------------------------------------------------------------
 TEST(SurfaceIntersectionLooks, AFirstLookAtSpheresIsAsALaterOne)
 {
-  const Mesh sphere = Placed(SphereTriangles(24), 1.0, { 0, 0, 0 });
-  const Mesh other = Placed(SphereTriangles(31), 1.0, { 0.9, 0.28, 0.15 });
+  const Mesh sphere = Transformed(SphereTriangles(24), 1.0, { 0, 0, 0 });
+  const Mesh other = Transformed(SphereTriangles(31), 1.0, { 0.9, 0.28, 0.15 });
   ExpectSameAnyhow(sphere, other);
   ExpectSameAnyhow(Apart(sphere), Apart(other));
   ExpectSameAnyhow(sphere, Apart(other));
-  ExpectSameAnyhow(sphere, Placed(SphereTriangles(3), 0.1, { 1.0, 0, 0 })); // few beside many
+  ExpectSameAnyhow(sphere, Transformed(SphereTriangles(3), 0.1, { 1.0, 0, 0 })); // few beside many
 }
 
 //------------------------------------------------------------------------------
@@ -125,30 +125,30 @@ TEST(SurfaceIntersectionLooks, AFirstLookAtSpecialContactsIsAsALaterOne)
   Mesh lattice = LatticeTriangles(150, 6, 3);
   Mesh other = LatticeTriangles(150, 6, 4);
   ExpectSameAnyhow(lattice, other);
-  const Mesh far = Placed(LatticeTriangles(2000, 6, 5), 1.0, { 5, 5, 5 }); // few are near
+  const Mesh far = Transformed(LatticeTriangles(2000, 6, 5), 1.0, { 5, 5, 5 }); // few are near
   ExpectSameAnyhow(far, lattice);
   ExpectSameAnyhow(lattice, far);
-  const Mesh sphere = Placed(SphereTriangles(16), 1.0, { 0, 0, 0 });
+  const Mesh sphere = Transformed(SphereTriangles(16), 1.0, { 0, 0, 0 });
   ExpectSameAnyhow(sphere, sphere);
-  ExpectSameAnyhow(sphere, Placed(SphereTriangles(16), 1.0, { 2, 0, 0 })); // touch at most
+  ExpectSameAnyhow(sphere, Transformed(SphereTriangles(16), 1.0, { 2, 0, 0 })); // touch at most
 }
 
 //------------------------------------------------------------------------------
 // Many that overlap many are left to trees.
 TEST(SurfaceIntersectionLooks, AFirstLookAtLargeAndSmallTrianglesIsAsALaterOne)
 {
-  const Mesh large = Placed(LatticeTriangles(300, 6, 6), 3.0, { -9, -9, -9 });
-  const Mesh small = Placed(LatticeTriangles(2500, 6, 7), 0.01, { 0, 0, 0 });
+  const Mesh large = Transformed(LatticeTriangles(300, 6, 6), 3.0, { -9, -9, -9 });
+  const Mesh small = Transformed(LatticeTriangles(2500, 6, 7), 0.01, { 0, 0, 0 });
   ExpectSame(large, small, 0.0, { 0, 0, 0 });
   ExpectSame(small, large, 0.001, { 0, 0, 0 });
-  ExpectSame(large, Placed(LatticeTriangles(9000, 6, 7), 0.1, { 0, 0, 0 }), 0.0, { 0, 0, 0 });
+  ExpectSame(large, Transformed(LatticeTriangles(9000, 6, 7), 0.1, { 0, 0, 0 }), 0.0, { 0, 0, 0 });
 }
 
 //------------------------------------------------------------------------------
 TEST(SurfaceIntersectionLooks, AFirstLookAtManyIsAsALaterOne)
 {
-  const Mesh sphere = Placed(SphereTriangles(60), 1.0, { 0, 0, 0 });
-  const Mesh other = Placed(SphereTriangles(71), 1.0, { 0.9, 0.28, 0.15 });
+  const Mesh sphere = Transformed(SphereTriangles(60), 1.0, { 0, 0, 0 });
+  const Mesh other = Transformed(SphereTriangles(71), 1.0, { 0.9, 0.28, 0.15 });
   ExpectSameAnyhow(sphere, other);
 }
 
@@ -157,11 +157,11 @@ TEST(SurfaceIntersectionLooks, AFirstLookAtTinyAndFarSurfacesIsAsALaterOne)
 {
   for (const double scale : { 1e-30, 1.0, 1e90 })
   {
-    ExpectSame(Placed(SphereTriangles(16), scale, { 0, 0, 0 }),
-      Placed(SphereTriangles(19), scale, { 0.9 * scale, 0.2 * scale, 0 }), 0.0, { 0, 0, 0 });
+    ExpectSame(Transformed(SphereTriangles(16), scale, { 0, 0, 0 }),
+      Transformed(SphereTriangles(19), scale, { 0.9 * scale, 0.2 * scale, 0 }), 0.0, { 0, 0, 0 });
   }
-  const Mesh far = Placed(SphereTriangles(16), 1.0, { 1e8, -3e8, 0 });
-  ExpectSameAnyhow(far, Placed(SphereTriangles(19), 1.0, { 1e8 + 0.5, -3e8, 0.5 }));
+  const Mesh far = Transformed(SphereTriangles(16), 1.0, { 1e8, -3e8, 0 });
+  ExpectSameAnyhow(far, Transformed(SphereTriangles(19), 1.0, { 1e8 + 0.5, -3e8, 0.5 }));
 }
 
 //------------------------------------------------------------------------------
@@ -171,8 +171,8 @@ TEST(SurfaceIntersectionLooks, ASurfaceMeetsItselfByAPackedRTreeAsByATree)
 {
   const auto spheres = [](double scale)
   {
-    return Together({ Placed(SphereTriangles(16), scale, { 0, 0, 0 }),
-      Placed(SphereTriangles(19), scale, { 0.9 * scale, 0.2 * scale, 0 }) });
+    return Together({ Transformed(SphereTriangles(16), scale, { 0, 0, 0 }),
+      Transformed(SphereTriangles(19), scale, { 0.9 * scale, 0.2 * scale, 0 }) });
   };
   Mesh uneven = spheres(1e-4); // tiny beside one triangle
   uneven.Add(VTK_TRIANGLE,
@@ -196,7 +196,7 @@ TEST(SurfaceIntersectionLooks, TrianglesThatLoseTheirAreaByAMotionAreLeftOut)
   sliver.Add(VTK_TRIANGLE,
     { sliver.Add({ 0, 0, 0 }), sliver.Add({ 1, 0, 0 }), sliver.Add({ 0.5, 1e-14, 0 }) });
   auto filter = MakeIntersection(
-    MakePolyData(Placed(SphereTriangles(16), 1.0, { 0, 0, 0 })), MakePolyData(sliver));
+    MakePolyData(Transformed(SphereTriangles(16), 1.0, { 0, 0, 0 })), MakePolyData(sliver));
   filter->Update();
   EXPECT_EQ(Reported(filter, "TrianglesWithoutArea"), 0.0);
   filter->SetTranslation(0.0, 1e4, 0.0); // rounds 1e-14 away

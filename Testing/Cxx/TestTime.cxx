@@ -116,9 +116,9 @@ vtkSmartPointer<vtkPointSet> MeshFor(const std::string& setup)
   }
   if (setup == "RemapOf" || setup == "ProbeOf" || setup == "RemapFor" || setup == "InOutOfCells")
   {
-    return WithData(MakeGrid(Placed(Hexahedra(2), 1.1, { 0.1, 0.2, 0.3 })));
+    return WithData(MakeGrid(Transformed(Hexahedra(2), 1.1, { 0.1, 0.2, 0.3 })));
   }
-  return WithData(MakePolyData(Placed(SphereTriangles(3), 0.7, { 1.01, 1.17, 1.13 })));
+  return WithData(MakePolyData(Transformed(SphereTriangles(3), 0.7, { 1.01, 1.17, 1.13 })));
 }
 
 class InTime : public testing::TestWithParam<FilterSetup>
@@ -201,8 +201,8 @@ INSTANTIATE_TEST_SUITE_P(Filters, InTime, testing::ValuesIn(AllFilterSetups()),
 // The third port.
 TEST(InTimeTogether, FieldOfAGrid)
 {
-  const auto field = WithData(MakeGrid(Placed(Hexahedra(2), 1.2, { 0.0, 0.0, 0.0 })));
-  const auto parts = MakePolyData(Placed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 }));
+  const auto field = WithData(MakeGrid(Transformed(Hexahedra(2), 1.2, { 0.0, 0.0, 0.0 })));
+  const auto parts = MakePolyData(Transformed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 }));
   const auto make = [&]() -> vtkSmartPointer<vtkAlgorithm>
   {
     auto filter = vtkSmartPointer<vtkSkdTreeAMR>::New();

@@ -52,8 +52,9 @@ private:
 DataSetPointer MakeMesh(bool isVolume)
 {
   return isVolume
-    ? DataSetPointer(WithData(MakeGrid(Placed(Hexahedra(2), 1.1, { 0.02, 0.02, 0.01 }))))
-    : DataSetPointer(WithData(MakePolyData(Placed(SphereTriangles(3), 0.7, { 1.2, 1.2, 1.2 }))));
+    ? DataSetPointer(WithData(MakeGrid(Transformed(Hexahedra(2), 1.1, { 0.02, 0.02, 0.01 }))))
+    : DataSetPointer(
+        WithData(MakePolyData(Transformed(SphereTriangles(3), 0.7, { 1.2, 1.2, 1.2 }))));
 }
 
 /// The active scalars and normals are too short, other arrays too long.

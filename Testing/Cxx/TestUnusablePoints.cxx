@@ -66,8 +66,8 @@ enum class Kind
 /// Two points of it are not usable.
 DataSetPointer MakeMesh(Kind kind, double bad)
 {
-  Mesh mesh = kind == Kind::Surface ? Placed(SphereTriangles(3), 0.7, { 1.2, 1.2, 1.2 })
-    : kind == Kind::Volume          ? Placed(Hexahedra(2), 1.1, { 0.02, 0.02, 0.01 })
+  Mesh mesh = kind == Kind::Surface ? Transformed(SphereTriangles(3), 0.7, { 1.2, 1.2, 1.2 })
+    : kind == Kind::Volume          ? Transformed(Hexahedra(2), 1.1, { 0.02, 0.02, 0.01 })
                                     : Mesh();
   Random random(5);
   while (mesh.Points.size() < 13)
@@ -269,15 +269,15 @@ TEST(FarDistances, OfFiltersAreRightOrNone)
 {
   QuietWindow quiet;
   const auto mesh = WithData(MakePolyData(SphereTriangles(3)));
-  std::vector<Point> asked;
+  std::vector<Point> requested;
   const std::vector<FarPoint> points = FarPoints();
   for (const FarPoint& far : points)
   {
-    asked.push_back(far.X);
+    requested.push_back(far.X);
   }
   for (const bool isSigned : { false, true })
   {
-    FilterPointer filter = MakeFilter(MakeQueries(asked), mesh);
+    FilterPointer filter = MakeFilter(MakeQueries(requested), mesh);
     filter->SetSignedDistance(isSigned);
     const std::vector<double> distances = RunArray(filter, "SkdDistance");
     const std::vector<double> cells = RunArray(filter, "SkdClosestCellId");
@@ -288,7 +288,7 @@ TEST(FarDistances, OfFiltersAreRightOrNone)
       EXPECT_EQ(std::isnan(distances[i]), cells[i] < 0.0);
     }
   }
-  ProbePointer probe = MakeProbe(MakeQueries(asked), mesh);
+  ProbePointer probe = MakeProbe(MakeQueries(requested), mesh);
   probe->SetOutsidePoints(vtkSkdTreeProbe::NEAREST_CELL);
   const std::vector<double> valid = ProbeArray(probe, "SkdValid");
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -303,13 +303,13 @@ TEST(FarDistances, OfFiltersAreRightOrNone)
 TEST(FarDistances, OfRaysAreFiniteOrThereIsNoHit)
 {
   QuietWindow quiet;
-  std::vector<Point> asked;
+  std::vector<Point> requested;
   for (const FarPoint& far : FarPoints())
   {
-    asked.push_back(far.X);
+    requested.push_back(far.X);
   }
   vtkNew<vtkSkdTreeRays> rays;
-  rays->SetInputDataObject(MakeQueries(asked));
+  rays->SetInputDataObject(MakeQueries(requested));
   rays->SetSourceData(MakePolyData(SphereTriangles(3)));
   rays->SetAlongToDirection();
   rays->SetDirection(-1, 0, 0);

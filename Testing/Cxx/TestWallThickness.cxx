@@ -114,7 +114,7 @@ TEST(WallThickness, OfASphereIsItsDiameter)
 {
   for (const double offset : { 0.0, 1e6 })
   {
-    const auto sphere = MakePolyData(Placed(SphereTriangles(12), 1.0, { offset, 0, -offset }));
+    const auto sphere = MakePolyData(Transformed(SphereTriangles(12), 1.0, { offset, 0, -offset }));
     for (const int method : { Filter::RAYS, Filter::SPHERES })
     {
       auto filter = MakeFilter(sphere, method);
@@ -156,8 +156,8 @@ TEST(WallThickness, OfShellsDownToAMillionth)
   {
     for (const double offset : { 0.0, 100.0 })
     {
-      const auto shell =
-        MakePolyData(Placed(Hollow(Cube(4), 1.0 - thickness), 1.0, { offset, offset, offset }));
+      const auto shell = MakePolyData(
+        Transformed(Hollow(Cube(4), 1.0 - thickness), 1.0, { offset, offset, offset }));
       for (const int method : { Filter::RAYS, Filter::SPHERES })
       {
         auto filter = MakeFilter(shell, method);
@@ -212,7 +212,7 @@ TEST(WallThickness, AgainstASourceAndBlocks)
   filter->SetSourceData(inner);
   ExpectAll(filter, 2.0, 2e-3);
   filter->SetSourceData(nullptr);
-  const auto other = MakePolyData(Placed(SphereTriangles(16), 1.0, { 10, 0, 0 }));
+  const auto other = MakePolyData(Transformed(SphereTriangles(16), 1.0, { 10, 0, 0 }));
   filter->SetInputDataObject(0, MakeBlocks({ inner, other }));
   filter->Update();
   EXPECT_EQ(Reported(filter, "PointsFound"), inner->GetNumberOfPoints() * 2);
@@ -312,8 +312,8 @@ GridPointer BezierRing()
       const int i = n % 3, j = n / 3 % 3, k = n / 9;
       const auto [c, s, w] = QuarterCircle(j, quarter);
       const double r = 1.0 + 0.5 * i;
-      const int place = vtkHigherOrderHexahedron::PointIndexFromIJK(i, j, k, order);
-      ids[static_cast<std::size_t>(place)] = mesh.Add({ r * c, r * s, 0.5 * k });
+      const int position = vtkHigherOrderHexahedron::PointIndexFromIJK(i, j, k, order);
+      ids[static_cast<std::size_t>(position)] = mesh.Add({ r * c, r * s, 0.5 * k });
       weights.push_back(w);
     }
     mesh.Add(VTK_BEZIER_HEXAHEDRON, ids);
@@ -378,7 +378,7 @@ TEST(WallThickness, OfQuadraticSurfacesNormalsAreTheSurfaces)
 using Boxes = std::vector<std::pair<Point, Point>>; // low and high corners
 
 /// How far a ray along an axis goes within some of the boxes, from a place on the side of one.
-double ThicknessOfUnion(const Boxes& boxes, const Point& x, int axis, double way)
+double ThicknessOfUnion(const Boxes& boxes, const Point& x, int axis, double direction)
 {
   double end = 0.0; // the ray is within something until there
   for (std::size_t pass = 0; pass <= boxes.size(); ++pass)
@@ -387,8 +387,8 @@ double ThicknessOfUnion(const Boxes& boxes, const Point& x, int axis, double way
     {
       const int b = (axis + 1) % 3, c = (axis + 2) % 3;
       const bool isMet = x[b] > low[b] && x[b] < high[b] && x[c] > low[c] && x[c] < high[c];
-      const double from = way * ((way > 0.0 ? low : high)[axis] - x[axis]);
-      const double to = way * ((way > 0.0 ? high : low)[axis] - x[axis]);
+      const double from = direction * ((direction > 0.0 ? low : high)[axis] - x[axis]);
+      const double to = direction * ((direction > 0.0 ? high : low)[axis] - x[axis]);
       end = isMet && from <= end + 1e-9 ? std::max(end, to) : end;
     }
   }
@@ -431,8 +431,8 @@ TEST(WallThickness, WhereShellsOverlapTheRayEndsWhereItLeavesTheLast)
           static_cast<int>(std::max_element(normal.begin(), normal.end(),
                              [](double p, double q) { return std::abs(p) < std::abs(q); }) -
             normal.begin());
-        const double way = normal[axis] > 0.0 ? -1.0 : 1.0;
-        ASSERT_NEAR(values[i], ThicknessOfUnion(boxes, middle, axis, way), 1e-12)
+        const double direction = normal[axis] > 0.0 ? -1.0 : 1.0;
+        ASSERT_NEAR(values[i], ThicknessOfUnion(boxes, middle, axis, direction), 1e-12)
           << run << " " << i;
       }
     }

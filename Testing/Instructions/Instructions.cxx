@@ -213,7 +213,8 @@ Point Dented(const Point& p)
 void CountSurface()
 {
   const auto mesh = MakePolyData(SphereTriangles(40).Map(Dented));
-  const auto moved = MakePolyData(Placed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 }));
+  const auto moved =
+    MakePolyData(Transformed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 }));
   Counted surface(mesh);
   Counted other(moved);
   surface.CountBuild("build, triangles");
@@ -233,7 +234,7 @@ void CountBoolean()
   vtkNew<vtkSkdTreeBooleanOperation> filter;
   filter->SetInputData(MakePolyData(SphereTriangles(40).Map(Dented)));
   filter->SetSourceData(
-    MakePolyData(Placed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 })));
+    MakePolyData(Transformed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 })));
   Count("union of solids", [&] { filter->Update(); });
   filter->SetOperationToIntersection();
   Count("another operation on them", [&] { filter->Update(); });

@@ -193,21 +193,21 @@ std::optional<double> HitTriangle(const Point& p1, const Point& p2, const std::a
 
 std::vector<std::array<Point, 3>> SeenTriangles(const CellShape& shape)
 {
-  std::vector<std::array<Point, 3>> seen = shape.Triangles;
+  std::vector<std::array<Point, 3>> found = shape.Triangles;
   for (const Patch& p : shape.Patches)
   {
     if (Distance(p.A, p.C) < Distance(p.B, p.D))
     {
-      seen.push_back({ p.A, p.B, p.C });
-      seen.push_back({ p.A, p.C, p.D });
+      found.push_back({ p.A, p.B, p.C });
+      found.push_back({ p.A, p.C, p.D });
     }
     else
     {
-      seen.push_back({ p.A, p.B, p.D });
-      seen.push_back({ p.B, p.C, p.D });
+      found.push_back({ p.A, p.B, p.D });
+      found.push_back({ p.B, p.C, p.D });
     }
   }
-  return seen;
+  return found;
 }
 
 bool IsInsideByParity(const CellShape& shape, const Point& x)

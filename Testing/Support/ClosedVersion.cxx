@@ -165,7 +165,7 @@ ClosedVersion::ClosedVersion(const Mesh& triangles)
     this->Whole.Cells.end(), this->Fans.Cells.begin(), this->Fans.Cells.end());
 }
 
-BallReach::BallReach(vtkPolyData* surface, double radius)
+BallRadius::BallRadius(vtkPolyData* surface, double radius)
 {
   Lattice3 lattice{ {}, radius, {} }; // halfway between free points it still is half as far
   surface->GetBounds(lattice.Box.data());
@@ -176,17 +176,17 @@ BallReach::BallReach(vtkPolyData* surface, double radius)
     lattice.Size[axis] = static_cast<int>(length / lattice.Step) + 1;
   }
   const std::vector<char> isFree = FindFree(lattice, surface, radius);
-  std::vector<bool> isReached(isFree.size(), false);
+  std::vector<bool> isCovered(isFree.size(), false);
   std::vector<int> queue{ 0 }; // a corner, which is outside
-  isReached[0] = true;
+  isCovered[0] = true;
   for (std::size_t i = 0; i < queue.size(); ++i)
   {
     lattice.ForEachNeighbour(queue[i],
       [&](int next)
       {
-        if (isFree[static_cast<std::size_t>(next)] && !isReached[static_cast<std::size_t>(next)])
+        if (isFree[static_cast<std::size_t>(next)] && !isCovered[static_cast<std::size_t>(next)])
         {
-          isReached[static_cast<std::size_t>(next)] = true;
+          isCovered[static_cast<std::size_t>(next)] = true;
           queue.push_back(next);
         }
       });
@@ -196,7 +196,7 @@ BallReach::BallReach(vtkPolyData* surface, double radius)
     if (isFree[id])
     {
       this->Points.push_back(lattice.At(static_cast<int>(id)));
-      this->IsReached.push_back(isReached[id]);
+      this->IsCovered.push_back(isCovered[id]);
     }
   }
 }

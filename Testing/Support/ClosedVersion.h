@@ -26,12 +26,12 @@ struct ClosedVersion
 /// What a ball cannot reach from outside without touching the surface: of the points of a lattice
 /// over its bounds and somewhat more, those that are farther than the radius from it, and whether
 /// the ball's centre gets there in steps of the lattice, which is a radius wide.
-struct BallReach
+struct BallRadius
 {
-  BallReach(vtkPolyData* surface, double radius);
+  BallRadius(vtkPolyData* surface, double radius);
 
   std::vector<Point> Points;
-  std::vector<bool> IsReached;
+  std::vector<bool> IsCovered;
 };
 
 }

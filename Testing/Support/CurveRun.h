@@ -90,9 +90,9 @@ inline std::array<double, 3> QuarterCircle(int i, int quarters)
 {
   static constexpr double points[3][2] = { { 1, 0 }, { 1, 1 }, { 0, 1 } };
   const double* p = points[i];
-  const double turned[4][2] = { { p[0], p[1] }, { -p[1], p[0] }, { -p[0], -p[1] },
+  const double rotated[4][2] = { { p[0], p[1] }, { -p[1], p[0] }, { -p[0], -p[1] },
     { p[1], -p[0] } };
-  return { turned[quarters % 4][0], turned[quarters % 4][1], i == 1 ? std::sqrt(0.5) : 1.0 };
+  return { rotated[quarters % 4][0], rotated[quarters % 4][1], i == 1 ? std::sqrt(0.5) : 1.0 };
 }
 
 /// A circle about z as four rational Bezier curves.

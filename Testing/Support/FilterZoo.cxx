@@ -70,12 +70,12 @@ PolyDataPointer SomeLines()
 
 PolyDataPointer SomeSurface()
 {
-  return WithData(MakePolyData(Placed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 })));
+  return WithData(MakePolyData(Transformed(SphereTriangles(2), 0.8, { 1.21, 1.27, 1.23 })));
 }
 
 GridPointer SomeVolumes()
 {
-  return WithData(MakeGrid(Placed(Hexahedra(2), 1.2, { 0.01, 0.02, 0.03 })));
+  return WithData(MakeGrid(Transformed(Hexahedra(2), 1.2, { 0.01, 0.02, 0.03 })));
 }
 
 /// A filter with an input and a Source.

@@ -110,7 +110,7 @@ Mesh Welded(const Mesh& mesh)
   return welded;
 }
 
-Mesh Placed(Mesh mesh, double factor, const Point& offset)
+Mesh Transformed(Mesh mesh, double factor, const Point& offset)
 {
   return mesh.Map([&](const Point& p) { return factor * p + offset; });
 }

@@ -84,7 +84,7 @@ Mesh Triangulated(const Mesh& mesh);
 Mesh Welded(const Mesh& mesh);
 
 /// The same mesh times a factor, then moved.
-Mesh Placed(Mesh mesh, double factor, const Point& offset);
+Mesh Transformed(Mesh mesh, double factor, const Point& offset);
 
 /// Marks cells of a data set as ghosts of a kind (vtkDataSetAttributes::CellGhostTypes).
 void MarkGhosts(vtkDataSet* data, const Ids& cells, unsigned char kind);

@@ -32,15 +32,15 @@ std::vector<NamedMesh> SurfaceMeshes()
 std::vector<NamedMesh> VolumeMeshes()
 {
   return { { "Tetrahedra", [] { return MakeGrid(Tetrahedra(4).Map(Bent)); } },
-    { "Hexahedra", [] { return MakeGrid(Hexahedra(5).Map(Turned)); } },
+    { "Hexahedra", [] { return MakeGrid(Hexahedra(5).Map(Rotated)); } },
     { "WarpedHexahedra", [] { return MakeGrid(Hexahedra(5).Map(Bent)); } },
     { "InvertedHexahedra", [] { return MakeGrid(InvertedHexahedra(5).Map(Bent)); } },
     { "Voxels", [] { return MakeGrid(Voxels(5)); } },
     { "Wedges", [] { return MakeGrid(Wedges(4).Map(Bent)); } },
     { "Pyramids", [] { return MakeGrid(Pyramids(4).Map(Bent)); } },
-    { "Polyhedra", [] { return MakeGrid(Polyhedra(3).Map(Turned)); } },
+    { "Polyhedra", [] { return MakeGrid(Polyhedra(3).Map(Rotated)); } },
     { "Mixed", [] { return MakeGrid(MixedCells(3)); } }, { "Image", [] { return MakeImage(6); } },
-    { "TurnedImage", [] { return MakeTurnedImage(5); } },
+    { "TurnedImage", [] { return MakeRotatedImage(5); } },
     { "Rectilinear", [] { return MakeRectilinear(6); } },
     { "Structured", [] { return MakeStructured(5); } },
     { "ExplicitStructured", [] { return MakeExplicitStructured(5); } } };

@@ -117,14 +117,14 @@ Mesh ConvexHull(Random& random)
 Mesh Cavity(Random& random)
 {
   Mesh mesh = NoisySphere(random);
-  Append(mesh, Turned(Placed(NoisySphere(random), 0.2, { 0, 0, 0 })));
+  Append(mesh, Rotated(Transformed(NoisySphere(random), 0.2, { 0, 0, 0 })));
   return mesh;
 }
 
 Mesh TwoParts(Random& random)
 {
-  Mesh mesh = Placed(NoisySphere(random), 0.5, { -0.5, 0, 0 });
-  Append(mesh, Placed(ConvexHull(random), 0.25, { 0.5, random.Between(-0.5, 0.5), 0 }));
+  Mesh mesh = Transformed(NoisySphere(random), 0.5, { -0.5, 0, 0 });
+  Append(mesh, Transformed(ConvexHull(random), 0.25, { 0.5, random.Between(-0.5, 0.5), 0 }));
   return mesh;
 }
 }
@@ -142,17 +142,17 @@ Mesh RandomCubes(Random& random)
   const Mesh cube = BoxTriangles({ 0, 0, 0 }, { 1, 1, 1 });
   for (int at = 0; at < 27; ++at)
   {
-    const std::array<int, 3> place = { 1 + at % 3, 1 + at / 3 % 3, 1 + at / 9 };
-    for (std::size_t face = 0; face < 12 && isIn[place[0]][place[1]][place[2]]; ++face)
+    const std::array<int, 3> position = { 1 + at % 3, 1 + at / 3 % 3, 1 + at / 9 };
+    for (std::size_t face = 0; face < 12 && isIn[position[0]][position[1]][position[2]]; ++face)
     {
-      std::array<int, 3> next = place;
+      std::array<int, 3> next = position;
       next[face / 4] += face % 4 < 2 ? -1 : 1;
       if (!isIn[next[0]][next[1]][next[2]])
       {
         Ids ids;
         for (const vtkIdType id : cube.Cells[face].Points)
         {
-          const Point low = { place[0] - 2.0, place[1] - 2.0, place[2] - 2.0 };
+          const Point low = { position[0] - 2.0, position[1] - 2.0, position[2] - 2.0 };
           ids.push_back(mesh.Add(0.5 * (low + cube.Points[id])));
         }
         mesh.Add(VTK_TRIANGLE, ids);

@@ -194,7 +194,7 @@ inline Mesh AnySolid(Random& random, std::string& what)
     {
       what += solid.Kind;
       const bool isTurned = Measures(solid.Triangles).Volume < 0.0;
-      return isTurned ? Turned(solid.Triangles) : solid.Triangles;
+      return isTurned ? Rotated(solid.Triangles) : solid.Triangles;
     }
   }
 }
@@ -208,13 +208,13 @@ inline Mesh MovedAnywhere(Random& random, Mesh solid, std::string& what)
     solid.Map(RandomRotation(random, turn == 1));
     what += turn == 1 ? ", turned by right angles" : ", turned";
   }
-  const int way = random.Index(3);
+  const int direction = random.Index(3);
   const auto quarters = [&] { return 0.25 * (random.Index(9) - 4); };
-  const Point by = way == 0 ? Point{ 0, 0, 0 }
-    : way == 1              ? Point{ quarters(), quarters(), quarters() }
-                            : random.InBox({ -0.7, 0.7, -0.7, 0.7, -0.7, 0.7 });
-  what += way == 0 ? "" : way == 1 ? ", moved by quarters" : ", moved";
-  return Placed(std::move(solid), 1.0, by);
+  const Point by = direction == 0 ? Point{ 0, 0, 0 }
+    : direction == 1              ? Point{ quarters(), quarters(), quarters() }
+                                  : random.InBox({ -0.7, 0.7, -0.7, 0.7, -0.7, 0.7 });
+  what += direction == 0 ? "" : direction == 1 ? ", moved by quarters" : ", moved";
+  return Transformed(std::move(solid), 1.0, by);
 }
 
 /// A result is closed, and where it should be.

@@ -14,7 +14,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int n)
   return image;
 }
 
-vtkSmartPointer<vtkImageData> MakeTurnedImage(int n)
+vtkSmartPointer<vtkImageData> MakeRotatedImage(int n)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(3, n + 3, -2, n - 2, 1, n + 1);

@@ -23,7 +23,7 @@ namespace skdtest
 vtkSmartPointer<vtkImageData> MakeImage(int n);
 
 /// The same, its extent starting off zero and its axes turned by a direction matrix.
-vtkSmartPointer<vtkImageData> MakeTurnedImage(int n);
+vtkSmartPointer<vtkImageData> MakeRotatedImage(int n);
 
 /// n x n pixels in a plane across the given axis.
 vtkSmartPointer<vtkImageData> MakeFlatImage(int n, int across);

@@ -165,8 +165,9 @@ inline Mesh Square(double x, double y, double size, double z = 0.0)
   return mesh;
 }
 
-/// Triangles whose corners have whole coordinates from 0 to `reach`: most meet in special ways.
-inline Mesh LatticeTriangles(int n, int reach, std::uint64_t seed)
+/// Triangles whose corners have whole coordinates from 0 to `maxDistance`: most meet in special
+/// ways.
+inline Mesh LatticeTriangles(int n, int maxDistance, std::uint64_t seed)
 {
   Random random(seed);
   Mesh mesh;
@@ -175,8 +176,8 @@ inline Mesh LatticeTriangles(int n, int reach, std::uint64_t seed)
     Point p[3];
     for (Point& x : p)
     {
-      x = { double(random.Index(reach + 1)), double(random.Index(reach + 1)),
-        double(random.Index(reach + 1)) };
+      x = { double(random.Index(maxDistance + 1)), double(random.Index(maxDistance + 1)),
+        double(random.Index(maxDistance + 1)) };
     }
     if (Length(Cross(p[1] - p[0], p[2] - p[0])) > 0.0)
     {

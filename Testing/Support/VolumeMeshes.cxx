@@ -13,7 +13,7 @@ Point Bent(const Point& p)
     p[2] + 0.15 * std::sin(p[0] + p[1]) };
 }
 
-Point Turned(const Point& p)
+Point Rotated(const Point& p)
 {
   const Point x = (1.0 / 3.0) * Point{ 2, -1, 2 };
   const Point y = (1.0 / 3.0) * Point{ 2, 2, -1 };

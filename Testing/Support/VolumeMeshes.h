@@ -51,7 +51,7 @@ struct Lattice
 Point Bent(const Point& p);
 
 /// A rotation with no axis in common with the coordinates'.
-Point Turned(const Point& p);
+Point Rotated(const Point& p);
 
 Mesh Hexahedra(int n);
 

@@ -191,10 +191,10 @@ void ForEachNode(vtkCell* cell, const skd::NodePatch& patch, const Visit& visit)
     }
     return;
   }
-  const auto& places = patch.DegreeS == 1 ? linear : quadratic;
+  const auto& lattice = patch.DegreeS == 1 ? linear : quadratic;
   for (vtkIdType at = 0; at < cell->GetNumberOfPoints(); ++at)
   {
-    visit(at, places[at][0], places[at][1]);
+    visit(at, lattice[at][0], lattice[at][1]);
   }
 }
 

@@ -203,9 +203,9 @@ double SkdChordalDeviation::FactorOf(const Kind& kind, const skd::Vector3* point
   for (int axis = 0; axis < 3; ++axis)
   {
     const double half = 0.5 * (all.Max[axis] - all.Min[axis]);
-    const double reach = kind.Sum * largest[axis] +
+    const double bound = kind.Sum * largest[axis] +
       std::max(corners.Max[axis] - centre[axis], centre[axis] - corners.Min[axis]);
-    factor = half > 0.0 ? std::max(factor, reach / half) : factor;
+    factor = half > 0.0 ? std::max(factor, bound / half) : factor;
   }
   return factor;
 }

@@ -30,11 +30,11 @@ struct SkdVertexKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
     const skd::Segment<3>& segment = view.GetSegment();
     const auto nearest = skd::ClosestPointOnSegment(segment.A, segment.B, p[0]);
-    if (!(nearest.Dist2 <= reach.OfLines() * reach.OfLines()))
+    if (!(nearest.Dist2 <= hitTolerance.OfLines() * hitTolerance.OfLines()))
     {
       return std::nullopt;
     }
@@ -56,10 +56,10 @@ struct SkdLineKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
     const skd::SegmentPair nearest = skd::ClosestPoints(view.GetSegment(), { p[0], p[1] });
-    if (!(nearest.Dist2 <= reach.OfLines() * reach.OfLines()))
+    if (!(nearest.Dist2 <= hitTolerance.OfLines() * hitTolerance.OfLines()))
     {
       return std::nullopt;
     }
@@ -85,9 +85,9 @@ struct SkdTriangleKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
-    const auto hit = skd::IntersectWithin(view, p[0], p[1], p[2], reach.Tolerance);
+    const auto hit = skd::IntersectWithin(view, p[0], p[1], p[2], hitTolerance.Tolerance);
     return hit ? std::optional<SkdLineHit>(From(*hit)) : std::nullopt;
   }
 
@@ -136,12 +136,13 @@ private:
 /// The nearest hit of a segment with a face of 3 or 4 points whose parametric coordinates are
 /// given.
 inline void SkdHitFace(const skd::Vector3* p, const skd::Vector3* pcoords, int size,
-  const skd::SegmentView& view, const SkdHitTolerance& reach, std::optional<SkdLineHit>& first)
+  const skd::SegmentView& view, const SkdHitTolerance& hitTolerance,
+  std::optional<SkdLineHit>& first)
 {
   const auto tryTriangle = [&](int a, int b, int c)
   {
     const skd::Vector3 corners[3] = { p[a], p[b], p[c] };
-    const auto hit = SkdTriangleKernel::Intersect(corners, view, reach);
+    const auto hit = SkdTriangleKernel::Intersect(corners, view, hitTolerance);
     if (hit && (!first || hit->T < first->T))
     {
       const double r = hit->PCoords[0];
@@ -173,12 +174,12 @@ struct SkdQuadKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
     static constexpr skd::Vector3 corners[4] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } },
       { { 1.0, 1.0, 0.0 } }, { { 0.0, 1.0, 0.0 } } };
     std::optional<SkdLineHit> first;
-    SkdHitFace(p, corners, 4, view, reach, first);
+    SkdHitFace(p, corners, 4, view, hitTolerance, first);
     return first;
   }
 
@@ -205,10 +206,10 @@ struct SkdPixelKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
     const skd::Vector3 quad[4] = { p[0], p[1], p[3], p[2] };
-    return SkdQuadKernel::Intersect(quad, view, reach);
+    return SkdQuadKernel::Intersect(quad, view, hitTolerance);
   }
 
   static void Weights(const skd::Vector3& pcoords, double* weights)
@@ -251,7 +252,7 @@ struct SkdVolumeKernel
   }
 
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
     std::optional<SkdLineHit> first;
     for (const auto& face : Shape::Faces)
@@ -265,7 +266,7 @@ struct SkdVolumeKernel
         points[i] = p[face[i]];
         pcoords[i] = { { corner[0], corner[1], corner[2] } };
       }
-      SkdHitFace(points, pcoords, size, view, reach, first);
+      SkdHitFace(points, pcoords, size, view, hitTolerance, first);
     }
     return first;
   }
@@ -280,7 +281,7 @@ struct SkdVolumeKernel
 struct SkdVoxelKernel : SkdVolumeKernel<skd::Voxel>
 {
   static std::optional<SkdLineHit> Intersect(
-    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& reach)
+    const skd::Vector3* p, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
   {
     const skd::Segment<3>& segment = view.GetSegment();
     const skd::VolumePoint start = skd::ClosestPointInCell<skd::Voxel>(p, segment.A, 0.0);
@@ -288,7 +289,7 @@ struct SkdVoxelKernel : SkdVolumeKernel<skd::Voxel>
     {
       return SkdLineHit{ 0.0, start.PCoords };
     }
-    return SkdVolumeKernel<skd::Voxel>::Intersect(p, view, reach);
+    return SkdVolumeKernel<skd::Voxel>::Intersect(p, view, hitTolerance);
   }
 };
 

@@ -356,12 +356,12 @@ std::optional<SkdLineHit> SkdParametricKernel::Intersect(
   vtkCell* cell, const skd::Segment<3>& segment, double tolerance)
 {
   const SkdParametricCell map(cell, segment.A);
-  const double reach = std::max(tolerance, map.Rounding());
-  const auto interval = IntervalNear(map, segment.B - segment.A, reach);
+  const double maxDistance = std::max(tolerance, map.Rounding());
+  const auto interval = IntervalNear(map, segment.B - segment.A, maxDistance);
   if (!interval)
   {
     return std::nullopt;
   }
-  return FirstHit(map, *interval, reach).Find();
+  return FirstHit(map, *interval, maxDistance).Find();
 }
 }

@@ -127,7 +127,7 @@ skd::Vector3 PCoordsOf(vtkCell* cell, const double* weights)
 // Lines meet a prism's quads, and the fans of triangles that its ends are.
 
 std::optional<SkdLineHit> HitPrism(
-  vtkCell* cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
+  vtkCell* cell, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
 {
   const Pieces& pieces = EmptyPieces(cell);
   const double* ofPoints = cell->GetParametricCoords();
@@ -142,7 +142,7 @@ std::optional<SkdLineHit> HitPrism(
       points[size] = pieces.Points[static_cast<std::size_t>(i)];
       pcoords[size++] = { { ofPoints[3 * i], ofPoints[3 * i + 1], ofPoints[3 * i + 2] } };
     }
-    SkdHitFace(points, pcoords, size, view, reach, first);
+    SkdHitFace(points, pcoords, size, view, hitTolerance, first);
   };
   const int n = static_cast<int>(pieces.Points.size()) / 2;
   for (int i = 0; i < n; ++i)
@@ -180,13 +180,13 @@ SkdPolyCell PointsInCyclicOrder(vtkCell* cell)
 
 void LocateInCyclicOrder(vtkCell* cell, SkdCellPoint& found, double* weights)
 {
-  thread_local std::vector<double> inTurn;
+  thread_local std::vector<double> sorted;
   const SkdPolyCell polygon = PointsInCyclicOrder(cell);
-  inTurn.resize(static_cast<std::size_t>(polygon.Size));
-  SkdPolyKernels::Locate(polygon, found, weights ? inTurn.data() : nullptr);
+  sorted.resize(static_cast<std::size_t>(polygon.Size));
+  SkdPolyKernels::Locate(polygon, found, weights ? sorted.data() : nullptr);
   for (int i = 0; weights && i < polygon.Size; ++i)
   {
-    weights[CyclicIndex(i, polygon.Size)] = inTurn[static_cast<std::size_t>(i)];
+    weights[CyclicIndex(i, polygon.Size)] = sorted[static_cast<std::size_t>(i)];
   }
 }
 }
@@ -217,12 +217,12 @@ SkdCellPoint SkdPiecewiseKernel::Closest(vtkCell* cell, const skd::Vector3& x)
 
 //------------------------------------------------------------------------------
 std::optional<SkdLineHit> SkdPiecewiseKernel::Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, const SkdHitTolerance& reach)
+  vtkCell* cell, const skd::Segment<3>& segment, const SkdHitTolerance& hitTolerance)
 {
   const skd::SegmentView view(segment);
   return cell->GetCellType() == VTK_QUADRATIC_POLYGON
-    ? SkdPolyKernels::Intersect(PointsInCyclicOrder(cell), view, reach)
-    : HitPrism(cell, view, reach);
+    ? SkdPolyKernels::Intersect(PointsInCyclicOrder(cell), view, hitTolerance)
+    : HitPrism(cell, view, hitTolerance);
 }
 
 //------------------------------------------------------------------------------

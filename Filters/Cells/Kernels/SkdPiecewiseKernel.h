@@ -19,7 +19,7 @@ bool Knows(int cellType);
 SkdCellPoint Closest(vtkCell* cell, const skd::Vector3& x);
 
 std::optional<SkdLineHit> Intersect(
-  vtkCell* cell, const skd::Segment<3>& segment, const SkdHitTolerance& reach);
+  vtkCell* cell, const skd::Segment<3>& segment, const SkdHitTolerance& hitTolerance);
 
 /// The parametric coordinates and, unless nullptr, weights at a point that Closest gave.
 void Locate(vtkCell* cell, SkdCellPoint& found, double* weights);

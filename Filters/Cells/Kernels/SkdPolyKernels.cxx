@@ -41,12 +41,12 @@ SkdCellPoint ClosestPiece(const SkdPolyCell& cell, const skd::Vector3& x, double
 
 template <class Kernel>
 std::optional<SkdLineHit> FirstPieceHit(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
 {
   std::optional<SkdLineHit> first;
   for (int i = 0; i < NumberOfPieces(cell, Kernel::Size); ++i)
   {
-    const auto hit = Kernel::Intersect(cell.Points + i, view, reach);
+    const auto hit = Kernel::Intersect(cell.Points + i, view, hitTolerance);
     if (hit && (!first || hit->T < first->T))
     {
       first = hit;
@@ -140,14 +140,14 @@ SkdCellPoint ClosestOnPolygon(const SkdPolyCell& cell, const skd::Vector3& x)
 }
 
 std::optional<SkdLineHit> HitPolygon(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
 {
   const skd::Segment<3>& segment = view.GetSegment();
   if (const auto hit = skd::Intersect(view, cell.Points, cell.Size))
   {
     return SkdLineHit{ hit->T, PolygonPCoords(cell, segment.At(hit->T)) };
   }
-  if (!(reach.Tolerance > 0.0))
+  if (!(hitTolerance.Tolerance > 0.0))
   {
     return std::nullopt;
   }
@@ -161,7 +161,7 @@ std::optional<SkdLineHit> HitPolygon(
   }
   const skd::PolygonPoint nearest =
     skd::ClosestPointOnPolygon(cell.Points, cell.Size, segment.At(*accepted));
-  if (!(nearest.Dist2 <= reach.Tolerance * reach.Tolerance))
+  if (!(nearest.Dist2 <= hitTolerance.Tolerance * hitTolerance.Tolerance))
   {
     return std::nullopt;
   }
@@ -198,21 +198,22 @@ SkdCellPoint ClosestOnPolyhedron(const SkdPolyCell& cell, const skd::Vector3& x,
 }
 
 std::optional<SkdLineHit> HitPolyhedron(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
 {
   const skd::PolyhedronView polyhedron = cell.AsPolyhedron();
   std::optional<SkdLineHit> first;
   polyhedron.ForEachFace(
     [&](const skd::PolyhedronFace& face)
     {
-      if (!(reach.Tolerance > 0.0) && !skd::MayCross(view, face))
+      if (!(hitTolerance.Tolerance > 0.0) && !skd::MayCross(view, face))
       {
         return;
       }
       skd::ForEachTriangle(face,
         [&](const skd::FaceTriangle& triangle)
         {
-          const auto hit = SkdTriangleKernel::Intersect(skd::Ordered(triangle).Points, view, reach);
+          const auto hit =
+            SkdTriangleKernel::Intersect(skd::Ordered(triangle).Points, view, hitTolerance);
           first = hit && (!first || hit->T < first->T) ? hit : first;
         });
     });
@@ -270,12 +271,12 @@ SkdCellPoint SkdPolyKernels::Closest(const SkdPolyCell& cell, const skd::Vector3
 
 //------------------------------------------------------------------------------
 std::optional<SkdLineHit> SkdPolyKernels::Intersect(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach)
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance)
 {
   std::optional<SkdLineHit> first;
   const auto intersect = [&](auto kernel)
   {
-    first = FirstPieceHit<decltype(kernel)>(cell, view, reach);
+    first = FirstPieceHit<decltype(kernel)>(cell, view, hitTolerance);
     if (first)
     {
       first->PCoords = StripPCoords(cell, first->SubId, first->PCoords);
@@ -285,8 +286,8 @@ std::optional<SkdLineHit> SkdPolyKernels::Intersect(
   {
     return first;
   }
-  return cell.Shape == SkdShape::Polygon ? HitPolygon(cell, view, reach)
-                                         : HitPolyhedron(cell, view, reach);
+  return cell.Shape == SkdShape::Polygon ? HitPolygon(cell, view, hitTolerance)
+                                         : HitPolyhedron(cell, view, hitTolerance);
 }
 
 //------------------------------------------------------------------------------

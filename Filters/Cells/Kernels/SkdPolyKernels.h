@@ -19,7 +19,7 @@ namespace SkdPolyKernels
 SkdCellPoint Closest(const SkdPolyCell& cell, const skd::Vector3& x, double limit2);
 
 std::optional<SkdLineHit> Intersect(
-  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& reach);
+  const SkdPolyCell& cell, const skd::SegmentView& view, const SkdHitTolerance& hitTolerance);
 
 /// Completes VTK's parametric coordinates and, unless nullptr, the weights at a point found by
 /// Closest().

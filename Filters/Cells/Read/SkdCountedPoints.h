@@ -19,17 +19,17 @@ class SkdCountedPoints
 public:
   explicit SkdCountedPoints(vtkCell* cell)
     : Ids(cell->GetPointIds())
-    , Kept(this->Ids->begin(), this->Ids->end())
+    , Points(this->Ids->begin(), this->Ids->end())
   {
     std::iota(this->Ids->begin(), this->Ids->end(), vtkIdType(0));
   }
-  ~SkdCountedPoints() { std::copy(this->Kept.begin(), this->Kept.end(), this->Ids->begin()); }
+  ~SkdCountedPoints() { std::copy(this->Points.begin(), this->Points.end(), this->Ids->begin()); }
   SkdCountedPoints(const SkdCountedPoints&) = delete;
   SkdCountedPoints& operator=(const SkdCountedPoints&) = delete;
 
 private:
   vtkIdList* Ids;
-  std::vector<vtkIdType> Kept;
+  std::vector<vtkIdType> Points;
 };
 }
 

@@ -104,7 +104,7 @@ std::vector<std::uint32_t> SkdFaceReader::Read(vtkIdList* faces, const std::uint
   {
     return {};
   }
-  this->TurnAlike();
+  this->OrientAlike();
   this->Rotate(pointIds, coordinates);
   return this->Stream;
 }
@@ -146,11 +146,11 @@ bool SkdFaceReader::Number(
 //------------------------------------------------------------------------------
 // Two faces that share an edge are oriented alike if they walk along it in opposite directions. An
 // edge of one face, or of more than two, decides nothing.
-void SkdFaceReader::TurnAlike()
+void SkdFaceReader::OrientAlike()
 {
   this->Parents.resize(this->Starts.size());
   std::iota(this->Parents.begin(), this->Parents.end(), 0u);
-  this->Turns.assign(this->Starts.size(), 0);
+  this->Reversals.assign(this->Starts.size(), 0);
   this->CollectEdges();
   const auto isSame = [this](std::size_t i, std::size_t k)
   {
@@ -173,7 +173,7 @@ void SkdFaceReader::TurnAlike()
   for (std::uint32_t face = 0; face < this->Starts.size(); ++face)
   {
     this->RootOf(face);
-    if (this->Turns[face])
+    if (this->Reversals[face])
     {
       std::uint32_t* size = this->Stream.data() + this->Starts[face];
       std::reverse(size + 1, size + 1 + *size);
@@ -209,13 +209,13 @@ std::uint32_t SkdFaceReader::RootOf(std::uint32_t face)
   char orientation = 0;
   while (this->Parents[root] != root)
   {
-    orientation ^= this->Turns[root];
+    orientation ^= this->Reversals[root];
     root = this->Parents[root];
   }
   if (root != face)
   {
     this->Parents[face] = root;
-    this->Turns[face] = orientation;
+    this->Reversals[face] = orientation;
   }
   return root;
 }
@@ -229,8 +229,8 @@ void SkdFaceReader::Join(const Edge& one, const Edge& other)
   {
     const char against = one.IsReversed == other.IsReversed ? 1 : 0;
     this->Parents[rootOther] = rootOne;
-    this->Turns[rootOther] =
-      static_cast<char>(against ^ this->Turns[one.Face] ^ this->Turns[other.Face]);
+    this->Reversals[rootOther] =
+      static_cast<char>(against ^ this->Reversals[one.Face] ^ this->Reversals[other.Face]);
   }
 }
 

@@ -48,7 +48,7 @@ private:
   };
 
   bool Number(vtkIdList* faces, const std::uint32_t* pointIds, std::uint32_t numberOfPoints);
-  void TurnAlike();
+  void OrientAlike();
   void CollectEdges();
   std::uint32_t RootOf(std::uint32_t face);
   void Join(const Edge& one, const Edge& other);
@@ -59,7 +59,7 @@ private:
   std::vector<std::pair<vtkIdType, std::uint32_t>> Numbers;
   std::vector<Edge> Edges;
   std::vector<std::uint32_t> Parents; // of faces, and whether they are oriented against these
-  std::vector<char> Turns;
+  std::vector<char> Reversals;
 };
 }
 

@@ -21,9 +21,9 @@ namespace
 class Borders
 {
 public:
-  Borders(const skd::SegmentView& view, double reach, std::vector<double>& parameters)
+  Borders(const skd::SegmentView& view, double maxDistance, std::vector<double>& parameters)
     : View(view)
-    , Reach2(reach * reach)
+    , MaxDistance2(maxDistance * maxDistance)
     , Parameters(parameters)
   {
   }
@@ -32,7 +32,7 @@ public:
   {
     const skd::Segment<3>& segment = this->View.GetSegment();
     const auto nearest = skd::ClosestPointOnSegment(segment.A, segment.B, p);
-    if (nearest.Dist2 <= this->Reach2)
+    if (nearest.Dist2 <= this->MaxDistance2)
     {
       this->Parameters.push_back(nearest.R);
     }
@@ -41,7 +41,7 @@ public:
   void AddEdge(const skd::Vector3& p, const skd::Vector3& q)
   {
     const skd::SegmentPair nearest = skd::ClosestPoints(this->View.GetSegment(), { p, q });
-    if (nearest.Dist2 <= this->Reach2)
+    if (nearest.Dist2 <= this->MaxDistance2)
     {
       this->Parameters.push_back(nearest.T);
     }
@@ -154,13 +154,13 @@ private:
   }
 
   const skd::SegmentView& View;
-  double Reach2;
+  double MaxDistance2;
   std::vector<double>& Parameters;
 };
 
 /// The parameter in (in, out) where isIn(t) changes, by bisection down to adjacent numbers.
 template <class IsIn>
-double WhereItTurns(double in, double out, const IsIn& isIn)
+double FindTransition(double in, double out, const IsIn& isIn)
 {
   for (int step = 0; step < 60; ++step)
   {
@@ -174,18 +174,18 @@ double WhereItTurns(double in, double out, const IsIn& isIn)
 //------------------------------------------------------------------------------
 // Curved cells have no faces in closed form: they are evaluated at points along the segment, and
 // where it first hits them from either end.
-void SkdCellTree::AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
-  const SkdCellSource& source, std::vector<double>& parameters) const
+void SkdCellTree::AddTransitions(std::uint32_t cell, const skd::Segment<3>& segment,
+  double maxDistance, const SkdCellSource& source, std::vector<double>& parameters) const
 {
   constexpr int Samples = 32;
-  const auto inside = skd::Clip(segment, this->Store.ExtentOf(cell).Inflated(reach));
+  const auto inside = skd::Clip(segment, this->Store.ExtentOf(cell).Inflated(maxDistance));
   if (!inside)
   {
     return;
   }
-  const double reach2 = reach * reach;
+  const double maxDistance2 = maxDistance * maxDistance;
   const auto isIn = [&](double t)
-  { return this->Measure(cell, segment.At(t), reach2, source).Dist2 <= reach2; };
+  { return this->Measure(cell, segment.At(t), maxDistance2, source).Dist2 <= maxDistance2; };
   double last = inside->Min;
   bool wasIn = isIn(last);
   for (int i = 1; i <= Samples; ++i)
@@ -194,7 +194,8 @@ void SkdCellTree::AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, d
     const bool isNextIn = isIn(next);
     if (isNextIn != wasIn)
     {
-      parameters.push_back(wasIn ? WhereItTurns(last, next, isIn) : WhereItTurns(next, last, isIn));
+      parameters.push_back(
+        wasIn ? FindTransition(last, next, isIn) : FindTransition(next, last, isIn));
     }
     last = next;
     wasIn = isNextIn;
@@ -216,8 +217,8 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
   {
     return;
   }
-  const double reach = tolerance > this->TheRounding ? tolerance : this->TheRounding;
-  Borders borders(view, reach, parameters);
+  const double maxDistance = tolerance > this->TheRounding ? tolerance : this->TheRounding;
+  Borders borders(view, maxDistance, parameters);
   auto visitor = [&](std::uint32_t cell)
   {
     const SkdShape shape = this->Store.ShapeOf(cell);
@@ -231,7 +232,7 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
     {
       if (shape == SkdShape::Generic)
       {
-        this->AddTurns(cell, segment, reach, source, parameters);
+        this->AddTransitions(cell, segment, maxDistance, source, parameters);
       }
       else
       {
@@ -240,7 +241,7 @@ void SkdCellTree::FindBorders(const skd::Segment<3>& segment, double tolerance,
     }
     return 1.0;
   };
-  skd::AlongSegment<3, decltype(visitor)> query(this->GetFrame(), segment, reach, visitor);
+  skd::AlongSegment<3, decltype(visitor)> query(this->GetFrame(), segment, maxDistance, visitor);
   this->Walk(query);
 }
 

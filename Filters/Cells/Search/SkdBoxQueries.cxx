@@ -110,18 +110,18 @@ void SkdCellTree::FindAlongPlane(const skd::Plane<3>& plane, double tolerance,
   {
     return;
   }
-  const double reach = std::max(tolerance, 0.0);
+  const double maxDistance = std::max(tolerance, 0.0);
   auto visitor = [&](std::uint32_t cell)
   {
-    if (skd::Overlaps(plane, this->WorldBoundsOf(cell, motion), reach))
+    if (skd::Overlaps(plane, this->WorldBoundsOf(cell, motion), maxDistance))
     {
       ids->InsertNextId(this->Store.IdOf(cell));
     }
     return true;
   };
   const skd::Frame<3>& frame = this->GetFrame();
-  const skd::Slab<3> slab =
-    motion ? SkdSlabBeforeMotion(frame, plane, reach, *motion) : skd::Slab<3>(frame, plane, reach);
+  const skd::Slab<3> slab = motion ? SkdSlabBeforeMotion(frame, plane, maxDistance, *motion)
+                                   : skd::Slab<3>(frame, plane, maxDistance);
   skd::WithinSlabs<3, 1, decltype(visitor)> query({ slab }, visitor);
   this->Walk(query);
 }
@@ -149,16 +149,16 @@ void SkdCellTree::FindNearestCandidates(
       this->GetFrame(), skd::Box3(*reference, *reference), bound);
     this->Walk(atReference);
   }
-  thread_local std::vector<std::uint32_t> reached;
-  reached.clear();
+  thread_local std::vector<std::uint32_t> found;
+  found.clear();
   auto visitor = [&](std::uint32_t cell)
   {
-    reached.push_back(cell);
+    found.push_back(cell);
     known2 = std::min(known2, skd::MaxDistance2(x, this->SafetyBoxOf(cell)));
   };
   skd::NearestCandidates<3, decltype(visitor)> query(this->GetFrame(), x, known2, visitor);
   this->Walk(query);
-  for (const std::uint32_t cell : reached)
+  for (const std::uint32_t cell : found)
   {
     if (skd::MinDistance2(x, this->SafetyBoxOf(cell)) <= known2)
     {

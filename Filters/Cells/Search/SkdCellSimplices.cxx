@@ -37,12 +37,12 @@ void Start(SimplexSet& set, int dimension, bool isConvex, const Vector3* points,
   AddPoints(set, points, size);
 }
 
-void AddQuad(SimplexSet& set, const Vector3* p, const int (&places)[4])
+void AddQuad(SimplexSet& set, const Vector3* p, const int (&slots)[4])
 {
-  const Vector3 quad[4] = { p[places[0]], p[places[1]], p[places[2]], p[places[3]] };
+  const Vector3 quad[4] = { p[slots[0]], p[slots[1]], p[slots[2]], p[slots[3]] };
   for (const auto& i : SkdQuadSplit(quad).Triangles)
   {
-    set.AddSimplex(places[i[0]], places[i[1]], places[i[2]]);
+    set.AddSimplex(slots[i[0]], slots[i[1]], slots[i[2]]);
   }
 }
 
@@ -126,7 +126,7 @@ void ReadPolyhedron(SimplexSet& set, const SkdPolyCell& cell)
       skd::ForEachTriangle(face,
         [&](const skd::FaceTriangle& triangle)
         {
-          int places[3];
+          int slots[3];
           for (int i = 0; i < 3; ++i)
           {
             const int corner = triangle.Corners[i];
@@ -134,10 +134,10 @@ void ReadPolyhedron(SimplexSet& set, const SkdPolyCell& cell)
             {
               middle = set.Add(triangle.Points[i]);
             }
-            places[i] =
+            slots[i] =
               corner == skd::FaceTriangle::Middle ? middle : static_cast<int>(face.Ids[corner]);
           }
-          set.AddSimplex(places[0], places[1], places[2]);
+          set.AddSimplex(slots[0], slots[1], slots[2]);
         });
     });
 }
@@ -232,12 +232,12 @@ void ReadStraight(SimplexSet& set, vtkCell* cell, const SkdPolyCell& gathered)
 /// The points of a quadratic polygon: its corners, then the middles of its edges.
 void ReadQuadraticPolygon(SimplexSet& set, const SkdPolyCell& gathered)
 {
-  std::vector<Vector3> inTurn;
+  std::vector<Vector3> ordered;
   for (int i = 0; i < gathered.Size; ++i)
   {
-    inTurn.push_back(gathered.Points[i / 2 + (i % 2 == 0 ? 0 : gathered.Size / 2)]);
+    ordered.push_back(gathered.Points[i / 2 + (i % 2 == 0 ? 0 : gathered.Size / 2)]);
   }
-  ReadPolygon(set, { SkdShape::Polygon, inTurn.data(), gathered.Size, nullptr, nullptr });
+  ReadPolygon(set, { SkdShape::Polygon, ordered.data(), gathered.Size, nullptr, nullptr });
 }
 }
 

@@ -162,13 +162,13 @@ void SkdCellStore::ReadCurvedExtents(vtkDataSet* data)
     }
     const vtkIdType id = this->IdOf(cell);
     const SkdPolyCell gathered = this->GatherPoly(cell);
-    const double reach =
+    const double extent =
       deviation.FactorOf(id, data->GetCellType(id), gathered.Points, gathered.Size);
-    if (reach > 1.0)
+    if (extent > 1.0)
     {
       this->CurvedExtents.resize(this->Count, 1.0f);
       this->CurvedExtents[cell] =
-        std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::max());
+        std::nextafter(static_cast<float>(extent), std::numeric_limits<float>::max());
     }
   }
 }
@@ -217,8 +217,8 @@ std::int64_t SkdCellStore::CellOfId(vtkIdType id) const
   }
   const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), id,
     [](std::uint32_t stored, vtkIdType sought) { return static_cast<vtkIdType>(stored) < sought; });
-  const bool isKept = found != this->Ids.end() && static_cast<vtkIdType>(*found) == id;
-  return isKept ? found - this->Ids.begin() : -1;
+  const bool isStored = found != this->Ids.end() && static_cast<vtkIdType>(*found) == id;
+  return isStored ? found - this->Ids.begin() : -1;
 }
 
 //------------------------------------------------------------------------------

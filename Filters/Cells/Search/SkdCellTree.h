@@ -310,7 +310,7 @@ private:
   template <class Test>
   double NormalDeviationOf(
     const SkdCandidateRange& above, const skd::Box3& box, const Test& isMet) const;
-  void AddTurns(std::uint32_t cell, const skd::Segment<3>& segment, double reach,
+  void AddTransitions(std::uint32_t cell, const skd::Segment<3>& segment, double maxDistance,
     const SkdCellSource& source, std::vector<double>& parameters) const;
   template <class Visit>
   void ForEachNear(const skd::Box3& box, const skd::RigidMotion& motion, Visit visit) const;

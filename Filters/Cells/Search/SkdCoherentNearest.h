@@ -46,8 +46,8 @@ private:
   double Bound2(const skd::Vector3& x) const
   {
     constexpr double slack = 1.0 + 64.0 * std::numeric_limits<double>::epsilon();
-    const double reach = skd::Norm(x - this->Last.Point) + this->Tree.Rounding();
-    return reach * reach * slack;
+    const double maxDistance = skd::Norm(x - this->Last.Point) + this->Tree.Rounding();
+    return maxDistance * maxDistance * slack;
   }
 
   const SkdCellTree& Tree;

@@ -62,7 +62,7 @@ bool IsInsideOfFaces(const skd::Box3& bounds, const skd::Box3& box, const skd::V
   {
     return false;
   }
-  const skd::SegmentView view(skd::detail::WayOut(bounds, box.Min));
+  const skd::SegmentView view(skd::detail::SegmentOutOf(bounds, box.Min));
   bool isInside = false;
   SkdForEachFaceTriangle<Shape>(p,
     [&](const skd::Vector3& a, const skd::Vector3& b, const skd::Vector3& c)

@@ -52,7 +52,7 @@ struct Facet
 };
 
 /// As CrossingDirection(), of a polygon that is passed through.
-int WayAcross(const skd::Segment<3>& segment, const SkdPolyCell& polygon)
+int DirectionAcross(const skd::Segment<3>& segment, const SkdPolyCell& polygon)
 {
   skd::Vector3 area{ { 0.0, 0.0, 0.0 } };
   for (int i = 1; i + 1 < polygon.Size; ++i)
@@ -134,12 +134,12 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
 {
   std::optional<SkdLineHit> hit;
   const SkdShape shape = this->Store.ShapeOf(cell);
-  const SkdHitTolerance reach{ tolerance, this->TheRounding };
+  const SkdHitTolerance maxDistance{ tolerance, this->TheRounding };
   const auto intersect = [&](auto kernel)
   {
     skd::Vector3 points[kernel.Size];
     this->Store.Gather(cell, points);
-    hit = kernel.Intersect(points, view, reach);
+    hit = kernel.Intersect(points, view, maxDistance);
   };
   if (SkdVisitKernel(shape, intersect))
   {
@@ -147,7 +147,7 @@ std::optional<SkdLineHit> SkdCellTree::Hit(std::uint32_t cell, const skd::Segmen
   }
   if (shape != SkdShape::Generic)
   {
-    return SkdPolyKernels::Intersect(this->Store.GatherPoly(cell), view, reach);
+    return SkdPolyKernels::Intersect(this->Store.GatherPoly(cell), view, maxDistance);
   }
   return SkdGenericKernel::Intersect(
     source.Load(this->Store.IdOf(cell)), view.GetSegment(), tolerance);
@@ -199,7 +199,7 @@ SkdHitCell SkdCellTree::FindFirstHit(
     return this->Distinct->FindFirstHit(segment, tolerance, source);
   }
   SkdHitCell first;
-  const double reach = std::max(tolerance, 0.0);
+  const double maxDistance = std::max(tolerance, 0.0);
   const auto take = [&](std::uint32_t cell, const SkdLineHit& hit)
   {
     const SkdHitCell found = WithId(hit, this->Store.IdOf(cell));
@@ -211,7 +211,7 @@ SkdHitCell SkdCellTree::FindFirstHit(
   };
   auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
   { return take(cell, SkdTriangleKernel::From(hit)); };
-  if (this->VisitTriangleHits<true>(segment, reach, takeTriangle))
+  if (this->VisitTriangleHits<true>(segment, maxDistance, takeTriangle))
   {
     return first;
   }
@@ -222,10 +222,10 @@ SkdHitCell SkdCellTree::FindFirstHit(
   }
   auto visitor = [&](std::uint32_t cell)
   {
-    const auto hit = this->Hit(cell, view, reach, source);
+    const auto hit = this->Hit(cell, view, maxDistance, source);
     return hit ? take(cell, *hit) : (first.Id < 0 ? 1.0 : first.T);
   };
-  this->WalkAlong<true>(segment, reach, visitor);
+  this->WalkAlong<true>(segment, maxDistance, visitor);
   return first;
 }
 
@@ -235,7 +235,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
 {
   thread_local std::vector<SkdHitCell> hits;
   hits.clear();
-  const double reach = std::max(tolerance, 0.0);
+  const double maxDistance = std::max(tolerance, 0.0);
   auto takeTriangle = [&](std::uint32_t cell, const skd::TriangleHit& hit)
   {
     hits.push_back(WithId(SkdTriangleKernel::From(hit), this->Store.IdOf(cell)));
@@ -244,15 +244,15 @@ const std::vector<SkdHitCell>& SkdCellTree::FindHits(
   const skd::SegmentView view(segment);
   auto visitor = [&](std::uint32_t cell)
   {
-    if (const auto hit = this->Hit(cell, view, reach, source))
+    if (const auto hit = this->Hit(cell, view, maxDistance, source))
     {
       hits.push_back(WithId(*hit, this->Store.IdOf(cell)));
     }
     return 1.0;
   };
-  if (!this->VisitTriangleHits<false>(segment, reach, takeTriangle) && view.IsValid())
+  if (!this->VisitTriangleHits<false>(segment, maxDistance, takeTriangle) && view.IsValid())
   {
-    this->WalkAlong<false>(segment, reach, visitor);
+    this->WalkAlong<false>(segment, maxDistance, visitor);
   }
   std::sort(hits.begin(), hits.end(), IsBefore);
   return hits;
@@ -264,10 +264,10 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
 {
   thread_local std::vector<SkdHitCell> hits;
   hits.clear();
-  const double reach = std::max(tolerance, 0.0);
+  const double maxDistance = std::max(tolerance, 0.0);
   const auto clip = [&](std::uint32_t cell)
   {
-    const skd::Box3 bounds = this->WorldBoundsOf(cell, motion).Inflated(reach);
+    const skd::Box3 bounds = this->WorldBoundsOf(cell, motion).Inflated(maxDistance);
     if (const auto inside = skd::Clip(segment, bounds))
     {
       hits.push_back(WithId({ inside->Min, { { 0.0, 0.0, 0.0 } } }, this->Store.IdOf(cell)));
@@ -278,7 +278,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
     skd::Box3 around;
     around.Add(segment.A);
     around.Add(segment.B);
-    this->ForEachNear(around.Inflated(reach), *motion, clip);
+    this->ForEachNear(around.Inflated(maxDistance), *motion, clip);
   }
   else
   {
@@ -288,7 +288,7 @@ const std::vector<SkdHitCell>& SkdCellTree::FindBoundsHits(
       return 1.0;
     };
     skd::AlongSegment<3, decltype(visitor), skd::NoLeafFilter, false> query(
-      this->GetFrame(), segment, reach, visitor);
+      this->GetFrame(), segment, maxDistance, visitor);
     this->Walk(query);
   }
   std::sort(hits.begin(), hits.end(), IsBefore);
@@ -334,7 +334,7 @@ void SkdCellTree::ForEachFacet(
       if (const auto hit = skd::Intersect(view, polygon.Points, polygon.Size))
       {
         take(cell, Facet{ hit->T, hit->OnEdge, hit->Passes },
-          [&] { return hit->Passes ? WayAcross(segment, polygon) : 0; });
+          [&] { return hit->Passes ? DirectionAcross(segment, polygon) : 0; });
       }
       return 1.0;
     }

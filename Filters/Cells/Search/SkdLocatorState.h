@@ -69,25 +69,25 @@ public:
       snapshot->Keep(mesh);
     }
     const bool isComparable = mesh && snapshot->IsSameAs(mesh);
-    this->Kept = isComparable ? std::move(snapshot) : nullptr;
+    this->Snapshot = isComparable ? std::move(snapshot) : nullptr;
     vtkTimeStamp now;
     now.Modified();
     this->CheckTime = isComparable ? now.GetMTime() : 0;
   }
   void Forget()
   {
-    this->Kept = nullptr;
+    this->Snapshot = nullptr;
     this->CheckTime = 0;
   }
   void KeepAs(const SkdLocatorState& other)
   {
-    this->Kept = other.Kept;
+    this->Snapshot = other.Snapshot;
     this->CheckTime = other.CheckTime.load();
   }
-  bool HasKept() const { return this->Kept != nullptr; }
+  bool HasSnapshot() const { return this->Snapshot != nullptr; }
   bool IsBuiltOn(vtkDataSet* mesh) const
   {
-    return this->Kept && mesh && this->Kept->IsSameAs(mesh);
+    return this->Snapshot && mesh && this->Snapshot->IsSameAs(mesh);
   }
   vtkMTimeType GetCheckTime() const { return this->CheckTime; }
   ///@}
@@ -135,7 +135,7 @@ public:
 private:
   std::shared_ptr<const SkdCellTree> Tree;
   std::atomic<const SkdCellTree*> Ready{ nullptr };
-  std::shared_ptr<const SkdMeshSnapshot> Kept; // shared with shallow copies
+  std::shared_ptr<const SkdMeshSnapshot> Snapshot; // shared with shallow copies
   std::atomic<vtkMTimeType> CheckTime{ 0 };
 };
 }

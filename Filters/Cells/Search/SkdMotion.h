@@ -25,7 +25,7 @@ inline skd::Slab<3> SkdSlabBeforeMotion(const skd::Frame<3>& frame, const skd::P
   {
     weights = weights + std::abs(plane.Normal[i]) * SkdAbsolutesOf(motion.Rows[i]);
   }
-  const skd::Plane<3> before{ motion.Back(plane.Origin), motion.TurnBack(plane.Normal) };
+  const skd::Plane<3> before{ motion.Back(plane.Origin), motion.RotateBack(plane.Normal) };
   return skd::Slab<3>(frame, before, halfWidth, weights);
 }
 

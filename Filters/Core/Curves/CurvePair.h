@@ -93,51 +93,51 @@ struct CurvePair
   bool Accept(CurvePairHit& hit) const
   {
     this->SetSlacks(hit);
-    return this->Place(hit, 2.0 * this->Tolerance);
+    return this->LocateWithin(hit, 2.0 * this->Tolerance);
   }
 
   /// Puts the hit onto the ends that it is near, and says whether it is on both curves. An end is
   /// where the hit is when the other curve comes as near to it: at the foot there, for where curves
   /// cross at a small angle a root may be off by more than they are apart.
-  bool Place(CurvePairHit& hit, double farthest) const
+  bool LocateWithin(CurvePairHit& hit, double farthest) const
   {
-    CurvePairHit placed = hit;
-    const bool isNearT = SnapToEnds(placed.T, placed.SlackT);
-    const bool isNearS = SnapToEnds(placed.S, placed.SlackS);
-    const double endT = placed.T;
-    const double endS = placed.S;
+    CurvePairHit moved = hit;
+    const bool isNearT = SnapToEnds(moved.T, moved.SlackT);
+    const bool isNearS = SnapToEnds(moved.S, moved.SlackS);
+    const double endT = moved.T;
+    const double endS = moved.S;
     const bool hasEndT = isNearT && (endT == 0.0 || endT == 1.0);
     const bool hasEndS = isNearS && (endS == 0.0 || endS == 1.0);
     const auto isOn = [&](double t, double s)
     {
-      placed.T = t;
-      placed.S = s;
-      this->Measure(placed);
-      return t >= 0.0 && t <= 1.0 && s >= 0.0 && s <= 1.0 && placed.Gap <= farthest;
+      moved.T = t;
+      moved.S = s;
+      this->Measure(moved);
+      return t >= 0.0 && t <= 1.0 && s >= 0.0 && s <= 1.0 && moved.Gap <= farthest;
     };
-    const bool isPlaced = (hasEndT && hasEndS && isOn(endT, endS)) ||
+    const bool isOnBoth = (hasEndT && hasEndS && isOn(endT, endS)) ||
       (hasEndT && isOn(endT, Foot(this->Second, this->First.At(endT).X, hit.S))) ||
       (hasEndS && isOn(Foot(this->First, this->Second.At(endS).X, hit.T), endS)) ||
       isOn(hit.T, hit.S);
-    if (!isPlaced)
+    if (!isOnBoth)
     {
       isOn(std::clamp(endT, 0.0, 1.0), std::clamp(endS, 0.0, 1.0));
     }
-    hit = placed;
-    return isPlaced;
+    hit = moved;
+    return isOnBoth;
   }
 
   /// The place of the second curve nearest to the first's at T, found from where the hit is, also
   /// beyond its ends; the way from there. Whether it is one.
-  bool FindFoot(CurvePairHit& hit, Vector3& way) const
+  bool FindFoot(CurvePairHit& hit, Vector3& offset) const
   {
     const Vector3 x = this->First.At(hit.T).X;
     hit.S = Foot(this->Second, x, hit.S);
     const CurvePoint b = this->Second.At(hit.S);
-    way = x - b.X;
-    const double across2 = Norm2(way) - Dot(way, b.D1) * Dot(way, b.D1) / Norm2(b.D1);
+    offset = x - b.X;
+    const double across2 = Norm2(offset) - Dot(offset, b.D1) * Dot(offset, b.D1) / Norm2(b.D1);
     const double far = this->Second.Degree == 1 ? 1e3 : 2.0;
-    return Norm2(way) <= 4.0 * across2 + this->Tolerance * this->Tolerance &&
+    return Norm2(offset) <= 4.0 * across2 + this->Tolerance * this->Tolerance &&
       std::abs(hit.S - 0.5) < far;
   }
 
@@ -148,11 +148,12 @@ struct CurvePair
   {
     const double length = contact.T.Max - contact.T.Min;
     const double step = std::max(2.0 * length, tolerances::ContactStep);
-    const double reach = 8.0 * this->Tolerance;
-    const auto gapAt = [&](CurvePairHit& place)
+    const double maxStep = 8.0 * this->Tolerance;
+    const auto gapAt = [&](CurvePairHit& trial)
     {
-      Vector3 way;
-      return this->FindFoot(place, way) ? Norm(way) : std::numeric_limits<double>::quiet_NaN();
+      Vector3 offset;
+      return this->FindFoot(trial, offset) ? Norm(offset)
+                                           : std::numeric_limits<double>::quiet_NaN();
     };
     CurvePairHit hit;
     hit.S = contact.S;
@@ -164,10 +165,10 @@ struct CurvePair
     hit.Kind = IntersectionKind::Touching;
     hit.IsResolved = true;
     hit.SlackT = 8.0 * length;
-    if (LeaveContact(before, -step, reach, gapAt) && LeaveContact(after, step, reach, gapAt))
+    if (LeaveContact(before, -step, maxStep, gapAt) && LeaveContact(after, step, maxStep, gapAt))
     {
       this->Locate(hit, before, after);
-      hit.SlackT = ContactLength(hit, reach, gapAt);
+      hit.SlackT = ContactLength(hit, maxStep, gapAt);
     }
     return this->LocateContact(hit) ? std::optional<CurvePairHit>(hit) : std::nullopt;
   }
@@ -201,8 +202,8 @@ struct CurvePair
     for (const double part : { 0.25, 0.5, 0.75, 1.0 })
     {
       foot.T = a.T + part * (b.T - a.T);
-      Vector3 way;
-      if (!this->FindFoot(foot, way) || Norm(way) > 4.0 * this->Tolerance)
+      Vector3 offset;
+      if (!this->FindFoot(foot, offset) || Norm(offset) > 4.0 * this->Tolerance)
       {
         return false;
       }
@@ -241,22 +242,22 @@ struct CurvePair
 private:
   bool LocateContact(CurvePairHit& hit) const
   {
-    Vector3 way;
-    this->FindFoot(hit, way);
+    Vector3 offset;
+    this->FindFoot(hit, offset);
     const double speed = Norm(this->First.At(hit.T).D1);
     hit.SlackT = std::min(hit.SlackT + tolerances::SameParameter, 0.125);
     hit.SlackS =
       std::min(hit.SlackT * speed / Norm(this->Second.At(hit.S).D1) + tolerances::SameParameter,
         0.125); // not of NaN
     hit.Error = hit.SlackT * speed + 8.0 * this->Tolerance;
-    return this->Place(hit, 4.0 * this->Tolerance);
+    return this->LocateWithin(hit, 4.0 * this->Tolerance);
   }
 
   /// Where a contact is, and what, between places before and after it.
   void Locate(CurvePairHit& hit, CurvePairHit before, CurvePairHit after) const
   {
     const double middle = hit.T;
-    Vector3 way;
+    Vector3 offset;
     for (int i = 0; i < 2; ++i)
     {
       this->FindFoot(before, hit.Before);
@@ -265,14 +266,14 @@ private:
       const Vector3 across = Norm2(hit.Before) > Norm2(hit.After) ? hit.Before : hit.After;
       hit.Kind = crosses ? IntersectionKind::Crossing : IntersectionKind::Touching;
       hit.T = this->Bisect(before, after, across, !crosses);
-      this->FindFoot(hit, way);
-      if (crosses || Norm(way) <= 4.0 * this->Tolerance || Dot(way, hit.Before) >= 0.0)
+      this->FindFoot(hit, offset);
+      if (crosses || Norm(offset) <= 4.0 * this->Tolerance || Dot(offset, hit.Before) >= 0.0)
       {
         break;
       }
       (middle < hit.T ? after : before) = hit; // it crosses twice, once on the contact's side
     }
-    if (!(Norm(way) <= this->Tolerance)) // they pass by each other askew
+    if (!(Norm(offset) <= this->Tolerance)) // they pass by each other askew
     {
       hit.T = this->NearestWithin(before, after);
     }
@@ -285,9 +286,9 @@ private:
     {
       CurvePairHit foot = low;
       foot.T = t;
-      Vector3 way;
-      this->FindFoot(foot, way);
-      return Norm2(way);
+      Vector3 offset;
+      this->FindFoot(foot, offset);
+      return Norm2(offset);
     };
     for (int iteration = 0; iteration < 80; ++iteration)
     {
@@ -307,11 +308,11 @@ private:
     {
       CurvePairHit hit = before;
       hit.T = t;
-      Vector3 way;
-      this->FindFoot(hit, way);
+      Vector3 offset;
+      this->FindFoot(hit, offset);
       const Vector3 a = this->First.At(t).D1;
       const Vector3 b = this->Second.At(hit.S).D1;
-      return ofSlope ? Dot(a - (Dot(a, b) / Norm2(b)) * b, across) : Dot(way, across);
+      return ofSlope ? Dot(a - (Dot(a, b) / Norm2(b)) * b, across) : Dot(offset, across);
     };
     return SignChange(before.T, after.T, value);
   }

@@ -100,11 +100,11 @@ struct CurvePatchPair
     hit.Slack = slacks[0];
     hit.Error = 8.0 * this->Tolerance + hit.Slack * Norm(along);
     hit.Passes = Dot(along, this->Patch.At(hit.R, hit.S).Normal()) > 0.0 ? 1 : -1;
-    return this->Place(hit, slacks[1], slacks[2]);
+    return this->LocateWithin(hit, slacks[1], slacks[2]);
   }
 
   /// Puts the hit onto the ends or the sides that it is near, and says whether it is beyond.
-  bool Place(CurvePatchHit& hit, double slackR, double slackS) const
+  bool LocateWithin(CurvePatchHit& hit, double slackR, double slackS) const
   {
     const bool isInside = this->SnapToEnd(hit) && Snap(hit.R, slackR, hit.OnBoundary) &&
       Snap(hit.S, slackS, hit.OnBoundary);
@@ -170,24 +170,24 @@ struct CurvePatchPair
   {
     const double length = contact.T.Max - contact.T.Min;
     const double step = std::max(2.0 * length, tolerances::ContactStep);
-    const double reach = 8.0 * this->Tolerance;
-    const auto gapAt = [&](CurvePatchHit& place)
+    const double maxStep = 8.0 * this->Tolerance;
+    const auto gapAt = [&](CurvePatchHit& at)
     {
       double height;
-      return this->FindFoot(place, height) ? std::abs(height)
-                                           : std::numeric_limits<double>::quiet_NaN();
+      return this->FindFoot(at, height) ? std::abs(height)
+                                        : std::numeric_limits<double>::quiet_NaN();
     };
     CurvePatchHit before{ contact.T.Min, contact.R, contact.S };
     CurvePatchHit after{ contact.T.Max, contact.R, contact.S };
     CurvePatchHit hit{ 0.5 * (contact.T.Min + contact.T.Max), contact.R, contact.S };
     hit.IsResolved = true;
     hit.Slack = 8.0 * length;
-    if (!LeaveContact(before, -step, reach, gapAt) || !LeaveContact(after, step, reach, gapAt))
+    if (!LeaveContact(before, -step, maxStep, gapAt) || !LeaveContact(after, step, maxStep, gapAt))
     {
       return this->ResolvePole(hit);
     }
     const bool isNear = this->Locate(hit, before, after);
-    hit.Slack = ContactLength(hit, reach, gapAt);
+    hit.Slack = ContactLength(hit, maxStep, gapAt);
     return isNear && this->LocateContact(hit) ? std::optional<CurvePatchHit>(hit) : std::nullopt;
   }
 
@@ -310,7 +310,7 @@ private:
       return std::min(
         length / std::max(Norm(along), tolerances::LeastDivisor), tolerances::MostSlack);
     };
-    return this->Place(hit, slack(s.DR), slack(s.DS));
+    return this->LocateWithin(hit, slack(s.DR), slack(s.DS));
   }
 
   /// A place without a normal, where a side of the patch is drawn together in a point.

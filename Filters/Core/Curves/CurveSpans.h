@@ -25,7 +25,7 @@ inline double ChordDeviation(const BezierCurve& curve)
 }
 
 /// Whether a step from control point to control point leaves the chord by more than 22.5 degrees.
-inline bool TurnsMuch(const BezierCurve& curve)
+inline bool BendsMuch(const BezierCurve& curve)
 {
   constexpr double cosine = 0.9238795325112867;
   const Vector3 chord = curve.End() - curve.Start();
@@ -61,7 +61,7 @@ void VisitSpansOf(
 /// Gauss's quadrature of the speed, seven places.
 inline double GaussLength(const BezierCurve& curve, double from, double to)
 {
-  static constexpr double places[4] = { 0.0, 0.4058451513773971669, 0.7415311855993944398,
+  static constexpr double parameters[4] = { 0.0, 0.4058451513773971669, 0.7415311855993944398,
     0.9491079123427585245 };
   static constexpr double weights[4] = { 0.4179591836734693878, 0.3818300505051189449,
     0.2797053914892766679, 0.1294849661688696933 };
@@ -71,7 +71,8 @@ inline double GaussLength(const BezierCurve& curve, double from, double to)
   for (int i = 1; i < 4; ++i)
   {
     sum += weights[i] *
-      (Norm(curve.At(middle - half * places[i]).D1) + Norm(curve.At(middle + half * places[i]).D1));
+      (Norm(curve.At(middle - half * parameters[i]).D1) +
+        Norm(curve.At(middle + half * parameters[i]).D1));
   }
   return half * sum;
 }
@@ -107,7 +108,7 @@ template <class Visit>
 void VisitStraightSpans(const BezierCurve& curve, double delta, Visit visit)
 {
   const auto isFine = [&](const BezierCurve& part)
-  { return ChordDeviation(part) <= delta && !TurnsMuch(part); };
+  { return ChordDeviation(part) <= delta && !BendsMuch(part); };
   detail::VisitSpansOf(curve, { 0.0, 1.0 }, isFine, 0, visit);
 }
 

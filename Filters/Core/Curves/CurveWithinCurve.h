@@ -30,7 +30,7 @@ inline void AppendInterval(
     }
     else
     {
-      pair.Place(*hit, 4.0 * pair.Tolerance);
+      pair.LocateWithin(*hit, 4.0 * pair.Tolerance);
     }
   }
   if (begin.IsExact || end.T - begin.T > begin.SlackT)
@@ -70,8 +70,8 @@ private:
 
   bool Follow(CurvePairHit& foot) const
   {
-    Vector3 way;
-    return this->Pair.FindFoot(foot, way) && Norm(way) <= 2.0 * this->Pair.Tolerance;
+    Vector3 gap;
+    return this->Pair.FindFoot(foot, gap) && Norm(gap) <= 2.0 * this->Pair.Tolerance;
   }
 
   static double Depth(const CurvePairHit& foot) { return std::min(foot.S, 1.0 - foot.S); }

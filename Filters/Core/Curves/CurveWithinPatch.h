@@ -49,25 +49,25 @@ private:
 
   void Append(CurvePatchHit begin, CurvePatchHit end, std::vector<CurvePatchHit>& hits) const
   {
-    bool isPlaced = true;
+    bool isOnPatch = true;
     for (CurvePatchHit* hit : { &begin, &end })
     {
       hit->Kind = IntersectionKind::OverlapEnd;
       hit->Begins = hit == &begin;
       hit->Slack = tolerances::PatchOverlap;
       hit->Error = hit->Slack * Norm(this->Pair.Curve.At(hit->T).D1) + 8.0 * this->Pair.Tolerance;
-      isPlaced =
-        this->Pair.Place(*hit, tolerances::PatchOverlapSide, tolerances::PatchOverlapSide) &&
-        isPlaced;
+      isOnPatch =
+        this->Pair.LocateWithin(*hit, tolerances::PatchOverlapSide, tolerances::PatchOverlapSide) &&
+        isOnPatch;
       hit->OnBoundary = true;
     }
     const bool isInterval = end.T - begin.T > 2.0 * begin.Slack;
-    if (isPlaced && isInterval)
+    if (isOnPatch && isInterval)
     {
       hits.push_back(begin);
       hits.push_back(end);
     }
-    else if (isPlaced) // with an end on the side of the patch
+    else if (isOnPatch) // with an end on the side of the patch
     {
       begin.Kind = IntersectionKind::Touching;
       begin.Begins = false;

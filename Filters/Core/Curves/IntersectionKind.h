@@ -32,20 +32,20 @@ inline bool SnapToEnds(double& value, double slack)
   return true;
 }
 
-/// From a place where two things are within `reach` of each other to one where they are not: in
+/// From a place where two things are within `maxStep` of each other to one where they are not: in
 /// steps that double, the first of which is `step`. gapAt(hit) follows hit.T and returns what is
 /// between both; NaN, and this gives false, where nothing can be decided.
 template <class Hit, class GapAt>
-bool LeaveContact(Hit& hit, double step, double reach, const GapAt& gapAt)
+bool LeaveContact(Hit& hit, double step, double maxStep, const GapAt& gapAt)
 {
   const double start = hit.T;
   for (double away = step; std::abs(away) <= 1.0; away *= 2.0)
   {
     hit.T = start + away;
     const double gap = gapAt(hit);
-    if (!(gap <= reach))
+    if (!(gap <= maxStep))
     {
-      return gap > reach;
+      return gap > maxStep;
     }
   }
   return false;
@@ -56,14 +56,14 @@ bool LeaveContact(Hit& hit, double step, double reach, const GapAt& gapAt)
 /// most twice the length of the contact. Hits that are nearer to each other than this are one, so
 /// it is limited: else one long contact would hide all others of the curve.
 template <class Hit, class GapAt>
-double ContactLength(const Hit& hit, double reach, const GapAt& gapAt)
+double ContactLength(const Hit& hit, double maxStep, const GapAt& gapAt)
 {
   constexpr double longest = 0.125;
   double length = 0.0;
   for (const double step : { -tolerances::SameParameter, tolerances::SameParameter })
   {
     Hit beyond = hit;
-    LeaveContact(beyond, step, reach, gapAt);
+    LeaveContact(beyond, step, maxStep, gapAt);
     length = std::max(length, std::abs(beyond.T - hit.T));
   }
   return std::min(length, longest);

@@ -115,22 +115,22 @@ private:
   {
     std::sort(this->Hits.begin(), this->Hits.end(), Pair::IsBefore);
     this->Ranges.clear();
-    std::size_t kept = 0;
+    std::size_t retained = 0;
     for (const Hit& hit : this->Hits)
     {
       std::size_t same = 0;
-      while (same < kept && !IsSame(pair, this->Hits[same], this->Ranges[same], hit))
+      while (same < retained && !IsSame(pair, this->Hits[same], this->Ranges[same], hit))
       {
         ++same;
       }
-      if (same == kept)
+      if (same == retained)
       {
-        this->Hits[kept++] = hit;
+        this->Hits[retained++] = hit;
         this->Ranges.push_back({ hit.T, hit.T });
       }
       this->Ranges[same].Max = hit.T;
     }
-    this->Hits.resize(kept);
+    this->Hits.resize(retained);
   }
 
   /// Whether it was anything but a simple root, and may have been moved.

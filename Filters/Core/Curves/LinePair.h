@@ -59,11 +59,11 @@ public:
   }
 
 private:
-  static CurvePairHit ExactHit(const SegmentContact::Place& place)
+  static CurvePairHit ExactHit(const SegmentContact::Position& at)
   {
     CurvePairHit hit;
-    hit.T = place.T;
-    hit.S = place.S;
+    hit.T = at.T;
+    hit.S = at.S;
     hit.IsExact = true;
     return hit;
   }
@@ -77,7 +77,7 @@ private:
     {
       this->Pair.Measure(hit);
     }
-    else if (!this->Pair.Place(hit, 2.0 * this->Pair.Tolerance))
+    else if (!this->Pair.LocateWithin(hit, 2.0 * this->Pair.Tolerance))
     {
       return;
     }

@@ -88,13 +88,13 @@ private:
     {
       const CurvePoint a = first.At(this->Best.T);
       const CurvePoint b = second.At(this->Best.S);
-      const Vector3 way = a.X - b.X;
-      const double tt = Norm2(a.D1) + Dot(way, a.D2);
-      const double ss = Norm2(b.D1) - Dot(way, b.D2);
+      const Vector3 gap = a.X - b.X;
+      const double tt = Norm2(a.D1) + Dot(gap, a.D2);
+      const double ss = Norm2(b.D1) - Dot(gap, b.D2);
       const double ts = -Dot(a.D1, b.D1);
       const double determinant = tt * ss - ts * ts;
-      const double slopeT = Dot(way, a.D1);
-      const double slopeS = -Dot(way, b.D1);
+      const double slopeT = Dot(gap, a.D1);
+      const double slopeS = -Dot(gap, b.D1);
       const double t = this->Best.T - (ss * slopeT - ts * slopeS) / determinant;
       const double s = this->Best.S - (tt * slopeS - ts * slopeT) / determinant;
       const double before = this->Best.Distance;

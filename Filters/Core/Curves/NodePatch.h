@@ -23,7 +23,7 @@ enum class NodeMeaning
 using PatchNode = Vector<4>;
 
 /// As curves and patches want it.
-inline Homogeneous SeenFrom(const PatchNode& node, const Vector3& origin)
+inline Homogeneous RelativeTo(const PatchNode& node, const Vector3& origin)
 {
   return Weighted(Vector3{ { node[0], node[1], node[2] } } - origin, node[3]);
 }
@@ -95,7 +95,7 @@ struct CommonSide
     this->Origin = Space(from[0]);
     for (int i = 0; i <= this->Curve.Degree; ++i)
     {
-      this->Curve.Points[i] = SeenFrom(from[i], this->Origin);
+      this->Curve.Points[i] = RelativeTo(from[i], this->Origin);
     }
     if (face.Meaning != NodeMeaning::Controls)
     {
@@ -106,24 +106,25 @@ struct CommonSide
 
 /// The patch with its lattice put down differently: 8 ways of a quadrilateral, 6 of a triangle.
 /// `isOver` returns whether that flips the face.
-inline NodePatch PutDown(const NodePatch& patch, int way, bool& isOver)
+inline NodePatch PutDown(const NodePatch& patch, int orientation, bool& isOver)
 {
   constexpr int orders[6][3] = { { 0, 1, 2 }, { 1, 0, 2 }, { 1, 2, 0 }, { 0, 2, 1 }, { 2, 0, 1 },
     { 2, 1, 0 } };
-  const bool isSwapped = !patch.IsTriangle && way % 2 == 1;
+  const bool isSwapped = !patch.IsTriangle && orientation % 2 == 1;
   NodePatch reversed = patch;
   reversed.DegreeR = isSwapped ? patch.DegreeS : patch.DegreeR;
   reversed.DegreeS = isSwapped ? patch.DegreeR : patch.DegreeS;
-  isOver = patch.IsTriangle ? way % 2 == 1 : (way ^ (way >> 1) ^ (way >> 2)) % 2 == 1;
+  isOver = patch.IsTriangle ? orientation % 2 == 1
+                            : (orientation ^ (orientation >> 1) ^ (orientation >> 2)) % 2 == 1;
   for (int j = 0; j <= reversed.DegreeS; ++j)
   {
     for (int i = 0; i <= reversed.Last(j); ++i)
     {
       const int all[3] = { i, j, patch.DegreeR - i - j };
-      int r = patch.IsTriangle ? all[orders[way % 6][0]] : (isSwapped ? j : i);
-      int s = patch.IsTriangle ? all[orders[way % 6][1]] : (isSwapped ? i : j);
-      r = !patch.IsTriangle && (way & 2) != 0 ? patch.DegreeR - r : r;
-      s = !patch.IsTriangle && (way & 4) != 0 ? patch.DegreeS - s : s;
+      int r = patch.IsTriangle ? all[orders[orientation % 6][0]] : (isSwapped ? j : i);
+      int s = patch.IsTriangle ? all[orders[orientation % 6][1]] : (isSwapped ? i : j);
+      r = !patch.IsTriangle && (orientation & 2) != 0 ? patch.DegreeR - r : r;
+      s = !patch.IsTriangle && (orientation & 4) != 0 ? patch.DegreeS - s : s;
       reversed.At(i, j) = patch.At(r, s);
     }
   }
@@ -156,10 +157,10 @@ inline NodePatch InCommonOrder(const NodePatch& patch, bool& isOver)
 {
   NodePatch first = patch;
   isOver = false;
-  for (int way = 1; way < (patch.IsTriangle ? 6 : 8); ++way)
+  for (int orientation = 1; orientation < (patch.IsTriangle ? 6 : 8); ++orientation)
   {
     bool isThisOver;
-    const NodePatch other = PutDown(patch, way, isThisOver);
+    const NodePatch other = PutDown(patch, orientation, isThisOver);
     if (IsBefore(other, first))
     {
       first = other;
@@ -222,12 +223,12 @@ inline Homogeneous SerendipityMiddle(const NodePatch& patch)
 inline BezierPatch ToBezier(const NodePatch& nodes, const Vector3& origin)
 {
   NodePatch from = nodes;
-  from.Middle = SeenFrom(nodes.Middle, origin);
+  from.Middle = RelativeTo(nodes.Middle, origin);
   for (int j = 0; j <= nodes.DegreeS; ++j)
   {
     for (int i = 0; i <= nodes.Last(j); ++i)
     {
-      from.At(i, j) = SeenFrom(nodes.At(i, j), origin);
+      from.At(i, j) = RelativeTo(nodes.At(i, j), origin);
     }
   }
   if (from.Meaning == NodeMeaning::Serendipity)

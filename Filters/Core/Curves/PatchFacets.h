@@ -66,10 +66,10 @@ public:
   bool IsFlipped() const { return this->IsOver; }
 
   /// Whether the facets that were found keep the deviation.
-  bool IsKept() const { return this->Kept; }
+  bool IsKept() const { return this->IsWithinLimit; }
 
   /// Into how many pieces a side is cut.
-  static int CountPieces(BezierCurve side, double deviation, bool& isKept)
+  static int CountPieces(BezierCurve side, double deviation, bool& isExact)
   {
     Scale(side.Points, side.Degree + 1, 1.0 / deviation);
     const Vector3 start = side.Start();
@@ -79,7 +79,7 @@ public:
     {
       farthest = std::max(farthest, ClosestPointOnSegment(start, end, side.Control(i)).Dist2);
     }
-    return farthest <= 1.0 ? 1 : PiecesFor(SecondDerivative(side), start == end ? 3 : 2, isKept);
+    return farthest <= 1.0 ? 1 : PiecesFor(SecondDerivative(side), start == end ? 3 : 2, isExact);
   }
 
 private:
@@ -98,10 +98,10 @@ private:
     }
   }
 
-  static int PiecesFor(double second, int least, bool& isKept)
+  static int PiecesFor(double second, int least, bool& isExact)
   {
     const double wanted = std::sqrt(second / 8.0);
-    isKept = isKept && wanted <= MostPieces;
+    isExact = isExact && wanted <= MostPieces;
     return wanted <= MostPieces ? std::max(least, static_cast<int>(std::ceil(wanted))) : MostPieces;
   }
 
@@ -118,11 +118,11 @@ private:
     constexpr double share = 0.7; // the rest is left to what the strips beside them add
     this->Points.clear();
     this->At.clear();
-    this->Kept = true;
+    this->IsWithinLimit = true;
     for (int side = 0; side < this->Face->NumberOfSides(); ++side)
     {
       const CommonSide common(*this->Face, side);
-      const int n = CountPieces(common.Curve, share * this->Deviation, this->Kept);
+      const int n = CountPieces(common.Curve, share * this->Deviation, this->IsWithinLimit);
       this->Sides[side].clear();
       for (int i = 0; i < n; ++i)
       {
@@ -181,9 +181,9 @@ private:
   void CutInside()
   {
     const PatchDerivatives second = SecondDerivatives(this->Patch);
-    bool isKept = true;
-    double r = PiecesFor(second.RR, 1, isKept);
-    double s = PiecesFor(second.SS, 1, isKept);
+    bool isExact = true;
+    double r = PiecesFor(second.RR, 1, isExact);
+    double s = PiecesFor(second.SS, 1, isExact);
     const double twisted = second.RS / (4.0 * r * s);
     const double more = twisted > 1.0 ? std::sqrt(twisted) : 1.0;
     r *= more;
@@ -205,7 +205,7 @@ private:
       const bool isFine = this->IsWithinDeviation();
       if (isFine || (m[0] == MostPieces && m[1] == MostPieces))
       {
-        this->Kept = this->Kept && isFine;
+        this->IsWithinLimit = this->IsWithinLimit && isFine;
         return;
       }
       r = 1.4 * std::max(r, 1.0);
@@ -329,8 +329,8 @@ private:
       std::vector<int> row;
       for (int k = 1; k < count; ++k)
       {
-        const int places[4][2] = { { k, 1 }, { m - 1, k }, { m - k, n - 1 }, { 1, n - k } };
-        row.push_back(at(places[side][0], places[side][1]));
+        const int indices[4][2] = { { k, 1 }, { m - 1, k }, { m - k, n - 1 }, { 1, n - k } };
+        row.push_back(at(indices[side][0], indices[side][1]));
       }
       this->Stitch(this->Sides[side], row, 1.0, count);
     }
@@ -366,8 +366,8 @@ private:
       for (int k = 1; k + 1 < m; ++k)
       {
         const int back = m - 1 - k;
-        const int places[3][2] = { { k, 1 }, { back, k }, { 1, back } };
-        row.push_back(at(places[side][0], places[side][1]));
+        const int indices[3][2] = { { k, 1 }, { back, k }, { 1, back } };
+        row.push_back(at(indices[side][0], indices[side][1]));
       }
       this->Stitch(this->Sides[side], row, 1.5, m);
     }
@@ -384,7 +384,7 @@ private:
   int FirstInner = 0;
   std::vector<std::array<int, 3>> Triangles;
   bool IsOver = false;
-  bool Kept = true;
+  bool IsWithinLimit = true;
 };
 
 }

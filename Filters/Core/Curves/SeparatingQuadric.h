@@ -88,9 +88,9 @@ private:
 
   bool AreApart(const Range& a, const Range& b, double tolerance) const
   {
-    const double reach = std::max(a.Size, b.Size);
-    const double steepest = 1.0 + 2.0 * this->Steepness * reach; // of g, within reach
-    return a.Values.IsApart(b.Values, (tolerance + tolerances::SumOfTen * reach) * steepest);
+    const double extent = std::max(a.Size, b.Size);
+    const double steepest = 1.0 + 2.0 * this->Steepness * extent; // of g, within reach
+    return a.Values.IsApart(b.Values, (tolerance + tolerances::SumOfTen * extent) * steepest);
   }
 
   static void Choose(int degree, double* choose)
@@ -113,7 +113,7 @@ private:
   Range RangeOn(const Homogeneous* points, int p, int q) const
   {
     constexpr int most = MaximumDegree + 1;
-    Vector3 seen[most * most];
+    Vector3 scaled[most * most];
     double weights[most * most];
     double chooseP[most];
     double chooseQ[most];
@@ -124,7 +124,7 @@ private:
     for (int i = 0; i < size; ++i)
     {
       const Vector3 x = Projected(points[i]) - this->Origin;
-      seen[i] = { { Dot(this->Rows[0], x), Dot(this->Rows[1], x), Dot(this->Rows[2], x) } };
+      scaled[i] = { { Dot(this->Rows[0], x), Dot(this->Rows[1], x), Dot(this->Rows[2], x) } };
       weights[i] = chooseP[i % (p + 1)] * chooseQ[i / (p + 1)] * points[i][3];
       range.Size = std::max(range.Size, Norm(x));
     }
@@ -137,7 +137,7 @@ private:
       {
         const int k = i % (p + 1) + j % (p + 1) + (i / (p + 1) + j / (p + 1)) * (2 * p + 1);
         parts[k] += weights[i] * weights[j];
-        sums[k] += weights[i] * weights[j] * this->Value(seen[i], seen[j]);
+        sums[k] += weights[i] * weights[j] * this->Value(scaled[i], scaled[j]);
       }
     }
     for (int k = 0; k < (2 * p + 1) * (2 * q + 1); ++k)

@@ -44,45 +44,45 @@ struct RigidMotion
     return motion;
   }
 
-  Vector3 Turn(const Vector3& direction) const
+  Vector3 Rotate(const Vector3& direction) const
   {
     return { { Dot(this->Rows[0], direction), Dot(this->Rows[1], direction),
       Dot(this->Rows[2], direction) } };
   }
-  Vector3 TurnBack(const Vector3& direction) const
+  Vector3 RotateBack(const Vector3& direction) const
   {
     return direction[0] * this->Rows[0] + direction[1] * this->Rows[1] +
       direction[2] * this->Rows[2];
   }
 
-  Vector3 Forward(const Vector3& x) const { return this->Turn(x) + this->Shift; }
-  Vector3 Back(const Vector3& x) const { return this->TurnBack(x - this->Shift); }
+  Vector3 Forward(const Vector3& x) const { return this->Rotate(x) + this->Shift; }
+  Vector3 Back(const Vector3& x) const { return this->RotateBack(x - this->Shift); }
 
   /// The bounds of the moved box, and of the box moved back.
   Box3 Forward(const Box3& box) const
   {
-    return Around(this->Forward(box.Centroid()), this->HalfExtent(box, &RigidMotion::Turn));
+    return Around(this->Forward(box.Centroid()), this->HalfExtent(box, &RigidMotion::Rotate));
   }
   Box3 Back(const Box3& box) const
   {
-    return Around(this->Back(box.Centroid()), this->HalfExtent(box, &RigidMotion::TurnBack));
+    return Around(this->Back(box.Centroid()), this->HalfExtent(box, &RigidMotion::RotateBack));
   }
 
 private:
   using Turning = Vector3 (RigidMotion::*)(const Vector3&) const;
 
   /// Half lengths of the turned box: the magnitudes of the turned half edges, added up.
-  Vector3 HalfExtent(const Box3& box, Turning turning) const
+  Vector3 HalfExtent(const Box3& box, Turning rotation) const
   {
     Vector3 half{ { 0.0, 0.0, 0.0 } };
     for (int axis = 0; axis < 3; ++axis)
     {
       Vector3 edge{ { 0.0, 0.0, 0.0 } };
       edge[axis] = 0.5 * box.Length(axis);
-      const Vector3 turned = (this->*turning)(edge);
+      const Vector3 rotated = (this->*rotation)(edge);
       for (int i = 0; i < 3; ++i)
       {
-        half[i] += std::abs(turned[i]);
+        half[i] += std::abs(rotated[i]);
       }
     }
     return half;
@@ -100,7 +100,7 @@ inline RigidMotion Compose(const RigidMotion& second, const RigidMotion& first)
   RigidMotion both;
   for (int i = 0; i < 3; ++i)
   {
-    both.Rows[i] = first.TurnBack(second.Rows[i]);
+    both.Rows[i] = first.RotateBack(second.Rows[i]);
   }
   both.Shift = second.Forward(first.Shift);
   return both;
@@ -116,7 +116,7 @@ inline RigidMotion Inverse(const RigidMotion& motion)
       inverse.Rows[i][j] = motion.Rows[j][i];
     }
   }
-  inverse.Shift = -1.0 * motion.TurnBack(motion.Shift);
+  inverse.Shift = -1.0 * motion.RotateBack(motion.Shift);
   return inverse;
 }
 

@@ -90,7 +90,7 @@ SkdSpreadBody::SkdSpreadBody(
 int SkdSpreadBody::Update(const SkdSpreadSource& spread, double epsilon)
 {
   this->Spread = &spread;
-  this->Asked = 0;
+  this->NumberOfRequests = 0;
   const bool isNew = this->Known != spread.GetOwn();
   if (isNew)
   {
@@ -197,10 +197,10 @@ bool SkdSpreadBody::BoundsHold(const double x[3]) const
     x[1] <= this->Bounds[3] && x[2] >= this->Bounds[4] && x[2] <= this->Bounds[5];
 }
 
-SkdSpreadBody::Line SkdSpreadBody::WayOut(const skd::Vector3& x) const
+SkdSpreadBody::Line SkdSpreadBody::SegmentOutOf(const skd::Vector3& x) const
 {
-  const SkdRayEnd way = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
-  return { x, { { x[0] + way[0], x[1] + way[1], x[2] + way[2] } } };
+  const SkdRayEnd direction = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
+  return { x, { { x[0] + direction[0], x[1] + direction[1], x[2] + direction[2] } } };
 }
 
 SkdSpreadBody::Passes SkdSpreadBody::CountHere(const Line& line) const
@@ -215,16 +215,16 @@ std::vector<SkdSpreadBody::Pass> SkdSpreadBody::FindHere(const Line& line) const
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
   thread_local vtkNew<vtkIdTypeArray> triangles;
-  thread_local vtkNew<vtkIdTypeArray> ways;
+  thread_local vtkNew<vtkIdTypeArray> directions;
   const vtkIdType n =
-    this->Surface->FindPasses(line.From.X, line.To.X, parameters, triangles, ways);
+    this->Surface->FindPasses(line.From.X, line.To.X, parameters, triangles, directions);
   vtkUnsignedCharArray* reversed = this->Shells.Reversed;
   std::vector<Pass> passes;
   for (vtkIdType i = 0; i < n; ++i)
   {
     const bool isReversed = reversed && reversed->GetValue(triangles->GetValue(i)) != 0;
-    const int way = static_cast<int>(ways->GetValue(i));
-    passes.push_back({ parameters->GetValue(i), isReversed ? -way : way });
+    const int direction = static_cast<int>(directions->GetValue(i));
+    passes.push_back({ parameters->GetValue(i), isReversed ? -direction : direction });
   }
   return passes;
 }
@@ -238,7 +238,7 @@ std::vector<SkdPassAlong> SkdSpreadBody::InOrder(std::vector<Pass> passes) const
   int around = 0;
   for (const Pass& pass : passes)
   {
-    around -= pass.Way;
+    around -= pass.Ray;
     along.push_back({ pass.At, this->IsClear({ 2, around }) ? around : 2 });
   }
   return along;
@@ -263,7 +263,7 @@ SkdSpreadResult SkdSpreadBody::Decide(std::vector<Open>& points, SkdLoop& loop)
       for (vtkIdType i = begin; i < end; ++i)
       {
         Open& point = points[static_cast<std::size_t>(i)];
-        point.Found = this->CountHere(point.Way);
+        point.Found = this->CountHere(point.Ray);
       }
     });
   this->AskOthers(points);
@@ -278,10 +278,10 @@ SkdSpreadResult SkdSpreadBody::Decide(std::vector<Open>& points, SkdLoop& loop)
 
 void SkdSpreadBody::ListProcesses(const Line& line, std::vector<int>& processes) const
 {
-  const skd::Vector3 way = line.To - line.From;
-  const double length = skd::Norm(way);
+  const skd::Vector3 direction = line.To - line.From;
+  const double length = skd::Norm(direction);
   std::vector<SkdNearProcess> near;
-  this->Spread->ListAlong(line.From, (1.0 / length) * way, 0.0, length, 0.0, near);
+  this->Spread->ListAlong(line.From, (1.0 / length) * direction, 0.0, length, 0.0, near);
   for (const SkdNearProcess& other : near)
   {
     processes.push_back(other.Process);
@@ -290,11 +290,11 @@ void SkdSpreadBody::ListProcesses(const Line& line, std::vector<int>& processes)
 
 void SkdSpreadBody::AskOthers(std::vector<Open>& points)
 {
-  this->Asked += SkdAskOthers<Line, Passes>(
+  this->NumberOfRequests += SkdAskOthers<Line, Passes>(
     this->Spread->GetTransport(), points.size(),
     [&](std::size_t i, std::vector<int>& processes)
-    { this->ListProcesses(points[i].Way, processes); },
-    [&](std::size_t i) { return points[i].Way; },
+    { this->ListProcesses(points[i].Ray, processes); },
+    [&](std::size_t i) { return points[i].Ray; },
     [this](const std::vector<Line>& lines, std::vector<SkdNumberedAnswer<Passes>>& answers)
     {
       answers.resize(lines.size());
@@ -318,7 +318,7 @@ SkdSpreadBody::PassesOfLines SkdSpreadBody::FindOfAll(const std::vector<Line>& l
     return found;
   };
   PassesOfLines found = findHere(lines);
-  this->Asked += SkdAskOthers<Line, Pass>(
+  this->NumberOfRequests += SkdAskOthers<Line, Pass>(
     this->Spread->GetTransport(), lines.size(),
     [&](std::size_t i, std::vector<int>& processes) { this->ListProcesses(lines[i], processes); },
     [&](std::size_t i) { return lines[i]; },

@@ -91,7 +91,7 @@ public:
   void FindPasses(std::size_t n, const LineOf& lineOf, const Set& set);
 
   /// How often a point or a line was sent to another process.
-  std::uint64_t GetAsked() const { return this->Asked; }
+  std::uint64_t CountRequests() const { return this->NumberOfRequests; }
 
 private:
   /// Of a line through facets: how many, and the sum of their directions when each shell is
@@ -112,7 +112,7 @@ private:
   struct Open
   {
     std::size_t Number; // among all
-    Line Way;
+    Line Ray;
     Passes Found;
   };
 
@@ -121,7 +121,7 @@ private:
   struct Pass
   {
     double At;
-    int Way;
+    int Ray;
   };
   using PassesOfLines = std::vector<std::vector<Pass>>;
 
@@ -130,7 +130,7 @@ private:
   void SetFaces(const SkdBoundary& boundary, const std::vector<SkdBlock>& blocks,
     const std::function<bool(const SkdBoundary::Origin&)>& isOwn);
   void FindBounds();
-  Line WayOut(const skd::Vector3& x) const;
+  Line SegmentOutOf(const skd::Vector3& x) const;
   Passes CountHere(const Line& line) const;
   std::vector<Pass> FindHere(const Line& line) const;
   PassesOfLines FindOfAll(const std::vector<Line>& lines);
@@ -157,7 +157,7 @@ private:
   SkdTreeCounts Counts;
   ///@}
 
-  std::uint64_t Asked = 0;
+  std::uint64_t NumberOfRequests = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -185,7 +185,7 @@ SkdSpreadResult SkdSpreadBody::FindSides(
       const skd::Vector3 x = pointOf(i);
       if (isDue(i) && this->BoundsHold(x.X))
       {
-        points.push_back({ i, this->WayOut(x), {} });
+        points.push_back({ i, this->SegmentOutOf(x), {} });
       }
       else if (isDue(i))
       {

@@ -32,7 +32,7 @@ struct Component
 /// Beyond an edge of an own triangle lies one of another process. Both tell of it.
 struct Border
 {
-  std::array<double, 12> Place; // the ends of the edge, and the corners opposite, in order
+  std::array<double, 12> Geometry; // the ends of the edge, and the corners opposite, in order
   int Process;
   int Component;
   int IsForward; // from the lower to the higher end, as its component is oriented
@@ -43,12 +43,12 @@ struct Link
 {
   int First;
   int Second;
-  int IsTurned; // one must be reversed for both to be oriented alike
+  int IsOpposite; // one must be reversed for both to be oriented alike
 
   bool operator<(const Link& other) const
   {
-    return std::tie(this->First, this->Second, this->IsTurned) <
-      std::tie(other.First, other.Second, other.IsTurned);
+    return std::tie(this->First, this->Second, this->IsOpposite) <
+      std::tie(other.First, other.Second, other.IsOpposite);
   }
   bool operator==(const Link& other) const { return !(*this < other) && !(other < *this); }
 };
@@ -162,7 +162,7 @@ private:
       isForward != (this->Reversed[triangle] != 0) ? 1 : 0 };
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
-      std::copy_n(ends[i].X, 3, border.Place.begin() + static_cast<std::ptrdiff_t>(3 * i));
+      std::copy_n(ends[i].X, 3, border.Geometry.begin() + static_cast<std::ptrdiff_t>(3 * i));
     }
     this->Borders.push_back(border);
   }
@@ -204,15 +204,15 @@ public:
 
   void Join(const Link& link)
   {
-    const auto [first, isFirstTurned] = this->Find(link.First);
-    const auto [second, isSecondTurned] = this->Find(link.Second);
-    const bool isTurned = (link.IsTurned != 0) != (isFirstTurned != isSecondTurned);
+    const auto [first, isFirstOpposite] = this->Find(link.First);
+    const auto [second, isSecondOpposite] = this->Find(link.Second);
+    const bool isOpposite = (link.IsOpposite != 0) != (isFirstOpposite != isSecondOpposite);
     if (first != second)
     {
       this->Upper[static_cast<std::size_t>(std::max(first, second))] = { std::min(first, second),
-        isTurned };
+        isOpposite };
     }
-    else if (isTurned)
+    else if (isOpposite)
     {
       this->HasOneSided = true;
     }
@@ -224,10 +224,10 @@ public:
     this->Whole.assign(this->Components.size(), Component());
     for (std::size_t i = 0; i < this->Components.size(); ++i)
     {
-      const auto [shell, isTurned] = this->Find(static_cast<int>(i));
+      const auto [shell, isOpposite] = this->Find(static_cast<int>(i));
       Component& whole = this->Whole[static_cast<std::size_t>(shell)];
       const double volume = this->Components[i].Volume;
-      whole.Volume += isTurned ? -volume : volume;
+      whole.Volume += isOpposite ? -volume : volume;
       whole.Sum += this->Components[i].Sum;
     }
   }
@@ -239,10 +239,10 @@ public:
       { return shell.Sum > 0.0 && !(std::abs(shell.Volume) > SmallestVolume * shell.Sum); });
   }
 
-  bool IsTurned(int component)
+  bool IsOpposite(int component)
   {
-    const auto [shell, isTurned] = this->Find(component);
-    return isTurned != (this->Whole[static_cast<std::size_t>(shell)].Volume < 0.0);
+    const auto [shell, isOpposite] = this->Find(component);
+    return isOpposite != (this->Whole[static_cast<std::size_t>(shell)].Volume < 0.0);
   }
 
   bool HasOneSided = false;
@@ -252,19 +252,19 @@ private:
   std::pair<int, bool> Find(int component)
   {
     int root = component;
-    bool isTurned = false;
+    bool isOpposite = false;
     while (this->UpperOf(root).first != root)
     {
-      isTurned = isTurned != this->UpperOf(root).second;
+      isOpposite = isOpposite != this->UpperOf(root).second;
       root = this->UpperOf(root).first;
     }
-    for (bool rest = isTurned; component != root;) // shortens the way of all on it
+    for (bool rest = isOpposite; component != root;) // shortens the way of all on it
     {
       const std::pair<int, bool> next = std::exchange(this->UpperOf(component), { root, rest });
       rest = rest != next.second;
       component = next.first;
     }
-    return { root, isTurned };
+    return { root, isOpposite };
   }
 
   std::pair<int, bool>& UpperOf(int component)
@@ -286,7 +286,7 @@ std::vector<Link> FindLinks(
   SkdRowsByProcess<Border> told(static_cast<std::size_t>(transport.GetNumber()));
   for (const Border& border : own)
   {
-    const Vector3 low{ { border.Place[0], border.Place[1], border.Place[2] } };
+    const Vector3 low{ { border.Geometry[0], border.Geometry[1], border.Geometry[2] } };
     told[SkdWeld::HashOf(low) % told.size()].push_back(border);
   }
   std::vector<Border> borders;
@@ -295,19 +295,19 @@ std::vector<Link> FindLinks(
     borders.insert(borders.end(), some.begin(), some.end());
   }
   std::sort(borders.begin(), borders.end(),
-    [](const Border& a, const Border& b) { return a.Place < b.Place; });
+    [](const Border& a, const Border& b) { return a.Geometry < b.Geometry; });
   std::vector<Link> links;
   for (auto first = borders.begin(); first != borders.end();)
   {
-    const auto last = std::find_if(
-      first, borders.end(), [&](const Border& border) { return border.Place != first->Place; });
+    const auto last = std::find_if(first, borders.end(),
+      [&](const Border& border) { return border.Geometry != first->Geometry; });
     areSure = areSure && last - first == 2;
     if (last - first == 2)
     {
       const int a = shells.GetNumberOf(first[0].Process, first[0].Component);
       const int b = shells.GetNumberOf(first[1].Process, first[1].Component);
-      const int isTurned = first[0].IsForward == first[1].IsForward ? 1 : 0;
-      links.push_back({ std::min(a, b), std::max(a, b), isTurned });
+      const int isOpposite = first[0].IsForward == first[1].IsForward ? 1 : 0;
+      links.push_back({ std::min(a, b), std::max(a, b), isOpposite });
     }
     first = last;
   }
@@ -327,7 +327,7 @@ vtkSmartPointer<vtkUnsignedCharArray> FindReversed(
     if (isOwn[i] != 0)
     {
       const int number = shells.GetNumberOf(process, own.GetComponentOf(i));
-      const bool isReversed = own.IsReversed(i) != shells.IsTurned(number);
+      const bool isReversed = own.IsReversed(i) != shells.IsOpposite(number);
       reversed->InsertNextValue(isReversed ? 1 : 0);
       isAny = isAny || isReversed;
     }

@@ -30,11 +30,11 @@ std::string TextOf(const Parts&... parts)
 }
 
 // Onto the surface that the mesh is on, and about the centre of its sphere. Returns the weights.
-std::vector<double> SkdFieldAdaptation::Place(SkdFieldSamples& samples) const
+std::vector<double> SkdFieldAdaptation::SetPositions(SkdFieldSamples& samples) const
 {
   const skd::SurfaceShape& shape = this->Adapter.GetShape();
   const bool isSphere = this->Adapter.IsOnSphere();
-  for (skd::Vector3& x : samples.Places)
+  for (skd::Vector3& x : samples.Positions)
   {
     if (isSphere)
     {
@@ -48,7 +48,7 @@ std::vector<double> SkdFieldAdaptation::Place(SkdFieldSamples& samples) const
   std::vector<double> weights;
   if (this->WeighsByCosine(samples))
   {
-    for (const skd::Vector3& x : samples.Places)
+    for (const skd::Vector3& x : samples.Positions)
     {
       weights.push_back(SkdCosineOfLatitude(x));
     }
@@ -84,7 +84,7 @@ double SkdFieldAdaptation::ToleranceOfCells() const
 bool SkdFieldAdaptation::ReadField(vtkDataObject* source, SkdFieldSamples& samples)
 {
   samples = SkdFieldSamples::Read(source, this->Request.Array);
-  this->NumberOfSamples = samples.Places.size();
+  this->NumberOfSamples = samples.Positions.size();
   this->NumberOfTooLarge = samples.TooLarge;
   if (samples.TooLarge > 0)
   {
@@ -138,8 +138,8 @@ void SkdFieldAdaptation::Move(
   vtkDataObject* source, SkdFieldSamples samples, vtkAlgorithm* algorithm)
 {
   const bool isOnSphere = this->Adapter.IsOnSphere();
-  std::vector<double> weights = this->Place(samples);
-  const SkdContainedMean means(std::move(samples.Places), std::move(weights), isOnSphere);
+  std::vector<double> weights = this->SetPositions(samples);
+  const SkdContainedMean means(std::move(samples.Positions), std::move(weights), isOnSphere);
   const double tolerance = this->ToleranceOfCells();
   const double part = 1.0 / (this->Request.Rules.Iterations + 1.0);
   double progress = 0.0;

@@ -58,7 +58,7 @@ public:
 
 private:
   bool ReadField(vtkDataObject* source, SkdFieldSamples& samples);
-  std::vector<double> Place(SkdFieldSamples& samples) const;
+  std::vector<double> SetPositions(SkdFieldSamples& samples) const;
   bool WeighsByCosine(const SkdFieldSamples& samples) const;
   double ToleranceOfCells() const;
   void Move(vtkDataObject* source, SkdFieldSamples samples, vtkAlgorithm* algorithm);

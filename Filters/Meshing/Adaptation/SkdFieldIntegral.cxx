@@ -79,13 +79,13 @@ void SkdFieldIntegral::Add(
   for (std::size_t i = 0; i < (this->IsInParts ? 4 : 1); ++i)
   {
     const skd::Vector3 x = i > 0 ? 0.5 * (middle + corners[i - 1]) : middle;
-    rule.Places->InsertNextPoint(this->InSource(this->Shape.Put(x)).X);
+    rule.Positions->InsertNextPoint(this->InSource(this->Shape.Put(x)).X);
     rule.Weights.push_back(twice); // which the parts have in common
     rule.Cells.push_back(cell);
   }
 }
 
-std::vector<double> SkdFieldIntegral::FindValues(vtkPoints* places) const
+std::vector<double> SkdFieldIntegral::FindValues(vtkPoints* positions) const
 {
   constexpr double anywhere = VTK_DOUBLE_MAX;
   const std::vector<double>& given = this->Samples.Values;
@@ -93,13 +93,14 @@ std::vector<double> SkdFieldIntegral::FindValues(vtkPoints* places) const
   vtkNew<vtkDoubleArray> weights;
   if (this->Samples.AreOfPoints)
   {
-    this->Locator->FindCellsAndWeights(places->GetData(), nullptr, nullptr, ids, weights, anywhere);
+    this->Locator->FindCellsAndWeights(
+      positions->GetData(), nullptr, nullptr, ids, weights, anywhere);
   }
   else
   {
-    this->Locator->FindCells(places->GetData(), ids, nullptr, anywhere);
+    this->Locator->FindCells(positions->GetData(), ids, nullptr, anywhere);
   }
-  std::vector<double> values(static_cast<std::size_t>(places->GetNumberOfPoints()), 0.0);
+  std::vector<double> values(static_cast<std::size_t>(positions->GetNumberOfPoints()), 0.0);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     for (int k = 0; k < ids->GetNumberOfComponents(); ++k)
@@ -120,8 +121,8 @@ std::vector<double> SkdFieldIntegral::GetMeans(const skd::SurfaceMesh& mesh)
   this->IsInParts =
     !this->Samples.AreOfPoints || this->Samples.Values.size() > 4 * mesh.Cells.size();
   Rule rule;
-  rule.Places = vtkSmartPointer<vtkPoints>::New();
-  rule.Places->SetDataTypeToDouble();
+  rule.Positions = vtkSmartPointer<vtkPoints>::New();
+  rule.Positions->SetDataTypeToDouble();
   for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
     const skd::IndexRows::Row corners = mesh.Cells[cell];
@@ -131,18 +132,18 @@ std::vector<double> SkdFieldIntegral::GetMeans(const skd::SurfaceMesh& mesh)
       const std::uint32_t next = corners[(i + 1) % corners.size()];
       this->Add({ middle, mesh.Points[corners[i]], mesh.Points[next] }, cell, rule);
     }
-    if (rule.Places->GetNumberOfPoints() < BatchSize && cell + 1 < mesh.Cells.size())
+    if (rule.Positions->GetNumberOfPoints() < BatchSize && cell + 1 < mesh.Cells.size())
     {
       continue;
     }
-    const std::vector<double> values = this->FindValues(rule.Places);
+    const std::vector<double> values = this->FindValues(rule.Positions);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       const bool isKnown = std::isfinite(values[i]);
       sums[rule.Cells[i]] += isKnown ? rule.Weights[i] * values[i] : 0.0;
       areas[rule.Cells[i]] += isKnown ? rule.Weights[i] : 0.0;
     }
-    rule.Places->Reset();
+    rule.Positions->Reset();
     rule.Weights.clear();
     rule.Cells.clear();
   }

@@ -41,14 +41,14 @@ private:
   /// Where the rule looks, and what each place counts.
   struct Rule
   {
-    vtkSmartPointer<vtkPoints> Places;
+    vtkSmartPointer<vtkPoints> Positions;
     std::vector<double> Weights;
     std::vector<std::uint32_t> Cells;
   };
 
   void Add(const std::array<skd::Vector3, 3>& corners, std::uint32_t cell, Rule& rule) const;
   skd::Vector3 InSource(const skd::Vector3& x) const;
-  std::vector<double> FindValues(vtkPoints* places) const;
+  std::vector<double> FindValues(vtkPoints* positions) const;
 
   const SkdFieldSamples& Samples;
   const skd::SurfaceShape& Shape;

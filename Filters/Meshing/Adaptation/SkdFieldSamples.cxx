@@ -94,7 +94,7 @@ void SkdFieldSamples::AddAll(
       const char* what = type == vtkDataObject::POINT ? "point " : "cell ";
       this->FirstTooLarge = what + std::to_string(i) + where;
     }
-    this->Places.push_back(x);
+    this->Positions.push_back(x);
     this->Values.push_back(isTooLarge ? vtkMath::Nan() : value);
   }
   this->IsStructured = this->IsStructured || SkdIsStructured(mesh);
@@ -114,7 +114,7 @@ SkdFieldSamples SkdFieldSamples::Read(vtkDataObject* source, const std::string& 
         samples.AddAll(block.Mesh, type, array, SkdIsComposite(source) ? where : "");
       }
     }
-    if (!samples.Places.empty())
+    if (!samples.Positions.empty())
     {
       samples.AreOfPoints = type == vtkDataObject::POINT;
       break;

@@ -26,7 +26,7 @@ struct SkdFieldSamples
   /// first of numbers; of several components their magnitude. Ghosts have no value.
   static SkdFieldSamples Read(vtkDataObject* source, const std::string& name);
 
-  std::vector<skd::Vector3> Places;
+  std::vector<skd::Vector3> Positions;
   std::vector<double> Values; ///< NaN where there is none
   bool AreOfPoints = false;   ///< else of cells
   bool IsStructured = false;

@@ -39,7 +39,7 @@ bool SkdMeshAdapter::Begin(
   this->Reference = nullptr;
   this->Outcome = skd::AdaptOutcome();
   this->MeasureOfField = -1.0;
-  this->Kept.clear();
+  this->Previous.clear();
   const skd::SurfaceMesh& mesh = this->Moved.Mesh;
   if (mesh.Cells.size() == 0)
   {
@@ -109,7 +109,7 @@ void SkdMeshAdapter::Run(const skd::AdaptRules& rules, bool keepsAll, const Find
     }
     if (keepsAll)
     {
-      this->Kept.push_back(now);
+      this->Previous.push_back(now);
     }
     return look(state.Iteration);
   };

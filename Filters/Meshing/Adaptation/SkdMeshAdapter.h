@@ -65,9 +65,9 @@ public:
   void ShowBest() { this->Show(this->Best); }
   void ShowIteration(std::size_t iteration)
   {
-    this->Show(this->Kept[std::min(iteration, this->Kept.size() - 1)]);
+    this->Show(this->Previous[std::min(iteration, this->Previous.size() - 1)]);
   }
-  bool HasIterations() const { return !this->Kept.empty(); }
+  bool HasIterations() const { return !this->Previous.empty(); }
   ///@}
 
   /// Points, displacements and cell arrays of the state shown for the blocks' copies. Copies that
@@ -98,7 +98,7 @@ private:
   double MeasureOfField = -1.0;
   State Best;
   State Shown;
-  std::vector<State> Kept;
+  std::vector<State> Previous;
 };
 }
 

@@ -134,12 +134,12 @@ private:
       std::swap(this->Ids[2], this->Ids[3]);
     }
     this->Finite = true;
-    this->Places.clear();
+    this->Positions.clear();
     for (const vtkIdType id : this->Ids)
     {
-      this->Places.emplace_back();
-      this->Data->GetPoint(id, this->Places.back().X);
-      this->Finite = this->Finite && SkdIsWithin(this->Places.back(), SkdMeasurable.Largest);
+      this->Positions.emplace_back();
+      this->Data->GetPoint(id, this->Positions.back().X);
+      this->Finite = this->Finite && SkdIsWithin(this->Positions.back(), SkdMeasurable.Largest);
     }
   }
 
@@ -147,19 +147,19 @@ private:
   bool IsSound()
   {
     std::vector<vtkIdType> ids;
-    std::vector<skd::Vector3> places;
+    std::vector<skd::Vector3> positions;
     for (std::size_t i = 0; i < this->Ids.size(); ++i)
     {
       const std::size_t next = (i + 1) % this->Ids.size();
-      if (!(this->Places[i] == this->Places[next]))
+      if (!(this->Positions[i] == this->Positions[next]))
       {
         ids.push_back(this->Ids[i]);
-        places.push_back(this->Places[i]);
+        positions.push_back(this->Positions[i]);
       }
     }
     this->Ids = ids;
-    this->Places = places;
-    const std::set<skd::Vector3> distinct(places.begin(), places.end());
+    this->Positions = positions;
+    const std::set<skd::Vector3> distinct(positions.begin(), positions.end());
     return this->Finite && ids.size() >= 3 && distinct.size() == ids.size();
   }
 
@@ -169,7 +169,7 @@ private:
     std::vector<std::uint32_t> nodes;
     for (std::size_t i = 0; i < this->Ids.size() && this->Finite; ++i)
     {
-      nodes.push_back(static_cast<std::uint32_t>(this->Weld.GetId(this->Places[i].X)));
+      nodes.push_back(static_cast<std::uint32_t>(this->Weld.GetId(this->Positions[i].X)));
     }
     if (doesMove)
     {
@@ -187,7 +187,7 @@ private:
   SkdWeld Weld;
   vtkNew<vtkIdList> List;
   std::vector<vtkIdType> Ids;
-  std::vector<skd::Vector3> Places;
+  std::vector<skd::Vector3> Positions;
   std::vector<std::uint32_t> Held;
   bool Finite = true;
 };

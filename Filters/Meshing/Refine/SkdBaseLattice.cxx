@@ -153,16 +153,16 @@ SkdBaseLattice SkdMakeBaseLattice(
   for (int axis = 0; axis < 3; ++axis)
   {
     const double length = box.Length(axis);
-    const int asked = settings.CellSize > 0.0 ? 0 : settings.Dimensions[axis];
+    const int requested = settings.CellSize > 0.0 ? 0 : settings.Dimensions[axis];
     if (!(length > 0.0))
     {
       planes[axis] = { box.Min[axis] };
     }
-    else if (asked > 0 && asked <= MostCells)
+    else if (requested > 0 && requested <= MostCells)
     {
-      planes[axis] = Divided(box.Min[axis], box.Max[axis], asked);
+      planes[axis] = Divided(box.Min[axis], box.Max[axis], requested);
     }
-    else if (asked > 0 || length / size > MostCells)
+    else if (requested > 0 || length / size > MostCells)
     {
       return { std::nullopt, "it has more than 2^20 cells along an axis" };
     }

@@ -25,16 +25,17 @@ public:
 
   std::vector<vtkIdType> Of(const SkdGridCell& leaf) const
   {
-    const skd::LatticePoint place = this->Grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
+    const skd::LatticePoint position = this->Grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
     const unsigned u = 1u << this->U;
     const unsigned v = 1u << this->V;
     const unsigned corners[5] = { 0, u, u | v, v, 0 };
     std::vector<vtkIdType> outline;
     for (int side = 0; side < 4; ++side)
     {
-      const skd::LatticePoint from = this->Points.CornerOf(leaf.Level, place, corners[side]);
+      const skd::LatticePoint from = this->Points.CornerOf(leaf.Level, position, corners[side]);
       outline.push_back(this->Points.FindId(from));
-      this->AddBetween(from, this->Points.CornerOf(leaf.Level, place, corners[side + 1]), outline);
+      this->AddBetween(
+        from, this->Points.CornerOf(leaf.Level, position, corners[side + 1]), outline);
     }
     return outline;
   }
@@ -77,10 +78,10 @@ void AddCorners(const SkdGrid& grid, const std::vector<SkdGridCell>& leaves, Skd
   const std::vector<unsigned> corners = points.Corners();
   for (const SkdGridCell& leaf : leaves)
   {
-    const skd::LatticePoint place = grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
+    const skd::LatticePoint position = grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
     for (const unsigned corner : corners)
     {
-      points.IdOf(points.CornerOf(leaf.Level, place, corner));
+      points.IdOf(points.CornerOf(leaf.Level, position, corner));
     }
   }
 }

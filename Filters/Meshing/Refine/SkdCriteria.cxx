@@ -26,20 +26,21 @@ double NormalDeviationIn(const SkdCellTree& tree, const SkdRegion& region, SkdOv
 bool IsNear(int level, const SkdRegion& region, const SkdParts& parts,
   const std::vector<SkdDistanceBand>& bands)
 {
-  double reach = -1.0;
+  double maxDistance = -1.0;
   for (const SkdDistanceBand& band : bands)
   {
-    reach = level < band.Level ? std::max(reach, band.Distance) : reach;
+    maxDistance = level < band.Level ? std::max(maxDistance, band.Distance) : maxDistance;
   }
-  if (!(reach >= 0.0))
+  if (!(maxDistance >= 0.0))
   {
     return false;
   }
   // The middle decides most.
-  const double limit = reach + region.GetRadius();
+  const double limit = maxDistance + region.GetRadius();
   const double distance = parts.FindDistance(region.GetMiddle(), limit);
   thread_local skd::SimplexSet room;
-  return distance <= reach || (distance <= limit && parts.AreWithin(region.GetSet(room), reach));
+  return distance <= maxDistance ||
+    (distance <= limit && parts.AreWithin(region.GetSet(room), maxDistance));
 }
 }
 

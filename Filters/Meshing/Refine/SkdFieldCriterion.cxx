@@ -213,12 +213,12 @@ void SkdFieldCriterion::AddListed(const Column& column, const SkdRegion& region,
 
 /// The cell that holds x, or without one the nearest within the reach.
 SkdFoundCell SkdFieldCriterion::FindAt(
-  const Column& column, const skd::Vector3& x, double reach) const
+  const Column& column, const skd::Vector3& x, double maxDistance) const
 {
   const SkdCellTree& tree = this->Meshes.GetTree(column.Part);
   const SkdCellSource source = this->Meshes.GetSource(column.Part);
-  return reach > 0.0 ? tree.FindNearest(x, reach * reach, source)
-                     : tree.FindContaining(x, 0.0, -1, source);
+  return maxDistance > 0.0 ? tree.FindNearest(x, maxDistance * maxDistance, source)
+                           : tree.FindContaining(x, 0.0, -1, source);
 }
 
 /// Where a cell holds the sample, or is near to it.
@@ -232,10 +232,10 @@ void SkdFieldCriterion::AddSamples(const Column& column, const SkdRegion& region
 
 /// NaN where no cell is.
 double SkdFieldCriterion::InterpolateAt(
-  const Column& column, const skd::Vector3& x, double reach) const
+  const Column& column, const skd::Vector3& x, double maxDistance) const
 {
   thread_local std::vector<double> weights;
-  SkdFoundCell found = this->FindAt(column, x, reach);
+  SkdFoundCell found = this->FindAt(column, x, maxDistance);
   if (found.Id < 0)
   {
     return std::numeric_limits<double>::quiet_NaN();

@@ -77,8 +77,8 @@ private:
   void TakeArray(std::uint32_t part, vtkDataSet* mesh, const std::string& name);
   std::vector<double> FindGradients(std::uint32_t part, const std::vector<double>& values) const;
   void AddListed(const Column& column, const SkdRegion& region, Look& look) const;
-  SkdFoundCell FindAt(const Column& column, const skd::Vector3& x, double reach) const;
-  double InterpolateAt(const Column& column, const skd::Vector3& x, double reach) const;
+  SkdFoundCell FindAt(const Column& column, const skd::Vector3& x, double maxDistance) const;
+  double InterpolateAt(const Column& column, const skd::Vector3& x, double maxDistance) const;
   void AddSamples(const Column& column, const SkdRegion& region, Look& look) const;
   bool IsWanted(const Column& column, const SkdRegion& region) const;
   void SetLimits();

@@ -19,7 +19,7 @@ double CountCells(
   // around a sphere.
   const double more[4] = { 1.0, 1.16, 1.27, 1.31 };
   const double base =
-    settings.LayersKept >= 0 ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);
+    settings.KnownLayers >= 0 ? grid.LastOwn - grid.FirstOwn : grid.Forest.NumberOfCells(0);
   double ofLevel = base;
   double below = 0.0;
   for (const double families : wanted)

@@ -54,9 +54,9 @@ Unions JoinFreeLeaves(const SkdGrid& grid, const Row& row)
       continue;
     }
     skd::ForEachNeighbour(grid.Forest.LatticePointOf(at.Level, at.Index), skd::Contact::Face,
-      [&](const skd::LatticePoint& place)
+      [&](const skd::LatticePoint& position)
       {
-        const skd::Forest::Node there = grid.Forest.Find(at.Level, place);
+        const skd::Forest::Node there = grid.Forest.Find(at.Level, position);
         if (there.Level >= 0 && row.IsFree(there.Level, there.Index))
         {
           unions.Unite(row.IndexOf(at.Level, at.Index), row.IndexOf(there.Level, there.Index));
@@ -89,7 +89,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
 {
   const Row row(grid);
   Unions unions = enclosure.IsClosed() ? JoinFreeLeaves(grid, row) : Unions(row.Cells.size());
-  const std::vector<std::size_t> asked = unions.Representatives();
+  const std::vector<std::size_t> representatives = unions.Representatives();
 
   std::vector<unsigned char> answers(row.Cells.size(), 0);
   SkdLoop loop(algorithm, static_cast<vtkIdType>(answers.size()), first, last);
@@ -99,7 +99,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
         const SkdGridCell& at = row.Cells[i];
-        if (asked[i] == i && grid.Forest.IsLeaf(at.Level, at.Index))
+        if (representatives[i] == i && grid.Forest.IsLeaf(at.Level, at.Index))
         {
           answers[i] = enclosure.IsInside(grid.BoxOf(at.Level, at.Index).Centroid());
         }
@@ -112,7 +112,7 @@ std::vector<std::vector<unsigned char>> SkdFindInside(const SkdGrid& grid,
     inside.emplace_back(grid.Forest.NumberOfCells(level));
     for (std::uint32_t cell = 0; cell < inside.back().size(); ++cell)
     {
-      inside.back()[cell] = answers[asked[row.IndexOf(level, cell)]];
+      inside.back()[cell] = answers[representatives[row.IndexOf(level, cell)]];
     }
   }
   SetRefined(grid, inside);

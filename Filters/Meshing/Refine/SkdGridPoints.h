@@ -25,21 +25,21 @@ public:
     this->Ids.reserve(grid.Forest.NumberOfLeaves() * 5 / 4);
   }
 
-  vtkIdType IdOf(const skd::LatticePoint& place)
+  vtkIdType IdOf(const skd::LatticePoint& position)
   {
     const auto [entry, isNew] =
-      this->Ids.emplace(place, static_cast<vtkIdType>(this->Places.size()));
+      this->Ids.emplace(position, static_cast<vtkIdType>(this->Positions.size()));
     if (isNew)
     {
-      this->Places.push_back(place);
+      this->Positions.push_back(position);
     }
     return entry->second;
   }
 
   /// -1 if no requested leaf has a corner there.
-  vtkIdType FindId(const skd::LatticePoint& place) const
+  vtkIdType FindId(const skd::LatticePoint& position) const
   {
-    const auto entry = this->Ids.find(place);
+    const auto entry = this->Ids.find(position);
     return entry == this->Ids.end() ? -1 : entry->second;
   }
 
@@ -64,23 +64,23 @@ public:
   /// A corner of a cell: bit i of `corner` is the side along axis i.
   skd::LatticePoint CornerOf(int level, const skd::LatticePoint& cell, unsigned corner) const
   {
-    skd::LatticePoint place;
+    skd::LatticePoint position;
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto& lattice = this->Grid.Lattice;
       const std::int64_t across = lattice.CellsAcross(this->Finest - level, axis);
-      place[axis] = (cell[axis] + (corner >> axis & 1u)) * across;
+      position[axis] = (cell[axis] + (corner >> axis & 1u)) * across;
     }
-    return place;
+    return position;
   }
 
   vtkSmartPointer<vtkPoints> MakePoints() const
   {
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(static_cast<vtkIdType>(this->Places.size()));
-    this->ForEach([&](vtkIdType i, const skd::LatticePoint& place)
-      { points->SetPoint(i, this->Grid.Lattice.PointOf(this->Finest, place).X); });
+    points->SetNumberOfPoints(static_cast<vtkIdType>(this->Positions.size()));
+    this->ForEach([&](vtkIdType i, const skd::LatticePoint& position)
+      { points->SetPoint(i, this->Grid.Lattice.PointOf(this->Finest, position).X); });
     return points;
   }
 
@@ -88,19 +88,19 @@ public:
   {
     auto hanging = vtkSmartPointer<vtkUnsignedCharArray>::New();
     hanging->SetName(SkdGridArrays::HangingName);
-    hanging->SetNumberOfTuples(static_cast<vtkIdType>(this->Places.size()));
-    this->ForEach([&](vtkIdType i, const skd::LatticePoint& place)
-      { hanging->SetValue(i, this->IsHanging(place)); });
+    hanging->SetNumberOfTuples(static_cast<vtkIdType>(this->Positions.size()));
+    this->ForEach([&](vtkIdType i, const skd::LatticePoint& position)
+      { hanging->SetValue(i, this->IsHanging(position)); });
     return hanging;
   }
 
 private:
   struct Hash
   {
-    std::size_t operator()(const skd::LatticePoint& place) const
+    std::size_t operator()(const skd::LatticePoint& position) const
     {
       std::size_t hash = 0;
-      for (const std::int64_t along : place)
+      for (const std::int64_t along : position)
       {
         hash = (hash ^ static_cast<std::size_t>(along)) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 32;
@@ -112,8 +112,8 @@ private:
   template <class Body>
   void ForEach(const Body& body) const
   {
-    SkdForEach(static_cast<vtkIdType>(this->Places.size()),
-      [&](vtkIdType i) { body(i, this->Places[static_cast<std::size_t>(i)]); });
+    SkdForEach(static_cast<vtkIdType>(this->Positions.size()),
+      [&](vtkIdType i) { body(i, this->Positions[static_cast<std::size_t>(i)]); });
   }
 
   /// Whether the point is hanging: some leaf around it does not have it as a corner.
@@ -121,9 +121,9 @@ private:
   {
     for (unsigned around = 0; around < 8; ++around)
     {
-      const skd::LatticePoint place{ point[0] - (around & 1u), point[1] - (around >> 1 & 1u),
+      const skd::LatticePoint position{ point[0] - (around & 1u), point[1] - (around >> 1 & 1u),
         point[2] - (around >> 2 & 1u) };
-      const skd::Forest::Node leaf = this->Grid.Forest.Find(this->Finest, place);
+      const skd::Forest::Node leaf = this->Grid.Forest.Find(this->Finest, position);
       for (int axis = 0; leaf.Level >= 0 && axis < 3; ++axis)
       {
         const std::int64_t across = this->Grid.Lattice.CellsAcross(this->Finest - leaf.Level, axis);
@@ -139,7 +139,7 @@ private:
   const SkdGrid& Grid;
   const int Finest;
   std::unordered_map<skd::LatticePoint, vtkIdType, Hash> Ids;
-  std::vector<skd::LatticePoint> Places;
+  std::vector<skd::LatticePoint> Positions;
 };
 }
 

@@ -16,13 +16,13 @@ constexpr std::uint32_t BatchSize = 128; // cells that a thread takes at once
 /// Takes back marks until there are `most`, evenly.
 void Thin(std::vector<char>& marks, std::size_t all, std::size_t most)
 {
-  std::size_t seen = 0;
+  std::size_t examined = 0;
   for (char& mark : marks)
   {
     if (mark)
     {
-      mark = (seen + 1) * most / all > seen * most / all;
-      ++seen;
+      mark = (examined + 1) * most / all > examined * most / all;
+      ++examined;
     }
   }
 }
@@ -37,11 +37,11 @@ SkdGridRefiner::SkdGridRefiner(vtkAlgorithm* algorithm, double first, double las
   , Parts(parts)
   , Settings(settings)
 {
-  if (settings.LayersKept >= 0)
+  if (settings.KnownLayers >= 0)
   {
     std::vector<char> own(grid.Forest.NumberOfCells(0), 0);
     std::fill(own.begin() + grid.FirstOwn, own.begin() + grid.LastOwn, 1);
-    this->IsNear = skd::Grown(grid.Forest, 0, own, settings.LayersKept);
+    this->IsNear = skd::Grown(grid.Forest, 0, own, settings.KnownLayers);
   }
 }
 
@@ -128,10 +128,10 @@ bool SkdGridRefiner::ForCells(int level, double share, const Body& body)
 
 //------------------------------------------------------------------------------
 SkdGridRefiner::Finding SkdGridRefiner::Examine(const skd::Box3& box,
-  const SkdCandidateLists& above, std::size_t place, SkdCandidateLists& below) const
+  const SkdCandidateLists& above, std::size_t position, SkdCandidateLists& below) const
 {
   Finding finding;
-  for (const SkdCandidateLists::Span& span : above.Of(place))
+  for (const SkdCandidateLists::Span& span : above.Of(position))
   {
     const SkdCandidateRange range{ above.GetLanes() + span.First, above.GetLanes() + span.Last };
     const std::size_t first = below.GetSize();
@@ -148,10 +148,10 @@ SkdGridRefiner::Finding SkdGridRefiner::Examine(const skd::Box3& box,
 }
 
 std::int32_t SkdGridRefiner::Count(
-  const skd::Box3& box, const SkdCandidateLists& lists, std::size_t place) const
+  const skd::Box3& box, const SkdCandidateLists& lists, std::size_t position) const
 {
   std::uint32_t count = 0;
-  for (const SkdCandidateLists::Span& span : lists.Of(place))
+  for (const SkdCandidateLists::Span& span : lists.Of(position))
   {
     const SkdCandidateRange range{ lists.GetLanes() + span.First, lists.GetLanes() + span.Last };
     count += this->Parts.GetTree(span.Part).CountListed(range, box, this->Settings.Test);
@@ -172,9 +172,9 @@ bool SkdGridRefiner::ExamineLevel(int level)
       Batch& batch = batches[begin / BatchSize];
       for (std::uint32_t cell = begin; cell < end; ++cell)
       {
-        const std::size_t place = level == 0 ? 0 : forest.Parent(level, cell);
+        const std::size_t position = level == 0 ? 0 : forest.Parent(level, cell);
         batch.Findings.push_back(
-          this->Examine(this->Grid.BoxOf(level, cell), above, place, batch.Lists));
+          this->Examine(this->Grid.BoxOf(level, cell), above, position, batch.Lists));
       }
     });
   this->KeepFindings(level, batches);

@@ -29,7 +29,7 @@ struct SkdRefineSettings : SkdCriteria
   std::uint64_t CellLimit = 0;
   /// @{ Do not refine base cells that are more than this number of cells away from own ones; -1:
   /// refine all. The own cells of all processes are then counted together.
-  int LayersKept = -1;
+  int KnownLayers = -1;
   const skd::Processes* Processes = nullptr;
   ///@}
 };
@@ -63,9 +63,10 @@ private:
     std::vector<Finding> Findings;
   };
 
-  Finding Examine(const skd::Box3& box, const SkdCandidateLists& above, std::size_t place,
+  Finding Examine(const skd::Box3& box, const SkdCandidateLists& above, std::size_t position,
     SkdCandidateLists& below) const;
-  std::int32_t Count(const skd::Box3& box, const SkdCandidateLists& lists, std::size_t place) const;
+  std::int32_t Count(
+    const skd::Box3& box, const SkdCandidateLists& lists, std::size_t position) const;
   bool ExamineLevel(int level);
   void KeepFindings(int level, const std::vector<Batch>& batches);
   bool MarkLevel(int level, std::vector<char>& marks);

@@ -152,9 +152,9 @@ private:
     bool isAny = false;
     for (std::size_t i = 0; i + 2 < this->Nodes.size(); ++i)
     {
-      const std::size_t turn = i % 2; // every other triangle goes around the other way
-      const std::uint32_t t[3] = { this->Nodes[i], this->Nodes[i + 1 + turn],
-        this->Nodes[i + 2 - turn] };
+      const std::size_t parity = i % 2; // every other triangle goes around the other way
+      const std::uint32_t t[3] = { this->Nodes[i], this->Nodes[i + 1 + parity],
+        this->Nodes[i + 2 - parity] };
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
       {
         this->Read.Mesh.AddCell(skd::CellKind::Triangle, t, 3, input, 0);
@@ -188,19 +188,19 @@ private:
   /// Corners that are the one before once more: quads that end in a pole, say.
   void DropRepeats()
   {
-    std::vector<std::uint32_t> kept;
+    std::vector<std::uint32_t> used;
     for (const std::uint32_t node : this->Nodes)
     {
-      if (kept.empty() || kept.back() != node)
+      if (used.empty() || used.back() != node)
       {
-        kept.push_back(node);
+        used.push_back(node);
       }
     }
-    while (kept.size() > 1 && kept.front() == kept.back())
+    while (used.size() > 1 && used.front() == used.back())
     {
-      kept.pop_back();
+      used.pop_back();
     }
-    this->Nodes = kept;
+    this->Nodes = used;
   }
 
   SkdReadMesh& Read;

@@ -41,12 +41,12 @@ bool SkdMeshRefiner::FitTogether() const
 
 SkdMeshOutcome SkdMeshRefiner::Refine()
 {
-  std::uint32_t seen = 0;
+  std::uint32_t examined = 0;
   this->LeavesAfter.push_back(this->Mesh.NumberOfLeaves());
   for (;;)
   {
-    const std::uint32_t begin = seen;
-    seen = this->Mesh.NumberOfCells();
+    const std::uint32_t begin = examined;
+    examined = this->Mesh.NumberOfCells();
     const std::vector<std::uint32_t> wanted = this->FindWanted(begin);
     this->Outcome.IsAborted = this->IsAny(this->Outcome.IsAborted);
     if (!this->IsAny(!wanted.empty()) || this->Outcome.IsAborted)

@@ -87,14 +87,14 @@ std::vector<SkdGridCell> CellsOf(const skd::LatticeBlock& range, const SkdGrid& 
 {
   std::vector<SkdGridCell> cells;
   cells.reserve(static_cast<std::size_t>(range.NumberOfPoints()));
-  skd::LatticePoint place;
-  for (place[2] = range.Low[2]; place[2] < range.High[2]; ++place[2])
+  skd::LatticePoint position;
+  for (position[2] = range.Low[2]; position[2] < range.High[2]; ++position[2])
   {
-    for (place[1] = range.Low[1]; place[1] < range.High[1]; ++place[1])
+    for (position[1] = range.Low[1]; position[1] < range.High[1]; ++position[1])
     {
-      for (place[0] = range.Low[0]; place[0] < range.High[0]; ++place[0])
+      for (position[0] = range.Low[0]; position[0] < range.High[0]; ++position[0])
       {
-        cells.push_back({ level, grid.Forest.Find(level, place).Index });
+        cells.push_back({ level, grid.Forest.Find(level, position).Index });
       }
     }
   }

@@ -22,10 +22,10 @@ std::vector<SkdGridCell> SkdMakeUnstructuredGrid(const SkdGrid& grid, vtkUnstruc
   vtkIdType* id = connectivity->GetPointer(0);
   for (const SkdGridCell& leaf : leaves)
   {
-    const skd::LatticePoint place = grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
+    const skd::LatticePoint position = grid.Forest.LatticePointOf(leaf.Level, leaf.Index);
     for (const unsigned corner : corners)
     {
-      *id++ = points.IdOf(points.CornerOf(leaf.Level, place, corner));
+      *id++ = points.IdOf(points.CornerOf(leaf.Level, position, corner));
     }
   }
   vtkNew<vtkCellArray> cells;

@@ -22,7 +22,7 @@ public:
   {
     for (const SkdBlock& block : own.GetBlocks())
     {
-      this->Places.push_back(spread.PlaceOf(block.BlockIndex));
+      this->BlockSlots.push_back(spread.BlockSlotOf(block.BlockIndex));
     }
   }
 
@@ -31,7 +31,7 @@ public:
     auto nearest = this->Own.FindNearest(x, radius);
     if (nearest)
     {
-      nearest->Block = this->Places[static_cast<std::size_t>(nearest->Block)];
+      nearest->Block = this->BlockSlots[static_cast<std::size_t>(nearest->Block)];
       nearest->CellId = this->Spread.IdOf(nearest->Block, nearest->CellId);
     }
     return nearest;
@@ -40,7 +40,7 @@ public:
 private:
   const SkdSource& Own;
   const SkdSpreadSource& Spread;
-  std::vector<int> Places; // of the own blocks among those of the whole
+  std::vector<int> BlockSlots; // of the own blocks among those of the whole
 };
 
 /// See SkdNearestExchange. `Own` has a FindNearest(x, radius) of the own piece.
@@ -74,7 +74,7 @@ public:
       [&](std::size_t i)
       {
         const auto question = questionOf(i);
-        if (const auto nearest = this->TheOwn.FindNearest(question.Asked.X, question.Radius))
+        if (const auto nearest = this->TheOwn.FindNearest(question.Request.X, question.Radius))
         {
           set(i, *nearest);
         }
@@ -109,7 +109,7 @@ public:
 
   /// Calls visit(mesh, point) with the place of a point.
   template <class Visit>
-  void Place(std::size_t i, const Visit& visit) const
+  void SetResult(std::size_t i, const Visit& visit) const
   {
     const auto next = std::upper_bound(this->Offsets.begin(), this->Offsets.end(), i);
     const auto mesh = static_cast<std::size_t>(next - this->Offsets.begin()) - 1;
@@ -119,7 +119,7 @@ public:
   skd::Vector3 Get(std::size_t i) const
   {
     skd::Vector3 x;
-    this->Place(
+    this->SetResult(
       i, [&](std::size_t mesh, vtkIdType point) { this->Meshes[mesh].Mesh->GetPoint(point, x.X); });
     return x;
   }
@@ -140,13 +140,13 @@ bool Find(const AllPoints& points, const Own& own, const SkdSpreadSource& spread
     points.GetNumber(), maximumDistance, [&](std::size_t i) { return points.Get(i); },
     [&](std::size_t i, const SkdNearest& nearest, int process)
     {
-      points.Place(i,
+      points.SetResult(i,
         [&](std::size_t mesh, vtkIdType point)
         { closest.Answers[mesh].Set(point, nearest, false); });
       closest.Cells.push_back({ process, nearest.Block, nearest.CellId });
     },
     loop);
-  closest.PointsSent = exchange.GetAsked();
+  closest.PointsSent = exchange.CountRequests();
   return isWhole;
 }
 
@@ -182,7 +182,7 @@ std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>&
   const auto hasNearest = [&](std::size_t i)
   {
     bool has = false;
-    points.Place(i,
+    points.SetResult(i,
       [&](std::size_t mesh, vtkIdType point) { has = closest.Answers[mesh].GetBlock(point) >= 0; });
     return has;
   };
@@ -190,12 +190,12 @@ std::optional<SkdRemoteClosest> SkdFindRemoteSigned(const std::vector<SkdBlock>&
     points.GetNumber(), [&](std::size_t i) { return points.Get(i); }, hasNearest,
     [&](std::size_t i, bool isInside)
     {
-      points.Place(i,
+      points.SetResult(i,
         [&](std::size_t mesh, vtkIdType point)
         { closest.Answers[mesh].SetInside(point, isInside); });
     },
     loop);
-  closest.PointsSent += body.GetAsked();
+  closest.PointsSent += body.CountRequests();
   if (result == SkdSpreadResult::Aborted)
   {
     return MakeEmpty(meshes);

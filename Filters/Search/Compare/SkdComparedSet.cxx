@@ -82,13 +82,13 @@ void SkdComparedSet::AddFace(FaceBuffers& buffers, const Origin& origin, vtkIdTy
   ids.clear();
   const auto idOf = [&](vtkIdType corner)
   { return IsUsable(this->Points[first + corner]) ? first + corner : vtkIdType(-1); };
-  const int kept = SkdAppendCorners(size, corners, idOf, ids);
-  if (kept == 0)
+  const int appended = SkdAppendCorners(size, corners, idOf, ids);
+  if (appended == 0)
   {
     return;
   }
   vtkIdList* cut = buffers.Triangulation.Cut(
-    kept, [&](vtkIdType i) -> const auto& { return this->Points[ids[i]]; });
+    appended, [&](vtkIdType i) -> const auto& { return this->Points[ids[i]]; });
   for (vtkIdType i = 0; i + 2 < cut->GetNumberOfIds(); i += 3)
   {
     this->Elements.push_back(

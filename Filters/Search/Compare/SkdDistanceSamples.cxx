@@ -15,29 +15,29 @@ constexpr double MostTriangles = 1 << 21;
 constexpr int MostRounds = 48;
 
 /// A place and its distance, negative inside.
-struct Place
+struct KnownDistance
 {
   skd::Vector3 At;
   double Distance;
 };
 
-using Corners = std::array<Place, 3>;
+using Corners = std::array<KnownDistance, 3>;
 
 /// The distance of a place, which that of places nearby limits: it changes no faster than the place
 /// moves, and its sign does not change on a way that is shorter.
-template <class Places>
-Place Measure(const SkdComparedSet& to, const skd::Vector3& x, const Places& nearby)
+template <class KnownDistances>
+KnownDistance Measure(const SkdComparedSet& to, const skd::Vector3& x, const KnownDistances& nearby)
 {
   constexpr double rounding = 1e-9;
-  double reach = std::numeric_limits<double>::max();
-  const Place* sameSide = nullptr;
-  for (const Place& place : nearby)
+  double maxDistance = std::numeric_limits<double>::max();
+  const KnownDistance* sameSide = nullptr;
+  for (const KnownDistance& sample : nearby)
   {
-    const double way = skd::Norm(x - place.At);
-    reach = std::min(reach, (std::abs(place.Distance) + way) * (1.0 + rounding));
-    sameSide = way < std::abs(place.Distance) * (1.0 - rounding) ? &place : sameSide;
+    const double moved = skd::Norm(x - sample.At);
+    maxDistance = std::min(maxDistance, (std::abs(sample.Distance) + moved) * (1.0 + rounding));
+    sameSide = moved < std::abs(sample.Distance) * (1.0 - rounding) ? &sample : sameSide;
   }
-  auto nearest = to.FindNearest(x, reach);
+  auto nearest = to.FindNearest(x, maxDistance);
   if (!nearest)
   {
     nearest = to.FindNearest(x, std::numeric_limits<double>::max());
@@ -92,7 +92,8 @@ void Bisect(const Corners& corners, double spacing, const MeasureAt& measure, co
     return;
   }
   const int k = LongestEdgeOf(corners).second;
-  const Place middle = measure(skd::Lerp(corners[k].At, corners[(k + 1) % 3].At, 0.5), corners);
+  const KnownDistance middle =
+    measure(skd::Lerp(corners[k].At, corners[(k + 1) % 3].At, 0.5), corners);
   for (const int replaced : { (k + 1) % 3, k })
   {
     Corners half = corners;
@@ -101,11 +102,12 @@ void Bisect(const Corners& corners, double spacing, const MeasureAt& measure, co
   }
 }
 
-SkdSampledTriangle Sample(const SkdComparedSet& to, const Corners& corners, const Place& centroid)
+SkdSampledTriangle Sample(
+  const SkdComparedSet& to, const Corners& corners, const KnownDistance& centroid)
 {
-  const std::array<Place, 4> nearby = { corners[0], corners[1], corners[2], centroid };
+  const std::array<KnownDistance, 4> nearby = { corners[0], corners[1], corners[2], centroid };
   SkdSampledTriangle sampled;
-  std::array<Place, 3> middles;
+  std::array<KnownDistance, 3> middles;
   for (int k = 0; k < 3; ++k)
   {
     middles[k] = Measure(to, skd::Lerp(corners[k].At, corners[(k + 1) % 3].At, 0.5), nearby);
@@ -115,9 +117,9 @@ SkdSampledTriangle Sample(const SkdComparedSet& to, const Corners& corners, cons
   }
   for (int k = 0; k < 3; ++k)
   {
-    const Place& a = middles[k];
-    const Place& b = middles[(k + 2) % 3];
-    const std::array<Place, 4> around = { corners[k], a, b, centroid };
+    const KnownDistance& a = middles[k];
+    const KnownDistance& b = middles[(k + 2) % 3];
+    const std::array<KnownDistance, 4> around = { corners[k], a, b, centroid };
     sampled.AtCentroids[k] = Measure(to, CentroidOf(corners[k].At, a.At, b.At), around).Distance;
   }
   sampled.AtCentroids[3] = centroid.Distance;
@@ -130,12 +132,12 @@ Corners PartOf(const SkdSampledTriangle& whole, int part)
 {
   const auto middle = [&](int k)
   {
-    return Place{ skd::Lerp(whole.Corners[k % 3], whole.Corners[(k + 1) % 3], 0.5),
+    return KnownDistance{ skd::Lerp(whole.Corners[k % 3], whole.Corners[(k + 1) % 3], 0.5),
       whole.AtMiddles[k % 3] };
   };
   return part == 3 ? Corners{ middle(0), middle(1), middle(2) }
-                   : Corners{ Place{ whole.Corners[part], whole.AtCorners[part] }, middle(part),
-                       middle(part + 2) };
+                   : Corners{ KnownDistance{ whole.Corners[part], whole.AtCorners[part] },
+                       middle(part), middle(part + 2) };
 }
 
 /// The triangles of a set that have an area, and where their pieces begin.
@@ -185,7 +187,7 @@ FirstPieces::FirstPieces(const SkdComparedSet& set, double spacing)
       Bisect(
         corners, this->Spacing,
         [](const skd::Vector3& x, const Corners&) {
-          return Place{ x, 0.0 };
+          return KnownDistance{ x, 0.0 };
         },
         [&](const Corners&) { ++pieces; });
     }
@@ -220,12 +222,12 @@ bool MeasureAll(const SkdComparedSet& from, const SkdComparedSet& to, SkdLoop lo
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        distances[i] = Measure(to, points[i], std::array<Place, 0>{}).Distance;
+        distances[i] = Measure(to, points[i], std::array<KnownDistance, 0>{}).Distance;
       }
     });
 }
 
-Place CentreOf(const SkdComparedSet& to, const Corners& corners)
+KnownDistance CentreOf(const SkdComparedSet& to, const Corners& corners)
 {
   return Measure(to, CentroidOf(corners[0].At, corners[1].At, corners[2].At), corners);
 }

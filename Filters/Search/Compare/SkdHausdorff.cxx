@@ -55,7 +55,7 @@ public:
   SkdHausdorff Run(vtkAlgorithm* self, double first, double last);
 
 private:
-  Sample FindNearest(const skd::Vector3& x, double reach) const;
+  Sample FindNearest(const skd::Vector3& x, double maxDistance) const;
   double GetBound(const std::array<Sample, 3>& corners) const;
   Sample Halve(const Piece& piece, int edge) const;
   void Bisect(const Piece& piece, Piece* halves) const;
@@ -74,9 +74,9 @@ private:
   vtkIdType Bisections = 0;
 };
 
-Sample Search::FindNearest(const skd::Vector3& x, double reach) const
+Sample Search::FindNearest(const skd::Vector3& x, double maxDistance) const
 {
-  const auto nearest = this->To.FindNearest(x, reach);
+  const auto nearest = this->To.FindNearest(x, maxDistance);
   return nearest ? Sample{ x, std::sqrt(nearest->Distance2), nearest->CellId }
                  : Sample{ x, 0.0, -1 };
 }
@@ -106,12 +106,12 @@ Sample Search::Halve(const Piece& piece, int edge) const
   const skd::Vector3& a = piece.Corners[edge].At;
   const skd::Vector3& b = piece.Corners[(edge + 1) % 3].At;
   const skd::Vector3 middle = b < a ? skd::Lerp(b, a, 0.5) : skd::Lerp(a, b, 0.5);
-  double reach2 = std::numeric_limits<double>::max();
+  double maxDistance2 = std::numeric_limits<double>::max();
   for (const Sample& corner : piece.Corners)
   {
-    reach2 = std::min(reach2, this->To.GetDistance2(corner.Nearest, middle));
+    maxDistance2 = std::min(maxDistance2, this->To.GetDistance2(corner.Nearest, middle));
   }
-  const Sample near = this->FindNearest(middle, SkdRadiusIncluding(reach2));
+  const Sample near = this->FindNearest(middle, SkdRadiusIncluding(maxDistance2));
   const bool isMissed = near.Nearest < 0; // the search rounds otherwise
   return isMissed ? this->FindNearest(middle, std::numeric_limits<double>::max()) : near;
 }

@@ -36,31 +36,31 @@ bool IsBefore(const Edge& a, const Edge& b)
 template <class Edge>
 void Merge(std::vector<Edge>& edges)
 {
-  std::size_t kept = 0;
+  std::size_t retained = 0;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    if (i == 0 || IsBefore(edges[kept - 1], edges[i]))
+    if (i == 0 || IsBefore(edges[retained - 1], edges[i]))
     {
-      edges[kept++] = edges[i];
+      edges[retained++] = edges[i];
       continue;
     }
-    edges[kept - 1].Sum = edges[kept - 1].Sum + edges[i].Sum;
-    ++edges[kept - 1].Faces;
+    edges[retained - 1].Sum = edges[retained - 1].Sum + edges[i].Sum;
+    ++edges[retained - 1].Faces;
   }
-  edges.resize(kept);
+  edges.resize(retained);
 }
 }
 
-SkdFeatureNormals::SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isTurned)
+SkdFeatureNormals::SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isReversed)
   : Triangles(SkdSurfaceTriangles(surface))
   , PointNormals(surface->GetNumberOfPoints(), skd::Vector3{ { 0.0, 0.0, 0.0 } })
 {
   const std::vector<skd::Vector3> points = SkdSurfacePoints(surface);
   for (const SkdTriangleIds& ids : this->Triangles)
   {
-    const bool turns = !isTurned.empty() && isTurned[this->FaceNormals.size()];
+    const bool reverses = !isReversed.empty() && isReversed[this->FaceNormals.size()];
     const skd::Vector3 normal =
-      (turns ? -1.0 : 1.0) * UnitNormal(points[ids[0]], points[ids[1]], points[ids[2]]);
+      (reverses ? -1.0 : 1.0) * UnitNormal(points[ids[0]], points[ids[1]], points[ids[2]]);
     this->FaceNormals.push_back(normal);
     for (int i = 0; i < 3; ++i)
     {
@@ -77,8 +77,8 @@ SkdFeatureNormals::SkdFeatureNormals(vtkPolyData* surface, const std::vector<boo
 
 const SkdFeatureNormals::Edge& SkdFeatureNormals::EdgeOf(vtkIdType a, vtkIdType b) const
 {
-  const Edge asked{ std::min(a, b), std::max(a, b), {}, 0 };
-  return *std::lower_bound(this->Edges.begin(), this->Edges.end(), asked, IsBefore<Edge>);
+  const Edge sought{ std::min(a, b), std::max(a, b), {}, 0 };
+  return *std::lower_bound(this->Edges.begin(), this->Edges.end(), sought, IsBefore<Edge>);
 }
 
 SkdFeatureNormals::Normal SkdFeatureNormals::At(vtkIdType triangle, const double pcoords[3]) const

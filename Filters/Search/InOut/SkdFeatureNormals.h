@@ -16,8 +16,8 @@ namespace skdtree
 class SkdFeatureNormals
 {
 public:
-  /// `isTurned` marks triangles whose normals are reversed; none if it is empty.
-  SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isTurned);
+  /// `isReversed` marks triangles whose normals are reversed; none if it is empty.
+  SkdFeatureNormals(vtkPolyData* surface, const std::vector<bool>& isReversed);
 
   struct Normal
   {

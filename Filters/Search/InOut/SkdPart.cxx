@@ -64,11 +64,11 @@ SkdRayEnd RandomRayEnds::Next()
     this->Length * z };
 }
 
-/// Of `yes` among `asked` votes.
-SkdSide Counted(int yes, int asked)
+/// Of `yes` among `rays` votes.
+SkdSide Counted(int yes, int rays)
 {
-  const bool isInside = 2 * yes > asked;
-  return { isInside, static_cast<double>(isInside ? yes : asked - yes) / asked };
+  const bool isInside = 2 * yes > rays;
+  return { isInside, static_cast<double>(isInside ? yes : rays - yes) / rays };
 }
 
 /// Calls vote() until one side has more than half of `count`; of an even vote once more.
@@ -76,18 +76,18 @@ template <class Vote>
 SkdSide Elect(int count, const Vote& vote)
 {
   int yes = 0;
-  int asked = 0;
-  while (asked < count && 2 * yes <= count && 2 * (asked - yes) <= count)
+  int rays = 0;
+  while (rays < count && 2 * yes <= count && 2 * (rays - yes) <= count)
   {
     yes += vote() ? 1 : 0;
-    ++asked;
+    ++rays;
   }
-  if (2 * yes == asked)
+  if (2 * yes == rays)
   {
     yes += vote() ? 1 : 0;
-    ++asked;
+    ++rays;
   }
-  return Counted(yes, asked);
+  return Counted(yes, rays);
 }
 }
 
@@ -101,17 +101,17 @@ SkdPart::SkdPart(int id, const std::vector<SkdBlock>& blocks, const SkdPartSetti
   this->GetBoundary().Faces->GetCellsBounds(this->Bounds);
   const vtkBoundingBox box(this->Bounds);
   this->Diagonal = box.IsValid() ? box.GetDiagonalLength() : 0.0;
-  const auto turnedOf = [&](vtkPolyData* surface)
+  const auto reversedOf = [&](vtkPolyData* surface)
   { return settings.RepairsOrientation ? this->FindReversed(surface) : std::vector<bool>(); };
   if (method == SkdInsideMethod::WindingNumber)
   {
     vtkPolyData* surface = this->GetBoundary().Surface;
-    this->Winding = std::make_unique<SkdWinding>(surface, turnedOf(surface));
+    this->Winding = std::make_unique<SkdWinding>(surface, reversedOf(surface));
   }
   if (method == SkdInsideMethod::NearestFeature)
   {
     vtkPolyData* faces = this->GetBoundary().Faces;
-    this->Normals = std::make_unique<SkdFeatureNormals>(faces, turnedOf(faces));
+    this->Normals = std::make_unique<SkdFeatureNormals>(faces, reversedOf(faces));
   }
 }
 
@@ -138,11 +138,11 @@ SkdSide SkdPart::AskSide(const double x[3], const SkdInsideRules& rules, std::ui
   {
     return this->AskWithin(x, rules, point);
   }
-  const bool isAsked = rules.Method == SkdInsideMethod::WindingNumber ||
+  const bool needsWinding = rules.Method == SkdInsideMethod::WindingNumber ||
     (!this->Body.GetSolid() &&
       (rules.Method == SkdInsideMethod::NearestFeature ||
         rules.Method == SkdInsideMethod::Automatic));
-  if (!isAsked || this->GetNumberOfFaces() == 0)
+  if (!needsWinding || this->GetNumberOfFaces() == 0)
   {
     return SkdSide(); // a ray that leads away from the bounds meets nothing
   }
@@ -171,9 +171,9 @@ SkdSide SkdPart::AskWithin(
   }
 }
 
-bool SkdPart::IsOdd(const double x[3], const SkdRayEnd& way) const
+bool SkdPart::IsOdd(const double x[3], const SkdRayEnd& ray) const
 {
-  const double end[3] = { x[0] + way[0], x[1] + way[1], x[2] + way[2] };
+  const double end[3] = { x[0] + ray[0], x[1] + ray[1], x[2] + ray[2] };
   return this->Body.GetSurface()->CountCrossings(x, end) % 2 == 1;
 }
 
@@ -191,14 +191,14 @@ SkdLineThrough::SkdLineThrough(const double bounds[6], double diagonal, const do
     start = std::min(start, height);
   }
   start -= 0.01 * diagonal;
-  const double reach = distance + 0.01 * diagonal;
+  const double maxDistance = distance + 0.01 * diagonal;
   for (int axis = 0; axis < 3; ++axis)
   {
     this->From[axis] = from[axis] + start * along[axis];
-    this->To[axis] = from[axis] + reach * along[axis];
+    this->To[axis] = from[axis] + maxDistance * along[axis];
   }
   this->Start = start;
-  this->Length = reach - start;
+  this->Length = maxDistance - start;
 }
 
 void SkdPart::FindPasses(const double from[3], const double along[3], double distance,
@@ -211,7 +211,7 @@ void SkdPart::FindPasses(const double from[3], const double along[3], double dis
   }
   else
   {
-    this->FindTurns(line.From.X, line.To.X, line.Length, passes);
+    this->FindTransitions(line.From.X, line.To.X, line.Length, passes);
   }
   for (SkdPassAlong& pass : passes)
   {
@@ -220,7 +220,7 @@ void SkdPart::FindPasses(const double from[3], const double along[3], double dis
 }
 
 // By parity.
-void SkdPart::FindTurns(
+void SkdPart::FindTransitions(
   const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
@@ -239,18 +239,18 @@ void SkdPart::FindTurns(
 
 SkdSide SkdPart::VoteAlongAxes(const double x[3]) const
 {
-  const std::array<SkdRayEnd, 7> ways = SkdRayEndsAlongAxes(this->Bounds, x);
+  const std::array<SkdRayEnd, 7> rays = SkdRayEndsAlongAxes(this->Bounds, x);
   const int count = this->GetBoundary().OpenEdges == 0 ? 1 : 6;
-  auto way = ways.begin();
-  return Elect(count, [&]() { return this->IsOdd(x, *way++); });
+  auto ray = rays.begin();
+  return Elect(count, [&]() { return this->IsOdd(x, *ray++); });
 }
 
 SkdSide SkdPart::VoteAtRandom(
   const double x[3], const SkdInsideRules& rules, std::uint64_t point) const
 {
-  RandomRayEnds ways(this->Bounds, rules.Seed, point);
+  RandomRayEnds rays(this->Bounds, rules.Seed, point);
   const int count = this->GetBoundary().OpenEdges == 0 ? 1 : rules.NumberOfRays;
-  return Elect(count, [&]() { return this->IsOdd(x, ways.Next()); });
+  return Elect(count, [&]() { return this->IsOdd(x, rays.Next()); });
 }
 
 SkdSide SkdPart::AskWinding(const double x[3], double tolerance) const

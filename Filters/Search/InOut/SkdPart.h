@@ -108,9 +108,9 @@ private:
   {
     return this->Body.GetSolid()->Ask(x, SkdRayEndsAlongAxes(this->Bounds, x)[0]);
   }
-  void FindTurns(
+  void FindTransitions(
     const double p1[3], const double p2[3], double length, std::vector<SkdPassAlong>& passes) const;
-  bool IsOdd(const double x[3], const SkdRayEnd& way) const;
+  bool IsOdd(const double x[3], const SkdRayEnd& ray) const;
   SkdSide VoteAlongAxes(const double x[3]) const;
   SkdSide VoteAtRandom(const double x[3], const SkdInsideRules& rules, std::uint64_t point) const;
   SkdSide AskWinding(const double x[3], double tolerance) const;

@@ -16,7 +16,7 @@ int SkdSpreadParts::Update(const SkdSpreadSource& spread, double epsilon)
   {
     for (Part& part : this->Parts)
     {
-      part.AskedBefore = part.Body.GetAsked();
+      part.RequestsBefore = part.Body.CountRequests();
     }
     return 0;
   }
@@ -45,14 +45,14 @@ bool SkdSpreadParts::AreFit() const
     this->Parts.begin(), this->Parts.end(), [](const Part& part) { return part.Body.IsFit(); });
 }
 
-std::uint64_t SkdSpreadParts::GetAsked() const
+std::uint64_t SkdSpreadParts::CountRequests() const
 {
-  std::uint64_t asked = 0;
+  std::uint64_t requests = 0;
   for (const Part& part : this->Parts)
   {
-    asked += part.Body.GetAsked() - part.AskedBefore;
+    requests += part.Body.CountRequests() - part.RequestsBefore;
   }
-  return asked;
+  return requests;
 }
 
 SkdSpreadResult SkdSpreadParts::Ask(

@@ -32,7 +32,7 @@ public:
   SkdSpreadResult Ask(const SkdQueryPoints& points, SkdLoop& loop, std::vector<SkdInOut>& answers);
 
   /// How often a point or a line was sent to another process since the last Update().
-  std::uint64_t GetAsked() const;
+  std::uint64_t CountRequests() const;
 
 private:
   struct Part
@@ -40,7 +40,7 @@ private:
     int Id;
     SkdSpreadBody Body;
     double Diagonal;
-    std::uint64_t AskedBefore = 0; // the last Update()
+    std::uint64_t RequestsBefore = 0; // the last Update()
   };
 
   static SkdSpreadResult AskPart(

@@ -83,7 +83,7 @@ SkdCellFinder::SkdCellFinder(const SkdCellFinderSource& source, const SkdCellFin
 
 bool SkdCellFinder::Find(const double x[3])
 {
-  this->Place = SkdCellLocation();
+  this->Location = SkdCellLocation();
   return this->FindWithin(x) || this->FindByTolerance(x) || this->FindOutside(x);
 }
 
@@ -92,16 +92,16 @@ bool SkdCellFinder::Find(const double x[3])
 // queries and on threads.
 bool SkdCellFinder::FindWithin(const double x[3])
 {
-  double asked[3] = { x[0], x[1], x[2] };
-  SkdCellLocation& place = this->Place;
+  double query[3] = { x[0], x[1], x[2] };
+  SkdCellLocation& location = this->Location;
   for (std::size_t block = 0; block < this->Source.Blocks.size(); ++block)
   {
     vtkSkdTreeCellLocator* locator = this->Source.Trees.GetLocator(static_cast<int>(block));
-    place.CellId =
-      locator->FindCell(asked, 0.0, nullptr, place.SubId, place.PCoords, this->Weights.data());
-    if (place.CellId >= 0)
+    location.CellId = locator->FindCell(
+      query, 0.0, nullptr, location.SubId, location.PCoords, this->Weights.data());
+    if (location.CellId >= 0)
     {
-      place.Block = static_cast<int>(block);
+      location.Block = static_cast<int>(block);
       return this->Finish();
     }
   }
@@ -121,20 +121,20 @@ bool SkdCellFinder::FindByTolerance(const double x[3])
   {
     this->FindTolerated(static_cast<int>(block), x, isComplete);
   }
-  return this->Place.Block >= 0 &&
-    (isComplete ? this->Finish() : this->Evaluate(this->Place.Block, this->Place.CellId, x));
+  return this->Location.Block >= 0 &&
+    (isComplete ? this->Finish() : this->Evaluate(this->Location.Block, this->Location.CellId, x));
 }
 
 // The tolerance of the nearest cell may be too small for x although that of a larger cell is not.
 void SkdCellFinder::FindTolerated(int block, const double x[3], bool& isComplete)
 {
-  SkdCellLocation& best = this->Place;
+  SkdCellLocation& best = this->Location;
   const auto isBetter = [&](vtkIdType id, double distance) {
     return (best.Block < 0 || distance < best.Distance) && this->IsTolerated(block, id, distance);
   };
-  const double reach = this->Source.GetLargestTolerance(this->Rules, block);
+  const double tolerance = this->Source.GetLargestTolerance(this->Rules, block);
   double dist2;
-  if (!(reach > 0.0) || !this->FindNext(block, x, reach, dist2))
+  if (!(tolerance > 0.0) || !this->FindNext(block, x, tolerance, dist2))
   {
     return;
   }
@@ -148,7 +148,7 @@ void SkdCellFinder::FindTolerated(int block, const double x[3], bool& isComplete
     return;
   }
   this->Source.Trees.GetLocator(block)->FindCellsWithinRadius(
-    x, reach, this->Near, this->Distances);
+    x, tolerance, this->Near, this->Distances);
   for (vtkIdType i = 0; i < this->Near->GetNumberOfIds(); ++i)
   {
     const vtkIdType id = this->Near->GetId(i);
@@ -177,7 +177,7 @@ bool SkdCellFinder::FindOutside(const double x[3])
       this->TakeNext();
     }
   }
-  return this->Place.Block >= 0 && this->Finish();
+  return this->Location.Block >= 0 && this->Finish();
 }
 
 bool SkdCellFinder::FindNext(int block, const double x[3], double radius, double& dist2)
@@ -193,37 +193,39 @@ bool SkdCellFinder::FindNext(int block, const double x[3], double radius, double
 
 void SkdCellFinder::TakeNext()
 {
-  this->Place = this->Next;
+  this->Location = this->Next;
   this->Weights.swap(this->NextWeights);
 }
 
 bool SkdCellFinder::Evaluate(int block, vtkIdType cellId, const double x[3])
 {
   double point[3], dist2;
-  SkdCellLocation place;
-  place.Block = block;
-  place.CellId = cellId;
+  SkdCellLocation location;
+  location.Block = block;
+  location.CellId = cellId;
   if (!this->Source.Trees.GetLocator(block)->EvaluateCell(
-        cellId, x, point, place.SubId, place.PCoords, dist2, this->Weights.data()))
+        cellId, x, point, location.SubId, location.PCoords, dist2, this->Weights.data()))
   {
-    this->Place = SkdCellLocation();
+    this->Location = SkdCellLocation();
     return false;
   }
-  place.Distance = std::sqrt(dist2);
-  this->Place = place;
+  location.Distance = std::sqrt(dist2);
+  this->Location = location;
   return this->Finish();
 }
 
 bool SkdCellFinder::Finish()
 {
-  this->Source.Blocks[this->Place.Block].Mesh->GetCellPoints(this->Place.CellId, this->PointIds);
+  this->Source.Blocks[this->Location.Block].Mesh->GetCellPoints(
+    this->Location.CellId, this->PointIds);
   return true;
 }
 
 bool SkdCellFinder::IsInVolume() const
 {
   thread_local vtkNew<vtkGenericCell> cell;
-  cell->SetCellType(this->Source.Blocks[this->Place.Block].Mesh->GetCellType(this->Place.CellId));
+  cell->SetCellType(
+    this->Source.Blocks[this->Location.Block].Mesh->GetCellType(this->Location.CellId));
   return cell->GetCellDimension() == 3;
 }
 }

@@ -80,7 +80,7 @@ public:
   /// Sets the location to the point nearest to x in a given cell.
   bool Evaluate(int block, vtkIdType cellId, const double x[3]);
 
-  const SkdCellLocation& GetLocation() const { return this->Place; }
+  const SkdCellLocation& GetLocation() const { return this->Location; }
 
   /// Whether the cell of the location is a volume cell.
   bool IsInVolume() const;
@@ -103,7 +103,7 @@ private:
 
   const SkdCellFinderSource& Source;
   SkdCellFinderRules Rules;
-  SkdCellLocation Place;
+  SkdCellLocation Location;
   std::vector<double> Weights;
   SkdCellLocation Next; // what FindNext() found, and its weights
   std::vector<double> NextWeights;

@@ -27,13 +27,13 @@ SkdCellLocations::SkdCellLocations(vtkIdType n)
 {
 }
 
-void SkdCellLocations::Set(vtkIdType i, const SkdCellLocation& place)
+void SkdCellLocations::Set(vtkIdType i, const SkdCellLocation& location)
 {
   this->Valid->SetValue(i, 1);
-  this->CellIds->SetValue(i, place.CellId);
-  std::copy_n(place.PCoords, 3, this->PCoords->GetPointer(3 * i));
-  this->Distances->SetValue(i, place.Distance);
-  this->Blocks[i] = place.Block;
+  this->CellIds->SetValue(i, location.CellId);
+  std::copy_n(location.PCoords, 3, this->PCoords->GetPointer(3 * i));
+  this->Distances->SetValue(i, location.Distance);
+  this->Blocks[i] = location.Block;
 }
 
 vtkIdType SkdCellLocations::CountValid() const

@@ -20,7 +20,7 @@ public:
   explicit SkdCellLocations(vtkIdType n);
 
   /// Sets a tuple. Thread-safe for distinct tuples.
-  void Set(vtkIdType i, const SkdCellLocation& place);
+  void Set(vtkIdType i, const SkdCellLocation& location);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Blocks.size()); }
   vtkIdType CountValid() const;

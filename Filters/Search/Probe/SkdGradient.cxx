@@ -76,9 +76,9 @@ bool IsPyramid(int type)
 }
 }
 
-void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdCellLocation& place)
+void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdCellLocation& location)
 {
-  SkdLoadCell(mesh, place.CellId, this->Cell);
+  SkdLoadCell(mesh, location.CellId, this->Cell);
   const auto size = static_cast<std::size_t>(this->Cell->GetNumberOfPoints());
   this->Points.resize(size);
   for (std::size_t i = 0; i < size; ++i)
@@ -86,17 +86,17 @@ void SkdGradient::Evaluate(vtkDataSet* mesh, const SkdCellLocation& place)
     this->Cell->GetPoints()->GetPoint(static_cast<vtkIdType>(i), this->Points[i].X);
   }
   this->Vectors.assign(size, skd::Vector3{ { 0.0, 0.0, 0.0 } });
-  if (this->Cell->GetCellDimension() > 0 && !this->FitPiece(place))
+  if (this->Cell->GetCellDimension() > 0 && !this->FitPiece(location))
   {
-    this->Differentiate(place);
+    this->Differentiate(location);
   }
 }
 
 // A piece of a strip or a polyline, or all of a polygon or a polyhedron.
-bool SkdGradient::FitPiece(const SkdCellLocation& place)
+bool SkdGradient::FitPiece(const SkdCellLocation& location)
 {
   const int type = this->Cell->GetCellType();
-  const auto first = static_cast<std::size_t>(std::max(place.SubId, 0));
+  const auto first = static_cast<std::size_t>(std::max(location.SubId, 0));
   const std::size_t pieceSize = type == VTK_TRIANGLE_STRIP ? 3 : (type == VTK_POLY_LINE ? 2 : 0);
   if (pieceSize > 0 && first + pieceSize <= this->Points.size())
   {
@@ -130,11 +130,11 @@ void SkdGradient::Fit(std::size_t first, std::size_t size)
 }
 
 // With the tangents t_k of the cell, the derivatives by its parameters are t_k . gradient.
-void SkdGradient::Differentiate(const SkdCellLocation& place)
+void SkdGradient::Differentiate(const SkdCellLocation& location)
 {
   const int dimension = this->Cell->GetCellDimension();
   const std::size_t size = this->Points.size();
-  double pcoords[3] = { place.PCoords[0], place.PCoords[1], place.PCoords[2] };
+  double pcoords[3] = { location.PCoords[0], location.PCoords[1], location.PCoords[2] };
   if (IsPyramid(this->Cell->GetCellType()))
   {
     pcoords[2] = std::min(pcoords[2], 0.999); // at the apex there is but one tangent

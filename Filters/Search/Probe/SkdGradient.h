@@ -28,13 +28,13 @@ class SkdGradient
 {
 public:
   /// Sets the vectors, one a point of the cell, in the order of its points.
-  void Evaluate(vtkDataSet* mesh, const SkdCellLocation& place);
+  void Evaluate(vtkDataSet* mesh, const SkdCellLocation& location);
   const std::vector<skd::Vector3>& GetVectors() const { return this->Vectors; }
 
 private:
-  bool FitPiece(const SkdCellLocation& place);
+  bool FitPiece(const SkdCellLocation& location);
   void Fit(std::size_t first, std::size_t size);
-  void Differentiate(const SkdCellLocation& place);
+  void Differentiate(const SkdCellLocation& location);
 
   vtkNew<vtkGenericCell> Cell;
   std::vector<skd::Vector3> Points;

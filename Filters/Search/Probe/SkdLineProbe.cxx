@@ -48,10 +48,10 @@ public:
       const skd::Vector3 middle = skd::Lerp(piece.From, piece.To, 0.5 * (last + next));
       if (this->FindHolder(middle))
       {
-        const SkdCellLocation& place = this->Finder.GetLocation();
+        const SkdCellLocation& location = this->Finder.GetLocation();
         const SkdLineInterval interval{ index, skd::Lerp(piece.From, piece.To, last),
           skd::Lerp(piece.From, piece.To, next), piece.Start + last * length,
-          piece.Start + next * length, place.Block, place.CellId };
+          piece.Start + next * length, location.Block, location.CellId };
         Append(interval, intervals);
       }
       last = next;

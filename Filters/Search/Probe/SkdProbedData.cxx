@@ -86,18 +86,18 @@ void SkdProbedData::Activate(vtkDataSetAttributes* into) const
 void SkdProbedData::Set(
   vtkIdType i, const double x[3], SkdCellFinder& finder, SkdGradient& gradient)
 {
-  const SkdCellLocation& place = finder.GetLocation();
-  vtkDataSet* mesh = this->Blocks[place.Block].Mesh;
-  this->Quantities.Interpolate(i, place.Block, finder.GetPointIds(), finder.GetWeights());
-  this->OfCells.Take(i, place.Block, place.CellId);
+  const SkdCellLocation& location = finder.GetLocation();
+  vtkDataSet* mesh = this->Blocks[location.Block].Mesh;
+  this->Quantities.Interpolate(i, location.Block, finder.GetPointIds(), finder.GetWeights());
+  this->OfCells.Take(i, location.Block, location.CellId);
   if (this->Labels.GetNumberOfArrays() > 0)
   {
-    this->Labels.Take(i, place.Block, NearestPoint(mesh, finder.GetPointIds(), x));
+    this->Labels.Take(i, location.Block, NearestPoint(mesh, finder.GetPointIds(), x));
   }
   if (!this->Gradients.IsEmpty())
   {
-    gradient.Evaluate(mesh, place);
-    this->Gradients.Set(i, place.Block, finder.GetPointIds(), gradient.GetVectors());
+    gradient.Evaluate(mesh, location);
+    this->Gradients.Set(i, location.Block, finder.GetPointIds(), gradient.GetVectors());
   }
 }
 }

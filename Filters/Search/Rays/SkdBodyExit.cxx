@@ -69,7 +69,7 @@ SkdRayHit SkdBodyExit::Find(const Vector3& from, const Vector3& along, const Skd
   vtkIdType number = 0;
   for (const Pass& pass : passes)
   {
-    number += pass.Way;
+    number += pass.Direction;
   }
   return this->FindLast(begin, passes, number, first);
 }
@@ -77,7 +77,7 @@ SkdRayHit SkdBodyExit::Find(const Vector3& from, const Vector3& along, const Skd
 SkdRayHit SkdBodyExit::FindLast(const Vector3& begin, const std::vector<Pass>& passes,
   vtkIdType number, const SkdRayHit& first) const
 {
-  const bool isKnown = !passes.empty() && number == (passes.front().Way > 0 ? 1 : 0);
+  const bool isKnown = !passes.empty() && number == (passes.front().Direction > 0 ? 1 : 0);
   number = isKnown ? number : this->Corrected(number, begin);
   for (const Pass& pass : passes)
   {
@@ -85,8 +85,8 @@ SkdRayHit SkdBodyExit::FindLast(const Vector3& begin, const std::vector<Pass>& p
     {
       break;
     }
-    const bool isEnd = pass.Way > 0 && number == 1;
-    number -= pass.Way;
+    const bool isEnd = pass.Direction > 0 && number == 1;
+    number -= pass.Direction;
     if (isEnd)
     {
       const bool isFirst = pass.Block == first.Block && pass.CellId == first.CellId;
@@ -99,8 +99,8 @@ SkdRayHit SkdBodyExit::FindLast(const Vector3& begin, const std::vector<Pass>& p
 // All lines to the outside say the same of a closed surface: the shortest costs least.
 vtkIdType SkdBodyExit::CountAround(const Vector3& x) const
 {
-  const SkdRayEnd way = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
-  const Vector3 end = x + Vector3{ { way[0], way[1], way[2] } };
+  const SkdRayEnd ray = SkdRayEndsAlongAxes(this->Bounds, x.X)[0];
+  const Vector3 end = x + Vector3{ { ray[0], ray[1], ray[2] } };
   vtkIdType number = 0;
   for (std::size_t block = 0; block < this->Surfaces.size(); ++block)
   {
@@ -136,7 +136,7 @@ const std::vector<SkdBodyExit::Pass>& SkdBodyExit::FindPasses(
 {
   thread_local vtkNew<vtkDoubleArray> parameters;
   thread_local vtkNew<vtkIdTypeArray> cells;
-  thread_local vtkNew<vtkIdTypeArray> ways;
+  thread_local vtkNew<vtkIdTypeArray> directions;
   thread_local std::vector<Pass> passes;
   passes.clear();
   const Vector3 end = from + this->Length * along;
@@ -144,18 +144,18 @@ const std::vector<SkdBodyExit::Pass>& SkdBodyExit::FindPasses(
   {
     const int block = static_cast<int>(i);
     const vtkIdType n =
-      this->Trees.GetLocator(block)->FindPasses(from.X, end.X, parameters, cells, ways);
+      this->Trees.GetLocator(block)->FindPasses(from.X, end.X, parameters, cells, directions);
     for (vtkIdType k = 0; k < n; ++k)
     {
       Pass pass{ parameters->GetValue(k) * this->Length, block, cells->GetValue(k),
-        static_cast<int>(ways->GetValue(k)) };
-      if (pass.Way == 0)
+        static_cast<int>(directions->GetValue(k)) };
+      if (pass.Direction == 0)
       {
         const Vector3 normal =
           SkdNormalOfCell(this->Trees.GetMesh(block), pass.CellId, from + pass.Distance * along);
-        pass.Way = skd::Dot(normal, along) >= 0.0 ? 1 : -1;
+        pass.Direction = skd::Dot(normal, along) >= 0.0 ? 1 : -1;
       }
-      if (pass.Way > 0 || pass.Distance > this->Own)
+      if (pass.Direction > 0 || pass.Distance > this->Own)
       {
         passes.push_back(pass);
       }
@@ -168,7 +168,7 @@ const std::vector<SkdBodyExit::Pass>& SkdBodyExit::FindPasses(
   {
     const auto last = std::find_if(first, passes.end(),
       [&](const Pass& pass) { return pass.Distance > first->Distance + this->Start; });
-    std::stable_partition(first, last, [](const Pass& pass) { return pass.Way > 0; });
+    std::stable_partition(first, last, [](const Pass& pass) { return pass.Direction > 0; });
     first = last;
   }
   return passes;

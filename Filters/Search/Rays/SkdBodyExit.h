@@ -47,7 +47,7 @@ private:
     double Distance;
     int Block;
     vtkIdType CellId;
-    int Way; // 1: out through the front, -1: in
+    int Direction; // 1: out through the front, -1: in
   };
 
   bool IsSimple() const { return !this->IsCurved && !this->HasOwnHits(); }

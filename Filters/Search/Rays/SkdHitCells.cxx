@@ -67,9 +67,9 @@ public:
   {
     if (skd::Dot(ray.Direction, ray.Direction) > 0.0)
     {
-      const double reach = distance + ray.Tolerance;
+      const double maxDistance = distance + ray.Tolerance;
       this->Spread.ListAlong(ray.Start, ray.Direction,
-        this->Limits.BothWays ? reach : ray.Tolerance, reach, ray.Tolerance, near);
+        this->Limits.BothWays ? maxDistance : ray.Tolerance, maxDistance, ray.Tolerance, near);
     }
   }
 
@@ -104,7 +104,7 @@ public:
   void FindHere(std::size_t n, const QuestionOf& questionOf, const Set& set) const
   {
     this->Own.ForAll(
-      n, [&](std::size_t i) { return questionOf(i).Asked; }, true,
+      n, [&](std::size_t i) { return questionOf(i).Request; }, true,
       [&](const SkdRayCaster& caster, const OwnHits::Vectors& starts,
         const OwnHits::Vectors& directions)
       {
@@ -242,7 +242,7 @@ SkdHitCells FindFirst(const std::vector<Ray>& rays, const OwnHits& own,
       hits.Cells.push_back({ process, hit.Block, hit.CellId });
     },
     loop);
-  hits.RaysSent = exchange.GetAsked();
+  hits.RaysSent = exchange.CountRequests();
   return hits;
 }
 }

@@ -65,12 +65,12 @@ struct SkdRayCaster::Batch
   vtkSkdTreeCellLocator* Locator;
   int Block;
   double Shift; // of the origin along the ray
-  double Way;   // 1, or -1 against the direction
+  double Sign;  // 1, or -1 against the direction
   double Maximum;
 
   SkdRayHit MakeHit(double distance, vtkIdType cell) const
   {
-    return { this->Way * std::max(distance + this->Shift, 0.0), cell, this->Block };
+    return { this->Sign * std::max(distance + this->Shift, 0.0), cell, this->Block };
   }
 };
 
@@ -86,13 +86,13 @@ template <class Cast>
 void SkdRayCaster::ForEachBatch(const Vectors& starts, const Vectors& directions, vtkIdType begin,
   vtkIdType end, const Cast& cast) const
 {
-  for (const double way : { 1.0, -1.0 })
+  for (const double sign : { 1.0, -1.0 })
   {
-    if (way < 0.0 && !this->Limits.BothWays)
+    if (sign < 0.0 && !this->Limits.BothWays)
     {
       return;
     }
-    const double shift = way > 0.0 ? this->Limits.Start : std::abs(this->Limits.Start);
+    const double shift = sign > 0.0 ? this->Limits.Start : std::abs(this->Limits.Start);
     vtkNew<vtkDoubleArray> origins;
     vtkNew<vtkDoubleArray> along;
     for (vtkDoubleArray* array : { origins.Get(), along.Get() })
@@ -104,13 +104,13 @@ void SkdRayCaster::ForEachBatch(const Vectors& starts, const Vectors& directions
       [&](vtkIdType i)
       {
         const auto ray = static_cast<std::size_t>(begin + i);
-        const skd::Vector3 direction = way * directions[ray];
+        const skd::Vector3 direction = sign * directions[ray];
         along->SetTypedTuple(i, direction.X);
         origins->SetTypedTuple(i, (starts[ray] + shift * direction).X);
       });
     for (int block = 0; block < this->Blocks; ++block)
     {
-      cast(Batch{ origins, along, this->Trees.GetLocator(block), block, shift, way,
+      cast(Batch{ origins, along, this->Trees.GetLocator(block), block, shift, sign,
         this->Limits.Maximum - shift });
     }
   }
@@ -181,7 +181,7 @@ struct SkdRayCaster::Answers
 {
   struct Answer
   {
-    Batch Asked;
+    Batch Queries;
     vtkNew<vtkIdTypeArray> Offsets;
     vtkNew<vtkIdTypeArray> Cells;
     vtkNew<vtkDoubleArray> Distances;
@@ -191,7 +191,7 @@ struct SkdRayCaster::Answers
   void Add(const Batch& batch)
   {
     Answer& answer = this->List.emplace_back();
-    answer.Asked = batch;
+    answer.Queries = batch;
     batch.Locator->FindAllRayHits(batch.Origins, batch.Directions, answer.Offsets, answer.Cells,
       answer.Distances, nullptr, batch.Maximum);
   }
@@ -215,7 +215,7 @@ struct SkdRayCaster::Answers
       const vtkIdType last = answer.Offsets->GetValue(i + 1);
       for (vtkIdType k = answer.Offsets->GetValue(i); k < last; ++k)
       {
-        *hit++ = answer.Asked.MakeHit(answer.Distances->GetValue(k), answer.Cells->GetValue(k));
+        *hit++ = answer.Queries.MakeHit(answer.Distances->GetValue(k), answer.Cells->GetValue(k));
       }
     }
     return hit;

@@ -55,8 +55,8 @@ public:
     const SkdRayTarget& target)
   {
     const skd::Vector3 point = rays.PointOf(ray, hit);
-    const double way = std::signbit(hit.Distance) ? -1.0 : 1.0;
-    const double along = way *
+    const double sign = std::signbit(hit.Distance) ? -1.0 : 1.0;
+    const double along = sign *
       skd::Dot(SkdNormalOfCell(target.Trees.GetMesh(hit.Block), hit.CellId, point),
         rays.Starts.Directions[static_cast<std::size_t>(ray)]);
     this->Distances->SetValue(i, hit.Distance);

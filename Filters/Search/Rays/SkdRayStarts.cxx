@@ -149,8 +149,8 @@ void SkdRayStarts::FaceNearest(const SkdSourceTrees& source)
   SkdForEach(targets.size(),
     [&](std::size_t i)
     {
-      const double reach = std::numeric_limits<double>::infinity();
-      if (const auto nearest = source.FindNearest(this->Points[i].X, reach))
+      const double maxDistance = std::numeric_limits<double>::infinity();
+      if (const auto nearest = source.FindNearest(this->Points[i].X, maxDistance))
       {
         std::copy_n(nearest->Point, 3, targets[i].X);
       }

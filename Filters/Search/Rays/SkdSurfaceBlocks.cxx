@@ -8,17 +8,17 @@ namespace skdtree
 {
 std::vector<SkdBlock> SkdSurfaceBlocks::Update(const std::vector<SkdBlock>& blocks)
 {
-  if (!this->Kept.AreSameAs(blocks) || this->Surfaces.size() != blocks.size())
+  if (!this->Snapshots.AreSameAs(blocks) || this->Surfaces.size() != blocks.size())
   {
     const double chordalLength = SkdChordalLength(blocks, SkdDefaultChordalDeviation);
     this->Surfaces.clear();
     this->ChordalLength = 0.0;
-    for (const SkdBlock& kept : this->Kept.Keep(blocks))
+    for (const SkdBlock& block : this->Snapshots.Keep(blocks))
     {
       auto& surface = this->Surfaces.emplace_back();
-      if (SkdHasVolumeCells(kept.Mesh))
+      if (SkdHasVolumeCells(block.Mesh))
       {
-        surface.emplace(kept.Mesh, chordalLength);
+        surface.emplace(block.Mesh, chordalLength);
         this->ChordalLength = chordalLength;
       }
     }

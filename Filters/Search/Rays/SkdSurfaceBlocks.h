@@ -32,7 +32,7 @@ public:
   double GetChordalLength() const { return this->ChordalLength; }
 
 private:
-  SkdBlockSnapshots Kept;
+  SkdBlockSnapshots Snapshots;
   double ChordalLength = 0.0;
   std::vector<std::optional<SkdBlockSurface>> Surfaces; // none of blocks without volume cells
 };

@@ -34,7 +34,7 @@ std::vector<Vector3> MakeCone(int rays, double angle)
 
 /// A direction about `axis`, given about the third axis: T. Duff et al., "Building an orthonormal
 /// basis, revisited", Journal of Computer Graphics Techniques 6 (2017) 1-8.
-Vector3 Turned(const Vector3& direction, const Vector3& axis)
+Vector3 Rotated(const Vector3& direction, const Vector3& axis)
 {
   const double sign = std::copysign(1.0, axis[2]);
   const double a = -1.0 / (sign + axis[2]);
@@ -75,7 +75,7 @@ void SkdThicknessMeasure::ListRays(const SkdRayCaster::Vectors& points,
     {
       const std::size_t point = static_cast<std::size_t>(begin) + i / each;
       starts[i] = points[point];
-      rays[i] = each > 1 ? SkdUnit(Turned(this->Cone[i % each], inward[point])) : inward[point];
+      rays[i] = each > 1 ? SkdUnit(Rotated(this->Cone[i % each], inward[point])) : inward[point];
       rays[i] = skd::Norm2(inward[point]) > 0.0 ? rays[i] : inward[point];
     });
 }

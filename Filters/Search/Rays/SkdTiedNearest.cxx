@@ -82,8 +82,8 @@ std::optional<SkdNearest> SkdTiedNearest::Find(const Vector3& centre, double rad
     return this->FindExact(centre, radius);
   }
   SkdNearest nearest = this->FindShared(centre, radius);
-  const Vector3 place{ { nearest.Point[0], nearest.Point[1], nearest.Point[2] } };
-  nearest.Distance2 = skd::Norm2(place - centre);
+  const Vector3 key{ { nearest.Point[0], nearest.Point[1], nearest.Point[2] } };
+  nearest.Distance2 = skd::Norm2(key - centre);
   return nearest.Distance2 <= radius * radius ? std::make_optional(nearest) : std::nullopt;
 }
 
@@ -104,26 +104,26 @@ bool SkdTiedNearest::AreMany(const Vector3& centre, double radius) const
     distances2.push_back(skd::Norm2(x - centre));
     least2 = std::min(least2, distances2.back());
   }
-  const double reach = std::sqrt(least2) + this->BoxSize;
+  const double maxDistance = std::sqrt(least2) + this->BoxSize;
   const auto number = std::count_if(distances2.begin(), distances2.end(),
-    [&](double distance2) { return distance2 <= reach * reach; });
+    [&](double distance2) { return distance2 <= maxDistance * maxDistance; });
   return static_cast<double>(number) > this->Share * static_cast<double>(this->Sample.size());
 }
 
 SkdNearest SkdTiedNearest::FindShared(const Vector3& centre, double radius) const
 {
   const int exponent = std::ilogb(radius) + SpacingExponent;
-  Place place{ 0, 0, 0, exponent };
+  LatticeKey key{ 0, 0, 0, exponent };
   Vector3 x;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double count = std::round(std::ldexp(centre[axis], -exponent));
-    place[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(count);
+    key[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(count);
     x[axis] = std::ldexp(count, exponent);
   }
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto known = this->Known.find(place);
+    const auto known = this->Known.find(key);
     if (known != this->Known.end())
     {
       return known->second;
@@ -131,6 +131,6 @@ SkdNearest SkdTiedNearest::FindShared(const Vector3& centre, double radius) cons
   }
   const auto nearest = this->Trees.FindNearest(x.X, std::numeric_limits<double>::infinity());
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->Known.emplace(place, *nearest).first->second;
+  return this->Known.emplace(key, *nearest).first->second;
 }
 }

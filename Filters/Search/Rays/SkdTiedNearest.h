@@ -45,7 +45,7 @@ public:
   std::size_t GetNumberShared() const;
 
 private:
-  using Place = std::array<std::int64_t, 4>; // on a lattice, and the exponent of its spacing
+  using LatticeKey = std::array<std::int64_t, 4>; // on a lattice, and the exponent of its spacing
 
   SkdNearest FindShared(const skd::Vector3& centre, double radius) const;
 
@@ -55,7 +55,7 @@ private:
   double BoxSize = 0.0; // about that of a leaf of the tree
 
   mutable std::mutex Mutex;
-  mutable std::map<Place, SkdNearest> Known;
+  mutable std::map<LatticeKey, SkdNearest> Known;
 };
 }
 

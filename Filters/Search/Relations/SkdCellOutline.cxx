@@ -44,17 +44,17 @@ SkdCellOutline::SkdCellOutline(vtkCell* cell)
 //------------------------------------------------------------------------------
 void SkdCellOutline::AddPart(std::vector<Part>& parts, vtkCell* part, vtkCell* cell)
 {
-  Part places;
+  Part slots;
   for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
   {
-    const vtkIdType place = cell->GetPointIds()->IsId(part->GetPointId(static_cast<int>(i)));
-    if (place >= 0)
+    const vtkIdType slot = cell->GetPointIds()->IsId(part->GetPointId(static_cast<int>(i)));
+    if (slot >= 0)
     {
-      places.push_back(static_cast<int>(place));
+      slots.push_back(static_cast<int>(slot));
     }
   }
-  std::sort(places.begin(), places.end());
-  parts.push_back(std::move(places));
+  std::sort(slots.begin(), slots.end());
+  parts.push_back(std::move(slots));
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ bool SkdCellOutline::Shares(const SkdCellOutline& other, SkdSharedPart part, dou
     const bool isFound = found != other.Points.end();
     same.push_back(isFound ? static_cast<int>(found - other.Points.begin()) : -1);
   }
-  const auto isShared = [](int place) { return place >= 0; };
+  const auto isShared = [](int slot) { return slot >= 0; };
   const bool isWhole = std::all_of(same.begin(), same.end(), isShared);
   if (isWhole && this->Dimension == other.Dimension && this->Points.size() == other.Points.size())
   {
@@ -95,9 +95,9 @@ bool SkdCellOutline::Shares(const SkdCellOutline& other, SkdSharedPart part, dou
     [&](const Part& one)
     {
       Part moved;
-      for (const int place : one)
+      for (const int slot : one)
       {
-        moved.push_back(same[static_cast<std::size_t>(place)]);
+        moved.push_back(same[static_cast<std::size_t>(slot)]);
       }
       std::sort(moved.begin(), moved.end());
       return std::find(theirs.begin(), theirs.end(), moved) != theirs.end();

@@ -27,7 +27,7 @@ skd::Interval HeightsOf(const skd::Plane<3>& plane, const skd::SimplexSet& set)
 }
 
 /// A cell, its simplices, and what counts as 0.
-struct SkdCellRelation::Asked
+struct SkdCellRelation::Candidate
 {
   const SkdCellTree& Tree;
   std::uint32_t Cell;
@@ -57,100 +57,101 @@ std::optional<SkdDistances> SkdCellRelation::Ask(
     return std::nullopt;
   }
   thread_local skd::SimplexSet set; // keeps its memory
-  const Asked asked{ tree, cell, source, set, tolerance };
+  const Candidate candidate{ tree, cell, source, set, tolerance };
   // Adjacent cells share a point, so their distance is known; the sets of curved cells are large
   // and made only if necessary.
   const bool asksNeighbours = this->Rules.Relation == SkdRelation::Adjacency &&
     this->Shape.GetKind() == SkdQueryShape::Kind::Cell;
-  if (asksNeighbours && !this->IsNeighbour(asked))
+  if (asksNeighbours && !this->IsNeighbour(candidate))
   {
     return std::nullopt;
   }
   tree.GetSimplices(cell, source, set);
-  if (!asksNeighbours && this->Rules.Relation != SkdRelation::Nearest && !this->IsRelated(asked))
+  if (!asksNeighbours && this->Rules.Relation != SkdRelation::Nearest &&
+    !this->IsRelated(candidate))
   {
     return std::nullopt;
   }
   const bool isSure = this->Shape.IsSureToHold(tree.Cells().ExtentOf(cell));
-  const double distance = isSure ? 0.0 : this->MinDistance(asked);
-  return SkdDistances{ asked.IsZero(distance) ? 0.0 : distance, this->MaxDistance(asked) };
+  const double distance = isSure ? 0.0 : this->MinDistance(candidate);
+  return SkdDistances{ candidate.IsZero(distance) ? 0.0 : distance, this->MaxDistance(candidate) };
 }
 
 //------------------------------------------------------------------------------
 // A relation may need it before it is set.
-double SkdCellRelation::MinDistance(const Asked& asked) const
+double SkdCellRelation::MinDistance(const Candidate& candidate) const
 {
-  if (!asked.Least)
+  if (!candidate.Least)
   {
-    asked.Least = this->FindMinDistance(asked);
+    candidate.Least = this->FindMinDistance(candidate);
   }
-  return *asked.Least;
+  return *candidate.Least;
 }
 
 //------------------------------------------------------------------------------
-double SkdCellRelation::FindMinDistance(const Asked& asked) const
+double SkdCellRelation::FindMinDistance(const Candidate& candidate) const
 {
   switch (this->Shape.GetKind())
   {
     case SkdQueryShape::Kind::Ball:
     {
       const skd::Sphere<3>& ball = this->Shape.GetBall();
-      return std::max(0.0, asked.DistanceTo(ball.Centre) - ball.Radius);
+      return std::max(0.0, candidate.DistanceTo(ball.Centre) - ball.Radius);
     }
     case SkdQueryShape::Kind::Plane:
     {
-      const skd::Interval heights = HeightsOf(this->Shape.GetPlane(), asked.Set);
+      const skd::Interval heights = HeightsOf(this->Shape.GetPlane(), candidate.Set);
       return std::max({ 0.0, heights.Min, -heights.Max });
     }
     default:
-      return std::sqrt(
-        skd::MinDistance2(asked.Set, this->Shape.GetSet(), asked.Tolerance * asked.Tolerance));
+      return std::sqrt(skd::MinDistance2(
+        candidate.Set, this->Shape.GetSet(), candidate.Tolerance * candidate.Tolerance));
   }
 }
 
 //------------------------------------------------------------------------------
-double SkdCellRelation::MaxDistance(const Asked& asked) const
+double SkdCellRelation::MaxDistance(const Candidate& candidate) const
 {
   switch (this->Shape.GetKind())
   {
     case SkdQueryShape::Kind::Ball:
     {
       const skd::Sphere<3>& ball = this->Shape.GetBall();
-      return std::sqrt(skd::MaxDistance2(asked.Set, ball.Centre)) + ball.Radius;
+      return std::sqrt(skd::MaxDistance2(candidate.Set, ball.Centre)) + ball.Radius;
     }
     case SkdQueryShape::Kind::Plane:
     {
-      const skd::Interval heights = HeightsOf(this->Shape.GetPlane(), asked.Set);
+      const skd::Interval heights = HeightsOf(this->Shape.GetPlane(), candidate.Set);
       return std::max(std::abs(heights.Min), std::abs(heights.Max));
     }
     default:
-      return std::sqrt(skd::MaxDistance2(asked.Set, this->Shape.GetSet()));
+      return std::sqrt(skd::MaxDistance2(candidate.Set, this->Shape.GetSet()));
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellRelation::IsRelated(const Asked& asked) const
+bool SkdCellRelation::IsRelated(const Candidate& candidate) const
 {
   switch (this->Rules.Relation)
   {
     case SkdRelation::ExactMatch:
-      return this->IsContained(asked) && this->IsEnclosing(asked);
+      return this->IsContained(candidate) && this->IsEnclosing(candidate);
     case SkdRelation::Enclosure:
-      return this->IsEnclosing(asked);
+      return this->IsEnclosing(candidate);
     case SkdRelation::Containment:
-      return this->IsContained(asked);
+      return this->IsContained(candidate);
     case SkdRelation::Adjacency:
-      return this->Touches(asked);
+      return this->Touches(candidate);
     default:
-      return this->Shape.IsSureToHold(asked.Tree.Cells().ExtentOf(asked.Cell)) ||
-        asked.IsZero(this->MinDistance(asked));
+      return this->Shape.IsSureToHold(candidate.Tree.Cells().ExtentOf(candidate.Cell)) ||
+        candidate.IsZero(this->MinDistance(candidate));
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellRelation::IsContained(const Asked& asked) const
+bool SkdCellRelation::IsContained(const Candidate& candidate) const
 {
-  if (this->Shape.IsSureToHold(asked.Tree.Cells().ExtentOf(asked.Cell)))
+  if (this->Shape.IsSureToHold(candidate.Tree.Cells().ExtentOf(candidate.Cell)))
   {
     return true;
   }
@@ -159,80 +160,84 @@ bool SkdCellRelation::IsContained(const Asked& asked) const
     case SkdQueryShape::Kind::Ball:
     {
       const skd::Sphere<3>& ball = this->Shape.GetBall();
-      return asked.IsZero(std::sqrt(skd::MaxDistance2(asked.Set, ball.Centre)) - ball.Radius);
+      return candidate.IsZero(
+        std::sqrt(skd::MaxDistance2(candidate.Set, ball.Centre)) - ball.Radius);
     }
     case SkdQueryShape::Kind::Plane:
-      return asked.IsZero(this->MaxDistance(asked));
+      return candidate.IsZero(this->MaxDistance(candidate));
     default:
-      return skd::Covers(this->Shape.GetSet(), asked.Set, asked.Tolerance);
+      return skd::Covers(this->Shape.GetSet(), candidate.Set, candidate.Tolerance);
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellRelation::IsEnclosing(const Asked& asked) const
+bool SkdCellRelation::IsEnclosing(const Candidate& candidate) const
 {
   switch (this->Shape.GetKind())
   {
     case SkdQueryShape::Kind::Ball:
     {
       const skd::Sphere<3>& ball = this->Shape.GetBall();
-      const bool isDeep = asked.IsZero(ball.Radius) ||
-        (asked.Set.Dimension == 3 &&
-          asked.IsZero(ball.Radius - std::sqrt(skd::SimplexDistance2(asked.Set, ball.Centre))));
-      return isDeep && asked.IsZero(asked.DistanceTo(ball.Centre));
+      const bool isDeep = candidate.IsZero(ball.Radius) ||
+        (candidate.Set.Dimension == 3 &&
+          candidate.IsZero(
+            ball.Radius - std::sqrt(skd::SimplexDistance2(candidate.Set, ball.Centre))));
+      return isDeep && candidate.IsZero(candidate.DistanceTo(ball.Centre));
     }
     case SkdQueryShape::Kind::Plane:
       return false;
     default:
-      return skd::Covers(asked.Set, this->Shape.GetSet(), asked.Tolerance);
+      return skd::Covers(candidate.Set, this->Shape.GetSet(), candidate.Tolerance);
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellRelation::Touches(const Asked& asked) const
+bool SkdCellRelation::Touches(const Candidate& candidate) const
 {
   switch (this->Shape.GetKind())
   {
     case SkdQueryShape::Kind::Ball:
-      return this->TouchesBall(asked);
+      return this->TouchesBall(candidate);
     case SkdQueryShape::Kind::Plane:
     {
-      const skd::Interval heights = HeightsOf(this->Shape.GetPlane(), asked.Set);
-      const bool isBelow = asked.IsZero(std::abs(heights.Max)) && !asked.IsZero(-heights.Min);
-      const bool isAbove = asked.IsZero(std::abs(heights.Min)) && !asked.IsZero(heights.Max);
+      const skd::Interval heights = HeightsOf(this->Shape.GetPlane(), candidate.Set);
+      const bool isBelow =
+        candidate.IsZero(std::abs(heights.Max)) && !candidate.IsZero(-heights.Min);
+      const bool isAbove =
+        candidate.IsZero(std::abs(heights.Min)) && !candidate.IsZero(heights.Max);
       return isBelow || isAbove;
     }
     default:
-      asked.Set.FindRim();
-      return asked.IsZero(this->MinDistance(asked)) &&
-        !skd::InteriorsIntersect(asked.Set, this->Shape.GetSet(), asked.Tolerance);
+      candidate.Set.FindRim();
+      return candidate.IsZero(this->MinDistance(candidate)) &&
+        !skd::InteriorsIntersect(candidate.Set, this->Shape.GetSet(), candidate.Tolerance);
   }
 }
 
 //------------------------------------------------------------------------------
-bool SkdCellRelation::IsNeighbour(const Asked& asked) const
+bool SkdCellRelation::IsNeighbour(const Candidate& candidate) const
 {
-  const SkdCellOutline outline(asked.Source.Load(asked.Tree.Cells().IdOf(asked.Cell)));
+  const SkdCellOutline outline(candidate.Source.Load(candidate.Tree.Cells().IdOf(candidate.Cell)));
   const bool isOne =
-    outline.Shares(*this->Shape.GetOutline(), this->Rules.SharedPart, asked.Tolerance);
-  asked.Least = isOne ? std::optional<double>(0.0) : std::nullopt;
+    outline.Shares(*this->Shape.GetOutline(), this->Rules.SharedPart, candidate.Tolerance);
+  candidate.Least = isOne ? std::optional<double>(0.0) : std::nullopt;
   return isOne;
 }
 
 //------------------------------------------------------------------------------
 // A ball from outside; a point on the cell's boundary. A point that is a cell touches itself.
-bool SkdCellRelation::TouchesBall(const Asked& asked) const
+bool SkdCellRelation::TouchesBall(const Candidate& candidate) const
 {
   const skd::Sphere<3>& ball = this->Shape.GetBall();
-  const double distance = asked.DistanceTo(ball.Centre);
-  if (!asked.IsZero(ball.Radius))
+  const double distance = candidate.DistanceTo(ball.Centre);
+  if (!candidate.IsZero(ball.Radius))
   {
-    return asked.IsZero(std::abs(distance - ball.Radius));
+    return candidate.IsZero(std::abs(distance - ball.Radius));
   }
-  asked.Set.FindRim();
-  const double boundary2 = asked.Set.Dimension == 3
-    ? skd::SimplexDistance2(asked.Set, ball.Centre)
-    : (asked.Set.Dimension == 0 ? 0.0 : skd::RimDistance2(asked.Set, ball.Centre));
-  return asked.IsZero(distance) && asked.IsZero(std::sqrt(boundary2));
+  candidate.Set.FindRim();
+  const double boundary2 = candidate.Set.Dimension == 3
+    ? skd::SimplexDistance2(candidate.Set, ball.Centre)
+    : (candidate.Set.Dimension == 0 ? 0.0 : skd::RimDistance2(candidate.Set, ball.Centre));
+  return candidate.IsZero(distance) && candidate.IsZero(std::sqrt(boundary2));
 }
 }

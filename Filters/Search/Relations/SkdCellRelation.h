@@ -47,17 +47,17 @@ public:
     const SkdCellTree& tree, std::uint32_t cell, const SkdCellSource& source) const;
 
 private:
-  struct Asked; // a cell
+  struct Candidate; // a cell
 
-  double MinDistance(const Asked& asked) const;
-  double FindMinDistance(const Asked& asked) const;
-  double MaxDistance(const Asked& asked) const;
-  bool IsRelated(const Asked& asked) const;
-  bool IsContained(const Asked& asked) const;
-  bool IsEnclosing(const Asked& asked) const;
-  bool Touches(const Asked& asked) const;
-  bool IsNeighbour(const Asked& asked) const;
-  bool TouchesBall(const Asked& asked) const;
+  double MinDistance(const Candidate& candidate) const;
+  double FindMinDistance(const Candidate& candidate) const;
+  double MaxDistance(const Candidate& candidate) const;
+  bool IsRelated(const Candidate& candidate) const;
+  bool IsContained(const Candidate& candidate) const;
+  bool IsEnclosing(const Candidate& candidate) const;
+  bool Touches(const Candidate& candidate) const;
+  bool IsNeighbour(const Candidate& candidate) const;
+  bool TouchesBall(const Candidate& candidate) const;
 
   const SkdQueryShape& Shape;
   SkdRelationRules Rules;

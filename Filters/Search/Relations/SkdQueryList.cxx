@@ -76,15 +76,15 @@ SkdQueryShape SkdQueryList::Make(vtkIdType query) const
   {
     return *this->Shape;
   }
-  const auto [block, place] = this->Find(query);
+  const auto [block, index] = this->Find(query);
   if (!this->Parts)
   {
     skd::Vector3 x;
-    this->Points[block].Mesh->GetPoint(place, x.X);
+    this->Points[block].Mesh->GetPoint(index, x.X);
     return SkdQueryShape::MakeBall(x, 0.0);
   }
   const auto part = static_cast<std::uint32_t>(block);
-  const auto cell = static_cast<std::uint32_t>(place);
+  const auto cell = static_cast<std::uint32_t>(index);
   const SkdCellTree& tree = this->Parts->GetTree(part);
   const SkdCellSource source = this->Parts->GetSource(part);
   std::shared_ptr<const SkdCellOutline> outline;
@@ -98,12 +98,12 @@ SkdQueryShape SkdQueryList::Make(vtkIdType query) const
 //------------------------------------------------------------------------------
 vtkIdType SkdQueryList::GetId(vtkIdType query) const
 {
-  const auto [block, place] = this->Find(query);
+  const auto [block, index] = this->Find(query);
   return this->Parts
     ? this->Joined[block].Of(this->Parts->GetTree(static_cast<std::uint32_t>(block))
                                .Cells()
-                               .IdOf(static_cast<std::uint32_t>(place)))
-    : place;
+                               .IdOf(static_cast<std::uint32_t>(index)))
+    : index;
 }
 
 //------------------------------------------------------------------------------

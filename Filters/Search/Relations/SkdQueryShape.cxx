@@ -121,9 +121,9 @@ SkdQueryShape SkdQueryShape::MakeBox(const skd::Vector3& corner, const skd::Vect
   {
     shares.Max[axis] = edges[axis] == shares.Min ? 0.0 : 1.0;
   }
-  const auto place = [&](const skd::Vector3& x)
+  const auto map = [&](const skd::Vector3& x)
   { return corner + x[0] * edges[0] + x[1] * edges[1] + x[2] * edges[2]; };
-  return MakeSet(Kind::Box, skd::MakeBox(shares, place));
+  return MakeSet(Kind::Box, skd::MakeBox(shares, map));
 }
 
 //------------------------------------------------------------------------------
@@ -159,45 +159,47 @@ double SkdQueryShape::Rounding(const SkdCellTree& tree) const
 
 //------------------------------------------------------------------------------
 // The query is the line itself, not its bounding box, where safety boxes allow for the reach.
-bool SkdQueryShape::IsAsSegment(const SkdCellTree& tree, double reach) const
+bool SkdQueryShape::IsAsSegment(const SkdCellTree& tree, double maxDistance) const
 {
-  return this->TheKind == Kind::Line && reach <= tree.AbsoluteEpsilon();
+  return this->TheKind == Kind::Line && maxDistance <= tree.AbsoluteEpsilon();
 }
 
 //------------------------------------------------------------------------------
-bool SkdQueryShape::IsNear(const SkdCellTree& tree, const skd::Box3& safetyBox, double reach) const
+bool SkdQueryShape::IsNear(
+  const SkdCellTree& tree, const skd::Box3& safetyBox, double maxDistance) const
 {
   switch (this->TheKind)
   {
     case Kind::Ball:
     {
-      const double radius = this->Ball.Radius + reach;
+      const double radius = this->Ball.Radius + maxDistance;
       return skd::MinDistance2(this->Ball.Centre, safetyBox) <= radius * radius;
     }
     case Kind::Plane:
-      return skd::Overlaps(this->Plane, safetyBox, reach);
+      return skd::Overlaps(this->Plane, safetyBox, maxDistance);
     default:
-      return this->IsAsSegment(tree, reach)
+      return this->IsAsSegment(tree, maxDistance)
         ? skd::Clip(skd::Segment<3>{ this->Set.Points.front(), this->Set.Points.back() }, safetyBox)
             .has_value()
-        : safetyBox.Overlaps(this->Bounds.Inflated(reach));
+        : safetyBox.Overlaps(this->Bounds.Inflated(maxDistance));
   }
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> SkdQueryShape::FindMaybeNear(const SkdCellTree& tree, double reach) const
+std::vector<std::uint32_t> SkdQueryShape::FindMaybeNear(
+  const SkdCellTree& tree, double maxDistance) const
 {
   std::vector<std::uint32_t> cells;
   if (this->TheKind == Kind::Ball)
   {
-    tree.FindMaybeWithin(this->Ball.Centre, this->Ball.Radius + reach, cells);
+    tree.FindMaybeWithin(this->Ball.Centre, this->Ball.Radius + maxDistance, cells);
   }
-  else if (this->TheKind == Kind::Plane || this->IsAsSegment(tree, reach))
+  else if (this->TheKind == Kind::Plane || this->IsAsSegment(tree, maxDistance))
   {
     vtkNew<vtkIdList> ids;
     if (this->TheKind == Kind::Plane)
     {
-      tree.FindSafetyBoxesAlong(this->Plane, reach, ids);
+      tree.FindSafetyBoxesAlong(this->Plane, maxDistance, ids);
     }
     else
     {
@@ -210,18 +212,19 @@ std::vector<std::uint32_t> SkdQueryShape::FindMaybeNear(const SkdCellTree& tree,
   }
   else
   {
-    tree.FindMaybeWithin(this->Bounds.Inflated(reach), cells);
+    tree.FindMaybeWithin(this->Bounds.Inflated(maxDistance), cells);
   }
   SortNumbers(cells, tree.Cells().NumberOfCells());
   return cells;
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> SkdQueryShape::FindNear(const SkdCellTree& tree, double reach) const
+std::vector<std::uint32_t> SkdQueryShape::FindNear(
+  const SkdCellTree& tree, double maxDistance) const
 {
-  std::vector<std::uint32_t> cells = this->FindMaybeNear(tree, reach);
+  std::vector<std::uint32_t> cells = this->FindMaybeNear(tree, maxDistance);
   const auto isFar = [&](std::uint32_t cell)
-  { return !this->IsNear(tree, tree.SafetyBoxOf(cell), reach); };
+  { return !this->IsNear(tree, tree.SafetyBoxOf(cell), maxDistance); };
   cells.erase(std::remove_if(cells.begin(), cells.end(), isFar), cells.end());
   return cells;
 }
@@ -245,10 +248,10 @@ double SkdQueryShape::LowerBound(const skd::Box3& box) const
 double SkdQueryShape::OptimisticDistance(const skd::Box3& box) const
 {
   const double bound = this->LowerBound(box);
-  const bool isTurned =
+  const bool isReversed =
     this->TheKind == Kind::Line || (this->TheKind == Kind::Box && !this->IsAligned);
-  return isTurned ? std::max(bound, std::sqrt(skd::MinDistance2(this->Set, skd::MakeBox(box))))
-                  : bound;
+  return isReversed ? std::max(bound, std::sqrt(skd::MinDistance2(this->Set, skd::MakeBox(box))))
+                    : bound;
 }
 
 //------------------------------------------------------------------------------
@@ -369,13 +372,13 @@ double SkdQueryShape::PessimisticFromCorners(const skd::Box3& box) const
 
 //------------------------------------------------------------------------------
 // A bit for each side of the bounds that a point is beyond.
-unsigned char SkdQueryShape::SidesOf(const skd::Vector3& x, double reach) const
+unsigned char SkdQueryShape::SidesOf(const skd::Vector3& x, double maxDistance) const
 {
   unsigned sides = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    sides |= static_cast<unsigned>(x[axis] < this->Bounds.Min[axis] - reach) << 2 * axis |
-      static_cast<unsigned>(x[axis] > this->Bounds.Max[axis] + reach) << (2 * axis + 1);
+    sides |= static_cast<unsigned>(x[axis] < this->Bounds.Min[axis] - maxDistance) << 2 * axis |
+      static_cast<unsigned>(x[axis] > this->Bounds.Max[axis] + maxDistance) << (2 * axis + 1);
   }
   return static_cast<unsigned char>(sides);
 }

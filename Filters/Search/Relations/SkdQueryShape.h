@@ -75,12 +75,12 @@ public:
   double Rounding(const SkdCellTree& tree) const;
 
   ///@{
-  /// The cells whose safety boxes come as near as `reach`, by no more than their bounding boxes (of
-  /// planes and lines: themselves), ascending. The tree must not be bare. FindMaybeNear: these, and
-  /// some more, which IsNear() then rejects.
-  std::vector<std::uint32_t> FindNear(const SkdCellTree& tree, double reach) const;
-  std::vector<std::uint32_t> FindMaybeNear(const SkdCellTree& tree, double reach) const;
-  bool IsNear(const SkdCellTree& tree, const skd::Box3& safetyBox, double reach) const;
+  /// The cells whose safety boxes come as near as `maxDistance`, by no more than their bounding
+  /// boxes (of planes and lines: themselves), ascending. The tree must not be bare. FindMaybeNear:
+  /// these, and some more, which IsNear() then rejects.
+  std::vector<std::uint32_t> FindNear(const SkdCellTree& tree, double maxDistance) const;
+  std::vector<std::uint32_t> FindMaybeNear(const SkdCellTree& tree, double maxDistance) const;
+  bool IsNear(const SkdCellTree& tree, const skd::Box3& safetyBox, double maxDistance) const;
   ///@}
 
   ///@{
@@ -103,7 +103,7 @@ public:
 
   /// The sides of the bounds, a bit each, that a point is beyond by more than the reach: what is
   /// straight between points that are all beyond one side is not nearer. None of a plane.
-  unsigned char SidesOf(const skd::Vector3& x, double reach) const;
+  unsigned char SidesOf(const skd::Vector3& x, double maxDistance) const;
 
   /// Whether a box lies entirely in the shape, so that its contents need no test.
   bool IsSureToHold(const skd::Box3& box) const;
@@ -133,7 +133,7 @@ public:
 
 private:
   static SkdQueryShape MakeSet(Kind kind, skd::SimplexSet set);
-  bool IsAsSegment(const SkdCellTree& tree, double reach) const;
+  bool IsAsSegment(const SkdCellTree& tree, double maxDistance) const;
   double PessimisticFromCorners(const skd::Box3& box) const;
   bool AreBoundsRelated(
     SkdRelation relation, const SkdCellTree& tree, std::uint32_t cell, double tolerance) const;

@@ -53,17 +53,17 @@ std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
   {
     chosen.front().reserve(pairs.size());
   }
-  std::vector<char> areInTurn(parts, 1); // each once, as those of one shape are
+  std::vector<char> areUnique(parts, 1); // each once, as those of one shape are
   for (const SkdRelatedCell& pair : pairs)
   {
     const double distance = std::isnan(pair.OfCells.Min) ? pair.OfBoxes.Min : pair.OfCells.Min;
     std::vector<SkdChosenCell>& cells = chosen[pair.Part];
-    areInTurn[pair.Part] &= cells.empty() || cells.back().CellId < pair.CellId;
+    areUnique[pair.Part] &= cells.empty() || cells.back().CellId < pair.CellId;
     cells.push_back({ pair.CellId, 1, distance });
   }
   for (std::size_t part = 0; part < parts; ++part)
   {
-    if (areInTurn[part])
+    if (areUnique[part])
     {
       continue;
     }
@@ -71,17 +71,17 @@ std::vector<std::vector<SkdChosenCell>> SkdChooseCells(
     const auto isBefore = [](const SkdChosenCell& a, const SkdChosenCell& b)
     { return a.CellId < b.CellId || (a.CellId == b.CellId && a.Distance < b.Distance); };
     std::sort(cells.begin(), cells.end(), isBefore);
-    std::size_t kept = 0;
+    std::size_t retained = 0;
     for (const SkdChosenCell& cell : cells)
     {
-      if (kept > 0 && cells[kept - 1].CellId == cell.CellId)
+      if (retained > 0 && cells[retained - 1].CellId == cell.CellId)
       {
-        ++cells[kept - 1].QueryCount;
+        ++cells[retained - 1].QueryCount;
         continue;
       }
-      cells[kept++] = cell;
+      cells[retained++] = cell;
     }
-    cells.resize(kept);
+    cells.resize(retained);
   }
   return chosen;
 }

@@ -174,9 +174,10 @@ std::vector<SkdSpatialSearch::Candidate> SkdSpatialSearch::FindInParts(const Fin
 
 //------------------------------------------------------------------------------
 std::vector<SkdSpatialSearch::Candidate> SkdSpatialSearch::FindCandidates(
-  const SkdQueryShape& shape, double reach) const
+  const SkdQueryShape& shape, double maxDistance) const
 {
-  return this->FindInParts([&](const SkdCellTree& tree) { return shape.FindNear(tree, reach); });
+  return this->FindInParts(
+    [&](const SkdCellTree& tree) { return shape.FindNear(tree, maxDistance); });
 }
 
 //------------------------------------------------------------------------------
@@ -212,24 +213,24 @@ SkdSpatialSearch::Cells SkdSpatialSearch::FindWidening(
   const double size = diagonal > 0.0 ? diagonal : shape.PessimisticDistance(this->Bounds);
   double width =
     std::max(size / std::cbrt(static_cast<double>(all)), std::numeric_limits<double>::min());
-  double reach = shape.LowerBound(this->Bounds) + this->Rules.Tolerance;
+  double maxDistance = shape.LowerBound(this->Bounds) + this->Rules.Tolerance;
   while (true)
   {
-    std::vector<Candidate> candidates = this->FindCandidates(shape, reach);
+    std::vector<Candidate> candidates = this->FindCandidates(shape, maxDistance);
     const bool isAll = candidates.size() == all;
     const bool isEnough = candidates.size() >= this->Rules.Number;
     if (isAll || isEnough)
     {
       double farthest = 0.0;
       Cells found = search(candidates, farthest);
-      if (isAll || !(farthest > reach))
+      if (isAll || !(farthest > maxDistance))
       {
         return found;
       }
-      reach = std::nextafter(farthest, std::numeric_limits<double>::infinity());
+      maxDistance = std::nextafter(farthest, std::numeric_limits<double>::infinity());
       continue;
     }
-    reach += width;
+    maxDistance += width;
     width *= 2.0;
   }
 }
@@ -252,21 +253,21 @@ SkdSpatialSearch::Cells SkdSpatialSearch::MeasureNearest(
   const SkdQueryShape& shape, std::vector<Candidate>& candidates) const
 {
   using Key = std::tuple<double, std::uint32_t, vtkIdType>;
-  std::vector<std::pair<Key, Candidate>> inTurn;
+  std::vector<std::pair<Key, Candidate>> ordered;
   for (const Candidate& candidate : candidates)
   {
     const SkdCellTree& tree = this->Mesh.GetTree(candidate.Part);
     const double bound = shape.LowerBound(tree.SafetyBoxOf(candidate.Cell));
     const double tolerance = std::max(this->Rules.Tolerance, shape.Rounding(tree));
-    inTurn.push_back(
+    ordered.push_back(
       { Key(std::max(0.0, bound - tolerance), candidate.Part, tree.Cells().IdOf(candidate.Cell)),
         candidate });
   }
   std::sort(
-    inTurn.begin(), inTurn.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   Cells best; // Number of these, and by choice ties, are wanted
   const std::size_t number = this->Rules.Number;
-  for (const auto& [key, candidate] : inTurn)
+  for (const auto& [key, candidate] : ordered)
   {
     const bool isEnough = best.size() >= number;
     const SkdRelatedCell* last = isEnough ? &best[number - 1] : nullptr;
@@ -371,14 +372,14 @@ skd::RawVector<std::uint32_t> SkdSpatialSearch::LookThrough(
   const SkdCellStore& cells = tree.Cells();
   const bool hasSides = shape.GetKind() != SkdQueryShape::Kind::Plane && !cells.HasCurvedExtents();
   // Safety boxes are wider than cells, and what they are compared with is rounded.
-  const double reach =
+  const double maxDistance =
     this->Rules.Tolerance + 3.0 * tree.AbsoluteEpsilon() + 2.0 * shape.Rounding(tree);
   skd::RawVector<unsigned char> sides(static_cast<std::size_t>(cells.GetNumberOfPoints()));
   SkdForEach(hasSides ? cells.GetNumberOfPoints() : 0,
     [&](vtkIdType id)
     {
       sides[static_cast<std::size_t>(id)] =
-        shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), reach);
+        shape.SidesOf(cells.Point(static_cast<std::uint32_t>(id)), maxDistance);
     });
   return Collect<std::uint32_t>(owner, 0.2, 0.3, cells.NumberOfCells(),
     [&](std::size_t i, std::uint32_t* to)

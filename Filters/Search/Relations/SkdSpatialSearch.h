@@ -66,7 +66,7 @@ private:
   Cells FindNearestToPoint(const SkdQueryShape& shape) const;
   Cells FindNearestBoxes(const SkdQueryShape& shape) const;
 
-  std::vector<Candidate> FindCandidates(const SkdQueryShape& shape, double reach) const;
+  std::vector<Candidate> FindCandidates(const SkdQueryShape& shape, double maxDistance) const;
   template <class Finder>
   std::vector<Candidate> FindInParts(const Finder& find) const;
   Cells MeasureNearest(const SkdQueryShape& shape, std::vector<Candidate>& candidates) const;

@@ -19,7 +19,7 @@ std::uint32_t SideLeft(const SkdEdgeUse& use)
   return 2 * use.Triangle + (use.IsForward ? 0 : 1);
 }
 
-std::uint32_t SideReached(const SkdEdgeUse& use)
+std::uint32_t SideEntered(const SkdEdgeUse& use)
 {
   return 2 * use.Triangle + (use.IsForward ? 1 : 0);
 }
@@ -41,7 +41,7 @@ void FindRegions(const SkdEdgeFan& fan, SkdArrangement& arrangement)
       }
       for (const SkdEdgeUse* use = first; use != last; ++use)
       {
-        sides.Unite(SideLeft(*use), SideReached(use + 1 == last ? *first : use[1]));
+        sides.Unite(SideLeft(*use), SideEntered(use + 1 == last ? *first : use[1]));
       }
     });
   arrangement.Regions = sides.Number();

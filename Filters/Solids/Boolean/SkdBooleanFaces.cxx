@@ -18,9 +18,9 @@ using Corners = SkdTriangleSet::Corners;
 class FaceMaker
 {
 public:
-  FaceMaker(const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
+  FaceMaker(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
     const SkdFaceOptions& options)
-    : Placed(set)
+    : Moved(set)
     , Set(set.GetSet())
     , Facets(facets)
     , Signs(signs)
@@ -53,7 +53,7 @@ private:
   std::vector<SkdSplitEdge> FindJunctions() const
   {
     std::vector<SkdSplitEdge> junctions;
-    const std::size_t points = this->Placed.GetPoints().size() + this->Facets.NewPoints.size();
+    const std::size_t points = this->Moved.GetPoints().size() + this->Facets.NewPoints.size();
     SkdMakeEdgeTable(this->Facets.Corners, points)
       .ForEach(
         [&](std::uint32_t low, const SkdEdgeUse* first, const SkdEdgeUse* last)
@@ -202,7 +202,7 @@ private:
   bool IsLoopCutByVtk()
   {
     const auto cornerOf = [this](vtkIdType i)
-    { return this->Facets.GetPosition(this->Placed, this->Loop[static_cast<std::size_t>(i)]); };
+    { return this->Facets.GetPosition(this->Moved, this->Loop[static_cast<std::size_t>(i)]); };
     return this->IsPlainQuad(cornerOf) ||
       this->Triangulation.IsCutByVtk(static_cast<vtkIdType>(this->Loop.size()), cornerOf);
   }
@@ -245,7 +245,7 @@ private:
     this->Faces.Corners.Add(first, last);
   }
 
-  const SkdPlacedTriangles& Placed;
+  const SkdMovedTriangles& Moved;
   const SkdTriangleSet& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
@@ -259,7 +259,7 @@ private:
 };
 }
 
-SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+SkdBooleanFaces SkdMakeBooleanFaces(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdFaceOptions& options)
 {
   return FaceMaker(set, facets, signs, options).Make();

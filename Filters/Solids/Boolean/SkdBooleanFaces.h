@@ -24,7 +24,7 @@ struct SkdFaceOptions
 };
 
 /// The facets of a boundary, in its orientation.
-SkdBooleanFaces SkdMakeBooleanFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+SkdBooleanFaces SkdMakeBooleanFaces(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, const SkdFaceOptions& options);
 }
 

@@ -5,7 +5,7 @@
 namespace skdtree
 {
 SkdBoundaryMeasures SkdMeasureBoundary(
-  const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs)
+  const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs)
 {
   SkdBoundaryMeasures measures;
   const skd::Vector3 origin = set.GetPoints().empty() ? skd::Vector3{} : set.GetPoints()[0];

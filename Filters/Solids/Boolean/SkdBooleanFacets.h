@@ -38,7 +38,7 @@ struct SkdBoundaryMeasures
   double Area = 0.0;
 };
 SkdBoundaryMeasures SkdMeasureBoundary(
-  const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs);
+  const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs);
 }
 
 #endif

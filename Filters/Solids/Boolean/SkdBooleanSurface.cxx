@@ -44,14 +44,14 @@ std::vector<bool> FindPolygons(const SkdTriangleSet& set, const SkdBooleanParts&
 
 SkdBooleanFaces MakeFaces(const SkdBooleanParts& parts)
 {
-  const SkdPlacedTriangles& placed = parts.Solids.GetPlacement().First;
+  const SkdMovedTriangles& moved = parts.Solids.GetPlacement().First;
   const SkdFacets& facets = parts.Boundary.GetFacets(parts.Solids.GetArrangement());
   if (parts.IsSection && parts.JoinsPieces && parts.KeepsPolygons)
   {
-    return SkdMakeSectionFaces(placed, facets, parts.Boundary.GetSigns(), parts.Solids.GetFaces());
+    return SkdMakeSectionFaces(moved, facets, parts.Boundary.GetSigns(), parts.Solids.GetFaces());
   }
   const bool isImprint = parts.Rule.Operation == SkdBooleanOperation::Imprint;
-  return SkdMakeBooleanFaces(placed, facets, parts.Boundary.GetSigns(),
+  return SkdMakeBooleanFaces(moved, facets, parts.Boundary.GetSigns(),
     { FindPolygons(parts.Solids.GetTriangles(), parts), parts.MergesPieces && !isImprint });
 }
 
@@ -61,7 +61,7 @@ public:
   Output(const SkdBooleanParts& parts, vtkPolyData* output)
     : Parts(parts)
     , Arrangement(parts.Solids.GetArrangement())
-    , Placed(parts.Solids.GetPlacement().First)
+    , Moved(parts.Solids.GetPlacement().First)
     , Set(parts.Solids.GetTriangles())
     , Facets(parts.Boundary.GetFacets(this->Arrangement))
     , IsImprint(parts.Rule.Operation == SkdBooleanOperation::Imprint)
@@ -75,7 +75,7 @@ public:
   {
     const double unscaled = 1.0 / this->Parts.Solids.GetPlacement().Scale;
     const auto pointAt = [&](vtkIdType i)
-    { return unscaled * this->Facets.GetPosition(this->Placed, this->Points[i]); };
+    { return unscaled * this->Facets.GetPosition(this->Moved, this->Points[i]); };
     const auto& items = this->Faces.Corners.GetItems();
     const auto& offsets = this->Faces.Corners.GetOffsets();
     auto starts =
@@ -143,7 +143,7 @@ private:
   void NumberPoints()
   {
     constexpr std::uint32_t none = 0xffffffffu;
-    this->Numbers.assign(this->Placed.GetPoints().size() + this->Facets.NewPoints.size(), none);
+    this->Numbers.assign(this->Moved.GetPoints().size() + this->Facets.NewPoints.size(), none);
     for (const std::uint32_t corner : this->Faces.Corners.GetItems())
     {
       this->Numbers[corner] = 0;
@@ -225,7 +225,7 @@ private:
 
   const SkdBooleanParts& Parts;
   const SkdArrangement& Arrangement;
-  const SkdPlacedTriangles& Placed;
+  const SkdMovedTriangles& Moved;
   const SkdTriangleSet& Set;
   const SkdFacets& Facets;
   const bool IsImprint;

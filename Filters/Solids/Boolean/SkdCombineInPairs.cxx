@@ -63,22 +63,22 @@ private:
   void Add(const Surface& surface)
   {
     const auto& points = this->Origin.GetPoints();
-    std::vector<std::uint32_t> places(points.size() + surface.NewPoints.size(), None);
+    std::vector<std::uint32_t> slots(points.size() + surface.NewPoints.size(), None);
     for (const Corners& triangle : surface.Triangles)
     {
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i)
       {
         const std::uint32_t point = triangle[i];
-        if (places[point] == None)
+        if (slots[point] == None)
         {
-          places[point] = static_cast<std::uint32_t>(this->Read.Points.size());
+          slots[point] = static_cast<std::uint32_t>(this->Read.Points.size());
           const bool isGiven = point < points.size();
           this->Read.Points.push_back(
             isGiven ? points[point] : surface.NewPoints[point - points.size()]);
           this->Sources.push_back(isGiven ? point : None);
         }
-        corners[i] = places[point];
+        corners[i] = slots[point];
       }
       this->Read.Triangles.push_back(corners);
     }
@@ -337,7 +337,7 @@ private:
 };
 
 /// A point of a triangle by the areas that it divides it into.
-SkdSplitPoint PointIn(const SkdPlacedTriangles& set, std::uint32_t triangle, const skd::Vector3& x)
+SkdSplitPoint PointIn(const SkdMovedTriangles& set, std::uint32_t triangle, const skd::Vector3& x)
 {
   const auto at = set.GetCornerPoints(triangle);
   const skd::Vector3 normal = Cross(at[1] - at[0], at[2] - at[0]);
@@ -358,7 +358,7 @@ SkdSplitPoint PointIn(const SkdPlacedTriangles& set, std::uint32_t triangle, con
 /// A surface as facets, in the order of the triangles that they are of.
 SkdRoundedFacets MakeFacets(const SkdPlacement& placement, const Surface& surface)
 {
-  const SkdPlacedTriangles& set = placement.First;
+  const SkdMovedTriangles& set = placement.First;
   const std::size_t given = set.GetPoints().size();
   std::vector<std::uint32_t> order(surface.Triangles.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -433,24 +433,24 @@ public:
         isWhole[this->Solids.Of[pair.First]] = true;
       }
     }
-    for (const std::uint32_t triangle : this->FindTurned())
+    for (const std::uint32_t triangle : this->FindReversed())
     {
       isWhole[this->Solids.Of[triangle]] = true;
     }
     std::vector<SkdSolidGroup> groups(this->Solids.Count);
-    std::vector<std::uint32_t> places(n, None); // of pieces, or of whole solids behind these
-    places.resize(n + this->Solids.Count, None);
+    std::vector<std::uint32_t> slots(n, None); // of pieces, or of whole solids behind these
+    slots.resize(n + this->Solids.Count, None);
     for (std::uint32_t triangle = 0; triangle < n; ++triangle)
     {
       const std::uint32_t solid = this->Solids.Of[triangle];
       SkdSolidGroup& group = groups[solid];
-      std::uint32_t& place = places[isWhole[solid] ? n + solid : this->Of[triangle]];
-      if (place == None)
+      std::uint32_t& slot = slots[isWhole[solid] ? n + solid : this->Of[triangle]];
+      if (slot == None)
       {
-        place = static_cast<std::uint32_t>(group.size());
+        slot = static_cast<std::uint32_t>(group.size());
         group.emplace_back();
       }
-      group[place].push_back(triangle);
+      group[slot].push_back(triangle);
     }
     return groups;
   }
@@ -482,7 +482,7 @@ private:
 
   /// A triangle of each piece that does not surely face outward: its volume is not positive beyond
   /// rounding.
-  std::vector<std::uint32_t> FindTurned() const
+  std::vector<std::uint32_t> FindReversed() const
   {
     constexpr double rounding = 1e-9; // of a sum of volumes with any signs
     struct Sum
@@ -504,15 +504,15 @@ private:
       sum.Volume += volume;
       sum.Magnitude += std::abs(volume);
     }
-    std::vector<std::uint32_t> turned;
+    std::vector<std::uint32_t> reversed;
     for (const Sum& sum : sums)
     {
       if (sum.First != None && !(sum.Volume > rounding * sum.Magnitude))
       {
-        turned.push_back(sum.First);
+        reversed.push_back(sum.First);
       }
     }
-    return turned;
+    return reversed;
   }
 
   const SkdTriangleSet& Set;

@@ -19,7 +19,7 @@ Corners Sorted(Corners corners)
 
 // Pairs are ascending, so the first pair that has a triangle as its second is with its original.
 std::vector<SkdDuplicate> SkdTakeDuplicates(
-  const SkdPlacedTriangles& set, std::vector<SkdTrianglePair>& pairs)
+  const SkdMovedTriangles& set, std::vector<SkdTrianglePair>& pairs)
 {
   std::vector<bool> isDuplicate(set.GetSet().GetTriangles().size(), false);
   std::vector<SkdDuplicate> duplicates;

@@ -12,7 +12,7 @@ namespace skdtree
 /// along all its edges because it is there twice. What meets a duplicate meets its original.
 /// Returns the duplicates, ascending. O(n).
 std::vector<SkdDuplicate> SkdTakeDuplicates(
-  const SkdPlacedTriangles& set, std::vector<SkdTrianglePair>& pairs);
+  const SkdMovedTriangles& set, std::vector<SkdTrianglePair>& pairs);
 }
 
 #endif

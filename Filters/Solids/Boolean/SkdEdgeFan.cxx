@@ -10,34 +10,34 @@ namespace skdtree
 {
 void SkdEdgeFan::Sort(std::uint32_t low, std::vector<SkdEdgeUse>& uses) const
 {
-  struct Turned
+  struct SortedUse
   {
     SkdEdgeUse Use;
     int Half; // 0: less than half a turn from the first, 1: half a turn, 2: more
   };
-  std::vector<Turned> turned;
+  std::vector<SortedUse> sorted;
   for (std::size_t i = 1; i < uses.size(); ++i)
   {
-    turned.push_back({ uses[i], 1 - this->TurnOf(low, uses[0], uses[i]) });
+    sorted.push_back({ uses[i], 1 - this->OrientationOf(low, uses[0], uses[i]) });
   }
-  std::sort(turned.begin(), turned.end(),
-    [&](const Turned& a, const Turned& b)
+  std::sort(sorted.begin(), sorted.end(),
+    [&](const SortedUse& a, const SortedUse& b)
     {
       if (a.Half != b.Half)
       {
         return a.Half < b.Half;
       }
-      const int order = this->TurnOf(low, a.Use, b.Use);
+      const int order = this->OrientationOf(low, a.Use, b.Use);
       return order != 0 ? order > 0 : a.Use.Triangle < b.Use.Triangle;
     });
   for (std::size_t i = 1; i < uses.size(); ++i)
   {
-    uses[i] = turned[i - 1].Use;
+    uses[i] = sorted[i - 1].Use;
   }
 }
 
 /// 1 if the shortest turn from one facet to another is counterclockwise, 0 if they are in a plane.
-int SkdEdgeFan::TurnOf(std::uint32_t low, const SkdEdgeUse& from, const SkdEdgeUse& to) const
+int SkdEdgeFan::OrientationOf(std::uint32_t low, const SkdEdgeUse& from, const SkdEdgeUse& to) const
 {
   const int side = this->SideOf(low, to, this->Facets.Parents[from.Triangle]);
   return from.IsForward ? side : -side;

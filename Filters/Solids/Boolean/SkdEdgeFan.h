@@ -13,7 +13,7 @@ class SkdEdgeFan
 {
 public:
   /// `ids` are the new points of the facets in the points of the segments.
-  SkdEdgeFan(const SkdPlacedTriangles& set, const SkdSplitPoints& points, const SkdFacets& facets,
+  SkdEdgeFan(const SkdMovedTriangles& set, const SkdSplitPoints& points, const SkdFacets& facets,
     const std::vector<std::uint32_t>& ids)
     : Set(set)
     , Points(points)
@@ -28,11 +28,11 @@ public:
 
 private:
   int SideOf(std::uint32_t low, const SkdEdgeUse& use, std::uint32_t plane) const;
-  int TurnOf(std::uint32_t low, const SkdEdgeUse& from, const SkdEdgeUse& to) const;
+  int OrientationOf(std::uint32_t low, const SkdEdgeUse& from, const SkdEdgeUse& to) const;
   int SideOfLine(std::uint32_t a, std::uint32_t b, const skd::Vector3& x, int axis) const;
   skd::ExactPoint ExactOf(std::uint32_t point) const;
 
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdSplitPoints& Points;
   const SkdFacets& Facets;
   const std::vector<std::uint32_t>& Ids;

@@ -51,7 +51,7 @@ std::vector<vtkDataArray*> FindNumbers(const std::vector<SkdBlock>& blocks, cons
 //------------------------------------------------------------------------------
 SkdFaceSets::SkdFaceSets(const SkdPlacement& placement, const std::vector<SkdBlock>& blocks,
   const char* name, const std::vector<std::string>& others)
-  : Placed(&placement.First)
+  : Moved(&placement.First)
   , Set(&placement.First.GetSet())
   , Tolerance(4.0 * SkdSplitPoints::ErrorOf(placement.Scale * this->Set->GetLargestCoordinate()))
   , Sets(this->Set->GetTriangles().size())
@@ -188,7 +188,7 @@ bool SkdFaceSets::HaveSameData(std::uint32_t a, std::uint32_t b) const
 //------------------------------------------------------------------------------
 skd::Vector3 SkdFaceSets::At(std::uint32_t triangle, std::size_t corner) const
 {
-  return this->Placed->GetPoints()[this->Set->GetTriangles()[triangle][corner]];
+  return this->Moved->GetPoints()[this->Set->GetTriangles()[triangle][corner]];
 }
 
 skd::Vector3 SkdFaceSets::NormalOf(std::uint32_t triangle) const

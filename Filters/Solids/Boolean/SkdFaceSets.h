@@ -49,7 +49,7 @@ private:
   skd::Vector3 At(std::uint32_t triangle, std::size_t corner) const;
   skd::Vector3 NormalOf(std::uint32_t triangle) const;
 
-  const SkdPlacedTriangles* Placed = nullptr;
+  const SkdMovedTriangles* Moved = nullptr;
   const SkdTriangleSet* Set = nullptr;
   double Tolerance = 0.0;
   skd::DisjointSets<> Sets;

@@ -18,7 +18,7 @@ struct SkdFacetMerger::View
 
   explicit View(const std::array<skd::Vector3, 3>& x)
   {
-    const int axis = std::max(0, skd::SeenTriangle(x).Axis);
+    const int axis = std::max(0, skd::ProjectedTriangle(x).Axis);
     this->U = (axis + 1) % 3;
     this->V = (axis + 2) % 3;
     this->Sign = skd::Orient2D(x[0], x[1], x[2], axis);
@@ -74,8 +74,8 @@ bool SkdFacetMerger::MergeTwo(Polygon& into, Polygon& other, const View& view)
     }
   }
   if (count != 1 ||
-    std::binary_search(
-      this->Kept.begin(), this->Kept.end(), SkdMakeSplitEdge(into[at], into[(at + 1) % n])))
+    std::binary_search(this->FixedEdges.begin(), this->FixedEdges.end(),
+      SkdMakeSplitEdge(into[at], into[(at + 1) % n])))
   {
     return false;
   }

@@ -17,12 +17,12 @@ class SkdFacetMerger
 public:
   using Polygon = std::vector<std::uint32_t>; ///< the points of its outline
 
-  /// `kept` are edges, ascending, across which nothing is merged.
-  SkdFacetMerger(
-    const SkdPlacedTriangles& set, const SkdFacets& facets, const std::vector<SkdSplitEdge>& kept)
+  /// `fixedEdges` are edges, ascending, across which nothing is merged.
+  SkdFacetMerger(const SkdMovedTriangles& set, const SkdFacets& facets,
+    const std::vector<SkdSplitEdge>& fixedEdges)
     : Set(set)
     , Facets(facets)
-    , Kept(kept)
+    , FixedEdges(fixedEdges)
   {
   }
 
@@ -36,9 +36,9 @@ private:
   bool IsConvexAt(const Polygon& polygon, std::size_t corner, const View& view) const;
   bool IsCutByVtk(const Polygon& polygon);
 
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
-  const std::vector<SkdSplitEdge>& Kept;
+  const std::vector<SkdSplitEdge>& FixedEdges;
   SkdTriangulation Triangulation;
 };
 }

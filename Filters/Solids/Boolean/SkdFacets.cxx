@@ -10,7 +10,7 @@ SkdFacets::SkdFacets(
   const SkdSplitSegments& segments, SkdSplitResult split, const SkdOverlaps& overlaps)
   : NewPoints(std::move(split.Points))
 {
-  const SkdPlacedTriangles& set = *segments.GetSide(0).Set;
+  const SkdMovedTriangles& set = *segments.GetSide(0).Set;
   this->Corners.reserve(split.Triangles.size());
   this->Parents.reserve(split.Triangles.size());
   auto layer = overlaps.Layers.begin();

@@ -49,13 +49,13 @@ struct SkdFacets
     }
   }
 
-  skd::Vector3 GetPosition(const SkdPlacedTriangles& set, std::uint32_t point) const
+  skd::Vector3 GetPosition(const SkdMovedTriangles& set, std::uint32_t point) const
   {
     const SkdTriangleSet::PointList& given = set.GetPoints();
     return point < given.size() ? given[point] : this->NewPoints[point - given.size()].Position;
   }
 
-  std::array<skd::Vector3, 3> GetPositions(const SkdPlacedTriangles& set, std::uint32_t facet) const
+  std::array<skd::Vector3, 3> GetPositions(const SkdMovedTriangles& set, std::uint32_t facet) const
   {
     const SkdTriangleSet::Corners& corners = this->Corners[facet];
     return { this->GetPosition(set, corners[0]), this->GetPosition(set, corners[1]),

@@ -283,16 +283,16 @@ private:
   void Straighten(const std::uint32_t* first, const std::uint32_t* last)
   {
     const skd::Vector3 from = this->At(*first);
-    const skd::Vector3 way = this->At(*last) - from;
-    const double length = Norm(way);
+    const skd::Vector3 direction = this->At(*last) - from;
+    const double length = Norm(direction);
     const std::uint32_t* farthest = nullptr;
     double most = this->Tolerance;
     double before = 0.0;
     for (const std::uint32_t* point = first + 1; point < last; ++point)
     {
       const skd::Vector3 to = this->At(*point) - from;
-      const double along = length > 0.0 ? Dot(to, way) / length : 0.0;
-      const double away = length > 0.0 ? Norm(Cross(to, way)) / length : Norm(to);
+      const double along = length > 0.0 ? Dot(to, direction) / length : 0.0;
+      const double away = length > 0.0 ? Norm(Cross(to, direction)) / length : Norm(to);
       const bool isInOrder = along >= before - this->Tolerance && along <= length + this->Tolerance;
       const double off = isInOrder ? away : std::max(away, Norm(to));
       farthest = !(off <= most) ? point : farthest;
@@ -375,7 +375,7 @@ private:
   {
     const std::size_t n = this->PiecesOf.size();
     this->Made.resize(n);
-    std::vector<bool> isKept(n, false);
+    std::vector<bool> isRetained(n, false);
     std::vector<std::uint32_t> left(n);
     std::iota(left.begin(), left.end(), 0u);
     while (!left.empty())
@@ -397,14 +397,14 @@ private:
       {
         if (isFailed[i])
         {
-          isKept[left[i]] = true;
+          isRetained[left[i]] = true;
           this->PutBack(left[i], next);
         }
       }
       std::sort(next.begin(), next.end());
       next.erase(std::unique(next.begin(), next.end()), next.end());
       next.erase(std::remove_if(next.begin(), next.end(),
-                   [&isKept](std::uint32_t part) { return isKept[part]; }),
+                   [&isRetained](std::uint32_t part) { return isRetained[part]; }),
         next.end());
       left = std::move(next);
     }
@@ -458,7 +458,7 @@ private:
     return joined;
   }
 
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
   const SkdFacetSigns& Signs;
   const std::vector<std::uint32_t>& Origins;

@@ -39,7 +39,7 @@ skd::ExactPoint CrossingOf(const std::array<skd::Vector3, 3>& x, const SkdAxisLi
 }
 
 std::optional<SkdLineCrossing> SkdCrossTriangle(
-  const SkdPlacedTriangles& set, std::uint32_t triangle, const SkdAxisLine& line, bool& isSure)
+  const SkdMovedTriangles& set, std::uint32_t triangle, const SkdAxisLine& line, bool& isSure)
 {
   const std::array<skd::Vector3, 3> x = set.GetCornerPoints(triangle);
   for (const int axis : { (line.Axis + 1) % 3, (line.Axis + 2) % 3 })
@@ -66,7 +66,7 @@ std::optional<SkdLineCrossing> SkdCrossTriangle(
 }
 
 int SkdCompareCrossings(
-  const SkdPlacedTriangles& set, std::uint32_t first, std::uint32_t second, const SkdAxisLine& line)
+  const SkdMovedTriangles& set, std::uint32_t first, std::uint32_t second, const SkdAxisLine& line)
 {
   const std::array<skd::Vector3, 3> a = set.GetCornerPoints(first);
   const std::array<skd::Vector3, 3> b = set.GetCornerPoints(second);
@@ -79,7 +79,7 @@ int SkdCompareCrossings(
   return skd::ExactCompare(CrossingOf(a, line), CrossingOf(b, line), line.Axis);
 }
 
-SkdLineCrossings::SkdLineCrossings(const SkdPlacedTriangles& set,
+SkdLineCrossings::SkdLineCrossings(const SkdMovedTriangles& set,
   const std::vector<std::uint32_t>& triangles, std::size_t numberOfLines)
   : Set(set)
   , Triangles(triangles)

@@ -30,18 +30,18 @@ struct SkdLineCrossing
 /// Whether a line crosses a triangle, by exact signs; `isSure` becomes false if it passes through
 /// an edge or corner.
 std::optional<SkdLineCrossing> SkdCrossTriangle(
-  const SkdPlacedTriangles& set, std::uint32_t triangle, const SkdAxisLine& line, bool& isSure);
+  const SkdMovedTriangles& set, std::uint32_t triangle, const SkdAxisLine& line, bool& isSure);
 
 /// The exact order along a line of the planes of two triangles that it crosses: negative if it
 /// crosses the first one earlier, 0 if both at one point.
-int SkdCompareCrossings(const SkdPlacedTriangles& set, std::uint32_t first, std::uint32_t second,
-  const SkdAxisLine& line);
+int SkdCompareCrossings(
+  const SkdMovedTriangles& set, std::uint32_t first, std::uint32_t second, const SkdAxisLine& line);
 
 /// Some triangles, to be crossed by about so many lines.
 class SkdLineCrossings
 {
 public:
-  SkdLineCrossings(const SkdPlacedTriangles& set, const std::vector<std::uint32_t>& triangles,
+  SkdLineCrossings(const SkdMovedTriangles& set, const std::vector<std::uint32_t>& triangles,
     std::size_t numberOfLines);
 
   /// The triangles that a line crosses, ascending; none if it passes through an edge or corner.
@@ -49,7 +49,7 @@ public:
   std::optional<std::vector<SkdLineCrossing>> Find(const SkdAxisLine& line) const;
 
 private:
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const std::vector<std::uint32_t>& Triangles;
   std::optional<skd::PackedRTree> Boxes; // none: few lines
   skd::Box3 Bounds;

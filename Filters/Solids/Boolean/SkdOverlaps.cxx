@@ -41,7 +41,7 @@ public:
     const std::uint32_t lower = this->Pairs[pair].First;
     const std::uint32_t higher = this->Pairs[pair].Second;
     const int axis = this->Set.Get(lower).Axis;
-    const int sign = this->TurnOf(lower, axis) * this->TurnOf(higher, axis);
+    const int sign = this->OrientationOf(lower, axis) * this->OrientationOf(higher, axis);
     this->ForEachPieceIn(pair, lower, axis,
       [&](std::uint32_t piece) {
         overlaps.Layers.push_back({ piece, higher, sign });
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  int TurnOf(std::uint32_t triangle, int axis) const
+  int OrientationOf(std::uint32_t triangle, int axis) const
   {
     const auto x = this->Set.GetCornerPoints(triangle);
     return skd::Orient2D(x[0], x[1], x[2], axis);
@@ -144,7 +144,7 @@ private:
   const std::vector<SkdTrianglePair>& Pairs;
   const SkdContactPoints& Contacts;
   const SkdSplitPoints& Points;
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdSplitResult& Split;
   std::vector<std::uint32_t> PointOf; // of each corner
 };

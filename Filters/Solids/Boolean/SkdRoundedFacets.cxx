@@ -36,7 +36,7 @@ bool HasEqualCorners(const Corners& corners)
 }
 
 /// 1 if the corners are ascending but for where they begin, else -1.
-int TurnOf(const Corners& corners)
+int OrientationOf(const Corners& corners)
 {
   return (corners[0] < corners[1]) + (corners[1] < corners[2]) + (corners[2] < corners[0]) == 2
     ? 1
@@ -53,7 +53,7 @@ std::vector<Laid> ListLaid(const SkdRoundedFacets& rounded, const std::vector<bo
     if (rounded.Signs[facet] != 0 &&
       (isShared[corners[0]] || isShared[corners[1]] || isShared[corners[2]]))
     {
-      laid.push_back({ corners, facet, rounded.Signs[facet] * TurnOf(corners) });
+      laid.push_back({ corners, facet, rounded.Signs[facet] * OrientationOf(corners) });
       std::sort(laid.back().Ascending.begin(), laid.back().Ascending.end());
     }
   }
@@ -79,7 +79,7 @@ void TakeOut(const Laid* first, const Laid* last, bool keepsOne, SkdFacetSigns& 
 std::vector<std::uint32_t> SkdFindEqualPoints(
   const SkdPlacement& placement, const SkdFacets& facets)
 {
-  const SkdPlacedTriangles& set = placement.First;
+  const SkdMovedTriangles& set = placement.First;
   const double unscaled = 1.0 / placement.Scale;
   const auto given = static_cast<std::uint32_t>(set.GetPoints().size());
   const auto end = given + static_cast<std::uint32_t>(facets.NewPoints.size());

@@ -19,9 +19,9 @@ constexpr std::size_t MostCorners = 4000;
 class SectionMaker
 {
 public:
-  SectionMaker(const SkdPlacedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
+  SectionMaker(const SkdMovedTriangles& set, const SkdFacets& facets, const SkdFacetSigns& signs,
     SkdFaceSets& faces)
-    : Placed(set)
+    : Moved(set)
     , Facets(facets)
     , Faces(faces)
   {
@@ -68,7 +68,7 @@ private:
   /// The connected parts of faces, and the edges around them.
   void FindParts()
   {
-    const std::size_t points = this->Placed.GetPoints().size() + this->Facets.NewPoints.size();
+    const std::size_t points = this->Moved.GetPoints().size() + this->Facets.NewPoints.size();
     const skd::EdgeTable<> edges = SkdMakeEdgeTable(this->PieceCorners, points);
     skd::DisjointSets<> sets(this->Pieces.size());
     std::vector<std::array<bool, 3>> isBorder(this->Pieces.size(), { false, false, false });
@@ -147,7 +147,7 @@ private:
   {
     return this->Triangulation.IsCutByVtk(static_cast<vtkIdType>(this->Loop.size()),
       [this](vtkIdType i)
-      { return this->Facets.GetPosition(this->Placed, this->Loop[static_cast<std::size_t>(i)]); });
+      { return this->Facets.GetPosition(this->Moved, this->Loop[static_cast<std::size_t>(i)]); });
   }
 
   template <class Iterator>
@@ -157,7 +157,7 @@ private:
     this->Made.Corners.Add(first, last);
   }
 
-  const SkdPlacedTriangles& Placed;
+  const SkdMovedTriangles& Moved;
   const SkdFacets& Facets;
   SkdFaceSets& Faces;
   std::vector<std::uint32_t> Pieces; // facets
@@ -170,7 +170,7 @@ private:
 };
 }
 
-SkdBooleanFaces SkdMakeSectionFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+SkdBooleanFaces SkdMakeSectionFaces(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, SkdFaceSets& faces)
 {
   return SectionMaker(set, facets, signs, faces).Make();

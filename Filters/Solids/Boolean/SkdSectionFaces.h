@@ -12,7 +12,7 @@ namespace skdtree
 /// face is one polygon if it has no holes, touches itself nowhere, and VTK can triangulate it. Of
 /// others, and of those with more than 4000 corners, for which VTK takes long, the facets are the
 /// faces. O(n log n), and O(k^2) for a polygon with k corners.
-SkdBooleanFaces SkdMakeSectionFaces(const SkdPlacedTriangles& set, const SkdFacets& facets,
+SkdBooleanFaces SkdMakeSectionFaces(const SkdMovedTriangles& set, const SkdFacets& facets,
   const SkdFacetSigns& signs, SkdFaceSets& faces);
 }
 

@@ -14,7 +14,7 @@ namespace
 {
 /// A point at each region: the centroid of its first facet.
 std::vector<skd::Vector3> FindPoints(
-  const SkdPlacedTriangles& set, const SkdArrangement& arrangement)
+  const SkdMovedTriangles& set, const SkdArrangement& arrangement)
 {
   std::vector<skd::Vector3> points(arrangement.NumberOfRegions);
   for (std::size_t facet = arrangement.Facets.GetNumberOfFacets(); facet-- > 0;)
@@ -30,7 +30,7 @@ std::vector<skd::Vector3> FindPoints(
 /// Whether a point is behind the sheet's nearest triangle; of several that are as near, as at a
 /// common edge, behind the one that faces the point most. O(n).
 bool IsBehindNearest(
-  const SkdPlacedTriangles& set, const std::vector<std::uint32_t>& triangles, const skd::Vector3& x)
+  const SkdMovedTriangles& set, const std::vector<std::uint32_t>& triangles, const skd::Vector3& x)
 {
   constexpr double same = 1.0 + 1e-12; // of squared distances
   double nearest2 = std::numeric_limits<double>::infinity();
@@ -157,13 +157,13 @@ private:
   /// beside any of these facets is 0.
   void SpreadFrom(std::uint32_t start, std::vector<bool>& isKnown)
   {
-    std::vector<std::uint32_t> reached{ start };
+    std::vector<std::uint32_t> visited{ start };
     isKnown[start] = true;
     int least = 0;
     bool isContradictory = false;
-    for (std::size_t i = 0; i < reached.size(); ++i)
+    for (std::size_t i = 0; i < visited.size(); ++i)
     {
-      const std::uint32_t from = reached[i];
+      const std::uint32_t from = visited[i];
       auto step = std::lower_bound(this->Steps.begin(), this->Steps.end(), Step{ from, 0, 0 });
       for (; step != this->Steps.end() && step->From == from; ++step)
       {
@@ -177,13 +177,13 @@ private:
         {
           isKnown[step->To] = true;
           this->Numbers[step->To] = number;
-          reached.push_back(step->To);
+          visited.push_back(step->To);
         }
         isContradictory = isContradictory || this->Numbers[step->To] != number;
       }
     }
-    this->Faults.Contradictory += isContradictory ? static_cast<vtkIdType>(reached.size()) : 0;
-    for (const std::uint32_t part : reached)
+    this->Faults.Contradictory += isContradictory ? static_cast<vtkIdType>(visited.size()) : 0;
+    for (const std::uint32_t part : visited)
     {
       this->Numbers[part] = isContradictory ? 0 : this->Numbers[part] - least;
     }
@@ -197,7 +197,7 @@ private:
 };
 }
 
-SkdSheetFaults SkdPlaceSheet(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
+SkdSheetFaults SkdPlaceSheet(const SkdMovedTriangles& set, const SkdArrangement& arrangement,
   const std::vector<std::uint32_t>& parts, const std::vector<std::uint32_t>& surfaceOf,
   std::uint32_t sheet, std::vector<SkdRegionWindings>& windings)
 {

@@ -19,7 +19,7 @@ struct SkdSheetFaults
 /// first solid that are in front of all of it. Facets that have the same part of space on both
 /// sides divide nothing and count for nothing. Parts that it does not touch are on the side of its
 /// nearest triangle. `parts` are of SkdFindPartsOfSpace.
-SkdSheetFaults SkdPlaceSheet(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
+SkdSheetFaults SkdPlaceSheet(const SkdMovedTriangles& set, const SkdArrangement& arrangement,
   const std::vector<std::uint32_t>& parts, const std::vector<std::uint32_t>& surfaceOf,
   std::uint32_t sheet, std::vector<SkdRegionWindings>& windings);
 }

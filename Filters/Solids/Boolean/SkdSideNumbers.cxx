@@ -15,7 +15,7 @@ namespace skdtree
 namespace
 {
 SkdWinding MakeWinding(
-  const SkdPlacedTriangles& set, const std::vector<std::uint32_t>& surfaceOf, std::uint32_t surface)
+  const SkdMovedTriangles& set, const std::vector<std::uint32_t>& surfaceOf, std::uint32_t surface)
 {
   std::vector<skd::WindingNumber::Triangle> triangles;
   for (std::uint32_t triangle = 0; triangle < surfaceOf.size(); ++triangle)
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> FindPatches(const SkdFacets& facets)
 class Sides
 {
 public:
-  Sides(const SkdPlacedTriangles& set, const SkdFacets& facets)
+  Sides(const SkdMovedTriangles& set, const SkdFacets& facets)
     : Set(set)
     , Facets(facets)
     , Areas(facets.GetNumberOfFacets(), 0.0)
@@ -116,13 +116,13 @@ public:
   }
 
 private:
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdFacets& Facets;
   std::vector<double> Areas; // twice that of each facet
 };
 }
 
-SkdSideNumbers SkdFindSideNumbers(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
+SkdSideNumbers SkdFindSideNumbers(const SkdMovedTriangles& set, const SkdArrangement& arrangement,
   const std::vector<std::uint32_t>& surfaceOf, std::uint32_t surface)
 {
   const SkdFacets& facets = arrangement.Facets;

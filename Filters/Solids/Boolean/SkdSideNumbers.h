@@ -31,7 +31,7 @@ struct SkdSideNumbers
 /// The numbers are found near the middle of each facet. Facets that edges of two connect have the
 /// same, if but for a millionth of their area they do: only slivers differ then, by rounding. Near
 /// a gap in the surface facets differ. O(n log n), a microsecond or two for a facet.
-SkdSideNumbers SkdFindSideNumbers(const SkdPlacedTriangles& set, const SkdArrangement& arrangement,
+SkdSideNumbers SkdFindSideNumbers(const SkdMovedTriangles& set, const SkdArrangement& arrangement,
   const std::vector<std::uint32_t>& surfaceOf, std::uint32_t surface);
 }
 

@@ -31,8 +31,9 @@ constexpr skd::RigidMotion NoMotion{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 
 double RoundingOf(
   const SkdTriangleSet& from, const SkdTriangleSet& to, const skd::RigidMotion& motion)
 {
-  const double reach = from.GetLargestCoordinate() + to.GetLargestCoordinate() + Norm(motion.Shift);
-  return 8.0 * std::numeric_limits<double>::epsilon() * reach;
+  const double largest =
+    from.GetLargestCoordinate() + to.GetLargestCoordinate() + Norm(motion.Shift);
+  return 8.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 bool AreSame(const skd::RigidMotion& a, const skd::RigidMotion& b)

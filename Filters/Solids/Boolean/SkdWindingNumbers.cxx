@@ -69,7 +69,7 @@ struct Entrance
 class Search
 {
 public:
-  Search(const SkdPlacedTriangles& set, double scale, const SkdArrangement& arrangement,
+  Search(const SkdMovedTriangles& set, double scale, const SkdArrangement& arrangement,
     const std::vector<std::uint32_t>& surfaceOf)
     : Set(set)
     , Arrangement(arrangement)
@@ -488,7 +488,7 @@ private:
     return isSure;
   }
 
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdArrangement& Arrangement;
   const std::vector<std::uint32_t>& SurfaceOf;
   std::vector<SkdRegionWindings> Windings;

@@ -66,7 +66,7 @@ SkdContactPoints::Feature SkdContactPoints::MakeFeature(
   bool isOfSecond, std::uint32_t triangle, skd::TriangleFeature feature) const
 {
   const bool isCountedOn = isOfSecond && this->Second;
-  const SkdPlacedTriangles& set = isCountedOn ? *this->Second : this->First;
+  const SkdMovedTriangles& set = isCountedOn ? *this->Second : this->First;
   if (feature == skd::TriangleInside)
   {
     const auto before = static_cast<std::uint32_t>(this->First.GetSet().GetTriangles().size());

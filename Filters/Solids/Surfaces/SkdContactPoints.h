@@ -72,8 +72,8 @@ private:
   skd::Segment<3> EdgeAt(const Feature& edge) const;
   std::array<skd::Vector3, 3> TriangleAt(std::uint32_t triangle) const;
 
-  const SkdPlacedTriangles& First;
-  const SkdPlacedTriangles* Second; // nullptr of one alone
+  const SkdMovedTriangles& First;
+  const SkdMovedTriangles* Second;  // nullptr of one alone
   std::vector<std::size_t> Offsets; // where the points of a pair begin
   std::vector<std::uint32_t> Points;
   std::vector<Key> Keys; // ascending

@@ -48,8 +48,8 @@ SkdContacts::Row SkdContacts::MakeRow(std::size_t index) const
 {
   const SkdTrianglePair& pair = this->Pairs[index];
   Row row;
-  const SkdPlacedTriangles& first = this->Placement.First;
-  const SkdPlacedTriangles& second = this->Placement.GetSecond();
+  const SkdMovedTriangles& first = this->Placement.First;
+  const SkdMovedTriangles& second = this->Placement.GetSecond();
   row.FirstCell = first.GetSet().GetCellOf(pair.First);
   row.SecondCell = second.GetSet().GetCellOf(pair.Second);
   row.Kind = SkdKindOf(pair.Contact);

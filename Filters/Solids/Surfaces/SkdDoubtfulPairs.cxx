@@ -26,7 +26,7 @@ constexpr double Distortion = 1e-8;
 class PairTest
 {
 public:
-  PairTest(const SkdPlacedTriangles& set, double rounding)
+  PairTest(const SkdMovedTriangles& set, double rounding)
     : Set(set)
     , Error(RoundingsOfEdge * rounding)
   {
@@ -114,11 +114,11 @@ private:
     return Dot(Cross(p, edge), Cross(q, edge)) < -doubt;
   }
 
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const double Error;
 };
 
-std::vector<skd::Box3> MakeBoxes(const SkdPlacedTriangles& set, std::uint32_t begin, double margin)
+std::vector<skd::Box3> MakeBoxes(const SkdMovedTriangles& set, std::uint32_t begin, double margin)
 {
   const std::size_t n = set.GetSet().GetTriangles().size() - begin;
   std::vector<skd::Box3> boxes(n);
@@ -130,7 +130,7 @@ std::vector<skd::Box3> MakeBoxes(const SkdPlacedTriangles& set, std::uint32_t be
 }
 
 std::optional<SkdIndexPairs> SkdFindDoubtfulPairs(
-  const SkdPlacedTriangles& set, std::uint32_t begin, double rounding, SkdLoop& loop)
+  const SkdMovedTriangles& set, std::uint32_t begin, double rounding, SkdLoop& loop)
 {
   const PairTest test(set, rounding);
   const std::vector<skd::Box3> boxes = MakeBoxes(set, begin, RoundingsOfEdge * rounding);

@@ -27,7 +27,7 @@ using SkdIndexPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 /// surface these are few. Points must be merged. Empty if boxes overlap so much that it would take
 /// long, or after an abort.
 std::optional<SkdIndexPairs> SkdFindDoubtfulPairs(
-  const SkdPlacedTriangles& set, std::uint32_t begin, double rounding, SkdLoop& loop);
+  const SkdMovedTriangles& set, std::uint32_t begin, double rounding, SkdLoop& loop);
 }
 
 #endif

@@ -22,26 +22,26 @@ using Cells = skd::CoarseCells;
 /// Consecutive triangles of a placed set.
 struct Triangles
 {
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   std::uint32_t Begin;
   std::uint32_t End;
 
   std::uint32_t Count() const { return this->End - this->Begin; }
 };
 
-Triangles AllOf(const SkdPlacedTriangles& set)
+Triangles AllOf(const SkdMovedTriangles& set)
 {
   return { set, 0, static_cast<std::uint32_t>(set.GetSet().GetTriangles().size()) };
 }
 
 /// Where the set is placed, or around it.
-skd::Box3 BoundsOf(const SkdPlacement& placement, const SkdPlacedTriangles& set, bool isMoved)
+skd::Box3 BoundsOf(const SkdPlacement& placement, const SkdMovedTriangles& set, bool isMoved)
 {
   const skd::Box3& bounds = set.GetSet().GetBounds();
-  const double reach = set.GetSet().GetLargestCoordinate();
+  const double extent = set.GetSet().GetLargestCoordinate();
   const skd::Box3 there = isMoved ? placement.Motion->Forward(bounds) : bounds;
   const double shift = isMoved ? Norm(placement.Motion->Shift) : 0.0;
-  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (2.0 * reach + shift);
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (2.0 * extent + shift);
   const skd::Box3 around = isMoved ? there.Inflated(rounding) : there;
   return { placement.Scale * around.Min, placement.Scale * around.Max };
 }
@@ -62,24 +62,24 @@ double MeanSize(const Triangles& triangles)
 }
 
 /// Triangles as cells see them.
-class SeenByCells
+class TrianglesByCells
 {
 public:
-  SeenByCells(const Triangles& triangles, const Cells& cells, double margin)
-    : Seen(triangles)
+  TrianglesByCells(const Triangles& triangles, const Cells& cells, double margin)
+    : Original(triangles)
     , TheCells(cells)
-    , Lows(PlacesOf(triangles.Set, cells, -margin))
-    , Highs(margin > 0.0 ? PlacesOf(triangles.Set, cells, margin) : CellPositionList())
+    , Lows(CellPositionsOf(triangles.Set, cells, -margin))
+    , Highs(margin > 0.0 ? CellPositionsOf(triangles.Set, cells, margin) : CellPositionList())
     , AtHighs(margin > 0.0 ? this->Highs.data() : this->Lows.data())
   {
   }
 
-  std::uint32_t GetBegin() const { return this->Seen.Begin; }
-  std::uint32_t GetEnd() const { return this->Seen.End; }
+  std::uint32_t GetBegin() const { return this->Original.Begin; }
+  std::uint32_t GetEnd() const { return this->Original.End; }
 
   Cells::Range RangeOf(std::uint32_t triangle) const
   {
-    const auto [a, b, c] = this->Seen.Set.GetCorners(triangle);
+    const auto [a, b, c] = this->Original.Set.GetCorners(triangle);
     return this->TheCells.RangeOf({ this->Lows[a], this->Lows[b], this->Lows[c] },
       { this->AtHighs[a], this->AtHighs[b], this->AtHighs[c] });
   }
@@ -87,17 +87,18 @@ public:
 private:
   using CellPositionList = skd::RawVector<Cells::CellPosition>;
 
-  static CellPositionList PlacesOf(const SkdPlacedTriangles& set, const Cells& cells, double shift)
+  static CellPositionList CellPositionsOf(
+    const SkdMovedTriangles& set, const Cells& cells, double shift)
   {
     const SkdTriangleSet::PointList& points = set.GetPoints();
     const skd::Vector3 shifts{ { shift, shift, shift } };
-    CellPositionList places(points.size());
-    std::transform(points.begin(), points.end(), places.begin(),
+    CellPositionList positions(points.size());
+    std::transform(points.begin(), points.end(), positions.begin(),
       [&](const skd::Vector3& x) { return cells.CellPositionOf(x + shifts); });
-    return places;
+    return positions;
   }
 
-  const Triangles Seen;
+  const Triangles Original;
   const Cells& TheCells;
   CellPositionList Lows;
   CellPositionList Highs; // empty where these are the lows
@@ -116,7 +117,7 @@ public:
   }
 
   /// Appends those within the region to `inside`.
-  bool MarkAll(const SeenByCells& set, std::vector<std::uint32_t>& inside)
+  bool MarkAll(const TrianglesByCells& set, std::vector<std::uint32_t>& inside)
   {
     return this->ForEachRange(set,
       [&](std::uint32_t i, const Cells::Range& range)
@@ -127,7 +128,7 @@ public:
   }
 
   /// Those of the other set that are in marked cells; marks theirs.
-  bool FindMarked(const SeenByCells& set, std::vector<std::uint32_t>& found)
+  bool FindMarked(const TrianglesByCells& set, std::vector<std::uint32_t>& found)
   {
     return this->ForEachRange(set,
       [&](std::uint32_t i, const Cells::Range& range)
@@ -140,7 +141,7 @@ public:
       });
   }
 
-  void KeepMarked(const SeenByCells& set, std::vector<std::uint32_t>& inside) const
+  void KeepMarked(const TrianglesByCells& set, std::vector<std::uint32_t>& inside) const
   {
     const auto isAlone = [&](std::uint32_t i) { return !this->Other.HasMarks(set.RangeOf(i)); };
     inside.erase(std::remove_if(inside.begin(), inside.end(), isAlone), inside.end());
@@ -150,7 +151,7 @@ private:
   /// Calls visit(triangle, its cells) for those within the region; false if there are too many
   /// cells.
   template <class Visit>
-  bool ForEachRange(const SeenByCells& set, const Visit& visit)
+  bool ForEachRange(const TrianglesByCells& set, const Visit& visit)
   {
     for (std::uint32_t i = set.GetBegin(); i < set.GetEnd(); ++i)
     {
@@ -179,7 +180,7 @@ private:
   std::size_t RowsLeft;
 };
 
-void AddBoxes(const SkdPlacedTriangles& set, double margin, SkdNearTriangles& near)
+void AddBoxes(const SkdMovedTriangles& set, double margin, SkdNearTriangles& near)
 {
   near.Boxes.reserve(near.Triangles.size());
   for (const std::uint32_t triangle : near.Triangles)
@@ -207,7 +208,7 @@ bool MayHaveCopies(const SkdNearTriangles& near)
 }
 
 /// Leaves out all but the first SkdManyCopies of each triangle, as SkdTriangleSet::Complete does.
-bool LeaveOutCopies(const SkdPlacedTriangles& set, SkdNearTriangles& near)
+bool LeaveOutCopies(const SkdMovedTriangles& set, SkdNearTriangles& near)
 {
   if (!MayHaveCopies(near))
   {
@@ -256,15 +257,15 @@ bool FilterByCoarseGrid(const SetPair& pair, SkdNearSets& near)
 {
   const double size = std::max(MeanSize(pair.First), MeanSize(pair.Second)) + pair.Margin;
   const Cells cells(pair.Region, size);
-  const SeenByCells seenFirst(pair.First, cells, 0.0);
-  const SeenByCells seenSecond(pair.Second, cells, pair.Margin);
+  const TrianglesByCells byCellsFirst(pair.First, cells, 0.0);
+  const TrianglesByCells byCellsSecond(pair.Second, cells, pair.Margin);
   CoarseGrid grid(cells, pair.Count());
-  if (!grid.MarkAll(seenFirst, near.First.Triangles) ||
-    !grid.FindMarked(seenSecond, near.Second.Triangles))
+  if (!grid.MarkAll(byCellsFirst, near.First.Triangles) ||
+    !grid.FindMarked(byCellsSecond, near.Second.Triangles))
   {
     return false;
   }
-  grid.KeepMarked(seenFirst, near.First.Triangles);
+  grid.KeepMarked(byCellsFirst, near.First.Triangles);
   return true;
 }
 
@@ -282,8 +283,8 @@ skd::Box3 BoundsOf(const Triangles& triangles)
 //------------------------------------------------------------------------------
 std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double clearance)
 {
-  const SkdPlacedTriangles& first = placement.First;
-  const SkdPlacedTriangles& second = placement.GetSecond();
+  const SkdMovedTriangles& first = placement.First;
+  const SkdMovedTriangles& second = placement.GetSecond();
   SetPair pair{ AllOf(first), AllOf(second), {}, 0.0 };
   SkdNearSets near;
   if (pair.First.Count() == 0 || pair.Second.Count() == 0)
@@ -292,9 +293,9 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
   }
   skd::Box3 region = BoundsOf(placement, first, false);
   skd::Box3 other = BoundsOf(placement, second, placement.Motion.has_value());
-  const double reach = std::max(skd::LargestCoordinate(region), skd::LargestCoordinate(other));
+  const double extent = std::max(skd::LargestCoordinate(region), skd::LargestCoordinate(other));
   const double margin =
-    clearance > 0.0 ? ClearanceMargin * clearance + CoordinateMargin * reach : 0.0;
+    clearance > 0.0 ? ClearanceMargin * clearance + CoordinateMargin * extent : 0.0;
   other = other.Inflated(margin);
   region = { skd::Greatest(region.Min, other.Min), skd::Least(region.Max, other.Max) };
   if (region.IsEmpty())
@@ -317,7 +318,7 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
 }
 
 //------------------------------------------------------------------------------
-std::optional<SkdNearSets> SkdFindNear(const SkdPlacedTriangles& set, std::uint32_t middle)
+std::optional<SkdNearSets> SkdFindNear(const SkdMovedTriangles& set, std::uint32_t middle)
 {
   const Triangles all = AllOf(set);
   SetPair pair{ { set, 0, middle }, { set, middle, all.End }, BoundsOf({ set, 0, middle }), 0.0 };

@@ -36,7 +36,7 @@ std::optional<SkdNearSets> SkdFindNear(const SkdPlacement& placement, double cle
 
 /// The same of one set: those of its triangles before one number and those from it on that may
 /// intersect each other. Empty if they cover too many cells of the grid.
-std::optional<SkdNearSets> SkdFindNear(const SkdPlacedTriangles& set, std::uint32_t middle);
+std::optional<SkdNearSets> SkdFindNear(const SkdMovedTriangles& set, std::uint32_t middle);
 }
 
 #endif

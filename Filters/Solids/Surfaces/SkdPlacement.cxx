@@ -17,28 +17,28 @@ namespace skdtree
 //------------------------------------------------------------------------------
 // A motion rounds each corner, by less than `rounding`. That takes the area of no triangle which is
 // much wider.
-SkdPlacedTriangles::SkdPlacedTriangles(const SkdTriangleSet& set,
+SkdMovedTriangles::SkdMovedTriangles(const SkdTriangleSet& set,
   const std::optional<skd::RigidMotion>& motion, double scale, double least)
   : Set(&set)
   , IsElsewhere(motion || scale != 1.0 || set.GetLeastCoordinate() < least)
   , Points(this->IsElsewhere ? set.GetPoints().size() : 0)
 {
-  const double reach = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
-  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
+  const double extent = set.GetLargestCoordinate() + (motion ? Norm(motion->Shift) : 0.0);
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * extent;
   this->HaveAllArea =
     scale == 1.0 && !(set.GetLeastCoordinate() < least) && set.GetLeastWidth() > 64.0 * rounding;
   SkdForEach(static_cast<vtkIdType>(this->Points.size()),
     [&](vtkIdType i)
     {
       const skd::Vector3& point = set.GetPoints()[i];
-      skd::Vector3 placed = scale * (motion ? motion->Forward(point) : point);
-      skd::TakeTinyAsZero(placed, scale * least);
-      this->Points[i] = placed;
+      skd::Vector3 moved = scale * (motion ? motion->Forward(point) : point);
+      skd::TakeTinyAsZero(moved, scale * least);
+      this->Points[i] = moved;
     });
 }
 
 //------------------------------------------------------------------------------
-vtkIdType SkdPlacedTriangles::CountWithoutArea() const
+vtkIdType SkdMovedTriangles::CountWithoutArea() const
 {
   if (this->HaveAllArea)
   {
@@ -69,18 +69,18 @@ SkdPlacement SkdMakePlacement(const SkdTriangleSet& first, const SkdTriangleSet*
   const std::optional<skd::RigidMotion>& motion)
 {
   const double shift = motion ? Norm(motion->Shift) : 0.0;
-  const double reach =
+  const double extent =
     std::max({ first.GetLargestCoordinate(), other ? other->GetLargestCoordinate() : 0.0, shift });
-  const double scale = skd::ExactScale(reach);
-  const double least = skd::LeastExactCoordinate * reach;
+  const double scale = skd::ExactScale(extent);
+  const double least = skd::LeastExactCoordinate * extent;
   const auto hasTiny = [least](const SkdTriangleSet& set)
   { return set.GetNumberOfTinyPoints() > 0 || set.GetLeastCoordinate() < least; };
-  std::optional<SkdPlacedTriangles> placed;
+  std::optional<SkdMovedTriangles> moved;
   if (other)
   {
-    placed.emplace(*other, motion, scale, least);
+    moved.emplace(*other, motion, scale, least);
   }
-  return { SkdPlacedTriangles(first, std::nullopt, scale, least), std::move(placed), motion, scale,
+  return { SkdMovedTriangles(first, std::nullopt, scale, least), std::move(moved), motion, scale,
     hasTiny(first) || (other && hasTiny(*other)) };
 }
 

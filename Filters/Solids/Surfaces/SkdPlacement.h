@@ -15,11 +15,11 @@ namespace skdtree
 {
 /// A set of triangles after a placement: its points are moved, rounded once, and scaled by a power
 /// of two. Tests are exact for these points.
-class SkdPlacedTriangles
+class SkdMovedTriangles
 {
 public:
   /// Coordinates that are smaller than `least` (before the scale) become 0.
-  SkdPlacedTriangles(const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion,
+  SkdMovedTriangles(const SkdTriangleSet& set, const std::optional<skd::RigidMotion>& motion,
     double scale, double least);
 
   const SkdTriangleSet& GetSet() const { return *this->Set; }
@@ -39,9 +39,9 @@ public:
     return { points[corners[0]], points[corners[1]], points[corners[2]] };
   }
 
-  skd::SeenTriangle Get(std::uint32_t triangle) const
+  skd::ProjectedTriangle Get(std::uint32_t triangle) const
   {
-    return skd::SeenTriangle(this->GetCornerPoints(triangle));
+    return skd::ProjectedTriangle(this->GetCornerPoints(triangle));
   }
 
   skd::TriangleInPlane GetInPlane(std::uint32_t triangle) const
@@ -76,14 +76,14 @@ private:
 /// Two surfaces, or one to be intersected with itself.
 struct SkdPlacement
 {
-  SkdPlacedTriangles First;
-  std::optional<SkdPlacedTriangles> Other; ///< none: one alone
-  std::optional<skd::RigidMotion> Motion;  ///< of the other
-  double Scale;                            ///< of both
-  bool HasTinyPoints;                      ///< some coordinates of the sets were taken as 0
+  SkdMovedTriangles First;
+  std::optional<SkdMovedTriangles> Other; ///< none: one alone
+  std::optional<skd::RigidMotion> Motion; ///< of the other
+  double Scale;                           ///< of both
+  bool HasTinyPoints;                     ///< some coordinates of the sets were taken as 0
 
   bool IsOfOne() const { return !this->Other; }
-  const SkdPlacedTriangles& GetSecond() const { return this->Other ? *this->Other : this->First; }
+  const SkdMovedTriangles& GetSecond() const { return this->Other ? *this->Other : this->First; }
   vtkIdType CountWithoutArea() const;
 };
 

@@ -12,12 +12,12 @@ namespace
 {
 double LargestCoordinateOf(const SkdTriangleSet::PointList& points)
 {
-  double reach = 0.0;
+  double extent = 0.0;
   for (const skd::Vector3& x : points)
   {
-    reach = std::max({ reach, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+    extent = std::max({ extent, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
   }
-  return reach;
+  return extent;
 }
 }
 
@@ -27,9 +27,9 @@ SkdSplitPoints::SkdSplitPoints(const SkdContactPoints& contacts, const SkdPlacem
   , Exact(contacts.GetNumberOfPoints())
   , Same(contacts.GetNumberOfPoints())
 {
-  const double reach = std::max(LargestCoordinateOf(placement.First.GetPoints()),
+  const double extent = std::max(LargestCoordinateOf(placement.First.GetPoints()),
     LargestCoordinateOf(placement.GetSecond().GetPoints()));
-  this->Error = ErrorOf(reach);
+  this->Error = ErrorOf(extent);
   for (std::uint32_t point = 0; point < contacts.GetNumberOfPoints(); ++point)
   {
     this->Positions[point] = placement.Scale * contacts.GetPosition(point);

@@ -46,10 +46,10 @@ public:
   const skd::ExactPoint& GetExact(std::uint32_t point) const;
   double GetError() const { return this->Error; }
 
-  /// That error, for points whose coordinates have magnitudes up to `reach`.
-  static double ErrorOf(double reach)
+  /// That error, for points whose coordinates have magnitudes up to `extent`.
+  static double ErrorOf(double extent)
   {
-    return 16.0 * std::numeric_limits<double>::epsilon() * reach;
+    return 16.0 * std::numeric_limits<double>::epsilon() * extent;
   }
   ///@}
 

@@ -12,8 +12,8 @@ struct SkdSplitSegments::PairSegment
   std::uint32_t A;
   std::uint32_t B;
   std::size_t Pair;
-  std::int8_t PlaceOfA;
-  std::int8_t PlaceOfB;
+  std::int8_t SlotOfA;
+  std::int8_t SlotOfB;
 
   bool operator<(const PairSegment& o) const
   {
@@ -80,7 +80,7 @@ std::vector<SkdSplitSegments::PairSegment> SkdSplitSegments::ListSegments() cons
       if (segment.B < segment.A)
       {
         std::swap(segment.A, segment.B);
-        std::swap(segment.PlaceOfA, segment.PlaceOfB);
+        std::swap(segment.SlotOfA, segment.SlotOfB);
       }
       list.push_back(segment);
     }
@@ -123,8 +123,8 @@ void SkdSplitSegments::AddElements(const std::vector<PairSegment>& list)
 void SkdSplitSegments::AddElementsOf(const PairSegment& of, std::uint32_t segment)
 {
   const SkdTrianglePair& pair = this->Pairs[of.Pair];
-  const skd::ContactPoint& a = pair.Contact.Points[of.PlaceOfA];
-  const skd::ContactPoint& b = pair.Contact.Points[of.PlaceOfB];
+  const skd::ContactPoint& a = pair.Contact.Points[of.SlotOfA];
+  const skd::ContactPoint& b = pair.Contact.Points[of.SlotOfB];
   const auto add = [&](int side, std::uint32_t triangle, skd::TriangleFeature featureOfA,
                      skd::TriangleFeature featureOfB)
   {

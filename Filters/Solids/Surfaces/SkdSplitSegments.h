@@ -105,7 +105,7 @@ public:
   /// The segments and points that split one of the sets (1: the second).
   struct Side
   {
-    const SkdPlacedTriangles* Set = nullptr;
+    const SkdMovedTriangles* Set = nullptr;
     std::vector<SkdSplitElement> Elements;     ///< ascending
     std::vector<SkdSplitEdgePoint> EdgePoints; ///< by edge, along it
     std::vector<std::uint32_t> CornerOf;       ///< of each point, the set's corner there or None

@@ -26,7 +26,7 @@ namespace
 class Output
 {
 public:
-  Output(const SkdPlacedTriangles& set, const SkdSplitResult& split,
+  Output(const SkdMovedTriangles& set, const SkdSplitResult& split,
     const std::vector<SkdBlock>& blocks, vtkPolyData* output)
     : Set(set)
     , Split(split)
@@ -91,7 +91,7 @@ private:
     return set.GetCells()[set.GetCellOf(this->Split.Parents[triangle])];
   }
 
-  const SkdPlacedTriangles& Set;
+  const SkdMovedTriangles& Set;
   const SkdSplitResult& Split;
   const std::vector<SkdBlock>& Blocks;
   vtkPolyData* To;

@@ -169,8 +169,8 @@ private:
     found.push_back(pair);
   }
 
-  const SkdPlacedTriangles& First;
-  const SkdPlacedTriangles& Second;
+  const SkdMovedTriangles& First;
+  const SkdMovedTriangles& Second;
   const bool IsOfOne;
   const SkdPairSearch::Extent Wanted;
   const double Clearance2;
@@ -245,9 +245,9 @@ std::vector<SkdTrianglePair> SkdTrianglePairs::FindByTrees(
   {
     return this->FindByTrees(skd::SameWorld{ search.Clearance }, search, loop);
   }
-  const double reach =
+  const double extent =
     2.0 * this->Placement.GetSecond().GetSet().GetLargestCoordinate() + Norm(motion->Shift);
-  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * reach;
+  const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * extent;
   return this->FindByTrees(Moved{ *motion, search.Clearance + rounding }, search, loop);
 }
 

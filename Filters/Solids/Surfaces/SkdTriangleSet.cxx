@@ -67,13 +67,13 @@ std::optional<SkdTriangleSet> SkdTriangleSet::Moved(
   {
     return std::nullopt;
   }
-  const bool isTurned = Dot(Cross(motion.Rows[0], motion.Rows[1]), motion.Rows[2]) < 0.0;
+  const bool isMirrored = Dot(Cross(motion.Rows[0], motion.Rows[1]), motion.Rows[2]) < 0.0;
   std::size_t count =
     std::lower_bound(moved.CellOf.begin(), moved.CellOf.end(), firstCell) - moved.CellOf.begin();
   for (std::size_t i = count; i < moved.Triangles.size(); ++i)
   {
     Corners corners = moved.Triangles[i];
-    if (isTurned)
+    if (isMirrored)
     {
       std::swap(corners[1], corners[2]);
     }

@@ -15,7 +15,8 @@ namespace
 constexpr std::uint32_t None = SkdSplitSegments::None;
 }
 
-SkdSplitCorners::SkdSplitCorners(const SkdSplitPoints& points, const skd::SeenTriangle& triangle)
+SkdSplitCorners::SkdSplitCorners(
+  const SkdSplitPoints& points, const skd::ProjectedTriangle& triangle)
   : Points(points)
   , Axis(triangle.Axis)
   , Sign(skd::Orient2D(triangle[0], triangle[1], triangle[2], triangle.Axis))
@@ -88,15 +89,15 @@ std::vector<SkdTriangleSet::Corners> SkdTriangleSplitter::Split(
   {
     made.AddOnBorder(added[0], added[1], added[2]);
   }
-  std::vector<int> places(static_cast<std::size_t>(this->Corners.Count()));
-  std::iota(places.begin(), places.end(), 0);
+  std::vector<int> slots(static_cast<std::size_t>(this->Corners.Count()));
+  std::iota(slots.begin(), slots.end(), 0);
   for (int i = onBorder; i < this->Corners.Count(); ++i)
   {
-    places[i] = made.Add(i);
+    slots[i] = made.Add(i);
   }
   for (const std::pair<int, int>& edge : this->Inner)
   {
-    made.Constrain(places[edge.first], places[edge.second]);
+    made.Constrain(slots[edge.first], slots[edge.second]);
   }
   std::vector<SkdTriangleSet::Corners> pieces;
   for (const std::array<int, 3>& piece : made.GetTriangles())

@@ -28,7 +28,7 @@ struct SkdSplitCorner
 class SkdSplitCorners
 {
 public:
-  SkdSplitCorners(const SkdSplitPoints& points, const skd::SeenTriangle& triangle);
+  SkdSplitCorners(const SkdSplitPoints& points, const skd::ProjectedTriangle& triangle);
 
   /// Adds a point. Returns its number here; 0, 1 and 2 are the triangle's corners.
   int Add(std::uint32_t point, unsigned edges);

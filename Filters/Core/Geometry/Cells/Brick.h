@@ -40,8 +40,8 @@ struct Brick
       return { x, free, 0.0 };
     }
     const Vector3 p = Voxel::ClampToDomain(free); // 0 along an edge without length
-    const Vector3 place = p[0] * e[0] + p[1] * e[1] + p[2] * e[2];
-    return { this->Origin + place, p, Norm2(f - place) };
+    const Vector3 position = p[0] * e[0] + p[1] * e[1] + p[2] * e[2];
+    return { this->Origin + position, p, Norm2(f - position) };
   }
 };
 

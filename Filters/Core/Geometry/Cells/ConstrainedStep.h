@@ -110,7 +110,7 @@ public:
   std::optional<Vector3> Find()
   {
     constexpr int most = 24;
-    for (int turn = 0; turn < most; ++turn)
+    for (int iteration = 0; iteration < most; ++iteration)
     {
       const Vector3 slope = this->Model.Gradient + this->Model.Times(this->Step);
       Vector3 free{ { 0.0, 0.0, 0.0 } };

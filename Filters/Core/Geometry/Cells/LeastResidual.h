@@ -44,7 +44,7 @@ public:
     this->LastGain = std::numeric_limits<double>::infinity();
     this->MoveTo(start, this->TheMap.Value(start));
     constexpr int most = 60;
-    for (int turn = 0; turn<most&& this->Best.Norm2> enough2; ++turn)
+    for (int iteration = 0; iteration<most&& this->Best.Norm2> enough2; ++iteration)
     {
       if (!this->Improve() || isKnown(this->Best.Parameters))
       {

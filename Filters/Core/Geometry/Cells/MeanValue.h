@@ -20,12 +20,12 @@ namespace detail
 {
 
 /// A corner as seen from x.
-struct SeenCorner
+struct CornerDirection
 {
   Vector3 Direction;
   double Distance;
 
-  SeenCorner(const Vector3& corner, const Vector3& x)
+  CornerDirection(const Vector3& corner, const Vector3& x)
     : Direction(corner - x)
     , Distance(Norm(this->Direction))
   {
@@ -34,7 +34,7 @@ struct SeenCorner
 };
 
 /// Across the arc from a to b, as long as its angle. 0 where x is on the edge.
-inline Vector3 ArcBetween(const SeenCorner& a, const SeenCorner& b)
+inline Vector3 ArcBetween(const CornerDirection& a, const CornerDirection& b)
 {
   const Vector3 across = Cross(a.Direction, b.Direction);
   const double sine = Norm(across);
@@ -49,7 +49,8 @@ struct TriangleShares
 
   /// `mean` is twice the mean vector. A triangle that is seen edge-on weighs nothing: what rounding
   /// left of its mean vector would be noise.
-  TriangleShares(const SeenCorner& a, const SeenCorner& b, const SeenCorner& c, const Vector3& mean)
+  TriangleShares(const CornerDirection& a, const CornerDirection& b, const CornerDirection& c,
+    const Vector3& mean)
   {
     constexpr double noise = 1e5 * std::numeric_limits<double>::epsilon();
     const Vector3 acrossA = Cross(b.Direction, c.Direction);
@@ -66,7 +67,7 @@ struct TriangleShares
 
 inline void AddTriangleFace(const PolyhedronFace& face, const Vector3& x, double* weights)
 {
-  const SeenCorner a(face[0], x), b(face[1], x), c(face[2], x);
+  const CornerDirection a(face[0], x), b(face[1], x), c(face[2], x);
   const TriangleShares shares(a, b, c, ArcBetween(a, b) + ArcBetween(b, c) + ArcBetween(c, a));
   for (int i = 0; i < 3; ++i)
   {
@@ -76,14 +77,14 @@ inline void AddTriangleFace(const PolyhedronFace& face, const Vector3& x, double
 
 inline void AddFanFace(const PolyhedronFace& face, const Vector3& x, double* weights)
 {
-  const SeenCorner middle(MeanOfPoints(face, face.Size), x);
-  SeenCorner from(face[0], x);
+  const CornerDirection middle(MeanOfPoints(face, face.Size), x);
+  CornerDirection from(face[0], x);
   Vector3 spoke = ArcBetween(middle, from);
   double middleWeight = 0.0;
   for (int i = 0; i < face.Size; ++i)
   {
     const int next = i + 1 == face.Size ? 0 : i + 1;
-    const SeenCorner to(face[next], x);
+    const CornerDirection to(face[next], x);
     const Vector3 nextSpoke = ArcBetween(middle, to);
     const TriangleShares shares(middle, from, to, spoke + ArcBetween(from, to) - nextSpoke);
     middleWeight += shares.Weights[0];

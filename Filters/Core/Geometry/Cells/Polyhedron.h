@@ -61,11 +61,11 @@ inline bool MayCross(const SegmentView& view, const PolyhedronFace& face)
   int left = 0, right = 0, below = 0, above = 0;
   for (int i = 0; i < face.Size; ++i)
   {
-    const Sheared seen = view.See(face[i]);
-    left += seen.X < 0.0;
-    right += seen.X > 0.0;
-    below += seen.Y < 0.0;
-    above += seen.Y > 0.0;
+    const Sheared sheared = view.See(face[i]);
+    left += sheared.X < 0.0;
+    right += sheared.X > 0.0;
+    below += sheared.Y < 0.0;
+    above += sheared.Y > 0.0;
   }
   return std::max({ left, right, below, above }) < face.Size;
 }
@@ -74,9 +74,9 @@ namespace detail
 {
 
 /// From x out of the box to the nearest of its sides.
-inline Segment<3> WayOut(const Box3& box, const Vector3& x)
+inline Segment<3> SegmentOutOf(const Box3& box, const Vector3& x)
 {
-  Segment<3> way{ x, x };
+  Segment<3> ray{ x, x };
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -85,11 +85,11 @@ inline Segment<3> WayOut(const Box3& box, const Vector3& x)
     if (std::min(down, up) < least)
     {
       least = std::min(down, up);
-      way.B = x;
-      way.B[axis] = down < up ? box.Min[axis] - box.Length(axis) : box.Max[axis] + box.Length(axis);
+      ray.B = x;
+      ray.B[axis] = down < up ? box.Min[axis] - box.Length(axis) : box.Max[axis] + box.Length(axis);
     }
   }
-  return way;
+  return ray;
 }
 
 /// Whether some triangle of the fan is flipped against the others.
@@ -116,7 +116,7 @@ inline bool Contains(const PolyhedronView& cell, const Box3& bounds, const Vecto
   {
     return false;
   }
-  const SegmentView view(detail::WayOut(bounds, x));
+  const SegmentView view(detail::SegmentOutOf(bounds, x));
   bool isInside = false;
   cell.ForEachFace(
     [&](const PolyhedronFace& face)

@@ -30,8 +30,9 @@ public:
   /// Of the two places that nearer to the middle.
   Vector3 Guess() const
   {
-    return this->FromMiddle(this->Places[1]) < this->FromMiddle(this->Places[0]) ? this->Places[1]
-                                                                                 : this->Places[0];
+    return this->FromMiddle(this->Positions[1]) < this->FromMiddle(this->Positions[0])
+      ? this->Positions[1]
+      : this->Positions[0];
   }
 
   std::optional<Vector3> Find(const Vector3& guess) const
@@ -39,7 +40,7 @@ public:
     const double tolerance = tolerances::Residual *
       (MaxNorm(this->Y) + MaxNorm(this->E) + MaxNorm(this->U) + MaxNorm(this->V) +
         MaxNorm(this->W));
-    for (Vector3 p : { guess, this->Places[0], this->Places[1] })
+    for (Vector3 p : { guess, this->Positions[0], this->Positions[1] })
     {
       for (int iteration = 0; iteration < 4; ++iteration)
       {
@@ -84,7 +85,7 @@ private:
     const double size = MaxNorm(this->Y);
     if (!(size > 0.0))
     {
-      this->Places[0] = this->Places[1] = { { 0.0, 0.0, 1.0 } };
+      this->Positions[0] = this->Positions[1] = { { 0.0, 0.0, 1.0 } };
       return;
     }
     int k = std::abs(this->Y[1]) > std::abs(this->Y[0]) ? 1 : 0;
@@ -97,8 +98,8 @@ private:
     const double c0 = first.One * second.S - second.One * first.S;
     const double root = std::sqrt(std::max(0.0, c1 * c1 - 4.0 * c2 * c0));
     const double q = -0.5 * (c1 + std::copysign(root, c1));
-    this->Places[0] = this->Place(c0 / q, first, second);
-    this->Places[1] = this->Place(q / c2, first, second);
+    this->Positions[0] = this->PointAt(c0 / q, first, second);
+    this->Positions[1] = this->PointAt(q / c2, first, second);
   }
 
   /// One + r R + s S + r s RS = 0.
@@ -114,7 +115,7 @@ private:
       this->V[i] - share * this->V[k], this->W[i] - share * this->W[k] };
   }
 
-  Vector3 Place(double r, const Bilinear& first, const Bilinear& second) const
+  Vector3 PointAt(double r, const Bilinear& first, const Bilinear& second) const
   {
     const double below1 = first.S + r * first.RS;
     const double below2 = second.S + r * second.RS;
@@ -129,7 +130,7 @@ private:
   Vector3 U;
   Vector3 V;
   Vector3 W;
-  Vector3 Places[2];
+  Vector3 Positions[2];
 };
 
 }

@@ -32,8 +32,8 @@ double MaxDistance2(const Box<D>& a, const Box<D>& b)
   double sum = 0.0;
   for (int axis = 0; axis < D; ++axis)
   {
-    const double reach = std::max(b.Max[axis] - a.Min[axis], a.Max[axis] - b.Min[axis]);
-    sum += reach * reach;
+    const double extent = std::max(b.Max[axis] - a.Min[axis], a.Max[axis] - b.Min[axis]);
+    sum += extent * extent;
   }
   return sum;
 }

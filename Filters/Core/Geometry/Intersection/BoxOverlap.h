@@ -24,14 +24,14 @@ namespace detail
 
 /// A box seen from a point, and scaled by a power of two where products might leave the range of
 /// double: differences of the same points are scaled alike.
-struct SeenBox
+struct RelativeBox
 {
   Vector3 Min;
   Vector3 Max;
   double Scale = 1.0;
 
   /// `size`: the largest magnitude among the other differences that will be scaled.
-  SeenBox(const Box3& box, const Vector3& from, double size)
+  RelativeBox(const Box3& box, const Vector3& from, double size)
     : Min(box.Min - from)
     , Max(box.Max - from)
   {
@@ -58,7 +58,8 @@ inline double LargestOf(const Vector3& a)
 
 /// Whether the box is aside of what reaches from `low` to `high` along an axis (0 is among that:
 /// the point that the box is seen from).
-inline bool IsAside(const SeenBox& box, const Vector3& axis, double low, double high, double size)
+inline bool IsAside(
+  const RelativeBox& box, const Vector3& axis, double low, double high, double size)
 {
   double boxLow = 0.0;
   double boxHigh = 0.0;
@@ -85,7 +86,7 @@ inline Vector3 Across(const Vector3& edge, int axis)
 }
 
 /// Whether the three axes across an edge separate the box from the edge and the points edge + rest.
-inline bool EdgeSeparates(const SeenBox& box, const Vector3& edge, const Vector3& rest)
+inline bool EdgeSeparates(const RelativeBox& box, const Vector3& edge, const Vector3& rest)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -105,7 +106,7 @@ inline bool EdgeSeparates(const SeenBox& box, const Vector3& edge, const Vector3
   return false;
 }
 
-inline bool NormalSeparates(const SeenBox& box, const Vector3& u, const Vector3& v)
+inline bool NormalSeparates(const RelativeBox& box, const Vector3& u, const Vector3& v)
 {
   // A component of the normal is a difference of two products, that may all but cancel.
   const Vector3 normal = Cross(u, v);
@@ -114,8 +115,8 @@ inline bool NormalSeparates(const SeenBox& box, const Vector3& u, const Vector3&
   {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    const double reach = std::max(std::abs(box.Min[i]), std::abs(box.Max[i]));
-    size += reach * (std::abs(u[j] * v[k]) + std::abs(u[k] * v[j]));
+    const double extent = std::max(std::abs(box.Min[i]), std::abs(box.Max[i]));
+    size += extent * (std::abs(u[j] * v[k]) + std::abs(u[k] * v[j]));
   }
   return IsAside(box, normal, 0.0, 0.0, size);
 }
@@ -131,8 +132,8 @@ inline bool Overlaps(const Box3& box, const Segment<3>& segment)
     return false;
   }
   const Vector3 edge = segment.B - segment.A;
-  const detail::SeenBox seen(box, segment.A, detail::LargestOf(edge));
-  return !detail::EdgeSeparates(seen, seen.Scale * edge, { { 0.0, 0.0, 0.0 } });
+  const detail::RelativeBox relative(box, segment.A, detail::LargestOf(edge));
+  return !detail::EdgeSeparates(relative, relative.Scale * edge, { { 0.0, 0.0, 0.0 } });
 }
 
 /// The triangle may have no area: it is a segment then, or a point.
@@ -150,7 +151,7 @@ inline bool Overlaps(const Box3& box, const Vector3& a, const Vector3& b, const 
     return true;
   }
   const double size = std::max(detail::LargestOf(b - a), detail::LargestOf(c - a));
-  const detail::SeenBox fromA(box, a, size);
+  const detail::RelativeBox fromA(box, a, size);
   const Vector3 u = fromA.Scale * (b - a);
   const Vector3 v = fromA.Scale * (c - a);
   if (detail::NormalSeparates(fromA, u, v) || detail::EdgeSeparates(fromA, u, v) ||
@@ -158,7 +159,7 @@ inline bool Overlaps(const Box3& box, const Vector3& a, const Vector3& b, const 
   {
     return false;
   }
-  const detail::SeenBox fromB(box, b, size);
+  const detail::RelativeBox fromB(box, b, size);
   return !detail::EdgeSeparates(fromB, fromB.Scale * (c - b), fromB.Scale * (a - b));
 }
 

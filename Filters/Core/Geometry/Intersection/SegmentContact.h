@@ -27,15 +27,15 @@ struct SegmentContact
   };
 
   /// On both segments.
-  struct Place
+  struct Position
   {
     double T = 0.0;
     double S = 0.0;
   };
 
   Kinds Kind = None;
-  Place Begin;
-  Place End;
+  Position Begin;
+  Position End;
 };
 
 namespace detail

@@ -32,14 +32,14 @@ struct ShearedPatch
 
   ShearedPatch(const SegmentView& view, const Vector3* points)
   {
-    const Sheared seen[4] = { view.See(points[0]), view.See(points[1]), view.See(points[2]),
+    const Sheared sheared[4] = { view.See(points[0]), view.See(points[1]), view.See(points[2]),
       view.See(points[3]) };
     for (int axis = 0; axis < 3; ++axis)
     {
       double x[4];
       for (int i = 0; i < 4; ++i)
       {
-        x[i] = axis == 0 ? seen[i].X : (axis == 1 ? seen[i].Y : seen[i].Z);
+        x[i] = axis == 0 ? sheared[i].X : (axis == 1 ? sheared[i].Y : sheared[i].Z);
       }
       this->P[axis] = x[0];
       this->U[axis] = x[1] - x[0];

@@ -24,7 +24,7 @@ namespace detail
 {
 
 /// What a walk around the polygon, seen along the segment, finds.
-struct PolygonTurn
+struct PolygonWinding
 {
   double EdgeParameter = std::numeric_limits<double>::infinity(); ///< finite if on an edge
   double Least = std::numeric_limits<double>::infinity();         ///< parameters of the points
@@ -71,30 +71,31 @@ private:
 template <class Points>
 std::optional<PolygonHit> Intersect(const SegmentView& view, const Points& points, int size)
 {
-  detail::PolygonTurn turn;
+  detail::PolygonWinding winding;
   Sheared last = view.See(points[size - 1]);
   for (int i = 0; i < size; ++i)
   {
     const Sheared next = view.See(points[i]);
-    turn.Add(last, next);
+    winding.Add(last, next);
     last = next;
   }
-  const bool isOnEdge = std::isfinite(turn.EdgeParameter);
-  if (turn.IsEdgeOn || !(turn.Passes || isOnEdge))
+  const bool isOnEdge = std::isfinite(winding.EdgeParameter);
+  if (winding.IsEdgeOn || !(winding.Passes || isOnEdge))
   {
     return std::nullopt;
   }
-  double parameter = turn.EdgeParameter;
+  double parameter = winding.EdgeParameter;
   if (!isOnEdge)
   {
     const PolygonPlane plane(points, size);
     const Segment<3>& segment = view.GetSegment();
     parameter =
       Dot(plane.Normal, plane.Origin - segment.A) / Dot(plane.Normal, segment.B - segment.A);
-    parameter = std::max(turn.Least, std::min(turn.Most, parameter)); // also of a warped one
+    parameter = std::max(winding.Least, std::min(winding.Most, parameter)); // also of a warped one
   }
   const std::optional<double> accepted = view.Accept(parameter);
-  return accepted ? std::optional<PolygonHit>({ *accepted, isOnEdge, turn.Passes }) : std::nullopt;
+  return accepted ? std::optional<PolygonHit>({ *accepted, isOnEdge, winding.Passes })
+                  : std::nullopt;
 }
 
 }

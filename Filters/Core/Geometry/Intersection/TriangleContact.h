@@ -27,16 +27,16 @@ inline bool IsEdge(TriangleFeature feature)
 }
 
 /// A triangle to be tested for contacts: corners, and its projection along an axis.
-struct SeenTriangle
+struct ProjectedTriangle
 {
   std::array<Vector3, 3> Corners;
   int Axis; ///< along which it has an area; -1 of a triangle whose corners lie on one line
 
-  explicit SeenTriangle(const std::array<Vector3, 3>& corners)
-    : SeenTriangle(corners, FindAxis(corners))
+  explicit ProjectedTriangle(const std::array<Vector3, 3>& corners)
+    : ProjectedTriangle(corners, FindAxis(corners))
   {
   }
-  SeenTriangle(const std::array<Vector3, 3>& corners, int axis)
+  ProjectedTriangle(const std::array<Vector3, 3>& corners, int axis)
     : Corners(corners)
     , Axis(axis)
   {
@@ -246,8 +246,8 @@ private:
   /// Triangles without an area have no contact.
   void FindExactly(TriangleContact& contact)
   {
-    this->AxisOfA = SeenTriangle::FindAxis(this->A);
-    this->AxisOfB = SeenTriangle::FindAxis(this->B);
+    this->AxisOfA = ProjectedTriangle::FindAxis(this->A);
+    this->AxisOfB = ProjectedTriangle::FindAxis(this->B);
     Complete(this->SidesOfA, this->A, this->SharedOfA, this->B);
     const auto zeros = std::count(this->SidesOfA.begin(), this->SidesOfA.end(), 0);
     const auto shared = 3 - std::count(this->SharedOfA.begin(), this->SharedOfA.end(), -1);
@@ -289,7 +289,7 @@ private:
   {
     const std::array<int, 2> a = CrossingEdges(this->SidesOfA); // the other way round than b
     const std::array<int, 2> b = CrossingEdges(this->SidesOfB);
-    return this->Turn(a[0], b[0]) > 0 || this->Turn(a[1], b[1]) < 0;
+    return this->Orientation(a[0], b[0]) > 0 || this->Orientation(a[1], b[1]) < 0;
   }
 
   /// On which side of the edges of `of` a point of its plane lies.
@@ -331,20 +331,20 @@ private:
   }
 
   /// How an edge of the first triangle turns about one of the second; 0 if their lines meet.
-  int Turn(int edgeA, int edgeB)
+  int Orientation(int edgeA, int edgeB)
   {
-    int& turn = this->Turns[edgeA][edgeB];
-    if (turn == Unknown)
+    int& orientation = this->Orientations[edgeA][edgeB];
+    if (orientation == Unknown)
     {
       const int nextA = NextCorner(edgeA);
       const int nextB = NextCorner(edgeB);
       const auto isShared = [&](int corner)
       { return this->SharedOfA[corner] == edgeB || this->SharedOfA[corner] == nextB; };
-      turn = isShared(edgeA) || isShared(nextA)
+      orientation = isShared(edgeA) || isShared(nextA)
         ? 0
         : Orient3D(this->A[edgeA], this->A[nextA], this->B[edgeB], this->B[nextB]);
     }
-    return turn;
+    return orientation;
   }
 
   /// Where edges that have their ends on different sides of the other triangle's plane cross it.
@@ -354,16 +354,18 @@ private:
     {
       if (this->SidesOfA[edge] * this->SidesOfA[NextCorner(edge)] < 0)
       {
-        const Sides turns = { this->Turn(edge, 0), this->Turn(edge, 1), this->Turn(edge, 2) };
-        Add(contact, 3 + edge, FeatureOf(turns));
+        const Sides orientations = { this->Orientation(edge, 0), this->Orientation(edge, 1),
+          this->Orientation(edge, 2) };
+        Add(contact, 3 + edge, FeatureOf(orientations));
       }
     }
     for (int edge = 0; edge < 3; ++edge)
     {
       if (this->SidesOfB[edge] * this->SidesOfB[NextCorner(edge)] < 0)
       {
-        const Sides turns = { this->Turn(0, edge), this->Turn(1, edge), this->Turn(2, edge) };
-        Add(contact, FeatureOf(turns), 3 + edge);
+        const Sides orientations = { this->Orientation(0, edge), this->Orientation(1, edge),
+          this->Orientation(2, edge) };
+        Add(contact, FeatureOf(orientations), 3 + edge);
       }
     }
   }
@@ -423,7 +425,7 @@ private:
   int AxisOfB = -1;
   SharedCorners SharedOfA;
   SharedCorners SharedOfB = NoSharedCorners;
-  std::array<std::array<int, 3>, 3> Turns = { { { Unknown, Unknown, Unknown },
+  std::array<std::array<int, 3>, 3> Orientations = { { { Unknown, Unknown, Unknown },
     { Unknown, Unknown, Unknown }, { Unknown, Unknown, Unknown } } };
 };
 

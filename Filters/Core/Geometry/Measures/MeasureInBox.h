@@ -100,18 +100,18 @@ private:
 
   Vector3 See(const Vector3& p) const
   {
-    Vector3 seen;
+    Vector3 relative;
     for (int i = 0; i < 3; ++i)
     {
-      seen[i] = this->Signs[i] * (p[this->Axes[i]] - this->Corner[i]);
+      relative[i] = this->Signs[i] * (p[this->Axes[i]] - this->Corner[i]);
     }
-    return seen;
+    return relative;
   }
 
   /// Keeps what is at most (sign 1) or at least (-1) `limit` along an axis.
   static Polygon Clip(const Polygon& polygon, int axis, double limit, double sign)
   {
-    Polygon kept;
+    Polygon inside;
     for (int i = 0; i < polygon.Size; ++i)
     {
       const Vector3& p = polygon.Points[i];
@@ -120,16 +120,16 @@ private:
       const double belowNext = sign * (limit - q[axis]);
       if (below >= 0.0)
       {
-        kept.Add(p);
+        inside.Add(p);
       }
       if ((below > 0.0 && belowNext < 0.0) || (below < 0.0 && belowNext > 0.0))
       {
         Vector3 crossing = Lerp(p, q, below / (below - belowNext));
         crossing[axis] = limit;
-        kept.Add(crossing);
+        inside.Add(crossing);
       }
     }
-    return kept;
+    return inside;
   }
 
   /// Of (x + length) n_x over what of the triangle is in the box.

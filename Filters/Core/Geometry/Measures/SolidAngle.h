@@ -12,7 +12,7 @@ namespace skd
 {
 
 /// How a point sees a triangle.
-struct SeenAngle
+struct TriangleSolidAngle
 {
   double Angle;
   bool IsOn; ///< the point is on the triangle within rounding error
@@ -22,7 +22,8 @@ struct SeenAngle
 /// turns clockwise, that is, from within a surface whose normals point outward. 0 in the plane of
 /// the triangle but outside of it, and of a triangle without area. A. van Oosterom, J. Strackee,
 /// "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
-inline SeenAngle SeeAngle(const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& x)
+inline TriangleSolidAngle SeeAngle(
+  const Vector3& p0, const Vector3& p1, const Vector3& p2, const Vector3& x)
 {
   const Vector3 a = p0 - x;
   const Vector3 b = p1 - x;

@@ -74,14 +74,14 @@ enum class ClipResult
 
 /// Keeps what is in the half plane; corners stay as they are. Only contact is nothing. A polygon
 /// gets one corner more at most.
-inline ClipResult Clip(ConvexPolygon& polygon, const HalfPlane& kept)
+inline ClipResult Clip(ConvexPolygon& polygon, const HalfPlane& halfPlane)
 {
   std::array<double, ConvexPolygon::Most> sides;
   bool isAnyIn = false;
   bool isAnyOut = false;
   for (int i = 0; i < polygon.Size; ++i)
   {
-    sides[i] = kept(polygon.Corners[i]);
+    sides[i] = halfPlane(polygon.Corners[i]);
     isAnyIn |= sides[i] > 0.0;
     isAnyOut |= sides[i] < 0.0;
   }

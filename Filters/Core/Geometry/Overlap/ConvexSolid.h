@@ -71,14 +71,14 @@ public:
 
   /// Keeps what is within; corners stay as they are. Only contact is nothing, and so is what has
   /// more corners than there is room for: convex ones within SolidTopology's limits never have.
-  ClipResult Clip(const HalfSpace& kept)
+  ClipResult Clip(const HalfSpace& halfSpace)
   {
     std::array<double, Most> sides;
     bool isAnyIn = false;
     bool isAnyOut = false;
     for (int i = 0; i < this->Size; ++i)
     {
-      sides[i] = kept(this->Corners[i]);
+      sides[i] = halfSpace(this->Corners[i]);
       isAnyIn |= sides[i] > 0.0;
       isAnyOut |= sides[i] < 0.0;
     }
@@ -124,8 +124,8 @@ public:
   template <class Visit>
   void ForEachFace(const Visit& visit) const
   {
-    std::array<std::uint8_t, Most> seen; // a bit for each edge that leaves
-    std::fill_n(seen.begin(), this->Size, std::uint8_t(0));
+    std::array<std::uint8_t, Most> visited; // a bit for each edge that leaves
+    std::fill_n(visited.begin(), this->Size, std::uint8_t(0));
     std::array<std::uint8_t, 3 * Most> face;
     for (int start = 0; start < this->Size; ++start)
     {
@@ -133,13 +133,13 @@ public:
       {
         int size = 0;
         int at = start;
-        int way = k;
-        while ((seen[at] >> way & 1) == 0)
+        int edge = k;
+        while ((visited[at] >> edge & 1) == 0)
         {
-          seen[at] = static_cast<std::uint8_t>(seen[at] | 1 << way);
+          visited[at] = static_cast<std::uint8_t>(visited[at] | 1 << edge);
           face[size++] = static_cast<std::uint8_t>(at);
-          const int next = this->Neighbours[at][way];
-          way = this->After(next, at);
+          const int next = this->Neighbours[at][edge];
+          edge = this->After(next, at);
           at = next;
         }
         if (size > 2)
@@ -209,13 +209,13 @@ private:
   /// polyhedron. Then this is false.
   bool LinkCrossings(int old)
   {
-    constexpr int toKept = 0;
+    constexpr int toInside = 0;
     constexpr int before = 1;
     constexpr int after = 2;
     for (int start = old; start < this->Size; ++start)
     {
       int from = start;
-      int at = this->Neighbours[start][toKept];
+      int at = this->Neighbours[start][toInside];
       for (int steps = 0; at < old; ++steps)
       {
         const int next = this->Neighbours[at][this->After(at, from)];
@@ -235,24 +235,24 @@ private:
 
   void Compact(const std::array<double, Most>& sides, int old)
   {
-    std::array<std::uint8_t, Most> place;
-    int kept = 0;
+    std::array<std::uint8_t, Most> indexOf;
+    int halfSpace = 0;
     for (int i = 0; i < this->Size; ++i)
     {
       if (i >= old || sides[i] >= 0.0)
       {
-        place[i] = static_cast<std::uint8_t>(kept);
-        this->Corners[kept] = this->Corners[i];
-        this->Neighbours[kept] = this->Neighbours[i];
-        ++kept;
+        indexOf[i] = static_cast<std::uint8_t>(halfSpace);
+        this->Corners[halfSpace] = this->Corners[i];
+        this->Neighbours[halfSpace] = this->Neighbours[i];
+        ++halfSpace;
       }
     }
-    this->Size = kept;
-    for (int i = 0; i < kept; ++i)
+    this->Size = halfSpace;
+    for (int i = 0; i < halfSpace; ++i)
     {
       for (std::uint8_t& neighbour : this->Neighbours[i])
       {
-        neighbour = place[neighbour];
+        neighbour = indexOf[neighbour];
       }
     }
   }

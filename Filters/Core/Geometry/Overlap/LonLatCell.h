@@ -95,14 +95,15 @@ inline Moments MomentsOf(const LonLatCell& cell, const Vector3& reference)
 /// What two cells have in common: again one, or nothing.
 inline std::optional<LonLatCell> CommonCell(const LonLatCell& one, LonLatCell other)
 {
-  constexpr double turn = 6.28318530717958647692;
-  const double turns = turn * std::round((one.MiddleLongitude() - other.MiddleLongitude()) / turn);
-  other.West += turns;
-  other.East += turns;
+  constexpr double fullCircle = 6.28318530717958647692;
+  const double circles =
+    fullCircle * std::round((one.MiddleLongitude() - other.MiddleLongitude()) / fullCircle);
+  other.West += circles;
+  other.East += circles;
   const LonLatCell common{ std::max(one.West, other.West), std::min(one.East, other.East),
     std::max(one.South, other.South), std::min(one.North, other.North) };
   constexpr double least = 8.0 * std::numeric_limits<double>::epsilon();
-  return common.Width() > least * turn && common.North - common.South > least
+  return common.Width() > least * fullCircle && common.North - common.South > least
     ? std::make_optional(common)
     : std::nullopt;
 }

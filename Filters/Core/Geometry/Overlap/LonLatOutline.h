@@ -23,7 +23,7 @@ public:
     for (const Vector3& x : corners)
     {
       const double r = std::hypot(x[0], x[1]);
-      this->Places.push_back({ std::atan2(x[1], x[0]), std::atan2(x[2], r), r < PoleRadius });
+      this->Corners.push_back({ std::atan2(x[1], x[0]), std::atan2(x[2], r), r < PoleRadius });
       this->Tolerance = std::max(this->Tolerance, RelativeTolerance * Norm(x - corners[0]));
     }
     this->FollowLongitudes();
@@ -33,27 +33,28 @@ public:
   std::optional<LonLatCell> Find() const
   {
     LonLatCell cell{ Huge, -Huge, Huge, -Huge };
-    for (const Place& place : this->Places)
+    for (const LonLatCorner& corner : this->Corners)
     {
-      cell.South = std::min(cell.South, place.Latitude);
-      cell.North = std::max(cell.North, place.Latitude);
-      cell.West = std::min(cell.West, place.IsPole ? Huge : place.Longitude);
-      cell.East = std::max(cell.East, place.IsPole ? -Huge : place.Longitude);
+      cell.South = std::min(cell.South, corner.Latitude);
+      cell.North = std::max(cell.North, corner.Latitude);
+      cell.West = std::min(cell.West, corner.IsPole ? Huge : corner.Longitude);
+      cell.East = std::max(cell.East, corner.IsPole ? -Huge : corner.Longitude);
     }
     if (cell.North - cell.South <= this->Tolerance)
     {
       return this->FindCap(cell);
     }
-    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    for (std::size_t i = 0; i < this->Corners.size(); ++i)
     {
-      if (!this->IsAlongSide(this->Places[i], this->Places[(i + 1) % this->Places.size()], cell))
+      if (!this->IsAlongSide(this->Corners[i], this->Corners[(i + 1) % this->Corners.size()], cell))
       {
         return std::nullopt;
       }
     }
-    return LonLatCell{ this->MeanNear(&Place::Longitude, cell.West),
-      this->MeanNear(&Place::Longitude, cell.East), this->MeanNear(&Place::Latitude, cell.South),
-      this->MeanNear(&Place::Latitude, cell.North) };
+    return LonLatCell{ this->MeanNear(&LonLatCorner::Longitude, cell.West),
+      this->MeanNear(&LonLatCorner::Longitude, cell.East),
+      this->MeanNear(&LonLatCorner::Latitude, cell.South),
+      this->MeanNear(&LonLatCorner::Latitude, cell.North) };
   }
 
 private:
@@ -61,9 +62,9 @@ private:
   static constexpr double PoleRadius = 1e-9; // nearer to the axis, a corner has no longitude
   static constexpr std::size_t LeastCapCorners = 7;
   static constexpr double Huge = 1e9;
-  static constexpr double Turn = 6.28318530717958647692;
+  static constexpr double FullCircle = 6.28318530717958647692;
 
-  struct Place
+  struct LonLatCorner
   {
     double Longitude;
     double Latitude;
@@ -73,19 +74,19 @@ private:
   /// Longitudes go on from corner to corner; a pole takes that of the corner before.
   void FollowLongitudes()
   {
-    const auto start = std::find_if(
-      this->Places.begin(), this->Places.end(), [](const Place& place) { return !place.IsPole; });
-    std::rotate(this->Places.begin(), start, this->Places.end());
-    for (std::size_t i = 1; i < this->Places.size(); ++i)
+    const auto start = std::find_if(this->Corners.begin(), this->Corners.end(),
+      [](const LonLatCorner& corner) { return !corner.IsPole; });
+    std::rotate(this->Corners.begin(), start, this->Corners.end());
+    for (std::size_t i = 1; i < this->Corners.size(); ++i)
     {
-      Place& place = this->Places[i];
-      const double before = this->Places[i - 1].Longitude;
-      place.Longitude =
-        before + (place.IsPole ? 0.0 : std::remainder(place.Longitude - before, Turn));
+      LonLatCorner& corner = this->Corners[i];
+      const double before = this->Corners[i - 1].Longitude;
+      corner.Longitude =
+        before + (corner.IsPole ? 0.0 : std::remainder(corner.Longitude - before, FullCircle));
     }
   }
 
-  bool IsAlongSide(const Place& a, const Place& b, const LonLatCell& cell) const
+  bool IsAlongSide(const LonLatCorner& a, const LonLatCorner& b, const LonLatCell& cell) const
   {
     const auto isNear = [this](double x, double y) { return std::abs(x - y) <= this->Tolerance; };
     if (a.IsPole || b.IsPole)
@@ -101,16 +102,16 @@ private:
   }
 
   /// Of the corners on a side.
-  double MeanNear(double Place::*what, double side) const
+  double MeanNear(double LonLatCorner::*what, double side) const
   {
     double sum = 0.0;
     int count = 0;
-    for (const Place& place : this->Places)
+    for (const LonLatCorner& corner : this->Corners)
     {
-      const bool isKnown = what == &Place::Latitude || !place.IsPole;
-      if (isKnown && std::abs(place.*what - side) <= this->Tolerance)
+      const bool isKnown = what == &LonLatCorner::Latitude || !corner.IsPole;
+      if (isKnown && std::abs(corner.*what - side) <= this->Tolerance)
       {
-        sum += place.*what - side;
+        sum += corner.*what - side;
         ++count;
       }
     }
@@ -124,20 +125,21 @@ private:
   std::optional<LonLatCell> FindCap(const LonLatCell& cell) const
   {
     const double closing =
-      std::remainder(this->Places.front().Longitude - this->Places.back().Longitude, Turn);
-    const double winding = this->Places.back().Longitude - this->Places.front().Longitude + closing;
-    const bool isOnce = std::abs(std::abs(winding) - Turn) < RelativeTolerance;
-    if (this->Places.size() < LeastCapCorners || !isOnce)
+      std::remainder(this->Corners.front().Longitude - this->Corners.back().Longitude, FullCircle);
+    const double winding =
+      this->Corners.back().Longitude - this->Corners.front().Longitude + closing;
+    const bool isOnce = std::abs(std::abs(winding) - FullCircle) < RelativeTolerance;
+    if (this->Corners.size() < LeastCapCorners || !isOnce)
     {
       return std::nullopt;
     }
-    const double latitude = this->MeanNear(&Place::Latitude, cell.South);
+    const double latitude = this->MeanNear(&LonLatCorner::Latitude, cell.South);
     const bool isNorthern = latitude >= 0.0;
-    return LonLatCell{ cell.West, cell.West + Turn, isNorthern ? latitude : -0.25 * Turn,
-      isNorthern ? 0.25 * Turn : latitude };
+    return LonLatCell{ cell.West, cell.West + FullCircle,
+      isNorthern ? latitude : -0.25 * FullCircle, isNorthern ? 0.25 * FullCircle : latitude };
   }
 
-  std::vector<Place> Places;
+  std::vector<LonLatCorner> Corners;
   double Tolerance = 0.0;
 };
 

@@ -60,22 +60,22 @@ private:
     const double angle = std::atan2(sine, Dot(a, b));
     const Vector3 tangent = skd::Cross((1.0 / sine) * normal, a);
     const auto at = [&](double t) { return std::cos(t) * a + std::sin(t) * tangent; };
-    std::array<double, 6> places;
-    const int number = this->FindCrossings(a[2], tangent[2], angle, places);
+    std::array<double, 6> latitudes;
+    const int number = this->FindCrossings(a[2], tangent[2], angle, latitudes);
     Vector3 from = a;
     for (int i = 1; i < number; ++i)
     {
-      const Vector3 to = i + 1 == number ? b : at(places[i]);
-      this->AddArc(from, to, this->StateOf(at(0.5 * (places[i - 1] + places[i]))));
+      const Vector3 to = i + 1 == number ? b : at(latitudes[i]);
+      this->AddArc(from, to, this->StateOf(at(0.5 * (latitudes[i - 1] + latitudes[i]))));
       from = to;
     }
   }
 
   /// 0, where the arc crosses parallels, ascending, and its angle.
-  int FindCrossings(double z, double slope, double angle, std::array<double, 6>& places) const
+  int FindCrossings(double z, double slope, double angle, std::array<double, 6>& latitudes) const
   {
     int number = 1;
-    places[0] = 0.0;
+    latitudes[0] = 0.0;
     const double most = std::hypot(z, slope);
     const double top = std::atan2(slope, z);
     for (int level = 0; level < 2; ++level)
@@ -84,29 +84,31 @@ private:
       {
         continue;
       }
-      constexpr double turn = 6.28318530717958647692;
+      constexpr double fullCircle = 6.28318530717958647692;
       const double side = std::acos(this->Level[level] / most);
-      for (const double place : { top - side, top + side })
+      for (const double latitude : { top - side, top + side })
       {
-        const double t = place < 0.0 ? place + turn : (place >= turn ? place - turn : place);
+        const double t = latitude < 0.0
+          ? latitude + fullCircle
+          : (latitude >= fullCircle ? latitude - fullCircle : latitude);
         if (t > 0.0 && t < angle)
         {
-          Insert(places, number++, t);
+          Insert(latitudes, number++, t);
         }
       }
     }
-    places[number++] = angle;
+    latitudes[number++] = angle;
     return number;
   }
 
   /// Keeps them ascending.
-  static void Insert(std::array<double, 6>& places, int number, double t)
+  static void Insert(std::array<double, 6>& latitudes, int number, double t)
   {
-    for (; places[number - 1] > t; --number)
+    for (; latitudes[number - 1] > t; --number)
     {
-      places[number] = places[number - 1];
+      latitudes[number] = latitudes[number - 1];
     }
-    places[number] = t;
+    latitudes[number] = t;
   }
 
   void AddArc(const Vector3& from, const Vector3& to, int state)
@@ -173,7 +175,7 @@ private:
 namespace detail
 {
 
-inline Vector3 TurnedAboutAxis(const Vector3& x, double cosine, double sine)
+inline Vector3 RotatedAboutAxis(const Vector3& x, double cosine, double sine)
 {
   return { { cosine * x[0] - sine * x[1], sine * x[0] + cosine * x[1], x[2] } };
 }
@@ -187,8 +189,8 @@ inline ClipResult ClipToMeridians(const SphericalFrame& frame, const PolygonView
   part.Size = 0;
   for (int i = 0; i < polygon.Size; ++i)
   {
-    const Vector3 seen = frame.Seen(polygon.Corners[i]);
-    part.Add({ { seen[0] / seen[2], seen[1] / seen[2] } });
+    const Vector3 projected = frame.Projected(polygon.Corners[i]);
+    part.Add({ { projected[0] / projected[2], projected[1] / projected[2] } });
   }
   const auto keep = [&](double sine, double cosine)
   {
@@ -216,10 +218,10 @@ inline Moments FindOverlap(
   std::array<Vector3, ConvexPolygon::Most> corners;
   for (int i = 0; i < part.Size; ++i)
   {
-    corners[i] = detail::TurnedAboutAxis(frame.FromFrame(part.Corners[i]), cosine, -sine);
+    corners[i] = detail::RotatedAboutAxis(frame.FromFrame(part.Corners[i]), cosine, -sine);
   }
   Moments moments = BetweenParallels(cell.South, cell.North).Measure(corners.data(), part.Size);
-  moments.First = detail::TurnedAboutAxis(moments.First, cosine, sine);
+  moments.First = detail::RotatedAboutAxis(moments.First, cosine, sine);
   return moments.Moved(origin);
 }
 

@@ -14,10 +14,10 @@ struct Moments
   double Measure = 0.0; ///< length, area or volume
   Vector3 First{ { 0.0, 0.0, 0.0 } };
 
-  /// The same about a reference point that is `way` farther.
-  Moments Moved(const Vector3& way) const
+  /// The same about a reference point that is `shift` farther.
+  Moments Moved(const Vector3& shift) const
   {
-    return { this->Measure, this->First - this->Measure * way };
+    return { this->Measure, this->First - this->Measure * shift };
   }
 
   void Add(const Moments& other, double sign)

@@ -39,7 +39,7 @@ struct PlanarFrame
   {
   }
 
-  Vector3 Seen(const Vector3& x) const
+  Vector3 Projected(const Vector3& x) const
   {
     return { { x[0] - this->Origin[0], x[1] - this->Origin[1], 1.0 } };
   }

@@ -31,14 +31,14 @@ ClipResult FindOverlap(
   double extent = 0.0;
   for (int i = 0; i < within.Size; ++i)
   {
-    const Vector3 seen = frame.Seen(within.Corners[i]);
-    overlap.Add({ { seen[0] / seen[2], seen[1] / seen[2] } });
-    extent = std::max({ extent, std::abs(seen[0]), std::abs(seen[1]) });
+    const Vector3 projected = frame.Projected(within.Corners[i]);
+    overlap.Add({ { projected[0] / projected[2], projected[1] / projected[2] } });
+    extent = std::max({ extent, std::abs(projected[0]), std::abs(projected[1]) });
   }
   std::array<Vector3, ConvexPolygon::Most> edges;
   for (int i = 0; i < around.Size; ++i)
   {
-    edges[i] = frame.Seen(around.Corners[i]);
+    edges[i] = frame.Projected(around.Corners[i]);
     extent = std::max({ extent, std::abs(edges[i][0]), std::abs(edges[i][1]) });
   }
   return Clip(overlap, edges.data(), around.Size, extent);

@@ -27,18 +27,18 @@ inline std::optional<Segment<3>> CommonInterval(const Segment<3>& one, const Seg
   {
     return std::nullopt;
   }
-  const auto placeOf = [&](const Vector3& x) { return Dot(x - around.A, along) / length2; };
+  const auto parameterOf = [&](const Vector3& x) { return Dot(x - around.A, along) / length2; };
   const double tolerance = std::max(1e-9 * std::sqrt(length2),
     8.0 * std::numeric_limits<double>::epsilon() * std::sqrt(Norm2(around.A) + Norm2(around.B)));
   const auto isOnLine = [&](const Vector3& x)
-  { return Norm(x - around.A - placeOf(x) * along) <= tolerance; };
+  { return Norm(x - around.A - parameterOf(x) * along) <= tolerance; };
   if (!isOnLine(within.A) || !isOnLine(within.B))
   {
     return std::nullopt;
   }
   const auto inside = [&](const Vector3& x)
   {
-    const double t = placeOf(x);
+    const double t = parameterOf(x);
     return t <= 0.0 ? around.A : (t >= 1.0 ? around.B : x);
   };
   const Segment<3> common{ inside(within.A), inside(within.B) };

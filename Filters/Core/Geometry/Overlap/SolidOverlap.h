@@ -63,13 +63,13 @@ void FindOverlap(
   std::array<Vector3, SolidTopology::MostCorners> own;
   std::array<Vector3, SolidTopology::MostCorners> other;
   double extent = 0.0;
-  const auto see = [&](const SolidView& solid, Vector3* seen)
+  const auto see = [&](const SolidView& solid, Vector3* relative)
   {
     for (int i = 0; i < solid.Topology->Size; ++i)
     {
-      seen[i] = solid.Corners[i] - origin;
-      extent =
-        std::max({ extent, std::abs(seen[i][0]), std::abs(seen[i][1]), std::abs(seen[i][2]) });
+      relative[i] = solid.Corners[i] - origin;
+      extent = std::max(
+        { extent, std::abs(relative[i][0]), std::abs(relative[i][1]), std::abs(relative[i][2]) });
     }
   };
   see(within, own.data());

@@ -76,7 +76,7 @@ private:
   /// From a neighbour on to the one after the corner in the face that comes from there.
   bool FindNeighbours(int corner, std::array<std::uint8_t, 3>& neighbours) const
   {
-    std::array<std::array<int, 2>, 3> ways; // from, to
+    std::array<std::array<int, 2>, 3> directions; // from, to
     int number = 0;
     for (const std::vector<int>& face : this->Faces)
     {
@@ -87,7 +87,7 @@ private:
         {
           return false;
         }
-        ways[number++] = { at == face.begin() ? face.back() : *(at - 1),
+        directions[number++] = { at == face.begin() ? face.back() : *(at - 1),
           at + 1 == face.end() ? face.front() : *(at + 1) };
       }
     }
@@ -95,17 +95,17 @@ private:
     {
       return false;
     }
-    int from = ways[0][0];
+    int from = directions[0][0];
     for (int i = 0; i < 3; ++i)
     {
       neighbours[i] = static_cast<std::uint8_t>(from);
-      const auto way =
-        std::find_if(ways.begin(), ways.end(), [from](const auto& w) { return w[0] == from; });
-      if (way == ways.end())
+      const auto direction = std::find_if(
+        directions.begin(), directions.end(), [from](const auto& w) { return w[0] == from; });
+      if (direction == directions.end())
       {
         return false;
       }
-      from = (*way)[1];
+      from = (*direction)[1];
     }
     return from == neighbours[0] && neighbours[0] != neighbours[1] &&
       neighbours[1] != neighbours[2] && neighbours[2] != neighbours[0];

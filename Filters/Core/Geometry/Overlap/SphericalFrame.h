@@ -104,14 +104,14 @@ struct SphericalFrame
 
   /// Homogeneous; w is positive before the sphere's centre. Of differences: near points keep their
   /// digits.
-  Vector3 Seen(const Vector3& x) const
+  Vector3 Projected(const Vector3& x) const
   {
-    const Vector3 way = x - this->Origin;
-    return { { Dot(way, this->E1), Dot(way, this->E2), 1.0 + Dot(way, this->Origin) } };
+    const Vector3 offset = x - this->Origin;
+    return { { Dot(offset, this->E1), Dot(offset, this->E2), 1.0 + Dot(offset, this->Origin) } };
   }
 
   /// A direction, or a moment, in the axes of the world.
-  Vector3 Turned(const Vector3& v) const
+  Vector3 Rotated(const Vector3& v) const
   {
     return v[0] * this->E1 + (v[1] * this->E2 + v[2] * this->Origin);
   }
@@ -125,7 +125,7 @@ struct SphericalFrame
   skd::Moments Moments(const ConvexPolygon& polygon) const
   {
     skd::Moments moments = SphericalMoments(polygon);
-    moments.First = this->Turned(moments.First);
+    moments.First = this->Rotated(moments.First);
     return moments;
   }
 };

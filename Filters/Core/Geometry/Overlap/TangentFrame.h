@@ -26,10 +26,10 @@ struct TangentFrame
   const Vector3& GetNormal() const { return this->Axes.Origin; }
   double HeightOf(const Vector3& x) const { return Dot(x - this->Origin, this->GetNormal()); }
 
-  Vector3 Seen(const Vector3& x) const
+  Vector3 Projected(const Vector3& x) const
   {
-    const Vector3 way = x - this->Origin;
-    return { { Dot(way, this->Axes.E1), Dot(way, this->Axes.E2), 1.0 } };
+    const Vector3 offset = x - this->Origin;
+    return { { Dot(offset, this->Axes.E1), Dot(offset, this->Axes.E2), 1.0 } };
   }
   Vector3 FromFrame(const Vector<2>& x) const
   {
@@ -40,7 +40,7 @@ struct TangentFrame
   skd::Moments Moments(const ConvexPolygon& polygon) const
   {
     skd::Moments moments = PlanarMoments(polygon);
-    moments.First = this->Axes.Turned(moments.First);
+    moments.First = this->Axes.Rotated(moments.First);
     return moments;
   }
 };

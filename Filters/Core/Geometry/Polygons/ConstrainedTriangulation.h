@@ -33,7 +33,7 @@ public:
   using Corners = std::array<int, 3>;
 
   ConstrainedTriangulation(int numberOfPoints, Orient orient, IsBetter isBetter)
-    : Turn(std::move(orient))
+    : Orientation(std::move(orient))
     , Better(std::move(isBetter))
     , Mesh(numberOfPoints)
   {
@@ -106,7 +106,7 @@ private:
 
   int OrientSide(int at, int i, int point) const
   {
-    return this->Turn(this->Mesh.From({ at, i }), this->Mesh.To({ at, i }), point);
+    return this->Orientation(this->Mesh.From({ at, i }), this->Mesh.To({ at, i }), point);
   }
 
   /// The triangle that a point lies in: by a walk, or, should that go in circles, by a look at all.
@@ -144,8 +144,8 @@ private:
   {
     const int apex = this->Mesh.Apex(side);
     const int across = this->Mesh.Apex(other);
-    return this->Turn(apex, this->Mesh.From(side), across) > 0 &&
-      this->Turn(across, this->Mesh.To(side), apex) > 0;
+    return this->Orientation(apex, this->Mesh.From(side), across) > 0 &&
+      this->Orientation(across, this->Mesh.To(side), apex) > 0;
   }
 
   /// Flips sides, and those around them, as long as that makes them better.
@@ -174,11 +174,11 @@ private:
     }
   }
 
-  /// Where a segment leaves its first point: along a side, up to `Reached`, or across one (-1).
+  /// Where a segment leaves its first point: along a side, up to `Ending`, or across one (-1).
   struct Start
   {
     Side First;
-    int Reached;
+    int Ending;
   };
 
   Start FindStart(int a, int b) const
@@ -189,8 +189,8 @@ private:
       {
         const int right = this->Mesh.To({ at, FlipMesh::Previous(i) });
         const int left = this->Mesh.From({ at, FlipMesh::Next(i) });
-        const int ofRight = right == b ? 0 : this->Turn(a, b, right);
-        const int ofLeft = left == b ? 0 : this->Turn(a, b, left);
+        const int ofRight = right == b ? 0 : this->Orientation(a, b, right);
+        const int ofLeft = left == b ? 0 : this->Orientation(a, b, left);
         if (right == b || (ofRight == 0 && ofLeft > 0))
         {
           start = { { at, FlipMesh::Previous(i) }, right };
@@ -216,30 +216,31 @@ private:
     {
       return b; // not a segment within
     }
-    int reached = start.Reached;
-    if (reached < 0)
+    int ending = start.Ending;
+    if (ending < 0)
     {
-      std::deque<Edge> crossed = this->FindCrossed(start.First, a, b, reached);
-      this->Uncross(crossed, a, reached);
+      std::deque<Edge> crossed = this->FindCrossed(start.First, a, b, ending);
+      this->Uncross(crossed, a, ending);
     }
-    this->Mesh.Fix(this->Mesh.FindEitherSide(a, reached));
-    return reached;
+    this->Mesh.Fix(this->Mesh.FindEitherSide(a, ending));
+    return ending;
   }
 
   using Edge = std::pair<int, int>; // from the right of a segment to the left
 
   /// The edges that the segment crosses from its first side up to the first point on it.
-  std::deque<Edge> FindCrossed(Side side, int a, int b, int& reached) const
+  std::deque<Edge> FindCrossed(Side side, int a, int b, int& ending) const
   {
     std::deque<Edge> crossed;
-    while (reached < 0)
+    while (ending < 0)
     {
       crossed.emplace_back(this->Mesh.From(side), this->Mesh.To(side));
       const Side other = this->Mesh.Across(side);
       const int apex = this->Mesh.Apex(other);
-      const int turn = apex == b ? 0 : this->Turn(a, b, apex);
-      reached = turn == 0 ? apex : -1;
-      side = { other.At, turn > 0 ? FlipMesh::Next(other.Index) : FlipMesh::Previous(other.Index) };
+      const int orientation = apex == b ? 0 : this->Orientation(a, b, apex);
+      ending = orientation == 0 ? apex : -1;
+      side = { other.At,
+        orientation > 0 ? FlipMesh::Next(other.Index) : FlipMesh::Previous(other.Index) };
     }
     return crossed;
   }
@@ -248,8 +249,8 @@ private:
   void Uncross(std::deque<Edge>& crossed, int a, int b)
   {
     std::vector<Edge> made;
-    const auto turn = [&](int point)
-    { return point == a || point == b ? 0 : this->Turn(a, b, point); };
+    const auto orientation = [&](int point)
+    { return point == a || point == b ? 0 : this->Orientation(a, b, point); };
     while (!crossed.empty())
     {
       const Edge edge = crossed.front();
@@ -264,9 +265,9 @@ private:
       const int p = this->Mesh.Apex(side);
       const int q = this->Mesh.Apex(other);
       this->Mesh.Flip(side, other);
-      const int turnP = turn(p);
-      const bool isCrossing = turnP * turn(q) < 0;
-      (isCrossing ? crossed.emplace_back(turnP < 0 ? p : q, turnP < 0 ? q : p)
+      const int orientationP = orientation(p);
+      const bool isCrossing = orientationP * orientation(q) < 0;
+      (isCrossing ? crossed.emplace_back(orientationP < 0 ? p : q, orientationP < 0 ? q : p)
                   : made.emplace_back(p, q));
     }
     this->Mesh.Fix(this->Mesh.FindEitherSide(a, b));
@@ -278,7 +279,7 @@ private:
     this->Improve(std::move(sides));
   }
 
-  Orient Turn;
+  Orient Orientation;
   IsBetter Better;
   FlipMesh Mesh;
   int Last = 0;

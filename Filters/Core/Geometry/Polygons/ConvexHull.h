@@ -84,14 +84,14 @@ private:
   using Triangle = ConvexHull::Triangle;
 
   template <class IsWanted>
-  bool FindNext(int place, const IsWanted& isWanted)
+  bool FindNext(int start, const IsWanted& isWanted)
   {
     const auto found = std::find_if(this->Points.begin(), this->Points.end(), isWanted);
-    this->Start[place] = static_cast<std::uint32_t>(found - this->Points.begin());
+    this->Start[start] = static_cast<std::uint32_t>(found - this->Points.begin());
     return found != this->Points.end();
   }
 
-  const Vector3& At(int place) const { return this->Points[this->Start[place]]; }
+  const Vector3& At(int start) const { return this->Points[this->Start[start]]; }
 
   /// Looks for points that span as much as all do. Returns the dimension of that.
   int FindStart()
@@ -107,7 +107,7 @@ private:
     {
       return 0;
     }
-    const auto turns = [this](const Vector3& x)
+    const auto turnsLeft = [this](const Vector3& x)
     {
       for (this->Axis = 0; this->Axis < 3; ++this->Axis)
       {
@@ -118,7 +118,7 @@ private:
       }
       return false;
     };
-    if (!this->FindNext(2, turns))
+    if (!this->FindNext(2, turnsLeft))
     {
       return 1;
     }
@@ -143,17 +143,17 @@ private:
       return Orient3D(this->Points[t[0]], this->Points[t[1]], this->Points[t[2]], this->Points[i]) >
         0;
     };
-    const auto firstSeen =
+    const auto firstVisible =
       std::stable_partition(this->Triangles.begin(), this->Triangles.end(), std::not_fn(sees));
-    const std::vector<Triangle> seen(firstSeen, this->Triangles.end());
-    this->Triangles.erase(firstSeen, this->Triangles.end());
-    for (const Triangle& triangle : seen)
+    const std::vector<Triangle> visible(firstVisible, this->Triangles.end());
+    this->Triangles.erase(firstVisible, this->Triangles.end());
+    for (const Triangle& triangle : visible)
     {
       for (int k = 0; k < 3; ++k)
       {
         const std::uint32_t a = triangle[k];
         const std::uint32_t b = triangle[k == 2 ? 0 : k + 1];
-        if (!HasEdge(seen, b, a))
+        if (!HasEdge(visible, b, a))
         {
           this->Triangles.push_back({ a, b, i });
         }

@@ -26,7 +26,7 @@ public:
     const int axis = plane.DominantAxis();
     this->AxisX = (axis + 1) % 3;
     this->AxisY = (axis + 2) % 3;
-    this->Turn = plane.Normal[axis] < 0.0 ? -1 : 1;
+    this->Orientation = plane.Normal[axis] < 0.0 ? -1 : 1;
     for (int i = 0; i < size; ++i)
     {
       this->Left[static_cast<std::size_t>(i)] = i;
@@ -46,13 +46,13 @@ public:
   }
 
 private:
-  int At(std::size_t place) const { return this->Left[place % this->Left.size()]; }
+  int At(std::size_t index) const { return this->Left[index % this->Left.size()]; }
 
   int Side(int a, int b, int c) const
   {
     const Vector3 u = this->Corners[b] - this->Corners[a];
     const Vector3 v = this->Corners[c] - this->Corners[a];
-    return this->Turn *
+    return this->Orientation *
       SignOfDifference(u[this->AxisX], v[this->AxisY], u[this->AxisY], v[this->AxisX]);
   }
 
@@ -95,7 +95,7 @@ private:
   std::vector<int> Left;
   int AxisX;
   int AxisY;
-  int Turn;
+  int Orientation;
 };
 
 }

@@ -37,16 +37,16 @@ inline std::vector<std::uint32_t> CutOffEars(const std::vector<Vector3>& polygon
   {
     ring[i] = i;
   }
-  const auto turns = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
+  const auto orientationOf = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
   { return Dot(Cross(polygon[b] - polygon[a], polygon[c] - polygon[a]), normal); };
   const auto isEar = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
-    return turns(a, b, c) > 0.0 &&
+    return orientationOf(a, b, c) > 0.0 &&
       std::none_of(ring.begin(), ring.end(),
         [&](std::uint32_t x)
         {
-          return x != a && x != b && x != c && turns(a, b, x) >= 0.0 && turns(b, c, x) >= 0.0 &&
-            turns(c, a, x) >= 0.0;
+          return x != a && x != b && x != c && orientationOf(a, b, x) >= 0.0 &&
+            orientationOf(b, c, x) >= 0.0 && orientationOf(c, a, x) >= 0.0;
         });
   };
   std::vector<std::uint32_t> triangles;

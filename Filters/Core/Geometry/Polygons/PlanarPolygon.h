@@ -162,13 +162,13 @@ bool MeanValueWeights(const Points& points, int size, const Vector3& x, double* 
 {
   const PolygonPlane plane(points, size);
   const Vector3 normal = (1.0 / Norm(plane.Normal)) * plane.Normal;
-  const auto seen = [&](int i) { return detail::Flattened(points[i] - x, normal); };
+  const auto flattened = [&](int i) { return detail::Flattened(points[i] - x, normal); };
   double sum = 0.0;
-  Vector3 at = seen(0);
-  double before = detail::HalfTangent(seen(size - 1), at, normal);
+  Vector3 at = flattened(0);
+  double before = detail::HalfTangent(flattened(size - 1), at, normal);
   for (int i = 0; i < size; ++i)
   {
-    const Vector3 next = seen((i + 1) % size);
+    const Vector3 next = flattened((i + 1) % size);
     const double after = detail::HalfTangent(at, next, normal);
     weights[i] = (before + after) / Norm(at);
     sum += weights[i];

@@ -98,9 +98,9 @@ private:
   /// The place of the digit after the highest.
   int Top() const { return this->Exponent + static_cast<int>(this->Digits.size()); }
 
-  std::uint32_t At(int place) const
+  std::uint32_t At(int digit) const
   {
-    const int i = place - this->Exponent;
+    const int i = digit - this->Exponent;
     return i >= 0 && i < static_cast<int>(this->Digits.size()) ? this->Digits[i] : 0;
   }
 
@@ -118,11 +118,11 @@ private:
   static int CompareMagnitudes(const BigNumber& a, const BigNumber& b)
   {
     const int lowest = std::min(a.Exponent, b.Exponent);
-    for (int place = std::max(a.Top(), b.Top()) - 1; place >= lowest; --place)
+    for (int digit = std::max(a.Top(), b.Top()) - 1; digit >= lowest; --digit)
     {
-      if (a.At(place) != b.At(place))
+      if (a.At(digit) != b.At(digit))
       {
-        return a.At(place) < b.At(place) ? -1 : 1;
+        return a.At(digit) < b.At(digit) ? -1 : 1;
       }
     }
     return 0;
@@ -137,10 +137,10 @@ private:
     const int top = std::max(a.Top(), b.Top()) + 1;
     sum.Digits.reserve(static_cast<std::size_t>(top - sum.Exponent));
     std::int64_t carry = 0;
-    for (int place = sum.Exponent; place < top; ++place)
+    for (int digit = sum.Exponent; digit < top; ++digit)
     {
       carry +=
-        static_cast<std::int64_t>(a.At(place)) + sign * static_cast<std::int64_t>(b.At(place));
+        static_cast<std::int64_t>(a.At(digit)) + sign * static_cast<std::int64_t>(b.At(digit));
       sum.Digits.push_back(static_cast<std::uint32_t>(carry & 0xffffffff));
       carry = carry < 0 ? -1 : carry >> 32;
     }

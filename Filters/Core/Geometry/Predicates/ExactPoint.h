@@ -32,13 +32,13 @@ struct ExactPoint
   ExactPoint(const ExactPoint& p, const BigNumber& atP, const ExactPoint& q, const BigNumber& atQ)
     : W(p.W * atQ - q.W * atP)
   {
-    const bool isTurned = this->W.Sign() < 0;
+    const bool isNegated = this->W.Sign() < 0;
     for (int axis = 0; axis < 3; ++axis)
     {
       const BigNumber x = p.X[axis] * atQ - q.X[axis] * atP;
-      this->X[axis] = isTurned ? -x : x;
+      this->X[axis] = isNegated ? -x : x;
     }
-    this->W = isTurned ? -this->W : this->W;
+    this->W = isNegated ? -this->W : this->W;
   }
 
   /// To a few units in the last place of each coordinate.

@@ -17,13 +17,13 @@ constexpr double LeastExactCoordinate = 1e-80;
 
 /// A power of two that keeps products of three coordinates in range, given the largest magnitude of
 /// one: at this scale exact signs are exact.
-inline double ExactScale(double reach)
+inline double ExactScale(double extent)
 {
   constexpr double least = 1e-20;
   constexpr double largest = 1e80;
   int exponent = 0;
-  std::frexp(reach, &exponent);
-  const bool isInRange = reach == 0.0 || (reach >= least && reach <= largest);
+  std::frexp(extent, &exponent);
+  const bool isInRange = extent == 0.0 || (extent >= least && extent <= largest);
   return isInRange ? 1.0 : std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
 }
 

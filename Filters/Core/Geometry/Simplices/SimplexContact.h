@@ -54,7 +54,8 @@ inline bool Touch(const SetSimplex& first, const SetSimplex& second, double slac
 {
   if (first.Dimension >= 2 && second.Dimension >= 2)
   {
-    if (SeenTriangle::FindAxis(first.Corners) >= 0 && SeenTriangle::FindAxis(second.Corners) >= 0)
+    if (ProjectedTriangle::FindAxis(first.Corners) >= 0 &&
+      ProjectedTriangle::FindAxis(second.Corners) >= 0)
     {
       return FindContact(first.Corners, second.Corners).Count > 0;
     }

@@ -47,7 +47,7 @@ struct PlaneTriangle
   /// What of a segment in the plane is in the triangle.
   std::optional<Interval> Clip(const Segment<3>& segment) const
   {
-    Interval kept{ 0.0, 1.0 };
+    Interval uncovered{ 0.0, 1.0 };
     for (int edge = 0; edge < 3; ++edge)
     {
       const double a = this->Inside(edge, segment.A);
@@ -58,14 +58,14 @@ struct PlaneTriangle
       }
       if (a < 0.0)
       {
-        kept.Min = std::max(kept.Min, a / (a - b));
+        uncovered.Min = std::max(uncovered.Min, a / (a - b));
       }
       else if (b < 0.0)
       {
-        kept.Max = std::min(kept.Max, a / (a - b));
+        uncovered.Max = std::min(uncovered.Max, a / (a - b));
       }
     }
-    return kept.Min < kept.Max ? std::optional<Interval>(kept) : std::nullopt;
+    return uncovered.Min < uncovered.Max ? std::optional<Interval>(uncovered) : std::nullopt;
   }
 
   /// Calls visit(segment) with where another triangle meets the plane: of one that lies in it, to
@@ -149,20 +149,20 @@ private:
   bool HoldsEdges() const
   {
     bool isHeld = true;
-    std::vector<double> turns;
+    std::vector<double> transitions;
     const auto ask = [&](const Segment<3>& edge)
     {
       if (!isHeld)
       {
         return;
       }
-      turns.assign({ 0.0, 1.0 });
-      ForEachTurn(
-        edge, this->Whole, WitnessFactor * this->Tolerance, [&](double t) { turns.push_back(t); });
-      std::sort(turns.begin(), turns.end());
-      for (std::size_t i = 1; i < turns.size() && isHeld; ++i)
+      transitions.assign({ 0.0, 1.0 });
+      ForEachTransition(edge, this->Whole, WitnessFactor * this->Tolerance,
+        [&](double t) { transitions.push_back(t); });
+      std::sort(transitions.begin(), transitions.end());
+      for (std::size_t i = 1; i < transitions.size() && isHeld; ++i)
       {
-        isHeld = this->HoldsWitness(edge.At(0.5 * (turns[i - 1] + turns[i])));
+        isHeld = this->HoldsWitness(edge.At(0.5 * (transitions[i - 1] + transitions[i])));
       }
     };
     for (const SimplexSet::Simplex& simplex : this->Other.Simplices)
@@ -215,17 +215,17 @@ private:
   /// the nearer point may be between this one and the next.
   bool HoldsBeside(const PlaneTriangle& triangle, const Segment<3>& cut) const
   {
-    const std::optional<Interval> kept = triangle.Clip(cut);
-    if (!kept)
+    const std::optional<Interval> uncovered = triangle.Clip(cut);
+    if (!uncovered)
     {
       return true;
     }
     const Vector3 along = cut.B - cut.A;
     const double length = Norm(along);
     const Vector3 aside = (1.0 / length) * Cross(triangle.Normal, along);
-    const Vector3 middle = cut.At(0.5 * (kept->Min + kept->Max));
+    const Vector3 middle = cut.At(0.5 * (uncovered->Min + uncovered->Max));
     constexpr double smallPart = 1.0 / 64.0;
-    const double lengthOfCut = (kept->Max - kept->Min) * length;
+    const double lengthOfCut = (uncovered->Max - uncovered->Min) * length;
     for (const double step : { BesideFactor * this->Tolerance, smallPart * lengthOfCut })
     {
       for (const double signedStep : { step, -step })

@@ -73,14 +73,14 @@ private:
         this->Points.push_back(x);
       }
     }
-    const auto addTurns = [&](const Segment<3>& edge)
+    const auto addTransitions = [&](const Segment<3>& edge)
     {
-      ForEachTurn(
+      ForEachTransition(
         edge, other, this->Tolerance, [&](double t) { this->Points.push_back(edge.At(t)); });
     };
     for (const SimplexSet::Simplex& simplex : one.Simplices)
     {
-      one.ForEachEdge(simplex, addTurns);
+      one.ForEachEdge(simplex, addTransitions);
     }
   }
 

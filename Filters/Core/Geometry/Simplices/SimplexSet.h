@@ -106,10 +106,10 @@ struct SimplexSet
   }
 };
 
-/// The box as a solid, with its corners moved by `place`; a flat one is a rectangle, a segment or a
-/// point. A box is convex, if `place` is affine.
-template <class Place>
-SimplexSet MakeBox(const Box3& box, const Place& place)
+/// The box as a solid, with its corners moved by `transform`; a flat one is a rectangle, a segment
+/// or a point. A box is convex, if `transform` is affine.
+template <class Transform>
+SimplexSet MakeBox(const Box3& box, const Transform& transform)
 {
   SimplexSet set;
   int axes[3];
@@ -130,7 +130,7 @@ SimplexSet MakeBox(const Box3& box, const Place& place)
     {
       x[axes[i]] = corner >> i & 1 ? box.Max[axes[i]] : box.Min[axes[i]];
     }
-    set.Add(place(x));
+    set.Add(transform(x));
   }
   const auto addRectangle = [&set](int a, int b, int c, int d)
   {
@@ -206,7 +206,7 @@ inline bool Encloses(const SimplexSet& set, const Vector3& x)
   {
     return false;
   }
-  const SegmentView view(detail::WayOut(set.Bounds, x));
+  const SegmentView view(detail::SegmentOutOf(set.Bounds, x));
   bool isInside = false;
   for (const SimplexSet::Simplex& simplex : set.Simplices)
   {
@@ -289,8 +289,8 @@ inline double SimplexDistance2(const Triangle3& a, const Triangle3& b)
 /// may be here and there.
 inline bool HasPointWithin(const SimplexSet& solid, const SimplexSet& set)
 {
-  const std::size_t asked = set.Dimension == 0 ? set.Points.size() : 1;
-  for (std::size_t i = 0; i < std::min(asked, set.Points.size()); ++i)
+  const std::size_t numberOfPoints = set.Dimension == 0 ? set.Points.size() : 1;
+  for (std::size_t i = 0; i < std::min(numberOfPoints, set.Points.size()); ++i)
   {
     if (Encloses(solid, set.Points[i]))
     {

@@ -15,7 +15,8 @@ namespace detail
 /// Calls visit(t) with the parameters at which a segment comes to something of the set: crosses a
 /// triangle, or comes as near as `tolerance` to an edge or a point.
 template <class Visit>
-void ForEachTurn(const Segment<3>& segment, const SimplexSet& set, double tolerance, Visit visit)
+void ForEachTransition(
+  const Segment<3>& segment, const SimplexSet& set, double tolerance, Visit visit)
 {
   Box3 bounds(segment.A, segment.A);
   bounds.Add(segment.B);

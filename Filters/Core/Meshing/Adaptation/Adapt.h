@@ -155,10 +155,10 @@ private:
 
   MeshMotion::Outcome Step()
   {
-    std::vector<Vector3> places;
+    std::vector<Vector3> positions;
     const double part =
-      this->Shares.Step(this->Mesh, this->Curves, this->Values, this->Relaxation, places);
-    MeshMotion::Outcome step = this->Motion.Move(this->Mesh, places);
+      this->Shares.Step(this->Mesh, this->Curves, this->Values, this->Relaxation, positions);
+    MeshMotion::Outcome step = this->Motion.Move(this->Mesh, positions);
     step.Step = part;
     return step;
   }
@@ -176,11 +176,11 @@ private:
     std::transform(integrals.begin(), integrals.end(), this->Values.begin(), integrals.begin(),
       std::multiplies<>());
     this->Shares.Restart(integrals);
-    std::vector<Vector3> places = this->Shares.Invert(this->FindImage());
+    std::vector<Vector3> positions = this->Shares.Invert(this->FindImage());
     this->Shares.SetWeights(weights);
     MeshMotion::Outcome step;
     step.Step = 1.0;
-    while (!this->Motion.MoveWhole(this->Mesh, places, step))
+    while (!this->Motion.MoveWhole(this->Mesh, positions, step))
     {
       step.Step *= shorter;
       if (!(step.Step > least))
@@ -188,7 +188,7 @@ private:
         this->Shares.Restart(std::vector<double>(weights));
         return this->Step();
       }
-      places = this->Shares.Shorten(shorter);
+      positions = this->Shares.Shorten(shorter);
     }
     return step;
   }
@@ -211,9 +211,9 @@ private:
          ++step)
     {
       before = this->Shares.GetMeasure();
-      std::vector<Vector3> places;
-      this->Shares.Step(image, curves, ones, 1.0, places, smoothings);
-      motion.Move(image, places);
+      std::vector<Vector3> positions;
+      this->Shares.Step(image, curves, ones, 1.0, positions, smoothings);
+      motion.Move(image, positions);
       this->Shares.Update(image, ones);
     }
     return image;

@@ -77,9 +77,9 @@ inline Aggregation::Level Aggregation::MakeLevel(const EdgeLaplacian& matrix)
   {
     for (int side = 0; side < 2; ++side)
     {
-      const std::size_t place = next[flow.Cells[side]]++;
-      level.Neighbours[place] = flow.Cells[1 - side];
-      level.Weights[place] = flow.Weight;
+      const std::size_t slot = next[flow.Cells[side]]++;
+      level.Neighbours[slot] = flow.Cells[1 - side];
+      level.Weights[slot] = flow.Weight;
     }
   }
   return level;

@@ -23,17 +23,17 @@ public:
     if (shape.What == SurfaceShape::Kind::Sphere)
     {
       this->Apex = shape.Centre;
-      this->Turn = Dot(area, corner - shape.Centre) > 0.0 ? -1 : 1;
+      this->Orientation = Dot(area, corner - shape.Centre) > 0.0 ? -1 : 1;
     }
     else if (shape.What == SurfaceShape::Kind::Plane)
     {
       this->Apex = corner + (size > 0.0 ? size : 1.0) * shape.Normal;
-      this->Turn = Dot(area, shape.Normal) > 0.0 ? 1 : -1;
+      this->Orientation = Dot(area, shape.Normal) > 0.0 ? 1 : -1;
     }
     else
     {
       this->Apex = corner + (size > 0.0 ? 1.0 / size : 1.0) * area;
-      this->Turn = 1;
+      this->Orientation = 1;
     }
     this->Convex = true;
     this->Convex = this->IsValid(mesh, cell);
@@ -54,7 +54,7 @@ public:
 private:
   int SignOf(const SurfaceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) const
   {
-    return this->Turn * Orient3D(mesh.Points[a], mesh.Points[b], mesh.Points[c], this->Apex);
+    return this->Orientation * Orient3D(mesh.Points[a], mesh.Points[b], mesh.Points[c], this->Apex);
   }
 
   bool IsConvex(const SurfaceMesh& mesh, std::uint32_t cell) const;
@@ -63,7 +63,7 @@ private:
     std::uint32_t d) const;
 
   Vector3 Apex;
-  int Turn;
+  int Orientation;
   bool Convex;
 };
 
@@ -118,7 +118,7 @@ inline bool CellValidity::IsSimple(const SurfaceMesh& mesh, std::uint32_t cell) 
       return false;
     }
   }
-  return this->Turn * area < 0.0; // angles count the other way
+  return this->Orientation * area < 0.0; // angles count the other way
 }
 
 inline double CellValidity::QualityOf(const SurfaceMesh& mesh, std::uint32_t cell) const
@@ -133,10 +133,10 @@ inline double CellValidity::QualityOf(const SurfaceMesh& mesh, std::uint32_t cel
     const Vector3 out = mesh.Points[corners[(i + 1) % n]] - x;
     const Vector3 in = mesh.Points[corners[(i + n - 1) % n]] - x;
     const Vector3 up = this->Apex - x;
-    const Vector3 turn = Cross(out, in);
+    const Vector3 normal = Cross(out, in);
     const double product = Norm(out) * Norm(in);
-    const double sign = this->Turn * Dot(turn, up) > 0.0 ? 1.0 : -1.0;
-    least = std::min(least, product > 0.0 ? sign * Norm(turn) / (product * regular) : 0.0);
+    const double sign = this->Orientation * Dot(normal, up) > 0.0 ? 1.0 : -1.0;
+    least = std::min(least, product > 0.0 ? sign * Norm(normal) / (product * regular) : 0.0);
   }
   return least;
 }

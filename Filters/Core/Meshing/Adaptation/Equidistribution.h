@@ -63,7 +63,7 @@ public:
   /// cells can be smoothed some times first: single points, where panels of a cubed sphere meet or
   /// at poles, would make steps the shorter the finer the mesh is. O(N).
   double Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
-    const std::vector<double>& monitor, double part, std::vector<Vector3>& places,
+    const std::vector<double>& monitor, double part, std::vector<Vector3>& positions,
     int smoothings = 0);
 
   const std::vector<double>& GetWeights() const { return this->Weights; }
@@ -96,7 +96,7 @@ private:
   EdgeLaplacian MakeMatrix(const SurfaceMesh& mesh) const;
   Vector3 Move(const Vector3& from, const Vector3& along) const;
   Vector3 DerivativeOfMove(const Vector3& from, const Vector3& along, const Vector3& change) const;
-  std::vector<Vector3> FindPlaces();
+  std::vector<Vector3> FindPositions();
   void Smooth(std::vector<double>& potential, int times) const;
   std::vector<Vector3> FindGradients(const std::vector<double>& potential) const;
   Vector3 Allowed(std::uint32_t point, const Vector3& gradient) const;
@@ -398,7 +398,7 @@ inline double Equidistribution::LimitOf(
 }
 
 inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurves& curves,
-  const std::vector<double>& monitor, double part, std::vector<Vector3>& places, int smoothings)
+  const std::vector<double>& monitor, double part, std::vector<Vector3>& positions, int smoothings)
 {
   if (this->Shape.What == SurfaceShape::Kind::Other)
   {
@@ -410,20 +410,20 @@ inline double Equidistribution::Step(const SurfaceMesh& mesh, const FeatureCurve
   this->Smooth(change, smoothings);
   part = this->LimitOf(mesh, this->FindMotion(change), part);
   detail::AddTo(this->Potential, part, change);
-  places = this->FindPlaces();
+  positions = this->FindPositions();
   return part;
 }
 
 /// Where the potential takes points.
-inline std::vector<Vector3> Equidistribution::FindPlaces()
+inline std::vector<Vector3> Equidistribution::FindPositions()
 {
   this->Displacements = this->FindGradients(this->Potential);
-  std::vector<Vector3> places(this->Displacements.size());
-  for (std::uint32_t point = 0; point < places.size(); ++point)
+  std::vector<Vector3> positions(this->Displacements.size());
+  for (std::uint32_t point = 0; point < positions.size(); ++point)
   {
-    places[point] = this->Move(this->First.Points[point], this->Displacements[point]);
+    positions[point] = this->Move(this->First.Points[point], this->Displacements[point]);
   }
-  return places;
+  return positions;
 }
 
 inline void Equidistribution::SetWeights(std::vector<double> weights)
@@ -440,13 +440,13 @@ inline void Equidistribution::Restart(std::vector<double> weights)
 {
   this->SetWeights(std::move(weights));
   std::fill(this->Potential.begin(), this->Potential.end(), 0.0);
-  this->FindPlaces();
+  this->FindPositions();
 }
 
 inline std::vector<Vector3> Equidistribution::Shorten(double part)
 {
   detail::Scale(this->Potential, part);
-  return this->FindPlaces();
+  return this->FindPositions();
 }
 
 /// Takes from a potential what it has at the scale of single cells.
@@ -476,7 +476,7 @@ inline std::vector<Vector3> Equidistribution::Invert(const SurfaceMesh& image)
   const ConjugatePotential back(image, this->Shape, middles, this->Potential);
   this->Potential = back.FindAll(middles);
   this->Smooth(this->Potential, 3);
-  return this->FindPlaces();
+  return this->FindPositions();
 }
 
 }

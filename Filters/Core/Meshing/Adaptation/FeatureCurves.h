@@ -31,7 +31,7 @@ public:
   Vector3 TangentOf(std::uint32_t point) const
   {
     const Segment& on = this->Segments[this->SegmentOfPoint[point]];
-    const Vector3 along = this->Places[on.Ends[1]] - this->Places[on.Ends[0]];
+    const Vector3 along = this->Positions[on.Ends[1]] - this->Positions[on.Ends[0]];
     return (1.0 / Norm(along)) * along;
   }
 
@@ -42,7 +42,7 @@ private:
   };
   struct Nearest
   {
-    Vector3 Place;
+    Vector3 Position;
     double Distance2;
     double Parameter;
   };
@@ -52,7 +52,7 @@ private:
   Nearest NearestOn(std::uint32_t segment, const Vector3& x) const;
   std::uint32_t NextOf(std::uint32_t segment, std::uint32_t point) const;
 
-  std::vector<Vector3> Places; // of all points, as they were
+  std::vector<Vector3> Positions; // of all points, as they were
   std::vector<Segment> Segments;
   IndexRows SegmentsOfPoint;
   std::vector<std::uint32_t> SegmentOfPoint; // where one that slides is now
@@ -76,7 +76,7 @@ inline bool FeatureCurves::IsCorner(
   const auto away = [&](std::uint32_t segment)
   {
     const Segment& on = this->Segments[segment];
-    return this->Places[on.Ends[on.Ends[0] == point ? 1 : 0]] - this->Places[point];
+    return this->Positions[on.Ends[on.Ends[0] == point ? 1 : 0]] - this->Positions[point];
   };
   const Vector3 a = away(segments[0]);
   const Vector3 b = away(segments[1]);
@@ -85,7 +85,7 @@ inline bool FeatureCurves::IsCorner(
 
 inline FeatureCurves::FeatureCurves(
   SurfaceMesh& mesh, const SurfaceShape& shape, const FreedomRules& rules)
-  : Places(mesh.Points)
+  : Positions(mesh.Points)
 {
   const bool hasCreases = shape.What == SurfaceShape::Kind::Other;
   const double crease = std::cos(rules.CreaseAngle);
@@ -125,13 +125,13 @@ inline FeatureCurves::FeatureCurves(
 inline FeatureCurves::Nearest FeatureCurves::NearestOn(
   std::uint32_t segment, const Vector3& x) const
 {
-  const Vector3& a = this->Places[this->Segments[segment].Ends[0]];
-  const Vector3 along = this->Places[this->Segments[segment].Ends[1]] - a;
+  const Vector3& a = this->Positions[this->Segments[segment].Ends[0]];
+  const Vector3 along = this->Positions[this->Segments[segment].Ends[1]] - a;
   const double length2 = Norm2(along);
   const double t = length2 > 0.0 ? Dot(x - a, along) / length2 : 0.0;
   const double clamped = std::min(std::max(t, 0.0), 1.0);
-  const Vector3 place = a + clamped * along;
-  return { place, Distance2(place, x), clamped };
+  const Vector3 position = a + clamped * along;
+  return { position, Distance2(position, x), clamped };
 }
 
 inline std::uint32_t FeatureCurves::NextOf(std::uint32_t segment, std::uint32_t point) const
@@ -161,7 +161,7 @@ inline Vector3 FeatureCurves::Slide(std::uint32_t point, const Vector3& x)
     best = there;
   }
   this->SegmentOfPoint[point] = on;
-  return best.Place;
+  return best.Position;
 }
 
 }

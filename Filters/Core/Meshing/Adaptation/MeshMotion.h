@@ -36,12 +36,12 @@ public:
 
   /// Moves points to places. Where a few cells would be spoilt the points around go amid their
   /// neighbours instead. False, and nothing has moved, if this does not help.
-  bool MoveWhole(SurfaceMesh& mesh, const std::vector<Vector3>& places, Outcome& outcome);
+  bool MoveWhole(SurfaceMesh& mesh, const std::vector<Vector3>& positions, Outcome& outcome);
 
   /// Moves points towards places. Where cells would be spoilt their points go along with their
   /// neighbours instead; where this does not help half as far, then not at all. If that would hold
   /// back many, MoveWhole is tried first.
-  Outcome Move(SurfaceMesh& mesh, const std::vector<Vector3>& places);
+  Outcome Move(SurfaceMesh& mesh, const std::vector<Vector3>& positions);
 
 private:
   static constexpr Vector3 None{ { 0.0, 0.0, 0.0 } };
@@ -51,20 +51,20 @@ private:
   {
     return this->LeastQuality * std::min(1.0, 2.0 * std::max(this->First[cell], 0.0));
   }
-  void Place(SurfaceMesh& mesh, std::uint32_t point);
-  Vector3 WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const;
+  void MovePoint(SurfaceMesh& mesh, std::uint32_t point);
+  Vector3 DisplacementOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const;
   std::vector<std::uint32_t> FindSpoilt(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells) const;
   static std::vector<std::uint32_t> CornersOf(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells);
   static Vector3 AmidNeighbours(const SurfaceMesh& mesh, std::uint32_t point);
   void Begin(const SurfaceMesh& mesh);
-  bool Go(SurfaceMesh& mesh, const std::vector<Vector3>& places, double part);
-  void Displace(
-    SurfaceMesh& mesh, const std::vector<std::uint32_t>& points, const std::vector<Vector3>& ways);
+  bool Go(SurfaceMesh& mesh, const std::vector<Vector3>& positions, double part);
+  void Displace(SurfaceMesh& mesh, const std::vector<std::uint32_t>& points,
+    const std::vector<Vector3>& displacements);
   bool RoundOff(SurfaceMesh& mesh);
   bool Repair(SurfaceMesh& mesh, std::size_t work);
-  bool MoveInParts(SurfaceMesh& mesh, const std::vector<Vector3>& places, std::size_t work);
+  bool MoveInParts(SurfaceMesh& mesh, const std::vector<Vector3>& positions, std::size_t work);
   void Count(const SurfaceMesh& mesh, const std::vector<Vector3>& first, Outcome& outcome) const;
   std::vector<std::uint32_t> CellsAround(
     const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const;
@@ -115,7 +115,7 @@ inline double MeshMotion::FindSmallestQuality(const SurfaceMesh& mesh) const
   return least;
 }
 
-inline void MeshMotion::Place(SurfaceMesh& mesh, std::uint32_t point)
+inline void MeshMotion::MovePoint(SurfaceMesh& mesh, std::uint32_t point)
 {
   if (this->Displacements[point] == None)
   {
@@ -130,7 +130,8 @@ inline void MeshMotion::Place(SurfaceMesh& mesh, std::uint32_t point)
   mesh.Points[point] = this->Shape.Put(x);
 }
 
-inline Vector3 MeshMotion::WayOfNeighbours(const SurfaceMesh& mesh, std::uint32_t point) const
+inline Vector3 MeshMotion::DisplacementOfNeighbours(
+  const SurfaceMesh& mesh, std::uint32_t point) const
 {
   Vector3 sum = None;
   double count = 0.0;
@@ -206,14 +207,14 @@ inline Vector3 MeshMotion::AmidNeighbours(const SurfaceMesh& mesh, std::uint32_t
   return 0.5 * (mesh.Points[point] + (1.0 / count) * sum);
 }
 
-inline void MeshMotion::Displace(
-  SurfaceMesh& mesh, const std::vector<std::uint32_t>& points, const std::vector<Vector3>& ways)
+inline void MeshMotion::Displace(SurfaceMesh& mesh, const std::vector<std::uint32_t>& points,
+  const std::vector<Vector3>& displacements)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    this->Displacements[points[i]] = ways[i];
+    this->Displacements[points[i]] = displacements[i];
     this->Repaired[points[i]] = true;
-    this->Place(mesh, points[i]);
+    this->MovePoint(mesh, points[i]);
   }
   this->Spoilt = this->FindSpoilt(mesh, this->CellsAround(mesh, points));
 }
@@ -238,13 +239,13 @@ inline bool MeshMotion::RoundOff(SurfaceMesh& mesh)
       return false;
     }
     work -= points.size();
-    std::vector<Vector3> ways;
+    std::vector<Vector3> displacements;
     for (const std::uint32_t point : points)
     {
       const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
-      ways.push_back(isFixed ? None : AmidNeighbours(mesh, point) - this->Before[point]);
+      displacements.push_back(isFixed ? None : AmidNeighbours(mesh, point) - this->Before[point]);
     }
-    this->Displace(mesh, points, ways);
+    this->Displace(mesh, points, displacements);
   }
   return this->Spoilt.empty();
 }
@@ -263,22 +264,22 @@ inline bool MeshMotion::Repair(SurfaceMesh& mesh, std::size_t work)
       return false;
     }
     work -= points.size();
-    std::vector<Vector3> ways;
+    std::vector<Vector3> displacements;
     for (const std::uint32_t point : points)
     {
       const double part = round < smoothings + halvings ? 0.5 : 0.0;
       const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
-      ways.push_back(isFixed   ? None
-          : round < smoothings ? this->WayOfNeighbours(mesh, point)
-                               : part * this->Displacements[point]);
+      displacements.push_back(isFixed ? None
+          : round < smoothings        ? this->DisplacementOfNeighbours(mesh, point)
+                                      : part * this->Displacements[point]);
     }
-    this->Displace(mesh, points, ways);
+    this->Displace(mesh, points, displacements);
   }
   return true;
 }
 
 /// Goes a part of the way that is left; false if cells are spoilt then.
-inline bool MeshMotion::Go(SurfaceMesh& mesh, const std::vector<Vector3>& places, double part)
+inline bool MeshMotion::Go(SurfaceMesh& mesh, const std::vector<Vector3>& positions, double part)
 {
   this->Before = mesh.Points;
   for (std::uint32_t cell = 0; cell < mesh.Cells.size(); ++cell)
@@ -292,8 +293,8 @@ inline bool MeshMotion::Go(SurfaceMesh& mesh, const std::vector<Vector3>& places
   for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
   {
     const bool isFixed = mesh.Freedom[point] == PointFreedom::Fixed;
-    this->Displacements[point] = isFixed ? None : part * (places[point] - mesh.Points[point]);
-    this->Place(mesh, point);
+    this->Displacements[point] = isFixed ? None : part * (positions[point] - mesh.Points[point]);
+    this->MovePoint(mesh, point);
   }
   this->Spoilt.resize(mesh.Cells.size());
   std::iota(this->Spoilt.begin(), this->Spoilt.end(), 0u);
@@ -321,11 +322,11 @@ inline void MeshMotion::Begin(const SurfaceMesh& mesh)
 }
 
 inline bool MeshMotion::MoveWhole(
-  SurfaceMesh& mesh, const std::vector<Vector3>& places, Outcome& outcome)
+  SurfaceMesh& mesh, const std::vector<Vector3>& positions, Outcome& outcome)
 {
   const std::vector<Vector3> first = mesh.Points;
   this->Begin(mesh);
-  if (!this->Go(mesh, places, 1.0))
+  if (!this->Go(mesh, positions, 1.0))
   {
     outcome.SpoiltCell = this->Spoilt.front();
     if (!this->RoundOff(mesh))
@@ -341,13 +342,13 @@ inline bool MeshMotion::MoveWhole(
 // Points that go a small part of their way are soon repaired, and hold few others back. False, and
 // nothing has moved, if more points than `work` would have to be repaired for a part.
 inline bool MeshMotion::MoveInParts(
-  SurfaceMesh& mesh, const std::vector<Vector3>& places, std::size_t work)
+  SurfaceMesh& mesh, const std::vector<Vector3>& positions, std::size_t work)
 {
   constexpr int parts = 8;
   const std::vector<Vector3> first = mesh.Points;
   for (int left = parts; left > 0; --left)
   {
-    this->Go(mesh, places, 1.0 / left);
+    this->Go(mesh, positions, 1.0 / left);
     this->Repaired.assign(mesh.Points.size(), false); // by the last is what counts
     if (!this->Repair(mesh, work))
     {
@@ -358,19 +359,20 @@ inline bool MeshMotion::MoveInParts(
   return true;
 }
 
-inline MeshMotion::Outcome MeshMotion::Move(SurfaceMesh& mesh, const std::vector<Vector3>& places)
+inline MeshMotion::Outcome MeshMotion::Move(
+  SurfaceMesh& mesh, const std::vector<Vector3>& positions)
 {
   const std::vector<Vector3> first = mesh.Points;
   Outcome outcome;
   this->Begin(mesh);
-  if (!this->Go(mesh, places, 1.0))
+  if (!this->Go(mesh, positions, 1.0))
   {
     outcome.SpoiltCell = this->Spoilt.front();
     mesh.Points = first;
-    if (!this->MoveInParts(mesh, places, mesh.Points.size()) &&
-      !this->MoveWhole(mesh, places, outcome))
+    if (!this->MoveInParts(mesh, positions, mesh.Points.size()) &&
+      !this->MoveWhole(mesh, positions, outcome))
     {
-      this->MoveInParts(mesh, places, std::numeric_limits<std::size_t>::max());
+      this->MoveInParts(mesh, positions, std::numeric_limits<std::size_t>::max());
     }
   }
   this->Count(mesh, first, outcome);

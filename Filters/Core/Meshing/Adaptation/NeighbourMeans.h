@@ -146,8 +146,8 @@ inline void NeighbourMeans::AddAround(std::vector<Neighbour>& around)
   std::vector<double> tangents(n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    const double turn = i + 1 < n ? 0.0 : 2.0 * pi;
-    const double angle = around[(i + 1) % n].Angle + turn - around[i].Angle;
+    const double offset = i + 1 < n ? 0.0 : 2.0 * pi;
+    const double angle = around[(i + 1) % n].Angle + offset - around[i].Angle;
     tangents[i] = std::tan(0.5 * angle);
     if (!(angle < widest) || !(around[i].Distance > 0.0))
     {

@@ -34,38 +34,38 @@ public:
   void Add(double x, double y)
   {
     const double distance = std::max(std::hypot(x, y), 1e-4);
-    this->Places.push_back({ x, y, 1.0 / (distance * distance * distance) });
+    this->Neighbours.push_back({ x, y, 1.0 / (distance * distance * distance) });
   }
 
   /// What each place's value adds to the slopes.
   std::vector<std::array<double, 2>> FindWeights() const;
 
 private:
-  struct Place
+  struct Neighbour
   {
     double X;
     double Y;
     double Weight;
   };
-  std::vector<Place> Places;
+  std::vector<Neighbour> Neighbours;
 };
 
 inline std::vector<std::array<double, 2>> SlopeFit::FindWeights() const
 {
   double total = 0.0, meanX = 0.0, meanY = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-  for (const Place& place : this->Places)
+  for (const Neighbour& neighbour : this->Neighbours)
   {
-    total += place.Weight;
-    meanX += place.Weight * place.X;
-    meanY += place.Weight * place.Y;
+    total += neighbour.Weight;
+    meanX += neighbour.Weight * neighbour.X;
+    meanY += neighbour.Weight * neighbour.Y;
   }
   meanX /= total;
   meanY /= total;
-  for (const Place& place : this->Places)
+  for (const Neighbour& neighbour : this->Neighbours)
   {
-    xx += place.Weight * (place.X - meanX) * (place.X - meanX);
-    xy += place.Weight * (place.X - meanX) * (place.Y - meanY);
-    yy += place.Weight * (place.Y - meanY) * (place.Y - meanY);
+    xx += neighbour.Weight * (neighbour.X - meanX) * (neighbour.X - meanX);
+    xy += neighbour.Weight * (neighbour.X - meanX) * (neighbour.Y - meanY);
+    yy += neighbour.Weight * (neighbour.Y - meanY) * (neighbour.Y - meanY);
   }
   const double middle = 0.5 * (xx + yy);
   const double spread = std::hypot(0.5 * (xx - yy), xy);
@@ -77,12 +77,12 @@ inline std::vector<std::array<double, 2>> SlopeFit::FindWeights() const
   const double long2 = isPoint ? 0.0 : 1.0 / (middle + spread);
   const double short2 = isPoint || isLine ? 0.0 : 1.0 / (middle - spread);
   std::vector<std::array<double, 2>> weights;
-  for (const Place& place : this->Places)
+  for (const Neighbour& neighbour : this->Neighbours)
   {
-    const double x = place.X - meanX;
-    const double y = place.Y - meanY;
-    const double along = place.Weight * (cosine * x + sine * y) * long2;
-    const double across = place.Weight * (cosine * y - sine * x) * short2;
+    const double x = neighbour.X - meanX;
+    const double y = neighbour.Y - meanY;
+    const double along = neighbour.Weight * (cosine * x + sine * y) * long2;
+    const double across = neighbour.Weight * (cosine * y - sine * x) * short2;
     weights.push_back({ along * cosine - across * sine, along * sine + across * cosine });
   }
   return weights;

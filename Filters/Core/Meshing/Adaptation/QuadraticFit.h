@@ -19,7 +19,7 @@ namespace skd
 class QuadraticFit
 {
 public:
-  void Add(double x, double y) { this->Places.push_back({ { x, y } }); }
+  void Add(double x, double y) { this->Positions.push_back({ { x, y } }); }
 
   /// What each place's value adds to the slopes.
   std::vector<std::array<double, 2>> FindWeights() const;
@@ -44,21 +44,21 @@ private:
   static void Factorise(Matrix& matrix);
   static Terms Solve(const Matrix& factor, std::size_t unit);
 
-  std::vector<std::array<double, 2>> Places;
+  std::vector<std::array<double, 2>> Positions;
 };
 
 inline QuadraticFit::Axes QuadraticFit::FindAxes() const
 {
   constexpr double thin = 1e-3;
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-  const double part = 1.0 / static_cast<double>(this->Places.size());
-  for (const std::array<double, 2>& place : this->Places)
+  const double part = 1.0 / static_cast<double>(this->Positions.size());
+  for (const std::array<double, 2>& position : this->Positions)
   {
-    x += part * place[0];
-    y += part * place[1];
-    xx += part * place[0] * place[0];
-    xy += part * place[0] * place[1];
-    yy += part * place[1] * place[1];
+    x += part * position[0];
+    y += part * position[1];
+    xx += part * position[0] * position[0];
+    xy += part * position[0] * position[1];
+    yy += part * position[1] * position[1];
   }
   xx -= x * x;
   xy -= x * y;
@@ -114,17 +114,17 @@ inline QuadraticFit::Terms QuadraticFit::Solve(const Matrix& factor, std::size_t
 inline std::vector<std::array<double, 2>> QuadraticFit::FindWeights() const
 {
   const Axes axes = this->FindAxes();
-  std::vector<std::array<double, 2>> turned;
+  std::vector<std::array<double, 2>> rotated;
   double radius = 0.0;
-  for (const std::array<double, 2>& x : this->Places)
+  for (const std::array<double, 2>& x : this->Positions)
   {
-    turned.push_back({ { axes.Scale[0] * (axes.Cosine * x[0] + axes.Sine * x[1]),
+    rotated.push_back({ { axes.Scale[0] * (axes.Cosine * x[0] + axes.Sine * x[1]),
       axes.Scale[1] * (axes.Cosine * x[1] - axes.Sine * x[0]) } });
-    radius = std::max(radius, 1.1 * std::hypot(turned.back()[0], turned.back()[1]));
+    radius = std::max(radius, 1.1 * std::hypot(rotated.back()[0], rotated.back()[1]));
   }
   Matrix matrix{};
   std::vector<double> counts;
-  for (const std::array<double, 2>& x : turned)
+  for (const std::array<double, 2>& x : rotated)
   {
     const double away = radius > 0.0 ? std::hypot(x[0], x[1]) / radius : 0.0;
     const double part = (1.0 - away) * (1.0 - away);
@@ -146,9 +146,9 @@ inline std::vector<std::array<double, 2>> QuadraticFit::FindWeights() const
   Factorise(matrix);
   const Terms slopes[2] = { Solve(matrix, 1), Solve(matrix, 2) };
   std::vector<std::array<double, 2>> weights;
-  for (std::size_t i = 0; i < turned.size(); ++i)
+  for (std::size_t i = 0; i < rotated.size(); ++i)
   {
-    const Terms terms = TermsOf(turned[i]);
+    const Terms terms = TermsOf(rotated[i]);
     double along = 0.0, across = 0.0;
     for (std::size_t k = 0; k < 6; ++k)
     {

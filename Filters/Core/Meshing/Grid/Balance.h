@@ -20,7 +20,7 @@ enum class Contact : int
 
 /// Calls visit(place) for the places of all neighbours over such contacts.
 template <class Visit>
-void ForEachNeighbour(const LatticePoint& place, Contact contact, Visit visit)
+void ForEachNeighbour(const LatticePoint& position, Contact contact, Visit visit)
 {
   for (int direction = 0; direction < 27; ++direction)
   {
@@ -28,7 +28,7 @@ void ForEachNeighbour(const LatticePoint& place, Contact contact, Visit visit)
     const int apart = std::abs(steps[0]) + std::abs(steps[1]) + std::abs(steps[2]);
     if (apart >= 1 && apart <= static_cast<int>(contact))
     {
-      visit(LatticePoint{ place[0] + steps[0], place[1] + steps[1], place[2] + steps[2] });
+      visit(LatticePoint{ position[0] + steps[0], position[1] + steps[1], position[2] + steps[2] });
     }
   }
 }
@@ -46,9 +46,9 @@ inline bool IsBalanced(const Forest& forest, Contact contact)
         continue;
       }
       ForEachNeighbour(forest.LatticePointOf(level, cell), contact,
-        [&](const LatticePoint& place)
+        [&](const LatticePoint& position)
         {
-          const Forest::Node there = forest.Find(level, place);
+          const Forest::Node there = forest.Find(level, position);
           isBalanced &= there.Level < 0 || there.Level == level;
         });
     }
@@ -64,10 +64,10 @@ template <class Refine>
 bool MakeBalanced(const Forest& forest, Contact contact, Refine refine)
 {
   bool goesOn = true;
-  const auto makeThere = [&](int level, const LatticePoint& place)
+  const auto makeThere = [&](int level, const LatticePoint& position)
   {
-    for (Forest::Node there = forest.Find(level, place);
-         goesOn && there.Level >= 0 && there.Level < level; there = forest.Find(level, place))
+    for (Forest::Node there = forest.Find(level, position);
+         goesOn && there.Level >= 0 && there.Level < level; there = forest.Find(level, position))
     {
       goesOn = refine(there.Level, there.Index);
     }
@@ -79,7 +79,7 @@ bool MakeBalanced(const Forest& forest, Contact contact, Refine refine)
       if (!forest.IsLeaf(level, cell))
       {
         ForEachNeighbour(forest.LatticePointOf(level, cell), contact,
-          [&](const LatticePoint& place) { makeThere(level, place); });
+          [&](const LatticePoint& position) { makeThere(level, position); });
       }
     }
   }
@@ -92,9 +92,9 @@ inline std::vector<char> Grown(
   const Forest& forest, int level, const std::vector<char>& marks, int layers)
 {
   std::vector<char> grown = marks;
-  const auto mark = [&](const LatticePoint& place)
+  const auto mark = [&](const LatticePoint& position)
   {
-    const Forest::Node there = forest.Find(level, place);
+    const Forest::Node there = forest.Find(level, position);
     if (there.Level == level)
     {
       grown[there.Index] = 1;
@@ -102,15 +102,15 @@ inline std::vector<char> Grown(
   };
   for (std::uint32_t cell = 0; layers > 0 && cell < marks.size(); ++cell)
   {
-    const LatticePoint place = marks[cell] ? forest.LatticePointOf(level, cell) : LatticePoint{};
-    const std::int64_t reach = marks[cell] ? layers : -1;
-    for (std::int64_t i = -reach; i <= reach; ++i)
+    const LatticePoint position = marks[cell] ? forest.LatticePointOf(level, cell) : LatticePoint{};
+    const std::int64_t layersLeft = marks[cell] ? layers : -1;
+    for (std::int64_t i = -layersLeft; i <= layersLeft; ++i)
     {
-      for (std::int64_t j = -reach; j <= reach; ++j)
+      for (std::int64_t j = -layersLeft; j <= layersLeft; ++j)
       {
-        for (std::int64_t k = -reach; k <= reach; ++k)
+        for (std::int64_t k = -layersLeft; k <= layersLeft; ++k)
         {
-          mark({ place[0] + i, place[1] + j, place[2] + k });
+          mark({ position[0] + i, position[1] + j, position[2] + k });
         }
       }
     }

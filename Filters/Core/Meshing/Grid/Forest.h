@@ -94,13 +94,13 @@ public:
       return this->Unfold(cell, this->BaseCells);
     }
     const std::uint32_t family = cell / this->FamilySize();
-    LatticePoint place = this->Unfold(
+    LatticePoint position = this->Unfold(
       cell % this->FamilySize(), { this->Branch[0], this->Branch[1], this->Branch[2] });
     for (int axis = 0; axis < 3; ++axis)
     {
-      place[axis] += this->Levels[level].Places[family][axis];
+      position[axis] += this->Levels[level].Positions[family][axis];
     }
-    return place;
+    return position;
   }
 
   /// Gives a leaf its children, at the end of the next level.
@@ -119,12 +119,12 @@ public:
     Generation& next = this->Levels[level + 1];
     this->Levels[level].Children[cell] = static_cast<std::uint32_t>(next.Parents.size());
     next.Parents.push_back(cell);
-    next.Places.push_back(first);
+    next.Positions.push_back(first);
     next.Children.insert(next.Children.end(), this->FamilySize(), None);
   }
 
   /// The cell at a place of a level, or the leaf of a lower level that covers it. O(level).
-  Node Find(int level, const LatticePoint& place) const
+  Node Find(int level, const LatticePoint& position) const
   {
     std::array<std::int64_t, 3> across{ 1, 1, 1 };
     for (int i = 0; i < level; ++i)
@@ -136,12 +136,12 @@ public:
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (place[axis] < 0 || place[axis] >= across[axis] * this->BaseCells[axis])
+      if (position[axis] < 0 || position[axis] >= across[axis] * this->BaseCells[axis])
       {
         return { -1, None };
       }
     }
-    return this->Descend(level, place, across);
+    return this->Descend(level, position, across);
   }
 
 private:
@@ -149,7 +149,7 @@ private:
   {
     std::vector<std::uint32_t> Children; // the number of the cell's family, or None
     std::vector<std::uint32_t> Parents;  // of the families
-    std::vector<LatticePoint> Places;    // of the families' first cells
+    std::vector<LatticePoint> Positions; // of the families' first cells
   };
 
   static LatticePoint Unfold(std::int64_t number, const std::array<std::int64_t, 3>& counts)
@@ -157,19 +157,19 @@ private:
     return { number % counts[0], number / counts[0] % counts[1], number / (counts[0] * counts[1]) };
   }
 
-  Node Descend(int level, const LatticePoint& place, std::array<std::int64_t, 3> across) const
+  Node Descend(int level, const LatticePoint& position, std::array<std::int64_t, 3> across) const
   {
     const auto& n = this->BaseCells;
     Node at{ 0,
-      static_cast<std::uint32_t>(
-        place[0] / across[0] + n[0] * (place[1] / across[1] + n[1] * (place[2] / across[2]))) };
+      static_cast<std::uint32_t>(position[0] / across[0] +
+        n[0] * (position[1] / across[1] + n[1] * (position[2] / across[2]))) };
     while (at.Level < level && !this->IsLeaf(at.Level, at.Index))
     {
       std::int64_t child = 0;
       for (int axis = 2; axis >= 0; --axis)
       {
         across[axis] /= this->Branch[axis];
-        child = child * this->Branch[axis] + place[axis] / across[axis] % this->Branch[axis];
+        child = child * this->Branch[axis] + position[axis] / across[axis] % this->Branch[axis];
       }
       at = { at.Level + 1,
         this->FirstChild(at.Level, at.Index) + static_cast<std::uint32_t>(child) };

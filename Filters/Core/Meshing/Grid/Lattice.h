@@ -52,26 +52,27 @@ public:
     return this->NumberOfBaseCells(0) * this->NumberOfBaseCells(1) * this->NumberOfBaseCells(2);
   }
 
-  Box3 BoxOf(int level, const LatticePoint& place) const
+  Box3 BoxOf(int level, const LatticePoint& position) const
   {
     Box3 box;
     for (int axis = 0; axis < 3; ++axis)
     {
       const std::int64_t cells = this->CellsAcross(level, axis);
-      box.Min[axis] = this->At(axis, place[axis], cells);
-      box.Max[axis] = this->IsFlat(axis) ? box.Min[axis] : this->At(axis, place[axis] + 1, cells);
+      box.Min[axis] = this->At(axis, position[axis], cells);
+      box.Max[axis] =
+        this->IsFlat(axis) ? box.Min[axis] : this->At(axis, position[axis] + 1, cells);
     }
     return box;
   }
 
   /// A corner of cells of a level, by the number of cells before it along each axis.
-  Vector3 PointOf(int level, const LatticePoint& place) const
+  Vector3 PointOf(int level, const LatticePoint& position) const
   {
     Vector3 point;
     for (int axis = 0; axis < 3; ++axis)
     {
       const std::int64_t cells = this->CellsAcross(level, axis);
-      point[axis] = this->At(axis, this->IsFlat(axis) ? 0 : place[axis], cells);
+      point[axis] = this->At(axis, this->IsFlat(axis) ? 0 : position[axis], cells);
     }
     return point;
   }
@@ -89,10 +90,10 @@ public:
 
 private:
   /// The quotient is rounded once, so that equal fractions are equal, whatever their level.
-  double At(int axis, std::int64_t place, std::int64_t cells) const
+  double At(int axis, std::int64_t position, std::int64_t cells) const
   {
-    const auto base = static_cast<std::size_t>(place / cells);
-    const std::int64_t rest = place % cells;
+    const auto base = static_cast<std::size_t>(position / cells);
+    const std::int64_t rest = position % cells;
     const double low = this->Planes[axis][base];
     if (rest == 0)
     {

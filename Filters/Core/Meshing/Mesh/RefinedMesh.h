@@ -60,8 +60,8 @@ public:
   /// out: these are in the mean of the others.
   void SetPlacement(Placement placement)
   {
-    this->Place = std::move(placement);
-    this->Placed = this->Flat;
+    this->Transform = std::move(placement);
+    this->Transformed = this->Flat;
   }
   void SetPlacement(Placement placement, MeshBorder border)
   {
@@ -77,9 +77,9 @@ public:
   {
     this->Flat.push_back(x);
     this->MakerEnds.push_back(this->Makers.size());
-    if (this->Place)
+    if (this->Transform)
     {
-      this->Placed.push_back(x);
+      this->Transformed.push_back(x);
     }
     return this->NumberOfNodes() - 1;
   }
@@ -110,7 +110,7 @@ public:
   const Vector3& FlatPoint(std::uint32_t node) const { return this->Flat[node]; }
   const Vector3& Point(std::uint32_t node) const
   {
-    return this->Place ? this->Placed[node] : this->Flat[node];
+    return this->Transform ? this->Transformed[node] : this->Flat[node];
   }
   ///@}
 
@@ -240,9 +240,9 @@ public:
   std::size_t MemorySize() const
   {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return bytes(this->Flat) + bytes(this->Placed) + bytes(this->Makers) + bytes(this->MakerEnds) +
-      bytes(this->Cells) + bytes(this->AllNodes) + this->Edges.MemorySize() +
-      this->Faces.MemorySize();
+    return bytes(this->Flat) + bytes(this->Transformed) + bytes(this->Makers) +
+      bytes(this->MakerEnds) + bytes(this->Cells) + bytes(this->AllNodes) +
+      this->Edges.MemorySize() + this->Faces.MemorySize();
   }
 
 private:
@@ -299,11 +299,11 @@ private:
       [this](std::uint32_t a, std::uint32_t b)
       { return this->Flat[a] == this->Flat[b] ? a < b : this->Flat[a] < this->Flat[b]; });
     const Nodes list{ makers.data(), static_cast<std::uint32_t>(makers.size()) };
-    if (this->Place)
+    if (this->Transform)
     {
-      const Vector3 mean = MeanOf(this->Placed, list);
-      this->Placed.push_back(
-        isOfBorder || !this->HasBorder ? this->Place(mean, *this, list) : mean);
+      const Vector3 mean = MeanOf(this->Transformed, list);
+      this->Transformed.push_back(
+        isOfBorder || !this->HasBorder ? this->Transform(mean, *this, list) : mean);
     }
     this->Flat.push_back(MeanOf(this->Flat, list));
     this->Makers.insert(this->Makers.end(), makers.begin(), makers.end());
@@ -313,11 +313,11 @@ private:
 
   void PassBorderOn(std::uint32_t cell);
 
-  Placement Place;
+  Placement Transform;
   MeshBorder Border;
   bool HasBorder = false;
   std::vector<Vector3> Flat;
-  std::vector<Vector3> Placed; // empty without a placement
+  std::vector<Vector3> Transformed; // empty without a placement
   std::vector<std::uint32_t> Makers;
   std::vector<std::uint64_t> MakerEnds;
   std::vector<Cell> Cells;
@@ -333,7 +333,7 @@ inline void RefinedMesh::GoBackTo(const State& state)
   this->Edges.GoBackTo(state.Edges, state.Nodes);
   this->Faces.GoBackTo(state.Faces, state.Nodes);
   this->Flat.resize(state.Nodes);
-  this->Placed.resize(this->Place ? state.Nodes : 0);
+  this->Transformed.resize(this->Transform ? state.Nodes : 0);
   this->Makers.resize(state.Makers);
   this->MakerEnds.resize(state.Nodes);
   this->Cells.resize(state.Cells);

@@ -233,17 +233,17 @@ inline bool SharedCuts::ShareMiddles(bool fits)
 /// A quadrilateral on the face of another process's volume cell is cut as that is.
 inline void SharedCuts::AgreeOnFacesOfVolumes()
 {
-  std::vector<double> asked;
+  std::vector<double> requested;
   for (std::uint32_t cell = 0; cell < this->Mesh.NumberOfCells(); ++cell)
   {
     const RefinedMesh::Nodes of = this->Mesh.NodesOf(cell);
     if (this->Mesh[cell].Kind == CellKind::Polygon && of.Size == 4)
     {
-      this->Append(asked, { of[0], of[1], of[2], of[3] });
+      this->Append(requested, { of[0], of[1], of[2], of[3] });
     }
   }
   std::vector<double> answers;
-  this->ForEachOfOthers(asked,
+  this->ForEachOfOthers(requested,
     [&](const FaceNodes& side)
     {
       if (this->Mesh.IsFaceOfVolume(side))

@@ -79,7 +79,7 @@ public:
   void Raise(std::vector<Number>& numbers, Number least);
 
 private:
-  using Place = std::pair<Vector3, std::uint32_t>;
+  using Key = std::pair<Vector3, std::uint32_t>;
 
   std::uint32_t DescentOf(std::uint32_t node) const
   {
@@ -96,7 +96,7 @@ private:
   const RefinedMesh& Mesh;
   const Processes& Peers;
   std::vector<Box3> Others; // the bounds of the other processes' nodes
-  std::map<Place, std::uint32_t> Nodes;
+  std::map<Key, std::uint32_t> Nodes;
   std::vector<std::uint32_t> Descents; // of the nodes that are known
 };
 
@@ -116,7 +116,7 @@ inline void SharedNodes::Update()
     this->Descents.push_back(this->DescentOf(node));
     if (this->MayBeShared(node))
     {
-      this->Nodes.emplace(Place(this->Mesh.FlatPoint(node), this->Descents[node]), node);
+      this->Nodes.emplace(Key(this->Mesh.FlatPoint(node), this->Descents[node]), node);
     }
   }
 }
@@ -126,7 +126,7 @@ void SharedNodes::Raise(std::vector<Number>& numbers, Number least)
 {
   this->Update();
   std::vector<double> own;
-  for (const auto& [place, node] : this->Nodes)
+  for (const auto& [key, node] : this->Nodes)
   {
     if (numbers[node] > least)
     {

@@ -72,12 +72,12 @@ private:
   std::size_t SlotOf(const Tuple& tuple) const
   {
     const std::size_t mask = this->Slots.size() - 1;
-    std::size_t place = HashOf(tuple) & mask;
-    while (this->Slots[place] != None && this->Tuples[this->Slots[place]] != tuple)
+    std::size_t at = HashOf(tuple) & mask;
+    while (this->Slots[at] != None && this->Tuples[this->Slots[at]] != tuple)
     {
-      place = (place + 1) & mask;
+      at = (at + 1) & mask;
     }
-    return place;
+    return at;
   }
 
   void Grow()

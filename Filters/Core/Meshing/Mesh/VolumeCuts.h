@@ -71,23 +71,24 @@ private:
     this->AddTetrahedron(cell, m02, m12, p[2], m23);
     this->AddTetrahedron(cell, m03, m13, m23, p[3]);
     // The ends of a diagonal, and the other four around it.
-    const std::array<std::array<std::uint32_t, 6>, 3> ways = { {
+    const std::array<std::array<std::uint32_t, 6>, 3> splittings = { {
       { m01, m23, m02, m12, m13, m03 },
       { m02, m13, m03, m23, m12, m01 },
       { m03, m12, m01, m13, m23, m02 },
     } };
-    const auto* shortest = &ways[0];
-    for (const auto& way : ways)
+    const auto* shortest = &splittings[0];
+    for (const auto& splitting : splittings)
     {
-      shortest = OrderedEdge(this->Mesh, way[0], way[1]) <
+      shortest = OrderedEdge(this->Mesh, splitting[0], splitting[1]) <
           OrderedEdge(this->Mesh, (*shortest)[0], (*shortest)[1])
-        ? &way
+        ? &splitting
         : shortest;
     }
     for (int i = 0; i < 4; ++i)
     {
-      const auto& way = *shortest;
-      this->AddTetrahedron(cell, way[0], way[1], way[2 + (i + 1) % 4], way[2 + i]);
+      const auto& splitting = *shortest;
+      this->AddTetrahedron(
+        cell, splitting[0], splitting[1], splitting[2 + (i + 1) % 4], splitting[2 + i]);
     }
     this->Mesh.EndCut(cell);
   }

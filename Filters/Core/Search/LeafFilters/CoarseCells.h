@@ -64,14 +64,14 @@ public:
   /// A coordinate that is NaN counts as below.
   CellPosition CellPositionOf(const Vector3& x) const
   {
-    CellPosition place{ { 0, 0, 0, 1 } };
+    CellPosition position{ { 0, 0, 0, 1 } };
     for (int axis = 0; axis < 3; ++axis)
     {
       const double cell = (x[axis] - this->Region.Min[axis]) * this->Factors[axis] + 1.0;
       const double last = this->Counts[axis] + 1;
-      place.At[axis] = static_cast<std::uint8_t>(std::min(std::max(0.0, cell), last));
+      position.At[axis] = static_cast<std::uint8_t>(std::min(std::max(0.0, cell), last));
     }
-    return place;
+    return position;
   }
 
   Range RangeOf(const Box3& box) const

@@ -15,11 +15,11 @@ template <class Shape>
 class CornerLanes
 {
 public:
-  void Set(int lane, int corner, const Vector3& place)
+  void Set(int lane, int corner, const Vector3& position)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->At[corner][axis][lane] = place[axis];
+      this->At[corner][axis][lane] = position[axis];
     }
   }
 
@@ -123,13 +123,13 @@ private:
       least = other < least ? other : least;
       most = other > most ? other : most;
     }
-    const auto isTurned = most - height > height - least;
+    const auto isFlipped = most - height > height - least;
     const Number length = SquareRoot(heightOf([&](int axis) { return plane.Normal[axis]; }));
-    const Number reach = isTurned ? -least : most;
-    plane.Offset = LeastWholeAbove((reach + length * margin) / OffsetUnit);
+    const Number extent = isFlipped ? -least : most;
+    plane.Offset = LeastWholeAbove((extent + length * margin) / OffsetUnit);
     for (Number& component : plane.Normal)
     {
-      component = isTurned ? -component : component;
+      component = isFlipped ? -component : component;
     }
     return plane;
   }

@@ -42,11 +42,11 @@ public:
   }
 
   /// In units, of a place in the tree's frame.
-  Vector3 Of(const Vector3& place) const
+  Vector3 Of(const Vector3& position) const
   {
     const double inverse = 1.0 / this->Unit;
-    return { { inverse * (place[0] - this->Centre[0]), inverse * (place[1] - this->Centre[1]),
-      inverse * (place[2] - this->Centre[2]) } };
+    return { { inverse * (position[0] - this->Centre[0]), inverse * (position[1] - this->Centre[1]),
+      inverse * (position[2] - this->Centre[2]) } };
   }
 
   static std::int16_t Round(double coordinate)

@@ -43,12 +43,12 @@ public:
     const float x = perUnit * static_cast<float>(this->X - (centre[shear.X] - shear.SlopeX * z));
     const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
     // A corner's error in the plane across the line, and what that does to products of two corners.
-    const float reach = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
+    const float extent = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
     const float error =
       2.0f * (static_cast<float>(QuantizationGrid::CornerError) + this->Margin * perUnit) +
-      tolerances::CrossingSum * reach;
+      tolerances::CrossingSum * extent;
     const float slack =
-      4.0f * error * reach + 2.0f * error * error + tolerances::CrossingSum * reach * reach;
+      4.0f * error * extent + 2.0f * error * error + tolerances::CrossingSum * extent * extent;
     unsigned met = 0;
     for (int first = 0; first < TrianglePacket::Width; first += NativeWidth)
     {

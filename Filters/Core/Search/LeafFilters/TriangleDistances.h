@@ -75,9 +75,9 @@ private:
     const LanePoint<W> u = CornersOf<W>(packet, 1, first) - a;
     const LanePoint<W> v = CornersOf<W>(packet, 2, first) - a;
     const LanePoint<W> f = LanePoint<W>{ L(x[0]), L(x[1]), L(x[2]) } - a;
-    const Barycentric<W> place = Nearest(u, v, f);
+    const Barycentric<W> nearest = Nearest(u, v, f);
 
-    const LanePoint<W> toX = f - place.R * u - place.S * v;
+    const LanePoint<W> toX = f - nearest.R * u - nearest.S * v;
     const L least(tolerances::LeastLength2); // a root of 0 would not divide
     const L length = Sqrt(Max(Dot(toX, toX), least));
     const L height = Dot(toX, f) - Max(Max(Dot(toX, u), Dot(toX, v)), zero);

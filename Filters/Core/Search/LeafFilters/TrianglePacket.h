@@ -19,10 +19,10 @@ struct alignas(64) TrianglePacket
   std::uint32_t FirstPoint = 0;           ///< of those that the triangles share (TrianglePackets)
   std::uint8_t PointOf[Width][3] = {};    ///< how much farther that of each corner is
 
-  /// `place` in the tree's frame.
-  void Set(int corner, int lane, const Vector3& place)
+  /// `position` in the tree's frame.
+  void Set(int corner, int lane, const Vector3& position)
   {
-    const Vector3 rounded = this->Grid.Of(place);
+    const Vector3 rounded = this->Grid.Of(position);
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Corners[corner][axis][lane] = QuantizationGrid::Round(rounded[axis]);

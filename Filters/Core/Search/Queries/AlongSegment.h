@@ -37,10 +37,10 @@ public:
     const Line line(frame, segment);
     const bool isNear = line.IsNear();
     const double rounding = isNear ? Line::RoundingNear : line.Rounding();
-    const double reach = margin * frame.Scale + rounding;
+    const double margin2 = margin * frame.Scale + rounding;
     if (!isNear)
     {
-      const Interval inside = line.Within(2.0 + reach + rounding);
+      const Interval inside = line.Within(2.0 + margin2 + rounding);
       if (!(inside.Min <= inside.Max && std::isfinite(rounding)))
       {
         return;
@@ -50,7 +50,7 @@ public:
     }
     if (margin >= 0.0)
     {
-      this->SetLocal(line, std::min(reach, Most));
+      this->SetLocal(line, std::min(margin2, Most));
       this->EndAt(1.0f);
     }
   }
@@ -160,21 +160,21 @@ private:
     AxisLanes<D> Inverse; ///< of Along
   };
 
-  void SetLocal(const Line& line, double reach)
+  void SetLocal(const Line& line, double margin2)
   {
     const AxisLanes<D> begin = line.From + AxisLanes<D>(this->Begin) * line.Along;
-    const AxisLanes<D> near = line.Sign * RoundedUp(begin + AxisLanes<D>(reach));
-    const AxisLanes<D> far = line.Sign * RoundedUp(AxisLanes<D>(reach) - begin);
+    const AxisLanes<D> near = line.Sign * RoundedUp(begin + AxisLanes<D>(margin2));
+    const AxisLanes<D> far = line.Sign * RoundedUp(AxisLanes<D>(margin2) - begin);
     const AxisLanes<D> perStep =
       Min(line.Inverse * AxisLanes<D>(this->PerLength), AxisLanes<D>(Most));
     SpreadOut(near, this->NearOrigin);
     SpreadOut(-far, this->FarOrigin);
     SpreadOut(-(line.Sign * perStep), this->Back);
     // The two sides are at the same distance from the middle of them.
-    const AxisLanes<D> toFar = line.Sign * AxisLanes<D>(Packet::HalfWayAcross);
+    const AxisLanes<D> toFar = line.Sign * AxisLanes<D>(Packet::HalfExtentOffset);
     (AxisLanes<D>(Packet::MiddlesOfSides()) - toFar).Store(this->NearSide);
     (AxisLanes<D>(Packet::MiddlesOfSides()) + toFar).Store(this->FarSide);
-    this->TheLeafFilter.Aim((line.Sign * begin).Values(), reach);
+    this->TheLeafFilter.Aim((line.Sign * begin).Values(), margin2);
   }
 
   static void SpreadOut(const AxisLanes<D>& from, Spread* to)
@@ -186,10 +186,10 @@ private:
 
   /// So that the nearest float is not below. What no float is near, 0 is: boxes are rounded outward
   /// by as much.
-  static AxisLanes<D> RoundedUp(const AxisLanes<D>& place)
+  static AxisLanes<D> RoundedUp(const AxisLanes<D>& coordinates)
   {
     constexpr double half = 1.0 / (1 << 23);
-    return place + AxisLanes<D>(half) * Max(place, -place);
+    return coordinates + AxisLanes<D>(half) * Max(coordinates, -coordinates);
   }
 
   float Last = -1.0f;

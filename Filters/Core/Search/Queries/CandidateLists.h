@@ -102,7 +102,7 @@ private:
   {
     for (const CandidateLanes& lanes : this->Elements)
     {
-      unsigned kept = lanes.Lanes;
+      unsigned remaining = lanes.Lanes;
       if (!this->IsMet)
       {
         const auto& node = this->TheTree.Open(lanes.Node);
@@ -111,12 +111,12 @@ private:
           {
             const auto position = node.First + static_cast<std::uint32_t>(lane);
             this->IsMet = this->IsMet || this->TheTest(this->TheTree.Element(position));
-            kept = this->IsMet ? kept : kept & ~(1u << lane);
+            remaining = this->IsMet ? remaining : remaining & ~(1u << lane);
           });
       }
-      if (kept != 0)
+      if (remaining != 0)
       {
-        this->List.push_back({ lanes.Node, kept });
+        this->List.push_back({ lanes.Node, remaining });
       }
     }
     this->Elements.clear();
@@ -161,7 +161,7 @@ template <class Tree, int D, class Visit>
 void VisitCandidates(const Tree& tree, const CandidateLanes* first, const CandidateLanes* last,
   const Box<D>& box, Visit visit)
 {
-  const QueryBox<D> seen = OuterBox(tree.GetFrame(), box);
+  const QueryBox<D> queryBox = OuterBox(tree.GetFrame(), box);
   thread_local std::vector<CandidateLanes> stack;
   stack.assign(first, last);
   while (!tree.IsEmpty() && !stack.empty())
@@ -169,7 +169,7 @@ void VisitCandidates(const Tree& tree, const CandidateLanes* first, const Candid
     const CandidateLanes lanes = stack.back();
     stack.pop_back();
     const auto& node = tree.Open(lanes.Node);
-    ForEachLane(seen.Overlapping(node.Boxes) & lanes.Lanes & node.Occupied(),
+    ForEachLane(queryBox.Overlapping(node.Boxes) & lanes.Lanes & node.Occupied(),
       [&](int lane)
       {
         const Reference child = Child(node, lane);

@@ -50,8 +50,8 @@ public:
       {
         const Lanes<W> fromMin = Lanes<W>(this->High[axis]) - boxes.Mins(axis);
         const Lanes<W> fromMax = boxes.Maxs(axis) - Lanes<W>(this->Low[axis]);
-        const Lanes<W> reach = Max(fromMin, fromMax);
-        sum = sum + reach * reach;
+        const Lanes<W> maxDistance = Max(fromMin, fromMax);
+        sum = sum + maxDistance * maxDistance;
       });
     constexpr float slack = 1.0f + 1.0f / (1 << 19);
     constexpr auto denormals = static_cast<float>(tolerances::Denormal2);

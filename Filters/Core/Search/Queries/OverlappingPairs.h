@@ -79,13 +79,14 @@ public:
     {
       return this->Map(boxes);
     }
-    BoxPacket<D, Width> seen;
+    BoxPacket<D, Width> scaledBoxes;
     for (int lane = 0; lane < Width; ++lane)
     {
       const FloatBox<D> box = boxes.Get(lane);
-      seen.Set(lane, box.Min[0] <= box.Max[0] ? this->ToFirst(box) : box); // empty ones as they are
+      scaledBoxes.Set(
+        lane, box.Min[0] <= box.Max[0] ? this->ToFirst(box) : box); // empty ones as they are
     }
-    return seen;
+    return scaledBoxes;
   }
 
   SKD_FLATTEN unsigned Overlapping(const BoxPacket<D, Width>& boxes, const FloatBox<D>& box) const
@@ -138,34 +139,34 @@ private:
     {
       constexpr double most = 16.0;
       const double factor = first.Scale / second.Scale;
-      double reach = factor;
+      double factorUp = factor;
       for (int axis = 0; axis < D; ++axis)
       {
         const double shift = (second.Centre[axis] - first.Centre[axis]) * first.Scale;
         this->Shift[axis] = static_cast<float>(std::clamp(shift, -most, most));
-        reach = std::max(reach, std::abs(shift));
+        factorUp = std::max(factorUp, std::abs(shift));
       }
       // Two roundings of at most half a unit in the last place, of numbers of at most twice
-      // `reach`.
-      this->Margin = Frame<D>::RoundUp(margin * first.Scale + 4.0 * FLT_EPSILON * reach);
+      // `factorUp`.
+      this->Margin = Frame<D>::RoundUp(margin * first.Scale + 4.0 * FLT_EPSILON * factorUp);
       this->Factor = static_cast<float>(std::clamp(factor, 1.0 / most, most));
-      this->IsFit = this->IsFit && reach < most && factor > 1.0 / most && this->Margin < most;
+      this->IsFit = this->IsFit && factorUp < most && factor > 1.0 / most && this->Margin < most;
     }
 
     BoxPacket<D, Width> operator()(const BoxPacket<D, Width>& boxes) const
     {
-      BoxPacket<D, Width> seen;
+      BoxPacket<D, Width> scaledBoxes;
       ForEachAxis<D>(
         [&](int axis)
         {
           const Lanes<Width> factor(this->Factor);
           const float shift = this->Shift[axis];
           (boxes.Mins(axis) * factor + Lanes<Width>(shift) - Lanes<Width>(this->Margin))
-            .Store(seen.Min[axis]);
+            .Store(scaledBoxes.Min[axis]);
           (boxes.Maxs(axis) * factor + Lanes<Width>(shift) + Lanes<Width>(this->Margin))
-            .Store(seen.Max[axis]);
+            .Store(scaledBoxes.Max[axis]);
         });
-      return seen;
+      return scaledBoxes;
     }
   };
 

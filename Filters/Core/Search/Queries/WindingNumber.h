@@ -87,9 +87,9 @@ public:
         if (node.IsLeaf)
         {
           const Triangle& t = this->Triangles[i];
-          const SeenAngle seen = SeeAngle(t[0], t[1], t[2], x);
-          sum.Number += seen.Angle;
-          sum.IsOn = sum.IsOn || seen.IsOn;
+          const TriangleSolidAngle solidAngle = SeeAngle(t[0], t[1], t[2], x);
+          sum.Number += solidAngle.Angle;
+          sum.IsOn = sum.IsOn || solidAngle.IsOn;
         }
         else
         {
@@ -179,7 +179,8 @@ private:
     Vector3 Centre{ { 0.0, 0.0, 0.0 } };
     double Radius2 = 0.0; ///< of the ball around Centre that holds them
     double Radius = 0.0;
-    double Reach3 = 0.0; ///< at least the sum of their areas times the distances from Centre cubed
+    double ErrorBound3 =
+      0.0; ///< at least the sum of their areas times the distances from Centre cubed
     double Area = 0.0;
     Vector3 Dipole{ { 0.0, 0.0, 0.0 } }; ///< the sum of their area vectors
     double Second[3][3] = {};            ///< place i of each, seen from Centre, times its area j
@@ -195,8 +196,8 @@ private:
       const double inverse = std::sqrt(inverse2);
       const double inverse3 = inverse2 * inverse;
       const double rest = 1.0 / (1.0 - this->Radius * inverse);
-      sum.Bound +=
-        this->Reach3 * inverse3 * inverse2 * (4.5 * rest + this->Radius * inverse * rest * rest);
+      sum.Bound += this->ErrorBound3 * inverse3 * inverse2 *
+        (4.5 * rest + this->Radius * inverse * rest * rest);
       double second = 0.0;
       double third = 0.0;
       for (int i = 0; i < 3; ++i)
@@ -215,19 +216,19 @@ private:
       sum.Number += inverse3 * (Dot(this->Dipole, r) + second + inverse2 * third);
     }
 
-    /// Adds a part whose own moments are seen from `place`, itself seen from Centre.
-    void Add(const Moment& part, const Vector3& place)
+    /// Adds a part whose own moments are seen from `offset`, itself seen from Centre.
+    void Add(const Moment& part, const Vector3& offset)
     {
       this->Dipole = this->Dipole + part.Dipole;
       for (int i = 0; i < 3; ++i)
       {
         for (int j = 0; j < 3; ++j)
         {
-          this->Second[i][j] += part.Second[i][j] + place[i] * part.Dipole[j];
+          this->Second[i][j] += part.Second[i][j] + offset[i] * part.Dipole[j];
           for (int k = 0; k < 3; ++k)
           {
-            this->Third[i][j][k] += part.Third[i][j][k] + place[i] * part.Second[j][k] +
-              place[j] * part.Second[i][k] + place[i] * place[j] * part.Dipole[k];
+            this->Third[i][j][k] += part.Third[i][j][k] + offset[i] * part.Second[j][k] +
+              offset[j] * part.Second[i][k] + offset[i] * offset[j] * part.Dipole[k];
           }
         }
       }
@@ -283,23 +284,24 @@ private:
     this->ForEachPart(node,
       [&](std::uint32_t i, const Vector3& middle, double area)
       {
-        const Vector3 place = middle - moment.Centre;
+        const Vector3 offset = middle - moment.Centre;
         if (node.IsLeaf)
         {
-          moment.Add(MomentOf(this->Triangles[i]), place);
+          moment.Add(MomentOf(this->Triangles[i]), offset);
           for (const Vector3& corner : this->Triangles[i])
           {
             const double distance = Norm(corner - moment.Centre);
             radius = std::max(radius, distance);
-            moment.Reach3 +=
+            moment.ErrorBound3 +=
               area / 3.0 * distance * distance * distance; // convex: the mean is less
           }
           return;
         }
-        moment.Add(this->Moments[i], place);
-        radius = std::max(radius, Norm(place) + std::sqrt(this->Moments[i].Radius2));
-        const double root = std::cbrt(this->Moments[i].Reach3) + Norm(place) * std::cbrt(area);
-        moment.Reach3 += root * root * root; // Minkowski's inequality
+        moment.Add(this->Moments[i], offset);
+        radius = std::max(radius, Norm(offset) + std::sqrt(this->Moments[i].Radius2));
+        const double root =
+          std::cbrt(this->Moments[i].ErrorBound3) + Norm(offset) * std::cbrt(area);
+        moment.ErrorBound3 += root * root * root; // Minkowski's inequality
       });
     moment.Radius2 = radius * radius;
     moment.Radius = radius;

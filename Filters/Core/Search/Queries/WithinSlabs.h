@@ -49,15 +49,15 @@ public:
   unsigned Overlapping(const BoxPacket<D, W>& boxes) const
   {
     Lanes<W> distance(-this->Offset);
-    Lanes<W> reach(this->HalfWidth);
+    Lanes<W> maxDistance(this->HalfWidth);
     for (int axis = 0; axis < D; ++axis)
     {
       const Lanes<W> min = boxes.Mins(axis);
       const Lanes<W> max = boxes.Maxs(axis);
       distance = distance + Lanes<W>(this->Normal[axis]) * (min + max);
-      reach = reach + Lanes<W>(this->Weights[axis]) * (max - min);
+      maxDistance = maxDistance + Lanes<W>(this->Weights[axis]) * (max - min);
     }
-    return LessEqual(distance, reach) & LessEqual(Lanes<W>(0.0f) - distance, reach);
+    return LessEqual(distance, maxDistance) & LessEqual(Lanes<W>(0.0f) - distance, maxDistance);
   }
 
 private:

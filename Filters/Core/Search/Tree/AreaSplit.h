@@ -112,8 +112,8 @@ private:
     {
       for (int axis = 0; axis < D; ++axis)
       {
-        const float place = (TwiceCentroid(*at, axis) - low[axis]) * scale[axis];
-        Bin& bin = this->Bins[axis][std::min(static_cast<int>(place), NumberOfBins - 1)];
+        const float inBins = (TwiceCentroid(*at, axis) - low[axis]) * scale[axis];
+        Bin& bin = this->Bins[axis][std::min(static_cast<int>(inBins), NumberOfBins - 1)];
         Enclose(bin.Box, at->Box);
         bin.Count += 1.0;
       }

@@ -29,7 +29,7 @@ struct BoxPacket
   ///@{
   /// Where a side of the boxes is in a packet, in bytes: so far before the middle of the two sides
   /// of an axis, or behind it.
-  static constexpr double HalfWayAcross = 0.5 * sizeof(float[D][W]);
+  static constexpr double HalfExtentOffset = 0.5 * sizeof(float[D][W]);
   static const Vector<D>& MiddlesOfSides()
   {
     static constexpr Vector<D> middles = []
@@ -37,7 +37,7 @@ struct BoxPacket
       Vector<D> along{};
       for (int axis = 0; axis < D; ++axis)
       {
-        along.X[axis] = HalfWayAcross + axis * sizeof(float[W]);
+        along.X[axis] = HalfExtentOffset + axis * sizeof(float[W]);
       }
       return along;
     }();

@@ -268,7 +268,7 @@ private:
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
       rounded[i] = this->Rounded(boxes[i]);
-      keys[i] = PlaceOnCurve(rounded[i]) << 32 | i;
+      keys[i] = MortonCodeOf(rounded[i]) << 32 | i;
     }
     SortByHighWord(keys);
     std::vector<ShortBox> sorted(boxes.size());
@@ -281,7 +281,7 @@ private:
     return sorted;
   }
 
-  static std::uint64_t PlaceOnCurve(const ShortBox& box)
+  static std::uint64_t MortonCodeOf(const ShortBox& box)
   {
     std::array<std::uint32_t, 3> cube;
     for (int axis = 0; axis < 3; ++axis)

@@ -70,30 +70,30 @@ struct KnowsSure<Query, std::void_t<decltype(&Query::VisitSure)>> : std::true_ty
 /// What a traversal has still to open: a number in the order of the keys, which are 0 or more. The
 /// key is in its upper half; below are the index of a node and a mark, or the number of a leaf that
 /// need not be opened and a mark.
-using Turn = std::uint64_t;
+using QueueEntry = std::uint64_t;
 
 constexpr std::uint32_t Mark = 0x80000000u;
 
-inline bool IsMarked(Turn turn)
+inline bool IsMarked(QueueEntry entry)
 {
-  return (turn & Mark) != 0;
+  return (entry & Mark) != 0;
 }
-inline std::uint32_t IndexOf(Turn turn)
+inline std::uint32_t IndexOf(QueueEntry entry)
 {
-  return static_cast<std::uint32_t>(turn) & ~Mark;
+  return static_cast<std::uint32_t>(entry) & ~Mark;
 }
-inline float KeyOf(Turn turn)
+inline float KeyOf(QueueEntry entry)
 {
-  const auto bits = static_cast<std::uint32_t>(turn >> 32);
+  const auto bits = static_cast<std::uint32_t>(entry >> 32);
   float key;
   std::memcpy(&key, &bits, sizeof(key));
   return key;
 }
-inline Turn TurnOf(float key, std::uint32_t index)
+inline QueueEntry EntryOf(float key, std::uint32_t index)
 {
   std::uint32_t bits;
   std::memcpy(&bits, &key, sizeof(bits));
-  return static_cast<Turn>(bits) << 32 | index;
+  return static_cast<QueueEntry>(bits) << 32 | index;
 }
 
 /// Of some lanes, at least one, that with the least key. Written so that compilers make it without
@@ -121,7 +121,7 @@ public:
 
   void Run()
   {
-    Turn next = 0;
+    QueueEntry next = 0;
     while (this->Open(next))
     {
     }
@@ -132,7 +132,7 @@ private:
   static constexpr bool Sure = KnowsSure<Query>::value;
 
   /// Opens what is next, and says what comes then. False: nothing.
-  bool Open(Turn& next)
+  bool Open(QueueEntry& next)
   {
     float keys[Node::Width];
     if (Skips && IsMarked(next))
@@ -145,18 +145,18 @@ private:
     {
       return this->VisitLeaf(node, isSure, keys) && this->Take(next);
     }
-    const unsigned reached =
+    const unsigned overlapping =
       isSure ? node.Occupied() : this->TheQuery.TestBoxes(node.Boxes, keys) & node.Occupied();
-    if (reached == 0)
+    if (overlapping == 0)
     {
       return this->Take(next);
     }
-    next = this->Put(node, reached, isSure, keys);
+    next = this->Put(node, overlapping, isSure, keys);
     return true;
   }
 
   /// The last whose key is within the limit, which may have fallen.
-  bool Take(Turn& next)
+  bool Take(QueueEntry& next)
   {
     while (this->Top != this->Stack)
     {
@@ -170,7 +170,7 @@ private:
   }
 
   /// Puts children on the stack but the first of them, which it returns.
-  Turn Put(const Node& node, unsigned lanes, bool isSure, const float* keys)
+  QueueEntry Put(const Node& node, unsigned lanes, bool isSure, const float* keys)
   {
     unsigned marked = 0;
     if constexpr (Skips)
@@ -181,56 +181,56 @@ private:
     {
       marked = isSure ? lanes : this->TheQuery.SureOf(node);
     }
-    const auto turnOf = [&](int lane)
+    const auto entryOf = [&](int lane)
     {
       const std::uint32_t mark = (marked >> lane & 1u) != 0 ? Mark : 0u;
       const std::uint32_t index = Skips && mark != 0
         ? node.template Read<KnownLeaves>().NumberOf(lane)
         : node.First + static_cast<std::uint32_t>(lane);
-      return TurnOf(Query::Ordered ? keys[lane] : 0.0f, index | mark);
+      return EntryOf(Query::Ordered ? keys[lane] : 0.0f, index | mark);
     };
     if constexpr (!Query::Ordered)
     {
       for (; (lanes & (lanes - 1)) != 0; lanes &= ~(1u << HighestBit(lanes)))
       {
-        *this->Top++ = this->Fetched(turnOf(HighestBit(lanes)));
+        *this->Top++ = this->Fetched(entryOf(HighestBit(lanes)));
       }
-      return turnOf(LowestBit(lanes));
+      return entryOf(LowestBit(lanes));
     }
-    Turn first = turnOf(LowestBit(lanes));
-    Turn* const bottom = this->Top;
+    QueueEntry first = entryOf(LowestBit(lanes));
+    QueueEntry* const bottom = this->Top;
     while ((lanes &= lanes - 1) != 0)
     {
-      const Turn turn = turnOf(LowestBit(lanes));
-      this->Insert(this->Fetched(std::max(first, turn)), bottom);
-      first = std::min(first, turn);
+      const QueueEntry entry = entryOf(LowestBit(lanes));
+      this->Insert(this->Fetched(std::max(first, entry)), bottom);
+      first = std::min(first, entry);
     }
     return first;
   }
 
   /// Keeps what is on the stack from `bottom` on in order.
-  void Insert(Turn turn, const Turn* bottom)
+  void Insert(QueueEntry entry, const QueueEntry* bottom)
   {
-    Turn* at = this->Top++;
-    for (; at != bottom && at[-1] < turn; --at)
+    QueueEntry* at = this->Top++;
+    for (; at != bottom && at[-1] < entry; --at)
     {
       *at = at[-1];
     }
-    *at = turn;
+    *at = entry;
   }
 
-  Turn Fetched(Turn turn) const
+  QueueEntry Fetched(QueueEntry entry) const
   {
     if constexpr (Skips)
     {
-      if (IsMarked(turn))
+      if (IsMarked(entry))
       {
-        this->TheQuery.FetchKnown(IndexOf(turn));
-        return turn;
+        this->TheQuery.FetchKnown(IndexOf(entry));
+        return entry;
       }
     }
-    Fetch(this->TheTree, IndexOf(turn), 0);
-    return turn;
+    Fetch(this->TheTree, IndexOf(entry), 0);
+    return entry;
   }
 
   /// False ends the walk, as in all that visits.
@@ -241,7 +241,7 @@ private:
       const auto elements = this->TheTree.LeafAt(number);
       this->TheTree.FetchElements(elements.First);
       const unsigned wanted = this->TheQuery.TestKnown(number, elements.Count, keys);
-      return Query::GivesKeys ? this->VisitInTurn(elements.First, wanted, keys)
+      return Query::GivesKeys ? this->VisitInOrder(elements.First, wanted, keys)
                               : this->VisitAll(elements.First, wanted, 0);
     }
     return true;
@@ -259,7 +259,7 @@ private:
           : wanted != 0 ? this->TheQuery.SureOf(leaf)
                         : 0u);
     }
-    return this->VisitInTurn(leaf.First, wanted, keys);
+    return this->VisitInOrder(leaf.First, wanted, keys);
   }
 
   bool VisitAll(std::uint32_t first, unsigned wanted, unsigned sure)
@@ -286,7 +286,7 @@ private:
     return true;
   }
 
-  bool VisitInTurn(std::uint32_t first, unsigned wanted, const float* keys)
+  bool VisitInOrder(std::uint32_t first, unsigned wanted, const float* keys)
   {
     if constexpr (!Query::Ordered)
     {
@@ -307,8 +307,8 @@ private:
 
   const Tree& TheTree;
   Query& TheQuery;
-  Turn Stack[MostLevels * (Node::Width - 1)];
-  Turn* Top = this->Stack; ///< one past the last
+  QueueEntry Stack[MostLevels * (Node::Width - 1)];
+  QueueEntry* Top = this->Stack; ///< one past the last
 };
 
 }

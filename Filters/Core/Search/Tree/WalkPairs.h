@@ -81,10 +81,10 @@ public:
       std::vector<Pair> next;
       for (const Pair& pair : pairs)
       {
-        const bool isReached = pair.A.What.IsElement() && pair.B.What.IsElement();
-        grows = grows || !isReached;
-        this->Stack.assign(isReached ? 1 : 0, pair);
-        if (!isReached)
+        const bool isOfElements = pair.A.What.IsElement() && pair.B.What.IsElement();
+        grows = grows || !isOfElements;
+        this->Stack.assign(isOfElements ? 1 : 0, pair);
+        if (!isOfElements)
         {
           this->Advance(pair);
         }

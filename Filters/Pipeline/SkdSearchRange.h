@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdReach_h
-#define SkdReach_h
+#ifndef SkdSearchRange_h
+#define SkdSearchRange_h
 
 #include <tuple>
 
@@ -17,7 +17,7 @@ enum class SkdByDirections
 
 /// How far a cell may be from what a process has, and still be near it: a distance, and a fraction
 /// of the diagonal of the cell's box, together.
-struct SkdReach
+struct SkdSearchRange
 {
   double Distance = 0.0;
   double OfDiagonal = 0.0;
@@ -66,8 +66,8 @@ struct SkdReach
       this->IsNotForSpheres);
   }
 
-  bool operator==(const SkdReach& other) const { return this->Tie() == other.Tie(); }
-  bool operator!=(const SkdReach& other) const { return !(*this == other); }
+  bool operator==(const SkdSearchRange& other) const { return this->Tie() == other.Tie(); }
+  bool operator!=(const SkdSearchRange& other) const { return !(*this == other); }
 };
 }
 
