@@ -44,6 +44,7 @@ def plant(plan):
     yield "a circle", "Filters/Core/Geometry/ForEachAxis.h", '#include "Box.h"\n', "a circle of includes"
     yield "a new folder", "Filters/Attic/SkdOld.h", "\n", "is in no folder"
     yield "a long file", "Filters/Cells/Read/SkdShape.h", 600 * "\n", "the file has"
+    yield "a long XML file", "Plugin/XML/SkdTreeRemap.xml", 600 * "\n", "the file has"
     yield "a long function", "Filters/Cells/Read/SkdShape.cxx", \
         "namespace\n{\ntemplate <class T>\nvoid Long(T t)\n{\n%s}\n}\n" % (60 * "  ++t;\n"), \
         "a function of 6"
