@@ -40,10 +40,13 @@ target_include_directories(skdtree_testing INTERFACE
   "${SKDTREE_ROOT}/Filters" "${CMAKE_CURRENT_LIST_DIR}")
 
 # skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] [HEADERS <header>...]
-#   LABEL <label>)
-# An executable with GoogleTest's main, whose tests run in shares.
+#   [IN_LIBRARIES] LABEL <label>)
+# An executable with GoogleTest's main. Starting one process for each of thousands of short tests
+# would take most of the time, so a few processes run a share of them each; failures are named in
+# the output. IN_LIBRARIES: the work is in libraries, so that AddressSanitizer, which finds their
+# errors whoever calls them, need not look at the tests themselves.
 function (skdtree_add_gtest name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES;HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 test "IN_LIBRARIES" "LABEL" "SOURCES;LIBRARIES;HEADERS")
   add_executable("${name}" ${test_SOURCES})
   target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
   # Compiling takes most of the tests' time: headers that nearly all include are read once, and
@@ -51,22 +54,18 @@ function (skdtree_add_gtest name)
   target_precompile_headers("${name}" PRIVATE <gtest/gtest.h> ${test_HEADERS})
   target_compile_options("${name}" PRIVATE
     $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
-  skdtree_add_shares("${test_LABEL}" COMMAND "${name}")
-endfunction ()
-
-# skdtree_add_shares(<label> COMMAND <command>... [ENVIRONMENT <name=value>...])
-# Starting one process for each of thousands of short tests would take most of the time, so a few
-# processes run a share of them each; failures are named in the output.
-function (skdtree_add_shares label)
-  cmake_parse_arguments(PARSE_ARGV 1 shares "" "" "COMMAND;ENVIRONMENT")
+  if ("address" IN_LIST SKDTREE_SANITIZE AND test_IN_LIBRARIES)
+    target_compile_options("${name}" PRIVATE -fno-sanitize=all)
+  endif ()
   set(count 8)
   foreach (share RANGE 1 ${count})
     math(EXPR index "${share} - 1")
-    set(environment "GTEST_TOTAL_SHARDS=${count}" "GTEST_SHARD_INDEX=${index}"
-      ${SKDTREE_TEST_ENVIRONMENT} ${SKDTREE_SANITIZER_ENVIRONMENT} ${shares_ENVIRONMENT})
-    add_test(NAME "${label}.Share${share}" COMMAND ${shares_COMMAND} --gtest_brief=1)
-    set_tests_properties("${label}.Share${share}" PROPERTIES
-      LABELS "${label}" TIMEOUT 1800 ENVIRONMENT "${environment}")
+    add_test(NAME "${test_LABEL}.Share${share}" COMMAND "${name}" --gtest_brief=1)
+    set_tests_properties("${test_LABEL}.Share${share}" PROPERTIES
+      LABELS "${test_LABEL}"
+      TIMEOUT 1800
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index};\
+${SKDTREE_TEST_ENVIRONMENT};${SKDTREE_SANITIZER_ENVIRONMENT}")
   endforeach ()
 endfunction ()
 
