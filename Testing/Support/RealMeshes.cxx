@@ -22,7 +22,7 @@ namespace skdtest
 
 namespace
 {
-constexpr std::uintmax_t LargestOfFewerTests = 200 * 1024; // bytes
+constexpr std::uintmax_t LargestOfFewerTests = 50 * 1024; // bytes
 
 bool HasAppendedArrays(const std::string& file)
 {
