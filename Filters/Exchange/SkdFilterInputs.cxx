@@ -172,18 +172,17 @@ bool SkdFilterInputs::IsExchanged(vtkDataObject* piece, vtkDataObject* own, int 
 SkdRepeatedId SkdFilterInputs::FindRepeatedId() const
 {
   SkdRepeatedId first;
-  const auto add = [&first](const SkdRepeatedId& found) { first = first.IsThere ? first : found; };
   for (const auto& [slot, input] : this->Whole)
   {
-    add(input.GetRepeatedId());
+    first = first.Or(input.GetRepeatedId());
   }
   for (const auto& [slot, input] : this->Nearby)
   {
-    add(input.FindRepeatedId());
+    first = first.Or(input.FindRepeatedId());
   }
   for (const auto& [slot, input] : this->Spread)
   {
-    add(input.Source.FindRepeatedId());
+    first = first.Or(input.Source.FindRepeatedId());
   }
   return first;
 }

@@ -112,6 +112,21 @@ bool SkdIsSingle(vtkDataSet* piece)
   return set && set->GetPoints() && set->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
+double SkdLargestCoordinateOf(vtkDataSet* piece)
+{
+  double largest = 0.0;
+  for (vtkIdType point = 0; point < piece->GetNumberOfPoints(); ++point)
+  {
+    double x[3];
+    piece->GetPoint(point, x);
+    for (const double coordinate : x)
+    {
+      largest = std::max(largest, std::abs(coordinate)); // NaN is never larger
+    }
+  }
+  return largest;
+}
+
 double SkdNearTolerance(bool isSingle, double largestCoordinate)
 {
   const double precision =

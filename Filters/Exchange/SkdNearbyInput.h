@@ -45,8 +45,8 @@ public:
   SkdRepeatedId FindRepeatedId() const
   {
     SkdRepeatedId first;
-    this->VisitBlocks([&first](const SkdSpreadBlock& block)
-      { first = first.IsThere ? first : block.GetRepeatedId(); });
+    this->VisitBlocks(
+      [&first](const SkdSpreadBlock& block) { first = first.Or(block.GetRepeatedId()); });
     return first;
   }
 

@@ -11,28 +11,12 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace skdtree
 {
 namespace
 {
 using Extent = std::array<int, 6>;
-
-double LargestCoordinateOf(vtkDataSet* mesh)
-{
-  double largest = 0.0;
-  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
-  {
-    double x[3];
-    mesh->GetPoint(point, x);
-    for (const double coordinate : x)
-    {
-      largest = std::max(largest, std::abs(coordinate)); // NaN is never larger
-    }
-  }
-  return largest;
-}
 
 SkdPieceFacts FactsOf(vtkDataSet* mesh)
 {
@@ -46,7 +30,7 @@ SkdPieceFacts FactsOf(vtkDataSet* mesh)
   facts.HasDuplicates = SkdHasDuplicates(mesh);
   facts.IsSingle = SkdIsSingle(mesh);
   facts.IsGrid = SkdIsStructured(mesh);
-  facts.LargestCoordinate = LargestCoordinateOf(mesh);
+  facts.LargestCoordinate = SkdLargestCoordinateOf(mesh);
   if (facts.IsGrid)
   {
     facts.Extent = SkdExtentOf(mesh);

@@ -161,7 +161,7 @@ SkdRepeatedId SkdFirstRepeatedId(SkdTransport& transport, const SkdRepeatedId& o
   SkdRepeatedId first;
   for (const auto& found : SkdGatherRows(transport, std::vector<SkdRepeatedId>{ own }))
   {
-    first = first.IsThere ? first : found.front();
+    first = first.Or(found.front());
   }
   return first;
 }

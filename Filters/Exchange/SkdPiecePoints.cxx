@@ -9,29 +9,10 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 
 namespace skdtree
 {
-namespace
-{
-double LargestCoordinateOf(const SkdPieces& pieces)
-{
-  double largest = 0.0;
-  for (vtkDataSet* piece : pieces)
-  {
-    double bounds[6];
-    piece->GetBounds(bounds);
-    for (const double bound : bounds)
-    {
-      largest = std::max(largest, piece->GetNumberOfPoints() > 0 ? std::abs(bound) : 0.0);
-    }
-  }
-  return largest;
-}
-}
-
 SkdPiecePoints::SkdPiecePoints(const SkdPieces& pieces)
   : Pieces(pieces)
   , Keys(pieces.size())
@@ -78,7 +59,11 @@ void SkdPiecePoints::FindKeysByGlobalIds()
     skd::Vector3 X;
   };
   std::unordered_map<vtkIdType, First> keys;
-  const double largest = LargestCoordinateOf(this->Pieces);
+  double largest = 0.0;
+  for (vtkDataSet* piece : this->Pieces)
+  {
+    largest = std::max(largest, SkdLargestCoordinateOf(piece));
+  }
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     vtkDataArray* ids = this->Pieces[piece]->GetPointData()->GetGlobalIds();

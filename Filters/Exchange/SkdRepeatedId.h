@@ -28,6 +28,12 @@ struct SkdRepeatedId
   vtkIdType GlobalId = 0;
   std::array<Owner, 2> Owners{};
 
+  /// This one or, if there is none, another.
+  const SkdRepeatedId& Or(const SkdRepeatedId& other) const
+  {
+    return this->IsThere ? *this : other;
+  }
+
   /// A sentence that names both.
   std::string Describe() const
   {

@@ -119,6 +119,10 @@ void ExpectCell(vtkGenericCell* cell, vtkDataSet* data, vtkIdType id)
   EXPECT_EQ(cell->GetCellType(), expected->GetCellType());
   EXPECT_EQ(ToVector(cell->GetPointIds()), ToVector(expected->GetPointIds()));
   EXPECT_EQ(ToVector(cell->GetPoints()), ToVector(expected->GetPoints()));
+  Bounds box, expectedBox; // which points keep until they are modified
+  cell->GetPoints()->GetBounds(box.data());
+  expected->GetPoints()->GetBounds(expectedBox.data());
+  EXPECT_EQ(box, expectedBox);
 }
 
 TEST_P(ClosestPointOnMesh, GenericCellHoldsTheReturnedCell)

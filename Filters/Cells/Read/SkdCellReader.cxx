@@ -91,6 +91,7 @@ bool LoadPlain(Mesh* mesh, vtkIdType cellId, vtkGenericCell* cell)
   {
     points->SetNumberOfPoints(ids->GetNumberOfIds());
   }
+  points->Modified(); // their bounds are others
   double* to = SkdStoredValues<double>(points->GetData());
   return to &&
     (CopyPoints<float>(mesh->GetPoints(), ids, to) ||

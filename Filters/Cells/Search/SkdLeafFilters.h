@@ -48,6 +48,7 @@ private:
   // A tag is twice the number of a packet of triangles, or of a packet of planes and 1 more. If all
   // leaves have packets, or all packets of planes, these have the numbers of the nodes, and inner
   // nodes have a note about those of their children.
+
   /// Of leaves, and of those that have a packet of either kind.
   struct Counts
   {

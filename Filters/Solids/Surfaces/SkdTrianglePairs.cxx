@@ -330,16 +330,22 @@ std::optional<std::vector<SkdTrianglePair>> SkdTrianglePairs::FindByPackedRTree(
   const std::size_t count = near.First.Triangles.size();
   const skd::PackedRTree boxes(near.Second.Boxes);
   Search state(this->Placement, search);
-  const std::size_t parted = (count + size - 1) / size;
-  PackedSearch parts(
-    parted + (more.size() + size - 1) / size, count + near.Second.Triangles.size());
+  const auto partsOf = [](std::size_t all) { return (all + size - 1) / size; };
+  PackedSearch parts(partsOf(count) + partsOf(more.size()), count + near.Second.Triangles.size());
+  const auto visitMore = [&](std::size_t part, std::vector<SkdTrianglePair>& found)
+  {
+    for (std::size_t i = part * size; i < std::min(more.size(), (part + 1) * size); ++i)
+    {
+      state.Visit(more[i].first, more[i].second, found);
+    }
+  };
   parts.ForEachPart(loop,
     [&](std::size_t part, std::vector<SkdTrianglePair>& found)
     {
-      for (std::size_t i = (part - parted) * size;
-           part >= parted && i < std::min(more.size(), (part - parted + 1) * size); ++i)
+      if (part >= partsOf(count))
       {
-        state.Visit(more[i].first, more[i].second, found);
+        visitMore(part - partsOf(count), found);
+        return;
       }
       std::vector<std::uint32_t> others; // that a triangle's box overlaps
       bool goesOn = true;
