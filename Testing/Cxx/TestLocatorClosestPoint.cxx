@@ -119,10 +119,6 @@ void ExpectCell(vtkGenericCell* cell, vtkDataSet* data, vtkIdType id)
   EXPECT_EQ(cell->GetCellType(), expected->GetCellType());
   EXPECT_EQ(ToVector(cell->GetPointIds()), ToVector(expected->GetPointIds()));
   EXPECT_EQ(ToVector(cell->GetPoints()), ToVector(expected->GetPoints()));
-  Bounds box, expectedBox; // which points keep until they are modified
-  cell->GetPoints()->GetBounds(box.data());
-  expected->GetPoints()->GetBounds(expectedBox.data());
-  EXPECT_EQ(box, expectedBox);
 }
 
 TEST_P(ClosestPointOnMesh, GenericCellHoldsTheReturnedCell)
@@ -134,6 +130,16 @@ TEST_P(ClosestPointOnMesh, GenericCellHoldsTheReturnedCell)
     this->Locator->FindClosestPoint(x.data(), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
     ExpectCell(cell, this->Data, c.Cell);
   }
+}
+
+/// Of the cell's points, which keep them until they are modified. (VTK does not say so where it
+/// loads cells of structured grids and polyhedra.)
+void ExpectBounds(vtkGenericCell* cell, vtkDataSet* data, vtkIdType id)
+{
+  Bounds box, expected;
+  cell->GetPoints()->GetBounds(box.data());
+  data->GetCellBounds(id, expected.data());
+  EXPECT_EQ(box, expected);
 }
 
 TEST(ClosestPointCell, IsThatOfVtkHoweverItIsStored)
@@ -152,6 +158,7 @@ TEST(ClosestPointCell, IsThatOfVtkHoweverItIsStored)
         Closest c;
         locator->FindClosestPoint(mesh->GetPoint(i), c.X.data(), cell, c.Cell, c.SubId, c.Dist2);
         ExpectCell(cell, mesh, c.Cell);
+        ExpectBounds(cell, mesh, c.Cell);
       }
     }
   }
