@@ -7,6 +7,7 @@
 #include "Support/RealMeshes.h"
 #include "Support/Reported.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/TestAmount.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -560,6 +561,7 @@ TEST(BooleanOperation, RealSolids)
 /// Moved along an axis, so that slanted faces nearly coincide: no winding number decides there.
 TEST(BooleanOperation, RealSolidWithFacesThatNearlyCoincide)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   const DataSetPointer mesh = ReadSolid("anchor_dense.vtp");
   if (!mesh)
   {

@@ -5,6 +5,7 @@
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/TestAmount.h"
 
 #include "vtkImageData.h"
 #include "vtkSMPTools.h"
@@ -248,6 +249,7 @@ PolyDataPointer RoughSphere(int n)
 // decimation, whose corners are on it, by 6 %.
 TEST(CompareSurfaces, StatisticsAreThoseOfDenseSamplesWithinTheirErrors)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   const struct
   {
     PolyDataPointer A;

@@ -3,6 +3,7 @@
 // vtkSkdTreeCurveIntersection where the crossings are known.
 
 #include "Support/CurveRun.h"
+#include "Support/TestAmount.h"
 
 #include "vtkSkdTreeCurveIntersection.h"
 
@@ -151,7 +152,7 @@ TEST(CurveIntersectionKnown, LissajousCurvesCrossThemselves)
 TEST(CurveIntersectionKnown, CurvesWhoseChordsAreApartAreNotLost)
 {
   Random random(4);
-  for (int round = 0; round < 100; ++round)
+  for (int round = 0; round < Amount(100); ++round)
   {
     const Arc arc{ random.Between(1e-4, 0.1) };
     const FilterPointer filter = TwoArcs(arc, 0.0, random);
@@ -170,7 +171,7 @@ TEST(CurveIntersectionKnown, CurvesWhoseChordsAreApartAreNotLost)
 TEST(CurveIntersectionKnown, CurvesThatHardlyMissDoNotCross)
 {
   Random random(6);
-  for (int round = 0; round < 500; ++round)
+  for (int round = 0; round < Amount(500); ++round)
   {
     const double gap = std::pow(10.0, random.Between(-13.5, -3.0)); // coordinates are up to 3
     const FilterPointer filter = TwoArcs({ random.Between(1e-4, 0.1) }, gap, random);

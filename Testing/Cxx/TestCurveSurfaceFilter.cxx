@@ -399,6 +399,7 @@ TEST(CurveSurfaceFilter, StopsWhenAskedTo)
 
 TEST(CurveSurfaceFilter, EachNeuronEntersTheLateralHornOnce)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   const std::string folder = ExtraDataFolder() + "/F_curves/";
   const DataSetPointer horn = std::filesystem::exists(folder + "hemibrain_LH.obj")
     ? ReadMesh(folder + "hemibrain_LH.obj")

@@ -9,6 +9,7 @@
 #include "Support/CurveRun.h"
 #include "Support/LocatorCalls.h"
 #include "Support/ProbeRun.h"
+#include "Support/TestAmount.h"
 
 #include "vtkSMPTools.h"
 
@@ -103,7 +104,7 @@ protected:
     vtkSMPTools::SetBackend("STDThread");
     vtkSMPTools::Initialize(4);
     this->Grid = MakeCells(GetParam());
-    this->Points = RandomQueries(this->Grid, 200);
+    this->Points = RandomQueries(this->Grid, FewerTests() ? 50 : 200);
   }
 
   void TearDown() override

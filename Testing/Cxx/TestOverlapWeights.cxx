@@ -8,6 +8,7 @@
 #include "Support/Folders.h"
 #include "Support/RealMeshes.h"
 #include "Support/SurfaceMeshes.h"
+#include "Support/TestAmount.h"
 #include "Support/VolumeMeshes.h"
 
 #include "vtkPassThrough.h"
@@ -375,6 +376,7 @@ TEST(OverlapWeights, BadInput)
 /// size.
 TEST(OverlapWeights, RealSphericalMeshes)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   std::vector<DataSetPointer> meshes;
   for (const std::string name :
     { "CSne30", "T42_scrip", "csu_geodesic_2562", "lfric_C12", "ll2.5deg_scrip" })

@@ -5,6 +5,7 @@
 
 #include "Support/ClosestPointRun.h"
 #include "Support/IntegerBodies.h"
+#include "Support/TestAmount.h"
 
 #include "vtkImageData.h"
 
@@ -269,7 +270,7 @@ void AskBodies(std::uint64_t seed, int count, Tally& tally)
 TEST(PointInOutBodies, WhatIsSaidForSureIsTheExactWindingNumber)
 {
   const char* wanted = std::getenv("SKDTREE_FUZZ_PARTS");
-  const int parts = wanted ? std::atoi(wanted) : 1000;
+  const int parts = wanted ? std::atoi(wanted) : Amount(1000);
   Tally tally;
   for (int part = 0; part < parts && !HasFailure(); ++part)
   {

@@ -8,6 +8,7 @@
 #include "Support/Folders.h"
 #include "Support/InOutRun.h"
 #include "Support/RealMeshes.h"
+#include "Support/TestAmount.h"
 
 #include "vtkSelectEnclosedPoints.h"
 #include "vtkStaticCellLocator.h"
@@ -153,6 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Extra, PointInOutLeaky,
 
 TEST_P(PointInOutLeaky, NoMorePointsAreWrongThanByVtk)
 {
+  SKD_LEAVE_OUT_OF_FEWER_TESTS();
   const std::string folder = ExtraDataFolder() + "/A_surface/";
   const Leaky& leaky = GetParam();
   if (!std::filesystem::exists(folder + leaky.File))

@@ -18,6 +18,7 @@ as much again.
 A group that passed is not checked again while its sources, the headers that they include and the
 configuration are as they were: a file in <build>/lint, named by their hash, says so.
 """
+import collections
 import concurrent.futures
 import hashlib
 import json
@@ -30,7 +31,7 @@ import sys
 
 import check_layout
 
-NUMBER_OF_GROUPS = 8
+NUMBER_OF_GROUPS, GROUP_SIZE = 8, 12
 CHECKS = "-clang-analyzer-*,-bugprone-suspicious-include"  # groups include sources, on purpose
 WARNING = re.compile(r"^(/.*?):(\d+:\d+: (?:warning|error): .*)$", re.M)
 OWN_SCOPE = re.compile(r"\bnamespace\s*\{")
@@ -68,6 +69,8 @@ def read_own_names(text):
                 outermost.append(";" if char == "}" else char)
         for statement in "".join(outermost).split(";"):
             head = re.split(r"[({=]", statement)[0]
+            if re.match(r"\s*using\b", head) and "=" not in statement:
+                continue  # another's name, which several may use
             names.update(TYPE.findall(head) + OTHER.findall(head))
     return names
 
@@ -76,13 +79,15 @@ def group(flags):
     """Lists of sources of the same flags without a common name, of about equal sizes. Sources of public
     classes use the namespace that the others are in, so their own names would be ambiguous beside those."""
     groups = []
+    kinds = {path: (flags[path], path.parent.name == "Filters") for path in flags}
+    number = collections.Counter(kinds.values())
     for path in sorted(flags):
         text = path.read_text(encoding="utf8")
         names = read_own_names(text)
-        kind = flags[path], path.parent.name == "Filters"
+        kind = kinds[path]
         fitting = [each for each in groups if each["kind"] == kind and not each["names"] & names]
         same = sum(each["kind"] == kind for each in groups)
-        if not fitting or same < NUMBER_OF_GROUPS and len(flags) > 4 * NUMBER_OF_GROUPS:
+        if not fitting or same < min(NUMBER_OF_GROUPS, number[kind] // GROUP_SIZE):
             fitting = [{"kind": kind, "names": set(), "size": 0, "sources": []}]
             groups += fitting
         smallest = min(fitting, key=lambda each: each["size"])

@@ -23,6 +23,14 @@ inline int Amount(int number)
   return FewerTests() ? std::max(1, number / 10) : number;
 }
 
+/// At the start of a test that is left out then.
+#define SKD_LEAVE_OUT_OF_FEWER_TESTS()                                                             \
+  if (skdtest::FewerTests())                                                                       \
+  {                                                                                                \
+    GTEST_SKIP() << "left out of the shorter run";                                                 \
+  }                                                                                                \
+  static_assert(true)
+
 }
 
 #endif
