@@ -104,7 +104,7 @@ protected:
     vtkSMPTools::SetBackend("STDThread");
     vtkSMPTools::Initialize(4);
     this->Grid = MakeCells(GetParam());
-    this->Points = RandomQueries(this->Grid, FewerTests() ? 50 : 200);
+    this->Points = RandomQueries(this->Grid, FewerTests() ? 50 : 100);
   }
 
   void TearDown() override
