@@ -12,6 +12,25 @@
 namespace skd
 {
 
+namespace detail
+{
+
+/// The entries of some rows, ascending and each once.
+inline std::vector<std::uint32_t> UnionOf(
+  const IndexRows& rows, const std::vector<std::uint32_t>& which)
+{
+  std::vector<std::uint32_t> entries;
+  for (const std::uint32_t row : which)
+  {
+    entries.insert(entries.end(), rows[row].begin(), rows[row].end());
+  }
+  std::sort(entries.begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  return entries;
+}
+
+}
+
 /// Moves points as far as no cell is spoilt.
 class MeshMotion
 {
@@ -168,27 +187,13 @@ inline std::vector<std::uint32_t> MeshMotion::FindSpoilt(
 inline std::vector<std::uint32_t> MeshMotion::CellsAround(
   const SurfaceMesh& mesh, const std::vector<std::uint32_t>& points) const
 {
-  std::vector<std::uint32_t> cells;
-  for (const std::uint32_t point : points)
-  {
-    cells.insert(cells.end(), mesh.CellsOfPoint[point].begin(), mesh.CellsOfPoint[point].end());
-  }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  return cells;
+  return detail::UnionOf(mesh.CellsOfPoint, points);
 }
 
 inline std::vector<std::uint32_t> MeshMotion::CornersOf(
   const SurfaceMesh& mesh, const std::vector<std::uint32_t>& cells)
 {
-  std::vector<std::uint32_t> points;
-  for (const std::uint32_t cell : cells)
-  {
-    points.insert(points.end(), mesh.Cells[cell].begin(), mesh.Cells[cell].end());
-  }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
+  return detail::UnionOf(mesh.Cells, cells);
 }
 
 /// Half of the way to the mean of the other ends of its edges.

@@ -90,18 +90,11 @@ inline std::vector<std::array<double, 2>> SlopeFit::FindWeights() const
 
 }
 
-/// The gradients at points, along the surface, of what cells have at their middles: by least
-/// squares over the cells around each point, exact for linear values in a plane, and for quadratic
-/// ones where the mesh is regular. For that weights fall with the third power of the distance, and
-/// a point of only three cells (hexagons, say) takes those of its neighbours, too: a triangle and
-/// the one turned about that is twice as large. Where all these say nothing of a direction (at a
-/// corner, say) the gradient has no part in it.
-class PointGradients
+/// Gradients at points, along the surface, of what cells have at their middles: for each point a
+/// sum of values of cells times weights, which a class derived from this one finds.
+class GradientWeights
 {
 public:
-  /// For a mesh as it is now. O(N).
-  void Build(const SurfaceMesh& mesh, const SurfaceShape& shape);
-
   Vector3 At(const std::vector<double>& values, std::uint32_t point) const
   {
     Vector3 sum{ { 0.0, 0.0, 0.0 } };
@@ -113,41 +106,105 @@ public:
   }
 
   const Vector3& GetMiddle(std::uint32_t cell) const { return this->Middles[cell]; }
+  const std::vector<Vector3>& GetMiddles() const { return this->Middles; }
 
-private:
-  static std::vector<std::uint32_t> CellsNear(const SurfaceMesh& mesh, std::uint32_t point);
-  void Add(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point);
+protected:
+  using Ids = std::vector<std::uint32_t>;
+
+  void FindMiddles(const SurfaceMesh& mesh, const SurfaceShape& shape)
+  {
+    this->Middles.resize(mesh.Cells.size());
+    for (std::uint32_t cell = 0; cell < this->Middles.size(); ++cell)
+    {
+      this->Middles[cell] = shape.Put(CornerMean(mesh, cell));
+    }
+  }
+
+  /// `add(point)` adds the cells and weights of each point.
+  template <class Function>
+  void AddPoints(const SurfaceMesh& mesh, const Function& add)
+  {
+    this->Cells.clear();
+    this->Weights.clear();
+    this->Offsets.assign(1, 0);
+    for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
+    {
+      add(point);
+      this->Offsets.push_back(this->Weights.size());
+    }
+  }
+
+  /// The tangent plane of a point, in which distances are relative to the farthest cell's.
+  struct Plane
+  {
+    Vector3 U;
+    Vector3 V;
+    double Scale = 0.0;
+  };
+
+  /// False: cells near a point say nothing of a gradient.
+  bool FindPlane(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point,
+    const Ids& cells, Plane& plane) const
+  {
+    const Vector3 normal = NormalAt(mesh, shape, point);
+    for (const std::uint32_t cell : cells)
+    {
+      plane.Scale = std::max(plane.Scale, Norm(this->Middles[cell] - mesh.Points[point]));
+    }
+    if (cells.size() < 2 || !(Norm2(normal) > 0.0) || !(plane.Scale > 0.0))
+    {
+      return false;
+    }
+    detail::MakeTangents(normal, plane.U, plane.V);
+    return true;
+  }
+
+  /// The weights of a fit, as vectors in space.
+  template <class Fit>
+  void AddWeights(const Fit& fit, const Plane& plane)
+  {
+    for (const std::array<double, 2>& weight : fit.FindWeights())
+    {
+      this->Weights.push_back(
+        (weight[0] / plane.Scale) * plane.U + (weight[1] / plane.Scale) * plane.V);
+    }
+  }
 
   std::vector<Vector3> Middles;
   std::vector<std::size_t> Offsets; // of each point, where its cells begin
-  std::vector<std::uint32_t> Cells;
+  Ids Cells;
   std::vector<Vector3> Weights;
+};
+
+/// The gradients at points, along the surface, of what cells have at their middles: by least
+/// squares over the cells around each point, exact for linear values in a plane, and for quadratic
+/// ones where the mesh is regular. For that weights fall with the third power of the distance, and
+/// a point of only three cells (hexagons, say) takes those of its neighbours, too: a triangle and
+/// the one turned about that is twice as large. Where all these say nothing of a direction (at a
+/// corner, say) the gradient has no part in it.
+class PointGradients : public GradientWeights
+{
+public:
+  /// For a mesh as it is now. O(N).
+  void Build(const SurfaceMesh& mesh, const SurfaceShape& shape);
+
+private:
+  static Ids CellsNear(const SurfaceMesh& mesh, std::uint32_t point);
+  void Add(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point);
 };
 
 inline void PointGradients::Build(const SurfaceMesh& mesh, const SurfaceShape& shape)
 {
-  this->Middles.resize(mesh.Cells.size());
-  for (std::uint32_t cell = 0; cell < this->Middles.size(); ++cell)
-  {
-    this->Middles[cell] = shape.Put(CornerMean(mesh, cell));
-  }
-  this->Cells.clear();
-  this->Weights.clear();
-  this->Offsets.assign(1, 0);
-  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
-  {
-    this->Add(mesh, shape, point);
-    this->Offsets.push_back(this->Weights.size());
-  }
+  this->FindMiddles(mesh, shape);
+  this->AddPoints(mesh, [&](std::uint32_t point) { this->Add(mesh, shape, point); });
 }
 
-inline std::vector<std::uint32_t> PointGradients::CellsNear(
-  const SurfaceMesh& mesh, std::uint32_t point)
+inline PointGradients::Ids PointGradients::CellsNear(const SurfaceMesh& mesh, std::uint32_t point)
 {
   const IndexRows::Row around = mesh.CellsOfPoint[point];
   const bool isFree = mesh.Freedom[point] == PointFreedom::Free;
   const bool takesMore = around.size() == 1 || (around.size() == 3 && isFree);
-  std::vector<std::uint32_t> cells(around.begin(), around.end());
+  Ids cells(around.begin(), around.end());
   for (std::size_t k = 0; k < around.size() && takesMore; ++k)
   {
     const IndexRows::Row corners = mesh.Cells[around[k]];
@@ -169,30 +226,20 @@ inline std::vector<std::uint32_t> PointGradients::CellsNear(
 inline void PointGradients::Add(
   const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point)
 {
-  const Vector3 normal = NormalAt(mesh, shape, point);
-  const std::vector<std::uint32_t> cells = CellsNear(mesh, point);
-  double scale = 0.0;
-  for (const std::uint32_t cell : cells)
-  {
-    scale = std::max(scale, Norm(this->Middles[cell] - mesh.Points[point]));
-  }
-  if (cells.size() < 2 || !(Norm2(normal) > 0.0) || !(scale > 0.0))
+  const Ids cells = CellsNear(mesh, point);
+  Plane plane;
+  if (!this->FindPlane(mesh, shape, point, cells, plane))
   {
     return;
   }
-  Vector3 u, v;
-  detail::MakeTangents(normal, u, v);
   detail::SlopeFit fit;
   for (const std::uint32_t cell : cells)
   {
-    const Vector3 to = (1.0 / scale) * (this->Middles[cell] - mesh.Points[point]);
-    fit.Add(Dot(u, to), Dot(v, to));
+    const Vector3 to = (1.0 / plane.Scale) * (this->Middles[cell] - mesh.Points[point]);
+    fit.Add(Dot(plane.U, to), Dot(plane.V, to));
   }
   this->Cells.insert(this->Cells.end(), cells.begin(), cells.end());
-  for (const std::array<double, 2>& weight : fit.FindWeights())
-  {
-    this->Weights.push_back((weight[0] / scale) * u + (weight[1] / scale) * v);
-  }
+  this->AddWeights(fit, plane);
 }
 
 }

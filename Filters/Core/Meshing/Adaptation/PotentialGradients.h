@@ -16,28 +16,13 @@ namespace skd
 /// and the next ones across edges, which are mirror images across the border; where these
 /// cells are thin (at the poles of a grid of longitudes and latitudes, say) from more of them, so
 /// that they reach about as far in all directions.
-class PotentialGradients
+class PotentialGradients : public GradientWeights
 {
 public:
   /// For a mesh as it is now. O(N).
   void Build(const SurfaceMesh& mesh, const SurfaceShape& shape);
 
-  Vector3 At(const std::vector<double>& values, std::uint32_t point) const
-  {
-    Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    for (std::size_t i = this->Offsets[point]; i < this->Offsets[point + 1]; ++i)
-    {
-      sum = sum + values[this->Cells[i]] * this->Weights[i];
-    }
-    return sum;
-  }
-
-  const Vector3& GetMiddle(std::uint32_t cell) const { return this->Middles[cell]; }
-  const std::vector<Vector3>& GetMiddles() const { return this->Middles; }
-
 private:
-  using Ids = std::vector<std::uint32_t>;
-
   void FindNeighbours(const SurfaceMesh& mesh);
   void FindImages(const SurfaceMesh& mesh);
   Ids CellsNear(const SurfaceMesh& mesh, std::uint32_t point) const;
@@ -47,13 +32,9 @@ private:
   Vector3 FindMirror(const IndexRows::Row& ring, const Vector3& x) const;
   void Add(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point);
 
-  std::vector<Vector3> Middles;
   IndexRows EdgesOfCell;
   std::vector<std::array<std::uint32_t, 2>> CellsOfEdge;
   std::vector<std::pair<std::uint32_t, Vector3>> Images; // ascending, of cells at the border
-  std::vector<std::size_t> Offsets;                      // of each point, where its cells begin
-  Ids Cells;
-  std::vector<Vector3> Weights;
 };
 
 inline void PotentialGradients::FindNeighbours(const SurfaceMesh& mesh)
@@ -91,21 +72,10 @@ inline void PotentialGradients::FindImages(const SurfaceMesh& mesh)
 
 inline void PotentialGradients::Build(const SurfaceMesh& mesh, const SurfaceShape& shape)
 {
-  this->Middles.resize(mesh.Cells.size());
-  for (std::uint32_t cell = 0; cell < this->Middles.size(); ++cell)
-  {
-    this->Middles[cell] = shape.Put(CornerMean(mesh, cell));
-  }
+  this->FindMiddles(mesh, shape);
   this->FindNeighbours(mesh);
   this->FindImages(mesh);
-  this->Cells.clear();
-  this->Weights.clear();
-  this->Offsets.assign(1, 0);
-  for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
-  {
-    this->Add(mesh, shape, point);
-    this->Offsets.push_back(this->Weights.size());
-  }
+  this->AddPoints(mesh, [&](std::uint32_t point) { this->Add(mesh, shape, point); });
 }
 
 /// Whether cells spread much less in one direction than in the other; and the farthest's distance.
@@ -217,24 +187,17 @@ inline Vector3 PotentialGradients::FindMirror(const IndexRows::Row& ring, const 
 inline void PotentialGradients::Add(
   const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point)
 {
-  const Vector3 normal = NormalAt(mesh, shape, point);
   const Ids cells = this->CellsNear(mesh, point);
-  double scale = 0.0;
-  for (const std::uint32_t cell : cells)
-  {
-    scale = std::max(scale, Norm(this->Middles[cell] - mesh.Points[point]));
-  }
-  if (cells.size() < 2 || !(Norm2(normal) > 0.0) || !(scale > 0.0))
+  Plane plane;
+  if (!this->FindPlane(mesh, shape, point, cells, plane))
   {
     return;
   }
-  Vector3 u, v;
-  detail::MakeTangents(normal, u, v);
   QuadraticFit fit;
   const auto add = [&](std::uint32_t cell, const Vector3& middle)
   {
-    const Vector3 to = (1.0 / scale) * (middle - mesh.Points[point]);
-    fit.Add(Dot(u, to), Dot(v, to));
+    const Vector3 to = (1.0 / plane.Scale) * (middle - mesh.Points[point]);
+    fit.Add(Dot(plane.U, to), Dot(plane.V, to));
     this->Cells.push_back(cell);
   };
   const Vector3& x = mesh.Points[point];
@@ -255,10 +218,7 @@ inline void PotentialGradients::Add(
       add(cell, image->second);
     }
   }
-  for (const std::array<double, 2>& weight : fit.FindWeights())
-  {
-    this->Weights.push_back((weight[0] / scale) * u + (weight[1] / scale) * v);
-  }
+  this->AddWeights(fit, plane);
 }
 
 }
