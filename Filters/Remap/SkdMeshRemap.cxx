@@ -3,6 +3,7 @@
 #include "Remap/SkdMeshRemap.h"
 
 #include "Pipeline/SkdJoinedIds.h"
+#include "Pipeline/SkdJoinedShape.h"
 #include "Pipeline/SkdPartialArrays.h"
 #include "Pipeline/SkdReport.h"
 #include "Remap/SkdOverlapMesh.h"

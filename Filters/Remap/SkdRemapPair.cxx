@@ -2,18 +2,114 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Remap/SkdRemapPair.h"
 
+#include "Pipeline/SkdJoinedShape.h"
 #include "Pipeline/SkdLonLat.h"
+#include "Pipeline/SkdPartialArrays.h"
+#include "Remap/SkdOverlapSurface.h"
+#include "Remap/SkdRemapTolerances.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace skdtree
 {
 namespace
 {
+vtkSmartPointer<vtkUnstructuredGrid> Append(const std::vector<vtkDataSet*>& meshes)
+{
+  vtkNew<vtkAppendFilter> append;
+  for (vtkDataSet* mesh : meshes)
+  {
+    append->AddInputData(mesh);
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+/// A mesh whose points are longitude and latitude in degrees, moved to a sphere about the origin.
+/// The arrays are the old ones.
+vtkSmartPointer<vtkDataSet> MovedToSphere(vtkDataSet* mesh, double radius)
+{
+  vtkSmartPointer<vtkUnstructuredGrid> moved = Append({ mesh });
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(moved->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    skd::Vector3 x;
+    moved->GetPoint(i, x.X);
+    points->SetPoint(i, (radius * SkdDirectionOfLonLat(x)).X);
+  }
+  moved->SetPoints(points);
+  moved->GetFieldData()->PassData(mesh->GetFieldData());
+  if (auto whole = SkdJoinedShape::Of(mesh))
+  {
+    whole->MoveToSphere(radius);
+    whole->KeepIn(moved);
+  }
+  return moved;
+}
+
+/// Whether a mesh is flat in z, and x and y may well be longitudes and latitudes in degrees: more
+/// than a radian wide, and between the poles.
+bool MayBeLonLat(vtkDataSet* mesh)
+{
+  double bounds[6];
+  vtkIdType points = mesh->GetNumberOfPoints();
+  mesh->GetBounds(bounds);
+  if (const auto whole = SkdJoinedShape::Of(mesh))
+  {
+    const skd::Box3& box = whole->Bounds;
+    points = whole->Points;
+    std::copy_n(std::array<double, 6>{ { box.Min[0], box.Max[0], box.Min[1], box.Max[1], box.Min[2],
+                                         box.Max[2] } }
+                  .begin(),
+      6, bounds);
+  }
+  constexpr double radian = 57.3, halfCircle = 180.0, fullCircle = 360.0;
+  const double width = bounds[1] - bounds[0];
+  return points > 0 && bounds[4] == bounds[5] && bounds[2] >= -0.5 * halfCircle &&
+    bounds[3] <= 0.5 * halfCircle && bounds[0] >= -fullCircle && bounds[1] <= 1.5 * fullCircle &&
+    width > radian;
+}
+
+/// Whether a donor and all blocks that have cells are in one plane.
+bool AreInOnePlane(vtkDataSet* donor, const std::vector<SkdBlock>& blocks)
+{
+  SkdOverlapSettings settings;
+  settings.Space = SkdOverlapSpace::Plane;
+  return std::all_of(blocks.begin(), blocks.end(),
+    [&](const SkdBlock& block)
+    {
+      return block.Mesh->GetNumberOfCells() == 0 ||
+        SkdOverlapSurface(donor, block.Mesh, settings).GetProblem().empty();
+    });
+}
+
+/// The space that a mesh is in: by the dimension of its cells, surfaces by their radius.
+SkdOverlapSpace SpaceOf(vtkDataSet* mesh)
+{
+  switch (SkdDimensionOf(mesh))
+  {
+    case 0:
+    case 1:
+      return SkdOverlapSpace::Line;
+    case 2:
+      return SkdRadiusOf(mesh) ? SkdOverlapSpace::Sphere : SkdOverlapSpace::Plane;
+    default:
+      return SkdOverlapSpace::Volume;
+  }
+}
+
 bool AreStructured(const std::vector<SkdBlock>& blocks)
 {
   if (const auto whole =
@@ -25,6 +121,24 @@ bool AreStructured(const std::vector<SkdBlock>& blocks)
     std::all_of(blocks.begin(), blocks.end(),
       [](const SkdBlock& block) { return SkdIsStructured(block.Mesh); });
 }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> SkdJoinBlocks(
+  const std::vector<SkdBlock>& blocks, std::set<std::string>& partial)
+{
+  partial.clear();
+  if (blocks.size() == 1)
+  {
+    return blocks.front().Mesh;
+  }
+  std::vector<vtkDataSet*> meshes;
+  const std::vector<SkdBlock> completed = SkdCompleteArrays(blocks, partial);
+  for (const SkdBlock& block : completed)
+  {
+    meshes.push_back(block.Mesh);
+  }
+  return meshes.empty() ? vtkSmartPointer<vtkUnstructuredGrid>::New() : Append(meshes);
 }
 
 //------------------------------------------------------------------------------
@@ -52,15 +166,15 @@ void SkdRemapPair::MoveToSphere(const skd::Processes* processes)
     this->Given = this->Outputs;
     for (std::size_t i = 0; i < this->Outputs.size(); ++i)
     {
-      this->Targets[i].Mesh = SkdMovedToSphere(this->Targets[i].Mesh, radius);
-      this->Outputs[i].Mesh = SkdMovedToSphere(this->Outputs[i].Mesh, radius);
+      this->Targets[i].Mesh = MovedToSphere(this->Targets[i].Mesh, radius);
+      this->Outputs[i].Mesh = MovedToSphere(this->Outputs[i].Mesh, radius);
     }
     this->TargetRadius = this->FindTargetRadius(processes);
   }
   if (this->Request.IsDonorInDegrees)
   {
     const double radius = this->RadiusOfTarget();
-    this->Donor = SkdMovedToSphere(this->Donor, radius > 0.0 ? radius : 1.0);
+    this->Donor = MovedToSphere(this->Donor, radius > 0.0 ? radius : 1.0);
   }
 }
 
@@ -147,7 +261,7 @@ SkdOverlapSpace SkdRemapPair::FindSpace() const
   {
     return spaces[static_cast<int>(this->Request.Geometry)];
   }
-  const SkdOverlapSpace space = SkdSpaceOf(block->Mesh);
+  const SkdOverlapSpace space = SpaceOf(block->Mesh);
   if (space != SkdOverlapSpace::Sphere && space != SkdOverlapSpace::Plane)
   {
     return space;
@@ -160,22 +274,21 @@ SkdOverlapSpace SkdRemapPair::FindSpace() const
     return space;
   }
   const bool isCurved = this->Request.IsConservative() && SkdDimensionOf(this->Donor) == 2 &&
-    this->GetHint().empty() && !SkdAreInOnePlane(this->Donor, this->Targets);
+    this->GetHint().empty() && !AreInOnePlane(this->Donor, this->Targets);
   return isCurved ? SkdOverlapSpace::CurvedSurface : SkdOverlapSpace::Plane;
 }
 
 //------------------------------------------------------------------------------
 std::string SkdRemapPair::GetHint() const
 {
-  const auto isLonLat = [](const SkdBlock& block) { return SkdMayBeLonLat(block.Mesh); };
+  const auto isLonLat = [](const SkdBlock& block) { return MayBeLonLat(block.Mesh); };
   if (!this->Request.IsTargetInDegrees && SkdRadiusOf(this->Donor) && !this->Targets.empty() &&
     std::all_of(this->Targets.begin(), this->Targets.end(), isLonLat))
   {
     return " Source is on a sphere and Input may be of longitudes and latitudes: if so, set "
            "InputCoordinates.";
   }
-  return !this->Request.IsDonorInDegrees && SkdMayBeLonLat(this->Donor) &&
-      this->RadiusOfTarget() > 0.0
+  return !this->Request.IsDonorInDegrees && MayBeLonLat(this->Donor) && this->RadiusOfTarget() > 0.0
     ? " Input is on a sphere and Source may be of longitudes and latitudes: if so, set "
       "SourceCoordinates."
     : "";

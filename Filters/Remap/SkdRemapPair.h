@@ -9,11 +9,20 @@
 #define SkdRemapPair_h
 
 #include "Core/Parallel/Processes.h"
-#include "Remap/SkdRemapMeshes.h"
+#include "Pipeline/SkdBlocks.h"
+#include "Remap/SkdOverlapWeights.h"
 #include "Remap/SkdRemapRequest.h"
+
+#include <set>
+#include <string>
 
 namespace skdtree
 {
+/// The blocks as one mesh; the mesh itself if there is but one, and an empty one if there is none.
+/// Arrays of numbers that only some have are NaN elsewhere; `partial` becomes their names.
+vtkSmartPointer<vtkDataSet> SkdJoinBlocks(
+  const std::vector<SkdBlock>& blocks, std::set<std::string>& partial);
+
 /// A donor, its blocks as one mesh, and the blocks of a target, each with the mesh that gets the
 /// results. Points of longitudes and latitudes are moved to a sphere.
 class SkdRemapPair

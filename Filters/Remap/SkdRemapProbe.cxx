@@ -3,7 +3,7 @@
 #include "Remap/SkdRemapProbe.h"
 
 #include "Pipeline/SkdLoop.h"
-#include "Remap/SkdRemapMeshes.h"
+#include "Remap/SkdMeshPoints.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkPointData.h"

@@ -7,7 +7,7 @@
 #include "Pipeline/SkdMakeArray.h"
 #include "Remap/SkdContainedFields.h"
 #include "Remap/SkdLumpedPoints.h"
-#include "Remap/SkdRemapMeshes.h"
+#include "Remap/SkdMeshPoints.h"
 #include "Remap/SkdRemapTolerances.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -4,7 +4,7 @@
 #define SkdBooleanFaces_h
 
 #include "Core/Geometry/Rows.h"
-#include "Solids/Boolean/SkdBooleanFacets.h"
+#include "Solids/Boolean/SkdBooleanRule.h"
 
 namespace skdtree
 {

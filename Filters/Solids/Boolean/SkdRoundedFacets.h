@@ -9,7 +9,7 @@
 #ifndef SkdRoundedFacets_h
 #define SkdRoundedFacets_h
 
-#include "Solids/Boolean/SkdBooleanFacets.h"
+#include "Solids/Boolean/SkdBooleanRule.h"
 
 namespace skdtree
 {

@@ -12,6 +12,7 @@
 #ifndef SkdSolidArrangement_h
 #define SkdSolidArrangement_h
 
+#include "Solids/Boolean/SkdBadEdges.h"
 #include "Solids/Boolean/SkdCombineInPairs.h"
 #include "Solids/Boolean/SkdRoundedFacets.h"
 #include "Solids/Boolean/SkdSheet.h"
