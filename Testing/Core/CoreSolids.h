@@ -37,6 +37,16 @@ inline Polygon Notched()
     { { 1, 1, 0 } }, { { 1, 3, 0 } }, { { 0, 3, 0 } } };
 }
 
+inline Polygon RotatedNotched(double factor)
+{
+  Polygon polygon = Notched();
+  for (Vector3& p : polygon)
+  {
+    p = factor * Rotated(p);
+  }
+  return polygon;
+}
+
 /// What the U consists of, `height` high.
 inline Boxes<3> PartsOfNotched(double height)
 {

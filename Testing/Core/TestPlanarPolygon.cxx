@@ -15,11 +15,7 @@ TEST(PlanarPolygon, NearestPointOfAConcaveOneIsThatOfItsParts)
   Random random(401);
   for (const double factor : Factors())
   {
-    Polygon polygon = Notched();
-    for (Vector3& p : polygon)
-    {
-      p = factor * Rotated(p);
-    }
+    const Polygon polygon = RotatedNotched(factor);
     for (int i = 0; i < 2000; ++i)
     {
       const Vector3 x = random.Point<3>(-2.0, 5.0);
@@ -87,11 +83,7 @@ TEST(PlanarPolygon, WeightsGiveThePoint)
   Random random(404);
   for (const double factor : Factors())
   {
-    Polygon polygon = Notched();
-    for (Vector3& p : polygon)
-    {
-      p = factor * Rotated(p);
-    }
+    const Polygon polygon = RotatedNotched(factor);
     std::vector<double> weights(polygon.size());
     for (int i = 0; i < 1000; ++i)
     {

@@ -26,11 +26,7 @@ TEST(SegmentPolygon, HitsWhatIsInsideOfAConcaveOne)
   Random random(411);
   for (const double factor : Factors())
   {
-    Polygon polygon = Notched();
-    for (Vector3& p : polygon)
-    {
-      p = factor * Rotated(p);
-    }
+    const Polygon polygon = RotatedNotched(factor);
     for (int i = 0; i < 3000; ++i)
     {
       const Vector3 at{ { random.In(-1.0, 4.0), random.In(-1.0, 4.0), 0.0 } };

@@ -4,11 +4,11 @@
 // trees.
 
 #include "Support/AMRRun.h"
+#include "Support/FilterRun.h"
 #include "Support/NamedMeshes.h"
+#include "Support/ProgressRises.h"
 #include "Support/StructuredMeshes.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
@@ -312,55 +312,18 @@ TEST(AMRBadInput, TheCellLimitHoldsWhileBalancing)
   EXPECT_GT(Reported(filter, "AllCells"), unbalanced);
 }
 
-struct ProgressWatch
-{
-  ProgressWatch(vtkAlgorithm* algorithm, double abortAt)
-    : AbortAt(abortAt)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(&ProgressWatch::Look);
-    algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
-  }
-
-  static void Look(vtkObject* caller, unsigned long, void* self, void*)
-  {
-    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
-    auto* watch = static_cast<ProgressWatch*>(self);
-    watch->Seen.push_back(algorithm->GetProgress());
-    if (algorithm->GetProgress() >= watch->AbortAt)
-    {
-      algorithm->SetAbortExecute(1);
-    }
-  }
-
-  double AbortAt;
-  std::vector<double> Seen;
-  vtkNew<vtkCallbackCommand> Command;
-};
-
 TEST(AMRBadInput, ProgressRisesAndAnAbortStopsIt)
 {
   AMRPointer filter = MakeAMR(MakeTorus(), 6);
   filter->ComputeInsideOn();
   filter->ComputeDistanceOn();
-  {
-    ProgressWatch watch(filter, 2.0);
-    filter->Update();
-    EXPECT_GT(watch.Seen.size(), 10u);
-    EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
-    EXPECT_EQ(watch.Seen.back(), 1.0);
-    filter->RemoveAllObservers();
-  }
+  ExpectProgressToRise(filter, 10);
   const double cells = Reported(filter, "Cells");
-  ProgressWatch watch(filter, 0.15);
   filter->Modified();
-  filter->Update();
-  filter->RemoveAllObservers();
+  AbortAt(filter, 0.15);
   const vtkIdType partial =
     filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
   EXPECT_LT(partial, cells);
-  filter->SetAbortExecute(0);
-  filter->Modified();
   EXPECT_EQ(RunCells(filter), cells);
 }
 

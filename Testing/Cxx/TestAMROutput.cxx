@@ -112,12 +112,18 @@ LeafValues UnstructuredLeaves(vtkSkdTreeAMR* filter)
   return read;
 }
 
+template <class Output>
+Output* OutputAs(vtkSkdTreeAMR* filter, int type)
+{
+  filter->SetOutputType(type);
+  filter->Update();
+  return Output::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
 void ExpectTreesToHave(const LeafValues& expected, vtkSkdTreeAMR* filter)
 {
   const double all = Reported(filter, "AllCells");
-  filter->SetOutputType(vtkSkdTreeAMR::HYPER_TREE_GRID);
-  filter->Update();
-  auto trees = vtkHyperTreeGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  auto trees = OutputAs<vtkHyperTreeGrid>(filter, vtkSkdTreeAMR::HYPER_TREE_GRID);
   ASSERT_NE(trees, nullptr);
   const LeafReader read(trees);
   EXPECT_EQ(trees->GetNumberOfElements(vtkDataObject::CELL), all);
@@ -143,9 +149,7 @@ void AppendLeaves(vtkImageData* block, unsigned int level, LeafValues& read)
 void ExpectBlocksToHave(const LeafValues& expected, vtkSkdTreeAMR* filter)
 {
   const double all = Reported(filter, "AllCells");
-  filter->SetOutputType(vtkSkdTreeAMR::OVERLAPPING_AMR);
-  filter->Update();
-  auto blocks = vtkOverlappingAMR::SafeDownCast(filter->GetOutputDataObject(0));
+  auto blocks = OutputAs<vtkOverlappingAMR>(filter, vtkSkdTreeAMR::OVERLAPPING_AMR);
   ASSERT_NE(blocks, nullptr);
   LeafValues read;
   vtkIdType cells = 0;

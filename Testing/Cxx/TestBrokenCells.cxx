@@ -4,11 +4,11 @@
 // broken are named once, and the results are those without them. SKDTREE_ALL_HARMS=all runs all
 // combinations, or those of one type by its number; by default each filter gets a part of 32.
 
+#include "Support/EachFilter.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
-#include "Support/FilterZoo.h"
 #include "Support/HarmedMeshes.h"
-#include "Support/QuietWindow.h"
+#include "Support/MessageCounter.h"
 
 #include "vtkSkdTreeCellLocator.h"
 
@@ -23,33 +23,14 @@ using namespace skdtest;
 namespace
 {
 
-/// Counts the messages about broken cells.
-class BrokenCounter
+/// The messages about broken cells.
+class BrokenCounter : public MessageCounter
 {
 public:
   explicit BrokenCounter(vtkObject* watched)
+    : MessageCounter(watched, "Broken cells are ignored")
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(&BrokenCounter::Count);
-    watched->AddObserver(vtkCommand::WarningEvent, this->Command);
-    watched->AddObserver(vtkCommand::ErrorEvent, this->Command);
   }
-
-  int Messages = 0;
-  std::string Last;
-
-private:
-  static void Count(vtkObject*, unsigned long, void* self, void* text)
-  {
-    auto* counter = static_cast<BrokenCounter*>(self);
-    if (std::strstr(static_cast<const char*>(text), "Broken cells are ignored"))
-    {
-      ++counter->Messages;
-      counter->Last = static_cast<const char*>(text);
-    }
-  }
-
-  vtkNew<vtkCallbackCommand> Command;
 };
 
 std::vector<double> RunSetup(const FilterSetup& setup, vtkDataSet* mesh, bool isBroken)
@@ -83,11 +64,8 @@ void Announce(const std::string& what)
   }
 }
 
-class HarmedCells : public testing::TestWithParam<std::size_t>
+class HarmedCells : public EachFilter
 {
-protected:
-  const FilterSetup& Setup = AllFilterSetups()[GetParam()];
-  QuietWindow Quiet;
 };
 
 INSTANTIATE_TEST_SUITE_P(Filters, HarmedCells,

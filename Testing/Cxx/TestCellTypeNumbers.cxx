@@ -4,11 +4,10 @@
 // or does not know, with and without points, in every part that a mesh may take in a filter: all
 // filters end, and their results are those of a mesh with empty cells in the same places.
 
+#include "Support/EachFilter.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
-#include "Support/FilterZoo.h"
 #include "Support/HarmedMeshes.h"
-#include "Support/QuietWindow.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkSkdTreeCellLocator.h"
@@ -137,7 +136,7 @@ void Announce(const std::string& what)
   }
 }
 
-class CellTypeNumbers : public testing::TestWithParam<std::size_t>
+class CellTypeNumbers : public EachFilter
 {
 protected:
   std::vector<double> Run(vtkDataSet* mesh, const std::string& what) const
@@ -160,9 +159,6 @@ protected:
     const GridPointer expected = WithData(MakeGrid(MakeOdd(ordinary, empty, 0, company)));
     EXPECT_TRUE(AreEqual(this->Run(odd, what), this->Run(expected, what + ", empty"))) << what;
   }
-
-  const FilterSetup& Setup = AllFilterSetups()[GetParam()];
-  QuietWindow Quiet;
 };
 
 INSTANTIATE_TEST_SUITE_P(Filters, CellTypeNumbers,

@@ -6,11 +6,11 @@
 #include "Support/ClosestPointRun.h"
 #include "Support/EventCounter.h"
 #include "Support/NamedMeshes.h"
+#include "Support/OneAndFourThreads.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
@@ -227,19 +227,13 @@ TEST(ClosestPointFilter, BitsAreTheSameForAnyNumberOfThreads)
   auto source = MakePolyData(TorusTriangles(40, 20));
   FilterPointer filter = MakeFilter(MakeQueries(RandomQueries(source, 20000)), source);
   filter->SignedDistanceOn();
-  const auto run = [&](int threads)
+  const auto run = [&]
   {
-    vtkSMPTools::Initialize(threads);
     filter->Modified();
     return std::array<std::vector<double>, 3>{ RunDistances(filter),
       RunArray(filter, "SkdClosestPoint"), RunArray(filter, "SkdClosestCellId") };
   };
-  const std::string former = vtkSMPTools::GetBackend();
-  vtkSMPTools::SetBackend("STDThread");
-  const auto one = run(1);
-  const auto four = run(4);
-  vtkSMPTools::Initialize(0);
-  vtkSMPTools::SetBackend(former.c_str());
+  const auto [one, four] = OneAndFourThreads(run);
   for (int array = 0; array < 3; ++array)
   {
     ASSERT_EQ(one[array].size(), four[array].size());

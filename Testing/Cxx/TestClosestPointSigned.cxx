@@ -7,6 +7,7 @@
 #include "Support/EventCounter.h"
 #include "Support/Folders.h"
 #include "Support/NamedMeshes.h"
+#include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 #include "Support/WindingReference.h"
 
@@ -91,21 +92,6 @@ Mesh Reoriented(Mesh mesh, int seed)
   return mesh;
 }
 
-Mesh Joined(Mesh a, const Mesh& b)
-{
-  const vtkIdType shift = static_cast<vtkIdType>(a.Points.size());
-  a.Points.insert(a.Points.end(), b.Points.begin(), b.Points.end());
-  for (CellSpec cell : b.Cells)
-  {
-    for (vtkIdType& id : cell.Points)
-    {
-      id += shift;
-    }
-    a.Cells.push_back(cell);
-  }
-  return a;
-}
-
 TEST(ClosestPointSigned, OfASphereItIsAnalytic)
 {
   const Mesh sphere = SphereTriangles(40);
@@ -128,7 +114,7 @@ TEST(ClosestPointSigned, SignIsThatOfTheWindingNumberHoweverFacesAreOriented)
 {
   const Mesh shapes[] = { TorusTriangles(20, 10), SphereTriangles(5), CubeTriangles(3),
     Octahedron(1.0),
-    Joined(SphereTriangles(6), Transformed(SphereTriangles(3), 0.5, { 0, 0, 0 })) };
+    Together({ SphereTriangles(6), Transformed(SphereTriangles(3), 0.5, { 0, 0, 0 }) }) };
   for (const Mesh& shape : shapes)
   {
     auto source = MakePolyData(Reoriented(Soup(shape), 1));
@@ -291,10 +277,10 @@ TEST(ClosestPointSigned, ABoundaryThatComesWithItsVolumeIsNotCountedTwice)
     MakeBlocks({ MakePolyData(CubeQuads(3)), MakeGrid(Hexahedra(3)) }), { 3, 3, 3 });
   Mesh both = Hexahedra(3);
   const Mesh wall = CubeQuads(3);
-  ExpectBoxDistances(MakeGrid(Joined(both, wall)), { 3, 3, 3 });
+  ExpectBoxDistances(MakeGrid(Together({ both, wall })), { 3, 3, 3 });
   // A sheet within, as meshers write it between regions.
   ExpectBoxDistances(
-    MakeGrid(Joined(both, Transformed(Sheet(3, VTK_QUAD), 1.0, { 0, 0, 1 }))), { 3, 3, 3 });
+    MakeGrid(Together({ both, Transformed(Sheet(3, VTK_QUAD), 1.0, { 0, 0, 1 }) })), { 3, 3, 3 });
 }
 
 TEST(ClosestPointSigned, ASurfaceInPiecesIsClosedAsAWhole)
@@ -313,9 +299,9 @@ TEST(ClosestPointSigned, ASurfaceInPiecesIsClosedAsAWhole)
 TEST(ClosestPointSigned, FacesWrittenRepeatedlyCountOnce)
 {
   const Mesh cube = CubeTriangles(2);
-  ExpectBoxDistances(MakePolyData(Joined(cube, cube)), { 2, 2, 2 });
+  ExpectBoxDistances(MakePolyData(Together({ cube, cube })), { 2, 2, 2 });
   const Mesh some = Part(cube, [](std::size_t cell) { return cell % 5 == 0; });
-  ExpectBoxDistances(MakePolyData(Joined(cube, some)), { 2, 2, 2 });
+  ExpectBoxDistances(MakePolyData(Together({ cube, some })), { 2, 2, 2 });
 }
 
 TEST(ClosestPointSigned, AFaceBetweenTouchingBodiesHasInsideOnBothSides)
@@ -324,7 +310,7 @@ TEST(ClosestPointSigned, AFaceBetweenTouchingBodiesHasInsideOnBothSides)
   const Mesh right = Transformed(CubeQuads(2), 1.0, { 2, 0, 0 });
   FilterPointer filter = MakeSignedFilter(
     MakeQueries({ { 1.9, 1, 1 }, { 2.25, 1, 1 }, { 2, 1, 3 }, { 2, 0.5, 1 }, { 4.5, 1, 1 } }),
-    MakePolyData(Joined(left, right)));
+    MakePolyData(Together({ left, right })));
   EventCounter events(filter);
   const std::vector<double> distances = RunDistances(filter);
   const std::vector<double> expected = { 1.9 - 2, -0.25, 1, 0, 0.5 };
@@ -403,7 +389,7 @@ TEST(ClosestPointSigned, VerticesAndLinesBesideASurfaceAreNotSearched)
 
 TEST(ClosestPointSigned, GhostCellsAreNoBoundary)
 {
-  Mesh mesh = Joined(CubeQuads(2), Transformed(CubeQuads(1), 1.0, { 0.5, 0.5, 0.5 }));
+  Mesh mesh = Together({ CubeQuads(2), Transformed(CubeQuads(1), 1.0, { 0.5, 0.5, 0.5 }) });
   auto source = MakePolyData(mesh);
   MarkGhosts(source, { 24, 25, 26, 27, 28, 29 }, vtkDataSetAttributes::HIDDENCELL);
   ExpectBoxDistances(source, { 2, 2, 2 });

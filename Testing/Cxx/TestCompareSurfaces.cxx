@@ -4,11 +4,12 @@
 
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
+#include "Support/MakeOf.h"
+#include "Support/OneAndFourThreads.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/TestAmount.h"
 
 #include "vtkImageData.h"
-#include "vtkSMPTools.h"
 #include "vtkSkdTreeCellLocator.h"
 #include "vtkSkdTreeCompareSurfaces.h"
 #include "vtkTable.h"
@@ -26,15 +27,8 @@ namespace
 {
 
 using Filter = vtkSkdTreeCompareSurfaces;
-using FilterPointer = vtkSmartPointer<Filter>;
 
-FilterPointer MakeFilter(vtkDataObject* input, vtkDataObject* source)
-{
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, input);
-  filter->SetInputDataObject(1, source);
-  return filter;
-}
+constexpr auto MakeFilter = MakeOf<Filter>;
 
 enum Row
 {
@@ -471,9 +465,8 @@ TEST(CompareSurfaces, BitsAreTheSameForAnyNumberOfThreads)
   auto filter =
     MakeFilter(MakePolyData(TorusTriangles(20, 12)), Rotated(TorusTriangles(18, 11), 0.3, 0.1));
   filter->SignedDistanceOn();
-  const auto run = [&](int threads)
+  const auto run = [&]
   {
-    vtkSMPTools::Initialize(threads);
     filter->Modified();
     filter->Update();
     std::vector<double> values = PointArray(filter->GetOutputDataObject(0), "SkdDistance");
@@ -489,12 +482,7 @@ TEST(CompareSurfaces, BitsAreTheSameForAnyNumberOfThreads)
     values.push_back(Reported(filter, "Bisections"));
     return values;
   };
-  const std::string former = vtkSMPTools::GetBackend();
-  vtkSMPTools::SetBackend("STDThread");
-  const auto one = run(1);
-  const auto four = run(4);
-  vtkSMPTools::Initialize(0);
-  vtkSMPTools::SetBackend(former.c_str());
+  const auto [one, four] = OneAndFourThreads(run);
   EXPECT_EQ(one, four);
   EXPECT_GT(one.back(), 0.0) << "triangles are bisected";
 }

@@ -56,32 +56,37 @@ Point PointAround(Random& random, double radius)
   return { radius * std::cos(angle), radius * std::sin(angle), random.Between(0, 1) };
 }
 
-TEST(RationalBezier, CurveIsAtTheDistanceOfItsCircle)
+/// `test(answer, x, radius)` for points around a quarter, by their distance from its axis.
+template <class Test>
+void ForClosestPoints(vtkDataSet* grid, int seed, const Test& test)
 {
-  const auto grid = QuarterCircle();
   const auto locator = MakeLocator(grid);
-  Random random(150);
+  Random random(seed);
   for (int i = 0; i < 300; ++i)
   {
     const double radius = random.Between(0.1, 3);
     const Point x = PointAround(random, radius);
-    const Closest c = FindClosest(locator, x);
-    ASSERT_NEAR(c.Dist2, (radius - 1) * (radius - 1) + x[2] * x[2], 1e-12);
-    ASSERT_NEAR(Length(c.X), 1.0, 1e-9);
+    test(FindClosest(locator, x), x, radius);
   }
+}
+
+TEST(RationalBezier, CurveIsAtTheDistanceOfItsCircle)
+{
+  const auto grid = QuarterCircle();
+  ForClosestPoints(grid, 150,
+    [](const Closest& c, const Point& x, double radius)
+    {
+      EXPECT_NEAR(c.Dist2, (radius - 1) * (radius - 1) + x[2] * x[2], 1e-12);
+      EXPECT_NEAR(Length(c.X), 1.0, 1e-9);
+    });
 }
 
 TEST(RationalBezier, SurfaceIsAtTheDistanceOfItsCylinder)
 {
   const auto grid = QuarterCylinder();
-  const auto locator = MakeLocator(grid);
-  Random random(151);
-  for (int i = 0; i < 300; ++i)
-  {
-    const double radius = random.Between(0.1, 3);
-    const Closest c = FindClosest(locator, PointAround(random, radius));
-    ASSERT_NEAR(std::sqrt(c.Dist2), std::abs(radius - 1), 1e-12);
-  }
+  ForClosestPoints(grid, 151,
+    [](const Closest& c, const Point&, double radius)
+    { EXPECT_NEAR(std::sqrt(c.Dist2), std::abs(radius - 1), 1e-12); });
 }
 
 TEST(RationalBezier, SurfaceIsHitWhereItsCylinderIs)

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes that break rules: no area, no length, cells twice, slivers, repeated and missing points.
 
-#include "Support/BruteForce.h"
-#include "Support/EventCounter.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
+#include "Support/WatchedBuild.h"
 
 #include <gtest/gtest.h>
 
@@ -149,21 +147,10 @@ std::vector<NamedMesh> DegenerateMeshes()
       } } };
 }
 
-class Degenerate : public testing::TestWithParam<NamedMesh>
+class Degenerate : public LocatorOnMesh
 {
 protected:
-  Degenerate()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
   Point Query(Random& random) { return random.InBox(Grown(this->Reference.GetBounds(), 0.5)); }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Degenerate, testing::ValuesIn(DegenerateMeshes()), NameOfMesh());
@@ -287,14 +274,10 @@ TEST(DegenerateCells, WithPointsThatDoNotExistAreLeftOut)
   Mesh mesh = Sheet(3, VTK_TRIANGLE);
   mesh.Cells[4].Points[1] = 1000000;
   mesh.Cells[7].Points[2] = -5;
-  const auto data = MakePolyData(mesh);
-  const auto locator = LocatorPointer::New();
-  locator->SetDataSet(data);
-  EventCounter events(locator);
-  locator->BuildLocator();
-  EXPECT_EQ(events.Warnings, 1);
-  EXPECT_EQ(locator->GetNumberOfCellsLeftOut(), 2);
-  EXPECT_EQ(FindClosest(locator, { 0.2, 0.1, 1 }).Dist2, 1.0);
+  const WatchedBuild build(MakePolyData(mesh));
+  EXPECT_EQ(build.Events.Warnings, 1);
+  EXPECT_EQ(build.Locator->GetNumberOfCellsLeftOut(), 2);
+  EXPECT_EQ(FindClosest(build.Locator, { 0.2, 0.1, 1 }).Dist2, 1.0);
 }
 
 TEST(DegenerateCells, OfASliverClosedSurfaceKeepParity)

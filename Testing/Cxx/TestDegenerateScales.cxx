@@ -28,6 +28,26 @@ std::vector<std::pair<const char*, std::function<Mesh()>>> Shapes()
 class Scales : public testing::TestWithParam<int>
 {
 protected:
+  /// `test(atHome, away, x, random)`: locators of each mesh and of the same scaled, and points.
+  template <class Test>
+  void ForEachPoint(int seed, const Bounds& box, const Test& test)
+  {
+    for (const auto& shape : Shapes())
+    {
+      SCOPED_TRACE(shape.first);
+      const auto home = MakeGrid(shape.second());
+      const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
+      const auto atHome = MakeLocator(home);
+      const auto away = MakeLocator(scaled);
+      Random random(seed);
+      for (int i = 0; i < 100 && !this->HasFatalFailure(); ++i)
+      {
+        const Point x = random.InBox(box);
+        test(atHome, away, x, random);
+      }
+    }
+  }
+
   const double Factor = std::ldexp(1.0, GetParam());
 };
 
@@ -37,40 +57,23 @@ INSTANTIATE_TEST_SUITE_P(Exponents, Scales, testing::Values(-100, -27, 40, 100),
 
 TEST_P(Scales, KeepTheClosestPoint)
 {
-  for (const auto& shape : Shapes())
-  {
-    SCOPED_TRACE(shape.first);
-    const auto home = MakeGrid(shape.second());
-    const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
-    const auto atHome = MakeLocator(home);
-    const auto away = MakeLocator(scaled);
-    Random random(170);
-    for (int i = 0; i < 100; ++i)
+  this->ForEachPoint(170, { -2, 4, -2, 4, -2, 4 },
+    [&](const LocatorPointer& atHome, const LocatorPointer& away, const Point& x, Random&)
     {
-      const Point x = random.InBox({ -2, 4, -2, 4, -2, 4 });
       const Closest c = FindClosest(atHome, x);
       const Closest s = FindClosest(away, this->Factor * x);
       ASSERT_EQ(s.Cell, c.Cell);
       ASSERT_DOUBLE_EQ(s.Dist2 / this->Factor / this->Factor, c.Dist2);
       ASSERT_LE(Distance((1 / this->Factor) * s.X, c.X), 1e-14);
-    }
-  }
+    });
 }
 
 TEST_P(Scales, KeepTheHits)
 {
-  for (const auto& shape : Shapes())
-  {
-    SCOPED_TRACE(shape.first);
-    const auto home = MakeGrid(shape.second());
-    const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
-    const auto atHome = MakeLocator(home);
-    const auto away = MakeLocator(scaled);
-    Random random(171);
-    vtkNew<vtkGenericCell> cell;
-    for (int i = 0; i < 100; ++i)
+  vtkNew<vtkGenericCell> cell;
+  this->ForEachPoint(171, { -2, 4, -2, 4, -2, 4 },
+    [&](const LocatorPointer& atHome, const LocatorPointer& away, const Point& x, Random& random)
     {
-      const Point x = random.InBox({ -2, 4, -2, 4, -2, 4 });
       const Point y = random.InBox({ -2, 4, -2, 4, -2, 4 });
       const LineHits h = FindAllHits(atHome, x, y, 0.01, cell);
       const LineHits s =
@@ -78,23 +81,14 @@ TEST_P(Scales, KeepTheHits)
       ASSERT_EQ(s.Cells, h.Cells);
       const LineHit first = FindFirstHit(away, this->Factor * x, this->Factor * y);
       ASSERT_DOUBLE_EQ(first.T, FindFirstHit(atHome, x, y).T);
-    }
-  }
+    });
 }
 
 TEST_P(Scales, KeepTheCells)
 {
-  for (const auto& shape : Shapes())
-  {
-    SCOPED_TRACE(shape.first);
-    const auto home = MakeGrid(shape.second());
-    const auto scaled = MakeGrid(Transformed(shape.second(), this->Factor, { 0, 0, 0 }));
-    const auto atHome = MakeLocator(home);
-    const auto away = MakeLocator(scaled);
-    Random random(172);
-    for (int i = 0; i < 100; ++i)
+  this->ForEachPoint(172, { -1, 3, -1, 3, -1, 3 },
+    [&](const LocatorPointer& atHome, const LocatorPointer& away, const Point& x, Random&)
     {
-      const Point x = random.InBox({ -1, 3, -1, 3, -1, 3 });
       for (double tolerance : { 0.0, 0.1 })
       {
         const double scaledTolerance = tolerance * this->Factor;
@@ -105,8 +99,7 @@ TEST_P(Scales, KeepTheCells)
         FindClosestCells(away, this->Factor * x, 5).Cells, FindClosestCells(atHome, x, 5).Cells);
       ASSERT_EQ(FindWithinRadius(away, this->Factor * x, 0.5 * this->Factor).Cells,
         FindWithinRadius(atHome, x, 0.5).Cells);
-    }
-  }
+    });
 }
 
 /// Multiples of 2^-20 stay exact when moved by 2^30.
@@ -119,6 +112,19 @@ Point Snapped(const Point& p)
 class FarOff : public testing::Test
 {
 protected:
+  struct Locators
+  {
+    LocatorPointer AtHome;
+    LocatorPointer Away;
+  };
+
+  Locators MakeBoth(Mesh shape) const
+  {
+    const Mesh mesh = shape.Map(Snapped);
+    return { MakeLocator(MakeGrid(mesh)),
+      MakeLocator(MakeGrid(Transformed(mesh, 1, this->Offset))) };
+  }
+
   const Point Offset = { std::ldexp(1.0, 30), -std::ldexp(1.0, 30), std::ldexp(3.0, 28) };
 };
 
@@ -127,17 +133,13 @@ TEST_F(FarOff, ClosestPointsAreTheSame)
   for (const auto& shape : Shapes())
   {
     SCOPED_TRACE(shape.first);
-    const Mesh mesh = shape.second().Map(Snapped);
-    const auto home = MakeGrid(mesh);
-    const auto moved = MakeGrid(Transformed(mesh, 1, this->Offset));
-    const auto atHome = MakeLocator(home);
-    const auto away = MakeLocator(moved);
+    const Locators locators = this->MakeBoth(shape.second());
     Random random(173);
     for (int i = 0; i < 100; ++i)
     {
       const Point x = Snapped(random.InBox({ -2, 4, -2, 4, -2, 4 }));
-      const Closest c = FindClosest(atHome, x);
-      const Closest m = FindClosest(away, x + this->Offset);
+      const Closest c = FindClosest(locators.AtHome, x);
+      const Closest m = FindClosest(locators.Away, x + this->Offset);
       ASSERT_NEAR(std::sqrt(m.Dist2), std::sqrt(c.Dist2), 1e-6);
       ASSERT_LE(Distance(m.X - this->Offset, c.X), 1e-5);
     }
@@ -153,19 +155,15 @@ TEST_F(FarOff, HitsAreTheSame)
       continue; // a line hits these within rounding, which is larger there
     }
     SCOPED_TRACE(shape.first);
-    const Mesh mesh = shape.second().Map(Snapped);
-    const auto home = MakeGrid(mesh);
-    const auto moved = MakeGrid(Transformed(mesh, 1, this->Offset));
-    const auto atHome = MakeLocator(home);
-    const auto away = MakeLocator(moved);
+    const Locators locators = this->MakeBoth(shape.second());
     Random random(174);
     vtkNew<vtkGenericCell> cell;
     for (int i = 0; i < 200; ++i)
     {
       const Point x = Snapped(random.InBox({ -2, 4, -2, 4, -2, 4 }));
       const Point y = Snapped(random.InBox({ -2, 4, -2, 4, -2, 4 }));
-      const LineHits h = FindAllHits(atHome, x, y, 0.0, cell);
-      const LineHits m = FindAllHits(away, x + this->Offset, y + this->Offset, 0.0, cell);
+      const LineHits h = FindAllHits(locators.AtHome, x, y, 0.0, cell);
+      const LineHits m = FindAllHits(locators.Away, x + this->Offset, y + this->Offset, 0.0, cell);
       ASSERT_EQ(Sorted(m.Cells), Sorted(h.Cells)) << "exact signs do not feel the offset";
     }
   }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // IntersectWithLine, the three forms that return all hits; FindCellsAlongLine.
 
-#include "Support/BruteForce.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 #include "Support/SegmentReference.h"
 
 #include <gtest/gtest.h>
@@ -16,24 +14,9 @@ using namespace skdtest;
 namespace
 {
 
-class AllHitsOnMesh : public testing::TestWithParam<NamedMesh>
+class AllHitsOnMesh : public LocatorOnMesh
 {
 protected:
-  AllHitsOnMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
-  std::array<Point, 2> Line(Random& random)
-  {
-    const Bounds& box = this->Reference.GetBounds();
-    const Point through = random.InBox(box);
-    const Point along = 2.0 * Diagonal(box) * random.Direction();
-    return { through - along, through + along };
-  }
-
   /// Where each box, grown by tol, is entered.
   std::vector<BruteForce::Hit> Entries(const std::array<Point, 2>& line, double tol)
   {
@@ -68,10 +51,6 @@ protected:
     EXPECT_TRUE(std::includes(found.begin(), found.end(), sure.begin(), sure.end()));
     EXPECT_TRUE(std::includes(possible.begin(), possible.end(), found.begin(), found.end()));
   }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
   vtkNew<vtkGenericCell> Cell;
 };
 

@@ -7,6 +7,7 @@
 #include "Support/PaperArrays.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
+#include "Support/WatchedBuild.h"
 
 #include <gtest/gtest.h>
 
@@ -113,12 +114,9 @@ TEST(BadInput, OnlyCellsThatAreNotFiniteFindNothing)
     [](const Point& p) {
       return Point{ NaN, p[1], p[2] };
     }));
-  const auto locator = LocatorPointer::New();
-  locator->SetDataSet(data);
-  EventCounter events(locator);
-  locator->BuildLocator();
-  EXPECT_EQ(events.Warnings, 1);
-  ExpectNothingFound(locator);
+  const WatchedBuild build(data);
+  EXPECT_EQ(build.Events.Warnings, 1);
+  ExpectNothingFound(build.Locator);
 }
 
 TEST(BadInput, PolygonsOfNoPointsAreLeftOut)
@@ -142,16 +140,12 @@ TEST_P(CellsNotFinite, AreLeftOutWithOneWarningThatCountsThem)
 {
   Mesh mesh = Sheet(4, VTK_QUAD);
   mesh.Points[6][2] = GetParam(); // an inner point of four cells
-  const auto data = MakePolyData(mesh);
-  const auto locator = LocatorPointer::New();
-  locator->SetDataSet(data);
-  EventCounter events(locator);
-  locator->BuildLocator();
-  EXPECT_EQ(events.Errors, 0);
-  EXPECT_EQ(events.Warnings, 1);
-  EXPECT_NE(events.Warning.find("4"), std::string::npos) << events.Warning;
-  EXPECT_EQ(locator->GetNumberOfCellsInTree(), 12);
-  EXPECT_EQ(locator->GetNumberOfCellsLeftOut(), 4);
+  const WatchedBuild build(MakePolyData(mesh));
+  EXPECT_EQ(build.Events.Errors, 0);
+  EXPECT_EQ(build.Events.Warnings, 1);
+  EXPECT_NE(build.Events.Warning.find("4"), std::string::npos) << build.Events.Warning;
+  EXPECT_EQ(build.Locator->GetNumberOfCellsInTree(), 12);
+  EXPECT_EQ(build.Locator->GetNumberOfCellsLeftOut(), 4);
 }
 
 TEST_P(CellsNotFinite, DoNotDisturbTheOthers)
@@ -159,17 +153,14 @@ TEST_P(CellsNotFinite, DoNotDisturbTheOthers)
   Mesh mesh = Sheet(4, VTK_QUAD);
   mesh.Points[6][0] = GetParam();
   const auto data = MakePolyData(mesh);
-  const auto locator = LocatorPointer::New();
-  locator->SetDataSet(data);
-  EventCounter events(locator);
-  locator->BuildLocator();
-  EXPECT_EQ(FindClosest(locator, { 3.5, 3.5, 2 }).Cell, 15);
-  EXPECT_EQ(FindClosest(locator, { 3.5, 3.5, 2 }).Dist2, 4.0);
-  EXPECT_EQ(FindFirstHit(locator, { 3.5, 3.5, 2 }, { 3.5, 3.5, -2 }).Cell, 15);
-  EXPECT_EQ(FindFirstHit(locator, { 0.5, 0.5, 2 }, { 0.5, 0.5, -2 }).Found, 0);
-  EXPECT_EQ(FindCell(locator, { 2.5, 0.5, 0 }).Cell, 2);
+  const WatchedBuild build(data);
+  EXPECT_EQ(FindClosest(build.Locator, { 3.5, 3.5, 2 }).Cell, 15);
+  EXPECT_EQ(FindClosest(build.Locator, { 3.5, 3.5, 2 }).Dist2, 4.0);
+  EXPECT_EQ(FindFirstHit(build.Locator, { 3.5, 3.5, 2 }, { 3.5, 3.5, -2 }).Cell, 15);
+  EXPECT_EQ(FindFirstHit(build.Locator, { 0.5, 0.5, 2 }, { 0.5, 0.5, -2 }).Found, 0);
+  EXPECT_EQ(FindCell(build.Locator, { 2.5, 0.5, 0 }).Cell, 2);
   Point inBadCell = { 0.5, 0.5, 0 };
-  EXPECT_FALSE(locator->InsideCellBounds(inBadCell.data(), 0));
+  EXPECT_FALSE(build.Locator->InsideCellBounds(inBadCell.data(), 0));
 }
 
 TEST_P(CellsNotFinite, OfEveryKindAreLeftOut)
@@ -179,13 +170,10 @@ TEST_P(CellsNotFinite, OfEveryKindAreLeftOut)
   {
     mesh.Points[0][1] = GetParam();
     const auto data = MakeGrid(mesh);
-    const auto locator = LocatorPointer::New();
-    locator->SetDataSet(data);
-    EventCounter events(locator);
-    locator->BuildLocator();
-    EXPECT_EQ(events.Warnings, 1);
-    EXPECT_GT(locator->GetNumberOfCellsLeftOut(), 0);
-    EXPECT_EQ(locator->GetNumberOfCellsLeftOut() + locator->GetNumberOfCellsInTree(),
+    const WatchedBuild build(data);
+    EXPECT_EQ(build.Events.Warnings, 1);
+    EXPECT_GT(build.Locator->GetNumberOfCellsLeftOut(), 0);
+    EXPECT_EQ(build.Locator->GetNumberOfCellsLeftOut() + build.Locator->GetNumberOfCellsInTree(),
       data->GetNumberOfCells());
   }
 }
@@ -194,14 +182,10 @@ TEST(BadInput, UnusedPointsThatAreNotFiniteDoNotMatter)
 {
   Mesh mesh = Sheet(2, VTK_QUAD);
   mesh.Add(Point{ NaN, Infinity, 0 });
-  const auto data = MakePolyData(mesh);
-  const auto locator = LocatorPointer::New();
-  locator->SetDataSet(data);
-  EventCounter events(locator);
-  locator->BuildLocator();
-  EXPECT_EQ(events.Warnings, 0);
-  EXPECT_EQ(locator->GetNumberOfCellsInTree(), 4);
-  EXPECT_EQ(FindClosest(locator, { 0.5, 0.5, 3 }).Dist2, 9.0);
+  const WatchedBuild build(MakePolyData(mesh));
+  EXPECT_EQ(build.Events.Warnings, 0);
+  EXPECT_EQ(build.Locator->GetNumberOfCellsInTree(), 4);
+  EXPECT_EQ(FindClosest(build.Locator, { 0.5, 0.5, 3 }).Dist2, 9.0);
 }
 
 TEST(BadInput, CellsOfUnknownTypeAreLeftOut)

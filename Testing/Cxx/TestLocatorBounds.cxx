@@ -3,9 +3,7 @@
 // Queries of the cells' bounds: FindCellsWithinBounds, FindCellsAlongPlane, InsideCellBounds.
 // (FindCellsAlongLine is tested with the all-hits forms of IntersectWithLine.)
 
-#include "Support/BruteForce.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +12,9 @@ using namespace skdtest;
 namespace
 {
 
-class BoundsOfMesh : public testing::TestWithParam<NamedMesh>
+class BoundsOfMesh : public LocatorOnMesh
 {
 protected:
-  BoundsOfMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
   Bounds RandomBox(Random& random, double size)
   {
     const Bounds& whole = this->Reference.GetBounds();
@@ -54,10 +45,6 @@ protected:
     }
     return cells;
   }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
 };
 
 INSTANTIATE_TEST_SUITE_P(All, BoundsOfMesh, testing::ValuesIn(AllMeshes()), NameOfMesh());

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's raw queries: candidate ids, by safety boxes alone.
 
-#include "Support/BruteForce.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 #include "Support/PaperArrays.h"
 #include "Support/SegmentReference.h"
 
@@ -14,14 +13,11 @@ using namespace skdtest;
 namespace
 {
 
-class CandidatesOfMesh : public testing::TestWithParam<NamedMesh>
+class CandidatesOfMesh : public LocatorOnMesh
 {
 protected:
   CandidatesOfMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-    , Boxes(PaperArrays(this->Locator).BoxesOfCells(this->Data->GetNumberOfCells()))
+    : Boxes(PaperArrays(this->Locator).BoxesOfCells(this->Data->GetNumberOfCells()))
     , Slack(1e-13 * Scale(this->Reference.GetBounds()))
   {
   }
@@ -79,9 +75,6 @@ protected:
     }
   }
 
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
   std::vector<Bounds> Boxes;
   double Slack;
 };

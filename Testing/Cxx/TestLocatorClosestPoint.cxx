@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // FindClosestPoint and FindClosestPointWithinRadius in all their forms.
 
-#include "Support/BruteForce.h"
-#include "Support/LocatorCalls.h"
+#include "Support/LocatorOnMesh.h"
 #include "Support/LongCells.h"
-#include "Support/NamedMeshes.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
@@ -34,16 +32,9 @@ WithinRadius FindWithin(vtkSkdTreeCellLocator* locator, Point x, double radius)
   return w;
 }
 
-class ClosestPointOnMesh : public testing::TestWithParam<NamedMesh>
+class ClosestPointOnMesh : public LocatorOnMesh
 {
 protected:
-  ClosestPointOnMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
   /// Points near and far, on cells and off.
   std::vector<Point> Queries(int count)
   {
@@ -60,10 +51,6 @@ protected:
     queries.push_back({ box[1] + 1e3 * size, box[3], box[5] });
     return queries;
   }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ClosestPointOnMesh, testing::ValuesIn(AllMeshes()), NameOfMesh());

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // FindCell and FindCellWithHint.
 
-#include "Support/BruteForce.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -19,16 +17,9 @@ vtkIdType Lowest(const Ids& ids)
   return ids.empty() ? -1 : *std::min_element(ids.begin(), ids.end());
 }
 
-class FindCellOnMesh : public testing::TestWithParam<NamedMesh>
+class FindCellOnMesh : public LocatorOnMesh
 {
 protected:
-  FindCellOnMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
   std::vector<Point> Queries(int count, double grow)
   {
     Random random(60);
@@ -62,10 +53,6 @@ protected:
     }
     return points;
   }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
 };
 
 class FindCellInVolume : public FindCellOnMesh

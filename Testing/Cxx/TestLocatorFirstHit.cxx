@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // IntersectWithLine, the three forms that return the first hit.
 
-#include "Support/BruteForce.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 #include "Support/SegmentReference.h"
 
 #include <gtest/gtest.h>
@@ -14,28 +12,8 @@ using namespace skdtest;
 namespace
 {
 
-class FirstHitOnMesh : public testing::TestWithParam<NamedMesh>
+class FirstHitOnMesh : public LocatorOnMesh
 {
-protected:
-  FirstHitOnMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
-  /// A random segment through the bounds, both ends outside of them.
-  std::array<Point, 2> Line(Random& random)
-  {
-    const Bounds& box = this->Reference.GetBounds();
-    const Point through = random.InBox(box);
-    const Point along = 2.0 * Diagonal(box) * random.Direction();
-    return { through - along, through + along };
-  }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
 };
 
 INSTANTIATE_TEST_SUITE_P(

@@ -5,6 +5,7 @@
 #include "Support/EventCounter.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
+#include "Support/SameAnswers.h"
 #include "Support/VolumeMeshes.h"
 
 #include "vtkCellArray.h"
@@ -363,19 +364,7 @@ TEST_F(Lifecycle, LazyBuildGivesTheSameAnswers)
     lazy->SetDataSet(data);
     lazy->LazyBuildOn();
     lazy->BuildLocator();
-    Random random(120);
-    Bounds box;
-    data->GetBounds(box.data());
-    for (int i = 0; i < 40; ++i)
-    {
-      const Point x = random.InBox(Grown(box, 0.2));
-      const Point y = random.InBox(Grown(box, 0.2));
-      ASSERT_EQ(FindClosest(lazy, x), FindClosest(plain, x)) << mesh.Name;
-      ASSERT_EQ(FindFirstHit(lazy, x, y), FindFirstHit(plain, x, y)) << mesh.Name;
-      ASSERT_EQ(FindCell(lazy, x), FindCell(plain, x)) << mesh.Name;
-      ASSERT_EQ(FindAlongLine(lazy, x, y), FindAlongLine(plain, x, y)) << mesh.Name;
-      ASSERT_EQ(FindClosestCells(lazy, x, 5).Cells, FindClosestCells(plain, x, 5).Cells);
-    }
+    ExpectSameAnswers(lazy, plain, data, mesh.Name);
   }
 }
 

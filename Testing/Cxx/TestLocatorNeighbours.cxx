@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // FindClosestCells and FindCellsWithinRadius.
 
-#include "Support/BruteForce.h"
-#include "Support/LocatorCalls.h"
-#include "Support/NamedMeshes.h"
+#include "Support/LocatorOnMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -15,16 +13,9 @@ using namespace skdtest;
 namespace
 {
 
-class NeighboursOnMesh : public testing::TestWithParam<NamedMesh>
+class NeighboursOnMesh : public LocatorOnMesh
 {
 protected:
-  NeighboursOnMesh()
-    : Data(GetParam().Make())
-    , Locator(MakeLocator(this->Data))
-    , Reference(this->Data)
-  {
-  }
-
   std::vector<Point> Queries(int count)
   {
     Random random(80);
@@ -47,10 +38,6 @@ protected:
     std::sort(distances.begin(), distances.end());
     return distances;
   }
-
-  DataSetPointer Data;
-  LocatorPointer Locator;
-  BruteForce Reference;
 };
 
 INSTANTIATE_TEST_SUITE_P(All, NeighboursOnMesh, testing::ValuesIn(AllMeshes()), NameOfMesh());

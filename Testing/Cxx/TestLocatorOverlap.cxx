@@ -4,6 +4,7 @@
 
 #include "Support/NamedMeshes.h"
 #include "Support/PaperArrays.h"
+#include "Support/RigidMatrix.h"
 
 #include "vtkMatrix4x4.h"
 
@@ -64,21 +65,6 @@ Pairs AllPairs(vtkSkdTreeCellLocator* a, vtkSkdTreeCellLocator* b, const Point& 
     }
   }
   return pairs;
-}
-
-vtkSmartPointer<vtkMatrix4x4> TurnAndMove(const Point& shift)
-{
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  const Point columns[3] = { Rotated({ 1, 0, 0 }), Rotated({ 0, 1, 0 }), Rotated({ 0, 0, 1 }) };
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, columns[column][row]);
-    }
-    matrix->SetElement(row, 3, shift[row]);
-  }
-  return matrix;
 }
 
 class OverlapOfMeshes : public testing::TestWithParam<NamedMesh>
@@ -148,7 +134,7 @@ TEST_F(OverlapOfTwo, ATranslationMovesTheBoxes)
 TEST_F(OverlapOfTwo, TheSameMotionOfBothChangesNothing)
 {
   const Pairs expected = FindPairs(this->A, this->B).Found;
-  const auto motion = TurnAndMove({ 3, 1, -2 });
+  const auto motion = RigidMatrix({ 3, 1, -2 });
   this->A->SetTransform(motion);
   this->B->SetTransform(motion);
   const Pairs found = FindPairs(this->A, this->B).Found;
@@ -159,13 +145,13 @@ TEST_F(OverlapOfTwo, TheSameMotionOfBothChangesNothing)
 
 TEST_F(OverlapOfTwo, FarApartHasNoPairs)
 {
-  this->B->SetTransform(TurnAndMove({ 50, 0, 0 }));
+  this->B->SetTransform(RigidMatrix({ 50, 0, 0 }));
   EXPECT_EQ(FindPairs(this->A, this->B).Number, 0);
 }
 
 TEST_F(OverlapOfTwo, TurnedBoxesThatShareAPointAreAPair)
 {
-  const auto motion = TurnAndMove({ 0.5, 0.2, 0.1 });
+  const auto motion = RigidMatrix({ 0.5, 0.2, 0.1 });
   const auto boxesA = BoxesOf(this->A);
   const auto boxesB = BoxesOf(this->B);
   this->B->SetTransform(motion);

@@ -4,6 +4,7 @@
 
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
+#include "Support/SameAnswers.h"
 #include "Support/VolumeMeshes.h"
 
 #include "vtkSMPTools.h"
@@ -42,23 +43,6 @@ DataSetPointer Graded(Mesh mesh, double n)
 int RuleTakenFor(vtkDataSet* data)
 {
   return MakeLocatorBy(Locator::SPLIT_AUTOMATICALLY, data)->GetSplitRuleInUse();
-}
-
-void ExpectSameAnswers(Locator* a, Locator* b, vtkDataSet* data, const std::string& name)
-{
-  Random random(120);
-  Bounds box;
-  data->GetBounds(box.data());
-  for (int i = 0; i < 40; ++i)
-  {
-    const Point x = random.InBox(Grown(box, 0.2));
-    const Point y = random.InBox(Grown(box, 0.2));
-    ASSERT_EQ(FindClosest(a, x), FindClosest(b, x)) << name;
-    ASSERT_EQ(FindFirstHit(a, x, y), FindFirstHit(b, x, y)) << name;
-    ASSERT_EQ(FindCell(a, x), FindCell(b, x)) << name;
-    ASSERT_EQ(FindAlongLine(a, x, y), FindAlongLine(b, x, y)) << name;
-    ASSERT_EQ(FindClosestCells(a, x, 5).Cells, FindClosestCells(b, x, 5).Cells) << name;
-  }
 }
 
 TEST(SplitRule, AnswersDoNotDependOnIt)

@@ -6,6 +6,7 @@
 #include "Support/EventCounter.h"
 #include "Support/LocatorCalls.h"
 #include "Support/NamedMeshes.h"
+#include "Support/RigidMatrix.h"
 
 #include "vtkMatrix4x4.h"
 
@@ -21,21 +22,6 @@ const Point Shift = { 4, -2.5, 1 };
 Point Move(const Point& p)
 {
   return Rotated(p) + Shift;
-}
-
-vtkSmartPointer<vtkMatrix4x4> Motion()
-{
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  const Point columns[3] = { Rotated({ 1, 0, 0 }), Rotated({ 0, 1, 0 }), Rotated({ 0, 0, 1 }) };
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, columns[column][row]);
-    }
-    matrix->SetElement(row, 3, Shift[row]);
-  }
-  return matrix;
 }
 
 struct MovableMesh
@@ -66,7 +52,7 @@ protected:
     , Expected(MakeLocator(this->MovedData))
     , Reference(this->MovedData)
   {
-    this->Locator->SetTransform(Motion());
+    this->Locator->SetTransform(RigidMatrix(Shift));
   }
 
   Point Query(Random& random)
@@ -270,7 +256,7 @@ protected:
   /// Whether a change of one element of the identity is refused, with one error.
   bool IsRefused(int row, int column, double value)
   {
-    this->Locator->SetTransform(Motion());
+    this->Locator->SetTransform(RigidMatrix(Shift));
     EventCounter events(this->Locator);
     vtkNew<vtkMatrix4x4> matrix;
     matrix->SetElement(row, column, value);
@@ -292,7 +278,7 @@ TEST_F(Transform, OfNoneBringsTheSetBack)
 {
   const Point x = { 3, 2, 1 };
   const Closest before = FindClosest(this->Locator, x);
-  this->Locator->SetTransform(Motion());
+  this->Locator->SetTransform(RigidMatrix(Shift));
   EXPECT_NE(FindClosest(this->Locator, x).Dist2, before.Dist2);
   this->Locator->SetTransform(nullptr);
   EXPECT_EQ(this->Locator->GetTransform(), nullptr);
@@ -302,7 +288,7 @@ TEST_F(Transform, OfNoneBringsTheSetBack)
 TEST_F(Transform, DoesNotRebuildTheTree)
 {
   const vtkMTimeType built = this->Locator->GetBuildTime();
-  this->Locator->SetTransform(Motion());
+  this->Locator->SetTransform(RigidMatrix(Shift));
   this->Locator->BuildLocator();
   FindClosest(this->Locator, { 1, 2, 3 });
   EXPECT_EQ(this->Locator->GetBuildTime(), built);
@@ -310,7 +296,7 @@ TEST_F(Transform, DoesNotRebuildTheTree)
 
 TEST_F(Transform, IsCopied)
 {
-  const auto motion = Motion();
+  const auto motion = RigidMatrix(Shift);
   this->Locator->SetTransform(motion);
   const Closest before = FindClosest(this->Locator, { 1, 2, 3 });
   motion->SetElement(0, 3, 1000);
@@ -321,10 +307,10 @@ TEST_F(Transform, IsCopied)
 TEST_F(Transform, SetBeforeTheBuildIsUsed)
 {
   const auto locator = LocatorPointer::New();
-  locator->SetTransform(Motion());
+  locator->SetTransform(RigidMatrix(Shift));
   locator->SetDataSet(this->Data);
   locator->BuildLocator();
-  this->Locator->SetTransform(Motion());
+  this->Locator->SetTransform(RigidMatrix(Shift));
   EXPECT_EQ(FindClosest(locator, { 1, 2, 3 }), FindClosest(this->Locator, { 1, 2, 3 }));
 }
 

@@ -99,6 +99,40 @@ protected:
     return target + (3 * size / Distance(inside, target)) * (target - inside);
   }
 
+  /// A line through a target: from a point inside, out of the surface on both sides.
+  struct Line
+  {
+    Point Inside;
+    Point Beyond;
+    Point Opposite;
+  };
+
+  Line Draw(Random& random) const
+  {
+    const Point inside = this->Inside(random);
+    const Point target = this->Target(random);
+    const Point beyond = this->Beyond(inside, target);
+    return { inside, beyond, this->Beyond(beyond, target) };
+  }
+
+  /// The sum of `test(line)` of so many lines.
+  template <class Test>
+  int CountWrong(int seed, int lines, const Test& test) const
+  {
+    Random random(seed);
+    int wrong = 0;
+    for (int i = 0; i < lines; ++i)
+    {
+      wrong += test(this->Draw(random));
+    }
+    return wrong;
+  }
+
+  bool IsOdd(const Point& a, const Point& b) const
+  {
+    return this->Locator->CountCrossings(a.data(), b.data()) % 2 != 0;
+  }
+
   Mesh Surface;
   PolyDataPointer Data;
   LocatorPointer Locator;
@@ -109,44 +143,27 @@ INSTANTIATE_TEST_SUITE_P(Closed, Watertight, testing::ValuesIn(ClosedSurfaces())
 
 TEST_P(Watertight, NoLineFromInsideGetsOut)
 {
-  Random random(51);
-  int lost = 0;
-  for (int i = 0; i < 20000; ++i)
-  {
-    const Point inside = this->Inside(random);
-    const Point beyond = this->Beyond(inside, this->Target(random));
-    lost += FindFirstHit(this->Locator, inside, beyond).Found == 0;
-    lost += FindFirstHit(this->Locator, beyond, inside).Found == 0;
-  }
+  const int lost = this->CountWrong(51, 20000,
+    [&](const Line& line)
+    {
+      return (FindFirstHit(this->Locator, line.Inside, line.Beyond).Found == 0) +
+        (FindFirstHit(this->Locator, line.Beyond, line.Inside).Found == 0);
+    });
   EXPECT_EQ(lost, 0);
 }
 
 TEST_P(Watertight, BetweenInsideAndOutsideTheCrossingsAreOdd)
 {
-  Random random(52);
-  int wrong = 0;
-  for (int i = 0; i < 20000; ++i)
-  {
-    const Point inside = this->Inside(random);
-    const Point beyond = this->Beyond(inside, this->Target(random));
-    wrong += this->Locator->CountCrossings(inside.data(), beyond.data()) % 2 != 1;
-  }
+  const int wrong = this->CountWrong(
+    52, 20000, [&](const Line& line) { return !this->IsOdd(line.Inside, line.Beyond); });
   EXPECT_EQ(wrong, 0);
 }
 
 TEST_P(Watertight, BetweenOutsideAndOutsideTheCrossingsAreEven)
 {
-  Random random(53);
-  int wrong = 0;
-  for (int i = 0; i < 20000; ++i)
-  {
-    const Point inside = this->Inside(random);
-    const Point target = this->Target(random);
-    const Point beyond = this->Beyond(inside, target);
-    const Point opposite = this->Beyond(beyond, target);
-    wrong += this->Locator->CountCrossings(beyond.data(), opposite.data()) % 2 != 0;
-    wrong += this->Locator->CountCrossings(opposite.data(), beyond.data()) % 2 != 0;
-  }
+  const int wrong = this->CountWrong(53, 20000,
+    [&](const Line& line)
+    { return this->IsOdd(line.Beyond, line.Opposite) + this->IsOdd(line.Opposite, line.Beyond); });
   EXPECT_EQ(wrong, 0);
 }
 
@@ -158,7 +175,7 @@ TEST_P(Watertight, BetweenInsideAndInsideTheCrossingsAreEven)
   {
     const Point a = this->Inside(random);
     const Point b = this->Inside(random);
-    wrong += this->Locator->CountCrossings(a.data(), b.data()) % 2 != 0;
+    wrong += this->IsOdd(a, b);
   }
   EXPECT_EQ(wrong, 0);
 }
@@ -177,7 +194,7 @@ TEST_P(Watertight, GrazingLinesCrossEvenTimes)
       const double far = 3 * (bounds[1] - bounds[0] + bounds[3] - bounds[2]) / Length(along);
       const Point p1 = from - far * along;
       const Point p2 = from + far * along;
-      wrong += this->Locator->CountCrossings(p1.data(), p2.data()) % 2 != 0;
+      wrong += this->IsOdd(p1, p2);
     }
   }
   EXPECT_EQ(wrong, 0);
@@ -188,12 +205,10 @@ TEST_P(Watertight, CountCrossingsCountsThePassingCrossings)
   Random random(56);
   for (int i = 0; i < 1000; ++i)
   {
-    const Point inside = this->Inside(random);
-    const Point target = this->Target(random);
-    const Point beyond = this->Beyond(inside, target);
-    const Point opposite = this->Beyond(beyond, target);
-    const Crossings c = FindCrossings(this->Locator, opposite, beyond);
-    ASSERT_EQ(c.NumberPassing(), this->Locator->CountCrossings(opposite.data(), beyond.data()));
+    const Line line = this->Draw(random);
+    const Crossings c = FindCrossings(this->Locator, line.Opposite, line.Beyond);
+    ASSERT_EQ(
+      c.NumberPassing(), this->Locator->CountCrossings(line.Opposite.data(), line.Beyond.data()));
   }
 }
 
@@ -205,11 +220,8 @@ TEST_P(Watertight, CrossingsAreSortedAndTheirCellsAscend)
       this->Data->GetBounds()[3], this->Data->GetBounds()[4], this->Data->GetBounds()[5] });
   for (int i = 0; i < 1000; ++i)
   {
-    const Point inside = this->Inside(random);
-    const Point target = this->Target(random);
-    const Point beyond = this->Beyond(inside, target);
-    const Point opposite = this->Beyond(beyond, target);
-    const Crossings c = FindCrossings(this->Locator, opposite, beyond);
+    const Line line = this->Draw(random);
+    const Crossings c = FindCrossings(this->Locator, line.Opposite, line.Beyond);
     ASSERT_EQ(c.Parameters.size(), std::size_t(c.Number));
     ASSERT_EQ(c.Points.size(), std::size_t(c.Number));
     ASSERT_EQ(c.Cells.size(), std::size_t(c.Number));
@@ -219,7 +231,7 @@ TEST_P(Watertight, CrossingsAreSortedAndTheirCellsAscend)
     {
       ASSERT_FALSE(c.Cells[k].empty());
       ASSERT_TRUE(std::is_sorted(c.Cells[k].begin(), c.Cells[k].end()));
-      const Point expected = Lerp(opposite, beyond, c.Parameters[k]);
+      const Point expected = Lerp(line.Opposite, line.Beyond, c.Parameters[k]);
       ASSERT_LE(Distance(c.Points[k], expected), 1e-9 * (size + Length(expected)));
     }
   }
@@ -231,16 +243,15 @@ TEST_P(Watertight, CellsOfAllCrossingsAreAllHits)
   vtkNew<vtkGenericCell> cell;
   for (int i = 0; i < 1000; ++i)
   {
-    const Point inside = this->Inside(random);
-    const Point beyond = this->Beyond(inside, this->Target(random));
+    const Line line = this->Draw(random);
     Ids crossed;
-    for (const Ids& cells : FindCrossings(this->Locator, inside, beyond).Cells)
+    for (const Ids& cells : FindCrossings(this->Locator, line.Inside, line.Beyond).Cells)
     {
       crossed.insert(crossed.end(), cells.begin(), cells.end());
     }
     std::sort(crossed.begin(), crossed.end());
     crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
-    Ids hit = FindAllHits(this->Locator, inside, beyond, 0.0, cell).Cells;
+    Ids hit = FindAllHits(this->Locator, line.Inside, line.Beyond, 0.0, cell).Cells;
     std::sort(hit.begin(), hit.end());
     ASSERT_EQ(crossed, hit) << "line " << i;
   }

@@ -6,6 +6,7 @@
 #include "Support/CellZoo.h"
 #include "Support/MeshRefinementRun.h"
 #include "Support/NamedMeshes.h"
+#include "Support/ProgressRises.h"
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOverlappingAMR.h"
@@ -451,22 +452,11 @@ TEST(MeshRefinementLimits, LevelsZeroAndThirty)
 TEST(MeshRefinementLimits, ProgressRisesAndAnAbortStopsIt)
 {
   RefinementPointer filter = MakeRefinement(MakeTorus(), MakePart(), 6);
-  {
-    ProgressWatch watch(filter);
-    filter->Update();
-    EXPECT_GT(watch.Seen.size(), 8u);
-    EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
-    EXPECT_EQ(watch.Seen.back(), 1.0);
-    filter->RemoveAllObservers();
-  }
+  ExpectProgressToRise(filter, 8);
   const double cells = Reported(filter, "Cells");
-  ProgressWatch watch(filter, 0.2);
   filter->Modified();
-  filter->Update();
-  filter->RemoveAllObservers();
+  AbortAt(filter, 0.2);
   EXPECT_LT(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), cells);
-  filter->SetAbortExecute(0);
-  filter->Modified();
   RunRefinement(filter);
   EXPECT_EQ(Reported(filter, "Cells"), cells);
 }

@@ -253,16 +253,10 @@ TEST(Probe, ProgressRisesAndAnAbortLeavesNone)
   auto input = MakeQueries(RandomQueries(source, 50000));
   ProbePointer probe = MakeProbe(input, source);
   probe->SetOutsidePoints(vtkSkdTreeProbe::NEAREST_CELL);
-  {
-    ProgressWatch watch(probe, 0.5);
-    probe->Update();
-    EXPECT_TRUE(std::is_sorted(watch.Seen.begin(), watch.Seen.end()));
-    probe->RemoveAllObservers();
-  }
+  const std::vector<double> progress = AbortAt(probe, 0.5);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   const std::vector<double> left = PointArray(probe->GetOutput(), "SkdValid");
   EXPECT_TRUE(left.empty() || std::count(left.begin(), left.end(), 0) > 0);
-  probe->SetAbortExecute(0);
-  probe->Modified();
   ProbeArray(probe, "SkdValid");
   EXPECT_EQ(Reported(probe, "PointsFound"), 50000);
 }

@@ -5,6 +5,7 @@
 #include "Support/BruteForce.h"
 #include "Support/EventCounter.h"
 #include "Support/FilterRun.h"
+#include "Support/MakeOf.h"
 #include "Support/SurfaceMeshes.h"
 
 #include "vtkCellData.h"
@@ -22,15 +23,8 @@ namespace
 {
 
 using Filter = vtkSkdTreeRays;
-using FilterPointer = vtkSmartPointer<Filter>;
 
-FilterPointer MakeFilter(vtkDataObject* input, vtkDataObject* source)
-{
-  auto filter = FilterPointer::New();
-  filter->SetInputDataObject(0, input);
-  filter->SetInputDataObject(1, source);
-  return filter;
-}
+constexpr auto MakeFilter = MakeOf<Filter>;
 
 std::vector<double> ValuesOf(Filter* filter, const char* name)
 {

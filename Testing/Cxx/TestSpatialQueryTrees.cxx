@@ -11,6 +11,17 @@ using namespace skdtest;
 namespace
 {
 
+/// The tree of the Input that a query has: another question builds none, another mesh one.
+void ExpectATreeForANewMeshOnly(vtkSkdTreeSpatialQuery* query)
+{
+  query->SetRelation(SpatialQuery::NEAREST);
+  query->Update();
+  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
+  query->SetInputDataObject(0, MakeBricks(1.0));
+  query->Update();
+  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
+}
+
 TEST(SpatialQuery, TreesAreKeptWhileMeshesAreTheSame)
 {
   DataSetPointer input = MakeBricks();
@@ -19,12 +30,7 @@ TEST(SpatialQuery, TreesAreKeptWhileMeshesAreTheSame)
   query->SetSourceData(MakeBricks(0.5));
   query->Update();
   EXPECT_EQ(Reported(query, "TreesBuilt"), 2);
-  query->SetRelation(SpatialQuery::NEAREST);
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
-  query->SetInputDataObject(0, MakeBricks(1.0));
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
+  ExpectATreeForANewMeshOnly(query);
 }
 
 TEST(SpatialQuery, AMeshThatIsAskedAboutOneShapeGetsItsTreeWhenItIsAskedAgain)
@@ -36,12 +42,7 @@ TEST(SpatialQuery, AMeshThatIsAskedAboutOneShapeGetsItsTreeWhenItIsAskedAgain)
   query->SetRelation(SpatialQuery::CONTAINMENT);
   query->Update();
   EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
-  query->SetRelation(SpatialQuery::NEAREST);
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 0);
-  query->SetInputDataObject(0, MakeBricks(1.0));
-  query->Update();
-  EXPECT_EQ(Reported(query, "TreesBuilt"), 1);
+  ExpectATreeForANewMeshOnly(query);
 }
 
 }

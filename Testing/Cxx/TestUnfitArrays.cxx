@@ -3,15 +3,13 @@
 // Arrays that are shorter or longer than the points or cells of their mesh: every filter warns of
 // them once and answers as without them.
 
+#include "Support/EachFilter.h"
 #include "Support/FilterRun.h"
-#include "Support/FilterZoo.h"
-#include "Support/QuietWindow.h"
+#include "Support/MessageCounter.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -21,32 +19,14 @@ using namespace skdtest;
 namespace
 {
 
-/// The warnings about such arrays.
-class ArraysCounter
+/// The messages about such arrays.
+class ArraysCounter : public MessageCounter
 {
 public:
   explicit ArraysCounter(vtkObject* watched)
+    : MessageCounter(watched, "Arrays that have not one tuple")
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(&ArraysCounter::Count);
-    watched->AddObserver(vtkCommand::WarningEvent, this->Command);
   }
-
-  int Messages = 0;
-  std::string Last;
-
-private:
-  static void Count(vtkObject*, unsigned long, void* self, void* text)
-  {
-    const std::string message = static_cast<const char*>(text);
-    if (message.find("Arrays that have not one tuple") != std::string::npos)
-    {
-      ++static_cast<ArraysCounter*>(self)->Messages;
-      static_cast<ArraysCounter*>(self)->Last = message;
-    }
-  }
-
-  vtkNew<vtkCallbackCommand> Command;
 };
 
 DataSetPointer MakeMesh(bool isVolume)
@@ -75,11 +55,8 @@ void AddUnfitArrays(vtkDataSet* mesh)
   }
 }
 
-class UnfitArrays : public testing::TestWithParam<std::size_t>
+class UnfitArrays : public EachFilter
 {
-protected:
-  const FilterSetup& Setup = AllFilterSetups()[GetParam()];
-  QuietWindow Quiet;
 };
 
 INSTANTIATE_TEST_SUITE_P(Filters, UnfitArrays,

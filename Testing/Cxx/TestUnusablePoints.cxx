@@ -6,10 +6,10 @@
 
 #include "Support/AMRRun.h"
 #include "Support/ClosestPointRun.h"
-#include "Support/FilterZoo.h"
+#include "Support/EachFilter.h"
 #include "Support/LocatorCalls.h"
+#include "Support/MessageCounter.h"
 #include "Support/ProbeRun.h"
-#include "Support/QuietWindow.h"
 #include "Support/StructuredMeshes.h"
 #include "Support/VolumeMeshes.h"
 
@@ -27,32 +27,14 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The warnings about such points.
-class PointsCounter
+/// The messages about such points.
+class PointsCounter : public MessageCounter
 {
 public:
   explicit PointsCounter(vtkObject* watched)
+    : MessageCounter(watched, "Points that are not finite")
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(&PointsCounter::Count);
-    watched->AddObserver(vtkCommand::WarningEvent, this->Command);
   }
-
-  int Messages = 0;
-  std::string Last;
-
-private:
-  static void Count(vtkObject*, unsigned long, void* self, void* text)
-  {
-    const std::string message = static_cast<const char*>(text);
-    if (message.find("Points that are not finite") != std::string::npos)
-    {
-      ++static_cast<PointsCounter*>(self)->Messages;
-      static_cast<PointsCounter*>(self)->Last = message;
-    }
-  }
-
-  vtkNew<vtkCallbackCommand> Command;
 };
 
 enum class Kind
@@ -86,11 +68,8 @@ DataSetPointer MakeMesh(Kind kind, double bad)
                               : DataSetPointer(WithData(MakePolyData(mesh)));
 }
 
-class UnusablePoints : public testing::TestWithParam<std::size_t>
+class UnusablePoints : public EachFilter
 {
-protected:
-  const FilterSetup& Setup = AllFilterSetups()[GetParam()];
-  QuietWindow Quiet;
 };
 
 INSTANTIATE_TEST_SUITE_P(Filters, UnusablePoints,

@@ -115,12 +115,7 @@ def test_the_cell_limit_stops_it():
 
 
 def test_the_tree_is_kept():
-    amr = scene()
-    amr.UpdatePipeline()
-    assert skdtesting.report(amr, "TreesBuilt") == 1
-    amr.MaximumLevel = 4
-    amr.UpdatePipeline()
-    assert skdtesting.report(amr, "TreesBuilt") == 0
+    skdtesting.assert_trees_are_kept(scene(), 1, MaximumLevel=4)
 
 
 skdtesting.run_tests(globals())

@@ -114,12 +114,7 @@ def test_composite_curves():
 
 
 def test_the_trees_are_kept():
-    crossing = scene()
-    crossing.UpdatePipeline()
-    assert skdtesting.report(crossing, "TreesBuilt") == 2
-    crossing.Clearance = 2
-    crossing.UpdatePipeline()
-    assert skdtesting.report(crossing, "TreesBuilt") == 0
+    skdtesting.assert_trees_are_kept(scene(), 2, Clearance=2)
 
 
 skdtesting.run_tests(globals())

@@ -7,9 +7,6 @@ the processes; with the name of a file and partitions it is one of them, and wri
 differs."""
 
 import json
-import os
-import shutil
-import sys
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -21,7 +18,6 @@ except ImportError:
 
 import skdcases
 import skdpieces
-import skdtesting
 
 # Cases whose Source stays in its pieces; the others gather.
 EXCHANGED = {"closest", "closest data", "closest of both", "closest signed", "inside",
@@ -141,21 +137,11 @@ def write(file, partitions):
         json.dump(found, output)
 
 
-def check(file, processes):
+def check(file, processes, _partitions):
     for rank in range(processes):
         with open(file % rank, encoding="utf-8") as found:
             different = json.load(found)
         assert not different, (rank, processes, different)
 
 
-if len(sys.argv) > 1:
-    file, *partitions = sys.argv[1].split("|")
-    write(file % skdpieces.process()[0], partitions)
-elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
-    skdtesting.skip("there is no mpiexec or no pvbatch")
-else:
-    for processes, partitions in RUNS.items():
-        file = skdtesting.temporary(f"exchange_of_{processes}_%d.json")
-        skdtesting.run_in_parallel(
-            os.path.abspath(__file__), "|".join((file, *partitions)), processes)
-        check(file, processes)
+skdpieces.run(__file__, RUNS, "exchange_%d.json", write, check)

@@ -5,10 +5,6 @@ filter, and for each way in which the pieces may lie. Run without an argument th
 processes; with the name of a file and partitions it is one of them, and writes its part of the
 answers there."""
 
-import os
-import shutil
-import sys
-
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -72,18 +68,10 @@ def check(whole, parts):
         numpy.testing.assert_allclose(first, second, rtol=1e-12, atol=1e-12, err_msg=name)
 
 
-if len(sys.argv) > 1:
-    file, *partitions = sys.argv[1].split("|")
-    rank, count = skdpieces.process()
-    write(file % rank, partitions)
-elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
-    skdtesting.skip("there is no mpiexec or no pvbatch")
-else:
-    for processes, partitions in RUNS.items():
-        whole = skdtesting.temporary("pieces_of_one.npz")
-        write(whole, partitions)
-        file = skdtesting.temporary(f"pieces_of_{processes}_%d.npz")
-        skdtesting.run_in_parallel(
-            os.path.abspath(__file__), "|".join((file, *partitions)), processes)
-        check(dict(numpy.load(whole)),
-            [dict(numpy.load(file % rank)) for rank in range(processes)])
+def check_pieces(file, processes, partitions):
+    whole = skdtesting.temporary("pieces_of_one.npz")
+    write(whole, partitions)
+    check(dict(numpy.load(whole)), [dict(numpy.load(file % rank)) for rank in range(processes)])
+
+
+skdpieces.run(__file__, RUNS, "pieces_%d.npz", write, check_pieces)

@@ -6,17 +6,12 @@ processes but for rounding. Run without an
 argument this starts the processes; with the name of a file and partitions it is one of them, and
 writes there in what they differ."""
 
-import os
-import shutil
-import sys
-
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_LAGRANGE_HEXAHEDRON
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 
 import skdpieces
-import skdtesting
 
 RUNS = {
     2: ("everywhere", "cuts, ghosts"),
@@ -258,21 +253,11 @@ def write(file, partitions):
         stream.write("\n".join(found))
 
 
-if len(sys.argv) > 1:
-    file, *partitions = sys.argv[1].split("|")
-    rank, count = skdpieces.process()
-    write(file % rank, partitions)
-elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
-    skdtesting.skip("there is no mpiexec or no pvbatch")
-else:
-    for processes, partitions in RUNS.items():
-        file = skdtesting.temporary(f"nearby_of_{processes}_%d.txt")
-        for rank in range(processes):
-            if os.path.exists(file % rank):
-                os.remove(file % rank)
-        skdtesting.run_in_parallel(
-            os.path.abspath(__file__), "|".join((file, *partitions)), processes)
-        for rank in range(processes):
-            with open(file % rank, encoding="utf-8") as stream:
-                found = stream.read()
-            assert not found, f"process {rank} of {processes}:\n{found}"
+def check(file, processes, _partitions):
+    for rank in range(processes):
+        with open(file % rank, encoding="utf-8") as stream:
+            found = stream.read()
+        assert not found, f"process {rank} of {processes}:\n{found}"
+
+
+skdpieces.run(__file__, RUNS, "nearby_%d.txt", write, check)

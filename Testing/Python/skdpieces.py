@@ -3,7 +3,12 @@
 """Meshes that lie in pieces on several processes, as a simulation leaves them: their source gives
 each process its own piece, whatever piece the pipeline asks for. In one process it gives all."""
 
+import os
+import shutil
+import sys
+
 import numpy
+import skdtesting
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkIdList
 from vtkmodules.vtkCommonDataModel import (VTK_LINE, vtkDataSetAttributes, vtkPolyData,
@@ -107,6 +112,26 @@ def process():
 
     module = servermanager.vtkProcessModule.GetProcessModule()
     return module.GetPartitionId(), module.GetNumberOfLocalPartitions()
+
+
+def run(script, runs, name, write, check):
+    """The main program of a test of several processes. For each number of processes in `runs`, and the
+    partitions there, starts itself in as many: each of these calls write(file, partitions) with a
+    file of its own. The process that has started them calls check(file, processes, partitions)."""
+    if len(sys.argv) > 1:
+        file, *partitions = sys.argv[1].split("|")
+        write(file % process()[0], partitions)
+    elif shutil.which("mpiexec") is None or shutil.which("pvbatch") is None:
+        skdtesting.skip("there is no mpiexec or no pvbatch")
+    else:
+        for processes, partitions in runs.items():
+            file = skdtesting.temporary(f"{processes}_{name}")
+            for rank in range(processes):
+                if os.path.exists(file % rank):
+                    os.remove(file % rank)
+            skdtesting.run_in_parallel(
+                os.path.abspath(script), "|".join((file, *partitions)), processes)
+            check(file, processes, partitions)
 
 
 def points_of(mesh, cell):

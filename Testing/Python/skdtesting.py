@@ -49,6 +49,16 @@ def report(proxy, name):
     return proxy.FieldData["SkdReport" + name].GetRange()[0]
 
 
+def assert_trees_are_kept(proxy, trees, **change):
+    """A first update builds so many trees, and another property then none."""
+    proxy.UpdatePipeline()
+    assert report(proxy, "TreesBuilt") == trees
+    for name, value in change.items():
+        setattr(proxy, name, value)
+    proxy.UpdatePipeline()
+    assert report(proxy, "TreesBuilt") == 0
+
+
 def assert_same(first, second):
     """The same values, bit by bit."""
     numpy.testing.assert_array_equal(first, second)

@@ -4,6 +4,7 @@
 
 #include "Support/FilterRun.h"
 #include "Support/LocatorCalls.h"
+#include "Support/MakeOf.h"
 #include "Support/SurfaceMeshes.h"
 #include "Support/VolumeMeshes.h"
 
@@ -76,19 +77,6 @@ PolyDataPointer SomeSurface()
 GridPointer SomeVolumes()
 {
   return WithData(MakeGrid(Transformed(Hexahedra(2), 1.2, { 0.01, 0.02, 0.03 })));
-}
-
-/// A filter with an input and a Source.
-template <class Filter>
-vtkSmartPointer<Filter> MakeOf(vtkDataObject* input, vtkDataObject* source)
-{
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputDataObject(0, input);
-  if (source)
-  {
-    filter->SetInputDataObject(1, source);
-  }
-  return filter;
 }
 
 AlgorithmPointer MakeClosest(vtkDataObject* input, vtkDataObject* source, bool isSigned)

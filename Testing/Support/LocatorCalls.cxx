@@ -126,26 +126,34 @@ std::vector<double> ToVector(vtkDoubleArray* array)
     array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
 }
 
-Ranked FindClosestCells(vtkSkdTreeCellLocator* locator, const Point& x, int k)
+namespace
+{
+
+/// `find(ids, distances)` returns their number.
+template <class Find>
+Ranked FindRanked(const Find& find)
 {
   vtkNew<vtkIdList> ids;
   vtkNew<vtkDoubleArray> distances;
   Ranked r;
-  r.Number = locator->FindClosestCells(x.data(), k, ids, distances);
+  r.Number = find(ids, distances);
   r.Cells = ToVector(ids);
   r.Distances = ToVector(distances);
   return r;
 }
 
+}
+
+Ranked FindClosestCells(vtkSkdTreeCellLocator* locator, const Point& x, int k)
+{
+  return FindRanked([&](vtkIdList* ids, vtkDoubleArray* distances)
+    { return locator->FindClosestCells(x.data(), k, ids, distances); });
+}
+
 Ranked FindWithinRadius(vtkSkdTreeCellLocator* locator, const Point& x, double radius)
 {
-  vtkNew<vtkIdList> ids;
-  vtkNew<vtkDoubleArray> distances;
-  Ranked r;
-  r.Number = locator->FindCellsWithinRadius(x.data(), radius, ids, distances);
-  r.Cells = ToVector(ids);
-  r.Distances = ToVector(distances);
-  return r;
+  return FindRanked([&](vtkIdList* ids, vtkDoubleArray* distances)
+    { return locator->FindCellsWithinRadius(x.data(), radius, ids, distances); });
 }
 
 }
