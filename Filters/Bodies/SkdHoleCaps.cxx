@@ -34,6 +34,17 @@ std::vector<SkdHoleCaps::Edge> SkdHoleCaps::FindOpen(
             2 * forward > last - first ? Edge{ low, first->High } : Edge{ first->High, low });
         }
       });
+  // Where loops begin, and which they are where several meet, does not depend on ids.
+  const auto isBefore = [](const skd::Vector3& a, const skd::Vector3& b)
+  { return std::lexicographical_compare(a.X, a.X + 3, b.X, b.X + 3); };
+  std::sort(open.begin(), open.end(),
+    [&](const Edge& a, const Edge& b)
+    {
+      const skd::Vector3& from = this->Points[a.From];
+      const skd::Vector3& other = this->Points[b.From];
+      return isBefore(from, other) ||
+        (!isBefore(other, from) && isBefore(this->Points[a.To], this->Points[b.To]));
+    });
   return open;
 }
 

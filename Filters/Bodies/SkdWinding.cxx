@@ -7,6 +7,7 @@
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,26 @@ std::vector<Triangle> CornersOf(vtkPolyData* surface, const std::vector<bool>& i
   return triangles;
 }
 
+bool IsBefore(const skd::Vector3& a, const skd::Vector3& b)
+{
+  return std::lexicographical_compare(a.X, a.X + 3, b.X, b.X + 3);
+}
+
+// Which triangles are taken together, and sums, depend on their order. That of coordinates is the
+// same however triangles are numbered: on any number of processes.
+std::vector<Triangle> Sorted(std::vector<Triangle> triangles)
+{
+  for (Triangle& corners : triangles)
+  {
+    std::rotate(
+      corners.begin(), std::min_element(corners.begin(), corners.end(), IsBefore), corners.end());
+  }
+  std::sort(triangles.begin(), triangles.end(),
+    [](const Triangle& a, const Triangle& b)
+    { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), IsBefore); });
+  return triangles;
+}
+
 skd::Tree<3> TreeOf(const std::vector<Triangle>& triangles)
 {
   std::vector<skd::Box3> boxes(triangles.size());
@@ -44,7 +65,7 @@ skd::Tree<3> TreeOf(const std::vector<Triangle>& triangles)
 }
 
 SkdWinding::SkdWinding(vtkPolyData* triangles, const std::vector<bool>& isReversed)
-  : SkdWinding(CornersOf(triangles, isReversed))
+  : SkdWinding(Sorted(CornersOf(triangles, isReversed)))
 {
 }
 

@@ -113,9 +113,8 @@ def cases(partition):
         Input=ball, Scalars=["POINTS", "Elevation"], LowerThreshold=0.1, UpperThreshold=1.0)
     yield "signed, open", Case(
         simple.SkdTreeClosestPoint(Input=image, Source=half, SignedDistance=1), ["SkdDistance"])
-    # The confidence is of winding numbers by a tree, within its tolerance, and a tree of other ids.
     yield "inside of open", Case(
-        simple.SkdTreePointInOut(Input=other, Source=half), ["SkdInside"])
+        simple.SkdTreePointInOut(Input=other, Source=half), ["SkdInside", "SkdConfidence"])
     yield "nearest cells", Case(
         simple.SkdTreeSpatialQuery(Input=cells, Relation="Nearest", Shape="Sphere",
             SphereCenter=[0.2, 0.3, 0.4], SphereRadius=0, NumberOfNearestCells=50),
