@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSkdTreeRemap.h"
 
+#include "Exchange/SkdJoinedRows.h"
 #include "Pipeline/SkdArrayGather.h"
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
@@ -12,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
@@ -44,9 +46,29 @@ void AddName(vtkObject* self, std::set<std::string>& names, const char* name)
   }
 }
 
-void WriteAndWarn(SkdMeshRemap& remap, vtkSkdTreeRemap* self)
+/// Writes the file of weights, if one is wanted: `controller` has the processes that share it, or
+/// is nullptr.
+std::string WriteWeights(SkdMeshRemap& remap, vtkDataObject* input,
+  vtkMultiProcessController* controller, const skd::Processes* processes)
 {
-  const std::string problem = remap.WriteWeights();
+  if (!processes)
+  {
+    return remap.WriteWeights(nullptr);
+  }
+  const auto findRows = [&]() -> SkdTargetRows
+  {
+    const SkdJoinedRows rows = SkdJoinRows(input, controller);
+    return { rows.OfBlocks, rows.Number, SkdGridSizesOf(SkdBlocksOf(rows.Whole)), rows.Problem };
+  };
+  const auto gatherAt = [&](int process, const auto& own, const auto& take)
+  { SkdGatherAt(process, own, take, controller); };
+  const SkdWeightsSharers sharers{ *processes, controller->GetLocalProcessId(), findRows,
+    gatherAt };
+  return remap.WriteWeights(&sharers);
+}
+
+void Warn(const SkdMeshRemap& remap, const std::string& problem, vtkSkdTreeRemap* self)
+{
   if (!problem.empty())
   {
     vtkWarningWithObjectMacro(self, << problem);
@@ -198,11 +220,14 @@ int vtkSkdTreeRemap::RequestData(
   {
     SkdDropData(outputs);
   }
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  const bool hasAll = this->NeedsWhole(0);
+  const auto processes = hasAll ? nullptr : SkdProcessesOf(information);
   SkdRemapRequest request = this->Impl->MakeRequest(this);
-  request.Written.Name = SkdShare::Of(outputVector).NameOf(this->WeightsFileName);
-  const auto processes = this->NeedsWhole(0)
-    ? nullptr // this one has all
-    : SkdProcessesOf(outputVector->GetInformationObject(0));
+  if (!hasAll && !processes)
+  {
+    request.Written.Name = SkdShare::Of(outputVector).NameOf(this->WeightsFileName);
+  }
   SkdRemapPair pair(SkdBlocksOf(vtkDataObject::GetData(inputVector[1])), SkdBlocksOf(input),
     outputs, request, processes.get());
   SkdMeshRemap& remap = this->Impl->Remap;
@@ -216,7 +241,7 @@ int vtkSkdTreeRemap::RequestData(
   {
     remap.FillOverlaps(vtkDataObject::GetData(outputVector, 2));
   }
-  WriteAndWarn(remap, this);
+  Warn(remap, WriteWeights(remap, input, SkdControllerOf(information), processes.get()), this);
   remap.AddReport(watch.Lap(), output);
   pair.Finish();
   remap.End();

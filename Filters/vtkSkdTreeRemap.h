@@ -307,10 +307,10 @@ public:
    * smooth fields lose by it. On a sphere shortened gradients are along it.
    * CLIP_AND_ASSURED_SUM: gradients are as without a limiter. Results beyond the averages around
    * the source cells that they are made of are clipped, and what that takes from the integral over
-   * the block, or adds to it, is shared out among the results by the room that they have
+   * Input, or adds to it, is shared out among the results by the room that they have
    * (A. M. Bradley et al., SIAM J. Sci. Comput. 41, 2019). Sharper where fields jump. Gradients of
-   * source cells that are covered in part are limited as above, so that there is enough room. Of
-   * several processes each does so for its part of Input.
+   * source cells that are covered in part are limited as above, so that there is enough room. All
+   * blocks, and the parts of all processes, are one in this.
    * With either results are within these bounds, and integrals are kept to rounding; where
    * MinimumCoverage leaves cells out bounds go before integrals. Vectors that are turned on a
    * sphere have limits of their components before they are turned, or none (CLIP_AND_ASSURED_SUM).
@@ -439,8 +439,8 @@ public:
    * remap_order of SCRIP is 1 or 2. The grid dimensions of structured grids are theirs, of other
    * meshes their number of cells. CDO applies the gradient's weights of sources with two
    * dimensions, and says that it cannot of others; NCO's ncremap leaves them out without a word.
-   * Of several processes each writes the weights of its part of Input, with its number before the
-   * file's extension. Needs a build with VTK's netCDF.
+   * Of several processes one writes the weights of all; cells count as in the joined pieces. Needs
+   * a build with VTK's netCDF.
    */
   void SetWeightsFileName(VTK_FILEPATH const char* name)
   {

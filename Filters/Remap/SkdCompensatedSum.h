@@ -3,7 +3,9 @@
 #ifndef SkdCompensatedSum_h
 #define SkdCompensatedSum_h
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace skdtree
 {
@@ -26,6 +28,18 @@ private:
   double Sum = 0.0;
   double Lost = 0.0;
 };
+
+/// The sum of what several processes have: the same on all of them, in whatever order they have it.
+inline double SkdSumOfProcesses(std::vector<double> numbers)
+{
+  std::sort(numbers.begin(), numbers.end());
+  SkdCompensatedSum sum;
+  for (const double number : numbers)
+  {
+    sum.Add(number);
+  }
+  return sum.Get();
+}
 }
 
 #endif

@@ -172,13 +172,12 @@ void SkdConservativeRemap::Finish(const Shares& shares, std::size_t target, Row&
 }
 
 // What the mean over what of a cell is covered is multiplied by.
-double SkdConservativeRemap::FactorOf(
-  const Shares& shares, std::size_t target, double covered) const
+double SkdConservativeRemap::FactorOf(bool isExtensive, std::size_t target, double covered) const
 {
   const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
-  return shares.Field.IsExtensive ? covered
-    : isWhole                     ? covered / this->Weights.GetTarget().Measures[target]
-                                  : 1.0;
+  return isExtensive ? covered
+    : isWhole        ? covered / this->Weights.GetTarget().Measures[target]
+                     : 1.0;
 }
 
 // On a sphere a gradient that has to be limited is limited as one along it: what it has across is
@@ -265,42 +264,65 @@ void SkdConservativeRemap::LimitUncovered(const SkdDonorField& density, int comp
   }
 }
 
+/// Calls visit(target, mean) for each cell that has a value, of the mean over what of it is
+/// covered.
+template <class Visit>
+void SkdConservativeRemap::VisitClipped(
+  const SkdRemappedField& mapped, std::size_t component, bool isExtensive, const Visit& visit) const
+{
+  for (std::size_t target = 0; target < mapped.Covered.size(); ++target)
+  {
+    const double covered = mapped.Covered[target];
+    const double value = mapped.Values[target * mapped.Integrals.size() + component];
+    if (covered > 0.0 && std::isfinite(value))
+    {
+      visit(target, value / this->FactorOf(isExtensive, target, covered));
+    }
+  }
+}
+
 // A. M. Bradley, P. A. Bosler, O. Guba, M. A. Taylor, G. A. Barnett, SIAM J. Sci. Comput. 41
 // (2019). First-order means are within the bounds and have the sum, so there is room for it.
-void SkdConservativeRemap::AssureSum(const Shares& shares, const std::vector<double>& covered,
-  const SkdCellRanges& ranges, std::size_t component, SkdRemappedField& mapped) const
+void SkdConservativeRemap::FindClipped(
+  const Shares& shares, std::size_t component, SkdRemappedField& mapped) const
 {
-  std::vector<double> means(covered.size()), rooms(covered.size(), 0.0);
-  SkdCellRanges bounds(covered.size(), { 0.0, 0.0 });
-  const auto valueOf = [&](std::size_t target) -> double&
-  { return mapped.Values[target * mapped.Integrals.size() + component]; };
-  SkdCompensatedSum lost, room;
-  for (std::size_t target = 0; target < covered.size(); ++target)
-  {
-    if (covered[target] > 0.0 && std::isfinite(valueOf(target)))
+  SkdCellRanges bounds(mapped.Covered.size(), { 0.0, 0.0 });
+  SkdCompensatedSum lost, below, above;
+  this->VisitClipped(mapped, component, shares.Field.IsExtensive,
+    [&](std::size_t target, double mean)
     {
-      const double mean = valueOf(target) / this->FactorOf(shares, target, covered[target]);
-      bounds[target] = RangeOf(shares, target, ranges);
-      means[target] = std::clamp(mean, bounds[target].Least, bounds[target].Greatest);
-      lost.Add(covered[target] * (mean - means[target]));
-    }
-  }
-  for (std::size_t target = 0; target < covered.size(); ++target)
+      const SkdCellRange range = RangeOf(shares, target, shares.Ranges[component]);
+      const double clipped = std::clamp(mean, range.Least, range.Greatest);
+      const double covered = mapped.Covered[target];
+      lost.Add(covered * (mean - clipped));
+      below.Add(covered * (range.Least - clipped));
+      above.Add(covered * (range.Greatest - clipped));
+      bounds[target] = range;
+    });
+  mapped.Bounds.push_back(std::move(bounds));
+  mapped.Clipped.push_back({ lost.Get(), below.Get(), above.Get() });
+}
+
+void SkdConservativeRemap::AssureSums(const SkdDonorField& field,
+  const std::vector<SkdClippedSum>& sums, SkdRemappedField& mapped) const
+{
+  for (std::size_t c = 0; c < mapped.Bounds.size(); ++c)
   {
-    rooms[target] = (lost.Get() > 0.0 ? bounds[target].Greatest : bounds[target].Least);
-    rooms[target] -= means[target];
-    room.Add(covered[target] * rooms[target]);
+    const bool isAdded = sums[c].Lost > 0.0;
+    const double room = isAdded ? sums[c].RoomAbove : sums[c].RoomBelow;
+    const double share = room != 0.0 ? std::min(1.0, sums[c].Lost / room) : 0.0;
+    this->VisitClipped(mapped, c, field.IsExtensive,
+      [&](std::size_t target, double mean)
+      {
+        const auto [least, greatest] = mapped.Bounds[c][target];
+        const double clipped = std::clamp(mean, least, greatest);
+        const double assured = clipped + share * ((isAdded ? greatest : least) - clipped);
+        mapped.Values[target * mapped.Integrals.size() + c] = std::clamp(assured, least, greatest) *
+          this->FactorOf(field.IsExtensive, target, mapped.Covered[target]);
+      });
   }
-  const double share = room.Get() != 0.0 ? std::min(1.0, lost.Get() / room.Get()) : 0.0;
-  for (std::size_t target = 0; target < covered.size(); ++target)
-  {
-    if (covered[target] > 0.0 && std::isfinite(valueOf(target)))
-    {
-      const double mean = std::clamp(
-        means[target] + share * rooms[target], bounds[target].Least, bounds[target].Greatest);
-      valueOf(target) = mean * this->FactorOf(shares, target, covered[target]);
-    }
-  }
+  this->AddTarget(field, mapped);
+  mapped.Bounds.clear();
 }
 
 /// What the source cells that a target's mean is made of, and those around them, are between.
@@ -328,7 +350,7 @@ SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
   SkdRemappedField mapped;
   mapped.Values.assign(n * components, vtkMath::Nan());
   mapped.Integrals.resize(components);
-  std::vector<double> covered(n, 0.0);
+  mapped.Covered.assign(n, 0.0);
   SkdForEach(n,
     [&](std::size_t target)
     {
@@ -336,14 +358,14 @@ SkdRemappedField SkdConservativeRemap::MapShares(const Shares& shares) const
       row.Tuple = mapped.Values.data() + target * components;
       this->MapRow(shares, target, row);
       this->Finish(shares, target, row);
-      covered[target] = row.Covered;
+      mapped.Covered[target] = row.Covered;
     });
-  const bool isAssured = shares.Limiter == SkdLimiter::ClipAndAssuredSum;
-  for (std::size_t c = 0; c < shares.Ranges.size() && isAssured; ++c)
+  const bool isClipped = shares.Limiter == SkdLimiter::ClipAndAssuredSum;
+  for (std::size_t c = 0; c < shares.Ranges.size() && isClipped; ++c)
   {
-    this->AssureSum(shares, covered, shares.Ranges[c], c, mapped);
+    this->FindClipped(shares, c, mapped);
   }
-  this->AddTarget(shares.Field, mapped, covered);
+  this->AddTarget(shares.Field, mapped);
   return mapped;
 }
 
@@ -415,9 +437,9 @@ void SkdConservativeRemap::AddDonor(const SkdDonorField& density,
   }
 }
 
-void SkdConservativeRemap::AddTarget(
-  const SkdDonorField& field, SkdRemappedField& mapped, const std::vector<double>& covered) const
+void SkdConservativeRemap::AddTarget(const SkdDonorField& field, SkdRemappedField& mapped) const
 {
+  const std::vector<double>& covered = mapped.Covered;
   const std::vector<double>& measures = this->Weights.GetTarget().Measures;
   const bool isWhole = this->Rules.Normalization == SkdNormalization::Whole;
   SkdCompensatedSum all, some;

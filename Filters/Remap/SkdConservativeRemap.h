@@ -51,10 +51,26 @@ struct SkdRemapIntegrals
   double GetError() const;
 };
 
+/// Of one component of a field whose results are clipped, for SkdLimiter::ClipAndAssuredSum: what
+/// that takes from its integral, and how much there is room for below and above.
+struct SkdClippedSum
+{
+  double Lost = 0.0;
+  double RoomBelow = 0.0; ///< not positive
+  double RoomAbove = 0.0;
+};
+
 struct SkdRemappedField
 {
   std::vector<double> Values; ///< of the target's cells, tuple by tuple; NaN where there is none
   std::vector<SkdRemapIntegrals> Integrals; ///< of each component
+  ///@{
+  /// Until AssureSums(): of each component that has to be clipped, the bounds of each cell and what
+  /// this target alone adds to the sums; and how much of the cells is covered by what counts.
+  std::vector<SkdCellRanges> Bounds;
+  std::vector<SkdClippedSum> Clipped;
+  std::vector<double> Covered;
+  ///@}
 };
 
 /// Maps fields by the overlaps of one target with one donor. Fields of cells are averages; with
@@ -74,8 +90,15 @@ public:
   /// A field of cells, of first order without `gradients`. First order keeps to the bounds of the
   /// donor's values where it is normalised by what is covered, and so does second order with a
   /// limiter. In parallel; the same to the last bit whatever the number of threads.
+  /// SkdLimiter::ClipAndAssuredSum needs AssureSums() after that.
   SkdRemappedField Map(
     const SkdDonorField& field, const SkdDonorGradients* gradients, SkdLimiter limiter) const;
+
+  /// Clips the results, and gives back what that takes from the integral over all parts of the
+  /// target: `sums` are those of `mapped.Clipped` over all of them, which may be on other
+  /// processes.
+  void AssureSums(const SkdDonorField& field, const std::vector<SkdClippedSum>& sums,
+    SkdRemappedField& mapped) const;
 
   /// A field of points, as the functions of the table make it, intensive; `points` are where they
   /// are.
@@ -96,9 +119,11 @@ private:
   void LimitUncovered(const SkdDonorField& density, int component,
     const SkdDonorGradients& gradients, const SkdCellRanges& ranges,
     std::vector<skd::Vector3>& slopes) const;
-  double FactorOf(const Shares& shares, std::size_t target, double covered) const;
-  void AssureSum(const Shares& shares, const std::vector<double>& covered,
-    const SkdCellRanges& ranges, std::size_t component, SkdRemappedField& mapped) const;
+  double FactorOf(bool isExtensive, std::size_t target, double covered) const;
+  void FindClipped(const Shares& shares, std::size_t component, SkdRemappedField& mapped) const;
+  template <class Visit>
+  void VisitClipped(const SkdRemappedField& mapped, std::size_t component, bool isExtensive,
+    const Visit& visit) const;
   static SkdCellRange RangeOf(
     const Shares& shares, std::size_t target, const SkdCellRanges& ranges);
   void TakePart(const Shares& shares, std::size_t target, vtkIdType donor, Row& row) const;
@@ -110,8 +135,7 @@ private:
   {
     return !this->OwnDonors || this->OwnDonors->empty() || (*this->OwnDonors)[donor] != 0;
   }
-  void AddTarget(
-    const SkdDonorField& field, SkdRemappedField& mapped, const std::vector<double>& covered) const;
+  void AddTarget(const SkdDonorField& field, SkdRemappedField& mapped) const;
 
   const SkdOverlapWeights& Weights;
   SkdOverlapSpace Space;

@@ -16,6 +16,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace skdtree
 {
@@ -128,6 +129,10 @@ void SkdMeshRemap::MapAll(const skd::Processes* processes)
   {
     this->Remapper.SumUpDonor();
   }
+  if (this->Request->IsConservative())
+  {
+    this->Remapper.AssureSums(processes);
+  }
 }
 
 void SkdMeshRemap::MapBlocks(double start)
@@ -226,14 +231,63 @@ void SkdMeshRemap::FillOverlaps(vtkDataObject* overlaps) const
 }
 
 //------------------------------------------------------------------------------
-std::string SkdMeshRemap::WriteWeights()
+// Of the blocks that have weights, one after another.
+std::vector<vtkIdType> SkdMeshRemap::RowsOf(const SkdTargetRows& rows) const
+{
+  std::vector<vtkIdType> all;
+  for (std::size_t block = 0; block < rows.OfBlocks.size(); ++block)
+  {
+    if (this->Remapper.GetWeights(block))
+    {
+      all.insert(all.end(), rows.OfBlocks[block].begin(), rows.OfBlocks[block].end());
+    }
+  }
+  return all;
+}
+
+// The first process that has weights writes: it has measured the donor.
+std::string SkdMeshRemap::WriteShares(const SkdWeightsFileSettings& file,
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsSharers& sharers) const
+{
+  const double none = std::numeric_limits<double>::max();
+  const double writer = sharers.Processes.LeastOf(blocks.empty() ? none : sharers.Rank);
+  if (writer == none)
+  {
+    const std::string problem = SkdWriteWeights(file, this->Pair->GetDonor(), {}, {}, nullptr);
+    return sharers.Rank == 0 ? problem : std::string();
+  }
+  const SkdTargetRows rows = sharers.FindRows();
+  SkdWeightsShare share;
+  share.IsWriter = sharers.Rank == static_cast<int>(writer);
+  if (!rows.Problem.empty())
+  {
+    return share.IsWriter ? "The file " + file.Name + " was not written: " + rows.Problem
+                          : std::string();
+  }
+  share.Rows = this->RowsOf(rows);
+  share.NumberOfRows = rows.Number;
+  const int corners = SkdCornersPerCell(this->Pair->GetTargets());
+  share.CornersPerCell = -static_cast<int>(sharers.Processes.LeastOf(-corners));
+  share.Gather = [&](const auto& own, const auto& take)
+  { sharers.GatherAt(static_cast<int>(writer), own, take); };
+  const std::string problem = SkdWriteWeights(file, this->Pair->GetDonor(), blocks,
+    { this->Pair->GetGrids().Source, rows.GridSizes }, &share);
+  return share.IsWriter ? problem : std::string();
+}
+
+std::string SkdMeshRemap::WriteWeights(const SkdWeightsSharers* sharers)
 {
   SkdWeightsFileSettings file = this->Request->Written;
+  if (file.Name.empty())
+  {
+    return "";
+  }
   file.Space = this->Settings.Overlap.Space;
   file.Normalization = this->Settings.Conservative.Normalization;
   file.WithGradients = this->Settings.IsSecondOrder && file.Format == SkdWeightsFormat::Scrip;
-  const bool isSame = file == this->Written && this->Remapper.GetFindings().WeightsFound == 0;
-  if (file.Name.empty() || isSame)
+  const auto isAny = [sharers](bool here)
+  { return sharers ? sharers->Processes.IsAny(here) : here; };
+  if (!isAny(!(file == this->Written) || this->Remapper.GetFindings().WeightsFound > 0))
   {
     return "";
   }
@@ -245,12 +299,15 @@ std::string SkdMeshRemap::WriteWeights()
       blocks.push_back({ this->Pair->GetTargets()[block].Mesh, weights });
     }
   }
-  const std::string problem =
-    SkdWriteWeights(file, this->Pair->GetDonor(), blocks, this->Pair->GetGrids());
-  this->Written = problem.empty() ? file : SkdWeightsFileSettings();
+  const std::string problem = sharers
+    ? this->WriteShares(file, blocks, *sharers)
+    : SkdWriteWeights(file, this->Pair->GetDonor(), blocks, this->Pair->GetGrids(), nullptr);
+  const bool isWritten = !isAny(!problem.empty());
+  this->Written = isWritten ? file : SkdWeightsFileSettings();
   const bool isLess = this->Settings.IsSecondOrder && !file.WithGradients;
-  return !problem.empty() || !isLess ? problem
-                                     : "The weights in " + file.Name +
+  const bool isTold = isWritten && isLess && (!sharers || sharers->Rank == 0);
+  return !isTold ? problem
+                 : "The weights in " + file.Name +
       " are of first order: ESMF's form has none of gradients. SCRIP's has.";
 }
 

@@ -11,11 +11,38 @@
 #include "Remap/SkdRemapPair.h"
 #include "Remap/SkdRemapProbe.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
 class vtkDataObject;
 class vtkTable;
 
 namespace skdtree
 {
+/// The cells of a target's blocks in the whole of which each process has a part.
+struct SkdTargetRows
+{
+  std::vector<std::vector<vtkIdType>> OfBlocks; ///< SkdWeightsShare::Rows
+  vtkIdType Number = 0;                         ///< of the whole
+  std::vector<int> GridSizes;                   ///< SkdGridSizesOf the whole
+  std::string Problem;                          ///< why there is no whole; else empty
+};
+
+/// Processes that write one file together.
+struct SkdWeightsSharers
+{
+  using Numbers = std::vector<double>;
+
+  const skd::Processes& Processes;
+  int Rank; ///< of this one
+  std::function<SkdTargetRows()> FindRows;
+  /// Calls take(numbers) on one process with those of all.
+  std::function<void(
+    int process, const Numbers& own, const std::function<void(const Numbers&)>& take)>
+    GatherAt;
+};
+
 /// Maps a donor's fields onto a target, whatever the request, and tells what it has done. What is
 /// made of the meshes alone is kept from run to run while these are unchanged.
 class SkdMeshRemap
@@ -33,9 +60,10 @@ public:
   void FillOverlaps(vtkDataObject* overlaps) const;
   ///@}
 
-  /// After Run(): writes the file of weights that is asked for, unless there it is. Returns what is
-  /// to be told, if anything.
-  std::string WriteWeights();
+  /// After Run(): writes the file of weights that is asked for, unless there it is. `sharers` are
+  /// all processes that have a part of the target, or nullptr: they must call it together, and one
+  /// of them writes. Returns what this one is to tell, if anything.
+  std::string WriteWeights(const SkdWeightsSharers* sharers);
 
   ///@{
   /// After Run(): what to warn of, arrays that were refused, and the report.
@@ -48,6 +76,9 @@ public:
   void End();
 
 private:
+  std::string WriteShares(const SkdWeightsFileSettings& file,
+    const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsSharers& sharers) const;
+  std::vector<vtkIdType> RowsOf(const SkdTargetRows& rows) const;
   void SetUp(const skd::Processes* processes);
   void Begin(bool hasOthers);
   void MapAll(const skd::Processes* processes);

@@ -44,14 +44,7 @@ Numbers Each(const std::vector<Numbers>& processes, std::size_t at)
 /// Added in the same order on all of them.
 double SumOf(const std::vector<Numbers>& processes, std::size_t at)
 {
-  Numbers numbers = Each(processes, at);
-  std::sort(numbers.begin(), numbers.end());
-  SkdCompensatedSum sum;
-  for (const double number : numbers)
-  {
-    sum.Add(number);
-  }
-  return sum.Get();
+  return SkdSumOfProcesses(Each(processes, at));
 }
 
 /// Of numbers that are the same on all processes but those that have no cells and do not know.

@@ -5,6 +5,7 @@
 #include "Pipeline/SkdJoinedIds.h"
 #include "Pipeline/SkdLonLat.h"
 #include "Pipeline/SkdMakeArray.h"
+#include "Remap/SkdCompensatedSum.h"
 #include "Remap/SkdContainedFields.h"
 #include "Remap/SkdLumpedPoints.h"
 #include "Remap/SkdMeshPoints.h"
@@ -69,6 +70,7 @@ void SkdRemapper::Begin(
   this->Algorithm = algorithm;
   this->Findings = SkdRemapFindings();
   this->HasWeights.clear();
+  this->Clipped.clear();
   SkdFieldProblems& problems = this->Findings.Fields;
   this->CellFields = SkdReadDonorFields(donor, vtkDataObject::CELL, settings.Fields, problems);
   this->PointFields = settings.WithPointFields
@@ -310,11 +312,37 @@ void SkdRemapper::Count(const SkdOverlapWeights& weights, bool isNew)
 }
 
 //------------------------------------------------------------------------------
-bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double first, double last)
+SkdConservativeRemap SkdRemapper::MakeRemap(std::size_t index) const
 {
-  const SkdOverlapWeights& weights = overlaps.GetWeights();
-  SkdConservativeRemap remap(weights, this->Settings.Overlap.Space, this->Settings.Conservative);
+  SkdConservativeRemap remap(
+    this->Overlaps[index].GetWeights(), this->Settings.Overlap.Space, this->Settings.Conservative);
   remap.SetOwnDonors(this->OwnDonors);
+  return remap;
+}
+
+std::vector<skd::Vector3> SkdRemapper::MiddlesForExtrapolation(vtkDataSet* block) const
+{
+  return this->Settings.Extrapolation.Method != SkdExtrapolationMethod::None
+    ? SkdMiddlesOf(block)
+    : std::vector<skd::Vector3>();
+}
+
+void SkdRemapper::AddConservative(vtkDataSet* block, const SkdOverlapCells& cells,
+  const std::vector<skd::Vector3>& middles, const SkdDonorField& field, SkdRemappedField& mapped)
+{
+  if (this->Settings.Extrapolation.Method != SkdExtrapolationMethod::None && !field.IsExtensive)
+  {
+    const std::vector<unsigned char> isWanted = this->FindUncovered(field, cells, mapped.Values);
+    this->Extrapolate(field, middles, isWanted, mapped.Values);
+  }
+  this->AddFields(block, { field }, { mapped.Values }, cells.Measures);
+  this->Findings.Tally.Add(field, mapped.Integrals);
+}
+
+bool SkdRemapper::MapFields(vtkDataSet* block, std::size_t index, double first, double last)
+{
+  SkdOverlapCache& overlaps = this->Overlaps[index];
+  const SkdConservativeRemap remap = this->MakeRemap(index);
   const SkdDonorGradients* gradients =
     this->Settings.IsSecondOrder ? &overlaps.GetGradients(this->Donor) : nullptr;
   const SkdOverlapPointTable* points = this->PointFields.empty()
@@ -322,19 +350,16 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double
     : overlaps.GetPointTable(this->Donor, block, this->Algorithm, first, last);
   const std::vector<skd::Vector3> positions =
     points ? SkdPointsOf(this->Donor) : std::vector<skd::Vector3>();
-  const bool extrapolates = this->Settings.Extrapolation.Method != SkdExtrapolationMethod::None;
-  const std::vector<skd::Vector3> middles =
-    extrapolates ? SkdMiddlesOf(block) : std::vector<skd::Vector3>();
+  const std::vector<skd::Vector3> middles = this->MiddlesForExtrapolation(block);
+  ClippedBlock clipped{ block, index, {} };
   const auto add = [&](const SkdDonorField& field, SkdRemappedField&& mapped)
   {
-    if (extrapolates && !field.IsExtensive)
+    if (this->IsSumAssured())
     {
-      const std::vector<unsigned char> isWanted =
-        this->FindUncovered(field, weights.GetTarget(), mapped.Values);
-      this->Extrapolate(field, middles, isWanted, mapped.Values);
+      clipped.Fields.emplace_back(&field, std::move(mapped));
+      return;
     }
-    this->AddFields(block, { field }, { mapped.Values }, weights.GetTarget().Measures);
-    this->Findings.Tally.Add(field, mapped.Integrals);
+    this->AddConservative(block, overlaps.GetWeights().GetTarget(), middles, field, mapped);
   };
   for (const SkdDonorField& field : this->CellFields)
   {
@@ -347,7 +372,88 @@ bool SkdRemapper::MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double
       add(field, remap.MapPoints(field, *points, positions));
     }
   }
+  if (!clipped.Fields.empty())
+  {
+    this->Clipped.push_back(std::move(clipped));
+  }
   return !SkdIsAborted(this->Algorithm);
+}
+
+//------------------------------------------------------------------------------
+// Of each component of each field of cells, one after another: over the blocks, then over the
+// processes. One that has read no fields has none of their sums.
+std::vector<SkdClippedSum> SkdRemapper::SumUpClipped(const skd::Processes* processes) const
+{
+  constexpr std::size_t count = 3;
+  std::vector<double> own;
+  for (std::size_t f = 0; f < this->CellFields.size(); ++f)
+  {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(this->CellFields[f].Components); ++c)
+    {
+      SkdCompensatedSum sums[count];
+      for (const ClippedBlock& block : this->Clipped)
+      {
+        const std::vector<SkdClippedSum>& some = block.Fields[f].second.Clipped;
+        const SkdClippedSum sum = c < some.size() ? some[c] : SkdClippedSum();
+        sums[0].Add(sum.Lost);
+        sums[1].Add(sum.RoomBelow);
+        sums[2].Add(sum.RoomAbove);
+      }
+      own.insert(own.end(), { sums[0].Get(), sums[1].Get(), sums[2].Get() });
+    }
+  }
+  std::vector<std::vector<double>> all;
+  if (processes)
+  {
+    all = processes->GatherFromOthers(own);
+  }
+  all.push_back(own);
+  std::vector<double> sums(own.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    std::vector<double> each;
+    for (const std::vector<double>& told : all)
+    {
+      each.push_back(i < told.size() ? told[i] : 0.0);
+    }
+    sums[i] = SkdSumOfProcesses(std::move(each));
+  }
+  std::vector<SkdClippedSum> clipped;
+  for (std::size_t i = 0; i < sums.size(); i += count)
+  {
+    clipped.push_back({ sums[i], sums[i + 1], sums[i + 2] });
+  }
+  return clipped;
+}
+
+void SkdRemapper::FinishClipped(const std::vector<SkdClippedSum>& sums)
+{
+  for (ClippedBlock& clipped : this->Clipped)
+  {
+    const SkdConservativeRemap remap = this->MakeRemap(clipped.Index);
+    const SkdOverlapCells& cells = this->Overlaps[clipped.Index].GetWeights().GetTarget();
+    const std::vector<skd::Vector3> middles = this->MiddlesForExtrapolation(clipped.Block);
+    auto first = sums.begin();
+    for (auto& [field, mapped] : clipped.Fields)
+    {
+      if (!field->IsOfPoints)
+      {
+        const auto last = first + field->Components;
+        remap.AssureSums(*field, std::vector<SkdClippedSum>(first, last), mapped);
+        first = last;
+      }
+      this->AddConservative(clipped.Block, cells, middles, *field, mapped);
+    }
+  }
+  this->Clipped.clear();
+}
+
+void SkdRemapper::AssureSums(const skd::Processes* processes)
+{
+  if (this->IsSumAssured())
+  {
+    this->FinishClipped(this->SumUpClipped(processes));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -379,7 +485,7 @@ bool SkdRemapper::MapConservative(vtkDataSet* block, std::size_t index, double f
   this->HasWeights[index] = true;
   this->Count(overlaps.GetWeights(), overlaps.IsNew());
   this->AddCoverage(block, overlaps.GetWeights());
-  return this->MapFields(block, overlaps, middle, last);
+  return this->MapFields(block, index, middle, last);
 }
 
 // Nothing else that is found by mapping onto nothing is of interest.
@@ -388,6 +494,7 @@ void SkdRemapper::SumUpDonor()
   SkdRemapFindings findings = this->Findings;
   const vtkNew<vtkUnstructuredGrid> nothing;
   this->MapConservative(nothing, 0, 0.0, 1.0);
+  this->FinishClipped(this->SumUpClipped(nullptr));
   this->HasWeights.clear();
   findings.Tally = this->Findings.Tally;
   this->Findings = std::move(findings);

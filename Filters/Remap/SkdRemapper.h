@@ -17,6 +17,8 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 class vtkTable;
 
@@ -63,6 +65,11 @@ public:
   bool MapConservative(vtkDataSet* block, std::size_t index, double first, double last);
   ///@}
 
+  /// After all blocks: where results are clipped and the sum is assured, adds the fields, with the
+  /// sums over all blocks and processes. All must call it together that map conservatively; it does
+  /// nothing else.
+  void AssureSums(const skd::Processes* processes);
+
   /// For a process without cells of the target: its own part in the integrals over the donor.
   void SumUpDonor();
 
@@ -90,6 +97,24 @@ private:
     std::unique_ptr<SkdContainedMean> Samples;
   };
 
+  /// A block whose fields wait for AssureSums().
+  struct ClippedBlock
+  {
+    vtkSmartPointer<vtkDataSet> Block;
+    std::size_t Index;
+    std::vector<std::pair<const SkdDonorField*, SkdRemappedField>> Fields;
+  };
+
+  bool IsSumAssured() const
+  {
+    return this->Settings.IsSecondOrder && this->Settings.Limiter == SkdLimiter::ClipAndAssuredSum;
+  }
+  SkdConservativeRemap MakeRemap(std::size_t index) const;
+  std::vector<SkdClippedSum> SumUpClipped(const skd::Processes* processes) const;
+  void FinishClipped(const std::vector<SkdClippedSum>& sums);
+  void AddConservative(vtkDataSet* block, const SkdOverlapCells& cells,
+    const std::vector<skd::Vector3>& middles, const SkdDonorField& field, SkdRemappedField& mapped);
+  std::vector<skd::Vector3> MiddlesForExtrapolation(vtkDataSet* block) const;
   const SkdContainedMean& SamplesOf(int type);
   void AddFields(vtkDataSet* block, const std::vector<SkdDonorField>& fields,
     const std::vector<std::vector<double>>& values, const std::vector<double>& measures);
@@ -106,7 +131,7 @@ private:
     const std::vector<double>& values);
   void AddValid(
     const std::vector<SkdBlock>& blocks, int type, const std::vector<unsigned char>& isMapped);
-  bool MapFields(vtkDataSet* block, SkdOverlapCache& overlaps, double first, double last);
+  bool MapFields(vtkDataSet* block, std::size_t index, double first, double last);
 
   vtkSmartPointer<vtkDataSet> Donor;
   std::vector<unsigned char> OwnDonors; // SkdOwnCellsOf
@@ -119,6 +144,7 @@ private:
   CachedSamples OfCells;
   std::deque<SkdOverlapCache> Overlaps; // one a block of the target
   std::vector<bool> HasWeights;
+  std::vector<ClippedBlock> Clipped;
   SkdFileWeights FileWeights; // kept while the file is the same
   long FileTime = 0;
 };

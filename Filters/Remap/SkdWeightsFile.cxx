@@ -19,7 +19,9 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <tuple>
+#include <type_traits>
 
 namespace skdtree
 {
@@ -73,6 +75,40 @@ struct Grid
 
   std::size_t Size() const { return this->Areas.size(); }
 
+  void Resize(std::size_t cells)
+  {
+    for (Numbers* numbers :
+      { &this->Centres[0], &this->Centres[1], &this->Centres[2], &this->Areas, &this->Fractions })
+    {
+      numbers->resize(cells);
+    }
+    this->Mask.resize(cells);
+    for (Numbers& corners : this->Corners)
+    {
+      corners.resize(cells * this->CornersPerCell);
+    }
+  }
+
+  /// A cell as numbers, and again: calls transfer(number) for each of them.
+  template <class Transfer>
+  void TransferCell(std::size_t cell, const Transfer& transfer)
+  {
+    for (Numbers& centres : this->Centres)
+    {
+      transfer(centres[cell]);
+    }
+    transfer(this->Areas[cell]);
+    transfer(this->Fractions[cell]);
+    transfer(this->Mask[cell]);
+    for (Numbers& corners : this->Corners)
+    {
+      for (std::size_t i = 0; i < this->CornersPerCell; ++i)
+      {
+        transfer(corners[cell * this->CornersPerCell + i]);
+      }
+    }
+  }
+
   /// Adds the cells of a mesh. Areas and centres are divided by powers of the radius.
   void Add(const SkdOverlapCells& cells, bool isOnSphere, double radius)
   {
@@ -119,9 +155,9 @@ struct Grid
   }
 };
 
-std::size_t CornersPerCellOf(vtkDataSet* mesh)
+int CornersPerCellOf(vtkDataSet* mesh)
 {
-  return static_cast<std::size_t>(std::max(mesh->GetMaxCellSize(), 1));
+  return std::max(mesh->GetMaxCellSize(), 1);
 }
 
 /// The matrix: an entry a row of the table.
@@ -131,6 +167,55 @@ struct Links
   std::vector<int> Columns;
   Numbers Weights; ///< so many an entry
   std::size_t WeightsPerLink = 1;
+  Numbers Measures; ///< of the overlaps, where they are wanted
+  bool WithMeasures = false;
+
+  std::size_t Size() const { return this->Rows.size(); }
+
+  /// An entry with its measure as numbers, and again: see Grid.
+  template <class Transfer>
+  void TransferLink(std::size_t link, const Transfer& transfer)
+  {
+    transfer(this->Rows[link]);
+    transfer(this->Columns[link]);
+    transfer(this->Measures[link]);
+    for (std::size_t i = 0; i < this->WeightsPerLink; ++i)
+    {
+      transfer(this->Weights[link * this->WeightsPerLink + i]);
+    }
+  }
+
+  void Resize(std::size_t links)
+  {
+    this->Rows.resize(links);
+    this->Columns.resize(links);
+    this->Measures.resize(links);
+    this->Weights.resize(links * this->WeightsPerLink);
+  }
+
+  /// By rows, in each by columns.
+  void Sort()
+  {
+    std::vector<std::size_t> order(this->Size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(),
+      [this](std::size_t a, std::size_t b) {
+        return std::tie(this->Rows[a], this->Columns[a]) <
+          std::tie(this->Rows[b], this->Columns[b]);
+      });
+    Links sorted;
+    sorted.WeightsPerLink = this->WeightsPerLink;
+    sorted.Resize(this->Size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      Numbers link;
+      this->TransferLink(order[i], [&link](const auto& number) { link.push_back(number); });
+      std::size_t at = 0;
+      sorted.TransferLink(
+        i, [&](auto& number) { number = static_cast<std::decay_t<decltype(number)>>(link[at++]); });
+    }
+    *this = std::move(sorted);
+  }
 
   /// The integral of (x - centroid) along the parallel and along the meridian, of the unit sphere.
   static std::array<double, 2> AlongAxes(const Vector3& moment, const Vector3& centroid)
@@ -153,6 +238,10 @@ struct Links
         this->Rows.push_back(static_cast<int>(firstRow + row + 1));
         this->Columns.push_back(static_cast<int>(column + 1));
         this->Weights.push_back(table.Measures[k] / by);
+        if (this->WithMeasures)
+        {
+          this->Measures.push_back(table.Measures[k]);
+        }
         if (this->WeightsPerLink == 3)
         {
           const auto [east, north] =
@@ -171,28 +260,36 @@ struct Weights
   Grid Source;
   Grid Target;
   Links Matrix;
+  double SourceUnit = 1.0; ///< areas of the source are measures times this
 };
 
+/// Those of a process. `corners`: a cell of the target has no more.
 Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids)
+  const std::vector<SkdWeightsBlock>& blocks, int corners, bool withMeasures)
 {
   const bool isOnSphere = settings.Space == SkdOverlapSpace::Sphere;
   Weights all;
   all.Matrix.WeightsPerLink = settings.WithGradients ? 3 : 1;
+  all.Matrix.WithMeasures = withMeasures;
+  all.Target.CornersPerCell = isOnSphere ? static_cast<std::size_t>(corners) : 0;
+  if (blocks.empty())
+  {
+    return all;
+  }
   SkdOverlapCells source = blocks.front().Weights->GetDonor();
   std::fill(source.Covered.begin(), source.Covered.end(), 0.0);
-  all.Source.CornersPerCell = isOnSphere ? CornersPerCellOf(donor) : 0;
+  all.Source.CornersPerCell = isOnSphere ? static_cast<std::size_t>(CornersPerCellOf(donor)) : 0;
   for (const SkdWeightsBlock& block : blocks)
   {
     all.Matrix.Add(*block.Weights, settings.Normalization, all.Target.Size());
     all.Target.Add(block.Weights->GetTarget(), isOnSphere, block.Weights->GetRadius());
-    all.Target.CornersPerCell =
-      std::max(all.Target.CornersPerCell, isOnSphere ? CornersPerCellOf(block.Target) : 0);
     const std::vector<double>& covered = block.Weights->GetDonor().Covered;
     std::transform(covered.begin(), covered.end(), source.Covered.begin(), source.Covered.begin(),
       std::plus<double>());
   }
-  all.Source.Add(source, isOnSphere, blocks.front().Weights->GetRadius());
+  const double radius = blocks.front().Weights->GetRadius();
+  all.SourceUnit = isOnSphere ? 1.0 / (radius * radius) : 1.0;
+  all.Source.Add(source, isOnSphere, radius);
   if (isOnSphere)
   {
     all.Source.AddCorners(donor);
@@ -201,9 +298,94 @@ Weights Gather(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
       all.Target.AddCorners(block.Target);
     }
   }
-  all.Source.SetSizes(grids.Source);
-  all.Target.SetSizes(grids.Target);
   return all;
+}
+
+//------------------------------------------------------------------------------
+/// What a process has of the whole: the number of cells, the cells and their rows, the entries.
+Numbers PackRows(Weights& own, const std::vector<vtkIdType>& rows)
+{
+  Numbers packed{ 0.0 };
+  const auto add = [&packed](const auto& number) { packed.push_back(number); };
+  const auto rowOf = [&rows](std::size_t cell)
+  { return cell < rows.size() ? rows[cell] : vtkIdType(-1); };
+  for (std::size_t cell = 0; cell < own.Target.Size(); ++cell)
+  {
+    if (rowOf(cell) >= 0)
+    {
+      packed.front() += 1.0;
+      packed.push_back(static_cast<double>(rowOf(cell)));
+      own.Target.TransferCell(cell, add);
+    }
+  }
+  for (std::size_t link = 0; link < own.Matrix.Size(); ++link)
+  {
+    const vtkIdType row = rowOf(static_cast<std::size_t>(own.Matrix.Rows[link]) - 1);
+    if (row >= 0)
+    {
+      own.Matrix.Rows[link] = static_cast<int>(row + 1);
+      own.Matrix.TransferLink(link, add);
+    }
+  }
+  return packed;
+}
+
+/// Returns the number of cells.
+std::size_t UnpackRows(const Numbers& packed, Weights& all)
+{
+  std::size_t at = 0;
+  const auto take = [&](auto& number)
+  { number = static_cast<std::decay_t<decltype(number)>>(packed[at++]); };
+  std::size_t cells = 0;
+  take(cells);
+  for (std::size_t i = 0; i < cells; ++i)
+  {
+    std::size_t cell = 0;
+    take(cell);
+    all.Target.TransferCell(cell, take);
+  }
+  std::size_t link = all.Matrix.Size();
+  const std::size_t size = all.Matrix.WeightsPerLink + 3;
+  all.Matrix.Resize(link + (packed.size() - at) / size);
+  while (at < packed.size())
+  {
+    all.Matrix.TransferLink(link++, take);
+  }
+  return cells;
+}
+
+/// The whole of what several processes have, for the one that writes. What is wrong, or nothing.
+std::string GatherShares(const SkdWeightsShare& share, Weights& all)
+{
+  const Numbers own = PackRows(all, share.Rows);
+  std::size_t cells = 0;
+  if (share.IsWriter)
+  {
+    all.Target.Resize(static_cast<std::size_t>(share.NumberOfRows));
+    all.Matrix.Resize(0);
+  }
+  share.Gather(own, [&](const Numbers& packed) { cells += UnpackRows(packed, all); });
+  if (!share.IsWriter)
+  {
+    return "";
+  }
+  if (cells != all.Target.Size())
+  {
+    return "not all cells of Input were mapped.";
+  }
+  all.Matrix.Sort();
+  const double unit = all.SourceUnit;
+  Numbers covered(all.Source.Size(), 0.0);
+  for (std::size_t link = 0; link < all.Matrix.Size(); ++link)
+  {
+    covered[static_cast<std::size_t>(all.Matrix.Columns[link]) - 1] += all.Matrix.Measures[link];
+  }
+  for (std::size_t i = 0; i < covered.size(); ++i)
+  {
+    const double whole = all.Source.Areas[i] / unit;
+    all.Source.Fractions[i] = whole > 0.0 ? covered[i] / whole : 0.0;
+  }
+  return "";
 }
 
 //------------------------------------------------------------------------------
@@ -293,12 +475,30 @@ void AddScrip(Weights& all, SkdNetCdfContents& contents)
   contents.Attributes.emplace_back("dest_grid", "Input");
 }
 
+std::string WriteFile(const SkdWeightsFileSettings& settings, Weights& all)
+{
+  const bool isWhole = settings.Normalization == SkdNormalization::Whole;
+  SkdNetCdfContents contents;
+  contents.Attributes = { { "title", "Weights of vtkSkdTreeRemap" },
+    { "normalization", isWhole ? "destarea" : "fracarea" },
+    { "map_method", "Conservative remapping" } };
+  if (settings.Format == SkdWeightsFormat::Scrip)
+  {
+    AddScrip(all, contents);
+  }
+  else
+  {
+    AddEsmf(all, settings.Space == SkdOverlapSpace::Sphere, contents);
+  }
+  return SkdWriteNetCdf(settings.Name, contents);
+}
+
 /// What cannot be written, before anything is done.
 std::string ProblemOf(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks)
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsShare* share)
 {
   const std::string file = "The file " + settings.Name + " was not written: ";
-  if (blocks.empty())
+  if (blocks.empty() && !share)
   {
     return file + "weights are those of conservative methods, and there are none.";
   }
@@ -306,10 +506,10 @@ std::string ProblemOf(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
   {
     return file + "SCRIP's form is for meshes on a sphere. Choose ESMF's, or the table of weights.";
   }
-  vtkIdType cells = 0;
+  vtkIdType cells = share ? share->NumberOfRows : 0;
   for (const SkdWeightsBlock& block : blocks)
   {
-    cells += block.Target->GetNumberOfCells();
+    cells += share ? 0 : block.Target->GetNumberOfCells();
   }
   constexpr vtkIdType most = std::numeric_limits<int>::max();
   return std::max(cells, donor->GetNumberOfCells()) > most
@@ -350,28 +550,43 @@ std::vector<int> SkdGridSizesOf(const std::vector<SkdBlock>& blocks)
   return sizes.size() == 2 ? sizes : std::vector<int>();
 }
 
-std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids)
+int SkdCornersPerCell(const std::vector<SkdBlock>& blocks)
 {
-  std::string problem = ProblemOf(settings, donor, blocks);
-  if (!problem.empty())
+  int corners = 1;
+  for (const SkdBlock& block : blocks)
+  {
+    corners = std::max(corners, CornersPerCellOf(block.Mesh));
+  }
+  return corners;
+}
+
+std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids,
+  const SkdWeightsShare* share)
+{
+  std::string problem = ProblemOf(settings, donor, blocks, share);
+  if (!problem.empty()) // on all processes
   {
     return problem;
   }
-  const bool isWhole = settings.Normalization == SkdNormalization::Whole;
-  SkdNetCdfContents contents;
-  contents.Attributes = { { "title", "Weights of vtkSkdTreeRemap" },
-    { "normalization", isWhole ? "destarea" : "fracarea" },
-    { "map_method", "Conservative remapping" } };
-  Weights all = Gather(settings, donor, blocks, grids);
-  if (settings.Format == SkdWeightsFormat::Scrip)
+  std::vector<SkdBlock> targets;
+  for (const SkdWeightsBlock& block : blocks)
   {
-    AddScrip(all, contents);
+    targets.push_back({ block.Target, 0 });
   }
-  else
+  Weights all = Gather(settings, donor, blocks,
+    share ? share->CornersPerCell : SkdCornersPerCell(targets), share != nullptr);
+  problem = share ? GatherShares(*share, all) : std::string();
+  if (!problem.empty())
   {
-    AddEsmf(all, settings.Space == SkdOverlapSpace::Sphere, contents);
+    return "The file " + settings.Name + " was not written: " + problem;
   }
-  return SkdWriteNetCdf(settings.Name, contents);
+  if (share && !share->IsWriter)
+  {
+    return "";
+  }
+  all.Source.SetSizes(grids.Source);
+  all.Target.SetSizes(grids.Target);
+  return WriteFile(settings, all);
 }
 }

@@ -11,6 +11,7 @@
 #include "Pipeline/SkdBlocks.h"
 #include "Remap/SkdConservativeRemap.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,21 @@ struct SkdWeightsGrids
   std::vector<int> Target;
 };
 
+/// One file of several processes, each of which has the weights of its cells of the target, and all
+/// of the donor.
+struct SkdWeightsShare
+{
+  using Numbers = std::vector<double>;
+
+  /// Of each cell of the target, block after block, its row in the whole, or -1: it is not written.
+  std::vector<vtkIdType> Rows;
+  vtkIdType NumberOfRows = 0; ///< of the whole
+  int CornersPerCell = 1;     ///< of the whole, at most
+  bool IsWriter = false;      ///< which has weights
+  /// Calls take(numbers) on the writer, with what each process tells, in their order.
+  std::function<void(const Numbers& own, const std::function<void(const Numbers&)>& take)> Gather;
+};
+
 /// How many cells a structured grid of two dimensions has along each, the first varies fastest.
 /// Empty of other meshes, and of several blocks.
 std::vector<int> SkdGridSizesOf(const std::vector<SkdBlock>& blocks);
@@ -59,10 +75,15 @@ std::vector<int> SkdGridSizesOf(const std::vector<SkdBlock>& blocks);
 /// are of the unit sphere; else centres are Cartesian (ESMF only, with zc_a and zc_b) and areas,
 /// lengths or volumes as they are. SCRIP's second and third weight are those of the derivatives by
 /// latitude, and by longitude over the cosine of the latitude, at the Cartesian centroid of the
-/// source cell; the attribute remap_order is then 2, by which other programs know. What is wrong, a
-/// sentence; empty if nothing is.
+/// source cell; the attribute remap_order is then 2, by which other programs know. With a share all
+/// processes must call it together, and the writer writes. What is wrong, a sentence; empty if
+/// nothing is.
 std::string SkdWriteWeights(const SkdWeightsFileSettings& settings, vtkDataSet* donor,
-  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids);
+  const std::vector<SkdWeightsBlock>& blocks, const SkdWeightsGrids& grids,
+  const SkdWeightsShare* share);
+
+/// How many corners a cell of any of the blocks has, at most.
+int SkdCornersPerCell(const std::vector<SkdBlock>& blocks);
 }
 
 #endif
