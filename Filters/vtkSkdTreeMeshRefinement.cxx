@@ -5,6 +5,7 @@
 #include "Bodies/SkdSource.h"
 #include "Core/Meshing/Mesh/FindBorder.h"
 #include "Core/Meshing/Mesh/GivenHangingNodes.h"
+#include "Exchange/SkdFilterInputs.h"
 #include "Meshing/Refine/SkdMeshOutput.h"
 #include "Meshing/Refine/SkdMeshRefiner.h"
 #include "Meshing/Refine/SkdMeshReport.h"
@@ -14,6 +15,7 @@
 #include "Pipeline/SkdPrint.h"
 #include "Pipeline/SkdProcesses.h"
 #include "Pipeline/SkdReport.h"
+#include "Pipeline/SkdSearchRange.h"
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -104,10 +106,11 @@ void WarnAbout(Filter* self, const SkdMeshSettings& settings, const SkdReadMesh&
   {
     vtkWarningWithObjectMacro(self, "Input has no cells; the output is empty.");
   }
-  else if (!HasCriteria(settings))
+  else if (!(shared ? shared->GetProcesses().IsAny(HasCriteria(settings)) : HasCriteria(settings)))
   {
-    vtkWarningWithObjectMacro(
-      self, "Nothing is refined: the parts have no cells and no other criterion is set.");
+    vtkWarningWithObjectMacro(self,
+      "Nothing is refined: the parts have no cells" << (shared ? ", or none near Input," : "")
+                                                    << " and no other criterion is set.");
   }
   if (read.CellsNotRefinable > 0)
   {
@@ -288,6 +291,24 @@ void vtkSkdTreeMeshRefinement::SetSurfaceData(vtkDataObject* surface)
   this->SetInputDataInternal(3, surface);
 }
 
+// Whether parts intersect a cell, or are within a band, is known where all that may is there. Sums
+// over parts would be added up in another order, and boxes decide by the size of all.
+void vtkSkdTreeMeshRefinement::SetUpInputs(SkdFilterInputs& inputs)
+{
+  inputs.SetDistribution(static_cast<SkdFilterInputs::Distribution>(this->SourceDistribution),
+    [this](int port, SkdSearchRange& range)
+    {
+      range.OfDiagonal = 1e-3;   // more than any rounding
+      range.OfOwnDiagonal = 1.0; // curved cells may be outside the box of their points
+      for (const SkdDistanceBand& band : this->State->Bands)
+      {
+        range.Distance = std::max(range.Distance, band.Distance);
+      }
+      return port == 1 && this->InsideLevel == 0 && !this->RefineByNormalDeviation &&
+        this->OverlapTest == EXACT && this->PointPlacement == FLAT;
+    });
+}
+
 int vtkSkdTreeMeshRefinement::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -356,8 +377,9 @@ int vtkSkdTreeMeshRefinement::RequestData(
 void vtkSkdTreeMeshRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  SkdPrint(os, indent, "Method", this->Method == BISECTION ? "Bisection" : "Regular",
-    "MinimumLevel", this->MinimumLevel, "PointPlacement", this->PointPlacement, "SphereCenter",
-    this->SphereCenter, "OutputPointsPrecision", this->OutputPointsPrecision);
+  SkdPrint(os, indent, "SourceDistribution", this->SourceDistribution, "Method",
+    this->Method == BISECTION ? "Bisection" : "Regular", "MinimumLevel", this->MinimumLevel,
+    "PointPlacement", this->PointPlacement, "SphereCenter", this->SphereCenter,
+    "OutputPointsPrecision", this->OutputPointsPrecision);
 }
 VTK_ABI_NAMESPACE_END

@@ -55,7 +55,8 @@
  * bytes a triangle and 400 a tetrahedron in addition to the output. From the first round on, the
  * progress text shows the expected number of cells and memory, extrapolated from the growth so far.
  *
- * Processes: each refines its own piece of Input, around all of the parts. They exchange the cuts
+ * Processes: each refines its own piece of Input, around all of the parts, or those near it (see
+ * SetSourceDistribution). They exchange the cuts
  * and criteria on common boundaries of pieces through the global controller until nothing changes.
  * Together the pieces are identical to the result of one process, cell for cell, in coordinates,
  * levels and SkdHanging, for both methods and all options; CellLimit counts the cells of all
@@ -111,6 +112,23 @@ public:
    */
   void SetSurfaceConnection(vtkAlgorithmOutput* algOutput);
   void SetSurfaceData(vtkDataObject* surface);
+  //@}
+
+  enum SourceDistributions
+  {
+    SOURCE_AUTOMATIC = 0,
+    SOURCE_REPLICATED = 1,
+    SOURCE_EXCHANGED = 2
+  };
+
+  //@{
+  /**
+   * What each process gets of Parts that lie in pieces on several: see vtkSkdTreeSourceAlgorithm.
+   * SOURCE_EXCHANGED: those of their cells that are near its piece of Input, as far as distance
+   * bands go. They are gathered with InsideLevel, RefineByNormalDeviation, BLIND, or another
+   * PointPlacement than FLAT; so are Field and Surface always.
+   */
+  vtkSkdTreeChoiceMacro(SourceDistribution, SOURCE_AUTOMATIC, SOURCE_EXCHANGED);
   //@}
 
   enum Methods
@@ -171,9 +189,11 @@ protected:
   vtkSkdTreeMeshRefinement();
   ~vtkSkdTreeMeshRefinement() override;
 
+  void SetUpInputs(skdtree::SkdFilterInputs& inputs) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  int SourceDistribution = SOURCE_AUTOMATIC;
   int Method = BISECTION;
   int MinimumLevel = 0;
   int PointPlacement = FLAT;

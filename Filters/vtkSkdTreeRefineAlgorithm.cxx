@@ -77,10 +77,13 @@ void vtkSkdTreeRefineAlgorithm::RemoveAllDistanceBands()
 vtkTypeBool vtkSkdTreeRefineAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->SetUpInputs(*this->Inputs);
   return this->Inputs->Process(request, inputVector, outputVector,
     [&](vtkInformationVector** inputs)
     { return this->Superclass::ProcessRequest(request, inputs, outputVector); });
 }
+
+void vtkSkdTreeRefineAlgorithm::SetUpInputs(SkdFilterInputs&) {}
 
 void vtkSkdTreeRefineAlgorithm::PassOptions()
 {

@@ -252,6 +252,10 @@ protected:
   double ChordalDeviation = 1e-4;
   double Epsilon = 1e-9;
 
+  /// Called before inputs are gathered: says how, if not all of what is needed whole on each
+  /// process.
+  virtual void SetUpInputs(skdtree::SkdFilterInputs& inputs);
+
   /// Copies the settings into the State before it is updated.
   void PassOptions();
 

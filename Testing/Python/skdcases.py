@@ -127,4 +127,5 @@ def cases(partition):
         simple.SkdTreeAMR(Input=ball, Field=cells, FieldArrays=["Field"], ComputeInside=1,
             OutputType="Unstructured Grid", MaximumLevel=3), ["SkdInside"], of_cells=True)
     yield "refined", Case(
-        simple.SkdTreeMeshRefinement(Input=cells, Parts=ball, MaximumLevel=1), [], of_cells=True)
+        simple.SkdTreeMeshRefinement(Input=cells, Parts=ball, MaximumLevel=2,
+            DistanceBands=[0.4, 1]), ["SkdLevel"], of_cells=True)
