@@ -5,6 +5,8 @@
 #include "Referee.h"
 #include "Timing.h"
 
+#include "Support/CountInstructions.h"
+
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -259,15 +261,19 @@ void RunForProfiler(vtkDataSet* data, const std::vector<Work>& works,
   const std::vector<Built> built = BuildAll(data, kinds);
   for (const Work& work : works)
   {
-    for (const Built& one : built)
+    for (std::size_t i = 0; i < kinds.size(); ++i)
     {
-      if (Passes(work.Name, options.OnlyWork) && one.Tree && CanDo(*one.Tree, work))
+      if (Passes(work.Name, options.OnlyWork) && built[i].Tree && CanDo(*built[i].Tree, work))
       {
-        const Task task = QueryTask(*one.Tree, work, options);
-        for (int i = 0; i < options.Profile; ++i)
+        const Task task = QueryTask(*built[i].Tree, work, options);
+        const auto run = [&]
         {
-          task.Run();
-        }
+          for (int query = 0; query < options.Profile; ++query)
+          {
+            task.Run();
+          }
+        };
+        skdtest::CountInstructions((work.Name + ": " + kinds[i].Name).c_str(), run);
       }
     }
   }

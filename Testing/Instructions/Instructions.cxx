@@ -7,6 +7,7 @@
  * Each kind of work is counted by itself and put out under its name. Meshes and queries are the
  * same every time. Ends with 77 when it was compiled without valgrind's header.
  */
+#include "Support/CountInstructions.h"
 #include "Support/LongCells.h"
 #include "Support/SpatialQueryRun.h"
 #include "Support/SurfaceMeshes.h"
@@ -21,29 +22,11 @@
 
 #include <iostream>
 
-#if __has_include(<valgrind/callgrind.h>)
-#include <valgrind/callgrind.h>
-#else
-#define CALLGRIND_START_INSTRUMENTATION
-#define CALLGRIND_STOP_INSTRUMENTATION
-#define CALLGRIND_DUMP_STATS_AT(name) static_cast<void>(name)
-#define SKDTREE_CANNOT_COUNT
-#endif
-
 namespace
 {
 using namespace skdtest;
 
 constexpr int NumberOfQueries = 1000;
-
-template <class Body>
-void Count(const char* name, const Body& body)
-{
-  CALLGRIND_START_INSTRUMENTATION;
-  body();
-  CALLGRIND_STOP_INSTRUMENTATION;
-  CALLGRIND_DUMP_STATS_AT(name);
-}
 
 /// A locator of a mesh, its queries, and where the results go.
 class Counted
@@ -59,7 +42,7 @@ public:
 
   void CountBuild(const char* name)
   {
-    Count(name, [&] { this->Locator->ForceBuildLocator(); });
+    CountInstructions(name, [&] { this->Locator->ForceBuildLocator(); });
   }
 
   /// Of a tree that is built on query.
@@ -67,7 +50,7 @@ public:
   {
     const Point x = this->Around(0.5, 0.7).front();
     this->Locator->LazyBuildOn();
-    Count(name,
+    CountInstructions(name,
       [&]
       {
         this->Locator->ForceBuildLocator();
@@ -83,7 +66,7 @@ public:
   void CountClosest(const char* name, double nearest, double farthest)
   {
     const std::vector<Point> from = this->Around(nearest, farthest);
-    Count(name,
+    CountInstructions(name,
       [&]
       {
         for (const Point& x : from)
@@ -100,7 +83,7 @@ public:
   void CountFirstHits(const char* name)
   {
     const std::vector<Point> ends = this->Around(1.0, 1.1);
-    Count(name,
+    CountInstructions(name,
       [&]
       {
         for (std::size_t i = 0; i < ends.size(); ++i)
@@ -119,7 +102,7 @@ public:
   {
     const std::vector<Point> ends = this->Around(1.0, 1.1);
     vtkNew<vtkPoints> hits;
-    Count(name,
+    CountInstructions(name,
       [&]
       {
         for (std::size_t i = 0; i < ends.size(); ++i)
@@ -133,7 +116,7 @@ public:
   void CountFindCell(const char* name)
   {
     const std::vector<Point> positions = this->Inside();
-    Count(name,
+    CountInstructions(name,
       [&]
       {
         for (Point x : positions)
@@ -146,7 +129,7 @@ public:
   void CountBoxes(const char* name, double size)
   {
     const std::vector<Point> centres = this->Around(0.5, 0.6);
-    Count(name,
+    CountInstructions(name,
       [&]
       {
         for (const Point& c : centres)
@@ -162,7 +145,7 @@ public:
     other.Build();
     vtkNew<vtkIdTypeArray> offsets;
     vtkNew<vtkIdTypeArray> ids;
-    Count(name, [&] { this->Locator->FindPairs(other.Locator, offsets, ids); });
+    CountInstructions(name, [&] { this->Locator->FindPairs(other.Locator, offsets, ids); });
   }
 
   void CountBatch(const char* name)
@@ -174,7 +157,8 @@ public:
       points->InsertNextTuple(x.data());
     }
     vtkNew<vtkIdTypeArray> cells;
-    Count(name, [&] { this->Locator->FindClosestPoints(points, cells, nullptr, nullptr); });
+    CountInstructions(
+      name, [&] { this->Locator->FindClosestPoints(points, cells, nullptr, nullptr); });
   }
 
 private:
@@ -235,9 +219,9 @@ void CountBoolean()
   filter->SetInputData(MakePolyData(SphereTriangles(40).Map(Dented)));
   filter->SetSourceData(
     MakePolyData(Transformed(SphereTriangles(40).Map(Dented), 1.0, { 0.5, 0.3, 0.2 })));
-  Count("union of solids", [&] { filter->Update(); });
+  CountInstructions("union of solids", [&] { filter->Update(); });
   filter->SetOperationToIntersection();
-  Count("another operation on them", [&] { filter->Update(); });
+  CountInstructions("another operation on them", [&] { filter->Update(); });
 }
 
 /// Cells whose pieces must be searched, not gone through one by one.
@@ -256,7 +240,7 @@ void CountExpensiveCells()
   QueryPointer query = MakeQuery(hexahedra, SpatialQuery::ADJACENCY);
   query->SetShape(SpatialQuery::SOURCE_CELLS);
   query->SetSourceData(hexahedra);
-  Count("adjacency, curved hexahedra", [&] { query->Update(); });
+  CountInstructions("adjacency, curved hexahedra", [&] { query->Update(); });
 }
 
 /// Equal cells, which no box tells apart: see SkdEqualCells.
