@@ -202,7 +202,8 @@ int vtkSkdTreeCellLocator::IntersectWithLine(const double p1[3], const double p2
   t = hit.T;
   subId = hit.SubId;
   const skd::Vector3 point = skd::Lerp(SkdVector(p1), SkdVector(p2), t);
-  SkdStore(tree.MovedPCoords(this->Impl->GetMotion(), cellId, point, hit.PCoords), pcoords);
+  const skd::RigidMotion* motion = this->Impl->GetMotion();
+  SkdStore(motion ? tree.MovedPCoords(motion, cellId, point, hit.PCoords) : hit.PCoords, pcoords);
   SkdStore(point, x);
   this->Impl->Load(this->DataSet, cellId, cell);
   return 1;

@@ -54,6 +54,7 @@ TEST(Lanes, AddSubtractAndMultiply)
   ExpectEach(LanesA + LanesB, [](float a, float b) { return a + b; });
   ExpectEach(LanesA - LanesB, [](float a, float b) { return a - b; });
   ExpectEach(LanesA * LanesB, [](float a, float b) { return a * b; });
+  ExpectEach(MinusProduct(LanesA, LanesB, LanesB), [](float a, float b) { return a - b * b; });
 }
 
 TEST(Lanes, DivideAndTakeRoots)
@@ -137,8 +138,12 @@ void ExpectArithmeticOnAxes()
     [](auto a, auto b) { return Max(a, b); }, [](double a, double b) { return std::max(a, b); });
   ExpectEachAxis<D>(
     [](auto a, auto b) { return Min(a, b); }, [](double a, double b) { return std::min(a, b); });
-  ExpectEachAxis<D>([](auto a, auto b) { return IfLess(a, b, -a, b); },
-    [](double a, double b) { return a < b ? -a : b; });
+  ExpectEachAxis<D>(
+    [](auto a, auto) { return Abs(a); }, [](double a, double) { return std::abs(a); });
+  ExpectEachAxis<D>([](auto a, auto b) { return TimesSign(a, b); },
+    [](double a, double b) { return b < 0.0 ? -a : a; });
+  ExpectEachAxis<D>([](auto a, auto) { return skd::AxisLanes<D>(double(a.Signs())); },
+    [](double, double) { return double(0x12u & skd::LowBits(D)); });
 }
 
 TEST(AxisLanes, DoArithmeticOnEveryAxis)

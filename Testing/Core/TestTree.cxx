@@ -304,7 +304,7 @@ TYPED_TEST(TreeTest, NumbersOfLeavesTellTheirElements)
           {
             const bool isChild = lane < node.Count;
             const auto& child = tree.Open(node.First + (isChild ? lane : 0));
-            const bool isKnown = (known.Lanes >> lane & 1) != 0;
+            const bool isKnown = known.IsKnown(lane);
             ASSERT_EQ(isKnown, isChild && child.IsLeaf);
             ASSERT_TRUE(!isKnown || known.NumberOf(lane) == tree.NumberOf(child));
           }

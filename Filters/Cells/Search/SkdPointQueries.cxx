@@ -165,8 +165,8 @@ SkdFoundCell SkdCellTree::FindContaining(
     }
     return best.Found;
   }
-  skd::Nearest<3, decltype(tryCell)> query(this->GetFrame(), x, best.Limit2, tryCell);
-  this->Walk(query);
+  // No bounds from above: cells within rounding are as near as the nearest.
+  this->WalkNearest<false>(x, best.Limit2, tryCell);
   return best.Found;
 }
 

@@ -87,6 +87,10 @@ public:
   /// nothing beyond.
   std::optional<double> Accept(double parameter) const
   {
+    if (parameter >= 0.0 && parameter <= 1.0)
+    {
+      return parameter;
+    }
     const double slack = this->EndSlack();
     if (!(parameter >= -slack && parameter <= 1.0 + slack))
     {

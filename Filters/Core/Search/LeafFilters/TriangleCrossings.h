@@ -30,7 +30,7 @@ public:
     const Shear& shear = this->TheShear;
     this->X = local[shear.X] - shear.SlopeX * local[shear.Z];
     this->Y = local[shear.Y] - shear.SlopeY * local[shear.Z];
-    this->Margin = Frame<3>::RoundUpInRange(margin);
+    this->TwoMargins = 2.0f * Frame<3>::RoundUpInRange(margin);
   }
 
   /// Bit i: the line may intersect the triangle of lane i.
@@ -44,11 +44,11 @@ public:
     const float y = perUnit * static_cast<float>(this->Y - (centre[shear.Y] - shear.SlopeY * z));
     // A corner's error in the plane across the line, and what that does to products of two corners.
     const float extent = 2.0f * QuantizationGrid::Largest + std::max(std::abs(x), std::abs(y));
+    constexpr float rounding = 2.0f * static_cast<float>(QuantizationGrid::CornerError);
+    // The last quarter is for the sums of products.
     const float error =
-      2.0f * (static_cast<float>(QuantizationGrid::CornerError) + this->Margin * perUnit) +
-      tolerances::CrossingSum * extent;
-    const float slack =
-      4.0f * error * extent + 2.0f * error * error + tolerances::CrossingSum * extent * extent;
+      rounding + this->TwoMargins * perUnit + 1.25f * tolerances::CrossingSum * extent;
+    const float slack = (error + error) * (extent + extent + error);
     unsigned met = 0;
     for (int first = 0; first < TrianglePacket::Width; first += NativeWidth)
     {
@@ -70,8 +70,9 @@ private:
   {
     using L = Lanes<W>;
     const L z = packet.Load<W>(corner, this->TheShear.Z, first);
-    return { packet.Load<W>(corner, this->TheShear.X, first) - L(this->SlopeX) * z - L(x),
-      packet.Load<W>(corner, this->TheShear.Y, first) - L(this->SlopeY) * z - L(y) };
+    return { MinusProduct(packet.Load<W>(corner, this->TheShear.X, first), L(this->SlopeX), z) -
+        L(x),
+      MinusProduct(packet.Load<W>(corner, this->TheShear.Y, first), L(this->SlopeY), z) - L(y) };
   }
 
   template <int W>
@@ -81,9 +82,9 @@ private:
     const Across<W> a = this->See<W>(packet, 0, x, y, first);
     const Across<W> b = this->See<W>(packet, 1, x, y, first);
     const Across<W> c = this->See<W>(packet, 2, x, y, first);
-    const L u = b.X * c.Y - b.Y * c.X;
-    const L v = c.X * a.Y - c.Y * a.X;
-    const L w = a.X * b.Y - a.Y * b.X;
+    const L u = MinusProduct(b.X * c.Y, b.Y, c.X);
+    const L v = MinusProduct(c.X * a.Y, c.Y, a.X);
+    const L w = MinusProduct(a.X * b.Y, a.Y, b.X);
     const L least = Min(Min(u, v), w);
     const L most = Max(Max(u, v), w);
     return LessEqual(L(-slack), least) | LessEqual(most, L(slack));
@@ -94,7 +95,7 @@ private:
   float SlopeY;
   double X = 0.0; ///< where the line meets the plane through the frame's centre, across axis Z
   double Y = 0.0;
-  float Margin = 0.0f;
+  float TwoMargins = 0.0f;
 };
 
 }

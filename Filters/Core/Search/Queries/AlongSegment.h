@@ -64,8 +64,8 @@ public:
       [&](int axis)
       {
         const Lanes<W> back(this->Back[axis]);
-        const Lanes<W> near = boxes.Side(this->NearSide[axis]);
-        const Lanes<W> far = boxes.Side(this->FarSide[axis]);
+        const Lanes<W> near = boxes.Side(this->Sides->Near[axis]);
+        const Lanes<W> far = boxes.Side(this->Sides->Far[axis]);
         enter = Max((Lanes<W>(this->NearOrigin[axis]) - near) * back, enter);
         leave = Min((Lanes<W>(this->FarOrigin[axis]) - far) * back, leave);
       });
@@ -100,25 +100,23 @@ private:
   static constexpr double Most = 1.0 / Least;
   using Packet = BoxPacket<D, Node<D>::Width>;
 
-  /// A segment in the tree's frame, mirrored so that it runs forward along every axis: which way
-  /// it does is anyone's guess, and there is no branch on it.
+  /// A segment in the tree's frame. Which way it runs along an axis is anyone's guess, and there is
+  /// no branch on it.
   struct Line
   {
     Line(const Frame<D>& frame, const Segment<D>& segment)
     {
       const AxisLanes<D> scale(frame.Scale);
       const AxisLanes<D> a(segment.A);
-      const AxisLanes<D> along = (AxisLanes<D>(segment.B) - a) * scale;
-      this->Sign = IfLess(along, AxisLanes<D>(0.0), AxisLanes<D>(-1.0), AxisLanes<D>(1.0));
-      this->From = this->Sign * ((a - AxisLanes<D>(frame.Centre)) * scale);
-      this->Along = this->Sign * along;
-      this->Inverse = AxisLanes<D>(1.0) / Max(this->Along, AxisLanes<D>(Least));
+      this->Along = (AxisLanes<D>(segment.B) - a) * scale;
+      this->From = (a - AxisLanes<D>(frame.Centre)) * scale;
+      this->Inverse = AxisLanes<D>(1.0) / Max(Abs(this->Along), AxisLanes<D>(Least));
     }
 
     /// Whether no end is far from the tree: then nothing is clipped.
     bool IsNear() const
     {
-      const AxisLanes<D> most = Max(-this->From, this->From + this->Along);
+      const AxisLanes<D> most = Max(Abs(this->From), Abs(this->From + this->Along));
       return AllLessEqual(most, AxisLanes<D>(Near));
     }
 
@@ -126,7 +124,7 @@ private:
     /// The maximum rounding error of points of the segment. Infinite or NaN if an end is.
     double Rounding() const
     {
-      const Vector<D> most = (Max(this->From, -this->From) + this->Along).Values();
+      const Vector<D> most = (Abs(this->From) + Abs(this->Along)).Values();
       double sum = 0.0;
       ForEachAxis<D>([&](int axis) { sum += most[axis]; });
       return RoundingOf(sum);
@@ -142,8 +140,10 @@ private:
     /// The interval on which no coordinate is beyond `room`: Min > Max if there is none.
     Interval Within(double room) const
     {
-      const Vector<D> enter = ((AxisLanes<D>(-room) - this->From) * this->Inverse).Values();
-      const Vector<D> leave = ((AxisLanes<D>(room) - this->From) * this->Inverse).Values();
+      const AxisLanes<D> side = TimesSign(AxisLanes<D>(room), this->Along);
+      const AxisLanes<D> perStep = TimesSign(this->Inverse, this->Along);
+      const Vector<D> enter = ((-side - this->From) * perStep).Values();
+      const Vector<D> leave = ((side - this->From) * perStep).Values();
       Interval inside{ 0.0, 1.0 };
       ForEachAxis<D>(
         [&](int axis)
@@ -154,51 +154,47 @@ private:
       return inside;
     }
 
-    AxisLanes<D> Sign; ///< -1 of an axis that is mirrored
     AxisLanes<D> From;
     AxisLanes<D> Along;
-    AxisLanes<D> Inverse; ///< of Along
+    AxisLanes<D> Inverse; ///< of the lengths along the axes
   };
 
   void SetLocal(const Line& line, double margin2)
   {
     const AxisLanes<D> begin = line.From + AxisLanes<D>(this->Begin) * line.Along;
-    const AxisLanes<D> near = line.Sign * RoundedUp(begin + AxisLanes<D>(margin2));
-    const AxisLanes<D> far = line.Sign * RoundedUp(AxisLanes<D>(margin2) - begin);
+    const AxisLanes<D> room = TimesSign(Room(begin, margin2), line.Along);
     const AxisLanes<D> perStep =
       Min(line.Inverse * AxisLanes<D>(this->PerLength), AxisLanes<D>(Most));
-    SpreadOut(near, this->NearOrigin);
-    SpreadOut(-far, this->FarOrigin);
-    SpreadOut(-(line.Sign * perStep), this->Back);
-    // The two sides are at the same distance from the middle of them.
-    const AxisLanes<D> toFar = line.Sign * AxisLanes<D>(Packet::HalfExtentOffset);
-    (AxisLanes<D>(Packet::MiddlesOfSides()) - toFar).Store(this->NearSide);
-    (AxisLanes<D>(Packet::MiddlesOfSides()) + toFar).Store(this->FarSide);
-    this->TheLeafFilter.Aim((line.Sign * begin).Values(), margin2);
+    SpreadOut(begin + room, this->NearOrigin);
+    SpreadOut(begin - room, this->FarOrigin);
+    SpreadOut(-TimesSign(perStep, line.Along), this->Back);
+    this->Sides = &Packet::SidesOf(line.Along.Signs());
+    this->TheLeafFilter.Aim(begin.Values(), margin2);
   }
 
-  static void SpreadOut(const AxisLanes<D>& from, Spread* to)
+  template <class Repeated>
+  static void SpreadOut(const AxisLanes<D>& from, Repeated* to)
   {
     float values[D];
     from.Store(values);
-    ForEachAxis<D>([&](int axis) { to[axis] = Spread(values[axis]); });
+    ForEachAxis<D>([&](int axis) { to[axis] = Repeated(values[axis]); });
   }
 
-  /// So that the nearest float is not below. What no float is near, 0 is: boxes are rounded outward
-  /// by as much.
-  static AxisLanes<D> RoundedUp(const AxisLanes<D>& coordinates)
+  /// How far coordinates are moved outward so that the floats nearest to them are at least the
+  /// margin away. What no float is near, 0 is: boxes are rounded outward by as much.
+  static AxisLanes<D> Room(const AxisLanes<D>& coordinates, double margin2)
   {
     constexpr double half = 1.0 / (1 << 23);
-    return coordinates + AxisLanes<D>(half) * Max(coordinates, -coordinates);
+    const AxisLanes<D> margin(margin2);
+    return margin + AxisLanes<D>(half) * (Abs(coordinates) + margin);
   }
 
   float Last = -1.0f;
   double Begin = 0.0;
   double PerLength = 1.0; ///< 1 over the length that the clipping left, in the parameter
-  std::int32_t NearSide[D];
-  std::int32_t FarSide[D];
-  Spread NearOrigin[D];
-  Spread FarOrigin[D];
+  const typename Packet::Sides* Sides = nullptr;
+  FirstSpread NearOrigin[D];
+  FirstSpread FarOrigin[D];
   Spread
     Back[D]; ///< the parameter for each step, negative: boxes are subtracted from what is fixed
   Visitor& TheVisitor;

@@ -75,6 +75,23 @@ public:
     return Map(a, b, [](DoubleVector x, DoubleVector y) { return Smaller(x, y); });
   }
 
+  friend AxisLanes Abs(const AxisLanes& a)
+  {
+    return Map(a, a, [](DoubleVector x, DoubleVector) { return WithoutSign(x); });
+  }
+  /// a where b has no sign bit, -a where it has.
+  friend AxisLanes TimesSign(const AxisLanes& a, const AxisLanes& b)
+  {
+    return Map(a, b, [](DoubleVector x, DoubleVector y) { return skd::TimesSign(x, y); });
+  }
+  /// Bit i: axis i has the sign bit.
+  unsigned Signs() const
+  {
+    unsigned bits = 0;
+    ForEachAxis<Count>([&](int i) { bits |= SignBits(this->Registers[i]) << (i * NativeDoubles); });
+    return bits & LowBits(D);
+  }
+
   /// Whether a <= b on every axis; false with NaN.
   friend bool AllLessEqual(const AxisLanes& a, const AxisLanes& b)
   {
@@ -82,18 +99,6 @@ public:
     ForEachAxis<Count>(
       [&](int i) { areLess = areLess & skd::AllLessEqual(a.Registers[i], b.Registers[i]); });
     return areLess;
-  }
-
-  /// Axis by axis a < b ? yes : no.
-  friend AxisLanes IfLess(
-    const AxisLanes& a, const AxisLanes& b, const AxisLanes& yes, const AxisLanes& no)
-  {
-    AxisLanes result;
-    ForEachAxis<Count>(
-      [&](int i) {
-        result.Registers[i] = a.Registers[i] < b.Registers[i] ? yes.Registers[i] : no.Registers[i];
-      });
-    return result;
   }
 
 private:

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 // The header of all instruction sets takes ten times as long to compile as that of SSE2.
 #if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
@@ -122,6 +123,16 @@ inline FloatVector Smaller(FloatVector a, FloatVector b)
   return _mm_min_ps(a, b);
 #else
   return a < b ? a : b;
+#endif
+}
+
+/// a - b * c, rounded once where that is one instruction.
+inline FloatVector MinusProduct(FloatVector a, FloatVector b, FloatVector c)
+{
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__) && defined(__FMA__)
+  return _mm256_fnmadd_ps(b, c, a);
+#else
+  return a - b * c;
 #endif
 }
 
@@ -301,6 +312,52 @@ inline DoubleVector Smaller(DoubleVector a, DoubleVector b)
 #endif
 }
 
+#if defined(SKD_PLAIN_LANES) || !defined(__GNUC__)
+inline DoubleVector WithoutSign(DoubleVector a)
+{
+  return std::abs(a);
+}
+inline DoubleVector TimesSign(DoubleVector a, DoubleVector b)
+{
+  return std::signbit(b) ? -a : a;
+}
+inline unsigned SignBits(DoubleVector a)
+{
+  return std::signbit(a) ? 1u : 0u;
+}
+#else
+namespace detail
+{
+typedef std::int64_t BitsVector __attribute__((vector_size(sizeof(FloatVector))));
+constexpr std::int64_t SignBit = std::numeric_limits<std::int64_t>::min();
+}
+inline DoubleVector WithoutSign(DoubleVector a)
+{
+  return (DoubleVector)((detail::BitsVector)a & ~detail::SignBit);
+}
+/// a where b has no sign bit, -a where it has.
+inline DoubleVector TimesSign(DoubleVector a, DoubleVector b)
+{
+  return (DoubleVector)((detail::BitsVector)a ^ ((detail::BitsVector)b & detail::SignBit));
+}
+/// Bit i is set where lane i has the sign bit.
+inline unsigned SignBits(DoubleVector a)
+{
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_pd(a));
+#elif defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(a));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < NativeDoubles; ++i)
+  {
+    bits |= (std::signbit(a[i]) ? 1u : 0u) << i;
+  }
+  return bits;
+#endif
+}
+#endif
+
 /// Whether a <= b in every lane; false with NaN.
 inline bool AllLessEqual(DoubleVector a, DoubleVector b)
 {
@@ -345,6 +402,13 @@ private:
 
   detail::FloatVector Values;
 };
+
+/// The same of what is the first operand, so is loaded by itself: with AVX that spreads it out.
+#if !defined(SKD_PLAIN_LANES) && defined(__GNUC__) && defined(__AVX__)
+using FirstSpread = float;
+#else
+using FirstSpread = Spread;
+#endif
 
 /// Lane by lane arithmetic on W floats. NaN: Max(a, b) and Min(a, b) give b if either is NaN.
 template <int W>
@@ -412,6 +476,16 @@ public:
   friend Lanes operator*(const Lanes& a, const Lanes& b)
   {
     return Map(a, b, [](detail::FloatVector x, detail::FloatVector y) { return x * y; });
+  }
+  /// a - b * c, for bounds that hold with one rounding and with two.
+  friend Lanes MinusProduct(const Lanes& a, const Lanes& b, const Lanes& c)
+  {
+    Lanes result;
+    for (int i = 0; i < Count; ++i)
+    {
+      result.Registers[i] = detail::MinusProduct(a.Registers[i], b.Registers[i], c.Registers[i]);
+    }
+    return result;
   }
   friend Lanes operator/(const Lanes& a, const Lanes& b)
   {

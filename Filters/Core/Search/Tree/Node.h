@@ -6,6 +6,7 @@
 #include "Frame.h"
 #include "Lanes.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -26,24 +27,33 @@ struct BoxPacket
   Lanes<W> Mins(int axis) const { return Lanes<W>::Load(this->Min[axis]); }
   Lanes<W> Maxs(int axis) const { return Lanes<W>::Load(this->Max[axis]); }
 
-  ///@{
-  /// Where a side of the boxes is in a packet, in bytes: so far before the middle of the two sides
-  /// of an axis, or behind it.
-  static constexpr double HalfExtentOffset = 0.5 * sizeof(float[D][W]);
-  static const Vector<D>& MiddlesOfSides()
+  /// Where, in bytes, the sides of the boxes are that a line comes to first and last.
+  struct Sides
   {
-    static constexpr Vector<D> middles = []
+    std::int32_t Near[D];
+    std::int32_t Far[D];
+  };
+  /// Of a line that runs backward along the axes of these bits.
+  static const Sides& SidesOf(unsigned backward)
+  {
+    static constexpr std::array<Sides, std::size_t(1) << D> sides = []
     {
-      Vector<D> along{};
-      for (int axis = 0; axis < D; ++axis)
+      constexpr int toMax = sizeof(float[D][W]);
+      std::array<Sides, std::size_t(1) << D> all{};
+      for (unsigned bits = 0; bits < all.size(); ++bits)
       {
-        along.X[axis] = HalfExtentOffset + axis * sizeof(float[W]);
+        for (int axis = 0; axis < D; ++axis)
+        {
+          const int min = axis * int(sizeof(float[W]));
+          const bool isBackward = (bits >> axis & 1u) != 0;
+          all[bits].Near[axis] = min + (isBackward ? toMax : 0);
+          all[bits].Far[axis] = min + (isBackward ? 0 : toMax);
+        }
       }
-      return along;
+      return all;
     }();
-    return middles;
+    return sides[backward];
   }
-  ///@}
   Lanes<W> Side(std::ptrdiff_t at) const
   {
     return Lanes<W>::Load(reinterpret_cast<const float*>(reinterpret_cast<const char*>(this) + at));
@@ -123,14 +133,15 @@ struct alignas(32) Node
 /// this mark also have a tag.
 struct KnownLeaves
 {
-  std::uint32_t Number;    ///< of the first child's first leaf
-  std::uint16_t Beyond[7]; ///< how much greater that of each further child is
-  std::uint8_t Lanes;      ///< a bit for each child that is a leaf, so known
+  static constexpr std::uint16_t Unknown = 0xffffu;
 
-  std::uint32_t NumberOf(int lane) const
-  {
-    return this->Number + (lane > 0 ? this->Beyond[lane - 1] : 0u);
-  }
+  std::uint32_t Number = 0; ///< of the first child's first leaf
+  /// How much greater that of each child is that is a leaf, so known.
+  std::uint16_t Beyond[8] = { Unknown, Unknown, Unknown, Unknown, Unknown, Unknown, Unknown,
+    Unknown };
+
+  bool IsKnown(int lane) const { return this->Beyond[lane] != Unknown; }
+  std::uint32_t NumberOf(int lane) const { return this->Number + this->Beyond[lane]; }
 };
 
 /// A reference to a node, or to an element by its position.

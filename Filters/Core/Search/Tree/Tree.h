@@ -62,15 +62,14 @@ public:
   /// See KnownLeaves. Of a node high above, only the first children are returned.
   KnownLeaves LeavesBelow(const Node<D>& inner) const
   {
-    KnownLeaves known{ this->FirstLeaf(inner.First), {}, 0 };
+    KnownLeaves known;
+    known.Number = this->FirstLeaf(inner.First);
     for (std::uint32_t lane = 0; lane < inner.Count; ++lane)
     {
       const std::uint32_t beyond = this->FirstLeaf(inner.First + lane) - known.Number;
-      if (beyond <= std::numeric_limits<std::uint16_t>::max() &&
-        this->Nodes[inner.First + lane].IsLeaf)
+      if (beyond < KnownLeaves::Unknown && this->Nodes[inner.First + lane].IsLeaf)
       {
-        known.Lanes |= static_cast<std::uint8_t>(1u << lane);
-        known.Beyond[lane > 0 ? lane - 1 : 0] = static_cast<std::uint16_t>(beyond);
+        known.Beyond[lane] = static_cast<std::uint16_t>(beyond);
       }
     }
     return known;

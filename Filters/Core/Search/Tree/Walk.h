@@ -106,16 +106,20 @@ inline int LeastLane(unsigned lanes, const float* keys)
   return least;
 }
 
-/// A traversal: its stack, whose last is the next.
+/// A traversal: its stack, whose last is the next. The stack is no member: so compilers keep the
+/// members in registers.
 template <class Tree, class Query>
 class Traversal
 {
 public:
   using Node = std::decay_t<decltype(std::declval<const Tree&>().Open(0))>;
+  static constexpr int StackSize = MostLevels * (Node::Width - 1);
 
-  Traversal(const Tree& tree, Query& query)
+  Traversal(const Tree& tree, Query& query, QueueEntry* stack)
     : TheTree(tree)
     , TheQuery(query)
+    , Stack(stack)
+    , Top(stack)
   {
   }
 
@@ -172,22 +176,24 @@ private:
   /// Puts children on the stack but the first of them, which it returns.
   QueueEntry Put(const Node& node, unsigned lanes, bool isSure, const float* keys)
   {
-    unsigned marked = 0;
-    if constexpr (Skips)
+    unsigned sure = 0;
+    if constexpr (Sure)
     {
-      marked = this->TheQuery.Knows(node) ? node.template Read<KnownLeaves>().Lanes : 0u;
+      sure = isSure ? lanes : this->TheQuery.SureOf(node);
     }
-    else if constexpr (Sure)
-    {
-      marked = isSure ? lanes : this->TheQuery.SureOf(node);
-    }
+    const KnownLeaves& leaves = this->LeavesOf(node);
     const auto entryOf = [&](int lane)
     {
-      const std::uint32_t mark = (marked >> lane & 1u) != 0 ? Mark : 0u;
-      const std::uint32_t index = Skips && mark != 0
-        ? node.template Read<KnownLeaves>().NumberOf(lane)
-        : node.First + static_cast<std::uint32_t>(lane);
-      return EntryOf(Query::Ordered ? keys[lane] : 0.0f, index | mark);
+      std::uint32_t index = node.First + static_cast<std::uint32_t>(lane);
+      if constexpr (Skips)
+      {
+        index = leaves.IsKnown(lane) ? leaves.NumberOf(lane) | Mark : index;
+      }
+      else if constexpr (Sure)
+      {
+        index |= (sure >> lane & 1u) != 0 ? Mark : 0u;
+      }
+      return EntryOf(Query::Ordered ? keys[lane] : 0.0f, index);
     };
     if constexpr (!Query::Ordered)
     {
@@ -206,6 +212,16 @@ private:
       first = std::min(first, entry);
     }
     return first;
+  }
+
+  const KnownLeaves& LeavesOf(const Node& node) const
+  {
+    static constexpr KnownLeaves none;
+    if constexpr (Skips)
+    {
+      return this->TheQuery.Knows(node) ? node.template Read<KnownLeaves>() : none;
+    }
+    return none;
   }
 
   /// Keeps what is on the stack from `bottom` on in order.
@@ -307,8 +323,8 @@ private:
 
   const Tree& TheTree;
   Query& TheQuery;
-  QueueEntry Stack[MostLevels * (Node::Width - 1)];
-  QueueEntry* Top = this->Stack; ///< one past the last
+  QueueEntry* const Stack;
+  QueueEntry* Top; ///< one past the last
 };
 
 }
@@ -344,7 +360,9 @@ void Walk(const Tree& tree, Query& query)
   {
     return;
   }
-  detail::Traversal<Tree, Query>(tree, query).Run();
+  using Traversal = detail::Traversal<Tree, Query>;
+  detail::QueueEntry stack[Traversal::StackSize];
+  Traversal(tree, query, stack).Run();
 }
 
 /// A leaf filter, quantized or not, looks at the elements of a leaf more closely than their boxes
