@@ -82,9 +82,10 @@ void SkdDonorGradients::ReadCorners(vtkDataSet* donor)
   const SkdCellReader reader(donor);
   SkdWeld weld;
   vtkNew<vtkIdList> list;
-  this->FirstCorner.push_back(0);
+  std::vector<vtkIdType> corners;
   for (vtkIdType cell = 0; cell < n; ++cell)
   {
+    corners.clear();
     if (this->Has(cell))
     {
       reader.VisitPoints(cell, list,
@@ -99,11 +100,11 @@ void SkdDonorGradients::ReadCorners(vtkDataSet* donor)
             {
               this->Points.push_back(x);
             }
-            this->Corners.push_back(id);
+            corners.push_back(id);
           }
         });
     }
-    this->FirstCorner.push_back(this->Corners.size());
+    this->Corners.Add(corners.begin(), corners.end());
   }
 }
 
@@ -113,26 +114,24 @@ void SkdDonorGradients::FindNeighbours(vtkIdType numberOfPoints)
   std::vector<std::vector<vtkIdType>> cellsAt(static_cast<std::size_t>(numberOfPoints));
   for (std::size_t cell = 0; cell < n; ++cell)
   {
-    for (std::size_t k = this->FirstCorner[cell]; k < this->FirstCorner[cell + 1]; ++k)
+    for (const vtkIdType corner : this->Corners[cell])
     {
-      cellsAt[static_cast<std::size_t>(this->Corners[k])].push_back(static_cast<vtkIdType>(cell));
+      cellsAt[static_cast<std::size_t>(corner)].push_back(static_cast<vtkIdType>(cell));
     }
   }
-  this->FirstNeighbour.push_back(0);
   std::vector<vtkIdType> around;
   for (std::size_t cell = 0; cell < n; ++cell)
   {
     around.clear();
-    for (std::size_t k = this->FirstCorner[cell]; k < this->FirstCorner[cell + 1]; ++k)
+    for (const vtkIdType corner : this->Corners[cell])
     {
-      const std::vector<vtkIdType>& some = cellsAt[static_cast<std::size_t>(this->Corners[k])];
+      const std::vector<vtkIdType>& some = cellsAt[static_cast<std::size_t>(corner)];
       around.insert(around.end(), some.begin(), some.end());
     }
     std::sort(around.begin(), around.end());
-    const auto last = std::unique(around.begin(), around.end());
-    std::copy_if(around.begin(), last, std::back_inserter(this->Neighbours),
-      [cell](vtkIdType other) { return other != static_cast<vtkIdType>(cell); });
-    this->FirstNeighbour.push_back(this->Neighbours.size());
+    auto last = std::unique(around.begin(), around.end());
+    last = std::remove(around.begin(), last, static_cast<vtkIdType>(cell));
+    this->Neighbours.Add(around.begin(), last);
   }
 }
 
@@ -148,9 +147,8 @@ SkdDonorGradients::Matrix SkdDonorGradients::Invert(vtkIdType cell, const Wanted
 {
   Matrix sum{};
   const auto at = static_cast<std::size_t>(cell);
-  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  for (const vtkIdType other : this->Neighbours[at])
   {
-    const vtkIdType other = this->Neighbours[k];
     const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
     const double length2 = skd::Norm2(d);
     if (isWanted(other) && length2 > 0.0)
@@ -184,9 +182,8 @@ skd::Vector3 SkdDonorGradients::Fit(vtkIdType cell, const SkdDonorField& field, 
   const double here = field.Get(cell, component);
   skd::Vector3 right{ { 0.0, 0.0, 0.0 } };
   bool isWhole = true;
-  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  for (const vtkIdType other : this->Neighbours[at])
   {
-    const vtkIdType other = this->Neighbours[k];
     const skd::Vector3 d = this->StepTo(cell, this->Centroids[static_cast<std::size_t>(other)]);
     const double length2 = skd::Norm2(d);
     isWhole = isWhole && counts(other);
@@ -224,14 +221,14 @@ skd::Vector3 SkdDonorGradients::FitTangential(
   const auto axes = this->AxesOf(at);
   const double here = field.Get(cell, component);
   double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0;
-  for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+  for (const vtkIdType neighbour : this->Neighbours[at])
   {
-    const auto other = static_cast<std::size_t>(this->Neighbours[k]);
+    const auto other = static_cast<std::size_t>(neighbour);
     const auto [u, v] = this->FlatStep(at, other, axes);
     const double length2 = u * u + v * v;
     if (field.Counts[other] != 0 && length2 > 0.0)
     {
-      const double change = (field.Get(this->Neighbours[k], component) - here) / length2;
+      const double change = (field.Get(neighbour, component) - here) / length2;
       xx += u * u / length2;
       xy += u * v / length2;
       yy += v * v / length2;
@@ -256,9 +253,8 @@ SkdCellRanges SkdDonorGradients::FindRanges(const SkdDonorField& field, int comp
     {
       const double here = field.Get(static_cast<vtkIdType>(at), component);
       SkdCellRange range{ here, here };
-      for (std::size_t k = this->FirstNeighbour[at]; k < this->FirstNeighbour[at + 1]; ++k)
+      for (const vtkIdType other : this->Neighbours[at])
       {
-        const vtkIdType other = this->Neighbours[k];
         if (field.Counts[static_cast<std::size_t>(other)] != 0)
         {
           range.Least = std::min(range.Least, field.Get(other, component));
@@ -275,9 +271,9 @@ double SkdDonorGradients::ShareWithin(
 {
   const auto at = static_cast<std::size_t>(cell);
   double share = 1.0;
-  for (std::size_t k = this->FirstCorner[at]; k < this->FirstCorner[at + 1]; ++k)
+  for (const vtkIdType id : this->Corners[at])
   {
-    const skd::Vector3& corner = this->Points[static_cast<std::size_t>(this->Corners[k])];
+    const skd::Vector3& corner = this->Points[static_cast<std::size_t>(id)];
     const double change = skd::Dot(gradient, this->StepTo(cell, corner));
     const double room = change > 0.0 ? range.Greatest - here : range.Least - here;
     share = change != 0.0 ? std::min(share, room / change) : share;

@@ -8,6 +8,7 @@
 #ifndef SkdDonorGradients_h
 #define SkdDonorGradients_h
 
+#include "Core/Geometry/Rows.h"
 #include "Remap/SkdDonorFields.h"
 #include "Remap/SkdOverlapWeights.h"
 
@@ -82,12 +83,10 @@ private:
   const std::vector<skd::Vector3>& Normals; // of a curved surface, else none
   skd::Vector3 Normal;
   bool IsOnSphere;
-  std::vector<std::size_t> FirstCorner;
-  std::vector<vtkIdType> Corners; // of welded points
+  skd::Rows<vtkIdType> Corners; // of each cell, of welded points
   std::vector<skd::Vector3> Points;
-  std::vector<std::size_t> FirstNeighbour;
-  std::vector<vtkIdType> Neighbours; // ascending, without the cell itself
-  std::vector<Matrix> Inverses;      // of the least squares of all neighbours
+  skd::Rows<vtkIdType> Neighbours; // of each cell, ascending, without itself
+  std::vector<Matrix> Inverses;    // of the least squares of all neighbours
 };
 }
 

@@ -26,21 +26,23 @@ inline void MakeTangents(const Vector3& normal, Vector3& u, Vector3& v)
   v = Cross(normal, u);
 }
 
-/// Places in a plane, and the least-squares slope of values there as a sum of weights times values;
+/// Points in a plane, and the least-squares slope of values there as a sum of weights times values;
 /// of all slopes that fit equally the least.
 class SlopeFit
 {
 public:
   void Add(double x, double y)
   {
-    const double distance = std::max(std::hypot(x, y), 1e-4);
+    const double distance = std::max(std::hypot(x, y), Nearest);
     this->Neighbours.push_back({ x, y, 1.0 / (distance * distance * distance) });
   }
 
-  /// What each place's value adds to the slopes.
+  /// What each point's value adds to the slopes.
   std::vector<std::array<double, 2>> FindWeights() const;
 
 private:
+  static constexpr double Nearest = 1e-4; // whose weight is not larger than at this distance
+
   struct Neighbour
   {
     double X;
@@ -49,6 +51,10 @@ private:
   };
   std::vector<Neighbour> Neighbours;
 };
+
+// The slopes g that minimise the sum of w (g.d - change)^2 over the neighbours, d from their mean,
+// solve M g = sum of w d change with M = sum of w d d^T. The eigenvalues of M are middle + spread,
+// along `angle`, and middle - spread, across it; its pseudo-inverse leaves out what is 0 of them.
 
 inline std::vector<std::array<double, 2>> SlopeFit::FindWeights() const
 {
@@ -72,8 +78,10 @@ inline std::vector<std::array<double, 2>> SlopeFit::FindWeights() const
   const double angle = 0.5 * std::atan2(xy, 0.5 * (xx - yy));
   const double cosine = std::cos(angle);
   const double sine = std::sin(angle);
-  const bool isPoint = !(middle + spread > 1e-12 * total);
-  const bool isLine = !(middle - spread > 1e-3 * (middle + spread));
+  constexpr double noExtent = 1e-12; // of the mean square of distances, in the mesh's own scale
+  constexpr double noWidth = 1e-3;   // of the smaller eigenvalue, relative to the larger
+  const bool isPoint = !(middle + spread > noExtent * total);
+  const bool isLine = !(middle - spread > noWidth * (middle + spread));
   const double long2 = isPoint ? 0.0 : 1.0 / (middle + spread);
   const double short2 = isPoint || isLine ? 0.0 : 1.0 / (middle - spread);
   std::vector<std::array<double, 2>> weights;
@@ -98,9 +106,9 @@ public:
   Vector3 At(const std::vector<double>& values, std::uint32_t point) const
   {
     Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    for (std::size_t i = this->Offsets[point]; i < this->Offsets[point + 1]; ++i)
+    for (const Share& share : this->Shares[point])
     {
-      sum = sum + values[this->Cells[i]] * this->Weights[i];
+      sum = sum + values[share.Cell] * share.Weight;
     }
     return sum;
   }
@@ -111,28 +119,11 @@ public:
 protected:
   using Ids = std::vector<std::uint32_t>;
 
-  void FindMiddles(const SurfaceMesh& mesh, const SurfaceShape& shape)
+  struct Share
   {
-    this->Middles.resize(mesh.Cells.size());
-    for (std::uint32_t cell = 0; cell < this->Middles.size(); ++cell)
-    {
-      this->Middles[cell] = shape.Put(CornerMean(mesh, cell));
-    }
-  }
-
-  /// `add(point)` adds the cells and weights of each point.
-  template <class Function>
-  void AddPoints(const SurfaceMesh& mesh, const Function& add)
-  {
-    this->Cells.clear();
-    this->Weights.clear();
-    this->Offsets.assign(1, 0);
-    for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
-    {
-      add(point);
-      this->Offsets.push_back(this->Weights.size());
-    }
-  }
+    std::uint32_t Cell;
+    Vector3 Weight;
+  };
 
   /// The tangent plane of a point, in which distances are relative to the farthest cell's.
   struct Plane
@@ -142,7 +133,28 @@ protected:
     double Scale = 0.0;
   };
 
-  /// False: cells near a point say nothing of a gradient.
+  void FindMiddles(const SurfaceMesh& mesh, const SurfaceShape& shape)
+  {
+    this->Middles.resize(mesh.Cells.size());
+    for (std::uint32_t cell = 0; cell < this->Middles.size(); ++cell)
+    {
+      this->Middles[cell] = shape.Put(CornerMean(mesh, cell));
+    }
+  }
+
+  /// findShares(point) returns those of each point.
+  template <class Function>
+  void FindShares(const SurfaceMesh& mesh, const Function& findShares)
+  {
+    this->Shares = Rows<Share>();
+    for (std::uint32_t point = 0; point < mesh.Points.size(); ++point)
+    {
+      const std::vector<Share> shares = findShares(point);
+      this->Shares.Add(shares.begin(), shares.end());
+    }
+  }
+
+  /// False: the cells near a point do not define a gradient.
   bool FindPlane(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point,
     const Ids& cells, Plane& plane) const
   {
@@ -159,21 +171,24 @@ protected:
     return true;
   }
 
-  /// The weights of a fit, as vectors in space.
+  /// What a fit in the plane gives each of the cells that it has, as vectors in space.
   template <class Fit>
-  void AddWeights(const Fit& fit, const Plane& plane)
+  static std::vector<Share> SharesOf(const Ids& cells, const Fit& fit, const Plane& plane)
   {
-    for (const std::array<double, 2>& weight : fit.FindWeights())
+    const std::vector<std::array<double, 2>> weights = fit.FindWeights();
+    std::vector<Share> shares;
+    for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      this->Weights.push_back(
-        (weight[0] / plane.Scale) * plane.U + (weight[1] / plane.Scale) * plane.V);
+      shares.push_back({ cells[i],
+        (weights[i][0] / plane.Scale) * plane.U + (weights[i][1] / plane.Scale) * plane.V });
     }
+    return shares;
   }
 
   std::vector<Vector3> Middles;
-  std::vector<std::size_t> Offsets; // of each point, where its cells begin
-  Ids Cells;
-  std::vector<Vector3> Weights;
+
+private:
+  Rows<Share> Shares; // of each point
 };
 
 /// The gradients at points, along the surface, of what cells have at their middles: by least
@@ -190,13 +205,14 @@ public:
 
 private:
   static Ids CellsNear(const SurfaceMesh& mesh, std::uint32_t point);
-  void Add(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point);
+  std::vector<Share> SharesAt(
+    const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point) const;
 };
 
 inline void PointGradients::Build(const SurfaceMesh& mesh, const SurfaceShape& shape)
 {
   this->FindMiddles(mesh, shape);
-  this->AddPoints(mesh, [&](std::uint32_t point) { this->Add(mesh, shape, point); });
+  this->FindShares(mesh, [&](std::uint32_t point) { return this->SharesAt(mesh, shape, point); });
 }
 
 inline PointGradients::Ids PointGradients::CellsNear(const SurfaceMesh& mesh, std::uint32_t point)
@@ -223,14 +239,14 @@ inline PointGradients::Ids PointGradients::CellsNear(const SurfaceMesh& mesh, st
   return cells;
 }
 
-inline void PointGradients::Add(
-  const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point)
+inline std::vector<PointGradients::Share> PointGradients::SharesAt(
+  const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point) const
 {
   const Ids cells = CellsNear(mesh, point);
   Plane plane;
   if (!this->FindPlane(mesh, shape, point, cells, plane))
   {
-    return;
+    return {};
   }
   detail::SlopeFit fit;
   for (const std::uint32_t cell : cells)
@@ -238,8 +254,7 @@ inline void PointGradients::Add(
     const Vector3 to = (1.0 / plane.Scale) * (this->Middles[cell] - mesh.Points[point]);
     fit.Add(Dot(plane.U, to), Dot(plane.V, to));
   }
-  this->Cells.insert(this->Cells.end(), cells.begin(), cells.end());
-  this->AddWeights(fit, plane);
+  return SharesOf(cells, fit, plane);
 }
 
 }

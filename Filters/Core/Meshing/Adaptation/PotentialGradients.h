@@ -30,7 +30,8 @@ private:
   void Widen(Ids& cells, const Vector3& x, double radius) const;
   std::vector<std::pair<std::uint32_t, Vector3>>::const_iterator ImagesOf(std::uint32_t cell) const;
   Vector3 FindMirror(const IndexRows::Row& ring, const Vector3& x) const;
-  void Add(const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point);
+  std::vector<Share> SharesAt(
+    const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point) const;
 
   IndexRows EdgesOfCell;
   std::vector<std::array<std::uint32_t, 2>> CellsOfEdge;
@@ -75,7 +76,7 @@ inline void PotentialGradients::Build(const SurfaceMesh& mesh, const SurfaceShap
   this->FindMiddles(mesh, shape);
   this->FindNeighbours(mesh);
   this->FindImages(mesh);
-  this->AddPoints(mesh, [&](std::uint32_t point) { this->Add(mesh, shape, point); });
+  this->FindShares(mesh, [&](std::uint32_t point) { return this->SharesAt(mesh, shape, point); });
 }
 
 /// Whether cells spread much less in one direction than in the other; and the farthest's distance.
@@ -184,21 +185,22 @@ inline Vector3 PotentialGradients::FindMirror(const IndexRows::Row& ring, const 
   return { { 0.0, 0.0, 0.0 } };
 }
 
-inline void PotentialGradients::Add(
-  const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point)
+inline std::vector<PotentialGradients::Share> PotentialGradients::SharesAt(
+  const SurfaceMesh& mesh, const SurfaceShape& shape, std::uint32_t point) const
 {
   const Ids cells = this->CellsNear(mesh, point);
   Plane plane;
   if (!this->FindPlane(mesh, shape, point, cells, plane))
   {
-    return;
+    return {};
   }
   QuadraticFit fit;
+  Ids used; // cells and their images, as they are in the fit
   const auto add = [&](std::uint32_t cell, const Vector3& middle)
   {
     const Vector3 to = (1.0 / plane.Scale) * (middle - mesh.Points[point]);
     fit.Add(Dot(plane.U, to), Dot(plane.V, to));
-    this->Cells.push_back(cell);
+    used.push_back(cell);
   };
   const Vector3& x = mesh.Points[point];
   const IndexRows::Row ring = mesh.CellsOfPoint[point];
@@ -218,7 +220,7 @@ inline void PotentialGradients::Add(
       add(cell, image->second);
     }
   }
-  this->AddWeights(fit, plane);
+  return SharesOf(used, fit, plane);
 }
 
 }
