@@ -6,8 +6,8 @@
  * or two surfaces in space that nearly coincide.
  */
 
-#ifndef SkdOverlapGround_h
-#define SkdOverlapGround_h
+#ifndef SkdOverlapSurface_h
+#define SkdOverlapSurface_h
 
 #include "Core/Geometry/Vector.h"
 #include "Remap/SkdOverlapTypes.h"

@@ -7,6 +7,7 @@ Prints "file:line: what is wrong" and returns 1 where the tree departs from the 
 - a circle of includes (a header and the sources of the same name count as one),
 - a file or a function that is too long,
 - a declaration outside of all namespaces that is not named as VTK's classes are,
+- an include guard that is not named as its header is,
 - a word that is no longer used,
 - the picture of the folders in Filters/README.md.
 
@@ -24,6 +25,7 @@ import sys
 import picture
 
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
+GUARD = re.compile(r'^#ifndef (\w+)\n#define \1$', re.M)
 PLAN = pathlib.Path(__file__).resolve().parent / "plan.txt"
 
 
@@ -277,6 +279,16 @@ def check_namespaces(root, names):
                 yield name, number, "in no namespace: " + " ".join(head.split())[:60]
 
 
+def check_guards(root, names):
+    """Include guards end with the name of the header: a renamed file takes its guard along."""
+    for name in names:
+        if not name.endswith(".h"):
+            continue
+        guard = GUARD.search((root / name).read_text(encoding="utf8"))
+        if guard and not guard.group(1).endswith(pathlib.PurePath(name).stem + "_h"):
+            yield name, 1, "the include guard is %s" % guard.group(1)
+
+
 def check_words(plan, root, names):
     for name in names:
         if not name.endswith((".h", ".cxx", ".py", ".md", ".xml", ".txt", ".cmake", ".sh", ".in")):
@@ -301,6 +313,7 @@ def check(root, plan):
     found += ["Filters/%s:%d: %s" % each for each in check_circles(includes)]
     found += ["Filters/%s:%d: %s" % each for each in check_namespaces(root, headers)]
     found += ["%s:%d: %s" % each for each in check_lengths(plan, root, names)]
+    found += ["%s:%d: %s" % each for each in check_guards(root, names)]
     found += ["%s:%d: %s" % each for each in check_words(plan, root, names)]
     found += ["%s:%d: %s" % each for each in picture.check(plan, root)]
     return found

@@ -58,6 +58,8 @@ def plant(plan):
         "in no namespace: std::vector<int> SkdOutside"
     yield "a method in no namespace", "Filters/Cells/Read/SkdShape.cxx", \
         "void SkdOutside::Run()\n{\n}\n", "in no namespace: void SkdOutside::Run"
+    yield "a guard of another name", "Filters/Pipeline/SkdOld.h", \
+        "#ifndef SkdOlder_h\n#define SkdOlder_h\n#endif\n", "the include guard is SkdOlder_h"
     yield "an old word in code", "Filters/Cells/Read/SkdShape.cxx", \
         "// a %s\n" % first_word(plan), "'%s'" % first_word(plan)
     yield "an old word in a document", "Filters/README.md", \

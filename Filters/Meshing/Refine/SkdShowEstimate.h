@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdTellSize_h
-#define SkdTellSize_h
+#ifndef SkdShowEstimate_h
+#define SkdShowEstimate_h
 
 #include "vtkAlgorithm.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdAnswers_h
-#define SkdAnswers_h
+#ifndef SkdClosestArrays_h
+#define SkdClosestArrays_h
 
 #include "Pipeline/SkdBlocks.h"
 #include "Pipeline/SkdSourceTrees.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the skD-tree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkdPartAsker_h
-#define SkdPartAsker_h
+#ifndef SkdPartClassifier_h
+#define SkdPartClassifier_h
 
 #include "Pipeline/SkdQueryPoints.h"
 #include "Search/InOut/SkdInOut.h"
