@@ -98,6 +98,20 @@ void ForEachPointOfBoxes(Test test)
     });
 }
 
+/// The same for segments from there: `move(segment, unit)` moves A away, in units of the tree's
+/// size.
+template <int D, class Move>
+void ExpectCrossedFromPoints(const Move& move)
+{
+  ForEachPointOfBoxes<D>(
+    [&](const auto& boxes, const auto& tree, const auto& point)
+    {
+      skd::Segment<D> segment{ point, point };
+      move(segment, 1.0 / tree.GetFrame().Scale);
+      ExpectCrossed(tree, boxes, segment);
+    });
+}
+
 TYPED_TEST(AlongSegmentTest, ReachesWhatARandomSegmentCrosses)
 {
   ForEachTree<TypeParam::Value>(true,
@@ -129,14 +143,9 @@ TYPED_TEST(AlongSegmentTest, ReachesWhatASegmentThroughABoxCrosses)
 TYPED_TEST(AlongSegmentTest, ReachesWhatASegmentAlongAnAxisCrosses)
 {
   Random random(4);
-  ForEachPointOfBoxes<TypeParam::Value>(
-    [&](const auto& boxes, const auto& tree, const auto& point)
-    {
-      constexpr int D = TypeParam::Value;
-      skd::Segment<D> segment{ point, point };
-      segment.A[static_cast<int>(random.Below(D))] -= 2.0 / tree.GetFrame().Scale;
-      ExpectCrossed(tree, boxes, segment);
-    });
+  constexpr int D = TypeParam::Value;
+  ExpectCrossedFromPoints<D>([&](skd::Segment<D>& segment, double unit)
+    { segment.A[static_cast<int>(random.Below(D))] -= 2.0 * unit; });
 }
 
 TYPED_TEST(AlongSegmentTest, ReachesWhatASegmentInACoordinatePlaneCrosses)
@@ -156,18 +165,16 @@ TYPED_TEST(AlongSegmentTest, ReachesWhatASegmentInACoordinatePlaneCrosses)
 TYPED_TEST(AlongSegmentTest, ReachesWhatASegmentAlmostAlongAnAxisCrosses)
 {
   Random random(6);
-  ForEachPointOfBoxes<TypeParam::Value>(
-    [&](const auto& boxes, const auto& tree, const auto& point)
+  constexpr int D = TypeParam::Value;
+  ExpectCrossedFromPoints<D>(
+    [&](skd::Segment<D>& segment, double unit)
     {
-      constexpr int D = TypeParam::Value;
-      skd::Segment<D> segment{ point, point };
       for (int axis = 0; axis < D; ++axis)
       {
-        segment.A[axis] = std::nextafter(point[axis], random.In(-1.0, 1.0) * 1e300);
+        segment.A[axis] = std::nextafter(segment.B[axis], random.In(-1.0, 1.0) * 1e300);
       }
       const int along = static_cast<int>(random.Below(D));
-      segment.A[along] = point[along] - 2.0 / tree.GetFrame().Scale;
-      ExpectCrossed(tree, boxes, segment);
+      segment.A[along] = segment.B[along] - 2.0 * unit;
     });
 }
 

@@ -95,14 +95,24 @@ Vector3 PointOf(const SimplexSet& set, Random& random)
   return (1.0 / total) * sum;
 }
 
-TEST(SimplexSet, DistancesAreThoseOfPointsAsNearAndFarAsPointsCanBe)
+/// `test(a, b, distance, random)` for so many pairs of random sets.
+template <class Test>
+void ForPairsOfSets(int seed, int count, const Test& test)
 {
-  Random random(2);
-  for (int i = 0; i < 300; ++i)
+  Random random(seed);
+  for (int i = 0; i < count; ++i)
   {
+    SCOPED_TRACE(i);
     const SimplexSet a = RandomSet(random);
     const SimplexSet b = RandomSet(random);
-    const double least = std::sqrt(skd::MinDistance2(a, b));
+    test(a, b, std::sqrt(skd::MinDistance2(a, b)), random);
+  }
+}
+
+TEST(SimplexSet, DistancesAreThoseOfPointsAsNearAndFarAsPointsCanBe)
+{
+  const auto test = [](const SimplexSet& a, const SimplexSet& b, double least, Random& random)
+  {
     EXPECT_EQ(least, std::sqrt(skd::MinDistance2(b, a)));
     const double most = std::sqrt(skd::MaxDistance2(a, b));
     for (int k = 0; k < 50; ++k)
@@ -114,7 +124,8 @@ TEST(SimplexSet, DistancesAreThoseOfPointsAsNearAndFarAsPointsCanBe)
       EXPECT_GE(most, between - 1e-12);
       EXPECT_LE(toB, between + 1e-12);
     }
-  }
+  };
+  ForPairsOfSets(2, 300, test);
 }
 
 /// By alternate projection from a point of one onto the other: slow, and never too near.
@@ -146,16 +157,13 @@ double DistanceByProjection(const SimplexSet& a, const SimplexSet& b, Random& ra
 
 TEST(SimplexSet, LeastDistancesAreReached)
 {
-  Random random(3);
-  for (int i = 0; i < 60; ++i)
+  const auto test = [](const SimplexSet& a, const SimplexSet& b, double least, Random& random)
   {
-    const SimplexSet a = RandomSet(random);
-    const SimplexSet b = RandomSet(random);
-    const double least = std::sqrt(skd::MinDistance2(a, b));
-    const double visited = DistanceByProjection(a, b, random);
-    EXPECT_LE(least, visited + 1e-12);
-    EXPECT_NEAR(least, visited, 2e-2) << i;
-  }
+    const double projected = DistanceByProjection(a, b, random);
+    EXPECT_LE(least, projected + 1e-12);
+    EXPECT_NEAR(least, projected, 2e-2);
+  };
+  ForPairsOfSets(3, 60, test);
 }
 
 TEST(SimplexSet, BoxesHaveTheDistancesOfBoxes)

@@ -3,6 +3,7 @@
 // vtkSkdTreeRemap of polygons on a sphere that are large, have many corners, or wind about it: any
 // simple one up to a hemisphere.
 
+#include "Support/CurveRun.h"
 #include "Support/EventCounter.h"
 #include "Support/RemapRun.h"
 #include "Support/SphereMeshes.h"
@@ -46,14 +47,7 @@ double TriangleArea(const Point& a, const Point& b, const Point& c)
 
 GridPointer PolygonOf(const std::vector<Point>& corners)
 {
-  Mesh mesh;
-  Ids ids;
-  for (const Point& p : corners)
-  {
-    ids.push_back(mesh.Add(p));
-  }
-  mesh.Add(VTK_POLYGON, ids);
-  return MakeGrid(mesh);
+  return MakeGrid(OneCell(VTK_POLYGON, corners));
 }
 
 /// What of each cell of a sphere a mesh covers, and the sums by cell data and by point data.

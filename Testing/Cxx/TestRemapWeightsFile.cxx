@@ -106,6 +106,13 @@ RemapPointer WriteFile(
 }
 }
 
+File FileOf(const Pair& pair, const char* name, int method, int format)
+{
+  const std::string path = TemporaryFile(name);
+  WriteFile(pair.Input, pair.Source, path, method, format);
+  return File(path);
+}
+
 // sum S[k] f[col[k]] is what the filter itself gives.
 TEST(RemapWeightsFile, EsmfWeightsGiveTheSameField)
 {
@@ -142,9 +149,8 @@ TEST(RemapWeightsFile, EsmfWeightsGiveTheSameField)
 TEST(RemapWeightsFile, CentresAreWithinCorners)
 {
   const Pair pair;
-  const std::string name = TemporaryFile("weights_corners.nc");
-  WriteFile(pair.Input, pair.Source, name, Remap::CONSERVATIVE_FIRST_ORDER, Remap::ESMF);
-  const File file(name);
+  const File file =
+    FileOf(pair, "weights_corners.nc", Remap::CONSERVATIVE_FIRST_ORDER, Remap::ESMF);
   const std::size_t a = file.Size("n_a"), corners = file.Size("nv_a");
   ASSERT_EQ(corners, 4u);
   EXPECT_EQ(file.Size("nv_b"), 6u);
@@ -176,9 +182,8 @@ TEST(RemapWeightsFile, CentresAreWithinCorners)
 TEST(RemapWeightsFile, ScripWeightsOfTheGradientAreOfSecondOrder)
 {
   const Pair pair;
-  const std::string name = TemporaryFile("weights_scrip.nc");
-  WriteFile(pair.Input, pair.Source, name, Remap::CONSERVATIVE_SECOND_ORDER, Remap::SCRIP);
-  const File file(name);
+  const File file =
+    FileOf(pair, "weights_scrip.nc", Remap::CONSERVATIVE_SECOND_ORDER, Remap::SCRIP);
   const std::size_t a = file.Size("src_grid_size"), b = file.Size("dst_grid_size");
   const std::size_t links = file.Size("num_links");
   ASSERT_EQ(file.Size("num_wgts"), 3u);
