@@ -6,9 +6,7 @@
 #include "Cells/Search/SkdLocatorState.h"
 #include "Cells/Search/SkdRepresentation.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 
 using namespace skdtree;
 
@@ -88,32 +86,13 @@ vtkIdType vtkSkdTreeCellLocator::FindOverlappingPairs(
 //------------------------------------------------------------------------------
 void vtkSkdTreeCellLocator::GetSafetyBoxes(vtkDoubleArray* S)
 {
-  const skd::PaperTree<3> paper = this->GetTree().MakePaperTree();
-  S->SetNumberOfComponents(6);
-  S->SetNumberOfTuples(static_cast<vtkIdType>(paper.S.size()));
-  for (std::size_t node = 0; node < paper.S.size(); ++node)
-  {
-    const skd::Box3& box = paper.S[node];
-    const double bounds[6] = { box.Min[0], box.Max[0], box.Min[1], box.Max[1], box.Min[2],
-      box.Max[2] };
-    S->SetTypedTuple(static_cast<vtkIdType>(node), bounds);
-  }
+  SkdCopySafetyBoxes(this->GetTree(), S);
 }
 
 //------------------------------------------------------------------------------
 void vtkSkdTreeCellLocator::GetLinks(vtkIdTypeArray* L)
 {
-  const SkdCellTree& tree = this->GetTree();
-  const skd::PaperTree<3> paper = tree.MakePaperTree();
-  L->SetNumberOfComponents(1);
-  L->SetNumberOfTuples(static_cast<vtkIdType>(paper.L.size()));
-  for (std::size_t node = 0; node < paper.L.size(); ++node)
-  {
-    const vtkIdType link = paper.IsLeaf(node)
-      ? -tree.Cells().IdOf(static_cast<std::uint32_t>(-paper.L[node]))
-      : static_cast<vtkIdType>(paper.L[node]);
-    L->SetValue(static_cast<vtkIdType>(node), link);
-  }
+  SkdCopyLinks(this->GetTree(), L);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Bodies/SkdParts.h"
 
 #include "Cells/Search/SkdLocatorState.h"
+#include "Cells/Search/SkdVisitCandidates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "Cells/Read/SkdForEach.h"
 #include "Cells/Search/SkdBuildTree.h"
+#include "Core/Search/Tree/PaperTree.h"
 
 #include <algorithm>
 

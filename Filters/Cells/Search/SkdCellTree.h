@@ -13,9 +13,7 @@
 #include "Core/Geometry/Plane.h"
 #include "Core/Geometry/RigidMotion.h"
 #include "Core/Geometry/Simplices/SimplexSet.h"
-#include "Core/Search/Queries/CandidateLists.h"
 #include "Core/Search/Tree/LazyTree.h"
-#include "Core/Search/Tree/PaperTree.h"
 #include "Core/Search/Tree/Tree.h"
 #include "Core/Search/Tree/TreeInput.h"
 #include "Core/Search/Tree/Walk.h"
@@ -26,6 +24,13 @@
 
 class vtkDoubleArray;
 class vtkIdList;
+
+namespace skd
+{
+struct CandidateLanes;
+template <int D>
+struct PaperTree;
+}
 
 namespace skdtree
 {
@@ -213,19 +218,10 @@ public:
   /// The same for the candidates of the box for which `isMet(cell)` is true.
   double FindNormalDeviation(
     const skd::Box3& box, const std::function<bool(std::uint32_t)>& isMet) const;
-  /// Calls visit(cell) for the listed cells that may intersect the box.
+  /// Calls visit(cell) for the listed cells that may intersect the box: SkdVisitCandidates.h has
+  /// it.
   template <class Visit>
-  void VisitCandidates(const SkdCandidateRange& above, const skd::Box3& box, Visit visit) const
-  {
-    if (this->Lazy)
-    {
-      skd::VisitCandidates(*this->Lazy, above.First, above.Last, box, visit);
-    }
-    else
-    {
-      skd::VisitCandidates(this->Eager, above.First, above.Last, box, visit);
-    }
-  }
+  void VisitCandidates(const SkdCandidateRange& above, const skd::Box3& box, Visit visit) const;
   ///@}
 
   /// SkdCellSimplices.cxx: the cell as what triangles enclose, or as triangles, segments or points.

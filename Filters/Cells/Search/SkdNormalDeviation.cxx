@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/Search/SkdCellTree.h"
 
+#include "Cells/Search/SkdVisitCandidates.h"
 #include "Core/Geometry/Polygons/PlanarPolygon.h"
 
 #include <algorithm>

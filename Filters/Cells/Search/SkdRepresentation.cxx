@@ -4,9 +4,11 @@
 
 #include "Cells/Search/SkdCellTree.h"
 #include "Core/Geometry/Cells/LinearShapes.h"
+#include "Core/Search/Tree/PaperTree.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -69,6 +71,36 @@ private:
   vtkNew<vtkIntArray> Levels;
   vtkNew<vtkIdTypeArray> CellIds;
 };
+}
+
+//------------------------------------------------------------------------------
+void SkdCopySafetyBoxes(const SkdCellTree& tree, vtkDoubleArray* S)
+{
+  const skd::PaperTree<3> paper = tree.MakePaperTree();
+  S->SetNumberOfComponents(6);
+  S->SetNumberOfTuples(static_cast<vtkIdType>(paper.S.size()));
+  for (std::size_t node = 0; node < paper.S.size(); ++node)
+  {
+    const skd::Box3& box = paper.S[node];
+    const double bounds[6] = { box.Min[0], box.Max[0], box.Min[1], box.Max[1], box.Min[2],
+      box.Max[2] };
+    S->SetTypedTuple(static_cast<vtkIdType>(node), bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SkdCopyLinks(const SkdCellTree& tree, vtkIdTypeArray* L)
+{
+  const skd::PaperTree<3> paper = tree.MakePaperTree();
+  L->SetNumberOfComponents(1);
+  L->SetNumberOfTuples(static_cast<vtkIdType>(paper.L.size()));
+  for (std::size_t node = 0; node < paper.L.size(); ++node)
+  {
+    const vtkIdType link = paper.IsLeaf(node)
+      ? -tree.Cells().IdOf(static_cast<std::uint32_t>(-paper.L[node]))
+      : static_cast<vtkIdType>(paper.L[node]);
+    L->SetValue(static_cast<vtkIdType>(node), link);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshing/Refine/SkdCriteria.h"
 
+#include "Cells/Search/SkdVisitCandidates.h"
+
 #include <algorithm>
 
 namespace skdtree

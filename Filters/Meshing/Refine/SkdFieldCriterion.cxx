@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshing/Refine/SkdFieldCriterion.h"
 
+#include "Cells/Search/SkdVisitCandidates.h"
 #include "Meshing/Refine/SkdSecondDifference.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
