@@ -206,9 +206,10 @@ struct Links
     Links sorted;
     sorted.WeightsPerLink = this->WeightsPerLink;
     sorted.Resize(this->Size());
+    Numbers link;
     for (std::size_t i = 0; i < order.size(); ++i)
     {
-      Numbers link;
+      link.clear();
       this->TransferLink(order[i], [&link](const auto& number) { link.push_back(number); });
       std::size_t at = 0;
       sorted.TransferLink(
