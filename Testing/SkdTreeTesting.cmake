@@ -39,24 +39,48 @@ target_compile_options(skdtree_testing INTERFACE
 target_include_directories(skdtree_testing INTERFACE
   "${SKDTREE_ROOT}/Filters" "${CMAKE_CURRENT_LIST_DIR}")
 
-# skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] [HEADERS <header>...]
-#   [IN_LIBRARIES] LABEL <label>)
-# An executable with GoogleTest's main. Starting one process for each of thousands of short tests
-# would take most of the time, so a few processes run a share of them each; failures are named in
-# the output. IN_LIBRARIES: the work is in libraries, so that AddressSanitizer, which finds their
-# errors whoever calls them, need not look at the tests themselves.
-function (skdtree_add_gtest name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "IN_LIBRARIES" "LABEL" "SOURCES;LIBRARIES;HEADERS")
-  add_executable("${name}" ${test_SOURCES})
-  target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
-  # Compiling takes most of the tests' time: headers that nearly all include are read once, and
-  # templates are optimised only as far as saves more time in the run than it costs.
+# Of skdtree_add_gtest. Compiling takes most of the tests' time: headers that nearly all include are
+# read once, and templates are optimised only as far as saves more time in the run than it costs.
+macro (skdtree_set_test_options name)
   target_precompile_headers("${name}" PRIVATE <gtest/gtest.h> ${test_HEADERS})
   target_compile_options("${name}" PRIVATE
     $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O1>)
   if ("address" IN_LIST SKDTREE_SANITIZE AND test_IN_LIBRARIES)
     target_compile_options("${name}" PRIVATE -fno-sanitize=all)
   endif ()
+endmacro ()
+
+# skdtree_use_compiled_tests(<name> <file>)
+# The same of objects that another build, which is brought up to date first, has written to the file.
+function (skdtree_use_compiled_tests name file)
+  file(STRINGS "${file}" objects)
+  add_custom_target("${name}Objects"
+    COMMAND "${CMAKE_COMMAND}" --build "${SKDTREE_TESTS_OF}" --target "${name}"
+    BYPRODUCTS ${objects})
+  set_source_files_properties(${objects} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  add_executable("${name}" ${objects})
+  set_target_properties("${name}" PROPERTIES LINKER_LANGUAGE CXX)
+  add_dependencies("${name}" "${name}Objects")
+endfunction ()
+
+# skdtree_add_gtest(<name> SOURCES <file>... [LIBRARIES <target>...] [HEADERS <header>...]
+#   [IN_LIBRARIES] LABEL <label>)
+# An executable with GoogleTest's main. Starting one process for each of thousands of short tests
+# would take most of the time, so a few processes run a share of them each; failures are named in
+# the output. IN_LIBRARIES: the work is in libraries, so that AddressSanitizer, which finds their
+# errors whoever calls them, need not look at the tests themselves; a build with it takes them
+# compiled from SKDTREE_TESTS_OF, if that is given and configured.
+function (skdtree_add_gtest name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "IN_LIBRARIES" "LABEL" "SOURCES;LIBRARIES;HEADERS")
+  set(objects_file "Testing/${name}.objects")
+  if (test_IN_LIBRARIES AND EXISTS "${SKDTREE_TESTS_OF}/${objects_file}")
+    skdtree_use_compiled_tests("${name}" "${SKDTREE_TESTS_OF}/${objects_file}")
+  else ()
+    add_executable("${name}" ${test_SOURCES})
+    skdtree_set_test_options("${name}")
+    file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/${objects_file}" CONTENT "$<TARGET_OBJECTS:${name}>")
+  endif ()
+  target_link_libraries("${name}" PRIVATE skdtree_testing ${test_LIBRARIES} GTest::gtest_main)
   set(count 8)
   foreach (share RANGE 1 ${count})
     math(EXPR index "${share} - 1")
